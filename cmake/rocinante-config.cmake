@@ -1,0 +1,8 @@
+include(CMakeFindDependencyMacro)
+find_dependency(PkgConfig)
+find_dependency(fmt)
+find_dependency(glm)
+find_dependency(tl-expected)
+find_dependency(nlohmann_json)
+pkg_check_modules(ROCINANTE_ZSTD REQUIRED IMPORTED_TARGET libzstd)
+include(${CMAKE_CURRENT_LIST_DIR}/rocinante-targets.cmake)

@@ -1,0 +1,46 @@
+# How our own targets are made. One place says how our code is compiled; it is linked
+# PRIVATE, so a project that uses Rocinante does not inherit our warnings.
+
+find_package(PkgConfig REQUIRED)
+
+add_library(rocinante_build INTERFACE)
+target_compile_options(rocinante_build INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+  # Kinematics and pictures must come out with the same bits on every CPU (docs/decisions/003).
+  -ffp-contract=off
+  $<$<BOOL:${ROCINANTE_WERROR}>:-Werror>)
+
+find_program(ROCINANTE_CCACHE ccache)
+if(ROCINANTE_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${ROCINANTE_CCACHE})
+endif()
+
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+set(CMAKE_LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib)
+
+# rocinante_library(packet SOURCES a.cpp HEADERS a.h LINK rocinante_base PRIVATE_LINK fmt::fmt)
+# makes rocinante_packet, installed as rocinante::packet. Headers are included from the
+# project root ("core/packet/packet.h"), in the tree and by installed users alike.
+function(rocinante_library name)
+  cmake_parse_arguments(arg "" "" "SOURCES;HEADERS;LINK;PRIVATE_LINK" ${ARGN})
+  set(target rocinante_${name})
+  add_library(${target} STATIC ${arg_SOURCES})
+  add_library(rocinante::${name} ALIAS ${target})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
+  target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}
+    FILES ${arg_HEADERS})
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_link_libraries(${target} PUBLIC ${arg_LINK}
+    PRIVATE $<BUILD_INTERFACE:rocinante_build> ${arg_PRIVATE_LINK})
+  install(TARGETS ${target} EXPORT rocinante-targets
+    FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/rocinante)
+endfunction()
+
+# rocinante_program(record SOURCES record_main.cpp LINK rocinante_recorder)
+# makes bin/rocinante-record.
+function(rocinante_program name)
+  cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
+  set(target rocinante-${name})
+  add_executable(${target} ${arg_SOURCES})
+  target_link_libraries(${target} PRIVATE ${arg_LINK} rocinante_cli rocinante_build)
+  install(TARGETS ${target})
+endfunction()

@@ -1,0 +1,92 @@
+#include "core/atomic_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+namespace rocinante {
+namespace {
+
+Error systemError(std::string what, const std::filesystem::path& path) {
+  const int code = errno;
+  const ErrorKind kind = code == ENOENT ? ErrorKind::not_found : ErrorKind::unreadable;
+  return {kind, std::move(what) + ": " + std::strerror(code), path.string()};
+}
+
+struct Descriptor {
+  int number;
+  ~Descriptor() {
+    if (number >= 0) ::close(number);
+  }
+};
+
+Status writeAll(int file, ByteView bytes, const std::filesystem::path& path) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(file, bytes.data(), bytes.size());
+    if (written < 0) {
+      if (errno == EINTR) continue;
+      return systemError("cannot write", path);
+    }
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<std::string> readFile(const std::filesystem::path& path, std::uint64_t max_bytes) {
+  const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC)};
+  if (file.number < 0) return systemError("cannot open", path);
+  struct stat facts{};
+  if (::fstat(file.number, &facts) != 0) return systemError("cannot read", path);
+  if (S_ISDIR(facts.st_mode)) {
+    return Error{ErrorKind::unreadable, "is a folder, not a file", path.string()};
+  }
+  if (static_cast<std::uint64_t>(facts.st_size) > max_bytes) {
+    return Error{ErrorKind::unsupported,
+                 "is larger than the " + std::to_string(max_bytes) + " bytes that are read",
+                 path.string()};
+  }
+  std::string content;
+  content.reserve(static_cast<std::size_t>(facts.st_size));
+  char buffer[1 << 16];
+  while (true) {
+    const ssize_t got = ::read(file.number, buffer, sizeof buffer);
+    if (got < 0) {
+      if (errno == EINTR) continue;
+      return systemError("cannot read", path);
+    }
+    if (got == 0) return content;
+    content.append(buffer, static_cast<std::size_t>(got));
+    if (content.size() > max_bytes) {
+      return Error{ErrorKind::unsupported, "grew too large while it was read", path.string()};
+    }
+  }
+}
+
+Status writeFileWhole(const std::filesystem::path& path, ByteView bytes, bool overwrite) {
+  std::error_code ignored;
+  if (!overwrite && std::filesystem::exists(path, ignored)) {
+    return Error{ErrorKind::refused, "the file exists; --force overwrites it", path.string()};
+  }
+  const std::filesystem::path beside = path.string() + ".part" + std::to_string(::getpid());
+  Descriptor file{::open(beside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644)};
+  if (file.number < 0) return systemError("cannot create", path);
+  Status written = writeAll(file.number, bytes, path);
+  if (written && ::fsync(file.number) != 0 && errno != EINVAL) {
+    written = systemError("cannot write", path);
+  }
+  if (::close(std::exchange(file.number, -1)) != 0 && written) {
+    written = systemError("cannot write", path);
+  }
+  if (written && ::rename(beside.c_str(), path.c_str()) != 0) {
+    written = systemError("cannot create", path);
+  }
+  if (!written) ::unlink(beside.c_str());
+  return written;
+}
+
+}  // namespace rocinante

@@ -1,0 +1,88 @@
+#include "core/cli/program.h"
+
+#include <signal.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <iostream>
+
+#include "core/version.h"
+
+namespace rocinante::cli {
+namespace {
+
+std::atomic<bool> stop_requested{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "set from a signal handler");
+
+std::string program_name = "rocinante";
+
+void onStopSignal(int signal_number) {
+  stop_requested.store(true);
+  // The next one is the user's last word.
+  ::signal(signal_number, SIG_DFL);
+}
+
+}  // namespace
+
+int run(CLI::App& app, int argc, char** argv, std::string_view examples,
+        const std::function<Result<Exit>()>& body) {
+  program_name = app.get_name();
+  app.set_version_flag("--version", version());
+  app.get_formatter()->column_width(34);
+  app.footer("\nExamples:\n" + std::string(examples) +
+             "\nExit codes: 0 done, same or compatible; 1 the answer is no, or something was not "
+             "kept;\n2 could not run, or nothing was judged.");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& fault) {
+    // --help and --version come this way too, with code 0.
+    if (fault.get_exit_code() == 0) return app.exit(fault, std::cout, std::cerr);
+    warn(std::string(fault.what()) + " (see " + program_name + " --help)");
+    return static_cast<int>(Exit::could_not_run);
+  }
+  try {
+    const Result<Exit> outcome = body();
+    if (!outcome) {
+      warn(outcome.error().text());
+      return static_cast<int>(Exit::could_not_run);
+    }
+    // A full disk or a closed pipe must not look like success.
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+      warn(std::string("cannot write to standard output: ") + std::strerror(errno));
+      return static_cast<int>(Exit::no);
+    }
+    return static_cast<int>(*outcome);
+  } catch (const std::exception& fault) {
+    warn(std::string("stopped by an internal error: ") + fault.what());
+    return static_cast<int>(Exit::could_not_run);
+  }
+}
+
+void catchStopSignals() {
+  struct sigaction action {};
+  action.sa_handler = onStopSignal;
+  // No SA_RESTART: a blocking call must come back.
+  ::sigaction(SIGINT, &action, nullptr);
+  ::sigaction(SIGTERM, &action, nullptr);
+}
+
+bool stopRequested() { return stop_requested.load(); }
+
+void warn(std::string_view text) {
+  std::string line = program_name + ": " + std::string(text) + "\n";
+  std::fwrite(line.data(), 1, line.size(), stderr);
+}
+
+bool colorsOnStandardError() {
+  const char* no_color = std::getenv("NO_COLOR");
+  const char* terminal = std::getenv("TERM");
+  return ::isatty(STDERR_FILENO) == 1 && (no_color == nullptr || *no_color == '\0') &&
+         terminal != nullptr && std::strcmp(terminal, "dumb") != 0;
+}
+
+}  // namespace rocinante::cli

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "core/result.h"
+
+namespace CLI {
+class App;
+}
+
+namespace rocinante::cli {
+
+/// What every program answers (docs/architecture.md, "Exit codes").
+enum class Exit : int {
+  done = 0,          ///< done, same, compatible
+  no = 1,            ///< ran, and the answer is no, or something was not kept
+  could_not_run = 2  ///< arguments, files, display; or nothing was judged
+};
+
+/// Adds --version and the examples to `app`, parses, runs `body`, catches what libraries throw,
+/// prints an Error as one line on stderr ("rocinante-play: SENTENCE (PLACE)") and returns the exit
+/// code. `examples` is printed below --help.
+int run(CLI::App& app, int argc, char** argv, std::string_view examples,
+        const std::function<Result<Exit>()>& body);
+
+/// Becomes true on SIGINT or SIGTERM once catchStopSignals() was called; a second signal ends the
+/// process at once.
+void catchStopSignals();
+bool stopRequested();
+
+/// One line on stderr: "rocinante-NAME: TEXT".
+void warn(std::string_view text);
+
+/// True when standard error is a terminal, NO_COLOR is unset and TERM is not "dumb".
+bool colorsOnStandardError();
+
+}  // namespace rocinante::cli

@@ -1,0 +1,79 @@
+// `rocinante VERB ...` runs `rocinante-VERB ...`: from the folder of this program when it is
+// there, else from PATH. Links nothing of ours but the version.
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/version.h"
+
+namespace {
+
+struct Verb {
+  const char* name;
+  const char* does;
+};
+
+constexpr std::array kVerbs{
+    Verb{"record", "capture live datagrams to a log"},
+    Verb{"play", "re-emit a log as UDP, at any speed"},
+    Verb{"source", "send kinematic state: from a CSV file or the demo's motion"},
+    Verb{"log", "look into a log: info, cat"},
+    Verb{"check", "does this session still fit this model?"},
+    Verb{"render", "draw frames of a cell and a log without a window"},
+    Verb{"view", "the interactive viewer"},
+    Verb{"golden", "compare rendered frames with accepted pictures"},
+};
+
+std::filesystem::path folderOfThisProgram() {
+  std::error_code fault;
+  const auto self = std::filesystem::read_symlink("/proc/self/exe", fault);
+  return fault ? std::filesystem::path() : self.parent_path();
+}
+
+void printHelp() {
+  std::printf("usage: rocinante VERB [OPTIONS]\n\n");
+  for (const Verb& verb : kVerbs) std::printf("  %-8s %s\n", verb.name, verb.does);
+  std::printf("\n`rocinante VERB --help` tells more of each.\n");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::string_view verb = argc > 1 ? argv[1] : "";
+  if (verb.empty()) {
+    std::fprintf(stderr, "rocinante: which verb? (see rocinante --help)\n");
+    return 2;
+  }
+  if (verb == "--help" || verb == "-h" || verb == "help") {
+    printHelp();
+    return 0;
+  }
+  if (verb == "--version") {
+    std::printf("%s\n", rocinante::version());
+    return 0;
+  }
+  if (verb.find('/') != std::string_view::npos || verb.starts_with('-')) {
+    std::fprintf(stderr, "rocinante: `%s` is no verb (see rocinante --help)\n", argv[1]);
+    return 2;
+  }
+
+  std::string program = "rocinante-" + std::string(verb);
+  argv[1] = program.data();
+  const auto beside = folderOfThisProgram() / program;
+  ::execv(beside.c_str(), argv + 1);
+  if (errno == ENOENT) ::execvp(program.c_str(), argv + 1);
+  if (errno == ENOENT) {
+    std::fprintf(stderr, "rocinante: there is no verb `%.*s` (see rocinante --help)\n",
+                 static_cast<int>(verb.size()), verb.data());
+  } else {
+    std::fprintf(stderr, "rocinante: cannot run %s: %s\n", program.c_str(), std::strerror(errno));
+  }
+  return 2;
+}

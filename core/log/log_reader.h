@@ -1,0 +1,71 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/log/log_types.h"
+#include "core/result.h"
+
+namespace rocinante {
+
+/// What a log says of itself, counted over captured channels only.
+struct LogSummary {
+  std::string session_id;
+  LogTime origin{};  ///< the first captured datagram of the session; times are shown from it
+  LogTime start{};   ///< first captured message of this file; origin when there is none
+  LogTime end{};     ///< last captured message of this file
+  std::uint64_t messages = 0;
+  bool complete = false;   ///< closed by its recorder: the summary and rocinante.end are there
+  std::string end_reason;  ///< of rocinante.end
+};
+
+/// Reads a log in time order: (log_time, file offset). Holds few chunks in memory whatever the
+/// file's size. Format: docs/log-format.md. Not for sharing between threads; open one each.
+class LogReader {
+ public:
+  /// not_found or unreadable when the file is; damaged when it does not begin as a log does.
+  /// A log without a summary (its recorder was killed) opens, and is scanned once.
+  static Result<LogReader> open(const std::filesystem::path& path);
+  /// The same over bytes in memory, which must outlive the reader: for tests and fuzzers.
+  static Result<LogReader> openBytes(ByteView bytes, std::string name);
+
+  ~LogReader();
+  LogReader(LogReader&&) noexcept;
+  LogReader& operator=(LogReader&&) noexcept;
+
+  const LogSummary& summary() const;
+  /// By id; channels of the whole file.
+  const std::vector<LogChannel>& channels() const;
+  const std::vector<LogMetadata>& metadata() const;
+  const std::vector<LogAttachment>& attachments() const;
+  Result<Bytes> readAttachment(std::size_t index) const;
+  /// Losses that the recorder stored, oldest first.
+  const std::vector<LossSpan>& losses() const;
+  /// What was found broken so far; grows as reading goes on.
+  const std::vector<DamageSpan>& damage() const;
+
+  /// Goes to the first message with log_time >= `moment`: the next that next() returns.
+  Status seek(LogTime moment);
+  /// Goes to the very first message.
+  Status rewind();
+  /// The next message in time order, of every channel (captured or not). Empty at the end.
+  /// Damage is no error: it is skipped and listed by damage().
+  Result<std::optional<LogMessage>> next();
+
+  const std::string& name() const;  ///< of the file, for messages to people
+
+ private:
+  struct Impl;
+  explicit LogReader(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+/// SHA-256 over (topic, log_time, payload) of the captured messages in order: the identity of a
+/// session (docs/log-format.md). Lower-case hexadecimal. Rewinds the reader.
+Result<std::string> contentSha256(LogReader& reader);
+
+}  // namespace rocinante

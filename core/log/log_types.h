@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/bytes.h"
+#include "core/time.h"
+
+namespace rocinante {
+
+using ChannelId = std::uint16_t;
+
+/// One one-way stream in a session: (listening endpoint, sender, SOURCE). docs/log-format.md.
+struct LogChannel {
+  ChannelId id = 0;
+  std::string topic;
+  std::string encoding;                         ///< "rk1", "octets"
+  std::map<std::string, std::string> metadata;  ///< local remote protocol group interface source
+
+  /// False for /rocinante/...: our own channels, in no count, hash or time range.
+  bool captured() const { return !topic.starts_with("/rocinante/"); }
+  /// True for captured channels and for /rocinante/restated/...: what the fold reads.
+  bool folded() const { return captured() || topic.starts_with("/rocinante/restated/"); }
+};
+
+/// One datagram in a log. `payload` is borrowed: valid until the reader is asked for the next.
+struct LogMessage {
+  const LogChannel* channel = nullptr;
+  std::uint32_t sequence = 0;  ///< the recorder's own count on the channel, modulo 2^32
+  LogTime log_time{};
+  std::int64_t publish_time_ns = 0;  ///< the sender's TIME; the log time when it gave none
+  std::uint64_t file_offset = 0;     ///< breaks ties of log_time: order is (log_time, this)
+  ByteView payload;
+};
+
+/// Why fewer datagrams stand in the log than were sent to it, per listening endpoint.
+struct LossCounts {
+  std::uint64_t kernel = 0;     ///< the socket's buffer was full
+  std::uint64_t queue = 0;      ///< the recorder's own queue was full
+  std::uint64_t disk = 0;       ///< the disk refused them
+  std::uint64_t truncated = 0;  ///< kept, but cut: larger than the receive buffer
+
+  LossCounts& operator+=(const LossCounts& other);
+  bool operator==(const LossCounts&) const = default;
+};
+
+/// Losses of one endpoint between two log times: a message on /rocinante/loss.
+struct LossSpan {
+  std::string endpoint;
+  LogTime from{}, until{};
+  LossCounts counts;
+};
+
+/// A break in the file: bytes [from, to) could not be used, and what that cost.
+struct DamageSpan {
+  std::uint64_t from = 0;
+  std::uint64_t to = 0;
+  std::string cause;
+  std::optional<std::uint64_t> messages_lost;  ///< empty when it cannot be known
+};
+
+struct LogAttachment {
+  std::string name;
+  std::string media_type;
+  LogTime log_time{};
+  std::uint64_t data_bytes = 0;
+};
+
+struct LogMetadata {
+  std::string name;
+  std::map<std::string, std::string> entries;
+};
+
+}  // namespace rocinante

@@ -1,0 +1,31 @@
+#pragma once
+
+// GLM's types under our names. Only + - * / and sqrt of it may be used where a result reaches
+// a picture: its trigonometry is the C library's, which differs between CPUs (docs/decisions/003).
+#ifndef GLM_FORCE_PURE
+#define GLM_FORCE_PURE
+#endif
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+namespace rocinante {
+
+using Vec2 = glm::dvec2;
+using Vec3 = glm::dvec3;
+using Vec4 = glm::dvec4;
+using Mat4 = glm::dmat4;  ///< column major, column vectors: world = parent * local
+using Quat = glm::dquat;  ///< glm's constructor takes (w, x, y, z); packets say x y z w
+
+/// Where something is: position in metres, orientation a unit quaternion.
+struct Pose {
+  Vec3 position{0, 0, 0};
+  Quat orientation{1, 0, 0, 0};
+
+  bool operator==(const Pose&) const = default;
+};
+
+}  // namespace rocinante

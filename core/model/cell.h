@@ -1,0 +1,86 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/model/model.h"
+#include "core/model/model_fault.h"
+#include "core/result.h"
+
+namespace rocinante {
+
+/// A device that the cell names.
+struct CellDevice {
+  std::string name;
+  std::string model;  ///< key into Cell::models
+  Pose pose;
+  std::string layer;  ///< empty: none
+  bool optional = false;  ///< waits for `add`
+  std::optional<glm::vec4> color;  ///< in place of its materials' own
+};
+
+struct CellCamera {
+  std::string name;
+  Vec3 eye{}, target{}, up{0, 0, 1};
+  double fov_deg = 45;                   ///< vertical
+  std::optional<double> ortho_height_m;  ///< orthographic: metres from top to bottom
+  std::string on_device, on_link;        ///< rides on it: eye and target in its space
+  std::string follow_device, follow_link;  ///< follows its position without turning
+};
+
+struct CellLayer {
+  std::string name;
+  bool visible = true;
+};
+
+/// What `check` expects of a source.
+struct CellSource {
+  std::string name;
+  std::optional<std::pair<double, double>> rate_hz;
+  std::vector<std::string> devices;
+  std::map<std::string, std::string> ghost_of;  ///< device drawn as a ghost of another
+};
+
+struct CellScene {
+  glm::vec3 background_top{0.60F, 0.68F, 0.76F};
+  glm::vec3 background_bottom{0.86F, 0.88F, 0.90F};
+  glm::vec3 light_direction{0.4F, -0.5F, 0.8F};  ///< towards the light, world space
+  bool grid = true;
+  double grid_size_m = 10;     ///< half its width
+  double grid_step_m = 1;
+};
+
+/// Geometry mapped to kinematics (docs/cell-format.md). Immutable once loaded.
+struct Cell {
+  std::string file;
+  std::vector<CellDevice> devices;  ///< as the file has them
+  std::map<std::string, std::shared_ptr<const Model>> models;  ///< by the name that `add` uses
+  std::vector<CellCamera> cameras;
+  std::vector<CellLayer> layers;
+  std::vector<CellSource> sources;
+  CellScene scene;
+  ModelFaults faults;  ///< of the cell and all that it names
+  /// Every file that was read, for attaching and hashing; sorted.
+  std::vector<std::filesystem::path> files;
+
+  const CellDevice* findDevice(std::string_view name) const;
+  const CellCamera* findCamera(std::string_view name) const;
+};
+
+struct CellOptions {
+  std::vector<std::filesystem::path> search;  ///< roots besides the cell's own
+  bool search_environment = false;            ///< ROCINANTE_PATH, AMENT_PREFIX_PATH, ROS_PACKAGE_PATH
+  bool geometry = true;  ///< false: kinematics only, no mesh is opened (check without GL is fast)
+};
+
+/// Loads a *.cell.toml, or a bare .urdf or .obj as a cell of one device named after the file.
+/// Faults stand in the cell and as much as is sound is loaded; an error only when nothing is
+/// (the file is missing, or is no cell at all).
+Result<Cell> loadCell(const std::filesystem::path& path, const CellOptions& options);
+
+}  // namespace rocinante

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/math/vector.h"
+#include "core/model/mesh.h"
+
+namespace rocinante {
+
+enum class JointType : std::uint8_t {
+  fixed,
+  revolute,
+  continuous,
+  prismatic,
+  planar,    ///< three values: x y yaw
+  floating,  ///< seven values: x y z qx qy qz qw
+};
+std::string_view nameOf(JointType type);
+/// How many values a sender gives for it: 0, 1, 1, 1, 3, 7.
+std::size_t valueCount(JointType type);
+
+struct JointLimits {
+  double lower = 0, upper = 0;  ///< radians or metres
+  std::optional<double> velocity, effort;
+};
+
+struct Mimic {
+  std::size_t joint = 0;  ///< into Model::joints
+  double multiplier = 1, offset = 0;
+};
+
+struct Joint {
+  std::string name;
+  JointType type = JointType::fixed;
+  std::size_t parent = 0;  ///< into Model::links
+  std::size_t child = 0;
+  Pose origin;             ///< of the child in the parent at zero
+  Vec3 axis{1, 0, 0};      ///< unit length, in the child's space
+  std::optional<JointLimits> limits;
+  std::optional<Mimic> mimic;
+};
+
+/// A piece of geometry of a link. Several visuals share one mesh.
+struct Visual {
+  std::string name;
+  Pose origin;                       ///< in the link
+  Vec3 scale{1, 1, 1};               ///< negative mirrors
+  std::shared_ptr<const Mesh> mesh;  ///< null when its file is missing (a fault says so)
+  std::vector<std::size_t> mesh_parts;  ///< which parts of the mesh; empty: all
+  std::optional<Material> material;  ///< in place of the mesh's own
+};
+
+struct Link {
+  std::string name;
+  std::optional<std::size_t> parent_joint;  ///< into Model::joints; empty for the root
+  std::vector<Visual> visuals;
+  std::vector<Visual> collisions;
+};
+
+/// Kinematics with geometry: a tree of links and joints. Immutable once read; shared by devices.
+struct Model {
+  std::string name;
+  std::string file;
+  std::vector<Link> links;    ///< as the file has them
+  std::vector<Joint> joints;  ///< as the file has them (the order of positional values)
+  std::size_t root = 0;       ///< into links
+  std::vector<std::size_t> update_order;  ///< joints so that each comes after its parent's
+
+  std::optional<std::size_t> findLink(std::string_view link_name) const;
+  std::optional<std::size_t> findJoint(std::string_view joint_name) const;
+  /// Joints that a sender drives, in order: not fixed, not mimic.
+  std::vector<std::size_t> movableJoints() const;
+  /// Values in a full positional `joints`: the sum of valueCount over the movable joints.
+  std::size_t positionalCount() const;
+};
+
+/// Values of all joints, mimic ones included: valueCount(type) a joint, at first_value[joint].
+struct JointVector {
+  std::vector<double> values;
+  std::vector<std::size_t> first_value;
+};
+
+/// All joints at zero (a floating joint at identity); mimic joints at their offset.
+JointVector zeroJoints(const Model& model);
+/// Sets mimic joints from the ones that they follow, along chains.
+void applyMimics(const Model& model, JointVector& joints);
+/// The pose of each link in the model's own space: double, exact on every CPU (docs/decisions/003).
+std::vector<Mat4> linkPoses(const Model& model, const JointVector& joints);
+
+/// Hash of names, types, order, origins, axes and limits of the joints: kin= of `add`.
+std::uint64_t kinematicsHash(const Model& model);
+
+}  // namespace rocinante

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/result.h"
+
+namespace rocinante {
+
+/// An IPv4 or IPv6 address with a port. A plain value.
+struct SocketAddress {
+  bool is_ipv6 = false;
+  std::array<std::uint8_t, 16> address{};  ///< network order; IPv4 uses the first four bytes
+  std::uint16_t port = 0;
+  std::uint32_t scope_id = 0;  ///< IPv6 link-local: the interface's index
+
+  /// A dotted quad or a bare IPv6 address; no names are looked up.
+  static Result<SocketAddress> parse(std::string_view host, std::uint16_t port);
+
+  bool isMulticast() const;
+  bool isAny() const;
+  std::string hostText() const;  ///< "127.0.0.1", "fe80::1%eth0"
+  std::string text() const;      ///< "127.0.0.1:19960", "[::1]:19960"
+  bool operator==(const SocketAddress&) const = default;
+};
+
+/// Where datagrams come from or go to, as a user writes it:
+/// udp://HOST:PORT, udp://GROUP:PORT?interface=eth0&ttl=1&source=IP, [V6]:PORT, HOST:PORT, :PORT.
+struct Endpoint {
+  SocketAddress address;         ///< ":PORT" is 0.0.0.0 for a listener
+  std::string interface;         ///< multicast only; empty: the system chooses
+  std::optional<int> ttl;        ///< multicast hops, or unicast time to live
+  std::optional<SocketAddress> source;  ///< source-specific multicast: only this sender
+
+  /// bad_argument with the reason and the text. Host names are looked up (getaddrinfo), numbers
+  /// are not.
+  static Result<Endpoint> parse(std::string_view text);
+  /// udp://239.255.19.96:19960?interface=lo&ttl=0
+  static Endpoint standard();
+
+  bool isMulticast() const { return address.isMulticast(); }
+  /// The canonical form; parse(text()) gives the same endpoint.
+  std::string text() const;
+  bool operator==(const Endpoint&) const = default;
+};
+
+}  // namespace rocinante

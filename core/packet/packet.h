@@ -1,0 +1,122 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace rocinante {
+
+/// `part=ID:I/N`: this datagram is part `index` (from 1) of `count` of one whole restatement.
+struct RestatementPart {
+  std::string_view id;
+  std::uint32_t index = 1;
+  std::uint32_t count = 1;
+};
+
+/// `via=RELAY:N`: the relay's own count of what it sent on.
+struct Via {
+  std::string_view relay;
+  std::uint64_t sequence = 0;
+};
+
+/// The first line of a packet (docs/packet-format.md, section "The header").
+/// Views are borrowed from the decoder and the datagram; see Decoder::decode.
+struct PacketHeader {
+  std::string_view source;  ///< decoded name, never empty
+  std::string_view run;     ///< empty when the source sends none
+  std::optional<std::uint64_t> sequence;
+  std::optional<std::int64_t> time_ns;  ///< since the epoch, on the source's clock
+  bool restated = false;
+  bool reset = false;
+  std::optional<RestatementPart> part;
+  std::string_view by;  ///< who restates for the source; empty when it speaks itself
+  std::optional<Via> via;
+};
+
+enum class StatementKind : std::uint8_t {
+  joints,  ///< device; numbers
+  order,   ///< device; names
+  joint,   ///< device; names and numbers, one number a name
+  pose,    ///< device; numbers = x y z qx qy qz qw (normalised); carrier
+  add,     ///< device; text = MODEL; kinematics
+  remove,  ///< device
+  show,    ///< path; is_default
+  hide,    ///< path
+  color,   ///< path; rgba, or is_default
+  line,    ///< id; part; rgba; size_px; carrier; numbers = x y z ...
+  points,  ///< id; part; rgba; size_px; carrier; numbers = x y z ...
+  label,   ///< id; carrier; numbers = x y z; text
+  erase,   ///< id, or all of the source's drawings when the id is empty
+  event,   ///< text
+  view,    ///< id; numbers = ex ey ez tx ty tz fov_deg ux uy uz; ortho_height_m; carrier
+  seen,    ///< device; seen_ns
+};
+
+/// Two names that address a thing: DEVICE, DEVICE/LINK, or layer/NAME (then `first` is "layer"
+/// and `is_layer` is true). Names are decoded, so a link's name may itself hold a slash.
+struct PathView {
+  std::string_view first;
+  std::string_view second;  ///< empty for a whole device
+  bool is_layer = false;
+};
+
+/// One statement. Which fields mean something depends on the kind; the rest keep their defaults.
+struct Statement {
+  StatementKind kind = StatementKind::event;
+  std::uint32_t line = 0;   ///< in the datagram, from 1 (the header's line)
+  std::string_view name;    ///< DEVICE, or the ID of a drawing, or the NAME of a view
+  PathView path;            ///< show, hide, color
+  PathView carrier;         ///< `in DEVICE/LINK`; empty `first` means the world
+  std::string_view text;    ///< MODEL, or the unescaped string of label and event
+  std::span<const double> numbers;           ///< metres and radians
+  std::span<const std::string_view> names;   ///< joint names
+  std::optional<std::uint64_t> kinematics;   ///< kin=HEX16
+  std::uint32_t rgba = 0;                    ///< 0xRRGGBBAA
+  bool is_default = false;                   ///< "the cell's own value" in place of a value
+  std::optional<double> size_px;             ///< width= of a line, size= of points
+  std::optional<double> ortho_height_m;      ///< view: orthographic
+  std::uint32_t part_index = 1;              ///< ID:I/N of a long line or cloud
+  std::uint32_t part_count = 1;
+  std::int64_t seen_ns = 0;                  ///< log time, nanoseconds since the epoch
+};
+
+/// What can be wrong with a datagram or a line of it. A fault is a fact to count, not an error.
+enum class PacketFault : std::uint8_t {
+  not_a_packet,       ///< no header line: the whole datagram is left alone
+  bad_header,         ///< a header word is malformed: the whole datagram is dropped
+  unknown_statement,  ///< skipped, so that later versions can add statements
+  missing_field,
+  extra_field,
+  bad_name,
+  bad_number,
+  bad_color,
+  bad_string,
+  bad_path,
+  zero_quaternion,
+  unnormalised_quaternion,  ///< off unit by more than 1e-3; normalised and applied all the same
+  too_many,                 ///< a bound of docs/packet-format.md is exceeded
+};
+inline constexpr std::size_t kPacketFaultCount = 13;
+
+/// "bad_number" and so on: the names that reports use.
+std::string_view nameOf(PacketFault fault);
+std::string_view nameOf(StatementKind kind);
+
+/// One fault in one datagram. `column` counts bytes from 1.
+struct FaultAt {
+  PacketFault fault;
+  std::uint32_t line = 0;
+  std::uint32_t column = 0;
+};
+
+/// The decoded meaning of one datagram. Borrowed: see Decoder::decode.
+struct Packet {
+  PacketHeader header;
+  std::span<const Statement> statements;
+  std::span<const FaultAt> faults;  ///< in order of lines
+};
+
+}  // namespace rocinante

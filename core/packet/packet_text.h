@@ -1,0 +1,54 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/packet/decoder.h"
+
+namespace rocinante {
+
+/// Reads packet text version 1 (docs/packet-format.md).
+class PacketTextDecoder final : public Decoder {
+ public:
+  PacketTextDecoder();
+  ~PacketTextDecoder() override;
+
+  std::string_view encoding() const override { return "rk1"; }
+  const Packet* decode(ByteView datagram) override;
+  std::span<const FaultAt> faults() const override;
+
+  /// The header alone, cheaply: for recorders and relays, which need no statements.
+  /// Null when the datagram is no packet. Same validity as decode().
+  const PacketHeader* decodeHeader(ByteView datagram);
+
+ private:
+  struct Scratch;
+  std::unique_ptr<Scratch> scratch_;
+};
+
+/// Builds one packet's text. Every append is canonical: names percent-encoded, the shortest decimal
+/// that reads back as the same double, LF line ends.
+class PacketTextWriter {
+ public:
+  explicit PacketTextWriter(const PacketHeader& header);
+
+  /// One statement, written from the fields that its kind uses.
+  void add(const Statement& statement);
+
+  std::size_t byteCount() const { return text_.size(); }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+/// The text of one header line or statement line, without its LF.
+std::string headerText(const PacketHeader& header);
+std::string statementText(const Statement& statement);
+
+/// `name` as a packet writes it: bytes outside A-Z a-z 0-9 _ . - : percent-encoded.
+std::string encodeName(std::string_view name);
+
+}  // namespace rocinante

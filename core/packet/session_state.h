@@ -1,0 +1,171 @@
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/math/vector.h"
+#include "core/packet/packet.h"
+#include "core/time.h"
+
+namespace rocinante {
+
+/// A path whose names are owned. Orders as (is_layer, first, second).
+struct Path {
+  bool is_layer = false;
+  std::string first;
+  std::string second;
+  auto operator<=>(const Path&) const = default;
+};
+
+/// A value with the SOURCE that wrote it last.
+template <class T>
+struct Item {
+  T value;
+  std::string owner;
+  bool operator==(const Item&) const = default;
+};
+
+enum class Presence : std::uint8_t { added, removed };
+
+struct PresenceValue {
+  Presence presence = Presence::added;
+  std::string model;                        ///< MODEL of `add`
+  std::optional<std::uint64_t> kinematics;  ///< kin= of `add`
+  bool operator==(const PresenceValue&) const = default;
+};
+
+struct PoseValue {
+  Pose pose;
+  Path carrier;  ///< empty `first`: the world
+  bool operator==(const PoseValue&) const = default;
+};
+
+/// What was said about one device. "Nothing said" (an empty optional, a missing key) means the
+/// cell's own value.
+struct DeviceState {
+  std::optional<Item<PresenceValue>> presence;
+  std::optional<Item<PoseValue>> pose;
+  /// Positional values, one item: as long as the sender made them (check judges the count).
+  std::optional<Item<std::vector<double>>> joints;
+  /// Values by joint name. They stand over the positional ones, which clear them when they come.
+  std::map<std::string, Item<double>, std::less<>> named_joints;
+  /// Which joints a SOURCE's `joints DEVICE` mean, by SOURCE (which is also the owner).
+  std::map<std::string, std::vector<std::string>, std::less<>> orders;
+  LogTime last_write{};  ///< of any statement about this device
+
+  bool operator==(const DeviceState&) const = default;
+};
+
+struct Visibility {
+  enum class Kind : std::uint8_t { shown, hidden, by_default } kind = Kind::shown;
+  bool operator==(const Visibility&) const = default;
+};
+
+struct ColorValue {
+  std::optional<std::uint32_t> rgba;  ///< 0xRRGGBBAA; empty: said to be the cell's own
+  bool operator==(const ColorValue&) const = default;
+};
+
+/// A line, a cloud of points or a label of a source's drawing.
+struct Drawing {
+  StatementKind kind = StatementKind::line;
+  std::uint32_t rgba = 0xFFFFFFFF;
+  double size_px = 1;
+  Path carrier;
+  std::string text;  ///< labels
+  /// The parts of a long line, in order; one for a short one. A missing part is an empty optional:
+  /// a gap. Each holds x y z triples, metres.
+  std::vector<std::optional<std::vector<double>>> parts;
+  bool operator==(const Drawing&) const = default;
+};
+
+struct ViewValue {
+  Vec3 eye{}, target{}, up{0, 0, 1};
+  double fov_deg = 45;
+  std::optional<double> ortho_height_m;
+  Path carrier;
+  bool operator==(const ViewValue&) const = default;
+};
+
+/// What the fold remembers of a source so as to apply "newest wins" and finish restatements.
+struct SourceState {
+  std::string run;
+  std::optional<std::uint64_t> highest_sequence;
+  std::optional<std::int64_t> time_ns;  ///< TIME of the last datagram folded
+  bool operator==(const SourceState&) const = default;
+};
+
+/// Counts that are no part of the state's identity.
+struct SourceCounts {
+  std::uint64_t packets = 0;     ///< applied
+  std::uint64_t late = 0;        ///< dropped: at or below the highest sequence
+  std::uint64_t gap = 0;         ///< sequence numbers never seen so far
+  std::uint64_t restarts = 0;
+};
+
+struct Event {
+  LogTime time;
+  std::string source;
+  std::string text;
+};
+
+/// What became of a packet given to the fold.
+enum class Applied : std::uint8_t { yes, late };
+
+/// The state of a session at a log time: the one fold that live viewing, scrubbing, golden frames
+/// and check share. A plain value: copy it to keep a moment. Knows no cell.
+/// Defined by docs/packet-format.md, section "The fold".
+class SessionState {
+ public:
+  /// Folds one packet in. `time` must not go back (a datagram later in the log's order).
+  Applied apply(LogTime time, const Packet& packet);
+
+  using Devices = std::map<std::string, DeviceState, std::less<>>;
+  /// (SOURCE, ID): IDs belong to their source.
+  using Drawings = std::map<std::pair<std::string, std::string>, Drawing>;
+
+  const Devices& devices() const { return devices_; }
+  const std::map<Path, Item<Visibility>>& visibility() const { return visibility_; }
+  const std::map<Path, Item<ColorValue>>& colors() const { return colors_; }
+  const Drawings& drawings() const { return drawings_; }
+  const std::map<std::string, Item<ViewValue>, std::less<>>& views() const { return views_; }
+  const std::map<std::string, SourceState, std::less<>>& sources() const { return sources_; }
+
+  /// Counters and faults since the state was made; never part of the identity.
+  const std::map<std::string, SourceCounts, std::less<>>& counts() const { return counts_; }
+
+  /// Events in the packets folded since the last call, oldest first; events are not state.
+  std::vector<Event> takeEvents();
+
+  /// True while a source's restatement has begun and is not complete.
+  bool restatementOpen() const;
+
+  /// Same items with their owners, sources and last writes (DESIGN: a state's identity).
+  bool sameAs(const SessionState& other) const;
+
+  /// The identity as text, one item a line, sorted: equal exactly when sameAs(); a readable diff
+  /// otherwise, and what identityHash() hashes.
+  std::string identityText() const;
+
+ private:
+  friend class StateFolder;
+
+  struct OpenRestatement;
+
+  Devices devices_;
+  std::map<Path, Item<Visibility>> visibility_;
+  std::map<Path, Item<ColorValue>> colors_;
+  Drawings drawings_;
+  std::map<std::string, Item<ViewValue>, std::less<>> views_;
+  std::map<std::string, SourceState, std::less<>> sources_;
+  std::map<std::string, SourceCounts, std::less<>> counts_;
+  std::vector<Event> events_;
+};
+
+}  // namespace rocinante

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/log/log_reader.h"
+#include "core/packet/session_state.h"
+#include "core/result.h"
+
+namespace rocinante {
+
+/// A recorded session as a function of time: state(t) folds every folded message with
+/// log_time <= t. Any order of questions gives the same answers; going on from the last one is
+/// cheap. Not for sharing between threads.
+class Timeline {
+ public:
+  static Result<Timeline> open(const std::filesystem::path& path);
+
+  ~Timeline();
+  Timeline(Timeline&&) noexcept;
+  Timeline& operator=(Timeline&&) noexcept;
+
+  LogTime origin() const;
+  LogTime start() const;
+  LogTime end() const;
+
+  /// The state at `moment`; valid until the next call.
+  Result<const SessionState*> stateAt(LogTime moment);
+
+  /// Every event of the log, oldest first: found on the first call, which reads the log once.
+  Result<const std::vector<Event>*> events();
+
+  const LogReader& log() const;
+
+ private:
+  struct Impl;
+  explicit Timeline(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Reads a time as a person writes it against a session: "12.5", "12.5s", "1m02.5s", "250ms" from
+/// the origin, "-1s" from the end, or RFC 3339 "2026-02-03T04:05:06.789Z". Exact to the nanosecond.
+Result<LogTime> parseSessionTime(std::string_view text, LogTime origin, LogTime end);
+
+}  // namespace rocinante

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/bytes.h"
+#include "core/result.h"
+
+namespace rocinante {
+
+/// 8-bit RGBA, straight alpha, rows top to bottom, no padding.
+struct Picture {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> rgba;  ///< width * height * 4
+
+  ByteView bytes() const { return std::as_bytes(std::span(rgba)); }
+  bool operator==(const Picture&) const = default;
+};
+
+/// PNG through libspng: any colour type and depth in, 8-bit RGBA out. The size is checked against
+/// `max_pixels` before anything is allocated.
+Result<Picture> readPng(const std::filesystem::path& path, std::int64_t max_pixels = 1 << 28);
+Result<Picture> decodePng(ByteView bytes, std::string name, std::int64_t max_pixels = 1 << 28);
+Bytes encodePng(const Picture& picture);  ///< the same bytes for the same picture
+/// Written beside and renamed: the file appears whole or not at all.
+Status writePng(const std::filesystem::path& path, const Picture& picture);
+
+/// Any picture: PNG by libspng, all else by the OpenImageIO module (librocinante_openimageio.so),
+/// which is loaded on first use since linking it costs 0.3 s before main.
+Result<Picture> readPicture(const std::filesystem::path& path);
+
+/// SHA-256 of the RGBA rows, top to bottom, in hexadecimal: what `render --hash` prints.
+std::string pictureSha256(const Picture& picture);
+/// XXH3-128 over width, height (u32, little-endian) and the RGBA rows: the manifest's pixel hash.
+std::string pictureXxh3(const Picture& picture);
+
+}  // namespace rocinante
