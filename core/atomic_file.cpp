@@ -40,7 +40,7 @@ Status writeAll(int file, ByteView bytes, const std::filesystem::path& path) {
 Result<std::string> readFile(const std::filesystem::path& path, std::uint64_t max_bytes) {
   const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC)};
   if (file.number < 0) return systemError("cannot open", path);
-  struct stat facts{};
+  struct stat facts {};
   if (::fstat(file.number, &facts) != 0) return systemError("cannot read", path);
   if (S_ISDIR(facts.st_mode)) {
     return Error{ErrorKind::unreadable, "is a folder, not a file", path.string()};

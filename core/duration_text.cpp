@@ -20,14 +20,16 @@ struct Unit {
 };
 
 // Longest name first where one begins another.
-constexpr std::array kUnits{Unit{"ns", 1},           Unit{"us", 1'000},
-                            Unit{"ms", 1'000'000},   Unit{"s", 1'000'000'000},
-                            Unit{"m", 60'000'000'000}, Unit{"h", 3'600'000'000'000}};
+constexpr std::array kUnits{Unit{"ns", 1},
+                            Unit{"us", 1'000},
+                            Unit{"ms", 1'000'000},
+                            Unit{"s", 1'000'000'000},
+                            Unit{"m", 60'000'000'000},
+                            Unit{"h", 3'600'000'000'000}};
 
 Error badDuration(std::string_view text) {
   return {ErrorKind::bad_argument,
-          "a duration is a number with a unit, such as 12.5s, 250ms or 1m02.5s",
-          std::string(text)};
+          "a duration is a number with a unit, such as 12.5s, 250ms or 1m02.5s", std::string(text)};
 }
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }

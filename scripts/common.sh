@@ -1,0 +1,66 @@
+# Sourced by the scripts beside it, from the project's root.
+
+say() { printf '== %s\n' "$*"; }
+
+# build_preset PRESET [TARGET...]: configures and builds, quietly unless it fails.
+build_preset() {
+  local preset=$1
+  shift
+  local started=$SECONDS log=build/$preset.log
+  mkdir -p build
+  say "build: $preset"
+  local targets=()
+  [ $# -gt 0 ] && targets=(--target "$@")
+  if ! { cmake --preset "$preset" && cmake --build --preset "$preset" "${targets[@]}"; } \
+    >"$log" 2>&1; then
+    grep -E -A 12 'error|FAILED' "$log" | head -n 60 >&2 || true
+    echo "build: $preset failed; all that it said is in $log" >&2
+    return 2
+  fi
+  say "build: $preset in $((SECONDS - started)) s"
+}
+
+# Failures whole, a mark for each hundred tests that went well: a log that can be read.
+show_test_progress() {
+  awk '/Test +#[0-9]+:/ && / Passed / { n++; if (n % 100 == 0) { printf "   %d passed\n", n; fflush() } next }
+       /^ *Start +[0-9]+:/ { next }
+       { print; fflush() }'
+}
+
+# count_results JUNIT_XML: prints PASSED FAILED SKIPPED.
+count_results() {
+  python3 - "$1" <<'PY'
+import sys, xml.etree.ElementTree as tree
+try:
+    suite = tree.parse(sys.argv[1]).getroot()
+except (OSError, tree.ParseError):
+    print("0 1 0")
+    sys.exit()
+passed = failed = skipped = 0
+for case in suite.iter("testcase"):
+    status = case.get("status")
+    if status == "fail":
+        failed += 1
+    elif case.find("skipped") is not None or status in ("notrun", "disabled"):
+        skipped += 1
+    else:
+        passed += 1
+print(passed, failed, skipped)
+PY
+}
+
+# list_skipped PRESET...: one line a skipped test, with its reason.
+list_skipped() {
+  for preset in "$@"; do
+    python3 - "build/$preset/results.xml" "$preset" <<'PY'
+import re, sys, xml.etree.ElementTree as tree
+for case in tree.parse(sys.argv[1]).getroot().iter("testcase"):
+    if case.find("skipped") is None:
+        continue
+    said = case.findtext("system-out") or ""
+    reason = re.search(r"(skipped: .*|.*Skipped\n.*|no real data here.*)", said)
+    print(f"   skipped ({sys.argv[2]}): {case.get('name')}: "
+          f"{reason.group(0).strip() if reason else 'no reason given'}")
+PY
+  done
+}
