@@ -1,0 +1,16 @@
+#pragma once
+
+namespace rocinante {
+
+/// An angle less a whole number of right angles.
+struct ReducedAngle {
+  double high;        ///< in [-pi/4, pi/4]
+  double low;         ///< what `high` leaves out, below a unit in its last place
+  unsigned quadrant;  ///< right angles taken away, modulo 4
+};
+
+/// Reduces a finite, non-negative angle. `high + low` is good to 70 bits for every double: the
+/// product with 2/pi is made with integers, from the digits that matter to the result.
+ReducedAngle reduceAngle(double angle_rad);
+
+}  // namespace rocinante
