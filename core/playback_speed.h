@@ -13,8 +13,8 @@ namespace rocinante {
 /// A plain value; from 0.01 to 1000.
 class PlaybackSpeed {
  public:
-  /// "1", "0.25", "10", "3/2". bad_argument for what is not a number, for more than nine digits on
-  /// a side and for a speed outside 0.01 .. 1000.
+  /// "1", "0.25", "10", "3/2". bad_argument for what is not a number, for more than nine digits (on
+  /// each side of a slash) and for a speed outside 0.01 .. 1000.
   static Result<PlaybackSpeed> parse(std::string_view text);
 
   constexpr PlaybackSpeed() = default;

@@ -40,7 +40,7 @@ TEST(PlaybackSpeed, RefusesWhatIsNotASpeed) {
 
 TEST(PlaybackSpeed, SaysItselfSoThatItReadsBack) {
   for (const char* text : {"1", "0.01", "0.1", "0.25", "2", "7", "10", "1000", "1/3", "3.5",
-                           "355/113", "0.123456789", "12.345678", "999.9"}) {
+                           "355/113", "0.12345678", "12.345678", "999.9"}) {
     SCOPED_TRACE(text);
     const auto speed = PlaybackSpeed::parse(text).value();
     EXPECT_EQ(PlaybackSpeed::parse(speed.text()).value(), speed);
@@ -64,8 +64,8 @@ TEST(PlaybackSpeed, CenturiesSaturateInsteadOfWrapping) {
   const auto slow = PlaybackSpeed::parse("0.01").value();
   EXPECT_EQ(slow.realDuration(Nanoseconds::max()), Nanoseconds::max());
   EXPECT_LT(slow.realDuration(-Nanoseconds::max()), 0ns);
-  const auto fine = PlaybackSpeed::parse("0.999999999").value();
-  EXPECT_EQ(fine.realDuration(999'999'999'000'000'000ns), 1'000'000'000'000'000'000ns);
+  const auto fine = PlaybackSpeed::parse("0.99999999").value();
+  EXPECT_EQ(fine.realDuration(999'999'990'000'000'000ns), 1'000'000'000'000'000'000ns);
 }
 
 }  // namespace
