@@ -13,20 +13,21 @@ namespace rocinante {
 enum class UpAxis : std::uint8_t { y, z };
 
 /// Where a file that another file names may be found; nothing outside the search roots is opened.
+/// `beside` is the folder of the file that names it.
 /// Empty path: not found or not allowed (the callee then adds the fault).
 using ResolveFile = std::function<std::filesystem::path(const std::string& name,
                                                         const std::filesystem::path& beside)>;
 
 struct MeshReadOptions {
-  double unit_m = 1.0;         ///< metres a file's unit is
+  double unit_m = 1.0;  ///< metres a file's unit is
   UpAxis up = UpAxis::z;
-  ResolveFile resolve;         ///< for mtllib and textures; empty: beside the file only
+  ResolveFile resolve;  ///< for mtllib and textures; empty: in the file's folder or below only
   double smooth_angle_deg = 40;  ///< missing normals: faces that meet at less are smoothed
 };
 
 /// Reads .obj (with .mtl) or .stl, binary and ASCII, by the file's ending. Faults of the file are
 /// added to `faults` with their lines and as much as is sound is returned; an error only when
-/// nothing can be used.
+/// nothing can be used. What each format's reader makes of a file: obj_reader.h, stl_reader.h.
 Result<Mesh> readMeshFile(const std::filesystem::path& path, const MeshReadOptions& options,
                           ModelFaults& faults);
 
@@ -35,6 +36,7 @@ Result<Mesh> readMeshBytes(ByteView bytes, const std::filesystem::path& path,
                            const MeshReadOptions& options, ModelFaults& faults);
 
 /// Shapes of URDF, centred on the origin: sizes in metres, axis along z. Deterministic vertices.
+/// A capsule's length is that of its cylinder, without the two half spheres.
 Mesh boxMesh(const Vec3& size);
 Mesh cylinderMesh(double radius, double length);
 Mesh sphereMesh(double radius);

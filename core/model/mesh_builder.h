@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/model/mesh.h"
+
+namespace rocinante {
+
+inline constexpr std::uint32_t kNone = 0xFFFFFFFF;
+
+/// One corner of a triangle: indices into the arrays of a LooseMesh.
+struct Corner {
+  std::uint32_t position = 0;
+  std::uint32_t texture = kNone;
+  std::uint32_t normal = kNone;  ///< kNone: to be computed from the faces around
+};
+
+/// A mesh as a file tells it: separate arrays of positions, texture coordinates and normals, and
+/// triangles that pick from each. Already in metres, z up.
+struct LooseMesh {
+  std::vector<glm::vec3> positions;
+  std::vector<glm::vec2> textures;
+  std::vector<glm::vec3> normals;  ///< unit length
+  std::vector<Corner> corners;     ///< three a triangle
+  std::vector<MeshPart> parts;     ///< first_index and index_count count corners
+  std::vector<Material> materials;
+};
+
+/// Gives every corner without a normal one: the area-weighted mean over the faces that share its
+/// point (equal coordinates) and its group and meet its own face at `angle_deg` or less. The sums
+/// are taken in file order with + - * / sqrt alone, so they are the same on every CPU. A point in
+/// more than 256 corners keeps its faces flat (the work is squared in their number).
+void smoothNormals(LooseMesh& loose, double angle_deg);
+
+/// Joins corners that are equal in position, texture and normal into indexed vertices, numbered in
+/// the order in which triangles first use them. Every corner must have a normal.
+Mesh indexedMesh(LooseMesh&& loose);
+
+}  // namespace rocinante

@@ -1,0 +1,45 @@
+#include "core/model/mesh_faults.h"
+
+#include <fmt/format.h>
+
+namespace rocinante {
+namespace {
+
+constexpr std::size_t kListedPerRule = 20;
+constexpr std::size_t kQuotedBytes = 60;
+
+}  // namespace
+
+void MeshFaults::add(Severity severity, std::string_view rule, int line, std::string text,
+                     std::string hint) {
+  auto found = counts_.find(rule);
+  if (found == counts_.end()) found = counts_.emplace(std::string(rule), Count{}).first;
+  found->second.severity = severity;
+  if (++found->second.times > kListedPerRule) return;
+  faults_.push_back(
+      {severity, std::string(rule), file_, line, 0, std::move(text), std::move(hint)});
+}
+
+MeshFaults::~MeshFaults() {
+  for (const auto& [rule, count] : counts_) {
+    if (count.times <= kListedPerRule) continue;
+    faults_.push_back({count.severity, rule, file_, 0, 0,
+                       fmt::format("{} more of these", count.times - kListedPerRule), ""});
+  }
+}
+
+std::string quotedInFault(std::string_view text) {
+  std::string quoted = "`";
+  for (const char c : text.substr(0, kQuotedBytes)) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x20 || byte == 0x7F) {
+      quoted += fmt::format("\\x{:02x}", byte);
+    } else {
+      quoted += c;
+    }
+  }
+  if (text.size() > kQuotedBytes) quoted += "...";
+  return quoted + "`";
+}
+
+}  // namespace rocinante

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+
+#include "core/bytes.h"
+#include "core/model/mesh_faults.h"
+#include "core/model/mesh_file.h"
+
+namespace rocinante {
+
+/// Reads a Wavefront OBJ file and the material files that it names.
+///
+/// A part's group is what the last `g` named, the whole line with its inner blanks; where no `g`
+/// came since the last `o`, the object's name. Polygons are cut into triangles (concave ones too);
+/// faces whose corners are not all there are left out with a fault. Smoothing groups (`s`) are not
+/// used: missing normals are smoothed by angle alone, within a group. Vertex colours, lines and
+/// points are passed over. A material that no file defines gets grey.
+Result<Mesh> readObj(ByteView bytes, const std::filesystem::path& path,
+                     const MeshReadOptions& options, MeshFaults& faults);
+
+}  // namespace rocinante

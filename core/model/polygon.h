@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/math/vector.h"
+
+namespace rocinante {
+
+/// Cuts one polygon into triangles: a fan where it is convex, ear clipping where it is not. A
+/// concave polygon of more than 2,048 corners is only fanned (ears cost the square of them).
+class PolygonCutter {
+ public:
+  /// Three indices into `corners` a triangle, count - 2 triangles, wound as the polygon is. Always
+  /// the same for the same input, also for polygons that cross themselves. At least 3 corners.
+  /// Valid until the next call.
+  std::span<const std::uint32_t> cut(std::span<const glm::vec3> corners);
+
+  /// True when the last polygon was concave and too large for ears.
+  bool gaveUp() const { return gave_up_; }
+
+ private:
+  bool isEar(std::size_t corner) const;
+  bool isStraight(std::size_t corner) const;
+  void flatten(std::span<const glm::vec3> corners);
+  void clipEars();
+
+  std::vector<Vec2> flat_;  ///< in the polygon's plane, counter-clockwise
+  std::vector<std::uint32_t> previous_, next_;
+  std::vector<std::uint32_t> triangles_;
+  bool gave_up_ = false;
+};
+
+}  // namespace rocinante

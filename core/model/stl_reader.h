@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+
+#include "core/bytes.h"
+#include "core/model/mesh_faults.h"
+#include "core/model/mesh_file.h"
+
+namespace rocinante {
+
+/// Reads an STL file, binary or ASCII. It is binary when its length is what its count of triangles
+/// says, whatever its header claims (many binary files begin with "solid"). Points with equal
+/// coordinates are joined; normals come from the winding, smoothed by angle: the file's own are one
+/// a face and often zero. One part without a name, one grey material.
+Result<Mesh> readStl(ByteView bytes, const std::filesystem::path& path,
+                     const MeshReadOptions& options, MeshFaults& faults);
+
+}  // namespace rocinante
