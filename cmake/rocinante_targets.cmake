@@ -1,8 +1,6 @@
 # How our own targets are made. One place says how our code is compiled; it is linked
 # PRIVATE, so a project that uses Rocinante does not inherit our warnings.
 
-find_package(PkgConfig REQUIRED)
-
 add_library(rocinante_build INTERFACE)
 target_compile_options(rocinante_build INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
   # Kinematics and pictures must come out with the same bits on every CPU (docs/decisions/003).

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/result.h"
+#include "viewer/picture/picture.h"
+
+namespace rocinante {
+
+/// How far a frame may be from its golden and still be the same (docs/golden-suites.md,
+/// "Tolerances"). Limits are inclusive.
+struct Tolerance {
+  std::string name = "exact";
+  bool exact = true;           ///< equal pixels; the limits below are not looked at
+  double tile_mean = 0;        ///< largest mean difference that a 16x16 tile may have, 0 to 255
+  std::int64_t tile_over = 0;  ///< how many pixels of a tile may differ by more than 32
+
+  static Tolerance exactly() { return {}; }
+  /// Another CPU class without the pin.
+  static Tolerance cpu() { return {"cpu", false, 4.0, 2}; }
+  static Tolerance loose() { return {"loose", false, 6.0, 16}; }
+  /// "exact", "cpu" or "loose".
+  static Result<Tolerance> named(std::string_view name);
+};
+
+enum class Verdict : std::uint8_t {
+  same,          ///< within the tolerance
+  different,     ///< comparable, and outside the tolerance
+  incomparable,  ///< not the same shape, or there is nothing to compare with
+};
+std::string_view nameOf(Verdict verdict);
+
+/// What was found, and the rule that decided. The difference of two pixels is the largest of
+/// |a - b| over R, G, B and A, from 0 to 255.
+struct Comparison {
+  Verdict verdict = Verdict::incomparable;
+  std::string rule;  ///< "equal pixels", "tile mean 5.31 > 4.00 (cpu)", "640x480 against 320x480"
+  int max = 0;       ///< largest difference
+  int worst_x = 0, worst_y = 0;                               ///< where it is; origin top left
+  std::array<std::uint8_t, 4> worst_frame{}, worst_golden{};  ///< RGBA there
+  double worst_tile_mean = 0;
+  std::int64_t worst_tile_over = 0;
+  /// How many pixels differ by at least 1, and by more than 1, 2, 8 and 32.
+  std::int64_t differing = 0;
+  std::int64_t over_1 = 0, over_2 = 0, over_8 = 0, over_32 = 0;
+};
+
+/// Compares a frame with its golden. Shape first: a cropped frame never passes.
+Comparison compare(const Picture& frame, const Picture& golden, const Tolerance& tolerance);
+
+/// Where two pictures of one shape differ, for people: the frame in grey, dimmed, with differing
+/// pixels from yellow (slight) to red.
+Picture differencePicture(const Picture& frame, const Picture& golden);
+
+/// The same as a few lines of text: one character an area, ` .:+#` by its largest difference.
+std::vector<std::string> differenceMap(const Picture& frame, const Picture& golden,
+                                       int columns = 48);
+
+}  // namespace rocinante

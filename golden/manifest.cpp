@@ -1,0 +1,127 @@
+#include "golden/manifest.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "core/atomic_file.h"
+#include "core/hash.h"
+
+namespace rocinante {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr char kFileName[] = "manifest.json";
+constexpr std::uint64_t kMaxManifestBytes = 64U << 20U;
+
+Error broken(const std::filesystem::path& file, std::string what) {
+  return {ErrorKind::damaged, "the manifest of goldens is broken: " + std::move(what),
+          file.string()};
+}
+
+std::string textIn(const Json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+bool isPlainFileName(const std::string& name) {
+  return !name.empty() && name != "." && name != ".." && name.find('/') == std::string::npos;
+}
+
+}  // namespace
+
+Result<Manifest> Manifest::read(const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / kFileName;
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored)) return Manifest{};
+  const auto text = readFile(file, kMaxManifestBytes);
+  if (!text.ok()) return text.error();
+  const Json root = Json::parse(*text, nullptr, false);
+  if (root.is_discarded() || !root.is_object()) return broken(file, "it is not a JSON object");
+  if (root.value("format", Json()) != 1) {
+    return Error{ErrorKind::unsupported, "the manifest of goldens has a format other than 1",
+                 file.string()};
+  }
+  const auto cases = root.find("cases");
+  if (cases == root.end() || !cases->is_object()) return broken(file, "it has no `cases`");
+
+  Manifest manifest;
+  for (const auto& [name, pictures] : cases->items()) {
+    if (!pictures.is_array()) return broken(file, fmt::format("case `{}` is no list", name));
+    for (const Json& entry : pictures) {
+      AcceptedPicture accepted{textIn(entry, "key"),         textIn(entry, "picture"),
+                               textIn(entry, "pixels"),      textIn(entry, "inputs"),
+                               textIn(entry, "session"),     textIn(entry, "accepted_by"),
+                               textIn(entry, "accepted_at"), textIn(entry, "reason")};
+      if (!isPlainFileName(accepted.picture) || accepted.key.empty() || accepted.pixels.empty()) {
+        return broken(file, fmt::format("a picture of case `{}` lacks its key, its pixel hash or a "
+                                        "plain file name",
+                                        name));
+      }
+      manifest.cases[name].push_back(std::move(accepted));
+    }
+  }
+  return manifest;
+}
+
+Status Manifest::write(const std::filesystem::path& folder) const {
+  Json root;
+  root["format"] = 1;
+  root["cases"] = Json::object();
+  for (const auto& [name, pictures] : cases) {
+    Json& list = root["cases"][name] = Json::array();
+    for (const AcceptedPicture& accepted : pictures) {
+      list.push_back({{"key", accepted.key},
+                      {"picture", accepted.picture},
+                      {"pixels", accepted.pixels},
+                      {"inputs", accepted.inputs},
+                      {"session", accepted.session},
+                      {"accepted_by", accepted.accepted_by},
+                      {"accepted_at", accepted.accepted_at},
+                      {"reason", accepted.reason}});
+    }
+  }
+  const std::string text = root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return writeFileWhole(folder / kFileName, bytesOf(text), true);
+}
+
+std::vector<const AcceptedPicture*> Manifest::find(std::string_view case_name,
+                                                   std::string_view key) const {
+  std::vector<const AcceptedPicture*> found;
+  const auto pictures = cases.find(std::string(case_name));
+  if (pictures == cases.end()) return found;
+  for (const AcceptedPicture& accepted : pictures->second) {
+    if (accepted.key == key) found.push_back(&accepted);
+  }
+  return found;
+}
+
+const AcceptedPicture* Manifest::findAnyOfShape(std::string_view case_name,
+                                                std::string_view shape) const {
+  const auto pictures = cases.find(std::string(case_name));
+  if (pictures == cases.end()) return nullptr;
+  for (const AcceptedPicture& accepted : pictures->second) {
+    if (accepted.key.ends_with(" " + std::string(shape))) return &accepted;
+  }
+  return nullptr;
+}
+
+void Manifest::accept(const std::string& case_name, AcceptedPicture accepted) {
+  std::vector<AcceptedPicture>& pictures = cases[case_name];
+  std::erase_if(pictures, [&](const AcceptedPicture& old) { return old.key == accepted.key; });
+  pictures.push_back(std::move(accepted));
+  // Sorted: the order of approving must not reach the file.
+  std::ranges::sort(pictures, {}, &AcceptedPicture::key);
+}
+
+std::string shapeText(int width, int height, int samples) {
+  return fmt::format("{}x{} {}x", width, height, samples);
+}
+
+std::string goldenFileName(std::string_view case_name, std::string_view key) {
+  return fmt::format("{}.{}.png", case_name, hexOf(xxh3(bytesOf(key))).substr(0, 8));
+}
+
+}  // namespace rocinante

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/result.h"
+
+namespace rocinante {
+
+/// A picture that somebody accepted for a case, on one kind of renderer.
+struct AcceptedPicture {
+  std::string key;      ///< renderer, size and samples: "llvmpipe-...-sse4.1 640x480 4x"
+  std::string picture;  ///< file name in the manifest's folder
+  std::string pixels;   ///< pictureXxh3 of it
+  std::string inputs;   ///< FrameMaker::inputsHash when it was drawn
+  std::string session;  ///< content_sha256 of the log; empty without one
+  std::string accepted_by, accepted_at, reason;
+  bool operator==(const AcceptedPicture&) const = default;
+};
+
+/// goldens/manifest.json: what was accepted, for which case and key (docs/golden-suites.md).
+/// Only `approve` writes it.
+struct Manifest {
+  std::map<std::string, std::vector<AcceptedPicture>> cases;
+
+  /// Empty when the folder has none. Picture names that lead out of the folder are refused.
+  static Result<Manifest> read(const std::filesystem::path& folder);
+  Status write(const std::filesystem::path& folder) const;
+
+  /// The accepted pictures of a case for one key; several when alternatives were approved.
+  std::vector<const AcceptedPicture*> find(std::string_view case_name, std::string_view key) const;
+  /// Any picture of the case with this size and these samples, for a tolerance that allows it.
+  const AcceptedPicture* findAnyOfShape(std::string_view case_name, std::string_view shape) const;
+  /// Puts `accepted` in place of the pictures of its case and key.
+  void accept(const std::string& case_name, AcceptedPicture accepted);
+};
+
+/// "640x480 4x": the end of a key.
+std::string shapeText(int width, int height, int samples);
+/// The golden's file name: the case and eight digits of the key's hash, so that keys never clash.
+std::string goldenFileName(std::string_view case_name, std::string_view key);
+
+}  // namespace rocinante

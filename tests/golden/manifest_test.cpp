@@ -1,0 +1,74 @@
+#include "golden/manifest.h"
+
+#include <gtest/gtest.h>
+
+#include "core/atomic_file.h"
+#include "tests/support/temporary_folder.h"
+
+namespace rocinante {
+namespace {
+
+AcceptedPicture accepted(std::string key, std::string pixels) {
+  return {std::move(key), "pick.png", std::move(pixels), "inputs",
+          "session",      "ada",      "2026-02-03",      "first"};
+}
+
+TEST(Manifest, AFolderWithoutOneHasNoGoldens) {
+  const test::TemporaryFolder folder;
+  const auto manifest = Manifest::read(folder.path());
+  ASSERT_TRUE(manifest.ok());
+  EXPECT_TRUE(manifest->cases.empty());
+}
+
+TEST(Manifest, WhatIsWrittenIsRead) {
+  const test::TemporaryFolder folder;
+  Manifest manifest;
+  manifest.accept("pick", accepted("llvmpipe 640x480 4x", "aa"));
+  manifest.accept("pick", accepted("other 640x480 4x", "bb"));
+  ASSERT_TRUE(manifest.write(folder.path()).ok());
+  const auto read = Manifest::read(folder.path());
+  ASSERT_TRUE(read.ok());
+  EXPECT_EQ(read->cases, manifest.cases);
+}
+
+TEST(Manifest, AcceptingReplacesThePictureOfTheSameKeyAlone) {
+  Manifest manifest;
+  manifest.accept("pick", accepted("a 640x480 4x", "old"));
+  manifest.accept("pick", accepted("b 640x480 4x", "other"));
+  manifest.accept("pick", accepted("a 640x480 4x", "new"));
+  ASSERT_EQ(manifest.find("pick", "a 640x480 4x").size(), 1U);
+  EXPECT_EQ(manifest.find("pick", "a 640x480 4x").front()->pixels, "new");
+  EXPECT_EQ(manifest.find("pick", "b 640x480 4x").front()->pixels, "other");
+  EXPECT_TRUE(manifest.find("place", "a 640x480 4x").empty());
+}
+
+TEST(Manifest, AnotherRenderersGoldenIsFoundByItsShape) {
+  Manifest manifest;
+  manifest.accept("pick", accepted("other 640x480 4x", "x"));
+  EXPECT_NE(manifest.findAnyOfShape("pick", "640x480 4x"), nullptr);
+  EXPECT_EQ(manifest.findAnyOfShape("pick", "40x480 4x"), nullptr);
+}
+
+TEST(Manifest, ABrokenOneIsToldWithItsFile) {
+  const test::TemporaryFolder folder;
+  const auto faultOf = [&](std::string_view text) {
+    EXPECT_TRUE(writeFileWhole(folder / "manifest.json", bytesOf(text), true).ok());
+    const auto manifest = Manifest::read(folder.path());
+    return manifest.ok() ? std::string("none") : manifest.error().what;
+  };
+  EXPECT_EQ(faultOf("{"), "the manifest of goldens is broken: it is not a JSON object");
+  EXPECT_EQ(faultOf("{\"format\": 2}"), "the manifest of goldens has a format other than 1");
+  EXPECT_EQ(faultOf("{\"format\": 1}"), "the manifest of goldens is broken: it has no `cases`");
+  EXPECT_EQ(faultOf("{\"format\":1,\"cases\":{\"a\":[{\"key\":\"k\",\"pixels\":\"p\","
+                    "\"picture\":\"../../etc/passwd\"}]}}"),
+            "the manifest of goldens is broken: a picture of case `a` lacks its key, its pixel "
+            "hash or a plain file name");
+}
+
+TEST(GoldenFileName, DiffersByKey) {
+  EXPECT_NE(goldenFileName("pick", "a"), goldenFileName("pick", "b"));
+  EXPECT_TRUE(goldenFileName("pick", "a").starts_with("pick."));
+}
+
+}  // namespace
+}  // namespace rocinante

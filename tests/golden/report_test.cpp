@@ -1,0 +1,99 @@
+#include "golden/report.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "core/atomic_file.h"
+#include "tests/support/temporary_folder.h"
+
+namespace rocinante {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+Picture plain(std::uint8_t level) {
+  return {16, 16, std::vector<std::uint8_t>(16 * 16 * 4, level)};
+}
+
+class ReportTest : public testing::Test {
+ protected:
+  ReportTest() {
+    suite_case_.name = "pick";
+    report_.suite = "s.toml";
+    report_.cell = "a<b&c.toml";
+    report_.renderer = "llvmpipe";
+  }
+
+  void add(FrameVerdict verdict) {
+    JudgedFrame judged;
+    judged.frame = {"pick", &suite_case_, LogTime(Nanoseconds(5)), ""};
+    judged.verdict = verdict;
+    judged.rule = "a rule with <angle> & \"quotes\"";
+    if (verdict == FrameVerdict::different) {
+      judged.drawn = plain(10);
+      judged.accepted = plain(90);
+      judged.comparison = compare(*judged.drawn, *judged.accepted, Tolerance::exactly());
+    }
+    report_.frames.push_back(std::move(judged));
+  }
+
+  SuiteCase suite_case_;
+  SuiteReport report_;
+};
+
+TEST_F(ReportTest, OneDifferentFrameMakesTheAnswerNo) {
+  EXPECT_EQ(report_.verdict(), Verdict::incomparable);  // nothing judged is never yes
+  add(FrameVerdict::same);
+  EXPECT_EQ(report_.verdict(), Verdict::same);
+  add(FrameVerdict::incomparable);
+  EXPECT_EQ(report_.verdict(), Verdict::incomparable);
+  add(FrameVerdict::missing);
+  EXPECT_EQ(report_.verdict(), Verdict::different);
+}
+
+TEST_F(ReportTest, JsonHoldsTheFigures) {
+  add(FrameVerdict::different);
+  const auto root = nlohmann::json::parse(reportJson(report_));
+  EXPECT_EQ(root["format"], 1);
+  EXPECT_EQ(root["verdict"], "different");
+  EXPECT_EQ(root["counts"]["different"], 1);
+  EXPECT_EQ(root["frames"][0]["max"], 80);
+  EXPECT_EQ(root["frames"][0]["pixels_over"]["32"], 256);
+  EXPECT_EQ(root["frames"][0]["log_time_ns"], 5);
+}
+
+TEST_F(ReportTest, JunitTellsFailuresFromErrors) {
+  add(FrameVerdict::same);
+  add(FrameVerdict::unstable);
+  add(FrameVerdict::incomparable);
+  const std::string xml = reportJunit(report_);
+  EXPECT_THAT(xml, HasSubstr("tests=\"3\" failures=\"1\" errors=\"1\""));
+  EXPECT_THAT(xml, HasSubstr("<failure message=\"unstable: a rule with &lt;angle&gt; &amp;"));
+  EXPECT_THAT(xml, HasSubstr("<error message=\"incomparable:"));
+}
+
+TEST_F(ReportTest, ThePageEscapesWhatItShowsAndNeedsNoNetwork) {
+  add(FrameVerdict::different);
+  const std::string page = reportHtml(report_);
+  EXPECT_THAT(page, HasSubstr("a&lt;b&amp;c.toml"));
+  EXPECT_THAT(page, HasSubstr("data:image/png;base64,iVBOR"));
+  EXPECT_THAT(page, Not(HasSubstr("http:")));
+  EXPECT_THAT(page, Not(HasSubstr("https:")));
+  EXPECT_THAT(page, Not(HasSubstr("<angle>")));
+}
+
+TEST_F(ReportTest, PicturesLieBesideThePage) {
+  add(FrameVerdict::different);
+  const test::TemporaryFolder folder;
+  ASSERT_TRUE(writeReport(report_, folder / "deep" / "report").ok());
+  for (const char* name :
+       {"index.html", "pick.frame.png", "pick.golden.png", "pick.difference.png"}) {
+    EXPECT_TRUE(std::filesystem::exists(folder / "deep" / "report" / name)) << name;
+  }
+}
+
+}  // namespace
+}  // namespace rocinante
