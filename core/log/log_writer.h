@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "core/log/byte_sink.h"
 #include "core/log/log_types.h"
 #include "core/result.h"
 
@@ -14,17 +15,21 @@ struct LogWriterOptions {
   int zstd_level = 1;
   std::size_t chunk_bytes = 1U << 20U;  ///< uncompressed; a chunk is closed when it holds this
   Nanoseconds sync{std::chrono::milliseconds(100)};  ///< a chunk older than this is closed
-  bool overwrite = false;  ///< else an existing file is refused
+  bool overwrite = false;                            ///< else an existing file is refused
 };
 
-/// Writes a log (docs/log-format.md). Messages must come in time order. Not for sharing between
-/// threads; starts none. Every call answers; close() must be called and its answer looked at: the
-/// destructor is only a net.
+/// Writes a log (docs/log-format.md). Messages should come in time order: one that is late is kept
+/// and read at its time, but slows reading down. Not for sharing between threads; starts none.
+/// Every call answers; close() must be called and its answer looked at: the destructor is only a
+/// net.
 class LogWriter {
  public:
   /// refused when the file exists and `overwrite` is false; unreadable when it cannot be made.
   static Result<LogWriter> create(const std::filesystem::path& path,
                                   const LogWriterOptions& options, std::string session_id);
+  /// The same on any sink.
+  static Result<LogWriter> createOn(std::unique_ptr<ByteSink> sink, const LogWriterOptions& options,
+                                    std::string session_id);
 
   ~LogWriter();
   LogWriter(LogWriter&&) noexcept;
@@ -34,6 +39,9 @@ class LogWriter {
   Result<ChannelId> addChannel(std::string topic, std::string encoding,
                                std::map<std::string, std::string> metadata);
 
+  /// Once the disk has refused a write, every further message is refused with the same error and
+  /// counted by refusedByDisk(); losses can still be told, and close() still tries for a whole
+  /// file.
   Status write(ChannelId channel, std::uint32_t sequence, LogTime log_time,
                std::int64_t publish_time_ns, ByteView payload);
   Status writeLoss(const LossSpan& span);
@@ -48,9 +56,14 @@ class LogWriter {
   Status flushIfDue(SteadyTime now);
 
   /// Writes the summary and rocinante.end with `reason`, flushes to the disk, closes the file.
+  /// After a refused write it answers that first error, even when the file could still be finished.
   Status close(std::string reason);
 
+  /// What stands in the file; the open chunk is not among it.
   std::uint64_t bytesWritten() const;
+  /// Per channel: messages given to write() that do not stand in the file because the disk refused
+  /// them, those of a chunk that write() had taken already included. Complete once a write failed.
+  const std::map<ChannelId, std::uint64_t>& refusedByDisk() const;
 
  private:
   struct Impl;

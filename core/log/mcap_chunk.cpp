@@ -1,0 +1,130 @@
+#include "core/log/mcap_chunk.h"
+
+#include <fmt/format.h>
+#include <zstd.h>
+
+#include <algorithm>
+
+#include "core/hash.h"
+
+namespace rocinante::mcap {
+namespace {
+
+/// A zstd block is at most 128 KiB and takes at least 4 bytes: no honest frame grows more.
+constexpr std::uint64_t kMaxZstdGrowth = 32768;
+
+/// Compressing less than this saves nothing worth the reader's time.
+constexpr std::size_t kLeastToCompress = 1024;
+
+Error damaged(std::string what) { return Error{ErrorKind::damaged, std::move(what), {}}; }
+
+/// What would stop us before the first byte is expanded.
+Status mayExpand(const Chunk& chunk) {
+  if (chunk.compression != "" && chunk.compression != "zstd") {
+    return Error{ErrorKind::unsupported,
+                 fmt::format("the chunk is compressed with \"{}\"; only zstd and none can be read",
+                             chunk.compression.substr(0, 32)),
+                 {}};
+  }
+  if (chunk.uncompressed_size > kMaxChunkBytes) {
+    return damaged(fmt::format("the chunk claims to hold {} bytes; at most {} are expanded",
+                               chunk.uncompressed_size, kMaxChunkBytes));
+  }
+  return {};
+}
+
+}  // namespace
+
+struct ChunkExpander::Contexts {
+  ZSTD_DCtx* zstd = ZSTD_createDCtx();
+  Contexts() = default;
+  Contexts(const Contexts&) = delete;
+  Contexts& operator=(const Contexts&) = delete;
+  ~Contexts() { ZSTD_freeDCtx(zstd); }
+};
+
+ChunkExpander::ChunkExpander() : contexts_(std::make_unique<Contexts>()) {}
+ChunkExpander::~ChunkExpander() = default;
+ChunkExpander::ChunkExpander(ChunkExpander&&) noexcept = default;
+ChunkExpander& ChunkExpander::operator=(ChunkExpander&&) noexcept = default;
+
+Result<ByteView> ChunkExpander::expand(const Chunk& chunk, Scratch& scratch) {
+  if (Status allowed = mayExpand(chunk); !allowed) return allowed.error();
+  ByteView records = chunk.records;
+  if (chunk.compression == "zstd") {
+    if (chunk.uncompressed_size > (chunk.records.size() + 1) * kMaxZstdGrowth) {
+      return damaged(fmt::format("the chunk claims {} bytes out of {}, more than zstd can make",
+                                 chunk.uncompressed_size, chunk.records.size()));
+    }
+    const auto size = static_cast<std::size_t>(chunk.uncompressed_size);
+    std::byte* const out = scratch.make(size);
+    const std::size_t made =
+        ZSTD_decompressDCtx(contexts_->zstd, out, size, records.data(), records.size());
+    if (ZSTD_isError(made) != 0U) {
+      return damaged(fmt::format("the chunk does not decompress: {}", ZSTD_getErrorName(made)));
+    }
+    records = ByteView(out, made);
+  }
+  if (records.size() != chunk.uncompressed_size) {
+    return damaged(fmt::format("the chunk holds {} bytes where its header says {}", records.size(),
+                               chunk.uncompressed_size));
+  }
+  if (chunk.uncompressed_crc != 0) {
+    if (const std::uint32_t found = crc32(records); found != chunk.uncompressed_crc) {
+      return damaged(fmt::format("the chunk fails its checksum ({:08x}, stored {:08x})", found,
+                                 chunk.uncompressed_crc));
+    }
+  }
+  return records;
+}
+
+Result<ByteView> ChunkExpander::expandCut(const Chunk& chunk, Scratch& scratch) {
+  if (Status allowed = mayExpand(chunk); !allowed) return allowed.error();
+  if (chunk.compression.empty()) return chunk.records;
+  const std::uint64_t bound =
+      std::min<std::uint64_t>(chunk.uncompressed_size, (chunk.records.size() + 1) * kMaxZstdGrowth);
+  const auto size = static_cast<std::size_t>(bound);
+  ZSTD_outBuffer out{scratch.make(size), size, 0};
+  ZSTD_inBuffer in{chunk.records.data(), chunk.records.size(), 0};
+  ZSTD_DCtx_reset(contexts_->zstd, ZSTD_reset_session_only);
+  while (out.pos < out.size) {
+    const std::size_t in_before = in.pos;
+    const std::size_t out_before = out.pos;
+    const std::size_t hint = ZSTD_decompressStream(contexts_->zstd, &out, &in);
+    // An error ends it: what came before it is still whole blocks.
+    if (ZSTD_isError(hint) != 0U || hint == 0) break;
+    if (in.pos == in_before && out.pos == out_before) break;
+  }
+  return ByteView(static_cast<const std::byte*>(out.dst), out.pos);
+}
+
+struct ChunkCompressor::Context {
+  ZSTD_CCtx* zstd = ZSTD_createCCtx();
+  Scratch scratch;
+  Context() = default;
+  Context(const Context&) = delete;
+  Context& operator=(const Context&) = delete;
+  ~Context() { ZSTD_freeCCtx(zstd); }
+};
+
+ChunkCompressor::ChunkCompressor(int zstd_level) : context_(std::make_unique<Context>()) {
+  ZSTD_CCtx_setParameter(context_->zstd, ZSTD_c_compressionLevel, zstd_level);
+}
+ChunkCompressor::~ChunkCompressor() = default;
+ChunkCompressor::ChunkCompressor(ChunkCompressor&&) noexcept = default;
+ChunkCompressor& ChunkCompressor::operator=(ChunkCompressor&&) noexcept = default;
+
+ChunkCompressor::Compressed ChunkCompressor::compress(ByteView records) {
+  if (records.size() < kLeastToCompress) return {"", records};
+  // Room for the worst case, so that it cannot fail for want of it.
+  const std::size_t bound = ZSTD_compressBound(records.size());
+  std::byte* const out = context_->scratch.make(bound);
+  const std::size_t made =
+      ZSTD_compress2(context_->zstd, out, bound, records.data(), records.size());
+  if (ZSTD_isError(made) != 0U || made > records.size() - records.size() / 50) {
+    return {"", records};
+  }
+  return {"zstd", ByteView(out, made)};
+}
+
+}  // namespace rocinante::mcap

@@ -1,0 +1,205 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/bytes.h"
+
+/// The records of an MCAP file, version 0, field by field in the order of their bytes.
+/// The format is the public specification's (https://mcap.dev/spec); docs/log-format.md says which
+/// part of it a log uses.
+namespace rocinante::mcap {
+
+inline constexpr unsigned char kMagicBytes[8] = {0x89, 'M', 'C', 'A', 'P', '0', '\r', '\n'};
+inline ByteView magic() { return std::as_bytes(std::span(kMagicBytes)); }
+
+/// Opcode (u8) and length of the content (u64), before the content of every record.
+inline constexpr std::size_t kPrefixBytes = 9;
+inline constexpr std::size_t kFooterContentBytes = 20;
+inline constexpr std::size_t kDataEndContentBytes = 4;
+inline constexpr std::size_t kMessageHeaderBytes = 22;
+/// What stands at the end of every whole file: the Footer record and the magic.
+inline constexpr std::size_t kFileEndBytes = kPrefixBytes + kFooterContentBytes + 8;
+
+enum class Opcode : std::uint8_t {
+  invalid = 0x00,
+  header = 0x01,
+  footer = 0x02,
+  schema = 0x03,
+  channel = 0x04,
+  message = 0x05,
+  chunk = 0x06,
+  message_index = 0x07,
+  chunk_index = 0x08,
+  attachment = 0x09,
+  attachment_index = 0x0A,
+  statistics = 0x0B,
+  metadata = 0x0C,
+  metadata_index = 0x0D,
+  summary_offset = 0x0E,
+  data_end = 0x0F,
+};
+
+/// "Chunk", "MessageIndex" ...: the specification's names; "record" for an unknown opcode.
+std::string_view nameOf(Opcode opcode);
+
+struct Header {
+  std::string profile;
+  std::string library;
+};
+
+struct Footer {
+  std::uint64_t summary_start = 0;         ///< file offset; 0 when there is no summary
+  std::uint64_t summary_offset_start = 0;  ///< file offset; 0 when there are none
+  std::uint32_t summary_crc = 0;  ///< from summary start through summary_offset_start; 0: none
+};
+
+struct Schema {
+  std::uint16_t id = 0;  ///< never 0: that means "no schema" in a Channel
+  std::string name;
+  std::string encoding;
+  Bytes data;
+  bool operator==(const Schema&) const = default;
+};
+
+struct Channel {
+  std::uint16_t id = 0;
+  std::uint16_t schema_id = 0;
+  std::string topic;
+  std::string message_encoding;
+  std::map<std::string, std::string> metadata;
+  bool operator==(const Channel&) const = default;
+};
+
+struct Message {
+  std::uint16_t channel_id = 0;
+  std::uint32_t sequence = 0;
+  std::uint64_t log_time = 0;
+  std::uint64_t publish_time = 0;
+  ByteView data;  ///< borrowed
+};
+
+struct Chunk {
+  std::uint64_t message_start_time = 0;  ///< both 0 when it holds no message
+  std::uint64_t message_end_time = 0;
+  std::uint64_t uncompressed_size = 0;
+  std::uint32_t uncompressed_crc = 0;  ///< 0: not computed
+  std::string_view compression;        ///< "", "zstd", "lz4"; borrowed
+  ByteView records;                    ///< as stored; borrowed
+};
+
+struct MessageIndex {
+  std::uint16_t channel_id = 0;
+  /// (log_time, offset of the Message's opcode in the uncompressed chunk), in order of writing.
+  std::vector<std::pair<std::uint64_t, std::uint64_t>> records;
+};
+
+struct ChunkIndex {
+  std::uint64_t message_start_time = 0;
+  std::uint64_t message_end_time = 0;
+  std::uint64_t chunk_start_offset = 0;
+  std::uint64_t chunk_length = 0;  ///< with the prefix
+  /// channel -> file offset of its MessageIndex; empty means unknown.
+  std::map<std::uint16_t, std::uint64_t> message_index_offsets;
+  std::uint64_t message_index_length = 0;
+  std::string compression;
+  std::uint64_t compressed_size = 0;
+  std::uint64_t uncompressed_size = 0;
+};
+
+struct Attachment {
+  std::uint64_t log_time = 0;
+  std::uint64_t create_time = 0;
+  std::string name;
+  std::string media_type;
+  ByteView data;          ///< borrowed
+  std::uint32_t crc = 0;  ///< as stored; append() computes it. 0: not computed
+  ByteView checked;       ///< by parse(): the bytes that crc is of
+};
+
+struct AttachmentIndex {
+  std::uint64_t offset = 0;
+  std::uint64_t length = 0;  ///< with the prefix
+  std::uint64_t log_time = 0;
+  std::uint64_t create_time = 0;
+  std::uint64_t data_size = 0;
+  std::string name;
+  std::string media_type;
+};
+
+struct Statistics {
+  std::uint64_t message_count = 0;
+  std::uint16_t schema_count = 0;
+  std::uint32_t channel_count = 0;
+  std::uint32_t attachment_count = 0;
+  std::uint32_t metadata_count = 0;
+  std::uint32_t chunk_count = 0;
+  std::uint64_t message_start_time = 0;
+  std::uint64_t message_end_time = 0;
+  std::map<std::uint16_t, std::uint64_t> channel_message_counts;
+};
+
+struct Metadata {
+  std::string name;
+  std::map<std::string, std::string> metadata;
+};
+
+struct MetadataIndex {
+  std::uint64_t offset = 0;
+  std::uint64_t length = 0;  ///< with the prefix
+  std::string name;
+};
+
+struct SummaryOffset {
+  Opcode group_opcode = Opcode::invalid;
+  std::uint64_t group_start = 0;
+  std::uint64_t group_length = 0;
+};
+
+struct DataEnd {
+  std::uint32_t data_section_crc = 0;  ///< of every byte before this record; 0: not computed
+};
+
+/// Reads a record from its content (without the prefix). Answers how many bytes its known fields
+/// took: a later version may add fields behind them, except to Message, DataEnd and Footer. Empty
+/// when the content breaks the format: a length beyond the end, or a map whose bytes do not come
+/// out even. Nothing is allocated before its length is checked.
+std::optional<std::size_t> parse(ByteView content, Header& out);
+std::optional<std::size_t> parse(ByteView content, Footer& out);
+std::optional<std::size_t> parse(ByteView content, Schema& out);
+std::optional<std::size_t> parse(ByteView content, Channel& out);
+std::optional<std::size_t> parse(ByteView content, Message& out);
+std::optional<std::size_t> parse(ByteView content, Chunk& out);
+std::optional<std::size_t> parse(ByteView content, MessageIndex& out);
+std::optional<std::size_t> parse(ByteView content, ChunkIndex& out);
+std::optional<std::size_t> parse(ByteView content, Attachment& out);
+std::optional<std::size_t> parse(ByteView content, AttachmentIndex& out);
+std::optional<std::size_t> parse(ByteView content, Statistics& out);
+std::optional<std::size_t> parse(ByteView content, Metadata& out);
+std::optional<std::size_t> parse(ByteView content, MetadataIndex& out);
+std::optional<std::size_t> parse(ByteView content, SummaryOffset& out);
+std::optional<std::size_t> parse(ByteView content, DataEnd& out);
+
+/// Appends a whole record: opcode, length, content.
+void append(Bytes& out, const Header& record);
+void append(Bytes& out, const Footer& record);
+void append(Bytes& out, const Schema& record);
+void append(Bytes& out, const Channel& record);
+void append(Bytes& out, const Message& record);
+void append(Bytes& out, const Chunk& record);
+void append(Bytes& out, const MessageIndex& record);
+void append(Bytes& out, const ChunkIndex& record);
+void append(Bytes& out, const Attachment& record);
+void append(Bytes& out, const AttachmentIndex& record);
+void append(Bytes& out, const Statistics& record);
+void append(Bytes& out, const Metadata& record);
+void append(Bytes& out, const MetadataIndex& record);
+void append(Bytes& out, const SummaryOffset& record);
+void append(Bytes& out, const DataEnd& record);
+
+}  // namespace rocinante::mcap
