@@ -1,6 +1,6 @@
 #pragma once
 
-#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -66,21 +66,21 @@ struct PathView {
 /// One statement. Which fields mean something depends on the kind; the rest keep their defaults.
 struct Statement {
   StatementKind kind = StatementKind::event;
-  std::uint32_t line = 0;   ///< in the datagram, from 1 (the header's line)
-  std::string_view name;    ///< DEVICE, or the ID of a drawing, or the NAME of a view
-  PathView path;            ///< show, hide, color
-  PathView carrier;         ///< `in DEVICE/LINK`; empty `first` means the world
-  std::string_view text;    ///< MODEL, or the unescaped string of label and event
-  std::span<const double> numbers;           ///< metres and radians
-  std::span<const std::string_view> names;   ///< joint names
-  std::optional<std::uint64_t> kinematics;   ///< kin=HEX16
-  std::uint32_t rgba = 0;                    ///< 0xRRGGBBAA
-  bool is_default = false;                   ///< "the cell's own value" in place of a value
-  std::optional<double> size_px;             ///< width= of a line, size= of points
-  std::optional<double> ortho_height_m;      ///< view: orthographic
-  std::uint32_t part_index = 1;              ///< ID:I/N of a long line or cloud
+  std::uint32_t line = 0;           ///< in the datagram, from 1 (the header's line)
+  std::string_view name;            ///< DEVICE, or the ID of a drawing, or the NAME of a view
+  PathView path;                    ///< show, hide, color
+  PathView carrier;                 ///< `in DEVICE/LINK`; empty `first` means the world
+  std::string_view text;            ///< MODEL, or the unescaped string of label and event
+  std::span<const double> numbers;  ///< metres and radians
+  std::span<const std::string_view> names;  ///< joint names
+  std::optional<std::uint64_t> kinematics;  ///< kin=HEX16
+  std::uint32_t rgba = 0;                   ///< 0xRRGGBBAA
+  bool is_default = false;                  ///< "the cell's own value" in place of a value
+  std::optional<double> size_px;            ///< width= of a line, size= of points
+  std::optional<double> ortho_height_m;     ///< view: orthographic
+  std::uint32_t part_index = 1;             ///< ID:I/N of a long line or cloud
   std::uint32_t part_count = 1;
-  std::int64_t seen_ns = 0;                  ///< log time, nanoseconds since the epoch
+  std::int64_t seen_ns = 0;  ///< log time, nanoseconds since the epoch
 };
 
 /// What can be wrong with a datagram or a line of it. A fault is a fact to count, not an error.
@@ -98,8 +98,9 @@ enum class PacketFault : std::uint8_t {
   zero_quaternion,
   unnormalised_quaternion,  ///< off unit by more than 1e-3; normalised and applied all the same
   too_many,                 ///< a bound of docs/packet-format.md is exceeded
+  order_mismatch,           ///< found by the fold: `joints` with another count than its `order`
 };
-inline constexpr std::size_t kPacketFaultCount = 13;
+inline constexpr std::size_t kPacketFaultCount = 14;
 
 /// "bad_number" and so on: the names that reports use.
 std::string_view nameOf(PacketFault fault);

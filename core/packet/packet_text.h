@@ -1,9 +1,8 @@
 #pragma once
 
-#include <optional>
+#include <memory>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "core/packet/decoder.h"
 
@@ -29,7 +28,8 @@ class PacketTextDecoder final : public Decoder {
 };
 
 /// Builds one packet's text. Every append is canonical: names percent-encoded, the shortest decimal
-/// that reads back as the same double, LF line ends.
+/// that reads back as the same double, LF line ends. What is given must be what a decoder could
+/// have read: names not empty and UTF-8, numbers finite, as many as the kind wants.
 class PacketTextWriter {
  public:
   explicit PacketTextWriter(const PacketHeader& header);

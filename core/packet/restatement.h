@@ -11,10 +11,10 @@ namespace rocinante {
 
 /// How a state is said again (docs/packet-format.md, section "Restatements").
 struct RestatementOptions {
-  std::string_view by;       ///< who says it; empty when the source speaks for itself
-  bool reset = false;        ///< forget the memory of SEQUENCE first, and drop other items
-  bool with_seen = false;    ///< add `seen` lines: keyframes only
-  std::string_view part_id;  ///< ID of part=ID:I/N; must be a name, not empty
+  std::string_view by;           ///< who says it; empty when the source speaks for itself
+  bool reset = false;            ///< forget the memory of SEQUENCE first, and drop other items
+  bool with_seen = false;        ///< add `seen` lines: keyframes only
+  std::string_view part_id;      ///< ID of part=ID:I/N; must be a name, not empty
   std::size_t mtu_bytes = 1200;  ///< a datagram holds at most this, unless one statement is larger
 };
 

@@ -103,9 +103,9 @@ struct SourceState {
 
 /// Counts that are no part of the state's identity.
 struct SourceCounts {
-  std::uint64_t packets = 0;     ///< applied
-  std::uint64_t late = 0;        ///< dropped: at or below the highest sequence
-  std::uint64_t gap = 0;         ///< sequence numbers never seen so far
+  std::uint64_t packets = 0;  ///< applied
+  std::uint64_t late = 0;     ///< dropped: at or below the highest sequence
+  std::uint64_t gap = 0;      ///< sequence numbers never seen so far
   std::uint64_t restarts = 0;
 };
 

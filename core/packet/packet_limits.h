@@ -1,0 +1,38 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+
+#include "core/time.h"
+
+// The bounds of packet text and of the state that it makes: docs/packet-format.md, section
+// "Limits". What goes past one is left out and counted as too_many (or bad_name, bad_string,
+// bad_header where the table says so).
+namespace rocinante::limits {
+
+inline constexpr std::size_t kNameBytes = 255;     ///< decoded
+inline constexpr std::size_t kStringBytes = 4096;  ///< unescaped
+inline constexpr std::size_t kJointValues = 4096;  ///< of one joints, order or joint statement
+inline constexpr std::uint32_t kRestatementParts = 65536;
+inline constexpr std::uint32_t kDrawingParts = 4096;
+
+inline constexpr std::size_t kSources = 4096;
+inline constexpr std::size_t kRelays = 256;
+inline constexpr std::size_t kDevices = 65536;
+inline constexpr std::size_t kPaths = 262144;  ///< of visibility, and as many of colour
+inline constexpr std::size_t kDrawings = 65536;
+inline constexpr std::size_t kViews = 4096;
+inline constexpr std::size_t kEvents = 65536;  ///< not yet taken
+/// Of everything in the state, as the table counts it: one sum that no mix of the above passes.
+inline constexpr std::uint64_t kStateBytes = std::uint64_t{256} << 20U;
+
+/// A SEQUENCE further below the highest than this is a restart, not a late datagram.
+inline constexpr std::uint64_t kReorderWindow = 64;
+/// A restatement not complete after this much log time, counted from its first part, is abandoned.
+inline constexpr Nanoseconds kRestatementSpan = std::chrono::seconds(1);
+
+inline constexpr double kDefaultLinePx = 1;
+inline constexpr double kDefaultPointPx = 3;
+
+}  // namespace rocinante::limits

@@ -1,0 +1,232 @@
+#include "core/packet/packet_limits.h"
+#include "core/packet/packet_text.h"
+#include "core/packet/text_name.h"
+#include "core/packet/text_number.h"
+
+namespace rocinante {
+namespace {
+
+void appendField(std::string& text, std::string_view name) {
+  text += ' ';
+  appendName(text, name);
+}
+
+void appendNumbers(std::string& text, std::span<const double> numbers) {
+  for (const double number : numbers) {
+    text += ' ';
+    appendNumber(text, number);
+  }
+}
+
+void appendCarrier(std::string& text, const PathView& carrier) {
+  if (carrier.first.empty()) return;
+  text += " in";
+  appendField(text, carrier.first);
+  text += '/';
+  appendName(text, carrier.second);
+}
+
+void appendPath(std::string& text, const PathView& path) {
+  if (path.is_layer) {
+    text += " layer/";
+    appendName(text, path.second);
+    return;
+  }
+  if (path.second.empty()) return appendField(text, path.first);
+  // A link of a device that is called "layer" must not read as a layer.
+  text += path.first == "layer" ? " %6Cayer" : " ";
+  if (path.first != "layer") appendName(text, path.first);
+  text += '/';
+  appendName(text, path.second);
+}
+
+void appendColor(std::string& text, std::uint32_t rgba) {
+  text += " #";
+  const bool opaque = (rgba & 0xFFU) == 0xFF;
+  appendHex(text, opaque ? rgba >> 8U : rgba, opaque ? 6 : 8);
+}
+
+void appendDrawing(std::string& text, const Statement& statement) {
+  appendField(text, statement.name);
+  if (statement.part_count != 1) {
+    text += ':';
+    appendUnsigned(text, statement.part_index);
+    text += '/';
+    appendUnsigned(text, statement.part_count);
+  }
+  appendColor(text, statement.rgba);
+  if (statement.size_px) {
+    text += statement.kind == StatementKind::line ? " width=" : " size=";
+    appendNumber(text, *statement.size_px);
+  }
+  appendCarrier(text, statement.carrier);
+  appendNumbers(text, statement.numbers);
+}
+
+void appendView(std::string& text, const Statement& statement) {
+  appendField(text, statement.name);
+  appendNumbers(text, statement.numbers.first(7));
+  const std::span<const double> up = statement.numbers.subspan(7);
+  if (up[0] != 0 || up[1] != 0 || up[2] != 1) {
+    text += " up";
+    appendNumbers(text, up);
+  }
+  if (statement.ortho_height_m) {
+    text += " ortho ";
+    appendNumber(text, *statement.ortho_height_m);
+  }
+  appendCarrier(text, statement.carrier);
+}
+
+void appendSpaceAndString(std::string& text, std::string_view string) {
+  text += ' ';
+  appendString(text, string);
+}
+
+void appendStatement(std::string& text, const Statement& statement) {
+  text += nameOf(statement.kind);
+  switch (statement.kind) {
+    case StatementKind::joints:
+      appendField(text, statement.name);
+      appendNumbers(text, statement.numbers);
+      break;
+    case StatementKind::order:
+      appendField(text, statement.name);
+      for (const std::string_view joint : statement.names) appendField(text, joint);
+      break;
+    case StatementKind::joint:
+      appendField(text, statement.name);
+      for (std::size_t i = 0; i < statement.names.size(); ++i) {
+        appendField(text, statement.names[i]);
+        text += '=';
+        appendNumber(text, statement.numbers[i]);
+      }
+      break;
+    case StatementKind::pose:
+      appendField(text, statement.name);
+      appendNumbers(text, statement.numbers);
+      appendCarrier(text, statement.carrier);
+      break;
+    case StatementKind::add:
+      appendField(text, statement.name);
+      appendField(text, statement.text);
+      if (statement.kinematics) {
+        text += " kin=";
+        appendHex(text, *statement.kinematics, 16);
+      }
+      break;
+    case StatementKind::remove:
+      appendField(text, statement.name);
+      break;
+    case StatementKind::show:
+      appendPath(text, statement.path);
+      if (statement.is_default) text += " default";
+      break;
+    case StatementKind::hide:
+      appendPath(text, statement.path);
+      break;
+    case StatementKind::color:
+      appendPath(text, statement.path);
+      if (statement.is_default) {
+        text += " default";
+      } else {
+        appendColor(text, statement.rgba);
+      }
+      break;
+    case StatementKind::line:
+    case StatementKind::points:
+      appendDrawing(text, statement);
+      break;
+    case StatementKind::label:
+      appendField(text, statement.name);
+      appendCarrier(text, statement.carrier);
+      appendNumbers(text, statement.numbers);
+      appendSpaceAndString(text, statement.text);
+      break;
+    case StatementKind::erase:
+      if (statement.name.empty()) {
+        text += " *";
+      } else {
+        appendField(text, statement.name);
+      }
+      break;
+    case StatementKind::event:
+      appendSpaceAndString(text, statement.text);
+      break;
+    case StatementKind::view:
+      appendView(text, statement);
+      break;
+    case StatementKind::seen:
+      appendField(text, statement.name);
+      text += ' ';
+      appendUnsigned(text, static_cast<std::uint64_t>(statement.seen_ns));
+      break;
+  }
+}
+
+void appendHeader(std::string& text, const PacketHeader& header) {
+  text += "RK1";
+  appendField(text, header.source);
+  if (!header.run.empty()) {
+    text += '@';
+    appendName(text, header.run);
+  }
+  text += ' ';
+  if (header.sequence) {
+    appendUnsigned(text, *header.sequence);
+  } else {
+    text += '-';
+  }
+  text += ' ';
+  if (header.time_ns) {
+    appendSeconds(text, *header.time_ns);
+  } else {
+    text += '-';
+  }
+  if (header.restated) text += " restated";
+  if (header.part) {
+    text += " part=";
+    appendName(text, header.part->id);
+    text += ':';
+    appendUnsigned(text, header.part->index);
+    text += '/';
+    appendUnsigned(text, header.part->count);
+  }
+  if (!header.by.empty()) {
+    text += " by=";
+    appendName(text, header.by);
+  }
+  if (header.reset) text += " reset";
+  if (header.via) {
+    text += " via=";
+    appendName(text, header.via->relay);
+    text += ':';
+    appendUnsigned(text, header.via->sequence);
+  }
+}
+
+}  // namespace
+
+PacketTextWriter::PacketTextWriter(const PacketHeader& header) {
+  appendHeader(text_, header);
+  text_ += '\n';
+}
+
+void PacketTextWriter::add(const Statement& statement) {
+  appendStatement(text_, statement);
+  text_ += '\n';
+}
+
+std::string headerText(const PacketHeader& header) {
+  std::string text;
+  appendHeader(text, header);
+  return text;
+}
+
+std::string statementText(const Statement& statement) {
+  std::string text;
+  appendStatement(text, statement);
+  return text;
+}
+
+}  // namespace rocinante

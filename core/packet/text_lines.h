@@ -1,0 +1,99 @@
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+#include <string_view>
+
+namespace rocinante {
+
+/// Walks the lines of a packet's text, leaving out what it ignores: the CR before an LF, blank
+/// lines, lines whose first field begins with '#', and NULs at the very end.
+class TextLines {
+ public:
+  explicit TextLines(std::string_view text) : at_(text.data()), end_(at_ + text.size()) {
+    while (end_ != at_ && end_[-1] == '\0') --end_;
+  }
+
+  /// The next line that counts, without its end and without leading separators' meaning lost:
+  /// columns count from the line's first byte. False after the last.
+  bool next(std::string_view& line) {
+    while (at_ != end_) {
+      const auto* const feed =
+          static_cast<const char*>(std::memchr(at_, '\n', static_cast<std::size_t>(end_ - at_)));
+      const char* const line_end = feed == nullptr ? end_ : feed;
+      line = {at_, static_cast<std::size_t>(line_end - at_)};
+      at_ = feed == nullptr ? end_ : feed + 1;
+      ++number_;
+      if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+      const std::size_t first = line.find_first_not_of(" \t");
+      if (first != std::string_view::npos && line[first] != '#') return true;
+    }
+    return false;
+  }
+
+  /// Of the line that next() gave, from 1.
+  std::uint32_t number() const { return number_; }
+
+ private:
+  const char* at_;
+  const char* end_;
+  std::uint32_t number_ = 0;
+};
+
+/// Walks the fields of one line: what stands between spaces and tabs.
+class TextFields {
+ public:
+  explicit TextFields(std::string_view line)
+      : begin_(line.data()), at_(begin_), end_(begin_ + line.size()) {}
+
+  /// Skips separators; true when nothing is left.
+  bool atEnd() {
+    while (at_ != end_ && isSeparator(*at_)) ++at_;
+    return at_ == end_;
+  }
+  /// The next field without taking it; empty at the end.
+  std::string_view peek() {
+    if (atEnd()) return {};
+    const char* field_end = at_;
+    while (field_end != end_ && !isSeparator(*field_end)) ++field_end;
+    return {at_, static_cast<std::size_t>(field_end - at_)};
+  }
+  std::string_view take() {
+    const std::string_view field = peek();
+    at_ += field.size();
+    return field;
+  }
+  /// Takes the next field when it is `word`.
+  bool takeWord(std::string_view word) {
+    if (peek() != word) return false;
+    at_ += word.size();
+    return true;
+  }
+  /// Takes the next field when it begins with `prefix`, and gives what follows in it.
+  bool takeAfter(std::string_view prefix, std::string_view& rest) {
+    const std::string_view field = peek();
+    if (!field.starts_with(prefix)) return false;
+    at_ += field.size();
+    rest = field.substr(prefix.size());
+    return true;
+  }
+
+  /// The place itself, for readers that find the end of a field as they read it.
+  const char*& at() { return at_; }
+  const char* end() const { return end_; }
+  /// True between fields: after a number or string this must hold.
+  bool atSeparator() const { return at_ == end_ || isSeparator(*at_); }
+
+  std::uint32_t columnOf(const char* place) const {
+    return static_cast<std::uint32_t>(place - begin_) + 1;
+  }
+
+ private:
+  static bool isSeparator(char character) { return character == ' ' || character == '\t'; }
+
+  const char* begin_;
+  const char* at_;
+  const char* end_;
+};
+
+}  // namespace rocinante

@@ -1,0 +1,161 @@
+#include "core/packet/text_name.h"
+
+#include <array>
+#include <cstdint>
+
+#include "core/packet/packet_limits.h"
+#include "core/packet/packet_text.h"
+#include "core/packet/text_number.h"
+
+namespace rocinante {
+namespace {
+
+constexpr std::array<bool, 256> kNameBytes = [] {
+  std::array<bool, 256> table{};
+  for (std::size_t byte = 0; byte < table.size(); ++byte) {
+    table[byte] = (byte >= 'A' && byte <= 'Z') || (byte >= 'a' && byte <= 'z') ||
+                  (byte >= '0' && byte <= '9') || byte == '_' || byte == '.' || byte == '-' ||
+                  byte == ':';
+  }
+  return table;
+}();
+
+std::uint32_t byteOf(char character) { return static_cast<unsigned char>(character); }
+
+bool isControl(char byte) { return byteOf(byte) < 0x20 || byteOf(byte) == 0x7F; }
+
+bool isUtf8(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t length = utf8Length(text);
+    if (length == 0) return false;
+    text.remove_prefix(length);
+  }
+  return true;
+}
+
+}  // namespace
+
+bool isNameByte(char byte) { return kNameBytes[byteOf(byte)]; }
+
+// Unicode 15, table 3-7: no overlong forms, no surrogates, nothing past U+10FFFF.
+std::size_t utf8Length(std::string_view text) {
+  if (text.empty()) return 0;
+  const std::uint32_t first = byteOf(text[0]);
+  if (first < 0x80) return 1;
+  std::size_t length = 0;
+  std::uint32_t low = 0x80;
+  std::uint32_t high = 0xBF;
+  if (first >= 0xC2 && first <= 0xDF) {
+    length = 2;
+  } else if (first >= 0xE0 && first <= 0xEF) {
+    length = 3;
+    if (first == 0xE0) low = 0xA0;
+    if (first == 0xED) high = 0x9F;
+  } else if (first >= 0xF0 && first <= 0xF4) {
+    length = 4;
+    if (first == 0xF0) low = 0x90;
+    if (first == 0xF4) high = 0x8F;
+  }
+  if (length == 0 || text.size() < length) return 0;
+  if (byteOf(text[1]) < low || byteOf(text[1]) > high) return 0;
+  for (std::size_t i = 2; i < length; ++i) {
+    if ((byteOf(text[i]) & 0xC0U) != 0x80) return 0;
+  }
+  return length;
+}
+
+std::optional<std::string_view> decodeName(std::string_view raw, TextArena& arena) {
+  std::size_t plain = 0;
+  while (plain < raw.size() && isNameByte(raw[plain])) ++plain;
+  if (plain == raw.size()) {
+    if (raw.empty() || raw.size() > limits::kNameBytes) return std::nullopt;
+    return raw;
+  }
+  if (raw.size() > 3 * limits::kNameBytes) return std::nullopt;
+  const std::size_t mark = arena.mark();
+  for (std::size_t i = 0; i < raw.size(); ++i) {
+    if (isNameByte(raw[i])) {
+      arena.append(raw[i]);
+      continue;
+    }
+    if (raw[i] != '%' || raw.size() - i < 3) return std::nullopt;
+    const int high = hexDigit(raw[i + 1]);
+    const int low = hexDigit(raw[i + 2]);
+    if (high < 0 || low < 0) return std::nullopt;
+    const char byte = static_cast<char>(high * 16 + low);
+    if (isControl(byte)) return std::nullopt;
+    arena.append(byte);
+    i += 2;
+  }
+  const std::string_view name = arena.since(mark);
+  if (name.size() > limits::kNameBytes || !isUtf8(name)) return std::nullopt;
+  return name;
+}
+
+std::optional<std::string_view> decodeString(const char*& at, const char* end, TextArena& arena) {
+  if (at == end || *at != '"') return std::nullopt;
+  const std::size_t mark = arena.mark();
+  for (const char* next = at + 1; next != end; ++next) {
+    char byte = *next;
+    if (byte == '"') {
+      const std::string_view string = arena.since(mark);
+      if (string.size() > limits::kStringBytes || !isUtf8(string)) return std::nullopt;
+      at = next + 1;
+      return string;
+    }
+    if (isControl(byte) && byte != '\t') return std::nullopt;
+    if (byte == '\\') {
+      if (++next == end) return std::nullopt;
+      if (*next == 'n') {
+        byte = '\n';
+      } else if (*next == '"' || *next == '\\') {
+        byte = *next;
+      } else {
+        return std::nullopt;
+      }
+    }
+    arena.append(byte);
+  }
+  return std::nullopt;
+}
+
+void appendName(std::string& text, std::string_view name) {
+  constexpr std::string_view kHex = "0123456789ABCDEF";
+  for (const char byte : name) {
+    if (isNameByte(byte)) {
+      text += byte;
+    } else {
+      text += '%';
+      text += kHex[byteOf(byte) >> 4U];
+      text += kHex[byteOf(byte) & 15U];
+    }
+  }
+}
+
+void appendString(std::string& text, std::string_view string) {
+  text += '"';
+  while (!string.empty()) {
+    const std::size_t length = utf8Length(string);
+    const char byte = string.front();
+    if (byte == '"' || byte == '\\') {
+      text += '\\';
+      text += byte;
+    } else if (byte == '\n') {
+      text += "\\n";
+    } else if (length == 0 || (isControl(byte) && byte != '\t')) {
+      text += "\xEF\xBF\xBD";
+    } else {
+      text += string.substr(0, length);
+    }
+    string.remove_prefix(length == 0 ? 1 : length);
+  }
+  text += '"';
+}
+
+std::string encodeName(std::string_view name) {
+  std::string text;
+  appendName(text, name);
+  return text;
+}
+
+}  // namespace rocinante

@@ -1,0 +1,141 @@
+#include "core/packet/text_number.h"
+
+#include <fast_float/fast_float.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace rocinante {
+namespace {
+
+bool isDigit(char character) { return character >= '0' && character <= '9'; }
+
+bool isSeparator(char character) { return character == ' ' || character == '\t'; }
+
+// Powers of ten that a double holds exactly: dividing an integer below 2^53 by one rounds once.
+constexpr std::array<double, 23> kExactPowers = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                                 1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
+                                                 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+
+bool readAnyNumber(const char* first, const char* end, const char*& at, double& number) {
+  const char* field_end = first;
+  while (field_end != end && !isSeparator(*field_end)) ++field_end;
+  const auto answer = fast_float::from_chars(first, field_end, number);
+  if (answer.ptr != field_end || !std::isfinite(number)) return false;
+  if (answer.ec != std::errc() && answer.ec != std::errc::result_out_of_range) return false;
+  at = field_end;
+  return true;
+}
+
+}  // namespace
+
+bool readNumber(const char*& at, const char* end, double& number) {
+  const char* next = at;
+  const bool negative = next != end && *next == '-';
+  if (next != end && (*next == '-' || *next == '+')) ++next;
+  const char* const first = next;
+  std::uint64_t mantissa = 0;
+  for (; next != end && isDigit(*next); ++next) {
+    mantissa = mantissa * 10 + static_cast<std::uint64_t>(*next - '0');
+  }
+  std::size_t digits = static_cast<std::size_t>(next - first);
+  std::size_t decimals = 0;
+  if (next != end && *next == '.') {
+    const char* const point = ++next;
+    for (; next != end && isDigit(*next); ++next) {
+      mantissa = mantissa * 10 + static_cast<std::uint64_t>(*next - '0');
+    }
+    decimals = static_cast<std::size_t>(next - point);
+    digits += decimals;
+  }
+  if (digits == 0) return false;
+
+  const bool at_end = next == end || isSeparator(*next);
+  // Nineteen digits cannot overflow the mantissa, and leave at most 19 decimals.
+  if (at_end && digits <= 19 && mantissa <= (std::uint64_t{1} << 53U)) {
+    number = static_cast<double>(mantissa) / kExactPowers[decimals];
+    at = next;
+  } else if (!readAnyNumber(first, end, at, number)) {
+    return false;
+  }
+  if (negative && number != 0) number = -number;
+  return true;
+}
+
+std::optional<std::uint64_t> readUnsigned(std::string_view digits) {
+  std::uint64_t number = 0;
+  const char* const end = digits.data() + digits.size();
+  const auto answer = std::from_chars(digits.data(), end, number);
+  if (answer.ec != std::errc() || answer.ptr != end) return std::nullopt;
+  return number;
+}
+
+std::optional<std::int64_t> readSeconds(std::string_view text) {
+  constexpr std::uint64_t kNanoseconds = 1'000'000'000;
+  const std::size_t point = text.find('.');
+  const auto seconds = readUnsigned(text.substr(0, point));
+  std::uint64_t fraction = 0;
+  if (point != std::string_view::npos) {
+    const std::string_view decimals = text.substr(point + 1);
+    const auto digits = readUnsigned(decimals);
+    if (!digits || decimals.size() > 9) return std::nullopt;
+    fraction = *digits;
+    for (std::size_t i = decimals.size(); i < 9; ++i) fraction *= 10;
+  }
+  constexpr auto kMost = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+  if (!seconds || *seconds > (kMost - fraction) / kNanoseconds) return std::nullopt;
+  return static_cast<std::int64_t>(*seconds * kNanoseconds + fraction);
+}
+
+int hexDigit(char character) {
+  if (isDigit(character)) return character - '0';
+  if (character >= 'a' && character <= 'f') return character - 'a' + 10;
+  if (character >= 'A' && character <= 'F') return character - 'A' + 10;
+  return -1;
+}
+
+std::optional<std::uint64_t> readHex(std::string_view text, std::size_t digits) {
+  if (text.size() != digits) return std::nullopt;
+  std::uint64_t number = 0;
+  for (const char character : text) {
+    const int digit = hexDigit(character);
+    if (digit < 0) return std::nullopt;
+    number = number * 16 + static_cast<std::uint64_t>(digit);
+  }
+  return number;
+}
+
+void appendNumber(std::string& text, double number) {
+  if (number == 0) number = 0;
+  std::array<char, 32> digits;
+  const auto answer = std::to_chars(digits.data(), digits.data() + digits.size(), number);
+  text.append(digits.data(), answer.ptr);
+}
+
+void appendUnsigned(std::string& text, std::uint64_t number) {
+  std::array<char, 20> digits;
+  const auto answer = std::to_chars(digits.data(), digits.data() + digits.size(), number);
+  text.append(digits.data(), answer.ptr);
+}
+
+void appendSeconds(std::string& text, std::int64_t nanoseconds) {
+  constexpr std::int64_t kNanoseconds = 1'000'000'000;
+  appendUnsigned(text, static_cast<std::uint64_t>(nanoseconds / kNanoseconds));
+  std::int64_t fraction = nanoseconds % kNanoseconds;
+  if (fraction == 0) return;
+  text += '.';
+  for (std::int64_t place = kNanoseconds / 10; fraction != 0; place /= 10) {
+    text += static_cast<char>('0' + fraction / place);
+    fraction %= place;
+  }
+}
+
+void appendHex(std::string& text, std::uint64_t number, int digits) {
+  for (int shift = (digits - 1) * 4; shift >= 0; shift -= 4) {
+    text += "0123456789abcdef"[(number >> static_cast<unsigned>(shift)) & 15U];
+  }
+}
+
+}  // namespace rocinante
