@@ -17,7 +17,7 @@ struct SocketAddress {
   std::uint16_t port = 0;
   std::uint32_t scope_id = 0;  ///< IPv6 link-local: the interface's index
 
-  /// A dotted quad or a bare IPv6 address; no names are looked up.
+  /// A dotted quad or a bare IPv6 address, link-local ones with %ZONE; no names are looked up.
   static Result<SocketAddress> parse(std::string_view host, std::uint16_t port);
 
   bool isMulticast() const;
@@ -29,14 +29,16 @@ struct SocketAddress {
 
 /// Where datagrams come from or go to, as a user writes it:
 /// udp://HOST:PORT, udp://GROUP:PORT?interface=eth0&ttl=1&source=IP, [V6]:PORT, HOST:PORT, :PORT.
+/// Defined by docs/endpoints.md.
 struct Endpoint {
-  SocketAddress address;         ///< ":PORT" is 0.0.0.0 for a listener
-  std::string interface;         ///< multicast only; empty: the system chooses
-  std::optional<int> ttl;        ///< multicast hops, or unicast time to live
-  std::optional<SocketAddress> source;  ///< source-specific multicast: only this sender
+  SocketAddress address;   ///< ":PORT" is 0.0.0.0 for a listener
+  std::string interface;   ///< multicast only; empty: the system chooses
+  std::optional<int> ttl;  ///< 0..255; multicast hops, or unicast time to live
+  /// Multicast only: a listener hears this sender alone, a sender sends from this address. Port 0.
+  std::optional<SocketAddress> source;
 
-  /// bad_argument with the reason and the text. Host names are looked up (getaddrinfo), numbers
-  /// are not.
+  /// bad_argument with the reason and the text; unsupported for the schemes of later versions.
+  /// Host names are looked up (getaddrinfo; refused when that fails), numbers are not.
   static Result<Endpoint> parse(std::string_view text);
   /// udp://239.255.19.96:19960?interface=lo&ttl=0
   static Endpoint standard();

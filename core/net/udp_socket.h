@@ -4,53 +4,43 @@
 #include <cstdint>
 #include <memory>
 #include <span>
-#include <vector>
 
-#include "core/bytes.h"
-#include "core/net/endpoint.h"
-#include "core/result.h"
-#include "core/time.h"
+#include "core/net/datagram_source.h"
 
 namespace rocinante {
 
-/// A datagram as the socket gave it.
-struct ReceivedDatagram {
-  ByteView payload;  ///< borrowed from the receiver until its next receive()
-  SocketAddress sender;
-  WallTime kernel_time{};  ///< the kernel's stamp (SO_TIMESTAMPNS), CLOCK_REALTIME
-  bool truncated = false;
-};
-
 /// A listening UDP socket: many datagrams a call, with the kernel's time stamps and drop counts.
 /// UDP_GRO stays off: it hides drops and shares one stamp. Linux. One thread.
-class UdpReceiver {
+class UdpReceiver final : public DatagramSource {
  public:
   struct Options {
     int receive_buffer_bytes = 32 << 20;  ///< SO_RCVBUFFORCE when allowed, else SO_RCVBUF
+    /// Longer datagrams are cut and marked. No UDP datagram over IPv4 or IPv6 is longer than this.
+    std::size_t datagram_bytes = 65'536;
   };
 
   /// Binds exclusively when the endpoint is unicast; a port that is taken is refused with the
-  /// holder's name and pid when they can be found. Joins the group when it is multicast.
+  /// holder's name and pid when they can be found. Joins the group when it is multicast, and then
+  /// hears only that group (and only `source`, if the endpoint names one). [::]:PORT hears IPv6
+  /// alone.
   static Result<UdpReceiver> open(const Endpoint& endpoint, const Options& options);
   static Result<UdpReceiver> open(const Endpoint& endpoint) { return open(endpoint, Options()); }
 
-  ~UdpReceiver();
+  ~UdpReceiver() override;
   UdpReceiver(UdpReceiver&&) noexcept;
   UdpReceiver& operator=(UdpReceiver&&) noexcept;
 
-  /// What is waiting, up to a batch; empty when nothing is. Never blocks.
-  Result<std::span<const ReceivedDatagram>> receive();
+  Result<std::span<const ReceivedDatagram>> receive() override;
 
   /// Datagrams that the kernel dropped since open (SO_RXQ_OVFL, counted beyond 32 bits).
-  std::uint64_t dropped() const;
+  std::uint64_t dropped() const override;
   /// The same by SO_MEMINFO, which also counts drops after the last datagram received.
-  Result<std::uint64_t> droppedByNow();
-  /// What the kernel granted, as it counts it.
+  Result<std::uint64_t> droppedByNow() override;
+  /// What the kernel granted, as it counts it (twice what was asked for).
   int receiveBufferBytes() const;
 
-  const Endpoint& endpoint() const;
-  /// The endpoint with the port that was bound (":0" takes a free one).
-  const SocketAddress& boundAddress() const;
+  const Endpoint& endpoint() const override;
+  const SocketAddress& boundAddress() const override;
   int fileDescriptor() const;  ///< for poll()
 
  private:
@@ -62,6 +52,8 @@ class UdpReceiver {
 /// A sending UDP socket, unicast or multicast. One thread.
 class UdpSender {
  public:
+  /// bad_argument when the endpoint has no host or port 0. The endpoint's `source` is the local
+  /// address to send from. Multicast datagrams also reach listeners on this machine.
   static Result<UdpSender> open(const Endpoint& to);
 
   ~UdpSender();
@@ -74,6 +66,8 @@ class UdpSender {
   Status send(std::span<const ByteView> payloads);
 
   const Endpoint& endpoint() const;
+  /// Where the datagrams come from, as a receiver sees it on this machine.
+  const SocketAddress& localAddress() const;
 
  private:
   struct Impl;

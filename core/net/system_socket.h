@@ -1,0 +1,42 @@
+#pragma once
+
+#include <sys/socket.h>
+
+#include <string_view>
+
+#include "core/net/endpoint.h"
+#include "core/result.h"
+
+namespace rocinante {
+
+/// What the two sockets share: addresses as the system has them, and options that answer.
+/// For core/net's own sources.
+
+/// Fills `system` and returns its length.
+socklen_t toSystem(const SocketAddress& address, sockaddr_storage& system);
+SocketAddress fromSystem(const sockaddr_storage& system);
+
+/// An open socket, closed with its owner.
+class SystemSocket {
+ public:
+  static Result<SystemSocket> open(const Endpoint& endpoint);
+  explicit SystemSocket(int descriptor) : descriptor_(descriptor) {}
+  ~SystemSocket();
+  SystemSocket(SystemSocket&& other) noexcept;
+  SystemSocket& operator=(SystemSocket&& other) noexcept;
+
+  int descriptor() const { return descriptor_; }
+  bool setOption(int level, int name, int value);
+  Result<SocketAddress> localAddress(const Endpoint& endpoint) const;
+
+ private:
+  int descriptor_ = -1;
+};
+
+/// "cannot DO: No such device (udp://...)", from errno.
+Error systemError(std::string_view what, const Endpoint& endpoint);
+
+/// The index of the endpoint's interface; 0 when it names none. refused when there is no such one.
+Result<unsigned> interfaceIndex(const Endpoint& endpoint);
+
+}  // namespace rocinante

@@ -1,0 +1,168 @@
+#include <netinet/in.h>
+#include <poll.h>
+#include <sys/socket.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+
+#include "core/net/system_socket.h"
+#include "core/net/udp_socket.h"
+
+namespace rocinante {
+namespace {
+
+constexpr std::size_t kBatch = 128;
+// An answer "nobody listens" to an earlier datagram takes the place of one send. More of them in a
+// row than this is no answer to what was sent.
+constexpr int kRefusals = 8;
+
+Status configureMulticast(SystemSocket& socket, const Endpoint& to) {
+  const Result<unsigned> interface = interfaceIndex(to);
+  if (!interface) return interface.error();
+  const auto index = static_cast<int>(*interface);
+  if (to.address.is_ipv6) {
+    if (index != 0 && !socket.setOption(IPPROTO_IPV6, IPV6_MULTICAST_IF, index)) {
+      return systemError("cannot send by this interface", to);
+    }
+    if (!socket.setOption(IPPROTO_IPV6, IPV6_MULTICAST_LOOP, 1)) {
+      return systemError("cannot send to listeners on this machine", to);
+    }
+    if (to.ttl && !socket.setOption(IPPROTO_IPV6, IPV6_MULTICAST_HOPS, *to.ttl)) {
+      return systemError("cannot set the hop limit", to);
+    }
+    return {};
+  }
+  ip_mreqn request{};
+  request.imr_ifindex = index;
+  if (index != 0 && ::setsockopt(socket.descriptor(), IPPROTO_IP, IP_MULTICAST_IF, &request,
+                                 sizeof request) != 0) {
+    return systemError("cannot send by this interface", to);
+  }
+  if (!socket.setOption(IPPROTO_IP, IP_MULTICAST_LOOP, 1)) {
+    return systemError("cannot send to listeners on this machine", to);
+  }
+  if (to.ttl && !socket.setOption(IPPROTO_IP, IP_MULTICAST_TTL, *to.ttl)) {
+    return systemError("cannot set the time to live", to);
+  }
+  return {};
+}
+
+Status configureUnicast(SystemSocket& socket, const Endpoint& to) {
+  if (!to.address.is_ipv6 && !socket.setOption(SOL_SOCKET, SO_BROADCAST, 1)) {
+    return systemError("cannot allow broadcast addresses", to);
+  }
+  if (!to.ttl) return {};
+  const bool set = to.address.is_ipv6 ? socket.setOption(IPPROTO_IPV6, IPV6_UNICAST_HOPS, *to.ttl)
+                                      : socket.setOption(IPPROTO_IP, IP_TTL, *to.ttl);
+  if (!set) return systemError("cannot set the time to live", to);
+  return {};
+}
+
+Status connectTo(SystemSocket& socket, const Endpoint& to) {
+  sockaddr_storage system{};
+  if (to.source) {
+    const socklen_t length = toSystem(*to.source, system);
+    if (::bind(socket.descriptor(), reinterpret_cast<sockaddr*>(&system), length) != 0) {
+      return systemError("cannot send from the address of source=", to);
+    }
+  }
+  SocketAddress address = to.address;
+  if (to.isMulticast() && address.is_ipv6) {
+    const Result<unsigned> interface = interfaceIndex(to);
+    if (!interface) return interface.error();
+    address.scope_id = *interface;
+  }
+  const socklen_t length = toSystem(address, system);
+  if (::connect(socket.descriptor(), reinterpret_cast<sockaddr*>(&system), length) != 0) {
+    return systemError("cannot send there", to);
+  }
+  return {};
+}
+
+}  // namespace
+
+struct UdpSender::Impl {
+  SystemSocket socket;
+  Endpoint endpoint;
+  SocketAddress local_address;
+  std::array<iovec, kBatch> pieces{};
+  std::array<mmsghdr, kBatch> headers{};
+};
+
+UdpSender::UdpSender(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+UdpSender::~UdpSender() = default;
+UdpSender::UdpSender(UdpSender&&) noexcept = default;
+UdpSender& UdpSender::operator=(UdpSender&&) noexcept = default;
+
+Result<UdpSender> UdpSender::open(const Endpoint& to) {
+  if (to.address.isAny() || to.address.port == 0) {
+    return Error{ErrorKind::bad_argument, "to send, an endpoint needs a host and a port",
+                 to.text()};
+  }
+  Result<SystemSocket> socket = SystemSocket::open(to);
+  if (!socket) return socket.error();
+  Status done = to.isMulticast() ? configureMulticast(*socket, to) : configureUnicast(*socket, to);
+  if (!done) return done.error();
+  if (done = connectTo(*socket, to); !done) return done.error();
+  const Result<SocketAddress> local = socket->localAddress(to);
+  if (!local) return local.error();
+
+  auto impl = std::make_unique<Impl>(Impl{std::move(*socket), to, *local});
+  for (std::size_t i = 0; i < kBatch; ++i) {
+    impl->headers[i].msg_hdr.msg_iov = &impl->pieces[i];
+    impl->headers[i].msg_hdr.msg_iovlen = 1;
+  }
+  return UdpSender(std::move(impl));
+}
+
+Status UdpSender::send(ByteView payload) { return send(std::span<const ByteView>(&payload, 1)); }
+
+Status UdpSender::send(std::span<const ByteView> payloads) {
+  int refusals = 0;
+  while (!payloads.empty()) {
+    const std::size_t wanted = std::min(payloads.size(), kBatch);
+    for (std::size_t i = 0; i < wanted; ++i) {
+      // sendmmsg only reads what the pieces point to.
+      impl_->pieces[i] = {const_cast<std::byte*>(payloads[i].data()), payloads[i].size()};
+    }
+    const int sent = ::sendmmsg(impl_->socket.descriptor(), impl_->headers.data(),
+                                static_cast<unsigned>(wanted), 0);
+    if (sent > 0) {
+      payloads = payloads.subspan(static_cast<std::size_t>(sent));
+      refusals = 0;
+      continue;
+    }
+    switch (errno) {
+      case EINTR:
+        continue;
+      case EAGAIN:
+      case ENOBUFS: {
+        // A full device queue shows as writable at once, so the wait is for time alone.
+        const bool device_full = errno == ENOBUFS;
+        pollfd writable{impl_->socket.descriptor(), POLLOUT, 0};
+        ::poll(&writable, device_full ? 0 : 1, 1);
+        continue;
+      }
+      case ECONNREFUSED:
+        // The error belongs to a datagram sent before; this one has not gone yet.
+        if (++refusals <= kRefusals) continue;
+        payloads = payloads.subspan(1);
+        refusals = 0;
+        continue;
+      case EMSGSIZE:
+        return Error{ErrorKind::bad_argument,
+                     "a datagram of " + std::to_string(payloads[0].size()) +
+                         " bytes is longer than the network takes",
+                     impl_->endpoint.text()};
+      default:
+        return systemError("cannot send", impl_->endpoint);
+    }
+  }
+  return {};
+}
+
+const Endpoint& UdpSender::endpoint() const { return impl_->endpoint; }
+const SocketAddress& UdpSender::localAddress() const { return impl_->local_address; }
+
+}  // namespace rocinante

@@ -1,0 +1,180 @@
+#include "core/net/endpoint.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <random>
+#include <string>
+
+namespace rocinante {
+namespace {
+
+struct Case {
+  std::string_view text, canonical;
+};
+
+TEST(Endpoint, ReadsEveryFormAndWritesTheCanonicalOne) {
+  for (const Case& each : {
+           Case{":19960", "udp://0.0.0.0:19960"},
+           Case{"127.0.0.1:1", "udp://127.0.0.1:1"},
+           Case{"udp://127.0.0.1:65535", "udp://127.0.0.1:65535"},
+           Case{"udp://:0", "udp://0.0.0.0:0"},
+           Case{"[::1]:19960", "udp://[::1]:19960"},
+           Case{"udp://[2001:DB8::0001]:5", "udp://[2001:db8::1]:5"},
+           Case{"[fe80::1%lo]:5", "udp://[fe80::1%lo]:5"},
+           Case{"localhost:9", "udp://127.0.0.1:9"},
+           Case{"10.0.0.1:5?ttl=3", "udp://10.0.0.1:5?ttl=3"},
+           Case{"239.1.2.3:5", "udp://239.1.2.3:5"},
+           Case{"239.1.2.3:5?source=10.0.0.9&ttl=0&interface=eth0",
+                "udp://239.1.2.3:5?interface=eth0&ttl=0&source=10.0.0.9"},
+           Case{"[ff02::1]:5?interface=en-x.7:1", "udp://[ff02::1]:5?interface=en-x.7:1"},
+           Case{"[ff02::1%lo]:5", "udp://[ff02::1]:5?interface=lo"},
+           Case{"[ff3e::1]:5?source=2001:db8::7", "udp://[ff3e::1]:5?source=2001:db8::7"},
+       }) {
+    SCOPED_TRACE(each.text);
+    const auto endpoint = Endpoint::parse(each.text);
+    ASSERT_TRUE(endpoint.ok()) << endpoint.error().text();
+    EXPECT_EQ(endpoint->text(), each.canonical);
+    const auto again = Endpoint::parse(endpoint->text());
+    ASSERT_TRUE(again.ok()) << again.error().text();
+    EXPECT_EQ(*again, *endpoint);
+  }
+}
+
+TEST(Endpoint, StandardIsTheLoopbackGroup) {
+  EXPECT_EQ(Endpoint::standard().text(), "udp://239.255.19.96:19960?interface=lo&ttl=0");
+  EXPECT_EQ(Endpoint::parse(Endpoint::standard().text()).value(), Endpoint::standard());
+}
+
+struct Refusal {
+  std::string_view text, reason;
+};
+
+TEST(Endpoint, RefusesWithTheReasonAndTheText) {
+  for (const Refusal& each : {
+           Refusal{"", "an endpoint is udp://HOST:PORT, HOST:PORT or :PORT"},
+           Refusal{"127.0.0.1", "an endpoint needs a port, as in HOST:19960"},
+           Refusal{"udp://127.0.0.1:", "a port is a whole number from 0 to 65535"},
+           Refusal{"127.0.0.1:65536", "a port is a whole number from 0 to 65535"},
+           Refusal{"127.0.0.1:007", "a port is a whole number from 0 to 65535"},
+           Refusal{"127.0.0.1:+7", "a port is a whole number from 0 to 65535"},
+           Refusal{"127.0.0.1:7/", "a port is a whole number from 0 to 65535"},
+           Refusal{"::1:7", "an IPv6 address stands in brackets, as in [::1]:19960"},
+           Refusal{"[::1:7", "the bracket of an IPv6 address is not closed"},
+           Refusal{"[127.0.0.1]:7", "brackets are for IPv6 addresses"},
+           Refusal{"[::1]7", "after the address comes a colon and the port"},
+           Refusal{"[::x]:7", "this is no IPv6 address"},
+           Refusal{"300.1.1.1:7",
+                   "an IPv4 address is four numbers from 0 to 255 with dots between"},
+           Refusal{"127.1:7", "an IPv4 address is four numbers from 0 to 255 with dots between"},
+           Refusal{"a b:7", "the host is neither an address nor a name"},
+           Refusal{"http://127.0.0.1:7", "an endpoint begins with udp:// or is HOST:PORT or :PORT"},
+           Refusal{"1.2.3.4:7?interface=lo", "interface= is for multicast groups only"},
+           Refusal{"1.2.3.4:7?source=1.2.3.5", "source= is for multicast groups only"},
+           Refusal{"239.0.0.1:7?interface=",
+                   "interface= takes the name of a network interface, such as eth0"},
+           Refusal{"239.0.0.1:7?interface=a/b",
+                   "interface= takes the name of a network interface, such as eth0"},
+           Refusal{"239.0.0.1:7?interface=sixteen-bytes-ab",
+                   "interface= takes the name of a network interface, such as eth0"},
+           Refusal{"239.0.0.1:7?ttl=256", "ttl= is a whole number from 0 to 255"},
+           Refusal{"239.0.0.1:7?ttl=-1", "ttl= is a whole number from 0 to 255"},
+           Refusal{"239.0.0.1:7?ttl=", "ttl= is a whole number from 0 to 255"},
+           Refusal{"239.0.0.1:7?ttl=1&ttl=1", "ttl= is given twice"},
+           Refusal{"[ff02::1%lo]:7?interface=lo", "interface= is given twice"},
+           Refusal{"239.0.0.1:7?source=::1",
+                   "source= and the group must both be IPv4 or both IPv6"},
+           Refusal{"239.0.0.1:7?source=239.0.0.2", "source= takes the address of one sender"},
+           Refusal{"239.0.0.1:7?source=0.0.0.0", "source= takes the address of one sender"},
+           Refusal{"239.0.0.1:7?", "the options of an endpoint are interface=, ttl= and source="},
+           Refusal{"239.0.0.1:7?ttl=1&",
+                   "the options of an endpoint are interface=, ttl= and source="},
+           Refusal{"239.0.0.1:7?speed=1",
+                   "the options of an endpoint are interface=, ttl= and source="},
+       }) {
+    SCOPED_TRACE(each.text);
+    const auto endpoint = Endpoint::parse(each.text);
+    ASSERT_FALSE(endpoint.ok()) << endpoint->text();
+    EXPECT_EQ(endpoint.error().kind, ErrorKind::bad_argument);
+    EXPECT_EQ(endpoint.error().what, each.reason);
+    EXPECT_EQ(endpoint.error().where, each.text);
+  }
+}
+
+TEST(Endpoint, LaterSchemesAreUnsupportedNotWrong) {
+  for (const std::string_view text :
+       {"subscribe://127.0.0.1:1", "nats://localhost:4222/robots", "pcap://eth0?filter=udp"}) {
+    SCOPED_TRACE(text);
+    const auto endpoint = Endpoint::parse(text);
+    ASSERT_FALSE(endpoint.ok());
+    EXPECT_EQ(endpoint.error().kind, ErrorKind::unsupported);
+  }
+  EXPECT_EQ(Endpoint::parse("pcap://eth0").error().text(),
+            "pcap:// endpoints are not in this version; use udp://HOST:PORT (pcap://eth0)");
+}
+
+TEST(Endpoint, ShowsHostileTextAsPrintableAndShort) {
+  const auto endpoint = Endpoint::parse("a\x1b[2J\n:" + std::string(900, '9'));
+  ASSERT_FALSE(endpoint.ok());
+  EXPECT_TRUE(endpoint.error().where.starts_with("a?[2J?:999"));
+  EXPECT_LE(endpoint.error().where.size(), 100U);
+  EXPECT_FALSE(Endpoint::parse(std::string(100'000, ':')).ok());
+}
+
+/// Any endpoint that can be built reads back as itself.
+TEST(Endpoint, RoundTripsWhateverItsFields) {
+  std::mt19937 random(1996);
+  const auto byte = [&] { return static_cast<std::uint8_t>(random() & 0xFFU); };
+  for (int round = 0; round < 5'000; ++round) {
+    Endpoint endpoint;
+    endpoint.address.is_ipv6 = random() % 2 != 0;
+    const std::size_t length = endpoint.address.is_ipv6 ? 16 : 4;
+    for (std::size_t i = 0; i < length; ++i) {
+      endpoint.address.address[i] = random() % 3 != 0 ? byte() : std::uint8_t{0};
+    }
+    if (random() % 2 != 0) endpoint.address.address[0] = endpoint.address.is_ipv6 ? 0xFF : 0xEF;
+    endpoint.address.port = static_cast<std::uint16_t>(random());
+    if (random() % 2 != 0) endpoint.ttl = byte();
+    if (endpoint.isMulticast() && random() % 2 != 0) endpoint.interface = "eth0.7:1";
+    if (endpoint.isMulticast() && random() % 2 != 0) {
+      SocketAddress source;
+      source.is_ipv6 = endpoint.address.is_ipv6;
+      for (std::size_t i = 0; i < length; ++i) source.address[i] = byte();
+      source.address[0] = 0x20;
+      endpoint.source = source;
+    }
+    const auto again = Endpoint::parse(endpoint.text());
+    ASSERT_TRUE(again.ok()) << again.error().text();
+    ASSERT_EQ(*again, endpoint) << endpoint.text();
+  }
+}
+
+/// Whatever is accepted is canonical after one turn; nothing crashes.
+TEST(Endpoint, AnyTextIsRefusedOrReadsBack) {
+  std::mt19937 random(7);
+  const std::string_view alphabet = "0123456789.:[]?&=%/-ufedpslo";
+  const std::array seeds{std::string("udp://239.255.19.96:19960?interface=lo&ttl=0&source=1.2.3.4"),
+                         std::string("[ff02::1%lo]:5?ttl=9"), std::string("127.0.0.1:19960")};
+  for (int round = 0; round < 20'000; ++round) {
+    std::string text = seeds[random() % seeds.size()];
+    for (unsigned change = 0; change < 1 + random() % 3; ++change) {
+      const std::size_t at = random() % text.size();
+      if (random() % 2 != 0) text.erase(at, 1);
+      text.insert(std::min(at, text.size()), 1, alphabet[random() % alphabet.size()]);
+    }
+    // Names would be looked up; this test stays off the network.
+    const std::size_t scheme_end = text.find("://");
+    const std::string host = scheme_end == text.npos ? text : text.substr(scheme_end + 3);
+    const std::string before_port = host.substr(0, host.find(':'));
+    if (before_port.find_first_of("ufedpslo-") != before_port.npos) continue;
+    const auto endpoint = Endpoint::parse(text);
+    if (!endpoint) continue;
+    const auto again = Endpoint::parse(endpoint->text());
+    ASSERT_TRUE(again.ok()) << text;
+    ASSERT_EQ(*again, *endpoint) << text;
+  }
+}
+
+}  // namespace
+}  // namespace rocinante
