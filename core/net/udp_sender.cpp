@@ -164,5 +164,6 @@ Status UdpSender::send(std::span<const ByteView> payloads) {
 
 const Endpoint& UdpSender::endpoint() const { return impl_->endpoint; }
 const SocketAddress& UdpSender::localAddress() const { return impl_->local_address; }
+int UdpSender::fileDescriptor() const { return impl_->socket.descriptor(); }
 
 }  // namespace rocinante

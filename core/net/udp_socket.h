@@ -68,6 +68,7 @@ class UdpSender {
   const Endpoint& endpoint() const;
   /// Where the datagrams come from, as a receiver sees it on this machine.
   const SocketAddress& localAddress() const;
+  int fileDescriptor() const;  ///< for socket options and transmit timestamps
 
  private:
   struct Impl;
