@@ -12,17 +12,31 @@ namespace {
 
 constexpr std::size_t kSmoothedCorners = 256;
 
-/// A triangle's normal; its length is twice the triangle's area.
-Vec3 areaNormal(const LooseMesh& loose, std::size_t triangle) {
-  const Vec3 a(loose.positions[loose.corners[triangle * 3].position]);
-  const Vec3 b(loose.positions[loose.corners[triangle * 3 + 1].position]);
-  const Vec3 c(loose.positions[loose.corners[triangle * 3 + 2].position]);
-  return glm::cross(b - a, c - a);
+Vec3 positionOf(const LooseMesh& loose, std::size_t corner) {
+  return Vec3(loose.positions[loose.corners[corner].position]);
 }
 
 Vec3 unitOrZero(const Vec3& v) {
   const double length = std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
   return length > 0 ? Vec3(v.x / length, v.y / length, v.z / length) : Vec3(0.0);
+}
+
+/// The triangle's unit normal, or zero when it has no area.
+Vec3 faceNormal(const LooseMesh& loose, std::size_t triangle) {
+  const Vec3 a = positionOf(loose, triangle * 3);
+  const Vec3 b = positionOf(loose, triangle * 3 + 1);
+  const Vec3 c = positionOf(loose, triangle * 3 + 2);
+  return unitOrZero(glm::cross(b - a, c - a));
+}
+
+/// The triangle's angle at one of its corners.
+double angleAt(const LooseMesh& loose, std::size_t corner) {
+  const std::size_t first = corner - corner % 3;
+  const Vec3 at = positionOf(loose, corner);
+  const Vec3 one = unitOrZero(positionOf(loose, first + (corner - first + 1) % 3) - at);
+  const Vec3 other = unitOrZero(positionOf(loose, first + (corner - first + 2) % 3) - at);
+  const Vec3 across = glm::cross(one, other);
+  return arcTangent2(std::sqrt(glm::dot(across, across)), glm::dot(one, other));
 }
 
 /// Number of the part's group, by triangle: faces of different groups move apart, so they are not
@@ -66,12 +80,10 @@ void smoothNormals(LooseMesh& loose, double angle_deg) {
   }
 
   const std::size_t triangle_count = corner_count / 3;
-  std::vector<Vec3> weighted(triangle_count);
   std::vector<Vec3> unit(triangle_count);
-  for (std::size_t t = 0; t < triangle_count; ++t) {
-    weighted[t] = areaNormal(loose, t);
-    unit[t] = unitOrZero(weighted[t]);
-  }
+  for (std::size_t t = 0; t < triangle_count; ++t) unit[t] = faceNormal(loose, t);
+  std::vector<double> angles(corner_count);
+  for (std::size_t i = 0; i < corner_count; ++i) angles[i] = angleAt(loose, i);
   const std::vector<std::uint32_t> group = groupOfTriangles(loose);
 
   for (std::size_t p = 0; p + 1 < first.size(); ++p) {
@@ -91,7 +103,7 @@ void smoothNormals(LooseMesh& loose, double angle_deg) {
           const std::size_t neighbour = other / 3;
           if (group[neighbour] != group[face]) continue;
           if (any_direction || glm::dot(unit[face], unit[neighbour]) >= least_cosine) {
-            sum += weighted[neighbour];
+            sum += unit[neighbour] * angles[other];
           }
         }
       }

@@ -1,0 +1,101 @@
+#include <map>
+#include <numeric>
+#include <set>
+
+#include "tests/core/model/mesh_test_support.h"
+#include "tests/support/shared_data.h"
+
+namespace rocinante {
+namespace {
+
+namespace fs = std::filesystem;
+using test::expectSound;
+using test::ReadMesh;
+using test::sharedData;
+using ::testing::IsEmpty;
+
+ReadMesh readShared(const fs::path& below, const MeshReadOptions& options = {}) {
+  ReadMesh read;
+  Result<Mesh> mesh = readMeshFile(sharedData(below), options, read.faults);
+  EXPECT_TRUE(mesh.ok()) << mesh.error().text();
+  if (mesh) read.mesh = std::move(*mesh);
+  return read;
+}
+
+std::size_t trianglesOf(const fs::path& folder, const std::vector<std::string>& names,
+                        std::string_view ending) {
+  std::size_t triangles = 0;
+  for (const std::string& name : names) {
+    SCOPED_TRACE(name);
+    const ReadMesh read = readShared(folder / (name + std::string(ending)));
+    EXPECT_THAT(read.faults, IsEmpty());
+    expectSound(read.mesh);
+    triangles += read.mesh.triangleCount();
+  }
+  return triangles;
+}
+
+TEST(RealMeshes, TheWasteYardLoadsWithItsMaterialsAndTextures) {
+  ROCINANTE_NEEDS_SHARED_DATA("env/waste_yard");
+  const ReadMesh read = readShared("env/waste_yard/waste_yard.obj");
+  EXPECT_THAT(read.faults, IsEmpty());
+  expectSound(read.mesh);
+  EXPECT_EQ(read.mesh.triangleCount(), 29960U);
+  EXPECT_EQ(read.mesh.materials.size(), 44U);
+  std::set<fs::path> textures;
+  for (const Material& material : read.mesh.materials) {
+    if (!material.diffuse_map.empty()) textures.insert(material.diffuse_map);
+  }
+  EXPECT_EQ(textures.size(), 32U);
+  std::set<std::string> groups;
+  for (const MeshPart& part : read.mesh.parts) groups.insert(part.group);
+  EXPECT_EQ(groups.size(), 18U);
+  for (const char* name : {"reactor_1", "crane_1", "barrel_10", "dumpster_5", "powerplant_1"}) {
+    EXPECT_TRUE(groups.contains(name)) << name;
+  }
+}
+
+TEST(RealMeshes, ThePumaLoadsFromItsStlFilesInInches) {
+  ROCINANTE_NEEDS_SHARED_DATA("robots/puma560_description");
+  EXPECT_EQ(trianglesOf("robots/puma560_description/meshes",
+                        {"puma_link1", "puma_link2", "puma_link3", "puma_link4", "puma_link5",
+                         "puma_link6", "puma_link7"},
+                        ".stl"),
+            8116U);
+  MeshReadOptions inches;
+  inches.unit_m = 0.0254;
+  const ReadMesh base = readShared("robots/puma560_description/meshes/puma_link1.stl", inches);
+  EXPECT_NEAR(base.mesh.bounds.max.z, 23.45 * 0.0254, 1e-7);
+}
+
+TEST(RealMeshes, TheKukaLoadsFromObjAndStlAlike) {
+  ROCINANTE_NEEDS_SHARED_DATA("robots/kuka_iiwa");
+  const std::vector<std::string> links = {"link_0", "link_1", "link_2", "link_3",
+                                          "link_4", "link_5", "link_6", "link_7"};
+  EXPECT_EQ(trianglesOf("robots/kuka_iiwa/meshes", links, ".obj"), 14758U);
+  EXPECT_EQ(trianglesOf("robots/kuka_iiwa/meshes", links, ".stl"), 14758U);
+}
+
+TEST(RealMeshes, ThePandaLoadsWithATextureNamedOnAnotherMachine) {
+  ROCINANTE_NEEDS_SHARED_DATA("robots/franka_panda");
+  // All that panda.urdf draws: link0 and link7 show their collision meshes, the finger twice.
+  std::size_t triangles = trianglesOf(
+      "robots/franka_panda/meshes/visual",
+      {"link1", "link2", "link3", "link4", "link5", "link6", "hand", "finger", "finger"}, ".obj");
+  for (const char* name : {"link0.obj", "link7.obj"}) {
+    triangles +=
+        readShared(fs::path("robots/franka_panda/meshes/collision") / name).mesh.triangleCount();
+  }
+  EXPECT_EQ(triangles, 102759U);
+  const ReadMesh link1 = readShared("robots/franka_panda/meshes/visual/link1.obj");
+  EXPECT_EQ(link1.mesh.materials[0].diffuse_map,
+            sharedData("robots/franka_panda/meshes/visual/colors.png").lexically_normal());
+}
+
+TEST(RealMeshes, TheFingersOfR2D2Load) {
+  ROCINANTE_NEEDS_SHARED_DATA("robots/r2d2");
+  EXPECT_EQ(trianglesOf("robots/r2d2", {"l_finger", "l_finger_tip"}, ".stl"), 253U + 151U);
+}
+
+}  // namespace
+}  // namespace rocinante
