@@ -33,6 +33,9 @@ function(rocinante_library name)
     FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/rocinante)
 endfunction()
 
+# `cmake --build --preset release --target programs`: the programs without the tests.
+add_custom_target(programs)
+
 # rocinante_program(record SOURCES record_main.cpp LINK rocinante_recorder)
 # makes bin/rocinante-record.
 function(rocinante_program name)
@@ -40,5 +43,6 @@ function(rocinante_program name)
   set(target rocinante-${name})
   add_executable(${target} ${arg_SOURCES})
   target_link_libraries(${target} PRIVATE ${arg_LINK} rocinante_cli rocinante_build)
+  add_dependencies(programs ${target})
   install(TARGETS ${target})
 endfunction()
