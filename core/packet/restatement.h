@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,16 +18,23 @@ struct RestatementOptions {
   bool with_seen = false;        ///< add `seen` lines: keyframes only
   std::string_view part_id;      ///< ID of part=ID:I/N; must be a name, not empty
   std::size_t mtu_bytes = 1200;  ///< a datagram holds at most this, unless one statement is larger
+  /// For a source that speaks for itself: the SEQUENCE of its first datagram, counted on from
+  /// there, and the TIME of all. Empty: the source's highest seen and last TIME, which is right for
+  /// `by` and for a keyframe.
+  std::optional<std::uint64_t> first_sequence;
+  std::optional<std::int64_t> time_ns;
 };
 
 /// The datagrams that restate everything `source` owns in `state`, all parts in order: at least
-/// one, also when it owns nothing. Folding them into an empty state gives the same items.
-/// A source that speaks for itself numbers the datagrams later: SEQUENCE is written as the source's
-/// highest seen, which is right for `by` and for a keyframe.
+/// one, also when it owns nothing or is not known. Folding them gives its items again, whatever the
+/// receiver knew; the items of other sources on the same device need restateAll().
 std::vector<std::string> restate(const SessionState& state, std::string_view source,
                                  const RestatementOptions& options);
 
-/// The same for every source of the state, in the order of their names.
+/// The same for every source of the state. Folding all of them into an empty state, in this order,
+/// gives the same items with the same owners; with `by` and `with_seen` it gives a state that is
+/// sameAs() this one. Sources come in the order of their names; where several own items of one
+/// device their parts interleave, so that what clears items of others comes before those.
 std::vector<std::string> restateAll(const SessionState& state, const RestatementOptions& options);
 
 }  // namespace rocinante

@@ -23,11 +23,19 @@ struct Path {
   auto operator<=>(const Path&) const = default;
 };
 
+/// When an item was last said, in packets folded. Bookkeeping of unfinished restatements, which is
+/// no part of what a state is: any two are equal.
+struct SaidMark {
+  std::uint64_t packet = 0;
+  bool operator==(const SaidMark&) const { return true; }
+};
+
 /// A value with the SOURCE that wrote it last.
 template <class T>
 struct Item {
   T value;
   std::string owner;
+  SaidMark said;
   bool operator==(const Item&) const = default;
 };
 
@@ -57,7 +65,8 @@ struct DeviceState {
   std::map<std::string, Item<double>, std::less<>> named_joints;
   /// Which joints a SOURCE's `joints DEVICE` mean, by SOURCE (which is also the owner).
   std::map<std::string, std::vector<std::string>, std::less<>> orders;
-  LogTime last_write{};  ///< of any statement about this device
+  std::map<std::string, SaidMark, std::less<>> orders_said;  ///< by the same keys
+  LogTime last_write{};                                      ///< of any statement about this device
 
   bool operator==(const DeviceState&) const = default;
 };
@@ -81,7 +90,9 @@ struct Drawing {
   std::string text;  ///< labels
   /// The parts of a long line, in order; one for a short one. A missing part is an empty optional:
   /// a gap. Each holds x y z triples, metres.
+  /// A line goes on from one part to the next one, but never across a gap.
   std::vector<std::optional<std::vector<double>>> parts;
+  SaidMark said;
   bool operator==(const Drawing&) const = default;
 };
 
@@ -101,12 +112,28 @@ struct SourceState {
   bool operator==(const SourceState&) const = default;
 };
 
-/// Counts that are no part of the state's identity.
+/// Counts that are no part of the state's identity. What others restate (`by=`) is in
+/// `by_others` and `faults` alone.
 struct SourceCounts {
-  std::uint64_t packets = 0;  ///< applied
-  std::uint64_t late = 0;     ///< dropped: at or below the highest sequence
-  std::uint64_t gap = 0;      ///< sequence numbers never seen so far
+  std::uint64_t packets = 0;     ///< applied
+  std::uint64_t by_others = 0;   ///< applied: somebody else restating
+  std::uint64_t late = 0;        ///< dropped: at or below the highest sequence
+  std::uint64_t duplicates = 0;  ///< of those: a sequence number that had come before
+  std::uint64_t gap = 0;         ///< sequence numbers never seen so far; via a relay see there
   std::uint64_t restarts = 0;
+  /// By PacketFault, of applied packets; what the fold itself refused counts as too_many.
+  std::array<std::uint64_t, kPacketFaultCount> faults{};
+  /// Which of the 64 numbers below the highest have come, the nearest in the lowest bit.
+  std::uint64_t recent = ~std::uint64_t{0};
+};
+
+/// What a relay that filters sent on (`via=RELAY:N`), judged by its own count.
+struct RelayCounts {
+  std::uint64_t packets = 0;
+  std::uint64_t gap = 0;  ///< numbers never seen so far
+  std::uint64_t restarts = 0;
+  std::optional<std::uint64_t> highest;
+  std::uint64_t recent = ~std::uint64_t{0};  ///< as in SourceCounts
 };
 
 struct Event {
@@ -116,7 +143,11 @@ struct Event {
 };
 
 /// What became of a packet given to the fold.
-enum class Applied : std::uint8_t { yes, late };
+enum class Applied : std::uint8_t {
+  yes,
+  late,     ///< dropped whole: not above the highest sequence of its source
+  refused,  ///< dropped whole: a new source, and no room for one (docs/packet-format.md, "Limits")
+};
 
 /// The state of a session at a log time: the one fold that live viewing, scrubbing, golden frames
 /// and check share. A plain value: copy it to keep a moment. Knows no cell.
@@ -140,11 +171,21 @@ class SessionState {
   /// Counters and faults since the state was made; never part of the identity.
   const std::map<std::string, SourceCounts, std::less<>>& counts() const { return counts_; }
 
+  /// The same for relays that count their own output, by name.
+  const std::map<std::string, RelayCounts, std::less<>>& relays() const { return relays_; }
+  /// Packets of sources that there was no room for.
+  std::uint64_t refusedPackets() const { return refused_packets_; }
+
+  /// Memory that the items and sources take, as the limits table counts it.
+  std::uint64_t weight() const { return weight_; }
+
   /// Events in the packets folded since the last call, oldest first; events are not state.
   std::vector<Event> takeEvents();
 
-  /// True while a source's restatement has begun and is not complete.
-  bool restatementOpen() const;
+  /// True while a source's restatement has begun and is not complete, as of the last packet.
+  bool restatementOpen() const { return !open_.empty(); }
+  /// The same at `now`: one that has run out of its second since is open no more.
+  bool restatementOpen(LogTime now) const;
 
   /// Same items with their owners, sources and last writes (DESIGN: a state's identity).
   bool sameAs(const SessionState& other) const;
@@ -156,7 +197,34 @@ class SessionState {
  private:
   friend class StateFolder;
 
-  struct OpenRestatement;
+  /// A restatement of which not all parts have come.
+  struct OpenRestatement {
+    std::string id;
+    std::vector<bool> came;
+    std::size_t missing = 0;
+    LogTime began{};
+    std::uint64_t first_packet = 0;  ///< items said before this one fall when all have come
+  };
+
+  /// Where the last packet's source lies: most packets come from the same one as the last.
+  /// Points into the maps below, so it never goes along when a state is copied or moved.
+  struct LastSource {
+    LastSource() = default;
+    LastSource(const LastSource&) {}
+    LastSource(LastSource&& other) noexcept { other.name = nullptr; }
+    LastSource& operator=(const LastSource&) {
+      name = nullptr;
+      return *this;
+    }
+    LastSource& operator=(LastSource&& other) noexcept {
+      name = other.name = nullptr;
+      return *this;
+    }
+
+    const std::string* name = nullptr;
+    SourceState* state = nullptr;
+    SourceCounts* counts = nullptr;
+  };
 
   Devices devices_;
   std::map<Path, Item<Visibility>> visibility_;
@@ -164,8 +232,17 @@ class SessionState {
   Drawings drawings_;
   std::map<std::string, Item<ViewValue>, std::less<>> views_;
   std::map<std::string, SourceState, std::less<>> sources_;
+  std::uint64_t weight_ = 0;
+
+  std::map<std::string, OpenRestatement, std::less<>> open_;  ///< by SOURCE
+  LogTime open_until_{};       ///< when the first of `open_` runs out
+  std::uint64_t packets_ = 0;  ///< applied; what SaidMark counts
+
   std::map<std::string, SourceCounts, std::less<>> counts_;
+  std::map<std::string, RelayCounts, std::less<>> relays_;
+  std::uint64_t refused_packets_ = 0;
   std::vector<Event> events_;
+  LastSource last_source_;
 };
 
 }  // namespace rocinante

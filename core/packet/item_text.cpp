@@ -1,0 +1,107 @@
+#include "core/packet/item_text.h"
+
+#include <array>
+
+#include "core/packet/packet_limits.h"
+#include "core/packet/packet_text.h"
+
+namespace rocinante {
+namespace {
+
+Statement about(StatementKind kind, std::string_view name) {
+  Statement statement;
+  statement.kind = kind;
+  statement.name = name;
+  return statement;
+}
+
+PathView viewOf(const Path& path) { return {path.first, path.second, path.is_layer}; }
+
+}  // namespace
+
+std::string presenceText(std::string_view device, const PresenceValue& value) {
+  const bool is_removed = value.presence == Presence::removed;
+  Statement statement = about(is_removed ? StatementKind::remove : StatementKind::add, device);
+  statement.text = value.model;
+  statement.kinematics = value.kinematics;
+  return statementText(statement);
+}
+
+std::string poseText(std::string_view device, const PoseValue& value) {
+  const Vec3& p = value.pose.position;
+  const Quat& q = value.pose.orientation;
+  const std::array<double, 7> numbers = {p.x, p.y, p.z, q.x, q.y, q.z, q.w};
+  Statement statement = about(StatementKind::pose, device);
+  statement.numbers = numbers;
+  statement.carrier = viewOf(value.carrier);
+  return statementText(statement);
+}
+
+std::string jointsText(std::string_view device, const std::vector<double>& values) {
+  Statement statement = about(StatementKind::joints, device);
+  statement.numbers = values;
+  return statementText(statement);
+}
+
+std::string orderText(std::string_view device, const std::vector<std::string>& names) {
+  const std::vector<std::string_view> views(names.begin(), names.end());
+  Statement statement = about(StatementKind::order, device);
+  statement.names = views;
+  return statementText(statement);
+}
+
+std::string jointText(std::string_view device, std::string_view name, double value) {
+  Statement statement = about(StatementKind::joint, device);
+  statement.names = std::span(&name, 1);
+  statement.numbers = std::span(&value, 1);
+  return statementText(statement);
+}
+
+std::string visibilityText(const Path& path, const Visibility& value) {
+  const bool is_hidden = value.kind == Visibility::Kind::hidden;
+  Statement statement = about(is_hidden ? StatementKind::hide : StatementKind::show, {});
+  statement.path = viewOf(path);
+  statement.is_default = value.kind == Visibility::Kind::by_default;
+  return statementText(statement);
+}
+
+std::string colorText(const Path& path, const ColorValue& value) {
+  Statement statement = about(StatementKind::color, {});
+  statement.path = viewOf(path);
+  statement.is_default = !value.rgba;
+  statement.rgba = value.rgba.value_or(0);
+  return statementText(statement);
+}
+
+std::string drawingText(std::string_view id, const Drawing& drawing, std::size_t part) {
+  Statement statement = about(drawing.kind, id);
+  statement.rgba = drawing.rgba;
+  statement.carrier = viewOf(drawing.carrier);
+  statement.text = drawing.text;
+  statement.numbers = *drawing.parts[part];
+  statement.part_index = static_cast<std::uint32_t>(part) + 1;
+  statement.part_count = static_cast<std::uint32_t>(drawing.parts.size());
+  const double default_px =
+      drawing.kind == StatementKind::points ? limits::kDefaultPointPx : limits::kDefaultLinePx;
+  if (drawing.size_px != default_px) statement.size_px = drawing.size_px;
+  return statementText(statement);
+}
+
+std::string viewText(std::string_view name, const ViewValue& value) {
+  const std::array<double, 10> numbers = {
+      value.eye.x,    value.eye.y,   value.eye.z, value.target.x, value.target.y,
+      value.target.z, value.fov_deg, value.up.x,  value.up.y,     value.up.z};
+  Statement statement = about(StatementKind::view, name);
+  statement.numbers = numbers;
+  statement.ortho_height_m = value.ortho_height_m;
+  statement.carrier = viewOf(value.carrier);
+  return statementText(statement);
+}
+
+std::string seenText(std::string_view device, LogTime time) {
+  Statement statement = about(StatementKind::seen, device);
+  statement.seen_ns = time.time_since_epoch().count();
+  return statementText(statement);
+}
+
+}  // namespace rocinante

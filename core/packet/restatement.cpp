@@ -1,0 +1,242 @@
+#include "core/packet/restatement.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/packet/item_text.h"
+#include "core/packet/packet_limits.h"
+#include "core/packet/packet_text.h"
+
+namespace rocinante {
+namespace {
+
+/// What must be said before what, across the sources of one device: `remove` takes all items of the
+/// device away, positional joints the named ones, and every write moves the last write on.
+enum Stage : std::size_t { removals, positions, items, last_writes, stage_count };
+
+/// What one source owns, as statements by stage.
+class OwnedText {
+ public:
+  OwnedText(const SessionState& state, std::string_view source, const RestatementOptions& options)
+      : source_(source), options_(options) {
+    for (const auto& [name, device] : state.devices()) addDevice(name, device);
+    for (const auto& [path, item] : state.visibility()) {
+      if (owns(item)) addOfPath(path, visibilityText(path, item.value));
+    }
+    for (const auto& [path, item] : state.colors()) {
+      if (owns(item)) addOfPath(path, colorText(path, item.value));
+    }
+    auto drawing = state.drawings().lower_bound({source_, std::string()});
+    for (; drawing != state.drawings().end() && drawing->first.first == source_; ++drawing) {
+      addDrawing(drawing->first.second, drawing->second);
+    }
+    for (const auto& [name, item] : state.views()) {
+      if (owns(item)) add(Stage::items, viewText(name, item.value));
+    }
+    if (options_.with_seen) addSeen(state);
+  }
+
+  const std::vector<std::string>& of(std::size_t stage) const { return lines_[stage]; }
+
+ private:
+  template <class T>
+  bool owns(const Item<T>& item) const {
+    return item.owner == source_;
+  }
+  template <class T>
+  bool owns(const std::optional<Item<T>>& item) const {
+    return item && owns(*item);
+  }
+
+  void add(Stage stage, std::string line) { lines_[stage].push_back(std::move(line)); }
+
+  void addOf(const std::string& device, Stage stage, std::string line) {
+    if (devices_.empty() || devices_.back() != device) devices_.push_back(device);
+    add(stage, std::move(line));
+  }
+  void addOfPath(const Path& path, std::string line) {
+    if (path.is_layer) return add(Stage::items, std::move(line));
+    addOf(path.first, Stage::items, std::move(line));
+  }
+
+  void addDevice(const std::string& name, const DeviceState& device) {
+    if (owns(device.presence)) {
+      const PresenceValue& presence = device.presence->value;
+      const bool is_removed = presence.presence == Presence::removed;
+      addOf(name, is_removed ? Stage::removals : Stage::items, presenceText(name, presence));
+    }
+    if (owns(device.joints)) {
+      // An order that the receiver may know would turn these into named joints.
+      addOf(name, Stage::positions, orderText(name, {}));
+      addOf(name, Stage::positions, jointsText(name, device.joints->value));
+    }
+    if (const auto order = device.orders.find(source_); order != device.orders.end()) {
+      addOf(name, Stage::items, orderText(name, order->second));
+    }
+    if (owns(device.pose)) addOf(name, Stage::items, poseText(name, device.pose->value));
+    addNamedJoints(name, device);
+  }
+
+  /// Several joints a line, as long as the line leaves room for a header in a datagram.
+  void addNamedJoints(const std::string& name, const DeviceState& device) {
+    const std::size_t most_bytes = options_.mtu_bytes / 2;
+    std::string line;
+    std::size_t count = 0;
+    for (const auto& [joint, item] : device.named_joints) {
+      if (!owns(item)) continue;
+      std::string alone = jointText(name, joint, item.value);
+      const std::string pair = alone.substr(alone.rfind(' '));
+      if (line.empty() || line.size() + pair.size() > most_bytes || count == limits::kJointValues) {
+        if (!line.empty()) addOf(name, Stage::items, std::move(line));
+        line = std::move(alone);
+        count = 1;
+      } else {
+        line += pair;
+        ++count;
+      }
+    }
+    if (!line.empty()) addOf(name, Stage::items, std::move(line));
+  }
+
+  void addDrawing(const std::string& id, const Drawing& drawing) {
+    for (std::size_t part = 0; part < drawing.parts.size(); ++part) {
+      if (drawing.parts[part]) add(Stage::items, drawingText(id, drawing, part));
+    }
+  }
+
+  void addSeen(const SessionState& state) {
+    std::sort(devices_.begin(), devices_.end());
+    devices_.erase(std::unique(devices_.begin(), devices_.end()), devices_.end());
+    for (const std::string& name : devices_) {
+      add(Stage::last_writes, seenText(name, state.devices().at(name).last_write));
+    }
+  }
+
+  const std::string source_;
+  const RestatementOptions& options_;
+  std::array<std::vector<std::string>, stage_count> lines_;
+  std::vector<std::string> devices_;  ///< that the source owns items of
+};
+
+/// One datagram of a restatement, before its header.
+struct Body {
+  std::size_t stage = 0;
+  std::string text;
+};
+
+/// Fills datagrams of at most `most_bytes`; a stage begins a new one when `by_stage`.
+std::vector<Body> bodiesOf(const OwnedText& owned, std::size_t most_bytes, bool by_stage) {
+  std::vector<Body> bodies;
+  for (std::size_t stage = 0; stage < stage_count; ++stage) {
+    for (const std::string& line : owned.of(stage)) {
+      const bool is_new = bodies.empty() || (by_stage && bodies.back().stage != stage) ||
+                          bodies.back().text.size() + line.size() + 1 > most_bytes;
+      if (is_new) bodies.push_back({stage, {}});
+      bodies.back().text += line;
+      bodies.back().text += '\n';
+    }
+  }
+  if (bodies.empty()) bodies.emplace_back();
+  return bodies;
+}
+
+PacketHeader headerOf(const SessionState& state, std::string_view source,
+                      const RestatementOptions& options) {
+  PacketHeader header;
+  header.source = source;
+  const auto known = state.sources().find(source);
+  if (known != state.sources().end()) {
+    header.run = known->second.run;
+    header.sequence = known->second.highest_sequence;
+    header.time_ns = known->second.time_ns;
+  }
+  if (options.first_sequence) header.sequence = options.first_sequence;
+  if (options.time_ns) header.time_ns = options.time_ns;
+  header.restated = true;
+  header.reset = options.reset;
+  header.by = options.by;
+  return header;
+}
+
+/// The parts of one source's restatement, each with the stage that it belongs to.
+std::vector<Body> partsOf(const SessionState& state, std::string_view source,
+                          const RestatementOptions& options, bool by_stage) {
+  PacketHeader header = headerOf(state, source, options);
+  // As long as the header can become.
+  header.part = {options.part_id, limits::kRestatementParts, limits::kRestatementParts};
+  const std::size_t header_bytes = headerText(header).size() + 1;
+  std::size_t most_bytes = options.mtu_bytes > header_bytes ? options.mtu_bytes - header_bytes : 1;
+
+  const OwnedText owned(state, source, options);
+  std::vector<Body> parts = bodiesOf(owned, most_bytes, by_stage);
+  while (parts.size() > limits::kRestatementParts) {
+    most_bytes *= 2;
+    parts = bodiesOf(owned, most_bytes, by_stage);
+  }
+  header.part->count = static_cast<std::uint32_t>(parts.size());
+  std::uint32_t index = 0;
+  for (Body& part : parts) {
+    header.part->index = ++index;
+    part.text.insert(0, headerText(header) + '\n');
+    if (options.first_sequence) ++*header.sequence;
+  }
+  return parts;
+}
+
+/// True when a device's items belong to more than one source.
+bool hasSharedDevice(const SessionState& state) {
+  const auto isShared = [&](const auto& entry) {
+    const auto& [name, device] = entry;
+    const std::string* owner = nullptr;
+    bool shared = false;
+    const auto meet = [&](const std::string& other) {
+      shared = shared || (owner != nullptr && *owner != other);
+      owner = &other;
+    };
+    const auto meetPaths = [&](const auto& paths) {
+      auto item = paths.lower_bound(Path{false, name, {}});
+      for (; item != paths.end() && !item->first.is_layer && item->first.first == name; ++item) {
+        meet(item->second.owner);
+      }
+    };
+    if (device.presence) meet(device.presence->owner);
+    if (device.pose) meet(device.pose->owner);
+    if (device.joints) meet(device.joints->owner);
+    for (const auto& joint : device.named_joints) meet(joint.second.owner);
+    for (const auto& order : device.orders) meet(order.first);
+    meetPaths(state.visibility());
+    meetPaths(state.colors());
+    return shared;
+  };
+  return std::any_of(state.devices().begin(), state.devices().end(), isShared);
+}
+
+}  // namespace
+
+std::vector<std::string> restate(const SessionState& state, std::string_view source,
+                                 const RestatementOptions& options) {
+  std::vector<std::string> datagrams;
+  for (Body& part : partsOf(state, source, options, false)) {
+    datagrams.push_back(std::move(part.text));
+  }
+  return datagrams;
+}
+
+std::vector<std::string> restateAll(const SessionState& state, const RestatementOptions& options) {
+  const bool by_stage = hasSharedDevice(state);
+  std::vector<Body> parts;
+  for (const auto& source : state.sources()) {
+    for (Body& part : partsOf(state, source.first, options, by_stage)) {
+      parts.push_back(std::move(part));
+    }
+  }
+  if (by_stage) {
+    std::stable_sort(parts.begin(), parts.end(),
+                     [](const Body& a, const Body& b) { return a.stage < b.stage; });
+  }
+  std::vector<std::string> datagrams;
+  for (Body& part : parts) datagrams.push_back(std::move(part.text));
+  return datagrams;
+}
+
+}  // namespace rocinante

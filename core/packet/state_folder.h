@@ -1,0 +1,106 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "core/packet/session_state.h"
+#include "core/packet/state_weight.h"
+
+namespace rocinante {
+
+/// Folds one packet into a state (docs/packet-format.md, section "The fold"): first whether it is
+/// applied at all, then its statements, then what a restatement that it completes takes away.
+class StateFolder {
+ public:
+  StateFolder(SessionState& state, LogTime time, const Packet& packet)
+      : state_(state), time_(time), packet_(packet), header_(packet.header) {}
+
+  Applied fold();
+
+ private:
+  using Device = SessionState::Devices::value_type;
+
+  // state_folder.cpp: the header's part.
+  bool findSource();
+  bool admit();
+  void countRelay();
+  void abandonOldRestatements();
+  void beginPart();
+  void finishPart();
+  void forgetSequence();
+
+  // fold_statement.cpp: each writes what one statement says.
+  void foldStatement(const Statement& statement);
+  void foldJoints(const Statement& statement);
+  void foldJointsByName(Device& device, std::span<const std::string> names,
+                        std::span<const double> values);
+  void foldOrder(const Statement& statement);
+  void foldJoint(const Statement& statement);
+  void foldPose(const Statement& statement);
+  void foldPresence(const Statement& statement);
+  void foldVisibility(const Statement& statement);
+  void foldColor(const Statement& statement);
+  void foldDrawing(const Statement& statement);
+  void foldErase(const Statement& statement);
+  void foldEvent(const Statement& statement);
+  void foldView(const Statement& statement);
+  void foldSeen(const Statement& statement);
+  bool setNamedJoint(DeviceState& device, std::string_view name, double value);
+
+  /// The device that a statement writes about, made when it is new; null when there is no room.
+  Device* deviceFor(std::string_view name);
+  template <class T>
+  Item<T> itemOf(T value) const;
+  template <class T>
+  void writeItem(Device& device, std::optional<Item<T>>& slot, T value);
+  template <class T>
+  void writePathItem(std::map<Path, Item<T>>& items, const PathView& path, T value);
+  template <class T>
+  void claim(Item<T>& item) const;
+  /// Takes the place of something of weight `before`; false, and counted, when there is no room.
+  bool makeRoom(std::uint64_t before, std::uint64_t after);
+  void count(PacketFault fault);
+
+  // state_forgetting.cpp: what takes items away.
+  void forgetItemsOf(DeviceState& device);
+  void forgetPathsOf(std::string_view device);
+  void forgetIfEmpty(std::string_view device);
+  bool isEmpty(const Device& device) const;
+  void clearNamedJoints(DeviceState& device);
+  void eraseOrder(DeviceState& device, std::string_view source);
+  void forgetUnrepeated(std::uint64_t first_packet);
+  template <class T>
+  void eraseOptional(std::optional<Item<T>>& slot);
+  template <class Map>
+  typename Map::iterator eraseFrom(Map& items, typename Map::iterator item);
+  template <class Map, class Condition>
+  void eraseWhere(Map& items, Condition condition);
+
+  SessionState& state_;
+  LogTime time_;
+  const Packet& packet_;
+  const PacketHeader& header_;
+  SourceState* source_ = nullptr;
+  SourceCounts* counts_ = nullptr;
+};
+
+template <class T>
+void StateFolder::eraseOptional(std::optional<Item<T>>& slot) {
+  state_.weight_ -= weightOf(slot);
+  slot.reset();
+}
+
+template <class Map>
+typename Map::iterator StateFolder::eraseFrom(Map& items, typename Map::iterator item) {
+  state_.weight_ -= weightOf(item->first) + weightOf(item->second);
+  return items.erase(item);
+}
+
+template <class Map, class Condition>
+void StateFolder::eraseWhere(Map& items, Condition condition) {
+  for (auto item = items.begin(); item != items.end();) {
+    item = condition(item->second) ? eraseFrom(items, item) : std::next(item);
+  }
+}
+
+}  // namespace rocinante
