@@ -56,9 +56,9 @@ class ByteCursor {
 /// Appends a number, least significant byte first.
 template <std::unsigned_integral T>
 void appendNumber(Bytes& out, T value) {
-  std::byte bytes[sizeof(T)];
-  std::memcpy(bytes, &value, sizeof(T));
-  out.insert(out.end(), bytes, bytes + sizeof(T));
+  const std::size_t start = out.size();
+  out.resize(start + sizeof(T));
+  std::memcpy(out.data() + start, &value, sizeof(T));
 }
 
 inline void appendBytes(Bytes& out, ByteView bytes) {

@@ -65,7 +65,8 @@ class LogReader {
 };
 
 /// SHA-256 over (topic, log_time, payload) of the captured messages in order: the identity of a
-/// session (docs/log-format.md). Lower-case hexadecimal. Rewinds the reader.
+/// session (docs/log-format.md). Lower-case hexadecimal. Rewinds the reader before and after. Of a
+/// damaged log it is the hash of what can be read: damage() says whether that is all.
 Result<std::string> contentSha256(LogReader& reader);
 
 }  // namespace rocinante

@@ -32,7 +32,9 @@ struct LogMessage {
   std::uint32_t sequence = 0;  ///< the recorder's own count on the channel, modulo 2^32
   LogTime log_time{};
   std::int64_t publish_time_ns = 0;  ///< the sender's TIME; the log time when it gave none
-  std::uint64_t file_offset = 0;     ///< breaks ties of log_time: order is (log_time, this)
+  /// Its place in the file's order, which breaks ties of log_time: the chunk's number in the file in
+  /// the upper 32 bits, the offset of the record in the expanded chunk in the lower.
+  std::uint64_t file_offset = 0;
   ByteView payload;
 };
 

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/log/log_types.h"
+#include "core/log/mcap_records.h"
+#include "core/log/message_span.h"
+
+namespace rocinante {
+
+/// Where everything in a log lies: what its summary says, or what a walk over the file found.
+struct LogIndex {
+  mcap::Header header;
+  std::vector<MessageSpan> spans;  ///< in the file's order
+  std::map<ChannelId, LogChannel> channels;
+  std::map<ChannelId, std::uint64_t> message_counts;
+  std::vector<LogAttachment> attachments;
+  std::vector<std::uint64_t> attachment_offsets;  ///< as `attachments`
+  std::vector<LogMetadata> metadata;
+  std::vector<DamageSpan> damage;
+  bool closed = false;  ///< ends as a whole file does
+};
+
+/// The index that the file's own summary holds: empty when there is no summary, or when it is
+/// incomplete, damaged, or does not agree with the file. `damage` says so where that is a fault.
+std::optional<LogIndex> indexFromSummary(ByteView file, std::vector<DamageSpan>& damage);
+
+/// The index made by walking over the whole file, record by record. Chunks are only expanded where
+/// their message indexes do not tell enough. Goes on after damage. The file begins with the magic.
+LogIndex indexByWalking(ByteView file);
+
+/// Adds a channel; false when its id is there already and means another.
+bool addChannel(LogIndex& index, const mcap::Channel& channel);
+
+}  // namespace rocinante

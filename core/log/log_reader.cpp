@@ -1,0 +1,248 @@
+#include "core/log/log_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+
+#include "core/hash.h"
+#include "core/log/log_index.h"
+#include "core/log/log_profile.h"
+#include "core/log/loss_message.h"
+#include "core/log/mapped_file.h"
+#include "core/log/mcap_stream_reader.h"
+#include "core/log/span_merge.h"
+
+namespace rocinante {
+namespace {
+
+constexpr LogTime kFirstMoment{Nanoseconds(std::numeric_limits<std::int64_t>::min())};
+
+/// The value that metadata `name` gives for `key`, or null.
+const std::string* metadataValue(const std::vector<LogMetadata>& metadata, std::string_view name,
+                                 std::string_view key) {
+  for (const LogMetadata& record : metadata) {
+    if (record.name != name) continue;
+    const auto found = record.entries.find(std::string(key));
+    if (found != record.entries.end()) return &found->second;
+  }
+  return nullptr;
+}
+
+std::optional<LogTime> timeOf(const std::string* text) {
+  if (text == nullptr) return std::nullopt;
+  std::int64_t nanoseconds = 0;
+  const char* const end = text->data() + text->size();
+  const auto [stopped, fault] = std::from_chars(text->data(), end, nanoseconds);
+  if (fault != std::errc() || stopped != end) return std::nullopt;
+  return LogTime(Nanoseconds(nanoseconds));
+}
+
+}  // namespace
+
+struct LogReader::Impl {
+  MappedFile mapped;
+  ByteView file;
+  std::string name;
+  LogIndex index;
+  std::vector<LogChannel> channels;
+  std::vector<const LogChannel*> channel_by_id;
+  LogSummary summary;
+  std::vector<LossSpan> losses;
+  std::optional<SpanMerge> merge;
+
+  Status build() {
+    const ByteView magic = mcap::magic();
+    if (file.size() < magic.size() || !std::ranges::equal(file.first(magic.size()), magic)) {
+      return Error{ErrorKind::damaged,
+                   file.empty() ? "the file is empty" : "the file does not begin as a log does",
+                   name};
+    }
+    std::vector<DamageSpan> summary_damage;
+    if (std::optional<LogIndex> found = indexFromSummary(file, summary_damage)) {
+      index = std::move(*found);
+    } else {
+      index = indexByWalking(file);
+    }
+    index.damage.insert(index.damage.begin(), summary_damage.begin(), summary_damage.end());
+    for (const auto& [id, channel] : index.channels) channels.push_back(channel);
+    for (const LogChannel& channel : channels) {
+      if (channel_by_id.size() <= channel.id) channel_by_id.resize(channel.id + 1U, nullptr);
+      channel_by_id[channel.id] = &channel;
+    }
+    merge.emplace(file, index.spans, channel_by_id, index.damage);
+    summarise();
+    return {};
+  }
+
+  void summarise() {
+    const std::string* const reason =
+        metadataValue(index.metadata, profile::kEnd, profile::kReasonKey);
+    if (reason != nullptr) summary.end_reason = *reason;
+    summary.complete = index.closed && reason != nullptr;
+    if (const std::string* id =
+            metadataValue(index.metadata, profile::kSession, profile::kSessionIdKey)) {
+      summary.session_id = *id;
+    }
+    bool others = false;
+    for (const LogChannel& channel : channels) {
+      const auto count = index.message_counts.find(channel.id);
+      if (count == index.message_counts.end() || count->second == 0) continue;
+      if (channel.captured()) {
+        summary.messages += count->second;
+      } else {
+        others = true;
+        if (channel.topic == kLossTopic) readLosses(channel.id);
+      }
+    }
+    const std::optional<LogTime> origin =
+        timeOf(metadataValue(index.metadata, profile::kSession, profile::kOriginKey));
+    const std::optional<LogTime> origin_again =
+        timeOf(metadataValue(index.metadata, profile::kEnd, profile::kOriginKey));
+    if (origin && origin_again && *origin != *origin_again) {
+      index.damage.push_back({0, file.size(),
+                              "rocinante.session and rocinante.end give different origins; the "
+                              "first is followed",
+                              std::uint64_t{0}});
+    }
+    findRange(others);
+    summary.origin = origin ? *origin : origin_again ? *origin_again : summary.start;
+    if (summary.messages == 0) summary.start = summary.end = summary.origin;
+  }
+
+  /// First and last captured message. Where all messages are captured, the spans know.
+  void findRange(bool others) {
+    if (summary.messages == 0) return;
+    if (!others) {
+      bool first = true;
+      for (const MessageSpan& span : index.spans) {
+        // No message: times of 0 mean nothing.
+        if (span.start_time == LogTime{} && span.end_time == LogTime{} && span.channels.empty()) {
+          continue;
+        }
+        summary.start = first ? span.start_time : std::min(summary.start, span.start_time);
+        summary.end = first ? span.end_time : std::max(summary.end, span.end_time);
+        first = false;
+      }
+      return;
+    }
+    merge->seek(kFirstMoment);
+    while (const std::optional<LogMessage> message = merge->next()) {
+      if (!message->channel->captured()) continue;
+      summary.start = summary.end = message->log_time;
+      break;
+    }
+    findEnd();
+    merge->seek(kFirstMoment);
+  }
+
+  void findEnd() {
+    std::vector<const MessageSpan*> latest_first;
+    for (const MessageSpan& span : index.spans) latest_first.push_back(&span);
+    std::ranges::sort(latest_first, std::greater{}, &MessageSpan::end_time);
+    SpanDecoder decoder(file);
+    SpanMessages messages;
+    for (const MessageSpan* span : latest_first) {
+      if (span->end_time <= summary.end) return;
+      decoder.decode(*span, messages);
+      for (const SpanMessages::Place& place : messages.places) {
+        if (captured(place.channel)) {
+          summary.end = std::max(summary.end, LogTime(Nanoseconds(place.time_ns)));
+        }
+      }
+    }
+  }
+
+  bool captured(ChannelId id) const {
+    return id < channel_by_id.size() && channel_by_id[id] != nullptr &&
+           channel_by_id[id]->captured();
+  }
+
+  void readLosses(ChannelId id) {
+    SpanDecoder decoder(file);
+    SpanMessages messages;
+    for (const MessageSpan& span : index.spans) {
+      if (!span.channels.empty() && std::ranges::find(span.channels, id) == span.channels.end()) {
+        continue;
+      }
+      decoder.decode(span, messages);
+      for (const SpanMessages::Place& place : messages.places) {
+        if (place.channel != id) continue;
+        const std::optional<mcap::Record> record = mcap::recordAt(messages.records, place.offset);
+        mcap::Message message;
+        mcap::parse(record->content, message);
+        if (std::optional<LossSpan> loss = parseLoss(message.data)) {
+          losses.push_back(std::move(*loss));
+        } else {
+          index.damage.push_back({span.offset, span.end,
+                                  "a message on /rocinante/loss tells no loss", std::uint64_t{0}});
+        }
+      }
+    }
+    std::ranges::stable_sort(losses, {}, &LossSpan::from);
+  }
+};
+
+Result<LogReader> LogReader::open(const std::filesystem::path& path) {
+  Result<MappedFile> mapped = MappedFile::open(path);
+  if (!mapped) return mapped.error();
+  auto impl = std::make_unique<Impl>();
+  impl->mapped = std::move(*mapped);
+  impl->file = impl->mapped.bytes();
+  impl->name = path.string();
+  if (Status built = impl->build(); !built) return built.error();
+  return LogReader(std::move(impl));
+}
+
+Result<LogReader> LogReader::openBytes(ByteView bytes, std::string name) {
+  auto impl = std::make_unique<Impl>();
+  impl->file = bytes;
+  impl->name = std::move(name);
+  if (Status built = impl->build(); !built) return built.error();
+  return LogReader(std::move(impl));
+}
+
+LogReader::LogReader(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+LogReader::~LogReader() = default;
+LogReader::LogReader(LogReader&&) noexcept = default;
+LogReader& LogReader::operator=(LogReader&&) noexcept = default;
+
+const LogSummary& LogReader::summary() const { return impl_->summary; }
+const std::vector<LogChannel>& LogReader::channels() const { return impl_->channels; }
+const std::vector<LogMetadata>& LogReader::metadata() const { return impl_->index.metadata; }
+const std::vector<LogAttachment>& LogReader::attachments() const {
+  return impl_->index.attachments;
+}
+const std::vector<LossSpan>& LogReader::losses() const { return impl_->losses; }
+const std::vector<DamageSpan>& LogReader::damage() const { return impl_->index.damage; }
+const std::string& LogReader::name() const { return impl_->name; }
+
+Result<Bytes> LogReader::readAttachment(std::size_t index) const {
+  if (index >= impl_->index.attachments.size()) {
+    return Error{ErrorKind::not_found, fmt::format("there is no attachment {}", index), name()};
+  }
+  const std::uint64_t offset = impl_->index.attachment_offsets[index];
+  const std::string place = fmt::format("{}, byte {}", name(), offset);
+  const std::optional<mcap::Record> record = mcap::recordAt(impl_->file, offset);
+  mcap::Attachment attachment;
+  if (!record || !mcap::parse(record->content, attachment)) {
+    return Error{ErrorKind::damaged, "the attachment is malformed", place};
+  }
+  if (attachment.crc != 0 && crc32(attachment.checked) != attachment.crc) {
+    return Error{ErrorKind::damaged,
+                 fmt::format("attachment {} fails its checksum", attachment.name), place};
+  }
+  return Bytes(attachment.data.begin(), attachment.data.end());
+}
+
+Status LogReader::seek(LogTime moment) {
+  impl_->merge->seek(moment);
+  return {};
+}
+
+Status LogReader::rewind() { return seek(kFirstMoment); }
+
+Result<std::optional<LogMessage>> LogReader::next() { return impl_->merge->next(); }
+
+}  // namespace rocinante

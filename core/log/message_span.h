@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/log/log_types.h"
+#include "core/log/mcap_chunk.h"
+#include "core/log/mcap_records.h"
+
+namespace rocinante {
+
+/// What is read at once: a chunk, or a run of messages that lie outside chunks. Spans are numbered
+/// in the file's order.
+struct MessageSpan {
+  std::uint64_t offset = 0;         ///< of its first byte in the file
+  std::uint64_t end = 0;            ///< behind its last
+  LogTime start_time{};             ///< of its earliest message
+  LogTime end_time{};               ///< of its latest
+  bool loose = false;               ///< messages outside chunks
+  bool cut = false;                 ///< a chunk whose end is missing: its recorder was killed
+  mcap::Chunk chunk;                ///< borrows from the file; empty for a loose run
+  std::vector<ChannelId> channels;  ///< with messages in it; empty when nobody says
+};
+
+/// The messages of one span, in order of (log_time, place in the file).
+struct SpanMessages {
+  struct Place {
+    std::int64_t time_ns;
+    std::uint32_t offset;  ///< of the Message record in `records`
+    ChannelId channel;
+    bool operator<(const Place& other) const {
+      return time_ns != other.time_ns ? time_ns < other.time_ns : offset < other.offset;
+    }
+  };
+
+  ByteView records;  ///< borrowed from the file, or from `scratch`
+  std::vector<Place> places;
+  std::vector<mcap::Channel> channels;  ///< defined in the span, as they came
+  std::vector<DamageSpan> damage;
+  mcap::Scratch scratch;
+
+  /// Memory held, as far as it depends on the file.
+  std::size_t heldBytes() const { return scratch.capacity() + places.capacity() * sizeof(Place); }
+};
+
+/// Expands spans of one file. One a thread.
+class SpanDecoder {
+ public:
+  explicit SpanDecoder(ByteView file) : file_(file) {}
+
+  /// Fills `out`, whose memory is used again. What is broken is in `out.damage`, and left out.
+  void decode(const MessageSpan& span, SpanMessages& out);
+
+  /// How many messages the MessageIndex records behind a chunk speak of, if there are any.
+  std::optional<std::uint64_t> indexedMessages(const MessageSpan& span) const;
+
+ private:
+  void readRecords(const MessageSpan& span, SpanMessages& out);
+
+  ByteView file_;
+  mcap::ChunkExpander expander_;
+};
+
+/// A log time from the file's unsigned one. What lies beyond 2262 is held at the last moment.
+LogTime logTimeOf(std::uint64_t file_time);
+
+}  // namespace rocinante
