@@ -1,8 +1,14 @@
 #include "core/model/mesh_file.h"
 
-#include <algorithm>
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
-#include "core/atomic_file.h"
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
 #include "core/model/mesh_faults.h"
 #include "core/model/obj_reader.h"
 #include "core/model/stl_reader.h"
@@ -18,6 +24,62 @@ std::string endingOf(const std::filesystem::path& path) {
   });
   return ending;
 }
+
+/// A whole file in memory of its own. Not the mapped file, which would end the program if it shrank
+/// meanwhile; and in huge pages where the system has them, since a hundred megabytes of small ones
+/// take longer to get than to fill.
+class WholeFile {
+ public:
+  static constexpr std::uint64_t kLargestBytes = std::uint64_t{1} << 32U;
+
+  WholeFile() = default;
+  ~WholeFile() {
+    if (memory_ != MAP_FAILED) ::munmap(memory_, capacity_);
+    if (file_ >= 0) ::close(file_);
+  }
+  WholeFile(const WholeFile&) = delete;
+  WholeFile& operator=(const WholeFile&) = delete;
+
+  Status read(const std::filesystem::path& path) {
+    file_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (file_ < 0) return systemError("cannot open", path);
+    struct stat facts {};
+    if (::fstat(file_, &facts) != 0) return systemError("cannot read", path);
+    if (!S_ISREG(facts.st_mode)) {
+      return Error{ErrorKind::unreadable, "is no regular file", path.string()};
+    }
+    if (static_cast<std::uint64_t>(facts.st_size) > kLargestBytes) {
+      return Error{ErrorKind::unsupported, "is larger than the 4 GiB that are read", path.string()};
+    }
+    // Never of zero bytes, which mmap refuses.
+    capacity_ = static_cast<std::size_t>(facts.st_size) + 1;
+    memory_ =
+        ::mmap(nullptr, capacity_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (memory_ == MAP_FAILED) return systemError("no memory to read", path);
+    ::madvise(memory_, capacity_, MADV_HUGEPAGE);
+    while (size_ < capacity_) {
+      const ssize_t got =
+          ::read(file_, static_cast<std::byte*>(memory_) + size_, capacity_ - size_);
+      if (got == 0) break;
+      if (got < 0 && errno != EINTR) return systemError("cannot read", path);
+      if (got > 0) size_ += static_cast<std::size_t>(got);
+    }
+    return {};
+  }
+
+  ByteView bytes() const { return {static_cast<const std::byte*>(memory_), size_}; }
+
+ private:
+  static Error systemError(std::string what, const std::filesystem::path& path) {
+    const int code = errno;
+    return {code == ENOENT ? ErrorKind::not_found : ErrorKind::unreadable,
+            std::move(what) + ": " + std::strerror(code), path.string()};
+  }
+
+  int file_ = -1;
+  void* memory_ = MAP_FAILED;
+  std::size_t capacity_ = 0, size_ = 0;
+};
 
 }  // namespace
 
@@ -35,10 +97,9 @@ Result<Mesh> readMeshBytes(ByteView bytes, const std::filesystem::path& path,
 
 Result<Mesh> readMeshFile(const std::filesystem::path& path, const MeshReadOptions& options,
                           ModelFaults& faults) {
-  // Read, not mapped: a file that shrinks while it is loaded would end the program.
-  const Result<std::string> content = readFile(path);
-  if (!content) return content.error();
-  return readMeshBytes(bytesOf(*content), path, options, faults);
+  WholeFile file;
+  if (Status read = file.read(path); !read) return read.error();
+  return readMeshBytes(file.bytes(), path, options, faults);
 }
 
 }  // namespace rocinante
