@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/hash.h"
+#include "core/playback_speed.h"
+#include "core/time.h"
+#include "player/late_histogram.h"
+#include "player/paced_sender.h"
+
+namespace rocinante {
+
+/// One span that was played, and what went out of it.
+struct PlayedSpanReport {
+  LogTime from{};
+  LogTime until{};
+  std::uint64_t sent = 0;
+  std::string sha256;  ///< over the payloads in order; lower-case hexadecimal
+};
+
+/// What a player or a source sent and how well it kept its schedule (docs/programs/play.md). A
+/// restatement is the sender's own: it is in `restatements` and nowhere else.
+struct PlayReport {
+  std::vector<std::string> inputs;  ///< the logs, or the file, or "demo"
+  std::string to;
+  std::optional<PlaybackSpeed> speed;  ///< empty: without a schedule
+  std::uint64_t sent = 0;
+  std::uint64_t bytes = 0;
+  std::uint64_t restatements = 0;
+  std::uint64_t late_p50_us = 0, late_p90_us = 0, late_p99_us = 0, late_p999_us = 0;
+  std::uint64_t late_max_us = 0;
+  Nanoseconds drift{};
+  Nanoseconds duration{};  ///< from the first datagram to the last
+  std::string stream_sha256;
+  std::vector<PlayedSpanReport> spans;
+  std::string timing_source;  ///< "kernel", "clock" or "kernel and clock"
+  std::string scheduling;     ///< "fifo" or "other"
+  bool interrupted = false;
+  std::vector<std::string> damage;  ///< what could not be read of the logs
+
+  double achievedRateHz() const;
+  /// False when sending fell behind its schedule and stayed there.
+  bool keptUp() const { return drift < std::chrono::milliseconds(50); }
+};
+
+/// The report as JSON, with a line end. `format` comes first.
+std::string jsonText(const PlayReport& report);
+/// The report in a few lines for a person.
+std::string summaryText(const PlayReport& report);
+/// What to say when sending did not keep up.
+std::string behindText(const PlayReport& report);
+
+/// Counts, hashes and times what is sent. Its memory does not grow with the number of datagrams.
+class PlayJournal final : public SendJournal {
+ public:
+  /// `turn` n covers `span` moved by n of its lengths; the report names the session's own times.
+  PlayJournal(LogTime from, LogTime until) : from_(from), until_(until) {}
+
+  void sent(const Due& due, ByteView payload, SteadyTime deadline, SteadyTime sent_at) override;
+
+  /// Fills what the journal knows. Call once, at the end.
+  void writeTo(PlayReport& report);
+
+ private:
+  void closeSpan();
+
+  LogTime from_, until_;
+  Sha256 stream_hash_;
+  Sha256 span_hash_;
+  std::uint32_t span_ = 0;
+  std::uint64_t span_sent_ = 0;
+  std::vector<PlayedSpanReport> spans_;
+  std::uint64_t sent_ = 0;
+  std::uint64_t bytes_ = 0;
+  std::uint64_t restatements_ = 0;
+  LateHistogram late_;
+  DriftMeter drift_;
+  SteadyTime first_{}, last_{};
+};
+
+}  // namespace rocinante

@@ -1,0 +1,37 @@
+#include "player/send_plan.h"
+
+#include "player/paced_sender.h"
+#include "player/playback_clock.h"
+#include "player/progress_line.h"
+#include "player/udp_edge.h"
+
+namespace rocinante {
+
+Result<PlayReport> sendPlan(DatagramStream& stream, const SendPlan& plan,
+                            const std::function<bool()>& stop) {
+  Result<UdpEdge> edge = UdpEdge::open(plan.to, plan.speed ? plan.realtime : Realtime::off, stop);
+  if (!edge) return edge.error();
+  PlayJournal journal(plan.from, plan.until);
+  Result<SendEnd> end = SendEnd::finished;
+  {
+    ProgressLine line(journal, plan.origin, plan.last, plan.progress);
+    if (plan.speed) {
+      const PlaybackClock clock(plan.first, edge->now() + std::chrono::milliseconds(1),
+                                *plan.speed);
+      end = sendOnSchedule(stream, clock, *edge, line);
+    } else {
+      end = sendAtOnce(stream, *edge, line);
+    }
+  }
+  if (!end) return end.error();
+  PlayReport report;
+  report.to = plan.to.text();
+  report.speed = plan.speed;
+  report.timing_source = edge->timingSource();
+  report.scheduling = edge->scheduling();
+  report.interrupted = *end == SendEnd::stopped;
+  journal.writeTo(report);
+  return report;
+}
+
+}  // namespace rocinante
