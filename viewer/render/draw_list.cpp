@@ -1,0 +1,152 @@
+#include "viewer/render/draw_list.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "core/math/transform.h"
+
+namespace rocinante {
+namespace {
+
+constexpr float kGhostOpacity = 0.35F;
+/// Below this an item is drawn as translucent.
+constexpr float kOpaque = 0.999F;
+
+double lengthOf(const Vec3& v) { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
+
+/// The largest factor by which the matrix lengthens anything is at most this.
+double scaleBound(const Mat4& m) {
+  const double x = lengthOf(Vec3(m[0]));
+  const double y = lengthOf(Vec3(m[1]));
+  const double z = lengthOf(Vec3(m[2]));
+  return std::sqrt(x * x + y * y + z * z);
+}
+
+Mat4 visualWorld(const Mat4& link_world, const Visual& visual) {
+  return link_world * matrixOf(visual.origin) * scaleMatrix(visual.scale);
+}
+
+glm::vec4 colorOf(std::uint32_t rgba) {
+  return {static_cast<float>(rgba >> 24 & 255U) / 255.0F,
+          static_cast<float>(rgba >> 16 & 255U) / 255.0F,
+          static_cast<float>(rgba >> 8 & 255U) / 255.0F, static_cast<float>(rgba & 255U) / 255.0F};
+}
+
+/// Calls each(visual, device number, link number, mesh number) for all that is visible.
+template <class Each>
+void forEachVisual(const PosedScene& scene, const SceneCatalog& catalog, const ViewChoice& choice,
+                   const Each& each) {
+  for (std::uint32_t d = 0; d < scene.devices.size(); ++d) {
+    const PosedDevice& device = scene.devices[d];
+    if (device.model == nullptr) continue;
+    for (std::uint32_t l = 0; l < device.model->links.size(); ++l) {
+      const Link& link = device.model->links[l];
+      if (link.visuals.empty() || !choice.linkVisible(device, l)) continue;
+      for (const Visual& visual : link.visuals) {
+        const auto mesh = catalog.meshNumber(visual.mesh.get());
+        if (mesh) each(visual, d, l, *mesh);
+      }
+    }
+  }
+}
+
+template <class Each>
+void forEachPart(const Visual& visual, const CatalogMesh& mesh, const Each& each) {
+  if (visual.mesh_parts.empty()) {
+    for (std::uint32_t part = 0; part < mesh.parts.size(); ++part) each(part);
+  } else {
+    for (const std::size_t part : visual.mesh_parts) {
+      if (part < mesh.parts.size()) each(static_cast<std::uint32_t>(part));
+    }
+  }
+}
+
+}  // namespace
+
+DrawList makeDrawList(const PosedScene& scene, const SceneCatalog& catalog,
+                      const ViewChoice& choice, const Camera& camera,
+                      const std::vector<std::uint8_t>& translucent_textures,
+                      const std::vector<std::string>& ghosts) {
+  static const Material kPlain;
+  DrawList list;
+  forEachVisual(
+      scene, catalog, choice,
+      [&](const Visual& visual, std::uint32_t d, std::uint32_t l, std::uint32_t mesh_number) {
+        const PosedDevice& device = scene.devices[d];
+        const CatalogMesh& mesh = catalog.meshes()[mesh_number];
+        const Mat4 world = visualWorld(device.link_world[l], visual);
+        const double scale = scaleBound(world);
+        const bool ghost = std::find(ghosts.begin(), ghosts.end(), device.name) != ghosts.end();
+        forEachPart(visual, mesh, [&](std::uint32_t part) {
+          const CatalogPart& known = mesh.parts[part];
+          const MeshPart& run = mesh.mesh->parts[part];
+          if (run.index_count == 0) return;
+          const Vec3 center = transformPoint(world, known.center);
+          if (!camera.sees(center, known.radius * scale)) return;
+
+          DrawItem item;
+          item.mesh = mesh_number;
+          item.part = part;
+          item.device = d;
+          item.link = l;
+          item.world = world;
+          item.coplanar_rank = known.coplanar_rank;
+          item.material = visual.material ? &*visual.material
+                          : run.material < mesh.mesh->materials.size()
+                              ? &mesh.mesh->materials[run.material]
+                              : &kPlain;
+          item.diffuse = item.material->diffuse;
+          if (const auto texture = catalog.textureNumber(*item.material)) {
+            item.texture = static_cast<std::int32_t>(*texture);
+          }
+          if (device.link_color[l]) {
+            // A colour that was set stands in place of the materials' own, picture included.
+            item.diffuse = colorOf(*device.link_color[l]);
+            item.texture = -1;
+          }
+          if (ghost) item.diffuse.a *= kGhostOpacity;
+          const bool holes = item.texture >= 0 &&
+                             static_cast<std::size_t>(item.texture) < translucent_textures.size() &&
+                             translucent_textures[static_cast<std::size_t>(item.texture)] != 0;
+          item.translucent = item.diffuse.a < kOpaque || holes;
+          item.distance =
+              camera.orthographic() ? camera.depthOf(center) : lengthOf(center - camera.eye());
+          if (item.diffuse.a <= 0.0F) return;
+          list.triangles += run.index_count / 3;
+          (item.translucent ? list.translucent : list.opaque).push_back(item);
+        });
+      });
+  // Stable: what is equal stays in the order of the scene.
+  std::stable_sort(list.opaque.begin(), list.opaque.end(),
+                   [](const DrawItem& a, const DrawItem& b) {
+                     return std::tie(a.coplanar_rank, a.texture, a.mesh) <
+                            std::tie(b.coplanar_rank, b.texture, b.mesh);
+                   });
+  std::stable_sort(list.translucent.begin(), list.translucent.end(),
+                   [](const DrawItem& a, const DrawItem& b) { return a.distance > b.distance; });
+  return list;
+}
+
+std::vector<Vec3> visibleCorners(const PosedScene& scene, const SceneCatalog& catalog,
+                                 const ViewChoice& choice) {
+  std::vector<Vec3> corners;
+  forEachVisual(
+      scene, catalog, choice,
+      [&](const Visual& visual, std::uint32_t d, std::uint32_t l, std::uint32_t mesh_number) {
+        const CatalogMesh& mesh = catalog.meshes()[mesh_number];
+        const Mat4 world = visualWorld(scene.devices[d].link_world[l], visual);
+        forEachPart(visual, mesh, [&](std::uint32_t part) {
+          const CatalogPart& known = mesh.parts[part];
+          if (mesh.mesh->parts[part].index_count == 0) return;
+          for (unsigned corner = 0; corner < 8; ++corner) {
+            const Vec3 sign((corner & 1U) != 0 ? 1 : -1, (corner & 2U) != 0 ? 1 : -1,
+                            (corner & 4U) != 0 ? 1 : -1);
+            corners.push_back(transformPoint(world, known.center + sign * known.half));
+          }
+        });
+      });
+  return corners;
+}
+
+}  // namespace rocinante

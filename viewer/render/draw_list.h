@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/model/posed_scene.h"
+#include "viewer/render/camera.h"
+#include "viewer/render/scene_catalog.h"
+#include "viewer/render/view_choice.h"
+
+namespace rocinante {
+
+/// One part of one mesh, drawn once.
+struct DrawItem {
+  std::uint32_t mesh = 0;     ///< into SceneCatalog::meshes
+  std::uint32_t part = 0;     ///< of that mesh
+  std::uint32_t device = 0;   ///< into PosedScene::devices
+  std::uint32_t link = 0;     ///< of its model: with `device`, whose pixels these are
+  std::int32_t texture = -1;  ///< into SceneCatalog::textures; -1: none
+  std::uint32_t coplanar_rank = 0;
+  const Material* material = nullptr;
+  glm::vec4 diffuse{};  ///< display values and opacity, after colours that were set
+  Mat4 world{1.0};      ///< of the mesh's vertices
+  double distance = 0;  ///< from the eye to the middle of the part
+  bool translucent = false;
+};
+
+/// What one frame draws of the geometry, in the order in which it is drawn.
+struct DrawList {
+  std::vector<DrawItem> opaque;       ///< by state, so that few things change between draws
+  std::vector<DrawItem> translucent;  ///< from back to front
+  std::uint64_t triangles = 0;
+};
+
+/// The cull stage. `translucent_textures`: by texture number, non-zero for pictures that are not
+/// opaque everywhere. `ghosts`: names of devices drawn as ghosts. Pure: the same scene and camera
+/// give the same list, whatever was drawn before.
+DrawList makeDrawList(const PosedScene& scene, const SceneCatalog& catalog,
+                      const ViewChoice& choice, const Camera& camera,
+                      const std::vector<std::uint8_t>& translucent_textures,
+                      const std::vector<std::string>& ghosts);
+
+/// Corners of the boxes around everything visible, world space: what a fitted view must show.
+std::vector<Vec3> visibleCorners(const PosedScene& scene, const SceneCatalog& catalog,
+                                 const ViewChoice& choice);
+
+}  // namespace rocinante

@@ -1,0 +1,49 @@
+#include "viewer/render/mesh_buffers.h"
+
+#include <cstddef>
+#include <span>
+
+namespace rocinante {
+
+MeshBuffers::MeshBuffers(const GlTable& gl, const SceneCatalog& catalog, InputsHash& inputs)
+    : gl_(gl) {
+  for (const CatalogMesh& entry : catalog.meshes()) {
+    const Mesh& mesh = *entry.mesh;
+    const auto vertices = std::as_bytes(std::span(mesh.vertices));
+    const auto indices = std::as_bytes(std::span(mesh.indices));
+    inputs.add(vertices);
+    inputs.add(indices);
+
+    Buffers buffers;
+    gl_.GenVertexArrays(1, &buffers.array);
+    gl_.BindVertexArray(buffers.array);
+    gl_.GenBuffers(1, &buffers.vertices);
+    gl_.BindBuffer(GL_ARRAY_BUFFER, buffers.vertices);
+    gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size()), vertices.data(),
+                   GL_STATIC_DRAW);
+    gl_.GenBuffers(1, &buffers.indices);
+    gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers.indices);
+    gl_.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size()), indices.data(),
+                   GL_STATIC_DRAW);
+    const auto attribute = [&](GLuint place, GLint components, std::size_t offset) {
+      gl_.EnableVertexAttribArray(place);
+      gl_.VertexAttribPointer(place, components, GL_FLOAT, GL_FALSE, sizeof(Vertex),
+                              reinterpret_cast<const void*>(offset));
+    };
+    attribute(0, 3, offsetof(Vertex, position));
+    attribute(1, 3, offsetof(Vertex, normal));
+    attribute(2, 2, offsetof(Vertex, texture));
+    meshes_.push_back(buffers);
+  }
+  gl_.BindVertexArray(0);
+}
+
+MeshBuffers::~MeshBuffers() {
+  for (const Buffers& buffers : meshes_) {
+    gl_.DeleteVertexArrays(1, &buffers.array);
+    gl_.DeleteBuffers(1, &buffers.vertices);
+    gl_.DeleteBuffers(1, &buffers.indices);
+  }
+}
+
+}  // namespace rocinante

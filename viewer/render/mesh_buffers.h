@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vector>
+
+#include "viewer/render/gl_table.h"
+#include "viewer/render/inputs_hash.h"
+#include "viewer/render/scene_catalog.h"
+
+namespace rocinante {
+
+/// The meshes of a scene on the GPU, by number: one vertex and one index buffer each, shared by
+/// every visual that uses it. Its context must be current whenever it is used or destroyed.
+class MeshBuffers {
+ public:
+  /// What is uploaded is added to `inputs`.
+  MeshBuffers(const GlTable& gl, const SceneCatalog& catalog, InputsHash& inputs);
+  ~MeshBuffers();
+  MeshBuffers(const MeshBuffers&) = delete;
+  MeshBuffers& operator=(const MeshBuffers&) = delete;
+
+  void bind(std::size_t number) const { gl_.BindVertexArray(meshes_[number].array); }
+
+ private:
+  struct Buffers {
+    GLuint array = 0, vertices = 0, indices = 0;
+  };
+  const GlTable& gl_;
+  std::vector<Buffers> meshes_;
+};
+
+}  // namespace rocinante

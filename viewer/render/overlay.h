@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "viewer/render/camera.h"
+#include "viewer/render/text_atlas.h"
+
+namespace rocinante {
+
+enum class OverlayKind : std::uint32_t { solid = 0, disc = 1, text = 2 };
+
+/// A corner of a triangle whose size is in pixels, already in clip space.
+struct OverlayVertex {
+  glm::vec4 clip{};
+  glm::vec2 texture{};     ///< disc: from -1 to 1; text: atlas pixels
+  std::uint32_t abgr = 0;  ///< bytes R, G, B, A in memory
+  OverlayKind kind = OverlayKind::solid;
+};
+static_assert(sizeof(OverlayVertex) == 32);
+
+/// Builds triangles for what has its size in pixels: lines, points, text. Plain values, no GL.
+class Overlay {
+ public:
+  explicit Overlay(const Camera& camera) : camera_(camera) {}
+
+  /// World points joined by a line of `width_px`, depth-tested, a hair nearer than it is so that a
+  /// line on a surface shows.
+  void addLine(const std::vector<Vec3>& points, std::uint32_t rgba, double width_px);
+  void addPoint(const Vec3& world, std::uint32_t rgba, double size_px);
+  /// Text on a plate beside a world point, upright and facing the camera; nothing when the point is
+  /// behind it.
+  void addLabel(const TextAtlas& atlas, const Vec3& world, std::uint32_t rgba,
+                std::string_view text);
+
+  // In pixels from the top left, over everything.
+  void addScreenLine(Vec2 from, Vec2 to, std::uint32_t rgba, double width_px);
+  void addScreenRectangle(Vec2 top_left, Vec2 bottom_right, std::uint32_t rgba);
+  void addScreenText(const TextAtlas& atlas, int x, int y, std::uint32_t rgba,
+                     std::string_view text);
+  /// Arrows of the world's axes in the bottom left corner, when there is room.
+  void addGnomon(const TextAtlas& atlas);
+
+  /// Three a triangle.
+  const std::vector<OverlayVertex>& vertices() const { return vertices_; }
+
+ private:
+  struct ScreenPoint {
+    double x = 0, y = 0;  ///< pixels from the top left
+    double z = 0, w = 1;  ///< clip space
+  };
+  ScreenPoint toScreen(const Vec4& clip) const;
+  OverlayVertex vertexAt(const ScreenPoint& at, double x, double y, std::uint32_t rgba,
+                         OverlayKind kind) const;
+  void addSegment(Vec4 from, Vec4 to, std::uint32_t rgba, double width_px);
+  void addDisc(const ScreenPoint& center, std::uint32_t rgba, double size_px);
+  void addQuad(const OverlayVertex& a, const OverlayVertex& b, const OverlayVertex& c,
+               const OverlayVertex& d);
+  Vec4 liftedClip(const Vec3& world) const;
+
+  const Camera& camera_;
+  std::vector<OverlayVertex> vertices_;
+};
+
+}  // namespace rocinante

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <memory>
+#include <string_view>
+
+#include "core/result.h"
+#include "viewer/render/gl_table.h"
+
+namespace rocinante {
+
+/// A GL 3.3 core context, whoever made it: OSMesa, EGL without a surface, or a window. We draw into
+/// framebuffer objects of our own, so the context's default framebuffer does not matter to a frame.
+/// Bound to one thread at a time: the one that called makeCurrent() last.
+class RenderContext {
+ public:
+  RenderContext() = default;
+  virtual ~RenderContext() = default;
+  RenderContext(const RenderContext&) = delete;
+  RenderContext& operator=(const RenderContext&) = delete;
+
+  virtual Status makeCurrent() = 0;
+  /// Null when the driver has no such function.
+  virtual GlProc procAddress(const char* name) const = 0;
+  /// "OSMesa", "EGL", "GLFW": for messages to people.
+  virtual std::string_view name() const = 0;
+};
+
+/// Software rendering without display or GPU. Mesa's environment counts from the first context on:
+/// see pinRendererEnvironment().
+Result<std::unique_ptr<RenderContext>> makeOsmesaContext();
+
+/// A GPU (or Mesa's software) without display, by EGL_MESA_platform_surfaceless. libEGL is loaded
+/// on the first call; refused where there is none.
+Result<std::unique_ptr<RenderContext>> makeEglContext();
+
+}  // namespace rocinante

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/model/cell.h"
+#include "core/model/posed_scene.h"
+#include "viewer/render/camera.h"
+#include "viewer/render/frame_buffer.h"
+#include "viewer/render/render_context.h"
+#include "viewer/render/renderer_key.h"
+#include "viewer/render/text_atlas.h"
+#include "viewer/render/view_choice.h"
+
+namespace rocinante {
+
+/// What one frame shows. Borrowed for the length of the call.
+struct SceneFrame {
+  const PosedScene* scene = nullptr;
+  CameraView camera;
+  const ViewChoice* choice = nullptr;
+};
+
+struct DrawCounts {
+  std::uint64_t triangles = 0;
+  std::uint64_t draws = 0;
+};
+
+/// Draws a cell: app -> cull -> draw, in one context. A window draws each frame so:
+///
+///   renderer.draw({&scene, camera, &choice}, frame_buffer);  // all samples
+///   frame_buffer.resolve();   // now bound: draw the user interface here, one sample a pixel
+///   frame_buffer.blitTo(0);   // or read()
+///
+/// One thread, with the context current. Borrows context and cell, which must outlive it.
+class Renderer {
+ public:
+  /// Uploads every mesh and texture of the cell. refused when the context is less than GL 3.3, or
+  /// the profile is reproducible and the renderer is not llvmpipe with pinned caps.
+  static Result<Renderer> create(RenderContext& context, const Cell& cell, Profile profile);
+
+  ~Renderer();
+  Renderer(Renderer&&) noexcept;
+  Renderer& operator=(Renderer&&) noexcept;
+
+  /// Draws into `target` (its samples: resolve() comes next). refused when GL reports an error.
+  Result<DrawCounts> draw(const SceneFrame& frame, const FrameBuffer& target);
+
+  /// A three-quarter view of all that is visible in `scene`.
+  CameraView fittedCamera(const PosedScene& scene, const ViewChoice& choice, int width,
+                          int height) const;
+  /// The world box around all that is visible in `scene`; empty when nothing is.
+  Bounds visibleBounds(const PosedScene& scene, const ViewChoice& choice) const;
+
+  const GlTable& gl() const;
+  const RendererKey& key() const;
+  const TextAtlas& text() const;
+  /// XXH3 of vertex buffers, decoded textures and glyphs.
+  const std::string& inputsHash() const;
+  /// Textures that could not be read.
+  const std::vector<std::string>& warnings() const;
+
+ private:
+  struct Impl;
+  explicit Renderer(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace rocinante

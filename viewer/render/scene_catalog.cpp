@@ -1,0 +1,67 @@
+#include "viewer/render/scene_catalog.h"
+
+#include <cmath>
+
+#include "viewer/render/coplanar.h"
+
+namespace rocinante {
+
+SceneCatalog::SceneCatalog(const Cell& cell) {
+  for (const auto& [name, model] : cell.models) {
+    if (!model) continue;
+    for (const Link& link : model->links) {
+      for (const Visual& visual : link.visuals) {
+        if (visual.material) addTexture(*visual.material);
+        if (visual.mesh) addMesh(visual.mesh.get());
+      }
+    }
+  }
+}
+
+void SceneCatalog::addTexture(const Material& material) {
+  if (material.diffuse_map.empty()) return;
+  const auto number = static_cast<std::uint32_t>(textures_.size());
+  if (texture_numbers_.emplace(material.diffuse_map, number).second) {
+    textures_.push_back(material.diffuse_map);
+  }
+}
+
+void SceneCatalog::addMesh(const Mesh* mesh) {
+  const auto number = static_cast<std::uint32_t>(meshes_.size());
+  if (!mesh_numbers_.emplace(mesh, number).second) return;
+  for (const Material& material : mesh->materials) addTexture(material);
+
+  CatalogMesh entry{mesh, {}};
+  const std::vector<std::uint32_t> ranks = coplanarRanks(*mesh);
+  for (std::size_t i = 0; i < mesh->parts.size(); ++i) {
+    const MeshPart& part = mesh->parts[i];
+    Bounds bounds;
+    for (std::uint32_t index = 0; index < part.index_count; ++index) {
+      bounds.add(Vec3(mesh->vertices[mesh->indices[part.first_index + index]].position));
+    }
+    CatalogPart known;
+    known.coplanar_rank = ranks[i];
+    if (!bounds.empty()) {
+      known.center = (bounds.min + bounds.max) * 0.5;
+      known.half = (bounds.max - bounds.min) * 0.5;
+      known.radius = std::sqrt(known.half.x * known.half.x + known.half.y * known.half.y +
+                               known.half.z * known.half.z);
+    }
+    entry.parts.push_back(known);
+  }
+  meshes_.push_back(std::move(entry));
+}
+
+std::optional<std::uint32_t> SceneCatalog::meshNumber(const Mesh* mesh) const {
+  const auto found = mesh_numbers_.find(mesh);
+  if (found == mesh_numbers_.end()) return std::nullopt;
+  return found->second;
+}
+
+std::optional<std::uint32_t> SceneCatalog::textureNumber(const Material& material) const {
+  const auto found = texture_numbers_.find(material.diffuse_map);
+  if (found == texture_numbers_.end()) return std::nullopt;
+  return found->second;
+}
+
+}  // namespace rocinante

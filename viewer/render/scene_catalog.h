@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "core/model/cell.h"
+
+namespace rocinante {
+
+/// What drawing needs to know of one part of a mesh, apart from its triangles.
+struct CatalogPart {
+  Vec3 center{};  ///< of its bounds, in the mesh
+  Vec3 half{};    ///< half their size
+  double radius = 0;
+  std::uint32_t coplanar_rank = 0;  ///< see coplanarRanks()
+};
+
+struct CatalogMesh {
+  const Mesh* mesh = nullptr;
+  std::vector<CatalogPart> parts;
+};
+
+/// Every mesh and texture of a cell's models, numbered. Numbers follow the cell alone (models by
+/// name, links and visuals as their files have them), so that the order in which things are drawn
+/// never depends on what was drawn before. Borrows the cell's meshes.
+class SceneCatalog {
+ public:
+  explicit SceneCatalog(const Cell& cell);
+
+  const std::vector<CatalogMesh>& meshes() const { return meshes_; }
+  const std::vector<std::filesystem::path>& textures() const { return textures_; }
+  std::optional<std::uint32_t> meshNumber(const Mesh* mesh) const;
+  /// Empty for a material without one.
+  std::optional<std::uint32_t> textureNumber(const Material& material) const;
+
+ private:
+  void addTexture(const Material& material);
+  void addMesh(const Mesh* mesh);
+
+  std::vector<CatalogMesh> meshes_;
+  std::map<const Mesh*, std::uint32_t> mesh_numbers_;  // looked up, never walked through
+  std::vector<std::filesystem::path> textures_;
+  std::map<std::filesystem::path, std::uint32_t> texture_numbers_;
+};
+
+}  // namespace rocinante

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "core/model/posed_scene.h"
+#include "viewer/render/overlay.h"
+#include "viewer/render/view_choice.h"
+
+namespace rocinante {
+
+/// The sources' lines and points, in the order of the scene. A part that never came is a gap.
+void addLinesAndPoints(Overlay& overlay, const std::vector<PosedDrawing>& drawings,
+                       const ViewChoice& choice);
+
+/// Their labels, the farthest first, so that nearer ones cover farther ones.
+void addLabels(Overlay& overlay, const std::vector<PosedDrawing>& drawings,
+               const ViewChoice& choice, const Camera& camera, const TextAtlas& atlas);
+
+}  // namespace rocinante
