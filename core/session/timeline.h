@@ -14,10 +14,13 @@ namespace rocinante {
 
 /// A recorded session as a function of time: state(t) folds every folded message with
 /// log_time <= t. Any order of questions gives the same answers; going on from the last one is
-/// cheap. Not for sharing between threads.
+/// cheap, and going back is once the way has been gone: states are kept along it, in bounded memory
+/// (64 MiB). Damage of the log is skipped, see log().damage(). Not for sharing between threads.
 class Timeline {
  public:
   static Result<Timeline> open(const std::filesystem::path& path);
+  /// The same of a log that is open already.
+  static Timeline of(LogReader reader);
 
   ~Timeline();
   Timeline(Timeline&&) noexcept;
