@@ -19,17 +19,19 @@ struct CellDevice {
   std::string name;
   std::string model;  ///< key into Cell::models
   Pose pose;
-  std::string layer;  ///< empty: none
+  std::string layer;      ///< empty: none
   bool optional = false;  ///< waits for `add`
+  /// Carried from the start: `pose` is in the space of this device's link (empty: its root).
+  std::string on_device, on_link;
   std::optional<glm::vec4> color;  ///< in place of its materials' own
 };
 
 struct CellCamera {
   std::string name;
   Vec3 eye{}, target{}, up{0, 0, 1};
-  double fov_deg = 45;                   ///< vertical
-  std::optional<double> ortho_height_m;  ///< orthographic: metres from top to bottom
-  std::string on_device, on_link;        ///< rides on it: eye and target in its space
+  double fov_deg = 45;                     ///< vertical
+  std::optional<double> ortho_height_m;    ///< orthographic: metres from top to bottom
+  std::string on_device, on_link;          ///< rides on it: eye and target in its space
   std::string follow_device, follow_link;  ///< follows its position without turning
 };
 
@@ -51,7 +53,7 @@ struct CellScene {
   glm::vec3 background_bottom{0.86F, 0.88F, 0.90F};
   glm::vec3 light_direction{0.4F, -0.5F, 0.8F};  ///< towards the light, world space
   bool grid = true;
-  double grid_size_m = 10;     ///< half its width
+  double grid_size_m = 10;  ///< half its width
   double grid_step_m = 1;
 };
 
@@ -59,7 +61,10 @@ struct CellScene {
 struct Cell {
   std::string file;
   std::vector<CellDevice> devices;  ///< as the file has them
-  std::map<std::string, std::shared_ptr<const Model>> models;  ///< by the name that `add` uses
+  /// By the names that `add DEVICE MODEL` may use: of each [[model]] its name; of each file that a
+  /// device uses the text that it writes, the file's name, and that without `.urdf`. A short name
+  /// that would mean two models means neither.
+  std::map<std::string, std::shared_ptr<const Model>> models;
   std::vector<CellCamera> cameras;
   std::vector<CellLayer> layers;
   std::vector<CellSource> sources;
@@ -68,17 +73,19 @@ struct Cell {
   /// Every file that was read, for attaching and hashing; sorted.
   std::vector<std::filesystem::path> files;
 
+  /// The model of a device; null when it could not be read.
+  const Model* modelOf(const CellDevice& device) const;
   const CellDevice* findDevice(std::string_view name) const;
   const CellCamera* findCamera(std::string_view name) const;
 };
 
 struct CellOptions {
   std::vector<std::filesystem::path> search;  ///< roots besides the cell's own
-  bool search_environment = false;            ///< ROCINANTE_PATH, AMENT_PREFIX_PATH, ROS_PACKAGE_PATH
+  bool search_environment = false;  ///< ROCINANTE_PATH, AMENT_PREFIX_PATH, ROS_PACKAGE_PATH
   bool geometry = true;  ///< false: kinematics only, no mesh is opened (check without GL is fast)
 };
 
-/// Loads a *.cell.toml, or a bare .urdf or .obj as a cell of one device named after the file.
+/// Loads a *.cell.toml, or a bare .urdf, .obj or .stl as a cell of one device named after the file.
 /// Faults stand in the cell and as much as is sound is loaded; an error only when nothing is
 /// (the file is missing, or is no cell at all).
 Result<Cell> loadCell(const std::filesystem::path& path, const CellOptions& options);

@@ -1,7 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/model/cell.h"
@@ -13,11 +16,14 @@ namespace rocinante {
 struct PosedDevice {
   std::string name;
   const Model* model = nullptr;
-  std::vector<Mat4> link_world;           ///< by link of the model
+  Mat4 base{1.0};                ///< of the device's own space in the world
+  std::vector<Mat4> link_world;  ///< by link of the model
+  /// By link: what is drawn. False for all links of a hidden device or layer.
   std::vector<bool> link_visible;
   std::vector<std::optional<std::uint32_t>> link_color;  ///< 0xRRGGBBAA; empty: materials' own
   std::string layer;
-  bool visible = true;
+  bool visible = true;  ///< the device and its layer are shown; single links may still be hidden
+  bool ghost = false;   ///< another source's device, drawn as a ghost (CellSource::ghost_of)
 };
 
 /// A drawing with its carrier resolved.
@@ -27,18 +33,38 @@ struct PosedDrawing {
   Mat4 to_world{1.0};
 };
 
+/// A camera of the cell or a `view` of the session where it is now: in the world.
+struct PosedCamera {
+  std::string name;
+  Vec3 eye{}, target{}, up{0, 0, 1};
+  double fov_deg = 45;                   ///< vertical
+  std::optional<double> ortho_height_m;  ///< orthographic: metres from top to bottom
+  bool of_session = false;               ///< a `view`
+};
+
 /// The cell in one state: what the app stage hands to cull and draw. A plain value (but for the
 /// borrowed model and drawing pointers).
 struct PosedScene {
-  std::vector<PosedDevice> devices;  ///< the cell's order, then added ones by name
+  std::vector<PosedDevice> devices;  ///< the cell's order, then added ones by name, then ghosts
   std::vector<PosedDrawing> drawings;
+  std::vector<PosedCamera> cameras;  ///< the cell's order, then the session's by name
   const PosedDevice* findDevice(std::string_view name) const;
+  /// The session's outranks the cell's of the same name.
+  const PosedCamera* findCamera(std::string_view name) const;
   /// World transform of DEVICE or DEVICE/LINK; empty when there is none.
   std::optional<Mat4> find(std::string_view device, std::string_view link) const;
+
+  std::map<std::string, std::size_t, std::less<>> device_by_name;  ///< into devices
 };
 
 /// Puts the cell into the state. Unknown devices and joints are left out (check tells of them);
-/// a carried device whose carrier is missing or carries it in turn stands in the world.
+/// a device whose positional values are not as many as its model has stands as if it had none;
+/// limits are not enforced, since a picture is evidence. A carried device whose carrier is missing
+/// or carries it in turn stands in the world. Devices that were removed, and optional ones that
+/// were not added, are not there at all. Defined by docs/cell-format.md, section "What is drawn".
 PosedScene poseScene(const Cell& cell, const SessionState& state);
+
+/// All joint values of a device in a state: positional ones, named ones over them, mimics last.
+JointVector jointsOf(const Model& model, const DeviceState* state);
 
 }  // namespace rocinante

@@ -1,0 +1,201 @@
+#include "core/model/cell.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/model/cell_reader.h"
+#include "core/model/file_search.h"
+#include "core/model/inline_model.h"
+#include "core/model/mesh_faults.h"
+#include "core/model/urdf_reader.h"
+
+namespace rocinante {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path folderOf(const fs::path& file) {
+  return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+std::string endingOf(const fs::path& path) {
+  std::string ending = path.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return ending;
+}
+
+// Roots named by whoever runs the program.
+Status addRoots(const CellOptions& options, FileSearch& search) {
+  for (const fs::path& root : options.search) {
+    if (Status added = search.addRoot(root); !added.ok()) return added;
+  }
+  if (options.search_environment) search.addEnvironmentRoots();
+  return Status{};
+}
+
+// The first error as one that ends the loading.
+Error firstError(const ModelFaults& faults, const fs::path& path) {
+  for (const ModelFault& fault : faults) {
+    if (fault.severity != Severity::error) continue;
+    std::string where = fault.file;
+    if (fault.line > 0) where += fmt::format(":{}", fault.line);
+    if (fault.line > 0 && fault.column > 0) where += fmt::format(":{}", fault.column);
+    return {ErrorKind::damaged,
+            fault.hint.empty() ? fault.text : fmt::format("{}; {}", fault.text, fault.hint), where};
+  }
+  return {ErrorKind::damaged, "nothing in the file can be used", path.string()};
+}
+
+Result<Cell> loadModelFile(const fs::path& path, const CellOptions& options) {
+  FileSearch search;
+  if (Status added = search.addRoot(folderOf(path)); !added.ok()) return added.error();
+  if (Status added = addRoots(options, search); !added.ok()) return added.error();
+  search.setPackagesAbove(folderOf(path));
+  MeshStore meshes(search, options.geometry);
+  Cell cell;
+  cell.file = path.string();
+  CellDevice device;
+  device.name = path.stem().string();
+  device.model = path.filename().string();
+
+  std::shared_ptr<const Model> model;
+  if (endingOf(path) == ".urdf") {
+    const auto bytes = readWholeFile(path, kMostUrdfBytes);
+    if (!bytes.ok()) return bytes.error();
+    meshes.addFile(path);
+    if (auto read = readUrdf(*bytes, path, meshes, cell.faults)) {
+      model = std::make_shared<const Model>(std::move(*read));
+    }
+  } else {
+    FaultList faults(cell.faults, path.string());
+    auto mesh = meshes.load(path.filename().string(), folderOf(path), 1.0, UpAxis::z, {}, faults);
+    if (mesh || !options.geometry) {
+      faults.note("cell.assumed-unit", {}, "the file is taken as metres with z up",
+                  "a cell with a [[model]] can say otherwise");
+      model = std::make_shared<const Model>(rigidModel(device.name, path.string(), mesh));
+    }
+  }
+  if (!model) return firstError(cell.faults, path);
+  cell.models[device.model] = model;
+  cell.models[device.name] = model;
+  cell.devices.push_back(std::move(device));
+  cell.files.assign(meshes.files().begin(), meshes.files().end());
+  return cell;
+}
+
+// Roots that the cell names, relative to its folder.
+void addOwnRoots(TomlTable& root, const fs::path& folder, FileSearch& search) {
+  const TomlNode* given = root.node("search");
+  if (given == nullptr) return;
+  const auto entries = root.texts("search");
+  for (const std::string& entry : entries) {
+    if (entry.find('\0') != std::string::npos || entry.empty()) {
+      root.error("cell.bad-root", "search", "a search root is empty or no path");
+      continue;
+    }
+    const fs::path path = (folder / entry).lexically_normal();
+    std::error_code ignored;
+    if (fs::weakly_canonical(path, ignored) == path.root_path() && path.has_root_path()) {
+      root.error("cell.bad-root", "search", "the whole file system cannot be a search root");
+      continue;
+    }
+    if (const Status added = search.addRoot(path); !added.ok()) {
+      root.error("cell.bad-root", "search",
+                 fmt::format("{}: {}", added.error().what, quotedInFault(entry)));
+    }
+  }
+}
+
+Result<Cell> loadCellFile(const fs::path& path, const CellOptions& options) {
+  const auto bytes = readWholeFile(path, kMostCellBytes);
+  if (!bytes.ok()) return bytes.error();
+  const auto document = parseToml(textOf(*bytes), path.string());
+  if (!document.ok()) return document.error();
+
+  Cell cell;
+  cell.file = path.string();
+  FileSearch search;
+  if (Status added = search.addRoot(folderOf(path)); !added.ok()) return added.error();
+  {
+    FaultList faults(cell.faults, path.string());
+    TomlTable root(*document, "the cell", faults);
+    const TomlNode* format = root.node("format");
+    if (format == nullptr && !root.has("device") && !root.has("model")) {
+      return Error{ErrorKind::damaged, "this is no cell: it has neither `format` nor a [[device]]",
+                   path.string()};
+    }
+    if (format != nullptr && format->kind == TomlNode::Kind::integer && format->integer > 1) {
+      return Error{
+          ErrorKind::unsupported,
+          fmt::format("the cell has format {}; this program reads format 1", format->integer),
+          path.string()};
+    }
+    if (format == nullptr || format->kind != TomlNode::Kind::integer || format->integer != 1) {
+      root.error("cell.format", "format", "the cell does not say `format = 1`");
+    }
+    addOwnRoots(root, folderOf(path), search);
+    if (Status added = addRoots(options, search); !added.ok()) return added.error();
+
+    MeshStore meshes(search, options.geometry);
+    meshes.addFile(path);
+    CellModels models(folderOf(path), meshes);
+    for (TomlTable& table : root.tables("model", "[[model]]")) models.readModel(table);
+    readLayers(root, cell);
+    readDevices(root, cell, models);
+    readCameras(root, cell);
+    readSources(root, cell);
+    readScene(root, cell);
+    root.finish();
+    cell.files.assign(meshes.files().begin(), meshes.files().end());
+  }
+  return cell;
+}
+
+}  // namespace
+
+const Model* Cell::modelOf(const CellDevice& device) const {
+  const auto found = models.find(device.model);
+  return found == models.end() ? nullptr : found->second.get();
+}
+
+const CellDevice* Cell::findDevice(std::string_view name) const {
+  for (const CellDevice& device : devices) {
+    if (device.name == name) return &device;
+  }
+  return nullptr;
+}
+
+const CellCamera* Cell::findCamera(std::string_view name) const {
+  for (const CellCamera& camera : cameras) {
+    if (camera.name == name) return &camera;
+  }
+  return nullptr;
+}
+
+Result<Cell> loadCell(const fs::path& path, const CellOptions& options) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (!fs::exists(status)) {
+    return Error{ErrorKind::not_found, "there is no such cell", path.string()};
+  }
+  if (!fs::is_regular_file(status)) {
+    return Error{ErrorKind::bad_argument, "a cell is a file, and this is none", path.string()};
+  }
+  const std::string ending = endingOf(path);
+  if (ending == ".toml") return loadCellFile(path, options);
+  if (ending == ".urdf" || ending == ".obj" || ending == ".stl") {
+    return loadModelFile(path, options);
+  }
+  if (ending == ".xacro") {
+    return Error{ErrorKind::unsupported,
+                 "a xacro template is not read; expand it first: xacro model.xacro > model.urdf",
+                 path.string()};
+  }
+  return Error{ErrorKind::bad_argument, "a cell ends in .cell.toml, .urdf, .obj or .stl",
+               path.string()};
+}
+
+}  // namespace rocinante

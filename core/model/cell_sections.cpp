@@ -1,0 +1,291 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "core/math/transform.h"
+#include "core/model/cell_reader.h"
+#include "core/model/mesh_faults.h"
+#include "core/model/name_hint.h"
+
+namespace rocinante {
+namespace {
+
+std::vector<std::string_view> deviceNames(const Cell& cell) {
+  std::vector<std::string_view> names;
+  for (const CellDevice& device : cell.devices) names.push_back(device.name);
+  return names;
+}
+
+// A name that no earlier table of its kind has.
+std::optional<std::string> newName(TomlTable& table, std::set<std::string>& taken) {
+  auto name = table.requiredName("name");
+  if (!name || taken.insert(*name).second) return name;
+  table.error("cell.duplicate-name", "name",
+              fmt::format("a second {} is named {}", table.what(), quotedInFault(*name)),
+              "the first one stands");
+  return std::nullopt;
+}
+
+struct Target {
+  std::string device, link;
+};
+
+// "arm" or "arm/link6": split at the first slash, since a device's name has none.
+Target readTarget(TomlTable& table, std::string_view key) {
+  const auto text = table.text(key);
+  if (!text) return {};
+  const std::size_t slash = std::min(text->find('/'), text->size());
+  Target target{text->substr(0, slash), slash < text->size() ? text->substr(slash + 1) : ""};
+  if (target.device.empty() || (slash < text->size() && target.link.empty())) {
+    table.error("cell.bad-name", key,
+                fmt::format("{} is neither DEVICE nor DEVICE/LINK", quotedInFault(*text)));
+    return {};
+  }
+  return target;
+}
+
+// Clears a target that the cell has not.
+void checkTarget(const TomlTable& table, std::string_view key, const Cell& cell,
+                 std::string& device_name, std::string& link_name) {
+  if (device_name.empty()) return;
+  const CellDevice* device = cell.findDevice(device_name);
+  if (device == nullptr) {
+    table.error("cell.unknown-device", key,
+                fmt::format("`{}` of {} names {}, which is no device of the cell", key,
+                            table.what(), quotedInFault(device_name)),
+                didYouMean(device_name, deviceNames(cell)));
+    device_name.clear();
+    link_name.clear();
+    return;
+  }
+  const Model* model = cell.modelOf(*device);
+  if (link_name.empty() || model == nullptr || model->findLink(link_name)) return;
+  std::vector<std::string_view> links;
+  for (const Link& link : model->links) links.push_back(link.name);
+  table.error(
+      "cell.unknown-link", key,
+      fmt::format("device {} has no link {}", quotedInFault(device_name), quotedInFault(link_name)),
+      didYouMean(link_name, links));
+  device_name.clear();
+  link_name.clear();
+}
+
+// Layers need no [[layer]]; where a cell has some, another name is likely a slip.
+void checkLayer(const TomlTable& table, const Cell& cell, const std::string& layer) {
+  if (layer.empty() || cell.layers.empty()) return;
+  std::vector<std::string_view> names;
+  for (const CellLayer& known : cell.layers) {
+    if (known.name == layer) return;
+    names.push_back(known.name);
+  }
+  table.faults().warning("cell.unknown-layer", table.place("layer"),
+                         fmt::format("no [[layer]] is named {}", quotedInFault(layer)),
+                         didYouMean(layer, names));
+}
+
+bool runParallel(const Vec3& a, const Vec3& b) {
+  const auto x = normalized(a), y = normalized(b);
+  if (!x || !y) return true;
+  const double along = x->x * y->x + x->y * y->y + x->z * y->z;
+  return along * along > 1.0 - 1e-12;
+}
+
+std::optional<CellCamera> readCamera(TomlTable& table, std::set<std::string>& taken) {
+  CellCamera camera;
+  const auto name = newName(table, taken);
+  const auto eye = table.requiredVector("eye"), target = table.requiredVector("target");
+  const auto up = table.vector("up");
+  if (const auto fov = table.number("fov_deg")) {
+    if (*fov > 0.0 && *fov < 180.0) {
+      camera.fov_deg = *fov;
+    } else {
+      table.error("cell.bad-number", "fov_deg", "`fov_deg` must lie between 0 and 180");
+    }
+  }
+  camera.ortho_height_m = table.number("ortho_height_m");
+  if (camera.ortho_height_m && *camera.ortho_height_m <= 0.0) {
+    table.error("cell.bad-number", "ortho_height_m", "`ortho_height_m` must be above 0");
+    camera.ortho_height_m.reset();
+  }
+  if (table.has("fov_deg") && table.has("ortho_height_m")) {
+    table.error("cell.two-projections", "ortho_height_m",
+                "the camera has both fov_deg and ortho_height_m");
+  }
+  const Target on = readTarget(table, "on"), follow = readTarget(table, "follow");
+  camera.on_device = on.device;
+  camera.on_link = on.link;
+  camera.follow_device = follow.device;
+  camera.follow_link = follow.link;
+  if (!on.device.empty() && !follow.device.empty()) {
+    table.error("cell.on-and-follow", "follow",
+                "a camera rides `on` a thing or follows one, not both");
+    camera.follow_device.clear();
+    camera.follow_link.clear();
+  }
+  table.finish();
+  if (!name || !eye || !target) return std::nullopt;
+  camera.name = *name;
+  camera.eye = *eye;
+  camera.target = *target;
+  if (*eye == *target) {
+    table.error("cell.no-direction", "target", "`eye` and `target` are the same point");
+    return std::nullopt;
+  }
+  camera.up = up.value_or(Vec3{0, 0, 1});
+  if (runParallel(camera.up, *target - *eye)) {
+    if (up) {
+      table.error("cell.no-direction", "up", "`up` points along the line of sight, or nowhere");
+    }
+    camera.up = runParallel({0, 0, 1}, *target - *eye) ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
+  }
+  return camera;
+}
+
+}  // namespace
+
+void readDevices(TomlTable& root, Cell& cell, CellModels& models) {
+  std::set<std::string> taken;
+  std::vector<std::pair<TomlTable, std::string>> carried;
+  for (TomlTable& table : root.tables("device", "[[device]]")) {
+    CellDevice device;
+    const auto name = newName(table, taken);
+    const auto model = table.requiredText("model");
+    if (auto pose = table.table("pose", "pose")) {
+      device.pose = pose->pose();
+      pose->finish();
+    }
+    device.layer = table.text("layer").value_or("");
+    checkLayer(table, cell, device.layer);
+    device.optional = table.flag("optional").value_or(false);
+    device.color = table.color("color");
+    const Target on = readTarget(table, "on");
+    device.on_device = on.device;
+    device.on_link = on.link;
+    table.finish();
+    if (!name || !model) continue;
+    models.use(*model, table);
+    device.name = *name;
+    device.model = *model;
+    if (!on.device.empty()) carried.emplace_back(table, *name);
+    cell.devices.push_back(std::move(device));
+  }
+  cell.models = models.named();
+  for (const auto& [table, name] : carried) {
+    for (CellDevice& device : cell.devices) {
+      if (device.name != name) continue;
+      checkTarget(table, "on", cell, device.on_device, device.on_link);
+    }
+  }
+  for (const auto& [table, name] : carried) {
+    const CellDevice* first = cell.findDevice(name);
+    const CellDevice* at = first;
+    for (std::size_t steps = 0; at != nullptr && steps <= carried.size(); ++steps) {
+      at = at->on_device.empty() ? nullptr : cell.findDevice(at->on_device);
+      if (at != first) continue;
+      table.error("cell.carrier-loop", "on",
+                  fmt::format("device {} carries itself in the end", quotedInFault(name)),
+                  "it stands in the world");
+      break;
+    }
+  }
+}
+
+void readCameras(TomlTable& root, Cell& cell) {
+  std::set<std::string> taken;
+  for (TomlTable& table : root.tables("camera", "[[camera]]")) {
+    auto camera = readCamera(table, taken);
+    if (!camera) continue;
+    checkTarget(table, "on", cell, camera->on_device, camera->on_link);
+    checkTarget(table, "follow", cell, camera->follow_device, camera->follow_link);
+    cell.cameras.push_back(std::move(*camera));
+  }
+}
+
+void readLayers(TomlTable& root, Cell& cell) {
+  std::set<std::string> taken;
+  for (TomlTable& table : root.tables("layer", "[[layer]]")) {
+    const auto name = newName(table, taken);
+    const bool visible = table.flag("visible").value_or(true);
+    table.finish();
+    if (name) cell.layers.push_back({*name, visible});
+  }
+}
+
+void readSources(TomlTable& root, Cell& cell) {
+  std::set<std::string> taken;
+  for (TomlTable& table : root.tables("source", "[[source]]")) {
+    CellSource source;
+    const auto name = newName(table, taken);
+    source.rate_hz = table.range("rate_hz");
+    if (source.rate_hz && source.rate_hz->first < 0.0) {
+      table.error("cell.bad-range", "rate_hz", "`rate_hz` must not be below 0");
+      source.rate_hz.reset();
+    }
+    source.devices = table.texts("devices");
+    if (auto ghosts = table.table("ghost_of", "ghost_of")) {
+      for (const TomlNode::Entry& entry : table.node("ghost_of")->entries) {
+        const auto real = ghosts->text(entry.key);
+        if (!real) continue;
+        if (cell.findDevice(*real) == nullptr) {
+          ghosts->error("cell.unknown-device", entry.key,
+                        fmt::format("{} is to be a ghost of {}, which is no device of the cell",
+                                    quotedInFault(entry.key), quotedInFault(*real)),
+                        didYouMean(*real, deviceNames(cell)));
+          continue;
+        }
+        source.ghost_of.emplace(entry.key, *real);
+      }
+    }
+    for (const std::string& device : source.devices) {
+      if (cell.findDevice(device) != nullptr || source.ghost_of.contains(device)) continue;
+      table.faults().warning("cell.unknown-device", table.place("devices"),
+                             fmt::format("`devices` of [[source]] names {}, which the cell has not",
+                                         quotedInFault(device)),
+                             didYouMean(device, deviceNames(cell)));
+    }
+    table.finish();
+    if (!name) continue;
+    source.name = *name;
+    cell.sources.push_back(std::move(source));
+  }
+}
+
+void readScene(TomlTable& root, Cell& cell) {
+  auto table = root.table("scene", "[scene]");
+  if (!table) return;
+  if (const auto top = table->color("background_top")) cell.scene.background_top = glm::vec3(*top);
+  if (const auto bottom = table->color("background_bottom")) {
+    cell.scene.background_bottom = glm::vec3(*bottom);
+  }
+  if (const auto light = table->vector("light")) {
+    if (normalized(*light)) {
+      cell.scene.light_direction = glm::vec3(*light);
+    } else {
+      table->error("cell.no-direction", "light", "`light` has no direction");
+    }
+  }
+  cell.scene.grid = table->flag("grid").value_or(cell.scene.grid);
+  struct Length {
+    const char* key;
+    double& value;
+  };
+  for (const Length& length : {Length{"grid_size_m", cell.scene.grid_size_m},
+                               Length{"grid_step_m", cell.scene.grid_step_m}}) {
+    const auto given = table->number(length.key);
+    if (!given) continue;
+    if (*given > 0.0) {
+      length.value = *given;
+    } else {
+      table->error("cell.bad-number", length.key, fmt::format("`{}` must be above 0", length.key));
+    }
+  }
+  if (cell.scene.grid_size_m > 1000.0 * cell.scene.grid_step_m) {
+    table->error("cell.bad-number", "grid_step_m",
+                 "the grid has more than 1,000 lines to each side", "the step is enlarged");
+    cell.scene.grid_step_m = cell.scene.grid_size_m / 1000.0;
+  }
+  table->finish();
+}
+
+}  // namespace rocinante

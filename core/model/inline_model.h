@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "core/model/mesh_store.h"
+#include "core/model/model.h"
+#include "core/model/toml_table.h"
+
+namespace rocinante {
+
+/// Reads a `[[model]]` with `obj` or `stl`: kinematics written over the groups of one file
+/// (docs/cell-format.md, section "Models"). `folder` is the cell's. Faults go to the table's list;
+/// null when nothing of it can be used.
+std::shared_ptr<const Model> readInlineModel(TomlTable& table, const std::string& name,
+                                             const std::filesystem::path& folder,
+                                             MeshStore& meshes);
+
+/// A model of one link that carries all of `mesh`, which may be null.
+Model rigidModel(std::string name, std::string file, std::shared_ptr<const Mesh> mesh);
+
+}  // namespace rocinante

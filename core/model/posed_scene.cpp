@@ -1,0 +1,342 @@
+#include "core/model/posed_scene.h"
+
+#include <cmath>
+
+#include "core/math/transform.h"
+
+namespace rocinante {
+namespace {
+
+constexpr std::uint32_t kGhostColor = 0x66A3FF59;
+
+std::uint32_t packedColor(const glm::vec4& color) {
+  std::uint32_t packed = 0;
+  for (int i = 0; i < 4; ++i) {
+    packed = packed << 8 | static_cast<std::uint32_t>(std::lround(color[i] * 255.0F));
+  }
+  return packed;
+}
+
+// What packets say about one path, if anything.
+template <class T>
+const T* said(const std::map<Path, Item<T>>& items, bool is_layer, const std::string& first,
+              const std::string& second = {}) {
+  const auto found = items.find(Path{is_layer, first, second});
+  return found == items.end() ? nullptr : &found->second.value;
+}
+
+bool shown(const Visibility* visibility, bool by_default) {
+  if (visibility == nullptr || visibility->kind == Visibility::Kind::by_default) return by_default;
+  return visibility->kind == Visibility::Kind::shown;
+}
+
+// A device that is there, before its place in the world is known.
+struct Standing {
+  PosedDevice device;
+  Pose pose;
+  std::string carrier, carrier_link;   // empty carrier: the world
+  std::optional<std::uint32_t> color;  // the cell's own
+  std::vector<Mat4> links;             // in the device's space
+};
+
+class ScenePoser {
+ public:
+  ScenePoser(const Cell& cell, const SessionState& state) : cell_(cell), state_(state) {}
+
+  PosedScene pose() {
+    addCellDevices();
+    addSessionDevices();
+    addGhosts();
+    placeAll();
+    for (Standing& standing : standing_) {
+      dress(standing);
+      scene_.devices.push_back(std::move(standing.device));
+    }
+    addDrawings();
+    addCameras();
+    return std::move(scene_);
+  }
+
+ private:
+  const DeviceState* stateOf(const std::string& name) const {
+    const auto found = state_.devices().find(name);
+    return found == state_.devices().end() ? nullptr : &found->second;
+  }
+
+  const Model* modelNamed(const std::string& name) const {
+    const auto found = cell_.models.find(name);
+    return found == cell_.models.end() ? nullptr : found->second.get();
+  }
+
+  static bool isRemoved(const DeviceState* state) {
+    return state && state->presence && state->presence->value.presence == Presence::removed;
+  }
+
+  static bool isAdded(const DeviceState* state) {
+    return state && state->presence && state->presence->value.presence == Presence::added;
+  }
+
+  Standing& stand(const std::string& name, const Model& model, const DeviceState* state) {
+    Standing& standing = standing_.emplace_back();
+    scene_.device_by_name.emplace(name, standing_.size() - 1);
+    standing.device.name = name;
+    standing.device.model = &model;
+    standing.links = linkPoses(model, jointsOf(model, state));
+    if (state && state->pose) {
+      standing.pose = state->pose->value.pose;
+      const Path& carrier = state->pose->value.carrier;
+      if (!carrier.is_layer) {
+        standing.carrier = carrier.first;
+        standing.carrier_link = carrier.second;
+      }
+    }
+    return standing;
+  }
+
+  void addCellDevices() {
+    for (const CellDevice& device : cell_.devices) {
+      const DeviceState* state = stateOf(device.name);
+      if (isRemoved(state) || (device.optional && !isAdded(state))) continue;
+      const Model* model = nullptr;
+      if (isAdded(state)) model = modelNamed(state->presence->value.model);
+      if (model == nullptr) model = cell_.modelOf(device);
+      if (model == nullptr) continue;
+      Standing& standing = stand(device.name, *model, state);
+      standing.device.layer = device.layer;
+      if (device.color) standing.color = packedColor(*device.color);
+      if (!state || !state->pose) {
+        standing.pose = device.pose;
+        standing.carrier = device.on_device;
+        standing.carrier_link = device.on_link;
+      }
+    }
+  }
+
+  void addSessionDevices() {
+    for (const auto& [name, state] : state_.devices()) {
+      if (!isAdded(&state) || cell_.findDevice(name) != nullptr) continue;
+      if (const Model* model = modelNamed(state.presence->value.model)) stand(name, *model, &state);
+    }
+  }
+
+  // A ghost stands where its original would, until it is told otherwise.
+  void addGhosts() {
+    for (const CellSource& source : cell_.sources) {
+      for (const auto& [ghost, original] : source.ghost_of) {
+        const DeviceState* state = stateOf(ghost);
+        const CellDevice* device = cell_.findDevice(original);
+        if (!state || isRemoved(state) || !device || scene_.device_by_name.contains(ghost))
+          continue;
+        const Model* model = cell_.modelOf(*device);
+        if (model == nullptr || !(state->pose || state->joints || !state->named_joints.empty())) {
+          continue;
+        }
+        Standing& standing = stand(ghost, *model, state);
+        standing.device.ghost = true;
+        standing.device.layer = device->layer;
+        standing.color = kGhostColor;
+        if (state->pose) continue;
+        const DeviceState* real = stateOf(original);
+        if (real && real->pose) {
+          standing.pose = real->pose->value.pose;
+          standing.carrier = real->pose->value.carrier.first;
+          standing.carrier_link = real->pose->value.carrier.second;
+        } else {
+          standing.pose = device->pose;
+          standing.carrier = device->on_device;
+          standing.carrier_link = device->on_link;
+        }
+      }
+    }
+  }
+
+  // The device that carries one; empty when it stands in the world.
+  std::optional<std::size_t> carrierOf(const Standing& standing) const {
+    if (standing.carrier.empty()) return std::nullopt;
+    const auto found = scene_.device_by_name.find(standing.carrier);
+    if (found == scene_.device_by_name.end()) return std::nullopt;
+    if (!standing.carrier_link.empty() &&
+        !standing_[found->second].device.model->findLink(standing.carrier_link)) {
+      return std::nullopt;
+    }
+    return found->second;
+  }
+
+  // Walks up each chain of carriers once, then places downwards. All of a loop stand in the world.
+  void placeAll() {
+    enum class Mark : std::uint8_t { fresh, on_chain, placed };
+    std::vector<Mark> marks(standing_.size(), Mark::fresh);
+    std::vector<std::size_t> chain;
+    for (std::size_t first = 0; first < standing_.size(); ++first) {
+      std::optional<std::size_t> at = first;
+      while (at && marks[*at] == Mark::fresh) {
+        marks[*at] = Mark::on_chain;
+        chain.push_back(*at);
+        at = carrierOf(standing_[*at]);
+      }
+      if (at && marks[*at] == Mark::on_chain) {
+        for (std::size_t i = chain.size(); i-- > 0;) {
+          standing_[chain[i]].carrier.clear();
+          if (chain[i] == *at) break;
+        }
+      }
+      for (; !chain.empty(); chain.pop_back()) {
+        place(standing_[chain.back()]);
+        marks[chain.back()] = Mark::placed;
+      }
+    }
+  }
+
+  void place(Standing& standing) const {
+    Mat4 carrier{1.0};
+    if (const auto found = carrierOf(standing)) {
+      const Standing& below = standing_[*found];
+      carrier = standing.carrier_link.empty()
+                    ? below.device.base
+                    : below.device.link_world[*below.device.model->findLink(standing.carrier_link)];
+    }
+    standing.device.base = carrier * matrixOf(standing.pose);
+    standing.device.link_world.reserve(standing.links.size());
+    for (const Mat4& link : standing.links) {
+      standing.device.link_world.push_back(standing.device.base * link);
+    }
+  }
+
+  // Visibility and colours: packets outrank the cell; a link outranks its device, which outranks
+  // its layer, in colour; all three must be shown for a link to be seen.
+  void dress(Standing& standing) const {
+    PosedDevice& device = standing.device;
+    bool layer_shown = true;
+    std::optional<std::uint32_t> color = standing.color;
+    if (!device.layer.empty()) {
+      for (const CellLayer& layer : cell_.layers) {
+        if (layer.name == device.layer) layer_shown = layer.visible;
+      }
+      layer_shown = shown(said(state_.visibility(), true, "layer", device.layer), layer_shown);
+      if (const ColorValue* value = said(state_.colors(), true, "layer", device.layer)) {
+        color = value->rgba ? value->rgba : standing.color;
+      }
+    }
+    device.visible = layer_shown && shown(said(state_.visibility(), false, device.name), true);
+    if (const ColorValue* value = said(state_.colors(), false, device.name)) {
+      color = value->rgba ? value->rgba : standing.color;
+    }
+    device.link_visible.assign(device.model->links.size(), device.visible);
+    device.link_color.assign(device.model->links.size(), color);
+    dressLinks(standing);
+  }
+
+  // Only what was said about links of this device: a range of the ordered paths.
+  void dressLinks(Standing& standing) const {
+    PosedDevice& device = standing.device;
+    const Path begin{false, device.name, {}};
+    for (auto it = state_.visibility().upper_bound(begin);
+         it != state_.visibility().end() && !it->first.is_layer && it->first.first == device.name;
+         ++it) {
+      const auto link = device.model->findLink(it->first.second);
+      if (!link) continue;
+      device.link_visible[*link] = device.visible && shown(&it->second.value, true);
+    }
+    for (auto it = state_.colors().upper_bound(begin);
+         it != state_.colors().end() && !it->first.is_layer && it->first.first == device.name;
+         ++it) {
+      const auto link = device.model->findLink(it->first.second);
+      if (!link) continue;
+      const ColorValue& value = it->second.value;
+      device.link_color[*link] = value.rgba ? value.rgba : standing.color;
+    }
+  }
+
+  Mat4 spaceOf(const Path& carrier) const {
+    if (carrier.first.empty() || carrier.is_layer) return Mat4{1.0};
+    return scene_.find(carrier.first, carrier.second).value_or(Mat4{1.0});
+  }
+
+  void addDrawings() {
+    for (const auto& [key, drawing] : state_.drawings()) {
+      scene_.drawings.push_back({key.first, key.second, &drawing, spaceOf(drawing.carrier)});
+    }
+  }
+
+  void addCameras() {
+    for (const CellCamera& camera : cell_.cameras) {
+      PosedCamera posed{camera.name,           camera.eye, camera.target, camera.up, camera.fov_deg,
+                        camera.ortho_height_m, false};
+      Mat4 space{1.0};
+      if (!camera.on_device.empty()) {
+        space = scene_.find(camera.on_device, camera.on_link).value_or(space);
+      } else if (!camera.follow_device.empty()) {
+        const auto followed = scene_.find(camera.follow_device, camera.follow_link);
+        if (followed) space = translationMatrix(positionOf(*followed));
+      }
+      scene_.cameras.push_back(moved(std::move(posed), space));
+    }
+    for (const auto& [name, item] : state_.views()) {
+      const ViewValue& view = item.value;
+      PosedCamera posed{name, view.eye, view.target, view.up, view.fov_deg, view.ortho_height_m,
+                        true};
+      scene_.cameras.push_back(moved(std::move(posed), spaceOf(view.carrier)));
+    }
+  }
+
+  static PosedCamera moved(PosedCamera camera, const Mat4& space) {
+    camera.eye = transformPoint(space, camera.eye);
+    camera.target = transformPoint(space, camera.target);
+    camera.up = transformDirection(space, camera.up);
+    return camera;
+  }
+
+  const Cell& cell_;
+  const SessionState& state_;
+  std::vector<Standing> standing_;
+  PosedScene scene_;
+};
+
+}  // namespace
+
+JointVector jointsOf(const Model& model, const DeviceState* state) {
+  JointVector joints = zeroJoints(model);
+  if (state == nullptr) return joints;
+  if (state->joints && state->joints->value.size() == model.positionalCount()) {
+    std::size_t next = 0;
+    for (const std::size_t joint : model.movableJoints()) {
+      for (std::size_t i = 0; i < valueCount(model.joints[joint].type); ++i) {
+        joints.values[joints.first_value[joint] + i] = state->joints->value[next++];
+      }
+    }
+  }
+  for (const auto& [name, item] : state->named_joints) {
+    if (const auto value = model.findJointValue(name)) {
+      joints.values[joints.first_value[value->joint] + value->component] = item.value;
+    }
+  }
+  applyMimics(model, joints);
+  return joints;
+}
+
+PosedScene poseScene(const Cell& cell, const SessionState& state) {
+  return ScenePoser(cell, state).pose();
+}
+
+const PosedDevice* PosedScene::findDevice(std::string_view name) const {
+  const auto found = device_by_name.find(name);
+  return found == device_by_name.end() ? nullptr : &devices[found->second];
+}
+
+const PosedCamera* PosedScene::findCamera(std::string_view name) const {
+  for (auto camera = cameras.rbegin(); camera != cameras.rend(); ++camera) {
+    if (camera->name == name) return &*camera;
+  }
+  return nullptr;
+}
+
+std::optional<Mat4> PosedScene::find(std::string_view device, std::string_view link) const {
+  const PosedDevice* posed = findDevice(device);
+  if (posed == nullptr) return std::nullopt;
+  if (link.empty()) return posed->base;
+  const auto found = posed->model->findLink(link);
+  if (!found) return std::nullopt;
+  return posed->link_world[*found];
+}
+
+}  // namespace rocinante

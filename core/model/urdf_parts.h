@@ -1,0 +1,51 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/model/mesh_store.h"
+#include "core/model/model_draft.h"
+#include "core/model/urdf_element.h"
+
+namespace rocinante {
+
+/// Reads one `<joint>`; empty with a fault when it has no name, parent or child.
+std::optional<JointDraft> readUrdfJoint(const UrdfElement& element);
+
+/// Reads `<link>`s with their geometry, and the materials that they share by name.
+class UrdfLinkReader {
+ public:
+  UrdfLinkReader(MeshStore& meshes, std::filesystem::path folder)
+      : meshes_(meshes), folder_(std::move(folder)) {}
+
+  /// A `<material>` of the robot or of a visual: its name then means it everywhere in the file.
+  void addMaterial(const UrdfElement& element);
+  std::optional<LinkDraft> readLink(const UrdfElement& element);
+  /// Once all is read: gives visuals the materials that they name, wherever those are defined.
+  void resolveMaterials(std::vector<LinkDraft>& links, FaultList& faults) const;
+
+ private:
+  struct Wanted {
+    std::size_t link, visual;
+    std::string material;
+    Place place;
+  };
+  std::optional<Material> readMaterial(const UrdfElement& element);
+  void define(const UrdfElement& element, const Material& material);
+  void readVisual(const UrdfElement& element, Link& link);
+  std::optional<Visual> readGeometry(const UrdfElement& owner);
+  std::shared_ptr<const Mesh> readShape(const UrdfElement& shape, Vec3& scale, bool& sound);
+  std::optional<double> size(const UrdfElement& shape, const char* attribute) const;
+
+  MeshStore& meshes_;
+  std::filesystem::path folder_;
+  std::map<std::string, Material> materials_;
+  std::map<std::string, Place> material_places_;
+  std::vector<Wanted> wanted_;
+  std::size_t link_count_ = 0;
+};
+
+}  // namespace rocinante
