@@ -24,13 +24,18 @@ struct Picture {
 /// `max_pixels` before anything is allocated.
 Result<Picture> readPng(const std::filesystem::path& path, std::int64_t max_pixels = 1 << 28);
 Result<Picture> decodePng(ByteView bytes, std::string name, std::int64_t max_pixels = 1 << 28);
-Bytes encodePng(const Picture& picture);  ///< the same bytes for the same picture
-/// Written beside and renamed: the file appears whole or not at all.
-Status writePng(const std::filesystem::path& path, const Picture& picture);
+/// The same bytes for the same picture (and version of zlib).
+Bytes encodePng(const Picture& picture);
+/// Written beside and renamed: the file appears whole or not at all. refused when it exists and
+/// `overwrite` is false.
+Status writePng(const std::filesystem::path& path, const Picture& picture, bool overwrite = true);
 
 /// Any picture: PNG by libspng, all else by the OpenImageIO module (librocinante_openimageio.so),
-/// which is loaded on first use since linking it costs 0.3 s before main.
-Result<Picture> readPicture(const std::filesystem::path& path);
+/// which is loaded on first use since linking it costs 0.3 s before main. What a file is, its bytes
+/// say and not its name. unsupported when the module is not there. Grey becomes equal components,
+/// 16 bits lose the lower eight, linear floating point gets the sRGB curve. The same bytes on every
+/// CPU. Any thread.
+Result<Picture> readPicture(const std::filesystem::path& path, std::int64_t max_pixels = 1 << 28);
 
 /// SHA-256 of the RGBA rows, top to bottom, in hexadecimal: what `render --hash` prints.
 std::string pictureSha256(const Picture& picture);

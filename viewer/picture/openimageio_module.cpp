@@ -1,0 +1,161 @@
+#include "viewer/picture/openimageio_module.h"
+
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <limits>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "viewer/picture/srgb_curve.h"
+
+namespace {
+
+enum Answer : int32_t { read_whole = 0, no_picture = 1, too_large = 2, damaged = 3 };
+
+void answer(RocinantePictureOut& out, Answer code, const std::string& sentence) {
+  out.answer = code;
+  const std::size_t length = std::min(sentence.size(), sizeof out.error - 1);
+  std::memcpy(out.error, sentence.data(), length);
+  out.error[length] = '\0';
+}
+
+/// The library's messages may hold several lines.
+std::string firstLine(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+/// Which of the file's channels are red, green, blue and alpha (-1: there is none).
+struct Channels {
+  int red, green, blue, alpha;
+};
+
+Channels channelsOf(const OIIO::ImageSpec& spec) {
+  const bool grey = spec.nchannels - (spec.alpha_channel >= 0 ? 1 : 0) < 3;
+  int colors[3] = {0, 0, 0};
+  for (int channel = 0, found = 0; channel < spec.nchannels && found < (grey ? 1 : 3); ++channel) {
+    if (channel != spec.alpha_channel) colors[found++] = channel;
+  }
+  if (grey) colors[1] = colors[2] = colors[0];
+  return {colors[0], colors[1], colors[2], spec.alpha_channel};
+}
+
+/// A component as 8 bits. `alpha` divides it where the file holds it multiplied.
+template <class T>
+uint8_t byteOf(T value, T alpha, bool multiplied, const rocinante::SrgbCurve* curve);
+
+template <>
+uint8_t byteOf(uint8_t value, uint8_t alpha, bool multiplied, const rocinante::SrgbCurve*) {
+  if (!multiplied || alpha == 255 || alpha == 0) return value;
+  return static_cast<uint8_t>(std::min(255, (value * 255 + alpha / 2) / alpha));
+}
+
+template <>
+uint8_t byteOf(uint16_t value, uint16_t alpha, bool multiplied, const rocinante::SrgbCurve*) {
+  uint32_t straight = value;
+  if (multiplied && alpha != 0) {
+    straight = std::min<uint32_t>(65535, (straight * uint32_t{65535} + alpha / 2) / alpha);
+  }
+  return static_cast<uint8_t>(straight >> 8U);
+}
+
+template <>
+uint8_t byteOf(float value, float alpha, bool multiplied, const rocinante::SrgbCurve* curve) {
+  const float straight = multiplied && alpha > 0 ? value / alpha : value;
+  if (curve != nullptr) return curve->encode(straight);
+  return straight > 0 ? static_cast<uint8_t>(std::min(straight, 1.0F) * 255.0F + 0.5F) : uint8_t{0};
+}
+
+template <class T>
+bool readAs(OIIO::ImageInput& input, OIIO::TypeDesc type, RocinantePictureOut& out) {
+  const OIIO::ImageSpec& spec = input.spec();
+  const std::size_t pixels =
+      static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);
+  const auto per_pixel = static_cast<std::size_t>(spec.nchannels);
+  std::vector<T> content(pixels * per_pixel);
+  if (!input.read_image(0, 0, 0, spec.nchannels, type, content.data())) return false;
+  // PNG and TIFF say when alpha is straight; without it the library's rule is multiplied.
+  const Channels channels = channelsOf(spec);
+  const bool multiplied =
+      channels.alpha >= 0 && spec.get_int_attribute("oiio:UnassociatedAlpha", 0) == 0;
+  const bool linear = std::is_same_v<T, float> &&
+                      spec.get_string_attribute("oiio:ColorSpace", "Linear") == "Linear";
+  const rocinante::SrgbCurve curve;
+  const rocinante::SrgbCurve* color_curve = linear ? &curve : nullptr;
+  out.rgba = static_cast<uint8_t*>(std::malloc(pixels * 4));
+  if (out.rgba == nullptr) return false;
+  constexpr T kOpaque = std::is_same_v<T, float> ? T(1) : std::numeric_limits<T>::max();
+  for (std::size_t i = 0; i < pixels; ++i) {
+    const T* pixel = content.data() + i * per_pixel;
+    uint8_t* to = out.rgba + i * 4;
+    const T alpha = channels.alpha < 0 ? kOpaque : pixel[channels.alpha];
+    to[0] = byteOf<T>(pixel[channels.red], alpha, multiplied, color_curve);
+    to[1] = byteOf<T>(pixel[channels.green], alpha, multiplied, color_curve);
+    to[2] = byteOf<T>(pixel[channels.blue], alpha, multiplied, color_curve);
+    to[3] = byteOf<T>(alpha, kOpaque, false, nullptr);
+  }
+  return true;
+}
+
+void read(const char* path, int64_t max_pixels, RocinantePictureOut& out) {
+  OIIO::ImageSpec wanted;
+  wanted.attribute("oiio:UnassociatedAlpha", 1);
+  const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path, &wanted);
+  if (!input) return answer(out, no_picture, "is no picture: " + firstLine(OIIO::geterror()));
+  const OIIO::ImageSpec& spec = input->spec();
+  if (spec.width <= 0 || spec.height <= 0 || spec.depth > 1 || spec.nchannels < 1) {
+    return answer(out, no_picture, "is no flat picture");
+  }
+  // A picture of thousands of components is none of ours, and would take as much more memory.
+  if (int64_t{spec.width} * spec.height > max_pixels || spec.nchannels > 16) {
+    return answer(out, too_large,
+                  "is " + std::to_string(spec.width) + " x " + std::to_string(spec.height) +
+                      " pixels of " + std::to_string(spec.nchannels) + " components; at most " +
+                      std::to_string(max_pixels) + " of 16 are read");
+  }
+  out.width = spec.width;
+  out.height = spec.height;
+  bool done = false;
+  if (spec.format.is_floating_point()) {
+    done = readAs<float>(*input, OIIO::TypeDesc::FLOAT, out);
+  } else if (spec.format.size() == 1) {
+    done = readAs<uint8_t>(*input, OIIO::TypeDesc::UINT8, out);
+  } else {
+    done = readAs<uint16_t>(*input, OIIO::TypeDesc::UINT16, out);
+  }
+  if (!done) return answer(out, damaged, "cannot be decoded: " + firstLine(input->geterror()));
+  answer(out, read_whole, "");
+}
+
+}  // namespace
+
+extern "C" {
+
+__attribute__((visibility("default"))) int rocinante_picture_abi(void) {
+  return ROCINANTE_PICTURE_ABI;
+}
+
+__attribute__((visibility("default"))) void rocinante_picture_read(const char* path,
+                                                                   int64_t max_pixels,
+                                                                   RocinantePictureOut* out) {
+  *out = {};
+  try {
+    read(path, max_pixels, *out);
+  } catch (const std::exception& fault) {
+    answer(*out, damaged, std::string("cannot be decoded: ") + fault.what());
+  }
+  if (out->answer != read_whole) {
+    std::free(out->rgba);
+    out->rgba = nullptr;
+  }
+}
+
+__attribute__((visibility("default"))) void rocinante_picture_free(uint8_t* rgba) {
+  std::free(rgba);
+}
+
+}  // extern "C"

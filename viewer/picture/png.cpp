@@ -1,0 +1,102 @@
+#include <spng.h>
+
+#include <cassert>
+#include <cstdlib>
+#include <limits>
+#include <memory>
+
+#include "core/atomic_file.h"
+#include "viewer/picture/picture.h"
+
+namespace rocinante {
+namespace {
+
+/// Text and profiles larger than this are refused: nothing that we use is in them.
+constexpr std::size_t kChunkBytes = std::size_t{64} << 20U;
+/// Between size and time: goldens are kept for long, frames of a film are many.
+constexpr int kCompressionLevel = 5;
+
+struct FreeContext {
+  void operator()(spng_ctx* context) const { spng_ctx_free(context); }
+};
+using Context = std::unique_ptr<spng_ctx, FreeContext>;
+
+}  // namespace
+
+Result<Picture> decodePng(ByteView bytes, std::string name, std::int64_t max_pixels) {
+  const auto refusal = [&](ErrorKind kind, std::string what) {
+    return Error{kind, std::move(what), std::move(name)};
+  };
+  const auto damaged = [&](int code) {
+    return refusal(ErrorKind::damaged, std::string("is no sound PNG: ") + spng_strerror(code));
+  };
+  const Context context(spng_ctx_new(0));
+  if (!context) return refusal(ErrorKind::refused, "no memory to decode");
+  spng_set_chunk_limits(context.get(), kChunkBytes, kChunkBytes);
+  spng_set_png_buffer(context.get(), bytes.data(), bytes.size());
+  spng_ihdr header{};
+  if (const int code = spng_get_ihdr(context.get(), &header); code != 0) return damaged(code);
+  constexpr std::uint32_t kLargestSide = std::numeric_limits<int>::max();
+  const std::uint64_t pixels = std::uint64_t{header.width} * header.height;
+  if (header.width > kLargestSide || header.height > kLargestSide || max_pixels < 0 ||
+      pixels > static_cast<std::uint64_t>(max_pixels)) {
+    return refusal(ErrorKind::unsupported, "is " + std::to_string(header.width) + " x " +
+                                               std::to_string(header.height) + " pixels; at most " +
+                                               std::to_string(max_pixels) + " are read");
+  }
+  // Checked before the pixels are allocated: deflate packs a thousandfold at best.
+  if (pixels / 1100 / 8 > bytes.size()) {
+    return refusal(ErrorKind::damaged, "is no sound PNG: too short for its size");
+  }
+  Picture picture{static_cast<int>(header.width), static_cast<int>(header.height), {}};
+  picture.rgba.resize(pixels * 4);
+  if (const int code = spng_decode_image(context.get(), picture.rgba.data(), picture.rgba.size(),
+                                         SPNG_FMT_RGBA8, SPNG_DECODE_TRNS);
+      code != 0) {
+    return damaged(code);
+  }
+  // On to the end, so that the last checksums are looked at too.
+  if (const int code = spng_decode_chunks(context.get()); code != 0) return damaged(code);
+  return picture;
+}
+
+Result<Picture> readPng(const std::filesystem::path& path, std::int64_t max_pixels) {
+  const Result<std::string> content = readFile(path);
+  if (!content) return content.error();
+  return decodePng(bytesOf(*content), path.string(), max_pixels);
+}
+
+Bytes encodePng(const Picture& picture) {
+  assert(picture.width > 0 && picture.height > 0);
+  assert(picture.rgba.size() == std::size_t{4} * static_cast<std::size_t>(picture.width) *
+                                    static_cast<std::size_t>(picture.height));
+  const Context context(spng_ctx_new(SPNG_CTX_ENCODER));
+  spng_set_option(context.get(), SPNG_ENCODE_TO_BUFFER, 1);
+  spng_set_option(context.get(), SPNG_IMG_COMPRESSION_LEVEL, kCompressionLevel);
+  spng_ihdr header{};
+  header.width = static_cast<std::uint32_t>(picture.width);
+  header.height = static_cast<std::uint32_t>(picture.height);
+  header.bit_depth = 8;
+  header.color_type = SPNG_COLOR_TYPE_TRUECOLOR_ALPHA;
+  spng_set_ihdr(context.get(), &header);
+  int code = spng_encode_image(context.get(), picture.rgba.data(), picture.rgba.size(),
+                               SPNG_FMT_PNG, SPNG_ENCODE_FINALIZE);
+  std::size_t length = 0;
+  struct Free {
+    void operator()(void* memory) const { std::free(memory); }
+  };
+  const std::unique_ptr<void, Free> png(
+      code == 0 ? spng_get_png_buffer(context.get(), &length, &code) : nullptr);
+  // A picture that holds what its size says can only fail for want of memory.
+  if (!png) return {};
+  const auto* first = static_cast<const std::byte*>(png.get());
+  return Bytes(first, first + length);
+}
+
+Status writePng(const std::filesystem::path& path, const Picture& picture, bool overwrite) {
+  const Bytes png = encodePng(picture);
+  if (png.empty()) return Error{ErrorKind::refused, "no memory to encode", path.string()};
+  return writeFileWhole(path, png, overwrite);
+}
+
+}  // namespace rocinante
