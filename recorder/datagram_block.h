@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/bytes.h"
+#include "core/net/endpoint.h"
+#include "core/time.h"
+
+namespace rocinante {
+
+/// One datagram in a DatagramBlock.
+struct Arrival {
+  LogTime time;
+  SocketAddress sender;
+  std::uint32_t endpoint = 0;  ///< index of the listening endpoint
+  std::uint32_t offset = 0;    ///< of the payload in the block
+  std::uint32_t length = 0;
+};
+
+/// Many datagrams in one piece of memory, handed from the receiving thread to the writing one.
+/// Fixed size, used again and again: receiving allocates nothing per datagram.
+class DatagramBlock {
+ public:
+  static constexpr std::size_t kBytes = std::size_t{512} << 10U;
+  static constexpr std::size_t kArrivals = 8192;
+
+  DatagramBlock() : bytes_(std::make_unique_for_overwrite<std::byte[]>(kBytes)) {
+    arrivals_.reserve(kArrivals);
+  }
+
+  /// Copies the datagram in. False when it does not fit; an empty block takes any datagram.
+  bool add(std::uint32_t endpoint, LogTime time, const SocketAddress& sender, ByteView payload) {
+    if (arrivals_.size() == kArrivals || payload.size() > kBytes - used_) return false;
+    if (!payload.empty()) std::memcpy(bytes_.get() + used_, payload.data(), payload.size());
+    arrivals_.push_back({time, sender, endpoint, static_cast<std::uint32_t>(used_),
+                         static_cast<std::uint32_t>(payload.size())});
+    used_ += payload.size();
+    return true;
+  }
+
+  bool empty() const { return arrivals_.empty(); }
+  std::span<const Arrival> arrivals() const { return arrivals_; }
+  ByteView payload(const Arrival& arrival) const {
+    return {bytes_.get() + arrival.offset, arrival.length};
+  }
+  void clear() {
+    arrivals_.clear();
+    used_ = 0;
+  }
+
+ private:
+  std::unique_ptr<std::byte[]> bytes_;
+  std::size_t used_ = 0;
+  std::vector<Arrival> arrivals_;
+};
+
+}  // namespace rocinante

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "core/net/endpoint.h"
+
+namespace rocinante {
+
+/// A listening endpoint as channels name it.
+struct ListenedEndpoint {
+  Endpoint endpoint;
+  SocketAddress bound;  ///< with the port that was bound
+};
+
+/// What tells one stream of datagrams from another.
+struct Flow {
+  std::uint32_t endpoint = 0;
+  SocketAddress sender;
+  std::string_view source;  ///< SOURCE of packet text; empty when there is none
+  bool is_packet_text = false;
+  bool is_restated = false;  ///< said by someone else (`by=`)
+};
+
+/// The channel that keeps a flow.
+struct FlowChannel {
+  std::uint32_t endpoint = 0;
+  std::string topic;
+  std::string encoding;
+  std::map<std::string, std::string> metadata;
+};
+
+/// Which channel each flow goes to (docs/log-format.md, "Channels"). After kFlowsAnEndpoint flows
+/// of an endpoint, further ones share /udp/PORT/_many, so that a stranger who changes his name or
+/// port with every datagram fills neither memory nor log. Pure.
+class FlowTable {
+ public:
+  static constexpr std::size_t kFlowsAnEndpoint = 4'096;
+  /// MCAP has 65,536 channels; some are ours.
+  static constexpr std::size_t kFlows = 60'000;
+
+  explicit FlowTable(std::vector<ListenedEndpoint> endpoints);
+
+  /// The index of the flow's channel: the next one when the flow was not seen before.
+  std::size_t channelOf(const Flow& flow);
+  /// By index, in order of first appearance.
+  const std::vector<FlowChannel>& channels() const { return channels_; }
+
+ private:
+  struct Key {
+    std::uint32_t endpoint;
+    SocketAddress sender;
+    std::string source;
+    bool is_packet_text;
+    bool is_restated;
+  };
+  struct Hash {
+    using is_transparent = void;
+    std::size_t operator()(const Flow& flow) const;
+    std::size_t operator()(const Key& key) const;
+  };
+  struct Equal {
+    using is_transparent = void;
+    template <class A, class B>
+    bool operator()(const A& a, const B& b) const {
+      return a.endpoint == b.endpoint && a.sender == b.sender && a.source == b.source &&
+             a.is_packet_text == b.is_packet_text && a.is_restated == b.is_restated;
+    }
+  };
+  struct EndpointState {
+    ListenedEndpoint listened;
+    std::string root;  ///< "/udp/19960", "/udp/239.255.19.96:19960"
+    std::size_t flows = 0;
+    std::map<std::pair<bool, bool>, std::size_t> shared;  ///< _many, by encoding and restated
+  };
+
+  std::size_t sharedChannel(const Flow& flow);
+  FlowChannel channelFor(const Flow& flow, bool shared) const;
+
+  std::vector<EndpointState> endpoints_;
+  std::unordered_map<Key, std::size_t, Hash, Equal> flows_;
+  std::vector<FlowChannel> channels_;
+};
+
+}  // namespace rocinante

@@ -1,0 +1,132 @@
+#include "recorder/receive_loop.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace rocinante {
+namespace {
+
+// One endpoint under a flood must not keep the others waiting.
+constexpr int kBatchesATurn = 64;
+// Few wake-ups for the writing thread, and still well within the reordering window.
+constexpr Nanoseconds kBlockAge = std::chrono::milliseconds(5);
+constexpr Nanoseconds kAskForDrops = std::chrono::milliseconds(50);
+// A flood that goes on must not keep a recording from ending.
+constexpr Nanoseconds kLastPasses = std::chrono::milliseconds(500);
+
+}  // namespace
+
+ReceiveLoop::ReceiveLoop(std::vector<DatagramSource*> sources, Look look, HandOver& out)
+    : look_(std::move(look)), out_(out), clock_(look_()) {
+  for (DatagramSource* source : sources) {
+    listeners_.push_back({.source = source, .checked = clock_.now()});
+  }
+  asked_ = clock_.now();
+}
+
+void ReceiveLoop::lookAgain() {
+  if (const std::optional<ClockStep> step = clock_.observe(look_())) steps_.push_back(*step);
+}
+
+Result<bool> ReceiveLoop::pass() {
+  lookAgain();
+  bool busy = false;
+  for (std::uint32_t endpoint = 0; endpoint < listeners_.size(); ++endpoint) {
+    const Result<bool> received = drain(endpoint);
+    if (!received) return received.error();
+    busy = busy || *received;
+  }
+  if (clock_.now() - asked_ >= kAskForDrops) {
+    if (Status asked = askForDrops(); !asked) return asked.error();
+  }
+  LogTime drained_until = clock_.now();
+  for (const Listener& each : listeners_) {
+    drained_until = std::min(drained_until, each.drained_until);
+  }
+  // A block that is held back must not be overtaken by the word that all has been handed over.
+  if (!block_) {
+    out_.give(nullptr, losses_, steps_, drained_until);
+  } else if (clock_.now() - block_began_ >= kBlockAge) {
+    handOverBlock(drained_until);
+  }
+  return busy;
+}
+
+Result<bool> ReceiveLoop::drain(std::uint32_t endpoint) {
+  Listener& listener = listeners_[endpoint];
+  bool received = false;
+  for (int turn = 0; turn < kBatchesATurn; ++turn) {
+    const LogTime asked = clock_.now();
+    const auto batch = listener.source->receive();
+    if (!batch) return batch.error();
+    if (batch->empty()) {
+      listener.drained_until = asked;
+      break;
+    }
+    received = true;
+    // Now, so that no stamp of the batch lies ahead of the last look.
+    lookAgain();
+    for (const ReceivedDatagram& datagram : *batch) keep(endpoint, datagram);
+    listener.drained_until = listener.last;
+  }
+  noteDrops(endpoint, listener.source->dropped());
+  return received;
+}
+
+void ReceiveLoop::keep(std::uint32_t endpoint, const ReceivedDatagram& datagram) {
+  Listener& listener = listeners_[endpoint];
+  listener.last = std::max(listener.last, clock_.at(datagram.kernel_time));
+  const LogTime time = listener.last;
+  bool kept = block_ && block_->add(endpoint, time, datagram.sender, datagram.payload);
+  if (!kept) {
+    if (block_) handOverBlock(std::nullopt);
+    block_ = out_.freeBlock();
+    block_began_ = clock_.now();
+    kept = block_ && block_->add(endpoint, time, datagram.sender, datagram.payload);
+  }
+  if (kept && !datagram.truncated) return;
+  EndpointLoss loss{endpoint, time, time, {}};
+  (kept ? loss.counts.truncated : loss.counts.queue) = 1;
+  addLoss(losses_, loss);
+}
+
+void ReceiveLoop::noteDrops(std::uint32_t endpoint, std::uint64_t dropped) {
+  Listener& listener = listeners_[endpoint];
+  if (dropped > listener.dropped) {
+    EndpointLoss loss{endpoint, listener.checked, clock_.now(), {}};
+    loss.counts.kernel = dropped - listener.dropped;
+    addLoss(losses_, loss);
+    listener.dropped = dropped;
+  }
+  listener.checked = clock_.now();
+}
+
+Status ReceiveLoop::askForDrops() {
+  asked_ = clock_.now();
+  for (std::uint32_t endpoint = 0; endpoint < listeners_.size(); ++endpoint) {
+    const Result<std::uint64_t> dropped = listeners_[endpoint].source->droppedByNow();
+    if (!dropped) return dropped.error();
+    noteDrops(endpoint, *dropped);
+  }
+  return {};
+}
+
+void ReceiveLoop::handOverBlock(std::optional<LogTime> drained_until) {
+  out_.give(std::move(block_), losses_, steps_, drained_until);
+}
+
+Status ReceiveLoop::finish() {
+  Status ended;
+  const LogTime stopped = clock_.now();
+  for (bool busy = true; busy && clock_.now() - stopped < kLastPasses;) {
+    const Result<bool> passed = pass();
+    if (!passed) ended = passed.error();
+    busy = passed && *passed;
+  }
+  if (Status asked = askForDrops(); ended && !asked) ended = asked;
+  handOverBlock(clock_.now());
+  out_.finish();
+  return ended;
+}
+
+}  // namespace rocinante

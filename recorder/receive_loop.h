@@ -1,0 +1,60 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "core/net/datagram_source.h"
+#include "core/result.h"
+#include "recorder/hand_over.h"
+#include "recorder/session_clock.h"
+
+namespace rocinante {
+
+/// Empties sockets into a HandOver as fast as they fill, and accounts for what was dropped. It does
+/// nothing else: what a datagram means is the writing thread's business. One thread; reads no
+/// clock but through `look`.
+class ReceiveLoop {
+ public:
+  using Look = std::function<ClockReading()>;
+
+  /// `sources` (index = endpoint) and `out` must outlive the loop.
+  ReceiveLoop(std::vector<DatagramSource*> sources, Look look, HandOver& out);
+
+  /// Receives what waits at every source, or much of it. True when there was something: call again
+  /// at once; else sleep a little. Fails when a socket does.
+  Result<bool> pass();
+
+  /// Takes what still waits, asks for the final drop counts, hands everything over. Call it also
+  /// after a failure: what was received is kept.
+  Status finish();
+
+  const SessionClock& clock() const { return clock_; }
+
+ private:
+  struct Listener {
+    DatagramSource* source;
+    LogTime last{};           ///< of the latest datagram: times of one socket do not go back
+    LogTime drained_until{};  ///< whatever arrived before this has been received
+    LogTime checked{};        ///< when drops were last asked for
+    std::uint64_t dropped = 0;
+  };
+
+  void lookAgain();
+  Result<bool> drain(std::uint32_t endpoint);
+  void keep(std::uint32_t endpoint, const ReceivedDatagram& datagram);
+  void noteDrops(std::uint32_t endpoint, std::uint64_t dropped);
+  Status askForDrops();
+  void handOverBlock(std::optional<LogTime> drained_until);
+
+  Look look_;
+  HandOver& out_;
+  SessionClock clock_;
+  std::vector<Listener> listeners_;
+  std::unique_ptr<DatagramBlock> block_;  ///< being filled; null, or not empty
+  LogTime block_began_{};
+  LogTime asked_{};
+  std::vector<EndpointLoss> losses_;
+  std::vector<ClockStep> steps_;
+};
+
+}  // namespace rocinante
