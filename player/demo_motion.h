@@ -26,8 +26,8 @@ inline constexpr Nanoseconds kDemoLength = std::chrono::seconds(20);
 struct DemoOptions {
   std::int64_t epoch_ns = 0;  ///< TIME of the motion's zero, nanoseconds since the epoch
   std::string run;            ///< RUN token; empty: none is written
-  std::uint64_t turn = 0;     ///< for endless demos: SEQUENCE, TIME and `at` go on from turn to turn
-  std::size_t mtu_bytes = 1200;  ///< no datagram is larger
+  std::uint64_t turn = 0;  ///< for endless demos: SEQUENCE, TIME and `at` go on from turn to turn
+  std::size_t mtu_bytes = 1200;  ///< no datagram is larger; under 512 counts as 512
 };
 
 /// One datagram, and when it is due after the motion's zero.
