@@ -39,8 +39,9 @@ void declare(CLI::App& app, Arguments& my) {
   app.add_option("--until", my.options.until, "end before this session time");
   app.add_option("--loop", my.options.turns, "play this often; 0: until stopped")
       ->capture_default_str();
-  app.add_option("--restate", my.options.restate, "say every source's state at the beginning first")
-      ->capture_default_str();
+  app.add_option("--restate", my.options.restate,
+                 "true or false: say every source's state at the beginning first")
+      ->default_str("true");
   app.add_option("--realtime", my.realtime, "auto, on or off: run before other threads")
       ->check(CLI::IsMember({"auto", "on", "off"}))
       ->capture_default_str();

@@ -68,6 +68,8 @@ std::string jsonText(const PlayReport& report) {
   Json json;
   json["format"] = 1;
   json["inputs"] = report.inputs;
+  if (!report.source.empty()) json["source"] = report.source;
+  if (!report.run.empty()) json["run"] = report.run;
   json["to"] = report.to;
   json["speed"] = report.speed ? Json(report.speed->ratio()) : Json(nullptr);
   json["sent"] = report.sent;

@@ -25,6 +25,8 @@ struct PlayedSpanReport {
 /// restatement is the sender's own: it is in `restatements` and nowhere else.
 struct PlayReport {
   std::vector<std::string> inputs;  ///< the logs, or the file, or "demo"
+  std::string source;               ///< who spoke, and its RUN: of a source only
+  std::string run;
   std::string to;
   std::optional<PlaybackSpeed> speed;  ///< empty: without a schedule
   std::uint64_t sent = 0;

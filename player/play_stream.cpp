@@ -28,7 +28,9 @@ Status PlayStream::beginTurn(std::uint32_t turn) {
     how.by = "play";
     how.reset = true;
     how.part_id = part_id;
-    for (const std::string& source : before_.sources) {
+    restatement_ = restateAll(before_.state, how);
+    // A source that speaks only later must be forgotten too by who listened before.
+    for (const std::string& source : before_.silent_sources) {
       std::vector<std::string> parts = restate(before_.state, source, how);
       std::move(parts.begin(), parts.end(), std::back_inserter(restatement_));
     }

@@ -9,7 +9,6 @@ namespace rocinante {
 
 Result<StateBefore> stateBefore(LogMerge& logs, LogTime moment) {
   StateBefore before;
-  before.sources = logs.sources();
   std::map<std::string, std::unique_ptr<Decoder>, std::less<>> decoders;
   if (const Status found = logs.seek(LogTime::min(), LogMerge::Which::folded); !found) {
     return found.error();
@@ -29,7 +28,8 @@ Result<StateBefore> stateBefore(LogMerge& logs, LogTime moment) {
   }
   // Events were played when they happened; a restatement never says one again.
   before.state.takeEvents();
-  for (const auto& [source, memory] : before.state.sources()) before.sources.insert(source);
+  before.silent_sources = logs.sources();
+  for (const auto& [source, memory] : before.state.sources()) before.silent_sources.erase(source);
   return before;
 }
 

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <set>
+#include <string>
+
 #include "core/packet/session_state.h"
 #include "core/result.h"
 #include "core/time.h"
@@ -13,13 +16,15 @@ struct PlayedSpan {
   LogTime until{};
 };
 
-/// The state just before `moment`: the fold of every message with log_time < moment, so that
-/// playing from `moment` continues it. Every SOURCE that the logs name or that spoke before
-/// `moment` is among its `sources`, also when it has said nothing yet.
+/// What a player says before it plays from a moment on.
 struct StateBefore {
   SessionState state;
-  std::set<std::string> sources;
+  /// What the logs name and `state` does not know: who speaks for the first time later.
+  std::set<std::string> silent_sources;
 };
+
+/// The state just before `moment`: the fold of every message with log_time < moment, so that
+/// playing from `moment` continues it.
 Result<StateBefore> stateBefore(LogMerge& logs, LogTime moment);
 
 }  // namespace rocinante
