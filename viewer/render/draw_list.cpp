@@ -23,6 +23,15 @@ double scaleBound(const Mat4& m) {
   return std::sqrt(x * x + y * y + z * z);
 }
 
+bool mirrors(const Mat4& m) {
+  const Vec3 x(m[0]);
+  const Vec3 y(m[1]);
+  const Vec3 z(m[2]);
+  return x.x * (y.y * z.z - y.z * z.y) + x.y * (y.z * z.x - y.x * z.z) +
+             x.z * (y.x * z.y - y.y * z.x) <
+         0;
+}
+
 Mat4 visualWorld(const Mat4& link_world, const Visual& visual) {
   return link_world * matrixOf(visual.origin) * scaleMatrix(visual.scale);
 }
@@ -77,6 +86,7 @@ DrawList makeDrawList(const PosedScene& scene, const SceneCatalog& catalog,
         const CatalogMesh& mesh = catalog.meshes()[mesh_number];
         const Mat4 world = visualWorld(device.link_world[l], visual);
         const double scale = scaleBound(world);
+        const bool mirrored = mirrors(world);
         const bool ghost = std::find(ghosts.begin(), ghosts.end(), device.name) != ghosts.end();
         forEachPart(visual, mesh, [&](std::uint32_t part) {
           const CatalogPart& known = mesh.parts[part];
@@ -91,6 +101,7 @@ DrawList makeDrawList(const PosedScene& scene, const SceneCatalog& catalog,
           item.device = d;
           item.link = l;
           item.world = world;
+          item.mirrored = mirrored;
           item.coplanar_rank = known.coplanar_rank;
           item.material = visual.material ? &*visual.material
                           : run.material < mesh.mesh->materials.size()

@@ -19,9 +19,10 @@ struct DrawItem {
   std::int32_t texture = -1;  ///< into SceneCatalog::textures; -1: none
   std::uint32_t coplanar_rank = 0;
   const Material* material = nullptr;
-  glm::vec4 diffuse{};  ///< display values and opacity, after colours that were set
-  Mat4 world{1.0};      ///< of the mesh's vertices
-  double distance = 0;  ///< from the eye to the middle of the part
+  glm::vec4 diffuse{};    ///< display values and opacity, after colours that were set
+  Mat4 world{1.0};        ///< of the mesh's vertices
+  double distance = 0;    ///< from the eye to the middle of the part
+  bool mirrored = false;  ///< `world` turns the front of triangles to their back
   bool translucent = false;
 };
 

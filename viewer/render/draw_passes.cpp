@@ -72,6 +72,7 @@ DrawPasses::DrawPasses(const GlTable& gl, ShaderProgram scene, ShaderProgram bac
   uniforms_.orthographic = scene_.uniform("orthographic");
   uniforms_.view_direction = scene_.uniform("view_direction");
   uniforms_.key_direction = scene_.uniform("key_direction");
+  uniforms_.fill_direction = scene_.uniform("fill_direction");
 
   gl_.GenVertexArrays(1, &empty_array_);
 
@@ -155,10 +156,15 @@ void DrawPasses::setScene(const Camera& camera, const CellScene& look) const {
   gl_.Uniform1i(uniforms_.orthographic, camera.orthographic() ? 1 : 0);
   const glm::vec3 forward(camera.forward());
   gl_.Uniform3f(uniforms_.view_direction, forward.x, forward.y, forward.z);
-  const Vec3 wanted(look.light_direction);
-  const double length = std::sqrt(wanted.x * wanted.x + wanted.y * wanted.y + wanted.z * wanted.z);
-  const glm::vec3 key(length > 0 ? wanted / length : Vec3(0, 0, 1));
-  gl_.Uniform3f(uniforms_.key_direction, key.x, key.y, key.z);
+  const auto setDirection = [&](GLint place, const Vec3& wanted) {
+    const double length =
+        std::sqrt(wanted.x * wanted.x + wanted.y * wanted.y + wanted.z * wanted.z);
+    const glm::vec3 unit(length > 0 ? wanted / length : Vec3(0, 0, 1));
+    gl_.Uniform3f(place, unit.x, unit.y, unit.z);
+  };
+  setDirection(uniforms_.key_direction, Vec3(look.light_direction));
+  setDirection(uniforms_.fill_direction,
+               camera.up() * 0.4 - camera.forward() - camera.right() * 0.8);
 }
 
 void DrawPasses::setItem(const DrawItem& item, const TextureStore& textures,
@@ -197,10 +203,23 @@ void DrawPasses::setItem(const DrawItem& item, const TextureStore& textures,
 }
 
 void DrawPasses::drawItem(const DrawItem& item, const SceneCatalog& catalog) const {
-  const MeshPart& part = catalog.meshes()[item.mesh].mesh->parts[item.part];
-  const std::size_t offset = std::size_t{part.first_index} * sizeof(std::uint32_t);
-  gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(part.index_count), GL_UNSIGNED_INT,
-                   reinterpret_cast<const void*>(offset));
+  const CatalogMesh& mesh = catalog.meshes()[item.mesh];
+  const MeshPart& part = mesh.mesh->parts[item.part];
+  const std::uint32_t one_sided = mesh.parts[item.part].one_sided_count;
+  const std::uint32_t two_sided = part.index_count - one_sided;
+  const auto drawRun = [&](std::uint32_t first, std::uint32_t count) {
+    const std::size_t offset = std::size_t{first} * sizeof(std::uint32_t);
+    gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(count), GL_UNSIGNED_INT,
+                     reinterpret_cast<const void*>(offset));
+  };
+  if (two_sided > 0) drawRun(part.first_index, two_sided);
+  if (one_sided > 0) {
+    gl_.Enable(GL_CULL_FACE);
+    gl_.CullFace(GL_BACK);
+    gl_.FrontFace(item.mirrored ? GL_CW : GL_CCW);
+    drawRun(part.first_index + two_sided, one_sided);
+    gl_.Disable(GL_CULL_FACE);
+  }
 }
 
 void DrawPasses::drawOpaque(const DrawList& list, const SceneCatalog& catalog,

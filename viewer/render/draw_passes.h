@@ -45,7 +45,7 @@ class DrawPasses {
   struct SceneUniforms {
     GLint clip_from_model, relative_from_model, normal_from_model, map_scale, map_offset;
     GLint diffuse, specular, emission, shininess, has_map;
-    GLint orthographic, view_direction, key_direction;
+    GLint orthographic, view_direction, key_direction, fill_direction;
   };
   DrawPasses(const GlTable& gl, ShaderProgram scene, ShaderProgram background, ShaderProgram grid,
              ShaderProgram overlay, const TextAtlas& atlas);

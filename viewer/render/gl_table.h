@@ -36,6 +36,8 @@ using GlProcFinder = std::function<GlProc(const char* name)>;
   X(PFNGLCOMPILESHADERPROC, CompileShader)                                   \
   X(PFNGLCREATEPROGRAMPROC, CreateProgram)                                   \
   X(PFNGLCREATESHADERPROC, CreateShader)                                     \
+  X(PFNGLCULLFACEPROC, CullFace)                                             \
+  X(PFNGLFRONTFACEPROC, FrontFace)                                           \
   X(PFNGLDELETEBUFFERSPROC, DeleteBuffers)                                   \
   X(PFNGLDELETEFRAMEBUFFERSPROC, DeleteFramebuffers)                         \
   X(PFNGLDELETEPROGRAMPROC, DeleteProgram)                                   \

@@ -10,7 +10,7 @@ MeshBuffers::MeshBuffers(const GlTable& gl, const SceneCatalog& catalog, InputsH
   for (const CatalogMesh& entry : catalog.meshes()) {
     const Mesh& mesh = *entry.mesh;
     const auto vertices = std::as_bytes(std::span(mesh.vertices));
-    const auto indices = std::as_bytes(std::span(mesh.indices));
+    const auto indices = std::as_bytes(std::span(entry.indices()));
     inputs.add(vertices);
     inputs.add(indices);
 

@@ -2,9 +2,32 @@
 
 #include <cmath>
 
-#include "viewer/render/coplanar.h"
+#include "viewer/render/coplanar_surfaces.h"
 
 namespace rocinante {
+namespace {
+
+/// How many of the part's indices now stand at its end.
+std::uint32_t putOneSidedLast(const MeshPart& part, const std::vector<std::uint8_t>& one_sided,
+                              std::vector<std::uint32_t>& indices) {
+  std::vector<std::uint32_t> last;
+  std::uint32_t to = part.first_index;
+  for (std::uint32_t from = part.first_index; from < part.first_index + part.index_count;
+       from += 3) {
+    for (std::uint32_t corner = 0; corner < 3; ++corner) {
+      const std::uint32_t index = indices[from + corner];
+      if (one_sided[from / 3] != 0) {
+        last.push_back(index);
+      } else {
+        indices[to++] = index;
+      }
+    }
+  }
+  for (const std::uint32_t index : last) indices[to++] = index;
+  return static_cast<std::uint32_t>(last.size());
+}
+
+}  // namespace
 
 SceneCatalog::SceneCatalog(const Cell& cell) {
   for (const auto& [name, model] : cell.models) {
@@ -31,8 +54,9 @@ void SceneCatalog::addMesh(const Mesh* mesh) {
   if (!mesh_numbers_.emplace(mesh, number).second) return;
   for (const Material& material : mesh->materials) addTexture(material);
 
-  CatalogMesh entry{mesh, {}};
-  const std::vector<std::uint32_t> ranks = coplanarRanks(*mesh);
+  CatalogMesh entry{mesh, {}, {}};
+  const CoplanarSurfaces surfaces = coplanarSurfaces(*mesh);
+  if (surfaces.any_one_sided) entry.reordered = mesh->indices;
   for (std::size_t i = 0; i < mesh->parts.size(); ++i) {
     const MeshPart& part = mesh->parts[i];
     Bounds bounds;
@@ -40,7 +64,10 @@ void SceneCatalog::addMesh(const Mesh* mesh) {
       bounds.add(Vec3(mesh->vertices[mesh->indices[part.first_index + index]].position));
     }
     CatalogPart known;
-    known.coplanar_rank = ranks[i];
+    known.coplanar_rank = surfaces.ranks[i];
+    if (surfaces.any_one_sided) {
+      known.one_sided_count = putOneSidedLast(part, surfaces.one_sided, entry.reordered);
+    }
     if (!bounds.empty()) {
       known.center = (bounds.min + bounds.max) * 0.5;
       known.half = (bounds.max - bounds.min) * 0.5;

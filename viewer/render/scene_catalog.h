@@ -15,12 +15,20 @@ struct CatalogPart {
   Vec3 center{};  ///< of its bounds, in the mesh
   Vec3 half{};    ///< half their size
   double radius = 0;
-  std::uint32_t coplanar_rank = 0;  ///< see coplanarRanks()
+  std::uint32_t coplanar_rank = 0;  ///< see CoplanarSurfaces
+  /// Of the part's indices, the last so many are triangles seen from their front alone.
+  std::uint32_t one_sided_count = 0;
 };
 
 struct CatalogMesh {
   const Mesh* mesh = nullptr;
   std::vector<CatalogPart> parts;
+  /// The mesh's indices with each part's one-sided triangles last; empty when that changes nothing.
+  std::vector<std::uint32_t> reordered;
+
+  const std::vector<std::uint32_t>& indices() const {
+    return reordered.empty() ? mesh->indices : reordered;
+  }
 };
 
 /// Every mesh and texture of a cell's models, numbered. Numbers follow the cell alone (models by

@@ -34,6 +34,7 @@ uniform bool has_map;
 uniform bool orthographic;
 uniform vec3 view_direction;  // of an orthographic camera
 uniform vec3 key_direction;   // towards the light
+uniform vec3 fill_direction;
 uniform sampler2D map;
 out vec4 color;
 
@@ -63,11 +64,12 @@ void main() {
     vec4 texel = texture(map, map_place);
     base *= vec4(lightOf(texel.rgb), texel.a);
   }
-  // Sky above, ground below, a key light, and a soft one at the eye so that nothing facing us is flat.
-  vec3 ambient = mix(vec3(0.20, 0.185, 0.17), vec3(0.40, 0.43, 0.47), n.z * 0.5 + 0.5);
+  // Sky above, ground below, a key light, and a soft one that moves with the camera, from its upper
+  // left: walls that meet differ in shade wherever one stands.
+  vec3 ambient = mix(vec3(0.15, 0.14, 0.13), vec3(0.34, 0.37, 0.41), n.z * 0.5 + 0.5);
   float key = max(dot(n, key_direction), 0.0);
-  float fill = max(dot(n, to_eye), 0.0);
-  vec3 light = base.rgb * (ambient + vec3(0.62, 0.60, 0.56) * key + vec3(0.13) * fill);
+  float fill = max(dot(n, fill_direction), 0.0);
+  vec3 light = base.rgb * (ambient + vec3(0.66, 0.64, 0.60) * key + vec3(0.22, 0.23, 0.24) * fill);
   if (shininess > 0.0) {
     vec3 half_way = key_direction + to_eye;
     float facing = dot(n, half_way) * (1.0 / sqrt(max(dot(half_way, half_way), 1e-6)));
