@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 #include <limits>
+#include <set>
 
 #include "core/hash.h"
 #include "core/log/log_index.h"
@@ -217,6 +218,22 @@ const std::vector<LogAttachment>& LogReader::attachments() const {
 const std::vector<LossSpan>& LogReader::losses() const { return impl_->losses; }
 const std::vector<DamageSpan>& LogReader::damage() const { return impl_->index.damage; }
 const std::string& LogReader::name() const { return impl_->name; }
+
+LogStorage LogReader::storage() const {
+  LogStorage storage;
+  storage.file_bytes = impl_->file.size();
+  std::set<std::string> compressions;
+  for (const MessageSpan& span : impl_->index.spans) {
+    compressions.insert(span.chunk.compression.empty() ? "none"
+                                                       : std::string(span.chunk.compression));
+    if (span.loose) continue;
+    ++storage.chunks;
+    storage.stored_bytes += span.chunk.records.size();
+    storage.expanded_bytes += span.chunk.uncompressed_size;
+  }
+  storage.compressions.assign(compressions.begin(), compressions.end());
+  return storage;
+}
 
 Result<Bytes> LogReader::readAttachment(std::size_t index) const {
   if (index >= impl_->index.attachments.size()) {

@@ -23,6 +23,16 @@ struct LogSummary {
   std::string end_reason;  ///< of rocinante.end
 };
 
+/// How a log is stored, over its chunks.
+struct LogStorage {
+  std::uint64_t file_bytes = 0;
+  std::uint64_t chunks = 0;
+  std::uint64_t stored_bytes = 0;    ///< of the chunks' records, as they lie in the file
+  std::uint64_t expanded_bytes = 0;  ///< of the same, as their headers give it
+  /// "zstd", "none", "lz4", sorted, each once; "none" also stands for messages outside chunks.
+  std::vector<std::string> compressions;
+};
+
 /// Reads a log in time order: (log_time, file offset). Holds few chunks in memory whatever the
 /// file's size. Format: docs/log-format.md. Not for sharing between threads; open one each.
 class LogReader {
@@ -38,6 +48,7 @@ class LogReader {
   LogReader& operator=(LogReader&&) noexcept;
 
   const LogSummary& summary() const;
+  LogStorage storage() const;
   /// By id; channels of the whole file.
   const std::vector<LogChannel>& channels() const;
   const std::vector<LogMetadata>& metadata() const;

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/log/log_reader.h"
+#include "core/result.h"
+
+namespace rocinante {
+
+enum class CatFormat { text, json, csv };
+
+struct CatOptions {
+  std::string from;                   ///< a session time (docs/programs/log.md); empty: the start
+  std::string until;                  ///< not included; empty: with the last message
+  std::vector<std::string> channels;  ///< patterns of topics, as a shell's; empty: captured ones
+  CatFormat format = CatFormat::text;
+  bool name_log = false;  ///< several logs are given: say with each message whose it is
+};
+
+/// Takes the next piece of output; an error ends the work.
+using TextSink = std::function<Status(std::string_view)>;
+
+/// Gives the chosen messages of a log, in order, one a line (of a CSV file: one a row, and its
+/// first line names the columns when `with_header`). Answers how many there were.
+Result<std::uint64_t> catLog(LogReader& reader, const CatOptions& options, bool with_header,
+                             const TextSink& out);
+
+}  // namespace rocinante

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/log/log_reader.h"
+#include "core/result.h"
+
+namespace rocinante {
+
+/// Equal parts of the session's time over which a channel's messages are counted.
+inline constexpr std::size_t kActivityParts = 24;
+
+struct ChannelInfo {
+  LogChannel channel;
+  std::uint64_t messages = 0;
+  LogTime first{};
+  LogTime last{};
+  std::array<std::uint64_t, kActivityParts> activity{};
+
+  /// Messages a second between the first and the last; 0 when there are fewer than two.
+  double rateHz() const;
+};
+
+/// What `rocinante log info` tells of a log (docs/programs/log.md). Counted by reading every
+/// message, so that it is true of damaged logs too.
+struct LogInfo {
+  std::string name;
+  LogSummary summary;  ///< as the log says of itself
+  LogStorage storage;
+  std::uint64_t messages = 0;             ///< captured, as read
+  std::vector<ChannelInfo> channels;      ///< captured, by id
+  std::vector<ChannelInfo> own_channels;  ///< /rocinante/...
+  std::uint64_t keyframes = 0;
+  std::uint64_t packets = 0;  ///< captured messages that could be decoded
+  std::uint64_t events = 0;
+  LossCounts losses;
+  std::uint64_t source_gap = 0;  ///< SEQUENCE numbers that never came, over all sources
+  std::vector<LossSpan> loss_spans;
+  std::vector<LogAttachment> attachments;
+  std::vector<DamageSpan> damage;
+  std::string content_sha256;
+};
+
+/// Reads the whole log. `progress` is told now and then which part of it is done, 0 to 1.
+Result<LogInfo> logInfo(const std::filesystem::path& path,
+                        const std::function<void(double)>& progress = {});
+
+/// For people: several lines, the last with its LF.
+std::string logInfoText(const LogInfo& info);
+
+/// For scripts: one JSON object, indented or on one line, with its LF.
+std::string logInfoJson(const LogInfo& info, bool indented);
+
+}  // namespace rocinante

@@ -1,0 +1,176 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/duration_text.h"
+#include "recorder/log_info.h"
+#include "recorder/message_text.h"
+
+namespace rocinante {
+namespace {
+
+/// 1234567 as 1,234,567.
+std::string grouped(std::uint64_t number) {
+  const std::string digits = std::to_string(number);
+  std::string out;
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    if (i > 0 && (digits.size() - i) % 3 == 0) out += ',';
+    out += digits[i];
+  }
+  return out;
+}
+
+/// "1 message", "2 messages".
+std::string counted(std::uint64_t number, std::string_view one) {
+  return fmt::format("{} {}{}", grouped(number), one, number == 1 ? "" : "s");
+}
+
+std::string bytesText(std::uint64_t bytes) {
+  static constexpr std::string_view kUnits[] = {"bytes", "KiB", "MiB", "GiB", "TiB"};
+  double size = static_cast<double>(bytes);
+  std::size_t unit = 0;
+  while (size >= 1024 && unit + 1 < std::size(kUnits)) {
+    size /= 1024;
+    ++unit;
+  }
+  return unit == 0 ? fmt::format("{} bytes", bytes) : fmt::format("{:.1f} {}", size, kUnits[unit]);
+}
+
+/// Eight heights; a dot where nothing came, so that a silence is seen.
+std::string sparkline(const ChannelInfo& info) {
+  static constexpr std::string_view kHeights[] = {"▁", "▂", "▃", "▄", "▅", "▆", "▇", "█"};
+  const std::uint64_t most = std::ranges::max(info.activity);
+  std::string line;
+  for (const std::uint64_t count : info.activity) {
+    if (count == 0) {
+      line += "·";
+    } else {
+      const auto height = static_cast<std::size_t>((static_cast<double>(count) * 8 - 1) /
+                                                   static_cast<double>(most));
+      line += kHeights[std::min<std::size_t>(height, 7)];
+    }
+  }
+  return line;
+}
+
+std::string metadataOf(const LogChannel& channel, const char* key) {
+  const auto found = channel.metadata.find(key);
+  return found == channel.metadata.end() || found->second.empty() ? "-" : plainText(found->second);
+}
+
+/// Columns as wide as their widest cell: numbers to the right, the last one free.
+std::string table(const std::vector<std::vector<std::string>>& rows,
+                  const std::vector<bool>& is_number) {
+  std::vector<std::size_t> widths(is_number.size(), 0);
+  for (const auto& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+  }
+  std::string out;
+  for (const auto& row : rows) {
+    out += " ";
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      if (i + 1 == row.size()) {
+        out += " " + row[i];
+      } else if (is_number[i]) {
+        out += fmt::format(" {:>{}} ", row[i], widths[i]);
+      } else {
+        out += fmt::format(" {:<{}} ", row[i], widths[i]);
+      }
+    }
+    out += "\n";
+  }
+  return out;
+}
+
+void addChannels(std::string& out, const LogInfo& info) {
+  std::vector<std::vector<std::string>> rows = {
+      {"channel", "encoding", "source", "sender", "messages", "rate/s", "activity"}};
+  const auto add = [&](const ChannelInfo& channel) {
+    rows.push_back({plainText(channel.channel.topic), plainText(channel.channel.encoding),
+                    metadataOf(channel.channel, "source"), metadataOf(channel.channel, "remote"),
+                    grouped(channel.messages), fmt::format("{:.1f}", channel.rateHz()),
+                    sparkline(channel)});
+  };
+  std::ranges::for_each(info.channels, add);
+  std::ranges::for_each(info.own_channels, add);
+  if (rows.size() == 1) return;
+  out += '\n';
+  out += table(rows, {false, false, false, false, true, true, false});
+}
+
+void addLosses(std::string& out, const LogInfo& info) {
+  const LossCounts& losses = info.losses;
+  if (losses == LossCounts{}) {
+    out += "  losses      none recorded";
+  } else {
+    out += fmt::format("  losses      kernel {}, queue {}, disk {}, truncated {} in {}",
+                       grouped(losses.kernel), grouped(losses.queue), grouped(losses.disk),
+                       grouped(losses.truncated), counted(info.loss_spans.size(), "span"));
+  }
+  if (info.source_gap > 0) {
+    out += fmt::format("; the sources' own numbers miss {}", grouped(info.source_gap));
+  }
+  out += "\n";
+}
+
+void addDamage(std::string& out, const LogInfo& info) {
+  if (info.damage.empty()) return;
+  out += "\n  damage\n";
+  for (const DamageSpan& span : info.damage) {
+    out += fmt::format("  bytes {} to {}: {}", span.from, span.to, plainText(span.cause));
+    if (!span.messages_lost) {
+      out += "; what that cost is not known";
+    } else if (*span.messages_lost > 0) {
+      out += "; lost: " + counted(*span.messages_lost, "message");
+    }
+    out += "\n";
+  }
+}
+
+}  // namespace
+
+std::string logInfoText(const LogInfo& info) {
+  const LogSummary& summary = info.summary;
+  const Nanoseconds duration = summary.end - summary.start;
+  std::string out = plainText(info.name) + "\n";
+  if (!summary.session_id.empty()) {
+    out += fmt::format("  session     {}\n", plainText(summary.session_id));
+  }
+  if (info.messages > 0) {
+    out +=
+        fmt::format("  origin      {}\n", rfc3339Text(WallTime(summary.origin.time_since_epoch())));
+    out += fmt::format("  time        {} s to {} s, {} s long\n",
+                       secondsText(summary.start - summary.origin, 3),
+                       secondsText(summary.end - summary.origin, 3), secondsText(duration, 3));
+  }
+  out += fmt::format("  messages    {} on {}", grouped(info.messages),
+                     counted(info.channels.size(), "channel"));
+  if (info.packets < info.messages) {
+    out += fmt::format("; {} could be decoded", grouped(info.packets));
+  }
+  out += "\n";
+  if (info.events > 0) out += fmt::format("  events      {}\n", grouped(info.events));
+  out += fmt::format("  stored      {} in {}", bytesText(info.storage.file_bytes),
+                     counted(info.storage.chunks, "chunk"));
+  if (!info.storage.compressions.empty()) {
+    out += fmt::format(", {}", fmt::join(info.storage.compressions, " and "));
+  }
+  if (info.storage.stored_bytes > 0 && info.storage.expanded_bytes > info.storage.stored_bytes) {
+    out +=
+        fmt::format(" ({:.1f} times smaller)", static_cast<double>(info.storage.expanded_bytes) /
+                                                   static_cast<double>(info.storage.stored_bytes));
+  }
+  out += "\n";
+  if (!info.attachments.empty()) {
+    out += fmt::format("  attached    {}\n", counted(info.attachments.size(), "file"));
+  }
+  out += summary.complete ? fmt::format("  complete    yes ({})\n", plainText(summary.end_reason))
+                          : std::string("  complete    no: it was not closed by its recorder\n");
+  addLosses(out, info);
+  out += "  content     sha256 " + info.content_sha256 + "\n";
+  addChannels(out, info);
+  addDamage(out, info);
+  return out;
+}
+
+}  // namespace rocinante
