@@ -53,7 +53,8 @@ std::optional<ClockStep> SessionClock::observe(const ClockReading& reading) {
 
 LogTime SessionClock::at(WallTime stamp) const {
   LogTime moment(stamp.time_since_epoch() - drift_);
-  if (step_after_ && moment < *step_after_) {
+  // Before the step could have come, or in the future: then the stamp is older than the step.
+  if (step_after_ && (moment < *step_after_ || moment > now_)) {
     moment = LogTime(stamp.time_since_epoch() - drift_before_);
   }
   return std::min(moment, now_);

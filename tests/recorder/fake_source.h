@@ -1,0 +1,88 @@
+#pragma once
+
+#include <deque>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/net/datagram_source.h"
+#include "recorder/session_clock.h"
+
+namespace rocinante::test {
+
+/// A socket that a test fills: batches of datagrams, drops, a failure.
+class FakeSource final : public DatagramSource {
+ public:
+  explicit FakeSource(std::string_view endpoint)
+      : endpoint_(Endpoint::parse(endpoint).value()), bound_(endpoint_.address) {}
+
+  struct Datagram {
+    std::string payload;
+    WallTime stamp;
+    std::string_view sender = "10.0.0.1";
+    std::uint16_t port = 5000;
+    bool truncated = false;
+  };
+
+  /// One batch: what one receive() gives.
+  void arrive(std::vector<Datagram> batch) { waiting_.push_back(std::move(batch)); }
+  /// What the kernel dropped: known with the next datagram, or only when asked for.
+  void drop(std::uint64_t count, bool only_when_asked = false) {
+    dropped_by_now_ += count;
+    if (!only_when_asked) dropped_ = dropped_by_now_;
+  }
+  void fail() { failed_ = true; }
+
+  Result<std::span<const ReceivedDatagram>> receive() override {
+    if (failed_) return Error{ErrorKind::refused, "cannot receive: the cable is out", "fake"};
+    received_.clear();
+    if (waiting_.empty()) return std::span<const ReceivedDatagram>();
+    current_ = std::move(waiting_.front());
+    waiting_.pop_front();
+    for (const Datagram& each : current_) {
+      received_.push_back({bytesOf(each.payload),
+                           SocketAddress::parse(each.sender, each.port).value(), each.stamp,
+                           each.truncated});
+    }
+    return std::span<const ReceivedDatagram>(received_);
+  }
+  std::uint64_t dropped() const override { return dropped_; }
+  Result<std::uint64_t> droppedByNow() override { return dropped_ = dropped_by_now_; }
+  const Endpoint& endpoint() const override { return endpoint_; }
+  const SocketAddress& boundAddress() const override { return bound_; }
+
+ private:
+  Endpoint endpoint_;
+  SocketAddress bound_;
+  std::deque<std::vector<Datagram>> waiting_;
+  std::vector<Datagram> current_;
+  std::vector<ReceivedDatagram> received_;
+  std::uint64_t dropped_ = 0;
+  std::uint64_t dropped_by_now_ = 0;
+  bool failed_ = false;
+};
+
+/// Two clocks that only a test moves. Both begin at 1,000 s.
+class FakeClocks {
+ public:
+  void pass(Nanoseconds duration) {
+    steady_ += duration;
+    wall_ += duration;
+  }
+  void setWall(Nanoseconds forward) { wall_ += forward; }
+  WallTime wall() const { return wall_; }
+  /// A look 100 ns wide.
+  ClockReading look(Nanoseconds width = Nanoseconds(100)) const {
+    return {steady_ - width / 2, wall_, steady_ + width / 2};
+  }
+
+ private:
+  SteadyTime steady_{std::chrono::seconds(1'000)};
+  WallTime wall_{std::chrono::seconds(1'000)};
+};
+
+inline LogTime logTime(Nanoseconds since_start) {
+  return LogTime(std::chrono::seconds(1'000) + since_start);
+}
+
+}  // namespace rocinante::test
