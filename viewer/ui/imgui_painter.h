@@ -1,0 +1,33 @@
+#pragma once
+
+#include <memory>
+
+#include "core/result.h"
+#include "viewer/render/gl_table.h"
+
+struct ImDrawData;
+
+namespace rocinante {
+
+/// Draws Dear ImGui's triangles through our own GL table into whatever framebuffer is bound, so
+/// that the interface lands in the same framebuffer object as the scene and can be judged like it.
+/// Bound to the table's context.
+class ImguiPainter {
+ public:
+  /// Builds the font texture of the current ImGui context; call after the fonts were added.
+  static Result<ImguiPainter> create(const GlTable& gl);
+
+  ~ImguiPainter();
+  ImguiPainter(ImguiPainter&&) noexcept;
+  ImguiPainter& operator=(ImguiPainter&&) noexcept;
+
+  /// Pixels of the bound framebuffer, which is `height` high, y up in GL.
+  void draw(const ImDrawData& data, int width, int height);
+
+ private:
+  struct Impl;
+  explicit ImguiPainter(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace rocinante

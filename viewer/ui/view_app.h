@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/result.h"
+#include "viewer/render/renderer.h"
+#include "viewer/ui/view_model.h"
+#include "viewer/ui/view_script.h"
+
+namespace rocinante {
+
+struct ViewOptions {
+  int width = 1280;
+  int height = 720;
+  int samples = 4;
+  Profile profile = Profile::fast;
+  /// Drives the window in place of a person: time is then frames at 60 a second, whatever the clock
+  /// says, and mouse and keyboard are left alone, so that a screenshot comes out the same each
+  /// time.
+  std::vector<ViewCommand> script;
+  std::string script_name;  ///< for faults
+};
+
+/// Opens the window and runs until it is closed, the script ends, or a signal stops it.
+/// refused when there is no display. Main thread.
+Status runViewer(ViewModel& model, const ViewOptions& options);
+
+}  // namespace rocinante

@@ -1,0 +1,166 @@
+// rocinante-view: the interactive viewer (docs/programs/view.md).
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "core/atomic_file.h"
+#include "core/cli/program.h"
+#include "viewer/ui/view_app.h"
+
+namespace rocinante {
+namespace {
+
+using cli::Exit;
+
+constexpr char kExamples[] =
+    "  rocinante view examples/demo/demo.cell.toml out/demo/live.mcap\n"
+    "  rocinante view puma.urdf --live\n"
+    "  rocinante view cell.toml --live 0.0.0.0:19960 --camera overview\n"
+    "  rocinante view cell.toml session.mcap --profile reproducible --script look.txt\n";
+
+struct Arguments {
+  std::filesystem::path cell, log, script;
+  std::vector<std::string> live;
+  std::string profile = "fast", camera, at, size = "1280x720";
+  std::vector<std::string> hide, show;
+  std::vector<std::filesystem::path> search;
+  bool is_live = false, search_environment = true;
+  int samples = 4;
+};
+
+Result<std::optional<LiveFeed>> openFeed(const Arguments& arguments) {
+  if (!arguments.is_live) return std::optional<LiveFeed>();
+  std::vector<Endpoint> endpoints;
+  for (const std::string& text : arguments.live) {
+    if (text.empty()) continue;
+    auto endpoint = Endpoint::parse(text);
+    if (!endpoint.ok()) return endpoint.error();
+    endpoints.push_back(*endpoint);
+  }
+  if (endpoints.empty()) endpoints.push_back(Endpoint::standard());
+  auto feed = LiveFeed::start(endpoints);
+  if (!feed.ok()) return feed.error();
+  return std::optional<LiveFeed>(std::move(*feed));
+}
+
+Result<ViewOptions> viewOptions(const Arguments& arguments) {
+  ViewOptions options;
+  char end = 0;
+  if (std::sscanf(arguments.size.c_str(), "%dx%d%c", &options.width, &options.height, &end) != 2 ||
+      options.width < 64 || options.height < 64 || options.width > 8192 || options.height > 8192) {
+    return Error{ErrorKind::bad_argument, "a size is WIDTHxHEIGHT, each from 64 to 8192",
+                 "--size " + arguments.size};
+  }
+  options.samples = arguments.samples;
+  options.profile = arguments.profile == "fast" ? Profile::fast : Profile::reproducible;
+  if (!arguments.script.empty()) {
+    const auto text = readFile(arguments.script, 1U << 20U);
+    if (!text.ok()) return text.error();
+    auto commands = parseViewScript(*text, arguments.script.string());
+    if (!commands.ok()) return commands.error();
+    options.script = std::move(*commands);
+    options.script_name = arguments.script.string();
+    if (options.script.empty()) {
+      return Error{ErrorKind::bad_argument, "the script holds no command", options.script_name};
+    }
+  }
+  return options;
+}
+
+void warnOfFaults(const Cell& cell) {
+  std::size_t errors = 0;
+  for (const ModelFault& fault : cell.faults) {
+    if (fault.severity != Severity::error) continue;
+    if (++errors <= 3) cli::warn(fault.print());
+  }
+  if (errors > 3) {
+    cli::warn(fmt::format("{} errors in all; rocinante check lists them", errors));
+  }
+}
+
+Result<Exit> view(const Arguments& arguments) {
+  const auto options = viewOptions(arguments);
+  if (!options.ok()) return options.error();
+  if (arguments.is_live && !arguments.log.empty()) {
+    return Error{ErrorKind::bad_argument, "a log and --live exclude each other", ""};
+  }
+  CellOptions cell_options;
+  cell_options.search = arguments.search;
+  cell_options.search_environment = arguments.search_environment;
+  auto cell = loadCell(arguments.cell, cell_options);
+  if (!cell.ok()) return cell.error();
+  warnOfFaults(*cell);
+
+  std::optional<Timeline> session;
+  if (!arguments.log.empty()) {
+    auto opened = Timeline::open(arguments.log);
+    if (!opened.ok()) return opened.error();
+    session = std::move(*opened);
+  }
+  auto feed = openFeed(arguments);
+  if (!feed.ok()) return feed.error();
+  auto model = ViewModel::make(std::move(*cell), std::move(session), std::move(*feed),
+                               arguments.hide, arguments.show);
+  if (!model.ok()) return model.error();
+  if (!arguments.camera.empty()) model->useCamera(arguments.camera);
+  if (!arguments.at.empty()) {
+    Transport* transport = model->transport();
+    if (transport == nullptr) {
+      return Error{ErrorKind::bad_argument, "--at needs a log", "--at " + arguments.at};
+    }
+    const auto moment = parseSessionTime(arguments.at, model->origin(), transport->end());
+    if (!moment.ok()) return moment.error();
+    transport->seek(*moment, SteadyTime{});
+  }
+  if (auto shown = runViewer(*model, *options); !shown) return shown.error();
+  return Exit::done;
+}
+
+int viewMain(int argc, char** argv) {
+  CLI::App app("Shows a cell, at rest, in a recorded session, or live.", "rocinante-view");
+  Arguments arguments;
+  app.add_option("CELL", arguments.cell, "a *.cell.toml, .urdf or .obj")->required();
+  app.add_option("LOG", arguments.log, "a recorded session");
+  auto* live = app.add_option("--live", arguments.live,
+                              "listen; EP as in `rocinante record`, default the standard group")
+                   ->expected(0, 1);
+  app.add_option("--profile", arguments.profile,
+                 "fast: the driver as it is; reproducible: the same bits everywhere")
+      ->check(CLI::IsMember({"fast", "reproducible"}))
+      ->capture_default_str();
+  app.add_option("--camera", arguments.camera, "of the cell, or a view of the session");
+  app.add_option("--at", arguments.at, "begin at this session time");
+  app.add_option("--size", arguments.size, "of the window, WIDTHxHEIGHT")->capture_default_str();
+  app.add_option("--samples", arguments.samples, "multisampling: 1, 2, 4 or 8")
+      ->check(CLI::IsMember({1, 2, 4, 8}))
+      ->capture_default_str();
+  app.add_option("--hide", arguments.hide, "leave out DEVICE, DEVICE/LINK or layer/NAME");
+  app.add_option("--show", arguments.show, "put in DEVICE, DEVICE/LINK or layer/NAME");
+  app.add_option("--search", arguments.search, "root for model files; repeatable");
+  app.add_option("--script", arguments.script, "drive the window from this file, then close it");
+  return cli::run(app, argc, argv, kExamples, [&]() -> Result<Exit> {
+    cli::catchStopSignals();
+    arguments.is_live = live->count() > 0;
+    return view(arguments);
+  });
+}
+
+/// The profile counts before the first thread, so before arguments are parsed in earnest.
+bool wantsReproducible(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view word = argv[i];
+    if (word == "--profile=reproducible") return true;
+    if (word == "--profile" && i + 1 < argc && std::string_view(argv[i + 1]) == "reproducible") {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+}  // namespace rocinante
+
+int main(int argc, char** argv) {
+  if (rocinante::wantsReproducible(argc, argv)) rocinante::pinRendererEnvironment();
+  return rocinante::viewMain(argc, argv);
+}

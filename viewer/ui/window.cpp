@@ -1,0 +1,77 @@
+#include "viewer/ui/window.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+namespace rocinante {
+namespace {
+
+std::string last_glfw_error;
+
+void onGlfwError(int /*code*/, const char* text) { last_glfw_error = text; }
+
+Error windowError(const std::string& what) {
+  return {ErrorKind::refused,
+          what + (last_glfw_error.empty() ? std::string() : ": " + last_glfw_error) +
+              " (rocinante render draws without a display)",
+          ""};
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Window>> Window::open(const std::string& title, int width, int height) {
+  glfwSetErrorCallback(onGlfwError);
+  if (glfwInit() != GLFW_TRUE) return windowError("there is no display to open a window on");
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+  // We draw into a framebuffer object of our own and copy: the window needs no samples or depth.
+  glfwWindowHint(GLFW_SAMPLES, 0);
+  glfwWindowHint(GLFW_DEPTH_BITS, 0);
+  glfwWindowHint(GLFW_STENCIL_BITS, 0);
+  GLFWwindow* window = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
+  if (window == nullptr) {
+    const Error error = windowError("cannot open a window with OpenGL 3.3");
+    glfwTerminate();
+    return error;
+  }
+  std::unique_ptr<Window> opened(new Window(window));
+  if (auto current = opened->makeCurrent(); !current) return current.error();
+  return opened;
+}
+
+Window::~Window() {
+  glfwDestroyWindow(window_);
+  glfwTerminate();
+}
+
+Status Window::makeCurrent() {
+  last_glfw_error.clear();
+  glfwMakeContextCurrent(window_);
+  if (!last_glfw_error.empty()) return windowError("the window's OpenGL context is lost");
+  return {};
+}
+
+GlProc Window::procAddress(const char* name) const { return glfwGetProcAddress(name); }
+
+int Window::framebufferWidth() const {
+  int width = 0;
+  int height = 0;
+  glfwGetFramebufferSize(window_, &width, &height);
+  return width;
+}
+
+int Window::framebufferHeight() const {
+  int width = 0;
+  int height = 0;
+  glfwGetFramebufferSize(window_, &width, &height);
+  return height;
+}
+
+bool Window::closeRequested() const { return glfwWindowShouldClose(window_) == GLFW_TRUE; }
+void Window::requestClose() { glfwSetWindowShouldClose(window_, GLFW_TRUE); }
+void Window::swap() { glfwSwapBuffers(window_); }
+void Window::setPaced(bool paced) { glfwSwapInterval(paced ? 1 : 0); }
+
+}  // namespace rocinante
