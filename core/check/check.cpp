@@ -1,0 +1,109 @@
+#include "core/check/check.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace rocinante {
+namespace {
+
+Finding findingOf(const ModelFault& fault) {
+  Finding finding;
+  finding.rule = fault.rule;
+  finding.severity = fault.severity;
+  finding.text = fault.text;
+  finding.hint = fault.hint;
+  finding.file = fault.file;
+  finding.line = fault.line;
+  finding.column = fault.column;
+  return finding;
+}
+
+/// Orders the findings and draws the conclusion.
+void conclude(CheckReport& report, bool judged) {
+  const auto key = [](const Finding& f) {
+    // Errors first; what is wrong with the model before what is wrong with the session.
+    return std::tuple(-static_cast<int>(f.severity), f.first.has_value(),
+                      f.first.value_or(LogTime{}), std::string_view(f.file), f.line, f.column,
+                      std::string_view(f.rule), std::string_view(f.subject),
+                      std::string_view(f.text));
+  };
+  std::sort(report.findings.begin(), report.findings.end(),
+            [&](const Finding& a, const Finding& b) { return key(a) < key(b); });
+  if (!judged) {
+    report.verdict = Verdict::nothing_judged;
+  } else if (report.countOf(Severity::error) > 0) {
+    report.verdict = Verdict::incompatible;
+  } else {
+    report.verdict = Verdict::compatible;
+  }
+}
+
+CheckReport reportOfCell(const Cell& cell) {
+  CheckReport report;
+  report.cell = cell.file;
+  for (const ModelFault& fault : cell.faults) report.findings.push_back(findingOf(fault));
+  return report;
+}
+
+}  // namespace
+
+std::string_view nameOf(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::compatible:
+      return "compatible";
+    case Verdict::incompatible:
+      return "incompatible";
+    case Verdict::nothing_judged:
+      return "nothing_judged";
+  }
+  return "";
+}
+
+std::size_t CheckReport::countOf(Severity severity) const {
+  return static_cast<std::size_t>(
+      std::count_if(findings.begin(), findings.end(),
+                    [&](const Finding& finding) { return finding.severity == severity; }));
+}
+
+CheckReport checkCell(const Cell& cell) {
+  CheckReport report = reportOfCell(cell);
+  conclude(report, true);
+  return report;
+}
+
+CheckReport checkSession(const Cell& cell, const SessionCheck& session) {
+  CheckReport report = reportOfCell(cell);
+  session.finish(report);
+  conclude(report, report.packets > 0);
+  return report;
+}
+
+Result<CheckReport> checkLog(const Cell& cell, LogReader& log) {
+  if (Status status = log.rewind(); !status) return status.error();
+  SessionCheck session(cell);
+  while (true) {
+    const Result<std::optional<LogMessage>> next = log.next();
+    if (!next) return next.error();
+    if (!*next) break;
+    const LogMessage& message = **next;
+    if (!message.channel->folded()) continue;
+    session.add(message.log_time, message.channel->encoding, message.channel->captured(),
+                message.payload);
+  }
+  for (const LossSpan& loss : log.losses()) session.addLoss(loss);
+  for (const DamageSpan& damage : log.damage()) session.addDamage(damage);
+  CheckReport report = checkSession(cell, session);
+  report.session = log.name();
+  report.origin = log.summary().origin;
+  report.duration = log.summary().end - log.summary().start;
+  if (!log.summary().complete) {
+    Finding finding;
+    finding.rule = "log.incomplete";
+    finding.severity = Severity::note;
+    finding.text = "the recorder did not close the log: its end may be missing";
+    report.findings.push_back(std::move(finding));
+  }
+  return report;
+}
+
+}  // namespace rocinante

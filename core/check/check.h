@@ -1,0 +1,22 @@
+#pragma once
+
+#include <functional>
+
+#include "core/check/finding.h"
+#include "core/check/session_check.h"
+#include "core/log/log_reader.h"
+#include "core/model/cell.h"
+#include "core/result.h"
+
+namespace rocinante {
+
+/// The cell alone: its faults, and those of all that it names. Compatible without an error.
+CheckReport checkCell(const Cell& cell);
+
+/// The cell and a whole recorded session. nothing_judged when no packet of it can be decoded.
+Result<CheckReport> checkLog(const Cell& cell, LogReader& log);
+
+/// The same of a session that was judged datagram by datagram.
+CheckReport checkSession(const Cell& cell, const SessionCheck& session);
+
+}  // namespace rocinante

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/model/model_fault.h"
+#include "core/time.h"
+
+namespace rocinante {
+
+/// One thing that is wrong, or worth knowing, about a cell or a session: docs/programs/check.md
+/// explains every rule.
+struct Finding {
+  std::string rule;  ///< stable id: "packet.unknown-device"
+  Severity severity = Severity::error;
+  std::uint64_t count = 1;
+  std::optional<LogTime> first, last;   ///< empty for what is wrong with the model
+  std::optional<std::uint64_t> packet;  ///< of the first: captured datagrams of the log from 1
+  std::string subject;                  ///< device, source or endpoint; may be empty
+  std::string text;                     ///< one sentence
+  std::string example;                  ///< the first offending line of packet text; may be empty
+  std::string hint;                     ///< what to do about it; may be empty
+  std::string file;                     ///< of a model fault
+  int line = 0, column = 0;             ///< in `file`; 0: none
+};
+
+enum class Verdict : std::uint8_t {
+  compatible,
+  incompatible,    ///< a finding of severity error
+  nothing_judged,  ///< no packet could be decoded: never the same as compatible
+};
+std::string_view nameOf(Verdict verdict);
+
+/// What `check` found.
+struct CheckReport {
+  std::string cell;     ///< as the user named it
+  std::string session;  ///< log or endpoint; empty when the model alone was judged
+  std::uint64_t datagrams = 0;
+  std::uint64_t packets = 0;  ///< of those, decoded
+  std::vector<std::string> sources;
+  LogTime origin{};
+  Nanoseconds duration{0};
+  std::vector<Finding> findings;  ///< errors first, then by first time, then by rule
+  Verdict verdict = Verdict::nothing_judged;
+
+  std::size_t countOf(Severity severity) const;
+};
+
+/// For people: grouped by severity, one finding a paragraph. Ends with the verdict.
+std::string checkText(const CheckReport& report);
+/// One JSON object that starts with "format": 1.
+std::string checkJson(const CheckReport& report);
+
+}  // namespace rocinante
