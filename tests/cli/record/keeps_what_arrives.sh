@@ -1,0 +1,14 @@
+# Three datagrams, each from a socket of its own; the summary says what became of them.
+rocinante record 127.0.0.1:0 -o log.mcap --json >summary.json 2>said &
+recorder=$!
+until grep -q '^recording' said; do sleep 0.05; done
+sed 's/:[0-9]* to/:PORT to/' said
+port=$(sed 's/.*:\([0-9]*\) to .*/\1/' said)
+# One write is one datagram; bash itself would write line by line.
+printf 'RK1 arm@run 0 12.5\njoints arm 1 2 3\n' >first
+printf 'RK1 arm@run 1 12.6\njoints arm 1 2 4\n' >second
+printf 'no packet' >third
+for datagram in first second third; do cat $datagram >/dev/udp/127.0.0.1/"$port"; done
+kill -INT $recorder
+wait $recorder
+sed -e "s/:$port\"/:PORT\"/" -e 's/"bytes": [0-9]*/"bytes": N/' -e 's/"duration_s": [0-9.e-]*/"duration_s": T/' summary.json
