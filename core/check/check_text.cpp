@@ -10,8 +10,13 @@ std::string plural(std::uint64_t count, std::string_view noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
+/// To the millisecond: finer digits only make a report hard to read.
+std::string rounded(Nanoseconds duration) {
+  return secondsText(std::chrono::round<std::chrono::milliseconds>(duration), 3);
+}
+
 std::string whenOf(const CheckReport& report, const Finding& finding) {
-  const auto seconds = [&](LogTime time) { return secondsText(time - report.origin, 3) + " s"; };
+  const auto seconds = [&](LogTime time) { return rounded(time - report.origin) + " s"; };
   std::string text = plural(finding.count, "time");
   if (finding.count == 1) {
     text += " at " + seconds(*finding.first);
@@ -44,7 +49,7 @@ std::string checkText(const CheckReport& report) {
   if (!report.session.empty()) {
     text += fmt::format(" and {}: {} of {}, over {} s", report.session,
                         plural(report.packets, "packet"), plural(report.sources.size(), "source"),
-                        secondsText(report.duration, 3));
+                        rounded(report.duration));
     if (report.datagrams > report.packets) {
       text +=
           fmt::format("; {} not decoded", plural(report.datagrams - report.packets, "datagram"));

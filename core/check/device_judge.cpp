@@ -48,11 +48,13 @@ void DeviceJudge::useModel(const Model* model) {
   model_ = model;
   values_.clear();
   value_by_name_.clear();
-  last_order_.clear();
-  last_order_values_.clear();
-  if (model == nullptr) return;
-  for (const std::size_t number : model->movableJoints()) {
-    const Joint& joint = model->joints[number];
+  if (model != nullptr) listValues(*model);
+  for (auto& [source, order] : orders_) resolve(order);
+}
+
+void DeviceJudge::listValues(const Model& model) {
+  for (const std::size_t number : model.movableJoints()) {
+    const Joint& joint = model.joints[number];
     const std::size_t count = valueCount(joint.type);
     for (std::size_t component = 0; component < count; ++component) {
       Value value;
@@ -76,41 +78,33 @@ void DeviceJudge::judgeLink(std::string_view link, const Place& place) {
   hitName(unknown_links_, link, place);
 }
 
-void DeviceJudge::judgeJoints(std::span<const double> values, const std::vector<std::string>* order,
-                              std::uint32_t source, const Place& place) {
+void DeviceJudge::judgeJoints(std::span<const double> values, bool ordered, std::uint32_t source,
+                              const Place& place) {
   driven_ = true;
-  if (order != nullptr && order->size() != values.size()) {
+  const auto known = ordered ? orders_.find(source) : orders_.end();
+  if (known == orders_.end()) return judgePositional(values, source, place);
+  const Order& order = known->second;
+  if (order.names.size() != values.size()) {
     if (joint_count_.hit(place)) {
       joint_count_text_ =
-          fmt::format("{} values under an order of {} names", values.size(), order->size());
+          fmt::format("{} values under an order of {} names", values.size(), order.names.size());
     }
     return;
-  }
-  if (model_ == nullptr) return;
-  if (order == nullptr) {
-    if (values.size() != values_.size()) {
-      if (joint_count_.hit(place)) {
-        joint_count_text_ = fmt::format("{} values, and its model {} takes {}", values.size(),
-                                        model_->name, values_.size());
-      }
-    }
-    const std::size_t shared = std::min(values.size(), values_.size());
-    for (std::size_t i = 0; i < shared; ++i) judgeValue(i, values[i], source, place);
-    return;
-  }
-  if (last_order_ != *order) {
-    last_order_ = *order;
-    last_order_values_.clear();
-    for (const std::string& name : *order) {
-      const auto found = value_by_name_.find(name);
-      last_order_values_.push_back(found == value_by_name_.end() ? kNoValue : found->second);
-    }
   }
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (last_order_values_[i] != kNoValue) {
-      judgeValue(last_order_values_[i], values[i], source, place);
-    }
+    if (order.values[i] != kNoValue) judgeValue(order.values[i], values[i], source, place);
   }
+}
+
+void DeviceJudge::judgePositional(std::span<const double> values, std::uint32_t source,
+                                  const Place& place) {
+  if (model_ == nullptr) return;
+  if (values.size() != values_.size() && joint_count_.hit(place)) {
+    joint_count_text_ = fmt::format("{} values, and its model {} takes {}", values.size(),
+                                    model_->name, values_.size());
+  }
+  const std::size_t shared = std::min(values.size(), values_.size());
+  for (std::size_t i = 0; i < shared; ++i) judgeValue(i, values[i], source, place);
 }
 
 void DeviceJudge::judgeNamed(std::span<const std::string_view> names,
@@ -124,9 +118,24 @@ void DeviceJudge::judgeNamed(std::span<const std::string_view> names,
   }
 }
 
-void DeviceJudge::judgeOrder(std::span<const std::string_view> names, const Place& place) {
-  if (model_ == nullptr) return;
-  for (const std::string_view name : names) valueNamed(name, place);
+void DeviceJudge::judgeOrder(std::span<const std::string_view> names, std::uint32_t source,
+                             const Place& place) {
+  if (model_ != nullptr) {
+    for (const std::string_view name : names) valueNamed(name, place);
+  }
+  Order& order = orders_[source];
+  // Orders are restated every few seconds and hardly ever change.
+  if (std::equal(names.begin(), names.end(), order.names.begin(), order.names.end())) return;
+  order.names.assign(names.begin(), names.end());
+  resolve(order);
+}
+
+void DeviceJudge::resolve(Order& order) const {
+  order.values.clear();
+  for (const std::string& name : order.names) {
+    const auto found = value_by_name_.find(name);
+    order.values.push_back(found == value_by_name_.end() ? kNoValue : found->second);
+  }
 }
 
 std::size_t DeviceJudge::valueNamed(std::string_view value_name, const Place& place) {

@@ -26,12 +26,14 @@ class DeviceJudge {
   /// Any statement that names the device.
   void mention(const Place& place) { mentioned_.hit(place); }
   void judgeLink(std::string_view link, const Place& place);
-  /// Positional when `order` is null, else by the names of it.
-  void judgeJoints(std::span<const double> values, const std::vector<std::string>* order,
-                   std::uint32_t source, const Place& place);
+  /// By the names of the order that this source last gave, when `ordered` says that the state
+  /// still holds one; else positional.
+  void judgeJoints(std::span<const double> values, bool ordered, std::uint32_t source,
+                   const Place& place);
   void judgeNamed(std::span<const std::string_view> names, std::span<const double> values,
                   std::uint32_t source, const Place& place);
-  void judgeOrder(std::span<const std::string_view> names, const Place& place);
+  void judgeOrder(std::span<const std::string_view> names, std::uint32_t source,
+                  const Place& place);
   void judgePose(std::uint32_t source, const Place& place);
 
   /// `sources`: names by number.
@@ -52,12 +54,20 @@ class DeviceJudge {
     double worst = 0, worst_excess = 0;
     LogTime worst_at{};
   };
+  /// What `joints` of each source mean: numbers in `values_`, kNoValue for a name that is none.
+  struct Order {
+    std::vector<std::string> names;
+    std::vector<std::size_t> values;
+  };
   struct TwoSources {
     Tally tally;
     std::uint32_t before = 0, now = 0;
   };
 
   void useModel(const Model* model);
+  void listValues(const Model& model);
+  void judgePositional(std::span<const double> values, std::uint32_t source, const Place& place);
+  void resolve(Order& order) const;
   void judgeValue(std::size_t value, double number, std::uint32_t source, const Place& place);
   void noteWriter(std::uint32_t& writer, std::uint32_t source, TwoSources& two, const Place& place);
   /// Number of the value in `values_`; kNoValue, with the fault counted, when there is none.
@@ -68,9 +78,7 @@ class DeviceJudge {
   const Model* model_ = nullptr;
   std::vector<Value> values_;
   std::map<std::string, std::size_t, std::less<>> value_by_name_;
-  /// Values that the last order meant: senders repeat theirs in every packet or never change it.
-  std::vector<std::string> last_order_;
-  std::vector<std::size_t> last_order_values_;
+  std::map<std::uint32_t, Order> orders_;
   std::uint32_t pose_writer_ = kNobody;
 
   Tally mentioned_, unknown_model_, other_kinematics_, joint_count_;

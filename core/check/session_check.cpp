@@ -147,7 +147,7 @@ void SessionCheck::judge(const Statement& statement, Source& source, const Place
     case StatementKind::joint:
       return device->judgeNamed(statement.names, statement.numbers, source.number, place);
     case StatementKind::order:
-      return device->judgeOrder(statement.names, place);
+      return device->judgeOrder(statement.names, source.number, place);
     case StatementKind::pose:
       return device->judgePose(source.number, place);
     case StatementKind::add:
@@ -159,13 +159,11 @@ void SessionCheck::judge(const Statement& statement, Source& source, const Place
 
 void SessionCheck::judgeJoints(const Statement& statement, const Source& source,
                                DeviceJudge& device, const Place& place) {
-  const std::vector<std::string>* order = nullptr;
+  // An order may have been forgotten since it was given: by `remove`, or a restatement without it.
   const auto said = state_.devices().find(statement.name);
-  if (said != state_.devices().end() && !said->second.orders.empty()) {
-    const auto found = said->second.orders.find(source.name);
-    if (found != said->second.orders.end()) order = &found->second;
-  }
-  device.judgeJoints(statement.numbers, order, source.number, place);
+  const bool ordered = said != state_.devices().end() && !said->second.orders.empty() &&
+                       said->second.orders.find(source.name) != said->second.orders.end();
+  device.judgeJoints(statement.numbers, ordered, source.number, place);
 }
 
 void SessionCheck::judgeAdd(const Statement& statement, DeviceJudge& device, const Place& place) {
@@ -175,7 +173,7 @@ void SessionCheck::judgeAdd(const Statement& statement, DeviceJudge& device, con
   // What was said before the device appeared is kept, and counts from now on.
   const auto said = state_.devices().find(statement.name);
   if (said != state_.devices().end() && said->second.joints) {
-    device.judgeJoints(said->second.joints->value, nullptr,
+    device.judgeJoints(said->second.joints->value, false,
                        sourceNamed(said->second.joints->owner).number, place);
   }
 }

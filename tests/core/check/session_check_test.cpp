@@ -1,0 +1,296 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "core/check/check.h"
+#include "core/log/log_writer.h"
+#include "tests/support/temporary_folder.h"
+
+namespace rocinante {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+constexpr std::string_view kArm = R"(<robot name="arm">
+  <link name="base"/> <link name="upper"/> <link name="lower"/> <link name="hand"/> <link name="tip"/>
+  <joint name="shoulder" type="revolute"> <parent link="base"/> <child link="upper"/>
+    <axis xyz="0 0 1"/> <limit lower="-1" upper="1.5" effort="1" velocity="1"/> </joint>
+  <joint name="elbow" type="continuous"> <parent link="upper"/> <child link="lower"/> </joint>
+  <joint name="slide" type="prismatic"> <parent link="lower"/> <child link="hand"/>
+    <limit lower="0" upper="0.2" effort="1" velocity="1"/> </joint>
+  <joint name="weld" type="fixed"> <parent link="hand"/> <child link="tip"/> </joint>
+</robot>)";
+
+constexpr std::string_view kCell = R"(format = 1
+search = ["."]
+[[device]]
+name = "arm"
+model = "arm.urdf"
+layer = "robots"
+[[device]]
+name = "spare"
+model = "arm.urdf"
+optional = true
+)";
+
+/// A cell of the tests' own, and the datagrams of a session.
+class SessionCheckTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    std::ofstream(folder_ / "arm.urdf") << kArm;
+    std::ofstream(folder_ / "cell.toml") << kCell;
+    Result<Cell> cell = loadCell(folder_ / "cell.toml", {});
+    ASSERT_TRUE(cell.ok()) << cell.error().text();
+    cell_ = std::move(*cell);
+    for (const ModelFault& fault : cell_.faults) ADD_FAILURE() << fault.print();
+    session_.emplace(cell_);
+  }
+
+  /// One datagram of packet text, a millisecond after the one before.
+  void say(std::string_view header, std::string_view statements) {
+    now_ += std::chrono::milliseconds(1);
+    session_->add(now_, "rk1", true, bytesOf(fmt::format("RK1 {}\n{}\n", header, statements)));
+  }
+  void say(std::string_view statements) { say("me - -", statements); }
+
+  CheckReport report() { return checkSession(cell_, *session_); }
+
+  static std::vector<std::string> rules(const CheckReport& report) {
+    std::vector<std::string> rules;
+    for (const Finding& finding : report.findings) rules.push_back(finding.rule);
+    return rules;
+  }
+
+  const test::TemporaryFolder folder_;
+  Cell cell_;
+  std::optional<SessionCheck> session_;
+  LogTime now_{std::chrono::seconds(1000)};
+};
+
+TEST_F(SessionCheckTest, FindsNothingWrongWithASessionThatFits) {
+  say("me@a 0 1", "order arm slide shoulder\njoints arm 0.1 1");
+  say("me@a 1 2", "joints arm 0.2 -1\npose arm 0 0 0 0 0 0 1\njoint arm elbow=99");
+  say("me@a 2 3", "show arm/hand\nhide layer/robots\ncolor arm #ff0000\nevent \"done\"");
+  say("me@a 3 4", "line path #ffffff in arm/tip 0 0 0 1 1 1\nview top 0 0 1 0 0 0 45 in arm/base");
+  const CheckReport found = report();
+  EXPECT_THAT(rules(found), IsEmpty());
+  EXPECT_EQ(found.verdict, Verdict::compatible);
+  EXPECT_EQ(found.packets, 4U);
+  EXPECT_THAT(found.sources, ElementsAre("me"));
+}
+
+TEST_F(SessionCheckTest, JudgesNothingWithoutADecodablePacket) {
+  EXPECT_EQ(report().verdict, Verdict::nothing_judged);
+  session_->add(now_, "octets", true, bytesOf("whatever"));
+  const CheckReport octets = report();
+  EXPECT_EQ(octets.verdict, Verdict::nothing_judged);
+  EXPECT_THAT(rules(octets), ElementsAre("device.undriven", "packet.unknown-protocol"));
+  say("joints arm 0 0 0");
+  EXPECT_EQ(report().verdict, Verdict::compatible);
+}
+
+TEST_F(SessionCheckTest, CountsUnknownDevicesWithTheirFirstExample) {
+  say("joints arm 0 0 0");
+  say("joints rama 1 2 3");
+  say("hide rama");
+  const CheckReport found = report();
+  ASSERT_THAT(rules(found), ElementsAre("packet.unknown-device"));
+  const Finding& finding = found.findings[0];
+  EXPECT_EQ(finding.severity, Severity::error);
+  EXPECT_EQ(finding.count, 2U);
+  EXPECT_EQ(finding.packet, 2U);
+  EXPECT_EQ(finding.example, "joints rama 1 2 3");
+  EXPECT_EQ(*finding.last - *finding.first, std::chrono::milliseconds(1));
+  EXPECT_EQ(found.verdict, Verdict::incompatible);
+}
+
+TEST_F(SessionCheckTest, KnowsDevicesThatAnAddBringsLater) {
+  say("joints arm 0 0 0\njoints second 0 0");
+  say("add second arm.urdf");
+  say("joints second 0 0 0");
+  const CheckReport found = report();
+  // What was said before the device appeared counts when it does.
+  ASSERT_THAT(rules(found), ElementsAre("packet.joint-count"));
+  EXPECT_EQ(found.findings[0].count, 1U);
+  EXPECT_EQ(found.findings[0].text, "device second gets 2 values, and its model arm takes 3");
+}
+
+TEST_F(SessionCheckTest, NamesUnknownModelsAndOtherKinematics) {
+  const std::uint64_t hash = kinematicsHash(*cell_.models.at("arm.urdf"));
+  say("joints arm 0 0 0");
+  say("add a gantry");
+  say(fmt::format("add b arm.urdf kin={:016x}", hash));
+  say(fmt::format("add c arm.urdf kin={:016x}", hash ^ 1U));
+  const CheckReport found = report();
+  ASSERT_THAT(rules(found), ElementsAre("packet.unknown-model", "packet.other-kinematics"));
+  EXPECT_THAT(found.findings[0].text, HasSubstr("gantry"));
+  EXPECT_EQ(found.findings[1].subject, "c");
+}
+
+TEST_F(SessionCheckTest, NamesWrongJointCountsPositionalAndUnderAnOrder) {
+  say("joints arm 0 0");
+  say("joints arm 0 0 0 0");
+  say("other - -", "order spare shoulder slide\njoints spare 0 0 0");
+  const CheckReport found = report();
+  ASSERT_THAT(rules(found), ElementsAre("packet.joint-count", "packet.joint-count"));
+  EXPECT_EQ(found.findings[0].text, "device arm gets 2 values, and its model arm takes 3");
+  EXPECT_EQ(found.findings[0].count, 2U);
+  EXPECT_EQ(found.findings[1].text, "device spare gets 3 values under an order of 2 names");
+}
+
+TEST_F(SessionCheckTest, NamesJointsThatTheModelLacksOrNobodyCanDrive) {
+  say("joints arm 0 0 0\norder arm shoulder wrist");
+  say("joint arm weld=1 finger=2");
+  EXPECT_THAT(rules(report()), ElementsAre("packet.unknown-joint", "packet.unknown-joint",
+                                           "packet.undrivable-joint"));
+}
+
+TEST_F(SessionCheckTest, NamesTheWorstValueOutsideLimits) {
+  say("joints arm 1.5000005 9 0.2");  // as a sender rounds
+  say("joints arm 1.6 -9 0.1");
+  say("joints arm -1.75 0 0.1");
+  say("joints arm 1.51 0 -0.1");
+  const CheckReport found = report();
+  ASSERT_THAT(rules(found), ElementsAre("joint.limit", "joint.limit"));
+  EXPECT_EQ(found.findings[0].text,
+            "arm/shoulder is outside its limits [-1, 1.5] rad; the worst is -1.75");
+  EXPECT_EQ(found.findings[0].count, 3U);
+  EXPECT_EQ(found.findings[0].packet, 2U);
+  EXPECT_EQ(found.findings[1].text,
+            "arm/slide is outside its limits [0, 0.2] m; the worst is -0.1");
+}
+
+TEST_F(SessionCheckTest, NamesUnknownLinksAndLayers) {
+  say("joints arm 0 0 0\nshow arm/elbow\nhide layer/cables\nhide arm/hand");
+  say("label a in arm/gripper 0 0 0 \"x\"");
+  const CheckReport found = report();
+  EXPECT_THAT(rules(found),
+              ElementsAre("packet.unknown-link", "packet.unknown-link", "packet.unknown-layer"));
+  EXPECT_EQ(found.findings[0].text, "device arm has no link elbow");
+}
+
+TEST_F(SessionCheckTest, NamesADeviceThatNobodyDrives) {
+  say("pose arm 0 0 0 0 0 0 1");
+  const CheckReport found = report();
+  ASSERT_THAT(rules(found), ElementsAre("device.undriven")) << "an optional one may stand still";
+  EXPECT_EQ(found.findings[0].text, "device arm has 3 joint values, and nobody drives it");
+  EXPECT_EQ(found.verdict, Verdict::incompatible);
+}
+
+TEST_F(SessionCheckTest, NamesTwoSourcesOnTheSameJointsOnly) {
+  say("left - -", "joint arm shoulder=1");
+  say("right - -", "joint arm slide=0.1");
+  say("right - -", "pose arm 0 0 0 0 0 0 1");
+  EXPECT_THAT(rules(report()), IsEmpty()) << "they share the work";
+  say("right - -", "joint arm shoulder=0.5");
+  const CheckReport found = report();
+  ASSERT_THAT(rules(found), ElementsAre("packet.two-sources"));
+  EXPECT_EQ(found.findings[0].text,
+            "the joints of device arm are written by left and by right; the last to write wins");
+  EXPECT_EQ(found.verdict, Verdict::compatible);
+}
+
+TEST_F(SessionCheckTest, CountsFaultsOfPacketTextByKind) {
+  say("joints arm 0 0 0\njoints arm 0 nan 0\njoints arm 0 x 0\nwobble arm");
+  session_->add(now_, "rk1", true, bytesOf("RK1 me@a oops 3\njoints arm 0 0 0\n"));
+  const CheckReport found = report();
+  EXPECT_THAT(rules(found),
+              ElementsAre("packet.bad-header", "packet.bad-number", "packet.unknown-statement"));
+  EXPECT_EQ(found.findings[1].count, 2U);
+  EXPECT_EQ(found.findings[1].example, "joints arm 0 nan 0");
+  EXPECT_EQ(found.findings[1].text, "lines with a malformed number; the first at column 14");
+  EXPECT_EQ(found.packets, 1U);
+  EXPECT_EQ(found.datagrams, 2U);
+}
+
+TEST_F(SessionCheckTest, CountsGapsLatePacketsAndRestarts) {
+  say("me@a 0 1", "joints arm 0 0 0");
+  say("me@a 5 1", "joints arm 0 0 0");
+  say("me@a 5 1", "joints nobody 0 0 0");  // dropped whole: what it says is not judged
+  say("me@b 0 1", "joints arm 0 0 0");
+  const CheckReport found = report();
+  ASSERT_THAT(rules(found), ElementsAre("source.gap", "source.late", "source.restart"));
+  EXPECT_EQ(found.findings[0].count, 4U);
+  EXPECT_EQ(found.findings[0].packet, 2U);
+  EXPECT_EQ(found.verdict, Verdict::compatible);
+}
+
+TEST_F(SessionCheckTest, ReportsLossesAndDamageOfTheLog) {
+  say("joints arm 0 0 0");
+  LossSpan loss;
+  loss.endpoint = "udp://127.0.0.1:19960";
+  loss.from = now_;
+  loss.until = now_ + std::chrono::seconds(1);
+  loss.counts.kernel = 3;
+  loss.counts.disk = 2;
+  session_->addLoss(loss);
+  session_->addDamage({100, 200, "chunk 3 fails its checksum", 7});
+  const CheckReport found = report();
+  ASSERT_THAT(rules(found), ElementsAre("log.damage", "log.loss"));
+  EXPECT_EQ(found.findings[1].count, 5U);
+  EXPECT_THAT(found.findings[0].text, HasSubstr("(7 messages lost)"));
+}
+
+TEST_F(SessionCheckTest, StaysBoundedWhenEveryNameIsNew) {
+  say("joints arm 0 0 0");
+  for (int i = 0; i < 20000; ++i)
+    say(fmt::format("joints d{} 0\nshow arm/l{}\nshow layer/y{}", i, i, i));
+  EXPECT_LE(report().findings.size(), 11000U);
+  EXPECT_EQ(report().verdict, Verdict::incompatible);
+}
+
+TEST_F(SessionCheckTest, ReadsAWholeLogAndTellsTimesFromItsOrigin) {
+  const std::filesystem::path path = folder_ / "session.mcap";
+  Result<LogWriter> writer = LogWriter::create(path, {}, "0123");
+  ASSERT_TRUE(writer.ok()) << writer.error().text();
+  const auto channel = writer->addChannel("/udp/1/me", "rk1", {{"source", "me"}});
+  for (std::uint32_t i = 0; i < 10; ++i) {
+    const std::string text =
+        fmt::format("RK1 me@a {} -\njoints arm 0 0 {}\n", i, i == 4 ? "0.5" : "0.1");
+    ASSERT_TRUE(
+        writer->write(*channel, i, LogTime(std::chrono::seconds(1000 + i)), 0, bytesOf(text)).ok());
+  }
+  ASSERT_TRUE(writer->close("done").ok());
+  Result<LogReader> log = LogReader::open(path);
+  ASSERT_TRUE(log.ok()) << log.error().text();
+  Result<CheckReport> found = checkLog(cell_, *log);
+  ASSERT_TRUE(found.ok()) << found.error().text();
+  found->cell = "cell.toml";
+  found->session = "session.mcap";
+  EXPECT_EQ(checkText(*found),
+            "cell.toml and session.mcap: 10 packets of 1 source, over 9.000 s\n"
+            "\n"
+            "1 error\n"
+            "  arm/slide is outside its limits [0, 0.2] m; the worst is 0.5 [joint.limit]\n"
+            "    1 time at 4.000 s (packet 5)\n"
+            "    such as: joints arm 0 0 0.5\n"
+            "\n"
+            "incompatible\n");
+  const std::string json = checkJson(*found);
+  EXPECT_TRUE(json.starts_with("{\n  \"format\": 1,\n  \"verdict\": \"incompatible\",")) << json;
+  EXPECT_THAT(json, HasSubstr("\"first_s\": 4.0,"));
+}
+
+TEST_F(SessionCheckTest, JudgesTheCellAlone) {
+  EXPECT_EQ(checkCell(cell_).verdict, Verdict::compatible);
+  std::ofstream(folder_ / "bad.cell.toml")
+      << "format = 1\n[[device]]\nname = \"arm\"\nmodel = \"gone.urdf\"\n";
+  const Result<Cell> bad = loadCell(folder_ / "bad.cell.toml", {});
+  ASSERT_TRUE(bad.ok()) << bad.error().text();
+  const CheckReport found = checkCell(*bad);
+  EXPECT_EQ(found.verdict, Verdict::incompatible);
+  EXPECT_GT(found.findings[0].line, 0);
+}
+
+TEST(LineForReport, ShowsOneLineSafely) {
+  EXPECT_EQ(lineForReport(bytesOf("a\nb\tc\x1b[0m\r\nd"), 2), "b c\\x1b[0m");
+  EXPECT_EQ(lineForReport(bytesOf("a"), 2), "");
+  EXPECT_EQ(lineForReport(bytesOf(std::string(1000, 'x')), 1), std::string(160, 'x') + "...");
+}
+
+}  // namespace
+}  // namespace rocinante
