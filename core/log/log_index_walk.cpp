@@ -5,6 +5,7 @@
 
 #include "core/log/byte_cursor.h"
 #include "core/log/log_index.h"
+#include "core/log/log_profile.h"
 #include "core/log/mcap_stream_reader.h"
 
 namespace rocinante {
@@ -18,6 +19,9 @@ constexpr std::uint64_t kLooseRunBytes = 1U << 20U;
 
 /// Before the records of a Chunk: times, sizes, CRC, compression's length, records' length.
 constexpr std::uint64_t kChunkFixedBytes = 8 + 8 + 8 + 4 + 4 + 8;
+
+/// Schemas, channels and the like that are larger are not looked for behind damage.
+constexpr std::size_t kMostPlausibleBytes = 1U << 16U;
 
 bool knownCompression(std::string_view name) {
   return name.empty() || name == "zstd" || name == "lz4";
@@ -33,9 +37,9 @@ class Walk {
     while (position_ < file_.size() && !index_.closed) {
       if (!takeRecord()) skipDamage();
     }
-    endChunk();
+    endChunk(false);
     endLooseRun();
-    if (!index_.closed) {
+    if (!index_.closed && !summary_begun_) {
       damaged(file_.size(), file_.size(), "the file ends without a summary: it was never closed",
               std::nullopt);
     }
@@ -52,7 +56,7 @@ class Walk {
   bool takeRecord() {
     const std::optional<mcap::Record> record = mcap::recordAt(file_, position_);
     if (!record) return takeCutChunk();
-    if (record->opcode != Opcode::message_index) endChunk();
+    if (record->opcode != Opcode::message_index) endChunk(record->opcode <= Opcode::data_end);
     switch (record->opcode) {
       case Opcode::header:
         return takeSimple(*record, index_.header);
@@ -120,7 +124,13 @@ class Walk {
   bool takeMessage(const mcap::Record& record) {
     mcap::Message message;
     if (!mcap::parse(record.content, message)) return false;
+    // Recorders of our profile write none: it is another record with a broken opcode.
+    if (index_.header.profile == profile::kName) return false;
     position_ = record.end();
+    if (!loose_ && chunks_seen_) {
+      damaged(record.offset, record.end(),
+              "messages lie outside the chunks, where no checksum covers them", std::uint64_t{0});
+    }
     if (loose_ && record.end() - loose_->offset > kLooseRunBytes) endLooseRun();
     const LogTime time = logTimeOf(message.log_time);
     if (!loose_) {
@@ -153,6 +163,7 @@ class Walk {
   }
 
   void startChunk(const mcap::Chunk& chunk, std::uint64_t offset, std::uint64_t end) {
+    chunks_seen_ = true;
     chunk_.emplace();
     chunk_->offset = offset;
     chunk_->end = end;
@@ -181,13 +192,13 @@ class Walk {
     return true;
   }
 
-  /// The chunk is taken by its indexes where they and its header tell the same and name known
-  /// channels only; else it is expanded.
-  void endChunk() {
+  /// The chunk is taken by its indexes where they and its header tell the same, name known channels
+  /// only and are `followed` by a sound record, so that none is missing; else it is expanded.
+  void endChunk(bool followed) {
     if (!chunk_) return;
     MessageSpan span = std::move(*chunk_);
     chunk_.reset();
-    bool trusted = !indexed_counts_.empty() && !span.cut &&
+    bool trusted = followed && !indexed_counts_.empty() && !span.cut &&
                    indexed_start_ == span.chunk.message_start_time &&
                    indexed_end_ == span.chunk.message_end_time;
     for (const auto& [channel, count] : indexed_counts_) {
@@ -258,7 +269,7 @@ class Walk {
     const std::uint64_t by_length = length >= header_bytes ? length - header_bytes : 0;
     for (const std::uint64_t size : {records_bytes, by_length}) {
       if (size == 0 || size > available || !plausibleAt(records_start + size)) continue;
-      endChunk();
+      endChunk(false);
       endLooseRun();
       damaged(position_, records_start, "the two lengths of a chunk contradict each other",
               std::uint64_t{0});
@@ -268,7 +279,7 @@ class Walk {
       return true;
     }
     if (by_length != records_bytes) return false;
-    endChunk();
+    endChunk(false);
     endLooseRun();
     chunk.records = cursor.take(available);
     startChunk(chunk, position_, file_.size());
@@ -303,6 +314,7 @@ class Walk {
     mcap::DataEnd data_end;
     if (!mcap::parse(record.content, data_end)) return false;
     position_ = record.end();
+    summary_begun_ = true;
     endLooseRun();
     while (const std::optional<mcap::Record> next = mcap::recordAt(file_, position_)) {
       mcap::Channel channel;
@@ -385,6 +397,8 @@ class Walk {
 
   template <class T>
   static bool parses(ByteView content) {
+    // Looked for at every byte of damage: a hostile file must not make each look a long one.
+    if (content.size() > kMostPlausibleBytes) return false;
     T ignored;
     return mcap::parse(content, ignored).has_value();
   }
@@ -392,7 +406,7 @@ class Walk {
   /// Goes on at the next byte that begins a believable record.
   void skipDamage() {
     const std::uint64_t from = position_;
-    endChunk();
+    endChunk(false);
     endLooseRun();
     std::uint64_t next = from + 1;
     while (next < file_.size() && !resumesAt(next)) ++next;
@@ -426,6 +440,8 @@ class Walk {
   std::uint64_t position_ = 0;
   mcap::Schema schema_;
   SpanMessages scratch_;
+  bool chunks_seen_ = false;
+  bool summary_begun_ = false;
 
   std::optional<MessageSpan> loose_;  ///< the open run of loose messages
   std::optional<MessageSpan> chunk_;  ///< the chunk whose indexes are being read

@@ -1,0 +1,247 @@
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <set>
+
+#include "core/hash.h"
+#include "core/log/mcap_records.h"
+#include "core/log/mcap_stream_reader.h"
+#include "tests/core/log/log_support.h"
+
+namespace rocinante::test {
+namespace {
+
+using ::testing::ElementsAreArray;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+struct SmallLog {
+  Bytes file;
+  std::vector<KeptMessage> messages;
+};
+
+/// A few chunks, two channels, an attachment and a loss.
+SmallLog smallLog(LogWriterOptions::Compression compression, std::size_t chunk_bytes = 900) {
+  SmallLog log;
+  LogWriterOptions options;
+  options.compression = compression;
+  options.chunk_bytes = chunk_bytes;
+  LogWriter writer = makeWriter(log.file, options);
+  const ChannelId a = *writer.addChannel("/udp/19960/arm", "rk1", {{"source", "arm"}});
+  const ChannelId b = *writer.addChannel("/udp/19960/10.0.0.7", "octets", {});
+  for (int i = 0; i < 24; ++i) {
+    const std::string payload = "RK1 arm@7f " + std::to_string(i) + " -\njoints arm " +
+                                std::to_string(i * i) + " 0.25 -1.5";
+    EXPECT_TRUE(writer
+                    .write(i % 4 == 3 ? b : a, static_cast<std::uint32_t>(i), at(1000 + i / 2), 7,
+                           bytesOf(payload))
+                    .ok());
+    log.messages.push_back({i % 4 == 3 ? "/udp/19960/10.0.0.7" : "/udp/19960/arm",
+                            static_cast<std::uint32_t>(i), 1000 + i / 2, 7, payload});
+    if (i == 12) {
+      EXPECT_TRUE(writer.writeAttachment("cell.toml", "text/plain", at(1), bytesOf("abc")).ok());
+    }
+  }
+  EXPECT_TRUE(writer.writeLoss({"udp://127.0.0.1:19960", at(1000), at(1010), {1, 0, 0, 0}}).ok());
+  EXPECT_TRUE(writer.close("finished").ok());
+  return log;
+}
+
+/// Captured messages only, so that the recorder's own do not matter.
+std::vector<KeptMessage> captured(LogReader& reader) {
+  std::vector<KeptMessage> messages = readAll(reader);
+  std::erase_if(messages, [](const KeptMessage& m) { return m.topic.starts_with("/rocinante/"); });
+  return messages;
+}
+
+std::size_t wholeChunksBefore(const Bytes& file, std::size_t size, std::size_t* messages) {
+  std::size_t chunks = 0;
+  *messages = 0;
+  mcap::ChunkExpander expander;
+  mcap::Scratch scratch;
+  for (std::uint64_t position = 8; position < size;) {
+    const std::optional<mcap::Record> record = mcap::recordAt(file, position);
+    if (!record || record->end() > size || record->opcode == mcap::Opcode::data_end) break;
+    if (record->opcode == mcap::Opcode::chunk) {
+      ++chunks;
+      mcap::Chunk chunk;
+      EXPECT_TRUE(mcap::parse(record->content, chunk));
+      const Result<ByteView> records = expander.expand(chunk, scratch);
+      EXPECT_TRUE(records.ok());
+      for (std::uint64_t inside = 0; inside < records->size();) {
+        const std::optional<mcap::Record> each = mcap::recordAt(*records, inside);
+        mcap::Message message;
+        // The loss message stands last, on channel 2.
+        if (each->opcode == mcap::Opcode::message && mcap::parse(each->content, message) &&
+            message.channel_id < 2) {
+          ++*messages;
+        }
+        inside = each->end();
+      }
+    }
+    position = record->end();
+  }
+  return chunks;
+}
+
+class CutLog : public ::testing::TestWithParam<LogWriterOptions::Compression> {};
+
+TEST_P(CutLog, AtEveryByteGivesBackEveryWholeChunkAndSaysThatItWasCut) {
+  const SmallLog log = smallLog(GetParam());
+  std::size_t most_chunks = 0;
+  for (std::size_t size = 0; size < log.file.size(); ++size) {
+    SCOPED_TRACE(size);
+    const Bytes cut = cutAt(log.file, size);
+    Result<LogReader> reader = LogReader::openBytes(cut, "cut.mcap");
+    if (size < 8) {
+      ASSERT_FALSE(reader.ok());
+      EXPECT_EQ(reader.error().kind, ErrorKind::damaged);
+      continue;
+    }
+    ASSERT_TRUE(reader.ok());
+    std::size_t whole = 0;
+    most_chunks = std::max(most_chunks, wholeChunksBefore(log.file, size, &whole));
+    const std::vector<KeptMessage> read = captured(*reader);
+    // At least every whole chunk, and never anything but a beginning of what was written.
+    ASSERT_GE(read.size(), whole);
+    ASSERT_LE(read.size(), log.messages.size());
+    ASSERT_THAT(read,
+                ElementsAreArray(log.messages.begin(),
+                                 log.messages.begin() + static_cast<std::ptrdiff_t>(read.size())));
+    EXPECT_THAT(reader->damage(), Not(IsEmpty()));
+    EXPECT_FALSE(reader->summary().complete && reader->damage().empty());
+    EXPECT_EQ(reader->summary().messages, read.size());
+  }
+  EXPECT_GE(most_chunks, 3U);
+}
+
+TEST_P(CutLog, InsideAChunkGivesBackWholeMessagesOfIt) {
+  const SmallLog log = smallLog(GetParam(), 1U << 20U);
+  // The one chunk that holds everything is cut at half of its bytes.
+  const std::size_t chunk = 8 + 9;
+  std::size_t most = 0;
+  for (std::size_t size = chunk; size < log.file.size() / 2; ++size) {
+    const Bytes cut = cutAt(log.file, size);
+    LogReader reader = openLog(cut);
+    const std::vector<KeptMessage> read = captured(reader);
+    ASSERT_THAT(read,
+                ElementsAreArray(log.messages.begin(),
+                                 log.messages.begin() + static_cast<std::ptrdiff_t>(read.size())));
+    most = std::max(most, read.size());
+  }
+  if (GetParam() == LogWriterOptions::Compression::none) {
+    EXPECT_GT(most, 5U);
+  }
+}
+
+/// Whatever is flipped: no crash, and every message that comes back is one that was written,
+/// unless damage is said.
+TEST_P(CutLog, AFlippedBitNeverChangesAPayloadSilently) {
+  const SmallLog log = smallLog(GetParam());
+  const std::set<KeptMessage> written(log.messages.begin(), log.messages.end());
+  for (std::size_t byte = 0; byte < log.file.size(); ++byte) {
+    for (int bit = 0; bit < 8; ++bit) {
+      SCOPED_TRACE(::testing::Message() << "byte " << byte << " bit " << bit);
+      Bytes flipped = log.file;
+      flipped[byte] ^= static_cast<std::byte>(1U << static_cast<unsigned>(bit));
+      Result<LogReader> reader = LogReader::openBytes(flipped, "flipped.mcap");
+      if (!reader.ok()) {
+        ASSERT_LT(byte, 8U);
+        continue;
+      }
+      const std::vector<KeptMessage> read = captured(*reader);
+      for (const KeptMessage& message : read) {
+        ASSERT_TRUE(written.contains(message)) << ::testing::PrintToString(message);
+      }
+      ASSERT_TRUE(std::ranges::is_sorted(read, {}, &KeptMessage::log_time_ns));
+      if (read.size() < log.messages.size()) {
+        ASSERT_THAT(reader->damage(), Not(IsEmpty()));
+      }
+    }
+  }
+}
+
+/// The same without a summary to lean on: the recorder was killed, and then a bit flipped.
+TEST_P(CutLog, AFlippedBitInAKilledLogNeverChangesAPayloadSilently) {
+  const SmallLog log = smallLog(GetParam());
+  const std::set<KeptMessage> written(log.messages.begin(), log.messages.end());
+  std::uint64_t data_end = 8;
+  while (true) {
+    const std::optional<mcap::Record> record = mcap::recordAt(log.file, data_end);
+    ASSERT_TRUE(record.has_value());
+    if (record->opcode == mcap::Opcode::data_end) break;
+    data_end = record->end();
+  }
+  const Bytes killed = cutAt(log.file, static_cast<std::size_t>(data_end));
+  {
+    LogReader reader = openLog(killed);
+    ASSERT_THAT(captured(reader), ElementsAreArray(log.messages));
+  }
+  for (std::size_t byte = 8; byte < killed.size(); ++byte) {
+    for (int bit = 0; bit < 8; ++bit) {
+      SCOPED_TRACE(::testing::Message() << "byte " << byte << " bit " << bit);
+      Bytes flipped = killed;
+      flipped[byte] ^= static_cast<std::byte>(1U << static_cast<unsigned>(bit));
+      LogReader reader = openLog(flipped);
+      const std::vector<KeptMessage> read = captured(reader);
+      for (const KeptMessage& message : read) {
+        ASSERT_TRUE(written.contains(message)) << ::testing::PrintToString(message);
+      }
+      // "Never closed" is there always; a loss must say more.
+      if (read.size() < log.messages.size()) {
+        ASSERT_GT(reader.damage().size(), 1U);
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Compression, CutLog,
+                         ::testing::Values(LogWriterOptions::Compression::none,
+                                           LogWriterOptions::Compression::zstd),
+                         [](const auto& each) {
+                           return each.param == LogWriterOptions::Compression::none ? "none"
+                                                                                    : "zstd";
+                         });
+
+TEST(LogDamage, AChunkThatFailsItsChecksumIsSkippedAndCounted) {
+  SmallLog log = smallLog(LogWriterOptions::Compression::none);
+  // The payload of the first message: "joints arm 0 0.25".
+  const std::string_view text = textOf(log.file);
+  const std::size_t place = text.find("0.25");
+  log.file[place] = std::byte{'9'};
+  LogReader reader = openLog(log.file);
+  const std::vector<KeptMessage> read = captured(reader);
+  ASSERT_EQ(reader.damage().size(), 1U);
+  const DamageSpan& damage = reader.damage()[0];
+  EXPECT_THAT(damage.cause, ::testing::HasSubstr("fails its checksum"));
+  EXPECT_LE(damage.from, place);
+  EXPECT_GT(damage.to, place);
+  ASSERT_TRUE(damage.messages_lost.has_value());
+  EXPECT_EQ(read.size() + *damage.messages_lost, log.messages.size());
+  // Reading it again finds the same, and lists it once.
+  ASSERT_TRUE(reader.rewind().ok());
+  EXPECT_EQ(captured(reader), read);
+  EXPECT_EQ(reader.damage().size(), 1U);
+}
+
+TEST(LogDamage, ADamagedAttachmentIsRefusedByItsChecksum) {
+  SmallLog log = smallLog(LogWriterOptions::Compression::none);
+  const std::size_t place = textOf(log.file).find("abc");
+  log.file[place] = std::byte{'x'};
+  LogReader reader = openLog(log.file);
+  const Result<Bytes> data = reader.readAttachment(0);
+  ASSERT_FALSE(data.ok());
+  EXPECT_EQ(data.error().kind, ErrorKind::damaged);
+}
+
+TEST(LogDamage, WhatDoesNotBeginAsALogIsDamaged) {
+  for (const std::string_view text : {"", "\x89MCAP", "hello, this is no log", "\x89MCAP1\r\n"}) {
+    const Result<LogReader> reader = LogReader::openBytes(bytesOf(text), "not.mcap");
+    ASSERT_FALSE(reader.ok());
+    EXPECT_EQ(reader.error().kind, ErrorKind::damaged);
+    EXPECT_THAT(reader.error().text(), ::testing::HasSubstr("not.mcap"));
+  }
+}
+
+}  // namespace
+}  // namespace rocinante::test

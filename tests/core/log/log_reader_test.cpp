@@ -1,0 +1,304 @@
+#include "core/log/log_reader.h"
+
+#include <gmock/gmock.h>
+
+#include "core/hash.h"
+#include "core/log/mcap_writer.h"
+#include "tests/core/log/log_support.h"
+
+namespace rocinante::test {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::ElementsAreArray;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+/// Files of other writers, record by record.
+class FileMaker {
+ public:
+  explicit FileMaker(std::string profile = "") {
+    bytes_.assign(mcap::magic().begin(), mcap::magic().end());
+    add(mcap::Header{std::move(profile), "test"});
+  }
+  template <class T>
+  FileMaker& add(const T& record) {
+    append(bytes_, record);
+    return *this;
+  }
+  FileMaker& addUnknown(std::uint8_t opcode, std::size_t size) {
+    bytes_.push_back(std::byte{opcode});
+    for (std::size_t i = 0; i < 8; ++i)
+      bytes_.push_back(std::byte{i == 0 ? std::uint8_t(size) : std::uint8_t(0)});
+    bytes_.resize(bytes_.size() + size);
+    return *this;
+  }
+  /// DataEnd, Footer without a summary, magic.
+  Bytes end() {
+    add(mcap::DataEnd{}).add(mcap::Footer{});
+    bytes_.insert(bytes_.end(), mcap::magic().begin(), mcap::magic().end());
+    return bytes_;
+  }
+
+ private:
+  Bytes bytes_;
+};
+
+mcap::Channel channel(std::uint16_t id, const char* topic) { return {id, 0, topic, "octets", {}}; }
+
+/// An uncompressed chunk of messages (time, payload) on channel 1, which it defines.
+mcap::Chunk makeChunk(Bytes& records,
+                      const std::vector<std::pair<std::uint64_t, std::string>>& messages) {
+  records.clear();
+  append(records, channel(1, "/udp/1/a"));
+  mcap::Chunk chunk;
+  chunk.message_start_time = ~std::uint64_t{0};
+  for (const auto& [time, payload] : messages) {
+    append(records, mcap::Message{1, 0, time, time, bytesOf(payload)});
+    chunk.message_start_time = std::min(chunk.message_start_time, time);
+    chunk.message_end_time = std::max(chunk.message_end_time, time);
+  }
+  chunk.uncompressed_size = records.size();
+  chunk.uncompressed_crc = crc32(records);
+  chunk.records = records;
+  return chunk;
+}
+
+std::vector<std::string> payloads(LogReader& reader) {
+  std::vector<std::string> out;
+  for (const KeptMessage& message : readAll(reader)) out.push_back(message.payload);
+  return out;
+}
+
+TEST(LogReader, MergesChunksThatOverlapAndComeOutOfOrder) {
+  Bytes a, b, c;
+  const Bytes file = FileMaker()
+                         .add(makeChunk(a, {{50, "a50"}, {10, "a10"}, {30, "a30"}}))
+                         .add(makeChunk(b, {{30, "b30"}, {31, "b31"}, {90, "b90"}}))
+                         .add(makeChunk(c, {{5, "c5"}, {30, "c30"}, {50, "c50"}}))
+                         .end();
+  LogReader reader = openLog(file);
+  // Ties (30, 50) in the file's order.
+  EXPECT_THAT(payloads(reader),
+              ElementsAre("c5", "a10", "a30", "b30", "c30", "b31", "a50", "c50", "b90"));
+  ASSERT_TRUE(reader.seek(at(30)).ok());
+  EXPECT_THAT(payloads(reader), ElementsAre("a30", "b30", "c30", "b31", "a50", "c50", "b90"));
+  ASSERT_TRUE(reader.seek(at(91)).ok());
+  EXPECT_THAT(payloads(reader), IsEmpty());
+  EXPECT_EQ(reader.summary().start, at(5));
+  EXPECT_EQ(reader.summary().end, at(90));
+  EXPECT_THAT(reader.damage(), IsEmpty());
+}
+
+TEST(LogReader, TiesInsideAChunkKeepTheirOrder) {
+  Bytes a;
+  const Bytes file =
+      FileMaker().add(makeChunk(a, {{7, "x"}, {7, "y"}, {3, "w"}, {7, "z"}, {3, "v"}})).end();
+  LogReader reader = openLog(file);
+  std::vector<std::uint64_t> order;
+  std::vector<std::string> text;
+  while (true) {
+    const Result<std::optional<LogMessage>> message = reader.next();
+    ASSERT_TRUE(message.ok());
+    if (!*message) break;
+    text.emplace_back(textOf((*message)->payload));
+    order.push_back((*message)->file_offset);
+  }
+  EXPECT_THAT(text, ElementsAre("w", "v", "x", "y", "z"));
+  EXPECT_LT(order[0], order[1]);
+  EXPECT_LT(order[2], order[3]);
+  EXPECT_LT(order[3], order[4]);
+}
+
+TEST(LogReader, ReadsMessagesThatLieOutsideChunks) {
+  const std::string one = "one", two = "two", three = "three";
+  const Bytes file = FileMaker()
+                         .add(channel(1, "/udp/1/a"))
+                         .add(mcap::Message{1, 0, 20, 20, bytesOf(two)})
+                         .add(mcap::Metadata{"note", {}})
+                         .add(mcap::Message{1, 0, 10, 10, bytesOf(one)})
+                         .addUnknown(0x7E, 12)
+                         .addUnknown(0xC1, 3)
+                         .add(mcap::Message{1, 0, 30, 30, bytesOf(three)})
+                         .end();
+  LogReader reader = openLog(file);
+  EXPECT_THAT(payloads(reader), ElementsAre("one", "two", "three"));
+  EXPECT_THAT(reader.damage(), IsEmpty());
+  EXPECT_EQ(reader.summary().messages, 3U);
+  EXPECT_FALSE(reader.summary().complete);  // nobody said rocinante.end
+}
+
+TEST(LogReader, AMessageOnAnUnknownChannelIsDamageAndLeftOut) {
+  const std::string one = "one", lost = "lost";
+  const Bytes file = FileMaker()
+                         .add(channel(1, "/udp/1/a"))
+                         .add(mcap::Message{1, 0, 20, 20, bytesOf(one)})
+                         .add(mcap::Message{9, 0, 21, 21, bytesOf(lost)})
+                         .end();
+  LogReader reader = openLog(file);
+  EXPECT_THAT(payloads(reader), ElementsAre("one"));
+  ASSERT_EQ(reader.damage().size(), 1U);
+  EXPECT_THAT(reader.damage()[0].cause, HasSubstr("channel that nothing defines"));
+  EXPECT_EQ(reader.damage()[0].messages_lost, 1U);
+}
+
+TEST(LogReader, AChannelDefinedTwiceDifferentlyIsDamageAndTheFirstCounts) {
+  const std::string one = "one";
+  const Bytes file = FileMaker()
+                         .add(channel(1, "/udp/1/a"))
+                         .add(channel(1, "/udp/1/a"))  // the same again is legal
+                         .add(mcap::Message{1, 0, 20, 20, bytesOf(one)})
+                         .add(channel(1, "/udp/1/other"))
+                         .end();
+  LogReader reader = openLog(file);
+  EXPECT_EQ(readAll(reader)[0].topic, "/udp/1/a");
+  ASSERT_EQ(reader.damage().size(), 1U);
+  EXPECT_THAT(reader.damage()[0].cause, HasSubstr("defined again"));
+}
+
+TEST(LogReader, AZipBombIsRefusedBeforeItIsExpanded) {
+  Bytes a, b;
+  mcap::Chunk bomb = makeChunk(a, {{10, "ten"}});
+  bomb.uncompressed_size = std::uint64_t{1} << 40U;
+  bomb.compression = "zstd";
+  mcap::Chunk small_bomb = bomb;
+  small_bomb.uncompressed_size = 200U << 20U;  // within the limit, but not out of these bytes
+  const Bytes file =
+      FileMaker().add(bomb).add(small_bomb).add(makeChunk(b, {{20, "twenty"}})).end();
+  LogReader reader = openLog(file);
+  EXPECT_THAT(payloads(reader), ElementsAre("twenty"));
+  ASSERT_EQ(reader.damage().size(), 2U);
+  EXPECT_THAT(reader.damage()[0].cause, HasSubstr("claims to hold"));
+  EXPECT_THAT(reader.damage()[1].cause, HasSubstr("more than zstd can make"));
+}
+
+TEST(LogReader, Lz4IsSaidToBeUnsupportedAndTheRestIsRead) {
+  Bytes a, b;
+  mcap::Chunk other = makeChunk(a, {{10, "ten"}});
+  other.compression = "lz4";
+  const Bytes file = FileMaker().add(other).add(makeChunk(b, {{20, "twenty"}})).end();
+  LogReader reader = openLog(file);
+  EXPECT_THAT(payloads(reader), ElementsAre("twenty"));
+  ASSERT_EQ(reader.damage().size(), 1U);
+  EXPECT_THAT(reader.damage()[0].cause, HasSubstr("\"lz4\""));
+}
+
+TEST(LogReader, AChunkWhoseSizeOrTimesLieIsDamage) {
+  Bytes a, b;
+  mcap::Chunk short_chunk = makeChunk(a, {{10, "ten"}});
+  short_chunk.uncompressed_size += 1;
+  mcap::Chunk late = makeChunk(b, {{20, "twenty"}});
+  late.message_start_time = 21;
+  late.message_end_time = 22;
+  const Bytes file = FileMaker().add(short_chunk).add(late).end();
+  LogReader reader = openLog(file);
+  EXPECT_THAT(payloads(reader), ElementsAre("twenty"));
+  ASSERT_EQ(reader.damage().size(), 2U);
+  EXPECT_THAT(reader.damage()[0].cause, HasSubstr("where its header says"));
+  EXPECT_THAT(reader.damage()[1].cause, HasSubstr("other times"));
+  EXPECT_EQ(reader.summary().start, at(20));
+}
+
+TEST(LogReader, RecordsOfALaterVersionWithMoreFieldsAreRead) {
+  // A Channel and a Chunk with three bytes behind their known fields.
+  Bytes records;
+  const mcap::Chunk chunk = makeChunk(records, {{10, "ten"}});
+  Bytes grown;
+  append(grown, chunk);
+  std::uint64_t length = grown.size() - mcap::kPrefixBytes + 3;
+  std::memcpy(grown.data() + 1, &length, sizeof(length));
+  grown.resize(grown.size() + 3, std::byte{0xFF});
+  Bytes file(mcap::magic().begin(), mcap::magic().end());
+  append(file, mcap::Header{});
+  file.insert(file.end(), grown.begin(), grown.end());
+  append(file, mcap::DataEnd{});
+  append(file, mcap::Footer{});
+  file.insert(file.end(), mcap::magic().begin(), mcap::magic().end());
+  LogReader reader = openLog(file);
+  EXPECT_THAT(payloads(reader), ElementsAre("ten"));
+  EXPECT_THAT(reader.damage(), IsEmpty());
+}
+
+/// Far more overlapping chunks than may be held expanded: they are let go and expanded again.
+TEST(LogReader, VeryManyOverlappingChunksAreReadInOrderInBoundedMemory) {
+  FileMaker maker;
+  constexpr int kChunks = 24;
+  const std::string filler(1U << 20U, 'x');
+  std::vector<Bytes> records(kChunks);
+  for (int i = 0; i < kChunks; ++i) {
+    std::vector<std::pair<std::uint64_t, std::string>> messages;
+    for (std::uint64_t j = 0; j < 4; ++j) {
+      messages.emplace_back(1000 * j + static_cast<std::uint64_t>(i), filler);
+    }
+    mcap::Chunk chunk = makeChunk(records[static_cast<std::size_t>(i)], messages);
+    mcap::ChunkCompressor compressor(1);
+    const auto compressed = compressor.compress(chunk.records);
+    chunk.compression = compressed.compression;
+    chunk.records = compressed.records;
+    maker.add(chunk);
+  }
+  const Bytes file = maker.end();
+  ASSERT_LT(file.size(), 1U << 20U);
+  LogReader reader = openLog(file);
+  std::int64_t last = -1;
+  int count = 0;
+  while (true) {
+    const Result<std::optional<LogMessage>> message = reader.next();
+    ASSERT_TRUE(message.ok());
+    if (!*message) break;
+    const std::int64_t time = (*message)->log_time.time_since_epoch().count();
+    ASSERT_GT(time, last);
+    ASSERT_EQ((*message)->payload.size(), filler.size());
+    last = time;
+    ++count;
+  }
+  EXPECT_EQ(count, kChunks * 4);
+  EXPECT_THAT(reader.damage(), IsEmpty());
+}
+
+TEST(LogReader, ASummaryThatForgetsAChunkIsNotBelieved) {
+  Bytes file;
+  mcap::WriterOptions options;
+  options.chunk_bytes = 64;
+  Result<mcap::Writer> writer =
+      mcap::Writer::start(makeMemorySink(file), options, {"rocinante", ""});
+  ASSERT_TRUE(writer.ok());
+  writer->addChannel(channel(1, "/udp/1/a"));
+  const std::string payload(40, 'x');
+  for (std::uint64_t i = 0; i < 6; ++i) {
+    ASSERT_TRUE(writer->write({1, 0, i, i, bytesOf(payload)}).ok());
+  }
+  ASSERT_TRUE(writer->finish().ok());
+  // The summary of a file of three chunks, behind six of them.
+  Bytes shorter;
+  Result<mcap::Writer> other =
+      mcap::Writer::start(makeMemorySink(shorter), options, {"rocinante", ""});
+  other->addChannel(channel(1, "/udp/1/a"));
+  for (std::uint64_t i = 0; i < 3; ++i) {
+    ASSERT_TRUE(other->write({1, 0, i, i, bytesOf(payload)}).ok());
+  }
+  ASSERT_TRUE(other->finish().ok());
+  const auto startOf = [](const Bytes& bytes) {
+    mcap::Footer footer;
+    mcap::parse(ByteView(bytes).last(28).first(20), footer);
+    return footer.summary_start;
+  };
+  Bytes mixed(file.begin(), file.begin() + static_cast<std::ptrdiff_t>(startOf(file)));
+  Bytes tail(shorter.begin() + static_cast<std::ptrdiff_t>(startOf(shorter)),
+             shorter.end() - 28 - 9);
+  mcap::Footer footer;
+  footer.summary_start = mixed.size();
+  mixed.insert(mixed.end(), tail.begin(), tail.end());
+  append(mixed, footer);
+  const std::size_t from = static_cast<std::size_t>(footer.summary_start);
+  const std::uint32_t crc = crc32(ByteView(mixed).subspan(from, mixed.size() - from - 4));
+  std::memcpy(mixed.data() + mixed.size() - 4, &crc, 4);
+  mixed.insert(mixed.end(), mcap::magic().begin(), mcap::magic().end());
+  LogReader reader = openLog(mixed);
+  EXPECT_EQ(readAll(reader).size(), 6U);
+  ASSERT_THAT(reader.damage(), ::testing::SizeIs(1));
+  EXPECT_THAT(reader.damage()[0].cause, HasSubstr("summary does not agree"));
+}
+
+}  // namespace
+}  // namespace rocinante::test
