@@ -86,6 +86,18 @@ bool readFlag(std::string_view rest, bool& flag) {
   return true;
 }
 
+/// Field by field: assigning a fresh one costs as much as reading the line.
+void clear(PacketHeader& header) {
+  header.run = {};
+  header.sequence.reset();
+  header.time_ns.reset();
+  header.restated = false;
+  header.reset = false;
+  header.part.reset();
+  header.by = {};
+  header.via.reset();
+}
+
 /// A word of this version, or one to skip.
 bool readWord(std::string_view field, TextArena& arena, PacketHeader& header) {
   const std::size_t equals = field.find('=');
@@ -102,13 +114,16 @@ bool readWord(std::string_view field, TextArena& arena, PacketHeader& header) {
 
 }  // namespace
 
-bool isHeaderLine(std::string_view line) { return TextFields(line).take() == kVersionWord; }
+bool isHeaderLine(std::string_view line) {
+  TextFields fields(line);
+  return !fields.atEnd() && fields.takeWord(kVersionWord);
+}
 
 bool readHeader(std::string_view line, TextArena& arena, PacketHeader& header,
                 std::uint32_t& column) {
   TextFields fields(line);
   fields.take();
-  header = PacketHeader();
+  clear(header);
   const auto malformed = [&](std::string_view field) {
     column = fields.columnOf(field.empty() ? fields.end() : field.data());
     return false;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/math/vector.h"
+#include "core/packet/name_cache.h"
 #include "core/packet/packet.h"
 #include "core/time.h"
 
@@ -206,26 +207,6 @@ class SessionState {
     std::uint64_t first_packet = 0;  ///< items said before this one fall when all have come
   };
 
-  /// Where the last packet's source lies: most packets come from the same one as the last.
-  /// Points into the maps below, so it never goes along when a state is copied or moved.
-  struct LastSource {
-    LastSource() = default;
-    LastSource(const LastSource&) {}
-    LastSource(LastSource&& other) noexcept { other.name = nullptr; }
-    LastSource& operator=(const LastSource&) {
-      name = nullptr;
-      return *this;
-    }
-    LastSource& operator=(LastSource&& other) noexcept {
-      name = other.name = nullptr;
-      return *this;
-    }
-
-    const std::string* name = nullptr;
-    SourceState* state = nullptr;
-    SourceCounts* counts = nullptr;
-  };
-
   Devices devices_;
   std::map<Path, Item<Visibility>> visibility_;
   std::map<Path, Item<ColorValue>> colors_;
@@ -242,7 +223,9 @@ class SessionState {
   std::map<std::string, RelayCounts, std::less<>> relays_;
   std::uint64_t refused_packets_ = 0;
   std::vector<Event> events_;
-  LastSource last_source_;
+  NameCache<SourceState> source_cache_;
+  NameCache<SourceCounts> counts_cache_;
+  NameCache<Devices::value_type> device_cache_;
 };
 
 }  // namespace rocinante

@@ -50,18 +50,15 @@ Applied StateFolder::fold() {
 }
 
 bool StateFolder::findSource() {
-  SessionState::LastSource& last = state_.last_source_;
-  if (last.name != nullptr && *last.name == header_.source) {
-    source_ = last.state;
-    counts_ = last.counts;
-    return true;
-  }
+  source_ = state_.source_cache_.find(header_.source);
+  counts_ = state_.counts_cache_.find(header_.source);
+  if (source_ != nullptr && counts_ != nullptr) return true;
   auto found = state_.sources_.find(header_.source);
   if (found == state_.sources_.end()) {
     if (state_.sources_.size() == limits::kSources) return false;
-    const std::uint64_t weight = kSourceWeight + header_.source.size();
-    if (state_.weight_ + weight + header_.run.size() > limits::kStateBytes) return false;
-    state_.weight_ += weight + header_.run.size();
+    const std::uint64_t weight = kSourceWeight + header_.source.size() + header_.run.size();
+    if (state_.weight_ + weight > limits::kStateBytes) return false;
+    state_.weight_ += weight;
     SourceState fresh;
     fresh.run = header_.run;
     found = state_.sources_.emplace(std::string(header_.source), std::move(fresh)).first;
@@ -69,9 +66,8 @@ bool StateFolder::findSource() {
   }
   source_ = &found->second;
   counts_ = &state_.counts_.find(header_.source)->second;
-  last.name = &found->first;
-  last.state = source_;
-  last.counts = counts_;
+  state_.source_cache_.remember(found->first, source_);
+  state_.counts_cache_.remember(found->first, counts_);
   return true;
 }
 

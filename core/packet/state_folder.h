@@ -65,6 +65,7 @@ class StateFolder {
   void forgetItemsOf(DeviceState& device);
   void forgetPathsOf(std::string_view device);
   void forgetIfEmpty(std::string_view device);
+  SessionState::Devices::iterator eraseDevice(SessionState::Devices::iterator device);
   bool isEmpty(const Device& device) const;
   void clearNamedJoints(DeviceState& device);
   void eraseOrder(DeviceState& device, std::string_view source);

@@ -38,8 +38,13 @@ bool StateFolder::isEmpty(const Device& device) const {
 void StateFolder::forgetIfEmpty(std::string_view name) {
   const auto device = state_.devices_.find(name);
   if (device == state_.devices_.end() || !isEmpty(*device)) return;
+  eraseDevice(device);
+}
+
+SessionState::Devices::iterator StateFolder::eraseDevice(SessionState::Devices::iterator device) {
   state_.weight_ -= kDeviceWeight + device->first.size();
-  state_.devices_.erase(device);
+  state_.device_cache_.clear();
+  return state_.devices_.erase(device);
 }
 
 void StateFolder::clearNamedJoints(DeviceState& device) {
@@ -81,12 +86,7 @@ void StateFolder::forgetUnrepeated(std::uint64_t first_packet) {
     if (order_said != said.orders_said.end() && order_said->second.packet < first_packet) {
       eraseOrder(said, source);
     }
-    if (isEmpty(*device)) {
-      state_.weight_ -= kDeviceWeight + device->first.size();
-      device = state_.devices_.erase(device);
-    } else {
-      ++device;
-    }
+    device = isEmpty(*device) ? eraseDevice(device) : std::next(device);
   }
 }
 

@@ -65,18 +65,18 @@ void StatementReader::read(std::string_view line, std::uint32_t number) {
     scratch_.faults.push_back(fault_);
     return;
   }
-  statement_ = Statement();
-  statement_.kind = row->kind;
-  statement_.line = number;
+  statement_ = &scratch_.statements.emplace_back();
+  statement_->kind = row->kind;
+  statement_->line = number;
   const std::size_t faults_before = scratch_.faults.size();
   const std::size_t numbers_before = scratch_.numbers.size();
   const std::size_t names_before = scratch_.names.size();
   if ((this->*row->reader)() && takeEnd()) {
-    statement_.numbers = std::span(scratch_.numbers).subspan(numbers_before);
-    statement_.names = std::span(scratch_.names).subspan(names_before);
-    scratch_.statements.push_back(statement_);
+    statement_->numbers = std::span(scratch_.numbers).subspan(numbers_before);
+    statement_->names = std::span(scratch_.names).subspan(names_before);
   } else {
     // The line is discarded alone, with what it had brought so far.
+    scratch_.statements.pop_back();
     scratch_.numbers.resize(numbers_before);
     scratch_.names.resize(names_before);
     scratch_.faults.resize(faults_before);
@@ -84,10 +84,10 @@ void StatementReader::read(std::string_view line, std::uint32_t number) {
   }
 }
 
-bool StatementReader::readJoints() { return takeName(statement_.name) && takeNumbersToEnd(); }
+bool StatementReader::readJoints() { return takeName(statement_->name) && takeNumbersToEnd(); }
 
 bool StatementReader::readOrder() {
-  if (!takeName(statement_.name)) return false;
+  if (!takeName(statement_->name)) return false;
   for (std::size_t count = 0; !fields_.atEnd(); ++count) {
     if (count == limits::kJointValues) return failHere(PacketFault::too_many);
     std::string_view joint;
@@ -98,7 +98,7 @@ bool StatementReader::readOrder() {
 }
 
 bool StatementReader::readJoint() {
-  if (!takeName(statement_.name)) return false;
+  if (!takeName(statement_->name)) return false;
   std::size_t count = 0;
   do {
     if (count++ == limits::kJointValues) return failHere(PacketFault::too_many);
@@ -120,7 +120,7 @@ bool StatementReader::readJoint() {
 }
 
 bool StatementReader::readPose() {
-  if (!takeName(statement_.name) || !takeNumbers(3)) return false;
+  if (!takeName(statement_->name) || !takeNumbers(3)) return false;
   fields_.atEnd();
   const char* const place = fields_.at();
   if (!takeNumbers(4)) return false;
@@ -134,28 +134,28 @@ bool StatementReader::readPose() {
 }
 
 bool StatementReader::readAdd() {
-  if (!takeName(statement_.name) || !takeName(statement_.text)) return false;
+  if (!takeName(statement_->name) || !takeName(statement_->text)) return false;
   const char* const place = fields_.peek().data();
   std::string_view hex;
   if (!fields_.takeAfter("kin=", hex)) return true;
-  statement_.kinematics = readHex(hex, 16);
-  return statement_.kinematics || fail(PacketFault::bad_number, place);
+  statement_->kinematics = readHex(hex, 16);
+  return statement_->kinematics || fail(PacketFault::bad_number, place);
 }
 
-bool StatementReader::readRemove() { return takeName(statement_.name); }
+bool StatementReader::readRemove() { return takeName(statement_->name); }
 
 bool StatementReader::readShow() {
-  if (!takePath(statement_.path, true)) return false;
-  statement_.is_default = fields_.takeWord("default");
+  if (!takePath(statement_->path, true)) return false;
+  statement_->is_default = fields_.takeWord("default");
   return true;
 }
 
-bool StatementReader::readHide() { return takePath(statement_.path, true); }
+bool StatementReader::readHide() { return takePath(statement_->path, true); }
 
 bool StatementReader::readColor() {
-  if (!takePath(statement_.path, true)) return false;
-  statement_.is_default = fields_.takeWord("default");
-  return statement_.is_default || takeColor();
+  if (!takePath(statement_->path, true)) return false;
+  statement_->is_default = fields_.takeWord("default");
+  return statement_->is_default || takeColor();
 }
 
 bool StatementReader::readLine() { return readDrawing("width="); }
@@ -167,10 +167,10 @@ bool StatementReader::readDrawing(std::string_view size_word) {
   for (;;) {
     std::string_view size;
     const std::string_view field = fields_.peek();
-    if (field == "in" && statement_.carrier.first.empty()) {
+    if (field == "in" && statement_->carrier.first.empty()) {
       if (!takeCarrier()) return false;
-    } else if (!statement_.size_px && fields_.takeAfter(size_word, size)) {
-      if (!takePositive(size, statement_.size_px)) return false;
+    } else if (!statement_->size_px && fields_.takeAfter(size_word, size)) {
+      if (!takePositive(size, statement_->size_px)) return false;
     } else {
       break;
     }
@@ -182,17 +182,17 @@ bool StatementReader::readDrawing(std::string_view size_word) {
 }
 
 bool StatementReader::readLabel() {
-  if (!takeName(statement_.name)) return false;
+  if (!takeName(statement_->name)) return false;
   if (fields_.peek() == "in" && !takeCarrier()) return false;
   return takeNumbers(3) && takeText();
 }
 
-bool StatementReader::readErase() { return fields_.takeWord("*") || takeName(statement_.name); }
+bool StatementReader::readErase() { return fields_.takeWord("*") || takeName(statement_->name); }
 
 bool StatementReader::readEvent() { return takeText(); }
 
 bool StatementReader::readView() {
-  if (!takeName(statement_.name) || !takeNumbers(6)) return false;
+  if (!takeName(statement_->name) || !takeNumbers(6)) return false;
   fields_.atEnd();
   const char* place = fields_.at();
   if (!takeNumbers(1)) return false;
@@ -204,16 +204,16 @@ bool StatementReader::readView() {
   for (;;) {
     const std::string_view field = fields_.peek();
     place = field.data();
-    if (field == "in" && statement_.carrier.first.empty()) {
+    if (field == "in" && statement_->carrier.first.empty()) {
       if (!takeCarrier()) return false;
     } else if (!has_up && fields_.takeWord("up")) {
       has_up = true;
       if (!takeNumbers(3)) return false;
       const double* const up = scratch_.numbers.data() + scratch_.numbers.size() - 3;
       if (up[0] == 0 && up[1] == 0 && up[2] == 0) return fail(PacketFault::bad_number, place);
-    } else if (!statement_.ortho_height_m && fields_.takeWord("ortho")) {
+    } else if (!statement_->ortho_height_m && fields_.takeWord("ortho")) {
       if (fields_.atEnd()) return failHere(PacketFault::missing_field);
-      if (!takePositive(fields_.take(), statement_.ortho_height_m)) return false;
+      if (!takePositive(fields_.take(), statement_->ortho_height_m)) return false;
     } else {
       break;
     }
@@ -223,20 +223,21 @@ bool StatementReader::readView() {
 }
 
 bool StatementReader::readSeen() {
-  if (!takeName(statement_.name)) return false;
+  if (!takeName(statement_->name)) return false;
   const auto nanoseconds = readUnsigned(fields_.peek());
   if (!nanoseconds || *nanoseconds > std::uint64_t{INT64_MAX}) {
     return failHere(PacketFault::bad_number);
   }
   fields_.take();
-  statement_.seen_ns = static_cast<std::int64_t>(*nanoseconds);
+  statement_->seen_ns = static_cast<std::int64_t>(*nanoseconds);
   return true;
 }
 
 bool StatementReader::takeName(std::string_view& name) {
-  const auto decoded = decodeName(fields_.peek(), scratch_.arena);
+  const std::string_view field = fields_.peek();
+  const auto decoded = decodeName(field, scratch_.arena);
   if (!decoded) return failHere(PacketFault::bad_name);
-  fields_.take();
+  fields_.skip(field);
   name = *decoded;
   return true;
 }
@@ -245,7 +246,7 @@ bool StatementReader::takeName(std::string_view& name) {
 bool StatementReader::takeDrawingId() {
   const std::string_view field = fields_.peek();
   const std::size_t slash = field.find('/');
-  if (slash == std::string_view::npos) return takeName(statement_.name);
+  if (slash == std::string_view::npos) return takeName(statement_->name);
   const std::string_view before = field.substr(0, slash);
   const std::size_t colon = before.rfind(':');
   if (colon == std::string_view::npos) return failHere(PacketFault::bad_name);
@@ -257,9 +258,9 @@ bool StatementReader::takeDrawingId() {
   }
   if (*count > limits::kDrawingParts) return failHere(PacketFault::too_many);
   fields_.take();
-  statement_.name = *id;
-  statement_.part_index = static_cast<std::uint32_t>(*index);
-  statement_.part_count = static_cast<std::uint32_t>(*count);
+  statement_->name = *id;
+  statement_->part_index = static_cast<std::uint32_t>(*index);
+  statement_->part_count = static_cast<std::uint32_t>(*count);
   return true;
 }
 
@@ -284,8 +285,8 @@ bool StatementReader::takePath(PathView& path, bool with_layers) {
 bool StatementReader::takeCarrier() {
   fields_.take();
   const char* const place = fields_.peek().data();
-  if (!takePath(statement_.carrier, false)) return false;
-  return !statement_.carrier.second.empty() || fail(PacketFault::bad_path, place);
+  if (!takePath(statement_->carrier, false)) return false;
+  return !statement_->carrier.second.empty() || fail(PacketFault::bad_path, place);
 }
 
 bool StatementReader::takeColor() {
@@ -295,7 +296,7 @@ bool StatementReader::takeColor() {
   const auto rgba = readHex(field.substr(1), with_alpha ? 8 : 6);
   if (!rgba) return failHere(PacketFault::bad_color);
   fields_.take();
-  statement_.rgba = static_cast<std::uint32_t>(with_alpha ? *rgba : *rgba << 8U | 0xFFU);
+  statement_->rgba = static_cast<std::uint32_t>(with_alpha ? *rgba : *rgba << 8U | 0xFFU);
   return true;
 }
 
@@ -304,7 +305,7 @@ bool StatementReader::takeText() {
   const char* const place = fields_.at();
   const auto text = decodeString(fields_.at(), fields_.end(), scratch_.arena);
   if (!text || !fields_.atSeparator()) return fail(PacketFault::bad_string, place);
-  statement_.text = *text;
+  statement_->text = *text;
   return true;
 }
 
@@ -327,7 +328,7 @@ bool StatementReader::takeNumbers(std::size_t count) {
 }
 
 bool StatementReader::takeNumbersToEnd() {
-  const bool bounded = statement_.kind == StatementKind::joints;
+  const bool bounded = statement_->kind == StatementKind::joints;
   std::size_t count = 0;
   do {
     double number = 0;

@@ -80,7 +80,7 @@ class StatementReader {
   StatementScratch& scratch_;
   TextFields fields_{{}};
   std::uint32_t number_ = 0;
-  Statement statement_;
+  Statement* statement_ = nullptr;  ///< the one being read, at the back of the scratch's
   FaultAt fault_{};
 };
 

@@ -14,8 +14,8 @@ class TextLines {
     while (end_ != at_ && end_[-1] == '\0') --end_;
   }
 
-  /// The next line that counts, without its end and without leading separators' meaning lost:
-  /// columns count from the line's first byte. False after the last.
+  /// The next line that counts, without its end; leading separators stay, so that columns count
+  /// from the line's first byte. False after the last.
   bool next(std::string_view& line) {
     while (at_ != end_) {
       const auto* const feed =
@@ -25,8 +25,9 @@ class TextLines {
       at_ = feed == nullptr ? end_ : feed + 1;
       ++number_;
       if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
-      const std::size_t first = line.find_first_not_of(" \t");
-      if (first != std::string_view::npos && line[first] != '#') return true;
+      std::size_t first = 0;
+      while (first < line.size() && (line[first] == ' ' || line[first] == '\t')) ++first;
+      if (first < line.size() && line[first] != '#') return true;
     }
     return false;
   }
@@ -60,9 +61,11 @@ class TextFields {
   }
   std::string_view take() {
     const std::string_view field = peek();
-    at_ += field.size();
+    if (!field.empty()) at_ = field.data() + field.size();
     return field;
   }
+  /// Steps over a field that peek() gave.
+  void skip(std::string_view field) { at_ = field.data() + field.size(); }
   /// Takes the next field when it is `word`.
   bool takeWord(std::string_view word) {
     if (peek() != word) return false;

@@ -32,9 +32,10 @@ bool readAnyNumber(const char* first, const char* end, const char*& at, double& 
 }  // namespace
 
 bool readNumber(const char*& at, const char* end, double& number) {
-  const char* next = at;
-  const bool negative = next != end && *next == '-';
-  if (next != end && (*next == '-' || *next == '+')) ++next;
+  if (at == end) return false;
+  // Without a branch: the sign of a joint is as good as random.
+  const bool negative = *at == '-';
+  const char* next = at + static_cast<int>(negative | (*at == '+'));
   const char* const first = next;
   std::uint64_t mantissa = 0;
   for (; next != end && isDigit(*next); ++next) {
@@ -60,12 +61,22 @@ bool readNumber(const char*& at, const char* end, double& number) {
   } else if (!readAnyNumber(first, end, at, number)) {
     return false;
   }
-  if (negative && number != 0) number = -number;
+  constexpr std::array<double, 2> kSigns = {1, -1};
+  number = number * kSigns[negative] + 0.0;  // -0 to 0
   return true;
 }
 
 std::optional<std::uint64_t> readUnsigned(std::string_view digits) {
+  // Nineteen digits cannot overflow.
+  if (digits.empty()) return std::nullopt;
   std::uint64_t number = 0;
+  if (digits.size() <= 19) {
+    for (const char digit : digits) {
+      if (!isDigit(digit)) return std::nullopt;
+      number = number * 10 + static_cast<std::uint64_t>(digit - '0');
+    }
+    return number;
+  }
   const char* const end = digits.data() + digits.size();
   const auto answer = std::from_chars(digits.data(), end, number);
   if (answer.ec != std::errc() || answer.ptr != end) return std::nullopt;
