@@ -9,7 +9,10 @@ target_compile_options(rocinante_build INTERFACE -Wall -Wextra -Wpedantic -Wshad
 
 find_program(ROCINANTE_CCACHE ccache)
 if(ROCINANTE_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${ROCINANTE_CCACHE})
+  # Precompiled headers (of the tests) are cached too, given these allowances.
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env
+    CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
+    ${ROCINANTE_CCACHE})
 endif()
 
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
@@ -43,6 +46,8 @@ function(rocinante_program name)
   set(target rocinante-${name})
   add_executable(${target} ${arg_SOURCES})
   target_link_libraries(${target} PRIVATE ${arg_LINK} rocinante_cli rocinante_build)
+  # A main only parses arguments, with a library that takes long to optimise.
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
   add_dependencies(programs ${target})
   install(TARGETS ${target})
 endfunction()

@@ -102,8 +102,10 @@ const AcceptedPicture* Manifest::findAnyOfShape(std::string_view case_name,
                                                 std::string_view shape) const {
   const auto pictures = cases.find(std::string(case_name));
   if (pictures == cases.end()) return nullptr;
+  // A space stands before it, so that 640x480 is not found in 1640x480.
+  const std::string end_of_key = fmt::format(" {}", shape);
   for (const AcceptedPicture& accepted : pictures->second) {
-    if (accepted.key.ends_with(" " + std::string(shape))) return &accepted;
+    if (accepted.key.ends_with(end_of_key)) return &accepted;
   }
   return nullptr;
 }
