@@ -6,7 +6,7 @@ namespace rocinante {
 
 Pacing::Step Pacing::step(SteadyTime now, SteadyTime deadline) const {
   if (now >= deadline) return {Action::send, deadline};
-  const SteadyTime wake = spins() ? deadline - kSpin : deadline;
+  const SteadyTime wake = deadline - spin();
   if (now >= wake) return {Action::spin, deadline};
   return {Action::sleep, std::min(wake, now + kLongestSleep)};
 }
