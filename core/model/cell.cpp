@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <tuple>
 
 #include "core/model/cell_reader.h"
 #include "core/model/file_search.h"
@@ -49,6 +50,17 @@ Error firstError(const ModelFaults& faults, const fs::path& path) {
   return {ErrorKind::damaged, "nothing in the file can be used", path.string()};
 }
 
+// Of the cell first, then of each file as it was come to; in each from top to bottom.
+void sortFaults(Cell& cell) {
+  std::map<std::string, std::size_t> order{{cell.file, 0}};
+  for (const ModelFault& fault : cell.faults) order.emplace(fault.file, order.size());
+  std::stable_sort(cell.faults.begin(), cell.faults.end(),
+                   [&](const ModelFault& a, const ModelFault& b) {
+                     return std::tuple(order[a.file], a.line, a.column) <
+                            std::tuple(order[b.file], b.line, b.column);
+                   });
+}
+
 Result<Cell> loadModelFile(const fs::path& path, const CellOptions& options) {
   FileSearch search;
   if (Status added = search.addRoot(folderOf(path)); !added.ok()) return added.error();
@@ -83,6 +95,7 @@ Result<Cell> loadModelFile(const fs::path& path, const CellOptions& options) {
   cell.models[device.name] = model;
   cell.devices.push_back(std::move(device));
   cell.files.assign(meshes.files().begin(), meshes.files().end());
+  sortFaults(cell);
   return cell;
 }
 
@@ -109,10 +122,29 @@ void addOwnRoots(TomlTable& root, const fs::path& folder, FileSearch& search) {
   }
 }
 
-Result<Cell> loadCellFile(const fs::path& path, const CellOptions& options) {
-  const auto bytes = readWholeFile(path, kMostCellBytes);
-  if (!bytes.ok()) return bytes.error();
-  const auto document = parseToml(textOf(*bytes), path.string());
+}  // namespace
+
+const Model* Cell::modelOf(const CellDevice& device) const {
+  const auto found = models.find(device.model);
+  return found == models.end() ? nullptr : found->second.get();
+}
+
+const CellDevice* Cell::findDevice(std::string_view name) const {
+  for (const CellDevice& device : devices) {
+    if (device.name == name) return &device;
+  }
+  return nullptr;
+}
+
+const CellCamera* Cell::findCamera(std::string_view name) const {
+  for (const CellCamera& camera : cameras) {
+    if (camera.name == name) return &camera;
+  }
+  return nullptr;
+}
+
+Result<Cell> readCell(ByteView bytes, const fs::path& path, const CellOptions& options) {
+  const auto document = parseToml(textOf(bytes), path.string());
   if (!document.ok()) return document.error();
 
   Cell cell;
@@ -151,28 +183,8 @@ Result<Cell> loadCellFile(const fs::path& path, const CellOptions& options) {
     root.finish();
     cell.files.assign(meshes.files().begin(), meshes.files().end());
   }
+  sortFaults(cell);
   return cell;
-}
-
-}  // namespace
-
-const Model* Cell::modelOf(const CellDevice& device) const {
-  const auto found = models.find(device.model);
-  return found == models.end() ? nullptr : found->second.get();
-}
-
-const CellDevice* Cell::findDevice(std::string_view name) const {
-  for (const CellDevice& device : devices) {
-    if (device.name == name) return &device;
-  }
-  return nullptr;
-}
-
-const CellCamera* Cell::findCamera(std::string_view name) const {
-  for (const CellCamera& camera : cameras) {
-    if (camera.name == name) return &camera;
-  }
-  return nullptr;
 }
 
 Result<Cell> loadCell(const fs::path& path, const CellOptions& options) {
@@ -185,7 +197,11 @@ Result<Cell> loadCell(const fs::path& path, const CellOptions& options) {
     return Error{ErrorKind::bad_argument, "a cell is a file, and this is none", path.string()};
   }
   const std::string ending = endingOf(path);
-  if (ending == ".toml") return loadCellFile(path, options);
+  if (ending == ".toml") {
+    const auto bytes = readWholeFile(path, kMostCellBytes);
+    if (!bytes.ok()) return bytes.error();
+    return readCell(*bytes, path, options);
+  }
   if (ending == ".urdf" || ending == ".obj" || ending == ".stl") {
     return loadModelFile(path, options);
   }

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/bytes.h"
 #include "core/model/model.h"
 #include "core/model/model_fault.h"
 #include "core/result.h"
@@ -89,5 +90,10 @@ struct CellOptions {
 /// Faults stand in the cell and as much as is sound is loaded; an error only when nothing is
 /// (the file is missing, or is no cell at all).
 Result<Cell> loadCell(const std::filesystem::path& path, const CellOptions& options);
+
+/// A cell from the bytes of a *.cell.toml; `path` names them, and names in them are looked for in
+/// its folder. Touches the file only in what it names.
+Result<Cell> readCell(ByteView bytes, const std::filesystem::path& path,
+                      const CellOptions& options);
 
 }  // namespace rocinante

@@ -11,7 +11,6 @@ namespace rocinante {
 
 /// More than any machine has; a file that goes past is refused (docs/cell-format.md, "Limits").
 inline constexpr std::size_t kMostLinks = 65536;
-inline constexpr std::size_t kMostVisuals = 1048576;
 
 struct MimicDraft {
   std::string joint;

@@ -186,7 +186,7 @@ void UrdfLinkReader::readVisual(const UrdfElement& element, Link& link) {
       wanted_.push_back({link_count_, link.visuals.size(), given->text("name"), given->place()});
     }
   } else if (given && !material) {
-    wanted_.push_back({link_count_, kMostVisuals, given->text("name"), given->place()});
+    wanted_.push_back({link_count_, std::nullopt, given->text("name"), given->place()});
   }
   link.visuals.push_back(std::move(*visual));
 }
@@ -212,8 +212,8 @@ void UrdfLinkReader::resolveMaterials(std::vector<LinkDraft>& links, FaultList& 
   for (const Wanted& wanted : wanted_) {
     const auto found = materials_.find(wanted.material);
     if (found != materials_.end()) {
-      if (wanted.visual == kMostVisuals) continue;
-      links[wanted.link].link.visuals[wanted.visual].material = found->second;
+      if (!wanted.visual) continue;
+      links[wanted.link].link.visuals[*wanted.visual].material = found->second;
       continue;
     }
     std::vector<std::string_view> names;

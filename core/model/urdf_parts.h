@@ -29,7 +29,9 @@ class UrdfLinkReader {
 
  private:
   struct Wanted {
-    std::size_t link, visual;
+    std::size_t link;
+    std::optional<std::size_t>
+        visual;  // empty: its mesh has its own, but the name must lead somewhere
     std::string material;
     Place place;
   };

@@ -112,26 +112,20 @@ std::optional<Model> readUrdf(ByteView bytes, const std::filesystem::path& path,
 
   UrdfLinkReader links(meshes, path.parent_path());
   root.each("material", [&](const UrdfElement& below) { links.addMaterial(below); });
-  bool full = false;
-  root.each("link", [&](const UrdfElement& below) {
-    if (draft.links.size() == kMostLinks) {
-      full = true;
-    } else if (auto link = links.readLink(below)) {
-      draft.links.push_back(std::move(*link));
-    }
-  });
-  root.each("joint", [&](const UrdfElement& below) {
-    if (draft.joints.size() == kMostLinks) {
-      full = true;
-    } else if (auto joint = readUrdfJoint(below)) {
-      draft.joints.push_back(std::move(*joint));
-    }
-  });
-  if (full) {
+  std::size_t link_count = 0, joint_count = 0;
+  root.each("link", [&](const UrdfElement&) { ++link_count; });
+  root.each("joint", [&](const UrdfElement&) { ++joint_count; });
+  if (link_count > kMostLinks || joint_count > kMostLinks) {
     faults.error("urdf.too-many", root.place(),
                  fmt::format("the robot has more than {} links or joints", kMostLinks));
     return std::nullopt;
   }
+  root.each("link", [&](const UrdfElement& below) {
+    if (auto link = links.readLink(below)) draft.links.push_back(std::move(*link));
+  });
+  root.each("joint", [&](const UrdfElement& below) {
+    if (auto joint = readUrdfJoint(below)) draft.joints.push_back(std::move(*joint));
+  });
   links.resolveMaterials(draft.links, faults);
   return finishModel(std::move(draft), faults);
 }

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <string_view>
+
+#include "tests/core/model/model_test_support.h"
+
+namespace rocinante::test {
+
+/// A folder with the files that cells of the tests and of docs/cell-format.md name.
+class CellFolder : public testing::Test {
+ protected:
+  CellFolder() {
+    const std::string_view arm = R"(<robot name="arm"><link name="foot"/><link name="tip"/>
+<joint name="lift" type="prismatic"><parent link="foot"/><child link="tip"/><axis xyz="0 0 1"/>
+<limit lower="0" upper="1" effort="1" velocity="1"/></joint></robot>)";
+    writeFile(folder_ / "arm.urdf", arm);
+    writeFile(folder_ / "models/arm.urdf", arm);
+    std::string gantry = "v 0 0 2\nv 1 0 2\nv 0 1 2\n";
+    for (const char* group : {"frame", "bridge_left", "bridge_right", "trolley", "hand"}) {
+      gantry += std::string("g ") + group + "\nf 1 2 3\n";
+    }
+    writeFile(folder_ / "gantry.obj", gantry);
+    writeFile(folder_ / "tank.obj", "v 0 0 0\nv 1000 0 0\nv 0 1000 0\nf 1 2 3\n");
+  }
+
+  Result<Cell> load(std::string_view text) {
+    writeFile(folder_ / "test.cell.toml", text);
+    return loadCell(folder_ / "test.cell.toml", {});
+  }
+  /// The faults of a cell that has them; "REFUSED: why" when nothing loads.
+  std::string faultsOf(std::string_view text) {
+    const auto cell = load(text);
+    if (cell.ok()) return printed(cell->faults, folder_.path());
+    std::string why = cell.error().text();
+    const std::string folder = folder_.path().string() + "/";
+    if (const auto at = why.find(folder); at != std::string::npos) why.erase(at, folder.size());
+    return "REFUSED: " + why;
+  }
+
+  TemporaryFolder folder_;
+};
+
+}  // namespace rocinante::test
