@@ -122,9 +122,13 @@ TEST(LogWriter, IntoAReadOnlyFolderFailsWithTheSystemsReason) {
   ASSERT_EQ(::chmod(folder.path().c_str(), 0555), 0);
   // The administrator may write anywhere, so the test is nobody meanwhile.
   const bool was_root = ::geteuid() == 0;
-  if (was_root) ASSERT_EQ(::seteuid(65534), 0);
+  if (was_root) {
+    ASSERT_EQ(::seteuid(65534), 0);
+  }
   const Result<LogWriter> writer = LogWriter::create(folder / "a.mcap", {}, "s");
-  if (was_root) ASSERT_EQ(::seteuid(0), 0);
+  if (was_root) {
+    ASSERT_EQ(::seteuid(0), 0);
+  }
   ASSERT_EQ(::chmod(folder.path().c_str(), 0700), 0);
   ASSERT_FALSE(writer.ok());
   EXPECT_THAT(writer.error().text(), HasSubstr("Permission denied"));
