@@ -273,7 +273,10 @@ void StateFolder::foldDrawing(const Statement& statement) {
   if (!makeRoom(before, after)) return;
 
   Drawing& drawing = is_new ? state_.drawings_[key] : found->second;
-  if (!goes_on) drawing.parts.assign(statement.part_count, std::nullopt);
+  if (!goes_on) {
+    drawing.parts.assign(statement.part_count, std::nullopt);
+    drawing.parts_said.assign(statement.part_count, SaidMark());
+  }
   drawing.kind = statement.kind;
   drawing.rgba = statement.rgba;
   const double default_px =
@@ -282,7 +285,7 @@ void StateFolder::foldDrawing(const Statement& statement) {
   drawing.carrier = pathOf(statement.carrier);
   drawing.text = statement.text;
   drawing.parts[slot].emplace(statement.numbers.begin(), statement.numbers.end());
-  drawing.said.packet = state_.packets_;
+  drawing.parts_said[slot].packet = state_.packets_;
 }
 
 void StateFolder::foldErase(const Statement& statement) {

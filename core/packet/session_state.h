@@ -93,7 +93,7 @@ struct Drawing {
   /// a gap. Each holds x y z triples, metres.
   /// A line goes on from one part to the next one, but never across a gap.
   std::vector<std::optional<std::vector<double>>> parts;
-  SaidMark said;
+  std::vector<SaidMark> parts_said;  ///< by part: a whole restatement forgets each by itself
   bool operator==(const Drawing&) const = default;
 };
 

@@ -70,6 +70,7 @@ class StateFolder {
   void clearNamedJoints(DeviceState& device);
   void eraseOrder(DeviceState& device, std::string_view source);
   void forgetUnrepeated(std::uint64_t first_packet);
+  void forgetUnrepeatedDrawings(std::uint64_t first_packet);
   template <class T>
   void eraseOptional(std::optional<Item<T>>& slot);
   template <class Map>

@@ -59,6 +59,24 @@ void StateFolder::eraseOrder(DeviceState& device, std::string_view source) {
   eraseFrom(device.orders, order);
 }
 
+void StateFolder::forgetUnrepeatedDrawings(std::uint64_t first_packet) {
+  const std::string owner(header_.source);
+  auto next = state_.drawings_.lower_bound({owner, std::string()});
+  while (next != state_.drawings_.end() && next->first.first == owner) {
+    Drawing& drawing = next->second;
+    bool has_parts = false;
+    for (std::size_t i = 0; i < drawing.parts.size(); ++i) {
+      auto& part = drawing.parts[i];
+      if (part && drawing.parts_said[i].packet < first_packet) {
+        state_.weight_ -= part->size() * sizeof(double);
+        part.reset();
+      }
+      has_parts = has_parts || part;
+    }
+    next = has_parts ? std::next(next) : eraseFrom(state_.drawings_, next);
+  }
+}
+
 void StateFolder::forgetUnrepeated(std::uint64_t first_packet) {
   const std::string_view source = header_.source;
   const auto isStale = [&](const auto& item) {
@@ -70,12 +88,7 @@ void StateFolder::forgetUnrepeated(std::uint64_t first_packet) {
   eraseWhere(state_.visibility_, isStale);
   eraseWhere(state_.colors_, isStale);
   eraseWhere(state_.views_, isStale);
-  const std::string owner(source);
-  auto drawing = state_.drawings_.lower_bound({owner, std::string()});
-  while (drawing != state_.drawings_.end() && drawing->first.first == owner) {
-    const bool is_stale = drawing->second.said.packet < first_packet;
-    drawing = is_stale ? eraseFrom(state_.drawings_, drawing) : std::next(drawing);
-  }
+  forgetUnrepeatedDrawings(first_packet);
   for (auto device = state_.devices_.begin(); device != state_.devices_.end();) {
     DeviceState& said = device->second;
     eraseStale(said.presence);

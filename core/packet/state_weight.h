@@ -12,7 +12,7 @@ inline constexpr std::uint64_t kSourceWeight = 256;
 inline constexpr std::uint64_t kDeviceWeight = 512;
 inline constexpr std::uint64_t kItemWeight = 128;
 inline constexpr std::uint64_t kDrawingWeight = 256;
-inline constexpr std::uint64_t kDrawingPartWeight = 32;
+inline constexpr std::uint64_t kDrawingPartWeight = 40;
 inline constexpr std::uint64_t kOrderNameWeight = 32;
 
 inline std::uint64_t weightOf(const Path& path) { return path.first.size() + path.second.size(); }

@@ -122,6 +122,14 @@ TEST_F(FoldRestatement, ResetTakesLaterThingsAwayWhenComplete) {
   EXPECT_EQ(fold_.fold(10, "RK1 a 2 -\njoints arm 2\n"), Applied::yes);
 }
 
+TEST_F(FoldRestatement, PartsOfADrawingThatAreNotRepeatedBecomeGaps) {
+  fold_.fold(2, "RK1 a 2 -\nline l:1/3 #ff0000 0 0 0\nline l:3/3 #ff0000 0 0 0\n");
+  fold_.fold(3, "RK1 a 3 - restated part=r:1/1\nline l:1/3 #ff0000 0 0 0\n");
+  const Drawing& line = fold_.state.drawings().at({"a", "l"});
+  EXPECT_TRUE(line.parts[0]);
+  EXPECT_FALSE(line.parts[2]);
+}
+
 TEST_F(FoldRestatement, ACopyMadeMidwayFinishesTheSame) {
   fold_.fold(2, "RK1 a 2 - restated part=r:1/2\njoints arm 1\n");
   TextFold copy;

@@ -1,6 +1,7 @@
 // Runs the examples of docs/packet-format.md, so that the normative text stays true.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -15,8 +16,12 @@ struct Block {
   std::string text;
 };
 
+std::ifstream openDocument() {
+  return std::ifstream(std::filesystem::path(ROCINANTE_SOURCE_DIR) / "docs" / "packet-format.md");
+}
+
 std::vector<Block> blocksOfDocument() {
-  std::ifstream file(std::string(ROCINANTE_SOURCE_DIR) + "/docs/packet-format.md");
+  std::ifstream file = openDocument();
   std::vector<Block> blocks;
   std::string line;
   bool is_inside = false;
@@ -57,6 +62,13 @@ std::string identityOf(const std::string& session) {
   return fold.state.identityText();
 }
 
+/// As the document's tables write a word, up to the byte after it.
+std::string quoted(std::string_view word, char after) {
+  std::string text("`");
+  text.append(word).push_back(after);
+  return text;
+}
+
 TEST(PacketFormatDocument, ItsExamplesAreTrue) {
   const std::vector<Block> blocks = blocksOfDocument();
   std::size_t packets = 0;
@@ -78,16 +90,16 @@ TEST(PacketFormatDocument, ItsExamplesAreTrue) {
 }
 
 TEST(PacketFormatDocument, EveryFaultAndStatementIsInIt) {
-  std::ifstream file(std::string(ROCINANTE_SOURCE_DIR) + "/docs/packet-format.md");
+  std::ifstream file = openDocument();
   std::ostringstream text;
   text << file.rdbuf();
   for (std::size_t i = 0; i < kPacketFaultCount; ++i) {
-    const std::string name(nameOf(static_cast<PacketFault>(i)));
-    EXPECT_NE(text.str().find('`' + name + '`'), std::string::npos) << name;
+    const std::string name = quoted(nameOf(static_cast<PacketFault>(i)), '`');
+    EXPECT_NE(text.str().find(name), std::string::npos) << name;
   }
   for (int i = 0; i <= static_cast<int>(StatementKind::seen); ++i) {
-    const std::string name(nameOf(static_cast<StatementKind>(i)));
-    EXPECT_NE(text.str().find('`' + name + ' '), std::string::npos) << name;
+    const std::string name = quoted(nameOf(static_cast<StatementKind>(i)), ' ');
+    EXPECT_NE(text.str().find(name), std::string::npos) << name;
   }
 }
 

@@ -78,8 +78,8 @@ TEST(StateLimits, TheSumOfAllIsBounded) {
                                           ":1/4096 #ffffff 0 0 0\n"));
   }
   EXPECT_LE(fold.state.weight(), limits::kStateBytes);
-  EXPECT_GT(fold.state.drawings().size(), 2000U);
-  EXPECT_LT(fold.state.drawings().size(), 2100U);
+  EXPECT_GT(fold.state.drawings().size(), 1600U);
+  EXPECT_LT(fold.state.drawings().size(), 1700U);
   EXPECT_GT(tooMany(fold, "a"), 0U);
   fold.fold(2, "RK1 a - -\nerase *\n");
   EXPECT_LT(fold.state.weight(), 1000U);
