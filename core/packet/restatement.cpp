@@ -183,32 +183,34 @@ std::vector<Body> partsOf(const SessionState& state, std::string_view source,
   return parts;
 }
 
-/// True when a device's items belong to more than one source.
-bool hasSharedDevice(const SessionState& state) {
-  const auto isShared = [&](const auto& entry) {
-    const auto& [name, device] = entry;
-    const std::string* owner = nullptr;
-    bool shared = false;
-    const auto meet = [&](const std::string& other) {
-      shared = shared || (owner != nullptr && *owner != other);
-      owner = &other;
-    };
-    const auto meetPaths = [&](const auto& paths) {
-      auto item = paths.lower_bound(Path{false, name, {}});
-      for (; item != paths.end() && !item->first.is_layer && item->first.first == name; ++item) {
-        meet(item->second.owner);
-      }
-    };
-    if (device.presence) meet(device.presence->owner);
-    if (device.pose) meet(device.pose->owner);
-    if (device.joints) meet(device.joints->owner);
-    for (const auto& joint : device.named_joints) meet(joint.second.owner);
-    for (const auto& order : device.orders) meet(order.first);
-    meetPaths(state.visibility());
-    meetPaths(state.colors());
-    return shared;
+/// True when the device's items belong to more than one source.
+bool isShared(const SessionState& state, const std::string& name, const DeviceState& device) {
+  const std::string* owner = nullptr;
+  bool is_shared = false;
+  const auto meet = [&](const std::string& other) {
+    is_shared = is_shared || (owner != nullptr && *owner != other);
+    owner = &other;
   };
-  return std::any_of(state.devices().begin(), state.devices().end(), isShared);
+  const auto meetPaths = [&](const auto& paths) {
+    auto item = paths.lower_bound(Path{false, name, {}});
+    for (; item != paths.end() && !item->first.is_layer && item->first.first == name; ++item) {
+      meet(item->second.owner);
+    }
+  };
+  if (device.presence) meet(device.presence->owner);
+  if (device.pose) meet(device.pose->owner);
+  if (device.joints) meet(device.joints->owner);
+  for (const auto& joint : device.named_joints) meet(joint.second.owner);
+  for (const auto& order : device.orders) meet(order.first);
+  meetPaths(state.visibility());
+  meetPaths(state.colors());
+  return is_shared;
+}
+
+bool hasSharedDevice(const SessionState& state) {
+  return std::any_of(state.devices().begin(), state.devices().end(), [&](const auto& device) {
+    return isShared(state, device.first, device.second);
+  });
 }
 
 }  // namespace
