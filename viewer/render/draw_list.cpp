@@ -9,7 +9,6 @@
 namespace rocinante {
 namespace {
 
-constexpr float kGhostOpacity = 0.35F;
 /// Below this an item is drawn as translucent.
 constexpr float kOpaque = 0.999F;
 
@@ -75,8 +74,7 @@ void forEachPart(const Visual& visual, const CatalogMesh& mesh, const Each& each
 
 DrawList makeDrawList(const PosedScene& scene, const SceneCatalog& catalog,
                       const ViewChoice& choice, const Camera& camera,
-                      const std::vector<std::uint8_t>& translucent_textures,
-                      const std::vector<std::string>& ghosts) {
+                      const std::vector<std::uint8_t>& translucent_textures) {
   static const Material kPlain;
   DrawList list;
   forEachVisual(
@@ -87,7 +85,6 @@ DrawList makeDrawList(const PosedScene& scene, const SceneCatalog& catalog,
         const Mat4 world = visualWorld(device.link_world[l], visual);
         const double scale = scaleBound(world);
         const bool mirrored = mirrors(world);
-        const bool ghost = std::find(ghosts.begin(), ghosts.end(), device.name) != ghosts.end();
         forEachPart(visual, mesh, [&](std::uint32_t part) {
           const CatalogPart& known = mesh.parts[part];
           const MeshPart& run = mesh.mesh->parts[part];
@@ -116,7 +113,6 @@ DrawList makeDrawList(const PosedScene& scene, const SceneCatalog& catalog,
             item.diffuse = colorOf(*device.link_color[l]);
             item.texture = -1;
           }
-          if (ghost) item.diffuse.a *= kGhostOpacity;
           const bool holes = item.texture >= 0 &&
                              static_cast<std::size_t>(item.texture) < translucent_textures.size() &&
                              translucent_textures[static_cast<std::size_t>(item.texture)] != 0;

@@ -34,12 +34,11 @@ struct DrawList {
 };
 
 /// The cull stage. `translucent_textures`: by texture number, non-zero for pictures that are not
-/// opaque everywhere. `ghosts`: names of devices drawn as ghosts. Pure: the same scene and camera
-/// give the same list, whatever was drawn before.
+/// opaque everywhere. Pure: the same scene and camera give the same list, whatever was drawn
+/// before.
 DrawList makeDrawList(const PosedScene& scene, const SceneCatalog& catalog,
                       const ViewChoice& choice, const Camera& camera,
-                      const std::vector<std::uint8_t>& translucent_textures,
-                      const std::vector<std::string>& ghosts);
+                      const std::vector<std::uint8_t>& translucent_textures);
 
 /// Corners of the boxes around everything visible, world space: what a fitted view must show.
 std::vector<Vec3> visibleCorners(const PosedScene& scene, const SceneCatalog& catalog,

@@ -12,8 +12,9 @@
 namespace rocinante {
 namespace {
 
-/// Sources say again all they have said every 2 s, so by then everything should be in the picture.
-constexpr Nanoseconds kFitAfter = std::chrono::seconds(2);
+/// A fitted view must hold what moves in the session, and be the same at all its times: it is
+/// fitted to so many moments, spread evenly from the first to the last.
+constexpr int kFitMoments = 9;
 
 Result<std::unique_ptr<RenderContext>> makeContext(Profile profile) {
   if (profile == Profile::fast) {
@@ -35,37 +36,45 @@ struct FrameMaker::Impl {
     if (!session) return &nothing_said;
     return session->stateAt(time);
   }
-  Result<CameraView> cameraFor(const FrameRequest& request, const SessionState& state,
-                               const PosedScene& scene, const ViewChoice& choice);
-  Result<const PosedScene*> sceneToFit();
+  Result<CameraView> cameraFor(const FrameRequest& request, const PosedScene& scene,
+                               const ViewChoice& choice);
+  Status findScenesToFit();
 
   Cell cell;
   std::optional<Timeline> session;
   SessionState nothing_said;
-  std::optional<PosedScene> scene_to_fit;  // without drawings: it outlives its state
+  std::vector<PosedScene> scenes_to_fit;  // without drawings: they outlive their states
   std::unique_ptr<RenderContext> context;
   std::optional<Renderer> renderer;
   std::optional<FrameBuffer> target;
 };
 
-Result<const PosedScene*> FrameMaker::Impl::sceneToFit() {
-  if (!scene_to_fit) {
-    const LogTime moment =
-        session ? std::min(session->start() + kFitAfter, session->end()) : LogTime{};
+Status FrameMaker::Impl::findScenesToFit() {
+  if (!scenes_to_fit.empty()) return {};
+  const int moments = session ? kFitMoments : 1;
+  for (int i = 0; i < moments; ++i) {
+    LogTime moment{};
+    if (session)
+      moment = session->start() + (session->end() - session->start()) / (moments - 1) * i;
     const auto state = stateAt(moment);
     if (!state) return state.error();
-    scene_to_fit = poseScene(cell, **state);
-    scene_to_fit->drawings.clear();
+    scenes_to_fit.push_back(poseScene(cell, **state));
+    scenes_to_fit.back().drawings.clear();
   }
-  return &*scene_to_fit;
+  return {};
 }
 
-Result<CameraView> FrameMaker::Impl::cameraFor(const FrameRequest& request,
-                                               const SessionState& state, const PosedScene& scene,
+Result<CameraView> FrameMaker::Impl::cameraFor(const FrameRequest& request, const PosedScene& scene,
                                                const ViewChoice& choice) {
-  if (!request.camera.empty()) return chooseCamera(request.camera, cell, state, scene);
-  if (!cell.cameras.empty()) return placeCamera(cell.cameras.front(), scene);
-  return renderer->fittedCamera(*scene_to_fit, choice, request.width, request.height);
+  if (!request.camera.empty()) return chooseCamera(request.camera, scene);
+  // The cell's own come first in the scene's.
+  if (!cell.cameras.empty()) return viewOf(scene.cameras.front());
+  std::vector<Vec3> points;
+  for (const PosedScene& fitted : scenes_to_fit) {
+    const std::vector<Vec3> some = renderer->visiblePoints(fitted, choice);
+    points.insert(points.end(), some.begin(), some.end());
+  }
+  return fittedView(points, request.width, request.height);
 }
 
 FrameMaker::FrameMaker(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -99,12 +108,12 @@ Result<Picture> FrameMaker::frame(const FrameRequest& request) {
   if (!choice) return choice.error();
   // Before the state at the time asked for, which is valid until the next question only.
   if (request.camera.empty() && my.cell.cameras.empty()) {
-    if (const auto fit = my.sceneToFit(); !fit) return fit.error();
+    if (Status found = my.findScenesToFit(); !found) return found.error();
   }
   const auto state = my.stateAt(request.time);
   if (!state) return state.error();
   const PosedScene scene = poseScene(my.cell, **state);
-  const auto camera = my.cameraFor(request, **state, scene, *choice);
+  const auto camera = my.cameraFor(request, scene, *choice);
   if (!camera) return camera.error();
 
   if (!my.target || my.target->width() != request.width || my.target->height() != request.height ||

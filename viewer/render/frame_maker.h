@@ -17,7 +17,7 @@ namespace rocinante {
 struct FrameRequest {
   LogTime time{};
   /// Of the cell, or a `view` of the session. Empty: the cell's first, or a three-quarter view
-  /// fitted to what is there 2 s after the session's start, the same at every time.
+  /// fitted to nine moments spread over the session, and so the same at every time.
   std::string camera;
   int width = 640;
   int height = 480;

@@ -141,7 +141,7 @@ Result<RenderReport> render(const RenderJob& job,
 
   CellOptions options;
   options.search = job.search;
-  options.search_environment = true;
+  options.search_environment = job.search_environment;
   auto cell = loadCell(job.cell, options);
   if (!cell) return cell.error();
   auto maker = FrameMaker::open(std::move(*cell), std::move(session), job.profile);

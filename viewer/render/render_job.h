@@ -23,6 +23,7 @@ struct RenderJob {
   FrameRequest look;             ///< its time is not used
   Profile profile = Profile::reproducible;
   std::vector<std::filesystem::path> search;
+  bool search_environment = false;  ///< ROCINANTE_PATH, AMENT_PREFIX_PATH, ROS_PACKAGE_PATH too
   bool overwrite = false;
 };
 

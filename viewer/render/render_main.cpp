@@ -96,6 +96,8 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--search", job.search, "A folder in which models are looked for; repeatable")
       ->allow_extra_args(false);
+  app.add_flag("--search-env", job.search_environment,
+               "Also in ROCINANTE_PATH, AMENT_PREFIX_PATH, ROS_PACKAGE_PATH");
   app.add_flag("--hash", hash, "Print the SHA-256 of the RGBA rows, top to bottom, a line a frame");
   app.add_flag("--force", job.overwrite, "Replace existing files");
   app.add_flag("--json", json, "Print a report as JSON");

@@ -45,9 +45,6 @@ struct Renderer::Impl {
         textures(gl, catalog.textures(), profile, inputs) {
     inputs.add(std::as_bytes(std::span(atlas.coverage())));
     inputs_text = inputs.text();
-    for (const CellSource& source : cell.sources) {
-      for (const auto& [device, original] : source.ghost_of) ghosts.push_back(device);
-    }
   }
 
   GlTable gl;
@@ -60,7 +57,6 @@ struct Renderer::Impl {
   TextureStore textures;
   std::unique_ptr<DrawPasses> passes;
   std::string inputs_text;
-  std::vector<std::string> ghosts;
 };
 
 Renderer::Renderer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -96,7 +92,7 @@ Result<DrawCounts> Renderer::draw(const SceneFrame& frame, const FrameBuffer& ta
 
   // Cull: what of it can be seen, in which order.
   const DrawList list =
-      makeDrawList(*frame.scene, my.catalog, choice, camera, my.textures.translucent(), my.ghosts);
+      makeDrawList(*frame.scene, my.catalog, choice, camera, my.textures.translucent());
   Overlay in_scene(camera);
   addLinesAndPoints(in_scene, frame.scene->drawings, choice);
   Overlay on_top(camera);
@@ -125,6 +121,10 @@ Result<DrawCounts> Renderer::draw(const SceneFrame& frame, const FrameBuffer& ta
 CameraView Renderer::fittedCamera(const PosedScene& scene, const ViewChoice& choice, int width,
                                   int height) const {
   return fittedView(visibleCorners(scene, impl_->catalog, choice), width, height);
+}
+
+std::vector<Vec3> Renderer::visiblePoints(const PosedScene& scene, const ViewChoice& choice) const {
+  return visibleCorners(scene, impl_->catalog, choice);
 }
 
 Bounds Renderer::visibleBounds(const PosedScene& scene, const ViewChoice& choice) const {

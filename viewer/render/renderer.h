@@ -50,6 +50,8 @@ class Renderer {
   /// A three-quarter view of all that is visible in `scene`.
   CameraView fittedCamera(const PosedScene& scene, const ViewChoice& choice, int width,
                           int height) const;
+  /// Corners of the boxes around everything visible in `scene`: what a fitted view must show.
+  std::vector<Vec3> visiblePoints(const PosedScene& scene, const ViewChoice& choice) const;
   /// The world box around all that is visible in `scene`; empty when nothing is.
   Bounds visibleBounds(const PosedScene& scene, const ViewChoice& choice) const;
 

@@ -66,10 +66,10 @@ void main() {
   }
   // Sky above, ground below, a key light, and a soft one that moves with the camera, from its upper
   // left: walls that meet differ in shade wherever one stands.
-  vec3 ambient = mix(vec3(0.15, 0.14, 0.13), vec3(0.34, 0.37, 0.41), n.z * 0.5 + 0.5);
+  vec3 ambient = mix(vec3(0.12, 0.11, 0.10), vec3(0.27, 0.29, 0.32), n.z * 0.5 + 0.5);
   float key = max(dot(n, key_direction), 0.0);
   float fill = max(dot(n, fill_direction), 0.0);
-  vec3 light = base.rgb * (ambient + vec3(0.66, 0.64, 0.60) * key + vec3(0.22, 0.23, 0.24) * fill);
+  vec3 light = base.rgb * (ambient + vec3(0.54, 0.52, 0.49) * key + vec3(0.20, 0.21, 0.22) * fill);
   if (shininess > 0.0) {
     vec3 half_way = key_direction + to_eye;
     float facing = dot(n, half_way) * (1.0 / sqrt(max(dot(half_way, half_way), 1e-6)));
