@@ -80,7 +80,8 @@ class Printer {
   }
 
   void message(const LogMessage& message, std::string& out) const {
-    const bool is_text = message.channel->encoding == "rk1" && isUtf8(message.payload);
+    const std::string& encoding = message.channel->encoding;
+    const bool is_text = (encoding == "rk1" || encoding == "json") && isUtf8(message.payload);
     switch (options_.format) {
       case CatFormat::text:
         return text(message, is_text, out);

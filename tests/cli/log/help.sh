@@ -1,0 +1,1 @@
+rocinante log --help | sed -n '1,2p'

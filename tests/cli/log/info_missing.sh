@@ -1,0 +1,1 @@
+rocinante log info nowhere.mcap

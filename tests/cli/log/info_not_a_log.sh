@@ -1,0 +1,3 @@
+# What is no log cannot be described.
+echo 'not a log' > notes.txt
+rocinante log info notes.txt
