@@ -63,7 +63,7 @@ Result<bool> ViewModel::update(SteadyTime now) {
 
 CameraView ViewModel::cameraView() {
   if (!camera_name_.empty()) {
-    auto view = chooseCamera(camera_name_, *cell_, *state_, scene_);
+    auto view = chooseCamera(camera_name_, scene_);
     if (view.ok()) {
       complaint.clear();
       return *view;
@@ -91,9 +91,8 @@ void ViewModel::fit(const std::vector<Vec3>& points, int width, int height) {
 
 std::vector<std::string> ViewModel::cameraNames() const {
   std::vector<std::string> names;
-  for (const CellCamera& camera : cell_->cameras) names.push_back(camera.name);
-  for (const auto& [name, view] : state_->views()) {
-    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  for (const PosedCamera& camera : scene_.cameras) {
+    if (std::ranges::find(names, camera.name) == names.end()) names.push_back(camera.name);
   }
   return names;
 }
