@@ -55,6 +55,10 @@ Result<CheckReport> checkLive(const Cell& cell, const std::string& where, Nanose
   Result<UdpReceiver> receiver = UdpReceiver::open(*endpoint);
   if (!receiver) return receiver.error();
   cli::catchStopSignals();
+  // With the port that was bound: ":0" takes a free one.
+  Endpoint bound = *endpoint;
+  bound.address = receiver->boundAddress();
+  cli::warn("listening on " + bound.text());
   SessionCheck session(cell);
   std::optional<LogTime> first, last;
   const auto deadline = std::chrono::steady_clock::now() + duration;
@@ -79,14 +83,14 @@ Result<CheckReport> checkLive(const Cell& cell, const std::string& where, Nanose
   }
   if (const auto dropped = receiver->droppedByNow(); dropped && *dropped > 0) {
     LossSpan loss;
-    loss.endpoint = endpoint->text();
+    loss.endpoint = bound.text();
     loss.from = first.value_or(LogTime{});
     loss.until = last.value_or(LogTime{});
     loss.counts.kernel = *dropped;
     session.addLoss(loss);
   }
   CheckReport report = checkSession(cell, session);
-  report.session = endpoint->text();
+  report.session = bound.text();
   report.origin = first.value_or(LogTime{});
   report.duration = last.value_or(LogTime{}) - first.value_or(LogTime{});
   return report;
