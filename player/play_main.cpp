@@ -30,25 +30,32 @@ struct Arguments {
 };
 
 void declare(CLI::App& app, Arguments& my) {
-  app.add_option("LOG", my.options.logs, "logs to play, on one time line")->required();
-  app.add_option("--to", my.to, "where to send: udp://HOST:PORT, HOST:PORT or a multicast group");
+  app.add_option("LOG", my.options.logs, "logs to play, on one time line")
+      ->required()
+      ->option_text("...");
+  app.add_option("--to", my.to, "where to send: udp://HOST:PORT, HOST:PORT or a multicast group")
+      ->option_text("EP");
   auto* speed = app.add_option("--speed", my.speed, "log seconds per second, 0.01 to 1000")
-                    ->capture_default_str();
-  app.add_flag("--asap", my.options.at_once, "as fast as the network takes them")->excludes(speed);
-  app.add_option("--from", my.options.from, "begin at this session time (12.5s, -1s, RFC 3339)");
-  app.add_option("--until", my.options.until, "end before this session time");
+                    ->option_text("X=1");
+  app.add_flag("--asap", my.options.at_once, "as fast as the network takes them, not on schedule")
+      ->excludes(speed)
+      ->option_text(" ");
+  app.add_option("--from", my.options.from, "begin at this session time (12.5s, -1s, RFC 3339)")
+      ->option_text("TIME");
+  app.add_option("--until", my.options.until, "end before this session time")->option_text("TIME");
   app.add_option("--loop", my.options.turns, "play this often; 0: until stopped")
-      ->capture_default_str();
+      ->option_text("N=1");
   app.add_option("--restate", my.options.restate,
-                 "true or false: say every source's state at the beginning first")
-      ->default_str("true");
-  app.add_option("--realtime", my.realtime, "auto, on or off: run before other threads")
+                 "say every source's state at the beginning first: true or false")
+      ->option_text("BOOL=true");
+  app.add_option("--realtime", my.realtime, "run before other threads: auto, on or off")
       ->check(CLI::IsMember({"auto", "on", "off"}))
-      ->capture_default_str();
-  app.add_option("--report", my.report, "write what was sent, and how late, as JSON; -: to stdout");
-  app.add_flag("--force", my.force, "overwrite the report file");
+      ->option_text("WHEN=auto");
+  app.add_option("--report", my.report, "write what was sent, and how late, as JSON; -: to stdout")
+      ->option_text("FILE");
+  app.add_flag("--force", my.force, "replace the report file");
   app.add_flag("--json", my.json, "the same as --report -");
-  app.add_flag("--quiet", my.quiet, "only errors");
+  app.add_flag("--quiet", my.quiet, "print nothing but errors (and --json)");
 }
 
 Result<cli::Exit> run(Arguments& my) {
@@ -73,7 +80,7 @@ Result<cli::Exit> run(Arguments& my) {
   SendSurroundings surroundings;
   surroundings.stop = cli::stopRequested;
   surroundings.told = [&my](std::string_view line) {
-    if (!my.quiet) cli::warn(line);
+    if (!my.quiet) std::fprintf(stderr, "%.*s\n", static_cast<int>(line.size()), line.data());
   };
   const Result<PlayReport> report = play(my.options, surroundings);
   if (!report) return report.error();

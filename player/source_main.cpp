@@ -30,41 +30,57 @@ struct Arguments {
   bool quiet = false;
 };
 
-void declare(CLI::App& app, Arguments& my) {
-  auto* csv =
-      app.add_option("--csv", my.csv.csv, "a table with a header row: t, joint, joint, ...");
-  auto* device =
-      app.add_option("--device", my.csv.device, "the device that the columns move")->needs(csv);
+void declareTable(CLI::App& app, Arguments& my) {
+  auto* csv = app.add_option("--csv", my.csv.csv, "a table with a header row: t, joint, joint, ...")
+                  ->option_text("FILE");
+  auto* device = app.add_option("--device", my.csv.device, "the device that the columns move")
+                     ->needs(csv)
+                     ->option_text("NAME");
   csv->needs(device);
-  app.add_option("--source", my.csv.source, "the name to speak as (default: the device's)")
-      ->needs(csv);
-  app.add_option("--columns", my.csv.columns, "the columns that are joints (default: all)")
+  app.add_option("--source", my.csv.source, "the name to speak as; default the device's")
+      ->needs(csv)
+      ->option_text("NAME");
+  app.add_option("--columns", my.csv.columns,
+                 "the columns that are joints; default all but the time")
       ->delimiter(',')
-      ->needs(csv);
+      ->needs(csv)
+      ->option_text("A,B,...");
   app.add_option("--restate", my.restate, "say everything again this often; 0: never")
       ->needs(csv)
-      ->capture_default_str();
-  app.add_flag("--stamp-clock", my.csv.stamp_clock, "TIME is the clock's when sending")->needs(csv);
-  app.add_option("--demo", my.demo, "the built-in motion: arm, gantry, planner or all")
+      ->option_text("TIME=2s");
+  app.add_flag("--stamp-clock", my.csv.stamp_clock, "TIME is the clock's when sending")
+      ->needs(csv)
+      ->option_text(" ");
+  app.add_option("--demo", my.demo, "the built-in motion: arm, gantry, planner or all (default)")
       ->expected(0, 1)
       ->default_str("all")
       ->check(CLI::IsMember({"arm", "gantry", "planner", "all"}))
-      ->excludes(csv);
-  app.add_option("--to", my.to, "where to send: udp://HOST:PORT, HOST:PORT or a multicast group");
+      ->excludes(csv)
+      ->option_text("[PART]");
+}
+
+void declare(CLI::App& app, Arguments& my) {
+  declareTable(app, my);
+  app.add_option("--to", my.to, "where to send: udp://HOST:PORT, HOST:PORT or a multicast group")
+      ->option_text("EP");
   app.add_option("--speed", my.speed, "seconds of the motion per second, 0.01 to 1000")
-      ->capture_default_str();
-  app.add_option("--loop", my.options.turns,
-                 "send the motion this often; 0: until stopped (default: a table 1, the demo 0)");
-  app.add_option("--duration", my.duration, "end after this much of the motion");
-  app.add_option("--run", my.options.run, "the RUN token (default: a random one)");
-  app.add_option("--mtu", my.options.mtu_bytes, "no datagram is larger")
+      ->option_text("X=1");
+  app.add_option(
+         "--loop", my.options.turns,
+         "send the motion this often; 0: until stopped; default 1 for a table, 0 for a demo")
+      ->option_text("N");
+  app.add_option("--duration", my.duration, "end after this much of the motion")
+      ->option_text("TIME");
+  app.add_option("--run", my.options.run, "the RUN token; default a random one")
+      ->option_text("TOKEN");
+  app.add_option("--mtu", my.options.mtu_bytes, "no datagram is larger, 64 to 65507")
       ->check(CLI::Range(64, 65'507))
-      ->capture_default_str();
-  app.add_option("--realtime", my.realtime, "auto, on or off: run before other threads")
+      ->option_text("BYTES=1200");
+  app.add_option("--realtime", my.realtime, "run before other threads: auto, on or off")
       ->check(CLI::IsMember({"auto", "on", "off"}))
-      ->capture_default_str();
-  app.add_flag("--json", my.json, "say at the end what was sent, as JSON");
-  app.add_flag("--quiet", my.quiet, "only errors");
+      ->option_text("WHEN=auto");
+  app.add_flag("--json", my.json, "print what was sent as JSON");
+  app.add_flag("--quiet", my.quiet, "print nothing but errors (and --json)");
 }
 
 Status readOptions(Arguments& my, bool loop_given) {
@@ -107,7 +123,7 @@ Result<cli::Exit> run(Arguments& my, bool loop_given) {
   SendSurroundings surroundings;
   surroundings.stop = cli::stopRequested;
   surroundings.told = [&my](std::string_view line) {
-    if (!my.quiet) cli::warn(line);
+    if (!my.quiet) std::fprintf(stderr, "%.*s\n", static_cast<int>(line.size()), line.data());
   };
   std::vector<DemoPart> parts;
   for (const DemoPart part : kDemoParts) {

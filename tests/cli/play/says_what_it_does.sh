@@ -1,0 +1,1 @@
+rocinante play --help
