@@ -93,6 +93,7 @@ Result<Cell> loadModelFile(const fs::path& path, const CellOptions& options) {
   if (!model) return firstError(cell.faults, path);
   cell.models[device.model] = model;
   cell.models[device.name] = model;
+  cell.device_by_name.emplace(device.name, 0);
   cell.devices.push_back(std::move(device));
   cell.files.assign(meshes.files().begin(), meshes.files().end());
   sortFaults(cell);
@@ -130,6 +131,10 @@ const Model* Cell::modelOf(const CellDevice& device) const {
 }
 
 const CellDevice* Cell::findDevice(std::string_view name) const {
+  if (!device_by_name.empty()) {
+    const auto found = device_by_name.find(name);
+    return found == device_by_name.end() ? nullptr : &devices[found->second];
+  }
   for (const CellDevice& device : devices) {
     if (device.name == name) return &device;
   }

@@ -62,6 +62,8 @@ struct CellScene {
 struct Cell {
   std::string file;
   std::vector<CellDevice> devices;  ///< as the file has them
+  /// Names to places in `devices`; loading fills it, a cell made by hand may leave it empty.
+  std::map<std::string, std::size_t, std::less<>> device_by_name;
   /// By the names that `add DEVICE MODEL` may use: of each [[model]] its name; of each file that a
   /// device uses the text that it writes, the file's name, and that without `.urdf`. A short name
   /// that would mean two models means neither.

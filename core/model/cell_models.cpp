@@ -81,7 +81,7 @@ void CellModels::readModel(TomlTable table) {
 
 void CellModels::use(const std::string& name, const TomlTable& table) {
   if (written_.contains(name) || used_.contains(name)) return;
-  if (endsIn(name, ".urdf") || endsIn(name, ".xml")) {
+  if (endsIn(name, ".urdf")) {
     used_.emplace(name, readUrdfFile(name, table.place("model"), table.faults()));
     return;
   }

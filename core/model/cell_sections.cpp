@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "core/math/transform.h"
@@ -11,10 +12,11 @@
 namespace rocinante {
 namespace {
 
-std::vector<std::string_view> deviceNames(const Cell& cell) {
+std::string deviceHint(const TomlTable& table, const Cell& cell, std::string_view name) {
+  if (!table.faults().lists("cell.unknown-device")) return {};
   std::vector<std::string_view> names;
   for (const CellDevice& device : cell.devices) names.push_back(device.name);
-  return names;
+  return didYouMean(name, names);
 }
 
 // A name that no earlier table of its kind has.
@@ -54,7 +56,7 @@ void checkTarget(const TomlTable& table, std::string_view key, const Cell& cell,
     table.error("cell.unknown-device", key,
                 fmt::format("`{}` of {} names {}, which is no device of the cell", key,
                             table.what(), quotedInFault(device_name)),
-                didYouMean(device_name, deviceNames(cell)));
+                deviceHint(table, cell, device_name));
     device_name.clear();
     link_name.clear();
     return;
@@ -62,7 +64,9 @@ void checkTarget(const TomlTable& table, std::string_view key, const Cell& cell,
   const Model* model = cell.modelOf(*device);
   if (link_name.empty() || model == nullptr || model->findLink(link_name)) return;
   std::vector<std::string_view> links;
-  for (const Link& link : model->links) links.push_back(link.name);
+  if (table.faults().lists("cell.unknown-link")) {
+    for (const Link& link : model->links) links.push_back(link.name);
+  }
   table.error(
       "cell.unknown-link", key,
       fmt::format("device {} has no link {}", quotedInFault(device_name), quotedInFault(link_name)),
@@ -84,11 +88,46 @@ void checkLayer(const TomlTable& table, const Cell& cell, const std::string& lay
                          didYouMean(layer, names));
 }
 
+// Tables of devices that say `on`, by the devices' names.
+using Carried = std::vector<std::pair<TomlTable, std::string>>;
+
+// Follows each chain of carriers once; one that comes back to itself is a loop.
+void checkCarriers(const Cell& cell, const Carried& carried) {
+  std::map<std::string, std::size_t> turn;  // by device: the walk that passed it
+  for (std::size_t first = 0; first < carried.size(); ++first) {
+    const CellDevice* at = cell.findDevice(carried[first].second);
+    while (at != nullptr && !at->on_device.empty() && turn.emplace(at->name, first).second) {
+      at = cell.findDevice(at->on_device);
+    }
+    if (at == nullptr || at->on_device.empty() || turn.at(at->name) != first) continue;
+    carried[first].first.error(
+        "cell.carrier-loop", "on",
+        fmt::format("device {} carries itself in the end", quotedInFault(at->name)),
+        "all of the loop stand in the world");
+  }
+}
+
 bool runParallel(const Vec3& a, const Vec3& b) {
   const auto x = normalized(a), y = normalized(b);
   if (!x || !y) return true;
   const double along = x->x * y->x + x->y * y->y + x->z * y->z;
   return along * along > 1.0 - 1e-12;
+}
+
+void readGhost(const TomlTable& table, const TomlNode::Entry& ghost, const Cell& cell,
+               CellSource& source) {
+  if (ghost.value.kind != TomlNode::Kind::text) {
+    table.faults().error("cell.wrong-kind", ghost.value.place,
+                         fmt::format("{} of ghost_of is {}, where a device is wanted",
+                                     quotedInFault(ghost.key), nameOf(ghost.value.kind)));
+  } else if (cell.findDevice(ghost.value.text) == nullptr) {
+    table.faults().error("cell.unknown-device", ghost.value.place,
+                         fmt::format("{} is to be a ghost of {}, which is no device of the cell",
+                                     quotedInFault(ghost.key), quotedInFault(ghost.value.text)),
+                         deviceHint(table, cell, ghost.value.text));
+  } else {
+    source.ghost_of.emplace(ghost.key, ghost.value.text);
+  }
 }
 
 std::optional<CellCamera> readCamera(TomlTable& table, std::set<std::string>& taken) {
@@ -146,7 +185,7 @@ std::optional<CellCamera> readCamera(TomlTable& table, std::set<std::string>& ta
 
 void readDevices(TomlTable& root, Cell& cell, CellModels& models) {
   std::set<std::string> taken;
-  std::vector<std::pair<TomlTable, std::string>> carried;
+  Carried carried;
   for (TomlTable& table : root.tables("device", "[[device]]")) {
     CellDevice device;
     const auto name = newName(table, taken);
@@ -168,27 +207,15 @@ void readDevices(TomlTable& root, Cell& cell, CellModels& models) {
     device.name = *name;
     device.model = *model;
     if (!on.device.empty()) carried.emplace_back(table, *name);
+    cell.device_by_name.emplace(*name, cell.devices.size());
     cell.devices.push_back(std::move(device));
   }
   cell.models = models.named();
   for (const auto& [table, name] : carried) {
-    for (CellDevice& device : cell.devices) {
-      if (device.name != name) continue;
-      checkTarget(table, "on", cell, device.on_device, device.on_link);
-    }
+    CellDevice& device = cell.devices[cell.device_by_name.at(name)];
+    checkTarget(table, "on", cell, device.on_device, device.on_link);
   }
-  for (const auto& [table, name] : carried) {
-    const CellDevice* first = cell.findDevice(name);
-    const CellDevice* at = first;
-    for (std::size_t steps = 0; at != nullptr && steps <= carried.size(); ++steps) {
-      at = at->on_device.empty() ? nullptr : cell.findDevice(at->on_device);
-      if (at != first) continue;
-      table.error("cell.carrier-loop", "on",
-                  fmt::format("device {} carries itself in the end", quotedInFault(name)),
-                  "it stands in the world");
-      break;
-    }
-  }
+  checkCarriers(cell, carried);
 }
 
 void readCameras(TomlTable& root, Cell& cell) {
@@ -223,18 +250,9 @@ void readSources(TomlTable& root, Cell& cell) {
       source.rate_hz.reset();
     }
     source.devices = table.texts("devices");
-    if (auto ghosts = table.table("ghost_of", "ghost_of")) {
+    if (table.table("ghost_of", "ghost_of")) {
       for (const TomlNode::Entry& entry : table.node("ghost_of")->entries) {
-        const auto real = ghosts->text(entry.key);
-        if (!real) continue;
-        if (cell.findDevice(*real) == nullptr) {
-          ghosts->error("cell.unknown-device", entry.key,
-                        fmt::format("{} is to be a ghost of {}, which is no device of the cell",
-                                    quotedInFault(entry.key), quotedInFault(*real)),
-                        didYouMean(*real, deviceNames(cell)));
-          continue;
-        }
-        source.ghost_of.emplace(entry.key, *real);
+        readGhost(table, entry, cell, source);
       }
     }
     for (const std::string& device : source.devices) {
@@ -242,7 +260,7 @@ void readSources(TomlTable& root, Cell& cell) {
       table.faults().warning("cell.unknown-device", table.place("devices"),
                              fmt::format("`devices` of [[source]] names {}, which the cell has not",
                                          quotedInFault(device)),
-                             didYouMean(device, deviceNames(cell)));
+                             deviceHint(table, cell, device));
     }
     table.finish();
     if (!name) continue;

@@ -35,6 +35,9 @@ class FaultList {
     add(Severity::note, rule, place, std::move(text), std::move(hint));
   }
 
+  /// Whether one more of this rule would be listed: hints for the rest are not worth their time.
+  bool lists(std::string_view rule) const;
+
   const std::string& file() const { return file_; }
   /// The list that this one adds to: for files that this file names.
   ModelFaults& all() { return faults_; }

@@ -155,6 +155,9 @@ std::optional<JointDraft> readJoint(TomlTable& table, const std::string& parent,
   return draft;
 }
 
+// Comparisons of a group with a pattern, of one model.
+constexpr std::size_t kMostMatches = 100'000'000;
+
 // Which parts of the mesh each link takes.
 struct LinkGroups {
   std::string link;
@@ -264,6 +267,12 @@ class InlineModelReader {
     std::vector<std::vector<std::size_t>> taken(groups_.size());
     std::vector<std::size_t> rest;
     std::vector<std::vector<bool>> matched(groups_.size());
+    if (mesh->parts.size() * patternCount() > kMostMatches) {
+      table_.error("cell.too-many", "link",
+                   fmt::format("{} groups and {} patterns are too many to compare",
+                               mesh->parts.size(), patternCount()));
+      return;
+    }
     for (std::size_t i = 0; i < groups_.size(); ++i) {
       matched[i].resize(groups_[i].patterns.size(), false);
     }
@@ -297,6 +306,12 @@ class InlineModelReader {
     }
   }
 
+  std::size_t patternCount() const {
+    std::size_t count = 0;
+    for (const LinkGroups& groups : groups_) count += groups.patterns.size() + 1;
+    return count;
+  }
+
   static bool claims(const LinkGroups& groups, std::vector<bool>& matched, std::string_view group) {
     bool claimed = false;
     for (std::size_t i = 0; i < groups.patterns.size(); ++i) {
@@ -320,10 +335,11 @@ class InlineModelReader {
     for (std::size_t i = 0; i < groups_.size(); ++i) {
       for (std::size_t k = 0; k < matched[i].size(); ++k) {
         if (matched[i][k]) continue;
+        const bool listed = table_.faults().lists("cell.unknown-group");
         table_.faults().error(
             "cell.unknown-group", groups_[i].place,
             fmt::format("no group of the file is {}", quotedInFault(groups_[i].patterns[k])),
-            didYouMean(groups_[i].patterns[k], names));
+            listed ? didYouMean(groups_[i].patterns[k], names) : "");
       }
     }
   }

@@ -13,7 +13,9 @@ namespace {
 
 using Index = std::map<std::string, std::size_t, std::less<>>;
 
-std::string hintFrom(std::string_view name, const Index& known) {
+std::string hintFrom(std::string_view name, const Index& known, const FaultList& faults,
+                     std::string_view rule) {
+  if (!faults.lists(rule)) return {};
   std::vector<std::string_view> names;
   names.reserve(known.size());
   for (const auto& [key, place] : known) names.push_back(key);
@@ -79,7 +81,7 @@ class TreeBuilder {
     faults_.error(rule("unknown-link"), place,
                   fmt::format("the {} of joint {} is {}, which is no link", role,
                               quotedInFault(joint.joint.name), quotedInFault(name)),
-                  hintFrom(name, model_.link_by_name));
+                  hintFrom(name, model_.link_by_name, faults_, rule("unknown-link")));
     return std::nullopt;
   }
 
@@ -129,7 +131,7 @@ class TreeBuilder {
         faults_.error(
             rule("unknown-mimic"), draft->place,
             fmt::format("joint {} mimics {}, which is no joint", name, quotedInFault(draft->joint)),
-            hintFrom(draft->joint, model_.joint_by_name));
+            hintFrom(draft->joint, model_.joint_by_name, faults_, rule("unknown-mimic")));
       } else if (valueCount(model_.joints[i].type) != 1 ||
                  valueCount(model_.joints[*followed].type) != 1) {
         faults_.error(

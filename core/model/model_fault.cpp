@@ -42,6 +42,11 @@ void FaultList::add(Severity severity, std::string_view rule, Place place, std::
                      std::move(hint)});
 }
 
+bool FaultList::lists(std::string_view rule) const {
+  const auto found = counts_.find(rule);
+  return found == counts_.end() || found->second.times < kListedPerRule;
+}
+
 FaultList::~FaultList() {
   for (const auto& [rule, count] : counts_) {
     if (count.times <= kListedPerRule) continue;

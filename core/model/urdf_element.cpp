@@ -35,10 +35,12 @@ std::optional<UrdfElement> UrdfElement::child(const char* name) const {
 
 void UrdfElement::expectChildren(std::initializer_list<std::string_view> known) const {
   const std::vector<std::string_view> names(known);
+  if (!faults().lists("urdf.unknown-element")) return;
   eachChild([&](const UrdfElement& below) {
     for (const std::string_view name : names) {
       if (below.tag() == name) return;
     }
+    if (!faults().lists("urdf.unknown-element")) return;
     const std::string hint = didYouMean(below.tag(), names);
     if (hint.empty()) return;
     faults().warning("urdf.unknown-element", below.place(),

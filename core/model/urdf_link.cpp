@@ -217,7 +217,9 @@ void UrdfLinkReader::resolveMaterials(std::vector<LinkDraft>& links, FaultList& 
       continue;
     }
     std::vector<std::string_view> names;
-    for (const auto& [name, material] : materials_) names.push_back(name);
+    if (faults.lists("urdf.unknown-material")) {
+      for (const auto& [name, material] : materials_) names.push_back(name);
+    }
     faults.error("urdf.unknown-material", wanted.place,
                  wanted.material.empty()
                      ? std::string("<material> has neither a name nor a colour nor a texture")

@@ -78,10 +78,8 @@ TEST_F(CellFaults, EachKindOfFaultSaysWhereAndWhat) {
        "[cell.unknown-link]\n"},
       {"[[device]]\nname = 'a'\nmodel = 'arm.urdf'\non = 'b'\n"
        "[[device]]\nname = 'b'\nmodel = 'arm.urdf'\non = 'a'\n",
-       "test.cell.toml:5:6: error: device `a` carries itself in the end (it stands in the world) "
-       "[cell.carrier-loop]\n"
-       "test.cell.toml:9:6: error: device `b` carries itself in the end (it stands in the world) "
-       "[cell.carrier-loop]\n"},
+       "test.cell.toml:5:6: error: device `a` carries itself in the end (all of the loop stand in "
+       "the world) [cell.carrier-loop]\n"},
       {"search = ['none', '/']\n",
        "test.cell.toml:2:10: error: the search root does not exist: `none` [cell.bad-root]\n"
        "test.cell.toml:2:10: error: the whole file system cannot be a search root "
