@@ -32,10 +32,10 @@ static_assert(sizeof(Vertex) == 32);
 
 /// A run of triangles of one group and one material.
 struct MeshPart {
-  std::string group;               ///< OBJ `g` (or `o`) name; empty when none was given
-  std::uint32_t material = 0;      ///< into Mesh::materials
-  std::uint32_t first_index = 0;   ///< into Mesh::indices
-  std::uint32_t index_count = 0;   ///< three a triangle
+  std::string group;              ///< OBJ `g` (or `o`) name; empty when none was given
+  std::uint32_t material = 0;     ///< into Mesh::materials
+  std::uint32_t first_index = 0;  ///< into Mesh::indices
+  std::uint32_t index_count = 0;  ///< three a triangle
 };
 
 struct Bounds {
