@@ -239,7 +239,7 @@ Bytes Writer::summary(std::uint64_t summary_start) const {
   append(out, footer);
   // The footer's last field covers all that stands before it, from the summary's start.
   footer.summary_crc = crc32(ByteView(out).first(out.size() - sizeof(footer.summary_crc)));
-  out.resize(out.size() - kPrefixBytes - kFooterContentBytes);
+  out.erase(out.end() - static_cast<std::ptrdiff_t>(kPrefixBytes + kFooterContentBytes), out.end());
   append(out, footer);
   appendBytes(out, magic());
   return out;
