@@ -182,7 +182,7 @@ TEST(Renderer, AWindowInItsWallShowsAllOverFromEverySide) {
   mesh.parts.push_back({"window", 1, 6, 6});
   mesh.materials = {colored(1, 0, 0), colored(0, 0, 1)};
   for (const Vec3& eye :
-       {Vec3(0, -20, 0), Vec3(19, -3, 1), Vec3(-10, -8, 7), Vec3(0.5, -0.4, -18)}) {
+       {Vec3(0, -20, 0), Vec3(19, -3, 1), Vec3(-10, -8, 7), Vec3(0.5, -2.5, -18)}) {
     SCOPED_TRACE(eye.x);
     TestCell cell;
     cell.add("house", mesh, {0, 0, 0});
