@@ -10,16 +10,17 @@ namespace {
 
 Error badFrame(std::string what) { return Error{ErrorKind::bad_argument, std::move(what), {}}; }
 
-/// Storage of a new renderbuffer, left bound. False when the samples are not exactly those.
-bool storeExactly(const GlTable& gl, GLuint* name, GLenum format, int width, int height,
-                  int samples) {
+/// Storage of a new renderbuffer, left bound. Answers how many samples it got: a renderer may round
+/// up.
+int storeSamples(const GlTable& gl, GLuint* name, GLenum format, int width, int height,
+                 int samples) {
   gl.GenRenderbuffers(1, name);
   gl.BindRenderbuffer(GL_RENDERBUFFER, *name);
   gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, samples > 1 ? samples : 0, format, width,
                                     height);
   GLint got = 0;
   gl.GetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_SAMPLES, &got);
-  return std::max(got, 1) == samples;
+  return std::max(got, 1);
 }
 
 }  // namespace
@@ -45,10 +46,11 @@ Result<FrameBuffer> FrameBuffer::create(const GlTable& gl, int width, int height
   gl.GenFramebuffers(1, &frame.frame_);
   gl.BindFramebuffer(GL_FRAMEBUFFER, frame.frame_);
   // Float depth, because it runs from near (1) to far (0): see camera.h.
-  const bool exact = storeExactly(gl, &frame.color_, GL_RGBA8, width, height, samples) &&
-                     storeExactly(gl, &frame.depth_, GL_DEPTH_COMPONENT32F, width, height, samples);
-  if (!exact) {
-    return badFrame(fmt::format("{} samples cannot be drawn: this renderer rounds them", samples));
+  const int color = storeSamples(gl, &frame.color_, GL_RGBA8, width, height, samples);
+  const int depth = storeSamples(gl, &frame.depth_, GL_DEPTH_COMPONENT32F, width, height, samples);
+  if (color != samples || depth != samples) {
+    return badFrame(
+        fmt::format("{} samples cannot be drawn: this renderer takes {}", samples, color));
   }
   gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, frame.color_);
   gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, frame.depth_);
@@ -56,7 +58,7 @@ Result<FrameBuffer> FrameBuffer::create(const GlTable& gl, int width, int height
   if (complete && samples > 1) {
     gl.GenFramebuffers(1, &frame.resolved_frame_);
     gl.BindFramebuffer(GL_FRAMEBUFFER, frame.resolved_frame_);
-    storeExactly(gl, &frame.resolved_color_, GL_RGBA8, width, height, 1);
+    storeSamples(gl, &frame.resolved_color_, GL_RGBA8, width, height, 1);
     gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
                                frame.resolved_color_);
     complete = gl.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;

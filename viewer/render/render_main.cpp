@@ -67,6 +67,7 @@ int main(int argc, char** argv) {
   RenderJob job;
   std::string size = "640x480";
   std::string caps = "sse4.1";
+  std::string profile = "reproducible";
   bool hash = false;
   bool json = false;
   app.add_option("cell", job.cell, "A .cell.toml, or a bare .urdf or .obj")->required();
@@ -87,10 +88,9 @@ int main(int argc, char** argv) {
       ->allow_extra_args(false);
   app.add_option("--show", job.look.show, "PATH to draw whatever packets say; repeatable")
       ->allow_extra_args(false);
-  app.add_option("--profile", job.profile, "reproducible: the same bits everywhere; fast: any GPU")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Profile>{
-          {"reproducible", Profile::reproducible}, {"fast", Profile::fast}}))
-      ->default_str("reproducible");
+  app.add_option("--profile", profile, "reproducible: the same bits everywhere; fast: any GPU")
+      ->check(CLI::IsMember({"reproducible", "fast"}))
+      ->capture_default_str();
   app.add_option("--caps", caps, "What the reproducible profile pins the processor to")
       ->check(CLI::IsMember({"sse4.1", "sse2"}))
       ->capture_default_str();
@@ -104,6 +104,7 @@ int main(int argc, char** argv) {
 
   return cli::run(app, argc, argv, kExamples, [&]() -> Result<cli::Exit> {
     // Mesa reads its environment when the first context is made.
+    job.profile = profile == "fast" ? Profile::fast : Profile::reproducible;
     if (job.profile == Profile::reproducible) pinRendererEnvironment(caps);
     const auto pixels = parseSize(size);
     if (!pixels) return pixels.error();

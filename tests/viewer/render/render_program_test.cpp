@@ -2,8 +2,12 @@
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
+#include <algorithm>
 #include <charconv>
+#include <filesystem>
+#include <fstream>
 #include <map>
+#include <optional>
 
 #include "tests/support/programs.h"
 #include "tests/support/shared_data.h"
@@ -76,6 +80,69 @@ TEST(RenderProgram, TwentyRunsGiveOneHash) {
                                            "--at", "5.5"};
   const std::string first = hashesOf(arguments);
   for (int run = 1; run < 20; ++run) EXPECT_EQ(hashesOf(arguments), first) << "run " << run;
+}
+
+class RenderSession : public testing::Test {
+ protected:
+  void SetUp() override {
+    test::writeText(folder_ / "arm.urdf", test::kArmUrdf);
+    test::writeArmSession(folder_ / "arm.mcap");
+  }
+  test::ProgramResult render(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), {"arm.urdf", "arm.mcap", "--size", "80x60"});
+    return test::runProgram("rocinante-render", arguments, folder_.path());
+  }
+  bool there(const std::string& name) { return std::filesystem::exists(folder_ / name); }
+
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(RenderSession, ATimeOutsideTheLogIsExitTwoAndWritesNothing) {
+  for (const char* time : {"10.001", "-10.001s", "1e9", "2020-01-01T00:00:00Z"}) {
+    SCOPED_TRACE(time);
+    const auto result = render({"--at", "1", "--at", time, "--sheet", "sheet.png"});
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    EXPECT_FALSE(there("sheet.png"));
+  }
+  EXPECT_NE(render({"--at", "10.001", "--hash"})
+                .err.find("10.001 is outside the log, which has 0.000 to 10.000 s"),
+            std::string::npos);
+  EXPECT_EQ(render({"--at", "10", "--hash"}).exit_code, 0);
+}
+
+TEST_F(RenderSession, AMomentIsWrittenInManyWaysAndIsOnePicture) {
+  const std::string hash = render({"--at", "9", "--hash"}).out;
+  EXPECT_EQ(hash.size(), 65U);
+  for (const char* time : {"9.0s", "9000ms", "-1s", "2023-11-14T22:13:29Z", "9.05"}) {
+    EXPECT_EQ(render({"--at", time, "--hash"}).out, hash) << time;
+  }
+  EXPECT_EQ(render({"--at", "9", "--at", "9.0s", "--hash"}).out, "9 " + hash + "9.0s " + hash);
+}
+
+TEST_F(RenderSession, FramesAndSheetsAreWrittenOnceAndReplacedOnlyByForce) {
+  ASSERT_EQ(render({"--every", "2.5s", "--frames", "out", "--sheet", "sheet.png"}).exit_code, 0);
+  for (const char* name : {"out/frame-00001.png", "out/frame-00005.png", "sheet.png"}) {
+    EXPECT_TRUE(there(name)) << name;
+  }
+  EXPECT_FALSE(there("out/frame-00006.png"));
+  const auto again = render({"--every", "2.5s", "--frames", "out"});
+  EXPECT_EQ(again.exit_code, 2);
+  EXPECT_NE(again.err.find("the file exists; --force replaces it"), std::string::npos);
+  EXPECT_EQ(render({"--every", "2.5s", "--frames", "out", "--force"}).exit_code, 0);
+}
+
+TEST_F(RenderSession, OneFileForSeveralMomentsIsRefused) {
+  EXPECT_EQ(render({"--at", "1", "--at", "2", "-o", "f.png"}).exit_code, 2);
+  EXPECT_EQ(render({"--every", "1s", "-o", "f.png"}).exit_code, 2);
+  EXPECT_EQ(render({"--every", "1ns", "--hash"}).exit_code, 2);
+  EXPECT_EQ(render({"--every", "0s", "--hash"}).exit_code, 2);
+  EXPECT_EQ(render({"--hash"}).exit_code, 2);
+  EXPECT_FALSE(there("f.png"));
+}
+
+TEST_F(RenderSession, APictureThatCannotBeWrittenIsExitTwo) {
+  EXPECT_EQ(render({"--at", "1", "-o", "no/such/folder/f.png"}).exit_code, 2);
 }
 
 /// Every 100th sample of the real Panda's motion, named as its joints are.
