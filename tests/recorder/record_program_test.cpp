@@ -6,7 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <random>
-#include <regex>
+#include <sstream>
 
 #include "core/log/log_reader.h"
 #include "core/net/udp_socket.h"
@@ -28,9 +28,9 @@ struct Recording {
                      std::vector<std::string> options = {})
       : program(start(endpoints, std::move(options))) {
     const std::string line = program.waitForLine("recording ");
-    const std::regex endpoint("udp://[^ ]+");
-    for (std::sregex_iterator each(line.begin(), line.end(), endpoint), end; each != end; ++each) {
-      bound.push_back(Endpoint::parse(each->str()).value());
+    std::istringstream words(line);
+    for (std::string word; words >> word;) {
+      if (word.starts_with("udp://")) bound.push_back(Endpoint::parse(word).value());
     }
   }
 

@@ -6,6 +6,7 @@
 #include <poll.h>
 #include <unistd.h>
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -65,9 +66,10 @@ TEST(UdpSocket, CarriesDatagramsToAGroupOnLoopback) {
 
 TEST(UdpSocket, CarriesDatagramsToAnIpv6Group) {
   // Interface-local groups (ff01::/16) never leave the machine, but lo itself has no route to them.
-  const struct if_nameindex* interfaces = ::if_nameindex();
+  const std::unique_ptr<struct if_nameindex, void (*)(struct if_nameindex*)> interfaces(
+      ::if_nameindex(), ::if_freenameindex);
   ASSERT_NE(interfaces, nullptr);
-  for (const struct if_nameindex* each = interfaces; each->if_index != 0; ++each) {
+  for (const struct if_nameindex* each = interfaces.get(); each->if_index != 0; ++each) {
     const auto listen =
         Endpoint::parse(std::string("[ff01::1996]:0?ttl=0&interface=") + each->if_name);
     if (!listen) continue;
