@@ -1,7 +1,6 @@
 #include "golden/suite.h"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <array>
@@ -10,6 +9,7 @@
 
 #include "core/atomic_file.h"
 #include "core/duration_text.h"
+#include "core/model/toml_node.h"
 
 namespace rocinante {
 namespace {
@@ -20,73 +20,71 @@ constexpr int kMaxPictureSide = 8192;
 /// Reads one table of the file and remembers the first fault.
 class TableReader {
  public:
-  TableReader(const toml::table& table, const std::string& file, std::optional<Error>& fault)
+  TableReader(const TomlNode& table, const std::string& file, std::optional<Error>& fault)
       : table_(table), file_(file), fault_(fault) {}
 
-  void complain(const toml::node& node, const std::string& what) {
+  void complain(const TomlNode& node, const std::string& what) {
     if (fault_) return;
-    const auto place = node.source().begin;
     fault_ = Error{ErrorKind::bad_argument, what,
-                   fmt::format("{}:{}:{}", file_, place.line, place.column)};
+                   fmt::format("{}:{}:{}", file_, node.place.line, node.place.column)};
   }
   void complainHere(const std::string& what) { complain(table_, what); }
 
   void onlyKeys(std::initializer_list<std::string_view> allowed) {
-    for (const auto& [key, node] : table_) {
-      if (key.str().starts_with("x-")) continue;
-      if (std::ranges::find(allowed, key.str()) == allowed.end()) {
-        complain(node, fmt::format("unknown key `{}`", key.str()));
+    for (const TomlNode::Entry& entry : table_.entries) {
+      if (entry.key.starts_with("x-")) continue;
+      if (std::ranges::find(allowed, entry.key) == allowed.end()) {
+        complain(entry.value, fmt::format("unknown key `{}`", entry.key));
       }
     }
+  }
+
+  /// Null when the table has no such key.
+  const TomlNode* node(std::string_view key) {
+    const auto found = std::ranges::find(table_.entries, key, &TomlNode::Entry::key);
+    return found == table_.entries.end() ? nullptr : &found->value;
   }
 
   std::optional<std::string> text(std::string_view key) {
-    const toml::node* node = table_.get(key);
-    if (node == nullptr) return std::nullopt;
-    if (const auto value = node->value_exact<std::string>()) return *value;
-    complain(*node, fmt::format("`{}` is a string", key));
-    return std::nullopt;
+    const TomlNode* found = ofKind(key, TomlNode::Kind::text, "a string");
+    return found != nullptr ? std::optional(found->text) : std::nullopt;
   }
 
   std::optional<std::int64_t> integer(std::string_view key) {
-    const toml::node* node = table_.get(key);
-    if (node == nullptr) return std::nullopt;
-    if (const auto value = node->value_exact<std::int64_t>()) return *value;
-    complain(*node, fmt::format("`{}` is a whole number", key));
-    return std::nullopt;
+    const TomlNode* found = ofKind(key, TomlNode::Kind::integer, "a whole number");
+    return found != nullptr ? std::optional(found->integer) : std::nullopt;
   }
 
   std::optional<double> number(std::string_view key) {
-    const toml::node* node = table_.get(key);
-    if (node == nullptr) return std::nullopt;
-    if (node->is_number()) return node->value<double>();
-    complain(*node, fmt::format("`{}` is a number", key));
-    return std::nullopt;
+    const TomlNode* found = node(key);
+    if (found != nullptr && found->kind == TomlNode::Kind::integer) return found->number;
+    found = ofKind(key, TomlNode::Kind::number, "a number");
+    return found != nullptr ? std::optional(found->number) : std::nullopt;
   }
 
   std::vector<std::string> texts(std::string_view key) {
-    const toml::node* node = table_.get(key);
-    if (node == nullptr) return {};
-    std::vector<std::string> found;
-    const toml::array* list = node->as_array();
-    if (list == nullptr) {
-      complain(*node, fmt::format("`{}` is a list of strings", key));
-      return {};
-    }
-    for (const toml::node& element : *list) {
-      if (const auto value = element.value_exact<std::string>()) {
-        found.push_back(*value);
+    const TomlNode* found = ofKind(key, TomlNode::Kind::array, "a list of strings");
+    std::vector<std::string> list;
+    if (found == nullptr) return list;
+    for (const TomlNode& item : found->items) {
+      if (item.kind == TomlNode::Kind::text) {
+        list.push_back(item.text);
       } else {
-        complain(element, fmt::format("`{}` is a list of strings", key));
+        complain(item, fmt::format("`{}` is a list of strings", key));
       }
     }
-    return found;
+    return list;
   }
 
-  const toml::node* node(std::string_view key) { return table_.get(key); }
-
  private:
-  const toml::table& table_;
+  const TomlNode* ofKind(std::string_view key, TomlNode::Kind kind, std::string_view what) {
+    const TomlNode* found = node(key);
+    if (found == nullptr || found->kind == kind) return found;
+    complain(*found, fmt::format("`{}` is {}", key, what));
+    return nullptr;
+  }
+
+  const TomlNode& table_;
   const std::string& file_;
   std::optional<Error>& fault_;
 };
@@ -125,10 +123,10 @@ void readMoment(TableReader& reader, SuiteCase& made) {
 
 void readTolerance(TableReader& reader, const std::string& file, std::optional<Error>& fault,
                    SuiteCase& made) {
-  const toml::node* node = reader.node("tolerance");
+  const TomlNode* node = reader.node("tolerance");
   if (node == nullptr) return;
-  if (const toml::table* limits = node->as_table()) {
-    TableReader inner(*limits, file, fault);
+  if (node->kind == TomlNode::Kind::table) {
+    TableReader inner(*node, file, fault);
     inner.onlyKeys({"tile_mean", "tile_over"});
     made.tolerance = {"this case's own", false, inner.number("tile_mean").value_or(0),
                       inner.integer("tile_over").value_or(0)};
@@ -150,24 +148,23 @@ void readTolerance(TableReader& reader, const std::string& file, std::optional<E
   }
 }
 
-SuiteCase readCase(const toml::table& table, const std::string& file, std::optional<Error>& fault) {
+SuiteCase readCase(const TomlNode& table, const std::string& file, std::optional<Error>& fault) {
   TableReader reader(table, file, fault);
   reader.onlyKeys({"name", "at", "event", "after", "every", "camera", "size", "samples", "hide",
                    "show", "tolerance", "tags"});
   SuiteCase made;
-  made.line = static_cast<int>(table.source().begin.line);
+  made.line = table.place.line;
   made.name = reader.text("name").value_or("");
   if (!isCaseName(made.name)) {
     reader.complainHere("a case has a `name` of letters, digits, `_`, `-` and `.`");
   }
   readMoment(reader, made);
   made.camera = reader.text("camera").value_or("");
-  if (const toml::node* size = reader.node("size")) {
-    const toml::array* list = size->as_array();
+  if (const TomlNode* size = reader.node("size")) {
     std::array<std::int64_t, 2> sides{};
-    bool sound = list != nullptr && list->size() == 2;
+    bool sound = size->kind == TomlNode::Kind::array && size->items.size() == 2;
     for (std::size_t i = 0; sound && i < 2; ++i) {
-      sides[i] = list->get(i)->value_exact<std::int64_t>().value_or(0);
+      sides[i] = size->items[i].integer;  // zero when it is no whole number
       sound = sides[i] >= 1 && sides[i] <= kMaxPictureSide;
     }
     if (sound) {
@@ -194,17 +191,11 @@ SuiteCase readCase(const toml::table& table, const std::string& file, std::optio
 
 Result<Suite> parseSuite(std::string_view text, const std::filesystem::path& path) {
   const std::string file = path.string();
-  toml::table root;
-  try {
-    root = toml::parse(text, file);
-  } catch (const toml::parse_error& fault) {
-    const auto place = fault.source().begin;
-    return Error{ErrorKind::bad_argument, std::string(fault.description()),
-                 fmt::format("{}:{}:{}", file, place.line, place.column)};
-  }
+  const auto root = parseToml(text, file);
+  if (!root.ok()) return root.error();
 
   std::optional<Error> fault;
-  TableReader reader(root, file, fault);
+  TableReader reader(*root, file, fault);
   reader.onlyKeys({"format", "cell", "log", "goldens", "case"});
   if (reader.integer("format").value_or(0) != 1) {
     reader.complainHere("a suite begins with `format = 1`");
@@ -219,17 +210,16 @@ Result<Suite> parseSuite(std::string_view text, const std::filesystem::path& pat
   suite.goldens = folder / reader.text("goldens").value_or("goldens");
 
   std::set<std::string> names;
-  if (const toml::node* cases = root.get("case")) {
-    const toml::array* list = cases->as_array();
-    if (list == nullptr || !list->is_array_of_tables()) {
-      reader.complain(*cases, "cases are written as [[case]]");
-    } else {
-      for (const toml::node& element : *list) {
-        suite.cases.push_back(readCase(*element.as_table(), file, fault));
-        if (!names.insert(suite.cases.back().name).second) {
-          reader.complain(element,
-                          fmt::format("two cases are named `{}`", suite.cases.back().name));
-        }
+  if (const TomlNode* cases = reader.node("case")) {
+    const bool are_tables = cases->kind == TomlNode::Kind::array &&
+                            std::ranges::all_of(cases->items, [](const TomlNode& item) {
+                              return item.kind == TomlNode::Kind::table;
+                            });
+    if (!are_tables) reader.complain(*cases, "cases are written as [[case]]");
+    for (const TomlNode& item : cases->items) {
+      suite.cases.push_back(readCase(item, file, fault));
+      if (!names.insert(suite.cases.back().name).second) {
+        reader.complain(item, fmt::format("two cases are named `{}`", suite.cases.back().name));
       }
     }
   }

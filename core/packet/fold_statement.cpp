@@ -278,7 +278,9 @@ void StateFolder::foldDrawing(const Statement& statement) {
     drawing.parts_said.assign(statement.part_count, SaidMark());
   }
   drawing.kind = statement.kind;
-  drawing.rgba = statement.rgba;
+  // A label says no colour: it is white, on the dark plate that a viewer draws below it.
+  const bool colored = statement.kind != StatementKind::label;
+  drawing.rgba = colored ? statement.rgba : 0xFFFFFFFFU;
   const double default_px =
       statement.kind == StatementKind::points ? limits::kDefaultPointPx : limits::kDefaultLinePx;
   drawing.size_px = statement.size_px.value_or(default_px);

@@ -122,6 +122,8 @@ TEST_F(FoldItems, DrawingsAreTheirSourcesAndShareTheirIds) {
   say("a", "label x 1 2 3 \"hi\"\n");
   EXPECT_EQ(fold_.state.drawings().size(), 2U);
   EXPECT_EQ(fold_.state.drawings().at({"a", "x"}).kind, StatementKind::label);
+  // A label says no colour; without one of its own its text would not be seen.
+  EXPECT_EQ(fold_.state.drawings().at({"a", "x"}).rgba, 0xFFFFFFFFU);
   EXPECT_EQ(fold_.state.drawings().at({"a", "x"}).text, "hi");
   say("b", "erase x\nerase y\n");
   EXPECT_EQ(fold_.state.drawings().size(), 1U);
