@@ -1,0 +1,15 @@
+# Without a display, a sentence that says what draws without one; faults of a script by line.
+unset DISPLAY WAYLAND_DISPLAY
+cat >box.urdf <<'URDF'
+<robot name="box"><link name="body"><visual><geometry><box size="1 1 1"/></geometry></visual></link></robot>
+URDF
+try() { rocinante view "$@" 2>&1 | sed 's/window on: .* (rocinante/window on: WHY (rocinante/'; echo "exit ${PIPESTATUS[0]}"; }
+try box.urdf
+echo 'dance' >script.txt
+try box.urdf --script script.txt
+echo '# nothing' >script.txt
+try box.urdf --script script.txt
+try box.urdf --size 10
+try box.urdf --at 3
+try box.urdf session.mcap --live 127.0.0.1:0
+try missing.urdf
