@@ -80,7 +80,7 @@ class Planner {
     const DemoPath path = armPath();
     path_ = numbersOf(path.points);
     waypoints_ = numbersOf(path.waypoints);
-    path_label_ = numbersOf({kCanisterAtStation + Vec3{0, 0, kCanisterHeight + 0.30}});
+    path_label_ = numbersOf({kCanisterAtStation + Vec3{-0.32, 0, kCanisterHeight + 0.10}});
     points_a_part_ = std::max<std::size_t>(2, (mtu_bytes - kLineHeadBytes) / kPointBytes);
   }
 

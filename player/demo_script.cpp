@@ -41,21 +41,28 @@ constexpr double kHomeY = 0.9;
 constexpr double kLoweredAtPallet = kGripperAtZero.z + kCanisterInGripper.z - kCanisterAtPallet.z;
 constexpr double kLoweredAtStation = kGripperAtZero.z + kCanisterInGripper.z - kCanisterAtStation.z;
 
-constexpr Move kX[] = {
-    {0.5, 2.7, kCanisterAtPallet.x}, {6.4, 9.0, kCanisterAtStation.x}, {12.3, 14.6, kHomeX}};
-constexpr Move kY[] = {{0.5, 2.7, kCanisterAtPallet.y}, {12.3, 14.6, kHomeY}};
-constexpr Move kZ[] = {
-    {2.6, 4.4, kLoweredAtPallet}, {5.1, 6.8, 0.0}, {8.9, 10.6, kLoweredAtStation}, {11.4, 12.8, 0}};
-constexpr Move kGrip[] = {{4.45, DemoMoment::kPicked, kGripHolding},
-                          {DemoMoment::kPlaced, 11.4, kGripOpen}};
+constexpr double kHalfWayX = (kCanisterAtPallet.x + kCanisterAtStation.x) / 2;
+
+constexpr Move kX[] = {{0.5, 2.5, kCanisterAtPallet.x},
+                       {6.2, DemoMoment::kWeighed, kHalfWayX},
+                       {8.05, 9.55, kCanisterAtStation.x},
+                       {12.4, 14.6, kHomeX}};
+constexpr Move kY[] = {{0.5, 2.5, kCanisterAtPallet.y}, {12.4, 14.6, kHomeY}};
+constexpr Move kZ[] = {{2.4, 4.1, kLoweredAtPallet},
+                       {4.95, 6.55, 0.0},
+                       {9.3, DemoMoment::kLowered, kLoweredAtStation},
+                       {11.5, 12.8, 0.0}};
+constexpr Move kGrip[] = {{4.15, DemoMoment::kPicked, kGripHolding},
+                          {DemoMoment::kPlaced, 11.5, kGripOpen}};
 
 /// The arm's poses of rest: folded for the gantry's passage, and waiting beside the station.
 constexpr ArmJoints kFolded{0.0, -0.80, 1.30, 0.0, 0.95, 0.0};
 constexpr ArmJoints kWaiting{-0.62, -0.35, 0.42, 0.0, 1.05, 0.0};
 constexpr double kUnfoldBegins = 1.2;
 constexpr double kUnfoldEnds = 4.2;
-constexpr double kAboveLid = 12.8;
-constexpr double kFoldEnds = 19.5;
+constexpr double kAboveLid = 12.9;
+constexpr double kLiftBegins = 17.05;
+constexpr double kFoldEnds = 19.4;
 
 /// The trace over the lid: once round along its rim, once round in a spiral to the bung.
 constexpr double kBallRadius = 0.008;
@@ -89,9 +96,9 @@ Pose overLid(double turns, double height, double tilt) {
 /// The tip on the straight ways down and up and on the trace between, from kAboveLid to kPathEnds.
 Pose tipOverLid(double seconds) {
   const double down = quinticBetween(seconds, kAboveLid, DemoMoment::kTraceBegins);
-  const double up = quinticBetween(seconds, DemoMoment::kTraceEnds, DemoMoment::kPathEnds);
-  const double turns =
-      2 * quinticBetween(seconds, DemoMoment::kTraceBegins, DemoMoment::kTraceEnds);
+  const double up = quinticBetween(seconds, kLiftBegins, DemoMoment::kPathEnds);
+  const double turns = quinticBetween(seconds, DemoMoment::kTraceBegins, DemoMoment::kMeasured) +
+                       quinticBetween(seconds, DemoMoment::kSpiralBegins, DemoMoment::kTraceEnds);
   return overLid(turns, kApproachHeight * (1 - down + up), kTilt * (down - up));
 }
 
@@ -172,7 +179,7 @@ DemoPath armPath() {
   DemoPath path;
   path.points = sampled(DemoMoment::kPathBegins, DemoMoment::kPathEnds, 0.0004, tipAt);
   for (const double rest : {DemoMoment::kPathBegins, kAboveLid, DemoMoment::kTraceBegins,
-                            DemoMoment::kTraceEnds, DemoMoment::kPathEnds}) {
+                            DemoMoment::kMeasured, DemoMoment::kTraceEnds, DemoMoment::kPathEnds}) {
     path.waypoints.push_back(tipAt(rest));
   }
   return path;

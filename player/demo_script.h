@@ -33,17 +33,23 @@ inline constexpr double kGripHolding = 0.06;
 /// The arm stands here, turned half round, towards the station.
 inline constexpr Vec3 kArmBase{2.3, -1.0, 0.1};
 
-/// The moments that the planner and the gantry's packets speak of, seconds.
+/// The moments of the motion, seconds.
+/// Everything stands still for 0.25 s or more after kPicked, kWeighed, kLowered and kMeasured: at
+/// such a moment a frame of a live recording is the same however its datagrams were delayed.
 struct DemoMoment {
   static constexpr double kCarryShown = 0.3;    ///< the planner shows the gantry's way
-  static constexpr double kPicked = 5.0;        ///< the fingers are closed
+  static constexpr double kPicked = 4.6;        ///< the fingers are closed
+  static constexpr double kWeighed = 7.7;       ///< half way: the gantry stops to weigh
   static constexpr double kPathShown = 9.4;     ///< the planner shows the arm's path
-  static constexpr double kPlaced = 10.9;       ///< the canister stands, the fingers begin to open
-  static constexpr double kPathBegins = 11.3;   ///< the arm sets out along the path
+  static constexpr double kLowered = 10.8;      ///< the canister stands, the fingers are closed
+  static constexpr double kPlaced = 11.1;       ///< the fingers begin to open
+  static constexpr double kPathBegins = 11.4;   ///< the arm sets out along the path
   static constexpr double kTraceBegins = 13.5;  ///< the ball touches the lid
-  static constexpr double kTraceEnds = 17.2;
-  static constexpr double kPathEnds = 17.7;  ///< the arm has left the lid
-  static constexpr double kErased = 19.2;
+  static constexpr double kMeasured = 15.1;     ///< once round: the arm stops to measure
+  static constexpr double kSpiralBegins = 15.4;
+  static constexpr double kTraceEnds = 17.0;
+  static constexpr double kPathEnds = 17.6;  ///< the arm has left the lid
+  static constexpr double kErased = 19.5;    ///< all drawings are gone, all is at rest
 };
 
 /// The arm's path over the lid in world space, with the corners between its stretches.

@@ -41,10 +41,10 @@ def main():
     write_model("pipes.obj", pipes.pipes(), "pipes.mtl", pipes.MATERIALS, "The tanks' pipes")
     write_model("hall.obj", hall.hall(), "hall.mtl", hall.MATERIALS,
                 "Floor, railings, pallet, station, cabinet")
-    write_model("signs.obj", hall.signs(), "signs.mtl", hall.SIGN_MATERIALS, "Hanging signs")
+    write_model("signs.obj", hall.signs(), "signs.mtl", hall.SIGN_MATERIALS, "A sign")
     write("textures/tank_shells.png", textures.tank_shells().png())
     write("textures/floor.png", textures.floor().png())
-    write("textures/signs.png", textures.signs().png())
+    write("textures/sign.png", textures.sign().png())
 
 
 if __name__ == "__main__":

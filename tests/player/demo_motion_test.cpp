@@ -129,12 +129,12 @@ TEST(DemoMotion, TheGantryCarriesTheCanisterFromThePalletToTheStation) {
   const auto canisterAt = [&](double seconds) {
     return stateAt(datagrams, seconds).devices().at("canister").pose->value;
   };
-  EXPECT_EQ(canisterAt(4.9).carrier.first, "");
-  EXPECT_EQ(canisterAt(4.9).pose.position, kCanisterAtPallet);
+  EXPECT_EQ(canisterAt(4.5).carrier.first, "");
+  EXPECT_EQ(canisterAt(4.5).pose.position, kCanisterAtPallet);
   EXPECT_EQ(canisterAt(5.1).carrier, (Path{false, "gantry", "gripper"}));
   EXPECT_EQ(canisterAt(5.1).pose.position, kCanisterInGripper);
-  EXPECT_EQ(canisterAt(11.0).carrier.first, "");
-  EXPECT_EQ(canisterAt(11.0).pose.position, kCanisterAtStation);
+  EXPECT_EQ(canisterAt(11.2).carrier.first, "");
+  EXPECT_EQ(canisterAt(11.2).pose.position, kCanisterAtStation);
 }
 
 TEST(DemoMotion, TheCanisterDoesNotJumpWhenItIsTakenOrLeft) {
@@ -158,7 +158,8 @@ TEST(DemoMotion, TellsTwoEvents) {
   ASSERT_EQ(events.size(), 2U);
   EXPECT_EQ(events[0].text, "picked");
   EXPECT_EQ(events[1].text, "placed");
-  EXPECT_NEAR(static_cast<double>(events[0].time.time_since_epoch().count()) * 1e-9, 5.0, 0.02);
+  EXPECT_NEAR(static_cast<double>(events[0].time.time_since_epoch().count()) * 1e-9,
+              DemoMoment::kPicked, 0.02);
 }
 
 /// The joined points of a drawing.
@@ -218,6 +219,33 @@ TEST(DemoMotion, DrawingsComeBeforeTheArmMovesAndAreGoneAtTheEnd) {
   EXPECT_TRUE(stateAt(datagrams, 18.5).drawings().contains({"planner", "path"}));
   EXPECT_TRUE(stateAt(datagrams, 20).drawings().empty());
   EXPECT_EQ(stateAt(datagrams, 20).views().count("lid"), 1U);
+}
+
+TEST(DemoMotion, StandsStillAtTheMomentsThatGoldensTake) {
+  const std::vector<DemoDatagram> datagrams = demoDatagrams(kAll, optionsOf());
+  const auto itemsAt = [&](double seconds) {
+    const SessionState state = stateAt(datagrams, seconds);
+    std::string items;
+    for (const auto& [name, device] : state.devices()) {
+      items += name;
+      for (const auto& [joint, value] : device.named_joints) {
+        items += joint + std::to_string(value.value);
+      }
+      if (device.joints) items += ::testing::PrintToString(device.joints->value);
+    }
+    for (const auto& [id, drawing] : state.drawings()) {
+      items += id.second + std::to_string(drawing.rgba);
+    }
+    return items;
+  };
+  for (const double begin :
+       {0.02, DemoMoment::kPicked + 0.03, DemoMoment::kWeighed + 0.03, DemoMoment::kLowered + 0.03,
+        DemoMoment::kMeasured + 0.03, DemoMoment::kErased + 0.03}) {
+    SCOPED_TRACE(begin);
+    for (const double later : {0.05, 0.1, 0.15, 0.2, 0.25}) {
+      EXPECT_EQ(itemsAt(begin + later), itemsAt(begin)) << later;
+    }
+  }
 }
 
 TEST(DemoMotion, MovesWithoutJumps) {

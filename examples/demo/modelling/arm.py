@@ -49,8 +49,10 @@ def base():
     mesh.use("black")
     mesh.block((-0.215, 0, 0.16), (0.09, 0.16, 0.12), 0.01)
     for y in (-0.04, 0.04):
-        mesh.pipe([(-0.25, y, 0.16), (-0.36, y, 0.16), (-0.40, y * 1.5, 0.02), (-0.62, y * 2, 0.02)],
+        mesh.pipe([(-0.25, y, 0.16), (-0.37, y, 0.16), (-0.40, y, 0.02), (-0.56, y, 0.02)],
                   0.016, 0.05, 10)
+    mesh.use("signal")  # and go into the floor under a cover
+    mesh.box((-0.68, -0.09, 0.0), (-0.50, 0.09, 0.05), 0.015)
     return mesh
 
 
@@ -77,8 +79,8 @@ def upper_arm():
     mesh.plate(two_circles((0, 0), 0.118, (0, 0.65), 0.092), -0.078, 0.078, "y", bevel=0.016)
     mesh.use("orange_dark")  # a raised panel each side, and the maker's plate
     panel = two_circles((0, 0.17), 0.062, (0, 0.50), 0.052)
-    mesh.plate(panel, 0.078, 0.083, "y", bevel=0.003)
-    mesh.plate(panel, -0.083, -0.078, "y", bevel=0.003)
+    mesh.plate(panel, 0.078, 0.083, "y", bevel=0.002)
+    mesh.plate(panel, -0.083, -0.078, "y", bevel=0.002)
     mesh.use("white")
     plate = rounded_rectangle((-0.020, 0.24), (0.020, 0.44), 0.012)
     mesh.plate(plate, 0.083, 0.0845, "y")

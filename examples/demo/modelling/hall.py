@@ -1,5 +1,5 @@
 """What stands still besides: the floor, railings, the pallet, the station and the control cabinet;
-and the signs. The floor's surface is z = 0."""
+and the sign. The floor's surface is z = 0."""
 
 from .mesh import Mesh, rounded_rectangle
 from .textures import FLOOR_HIGH, FLOOR_LOW
@@ -18,7 +18,7 @@ MATERIALS = {
     "green": ((0.16, 0.68, 0.30), 0.40, 60),
 }
 SIGN_MATERIALS = {
-    "board": ((1.0, 1.0, 1.0), 0.15, 30, "textures/signs.png"),
+    "board": ((1.0, 1.0, 1.0), 0.15, 30, "textures/sign.png"),
     "back": ((0.30, 0.33, 0.36), 0.20, 30),
 }
 
@@ -128,19 +128,18 @@ def hall():
 
 
 def signs():
-    """Boards that hang from the runways."""
+    """A board on the front runway."""
     mesh = Mesh()
-    for index, (x, y, z, width) in enumerate(((-2.4, -2.46, 2.30, 0.80), (1.75, -2.46, 2.30, 0.80),
-                                              (0.0, 2.24, 2.62, 1.0))):
-        height = width / 4
-        mesh.use("back", "signs")
-        mesh.box((x - width / 2, y + 0.002, z - height / 2), (x + width / 2, y + 0.018, z + height / 2))
-        if z < 2.5:
-            for dx in (-0.3 * width, 0.3 * width):
-                mesh.box((x + dx - 0.01, y + 0.004, z), (x + dx + 0.01, y + 0.016, 2.52))
-        mesh.use("board")
-        top, bottom = 1 - index / 4, 1 - (index + 1) / 4
-        mesh.flat([(x - width / 2, y, z - height / 2), (x + width / 2, y, z - height / 2),
-                   (x + width / 2, y, z + height / 2), (x - width / 2, y, z + height / 2)],
-                  [(0, bottom), (1, bottom), (1, top), (0, top)])
+    x, y, z, width = 0.0, -2.47, 2.62, 0.96
+    height = width / 4
+    mesh.use("back", "signs")
+    mesh.box((x - width / 2, y, z - height / 2), (x + width / 2, y + 0.02, z + height / 2), 0.004)
+    for dx in (-0.3 * width, 0.3 * width):
+        mesh.box((x + dx - 0.02, y + 0.02, z - 0.06), (x + dx + 0.02, y + 0.07, z - 0.02))
+    mesh.use("board")
+    mesh.flat([(x - width / 2 + 0.004, y - 0.002, z - height / 2 + 0.004),
+               (x + width / 2 - 0.004, y - 0.002, z - height / 2 + 0.004),
+               (x + width / 2 - 0.004, y - 0.002, z + height / 2 - 0.004),
+               (x - width / 2 + 0.004, y - 0.002, z + height / 2 - 0.004)],
+              [(0, 0), (1, 0), (1, 1), (0, 1)])
     return mesh

@@ -40,7 +40,8 @@ def pipes():
     mesh = Mesh()
     mesh.use("pipe", "pipes")
     front = 0.66  # the collecting pipe along the front
-    mesh.pipe([(-3.25, front, 0.16), (3.62, front, 0.16), (3.62, front, 0.95), (3.62, 1.95, 0.95)],
+    mesh.pipe([(-3.25, front, 0.16), (3.62, front, 0.16), (3.62, front, 0.95), (3.62, 1.85, 0.95),
+               (3.62, 1.85, 0.0)],
               0.042, 0.12, 14)
     for x in TANK_X:
         mesh.use("pipe")
@@ -49,7 +50,7 @@ def pipes():
         flange(mesh, (x - 0.85 + 0.25, front, 0.16), "x")
     back = 2.16  # the vent pipe behind the heads
     mesh.use("pipe")
-    mesh.pipe([(-2.55, back, 1.86), (3.30, back, 1.86), (3.30, back, 0.06)], 0.036, 0.12, 14)
+    mesh.pipe([(-2.55, back, 1.86), (3.30, back, 1.86), (3.30, back, 0.0)], 0.036, 0.12, 14)
     for x in TANK_X:
         mesh.use("pipe")
         mesh.pipe([(x - 0.18, TANK_Y + 0.10, 1.60), (x - 0.18, TANK_Y + 0.10, 1.86),

@@ -1,4 +1,4 @@
-"""The painted surfaces: tank shells, the floor, the signs."""
+"""The painted surfaces: tank shells, the floor, the sign."""
 
 from .picture import Picture
 
@@ -58,20 +58,17 @@ def floor():
     picture.frame(column(-3.45), row(2.35), column(3.45), row(0.55), 7, yellow)
     picture.rectangle(column(0.6), row(0.1), column(3.15), row(-2.1), (94, 98, 103))
     picture.frame(column(0.5), row(0.2), column(3.25), row(-2.2), 12, hazard)
-    picture.frame(column(-3.2), row(-0.5), column(-1.6), row(-2.05), 7, yellow)
+    picture.frame(column(-3.2), row(-0.5), column(-1.6), row(-2.14), 7, yellow)
     picture.rectangle(column(-4.4), row(-2.52), column(4.4), row(-2.56), WHITE)
     picture.text("ROCINANTE", column(-0.1), row(-2.98), 36, (196, 201, 206), stretch=1.1)
-    picture.text("PICK", column(-2.4), row(-2.42), 26, YELLOW, stretch=1.1)
-    picture.text("INSPECT", column(1.9), row(-2.44), 22, YELLOW, stretch=1.1)
+    picture.text("PICK", column(-2.4), row(-2.05), 22, YELLOW, stretch=1.1)
+    picture.text("INSPECT", column(1.55), row(-1.98), 24, YELLOW, stretch=1.1)
     return picture
 
 
-def signs():
-    """Three boards below one another, 512 x 128 each."""
-    picture = Picture(512, 512, (30, 78, 140))
-    for index, words in enumerate(("PICK", "INSPECT", "TANK FARM")):
-        top = 128 * index
-        picture.frame(8, top + 8, 504, top + 120, 5,
-                      lambda l, t, r, b: picture.rectangle(l, t, r, b, WHITE))
-        picture.text(words, 256, top + 94, 60, WHITE, stretch=0.82, weight=0.17)
+def sign():
+    picture = Picture(512, 128, (30, 78, 140))
+    picture.frame(8, 8, 504, 120, 5,
+                  lambda l, t, r, b: picture.rectangle(l, t, r, b, WHITE))
+    picture.text("TANK FARM", 256, 94, 60, WHITE, stretch=0.82, weight=0.17)
     return picture
