@@ -37,7 +37,7 @@ def tank(mesh, index, x):
     # Of each strip the middle half is used up to the seams; v counts from the picture's bottom.
     top, bottom = 1 - (256 * index + 1) / 1024, 1 - (256 * index + 255) / 1024
     # u = 0.5, the strip's middle, faces the front.
-    mesh.lathe([(RADIUS, LOW), (RADIUS, HIGH)], centre, segments=48, first_deg=90,
+    mesh.lathe([(RADIUS, LOW), (RADIUS, HIGH)], centre, segments=44, first_deg=90,
                places=[bottom, top])
     mesh.use("white")
     # Torispherical head: a knuckle, then a wide crown.
@@ -45,12 +45,12 @@ def tank(mesh, index, x):
     crown_radius = knuckle[-1][0] / math.cos(math.radians(62))
     crown = arc(crown_radius, (0.0, knuckle[-1][1] - crown_radius * math.sin(math.radians(62))),
                 62, 90, 4)
-    mesh.lathe(knuckle + crown[1:], centre, segments=48)
+    mesh.lathe(knuckle + crown[1:], centre, segments=44)
     cone = arc(0.10, (RADIUS - 0.10, LOW), -70, 0, 4)
-    mesh.lathe([(0.07, 0.30), *cone], centre, segments=48)
+    mesh.lathe([(0.07, 0.30), *cone], centre, segments=44)
     mesh.use(name)  # the coloured ring where shell and head meet
     mesh.lathe([(RADIUS, HIGH - 0.022), (RADIUS + 0.006, HIGH - 0.016), (RADIUS + 0.006, HIGH + 0.004),
-                (RADIUS, HIGH + 0.010)], centre, segments=48)
+                (RADIUS, HIGH + 0.010)], centre, segments=44)
     mesh.use("steel")
     mesh.lathe([(0.07, 0.31), (0.07, 0.24), (0.0, 0.24)][::-1], centre, segments=20)
     # Manway and vent on the head.

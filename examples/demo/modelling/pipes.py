@@ -42,15 +42,15 @@ def pipes():
     front = 0.66  # the collecting pipe along the front
     mesh.pipe([(-3.25, front, 0.16), (3.62, front, 0.16), (3.62, front, 0.95), (3.62, 1.85, 0.95),
                (3.62, 1.85, 0.0)],
-              0.042, 0.12, 14)
+              0.042, 0.12, 12)
     for x in TANK_X:
         mesh.use("pipe")
-        mesh.pipe([(x, TANK_Y, 0.26), (x, TANK_Y, 0.16), (x, front, 0.16)], 0.036, 0.09, 14)
+        mesh.pipe([(x, TANK_Y, 0.26), (x, TANK_Y, 0.16), (x, front, 0.16)], 0.036, 0.09, 12)
         valve(mesh, x, front + 0.22, 0.16)
         flange(mesh, (x - 0.85 + 0.25, front, 0.16), "x")
     back = 2.16  # the vent pipe behind the heads
     mesh.use("pipe")
-    mesh.pipe([(-2.55, back, 1.86), (3.30, back, 1.86), (3.30, back, 0.0)], 0.036, 0.12, 14)
+    mesh.pipe([(-2.55, back, 1.86), (3.30, back, 1.86), (3.30, back, 0.0)], 0.036, 0.12, 12)
     for x in TANK_X:
         mesh.use("pipe")
         mesh.pipe([(x - 0.18, TANK_Y + 0.10, 1.60), (x - 0.18, TANK_Y + 0.10, 1.86),
