@@ -6,6 +6,7 @@
 
 #include "core/atomic_file.h"
 #include "core/log/log_reader.h"
+#include "core/model/glob.h"
 
 namespace rocinante {
 namespace {
@@ -140,8 +141,8 @@ Status SuiteSession::selectFrames() {
   if (maker_.session() != nullptr) refuseMomentsOutside(*maker_.session(), frames_);
   if (!options_.only.empty()) {
     std::erase_if(frames_, [&](const SuiteFrame& frame) {
-      return !matchesGlob(options_.only, frame.name) &&
-             !matchesGlob(options_.only, frame.suite_case->name);
+      return !globMatches(options_.only, frame.name) &&
+             !globMatches(options_.only, frame.suite_case->name);
     });
   }
   if (frames_.empty()) {

@@ -44,7 +44,4 @@ struct Suite {
 Result<Suite> readSuite(const std::filesystem::path& path);
 Result<Suite> parseSuite(std::string_view text, const std::filesystem::path& path);
 
-/// Shell-like pattern: * any run of characters, ? one character.
-bool matchesGlob(std::string_view pattern, std::string_view text);
-
 }  // namespace rocinante

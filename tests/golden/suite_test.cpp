@@ -79,15 +79,5 @@ TEST(ParseSuite, EveryFaultNamesItsPlace) {
   EXPECT_NE(faultOf("format = = 1"), "none");
 }
 
-TEST(MatchesGlob, StarsAndQuestionMarks) {
-  EXPECT_TRUE(matchesGlob("pick*", "picked"));
-  EXPECT_TRUE(matchesGlob("*", ""));
-  EXPECT_TRUE(matchesGlob("a*b*c", "axxbyyc"));
-  EXPECT_TRUE(matchesGlob("p?ck", "pack"));
-  EXPECT_FALSE(matchesGlob("p?ck", "pck"));
-  EXPECT_FALSE(matchesGlob("pick", "picked"));
-  EXPECT_FALSE(matchesGlob("*d", "pick"));
-}
-
 }  // namespace
 }  // namespace rocinante
