@@ -32,8 +32,8 @@ struct LogMessage {
   std::uint32_t sequence = 0;  ///< the recorder's own count on the channel, modulo 2^32
   LogTime log_time{};
   std::int64_t publish_time_ns = 0;  ///< the sender's TIME; the log time when it gave none
-  /// Its place in the file's order, which breaks ties of log_time: the chunk's number in the file in
-  /// the upper 32 bits, the offset of the record in the expanded chunk in the lower.
+  /// Its place in the file's order, which breaks ties of log_time: the chunk's number in the file
+  /// in the upper 32 bits, the offset of the record in the expanded chunk in the lower.
   std::uint64_t file_offset = 0;
   ByteView payload;
 };

@@ -14,6 +14,6 @@ inline std::filesystem::path sharedData(const std::filesystem::path& below = {})
 }  // namespace rocinante::test
 
 /// First line of a test that reads real data: skips with a clear line where it is absent.
-#define ROCINANTE_NEEDS_SHARED_DATA(below)                                        \
-  if (!std::filesystem::exists(rocinante::test::sharedData(below)))               \
+#define ROCINANTE_NEEDS_SHARED_DATA(below)                          \
+  if (!std::filesystem::exists(rocinante::test::sharedData(below))) \
   GTEST_SKIP() << "no real data here: " << rocinante::test::sharedData(below).string()

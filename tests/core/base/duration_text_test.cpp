@@ -11,9 +11,12 @@ using namespace std::chrono_literals;
 
 TEST(ParseDuration, ReadsWhatPeopleWrite) {
   const std::pair<const char*, Nanoseconds> cases[] = {
-      {"12.5", 12'500ms}, {"12.5s", 12'500ms},       {"250ms", 250ms},     {"50us", 50us},
-      {"10ns", 10ns},     {"1m02.5s", 62'500ms},     {"1h30m", 90min},     {"1m2", 62s},
-      {"-1s", -1s},       {"0.000000001", 1ns},      {".5s", 500ms},       {"1.5h", 90min},
+      {"12.5", 12'500ms}, {"12.5s", 12'500ms},
+      {"250ms", 250ms},   {"50us", 50us},
+      {"10ns", 10ns},     {"1m02.5s", 62'500ms},
+      {"1h30m", 90min},   {"1m2", 62s},
+      {"-1s", -1s},       {"0.000000001", 1ns},
+      {".5s", 500ms},     {"1.5h", 90min},
       {"0", 0ns},         {"1h2m3s4ms5us6ns", 3'723'004'005'006ns},
   };
   for (const auto& [text, expected] : cases) {
