@@ -157,7 +157,7 @@ void stylePanels() {
       ImVec4(0.13F, 0.16F, 0.19F, 0.95F);
   style.Colors[ImGuiCol_Header] = ImVec4(0.22F, 0.30F, 0.38F, 0.8F);
   style.Colors[ImGuiCol_Button] = ImVec4(0.22F, 0.30F, 0.38F, 1.0F);
-  style.Colors[ImGuiCol_FrameBg] = ImVec4(0.17F, 0.21F, 0.25F, 1.0F);
+  style.Colors[ImGuiCol_FrameBg] = ImVec4(0.25F, 0.31F, 0.37F, 1.0F);
   style.Colors[ImGuiCol_CheckMark] = ImVec4(1.0F, 0.66F, 0.25F, 1.0F);
 }
 
