@@ -227,4 +227,25 @@ std::vector<std::string> differenceMap(const Picture& frame, const Picture& gold
   return lines;
 }
 
+Picture reducedPicture(const Picture& picture, int width) {
+  const int factor = std::max(1, (picture.width + width - 1) / width);
+  Picture reduced{picture.width / factor, picture.height / factor, {}};
+  if (reduced.width == 0 || reduced.height == 0) return picture;
+  reduced.rgba.reserve(static_cast<std::size_t>(reduced.width * reduced.height) * 4);
+  for (int y = 0; y < reduced.height; ++y) {
+    for (int x = 0; x < reduced.width; ++x) {
+      for (std::size_t component = 0; component < 4; ++component) {
+        int sum = 0;
+        for (int row = y * factor; row < (y + 1) * factor; ++row) {
+          for (int column = x * factor; column < (x + 1) * factor; ++column) {
+            sum += picture.rgba[pixelIndex(picture, column, row) * 4 + component];
+          }
+        }
+        reduced.rgba.push_back(static_cast<std::uint8_t>(sum / (factor * factor)));
+      }
+    }
+  }
+  return reduced;
+}
+
 }  // namespace rocinante

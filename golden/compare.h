@@ -60,4 +60,7 @@ Picture differencePicture(const Picture& frame, const Picture& golden);
 std::vector<std::string> differenceMap(const Picture& frame, const Picture& golden,
                                        int columns = 48);
 
+/// `picture` at a whole fraction of its size, at most `width` wide, by averaging: for overviews.
+Picture reducedPicture(const Picture& picture, int width);
+
 }  // namespace rocinante

@@ -41,7 +41,7 @@ article { background: var(--card); border: 1px solid var(--line); border-radius:
 .pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(280px, 1fr)); gap: 12px;
   margin-top: 12px; }
 figure { margin: 0; } figcaption { color: var(--soft); font-size: 13px; }
-img { width: 100%; height: auto; border: 1px solid var(--line); display: block; }
+img { max-width: 100%; height: auto; border: 1px solid var(--line); display: block; }
 pre { overflow-x: auto; margin: 12px 0 0; } .filters label { margin-right: 14px; }
 .command { user-select: all; }
 </style>
@@ -132,6 +132,8 @@ data frameData(const JudgedFrame& judged) {
     }
   } else if (judged.drawn) {
     pictures.push_back(pictureData("frame", judged.frame.name, *judged.drawn));
+  } else if (judged.thumbnail) {
+    pictures.push_back(pictureData("frame, reduced", judged.frame.name, *judged.thumbnail));
   }
   std::string figures;
   if (found.differing > 0) {

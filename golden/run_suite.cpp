@@ -12,6 +12,7 @@ namespace rocinante {
 namespace {
 
 constexpr std::size_t kMaxFramesPerCase = 100'000;
+constexpr int kThumbnailPixels = 320;
 
 std::string momentText(Nanoseconds since_origin) {
   const std::int64_t ms = since_origin.count() / 1'000'000;
@@ -179,7 +180,7 @@ void SuiteSession::judgeAgainst(const std::vector<const AcceptedPicture*>& golde
     judged.golden = *golden;
     judged.comparison.verdict = Verdict::same;
     judged.comparison.rule = judged.rule;
-    judged.drawn.reset();
+    judged.thumbnail = reducedPicture(*std::exchange(judged.drawn, std::nullopt), kThumbnailPixels);
     return;
   }
   bool first = true;

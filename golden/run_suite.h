@@ -39,6 +39,7 @@ struct JudgedFrame {
   std::string session;                    ///< content_sha256 of the log
   std::optional<AcceptedPicture> golden;  ///< the nearest accepted one
   std::optional<Picture> drawn, accepted;
+  std::optional<Picture> thumbnail;  ///< of a frame that is the same: small, for the report
   double render_ms = 0, judge_ms = 0;
 };
 

@@ -138,5 +138,16 @@ TEST(DifferencePicture, LeavesEqualPixelsGreyAndMarksTheOthers) {
   EXPECT_EQ(pixel(shown, 1, 0)[2], 0);
 }
 
+TEST(ReducedPicture, AveragesWholeBlocksAndLeavesSmallOnesAlone) {
+  Picture picture = grey(640, 4, 0);
+  pixel(picture, 0, 0)[0] = 200;  // one of the four of the first block
+  const Picture reduced = reducedPicture(picture, 320);
+  EXPECT_EQ(reduced.width, 320);
+  EXPECT_EQ(reduced.height, 2);
+  EXPECT_EQ(reduced.rgba[0], 50);
+  EXPECT_EQ(reducedPicture(grey(5, 3), 320), grey(5, 3));
+  EXPECT_EQ(reducedPicture(grey(700, 1), 320), grey(700, 1));
+}
+
 }  // namespace
 }  // namespace rocinante
