@@ -91,7 +91,10 @@ Result<CheckReport> checkLog(const Cell& cell, LogReader& log) {
                 message.payload);
   }
   for (const LossSpan& loss : log.losses()) session.addLoss(loss);
-  for (const DamageSpan& damage : log.damage()) session.addDamage(damage);
+  for (const DamageSpan& damage : log.damage()) {
+    // A missing summary makes no byte unusable: log.incomplete tells of it.
+    if (damage.from != damage.to) session.addDamage(damage);
+  }
   CheckReport report = checkSession(cell, session);
   report.session = log.name();
   report.origin = log.summary().origin;
