@@ -10,7 +10,7 @@ cat >box.urdf <<'URDF'
 URDF
 rocinante record 127.0.0.1:0 -o log.mcap >/dev/null 2>said &
 recorder=$!
-until grep -q '^recording' said; do kill -0 $recorder; sleep 0.05; done
+until grep -qs '^recording' said; do kill -0 $recorder; sleep 0.05; done
 port=$(sed 's/.*:\([0-9]*\) to .*/\1/' said)
 for i in 1 2 3; do
   printf 'RK1 me@a %s -\npose box 0 0 %s 0 0 0 1\n' "$i" "$i" >packet

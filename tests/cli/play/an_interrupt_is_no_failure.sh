@@ -1,7 +1,7 @@
 : >said
 rocinante record 127.0.0.1:0 -o log.mcap >/dev/null 2>said &
 recorder=$!
-until grep -q '^recording' said; do sleep 0.02; done
+until grep -qs '^recording' said; do sleep 0.02; done
 port=$(sed 's/.*:\([0-9]*\) to .*/\1/' said)
 printf 't,a\n0,1\n0.01,2\n0.3,3\n' >table.csv
 rocinante source --csv table.csv --device arm --to 127.0.0.1:"$port" --quiet
@@ -10,7 +10,7 @@ wait $recorder
 # At a hundredth of the speed it would take half a minute.
 rocinante play log.mcap --to 127.0.0.1:"$port" --speed 0.01 --json >report 2>said &
 player=$!
-until grep -q '^playing' said; do sleep 0.02; done
+until grep -qs '^playing' said; do sleep 0.02; done
 sleep 0.2
 kill -INT $player
 status=0

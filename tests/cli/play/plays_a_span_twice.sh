@@ -3,7 +3,7 @@ record() {
   : >said
   rocinante record 127.0.0.1:0 -o "$1" >/dev/null 2>said &
   recorder=$!
-  until grep -q '^recording' said; do sleep 0.02; done
+  until grep -qs '^recording' said; do sleep 0.02; done
   port=$(sed 's/.*:\([0-9]*\) to .*/\1/' said)
 }
 stop() {

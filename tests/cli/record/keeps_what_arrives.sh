@@ -1,7 +1,7 @@
 # Three datagrams, each from a socket of its own; the summary says what became of them.
 rocinante record 127.0.0.1:0 -o log.mcap --json >summary.json 2>said &
 recorder=$!
-until grep -q '^recording' said; do sleep 0.05; done
+until grep -qs '^recording' said; do sleep 0.05; done
 sed 's/:[0-9]* to/:PORT to/' said
 port=$(sed 's/.*:\([0-9]*\) to .*/\1/' said)
 # One write is one datagram; bash itself would write line by line.
