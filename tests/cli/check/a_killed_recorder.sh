@@ -18,6 +18,6 @@ for i in 1 2 3; do
 done
 # Longer than --sync, so that what was said stands in the file.
 sleep 0.5
-kill -KILL $recorder
-wait $recorder 2>/dev/null || true
+# The shell tells of a killed child whenever it notices: on an error stream that goes nowhere.
+{ kill -KILL $recorder; wait $recorder || true; } 2>/dev/null
 rocinante check box.cell.toml log.mcap | sed 's/over [0-9.]* s/over SPAN/'
