@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string_view>
 
 /// The names of the MCAP profile `rocinante` (docs/log-format.md).
@@ -13,5 +14,15 @@ inline constexpr std::string_view kFormat = "1";
 inline constexpr std::string_view kSessionIdKey = "session_id";
 inline constexpr std::string_view kOriginKey = "origin_ns";
 inline constexpr std::string_view kReasonKey = "reason";
+
+/// Whole restatements of the session so far; the datagrams are separated by an empty line.
+inline constexpr std::string_view kKeyframeTopic = "/rocinante/keyframe";
+inline constexpr std::string_view kKeyframeEncoding = "rk1-keyframe";
+/// Events that a person put there, baked in from LOG.marks.
+inline constexpr std::string_view kMarkTopic = "/rocinante/mark";
+inline constexpr std::string_view kMarkEncoding = "json";
+
+/// All eight bytes of a length that is not known yet: that of the chunk which is being written.
+inline constexpr std::uint64_t kOpenEnded = ~std::uint64_t{0};
 
 }  // namespace rocinante::profile

@@ -66,6 +66,14 @@ class LogReader {
   /// The next message in time order, of every channel (captured or not). Empty at the end.
   /// Damage is no error: it is skipped and listed by damage().
   Result<std::optional<LogMessage>> next();
+  /// The message before the one that next() would return, and goes there: next() and previous()
+  /// walk over the same messages in both directions. Empty at the beginning.
+  Result<std::optional<LogMessage>> previous();
+  /// Goes behind a message: next() returns the first after `place`.
+  Status seekAfter(LogPlace place);
+  /// The last message of the channel at or before `moment`, found by the indexes; the reader does
+  /// not move, but its payload is borrowed until the next call of any kind.
+  Result<std::optional<LogMessage>> lastOf(ChannelId channel, LogTime moment);
 
   const std::string& name() const;  ///< of the file, for messages to people
 

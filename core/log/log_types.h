@@ -1,5 +1,6 @@
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -26,6 +27,14 @@ struct LogChannel {
   bool folded() const { return captured() || topic.starts_with("/rocinante/restated/"); }
 };
 
+/// A place in a log's order: after every message that is earlier, or as early and before it in the
+/// file.
+struct LogPlace {
+  LogTime time{};
+  std::uint64_t file_offset = 0;  ///< LogMessage::file_offset
+  auto operator<=>(const LogPlace&) const = default;
+};
+
 /// One datagram in a log. `payload` is borrowed: valid until the reader is asked for the next.
 struct LogMessage {
   const LogChannel* channel = nullptr;
@@ -36,6 +45,8 @@ struct LogMessage {
   /// in the upper 32 bits, the offset of the record in the expanded chunk in the lower.
   std::uint64_t file_offset = 0;
   ByteView payload;
+
+  LogPlace place() const { return {log_time, file_offset}; }
 };
 
 /// Why fewer datagrams stand in the log than were sent to it, per listening endpoint.

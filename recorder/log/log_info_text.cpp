@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "core/duration_text.h"
-#include "recorder/log_info.h"
-#include "recorder/message_text.h"
+#include "recorder/log/log_info.h"
+#include "recorder/log/message_text.h"
 
 namespace rocinante {
 namespace {

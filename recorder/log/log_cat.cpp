@@ -1,4 +1,4 @@
-#include "recorder/log_cat.h"
+#include "recorder/log/log_cat.h"
 
 #include <fmt/format.h>
 #include <fnmatch.h>
@@ -9,7 +9,7 @@
 
 #include "core/duration_text.h"
 #include "core/session/timeline.h"
-#include "recorder/message_text.h"
+#include "recorder/log/message_text.h"
 
 namespace rocinante {
 namespace {

@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/duration_text.h"
-#include "recorder/log_info.h"
+#include "recorder/log/log_info.h"
 
 namespace rocinante {
 namespace {

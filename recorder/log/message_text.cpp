@@ -1,4 +1,4 @@
-#include "recorder/message_text.h"
+#include "recorder/log/message_text.h"
 
 #include <fmt/format.h>
 #include <sodium/utils.h>

@@ -1,4 +1,4 @@
-#include "recorder/log_info.h"
+#include "recorder/log/log_info.h"
 
 #include <algorithm>
 #include <map>

@@ -1,0 +1,44 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "recorder/log/command_support.h"
+#include "recorder/log/log_commands.h"
+#include "recorder/log/log_info.h"
+
+namespace rocinante {
+namespace {
+
+struct InfoOptions {
+  std::vector<std::string> logs;
+  bool json = false;
+};
+
+Result<cli::Exit> runInfo(const InfoOptions& options) {
+  cli::Exit exit = cli::Exit::done;
+  bool first = true;
+  for (const std::string& log : options.logs) {
+    ProgressLine progress("reading " + log);
+    const Result<LogInfo> info = logInfo(log, [&](double part) { progress.show(part); });
+    if (!info) return info.error();
+    if (!options.json && !first) std::fputc('\n', stdout);
+    first = false;
+    const std::string text =
+        options.json ? logInfoJson(*info, options.logs.size() == 1) : logInfoText(*info);
+    if (Status written = toStandardOutput(text); !written) return written.error();
+    if (!info->damage.empty()) exit = cli::Exit::no;
+  }
+  return exit;
+}
+
+}  // namespace
+
+LogCommand addInfoCommand(CLI::App& program) {
+  auto options = std::make_shared<InfoOptions>();
+  CLI::App* const app =
+      program.add_subcommand("info", "what is in a log: channels, rates, losses, damage");
+  app->add_option("LOG", options->logs, "logs to describe")->required();
+  app->add_flag("--json", options->json, "for scripts; of several logs, one object a line");
+  return {app, [options] { return runInfo(*options); }};
+}
+
+}  // namespace rocinante
