@@ -31,8 +31,4 @@ struct Tally {
   Finding finding(std::string rule, Severity severity, std::string subject, std::string text) const;
 };
 
-/// Line `number` (from 1) of a datagram as a report shows it: control characters escaped, cut when
-/// it is very long. Empty when there is none.
-std::string lineForReport(ByteView datagram, std::uint32_t number);
-
 }  // namespace rocinante

@@ -6,63 +6,14 @@
 #include <algorithm>
 
 #include "core/hash.h"
+#include "core/plain_text.h"
 
 namespace rocinante {
 namespace {
 
 constexpr std::size_t kHexBytes = 32;
 
-unsigned byteAt(ByteView bytes, std::size_t at) { return std::to_integer<unsigned>(bytes[at]); }
-
-/// How many bytes the character at `at` takes; 0 when it is no UTF-8.
-std::size_t characterBytes(ByteView bytes, std::size_t at) {
-  const unsigned first = byteAt(bytes, at);
-  if (first < 0x80) return 1;
-  const std::size_t length = first >= 0xC2 && first <= 0xDF   ? 2
-                             : first >= 0xE0 && first <= 0xEF ? 3
-                             : first >= 0xF0 && first <= 0xF4 ? 4
-                                                              : 0;
-  if (length == 0 || bytes.size() - at < length) return 0;
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byteAt(bytes, at + i) & 0xC0U) != 0x80) return 0;
-  }
-  const unsigned second = byteAt(bytes, at + 1);
-  const bool overlong = (first == 0xE0 && second < 0xA0) || (first == 0xF0 && second < 0x90);
-  const bool surrogate = first == 0xED && second > 0x9F;
-  const bool beyond = first == 0xF4 && second > 0x8F;
-  return overlong || surrogate || beyond ? 0 : length;
-}
-
 }  // namespace
-
-bool isUtf8(ByteView bytes) {
-  for (std::size_t at = 0; at < bytes.size();) {
-    const std::size_t length = characterBytes(bytes, at);
-    if (length == 0) return false;
-    at += length;
-  }
-  return true;
-}
-
-std::string plainText(std::string_view text) {
-  const ByteView bytes = bytesOf(text);
-  std::string out;
-  for (std::size_t at = 0; at < bytes.size();) {
-    const std::size_t length = characterBytes(bytes, at);
-    const unsigned first = byteAt(bytes, at);
-    // C1 controls (U+0080 to U+009F) are two bytes, and terminals obey them too.
-    const bool c1 = length == 2 && first == 0xC2 && byteAt(bytes, at + 1) < 0xA0;
-    if (length == 0 || first < 0x20 || first == 0x7F || c1) {
-      for (std::size_t i = 0; i < std::max<std::size_t>(length, 1); ++i) {
-        out += fmt::format("\\x{:02x}", byteAt(bytes, at + i));
-      }
-    } else {
-      out += text.substr(at, length);
-    }
-    at += std::max<std::size_t>(length, 1);
-  }
-  return out;
-}
 
 std::string payloadLine(ByteView payload, bool is_text) {
   if (!is_text) {

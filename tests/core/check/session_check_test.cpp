@@ -286,11 +286,5 @@ TEST_F(SessionCheckTest, JudgesTheCellAlone) {
   EXPECT_GT(found.findings[0].line, 0);
 }
 
-TEST(LineForReport, ShowsOneLineSafely) {
-  EXPECT_EQ(lineForReport(bytesOf("a\nb\tc\x1b[0m\r\nd"), 2), "b c\\x1b[0m");
-  EXPECT_EQ(lineForReport(bytesOf("a"), 2), "");
-  EXPECT_EQ(lineForReport(bytesOf(std::string(1000, 'x')), 1), std::string(160, 'x') + "...");
-}
-
 }  // namespace
 }  // namespace rocinante

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "core/bytes.h"
+
+namespace rocinante {
+
+/// True when the bytes are UTF-8 (RFC 3629: no overlong forms, no surrogates).
+bool isUtf8(ByteView bytes);
+
+/// Text of a stranger as a terminal may see it: control characters and what is no UTF-8 as \xNN, so
+/// that a datagram cannot move the cursor or end a line.
+std::string plainText(std::string_view text);
+
+/// Line `number` (from 1) of a datagram as a report shows it: plainText with tabs as spaces, cut
+/// when it is very long. Empty when there is none.
+std::string plainLine(ByteView datagram, std::uint32_t number);
+
+}  // namespace rocinante

@@ -1,0 +1,33 @@
+#include "core/plain_text.h"
+
+#include <gtest/gtest.h>
+
+namespace rocinante {
+namespace {
+
+TEST(PlainText, ShowsWhatATerminalWouldObey) {
+  EXPECT_EQ(plainText("a\x1b[0m\n"), "a\\x1b[0m\\x0a");
+  EXPECT_EQ(plainText("gr\xc3\xbcn \xff"), "gr\xc3\xbcn \\xff");
+  EXPECT_EQ(plainText("\xc2\x9b"), "\\xc2\\x9b");  // CSI in one character
+}
+
+TEST(PlainText, KnowsUtf8) {
+  EXPECT_TRUE(isUtf8(bytesOf("gr\xc3\xbcn \xf0\x9f\xa4\x96")));
+  EXPECT_FALSE(isUtf8(bytesOf("\xc0\x80")));
+  EXPECT_FALSE(isUtf8(bytesOf("\xed\xa0\x80")));
+  EXPECT_FALSE(isUtf8(bytesOf("\xe2\x82")));
+}
+
+TEST(PlainLine, ShowsOneLineSafely) {
+  EXPECT_EQ(plainLine(bytesOf("a\nb\tc\x1b[0m\r\nd"), 2), "b c\\x1b[0m");
+  EXPECT_EQ(plainLine(bytesOf("a"), 2), "");
+  EXPECT_EQ(plainLine(bytesOf(std::string(1000, 'x')), 1), std::string(160, 'x') + "...");
+}
+
+TEST(PlainLine, CutsNoCharacterInTwo) {
+  const std::string text = std::string(159, 'x') + "\xc3\xbc and more";
+  EXPECT_EQ(plainLine(bytesOf(text), 1), std::string(159, 'x') + "...");
+}
+
+}  // namespace
+}  // namespace rocinante
