@@ -7,6 +7,7 @@
 
 #include "core/log/log_profile.h"
 #include "core/log/loss_message.h"
+#include "core/log/mcap_chunk.h"
 #include "core/log/mcap_writer.h"
 #include "core/version.h"
 

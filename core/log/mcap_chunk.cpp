@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/hash.h"
+#include "core/log/log_profile.h"
 
 namespace rocinante::mcap {
 namespace {
@@ -13,8 +14,8 @@ namespace {
 /// A zstd block is at most 128 KiB and takes at least 4 bytes: no honest frame grows more.
 constexpr std::uint64_t kMaxZstdGrowth = 32768;
 
-/// Compressing less than this saves nothing worth the reader's time.
-constexpr std::size_t kLeastToCompress = 1024;
+/// Made at first for a chunk whose size is not known.
+constexpr std::size_t kFirstRoom = std::size_t{64} << 10U;
 
 Error damaged(std::string what) { return Error{ErrorKind::damaged, std::move(what), {}}; }
 
@@ -79,52 +80,42 @@ Result<ByteView> ChunkExpander::expand(const Chunk& chunk, Scratch& scratch) {
 }
 
 Result<ByteView> ChunkExpander::expandCut(const Chunk& chunk, Scratch& scratch) {
-  if (Status allowed = mayExpand(chunk); !allowed) return allowed.error();
-  if (chunk.compression.empty()) return chunk.records;
-  const std::uint64_t bound =
-      std::min<std::uint64_t>(chunk.uncompressed_size, (chunk.records.size() + 1) * kMaxZstdGrowth);
-  const auto size = static_cast<std::size_t>(bound);
-  ZSTD_outBuffer out{scratch.make(size), size, 0};
+  Chunk bounded = chunk;
+  if (chunk.uncompressed_size == profile::kOpenEnded) bounded.uncompressed_size = kMaxChunkBytes;
+  if (Status allowed = mayExpand(bounded); !allowed) return allowed.error();
+  const std::uint64_t size = bounded.uncompressed_size;
+  if (chunk.compression.empty()) {
+    return chunk.records.first(
+        static_cast<std::size_t>(std::min<std::uint64_t>(size, chunk.records.size())));
+  }
+  const auto bound = static_cast<std::size_t>(
+      std::min<std::uint64_t>(size, (chunk.records.size() + 1) * kMaxZstdGrowth));
+  // Grown as it fills: a few bytes of a cut chunk must not take the memory of a large one.
+  std::size_t room = std::min(bound, std::max(kFirstRoom, 4 * chunk.records.size()));
+  ZSTD_outBuffer out{scratch.make(room), room, 0};
   ZSTD_inBuffer in{chunk.records.data(), chunk.records.size(), 0};
   ZSTD_DCtx_reset(contexts_->zstd, ZSTD_reset_session_only);
-  while (out.pos < out.size) {
+  while (true) {
     const std::size_t in_before = in.pos;
     const std::size_t out_before = out.pos;
     const std::size_t hint = ZSTD_decompressStream(contexts_->zstd, &out, &in);
     // An error ends it: what came before it is still whole blocks.
     if (ZSTD_isError(hint) != 0U || hint == 0) break;
-    if (in.pos == in_before && out.pos == out_before) break;
+    if (out.pos == out.size && room < bound) {
+      room = std::min(bound, 2 * room);
+      out.dst = scratch.grow(room, out.pos);
+      out.size = room;
+      continue;
+    }
+    if (out.pos == out.size || (in.pos == in_before && out.pos == out_before)) break;
   }
   return ByteView(static_cast<const std::byte*>(out.dst), out.pos);
 }
 
-struct ChunkCompressor::Context {
-  ZSTD_CCtx* zstd = ZSTD_createCCtx();
-  Scratch scratch;
-  Context() = default;
-  Context(const Context&) = delete;
-  Context& operator=(const Context&) = delete;
-  ~Context() { ZSTD_freeCCtx(zstd); }
-};
-
-ChunkCompressor::ChunkCompressor(int zstd_level) : context_(std::make_unique<Context>()) {
-  ZSTD_CCtx_setParameter(context_->zstd, ZSTD_c_compressionLevel, zstd_level);
-}
-ChunkCompressor::~ChunkCompressor() = default;
-ChunkCompressor::ChunkCompressor(ChunkCompressor&&) noexcept = default;
-ChunkCompressor& ChunkCompressor::operator=(ChunkCompressor&&) noexcept = default;
-
-ChunkCompressor::Compressed ChunkCompressor::compress(ByteView records) {
-  if (records.size() < kLeastToCompress) return {"", records};
-  // Room for the worst case, so that it cannot fail for want of it.
-  const std::size_t bound = ZSTD_compressBound(records.size());
-  std::byte* const out = context_->scratch.make(bound);
-  const std::size_t made =
-      ZSTD_compress2(context_->zstd, out, bound, records.data(), records.size());
-  if (ZSTD_isError(made) != 0U || made > records.size() - records.size() / 50) {
-    return {"", records};
-  }
-  return {"zstd", ByteView(out, made)};
+std::optional<std::uint64_t> zstdFrameBytes(ByteView bytes) {
+  const std::size_t found = ZSTD_findFrameCompressedSize(bytes.data(), bytes.size());
+  if (ZSTD_isError(found) != 0U) return std::nullopt;
+  return found;
 }
 
 }  // namespace rocinante::mcap

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstring>
 #include <memory>
+#include <optional>
 
 #include "core/bytes.h"
 #include "core/log/mcap_records.h"
@@ -11,12 +13,23 @@ namespace rocinante::mcap {
 /// No chunk that claims to hold more is expanded: a few bytes of zstd can claim anything.
 inline constexpr std::uint64_t kMaxChunkBytes = std::uint64_t{256} << 20U;
 
-/// Memory that grows and is not cleared first. Contents are lost when it grows.
+/// Memory that grows and is not cleared first.
 class Scratch {
  public:
+  /// At least `bytes`; the contents are lost when it grows.
   std::byte* make(std::size_t bytes) {
     if (bytes > capacity_) {
       bytes_ = std::make_unique_for_overwrite<std::byte[]>(bytes);
+      capacity_ = bytes;
+    }
+    return bytes_.get();
+  }
+  /// At least `bytes`, of which the first `kept` stay as they are.
+  std::byte* grow(std::size_t bytes, std::size_t kept) {
+    if (bytes > capacity_) {
+      auto larger = std::make_unique_for_overwrite<std::byte[]>(bytes);
+      if (kept > 0) std::memcpy(larger.get(), bytes_.get(), kept);
+      bytes_ = std::move(larger);
       capacity_ = bytes;
     }
     return bytes_.get();
@@ -42,7 +55,8 @@ class ChunkExpander {
   Result<ByteView> expand(const Chunk& chunk, Scratch& scratch);
 
   /// What can still be had of a chunk whose end is missing: `chunk.records` holds the bytes that
-  /// are there. Nothing of it can be checked.
+  /// are there, `chunk.uncompressed_size` may be open (profile::kOpenEnded). Nothing of it can be
+  /// checked. Where the bytes do not go on as zstd, what came before is given.
   Result<ByteView> expandCut(const Chunk& chunk, Scratch& scratch);
 
  private:
@@ -50,23 +64,8 @@ class ChunkExpander {
   std::unique_ptr<Contexts> contexts_;
 };
 
-/// Compresses chunks with zstd, and leaves alone what it does not make at least 2 % smaller.
-class ChunkCompressor {
- public:
-  explicit ChunkCompressor(int zstd_level);
-  ~ChunkCompressor();
-  ChunkCompressor(ChunkCompressor&&) noexcept;
-  ChunkCompressor& operator=(ChunkCompressor&&) noexcept;
-
-  struct Compressed {
-    std::string_view compression;  ///< "zstd", or "" where it did not pay
-    ByteView records;              ///< borrowed, until the next call
-  };
-  Compressed compress(ByteView records);
-
- private:
-  struct Context;
-  std::unique_ptr<Context> context_;
-};
+/// How many of the bytes the zstd frame at their beginning takes: empty when they end before it does,
+/// or begin none. Nothing is expanded.
+std::optional<std::uint64_t> zstdFrameBytes(ByteView bytes);
 
 }  // namespace rocinante::mcap

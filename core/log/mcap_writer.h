@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/log/byte_sink.h"
-#include "core/log/mcap_chunk.h"
+#include "core/log/chunk_compressor.h"
 #include "core/log/mcap_records.h"
 #include "core/result.h"
 

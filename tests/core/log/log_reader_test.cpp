@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "core/hash.h"
+#include "core/log/chunk_compressor.h"
 #include "core/log/mcap_writer.h"
 #include "tests/core/log/log_support.h"
 
