@@ -1,9 +1,12 @@
 #include "core/session/timeline.h"
 
+#include <algorithm>
 #include <limits>
 #include <map>
 
+#include "core/log/log_profile.h"
 #include "core/packet/decoder.h"
+#include "core/session/marks.h"
 
 namespace rocinante {
 namespace {
@@ -96,6 +99,9 @@ struct Timeline::Impl {
   void fold(const LogMessage& message, std::vector<Event>* sink) {
     Decoder* const decoder = decoder_by_channel[message.channel->id];
     ++since_snapshot;
+    if (sink != nullptr && message.channel->topic == profile::kMarkTopic) {
+      if (auto mark = parseMark(message.payload)) sink->push_back({message.log_time, {}, *mark});
+    }
     if (decoder == nullptr) return;
     const Packet* const packet = decoder->decode(message.payload);
     if (packet == nullptr) return;
@@ -156,6 +162,12 @@ Result<const std::vector<Event>*> Timeline::events() {
     std::vector<Event> found;
     if (Status begun = impl_->startFrom(kBeforeAll, SessionState{}); !begun) return begun.error();
     if (Status folded = impl_->foldTo(kAfterAll, &found); !folded) return folded.error();
+    // Marks stand in order of time too; of equal ones, what the log tells comes first.
+    Result<std::vector<Event>> marks = readMarks(impl_->reader.name());
+    if (!marks) return marks.error();
+    const auto beside = found.insert(found.end(), marks->begin(), marks->end());
+    std::inplace_merge(found.begin(), beside, found.end(),
+                       [](const Event& a, const Event& b) { return a.time < b.time; });
     impl_->events = std::move(found);
   }
   return &*impl_->events;

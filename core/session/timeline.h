@@ -33,7 +33,9 @@ class Timeline {
   /// The state at `moment`; valid until the next call.
   Result<const SessionState*> stateAt(LogTime moment);
 
-  /// Every event of the log, oldest first: found on the first call, which reads the log once.
+  /// Every event of the log, its marks among them (also those of LOG.marks, beside it), oldest
+  /// first: found on the first call, which reads the log once. An error when LOG.marks is
+  /// malformed.
   Result<const std::vector<Event>*> events();
 
   const LogReader& log() const;
