@@ -1,0 +1,37 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "core/bytes.h"
+#include "core/packet/session_state.h"
+#include "core/result.h"
+#include "core/time.h"
+
+namespace rocinante {
+
+class Decoder;
+
+/// The payload of a keyframe: the whole state said again as packets, an empty line between two
+/// (docs/log-format.md, "Keyframes"). Empty for a state that knows no source. What it says is exact
+/// only where no restatement is unfinished.
+std::string keyframeText(const SessionState& state);
+
+/// Reads keyframes back. Holds scratch memory: one a thread.
+class KeyframeReader {
+ public:
+  KeyframeReader();
+  ~KeyframeReader();
+  KeyframeReader(KeyframeReader&&) noexcept;
+  KeyframeReader& operator=(KeyframeReader&&) noexcept;
+
+  /// The state that a keyframe at `moment` tells: sameAs() that which it was made of. damaged, with
+  /// the first reason, when it is not what keyframeText() could have written, but for statements
+  /// and header words of a later version, which are skipped. `where` is empty: the caller knows.
+  Result<SessionState> read(ByteView payload, LogTime moment);
+
+ private:
+  std::unique_ptr<Decoder> decoder_;
+};
+
+}  // namespace rocinante
