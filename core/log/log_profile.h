@@ -22,6 +22,15 @@ inline constexpr std::string_view kKeyframeEncoding = "rk1-keyframe";
 inline constexpr std::string_view kMarkTopic = "/rocinante/mark";
 inline constexpr std::string_view kMarkEncoding = "json";
 
+/// The cell that the log carries (docs/log-format.md, section "The cell"): metadata, the attachment
+/// that lists its files, and how the names of the attachments of those files begin.
+inline constexpr std::string_view kCell = "rocinante.cell";
+inline constexpr std::string_view kCellMainKey = "main";
+inline constexpr std::string_view kCellManifestKey = "manifest";
+inline constexpr std::string_view kCellSha256Key = "sha256";
+inline constexpr std::string_view kCellManifest = "cell.json";
+inline constexpr std::string_view kCellFolder = "cell/";
+
 /// All eight bytes of a length that is not known yet: that of the chunk which is being written.
 inline constexpr std::uint64_t kOpenEnded = ~std::uint64_t{0};
 

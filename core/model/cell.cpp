@@ -28,6 +28,13 @@ std::string endingOf(const fs::path& path) {
   return ending;
 }
 
+FileSearch searchFor(const CellOptions& options) {
+  FileSearch search;
+  search.noteIn(options.lookups);
+  if (options.answers) search.answerFrom(options.answers);
+  return search;
+}
+
 // Roots named by whoever runs the program.
 Status addRoots(const CellOptions& options, FileSearch& search) {
   for (const fs::path& root : options.search) {
@@ -62,7 +69,7 @@ void sortFaults(Cell& cell) {
 }
 
 Result<Cell> loadModelFile(const fs::path& path, const CellOptions& options) {
-  FileSearch search;
+  FileSearch search = searchFor(options);
   if (Status added = search.addRoot(folderOf(path)); !added.ok()) return added.error();
   if (Status added = addRoots(options, search); !added.ok()) return added.error();
   search.setPackagesAbove(folderOf(path));
@@ -100,11 +107,13 @@ Result<Cell> loadModelFile(const fs::path& path, const CellOptions& options) {
   return cell;
 }
 
-// Roots that the cell names, relative to its folder.
-void addOwnRoots(TomlTable& root, const fs::path& folder, FileSearch& search) {
+// Roots that the cell names, relative to its folder; where they are not used, what it says of them
+// is only read.
+void addOwnRoots(TomlTable& root, const fs::path& folder, bool are_used, FileSearch& search) {
   const TomlNode* given = root.node("search");
   if (given == nullptr) return;
   const auto entries = root.texts("search");
+  if (!are_used) return;
   for (const std::string& entry : entries) {
     if (entry.find('\0') != std::string::npos || entry.empty()) {
       root.error("cell.bad-root", "search", "a search root is empty or no path");
@@ -154,7 +163,7 @@ Result<Cell> readCell(ByteView bytes, const fs::path& path, const CellOptions& o
 
   Cell cell;
   cell.file = path.string();
-  FileSearch search;
+  FileSearch search = searchFor(options);
   if (Status added = search.addRoot(folderOf(path)); !added.ok()) return added.error();
   {
     FaultList faults(cell.faults, path.string());
@@ -173,7 +182,7 @@ Result<Cell> readCell(ByteView bytes, const fs::path& path, const CellOptions& o
     if (format == nullptr || format->kind != TomlNode::Kind::integer || format->integer != 1) {
       root.error("cell.format", "format", "the cell does not say `format = 1`");
     }
-    addOwnRoots(root, folderOf(path), search);
+    addOwnRoots(root, folderOf(path), !options.answers, search);
     if (Status added = addRoots(options, search); !added.ok()) return added.error();
 
     MeshStore meshes(search, options.geometry);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/bytes.h"
+#include "core/model/file_search.h"
 #include "core/model/model.h"
 #include "core/model/model_fault.h"
 #include "core/result.h"
@@ -75,6 +76,8 @@ struct Cell {
   ModelFaults faults;  ///< of the cell and all that it names
   /// Every file that was read, for attaching and hashing; sorted.
   std::vector<std::filesystem::path> files;
+  /// Keeps what `files` lie in while they are needed: of a cell that came out of a log, its folder.
+  std::shared_ptr<const void> keeps_files;
 
   /// The model of a device; null when it could not be read.
   const Model* modelOf(const CellDevice& device) const;
@@ -86,6 +89,8 @@ struct CellOptions {
   std::vector<std::filesystem::path> search;  ///< roots besides the cell's own
   bool search_environment = false;  ///< ROCINANTE_PATH, AMENT_PREFIX_PATH, ROS_PACKAGE_PATH
   bool geometry = true;  ///< false: kinematics only, no mesh is opened (check without GL is fast)
+  FileLookups* lookups = nullptr;  ///< borrowed: told of every root and name that is looked for
+  FileAnswers answers;             ///< what names mean, in place of looking; then no root counts
 };
 
 /// Loads a *.cell.toml, or a bare .urdf, .obj or .stl as a cell of one device named after the file.

@@ -152,6 +152,7 @@ std::string FoundFile::hint() const {
 }
 
 Status FileSearch::addRoot(const fs::path& root) {
+  if (answers_) return Status{};
   std::error_code error;
   const fs::path canonical = fs::canonical(root, error);
   if (error) return Error{ErrorKind::not_found, "the search root does not exist", root.string()};
@@ -162,6 +163,7 @@ Status FileSearch::addRoot(const fs::path& root) {
     if (known.canonical == canonical) return Status{};
   }
   roots_.push_back({root, canonical});
+  if (lookups_ != nullptr) lookups_->roots.push_back(canonical);
   return Status{};
 }
 
@@ -192,25 +194,32 @@ void FileSearch::setPackagesAbove(const fs::path& folder) { packages_above_ = fo
 FoundFile FileSearch::checkIn(const std::vector<Root>& roots, const fs::path& file) const {
   std::error_code error;
   const fs::path canonical = fs::canonical(file, error);
-  if (error) return {FoundFile::Why::missing, {}};
+  if (error) return {FoundFile::Why::missing, {}, {}};
   for (const Root& root : roots) {
     if (!isWithin(canonical, root.canonical)) continue;
-    if (!fs::is_regular_file(canonical, error)) return {FoundFile::Why::no_file, {}};
+    if (!fs::is_regular_file(canonical, error)) return {FoundFile::Why::no_file, {}, {}};
     return {FoundFile::Why::found,
-            (root.given / canonical.lexically_relative(root.canonical)).lexically_normal()};
+            (root.given / canonical.lexically_relative(root.canonical)).lexically_normal(),
+            root.canonical};
   }
-  return {FoundFile::Why::outside, {}};
+  return {FoundFile::Why::outside, {}, {}};
 }
 
 FoundFile FileSearch::check(const fs::path& file) const { return checkIn(roots_, file); }
 
-FoundFile FileSearch::find(const std::string& given, const fs::path& beside) const {
+FoundFile FileSearch::find(const std::string& name, const fs::path& beside) const {
+  FoundFile found = answers_ ? answers_(name, beside) : lookFor(name, beside);
+  if (lookups_ != nullptr) lookups_->lookups.push_back({beside, name, found});
+  return found;
+}
+
+FoundFile FileSearch::lookFor(const std::string& given, const fs::path& beside) const {
   if (given.empty() || given.size() > 4096 || given.find('\0') != std::string::npos) return {};
   for (const std::string_view scheme : {"http://", "https://", "ftp://"}) {
-    if (startsWith(given, scheme)) return {FoundFile::Why::remote, {}};
+    if (startsWith(given, scheme)) return {FoundFile::Why::remote, {}, {}};
   }
   if (given.find("$(") != std::string::npos || given.find("${") != std::string::npos) {
-    return {FoundFile::Why::expression, {}};
+    return {FoundFile::Why::expression, {}, {}};
   }
 
   std::error_code error;

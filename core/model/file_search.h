@@ -1,7 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/bytes.h"
@@ -22,16 +24,39 @@ struct FoundFile {
   };
   Why why = Why::missing;
   std::filesystem::path path;  ///< empty unless found; begins as the root was given
+  std::filesystem::path root;  ///< in which it lies, without links; empty unless found
   /// "there is no such file within the search roots", for a fault's sentence; empty when found.
   std::string problem() const;
   std::string hint() const;
 };
+
+/// A name that was looked for, and what became of it.
+struct FileLookup {
+  std::filesystem::path beside;  ///< the folder of the file that says the name
+  std::string name;
+  FoundFile found;
+};
+
+/// What a search did, for those who must do it again elsewhere.
+struct FileLookups {
+  std::vector<std::filesystem::path> roots;  ///< without links, in the order they are looked into
+  std::vector<FileLookup> lookups;           ///< each as often as it came
+};
+
+/// What the names mean where that is known beforehand: FileLookup::found by name and folder.
+using FileAnswers =
+    std::function<FoundFile(const std::string& name, const std::filesystem::path& beside)>;
 
 /// Finds files by the names that models use, within search roots and nowhere else
 /// (docs/cell-format.md, section "Where files are looked for"). Links are followed before a
 /// file is judged to lie within. Touches the file system only to look; opens nothing.
 class FileSearch {
  public:
+  /// Notes roots and lookups in `lookups` from now on; borrowed.
+  void noteIn(FileLookups* lookups) { lookups_ = lookups; }
+  /// Names mean what `answers` say from now on: nothing is looked for, and roots mean nothing.
+  void answerFrom(FileAnswers answers) { answers_ = std::move(answers); }
+
   /// A root that does not exist is refused by its name.
   Status addRoot(const std::filesystem::path& root);
   /// The roots of ROCINANTE_PATH, AMENT_PREFIX_PATH (with and without share) and ROS_PACKAGE_PATH;
@@ -53,7 +78,10 @@ class FileSearch {
     std::filesystem::path canonical;
   };
   FoundFile checkIn(const std::vector<Root>& roots, const std::filesystem::path& file) const;
+  FoundFile lookFor(const std::string& name, const std::filesystem::path& beside) const;
 
+  FileLookups* lookups_ = nullptr;
+  FileAnswers answers_;
   std::vector<Root> roots_;
   std::filesystem::path packages_above_;  // empty: none
 };

@@ -1,0 +1,123 @@
+#include "core/bundle/attached_cell.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+#include <utility>
+
+#include "core/bundle/cell_folder.h"
+#include "core/hash.h"
+#include "core/log/log_profile.h"
+#include "core/log/mcap_records.h"
+#include "core/plain_text.h"
+
+namespace rocinante {
+namespace {
+
+std::string sha256Of(ByteView bytes) {
+  Sha256 sha256;
+  sha256.add(bytes);
+  return hexOf(sha256.finish());
+}
+
+std::string entryOf(const LogMetadata& record, std::string_view key) {
+  const auto found = record.entries.find(std::string(key));
+  return found == record.entries.end() ? std::string() : found->second;
+}
+
+/// The attachment of that name and SHA-256. A merged log may have several of one name.
+Result<Bytes> readByHash(const LogReader& log, const std::string& name, const std::string& sha256,
+                         std::uint64_t most_bytes) {
+  std::optional<Error> fault;
+  const auto remember = [&](Error error) {
+    if (!fault) fault = std::move(error);
+  };
+  for (std::size_t i = 0; i < log.attachments().size(); ++i) {
+    const LogAttachment& attachment = log.attachments()[i];
+    if (attachment.name != name) continue;
+    if (attachment.data_bytes > most_bytes) {
+      remember({ErrorKind::damaged,
+                fmt::format("attachment {} is larger than it should be", plainText(name)),
+                log.name()});
+      continue;
+    }
+    auto bytes = log.readAttachment(i);
+    if (bytes.ok() && sha256Of(*bytes) == sha256) return bytes;
+    remember(bytes.ok() ? Error{ErrorKind::damaged,
+                                fmt::format("attachment {} is not what was attached: its SHA-256 "
+                                            "differs",
+                                            plainText(name)),
+                                log.name()}
+                        : bytes.error());
+  }
+  if (fault) return *fault;
+  return Error{
+      ErrorKind::damaged,
+      fmt::format("the log's cell is not whole: attachment {} is missing", plainText(name)),
+      log.name()};
+}
+
+}  // namespace
+
+bool isLog(const std::filesystem::path& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return false;
+  if (path.extension() == ".mcap") return true;
+  std::ifstream file(path, std::ios::binary);
+  std::array<char, 8> begin{};
+  file.read(begin.data(), begin.size());
+  return file.gcount() == static_cast<std::streamsize>(begin.size()) &&
+         std::ranges::equal(std::as_bytes(std::span(begin)), mcap::magic());
+}
+
+Result<std::optional<CellBundle>> readAttachedCell(const LogReader& log) {
+  const auto record = std::ranges::find(log.metadata(), profile::kCell, &LogMetadata::name);
+  if (record == log.metadata().end()) return std::optional<CellBundle>();
+  if (const std::string format = entryOf(*record, profile::kFormatKey);
+      format != profile::kFormat) {
+    return Error{ErrorKind::unsupported,
+                 fmt::format("the log's cell has format {}; this program reads format {}",
+                             plainText(format), profile::kFormat),
+                 log.name()};
+  }
+  const std::string manifest_name = entryOf(*record, profile::kCellManifestKey);
+  const auto text =
+      readByHash(log, manifest_name, entryOf(*record, profile::kCellSha256Key), kMostManifestBytes);
+  if (!text.ok()) return text.error();
+  auto manifest = parseManifest(*text, log.name() + ":" + plainText(manifest_name));
+  if (!manifest.ok()) return manifest.error();
+
+  CellBundle bundle;
+  bundle.manifest = std::move(*manifest);
+  for (const BundleManifest::File& file : bundle.manifest.files) {
+    auto bytes =
+        readByHash(log, std::string(profile::kCellFolder) + file.name, file.sha256, file.bytes);
+    if (!bytes.ok()) return bytes.error();
+    bundle.contents.push_back(std::move(*bytes));
+  }
+  return std::optional(std::move(bundle));
+}
+
+Result<Cell> loadCellOrLog(const std::filesystem::path& path, const CellOptions& options) {
+  if (!isLog(path)) return loadCell(path, options);
+  if (!options.search.empty()) {
+    return Error{ErrorKind::bad_argument,
+                 "a cell inside a log has all its files: --search means nothing to it",
+                 path.string()};
+  }
+  const auto log = LogReader::open(path);
+  if (!log.ok()) return log.error();
+  const auto bundle = readAttachedCell(*log);
+  if (!bundle.ok()) return bundle.error();
+  if (!*bundle) {
+    return Error{ErrorKind::not_found,
+                 "the log carries no cell: name a cell before it, or attach one "
+                 "(rocinante log attach LOG --cell CELL -o OUT)",
+                 path.string()};
+  }
+  return loadBundle(**bundle, path.string() + ":" + std::string(profile::kCellFolder), options);
+}
+
+}  // namespace rocinante

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/bytes.h"
+#include "core/model/file_search.h"
+#include "core/result.h"
+
+namespace rocinante {
+
+/// What a cell inside a log may take: more is neither attached nor unpacked.
+inline constexpr std::size_t kMostBundledFiles = 10'000;
+inline constexpr std::uint64_t kMostBundledBytes = std::uint64_t{1} << 30;
+inline constexpr std::size_t kMostBundledNames = 200'000;
+inline constexpr std::size_t kMostManifestBytes = std::size_t{64} << 20;
+
+/// A list of what belongs to a cell inside a log, and of what the names in it mean
+/// (docs/log-format.md, section "The cell"). Names of files and folders are relative, with `/`.
+struct BundleManifest {
+  struct File {
+    std::string name;
+    std::uint64_t bytes = 0;
+    std::string sha256;  ///< lower-case hexadecimal
+    bool operator==(const File&) const = default;
+  };
+  /// A name that a file in folder `in` says. `means` is one of the files, or empty; `why` as
+  /// FoundFile has it.
+  struct Name {
+    std::string in, says, means;
+    FoundFile::Why why = FoundFile::Why::found;
+    bool operator==(const Name&) const = default;
+  };
+  std::string main;         ///< the file that is the cell
+  std::vector<File> files;  ///< by name
+  std::vector<Name> names;  ///< by `in` and `says`, each pair once
+  /// Folders that were search roots of whoever attached the cell (--search).
+  std::vector<std::string> search;
+  /// Folders that the cell names as search roots, whether a file lies there or not.
+  std::vector<std::string> folders;
+  bool operator==(const BundleManifest&) const = default;
+};
+
+/// True for a name that stays below the folder it is laid out in: parts between `/`, none of them
+/// empty, `.` or `..`, at most 255 bytes each and 1,024 in all, without control characters and
+/// backslashes.
+bool isBundleName(std::string_view name);
+
+/// The manifest as JSON text: the same bytes for the same manifest.
+std::string manifestText(const BundleManifest& manifest);
+
+/// Reads it back, trusting nothing: damaged or unsupported, with a sentence. `where` names it.
+Result<BundleManifest> parseManifest(ByteView text, const std::string& where);
+
+}  // namespace rocinante

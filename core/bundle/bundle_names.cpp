@@ -1,0 +1,91 @@
+#include "core/bundle/bundle_names.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "core/plain_text.h"
+
+namespace rocinante {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool isWithin(const fs::path& path, const fs::path& folder) {
+  const auto [inside, end] = std::mismatch(path.begin(), path.end(), folder.begin(), folder.end());
+  return end == folder.end();
+}
+
+fs::path commonOf(const fs::path& a, const fs::path& b) {
+  fs::path common;
+  for (auto x = a.begin(), y = b.begin(); x != a.end() && y != b.end() && *x == *y; ++x, ++y) {
+    common /= *x;
+  }
+  return common;
+}
+
+std::string percentEncoded(std::string_view text, bool (*is_bad)(char)) {
+  std::string encoded;
+  for (const char c : text) {
+    if (is_bad(c)) {
+      encoded += fmt::format("%{:02X}", static_cast<unsigned char>(c));
+    } else {
+      encoded += c;
+    }
+  }
+  return encoded;
+}
+
+bool isControl(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
+
+std::string nameBelow(const fs::path& path, const fs::path& folder) {
+  const fs::path relative = path.lexically_relative(folder);
+  if (relative == ".") return {};
+  return percentEncoded(manifestWord(relative.generic_string()), [](char c) { return c == '\\'; });
+}
+
+}  // namespace
+
+std::string manifestWord(std::string_view text) {
+  if (isUtf8(bytesOf(text))) return percentEncoded(text, isControl);
+  return percentEncoded(
+      text, [](char c) { return isControl(c) || static_cast<unsigned char>(c) >= 0x80; });
+}
+
+BundleNames::BundleNames(fs::path main_folder) : common_(std::move(main_folder)) {}
+
+void BundleNames::addOwnRoot(const fs::path& root) {
+  const fs::path common = commonOf(common_, root);
+  // Nothing in common but the whole file system: its folders are nobody's business.
+  if (common == common.root_path() && common_ != common) {
+    addOtherRoot(root);
+  } else {
+    common_ = common;
+  }
+}
+
+void BundleNames::addOtherRoot(const fs::path& root) {
+  if (std::ranges::find(others_, root) == others_.end()) others_.push_back(root);
+}
+
+std::string BundleNames::nameOf(const fs::path& path) const {
+  if (isWithin(path, common_)) return nameBelow(path, common_);
+  for (std::size_t i = 0; i < others_.size(); ++i) {
+    if (!isWithin(path, others_[i])) continue;
+    const std::string below = nameBelow(path, others_[i]);
+    return otherRoots()[i] + (below.empty() ? "" : "/" + below);
+  }
+  return {};
+}
+
+std::vector<std::string> BundleNames::otherRoots() const {
+  std::vector<std::string> names;
+  for (const fs::path& root : others_) {
+    const std::string name = nameBelow(root, root.parent_path());
+    names.push_back(fmt::format("search/{}/{}", names.size() + 1, name.empty() ? "root" : name));
+  }
+  return names;
+}
+
+}  // namespace rocinante

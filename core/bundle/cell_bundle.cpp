@@ -1,0 +1,278 @@
+#include "core/bundle/cell_bundle.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "core/bundle/bundle_names.h"
+#include "core/bundle/cell_folder.h"
+#include "core/hash.h"
+#include "core/log/log_profile.h"
+#include "core/model/file_search.h"
+
+namespace rocinante {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path canonicalOf(const fs::path& path) {
+  std::error_code error;
+  fs::path canonical = fs::canonical(path, error);
+  return error ? fs::absolute(path, error).lexically_normal() : canonical;
+}
+
+/// Where the cell's own file lies: links in its folder are followed, but not itself, since the
+/// names in it are looked for beside the link.
+fs::path placeOf(const fs::path& path) {
+  return canonicalOf(path.has_parent_path() ? path.parent_path() : ".") / path.filename();
+}
+
+/// "pkg" of package://pkg/a.stl; empty where there is none.
+std::string packageOf(std::string_view name) {
+  for (const std::string_view scheme : {"package://", "model://"}) {
+    if (!name.starts_with(scheme)) continue;
+    name.remove_prefix(scheme.size());
+    name.remove_prefix(std::min(name.find_first_not_of('/'), name.size()));
+    const std::size_t slash = name.find('/');
+    return slash == std::string_view::npos ? std::string() : std::string(name.substr(0, slash));
+  }
+  return {};
+}
+
+/// The roots that somebody gave, without links.
+Result<std::set<fs::path>> givenRoots(const CellOptions& options) {
+  FileLookups noted;
+  FileSearch search;
+  search.noteIn(&noted);
+  for (const fs::path& root : options.search) {
+    if (Status added = search.addRoot(root); !added) return added.error();
+  }
+  if (options.search_environment) search.addEnvironmentRoots();
+  return std::set<fs::path>(noted.roots.begin(), noted.roots.end());
+}
+
+BundleNames namesFor(const fs::path& main, const FileLookups& noted,
+                     const std::set<fs::path>& given) {
+  BundleNames names(main.parent_path());
+  std::set<std::string> packages;
+  for (const FileLookup& lookup : noted.lookups) {
+    const fs::path& root = lookup.found.root;
+    if (root.empty()) continue;
+    packages.insert(packageOf(lookup.name));
+    if (given.contains(root) && root != main.parent_path()) {
+      names.addOtherRoot(root);
+    } else {
+      names.addOwnRoot(root);
+    }
+  }
+  // A package is found by its folder's name.
+  if (packages.contains(names.commonFolder().filename().string())) {
+    names.addOwnRoot(names.commonFolder().parent_path());
+  }
+  return names;
+}
+
+Error firstErrorOf(const Cell& cell) {
+  std::size_t count = 0;
+  const ModelFault* first = nullptr;
+  for (const ModelFault& fault : cell.faults) {
+    if (fault.severity != Severity::error) continue;
+    if (first == nullptr) first = &fault;
+    ++count;
+  }
+  std::string where = first->file;
+  if (first->line > 0) where += fmt::format(":{}", first->line);
+  if (first->line > 0 && first->column > 0) where += fmt::format(":{}", first->column);
+  std::string what = "the cell does not load whole, so it is not attached: " + first->text;
+  if (count > 1) what += fmt::format("; {} errors in all, rocinante check lists them", count);
+  return {ErrorKind::damaged, std::move(what), std::move(where)};
+}
+
+/// Files by the names that they will have, each with a path that leads to it.
+Result<std::map<std::string, fs::path>> filesOf(const Cell& cell, const fs::path& path,
+                                                const FileLookups& noted,
+                                                const BundleNames& names) {
+  std::map<fs::path, fs::path> places{{placeOf(path), path}};
+  for (const fs::path& file : cell.files) {
+    if (file != path) places.emplace(canonicalOf(file), file);
+  }
+  for (const FileLookup& lookup : noted.lookups) {
+    if (!lookup.found.path.empty()) {
+      places.emplace(canonicalOf(lookup.found.path), lookup.found.path);
+    }
+  }
+  if (places.size() > kMostBundledFiles) {
+    return Error{ErrorKind::unsupported,
+                 fmt::format("the cell has {} files; at most {} can be attached", places.size(),
+                             kMostBundledFiles),
+                 path.string()};
+  }
+  std::map<std::string, fs::path> files;
+  for (const auto& [place, file] : places) {
+    const std::string name = names.nameOf(place);
+    if (!isBundleName(name) || !files.emplace(name, file).second) {
+      return Error{ErrorKind::unsupported, "the file cannot be attached under its name",
+                   file.string()};
+    }
+  }
+  return files;
+}
+
+Status readContents(const std::map<std::string, fs::path>& files, CellBundle& bundle) {
+  std::uint64_t left = kMostBundledBytes;
+  for (const auto& [name, path] : files) {
+    std::error_code error;
+    if (fs::file_size(path, error) > left && !error) {
+      return Error{ErrorKind::unsupported,
+                   fmt::format("the files of the cell are larger than the {} MiB that can be "
+                               "attached",
+                               kMostBundledBytes >> 20),
+                   path.string()};
+    }
+    auto bytes = readWholeFile(path, left);
+    if (!bytes.ok()) return bytes.error();
+    left -= bytes->size();
+    Sha256 sha256;
+    sha256.add(*bytes);
+    bundle.manifest.files.push_back({name, bytes->size(), hexOf(sha256.finish())});
+    bundle.contents.push_back(std::move(*bytes));
+  }
+  return {};
+}
+
+Status noteNames(const FileLookups& noted, const BundleNames& names, BundleManifest& manifest) {
+  std::map<std::pair<std::string, std::string>, BundleManifest::Name> known;
+  for (const FileLookup& lookup : noted.lookups) {
+    BundleManifest::Name name;
+    name.in = names.nameOf(canonicalOf(lookup.beside));
+    name.says = manifestWord(lookup.name);
+    name.why = lookup.found.why;
+    if (!lookup.found.path.empty()) name.means = names.nameOf(canonicalOf(lookup.found.path));
+    const auto [same, is_new] = known.emplace(std::pair(name.in, name.says), name);
+    if (!is_new && same->second != name) {
+      return Error{
+          ErrorKind::unsupported,
+          fmt::format("the name {} means two files, so the cell is not attached", name.says),
+          lookup.beside.string()};
+    }
+  }
+  if (known.size() > kMostBundledNames) {
+    return Error{ErrorKind::unsupported,
+                 fmt::format("the cell names files {} times; at most {} can be attached",
+                             known.size(), kMostBundledNames),
+                 ""};
+  }
+  for (auto& [key, name] : known) manifest.names.push_back(std::move(name));
+  return {};
+}
+
+/// What tells whether two loads came to the same.
+auto outcomeOf(const Cell& cell) {
+  std::vector<std::tuple<Severity, std::string, int, int>> faults;
+  for (const ModelFault& fault : cell.faults) {
+    faults.emplace_back(fault.severity, fault.rule, static_cast<int>(fault.line),
+                        static_cast<int>(fault.column));
+  }
+  return std::tuple(faults, cell.files.size(), cell.devices.size(), cell.models.size());
+}
+
+/// An attachment that turns out useless when the original is gone helps nobody: loads it now.
+Status prove(const CellBundle& bundle, const Cell& cell) {
+  const auto again = loadBundle(bundle, "", {});
+  if (!again.ok()) return again.error();
+  if (outcomeOf(*again) == outcomeOf(cell)) return {};
+  return Error{ErrorKind::damaged, "the cell changed while it was read, so it is not attached",
+               cell.file};
+}
+
+std::string mediaTypeOf(const std::string& name) {
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 14> kTypes = {{
+      {".toml", "application/toml"},
+      {".urdf", "application/xml"},
+      {".obj", "model/obj"},
+      {".mtl", "model/mtl"},
+      {".stl", "model/stl"},
+      {".png", "image/png"},
+      {".jpg", "image/jpeg"},
+      {".jpeg", "image/jpeg"},
+      {".tif", "image/tiff"},
+      {".tiff", "image/tiff"},
+      {".bmp", "image/bmp"},
+      {".tga", "image/x-tga"},
+      {".exr", "image/x-exr"},
+      {".json", "application/json"},
+  }};
+  std::string ending = fs::path(name).extension().string();
+  std::ranges::transform(ending, ending.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  const auto found = std::ranges::find(kTypes, ending, [](const auto& each) { return each.first; });
+  return std::string(found == kTypes.end() ? "application/octet-stream" : found->second);
+}
+
+}  // namespace
+
+Result<CellBundle> collectCell(const fs::path& path, CellOptions options) {
+  FileLookups noted;
+  options.lookups = &noted;
+  options.answers = {};
+  options.geometry = true;
+  const auto cell = loadCell(path, options);
+  if (!cell.ok()) return cell.error();
+  const auto is_error = [](const ModelFault& fault) { return fault.severity == Severity::error; };
+  if (std::ranges::any_of(cell->faults, is_error)) return firstErrorOf(*cell);
+  const auto given = givenRoots(options);
+  if (!given.ok()) return given.error();
+
+  const fs::path main = placeOf(path);
+  const BundleNames names = namesFor(main, noted, *given);
+  CellBundle bundle;
+  bundle.manifest.main = names.nameOf(main);
+  bundle.manifest.search = names.otherRoots();
+  for (const fs::path& root : noted.roots) {
+    const std::string name = names.nameOf(root);
+    if (!given->contains(root) && isBundleName(name)) bundle.manifest.folders.push_back(name);
+  }
+  const auto files = filesOf(*cell, path, noted, names);
+  if (!files.ok()) return files.error();
+  if (Status read = readContents(*files, bundle); !read) return read.error();
+  if (Status done = noteNames(noted, names, bundle.manifest); !done) return done.error();
+  for (const ModelFault& fault : cell->faults) {
+    if (fault.severity == Severity::warning) bundle.warnings.push_back(fault);
+  }
+  if (Status proved = prove(bundle, *cell); !proved) return proved.error();
+  return bundle;
+}
+
+AttachedBundle::AttachedBundle(const CellBundle& bundle)
+    : manifest_text_(manifestText(bundle.manifest)) {
+  const std::string manifest_name(profile::kCellManifest);
+  attachments_.push_back({manifest_name, mediaTypeOf(manifest_name), bytesOf(manifest_text_)});
+  for (std::size_t i = 0; i < bundle.manifest.files.size(); ++i) {
+    const std::string& name = bundle.manifest.files[i].name;
+    attachments_.push_back(
+        {std::string(profile::kCellFolder) + name, mediaTypeOf(name), bundle.contents[i]});
+  }
+  Sha256 sha256;
+  sha256.add(bytesOf(manifest_text_));
+  metadata_.name = profile::kCell;
+  metadata_.entries = {{std::string(profile::kFormatKey), std::string(profile::kFormat)},
+                       {std::string(profile::kCellMainKey), bundle.manifest.main},
+                       {std::string(profile::kCellManifestKey), manifest_name},
+                       {std::string(profile::kCellSha256Key), hexOf(sha256.finish())}};
+}
+
+Status AttachedBundle::writeTo(LogWriter& log, LogTime time) const {
+  for (const BundleAttachment& each : attachments_) {
+    Status written = log.writeAttachment(each.name, each.media_type, time, each.data);
+    if (!written) return written;
+  }
+  return log.writeMetadata(metadata_);
+}
+
+}  // namespace rocinante

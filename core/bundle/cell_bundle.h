@@ -1,0 +1,57 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/bundle/bundle_manifest.h"
+#include "core/bytes.h"
+#include "core/log/log_writer.h"
+#include "core/model/cell.h"
+#include "core/result.h"
+
+namespace rocinante {
+
+/// A cell with all files that it names, transitively, in memory: what a log carries so that it can
+/// be looked at alone (docs/log-format.md, section "The cell").
+struct CellBundle {
+  BundleManifest manifest;
+  std::vector<Bytes> contents;  ///< as manifest.files
+  ModelFaults warnings;         ///< what the cell lacks that it can be drawn without
+};
+
+/// Loads the cell as `options` say and collects every file that was read, and what every name
+/// meant. Names hold no folder of this machine above the one that the files have in common. An
+/// error when the cell does not load without errors, when it is too large (bundle_manifest.h), or
+/// when what was collected does not load as the cell does. options.lookups and options.answers are
+/// not used.
+Result<CellBundle> collectCell(const std::filesystem::path& path, CellOptions options);
+
+/// A file as it is attached.
+struct BundleAttachment {
+  std::string name;
+  std::string media_type;
+  ByteView data;  ///< borrowed from the bundle, or from `manifest_text`
+};
+
+/// The bundle as a log holds it: the manifest and every file as attachments, and one metadata
+/// record. Views into the bundle, which must outlive it.
+class AttachedBundle {
+ public:
+  explicit AttachedBundle(const CellBundle& bundle);
+  AttachedBundle(const AttachedBundle&) = delete;
+  AttachedBundle& operator=(const AttachedBundle&) = delete;
+
+  const std::vector<BundleAttachment>& attachments() const { return attachments_; }
+  const LogMetadata& metadata() const { return metadata_; }
+
+  /// Writes all of it, the metadata last: a log that was cut off before it has no cell.
+  Status writeTo(LogWriter& log, LogTime time) const;
+
+ private:
+  std::string manifest_text_;
+  std::vector<BundleAttachment> attachments_;
+  LogMetadata metadata_;
+};
+
+}  // namespace rocinante

@@ -1,0 +1,131 @@
+#include "core/bundle/cell_folder.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "core/bundle/bundle_names.h"
+#include "core/bundle/private_folder.h"
+
+namespace rocinante {
+namespace {
+
+namespace fs = std::filesystem;
+
+Status writeNewFile(const fs::path& path, ByteView bytes) {
+  const auto refuse = [&] {
+    return Error{ErrorKind::unreadable, std::string("cannot write: ") + std::strerror(errno),
+                 path.string()};
+  };
+  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0644);
+  if (file < 0) return refuse();
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(file, bytes.data(), bytes.size());
+    if (written < 0 && errno != EINTR) {
+      const Error error = refuse();
+      ::close(file);
+      return error;
+    }
+    if (written > 0) bytes = bytes.subspan(static_cast<std::size_t>(written));
+  }
+  if (::close(file) != 0) return refuse();
+  return {};
+}
+
+/// The folders above a name, outermost first: "a/b" of "a/b/c" after "a".
+void addFoldersOf(const std::string& name, std::set<std::string>& folders) {
+  for (std::size_t slash = name.find('/'); slash != std::string::npos;
+       slash = name.find('/', slash + 1)) {
+    folders.insert(name.substr(0, slash));
+  }
+}
+
+void replaceAll(std::string& text, const std::string& what, const std::string& with) {
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at)) {
+    text.replace(at, what.size(), with);
+    at += with.size();
+  }
+}
+
+/// What names mean, by folder and name, as the manifest says.
+FileAnswers answersOf(const BundleManifest& manifest, const fs::path& root) {
+  using Key = std::pair<std::string, std::string>;
+  auto known = std::make_shared<std::map<Key, FoundFile>>();
+  for (const BundleManifest::Name& name : manifest.names) {
+    FoundFile found;
+    found.why = name.why;
+    if (!name.means.empty()) {
+      found.path = root / name.means;
+      found.root = root;
+    }
+    known->emplace(Key(name.in, name.says), std::move(found));
+  }
+  return [known, root](const std::string& name, const fs::path& beside) {
+    const fs::path in = beside.lexically_relative(root);
+    const auto found = known->find(Key(in == "." ? "" : in.generic_string(), manifestWord(name)));
+    return found == known->end() ? FoundFile{} : found->second;
+  };
+}
+
+}  // namespace
+
+Status layOut(const CellBundle& bundle, const fs::path& folder) {
+  std::set<std::string> folders;
+  for (const BundleManifest::File& file : bundle.manifest.files) addFoldersOf(file.name, folders);
+  for (const std::string& name : bundle.manifest.folders) {
+    addFoldersOf(name + "/", folders);
+  }
+  for (const std::string& name : folders) {
+    if (name.empty()) continue;
+    std::error_code error;
+    if (!fs::create_directory(folder / name, error)) {
+      // A file may have the name of another's folder.
+      return Error{ErrorKind::damaged,
+                   "cannot make the folder" + (error ? ": " + error.message() : std::string()),
+                   (folder / name).string()};
+    }
+  }
+  for (std::size_t i = 0; i < bundle.manifest.files.size(); ++i) {
+    if (Status written = writeNewFile(folder / bundle.manifest.files[i].name, bundle.contents[i]);
+        !written) {
+      return written;
+    }
+  }
+  return {};
+}
+
+Result<Cell> loadBundle(const CellBundle& bundle, const std::string& shown_as,
+                        const CellOptions& options) {
+  const auto folder = PrivateFolder::make();
+  if (!folder.ok()) return folder.error();
+  const fs::path& root = (*folder)->path();
+  const auto shown = [&, prefix = root.string() + "/"](std::string& text) {
+    replaceAll(text, prefix, shown_as);
+  };
+  const auto shownError = [&](Error error) {
+    shown(error.what);
+    shown(error.where);
+    return error;
+  };
+  if (Status written = layOut(bundle, root); !written) return shownError(written.error());
+  CellOptions inside;
+  inside.geometry = options.geometry;
+  inside.answers = answersOf(bundle.manifest, root);
+  auto cell = loadCell(root / bundle.manifest.main, inside);
+  if (!cell.ok()) return shownError(cell.error());
+  shown(cell->file);
+  for (ModelFault& fault : cell->faults) {
+    shown(fault.file);
+    shown(fault.text);
+    shown(fault.hint);
+  }
+  cell->keeps_files = *folder;
+  return cell;
+}
+
+}  // namespace rocinante
