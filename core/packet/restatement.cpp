@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 
 #include "core/packet/item_text.h"
 #include "core/packet/packet_limits.h"
@@ -17,105 +18,130 @@ enum Stage : std::size_t { removals, positions, items, last_writes, stage_count 
 /// What one source owns, as statements by stage.
 class OwnedText {
  public:
-  OwnedText(const SessionState& state, std::string_view source, const RestatementOptions& options)
-      : source_(source), options_(options) {
-    for (const auto& [name, device] : state.devices()) addDevice(name, device);
-    for (const auto& [path, item] : state.visibility()) {
-      if (owns(item)) addOfPath(path, visibilityText(path, item.value));
-    }
-    for (const auto& [path, item] : state.colors()) {
-      if (owns(item)) addOfPath(path, colorText(path, item.value));
-    }
-    auto drawing = state.drawings().lower_bound({source_, std::string()});
-    for (; drawing != state.drawings().end() && drawing->first.first == source_; ++drawing) {
-      addDrawing(drawing->first.second, drawing->second);
-    }
-    for (const auto& [name, item] : state.views()) {
-      if (owns(item)) add(Stage::items, viewText(name, item.value));
-    }
-    if (options_.with_seen) addSeen(state);
-  }
-
   const std::vector<std::string>& of(std::size_t stage) const { return lines_[stage]; }
 
- private:
-  template <class T>
-  bool owns(const Item<T>& item) const {
-    return item.owner == source_;
-  }
-  template <class T>
-  bool owns(const std::optional<Item<T>>& item) const {
-    return item && owns(*item);
-  }
-
   void add(Stage stage, std::string line) { lines_[stage].push_back(std::move(line)); }
-
   void addOf(const std::string& device, Stage stage, std::string line) {
-    if (devices_.empty() || devices_.back() != device) devices_.push_back(device);
+    if (devices_.empty() || *devices_.back() != device) devices_.push_back(&device);
     add(stage, std::move(line));
   }
-  void addOfPath(const Path& path, std::string line) {
-    if (path.is_layer) return add(Stage::items, std::move(line));
-    addOf(path.first, Stage::items, std::move(line));
+
+  void addSeen(const SessionState& state) {
+    const auto is_before = [](const auto* a, const auto* b) { return *a < *b; };
+    const auto is_same = [](const auto* a, const auto* b) { return *a == *b; };
+    std::sort(devices_.begin(), devices_.end(), is_before);
+    devices_.erase(std::unique(devices_.begin(), devices_.end(), is_same), devices_.end());
+    for (const std::string* name : devices_) {
+      add(Stage::last_writes, seenText(*name, state.devices().find(*name)->second.last_write));
+    }
+  }
+
+ private:
+  std::array<std::vector<std::string>, stage_count> lines_;
+  std::vector<const std::string*> devices_;  ///< that the source owns items of; names of the state
+};
+
+/// What each source owns, found in one walk over the state: of one source, or of all.
+class OwnedTexts {
+ public:
+  OwnedTexts(const SessionState& state, const RestatementOptions& options,
+             std::optional<std::string_view> only)
+      : options_(options), only_(only) {
+    for (const auto& [name, device] : state.devices()) addDevice(name, device);
+    for (const auto& [path, item] : state.visibility()) {
+      if (wants(item.owner)) addOfPath(item.owner, path, visibilityText(path, item.value));
+    }
+    for (const auto& [path, item] : state.colors()) {
+      if (wants(item.owner)) addOfPath(item.owner, path, colorText(path, item.value));
+    }
+    for (const auto& [key, drawing] : state.drawings()) {
+      if (wants(key.first)) addDrawing(key.first, key.second, drawing);
+    }
+    for (const auto& [name, item] : state.views()) {
+      if (wants(item.owner)) owned_[item.owner].add(Stage::items, viewText(name, item.value));
+    }
+    if (!options.with_seen) return;
+    for (auto& owned : owned_) owned.second.addSeen(state);
+  }
+
+  const OwnedText& of(std::string_view source) const {
+    static const OwnedText nothing;
+    const auto found = owned_.find(source);
+    return found == owned_.end() ? nothing : found->second;
+  }
+
+ private:
+  bool wants(std::string_view owner) const { return !only_ || *only_ == owner; }
+  template <class T>
+  bool wants(const std::optional<Item<T>>& item) const {
+    return item && wants(item->owner);
+  }
+
+  void addOfPath(const std::string& owner, const Path& path, std::string line) {
+    if (path.is_layer) return owned_[owner].add(Stage::items, std::move(line));
+    owned_[owner].addOf(path.first, Stage::items, std::move(line));
   }
 
   void addDevice(const std::string& name, const DeviceState& device) {
-    if (owns(device.presence)) {
+    if (wants(device.presence)) {
       const PresenceValue& presence = device.presence->value;
       const bool is_removed = presence.presence == Presence::removed;
-      addOf(name, is_removed ? Stage::removals : Stage::items, presenceText(name, presence));
+      owned_[device.presence->owner].addOf(name, is_removed ? Stage::removals : Stage::items,
+                                           presenceText(name, presence));
     }
-    if (owns(device.joints)) {
+    if (wants(device.joints)) {
+      OwnedText& owned = owned_[device.joints->owner];
       // An order that the receiver may know would turn these into named joints.
-      addOf(name, Stage::positions, orderText(name, {}));
-      addOf(name, Stage::positions, jointsText(name, device.joints->value));
+      owned.addOf(name, Stage::positions, orderText(name, {}));
+      owned.addOf(name, Stage::positions, jointsText(name, device.joints->value));
     }
-    if (const auto order = device.orders.find(source_); order != device.orders.end()) {
-      addOf(name, Stage::items, orderText(name, order->second));
+    for (const auto& [source, names] : device.orders) {
+      if (wants(source)) owned_[source].addOf(name, Stage::items, orderText(name, names));
     }
-    if (owns(device.pose)) addOf(name, Stage::items, poseText(name, device.pose->value));
-    addNamedJoints(name, device);
+    if (wants(device.pose)) {
+      owned_[device.pose->owner].addOf(name, Stage::items, poseText(name, device.pose->value));
+    }
+    if (!device.named_joints.empty()) addNamedJoints(name, device);
   }
 
   /// Several joints a line, as long as the line leaves room for a header in a datagram.
   void addNamedJoints(const std::string& name, const DeviceState& device) {
+    struct Line {
+      std::string text;
+      std::size_t count = 0;
+    };
+    std::map<std::string_view, Line> lines;  // of each owner, the one that is not full
     const std::size_t most_bytes = options_.mtu_bytes / 2;
-    std::string line;
-    std::size_t count = 0;
     for (const auto& [joint, item] : device.named_joints) {
-      if (!owns(item)) continue;
+      if (!wants(item.owner)) continue;
+      Line& line = lines[item.owner];
       std::string alone = jointText(name, joint, item.value);
       const std::string pair = alone.substr(alone.rfind(' '));
-      if (line.empty() || line.size() + pair.size() > most_bytes || count == limits::kJointValues) {
-        if (!line.empty()) addOf(name, Stage::items, std::move(line));
-        line = std::move(alone);
-        count = 1;
+      const bool is_full =
+          line.text.size() + pair.size() > most_bytes || line.count == limits::kJointValues;
+      if (line.count == 0 || is_full) {
+        if (line.count > 0) owned_[item.owner].addOf(name, Stage::items, std::move(line.text));
+        line = {std::move(alone), 1};
       } else {
-        line += pair;
-        ++count;
+        line.text += pair;
+        ++line.count;
       }
     }
-    if (!line.empty()) addOf(name, Stage::items, std::move(line));
+    for (auto& [owner, line] : lines) {
+      owned_[std::string(owner)].addOf(name, Stage::items, std::move(line.text));
+    }
   }
 
-  void addDrawing(const std::string& id, const Drawing& drawing) {
+  void addDrawing(const std::string& owner, const std::string& id, const Drawing& drawing) {
+    OwnedText& owned = owned_[owner];
     for (std::size_t part = 0; part < drawing.parts.size(); ++part) {
-      if (drawing.parts[part]) add(Stage::items, drawingText(id, drawing, part));
+      if (drawing.parts[part]) owned.add(Stage::items, drawingText(id, drawing, part));
     }
   }
 
-  void addSeen(const SessionState& state) {
-    std::sort(devices_.begin(), devices_.end());
-    devices_.erase(std::unique(devices_.begin(), devices_.end()), devices_.end());
-    for (const std::string& name : devices_) {
-      add(Stage::last_writes, seenText(name, state.devices().at(name).last_write));
-    }
-  }
-
-  const std::string source_;
   const RestatementOptions& options_;
-  std::array<std::vector<std::string>, stage_count> lines_;
-  std::vector<std::string> devices_;  ///< that the source owns items of
+  const std::optional<std::string_view> only_;
+  std::map<std::string, OwnedText, std::less<>> owned_;  ///< by SOURCE
 };
 
 /// One datagram of a restatement, before its header.
@@ -160,14 +186,14 @@ PacketHeader headerOf(const SessionState& state, std::string_view source,
 
 /// The parts of one source's restatement, each with the stage that it belongs to.
 std::vector<Body> partsOf(const SessionState& state, std::string_view source,
-                          const RestatementOptions& options, bool by_stage) {
+                          const OwnedText& owned, const RestatementOptions& options,
+                          bool by_stage) {
   PacketHeader header = headerOf(state, source, options);
   // As long as the header can become.
   header.part = {options.part_id, limits::kRestatementParts, limits::kRestatementParts};
   const std::size_t header_bytes = headerText(header).size() + 1;
   std::size_t most_bytes = options.mtu_bytes > header_bytes ? options.mtu_bytes - header_bytes : 1;
 
-  const OwnedText owned(state, source, options);
   std::vector<Body> parts = bodiesOf(owned, most_bytes, by_stage);
   while (parts.size() > limits::kRestatementParts) {
     most_bytes *= 2;
@@ -218,7 +244,8 @@ bool hasSharedDevice(const SessionState& state) {
 std::vector<std::string> restate(const SessionState& state, std::string_view source,
                                  const RestatementOptions& options) {
   std::vector<std::string> datagrams;
-  for (Body& part : partsOf(state, source, options, false)) {
+  const OwnedTexts owned(state, options, source);
+  for (Body& part : partsOf(state, source, owned.of(source), options, false)) {
     datagrams.push_back(std::move(part.text));
   }
   return datagrams;
@@ -226,9 +253,10 @@ std::vector<std::string> restate(const SessionState& state, std::string_view sou
 
 std::vector<std::string> restateAll(const SessionState& state, const RestatementOptions& options) {
   const bool by_stage = hasSharedDevice(state);
+  const OwnedTexts owned(state, options, std::nullopt);
   std::vector<Body> parts;
   for (const auto& source : state.sources()) {
-    for (Body& part : partsOf(state, source.first, options, by_stage)) {
+    for (Body& part : partsOf(state, source.first, owned.of(source.first), options, by_stage)) {
       parts.push_back(std::move(part));
     }
   }

@@ -205,6 +205,7 @@ class SessionState {
     std::size_t missing = 0;
     LogTime began{};
     std::uint64_t first_packet = 0;  ///< items said before this one fall when all have come
+    bool nothing_before = false;     ///< it begins with the source's first packet: none can fall
   };
 
   Devices devices_;

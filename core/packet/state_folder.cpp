@@ -168,6 +168,7 @@ void StateFolder::beginPart() {
     open.missing = part.count;
     open.began = time_;
     open.first_packet = state_.packets_;
+    open.nothing_before = counts_->packets + counts_->by_others == 1;
     const LogTime until = time_ + limits::kRestatementSpan;
     state_.open_until_ = state_.open_.empty() ? until : std::min(state_.open_until_, until);
     found = state_.open_.emplace(std::string(header_.source), std::move(open)).first;
@@ -182,8 +183,10 @@ void StateFolder::finishPart() {
   const auto open = state_.open_.find(header_.source);
   if (open->second.missing != 0) return;
   const std::uint64_t first_packet = open->second.first_packet;
+  const bool nothing_before = open->second.nothing_before;
   state_.open_.erase(open);
-  forgetUnrepeated(first_packet);
+  // Else reading a keyframe of many sources would walk over all items for each of them.
+  if (!nothing_before) forgetUnrepeated(first_packet);
 }
 
 Applied SessionState::apply(LogTime time, const Packet& packet) {
