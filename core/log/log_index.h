@@ -7,6 +7,7 @@
 
 #include "core/log/log_types.h"
 #include "core/log/mcap_records.h"
+#include "core/log/mcap_stream_reader.h"
 #include "core/log/message_span.h"
 
 namespace rocinante {
@@ -31,6 +32,10 @@ std::optional<LogIndex> indexFromSummary(ByteView file, std::vector<DamageSpan>&
 /// The index made by walking over the whole file, record by record. Chunks are only expanded where
 /// their message indexes do not tell enough. Goes on after damage. The file begins with the magic.
 LogIndex indexByWalking(ByteView file);
+
+/// Adds what the record tells; false when it breaks the format.
+bool addAttachment(const mcap::Record& record, LogIndex& index);
+bool addMetadata(const mcap::Record& record, LogIndex& index);
 
 /// Adds a channel; false when its id is there already and means another.
 bool addChannel(LogIndex& index, const mcap::Channel& channel);

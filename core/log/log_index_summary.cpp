@@ -21,12 +21,34 @@ bool addChannel(LogIndex& index, const mcap::Channel& channel) {
   return true;
 }
 
+bool addAttachment(const mcap::Record& record, LogIndex& index) {
+  mcap::Attachment attachment;
+  if (!mcap::parse(record.content, attachment)) return false;
+  index.attachments.push_back({std::move(attachment.name), std::move(attachment.media_type),
+                               logTimeOf(attachment.log_time), attachment.data.size()});
+  index.attachment_offsets.push_back(record.offset);
+  return true;
+}
+
+bool addMetadata(const mcap::Record& record, LogIndex& index) {
+  mcap::Metadata metadata;
+  if (!mcap::parse(record.content, metadata)) return false;
+  index.metadata.push_back({std::move(metadata.name), std::move(metadata.metadata)});
+  return true;
+}
+
 namespace {
+
+/// A ChunkIndex as far as we go by it, and without a map for each: a long log has very many.
+struct ChunkPlace {
+  MessageSpan span;
+  std::uint64_t compressed_size = 0;
+};
 
 struct Summary {
   std::vector<mcap::Channel> channels;
   std::optional<mcap::Statistics> statistics;
-  std::vector<mcap::ChunkIndex> chunks;
+  std::vector<ChunkPlace> chunks;
   std::vector<mcap::AttachmentIndex> attachments;
   std::vector<mcap::MetadataIndex> metadata;
 };
@@ -34,6 +56,37 @@ struct Summary {
 template <class T>
 bool parseInto(ByteView content, std::vector<T>& out) {
   return mcap::parse(content, out.emplace_back()).has_value();
+}
+
+bool parseInto(ByteView content, std::vector<ChunkPlace>& out) {
+  ChunkPlace& place = out.emplace_back();
+  MessageSpan& span = place.span;
+  mcap::ByteCursor cursor(content);
+  span.chunk.message_start_time = cursor.number<std::uint64_t>();
+  span.chunk.message_end_time = cursor.number<std::uint64_t>();
+  span.offset = cursor.number<std::uint64_t>();
+  const auto chunk_length = cursor.number<std::uint64_t>();
+  const ByteView index_offsets = cursor.bytes32();
+  const auto index_length = cursor.number<std::uint64_t>();
+  span.chunk.compression = cursor.string();
+  place.compressed_size = cursor.number<std::uint64_t>();
+  span.chunk.uncompressed_size = cursor.number<std::uint64_t>();
+  constexpr std::size_t kPairBytes = sizeof(ChannelId) + sizeof(std::uint64_t);
+  if (!cursor.ok() || index_offsets.size() % kPairBytes != 0) return false;
+  span.end = span.offset + chunk_length;
+  span.index_end = span.end + index_length;
+  // A sum that is no longer one.
+  if (span.end < span.offset || span.index_end < span.end) return false;
+  span.start_time = logTimeOf(span.chunk.message_start_time);
+  span.end_time = logTimeOf(span.chunk.message_end_time);
+  span.channels.reserve(index_offsets.size() / kPairBytes);
+  for (mcap::ByteCursor each(index_offsets); each.remaining() > 0;) {
+    span.channels.push_back(each.number<ChannelId>());
+    each.number<std::uint64_t>();
+  }
+  std::ranges::sort(span.channels);
+  span.by_summary = true;
+  return true;
 }
 
 /// False at the first record that breaks the format.
@@ -67,22 +120,21 @@ bool readSummary(ByteView bytes, Summary& out) {
   return true;
 }
 
-/// True when the optional parts that we navigate by are all there.
+/// True when the parts that we navigate by are all there. Metadata and attachments may lack their
+/// indexes: those are found between the chunks.
 bool tellsAll(const Summary& summary) {
   if (!summary.statistics) return false;
   const mcap::Statistics& statistics = *summary.statistics;
   std::uint64_t messages = 0;
-  std::set<std::uint16_t> known;
-  for (const mcap::Channel& channel : summary.channels) known.insert(channel.id);
+  std::vector<bool> known(std::size_t{1} << 16U, false);
+  for (const mcap::Channel& channel : summary.channels) known[channel.id] = true;
   for (const auto& [id, count] : statistics.channel_message_counts) {
-    if (!known.contains(id)) return false;
+    if (!known[id]) return false;
     messages += count;
   }
   return messages == statistics.message_count &&
          summary.channels.size() == statistics.channel_count &&
-         summary.chunks.size() == statistics.chunk_count &&
-         summary.attachments.size() == statistics.attachment_count &&
-         summary.metadata.size() == statistics.metadata_count;
+         summary.chunks.size() == statistics.chunk_count;
 }
 
 struct FileRange {
@@ -90,60 +142,23 @@ struct FileRange {
   std::uint64_t to;
 };
 
-/// The span of an indexed chunk. Empty when the chunk cannot lie there. The index is what is
-/// believed where it and the chunk's own header differ (then `damage` grows), because the summary's
-/// checksum covers it and nothing covers the header; the chunk's checksum has the last word.
-std::optional<MessageSpan> spanOf(ByteView file, const mcap::ChunkIndex& index,
-                                  std::uint64_t data_end, std::vector<DamageSpan>& damage) {
-  const std::uint64_t fixed_bytes = 8 + 8 + 8 + 4 + 4 + index.compression.size() + 8;
-  if (index.chunk_start_offset > data_end ||
-      index.chunk_length > data_end - index.chunk_start_offset ||
-      index.message_index_length > data_end - index.chunk_start_offset - index.chunk_length ||
-      index.chunk_length < mcap::kPrefixBytes + fixed_bytes ||
-      index.compressed_size > index.chunk_length - mcap::kPrefixBytes - fixed_bytes) {
-    return std::nullopt;
+/// Completes the span of an indexed chunk. False when the chunk cannot lie there.
+bool place(ByteView file, ChunkPlace& indexed, std::uint64_t data_end) {
+  MessageSpan& span = indexed.span;
+  const std::uint64_t head_bytes = kChunkHeadBytes + span.chunk.compression.size();
+  if (span.index_end > data_end || span.end - span.offset < head_bytes ||
+      indexed.compressed_size > span.end - span.offset - head_bytes) {
+    return false;
   }
-  MessageSpan span;
-  span.offset = index.chunk_start_offset;
-  span.end = index.chunk_start_offset + index.chunk_length;
-  span.start_time = logTimeOf(index.message_start_time);
-  span.end_time = logTimeOf(index.message_end_time);
-  for (const auto& [channel, offset] : index.message_index_offsets) {
-    span.channels.push_back(channel);
-  }
-  const ByteView content =
-      file.subspan(static_cast<std::size_t>(span.offset) + mcap::kPrefixBytes,
-                   static_cast<std::size_t>(index.chunk_length) - mcap::kPrefixBytes);
-  const std::optional<mcap::Record> record = mcap::recordAt(file, span.offset);
-  const bool agrees = record && record->opcode == Opcode::chunk && record->end() == span.end &&
-                      mcap::parse(record->content, span.chunk) &&
-                      span.chunk.message_start_time == index.message_start_time &&
-                      span.chunk.message_end_time == index.message_end_time &&
-                      span.chunk.uncompressed_size == index.uncompressed_size &&
-                      span.chunk.compression == index.compression &&
-                      span.chunk.records.size() == index.compressed_size;
-  if (agrees) return span;
-  damage.push_back({span.offset, span.offset + mcap::kPrefixBytes + fixed_bytes,
-                    "the header of the chunk is not what the summary says of it; the summary is "
-                    "followed",
-                    std::uint64_t{0}});
-  mcap::ByteCursor cursor(content);
-  cursor.take(24);
-  span.chunk.uncompressed_crc = cursor.number<std::uint32_t>();
-  span.chunk.message_start_time = index.message_start_time;
-  span.chunk.message_end_time = index.message_end_time;
-  span.chunk.uncompressed_size = index.uncompressed_size;
-  span.chunk.compression = index.compression == "zstd" ? "zstd"
-                           : index.compression.empty() ? ""
-                                                       : "unknown";
-  span.chunk.records = content.subspan(static_cast<std::size_t>(fixed_bytes),
-                                       static_cast<std::size_t>(index.compressed_size));
-  return span;
+  span.chunk.records = file.subspan(static_cast<std::size_t>(span.offset + head_bytes),
+                                    static_cast<std::size_t>(indexed.compressed_size));
+  return true;
 }
 
-/// True when nothing but what the summary does not index lies between the ranges: no message
-/// outside a chunk, no forgotten chunk.
-bool nothingBetween(ByteView file, std::vector<FileRange> ranges, std::uint64_t data_end) {
+/// Takes what lies between the chunks and is not indexed: false when that is a message, a chunk, or
+/// no record, so that the summary does not tell of everything.
+bool takeBetween(ByteView file, std::vector<FileRange> ranges, std::uint64_t data_end,
+                 LogIndex& out) {
   ranges.push_back({data_end, data_end});
   std::ranges::sort(ranges, {}, &FileRange::from);
   std::uint64_t position = mcap::magic().size();
@@ -156,9 +171,13 @@ bool nothingBetween(ByteView file, std::vector<FileRange> ranges, std::uint64_t 
         case Opcode::message:
         case Opcode::chunk:
         case Opcode::message_index:
-        case Opcode::attachment:
-        case Opcode::metadata:
           return false;
+        case Opcode::attachment:
+          if (!addAttachment(*record, out)) return false;
+          break;
+        case Opcode::metadata:
+          if (!addMetadata(*record, out)) return false;
+          break;
         default:
           break;
       }
@@ -171,41 +190,52 @@ bool nothingBetween(ByteView file, std::vector<FileRange> ranges, std::uint64_t 
   return true;
 }
 
-bool readIndexed(ByteView file, const Summary& summary, std::uint64_t data_end, LogIndex& out) {
-  std::vector<FileRange> ranges;
-  for (const mcap::ChunkIndex& index : summary.chunks) {
-    std::optional<MessageSpan> span = spanOf(file, index, data_end, out.damage);
-    if (!span) return false;
-    ranges.push_back({span->offset, span->end + index.message_index_length});
-    out.spans.push_back(std::move(*span));
-  }
+/// True when the records lie where their indexes say, and are what they say. All of them are found
+/// between the chunks.
+bool indexesAgree(ByteView file, const Summary& summary) {
   for (const mcap::AttachmentIndex& index : summary.attachments) {
     const std::optional<mcap::Record> record = mcap::recordAt(file, index.offset);
-    if (!record || record->opcode != Opcode::attachment || record->end() > data_end ||
+    if (!record || record->opcode != Opcode::attachment ||
         record->end() - record->offset != index.length) {
       return false;
     }
-    ranges.push_back({record->offset, record->end()});
-    out.attachments.push_back(
-        {index.name, index.media_type, logTimeOf(index.log_time), index.data_size});
-    out.attachment_offsets.push_back(index.offset);
   }
   for (const mcap::MetadataIndex& index : summary.metadata) {
     const std::optional<mcap::Record> record = mcap::recordAt(file, index.offset);
     mcap::Metadata metadata;
-    if (!record || record->opcode != Opcode::metadata || record->end() > data_end ||
+    if (!record || record->opcode != Opcode::metadata ||
         record->end() - record->offset != index.length || !mcap::parse(record->content, metadata) ||
         metadata.name != index.name) {
       return false;
     }
-    ranges.push_back({record->offset, record->end()});
-    out.metadata.push_back({std::move(metadata.name), std::move(metadata.metadata)});
+  }
+  return true;
+}
+
+bool headersAgree(ByteView file, const std::vector<MessageSpan>& spans) {
+  const SpanDecoder decoder(file);
+  std::vector<DamageSpan> damage;
+  for (const MessageSpan& span : spans) decoder.chunkInFile(span, damage);
+  return damage.empty();
+}
+
+bool readIndexed(ByteView file, Summary& summary, std::uint64_t data_end, LogIndex& out) {
+  std::vector<FileRange> ranges;
+  ranges.reserve(summary.chunks.size() + 1);
+  out.spans.reserve(summary.chunks.size());
+  for (ChunkPlace& indexed : summary.chunks) {
+    if (!place(file, indexed, data_end)) return false;
+    ranges.push_back({indexed.span.offset, indexed.span.index_end});
+    out.spans.push_back(std::move(indexed.span));
   }
   std::ranges::sort(out.spans, {}, &MessageSpan::offset);
   if (const std::optional<mcap::Record> first = mcap::recordAt(file, mcap::magic().size())) {
     if (first->opcode == Opcode::header) mcap::parse(first->content, out.header);
   }
-  return nothingBetween(file, std::move(ranges), data_end);
+  const mcap::Statistics& statistics = *summary.statistics;
+  return indexesAgree(file, summary) && takeBetween(file, std::move(ranges), data_end, out) &&
+         out.attachments.size() == statistics.attachment_count &&
+         out.metadata.size() == statistics.metadata_count;
 }
 
 }  // namespace
@@ -262,7 +292,7 @@ std::optional<LogIndex> indexFromSummary(ByteView file, std::vector<DamageSpan>&
     return faulty("the summary does not agree with the file");
   }
   // Without a checksum a summary that is at odds with a chunk proves nothing against the chunk.
-  if (!index.damage.empty() && footer.summary_crc == 0) {
+  if (footer.summary_crc == 0 && !headersAgree(file, index.spans)) {
     return faulty("the summary, which has no checksum, does not agree with the file");
   }
   index.closed = true;

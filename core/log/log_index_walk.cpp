@@ -1,12 +1,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 
-#include "core/log/byte_cursor.h"
+#include "core/log/chunk_head.h"
 #include "core/log/log_index.h"
 #include "core/log/log_profile.h"
 #include "core/log/mcap_stream_reader.h"
+#include "core/log/record_probe.h"
 
 namespace rocinante {
 
@@ -17,20 +19,10 @@ namespace {
 /// Loose messages are taken together up to this, so that a run is read like a chunk.
 constexpr std::uint64_t kLooseRunBytes = 1U << 20U;
 
-/// Before the records of a Chunk: times, sizes, CRC, compression's length, records' length.
-constexpr std::uint64_t kChunkFixedBytes = 8 + 8 + 8 + 4 + 4 + 8;
-
-/// Schemas, channels and the like that are larger are not looked for behind damage.
-constexpr std::size_t kMostPlausibleBytes = 1U << 16U;
-
-bool knownCompression(std::string_view name) {
-  return name.empty() || name == "zstd" || name == "lz4";
-}
-
 /// Walks over one file. Every step either takes a record or says why it cannot.
 class Walk {
  public:
-  explicit Walk(ByteView file) : file_(file), decoder_(file) {}
+  explicit Walk(ByteView file) : file_(file), decoder_(file), probe_(file) {}
 
   LogIndex run() {
     position_ = mcap::magic().size();
@@ -55,7 +47,7 @@ class Walk {
   /// Takes the record at position_ and moves behind it. False when there is none to take.
   bool takeRecord() {
     const std::optional<mcap::Record> record = mcap::recordAt(file_, position_);
-    if (!record) return takeCutChunk();
+    if (!record) return takeTornChunk();
     if (record->opcode != Opcode::message_index) endChunk(record->opcode <= Opcode::data_end);
     switch (record->opcode) {
       case Opcode::header:
@@ -102,7 +94,7 @@ class Walk {
   void moveBehind(const mcap::Record& record, std::size_t used) {
     position_ = record.end();
     const std::uint64_t known_end = record.offset + mcap::kPrefixBytes + used;
-    if (known_end == position_ || !plausibleAt(known_end)) return;
+    if (known_end == position_ || !probe_.plausibleAt(known_end)) return;
     damaged(record.offset, known_end, "a record's length reaches over the records behind it",
             std::uint64_t{0});
     position_ = known_end;
@@ -156,39 +148,37 @@ class Walk {
     endLooseRun();
     mcap::Chunk chunk;
     const std::optional<std::size_t> used = mcap::parse(record.content, chunk);
-    if (!used || !knownCompression(chunk.compression)) return takeCutChunk();
+    if (!used || !knownCompression(chunk.compression) ||
+        chunkHeadAt(file_, record.offset)->open()) {
+      return takeTornChunk();
+    }
     moveBehind(record, *used);
     startChunk(chunk, record.offset, record.offset + mcap::kPrefixBytes + *used);
     return true;
   }
 
-  void startChunk(const mcap::Chunk& chunk, std::uint64_t offset, std::uint64_t end) {
+  MessageSpan& startChunk(const mcap::Chunk& chunk, std::uint64_t offset, std::uint64_t end) {
     chunks_seen_ = true;
     chunk_.emplace();
     chunk_->offset = offset;
-    chunk_->end = end;
+    chunk_->end = chunk_->index_end = end;
     chunk_->chunk = chunk;
     chunk_->start_time = logTimeOf(chunk.message_start_time);
     chunk_->end_time = logTimeOf(chunk.message_end_time);
-    indexed_counts_.clear();
-    indexed_start_ = std::numeric_limits<std::uint64_t>::max();
-    indexed_end_ = 0;
+    indexes_.clear();
+    return *chunk_;
   }
 
   bool takeMessageIndex(const mcap::Record& record) {
-    mcap::MessageIndex message_index;
-    if (!takeSimple(record, message_index)) return false;
+    const std::optional<mcap::IndexEntries> index = mcap::indexEntries(record.content);
+    if (!index) return false;
+    moveBehind(record, mcap::IndexEntries::kHeadBytes + index->entries.size());
     if (!chunk_) {
-      damaged(record.offset, record.end(), "a message index follows no chunk",
-              message_index.records.size());
+      damaged(record.offset, record.end(), "a message index follows no chunk", index->size());
       return true;
     }
-    if (message_index.records.empty()) return true;
-    indexed_counts_[message_index.channel_id] += message_index.records.size();
-    for (const auto& [log_time, offset] : message_index.records) {
-      indexed_start_ = std::min(indexed_start_, log_time);
-      indexed_end_ = std::max(indexed_end_, log_time);
-    }
+    chunk_->index_end = position_;
+    if (index->size() > 0) indexes_.push_back(*index);
     return true;
   }
 
@@ -198,21 +188,46 @@ class Walk {
     if (!chunk_) return;
     MessageSpan span = std::move(*chunk_);
     chunk_.reset();
-    bool trusted = followed && !indexed_counts_.empty() && !span.cut &&
-                   indexed_start_ == span.chunk.message_start_time &&
-                   indexed_end_ == span.chunk.message_end_time;
-    for (const auto& [channel, count] : indexed_counts_) {
-      trusted = trusted && index_.channels.contains(channel);
+    bool trusted = followed && !span.cut && indexesSpan(span.chunk);
+    for (const mcap::IndexEntries& index : indexes_) {
+      trusted = trusted && index_.channels.contains(index.channel);
     }
-    if (trusted) {
-      for (const auto& [channel, count] : indexed_counts_) {
-        index_.message_counts[channel] += count;
-        span.channels.push_back(channel);
+    if (!trusted) return expandChunk(std::move(span));
+    std::uint64_t messages = 0;
+    for (const mcap::IndexEntries& index : indexes_) {
+      index_.message_counts[index.channel] += index.size();
+      messages += index.size();
+    }
+    span.indexed_messages = messages;
+    addSpan(std::move(span), indexes_, &mcap::IndexEntries::channel);
+  }
+
+  /// True when the indexes' earliest and latest times are the chunk's. Those of a recorder are in
+  /// order, so that the ends of each tell; only where they do not is every entry looked at.
+  bool indexesSpan(const mcap::Chunk& chunk) const {
+    if (indexes_.empty()) return false;
+    for (const bool all : {false, true}) {
+      std::uint64_t start = std::numeric_limits<std::uint64_t>::max();
+      std::uint64_t end = 0;
+      for (const mcap::IndexEntries& index : indexes_) {
+        for (std::size_t i = 0; i < index.size();
+             i += all ? 1 : std::max<std::size_t>(index.size() - 1, 1)) {
+          start = std::min(start, index.time(i));
+          end = std::max(end, index.time(i));
+        }
       }
-      index_.spans.push_back(std::move(span));
-    } else {
-      expandChunk(std::move(span));
+      if (start == chunk.message_start_time && end == chunk.message_end_time) return true;
     }
+    return false;
+  }
+
+  template <class Range, class Channel>
+  void addSpan(MessageSpan span, const Range& range, Channel channel) {
+    for (const auto& each : range) span.channels.push_back(std::invoke(channel, each));
+    std::ranges::sort(span.channels);
+    const auto repeated = std::ranges::unique(span.channels);
+    span.channels.erase(repeated.begin(), repeated.end());
+    index_.spans.push_back(std::move(span));
   }
 
   void expandChunk(MessageSpan span) {
@@ -227,85 +242,84 @@ class Walk {
     }
     const LogTime start{Nanoseconds(places.front().time_ns)};
     const LogTime end{Nanoseconds(places.back().time_ns)};
+    if (span.cut) span.chunk.uncompressed_size = scratch_.records.size();
     if (!span.cut && (start != span.start_time || end != span.end_time)) {
-      damaged(span.offset, span.offset + mcap::kPrefixBytes + kChunkFixedBytes,
+      damaged(span.offset, span.offset + kChunkHeadBytes,
               "the header of a chunk gives other times than its messages have", std::uint64_t{0});
     }
     span.start_time = start;
     span.end_time = end;
     std::map<ChannelId, std::uint64_t> counts;
     for (const SpanMessages::Place& place : places) ++counts[place.channel];
-    if (!indexed_counts_.empty() && counts != indexed_counts_) {
+    std::map<ChannelId, std::uint64_t> indexed;
+    for (const mcap::IndexEntries& index : indexes_) indexed[index.channel] += index.size();
+    if (!indexed.empty() && counts != indexed) {
       damaged(span.offset, span.end, "the message indexes behind a chunk do not tell its messages",
               std::uint64_t{0});
+      span.index_end = span.end;
     }
-    for (const auto& [channel, count] : counts) {
-      index_.message_counts[channel] += count;
-      span.channels.push_back(channel);
-    }
-    index_.spans.push_back(std::move(span));
+    for (const auto& [channel, count] : counts) index_.message_counts[channel] += count;
+    addSpan(std::move(span), counts, [](const auto& each) { return each.first; });
   }
 
-  /// A chunk that its own lengths do not describe: cut off by the end of the file, or with one of
-  /// its two lengths damaged, when the other tells where it ends.
-  bool takeCutChunk() {
-    if (file_.size() - position_ < mcap::kPrefixBytes + kChunkFixedBytes ||
-        file_[static_cast<std::size_t>(position_)] != static_cast<std::byte>(Opcode::chunk)) {
-      return false;
-    }
-    mcap::ByteCursor cursor(file_.subspan(static_cast<std::size_t>(position_) + 1));
-    const auto length = cursor.number<std::uint64_t>();
-    mcap::Chunk chunk;
-    chunk.message_start_time = cursor.number<std::uint64_t>();
-    chunk.message_end_time = cursor.number<std::uint64_t>();
-    chunk.uncompressed_size = cursor.number<std::uint64_t>();
-    chunk.uncompressed_crc = cursor.number<std::uint32_t>();
-    chunk.compression = cursor.string();
-    const auto records_bytes = cursor.number<std::uint64_t>();
-    if (!cursor.ok() || !knownCompression(chunk.compression)) return false;
-    const std::uint64_t available = cursor.remaining();
-    const std::uint64_t header_bytes = kChunkFixedBytes + chunk.compression.size();
-    const std::uint64_t records_start = position_ + mcap::kPrefixBytes + header_bytes;
-    const std::uint64_t by_length = length >= header_bytes ? length - header_bytes : 0;
-    for (const std::uint64_t size : {records_bytes, by_length}) {
-      if (size == 0 || size > available || !plausibleAt(records_start + size)) continue;
-      endChunk(false);
-      endLooseRun();
-      damaged(position_, records_start, "the two lengths of a chunk contradict each other",
-              std::uint64_t{0});
-      chunk.records = cursor.take(size);
-      startChunk(chunk, position_, records_start + size);
-      position_ = records_start + size;
+  /// A chunk that its own lengths do not describe: still open, cut off by the end of the file, or
+  /// with one of its two lengths damaged, when the other tells where it ends.
+  bool takeTornChunk() {
+    const std::optional<ChunkHead> head = chunkHeadAt(file_, position_);
+    if (!head || !knownCompression(head->chunk.compression)) return false;
+    const ByteView available = head->chunk.records;
+    for (const std::uint64_t size : {head->records_bytes, head->recordsByLength()}) {
+      if (size == 0 || size > available.size() || !endsBehind(*head, size)) continue;
+      takeTorn(*head, size, "the two lengths of a chunk contradict each other", std::uint64_t{0});
       return true;
     }
-    if (by_length != records_bytes) return false;
+    if (head->open()) {
+      takeTorn(*head, openRecordsBytes(available, head->chunk.compression), {}, std::nullopt);
+      return true;
+    }
+    if (head->recordsByLength() != head->records_bytes) return false;
+    takeTorn(*head, available.size(),
+             fmt::format("the file ends inside a chunk: {} of its {} bytes are there",
+                         available.size(), head->records_bytes),
+             std::nullopt);
+    chunk_->cut = true;
+    return true;
+  }
+
+  /// True when records of that length are whole, or something that can be believed follows them.
+  bool endsBehind(const ChunkHead& head, std::uint64_t size) {
+    return probe_.plausibleAt(head.records_start + size) ||
+           wholeRecords(head.chunk.records.first(static_cast<std::size_t>(size)),
+                        head.chunk.compression);
+  }
+
+  void takeTorn(const ChunkHead& head, std::uint64_t size, std::string cause,
+                std::optional<std::uint64_t> lost) {
     endChunk(false);
     endLooseRun();
-    chunk.records = cursor.take(available);
-    startChunk(chunk, position_, file_.size());
-    chunk_->cut = true;
-    damaged(position_, file_.size(),
-            fmt::format("the file ends inside a chunk: {} of its {} bytes are there", available,
-                        records_bytes),
-            std::nullopt);
-    position_ = file_.size();
-    return true;
+    mcap::Chunk chunk = head.chunk;
+    chunk.records = chunk.records.first(static_cast<std::size_t>(size));
+    const std::uint64_t end = head.records_start + size;
+    if (head.open()) {
+      chunk.uncompressed_size = profile::kOpenEnded;
+      cause =
+          "a chunk was never finished, because its recorder was stopped in it: what is there is "
+          "read, and no checksum covers it";
+      lost = std::nullopt;
+    }
+    damaged(position_, end, std::move(cause), lost);
+    startChunk(chunk, position_, end).cut = head.open();
+    position_ = end;
   }
 
   bool takeAttachment(const mcap::Record& record) {
     mcap::Attachment attachment;
-    if (!takeSimple(record, attachment)) return false;
-    index_.attachments.push_back({std::move(attachment.name), std::move(attachment.media_type),
-                                  logTimeOf(attachment.log_time), attachment.data.size()});
-    index_.attachment_offsets.push_back(record.offset);
-    return true;
+    return takeSimple(record, attachment) && addAttachment(record, index_);
   }
 
   bool takeMetadata(const mcap::Record& record) {
     mcap::Metadata metadata;
-    if (!takeSimple(record, metadata)) return false;
-    index_.metadata.push_back({std::move(metadata.name), std::move(metadata.metadata)});
-    return true;
+    return takeSimple(record, metadata) && addMetadata(record, index_);
   }
 
   /// What follows is the summary, which is not needed here; the channels that have no message stand
@@ -336,80 +350,13 @@ class Walk {
     return true;
   }
 
-  /// True when the bytes at `offset` begin a record that can be believed: known by its opcode, with
-  /// lengths that fit, and followed by another or by the end.
-  bool plausibleAt(std::uint64_t offset) const {
-    if (offset == file_.size()) return true;
-    const std::optional<mcap::Record> record = mcap::recordAt(file_, offset);
-    if (!record || !plausible(*record)) return false;
-    if (record->end() == file_.size()) return true;
-    const std::optional<mcap::Record> next = mcap::recordAt(file_, record->end());
-    if (next) return plausible(*next);
-    // Nothing whole follows: the file may have been cut there.
-    return file_.size() - record->end() < mcap::kPrefixBytes || record->opcode == Opcode::footer ||
-           record->opcode == Opcode::message_index || record->opcode == Opcode::chunk;
-  }
-
-  static bool plausible(const mcap::Record& record) {
-    const ByteView content = record.content;
-    switch (record.opcode) {
-      case Opcode::chunk: {
-        mcap::Chunk chunk;
-        return mcap::parse(content, chunk) && knownCompression(chunk.compression) &&
-               chunk.message_start_time <= chunk.message_end_time;
-      }
-      case Opcode::message_index: {
-        mcap::ByteCursor cursor(content);
-        cursor.number<std::uint16_t>();
-        const ByteView records = cursor.bytes32();
-        return cursor.ok() && records.size() % 16 == 0 && cursor.remaining() == 0;
-      }
-      case Opcode::message:
-        return content.size() >= mcap::kMessageHeaderBytes;
-      case Opcode::data_end:
-        return content.size() == mcap::kDataEndContentBytes;
-      case Opcode::footer:
-        return content.size() == mcap::kFooterContentBytes;
-      case Opcode::channel:
-        return parses<mcap::Channel>(content);
-      case Opcode::schema:
-        return parses<mcap::Schema>(content);
-      case Opcode::attachment:
-        return parses<mcap::Attachment>(content);
-      case Opcode::metadata:
-        return parses<mcap::Metadata>(content);
-      case Opcode::statistics:
-        return parses<mcap::Statistics>(content);
-      case Opcode::chunk_index:
-        return parses<mcap::ChunkIndex>(content);
-      case Opcode::attachment_index:
-        return parses<mcap::AttachmentIndex>(content);
-      case Opcode::metadata_index:
-        return parses<mcap::MetadataIndex>(content);
-      case Opcode::summary_offset:
-        return parses<mcap::SummaryOffset>(content);
-      case Opcode::invalid:
-      case Opcode::header:
-        return false;
-    }
-    return false;
-  }
-
-  template <class T>
-  static bool parses(ByteView content) {
-    // Looked for at every byte of damage: a hostile file must not make each look a long one.
-    if (content.size() > kMostPlausibleBytes) return false;
-    T ignored;
-    return mcap::parse(content, ignored).has_value();
-  }
-
   /// Goes on at the next byte that begins a believable record.
   void skipDamage() {
     const std::uint64_t from = position_;
     endChunk(false);
     endLooseRun();
     std::uint64_t next = from + 1;
-    while (next < file_.size() && !resumesAt(next)) ++next;
+    while (next < file_.size() && !probe_.resumesAt(next)) ++next;
     position_ = next;
     const bool to_end = next == file_.size();
     damaged(from, next,
@@ -418,24 +365,9 @@ class Walk {
             std::nullopt);
   }
 
-  bool resumesAt(std::uint64_t offset) const {
-    const auto opcode = static_cast<Opcode>(file_[static_cast<std::size_t>(offset)]);
-    switch (opcode) {
-      case Opcode::schema:
-      case Opcode::channel:
-      case Opcode::message:
-      case Opcode::chunk:
-      case Opcode::attachment:
-      case Opcode::metadata:
-      case Opcode::data_end:
-        return plausibleAt(offset);
-      default:
-        return false;
-    }
-  }
-
   ByteView file_;
   SpanDecoder decoder_;
+  RecordProbe probe_;
   LogIndex index_;
   std::uint64_t position_ = 0;
   mcap::Schema schema_;
@@ -445,9 +377,7 @@ class Walk {
 
   std::optional<MessageSpan> loose_;  ///< the open run of loose messages
   std::optional<MessageSpan> chunk_;  ///< the chunk whose indexes are being read
-  std::map<ChannelId, std::uint64_t> indexed_counts_;
-  std::uint64_t indexed_start_ = 0;
-  std::uint64_t indexed_end_ = 0;
+  std::vector<mcap::IndexEntries> indexes_;
 };
 
 }  // namespace

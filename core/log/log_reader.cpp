@@ -8,6 +8,7 @@
 #include <set>
 
 #include "core/hash.h"
+#include "core/log/last_message.h"
 #include "core/log/log_index.h"
 #include "core/log/log_profile.h"
 #include "core/log/loss_message.h"
@@ -50,8 +51,10 @@ struct LogReader::Impl {
   std::vector<LogChannel> channels;
   std::vector<const LogChannel*> channel_by_id;
   LogSummary summary;
-  std::vector<LossSpan> losses;
+  std::optional<std::vector<LossSpan>> losses;  ///< found when first asked for
+  std::optional<SpanCache> cache;
   std::optional<SpanMerge> merge;
+  std::optional<LastMessage> last;  ///< made when first asked for
 
   Status build() {
     const ByteView magic = mcap::magic();
@@ -72,7 +75,8 @@ struct LogReader::Impl {
       if (channel_by_id.size() <= channel.id) channel_by_id.resize(channel.id + 1U, nullptr);
       channel_by_id[channel.id] = &channel;
     }
-    merge.emplace(file, index.spans, channel_by_id, index.damage);
+    cache.emplace(file, index.spans, channel_by_id, index.damage);
+    merge.emplace(*cache);
     summarise();
     return {};
   }
@@ -94,7 +98,6 @@ struct LogReader::Impl {
         summary.messages += count->second;
       } else {
         others = true;
-        if (channel.topic == kLossTopic) readLosses(channel.id);
       }
     }
     const std::optional<LogTime> origin =
@@ -128,29 +131,43 @@ struct LogReader::Impl {
       }
       return;
     }
-    merge->seek(kFirstMoment);
-    while (const std::optional<LogMessage> message = merge->next()) {
-      if (!message->channel->captured()) continue;
-      summary.start = summary.end = message->log_time;
-      break;
+    std::vector<std::uint32_t> spans;
+    for (std::uint32_t i = 0; i < index.spans.size(); ++i) {
+      const std::vector<ChannelId>& ids = index.spans[i].channels;
+      if (ids.empty() || std::ranges::any_of(ids, [&](ChannelId id) { return captured(id); })) {
+        spans.push_back(i);
+      }
     }
-    findEnd();
-    merge->seek(kFirstMoment);
+    findStart(spans);
+    findEnd(spans);
   }
 
-  void findEnd() {
-    std::vector<const MessageSpan*> latest_first;
-    for (const MessageSpan& span : index.spans) latest_first.push_back(&span);
-    std::ranges::sort(latest_first, std::greater{}, &MessageSpan::end_time);
-    SpanDecoder decoder(file);
-    SpanMessages messages;
-    for (const MessageSpan* span : latest_first) {
-      if (span->end_time <= summary.end) return;
-      decoder.decode(*span, messages);
-      for (const SpanMessages::Place& place : messages.places) {
-        if (captured(place.channel)) {
-          summary.end = std::max(summary.end, LogTime(Nanoseconds(place.time_ns)));
-        }
+  const MessageSpan& spanAt(std::uint32_t i) const { return index.spans[i]; }
+
+  void findStart(std::vector<std::uint32_t>& spans) {
+    std::ranges::sort(spans, {}, [&](std::uint32_t i) { return spanAt(i).start_time; });
+    summary.start = LogTime::max();
+    for (const std::uint32_t span : spans) {
+      if (spanAt(span).start_time >= summary.start) return;
+      for (const SpanMessages::Place& place : cache->get(span)->places) {
+        if (!captured(place.channel)) continue;
+        summary.start = std::min(summary.start, LogTime(Nanoseconds(place.time_ns)));
+        break;  // they are in order of time
+      }
+    }
+  }
+
+  void findEnd(std::vector<std::uint32_t>& spans) {
+    std::ranges::sort(spans, std::greater{}, [&](std::uint32_t i) { return spanAt(i).end_time; });
+    summary.end = LogTime{};
+    for (const std::uint32_t span : spans) {
+      if (spanAt(span).end_time <= summary.end) return;
+      const std::shared_ptr<const SpanMessages> messages = cache->get(span);
+      const std::vector<SpanMessages::Place>& places = messages->places;
+      for (std::size_t i = places.size(); i-- > 0;) {
+        if (!captured(places[i].channel)) continue;
+        summary.end = std::max(summary.end, LogTime(Nanoseconds(places[i].time_ns)));
+        break;
       }
     }
   }
@@ -160,28 +177,32 @@ struct LogReader::Impl {
            channel_by_id[id]->captured();
   }
 
-  void readLosses(ChannelId id) {
-    SpanDecoder decoder(file);
-    SpanMessages messages;
-    for (const MessageSpan& span : index.spans) {
-      if (!span.channels.empty() && std::ranges::find(span.channels, id) == span.channels.end()) {
-        continue;
+  void findLosses() {
+    losses.emplace();
+    for (const LogChannel& channel : channels) {
+      const auto count = index.message_counts.find(channel.id);
+      if (channel.topic == kLossTopic && count != index.message_counts.end() && count->second > 0) {
+        readLosses(channel.id);
       }
-      decoder.decode(span, messages);
-      for (const SpanMessages::Place& place : messages.places) {
+    }
+    std::ranges::stable_sort(*losses, {}, &LossSpan::from);
+  }
+
+  void readLosses(ChannelId id) {
+    for (std::uint32_t i = 0; i < index.spans.size(); ++i) {
+      if (!spanAt(i).mayHold(id)) continue;
+      const std::shared_ptr<const SpanMessages> messages = cache->get(i);
+      for (const SpanMessages::Place& place : messages->places) {
         if (place.channel != id) continue;
-        const std::optional<mcap::Record> record = mcap::recordAt(messages.records, place.offset);
-        mcap::Message message;
-        mcap::parse(record->content, message);
-        if (std::optional<LossSpan> loss = parseLoss(message.data)) {
-          losses.push_back(std::move(*loss));
+        const LogMessage message = messageAt(*messages, place, i, channel_by_id);
+        if (std::optional<LossSpan> loss = parseLoss(message.payload)) {
+          losses->push_back(std::move(*loss));
         } else {
-          index.damage.push_back({span.offset, span.end,
+          index.damage.push_back({spanAt(i).offset, spanAt(i).end,
                                   "a message on /rocinante/loss tells no loss", std::uint64_t{0}});
         }
       }
     }
-    std::ranges::stable_sort(losses, {}, &LossSpan::from);
   }
 };
 
@@ -215,7 +236,10 @@ const std::vector<LogMetadata>& LogReader::metadata() const { return impl_->inde
 const std::vector<LogAttachment>& LogReader::attachments() const {
   return impl_->index.attachments;
 }
-const std::vector<LossSpan>& LogReader::losses() const { return impl_->losses; }
+const std::vector<LossSpan>& LogReader::losses() const {
+  if (!impl_->losses) impl_->findLosses();
+  return *impl_->losses;
+}
 const std::vector<DamageSpan>& LogReader::damage() const { return impl_->index.damage; }
 const std::string& LogReader::name() const { return impl_->name; }
 
@@ -254,12 +278,24 @@ Result<Bytes> LogReader::readAttachment(std::size_t index) const {
 }
 
 Status LogReader::seek(LogTime moment) {
-  impl_->merge->seek(moment);
+  impl_->merge->seek({moment, 0});
+  return {};
+}
+
+Status LogReader::seekAfter(LogPlace place) {
+  impl_->merge->seek(SpanMerge::behind(place));
   return {};
 }
 
 Status LogReader::rewind() { return seek(kFirstMoment); }
 
 Result<std::optional<LogMessage>> LogReader::next() { return impl_->merge->next(); }
+
+Result<std::optional<LogMessage>> LogReader::previous() { return impl_->merge->previous(); }
+
+Result<std::optional<LogMessage>> LogReader::lastOf(ChannelId channel, LogTime moment) {
+  if (!impl_->last) impl_->last.emplace(*impl_->cache);
+  return impl_->last->find(channel, moment);
+}
 
 }  // namespace rocinante

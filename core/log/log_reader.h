@@ -54,7 +54,7 @@ class LogReader {
   const std::vector<LogMetadata>& metadata() const;
   const std::vector<LogAttachment>& attachments() const;
   Result<Bytes> readAttachment(std::size_t index) const;
-  /// Losses that the recorder stored, oldest first.
+  /// Losses that the recorder stored, oldest first; looked for when first asked for.
   const std::vector<LossSpan>& losses() const;
   /// What was found broken so far; grows as reading goes on.
   const std::vector<DamageSpan>& damage() const;

@@ -14,6 +14,9 @@ namespace {
 /// A zstd block is at most 128 KiB and takes at least 4 bytes: no honest frame grows more.
 constexpr std::uint64_t kMaxZstdGrowth = 32768;
 
+/// The least that a zstd frame's header takes.
+constexpr std::size_t kFrameHeadBytes = 5;
+
 /// Made at first for a chunk whose size is not known.
 constexpr std::size_t kFirstRoom = std::size_t{64} << 10U;
 
@@ -93,21 +96,23 @@ Result<ByteView> ChunkExpander::expandCut(const Chunk& chunk, Scratch& scratch) 
   // Grown as it fills: a few bytes of a cut chunk must not take the memory of a large one.
   std::size_t room = std::min(bound, std::max(kFirstRoom, 4 * chunk.records.size()));
   ZSTD_outBuffer out{scratch.make(room), room, 0};
-  ZSTD_inBuffer in{chunk.records.data(), chunk.records.size(), 0};
+  ZSTD_inBuffer in{chunk.records.data(), 0, 0};
   ZSTD_DCtx_reset(contexts_->zstd, ZSTD_reset_session_only);
+  std::size_t wanted = kFrameHeadBytes;
   while (true) {
+    // Never more than zstd asks for, which is one block: an error takes back what its call made.
+    in.size = in.pos + std::min(wanted, chunk.records.size() - in.pos);
     const std::size_t in_before = in.pos;
     const std::size_t out_before = out.pos;
-    const std::size_t hint = ZSTD_decompressStream(contexts_->zstd, &out, &in);
-    // An error ends it: what came before it is still whole blocks.
-    if (ZSTD_isError(hint) != 0U || hint == 0) break;
+    wanted = ZSTD_decompressStream(contexts_->zstd, &out, &in);
+    if (ZSTD_isError(wanted) != 0U || wanted == 0) break;
     if (out.pos == out.size && room < bound) {
       room = std::min(bound, 2 * room);
       out.dst = scratch.grow(room, out.pos);
       out.size = room;
-      continue;
+    } else if (out.pos == out.size || (in.pos == in_before && out.pos == out_before)) {
+      break;
     }
-    if (out.pos == out.size || (in.pos == in_before && out.pos == out_before)) break;
   }
   return ByteView(static_cast<const std::byte*>(out.dst), out.pos);
 }

@@ -148,6 +148,27 @@ std::optional<std::size_t> parse(ByteView content, MessageIndex& out) {
   return consumed(cursor);
 }
 
+std::uint64_t IndexEntries::time(std::size_t entry) const {
+  std::uint64_t value = 0;
+  std::memcpy(&value, entries.data() + entry * kEntryBytes, sizeof(value));
+  return value;
+}
+
+std::uint64_t IndexEntries::offset(std::size_t entry) const {
+  std::uint64_t value = 0;
+  std::memcpy(&value, entries.data() + entry * kEntryBytes + sizeof(value), sizeof(value));
+  return value;
+}
+
+std::optional<IndexEntries> indexEntries(ByteView content) {
+  ByteCursor cursor(content);
+  IndexEntries index;
+  index.channel = cursor.number<std::uint16_t>();
+  index.entries = cursor.bytes32();
+  if (!cursor.ok() || index.entries.size() % IndexEntries::kEntryBytes != 0) return std::nullopt;
+  return index;
+}
+
 std::optional<std::size_t> parse(ByteView content, ChunkIndex& out) {
   ByteCursor cursor(content);
   out.message_start_time = cursor.number<std::uint64_t>();

@@ -165,6 +165,22 @@ struct DataEnd {
   std::uint32_t data_section_crc = 0;  ///< of every byte before this record; 0: not computed
 };
 
+/// A MessageIndex whose entries are left where they are: (log_time u64, offset u64) each.
+struct IndexEntries {
+  static constexpr std::size_t kHeadBytes = 6;  ///< before the entries
+  static constexpr std::size_t kEntryBytes = 16;
+
+  std::uint16_t channel = 0;
+  ByteView entries;  ///< borrowed
+
+  std::size_t size() const { return entries.size() / kEntryBytes; }
+  std::uint64_t time(std::size_t entry) const;
+  std::uint64_t offset(std::size_t entry) const;
+};
+
+/// Empty when the content of the MessageIndex breaks the format.
+std::optional<IndexEntries> indexEntries(ByteView content);
+
 /// Reads a record from its content (without the prefix). Answers how many bytes its known fields
 /// took: a later version may add fields behind them, except to Message, DataEnd and Footer. Empty
 /// when the content breaks the format: a length beyond the end, or a map whose bytes do not come

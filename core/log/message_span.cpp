@@ -5,15 +5,48 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/log/byte_cursor.h"
 #include "core/log/mcap_stream_reader.h"
 
 namespace rocinante {
 
 using mcap::Opcode;
 
+namespace {
+
+constexpr auto kLastFileTime = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+
+}  // namespace
+
 LogTime logTimeOf(std::uint64_t file_time) {
-  constexpr auto kLast = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
-  return LogTime(Nanoseconds(static_cast<std::int64_t>(std::min(file_time, kLast))));
+  return LogTime(Nanoseconds(static_cast<std::int64_t>(std::min(file_time, kLastFileTime))));
+}
+
+bool MessageSpan::mayHold(ChannelId channel) const {
+  return channels.empty() || std::ranges::binary_search(channels, channel);
+}
+
+mcap::Chunk SpanDecoder::chunkInFile(const MessageSpan& span,
+                                     std::vector<DamageSpan>& damage) const {
+  const mcap::Chunk& told = span.chunk;
+  const std::optional<mcap::Record> record = mcap::recordAt(file_, span.offset);
+  mcap::Chunk found;
+  if (record && record->opcode == Opcode::chunk && record->end() == span.end &&
+      mcap::parse(record->content, found) && found.message_start_time == told.message_start_time &&
+      found.message_end_time == told.message_end_time &&
+      found.uncompressed_size == told.uncompressed_size && found.compression == told.compression &&
+      found.records.data() == told.records.data() && found.records.size() == told.records.size()) {
+    return found;
+  }
+  damage.push_back({span.offset, span.offset + kChunkHeadBytes + told.compression.size(),
+                    "the header of the chunk is not what the summary says of it; the summary is "
+                    "followed",
+                    std::uint64_t{0}});
+  found = told;
+  mcap::ByteCursor cursor(file_.subspan(static_cast<std::size_t>(span.offset)));
+  cursor.take(mcap::kPrefixBytes + 3 * sizeof(std::uint64_t));
+  found.uncompressed_crc = cursor.number<std::uint32_t>();
+  return found;
 }
 
 void SpanDecoder::decode(const MessageSpan& span, SpanMessages& out) {
@@ -25,8 +58,9 @@ void SpanDecoder::decode(const MessageSpan& span, SpanMessages& out) {
     out.records = file_.subspan(static_cast<std::size_t>(span.offset),
                                 static_cast<std::size_t>(span.end - span.offset));
   } else {
-    Result<ByteView> records = span.cut ? expander_.expandCut(span.chunk, out.scratch)
-                                        : expander_.expand(span.chunk, out.scratch);
+    const mcap::Chunk chunk = span.by_summary ? chunkInFile(span, out.damage) : span.chunk;
+    Result<ByteView> records =
+        span.cut ? expander_.expandCut(chunk, out.scratch) : expander_.expand(chunk, out.scratch);
     if (!records) {
       out.damage.push_back({span.offset, span.end, records.error().what, indexedMessages(span)});
       return;
@@ -56,8 +90,7 @@ void SpanDecoder::readRecords(const MessageSpan& span, SpanMessages& out) {
     }
     if (record->opcode == Opcode::message) {
       mcap::Message message;
-      constexpr auto kLast = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
-      if (!mcap::parse(record->content, message) || message.log_time > kLast) {
+      if (!mcap::parse(record->content, message) || message.log_time > kLastFileTime) {
         ++malformed;
       } else {
         out.places.push_back({static_cast<std::int64_t>(message.log_time),
@@ -79,12 +112,27 @@ std::optional<std::uint64_t> SpanDecoder::indexedMessages(const MessageSpan& spa
   std::optional<std::uint64_t> count;
   std::uint64_t position = span.end;
   while (const std::optional<mcap::Record> record = mcap::recordAt(file_, position)) {
-    mcap::MessageIndex index;
-    if (record->opcode != Opcode::message_index || !mcap::parse(record->content, index)) break;
-    count = count.value_or(0) + index.records.size();
+    if (record->opcode != Opcode::message_index) break;
+    const std::optional<mcap::IndexEntries> index = mcap::indexEntries(record->content);
+    if (!index) break;
+    count = count.value_or(0) + index->size();
     position = record->end();
   }
   return count;
+}
+
+std::optional<mcap::IndexEntries> SpanDecoder::indexOf(const MessageSpan& span,
+                                                       ChannelId channel) const {
+  std::uint64_t position = span.end;
+  while (position < span.index_end) {
+    const std::optional<mcap::Record> record = mcap::recordAt(file_, position);
+    if (!record || record->opcode != Opcode::message_index) break;
+    const std::optional<mcap::IndexEntries> index = mcap::indexEntries(record->content);
+    if (!index) break;
+    if (index->channel == channel) return index;
+    position = record->end();
+  }
+  return std::nullopt;
 }
 
 }  // namespace rocinante

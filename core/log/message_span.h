@@ -13,15 +13,28 @@ namespace rocinante {
 /// What is read at once: a chunk, or a run of messages that lie outside chunks. Spans are numbered
 /// in the file's order.
 struct MessageSpan {
-  std::uint64_t offset = 0;         ///< of its first byte in the file
-  std::uint64_t end = 0;            ///< behind its last
-  LogTime start_time{};             ///< of its earliest message
-  LogTime end_time{};               ///< of its latest
-  bool loose = false;               ///< messages outside chunks
-  bool cut = false;                 ///< a chunk whose end is missing: its recorder was killed
+  std::uint64_t offset = 0;     ///< of its first byte in the file
+  std::uint64_t end = 0;        ///< behind its last
+  std::uint64_t index_end = 0;  ///< behind its message indexes, which begin at `end`
+  LogTime start_time{};         ///< of its earliest message
+  LogTime end_time{};           ///< of its latest
+  bool loose = false;           ///< messages outside chunks
+  bool cut = false;             ///< its header does not tell its end: its recorder was killed in it
+  /// `chunk` is what the summary says; the header in the file, which has the checksum, is looked at
+  /// when the chunk is used: to look at each when the file is opened would read all of it in.
+  bool by_summary = false;
   mcap::Chunk chunk;                ///< borrows from the file; empty for a loose run
-  std::vector<ChannelId> channels;  ///< with messages in it; empty when nobody says
+  std::vector<ChannelId> channels;  ///< with messages in it, ascending; empty when nobody says
+  /// How many messages the indexes behind it speak of, where they were counted.
+  std::optional<std::uint64_t> indexed_messages;
+
+  /// False when none of its messages is on the channel.
+  bool mayHold(ChannelId channel) const;
 };
+
+/// Bytes of a Chunk record before its records, without the name of the compression: the prefix,
+/// times, size, checksum, and two lengths.
+inline constexpr std::uint64_t kChunkHeadBytes = mcap::kPrefixBytes + 8 + 8 + 8 + 4 + 4 + 8;
 
 /// The messages of one span, in order of (log_time, place in the file).
 struct SpanMessages {
@@ -52,8 +65,16 @@ class SpanDecoder {
   /// Fills `out`, whose memory is used again. What is broken is in `out.damage`, and left out.
   void decode(const MessageSpan& span, SpanMessages& out);
 
+  /// The chunk of a span that is known by the summary, as the file has it. Where its header says
+  /// otherwise the summary is followed, because its checksum covers it and nothing covers the
+  /// header; the chunk's own checksum has the last word.
+  mcap::Chunk chunkInFile(const MessageSpan& span, std::vector<DamageSpan>& damage) const;
+
   /// How many messages the MessageIndex records behind a chunk speak of, if there are any.
   std::optional<std::uint64_t> indexedMessages(const MessageSpan& span) const;
+
+  /// The channel's MessageIndex behind a chunk, if it is there.
+  std::optional<mcap::IndexEntries> indexOf(const MessageSpan& span, ChannelId channel) const;
 
  private:
   void readRecords(const MessageSpan& span, SpanMessages& out);

@@ -1,127 +1,98 @@
 #include "core/log/span_merge.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <limits>
 #include <numeric>
-
-#include "core/log/mcap_stream_reader.h"
 
 namespace rocinante {
 namespace {
 
 /// What expanded spans may hold together before those that wait are let go.
-constexpr std::size_t kHeldBytes = std::size_t{64} << 20U;
-/// Memory kept for the next span: more is given back.
-constexpr std::size_t kSpareBytes = std::size_t{8} << 20U;
-constexpr std::size_t kSpares = 3;
+constexpr std::size_t kHeldBytes = std::size_t{48} << 20U;
 
 std::int64_t nanosecondsOf(LogTime time) { return time.time_since_epoch().count(); }
 
-std::uint64_t orderOf(std::uint32_t span, std::uint32_t offset) {
-  return (std::uint64_t{span} << 32U) | offset;
-}
+constexpr LogPlace kBeginning{LogTime(Nanoseconds(std::numeric_limits<std::int64_t>::min())), 0};
 
 }  // namespace
 
-SpanMerge::SpanMerge(ByteView file, const std::vector<MessageSpan>& spans,
-                     const std::vector<const LogChannel*>& channels,
-                     std::vector<DamageSpan>& damage)
-    : spans_(spans),
-      channels_(channels),
-      damage_(damage),
-      decoder_(file),
-      by_start_(spans.size()),
-      reported_(spans.size(), false),
-      from_ns_(std::numeric_limits<std::int64_t>::min()) {
-  std::iota(by_start_.begin(), by_start_.end(), 0U);
-  // Stable: spans that start together stay in the file's order.
-  std::ranges::stable_sort(by_start_, {}, [&](std::uint32_t i) { return spans_[i].start_time; });
+LogPlace SpanMerge::behind(LogPlace place) {
+  if (place.file_offset < std::numeric_limits<std::uint64_t>::max()) {
+    return {place.time, place.file_offset + 1};
+  }
+  return place.time == LogTime::max() ? place : LogPlace{place.time + Nanoseconds(1), 0};
+}
+
+SpanMerge::SpanMerge(SpanCache& cache) : cache_(cache), place_(kBeginning), from_(kBeginning) {
+  for (way_ = 0; way_ < orders_.size(); ++way_) sortSpans();
+  way_ = kForwards;
+}
+
+std::int64_t SpanMerge::startOf(std::uint32_t span) const {
+  const MessageSpan& each = cache_.spans()[span];
+  return mirrored(nanosecondsOf(way_ == kForwards ? each.start_time : each.end_time));
+}
+
+std::int64_t SpanMerge::endOf(std::uint32_t span) const {
+  const MessageSpan& each = cache_.spans()[span];
+  return mirrored(nanosecondsOf(way_ == kForwards ? each.end_time : each.start_time));
+}
+
+void SpanMerge::sortSpans() {
+  Order& order = orders_[way_];
+  order.spans.resize(cache_.spans().size());
+  std::iota(order.spans.begin(), order.spans.end(), 0U);
+  const auto start = [&](std::uint32_t span) { return startOf(span); };
+  if (!std::ranges::is_sorted(order.spans, {}, start)) {
+    std::ranges::stable_sort(order.spans, {}, start);
+  }
   std::int64_t latest = std::numeric_limits<std::int64_t>::min();
-  for (const std::uint32_t i : by_start_) {
-    latest = std::max(latest, nanosecondsOf(spans_[i].end_time));
-    latest_end_.push_back(latest);
+  for (const std::uint32_t span : order.spans) {
+    latest = std::max(latest, endOf(span));
+    order.latest_end.push_back(latest);
   }
 }
 
-void SpanMerge::seek(LogTime moment) {
-  for (Open& open : open_) recycle(std::move(open.messages));
+void SpanMerge::seek(LogPlace place) {
+  place_ = place;
+  begun_ = false;
+}
+
+/// Turns round, or sets out, from where we stand.
+void SpanMerge::begin(Way way) {
+  way_ = way;
   open_.clear();
   given_ = false;
-  from_ns_ = nanosecondsOf(moment);
-  // Everything before this ends before the moment.
-  const auto first = std::ranges::lower_bound(latest_end_, from_ns_);
-  next_span_ = static_cast<std::size_t>(first - latest_end_.begin());
+  from_ = place_;
+  // Everything before this ends before our place.
+  const std::vector<std::int64_t>& ends = orders_[way_].latest_end;
+  const auto first = std::ranges::lower_bound(ends, mirrored(nanosecondsOf(from_.time)));
+  next_span_ = static_cast<std::size_t>(first - ends.begin());
+  begun_ = true;
 }
 
-void SpanMerge::recycle(std::unique_ptr<SpanMessages> messages) {
-  if (messages && spare_.size() < kSpares && messages->heldBytes() <= kSpareBytes) {
-    spare_.push_back(std::move(messages));
-  }
-}
-
-std::unique_ptr<SpanMessages> SpanMerge::load(std::uint32_t span) {
-  std::unique_ptr<SpanMessages> messages;
-  if (spare_.empty()) {
-    messages = std::make_unique<SpanMessages>();
-  } else {
-    messages = std::move(spare_.back());
-    spare_.pop_back();
-  }
-  decoder_.decode(spans_[span], *messages);
-  report(span, *messages);
-  return messages;
-}
-
-/// Lists the span's damage when it is first read, and leaves out messages on unknown channels.
-void SpanMerge::report(std::uint32_t span, SpanMessages& messages) {
-  const auto unknown = [&](const SpanMessages::Place& place) {
-    return place.channel >= channels_.size() || channels_[place.channel] == nullptr;
-  };
-  const std::size_t orphans = std::erase_if(messages.places, unknown);
-  if (reported_[span]) return;
-  reported_[span] = true;
-  const MessageSpan& where = spans_[span];
-  std::ranges::copy(messages.damage, std::back_inserter(damage_));
-  if (orphans > 0) {
-    damage_.push_back({where.offset, where.end,
-                       fmt::format("{} messages are on a channel that nothing defines", orphans),
-                       std::uint64_t{orphans}});
-  }
-  for (const mcap::Channel& channel : messages.channels) {
-    const LogChannel* const known = channel.id < channels_.size() ? channels_[channel.id] : nullptr;
-    if (known == nullptr || known->topic != channel.topic ||
-        known->encoding != channel.message_encoding || known->metadata != channel.metadata) {
-      damage_.push_back({where.offset, where.end,
-                         fmt::format("channel {} is defined again as another", channel.id),
-                         std::nullopt});
-    }
-  }
-  if (messages.places.empty()) return;
-  if (messages.places.front().time_ns < nanosecondsOf(where.start_time) ||
-      messages.places.back().time_ns > nanosecondsOf(where.end_time)) {
-    damage_.push_back({where.offset, where.end,
-                       "a chunk holds messages outside the times that its index gives",
-                       std::uint64_t{0}});
-  }
+/// Reads what `open` has next.
+void SpanMerge::take(Open& open) {
+  const SpanMessages::Place& place = open.messages->places[open.at];
+  open.time_ns = mirrored(place.time_ns);
+  open.order = mirrored(placeInFile(open.span, place.offset));
 }
 
 void SpanMerge::openNextSpan() {
-  const std::uint32_t span = by_start_[next_span_++];
-  if (nanosecondsOf(spans_[span].end_time) < from_ns_) return;
+  const std::uint32_t span = orders_[way_].spans[next_span_++];
+  if (endOf(span) < mirrored(nanosecondsOf(from_.time))) return;
   Open open;
   open.span = span;
-  open.messages = load(span);
+  open.messages = cache_.get(span);
   const std::vector<SpanMessages::Place>& places = open.messages->places;
-  const auto first = std::ranges::lower_bound(places, from_ns_, {}, &SpanMessages::Place::time_ns);
-  if (first == places.end()) {
-    recycle(std::move(open.messages));
-    return;
-  }
-  open.at = static_cast<std::size_t>(first - places.begin());
-  open.time_ns = first->time_ns;
-  open.order = orderOf(span, first->offset);
+  const auto isBefore = [&](const SpanMessages::Place& place) {
+    return LogPlace{LogTime(Nanoseconds(place.time_ns)), placeInFile(span, place.offset)} < from_;
+  };
+  const auto ahead = std::ranges::partition_point(places, isBefore);
+  open.at = static_cast<std::size_t>(ahead - places.begin());
+  if (way_ == kBackwards) --open.at;  // past the end, if there is none
+  if (open.at >= places.size()) return;
+  take(open);
   open_.push_back(std::move(open));
   std::ranges::push_heap(open_, Later{});
   letOthersGo();
@@ -135,52 +106,52 @@ void SpanMerge::letOthersGo() {
   for (std::size_t i = 1; i < open_.size(); ++i) open_[i].messages.reset();
 }
 
+/// Expands again what was let go; what it had next is where it was. False when the file was changed
+/// meanwhile and nothing is there.
+bool SpanMerge::reload(Open& open) {
+  open.messages = cache_.get(open.span);
+  letOthersGo();
+  return open.at < open.messages->places.size();
+}
+
 void SpanMerge::advance() {
   given_ = false;
   Open& first = open_.front();
-  const std::vector<SpanMessages::Place>& places = first.messages->places;
-  if (++first.at < places.size()) {
-    first.time_ns = places[first.at].time_ns;
-    first.order = orderOf(first.span, places[first.at].offset);
+  first.at += way_ == kForwards ? std::size_t{1} : ~std::size_t{0};
+  if (first.at < first.messages->places.size()) {
+    take(first);
     if (open_.size() == 1) return;
     std::ranges::pop_heap(open_, Later{});
     std::ranges::push_heap(open_, Later{});
     return;
   }
+  dropFirst();
+}
+
+void SpanMerge::dropFirst() {
   std::ranges::pop_heap(open_, Later{});
-  recycle(std::move(open_.back().messages));
   open_.pop_back();
 }
 
-std::optional<LogMessage> SpanMerge::next() {
+std::optional<LogMessage> SpanMerge::step(Way way) {
+  if (!begun_ || way != way_) begin(way);
   if (given_) advance();
-  while (next_span_ < by_start_.size() &&
-         (open_.empty() ||
-          nanosecondsOf(spans_[by_start_[next_span_]].start_time) <= open_.front().time_ns)) {
-    openNextSpan();
+  const std::vector<std::uint32_t>& spans = orders_[way_].spans;
+  while (true) {
+    while (next_span_ < spans.size() &&
+           (open_.empty() || startOf(spans[next_span_]) <= open_.front().time_ns)) {
+      openNextSpan();
+    }
+    if (open_.empty()) return std::nullopt;
+    if (open_.front().messages || reload(open_.front())) break;
+    dropFirst();
   }
-  if (open_.empty()) return std::nullopt;
-  Open& first = open_.front();
-  if (!first.messages) {
-    // Its place is found again by what it had next.
-    first.messages = load(first.span);
-    const SpanMessages::Place wanted{first.time_ns, static_cast<std::uint32_t>(first.order), 0};
-    const std::vector<SpanMessages::Place>& places = first.messages->places;
-    first.at = static_cast<std::size_t>(std::lower_bound(places.begin(), places.end(), wanted) -
-                                        places.begin());
-    letOthersGo();
-  }
-  const SpanMessages::Place& place = first.messages->places[first.at];
-  const std::optional<mcap::Record> record = mcap::recordAt(first.messages->records, place.offset);
-  mcap::Message message;
-  mcap::parse(record->content, message);
+  const Open& first = open_.front();
   given_ = true;
-  return LogMessage{channels_[place.channel],
-                    message.sequence,
-                    LogTime(Nanoseconds(place.time_ns)),
-                    static_cast<std::int64_t>(message.publish_time),
-                    first.order,
-                    message.data};
+  const LogMessage message =
+      messageAt(*first.messages, first.messages->places[first.at], first.span, cache_.channels());
+  place_ = way_ == kForwards ? behind(message.place()) : message.place();
+  return message;
 }
 
 }  // namespace rocinante

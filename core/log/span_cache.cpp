@@ -1,0 +1,119 @@
+#include "core/log/span_cache.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/log/mcap_stream_reader.h"
+
+namespace rocinante {
+namespace {
+
+/// What is kept of spans that nobody holds any more.
+constexpr std::size_t kKeptBytes = std::size_t{12} << 20U;
+constexpr std::size_t kKeptSpans = 64;
+
+}  // namespace
+
+SpanCache::SpanCache(ByteView file, const std::vector<MessageSpan>& spans,
+                     const std::vector<const LogChannel*>& channels,
+                     std::vector<DamageSpan>& damage)
+    : spans_(spans),
+      channels_(channels),
+      damage_(damage),
+      decoder_(file),
+      reported_(spans.size(), false) {}
+
+std::shared_ptr<const SpanMessages> SpanCache::get(std::uint32_t span) {
+  const auto found = std::ranges::find(kept_, span, &Kept::span);
+  if (found != kept_.end()) {
+    std::rotate(found, found + 1, kept_.end());
+    return kept_.back().messages;
+  }
+  std::shared_ptr<SpanMessages> messages = makeRoom();
+  if (!messages) messages = std::make_shared<SpanMessages>();
+  decoder_.decode(spans_[span], *messages);
+  report(span, *messages);
+  kept_.push_back({span, messages});
+  return messages;
+}
+
+/// Lets go of what was not used for longest, as far as there is too much; the last of it, if any,
+/// for its memory to be used again.
+std::shared_ptr<SpanMessages> SpanCache::makeRoom() {
+  std::size_t held = 0;
+  std::size_t spans = kept_.size();
+  // One that is held is kept by its holder, and costs nothing here.
+  const auto free = [](const Kept& kept) { return kept.messages.use_count() == 1; };
+  for (const Kept& kept : kept_) held += free(kept) ? kept.messages->heldBytes() : 0;
+  std::shared_ptr<SpanMessages> last;
+  for (auto each = kept_.begin();
+       each != kept_.end() && (held > kKeptBytes || spans > kKeptSpans);) {
+    if (!free(*each)) {
+      ++each;
+      continue;
+    }
+    held -= each->messages->heldBytes();
+    --spans;
+    last = std::move(each->messages);
+    each = kept_.erase(each);
+  }
+  if (last && last->heldBytes() > kKeptBytes) last.reset();
+  return last;
+}
+
+/// Lists the span's damage when it is first read, and leaves out messages on unknown channels.
+void SpanCache::report(std::uint32_t span, SpanMessages& messages) {
+  const MessageSpan& where = spans_[span];
+  const std::size_t found = messages.places.size();
+  const std::size_t orphans = std::erase_if(messages.places, [&](const SpanMessages::Place& place) {
+    return place.channel >= channels_.size() || channels_[place.channel] == nullptr;
+  });
+  if (reported_[span]) return;
+  reported_[span] = true;
+  std::ranges::copy(messages.damage, std::back_inserter(damage_));
+  if (orphans > 0) {
+    damage_.push_back({where.offset, where.end,
+                       fmt::format("{} messages are on a channel that nothing defines", orphans),
+                       std::uint64_t{orphans}});
+  }
+  for (const mcap::Channel& channel : messages.channels) {
+    const LogChannel* const known = channel.id < channels_.size() ? channels_[channel.id] : nullptr;
+    if (known == nullptr || known->topic != channel.topic ||
+        known->encoding != channel.message_encoding || known->metadata != channel.metadata) {
+      damage_.push_back({where.offset, where.end,
+                         fmt::format("channel {} is defined again as another", channel.id),
+                         std::nullopt});
+    }
+  }
+  if (messages.places.empty()) return;
+  if (where.indexed_messages && messages.damage.empty() && *where.indexed_messages != found) {
+    damage_.push_back({where.offset, where.end,
+                       fmt::format("the message indexes behind a chunk speak of {} messages, and "
+                                   "it holds {}",
+                                   *where.indexed_messages, found),
+                       std::uint64_t{0}});
+  }
+  if (messages.places.front().time_ns < where.start_time.time_since_epoch().count() ||
+      messages.places.back().time_ns > where.end_time.time_since_epoch().count()) {
+    damage_.push_back({where.offset, where.end,
+                       "a chunk holds messages outside the times that its index gives",
+                       std::uint64_t{0}});
+  }
+}
+
+LogMessage messageAt(const SpanMessages& messages, const SpanMessages::Place& place,
+                     std::uint32_t span, const std::vector<const LogChannel*>& channels) {
+  // The place was made from this very record; a file that is changed meanwhile gives no payload.
+  mcap::Message message;
+  const std::optional<mcap::Record> record = mcap::recordAt(messages.records, place.offset);
+  if (record) mcap::parse(record->content, message);
+  return LogMessage{channels[place.channel],
+                    message.sequence,
+                    LogTime(Nanoseconds(place.time_ns)),
+                    static_cast<std::int64_t>(message.publish_time),
+                    placeInFile(span, place.offset),
+                    message.data};
+}
+
+}  // namespace rocinante

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/log/log_types.h"
+#include "core/log/message_span.h"
+
+namespace rocinante {
+
+/// The expanded spans of one file: those used last are kept, in bounded memory, so that going back
+/// and forth does not expand them again. What is broken in a span is listed when it is first read.
+class SpanCache {
+ public:
+  /// All are borrowed and must outlive this; damage is appended to `damage`, once a span.
+  /// `channels` is by id, null where there is none.
+  SpanCache(ByteView file, const std::vector<MessageSpan>& spans,
+            const std::vector<const LogChannel*>& channels, std::vector<DamageSpan>& damage);
+
+  /// The messages of a span, without those on unknown channels. They live as long as they are held,
+  /// whatever else is asked for.
+  std::shared_ptr<const SpanMessages> get(std::uint32_t span);
+
+  const std::vector<MessageSpan>& spans() const { return spans_; }
+  const std::vector<const LogChannel*>& channels() const { return channels_; }
+  const SpanDecoder& decoder() const { return decoder_; }
+  /// Lists damage that was found in using the span.
+  void addDamage(DamageSpan damage) { damage_.push_back(std::move(damage)); }
+
+ private:
+  struct Kept {
+    std::uint32_t span;
+    std::shared_ptr<SpanMessages> messages;
+  };
+
+  std::shared_ptr<SpanMessages> makeRoom();
+  void report(std::uint32_t span, SpanMessages& messages);
+
+  const std::vector<MessageSpan>& spans_;
+  const std::vector<const LogChannel*>& channels_;
+  std::vector<DamageSpan>& damage_;
+  SpanDecoder decoder_;
+  std::vector<bool> reported_;  ///< by span: its damage is listed
+  std::vector<Kept> kept_;      ///< the last used last
+};
+
+/// The message at one of a span's places; its payload is borrowed from `messages`.
+LogMessage messageAt(const SpanMessages& messages, const SpanMessages::Place& place,
+                     std::uint32_t span, const std::vector<const LogChannel*>& channels);
+
+/// LogMessage::file_offset of the message at `offset` of the expanded span.
+inline std::uint64_t placeInFile(std::uint32_t span, std::uint32_t offset) {
+  return (std::uint64_t{span} << 32U) | offset;
+}
+
+}  // namespace rocinante
