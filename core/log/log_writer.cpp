@@ -20,8 +20,12 @@ Error badArgument(std::string what, const std::string& where) {
   return Error{ErrorKind::bad_argument, std::move(what), where};
 }
 
-mcap::WriterOptions writerOptions(const LogWriterOptions& options) {
+/// Of rocinante.end and what the summary says of it, beside session id and reason.
+constexpr std::uint64_t kEndRecordBytes = 1024;
+
+mcap::WriterOptions writerOptions(const LogWriterOptions& options, std::size_t session_id_bytes) {
   mcap::WriterOptions mcap_options;
+  mcap_options.closing_room_bytes = options.closing_room_bytes + kEndRecordBytes + session_id_bytes;
   mcap_options.chunk_bytes = options.chunk_bytes;
   if (options.compression == LogWriterOptions::Compression::none) {
     mcap_options.zstd_level.reset();
@@ -54,7 +58,7 @@ struct LogWriter::Impl {
   LogTime last_time{};  ///< the latest of any message
 
   SteadyTime last_look{};        ///< the last `now` that flushIfDue() was given
-  SteadyTime chunk_opened_at{};  ///< never later than the open chunk's first message
+  SteadyTime waiting_since{};    ///< never later than the first message that is not in the file
   std::optional<Error> failure;  ///< the first refused write
   std::map<ChannelId, std::uint64_t> refused_after;  ///< never given to `writer`
   std::map<ChannelId, std::uint64_t> refused;        ///< those and what `writer` lost
@@ -91,7 +95,7 @@ struct LogWriter::Impl {
 
   Status putMessage(ChannelId channel, std::uint32_t sequence, LogTime log_time,
                     std::int64_t publish_time_ns, ByteView payload) {
-    if (!writer.chunkOpen()) chunk_opened_at = last_look;
+    if (!writer.unflushed()) waiting_since = last_look;
     mcap::Message message;
     message.channel_id = channel;
     message.sequence = sequence;
@@ -118,7 +122,7 @@ Result<LogWriter> LogWriter::createOn(std::unique_ptr<ByteSink> sink,
   }
   std::string name = sink->name();
   Result<mcap::Writer> writer =
-      mcap::Writer::start(std::move(sink), writerOptions(options),
+      mcap::Writer::start(std::move(sink), writerOptions(options, session_id.size()),
                           mcap::Header{std::string(profile::kName), std::string(version())});
   if (!writer) return writer.error();
   return LogWriter(std::make_unique<Impl>(std::move(*writer), std::move(name),
@@ -205,8 +209,8 @@ void LogWriter::setOrigin(LogTime origin) { impl_->origin = origin; }
 Status LogWriter::flushIfDue(SteadyTime now) {
   Impl& log = *impl_;
   log.last_look = now;
-  if (!log.writer.chunkOpen() || now - log.chunk_opened_at < log.sync) return {};
-  return log.keep(log.writer.closeChunk());
+  if (!log.writer.unflushed() || now - log.waiting_since < log.sync / 2) return {};
+  return log.keep(log.writer.flush());
 }
 
 Status LogWriter::close(std::string reason) {

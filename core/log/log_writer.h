@@ -14,8 +14,13 @@ struct LogWriterOptions {
   enum class Compression { none, zstd } compression = Compression::zstd;
   int zstd_level = 1;
   std::size_t chunk_bytes = 1U << 20U;  ///< uncompressed; a chunk is closed when it holds this
-  Nanoseconds sync{std::chrono::milliseconds(100)};  ///< a chunk older than this is closed
-  bool overwrite = false;                            ///< else an existing file is refused
+  /// A process that is killed loses at most what it was given in this time: half of it passes
+  /// before flushIfDue() brings a message into the file, the other half is for its caller.
+  Nanoseconds sync{std::chrono::milliseconds(100)};
+  /// Kept free on the disk for losses that are told after it has refused; room for the summary and
+  /// rocinante.end is kept beside it.
+  std::uint64_t closing_room_bytes = 16U << 10U;
+  bool overwrite = false;  ///< else an existing file is refused
 };
 
 /// Writes a log (docs/log-format.md). Messages should come in time order: one that is late is kept
@@ -40,8 +45,8 @@ class LogWriter {
                                std::map<std::string, std::string> metadata);
 
   /// Once the disk has refused a write, every further message is refused with the same error and
-  /// counted by refusedByDisk(); losses can still be told, and close() still tries for a whole
-  /// file.
+  /// counted by refusedByDisk(); losses can still be told, and close() still makes a whole file,
+  /// for which room was kept where the file system can do that.
   Status write(ChannelId channel, std::uint32_t sequence, LogTime log_time,
                std::int64_t publish_time_ns, ByteView payload);
   Status writeLoss(const LossSpan& span);
@@ -52,14 +57,16 @@ class LogWriter {
   /// split copy it). Must come before the first captured message.
   void setOrigin(LogTime origin);
 
-  /// Closes the open chunk when it is older than `sync`: call it now and then, also when idle.
+  /// Brings messages into the file that wait for `sync`/2 or longer: call it some four times in
+  /// each `sync`, also when idle. The log's only clock: a message counts as given at the call
+  /// before it. A chunk goes on after that, until it is full.
   Status flushIfDue(SteadyTime now);
 
   /// Writes the summary and rocinante.end with `reason`, flushes to the disk, closes the file.
   /// After a refused write it answers that first error, even when the file could still be finished.
   Status close(std::string reason);
 
-  /// What stands in the file; the open chunk is not among it.
+  /// What stands in the file, the flushed part of the open chunk included.
   std::uint64_t bytesWritten() const;
   /// Per channel: messages given to write() that do not stand in the file because the disk refused
   /// them, those of a chunk that write() had taken already included. Complete once a write failed.

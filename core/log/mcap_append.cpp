@@ -1,3 +1,5 @@
+#include <type_traits>
+
 #include "core/hash.h"
 #include "core/log/byte_cursor.h"
 #include "core/log/mcap_records.h"
@@ -116,10 +118,10 @@ void append(Bytes& out, const MessageIndex& record) {
   const RecordScope scope(out, Opcode::message_index);
   appendNumber(out, record.channel_id);
   appendNumber(out, static_cast<std::uint32_t>(record.records.size() * 16));
-  for (const auto& [log_time, offset] : record.records) {
-    appendNumber(out, log_time);
-    appendNumber(out, offset);
-  }
+  // A pair lies in memory as in the file.
+  using Pair = decltype(record.records)::value_type;
+  static_assert(sizeof(Pair) == 16 && std::is_standard_layout_v<Pair>);
+  appendBytes(out, std::as_bytes(std::span(record.records)));
 }
 
 void append(Bytes& out, const ChunkIndex& record) {

@@ -1,36 +1,25 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
-#include <optional>
-#include <string>
 #include <vector>
 
 #include "core/log/byte_sink.h"
-#include "core/log/chunk_compressor.h"
+#include "core/log/growing_file.h"
 #include "core/log/mcap_records.h"
+#include "core/log/mcap_summary.h"
+#include "core/log/mcap_writer_options.h"
+#include "core/log/open_chunk.h"
 #include "core/result.h"
 
 namespace rocinante::mcap {
 
-struct WriterOptions {
-  bool chunked = true;
-  std::optional<int> zstd_level = 1;    ///< empty: chunks are not compressed
-  std::size_t chunk_bytes = 1U << 20U;  ///< uncompressed; a chunk that holds this is closed
-  bool message_indexes = true;
-  bool chunk_indexes = true;
-  bool attachment_indexes = true;
-  bool metadata_indexes = true;
-  bool statistics = true;
-  bool repeat_schemas = true;   ///< in the summary
-  bool repeat_channels = true;  ///< in the summary
-  bool summary_offsets = true;
-};
-
 /// Writes any MCAP file; LogWriter is the profile on top of it. Schemas and channels are declared
 /// once and written where they are first used, in every chunk anew, so that each chunk can be read
-/// alone. A record stands in the file whole or not at all: after a failed write the file is cut
-/// back to the last whole record, and finish() can still be tried. Starts no threads.
+/// alone. Room on the disk is kept ahead for the file's end, so that a disk that fills up leaves a
+/// whole file; where that cannot be, a record stands in the file whole or not at all, and finish()
+/// can still be tried. Starts no threads.
 class Writer {
  public:
   /// Writes the magic and the header.
@@ -42,65 +31,63 @@ class Writer {
   void addChannel(Channel channel);
 
   /// The channel must have been added. Fails when this message, or the chunk that it filled, could
-  /// not be written: then no message of that chunk stands in the file (see lost()).
+  /// not be written: see lost() for the messages that do not stand in the file.
   Status write(const Message& message);
+  /// Both close the chunk when it is begun in the file.
   Status writeAttachment(const Attachment& attachment);
   Status writeMetadata(const Metadata& metadata);
 
-  /// Writes the open chunk, if it holds anything.
+  /// Brings the messages of the open chunk into the file and leaves it open there; closes it where
+  /// the file can only grow. When it fails, the chunk is closed with what stands in the file.
+  Status flush();
+  /// Closes the open chunk, if it holds anything.
   Status closeChunk();
   bool chunkOpen() const { return !chunk_.empty(); }
+  /// Messages wait in memory.
+  bool unflushed() const { return chunk_.unflushed(); }
 
   /// Closes the chunk, writes the summary, closes the file. When the disk refuses, it leaves what
   /// is whole. Nothing may be called after it.
   Status finish();
 
-  /// Bytes that stand in the file, the open chunk not among them.
-  std::uint64_t bytesWritten() const { return position_; }
+  /// Bytes that stand in the file.
+  std::uint64_t bytesWritten() const { return file_.size(); }
   /// Per channel id: messages given to write() that the disk refused.
   const std::map<std::uint16_t, std::uint64_t>& lost() const { return lost_; }
 
  private:
   struct ChannelState {
-    Channel channel;
-    std::uint64_t messages = 0;
-    bool declared = false;  ///< in the open chunk, or in the file when it has none
-    MessageIndex index;     ///< of the open chunk
+    Bytes record;
+    std::uint16_t schema_id = 0;
+    std::uint64_t messages = 0;  ///< outside chunks
+    OpenChunk::Part part;        ///< outside chunks only `declared`, in the file
   };
   struct SchemaState {
-    Schema schema;
+    Bytes record;
+    std::uint16_t id = 0;
     bool declared = false;
   };
 
   Writer(std::unique_ptr<ByteSink> sink, const WriterOptions& options);
 
-  /// Appends whole records to the file, or leaves it as it was.
-  Status put(ByteView bytes);
+  Status writeLoose(ChannelState& channel, const Message& message);
   void declare(ChannelState& channel, Bytes& out);
-  void countMessage(std::uint64_t log_time);
-  void startChunk();
-  Bytes summary(std::uint64_t summary_start) const;
+  void undeclareSchemas();
+  /// The disk refused: what is not in the file is lost.
+  void refuse();
+  /// The room that was kept for what is written after a refusal can be used.
+  void releaseRoom();
+  void keepChunk();
+  std::uint64_t tailBytes() const;
 
-  std::unique_ptr<ByteSink> sink_;
+  GrowingFile file_;
   WriterOptions options_;
-  std::uint64_t position_ = 0;
-  std::uint32_t data_crc_ = 0;
-  std::optional<ChunkCompressor> compressor_;
-
-  std::vector<std::unique_ptr<ChannelState>> channels_;  ///< in order of adding
-  std::vector<ChannelState*> channel_by_id_;
+  std::vector<std::unique_ptr<ChannelState>> channel_by_id_;
   std::vector<SchemaState> schemas_;
-
-  Bytes chunk_;
-  std::uint64_t chunk_start_time_ = 0;
-  std::uint64_t chunk_end_time_ = 0;
-  std::vector<ChannelState*> chunk_channels_;  ///< in order of their first message
+  OpenChunk chunk_;
+  bool refused_ = false;
   Bytes scratch_;
-
-  Statistics statistics_;
-  std::vector<ChunkIndex> chunk_indexes_;
-  std::vector<AttachmentIndex> attachment_indexes_;
-  std::vector<MetadataIndex> metadata_indexes_;
+  Summary summary_;
   std::map<std::uint16_t, std::uint64_t> lost_;
 };
 

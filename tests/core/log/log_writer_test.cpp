@@ -4,9 +4,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <cerrno>
-#include <cstdio>
-
 #include "core/atomic_file.h"
 #include "tests/core/log/log_support.h"
 #include "tests/support/temporary_folder.h"
@@ -174,33 +171,6 @@ TEST(LogWriter, TakesTheLastChannelIdAndRefusesTheNext) {
   LogReader reader = openLog(file);
   EXPECT_EQ(readAll(reader).size(), 1U);
   EXPECT_EQ(reader.channels().size(), 65536U);
-}
-
-TEST(WriteAll, GoesOnAfterInterruptionsAndShortWrites) {
-  std::string written;
-  int calls = 0;
-  const WriteFunction stuttering = [&](int, const void* bytes, std::size_t count) -> ssize_t {
-    if (++calls % 2 == 1) {
-      errno = EINTR;
-      return -1;
-    }
-    const std::size_t some = std::min<std::size_t>(count, 3);
-    written.append(static_cast<const char*>(bytes), some);
-    return static_cast<ssize_t>(some);
-  };
-  ASSERT_TRUE(writeAll(1, bytesOf("0123456789"), "x", stuttering).ok());
-  EXPECT_EQ(written, "0123456789");
-}
-
-TEST(WriteAll, FailsWithTheSystemsReasonAndWhenNothingIsTaken) {
-  const WriteFunction broken = [](int, const void*, std::size_t) -> ssize_t {
-    errno = EIO;
-    return -1;
-  };
-  EXPECT_EQ(writeAll(1, bytesOf("x"), "disk", broken).error().text(),
-            "cannot write to the log: Input/output error (disk)");
-  const WriteFunction stuck = [](int, const void*, std::size_t) -> ssize_t { return 0; };
-  EXPECT_FALSE(writeAll(1, bytesOf("x"), "disk", stuck).ok());
 }
 
 }  // namespace
