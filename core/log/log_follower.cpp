@@ -1,0 +1,484 @@
+#include "core/log/log_follower.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+#include <map>
+
+#include "core/hash.h"
+#include "core/log/byte_cursor.h"
+#include "core/log/log_profile.h"
+#include "core/log/open_chunk_stream.h"
+
+namespace rocinante {
+
+using mcap::Opcode;
+
+namespace {
+
+/// Before the records of a Chunk: times, sizes, CRC, compression's length, records' length.
+constexpr std::size_t kChunkFixedBytes = 8 + 8 + 8 + 4 + 4 + 8;
+constexpr std::size_t kMostCompressionName = 32;
+constexpr std::size_t kPieceBytes = 1U << 16U;
+/// A metadata record or a header that is larger is not ours, and not looked at.
+constexpr std::uint64_t kMostMetadataBytes = 1U << 24U;
+
+/// What stands before the records of a chunk.
+struct ChunkFront {
+  std::uint64_t length = 0;  ///< of the record's content
+  mcap::Chunk chunk;
+  std::uint64_t records_bytes = 0;
+  std::size_t front_bytes = 0;  ///< prefix and fields
+
+  /// It is written last, its highest byte at the very end.
+  bool open() const { return records_bytes >> 56U == 0xFF; }
+};
+
+/// Empty when there are not enough bytes yet, or it has a compression that nobody has heard of.
+std::optional<ChunkFront> readFront(ByteView bytes) {
+  mcap::ByteCursor cursor(bytes);
+  ChunkFront front;
+  cursor.take(1);
+  front.length = cursor.number<std::uint64_t>();
+  front.chunk.message_start_time = cursor.number<std::uint64_t>();
+  front.chunk.message_end_time = cursor.number<std::uint64_t>();
+  front.chunk.uncompressed_size = cursor.number<std::uint64_t>();
+  front.chunk.uncompressed_crc = cursor.number<std::uint32_t>();
+  front.chunk.compression = cursor.string();
+  front.records_bytes = cursor.number<std::uint64_t>();
+  front.front_bytes = cursor.position();
+  if (!cursor.ok()) return std::nullopt;
+  return front;
+}
+
+}  // namespace
+
+struct LogFollower::Impl {
+  explicit Impl(std::unique_ptr<FollowedFile> followed) : file(std::move(followed)) {}
+
+  enum class Stage { between, whole_chunk, open_chunk, open_plain_chunk, ended };
+
+  std::unique_ptr<FollowedFile> file;
+  Stage stage = Stage::between;
+  std::uint64_t position = 0;     ///< of what comes next in the file
+  std::uint64_t used = 0;         ///< what was read and cannot be read again: it must stay there
+  std::uint64_t size = 0;         ///< of the file, when it was last looked at
+  std::uint64_t quiet_until = 0;  ///< messages that are whole before here are not given
+  std::optional<Error> failure;
+  mcap::Header header;
+  std::optional<LogTime> origin;
+  std::map<ChannelId, LogChannel> channels;
+  std::vector<DamageSpan> damage;
+  std::uint64_t spans = 0;  ///< chunks, and messages outside of them, begun so far
+
+  mcap::ChunkExpander expander;
+  mcap::Scratch scratch;
+  Bytes stored;  ///< the record that is being read, or a piece of it
+  ByteView records;
+  std::uint64_t at = 0;  ///< in `records`
+  std::uint64_t chunk_from = 0;
+  std::uint64_t chunk_to = 0;
+
+  mcap::OpenChunkStream stream;   ///< of an open chunk, when it is compressed
+  std::uint64_t plain_start = 0;  ///< of the records of one that is not
+  std::uint32_t plain_crc = 0;
+  std::uint64_t expanded_bytes = 0;  ///< of the open chunk that ended last
+  std::uint32_t expanded_crc = 0;
+  bool check_patched =
+      false;  ///< the open chunk that ended last is not compared with its header yet
+
+  Error damagedAt(std::uint64_t offset, std::string what) const {
+    return {ErrorKind::damaged, std::move(what), fmt::format("{}, byte {}", file->name(), offset)};
+  }
+
+  /// True when the bytes [position, position + count) are there.
+  bool have(std::uint64_t count) const { return position <= size && count <= size - position; }
+
+  Status read(std::uint64_t offset, std::size_t count) {
+    stored.resize(count);
+    return file->read(offset, stored);
+  }
+
+  Status look() {
+    const Result<std::uint64_t> now = file->size();
+    if (!now) return now.error();
+    if (*now < used) {
+      return Error{ErrorKind::unreadable, "the file was made shorter while it was followed",
+                   file->name()};
+    }
+    size = *now;
+    return {};
+  }
+
+  Result<std::optional<LogMessage>> poll() {
+    if (Status seen = look(); !seen) return seen.error();
+    while (true) {
+      Result<std::optional<LogMessage>> message = std::optional<LogMessage>();
+      bool more = false;
+      switch (stage) {
+        case Stage::between: {
+          const Result<bool> stepped = step(message);
+          if (!stepped) return stepped.error();
+          more = *stepped;
+          break;
+        }
+        case Stage::whole_chunk:
+          message = nextInWholeChunk();
+          more = stage != Stage::whole_chunk;
+          break;
+        case Stage::open_chunk: {
+          const Result<bool> stepped = stepInOpenChunk(message);
+          if (!stepped) return stepped.error();
+          more = *stepped;
+          break;
+        }
+        case Stage::open_plain_chunk: {
+          const Result<bool> stepped = stepInPlainChunk(message);
+          if (!stepped) return stepped.error();
+          more = *stepped;
+          break;
+        }
+        case Stage::ended:
+          break;
+      }
+      if (!message || *message || !more) return message;
+    }
+  }
+
+  /// Takes the record at `position`. True when it was there.
+  Result<bool> step(Result<std::optional<LogMessage>>& message) {
+    if (position == 0) return readMagic();
+    if (!have(mcap::kPrefixBytes)) return false;
+    if (Status got = read(position, mcap::kPrefixBytes); !got) return got.error();
+    const auto opcode = static_cast<Opcode>(stored[0]);
+    std::uint64_t length = 0;
+    std::memcpy(&length, stored.data() + 1, sizeof(length));
+    if (check_patched) {
+      check_patched = false;
+      if (Status checked = checkPatched(); !checked) return checked.error();
+    }
+    if (opcode == Opcode::chunk) return beginChunk();
+    if (opcode == Opcode::data_end || opcode == Opcode::footer) {
+      stage = Stage::ended;
+      return true;
+    }
+    if (opcode == Opcode::invalid || length > std::numeric_limits<std::int64_t>::max() - position) {
+      return damagedAt(position, "what stands here is no record");
+    }
+    const bool wanted = opcode == Opcode::header || opcode == Opcode::channel ||
+                        opcode == Opcode::message || opcode == Opcode::metadata;
+    const bool is_message = opcode == Opcode::message || opcode == Opcode::channel;
+    if (wanted && length <= (is_message ? mcap::kMaxChunkBytes : kMostMetadataBytes)) {
+      const std::uint64_t whole = mcap::kPrefixBytes + length;
+      if (!have(whole)) return false;
+      if (Status got = read(position, static_cast<std::size_t>(whole)); !got) return got.error();
+      mcap::Record record{opcode, 0, ByteView(stored).subspan(mcap::kPrefixBytes)};
+      chunk_from = position;
+      chunk_to = position + whole;
+      position += whole;
+      used = position;
+      if (opcode == Opcode::message && header.profile == profile::kName) {
+        // Recorders of our profile write none: it is another record with a broken opcode.
+        damaged("a message lies outside the chunks, where no checksum covers it");
+        return true;
+      }
+      if (opcode == Opcode::message) ++spans;
+      message = take(record, position);
+      return true;
+    }
+    if (is_message) {
+      chunk_from = position;
+      chunk_to = position + mcap::kPrefixBytes + length;
+      damaged("the record is larger than what is read");
+    }
+    // The next record is looked for behind it, which may be long after the end of what is there.
+    position += mcap::kPrefixBytes + length;
+    return true;
+  }
+
+  Result<bool> readMagic() {
+    const std::size_t there =
+        static_cast<std::size_t>(std::min<std::uint64_t>(size, mcap::magic().size()));
+    if (Status got = read(0, there); !got) return got.error();
+    if (!std::ranges::equal(stored, mcap::magic().first(there))) {
+      return damagedAt(0, "the file does not begin as a log does");
+    }
+    if (there < mcap::magic().size()) return false;
+    used = position = there;
+    return true;
+  }
+
+  Result<bool> beginChunk() {
+    const std::uint64_t most = mcap::kPrefixBytes + kChunkFixedBytes + kMostCompressionName;
+    if (Status got = read(position, static_cast<std::size_t>(std::min(most, size - position)));
+        !got) {
+      return got.error();
+    }
+    const std::optional<ChunkFront> front = readFront(stored);
+    if (!front) {
+      if (stored.size() < most) return false;
+      return damagedAt(position, "the header of a chunk makes no sense");
+    }
+    chunk_from = position;
+    if (front->open()) {
+      const std::string_view compression = front->chunk.compression;
+      if (!compression.empty() && compression != "zstd") {
+        return damagedAt(position, "an open chunk is compressed with neither zstd nor nothing");
+      }
+      ++spans;
+      used = position += front->front_bytes;
+      stage = compression.empty() ? Stage::open_plain_chunk : Stage::open_chunk;
+      stream.begin();
+      plain_start = position;
+      plain_crc = 0;
+      return true;
+    }
+    if (front->length > std::numeric_limits<std::int64_t>::max() - position ||
+        front->length < front->front_bytes - mcap::kPrefixBytes) {
+      return damagedAt(position, "the length of a chunk makes no sense");
+    }
+    chunk_to = position + mcap::kPrefixBytes + front->length;
+    const bool quiet = chunk_to <= quiet_until && header.profile == profile::kName;
+    if (quiet || front->length > mcap::kMaxChunkBytes + most) {
+      // Every chunk of ours defines what it uses, so nothing is missed.
+      if (!quiet) damaged("the chunk is larger than what is read");
+      ++spans;
+      position = chunk_to;
+      return true;
+    }
+    if (chunk_to > size) return false;
+    ++spans;
+    return expandWholeChunk();
+  }
+
+  Result<bool> expandWholeChunk() {
+    if (Status got = read(chunk_from, static_cast<std::size_t>(chunk_to - chunk_from)); !got) {
+      return got.error();
+    }
+    used = position = chunk_to;
+    mcap::Chunk chunk;
+    if (!mcap::parse(ByteView(stored).subspan(mcap::kPrefixBytes), chunk)) {
+      damaged("the chunk's lengths do not fit into it");
+      return true;
+    }
+    const Result<ByteView> expanded = expander.expand(chunk, scratch);
+    if (!expanded) {
+      damaged(expanded.error().what);
+      return true;
+    }
+    records = *expanded;
+    at = 0;
+    stage = Stage::whole_chunk;
+    return true;
+  }
+
+  Result<std::optional<LogMessage>> nextInWholeChunk() {
+    while (at < records.size()) {
+      const std::optional<mcap::Record> record = mcap::recordAt(records, at);
+      if (!record) {
+        damaged("a record reaches past the end of its chunk");
+        break;
+      }
+      at = record->end();
+      std::optional<LogMessage> message = take(*record, chunk_to);
+      if (message) return message;
+    }
+    stage = Stage::between;
+    return std::optional<LogMessage>();
+  }
+
+  /// True when something changed: a message was found, or the chunk ended.
+  Result<bool> stepInOpenChunk(Result<std::optional<LogMessage>>& message) {
+    while (true) {
+      const Result<std::optional<mcap::Record>> record = stream.next();
+      if (!record) return damagedAt(chunk_from, record.error().what);
+      if (*record) {
+        message = take(**record, position);
+        if (*message) return true;
+        continue;
+      }
+      if (stream.ended()) {
+        endOpenChunk(stream.expandedBytes(), stream.crc());
+        return true;
+      }
+      // Messages that end before `quiet_until` must be told from those behind it.
+      const std::uint64_t until = position < quiet_until ? std::min(size, quiet_until) : size;
+      if (position >= until) return false;
+      const auto count =
+          static_cast<std::size_t>(std::min<std::uint64_t>(until - position, kPieceBytes));
+      if (Status got = read(position, count); !got) return got.error();
+      const Result<std::size_t> fed = stream.feed(stored);
+      if (!fed) return damagedAt(chunk_from, fed.error().what);
+      used = position += *fed;
+    }
+  }
+
+  /// The same, uncompressed: taken record by record, so that nothing half written is ever used.
+  Result<bool> stepInPlainChunk(Result<std::optional<LogMessage>>& message) {
+    if (!have(mcap::kPrefixBytes)) return false;
+    if (Status got = read(position, mcap::kPrefixBytes); !got) return got.error();
+    const auto opcode = static_cast<Opcode>(stored[0]);
+    if (opcode != Opcode::schema && opcode != Opcode::channel && opcode != Opcode::message) {
+      endOpenChunk(position - plain_start, plain_crc);
+      return true;
+    }
+    std::uint64_t length = 0;
+    std::memcpy(&length, stored.data() + 1, sizeof(length));
+    if (length > mcap::kMaxChunkBytes) {
+      return damagedAt(position, fmt::format("a record of {} bytes lies in a chunk", length));
+    }
+    const std::uint64_t whole = mcap::kPrefixBytes + length;
+    if (!have(whole)) return false;
+    if (Status got = read(position, static_cast<std::size_t>(whole)); !got) return got.error();
+    plain_crc = crc32(stored, plain_crc);
+    const mcap::Record record{opcode, position - plain_start,
+                              ByteView(stored).subspan(mcap::kPrefixBytes)};
+    used = position += whole;
+    message = take(record, position);
+    return true;
+  }
+
+  void endOpenChunk(std::uint64_t bytes, std::uint32_t crc) {
+    expanded_bytes = bytes;
+    expanded_crc = crc;
+    check_patched = true;
+    stage = Stage::between;
+  }
+
+  /// The header of a chunk that was read while it was open is written before anything behind it.
+  Status checkPatched() {
+    const std::uint64_t most = mcap::kPrefixBytes + kChunkFixedBytes + kMostCompressionName;
+    const Bytes behind = stored;
+    if (Status got = read(chunk_from, static_cast<std::size_t>(std::min(most, size - chunk_from)));
+        !got) {
+      return got;
+    }
+    const std::optional<ChunkFront> front = readFront(stored);
+    const std::uint64_t end = position;
+    chunk_to = end;
+    if (!front || front->open()) {
+      damaged("the header of a chunk was never closed", 0);
+    } else if (chunk_from + front->front_bytes + front->records_bytes != end ||
+               front->chunk.uncompressed_size != expanded_bytes ||
+               (front->chunk.uncompressed_crc != 0 &&
+                front->chunk.uncompressed_crc != expanded_crc)) {
+      damaged("the header of a chunk does not tell what was read from it", 0);
+    }
+    stored = behind;
+    return {};
+  }
+
+  /// What a record says; `end`: up to where the file had to be read for it.
+  std::optional<LogMessage> take(const mcap::Record& record, std::uint64_t end) {
+    if (record.opcode == Opcode::message) return takeMessage(record, end);
+    if (record.opcode == Opcode::channel) {
+      takeChannel(record);
+    } else if (record.opcode == Opcode::metadata) {
+      takeMetadata(record);
+    } else if (record.opcode == Opcode::header) {
+      if (!mcap::parse(record.content, header))
+        damaged("the header's lengths do not fit into it", 0);
+    }
+    return std::nullopt;
+  }
+
+  std::optional<LogMessage> takeMessage(const mcap::Record& record, std::uint64_t end) {
+    mcap::Message message;
+    constexpr auto kLast = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+    if (!mcap::parse(record.content, message) || message.log_time > kLast) {
+      damaged("a message is malformed", 1);
+      return std::nullopt;
+    }
+    const auto channel = channels.find(message.channel_id);
+    if (channel == channels.end()) {
+      damaged(fmt::format("a message on channel {}, which was never defined", message.channel_id),
+              1);
+      return std::nullopt;
+    }
+    if (end <= quiet_until) return std::nullopt;
+    LogMessage out;
+    out.channel = &channel->second;
+    out.sequence = message.sequence;
+    out.log_time = LogTime(Nanoseconds(static_cast<std::int64_t>(message.log_time)));
+    out.publish_time_ns = static_cast<std::int64_t>(message.publish_time);
+    out.file_offset = ((spans - 1) << 32U) | record.offset;
+    out.payload = message.data;
+    return out;
+  }
+
+  void takeChannel(const mcap::Record& record) {
+    mcap::Channel channel;
+    if (!mcap::parse(record.content, channel)) return damaged("a channel is malformed");
+    LogChannel mine{channel.id, std::move(channel.topic), std::move(channel.message_encoding),
+                    std::move(channel.metadata)};
+    const auto [known, is_new] = channels.try_emplace(channel.id, mine);
+    if (is_new) return;
+    if (known->second.topic != mine.topic || known->second.encoding != mine.encoding ||
+        known->second.metadata != mine.metadata) {
+      damaged(fmt::format("channel {} is defined again as another", channel.id));
+    }
+  }
+
+  void takeMetadata(const mcap::Record& record) {
+    mcap::Metadata metadata;
+    if (!mcap::parse(record.content, metadata)) return damaged("a metadata record is malformed", 0);
+    if (origin || metadata.name != profile::kSession) return;
+    const auto entry = metadata.metadata.find(std::string(profile::kOriginKey));
+    if (entry == metadata.metadata.end()) return;
+    std::int64_t nanoseconds = 0;
+    const std::string& text = entry->second;
+    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), nanoseconds);
+    if (fault == std::errc() && end == text.data() + text.size()) {
+      origin = LogTime(Nanoseconds(nanoseconds));
+    }
+  }
+
+  /// In the record or chunk that is being read.
+  void damaged(std::string cause, std::optional<std::uint64_t> lost = std::nullopt) {
+    const bool open = stage == Stage::open_chunk || stage == Stage::open_plain_chunk;
+    const std::uint64_t to = open ? position : chunk_to;
+    // The same of many records of one chunk is said once.
+    if (!damage.empty() && damage.back().from == chunk_from && damage.back().cause == cause) {
+      DamageSpan& last = damage.back();
+      if (last.messages_lost && lost) *last.messages_lost += *lost;
+      return;
+    }
+    damage.push_back({chunk_from, to, std::move(cause), lost});
+  }
+};
+
+Result<LogFollower> LogFollower::open(const std::filesystem::path& path, From from) {
+  Result<std::unique_ptr<FollowedFile>> file = followFile(path);
+  if (!file) return file.error();
+  return openOn(std::move(*file), from);
+}
+
+Result<LogFollower> LogFollower::openOn(std::unique_ptr<FollowedFile> file, From from) {
+  auto impl = std::make_unique<Impl>(std::move(file));
+  if (Status seen = impl->look(); !seen) return seen.error();
+  if (from == From::now) impl->quiet_until = impl->size;
+  const Result<bool> begun = impl->readMagic();
+  if (!begun) return begun.error();
+  return LogFollower(std::move(impl));
+}
+
+LogFollower::LogFollower(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+LogFollower::~LogFollower() = default;
+LogFollower::LogFollower(LogFollower&&) noexcept = default;
+LogFollower& LogFollower::operator=(LogFollower&&) noexcept = default;
+
+Result<std::optional<LogMessage>> LogFollower::poll() {
+  if (impl_->failure) return *impl_->failure;
+  Result<std::optional<LogMessage>> message = impl_->poll();
+  if (!message) impl_->failure = message.error();
+  return message;
+}
+
+bool LogFollower::ended() const { return impl_->stage == Impl::Stage::ended; }
+std::optional<LogTime> LogFollower::origin() const { return impl_->origin; }
+std::vector<DamageSpan> LogFollower::takeDamage() { return std::exchange(impl_->damage, {}); }
+const std::string& LogFollower::name() const { return impl_->file->name(); }
+
+}  // namespace rocinante
