@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdio>
 
+#include "core/bundle/attached_cell.h"
 #include "core/check/check.h"
 #include "core/cli/program.h"
 #include "core/duration_text.h"
@@ -16,6 +17,7 @@ using namespace rocinante;
 constexpr const char* kExamples =
     "  rocinante check cell.toml                         the model alone\n"
     "  rocinante check cell.toml session.mcap            does this session fit this model?\n"
+    "  rocinante check session.mcap                      a log that carries its cell\n"
     "  rocinante check arm.urdf session.mcap --json      for a program\n"
     "  rocinante check cell.toml --live :19960 --duration 10s\n";
 
@@ -29,7 +31,9 @@ struct Arguments {
 };
 
 void declare(CLI::App& app, Arguments& my) {
-  app.add_option("cell", my.cell, "a *.cell.toml, .urdf or .obj file")->required();
+  app.add_option("cell", my.cell,
+                 "a *.cell.toml, .urdf or .obj file, or a log that carries its cell")
+      ->required();
   auto* log = app.add_option("log", my.log, "a recorded session");
   auto* live = app.add_option("--live", my.live, "judge what arrives here: udp://HOST:PORT");
   live->excludes(log);
@@ -100,7 +104,7 @@ Result<CheckReport> judge(const Arguments& my) {
   CellOptions options;
   options.search.assign(my.search.begin(), my.search.end());
   options.search_environment = my.search_environment;
-  const Result<Cell> cell = loadCell(my.cell, options);
+  const Result<Cell> cell = loadCellOrLog(my.cell, options);
   if (!cell) return cell.error();
   if (!my.live.empty()) {
     const Result<Nanoseconds> duration = parseDuration(my.duration);
@@ -136,6 +140,8 @@ int main(int argc, char** argv) {
   Arguments my;
   declare(app, my);
   return cli::run(app, argc, argv, kExamples, [&]() -> Result<cli::Exit> {
+    // A log that carries its cell is judged alone.
+    if (my.log.empty() && my.live.empty() && isLog(my.cell)) my.log = my.cell;
     Result<CheckReport> report = judge(my);
     if (!report) return report.error();
     report->cell = my.cell;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/atomic_file.h"
+#include "core/bundle/attached_cell.h"
 #include "core/log/log_reader.h"
 #include "core/model/glob.h"
 
@@ -102,13 +103,16 @@ Result<SuiteSession> SuiteSession::open(const std::filesystem::path& suite_file,
   if (!suite.ok()) return suite.error();
   if (options.cell) suite->cell = *options.cell;
   if (options.log) suite->log = options.log;
+  // A log that carries its cell is named once.
+  if (suite->cell.empty() && suite->log) suite->cell = *suite->log;
+  if (!suite->log && isLog(suite->cell)) suite->log = suite->cell;
   auto manifest = Manifest::read(suite->goldens);
   if (!manifest.ok()) return manifest.error();
 
   CellOptions cell_options;
   cell_options.search = options.search;
   cell_options.search_environment = options.search_environment;
-  auto cell = loadCell(suite->cell, cell_options);
+  auto cell = loadCellOrLog(suite->cell, cell_options);
   if (!cell.ok()) return cell.error();
 
   std::optional<Timeline> session;

@@ -203,10 +203,11 @@ Result<Suite> parseSuite(std::string_view text, const std::filesystem::path& pat
   Suite suite;
   suite.file = path;
   const std::filesystem::path folder = path.parent_path();
-  const auto cell = reader.text("cell");
-  if (!cell) reader.complainHere("a suite names its `cell`");
-  suite.cell = folder / cell.value_or("");
+  if (const auto cell = reader.text("cell")) suite.cell = folder / *cell;
   if (const auto log = reader.text("log")) suite.log = folder / *log;
+  if (suite.cell.empty() && !suite.log) {
+    reader.complainHere("a suite names its `cell`, or a `log` that carries one");
+  }
   suite.goldens = folder / reader.text("goldens").value_or("goldens");
 
   std::set<std::string> names;

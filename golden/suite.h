@@ -34,7 +34,7 @@ struct SuiteCase {
 /// What to draw and judge (docs/golden-suites.md). Paths are resolved against the suite's file.
 struct Suite {
   std::filesystem::path file;
-  std::filesystem::path cell;
+  std::filesystem::path cell;                ///< empty: the one that the log carries
   std::optional<std::filesystem::path> log;  ///< without one every case is the cell at rest
   std::filesystem::path goldens;             ///< folder of pictures with manifest.json
   std::vector<SuiteCase> cases;

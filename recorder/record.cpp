@@ -159,6 +159,18 @@ RecordSummary summaryOf(const CaptureWriter& writer, const RecordOptions& option
   return summary;
 }
 
+/// A log that did not get its cell is none: nothing of it stays.
+Status attachCell(const RecordOptions& options, LogWriter& log) {
+  if (!options.cell) return {};
+  const LogTime now(lookAtClocks().wall.time_since_epoch());
+  Status attached = AttachedBundle(*options.cell).writeTo(log, now);
+  std::error_code ignored;
+  if (!attached && std::filesystem::is_regular_file(options.log, ignored)) {
+    std::filesystem::remove(options.log, ignored);
+  }
+  return attached;
+}
+
 }  // namespace
 
 RecordSummary recordFrom(const std::vector<DatagramSource*>& sources, LogWriter log,
@@ -211,6 +223,7 @@ Result<RecordSummary> record(const RecordOptions& options, const RecordEvents& e
   }
   Result<LogWriter> log = LogWriter::create(options.log, options.writing, newSessionId());
   if (!log) return log.error();
+  if (Status attached = attachCell(options, *log); !attached) return attached.error();
   std::vector<DatagramSource*> sources;
   for (UdpReceiver& each : receivers) sources.push_back(&each);
   return recordFrom(sources, std::move(*log), options, events);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/bundle/cell_bundle.h"
 #include "core/log/log_writer.h"
 #include "core/net/datagram_source.h"
 #include "core/net/udp_socket.h"
@@ -18,6 +19,8 @@ struct RecordOptions {
   std::vector<Endpoint> endpoints;
   std::filesystem::path log;
   LogWriterOptions writing;
+  /// Attached before anything is recorded; null: none.
+  std::shared_ptr<const CellBundle> cell;
   UdpReceiver::Options receiving;
   std::optional<Nanoseconds> duration;  ///< of the session's time line, from the first moment
   std::optional<std::uint64_t> max_packets;

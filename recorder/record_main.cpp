@@ -19,11 +19,15 @@ constexpr std::string_view kExamples =
     "  rocinante record                               what this machine's own group says\n"
     "  rocinante record :19960 -o cell.mcap           whatever is sent to port 19960\n"
     "  rocinante record '239.1.2.3:5000?interface=eth0' [::]:5000 --duration 1m\n"
+    "  rocinante record --cell demo.cell.toml -o demo.mcap\n"
     "  rocinante record -o logs/ --min-packets 1 --max-loss 0 --json\n";
 
 struct Arguments {
   std::vector<std::string> endpoints;
   std::string output;
+  std::string cell;
+  std::vector<std::filesystem::path> search;
+  bool search_environment = false;
   std::string duration;
   std::optional<std::uint64_t> max_packets, max_loss;
   std::uint64_t min_packets = 0;
@@ -60,6 +64,23 @@ Result<Nanoseconds> readPositive(const std::string& text, const char* option) {
   return *duration;
 }
 
+/// The cell with all its files: before a socket is bound, so that a recording never begins without
+/// what it was to carry.
+Status readCell(const Arguments& arguments, RecordOptions& options) {
+  CellOptions search;
+  search.search = arguments.search;
+  search.search_environment = arguments.search_environment;
+  if (arguments.cell.empty()) {
+    if (search.search.empty() && !search.search_environment) return {};
+    return Error{ErrorKind::bad_argument, "--search and --search-env go with --cell", {}};
+  }
+  auto cell = collectCell(arguments.cell, search);
+  if (!cell) return cell.error();
+  for (const ModelFault& warning : cell->warnings) cli::warn(warning.print());
+  options.cell = std::make_shared<const CellBundle>(std::move(*cell));
+  return {};
+}
+
 Result<RecordOptions> readOptions(const Arguments& arguments) {
   RecordOptions options;
   for (const std::string& text : arguments.endpoints) {
@@ -84,6 +105,7 @@ Result<RecordOptions> readOptions(const Arguments& arguments) {
   const auto path = recordPath(arguments.output, now);
   if (!path) return path.error();
   options.log = *path;
+  if (Status read = readCell(arguments, options); !read) return read.error();
   return options;
 }
 
@@ -139,6 +161,14 @@ int main(int argc, char** argv) {
                  "the log: a file, a folder or a name with %Y%m%dT%H%M%S (UTC); default\n"
                  "session-%Y%m%dT%H%M%SZ.mcap")
       ->type_name("LOG");
+  app.add_option("--cell", arguments.cell,
+                 "attach this cell and every file it names: the log then replays alone")
+      ->type_name("CELL");
+  app.add_option("--search", arguments.search, "a folder in which its models are looked for")
+      ->type_name("DIR")
+      ->allow_extra_args(false);
+  app.add_flag("--search-env", arguments.search_environment,
+               "also in ROCINANTE_PATH, AMENT_PREFIX_PATH, ROS_PACKAGE_PATH");
   app.add_option("--duration", arguments.duration, "end after so long (12.5s, 1m30s)")
       ->type_name("TIME");
   app.add_option("--max-packets", arguments.max_packets, "end after exactly N packets")

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <set>
 #include <tuple>
@@ -11,6 +10,7 @@
 
 #include "core/bundle/bundle_names.h"
 #include "core/bundle/cell_folder.h"
+#include "core/bundle/media_type.h"
 #include "core/hash.h"
 #include "core/log/log_profile.h"
 #include "core/model/file_search.h"
@@ -188,31 +188,6 @@ Status prove(const CellBundle& bundle, const Cell& cell) {
   if (outcomeOf(*again) == outcomeOf(cell)) return {};
   return Error{ErrorKind::damaged, "the cell changed while it was read, so it is not attached",
                cell.file};
-}
-
-std::string mediaTypeOf(const std::string& name) {
-  static constexpr std::array<std::pair<std::string_view, std::string_view>, 14> kTypes = {{
-      {".toml", "application/toml"},
-      {".urdf", "application/xml"},
-      {".obj", "model/obj"},
-      {".mtl", "model/mtl"},
-      {".stl", "model/stl"},
-      {".png", "image/png"},
-      {".jpg", "image/jpeg"},
-      {".jpeg", "image/jpeg"},
-      {".tif", "image/tiff"},
-      {".tiff", "image/tiff"},
-      {".bmp", "image/bmp"},
-      {".tga", "image/x-tga"},
-      {".exr", "image/x-exr"},
-      {".json", "application/json"},
-  }};
-  std::string ending = fs::path(name).extension().string();
-  std::ranges::transform(ending, ending.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  });
-  const auto found = std::ranges::find(kTypes, ending, [](const auto& each) { return each.first; });
-  return std::string(found == kTypes.end() ? "application/octet-stream" : found->second);
 }
 
 }  // namespace

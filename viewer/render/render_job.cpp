@@ -5,6 +5,7 @@
 #include <charconv>
 
 #include "core/atomic_file.h"
+#include "core/bundle/attached_cell.h"
 #include "core/duration_text.h"
 #include "viewer/render/contact_sheet.h"
 
@@ -126,8 +127,10 @@ Result<std::pair<int, int>> parseSize(const std::string& text) {
   return badJob("`" + text + "` is no size: WIDTHxHEIGHT in pixels, as 640x480");
 }
 
-Result<RenderReport> render(const RenderJob& job,
+Result<RenderReport> render(const RenderJob& given,
                             const std::function<bool(std::size_t, std::size_t)>& progress) {
+  RenderJob job = given;
+  if (job.log.empty() && isLog(job.cell)) job.log = job.cell;
   if (Status fit = checkJob(job); !fit) return fit.error();
   std::optional<Timeline> session;
   if (!job.log.empty()) {
@@ -142,7 +145,7 @@ Result<RenderReport> render(const RenderJob& job,
   CellOptions options;
   options.search = job.search;
   options.search_environment = job.search_environment;
-  auto cell = loadCell(job.cell, options);
+  auto cell = loadCellOrLog(job.cell, options);
   if (!cell) return cell.error();
   auto maker = FrameMaker::open(std::move(*cell), std::move(session), job.profile);
   if (!maker) return maker.error();

@@ -13,8 +13,8 @@ namespace rocinante {
 
 /// What `rocinante-render` was asked for, as its arguments say it.
 struct RenderJob {
-  std::filesystem::path cell;
-  std::filesystem::path log;     ///< empty: the cell at rest
+  std::filesystem::path cell;    ///< as loadCellOrLog() takes it
+  std::filesystem::path log;     ///< empty: that of `cell` when it is one, else the cell at rest
   std::vector<std::string> at;   ///< session times
   std::string every;             ///< a duration: from the log's start to its end
   std::filesystem::path output;  ///< one frame

@@ -13,6 +13,7 @@ using namespace rocinante;
 
 constexpr const char* kExamples =
     "  rocinante render cell.toml session.mcap --at 12.5s -o frame.png\n"
+    "  rocinante render session.mcap --at 12.5s -o frame.png   a log that carries its cell\n"
     "  rocinante render panda.urdf -o panda.png --size 1280x720\n"
     "  rocinante render cell.toml session.mcap --at 1 --at 2.5 --at -1s --sheet sheet.png\n"
     "  rocinante render cell.toml session.mcap --every 0.04s --frames frames/\n"
@@ -70,7 +71,9 @@ int main(int argc, char** argv) {
   std::string profile = "reproducible";
   bool hash = false;
   bool json = false;
-  app.add_option("cell", job.cell, "A .cell.toml, or a bare .urdf or .obj")->required();
+  app.add_option("cell", job.cell,
+                 "A .cell.toml, a bare .urdf or .obj, or a log that carries its cell")
+      ->required();
   app.add_option("log", job.log, "The session; without one, the cell at rest");
   app.add_option("--at", job.at,
                  "A moment: 12.5, 1m02.5s, -1s from the end, or RFC 3339; repeatable")

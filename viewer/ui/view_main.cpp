@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include "core/atomic_file.h"
+#include "core/bundle/attached_cell.h"
 #include "core/cli/program.h"
 #include "viewer/ui/view_app.h"
 
@@ -14,6 +15,7 @@ using cli::Exit;
 
 constexpr char kExamples[] =
     "  rocinante view examples/demo/demo.cell.toml out/demo/live.mcap\n"
+    "  rocinante view session.mcap                      a log that carries its cell\n"
     "  rocinante view puma.urdf --live\n"
     "  rocinante view cell.toml --live 0.0.0.0:19960 --camera overview\n"
     "  rocinante view cell.toml session.mcap --profile reproducible --script look.txt\n";
@@ -87,7 +89,7 @@ Result<Exit> view(const Arguments& arguments) {
   CellOptions cell_options;
   cell_options.search = arguments.search;
   cell_options.search_environment = arguments.search_environment;
-  auto cell = loadCell(arguments.cell, cell_options);
+  auto cell = loadCellOrLog(arguments.cell, cell_options);
   if (!cell.ok()) return cell.error();
   warnOfFaults(*cell);
 
@@ -119,7 +121,9 @@ Result<Exit> view(const Arguments& arguments) {
 int viewMain(int argc, char** argv) {
   CLI::App app("Shows a cell, at rest, in a recorded session, or live.", "rocinante-view");
   Arguments arguments;
-  app.add_option("CELL", arguments.cell, "a *.cell.toml, .urdf or .obj")->required();
+  app.add_option("CELL", arguments.cell,
+                 "a *.cell.toml, .urdf or .obj, or a log that carries its cell")
+      ->required();
   app.add_option("LOG", arguments.log, "a recorded session");
   auto* live = app.add_option("--live", arguments.live,
                               "listen; EP as in `rocinante record`, default the standard group")
@@ -141,6 +145,9 @@ int viewMain(int argc, char** argv) {
   return cli::run(app, argc, argv, kExamples, [&]() -> Result<Exit> {
     cli::catchStopSignals();
     arguments.is_live = live->count() > 0;
+    if (arguments.log.empty() && !arguments.is_live && isLog(arguments.cell)) {
+      arguments.log = arguments.cell;
+    }
     return view(arguments);
   });
 }
