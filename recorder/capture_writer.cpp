@@ -10,15 +10,15 @@
 namespace rocinante {
 
 CaptureWriter::CaptureWriter(LogWriter log, std::vector<ListenedEndpoint> endpoints,
-                             CaptureLimits limits)
-    : log_(std::move(log)),
+                             CaptureLimits limits, const KeyframeOptions& keyframes)
+    : session_(std::move(log), keyframes),
       endpoints_(std::move(endpoints)),
       limits_(limits),
       flows_(endpoints_),
       window_(endpoints_.size()),
       ledger_(endpoints_.size()),
       taken_(endpoints_.size()),
-      saved_bytes_(log_.bytesWritten()) {}
+      saved_bytes_(logBytes()) {}
 
 void CaptureWriter::write(TakenOver taken, HandOver& blocks) {
   for (std::unique_ptr<DatagramBlock>& block : taken.blocks) {
@@ -38,18 +38,18 @@ void CaptureWriter::write(TakenOver taken, HandOver& blocks) {
   writeSteps(reached);
 }
 
-void CaptureWriter::flush(SteadyTime now) { keep(log_.flushIfDue(now)); }
+void CaptureWriter::flush(SteadyTime now) { keep(session_.log().flushIfDue(now)); }
 
 void CaptureWriter::close(const std::string& reason, SteadyTime now, HandOver& blocks) {
   while (const auto held = window_.nextOfAll()) writeHeld(*held, blocks);
   writeLosses(ledger_.rest());
   writeSteps(LogTime::max());
   // The open chunk now, so that what the disk refuses of it can still be told in the file.
-  keep(log_.flushIfDue(now + std::chrono::hours(24)));
+  keep(session_.log().flushIfDue(now + std::chrono::hours(24)));
   writeLosses(newDiskLosses());
   const std::string cause = trouble_ ? "refused" : reason;
   // What only the closing refused can no longer be told in the file, but is in the account.
-  if (!keep(log_.close(cause))) (void)newDiskLosses();
+  if (!keep(session_.log().close(cause))) (void)newDiskLosses();
 }
 
 void CaptureWriter::writeHeld(const ReorderWindow::Held& held, HandOver& blocks) {
@@ -62,17 +62,19 @@ void CaptureWriter::writeHeld(const ReorderWindow::Held& held, HandOver& blocks)
 }
 
 void CaptureWriter::writeDatagram(const Arrival& arrival, LogTime time, ByteView payload) {
-  std::int64_t publish_time_ns = time.time_since_epoch().count();
-  const std::size_t index = channelOf(arrival, payload, publish_time_ns);
+  // Decoded once, for its flow and for the fold.
+  const Packet* const packet = decoder_.decode(payload);
+  const std::size_t index = channelOf(arrival, payload, packet);
   if (index == channels_.size()) {
     const FlowChannel& channel = flows_.channels()[index];
-    const Result<ChannelId> id = log_.addChannel(channel.topic, channel.encoding, channel.metadata);
+    const Result<ChannelId> id =
+        session_.addChannel(channel.topic, channel.encoding, channel.metadata);
     // FlowTable stays below what a log can have, so this is for a change of one without the other.
     if (!id && !trouble_) trouble_ = id.error();
     channels_.push_back({id ? *id : ChannelId{0}, 0});
   }
-  if (log_.bytesWritten() != saved_bytes_) {
-    saved_bytes_ = log_.bytesWritten();
+  if (logBytes() != saved_bytes_) {
+    saved_bytes_ = logBytes();
     unsaved_since_ = time;
   } else if (unsaved_since_ == LogTime{}) {
     unsaved_since_ = time;
@@ -82,19 +84,22 @@ void CaptureWriter::writeDatagram(const Arrival& arrival, LogTime time, ByteView
   ++taken_[arrival.endpoint];
   payload_bytes_ += payload.size();
   ChannelState& channel = channels_[index];
-  keep(log_.write(channel.id, channel.sequence++, time, publish_time_ns, payload));
+  std::int64_t publish_time_ns = time.time_since_epoch().count();
+  // A log has no times before 1970.
+  if (packet != nullptr && packet->header.time_ns && *packet->header.time_ns >= 0) {
+    publish_time_ns = *packet->header.time_ns;
+  }
+  keep(session_.write(channel.id, channel.sequence++, time, publish_time_ns, payload, packet));
 }
 
 std::size_t CaptureWriter::channelOf(const Arrival& arrival, ByteView payload,
-                                     std::int64_t& publish_time_ns) {
+                                     const Packet* packet) {
   Flow flow{arrival.endpoint, arrival.sender, {}, false, false};
-  if (const PacketHeader* header = decoder_.decodeHeader(payload)) {
-    flow.source = header->source;
+  if (packet != nullptr) {
+    flow.source = packet->header.source;
     flow.is_packet_text = true;
-    flow.is_restated = !header->by.empty();
+    flow.is_restated = !packet->header.by.empty();
     if (flow.is_restated) ++restated_;
-    // A log has no times before 1970.
-    if (header->time_ns && *header->time_ns >= 0) publish_time_ns = *header->time_ns;
   } else {
     flow.is_packet_text = encodingOf(payload) == "rk1";
   }
@@ -105,7 +110,7 @@ void CaptureWriter::writeLosses(const std::vector<EndpointLoss>& losses) {
   for (const EndpointLoss& loss : losses) {
     Endpoint endpoint = endpoints_[loss.endpoint].endpoint;
     endpoint.address.port = endpoints_[loss.endpoint].bound.port;
-    keep(log_.writeLoss({endpoint.text(), loss.from, loss.until, loss.counts}));
+    keep(session_.log().writeLoss({endpoint.text(), loss.from, loss.until, loss.counts}));
   }
 }
 
@@ -114,15 +119,15 @@ void CaptureWriter::writeSteps(LogTime reached) {
       steps_.begin(), steps_.end(), [&](const ClockStep& step) { return step.at <= reached; });
   for (auto step = steps_.begin(); step != later; ++step) {
     if (!clock_channel_) {
-      const Result<ChannelId> id = log_.addChannel("/rocinante/clock", "json", {});
+      const Result<ChannelId> id = session_.addChannel("/rocinante/clock", "json", {});
       if (!id) break;
       clock_channel_ = *id;
     }
     last_time_ = std::max(last_time_, step->at);
     const std::string text = fmt::format(R"({{"noticed_ns":{},"step_ns":{}}})",
                                          step->at.time_since_epoch().count(), step->step.count());
-    keep(log_.write(*clock_channel_, clock_sequence_++, last_time_,
-                    last_time_.time_since_epoch().count(), bytesOf(text)));
+    keep(session_.write(*clock_channel_, clock_sequence_++, last_time_,
+                        last_time_.time_since_epoch().count(), bytesOf(text)));
   }
   steps_.erase(steps_.begin(), later);
 }
@@ -142,8 +147,8 @@ bool CaptureWriter::keep(const Status& done) {
 std::vector<EndpointLoss> CaptureWriter::newDiskLosses() {
   std::vector<EndpointLoss> losses;
   for (std::size_t i = 0; i < channels_.size(); ++i) {
-    const auto refused = log_.refusedByDisk().find(channels_[i].id);
-    if (refused == log_.refusedByDisk().end()) continue;
+    const auto refused = session_.log().refusedByDisk().find(channels_[i].id);
+    if (refused == session_.log().refusedByDisk().end()) continue;
     EndpointLoss loss{flows_.channels()[i].endpoint, unsaved_since_, last_time_, {}};
     loss.counts.disk = refused->second;
     addLoss(losses, loss);

@@ -6,8 +6,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "core/log/log_writer.h"
 #include "core/packet/packet_text.h"
+#include "core/session/session_writer.h"
 #include "recorder/flow_table.h"
 #include "recorder/hand_over.h"
 #include "recorder/loss_ledger.h"
@@ -29,11 +29,12 @@ struct EndpointAccount {
 };
 
 /// The writing half of a recording: takes what the receiving thread handed over, puts it in order
-/// of time, finds each datagram's channel, and writes datagrams, losses and clock steps to the log.
-/// One thread; reads no clock.
+/// of time, finds each datagram's channel, and writes datagrams, losses and clock steps to the log,
+/// with a keyframe where one is due. One thread; reads no clock.
 class CaptureWriter {
  public:
-  CaptureWriter(LogWriter log, std::vector<ListenedEndpoint> endpoints, CaptureLimits limits);
+  CaptureWriter(LogWriter log, std::vector<ListenedEndpoint> endpoints, CaptureLimits limits,
+                const KeyframeOptions& keyframes = {});
 
   /// Writes what is ripe. Blocks that were written whole go back to `blocks`. A log that refuses is
   /// remembered: what follows is counted as lost to the disk.
@@ -53,7 +54,7 @@ class CaptureWriter {
   /// Of packets(), those that someone else restates (`by=`): no messages of the session.
   std::uint64_t restated() const { return restated_; }
   std::uint64_t payloadBytes() const { return payload_bytes_; }
-  std::uint64_t logBytes() const { return log_.bytesWritten(); }
+  std::uint64_t logBytes() const { return session_.log().bytesWritten(); }
   std::uint64_t lost() const;
   std::size_t channelCount() const { return flows_.channels().size(); }
   std::size_t late() const { return window_.late(); }
@@ -72,10 +73,11 @@ class CaptureWriter {
   void writeSteps(LogTime reached);
   void release(DatagramBlock* block, HandOver& blocks);
   std::vector<EndpointLoss> newDiskLosses();
-  std::size_t channelOf(const Arrival& arrival, ByteView payload, std::int64_t& publish_time_ns);
+  /// The flow that a datagram belongs to; `packet` is what it was decoded to, if it could be.
+  std::size_t channelOf(const Arrival& arrival, ByteView payload, const Packet* packet);
   bool keep(const Status& done);
 
-  LogWriter log_;
+  SessionWriter session_;
   std::vector<ListenedEndpoint> endpoints_;
   CaptureLimits limits_;
   FlowTable flows_;
