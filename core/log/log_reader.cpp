@@ -52,6 +52,7 @@ struct LogReader::Impl {
   std::vector<const LogChannel*> channel_by_id;
   LogSummary summary;
   std::optional<std::vector<LossSpan>> losses;  ///< found when first asked for
+  std::vector<LogTime> earliest_from;  ///< of all messages from a span on; found when first asked
   std::optional<SpanCache> cache;
   std::optional<SpanMerge> merge;
   std::optional<LastMessage> last;  ///< made when first asked for
@@ -204,6 +205,32 @@ struct LogReader::Impl {
       }
     }
   }
+
+  bool inOrderAt(LogPlace place) {
+    const auto own = static_cast<std::size_t>(place.file_offset >> 32U);
+    if (own >= index.spans.size()) return false;
+    if (earliest_from.empty()) {
+      earliest_from.resize(index.spans.size() + 1, LogTime::max());
+      for (std::size_t i = index.spans.size(); i-- > 0;) {
+        const MessageSpan& span = index.spans[i];
+        // No message: times of 0 mean nothing.
+        const bool is_empty = span.start_time == LogTime{} && span.end_time == LogTime{} &&
+                              span.channels.empty();
+        earliest_from[i] =
+            is_empty ? earliest_from[i + 1] : std::min(earliest_from[i + 1], span.start_time);
+      }
+    }
+    if (earliest_from[own + 1] < place.time) return false;
+    if (spanAt(static_cast<std::uint32_t>(own)).start_time >= place.time) return true;
+    const std::shared_ptr<const SpanMessages> messages =
+        cache->get(static_cast<std::uint32_t>(own));
+    // They are in order of time.
+    for (const SpanMessages::Place& each : messages->places) {
+      if (each.time_ns >= place.time.time_since_epoch().count()) break;
+      if (each.offset > (place.file_offset & 0xFFFFFFFFU)) return false;
+    }
+    return true;
+  }
 };
 
 Result<LogReader> LogReader::open(const std::filesystem::path& path) {
@@ -292,6 +319,8 @@ Status LogReader::rewind() { return seek(kFirstMoment); }
 Result<std::optional<LogMessage>> LogReader::next() { return impl_->merge->next(); }
 
 Result<std::optional<LogMessage>> LogReader::previous() { return impl_->merge->previous(); }
+
+bool LogReader::inOrderAt(LogPlace place) { return impl_->inOrderAt(place); }
 
 Result<std::optional<LogMessage>> LogReader::lastOf(ChannelId channel, LogTime moment) {
   if (!impl_->last) impl_->last.emplace(*impl_->cache);

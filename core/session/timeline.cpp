@@ -6,39 +6,44 @@
 
 #include "core/log/log_profile.h"
 #include "core/packet/decoder.h"
+#include "core/session/keyframe_finder.h"
 #include "core/session/marks.h"
+#include "core/session/state_cache.h"
 
 namespace rocinante {
 namespace {
 
-constexpr LogTime kBeforeAll{Nanoseconds(std::numeric_limits<std::int64_t>::min())};
-constexpr LogTime kAfterAll{Nanoseconds(std::numeric_limits<std::int64_t>::max())};
+constexpr LogPlace kBeforeAll{LogTime::min(), 0};
 
-/// Folding this many messages takes a few milliseconds: nobody waits for it.
-constexpr std::uint64_t kFirstInterval = 4096;
-constexpr std::size_t kMostSnapshots = 512;
-constexpr std::uint64_t kMostSnapshotBytes = std::uint64_t{64} << 20U;
+/// Folding this many messages on is quicker than finding a place to start from.
+constexpr std::uint64_t kNearMessages = 1024;
+constexpr std::uint64_t kAll = std::numeric_limits<std::uint64_t>::max();
+
+/// Behind every message of the moment.
+LogPlace endOf(LogTime moment) { return {moment, std::numeric_limits<std::uint64_t>::max()}; }
 
 }  // namespace
 
 struct Timeline::Impl {
-  explicit Impl(LogReader log_reader) : reader(std::move(log_reader)) {}
+  explicit Impl(LogReader log_reader) : reader(std::move(log_reader)), finder(reader) {}
 
   LogReader reader;
+  KeyframeFinder finder;
   std::map<std::string, std::unique_ptr<Decoder>, std::less<>> decoders;
   std::vector<Decoder*> decoder_by_channel;  ///< null: not folded, or nobody can decode it
 
+  // The state is that of the last usable keyframe before it, or the empty one, and of all messages
+  // behind that up to `reached`. It is so whatever way it was reached: the log may tell lies.
   SessionState state;
-  LogTime folded_to = kBeforeAll;       ///< every message up to here is in `state`
-  std::optional<LogMessage> lookahead;  ///< the first that is not, borrowed from the reader
+  LogPlace reached = kBeforeAll;
+  LogPlace base = kBeforeAll;           ///< of that keyframe
+  std::uint64_t since_base = 0;         ///< messages read behind it
+  std::uint64_t since_kept = 0;         ///< since a state was kept
+  std::optional<LogMessage> lookahead;  ///< the first behind `reached`, borrowed from the reader
   bool at_end = false;
+  bool placed = false;  ///< the reader's next message is the first behind `reached`
 
-  /// States kept on the way, each with all messages up to its time, so that going back starts near.
-  std::map<LogTime, SessionState> snapshots;
-  std::uint64_t snapshot_bytes = 0;
-  std::uint64_t interval = kFirstInterval;  ///< messages between two
-  std::uint64_t since_snapshot = 0;
-
+  StateCache cache;
   std::optional<std::vector<Event>> events;
 
   void chooseDecoders() {
@@ -53,80 +58,97 @@ struct Timeline::Impl {
     }
   }
 
-  Status startFrom(LogTime moment, SessionState from) {
+  void startFrom(LogPlace place, SessionState from, LogPlace its_base, std::uint64_t messages) {
     state = std::move(from);
-    folded_to = moment;
+    reached = place;
+    base = its_base;
+    since_base = messages;
+    since_kept = 0;
+    goBehindReached();
+  }
+
+  /// The reader is put there when it is read from.
+  void goBehindReached() {
     lookahead.reset();
     at_end = false;
-    since_snapshot = 0;
-    return moment == kBeforeAll ? reader.rewind() : reader.seek(moment + Nanoseconds(1));
+    placed = false;
   }
 
-  /// Begins at the nearest state known that is not later than `moment`.
+  /// Begins at the nearest place known that is not later than `moment`.
   Status approach(LogTime moment) {
-    const auto later = snapshots.upper_bound(moment);
-    const auto nearest = later == snapshots.begin() ? snapshots.end() : std::prev(later);
-    if (folded_to <= moment) {
-      // Going on beats starting anew, unless a snapshot lies ahead.
-      if (nearest == snapshots.end() || nearest->first <= folded_to) return {};
+    const bool can_go_on = reached <= endOf(moment);
+    const auto* kept = cache.nearest(endOf(moment));
+    std::optional<LogPlace> known;
+    if (can_go_on && reached != kBeforeAll) known = reached;
+    if (kept != nullptr && (!known || kept->first > *known)) known = kept->first;
+    Result<std::optional<KeyframeFinder::Found>> found = finder.lastBefore(moment, known);
+    if (!found) return found.error();
+    // What the reader lent is gone now.
+    goBehindReached();
+    if (*found) {
+      cache.keep((*found)->place, (*found)->state, (*found)->place, 0);
+      startFrom((*found)->place, std::move((*found)->state), (*found)->place, 0);
+    } else if (kept != nullptr && !(can_go_on && reached >= kept->first)) {
+      startFrom(kept->first, kept->second.state, kept->second.base, kept->second.messages);
+    } else if (!can_go_on) {
+      startFrom(kBeforeAll, SessionState{}, kBeforeAll, 0);
     }
-    if (nearest == snapshots.end()) return startFrom(kBeforeAll, SessionState{});
-    return startFrom(nearest->first, nearest->second);
-  }
-
-  /// Folds on up to and with `moment`. Events go to `sink`, if there is one.
-  Status foldTo(LogTime moment, std::vector<Event>* sink) {
-    while (!at_end) {
-      if (!lookahead) {
-        Result<std::optional<LogMessage>> message = reader.next();
-        if (!message) return message.error();
-        if (!*message) {
-          at_end = true;
-          break;
-        }
-        lookahead = **message;
-      }
-      if (lookahead->log_time > moment) break;
-      if (lookahead->log_time > folded_to && since_snapshot >= interval) keepSnapshot();
-      fold(*lookahead, sink);
-      folded_to = lookahead->log_time;
-      lookahead.reset();
-    }
-    folded_to = std::max(folded_to, moment);
     return {};
   }
 
-  void fold(const LogMessage& message, std::vector<Event>* sink) {
-    Decoder* const decoder = decoder_by_channel[message.channel->id];
-    ++since_snapshot;
-    if (sink != nullptr && message.channel->topic == profile::kMarkTopic) {
-      if (auto mark = parseMark(message.payload)) sink->push_back({message.log_time, {}, *mark});
+  /// Folds on up to and with `moment`, at most so many messages: false when that was not enough.
+  /// Events go to `sink`, if there is one.
+  Result<bool> foldTo(LogTime moment, std::uint64_t most, std::vector<Event>* sink) {
+    if (!placed) {
+      const Status put = reached == kBeforeAll ? reader.rewind() : reader.seekAfter(reached);
+      if (!put) return put.error();
+      placed = true;
     }
-    if (decoder == nullptr) return;
-    const Packet* const packet = decoder->decode(message.payload);
-    if (packet == nullptr) return;
-    state.apply(message.log_time, *packet);
-    // They would pile up otherwise, and be copied into every snapshot.
-    std::vector<Event> told = state.takeEvents();
-    if (sink != nullptr) sink->insert(sink->end(), told.begin(), told.end());
+    for (std::uint64_t count = 0;; ++count) {
+      if (!lookahead && !at_end) {
+        Result<std::optional<LogMessage>> message = reader.next();
+        if (!message) return message.error();
+        if (*message) lookahead = **message;
+        at_end = !*message;
+      }
+      if (at_end || lookahead->log_time > moment) return true;
+      if (count == most) return false;
+      fold(*lookahead, sink);
+      lookahead.reset();
+    }
   }
 
-  void keepSnapshot() {
-    since_snapshot = 0;
-    if (!snapshots.emplace(folded_to, state).second) return;
-    snapshot_bytes += state.weight();
-    if (snapshots.size() <= kMostSnapshots && snapshot_bytes <= kMostSnapshotBytes) return;
-    // Every second one goes: still evenly spread, at twice the distance.
-    interval *= 2;
-    bool drop = true;
-    for (auto it = snapshots.begin(); it != snapshots.end(); drop = !drop) {
-      if (!drop) {
-        ++it;
-        continue;
+  void fold(const LogMessage& message, std::vector<Event>* sink) {
+    reached = message.place();
+    ++since_base;
+    ++since_kept;
+    if (finder.isOne(message)) {
+      adopt(message);
+    } else if (Decoder* const decoder = decoder_by_channel[message.channel->id]) {
+      if (const Packet* const packet = decoder->decode(message.payload)) {
+        state.apply(message.log_time, *packet);
+        // They would pile up otherwise, and be copied into every state that is kept.
+        std::vector<Event> told = state.takeEvents();
+        if (sink != nullptr) sink->insert(sink->end(), told.begin(), told.end());
       }
-      snapshot_bytes -= it->second.weight();
-      it = snapshots.erase(it);
+    } else if (sink != nullptr && message.channel->topic == profile::kMarkTopic) {
+      if (auto mark = parseMark(message.payload)) sink->push_back({message.log_time, {}, *mark});
     }
+    if (since_kept >= StateCache::interval(state)) keepState();
+  }
+
+  void adopt(const LogMessage& message) {
+    std::optional<SessionState> told = finder.usable(message);
+    if (!told) return;
+    state = std::move(*told);
+    base = reached;
+    since_base = 0;
+    keepState();
+  }
+
+  void keepState() {
+    since_kept = 0;
+    cache.keep(reached, state, base, since_base);
   }
 };
 
@@ -152,25 +174,38 @@ LogTime Timeline::start() const { return impl_->reader.summary().start; }
 LogTime Timeline::end() const { return impl_->reader.summary().end; }
 
 Result<const SessionState*> Timeline::stateAt(LogTime moment) {
-  if (Status near = impl_->approach(moment); !near) return near.error();
-  if (Status folded = impl_->foldTo(moment, nullptr); !folded) return folded.error();
-  return &impl_->state;
+  Impl& line = *impl_;
+  if (line.reached <= endOf(moment) && line.reached != kBeforeAll) {
+    const Result<bool> near = line.foldTo(moment, kNearMessages, nullptr);
+    if (!near) return near.error();
+    if (*near) return &line.state;
+  }
+  if (Status begun = line.approach(moment); !begun) return begun.error();
+  if (Result<bool> folded = line.foldTo(moment, kAll, nullptr); !folded) return folded.error();
+  return &line.state;
+}
+
+const std::vector<KeyframeFault>& Timeline::keyframeFaults() const {
+  return impl_->finder.faults();
 }
 
 Result<const std::vector<Event>*> Timeline::events() {
-  if (!impl_->events) {
+  Impl& line = *impl_;
+  if (!line.events) {
     std::vector<Event> found;
-    if (Status begun = impl_->startFrom(kBeforeAll, SessionState{}); !begun) return begun.error();
-    if (Status folded = impl_->foldTo(kAfterAll, &found); !folded) return folded.error();
+    line.startFrom(kBeforeAll, SessionState{}, kBeforeAll, 0);
+    if (Result<bool> folded = line.foldTo(LogTime::max(), kAll, &found); !folded) {
+      return folded.error();
+    }
     // Marks stand in order of time too; of equal ones, what the log tells comes first.
-    Result<std::vector<Event>> marks = readMarks(impl_->reader.name());
+    Result<std::vector<Event>> marks = readMarks(line.reader.name());
     if (!marks) return marks.error();
     const auto beside = found.insert(found.end(), marks->begin(), marks->end());
     std::inplace_merge(found.begin(), beside, found.end(),
                        [](const Event& a, const Event& b) { return a.time < b.time; });
-    impl_->events = std::move(found);
+    line.events = std::move(found);
   }
-  return &*impl_->events;
+  return &*line.events;
 }
 
 const LogReader& Timeline::log() const { return impl_->reader; }

@@ -9,13 +9,17 @@
 #include "core/log/log_reader.h"
 #include "core/packet/session_state.h"
 #include "core/result.h"
+#include "core/session/keyframe_finder.h"
 
 namespace rocinante {
 
 /// A recorded session as a function of time: state(t) folds every folded message with
-/// log_time <= t. Any order of questions gives the same answers; going on from the last one is
-/// cheap, and going back is once the way has been gone: states are kept along it, in bounded memory
-/// (64 MiB). Damage of the log is skipped, see log().damage(). Not for sharing between threads.
+/// log_time <= t, beginning with the last usable keyframe among them (docs/log-format.md,
+/// "Keyframes"). Any order of questions gives the same answers. Going on from the last one is
+/// cheap, and so is going back or elsewhere: at most what lies between two keyframes is folded, and
+/// states are kept along the way, in bounded memory (64 MiB). A log without keyframes is folded
+/// from its start. Damage of the log is skipped, see log().damage(). Not for sharing between
+/// threads.
 class Timeline {
  public:
   static Result<Timeline> open(const std::filesystem::path& path);
@@ -37,6 +41,9 @@ class Timeline {
   /// first: found on the first call, which reads the log once. An error when LOG.marks is
   /// malformed.
   Result<const std::vector<Event>*> events();
+
+  /// Keyframes met so far that do not count, and why; as they were met.
+  const std::vector<KeyframeFault>& keyframeFaults() const;
 
   const LogReader& log() const;
 

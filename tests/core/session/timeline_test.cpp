@@ -2,10 +2,12 @@
 
 #include <gmock/gmock.h>
 
+#include <map>
 #include <random>
 
 #include "core/packet/decoder.h"
-#include "tests/core/log/log_support.h"
+#include "core/session/keyframe.h"
+#include "tests/core/session/session_support.h"
 
 namespace rocinante::test {
 namespace {
@@ -108,6 +110,241 @@ TEST(Timeline, OfAMissingFileIsNotFound) {
   const Result<Timeline> timeline = Timeline::open("no-such-log.mcap");
   ASSERT_FALSE(timeline.ok());
   EXPECT_EQ(timeline.error().kind, ErrorKind::not_found);
+}
+
+/// A session of random datagrams with keyframes, and filler so that they have room.
+struct KeyframedLog {
+  Bytes file;
+  std::vector<TimedDatagram> datagrams;
+  std::uint64_t keyframes = 0;
+};
+
+KeyframedLog makeKeyframedLog(std::uint64_t seed, std::size_t count,
+                              const SessionState& preceding = {}) {
+  KeyframedLog log;
+  log.datagrams = randomDatagrams(seed, count);
+  LogWriterOptions options;
+  options.chunk_bytes = 8192;
+  KeyframeOptions keyframes;
+  keyframes.packets = 7;
+  keyframes.span = std::chrono::milliseconds(500);
+  SessionWriter session = makeSession(log.file, keyframes, options);
+  EXPECT_TRUE(session.beginWith(preceding, log.datagrams.front().time).ok());
+  const ChannelId spoken = *session.addChannel("/udp/1/x", "rk1", {});
+  const ChannelId restated = *session.addChannel("/rocinante/restated/udp/1/x", "rk1", {});
+  const ChannelId octets = *session.addChannel("/udp/1/127.0.0.1", "octets", {});
+  const std::string filler(900, 'x');
+  std::uint32_t number = 0;
+  for (const TimedDatagram& said : log.datagrams) {
+    const bool is_restated = said.text.find(" by=") != std::string::npos;
+    const ChannelId channel = is_restated ? restated : spoken;
+    EXPECT_TRUE(session.write(channel, number++, said.time, 0, bytesOf(said.text)).ok());
+    for (int i = 0; i < 4; ++i) {
+      EXPECT_TRUE(session.write(octets, number++, said.time, 0, bytesOf(filler)).ok());
+    }
+  }
+  log.keyframes = session.keyframes();
+  EXPECT_TRUE(session.log().close("finished").ok());
+  return log;
+}
+
+/// Asks a timeline for `moments` in their order; each answer must be the fold by hand.
+void expectTheFold(Timeline& timeline, const KeyframedLog& log, std::vector<LogTime> moments,
+                   const SessionState& preceding = {}) {
+  std::map<LogTime, SessionState> expected;
+  std::vector<LogTime> sorted = moments;
+  std::sort(sorted.begin(), sorted.end());
+  HandFold fold;
+  std::size_t next = 0;
+  for (const LogTime moment : sorted) {
+    if (next == 0 && log.datagrams.front().time <= moment) fold.state = preceding;
+    for (; next < log.datagrams.size() && log.datagrams[next].time <= moment; ++next) {
+      fold.fold(log.datagrams[next].time, bytesOf(log.datagrams[next].text));
+    }
+    expected[moment] = fold.state;
+  }
+  for (const LogTime moment : moments) {
+    SCOPED_TRACE(moment.time_since_epoch().count());
+    const Result<const SessionState*> state = timeline.stateAt(moment);
+    ASSERT_TRUE(state.ok());
+    EXPECT_TRUE((*state)->sameAs(expected[moment]));
+    ASSERT_EQ((*state)->identityText(), expected[moment].identityText());
+  }
+}
+
+std::vector<LogTime> momentsOf(const KeyframedLog& log) {
+  std::vector<LogTime> moments = {at(0), log.datagrams.back().time + Nanoseconds(1)};
+  for (const TimedDatagram& said : log.datagrams) {
+    moments.push_back(said.time);
+    moments.push_back(said.time - Nanoseconds(1));
+  }
+  return moments;
+}
+
+TEST(Timeline, FromKeyframesIsTheFoldFromTheStartInAnyOrder) {
+  std::uint64_t keyframes = 0;
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    SCOPED_TRACE(seed);
+    const KeyframedLog log = makeKeyframedLog(seed, 300);
+    keyframes += log.keyframes;
+    std::vector<LogTime> moments = momentsOf(log);
+    std::mt19937_64 random(seed);
+    std::shuffle(moments.begin(), moments.end(), random);
+    Timeline timeline = Timeline::of(openLog(log.file));
+    expectTheFold(timeline, log, moments);
+    std::sort(moments.begin(), moments.end(), std::greater<>());
+    Timeline backwards = Timeline::of(openLog(log.file));
+    expectTheFold(backwards, log, moments);
+    std::reverse(moments.begin(), moments.end());
+    expectTheFold(backwards, log, moments);
+    EXPECT_TRUE(timeline.keyframeFaults().empty());
+    EXPECT_TRUE(timeline.log().damage().empty());
+  }
+  EXPECT_GE(keyframes, 120U);
+}
+
+TEST(Timeline, OfAPieceGoesOnFromWhatPreceded) {
+  HandFold before;
+  for (const TimedDatagram& said : randomDatagrams(77, 300)) {
+    before.fold(at(said.time.time_since_epoch().count() / 1000), bytesOf(said.text));
+  }
+  // What a log cannot tell: an unfinished restatement is abandoned by the cut.
+  const std::string text = keyframeText(before.state);
+  const SessionState preceding = KeyframeReader().read(bytesOf(text), at(999'999'999)).value();
+  const KeyframedLog log = makeKeyframedLog(5, 200, preceding);
+  Timeline timeline = Timeline::of(openLog(log.file));
+  std::vector<LogTime> moments = momentsOf(log);
+  std::shuffle(moments.begin(), moments.end(), std::mt19937_64(5));
+  expectTheFold(timeline, log, moments, preceding);
+}
+
+/// One source says `value` on its arm.
+std::string say(int sequence, int value) {
+  return "RK1 arm - -\njoints arm" + std::to_string(sequence) + " " + std::to_string(value);
+}
+
+struct HandLog {
+  explicit HandLog(LogWriterOptions options = {}) : writer(makeWriter(file, options)) {
+    packets = *writer.addChannel("/udp/1/arm", "rk1", {});
+    keyframes = *writer.addChannel("/rocinante/keyframe", "rk1-keyframe", {});
+  }
+  void put(ChannelId channel, std::int64_t time_ns, const std::string& text) {
+    EXPECT_TRUE(writer.write(channel, 0, at(time_ns), 0, bytesOf(text)).ok());
+  }
+  Timeline close() {
+    EXPECT_TRUE(writer.close("finished").ok());
+    return Timeline::of(openLog(file));
+  }
+  Bytes file;
+  LogWriter writer;
+  ChannelId packets = 0;
+  ChannelId keyframes = 0;
+};
+
+constexpr const char* kLie =
+    "RK1 liar - - restated part=k:1/1 by=keyframe\njoints arm9 9\nseen arm9 5\n";
+
+TEST(Timeline, AKeyframeIsBelievedInEveryDirection) {
+  // Nobody can tell that it is a lie; but the answer must not depend on the way.
+  HandLog log;
+  log.put(log.packets, 10, say(1, 1));
+  log.put(log.keyframes, 20, kLie);
+  log.put(log.packets, 30, say(2, 2));
+  Timeline timeline = log.close();
+  const std::string forwards =
+      ((void)timeline.stateAt(at(10)), (*timeline.stateAt(at(30)))->identityText());
+  const std::string back =
+      ((void)timeline.stateAt(at(15)), (*timeline.stateAt(at(30)))->identityText());
+  Timeline fresh = Timeline::of(openLog(log.file));
+  EXPECT_EQ((*fresh.stateAt(at(30)))->identityText(), forwards);
+  EXPECT_EQ(back, forwards);
+  EXPECT_EQ((*fresh.stateAt(at(30)))->devices().size(), 2U);
+  EXPECT_EQ((*fresh.stateAt(at(19)))->devices().count("arm1"), 1U);
+}
+
+TEST(Timeline, AMalformedKeyframeIsToldAndPassedOver) {
+  const char* const bad[] = {
+      "no packet at all",
+      "RK1 arm - -\njoints arm9 1\n",
+      "RK1 arm - - restated part=k:1/2 by=keyframe\njoints arm9 9\nseen arm9 5\n",
+      "RK1 arm - - restated part=k:1/1 by=keyframe\njoints arm9 9\n",
+      "RK1 arm - - restated part=k:1/1 by=keyframe\njoints arm9 nine\nseen arm9 5\n",
+      "RK1 arm - - restated part=k:1/1 by=keyframe reset\njoints arm9 9\nseen arm9 5\n",
+      "RK1 a - - restated part=k:1/1 by=k\n\nRK1 a - - restated part=k:1/1 by=k\n",
+  };
+  for (const char* const text : bad) {
+    SCOPED_TRACE(text);
+    HandLog log;
+    log.put(log.packets, 10, say(1, 1));
+    log.put(log.keyframes, 20, text);
+    log.put(log.packets, 30, say(2, 2));
+    Timeline timeline = log.close();
+    const Result<const SessionState*> state = timeline.stateAt(at(30));
+    ASSERT_TRUE(state.ok());
+    EXPECT_EQ((*state)->devices().size(), 2U);
+    EXPECT_EQ((*state)->devices().count("arm9"), 0U);
+    ASSERT_EQ(timeline.keyframeFaults().size(), 1U);
+    EXPECT_EQ(timeline.keyframeFaults()[0].time, at(20));
+    (void)timeline.stateAt(at(10));
+    (void)timeline.stateAt(at(30));
+    EXPECT_EQ(timeline.keyframeFaults().size(), 1U);
+  }
+}
+
+TEST(Timeline, AKeyframeWithAnEarlierMessageBehindItDoesNotCount) {
+  for (const std::size_t chunk_bytes : {std::size_t{1}, std::size_t{1} << 20U}) {
+    LogWriterOptions options;
+    options.chunk_bytes = chunk_bytes;  // each message a chunk, or all in one
+    HandLog log(options);
+    log.put(log.packets, 10, say(1, 1));
+    log.put(log.keyframes, 20, kLie);
+    log.put(log.packets, 15, say(2, 2));
+    log.put(log.packets, 30, say(3, 3));
+    Timeline timeline = log.close();
+    const Result<const SessionState*> state = timeline.stateAt(at(30));
+    ASSERT_TRUE(state.ok());
+    EXPECT_EQ((*state)->devices().size(), 3U);
+    EXPECT_EQ((*state)->devices().count("arm9"), 0U);
+    ASSERT_EQ(timeline.keyframeFaults().size(), 1U);
+  }
+}
+
+TEST(Timeline, SeveralChannelsOfKeyframesAreNone) {
+  HandLog log;
+  const ChannelId other =
+      *log.writer.addChannel("/rocinante/keyframe", "rk1-keyframe", {{"a", "b"}});
+  log.put(log.packets, 10, say(1, 1));
+  log.put(log.keyframes, 20, kLie);
+  log.put(other, 21, kLie);
+  log.put(log.packets, 30, say(2, 2));
+  Timeline timeline = log.close();
+  EXPECT_EQ((*timeline.stateAt(at(30)))->devices().size(), 2U);
+  EXPECT_EQ(timeline.keyframeFaults().size(), 1U);
+}
+
+TEST(Timeline, ManyKeyframesThatDoNotCountAreNoTrap) {
+  HandLog log;
+  log.put(log.packets, 10, say(1, 1));
+  for (int i = 0; i < 500; ++i) log.put(log.keyframes, 20 + i, "nonsense");
+  log.put(log.packets, 2000, say(2, 2));
+  Timeline timeline = log.close();
+  EXPECT_EQ((*timeline.stateAt(at(2000)))->devices().size(), 2U);
+  EXPECT_EQ((*timeline.stateAt(at(400)))->devices().size(), 1U);
+  EXPECT_LE(timeline.keyframeFaults().size(), 100U);
+}
+
+TEST(Timeline, GoesOnAfterDamageFromTheNextKeyframe) {
+  KeyframedLog log = makeKeyframedLog(9, 400);
+  // One byte in the middle: its chunk fails its checksum, and is lost.
+  log.file[log.file.size() / 3] ^= std::byte{0x40};
+  Timeline fresh = Timeline::of(openLog(log.file));
+  const LogTime last = log.datagrams.back().time;
+  expectTheFold(fresh, log, {last});
+  // The same by another way: through the damage.
+  Timeline through = Timeline::of(openLog(log.file));
+  for (const TimedDatagram& said : log.datagrams) ASSERT_TRUE(through.stateAt(said.time).ok());
+  EXPECT_FALSE(through.log().damage().empty());
+  expectTheFold(through, log, {last});
 }
 
 }  // namespace

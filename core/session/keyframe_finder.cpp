@@ -1,0 +1,92 @@
+#include "core/session/keyframe_finder.h"
+
+#include <algorithm>
+
+#include "core/log/log_profile.h"
+
+namespace rocinante {
+namespace {
+
+/// So many that do not count, one after another, and the log is read from further back.
+constexpr int kMostTries = 16;
+
+/// More are not told: a hostile log could have millions.
+constexpr std::size_t kMostFaults = 100;
+
+}  // namespace
+
+KeyframeFinder::KeyframeFinder(LogReader& reader) : reader_(reader) {
+  std::size_t count = 0;
+  for (const LogChannel& channel : reader.channels()) {
+    if (channel.topic != profile::kKeyframeTopic) continue;
+    if (channel.encoding != profile::kKeyframeEncoding) continue;
+    channel_ = channel.id;
+    ++count;
+  }
+  if (count > 1) {
+    // Logs were laid together by a tool that knows nothing of keyframes: each tells half a state.
+    channel_.reset();
+    faults_.push_back(
+        {reader.summary().start, "the log has several channels of keyframes, so that none counts"});
+  }
+}
+
+std::optional<SessionState> KeyframeFinder::usable(const LogMessage& message) {
+  if (refused_.contains(message.place())) return std::nullopt;
+  Result<SessionState> told = keyframes_.read(message.payload, message.log_time);
+  if (!told) {
+    refuse(message, told.error().what);
+    return std::nullopt;
+  }
+  if (!reader_.inOrderAt(message.place())) {
+    refuse(message, "a message that stands behind it in the file sorts before it");
+    return std::nullopt;
+  }
+  return std::move(*told);
+}
+
+void KeyframeFinder::refuse(const LogMessage& message, std::string cause) {
+  refused_.insert(message.place());
+  if (faults_.size() < kMostFaults) faults_.push_back({message.log_time, std::move(cause)});
+}
+
+Result<std::optional<KeyframeFinder::Found>> KeyframeFinder::lastBefore(
+    LogTime moment, const std::optional<LogPlace>& known) {
+  if (!channel_) return std::optional<Found>();
+  if (const auto later = known_.upper_bound(moment); later != known_.begin()) {
+    const Known& before = std::prev(later)->second;
+    const bool is_no_better = !before.place || (known && *known >= *before.place);
+    if (moment <= before.until && is_no_better) return std::optional<Found>();
+  }
+  LogTime from = moment;
+  for (int tries = 0; tries < kMostTries; ++tries) {
+    Result<std::optional<LogMessage>> last = reader_.lastOf(*channel_, from);
+    if (!last) return last.error();
+    if (!*last) {
+      remember(std::nullopt, moment);
+      break;
+    }
+    const LogMessage& message = **last;
+    if (known && *known >= message.place()) {
+      // Only the first answer tells what lies between it and the moment.
+      if (tries == 0) remember(message.place(), moment);
+      break;
+    }
+    const LogPlace place = message.place();
+    if (std::optional<SessionState> state = usable(message)) {
+      remember(place, moment);
+      return std::optional<Found>({place, std::move(*state)});
+    }
+    if (place.time == LogTime::min()) break;
+    from = place.time - Nanoseconds(1);
+  }
+  return std::optional<Found>();
+}
+
+void KeyframeFinder::remember(std::optional<LogPlace> place, LogTime moment) {
+  Known& known = known_[place ? place->time : LogTime::min()];
+  known.place = place;
+  known.until = std::max(known.until, moment);
+}
+
+}  // namespace rocinante
