@@ -1,0 +1,117 @@
+#include "recorder/copy/copy_report.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "core/duration_text.h"
+
+namespace rocinante {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::int64_t nanosecondsOf(LogTime time) { return time.time_since_epoch().count(); }
+
+/// Names of files may hold any bytes.
+std::string textOf(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void addCounts(Json& out, const PieceCounts& counts) {
+  out["messages"] = counts.messages;
+  out["start_ns"] = counts.messages > 0 ? Json(nanosecondsOf(counts.start)) : Json(nullptr);
+  out["end_ns"] = counts.messages > 0 ? Json(nanosecondsOf(counts.end)) : Json(nullptr);
+  out["channels"] = counts.channels;
+  out["restated"] = counts.restated;
+  out["keyframes"] = counts.keyframes;
+  out["losses"] = counts.losses;
+  out["marks"] = counts.marks;
+  out["attachments"] = counts.attachments;
+  out["bytes"] = counts.bytes;
+}
+
+void addSession(Json& out, const CopyReport& report) {
+  out["session_id"] = report.session_id;
+  out["origin_ns"] = report.origin ? Json(nanosecondsOf(*report.origin)) : Json(nullptr);
+}
+
+Json gapJson(const CopyGap& gap, bool with_input) {
+  Json out;
+  if (with_input) out["log"] = gap.input;
+  out["from"] = gap.span.from;
+  out["to"] = gap.span.to;
+  out["cause"] = gap.span.cause;
+  out["messages_lost"] = gap.span.messages_lost ? Json(*gap.span.messages_lost) : Json(nullptr);
+  return out;
+}
+
+Json damageJson(const CopyReport& report) {
+  Json damage = Json::array();
+  for (const CopyGap& gap : report.gaps) damage.push_back(gapJson(gap, true));
+  return damage;
+}
+
+}  // namespace
+
+std::string copyReportJson(const std::string& output, const CopyReport& report) {
+  Json out{{"format", 1}, {"output", output}};
+  addSession(out, report);
+  addCounts(out, report.counts);
+  out["repeated"] = report.repeated;
+  out["damage"] = damageJson(report);
+  out["notes"] = report.notes;
+  return textOf(out);
+}
+
+std::string splitReportJson(const SplitReport& report) {
+  Json pieces = Json::array();
+  for (const SplitPiece& piece : report.pieces) {
+    Json each{{"output", piece.path.string()}};
+    addCounts(each, piece.counts);
+    pieces.push_back(std::move(each));
+  }
+  Json out{{"format", 1}, {"outputs", std::move(pieces)}};
+  addSession(out, report.whole);
+  out["messages"] = report.whole.counts.messages;
+  out["damage"] = damageJson(report.whole);
+  out["notes"] = report.whole.notes;
+  return textOf(out);
+}
+
+std::string recoverReportJson(const std::string& output, const CopyReport& report) {
+  Json out{{"format", 1}, {"output", output}, {"recovered", report.counts.messages}};
+  Json lost = Json::array();
+  Json repaired = Json::array();
+  for (const CopyGap& gap : report.gaps) {
+    (gap.costs ? lost : repaired).push_back(gapJson(gap, false));
+  }
+  out["lost"] = std::move(lost);
+  out["repaired"] = std::move(repaired);
+  addSession(out, report);
+  addCounts(out, report.counts);
+  out["notes"] = report.notes;
+  return textOf(out);
+}
+
+std::string copyReportText(const std::string& output, const PieceCounts& counts) {
+  if (counts.messages == 0) return fmt::format("{}: no messages\n", output);
+  return fmt::format("{}: {} message{} of {} channel{}, {} s\n", output, counts.messages,
+                     counts.messages == 1 ? "" : "s", counts.channels,
+                     counts.channels == 1 ? "" : "s", secondsText(counts.end - counts.start, 3));
+}
+
+std::string gapText(const CopyGap& gap) {
+  const std::string cost = !gap.span.messages_lost ? ""
+                           : gap.span.messages_lost == std::uint64_t{1}
+                               ? "; 1 message lost"
+                               : fmt::format("; {} messages lost", *gap.span.messages_lost);
+  const bool counted = gap.span.messages_lost && *gap.span.messages_lost > 0;
+  if (gap.span.to == 0) return gap.span.cause;
+  const std::string place = gap.span.to > gap.span.from
+                                ? fmt::format("bytes {} to {}", gap.span.from, gap.span.to)
+                                : fmt::format("byte {}", gap.span.from);
+  return fmt::format("{}{} ({}, {})", gap.span.cause, counted ? cost : "", gap.input, place);
+}
+
+}  // namespace rocinante

@@ -1,0 +1,56 @@
+#include "recorder/copy/log_make.h"
+
+#include "core/session/marks.h"
+#include "core/session/timeline.h"
+
+namespace rocinante {
+namespace {
+
+constexpr std::size_t kSessionIdDigits = 32;
+
+}  // namespace
+
+Result<std::vector<Event>> eventsOf(const std::filesystem::path& log, bool needed) {
+  if (!needed) return std::vector<Event>{};
+  Result<Timeline> timeline = Timeline::open(log);
+  if (!timeline) return timeline.error();
+  const Result<const std::vector<Event>*> found = timeline->events();
+  if (!found) return found.error();
+  return **found;
+}
+
+Result<OpenedLog> openForCopy(const std::filesystem::path& log) {
+  Result<LogReader> reader = LogReader::open(log);
+  if (!reader) return reader.error();
+  Result<std::vector<Event>> marks = readMarks(log);
+  if (!marks) return marks.error();
+  OpenedLog opened{std::move(*reader), {}};
+  opened.options.marks = std::move(*marks);
+  return opened;
+}
+
+Result<std::string> sessionIdOf(LogReader& reader) {
+  if (!reader.summary().session_id.empty()) return reader.summary().session_id;
+  Result<std::string> content = contentSha256(reader);
+  if (!content) return content.error();
+  return content->substr(0, kSessionIdDigits);
+}
+
+Result<CopyReport> makeLog(std::vector<CopySource>& sources, const MakeOptions& make,
+                           const PieceOptions& piece, const std::string& reason,
+                           bool may_be_empty) {
+  std::vector<std::filesystem::path> inputs;
+  for (const CopySource& source : sources) inputs.emplace_back(source.reader().name());
+  Result<OutputFile> output = OutputFile::create(make.output, make.overwrite, inputs);
+  if (!output) return output.error();
+  Result<CopyReport> report =
+      copyLogs(sources, output->takeSink(), piece, reason, make.progress, make.attachments);
+  if (!report) return output->named(report.error());
+  if (report->counts.messages == 0 && !may_be_empty) {
+    return Error{ErrorKind::not_found, "no message was chosen", sources.front().reader().name()};
+  }
+  if (Status named = output->commit(); !named) return named.error();
+  return report;
+}
+
+}  // namespace rocinante

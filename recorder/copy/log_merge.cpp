@@ -1,0 +1,51 @@
+#include <algorithm>
+
+#include "core/hash.h"
+#include "recorder/copy/log_make.h"
+
+namespace rocinante {
+namespace {
+
+/// That of all, or one that follows from theirs and their order.
+std::string mergedSessionId(const std::vector<std::string>& ids) {
+  if (std::ranges::all_of(ids, [&](const std::string& id) { return id == ids.front(); })) {
+    return ids.front();
+  }
+  Sha256 hash;
+  hash.add(bytesOf("rocinante merge"));
+  for (const std::string& id : ids) {
+    hash.addU64(id.size());
+    hash.add(bytesOf(id));
+  }
+  return hexOf(hash.finish()).substr(0, 32);
+}
+
+}  // namespace
+
+Result<CopyReport> mergeLogs(const std::vector<std::filesystem::path>& logs,
+                             const MakeOptions& make) {
+  if (Status free = checkOutput(make.output, make.overwrite, logs); !free) return free.error();
+  std::vector<CopySource> sources;
+  std::vector<std::string> ids;
+  std::optional<LogTime> origin;
+  for (const std::filesystem::path& log : logs) {
+    Result<OpenedLog> opened = openForCopy(log);
+    if (!opened) return opened.error();
+    const Result<std::string> id = sessionIdOf(opened->reader);
+    if (!id) return id.error();
+    Result<CopySource> source =
+        CopySource::of(std::move(opened->reader), std::move(opened->options), std::nullopt, {});
+    if (!source) return source.error();
+    // A log in which nothing was captured is of no session.
+    if (source->reader().summary().messages > 0) ids.push_back(*id);
+    if (const std::optional<LogTime> its = source->origin()) {
+      origin = origin ? std::min(*origin, *its) : *its;
+    }
+    sources.push_back(std::move(*source));
+  }
+  if (ids.empty()) ids.push_back(sources.front().reader().summary().session_id);
+  return makeLog(sources, make, {make.log, make.keyframes, mergedSessionId(ids), origin},
+                 "rocinante log merge", true);
+}
+
+}  // namespace rocinante

@@ -1,0 +1,154 @@
+#include "recorder/copy/log_preceding.h"
+
+#include <algorithm>
+#include <functional>
+#include <vector>
+
+#include "core/session/timeline.h"
+
+namespace rocinante {
+namespace {
+
+using std::chrono::seconds;
+
+/// How far back the beginning of an unfinished restatement is looked for. Each is abandoned after a
+/// second, so only an unbroken chain of them reaches further.
+constexpr Nanoseconds kMostLead = seconds(10);
+
+constexpr std::uint64_t kProgressEvery = 4096;
+
+/// Reads from where the reader stands; `take` answers whether to go on.
+Status readWhile(LogReader& reader, const std::function<Result<bool>(const LogMessage&)>& take) {
+  while (true) {
+    const Result<std::optional<LogMessage>> message = reader.next();
+    if (!message) return message.error();
+    if (!*message) return {};
+    const Result<bool> on = take(**message);
+    if (!on) return on.error();
+    if (!*on) return {};
+  }
+}
+
+/// Folds on from `start` (the state of everything before where the reader stands, which is put
+/// there by `go_to_start`) up to `from`, and finds the lead when a restatement is open then.
+Result<Preceding> foldUpTo(LogReader& reader, Selection& selection, const SessionState& start,
+                           const std::function<Status()>& go_to_start, LogTime from,
+                           const CopyProgress& progress) {
+  const LogTime begin = reader.summary().start;
+  const double span = static_cast<double>(std::max<std::int64_t>((from - begin).count(), 1));
+  std::uint64_t count = 0;
+  /// The last place behind which no restatement was open; the start when it is empty.
+  std::optional<LogPlace> closed;
+  std::optional<LogTime> first_open;  ///< of the first message behind it
+  bool was_ever_closed = !start.restatementOpen();
+  SelectionFold fold(selection, start);
+  if (Status there = go_to_start(); !there) return there.error();
+  Status read = readWhile(reader, [&](const LogMessage& message) -> Result<bool> {
+    if (message.log_time >= from) return false;
+    if (progress && ++count % kProgressEvery == 0) {
+      const double part = static_cast<double>((message.log_time - begin).count()) / span;
+      if (Status on = progress(part); !on) return on.error();
+    }
+    fold.fold(message);
+    if (!fold.state().restatementOpen(message.log_time)) {
+      closed = message.place();
+      first_open.reset();
+      was_ever_closed = true;
+    } else if (!first_open) {
+      first_open = message.log_time;
+    }
+    return true;
+  });
+  if (!read) return read.error();
+  Preceding preceding;
+  preceding.moment = from;
+  const bool open = fold.state().restatementOpen(from);
+  if (!open || !was_ever_closed || !first_open || from - *first_open > kMostLead) {
+    preceding.restatement_cut = open;
+    preceding.state = fold.takeState();
+    return preceding;
+  }
+  SelectionFold again(selection, start);
+  if (Status there = go_to_start(); !there) return there.error();
+  read = readWhile(reader, [&](const LogMessage& message) -> Result<bool> {
+    if (!closed || message.place() > *closed) return false;
+    again.fold(message);
+    return true;
+  });
+  if (!read) return read.error();
+  preceding.state = again.takeState();
+  preceding.moment = *first_open;
+  preceding.lead = closed ? *closed : LogPlace{};
+  return preceding;
+}
+
+}  // namespace
+
+void SelectionFold::fold(const LogMessage& message) {
+  if (!message.channel->folded() || message.channel->encoding != decoder_.encoding()) return;
+  if (!selection_.wants(message)) return;
+  const Packet* const packet = decoder_.decode(message.payload);
+  if (packet == nullptr) return;
+  state_.apply(message.log_time, *packet);
+  // They would pile up.
+  (void)state_.takeEvents();
+}
+
+SessionState wantedKeyframeState(ByteView payload, LogTime moment, const Selection& selection,
+                                 Nanoseconds shift) {
+  PacketTextDecoder decoder;
+  SessionState state;
+  std::vector<Statement> statements;
+  std::string_view rest = textOf(payload);
+  while (!rest.empty()) {
+    const std::size_t end = rest.find("\n\n");
+    const Packet* const packet = decoder.decode(bytesOf(rest.substr(0, end)));
+    rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 2);
+    if (packet == nullptr || !selection.wantsRestated(*packet)) continue;
+    statements.assign(packet->statements.begin(), packet->statements.end());
+    for (Statement& statement : statements) {
+      if (statement.kind == StatementKind::seen) statement.seen_ns += shift.count();
+    }
+    Packet wanted = *packet;
+    wanted.statements = statements;
+    // What is left of a restatement never comes to its end, and has nothing to take away.
+    wanted.header.part.reset();
+    state.apply(moment + shift, wanted);
+  }
+  return state;
+}
+
+Result<Preceding> precedingBySelection(LogReader& reader, Selection& selection,
+                                       const SessionState& opening, LogTime from,
+                                       const CopyProgress& progress) {
+  return foldUpTo(
+      reader, selection, opening, [&] { return reader.rewind(); }, from, progress);
+}
+
+Result<Preceding> precedingOf(const std::filesystem::path& path, LogTime from) {
+  Result<Timeline> timeline = Timeline::open(path);
+  if (!timeline) return timeline.error();
+  Result<const SessionState*> state = timeline->stateAt(from - Nanoseconds(1));
+  if (!state) return state.error();
+  Preceding preceding;
+  preceding.moment = from;
+  preceding.state = **state;
+  if (!preceding.state.restatementOpen(from)) return preceding;
+  // Rare: a little further back, then message by message.
+  Result<LogReader> reader = LogReader::open(path);
+  if (!reader) return reader.error();
+  Selection all;
+  for (const Nanoseconds back : {Nanoseconds(seconds(1)), Nanoseconds(seconds(3)), kMostLead}) {
+    const LogTime base = from - back;
+    state = timeline->stateAt(base);
+    if (!state) return state.error();
+    const SessionState start = **state;
+    Result<Preceding> found = foldUpTo(
+        *reader, all, start, [&] { return reader->seek(base + Nanoseconds(1)); }, from, {});
+    if (!found || !found->restatement_cut) return found;
+  }
+  preceding.restatement_cut = true;
+  return preceding;
+}
+
+}  // namespace rocinante

@@ -1,0 +1,166 @@
+#include "recorder/copy/log_selection.h"
+
+#include <fmt/format.h>
+#include <fnmatch.h>
+
+#include <algorithm>
+#include <set>
+
+#include "core/log/log_profile.h"
+#include "core/session/timeline.h"
+
+namespace rocinante {
+namespace {
+
+bool matches(const std::string& pattern, const std::string& text) {
+  return ::fnmatch(pattern.c_str(), text.c_str(), 0) == 0;
+}
+
+bool anyMatches(const std::vector<std::string>& patterns, const std::string& text) {
+  return std::ranges::any_of(patterns,
+                             [&](const std::string& each) { return matches(each, text); });
+}
+
+/// Nothing asked for, or one of them.
+bool allows(const std::vector<std::string>& patterns, const std::string& text) {
+  return patterns.empty() || anyMatches(patterns, text);
+}
+
+/// The first event from `from` on whose text matches; the text itself always matches.
+Result<LogTime> timeOfEvent(const std::string& pattern, LogTime from,
+                            const std::vector<Event>& events) {
+  for (const Event& event : events) {
+    if (event.time < from) continue;
+    if (event.text == pattern || matches(pattern, event.text)) return event.time;
+  }
+  return Error{ErrorKind::not_found,
+               from == TimeRange{}.from ? "no event matches"
+                                        : "no event matches behind the beginning of the range",
+               pattern};
+}
+
+bool tellsOf(const Statement& statement, const std::vector<std::string>& patterns) {
+  const auto named = [&](std::string_view name) {
+    return !name.empty() && anyMatches(patterns, std::string(name));
+  };
+  switch (statement.kind) {
+    case StatementKind::joints:
+    case StatementKind::order:
+    case StatementKind::joint:
+    case StatementKind::pose:
+    case StatementKind::add:
+    case StatementKind::remove:
+    case StatementKind::seen:
+      return named(statement.name) || named(statement.carrier.first);
+    case StatementKind::show:
+    case StatementKind::hide:
+    case StatementKind::color:
+      return !statement.path.is_layer && named(statement.path.first);
+    case StatementKind::line:
+    case StatementKind::points:
+    case StatementKind::label:
+    case StatementKind::view:
+      return named(statement.carrier.first);
+    case StatementKind::erase:
+    case StatementKind::event:
+      return false;
+  }
+  return false;
+}
+
+}  // namespace
+
+Result<TimeRange> rangeOf(const SelectionOptions& options, const LogSummary& summary,
+                          const std::vector<Event>& events) {
+  TimeRange range;
+  if (!options.from.empty()) {
+    const Result<LogTime> from = parseSessionTime(options.from, summary.origin, summary.end);
+    if (!from) return from.error();
+    range.from = *from;
+  } else if (!options.from_event.empty()) {
+    const Result<LogTime> from = timeOfEvent(options.from_event, range.from, events);
+    if (!from) return from.error();
+    range.from = *from;
+  }
+  if (!options.until.empty()) {
+    const Result<LogTime> until = parseSessionTime(options.until, summary.origin, summary.end);
+    if (!until) return until.error();
+    range.until = *until;
+  } else if (!options.until_event.empty()) {
+    // The event that begins the range does not end it.
+    const LogTime behind = range.opened() ? range.from + Nanoseconds(1) : range.from;
+    const Result<LogTime> until = timeOfEvent(options.until_event, behind, events);
+    if (!until) return until.error();
+    range.until = *until;
+  }
+  if (range.from >= range.until) {
+    const std::string& end = options.until.empty() ? options.until_event : options.until;
+    return Error{ErrorKind::bad_argument, "the range ends before it begins", end};
+  }
+  return range;
+}
+
+Selection::Selection(const SelectionOptions& options, const std::vector<LogChannel>& channels)
+    : sources_(options.sources), devices_(options.devices) {
+  if (!options.anyChoice()) return;
+  decoder_ = std::make_unique<PacketTextDecoder>();
+  // What an opening keyframe tells may be more than any channel of this log does.
+  wants_all_ = sources_.empty() && devices_.empty();
+  std::set<std::string> wanted_sources;
+  std::set<std::string> unwanted_sources;
+  for (const LogChannel& channel : channels) {
+    if (by_channel_.size() <= channel.id) by_channel_.resize(channel.id + 1U, Answer::yes);
+    const Answer answer = answerFor(channel, options);
+    by_channel_[channel.id] = answer;
+    if (channel.folded() && answer != Answer::yes) wants_all_ = false;
+    const auto source = channel.metadata.find("source");
+    if (!channel.folded() || source == channel.metadata.end()) continue;
+    (answer == Answer::no ? unwanted_sources : wanted_sources).insert(source->second);
+  }
+  std::ranges::set_difference(unwanted_sources, wanted_sources, std::back_inserter(gone_sources_));
+}
+
+Selection::Answer Selection::answerFor(const LogChannel& channel,
+                                       const SelectionOptions& options) const {
+  if (anyMatches(options.not_channels, channel.topic)) return Answer::no;
+  if (channel.topic == kRestatedKeyframeTopic) return Answer::by_restated;
+  if (!channel.folded()) return Answer::yes;
+  std::string topic = channel.topic;
+  if (!channel.captured()) {
+    topic.erase(0, kRestatedPrefix.size());
+    if (anyMatches(options.not_channels, topic)) return Answer::no;
+  }
+  if (!allows(options.channels, topic) && !allows(options.channels, channel.topic)) {
+    return Answer::no;
+  }
+  if (!allows(options.encodings, channel.encoding)) return Answer::no;
+  if (sources_.empty() && devices_.empty()) return Answer::yes;
+  if (channel.encoding != "rk1") return Answer::no;
+  const auto source = channel.metadata.find("source");
+  if (source == channel.metadata.end()) return Answer::by_packet;
+  if (!allows(sources_, source->second)) return Answer::no;
+  return devices_.empty() ? Answer::yes : Answer::by_packet;
+}
+
+bool Selection::wants(const LogMessage& message) {
+  const ChannelId id = message.channel->id;
+  const Answer answer = id < by_channel_.size() ? by_channel_[id] : Answer::yes;
+  if (answer == Answer::no || answer == Answer::yes) return answer == Answer::yes;
+  const Packet* const packet = decoder_->decode(message.payload);
+  if (packet == nullptr) return false;
+  return answer == Answer::by_packet ? wantsPacket(*packet) : wantsRestated(*packet);
+}
+
+bool Selection::wantsPacket(const Packet& packet) const {
+  if (!allows(sources_, std::string(packet.header.source))) return false;
+  return devices_.empty() || std::ranges::any_of(packet.statements, [&](const Statement& each) {
+           return tellsOf(each, devices_);
+         });
+}
+
+bool Selection::wantsRestated(const Packet& packet) const {
+  if (std::ranges::binary_search(gone_sources_, std::string(packet.header.source))) return false;
+  return wantsPacket(packet);
+}
+
+}  // namespace rocinante

@@ -1,0 +1,267 @@
+#include "recorder/copy/log_split.h"
+
+#include <fmt/format.h>
+#include <fnmatch.h>
+#include <unistd.h>
+
+#include <algorithm>
+
+#include "recorder/copy/log_preceding.h"
+
+namespace rocinante {
+namespace {
+
+constexpr const char* kReason = "rocinante log split";
+
+/// A chunk holds at most this part of a piece, so that pieces come near their size.
+constexpr std::uint64_t kChunksInPiece = 16;
+constexpr std::uint64_t kLeastChunkBytes = 4096;
+
+/// Where pieces begin, asked item by item.
+class Boundaries {
+ public:
+  Boundaries(const SplitOptions& split, LogTime origin, const std::vector<Event>& events)
+      : split_(split), origin_(origin) {
+    for (const Event& event : events) {
+      const bool chosen =
+          event.text == split.event || ::fnmatch(split.event.c_str(), event.text.c_str(), 0) == 0;
+      if (chosen && (moments_.empty() || moments_.back() < event.time)) {
+        moments_.push_back(event.time);
+      }
+    }
+  }
+
+  bool hasEvents() const { return !moments_.empty(); }
+
+  /// When the item begins a new piece: since when. `last` is the time of the item before it.
+  std::optional<LogTime> before(const CopyItem& item, LogTime last, const PieceWriter& piece) {
+    // A loss counts at the end of its span, which is still of the piece before.
+    const bool loss = item.kind == CopyItem::Kind::loss;
+    const LogTime time = loss ? item.time - Nanoseconds(1) : item.time;
+    if (split_.size_bytes > 0) {
+      const bool full = !loss && piece.counts().messages > 0 && time > last &&
+                        piece.bytesSoFar() + item.message.payload.size() > split_.size_bytes;
+      return full ? std::optional(time) : std::nullopt;
+    }
+    if (split_.time > Nanoseconds(0)) {
+      const LogTime begin = cellOf(time);
+      const bool first = cell_ == LogTime::max();
+      const bool later = !first && begin > cell_;
+      if (first || later) cell_ = begin;
+      return later ? std::optional(begin) : std::nullopt;
+    }
+    std::optional<LogTime> begin;
+    while (next_moment_ < moments_.size() && moments_[next_moment_] <= time) {
+      begin = moments_[next_moment_++];
+    }
+    return begin;
+  }
+
+ private:
+  LogTime cellOf(LogTime time) const {
+    const std::int64_t from_origin = (time - origin_).count();
+    const std::int64_t span = split_.time.count();
+    const std::int64_t below = from_origin % span < 0 ? 1 : 0;
+    return origin_ + Nanoseconds((from_origin / span - below) * span);
+  }
+
+  const SplitOptions& split_;
+  LogTime origin_;
+  LogTime cell_ = LogTime::max();  ///< where the span of the last item begins; max: none yet
+  std::vector<LogTime> moments_;
+  std::size_t next_moment_ = 0;
+};
+
+class Split {
+ public:
+  Split(std::filesystem::path log, const SplitOptions& split, const MakeOptions& make,
+        CopySource source, std::string session_id)
+      : log_(std::move(log)), split_(split), make_(make) {
+    sources_.push_back(std::move(source));
+    options_.log = make.log;
+    options_.keyframes = make.keyframes;
+    options_.session_id = std::move(session_id);
+    options_.origin = sources_.front().origin();
+    if (split.size_bytes > 0) {
+      options_.log.chunk_bytes = static_cast<std::size_t>(std::clamp<std::uint64_t>(
+          split.size_bytes / kChunksInPiece, kLeastChunkBytes, options_.log.chunk_bytes));
+    }
+    report_.whole.session_id = options_.session_id;
+    report_.whole.origin = options_.origin;
+  }
+
+  Result<SplitReport> run(const std::vector<Event>& events) {
+    Boundaries boundaries(split_, options_.origin.value_or(LogTime{}), events);
+    if (!split_.event.empty() && !boundaries.hasEvents()) {
+      return Error{ErrorKind::not_found, "no event matches", split_.event};
+    }
+    if (Status begun = beginPiece(); !begun) return begun.error();
+    const CopySpan span(sources_);
+    CopyMerge merge(sources_);
+    LogTime last = LogTime::min();
+    for (std::uint64_t count = 1;; ++count) {
+      const Result<const CopyItem*> next = merge.next();
+      if (!next) return next.error();
+      if (*next == nullptr) break;
+      const CopyItem& item = **next;
+      if (make_.progress && count % kProgressItems == 0) {
+        if (Status on = make_.progress(span.partAt(item.time)); !on) return on.error();
+      }
+      if (item.kind != CopyItem::Kind::opening) {
+        if (const std::optional<LogTime> moment = boundaries.before(item, last, *piece_)) {
+          // A boundary before everything parts nothing.
+          if (last != LogTime::min()) {
+            if (Status on = nextPiece(*moment); !on) return on.error();
+          }
+        }
+        last = item.time;
+      }
+      if (Status added = piece_->add(item); !added) return outputs_.back().named(added.error());
+    }
+    if (Status ended = endPiece(); !ended) return ended.error();
+    addGaps(sources_, report_.whole);
+    if (Status named = commit(); !named) return named.error();
+    return std::move(report_);
+  }
+
+ private:
+  Status beginPiece() {
+    const std::string name = pieceName(make_.output, log_, outputs_.size() + 1);
+    Result<OutputFile> output = OutputFile::create(name, make_.overwrite, {{log_}});
+    if (!output) return output.error();
+    outputs_.push_back(std::move(*output));
+    Result<PieceWriter> piece = PieceWriter::start(outputs_.back().takeSink(), options_);
+    if (!piece) return outputs_.back().named(piece.error());
+    piece_.emplace(std::move(*piece));
+    const bool first = outputs_.size() == 1;
+    // What cannot be read of them is told once.
+    std::vector<CopyGap> again;
+    Status copied =
+        copyExtras(sources_, *piece_, make_.attachments && (first || !split_.attach_once),
+                   first ? report_.whole.gaps : again);
+    if (!copied) return outputs_.back().named(copied.error());
+    return {};
+  }
+
+  Status nextPiece(LogTime moment) {
+    Preceding preceding;
+    preceding.state = piece_->state();
+    preceding.moment = moment;
+    if (preceding.state.restatementOpen(moment)) {
+      Result<Preceding> found = precedingOf(log_, moment);
+      if (!found) return found.error();
+      preceding = std::move(*found);
+      if (preceding.restatement_cut) {
+        report_.whole.notes.push_back(
+            fmt::format("a restatement that is unfinished where piece {} begins is cut off",
+                        outputs_.size() + 1));
+      }
+    }
+    if (Status ended = endPiece(); !ended) return ended;
+    if (Status begun = beginPiece(); !begun) return begun;
+    Status added = piece_->begin(preceding.state, preceding.moment);
+    if (added && preceding.lead) added = addLead(*preceding.lead, moment);
+    if (!added) return outputs_.back().named(added.error());
+    return {};
+  }
+
+  Status addLead(LogPlace behind, LogTime until) {
+    Result<LogReader> reader = LogReader::open(log_);
+    if (!reader) return reader.error();
+    if (Status there = reader->seek(behind.time); !there) return there;
+    while (true) {
+      const Result<std::optional<LogMessage>> message = reader->next();
+      if (!message) return message.error();
+      if (!*message || (*message)->log_time >= until) break;
+      if ((*message)->place() <= behind || !(*message)->channel->folded()) continue;
+      CopyItem item;
+      item.kind = CopyItem::Kind::lead;
+      item.time = (*message)->log_time;
+      item.publish_time_ns = (*message)->publish_time_ns;
+      item.message = **message;
+      if (Status added = piece_->add(item); !added) return added;
+    }
+    // Its channels go with the reader.
+    piece_->forgetInputs();
+    return {};
+  }
+
+  Status endPiece() {
+    if (Status closed = piece_->finish(kReason); !closed) {
+      return outputs_.back().named(closed.error());
+    }
+    const PieceCounts& counts = piece_->counts();
+    report_.pieces.push_back({outputs_.back().path(), counts});
+    PieceCounts& sum = report_.whole.counts;
+    if (sum.messages == 0) sum.start = counts.start;
+    if (counts.messages > 0) sum.end = counts.end;
+    sum.messages += counts.messages;
+    sum.bytes += counts.bytes;
+    return {};
+  }
+
+  Status commit() {
+    for (std::size_t i = 0; i < outputs_.size(); ++i) {
+      Status named = outputs_[i].commit();
+      if (named) continue;
+      for (std::size_t j = 0; j < i; ++j) ::unlink(outputs_[j].path().c_str());
+      return named;
+    }
+    return {};
+  }
+
+  std::filesystem::path log_;
+  const SplitOptions& split_;
+  const MakeOptions& make_;
+  PieceOptions options_;
+  std::vector<CopySource> sources_;
+  std::vector<OutputFile> outputs_;
+  std::optional<PieceWriter> piece_;
+  SplitReport report_;
+};
+
+}  // namespace
+
+std::string pieceName(const std::string& pattern, const std::filesystem::path& log,
+                      std::uint64_t number) {
+  const std::string digits = fmt::format("{:03}", number);
+  std::error_code ignored;
+  if (pattern.ends_with('/') || std::filesystem::is_directory(pattern, ignored)) {
+    return (std::filesystem::path(pattern) / (log.stem().string() + "-" + digits + ".mcap"))
+        .string();
+  }
+  std::string name;
+  bool numbered = false;
+  for (std::size_t i = 0; i < pattern.size(); ++i) {
+    if (pattern[i] != '%' || i + 1 == pattern.size()) {
+      name += pattern[i];
+    } else if (pattern[i + 1] == 'n' || pattern[i + 1] == '%') {
+      numbered = numbered || pattern[i + 1] == 'n';
+      name += pattern[++i] == 'n' ? digits : "%";
+    } else {
+      name += '%';
+    }
+  }
+  if (numbered) return name;
+  const std::filesystem::path plain(name);
+  return (plain.parent_path() / (plain.stem().string() + "-" + digits + plain.extension().string()))
+      .string();
+}
+
+Result<SplitReport> splitLog(const std::filesystem::path& log, const SplitOptions& split,
+                             const MakeOptions& make) {
+  const std::filesystem::path first = pieceName(make.output, log, 1);
+  if (Status free = checkOutput(first, make.overwrite, {{log}}); !free) return free.error();
+  Result<OpenedLog> opened = openForCopy(log);
+  if (!opened) return opened.error();
+  const Result<std::vector<Event>> events = eventsOf(log, !split.event.empty());
+  if (!events) return events.error();
+  Result<std::string> session_id = sessionIdOf(opened->reader);
+  if (!session_id) return session_id.error();
+  Result<CopySource> source = CopySource::of(std::move(opened->reader), std::move(opened->options),
+                                             std::nullopt, make.progress);
+  if (!source) return source.error();
+  return Split(log, split, make, std::move(*source), std::move(*session_id)).run(*events);
+}
+
+}  // namespace rocinante

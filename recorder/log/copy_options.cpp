@@ -1,0 +1,107 @@
+#include "recorder/log/copy_options.h"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <memory>
+
+#include "recorder/copy/copy_report.h"
+#include "recorder/log/command_support.h"
+
+namespace rocinante {
+namespace {
+
+Status readCompression(std::string_view text, LogWriterOptions& options) {
+  if (text == "none") {
+    options.compression = LogWriterOptions::Compression::none;
+    return {};
+  }
+  if (text == "zstd") return {};
+  if (text.starts_with("zstd:")) {
+    const std::string_view level = text.substr(5);
+    const char* const end = level.data() + level.size();
+    const auto [used, fault] = std::from_chars(level.data(), end, options.zstd_level);
+    const bool whole = fault == std::errc() && used == end;
+    if (whole && options.zstd_level >= 1 && options.zstd_level <= 22) return {};
+  }
+  return Error{ErrorKind::bad_argument, "--compression is none, zstd or zstd:1 to zstd:22",
+               std::string(text)};
+}
+
+}  // namespace
+
+void addCopyArguments(CLI::App& app, CopyArguments& arguments) {
+  app.add_option("-o,--output", arguments.output, "the log to make")->required();
+  app.add_flag("--force", arguments.force, "replace an existing output");
+  app.add_option("--compression", arguments.compression, "zstd, zstd:LEVEL (1 to 22) or none")
+      ->type_name("KIND")
+      ->capture_default_str();
+  app.add_flag("--json", arguments.json, "say what was made as JSON");
+}
+
+void addTimeArguments(CLI::App& app, SelectionOptions& selection) {
+  CLI::Option* const from =
+      app.add_option("--from", selection.from, "begin at this session time (12.5s, -1s, RFC 3339)");
+  CLI::Option* const until =
+      app.add_option("--until", selection.until, "end before this session time");
+  app.add_option("--from-event", selection.from_event, "begin at the first event of this text")
+      ->excludes(from);
+  app.add_option("--until-event", selection.until_event,
+                 "end before the next event of this text; texts are patterns, as a shell's")
+      ->excludes(until);
+}
+
+void addChoiceArguments(CLI::App& app, SelectionOptions& selection) {
+  const auto add = [&app](const char* name, std::vector<std::string>& patterns,
+                          const char* description) {
+    app.add_option(name, patterns, description)->allow_extra_args(false);
+  };
+  add("--channel", selection.channels,
+      "only topics that match this pattern, as a shell's; may be repeated, like those below");
+  add("--not-channel", selection.not_channels, "no topics that match this pattern");
+  add("--source", selection.sources, "only packets of such a SOURCE");
+  add("--device", selection.devices, "only packets that say something about such a device");
+  add("--encoding", selection.encodings, "only messages of this encoding: rk1, octets");
+}
+
+CopyProgress stoppableProgress(const std::string& doing) {
+  const auto line = std::make_shared<ProgressLine>(doing);
+  return [line](double part) -> Status {
+    line->show(part);
+    if (!cli::stopRequested()) return {};
+    return Error{ErrorKind::refused, "stopped; nothing was made", {}};
+  };
+}
+
+Result<MakeOptions> readCopyArguments(const CopyArguments& arguments) {
+  MakeOptions make;
+  make.output = arguments.output;
+  make.overwrite = arguments.force;
+  make.attachments = !arguments.without_attachments;
+  if (Status read = readCompression(arguments.compression, make.log); !read) return read.error();
+  return make;
+}
+
+Result<CopyReport> runCopy(const CopyArguments& arguments, const std::string& doing,
+                           const std::function<Result<CopyReport>(const MakeOptions&)>& work) {
+  Result<MakeOptions> make = readCopyArguments(arguments);
+  if (!make) return make.error();
+  cli::catchStopSignals();
+  make->progress = stoppableProgress(doing);
+  return work(*make);
+}
+
+Result<cli::Exit> tellCopy(const CopyArguments& arguments, const CopyReport& report) {
+  const Status told =
+      toStandardOutput(arguments.json ? copyReportJson(arguments.output, report)
+                                      : copyReportText(arguments.output, report.counts));
+  if (!told) return told.error();
+  return tellGaps(report);
+}
+
+cli::Exit tellGaps(const CopyReport& report) {
+  for (const CopyGap& gap : report.gaps) cli::warn(gapText(gap));
+  for (const std::string& note : report.notes) cli::warn(note);
+  return report.gaps.empty() && report.notes.empty() ? cli::Exit::done : cli::Exit::no;
+}
+
+}  // namespace rocinante

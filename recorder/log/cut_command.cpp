@@ -1,0 +1,68 @@
+#include <CLI/CLI.hpp>
+
+#include "recorder/log/copy_options.h"
+#include "recorder/log/log_commands.h"
+
+namespace rocinante {
+namespace {
+
+struct CutArguments {
+  std::string log;
+  SelectionOptions selection;
+  CopyArguments copy;
+};
+
+Result<cli::Exit> runCut(const CutArguments& arguments, const std::string& reason) {
+  const Result<CopyReport> report =
+      runCopy(arguments.copy, "reading " + arguments.log, [&](const MakeOptions& make) {
+        return cutLog(arguments.log, arguments.selection, make, reason);
+      });
+  if (!report) return report.error();
+  return tellCopy(arguments.copy, *report);
+}
+
+/// Both take the same options; they differ in which of them must be there.
+std::shared_ptr<CutArguments> addArguments(CLI::App& app) {
+  auto arguments = std::make_shared<CutArguments>();
+  app.add_option("LOG", arguments->log, "the log; it is not changed")->required();
+  addTimeArguments(app, arguments->selection);
+  addChoiceArguments(app, arguments->selection);
+  addCopyArguments(app, arguments->copy);
+  app.add_flag("--no-attachments", arguments->copy.without_attachments,
+               "leave out what is attached");
+  return arguments;
+}
+
+}  // namespace
+
+LogCommand addCutCommand(CLI::App& program) {
+  CLI::App* const app =
+      program.add_subcommand("cut", "a part of a log, by time or events, that stands alone");
+  const auto arguments = addArguments(*app);
+  return {app, [arguments]() -> Result<cli::Exit> {
+            if (!arguments->selection.anyTime()) {
+              return Error{ErrorKind::bad_argument,
+                           "nothing says where to cut: give --from, --until, --from-event or "
+                           "--until-event",
+                           {}};
+            }
+            return runCut(*arguments, "rocinante log cut");
+          }};
+}
+
+LogCommand addFilterCommand(CLI::App& program) {
+  CLI::App* const app =
+      program.add_subcommand("filter", "a log of some of the messages, by channel, source, device");
+  const auto arguments = addArguments(*app);
+  return {app, [arguments]() -> Result<cli::Exit> {
+            if (!arguments->selection.anyChoice()) {
+              return Error{ErrorKind::bad_argument,
+                           "nothing says what to keep: give --channel, --not-channel, --source, "
+                           "--device or --encoding",
+                           {}};
+            }
+            return runCut(*arguments, "rocinante log filter");
+          }};
+}
+
+}  // namespace rocinante

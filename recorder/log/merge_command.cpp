@@ -1,0 +1,37 @@
+#include <CLI/CLI.hpp>
+
+#include "recorder/log/copy_options.h"
+#include "recorder/log/log_commands.h"
+
+namespace rocinante {
+namespace {
+
+struct MergeArguments {
+  std::vector<std::string> logs;
+  CopyArguments copy;
+};
+
+Result<cli::Exit> runMerge(const MergeArguments& arguments) {
+  const Result<CopyReport> report =
+      runCopy(arguments.copy, "merging", [&](const MakeOptions& make) {
+        return mergeLogs({arguments.logs.begin(), arguments.logs.end()}, make);
+      });
+  if (!report) return report.error();
+  return tellCopy(arguments.copy, *report);
+}
+
+}  // namespace
+
+LogCommand addMergeCommand(CLI::App& program) {
+  auto arguments = std::make_shared<MergeArguments>();
+  CLI::App* const app =
+      program.add_subcommand("merge", "several logs as one, by time: pieces, or machines");
+  app->add_option("LOG", arguments->logs, "the logs; at one time the first named comes first")
+      ->required();
+  addCopyArguments(*app, arguments->copy);
+  app->add_flag("--no-attachments", arguments->copy.without_attachments,
+                "leave out what is attached");
+  return {app, [arguments] { return runMerge(*arguments); }};
+}
+
+}  // namespace rocinante

@@ -1,0 +1,50 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "recorder/copy/copy_report.h"
+#include "recorder/copy/log_recover.h"
+#include "recorder/log/command_support.h"
+#include "recorder/log/copy_options.h"
+#include "recorder/log/log_commands.h"
+
+namespace rocinante {
+namespace {
+
+struct RecoverArguments {
+  std::string log;
+  CopyArguments copy;
+};
+
+Result<cli::Exit> runRecover(const RecoverArguments& arguments) {
+  const Result<CopyReport> report =
+      runCopy(arguments.copy, "reading " + arguments.log,
+              [&](const MakeOptions& make) { return recoverLog(arguments.log, make); });
+  if (!report) return report.error();
+  const std::string& output = arguments.copy.output;
+  const Status told =
+      toStandardOutput(arguments.copy.json ? recoverReportJson(output, *report)
+                                           : copyReportText(output, report->counts));
+  if (!told) return told.error();
+  bool lossy = false;
+  for (const CopyGap& gap : report->gaps) {
+    if (!gap.costs) continue;
+    lossy = true;
+    cli::warn("lost: " + gapText(gap));
+  }
+  for (const std::string& note : report->notes) cli::warn(note);
+  return lossy || !report->notes.empty() ? cli::Exit::no : cli::Exit::done;
+}
+
+}  // namespace
+
+LogCommand addRecoverCommand(CLI::App& program) {
+  auto arguments = std::make_shared<RecoverArguments>();
+  CLI::App* const app = program.add_subcommand(
+      "recover", "a whole log out of one that is cut off, damaged or never closed");
+  app->add_option("LOG", arguments->log, "the log; it is not changed")->required();
+  addCopyArguments(*app, arguments->copy);
+  return {app, [arguments] { return runRecover(*arguments); }};
+}
+
+}  // namespace rocinante

@@ -1,0 +1,103 @@
+#include <CLI/CLI.hpp>
+#include <charconv>
+
+#include "core/duration_text.h"
+#include "recorder/copy/copy_report.h"
+#include "recorder/copy/log_split.h"
+#include "recorder/log/command_support.h"
+#include "recorder/log/copy_options.h"
+#include "recorder/log/log_commands.h"
+
+namespace rocinante {
+namespace {
+
+constexpr std::uint64_t kLeastPieceBytes = 4096;
+
+struct SplitArguments {
+  std::string log;
+  std::string size;
+  std::string time;
+  SplitOptions split;
+  CopyArguments copy;
+};
+
+/// "100MB", "64MiB", "1.5GB", or bytes.
+Result<std::uint64_t> readSize(const std::string& text) {
+  double number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [used, fault] = std::from_chars(text.data(), end, number);
+  const std::string_view unit(used, static_cast<std::size_t>(end - used));
+  const double factor = unit.empty() || unit == "B"    ? 1
+                        : unit == "kB" || unit == "KB" ? 1e3
+                        : unit == "MB"                 ? 1e6
+                        : unit == "GB"                 ? 1e9
+                        : unit == "KiB"                ? 1024.0
+                        : unit == "MiB"                ? 1024.0 * 1024
+                        : unit == "GiB"                ? 1024.0 * 1024 * 1024
+                                                       : 0;
+  const double bytes = number * factor;
+  if (fault == std::errc() && bytes >= static_cast<double>(kLeastPieceBytes) && bytes < 1e18) {
+    return static_cast<std::uint64_t>(bytes);
+  }
+  return Error{ErrorKind::bad_argument, "a size is 100MB, 64MiB, 1.5GB or bytes, at least 4096",
+               text};
+}
+
+Result<SplitReport> split(SplitArguments& arguments) {
+  Result<MakeOptions> make = readCopyArguments(arguments.copy);
+  if (!make) return make.error();
+  if (!arguments.size.empty()) {
+    const Result<std::uint64_t> size = readSize(arguments.size);
+    if (!size) return size.error();
+    arguments.split.size_bytes = *size;
+  }
+  if (!arguments.time.empty()) {
+    const Result<Nanoseconds> time = parseDuration(arguments.time);
+    if (!time) return time.error();
+    if (*time <= Nanoseconds(0)) {
+      return Error{ErrorKind::bad_argument, "--time must be more than nothing", arguments.time};
+    }
+    arguments.split.time = *time;
+  }
+  cli::catchStopSignals();
+  make->progress = stoppableProgress("reading " + arguments.log);
+  return splitLog(arguments.log, arguments.split, *make);
+}
+
+Result<cli::Exit> runSplit(SplitArguments& arguments) {
+  const Result<SplitReport> report = split(arguments);
+  if (!report) return report.error();
+  std::string text;
+  if (arguments.copy.json) {
+    text = splitReportJson(*report);
+  } else {
+    for (const SplitPiece& piece : report->pieces) {
+      text += copyReportText(piece.path.string(), piece.counts);
+    }
+  }
+  if (Status told = toStandardOutput(text); !told) return told.error();
+  return tellGaps(report->whole);
+}
+
+}  // namespace
+
+LogCommand addSplitCommand(CLI::App& program) {
+  auto arguments = std::make_shared<SplitArguments>();
+  CLI::App* const app =
+      program.add_subcommand("split", "a log in pieces, each of which stands alone");
+  app->add_option("LOG", arguments->log, "the log; it is not changed")->required();
+  CLI::Option_group* const where = app->add_option_group("where");
+  where->add_option("--size", arguments->size, "pieces of about this size: 100MB, 64MiB");
+  where->add_option("--time", arguments->time, "pieces of this length, from the session's origin");
+  where->add_option("--event", arguments->split.event, "a piece from each event of this text on");
+  where->require_option(1);
+  app->add_flag("--attach-once", arguments->split.attach_once,
+                "attachments go into the first piece alone");
+  addCopyArguments(*app, arguments->copy);
+  app->get_option("--output")
+      ->description(
+          "a folder, or the pieces' name: %n is the number (without: before the extension)");
+  return {app, [arguments] { return runSplit(*arguments); }};
+}
+
+}  // namespace rocinante
