@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "core/time.h"
+
+namespace rocinante {
+
+/// How often something happens a second, over about the last two seconds. Times do not go back.
+class RateMeter {
+ public:
+  void hit(LogTime time) {
+    advance(time);
+    if (first_ == LogTime{}) first_ = time;
+    ++counts_[static_cast<std::size_t>(slot_) % kSlots];
+  }
+
+  /// Over the whole of the span, or over what there was of it when it began later.
+  double perSecond(LogTime now) {
+    if (first_ == LogTime{}) return 0;
+    advance(now);
+    std::uint64_t sum = 0;
+    for (const std::uint32_t count : counts_) sum += count;
+    // The slot that is being filled is not over yet.
+    const Nanoseconds span = now.time_since_epoch() - (slot_ - kSlots + 1) * kSlot;
+    const Nanoseconds since_first = now - first_;
+    const Nanoseconds over = since_first < span ? since_first : span;
+    // Before there is half a second to judge by, a count is no rate.
+    if (over < std::chrono::milliseconds(500)) return 0;
+    return static_cast<double>(sum) / std::chrono::duration<double>(over).count();
+  }
+
+ private:
+  static constexpr std::int64_t kSlots = 8;
+  static constexpr Nanoseconds kSlot = std::chrono::milliseconds(250);
+
+  void advance(LogTime time) {
+    const std::int64_t slot = time.time_since_epoch() / kSlot;
+    if (slot <= slot_) return;
+    const std::int64_t passed = slot - slot_ < kSlots ? slot - slot_ : kSlots;
+    for (std::int64_t i = 1; i <= passed; ++i) {
+      counts_[static_cast<std::size_t>(slot - passed + i) % kSlots] = 0;
+    }
+    slot_ = slot;
+  }
+
+  std::array<std::uint32_t, kSlots> counts_{};
+  std::int64_t slot_ = 0;
+  LogTime first_{};
+};
+
+}  // namespace rocinante

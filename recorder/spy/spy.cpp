@@ -1,0 +1,279 @@
+#include "recorder/spy/spy.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/hash.h"
+#include "core/packet/packet_limits.h"
+#include "core/plain_text.h"
+
+namespace rocinante {
+namespace {
+
+// Beyond these, further ones are counted and not told apart.
+constexpr std::size_t kSenders = 4'096;
+constexpr std::size_t kNamesKept = 4;
+constexpr std::size_t kFirstBytes = 16;
+
+/// The first bytes, so that a person can compare them with what is meant to be sent.
+std::string firstBytes(ByteView payload) {
+  if (payload.empty()) return "an empty datagram";
+  const ByteView first = payload.first(std::min(payload.size(), kFirstBytes));
+  if (isUtf8(first)) return fmt::format("\"{}\"", plainText(textOf(first)));
+  return hexOf(first);
+}
+
+void keepName(std::vector<std::string>& names, std::string_view name) {
+  if (names.size() >= kNamesKept || std::ranges::find(names, name) != names.end()) return;
+  names.emplace_back(name);
+}
+
+std::size_t valuesHash(const DeviceState& state) {
+  std::size_t hash = 0;
+  const auto add = [&](double value) {
+    hash = hash * 1'099'511'628'211U + std::hash<double>{}(value);
+  };
+  if (state.joints) std::ranges::for_each(state.joints->value, add);
+  for (const auto& [name, value] : state.named_joints) add(value.value);
+  if (state.pose) {
+    const auto& [position, orientation] = state.pose->value.pose;
+    for (const double value : {position.x, position.y, position.z}) add(value);
+    for (const double value : {orientation.x, orientation.y, orientation.z, orientation.w}) {
+      add(value);
+    }
+  }
+  return hash;
+}
+
+}  // namespace
+
+Spy::Spy(const std::vector<ListenedEndpoint>& endpoints, LogTime began)
+    : began_(began), reached_(began), endpoint_last_(endpoints.size()) {
+  for (const ListenedEndpoint& each : endpoints) {
+    Endpoint endpoint = each.endpoint;
+    endpoint.address.port = each.bound.port;
+    SpyEndpoint seen;
+    seen.endpoint = endpoint.text();
+    seen.multicast = endpoint.isMulticast();
+    endpoints_.push_back(std::move(seen));
+  }
+  for (std::size_t i = 0; i < kPacketFaultCount; ++i) faults_[i].kind = static_cast<PacketFault>(i);
+}
+
+Spy::Sender* Spy::senderFor(std::size_t endpoint, const SocketAddress& address) {
+  const auto key = std::pair(endpoint, address.text());
+  if (const auto found = sender_by_address_.find(key); found != sender_by_address_.end()) {
+    return &senders_[found->second];
+  }
+  if (senders_.size() >= kSenders) {
+    ++more_senders_;
+    return nullptr;
+  }
+  ++endpoints_[endpoint].senders;
+  sender_by_address_.emplace(key, senders_.size());
+  Sender& sender = senders_.emplace_back();
+  sender.seen.endpoint = endpoint;
+  sender.seen.address = key.second;
+  return &sender;
+}
+
+void Spy::add(std::size_t endpoint, const ReceivedDatagram& datagram, LogTime arrived) {
+  // The fold wants times that do not go back; several sockets give them nearly so.
+  reached_ = arrived = std::max(arrived, reached_);
+  ++datagrams_;
+  SpyEndpoint& at = endpoints_[endpoint];
+  ++at.datagrams;
+  at.bytes += datagram.payload.size();
+  endpoint_last_[endpoint] = arrived;
+
+  Sender* const sender = senderFor(endpoint, datagram.sender);
+  const Packet* const packet = decoder_.decode(datagram.payload);
+  if (sender != nullptr) {
+    SpySender& seen = sender->seen;
+    const std::size_t bytes = datagram.payload.size();
+    seen.smallest_bytes = seen.datagrams == 0 ? bytes : std::min(seen.smallest_bytes, bytes);
+    seen.largest_bytes = std::max(seen.largest_bytes, bytes);
+    ++seen.datagrams;
+    if (packet != nullptr) ++seen.packets;
+    if (packet == nullptr && seen.first_bytes.empty()) {
+      seen.first_bytes = firstBytes(datagram.payload);
+    }
+    sender->rate.hit(arrived);
+    sender->last = arrived;
+  }
+  const std::string address = sender != nullptr ? sender->seen.address : datagram.sender.text();
+  readFaults(decoder_.faults(), datagram.payload, address);
+  if (packet != nullptr) readPacket(*packet, datagram.payload, address, arrived);
+}
+
+void Spy::setDropped(std::size_t endpoint, std::uint64_t dropped) {
+  endpoints_[endpoint].dropped = dropped;
+}
+
+void Spy::readPacket(const Packet& packet, ByteView payload, const std::string& sender,
+                     LogTime arrived) {
+  ++packets_;
+  const PacketHeader& header = packet.header;
+  auto found = sources_.find(header.source);
+  if (found == sources_.end() && sources_.size() < limits::kSources) {
+    found = sources_.emplace(std::string(header.source), Source{}).first;
+  }
+  if (found != sources_.end()) {
+    Source& source = found->second;
+    source.rate.hit(arrived);
+    source.last = arrived;
+    if (header.restated) ++source.restated;
+    // Whoever restates for others does not speak for them.
+    if (header.by.empty()) hearSender(source, sender);
+    if (header.time_ns && header.by.empty()) {
+      source.clock_offset = Nanoseconds(*header.time_ns) - arrived.time_since_epoch();
+    }
+  }
+  if (state_.apply(arrived, packet) == Applied::yes) {
+    for (const Statement& statement : packet.statements) {
+      readStatement(statement, header.source, arrived);
+    }
+    readMismatches(packet, payload, sender);
+  }
+  (void)state_.takeEvents();  // they would pile up
+}
+
+/// A source that starts anew has another port and keeps it; two that share a name take turns.
+void Spy::hearSender(Source& source, const std::string& sender) {
+  if (sender == source.last_sender) return;
+  if (std::ranges::find(source.senders, sender) != source.senders.end()) ++source.turns;
+  keepName(source.senders, sender);
+  source.last_sender = sender;
+}
+
+void Spy::readStatement(const Statement& statement, std::string_view source, LogTime arrived) {
+  if (statement.kind != StatementKind::joints && statement.kind != StatementKind::joint &&
+      statement.kind != StatementKind::pose) {
+    return;
+  }
+  auto found = devices_.find(statement.name);
+  if (found == devices_.end()) {
+    if (devices_.size() >= limits::kDevices) return;
+    found = devices_.emplace(std::string(statement.name), Device{}).first;
+  }
+  Device& device = found->second;
+  keepName(device.sources, source);
+  ++device.statements;
+  device.rate.hit(arrived);
+  const auto state = state_.devices().find(statement.name);
+  if (state == state_.devices().end()) return;
+  const std::size_t values = valuesHash(state->second);
+  // The first says where it stands; only another says that it moves.
+  if (device.values && *device.values != values) ++device.changes;
+  device.values = values;
+}
+
+void Spy::readFaults(std::span<const FaultAt> faults, ByteView payload, const std::string& sender) {
+  for (const FaultAt& fault : faults) {
+    SpyFault& seen = faults_[static_cast<std::size_t>(fault.fault)];
+    if (++seen.count > 1) continue;
+    seen.sender = sender;
+    seen.line_number = std::max<std::uint32_t>(fault.line, 1);
+    seen.column = fault.column;
+    seen.line = isUtf8(payload) ? plainLine(payload, seen.line_number) : firstBytes(payload);
+  }
+}
+
+/// What only the fold can find: joints in another number than the order they stand under.
+void Spy::readMismatches(const Packet& packet, ByteView payload, const std::string& sender) {
+  const auto counts = state_.counts().find(packet.header.source);
+  const auto source = sources_.find(packet.header.source);
+  if (counts == state_.counts().end() || source == sources_.end()) return;
+  constexpr auto kMismatch = static_cast<std::size_t>(PacketFault::order_mismatch);
+  std::uint64_t news = counts->second.faults[kMismatch] - source->second.mismatches;
+  source->second.mismatches += news;
+  for (const Statement& statement : packet.statements) {
+    if (news == 0) return;
+    if (statement.kind != StatementKind::joints) continue;
+    const FaultAt fault{PacketFault::order_mismatch, statement.line, 0};
+    readFaults({&fault, 1}, payload, sender);
+    --news;
+  }
+}
+
+SpyDevice Spy::deviceReport(const std::string& name, const DeviceState& state, LogTime now) {
+  SpyDevice report;
+  report.name = name;
+  report.silent = now - std::min(state.last_write, now);
+  if (const auto found = devices_.find(name); found != devices_.end()) {
+    Device& device = found->second;
+    report.sources = device.sources;
+    report.statements = device.statements;
+    report.changes = device.changes;
+    report.rate_hz = device.rate.perSecond(now);
+  }
+  if (state.presence) {
+    const PresenceValue& presence = state.presence->value;
+    report.presence =
+        presence.presence == Presence::removed ? "removed" : "added " + plainText(presence.model);
+    keepName(report.sources, state.presence->owner);
+  }
+  if (state.joints) report.joints = state.joints->value;
+  for (const auto& [joint, value] : state.named_joints) {
+    report.named_joints.emplace(joint, value.value);
+  }
+  if (state.pose) {
+    report.pose = state.pose->value.pose;
+    const Path& carrier = state.pose->value.carrier;
+    report.carrier = plainText(carrier.first);
+    if (!carrier.second.empty()) report.carrier += "/" + plainText(carrier.second);
+  }
+  return report;
+}
+
+SpyReport Spy::report(LogTime now) {
+  now = std::max(now, reached_);
+  SpyReport report;
+  report.watched = now - began_;
+  report.datagrams = datagrams_;
+  report.packets = packets_;
+  report.endpoints = endpoints_;
+  for (std::size_t i = 0; i < endpoints_.size(); ++i) {
+    if (endpoints_[i].datagrams > 0) report.endpoints[i].silent = now - endpoint_last_[i];
+  }
+  for (Sender& sender : senders_) {
+    report.senders.push_back(sender.seen);
+    report.senders.back().rate_hz = sender.rate.perSecond(now);
+    report.senders.back().silent = now - sender.last;
+  }
+  report.more_senders = more_senders_;
+  for (auto& [name, source] : sources_) {
+    SpySource& seen = report.sources.emplace_back();
+    seen.name = name;
+    seen.senders = source.senders;
+    seen.turns = source.turns;
+    seen.rate_hz = source.rate.perSecond(now);
+    seen.restated = source.restated;
+    seen.silent = now - source.last;
+    seen.clock_offset = source.clock_offset;
+    if (const auto known = state_.sources().find(name); known != state_.sources().end()) {
+      seen.run = known->second.run;
+    }
+    if (const auto counted = state_.counts().find(name); counted != state_.counts().end()) {
+      const SourceCounts& counts = counted->second;
+      seen.packets = counts.packets;
+      seen.gap = counts.gap;
+      seen.late = counts.late;
+      seen.restarts = counts.restarts;
+      seen.by_others = counts.by_others;
+      for (const std::uint64_t count : counts.faults) seen.faults += count;
+    }
+  }
+  for (const auto& [name, state] : state_.devices()) {
+    report.devices.push_back(deviceReport(name, state, now));
+  }
+  for (const SpyFault& fault : faults_) {
+    if (fault.count > 0) report.faults.push_back(fault);
+  }
+  std::ranges::stable_sort(report.faults, std::greater{}, &SpyFault::count);
+  findReasons(report);
+  return report;
+}
+
+}  // namespace rocinante

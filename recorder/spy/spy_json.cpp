@@ -1,0 +1,112 @@
+#include <nlohmann/json.hpp>
+
+#include "recorder/spy/spy_report.h"
+
+namespace rocinante {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double secondsOf(Nanoseconds time) { return std::chrono::duration<double>(time).count(); }
+
+Json endpointJson(const SpyEndpoint& each) {
+  Json json;
+  json["endpoint"] = each.endpoint;
+  json["datagrams"] = each.datagrams;
+  json["bytes"] = each.bytes;
+  json["senders"] = each.senders;
+  json["dropped"] = each.dropped;
+  json["silent_s"] = each.silent ? Json(secondsOf(*each.silent)) : Json();
+  return json;
+}
+
+Json senderJson(const SpySender& each, const SpyReport& report) {
+  Json json;
+  json["sender"] = each.address;
+  json["endpoint"] = report.endpoints[each.endpoint].endpoint;
+  json["rate_hz"] = each.rate_hz;
+  json["datagrams"] = each.datagrams;
+  json["packets"] = each.packets;
+  json["smallest_bytes"] = each.smallest_bytes;
+  json["largest_bytes"] = each.largest_bytes;
+  json["silent_s"] = secondsOf(each.silent);
+  json["first_bytes"] = each.first_bytes.empty() ? Json() : Json(each.first_bytes);
+  return json;
+}
+
+Json sourceJson(const SpySource& each) {
+  Json json;
+  json["source"] = each.name;
+  json["run"] = each.run;
+  json["senders"] = each.senders;
+  json["rate_hz"] = each.rate_hz;
+  json["packets"] = each.packets;
+  json["gap"] = each.gap;
+  json["late"] = each.late;
+  json["restarts"] = each.restarts;
+  json["restated"] = each.restated;
+  json["by_others"] = each.by_others;
+  json["faults"] = each.faults;
+  json["silent_s"] = secondsOf(each.silent);
+  json["clock_offset_s"] = each.clock_offset ? Json(secondsOf(*each.clock_offset)) : Json();
+  return json;
+}
+
+Json deviceJson(const SpyDevice& each) {
+  Json json;
+  json["device"] = each.name;
+  json["sources"] = each.sources;
+  json["rate_hz"] = each.rate_hz;
+  json["statements"] = each.statements;
+  json["changes"] = each.changes;
+  json["silent_s"] = secondsOf(each.silent);
+  json["presence"] = each.presence;
+  json["joints"] = each.joints;
+  json["named_joints"] = Json::object();
+  for (const auto& [joint, value] : each.named_joints) json["named_joints"][joint] = value;
+  json["pose"] = Json();
+  if (each.pose) {
+    const auto& [at, turn] = *each.pose;
+    json["pose"] = {at.x, at.y, at.z, turn.x, turn.y, turn.z, turn.w};
+  }
+  json["carrier"] = each.carrier;
+  return json;
+}
+
+Json faultJson(const SpyFault& each) {
+  Json json;
+  json["fault"] = std::string(nameOf(each.kind));
+  json["count"] = each.count;
+  json["sender"] = each.sender;
+  json["line"] = each.line_number;
+  json["column"] = each.column;
+  json["text"] = each.line;
+  json["hint"] = each.hint;
+  return json;
+}
+
+}  // namespace
+
+std::string spyJson(const SpyReport& report, bool indented) {
+  Json json;
+  json["format"] = 1;
+  json["watched_s"] = secondsOf(report.watched);
+  json["datagrams"] = report.datagrams;
+  json["packets"] = report.packets;
+  json["more_senders"] = report.more_senders;
+  for (const char* key : {"endpoints", "senders", "sources", "devices", "faults", "reasons"}) {
+    json[key] = Json::array();
+  }
+  for (const auto& each : report.endpoints) json["endpoints"].push_back(endpointJson(each));
+  for (const auto& each : report.senders) json["senders"].push_back(senderJson(each, report));
+  for (const auto& each : report.sources) json["sources"].push_back(sourceJson(each));
+  for (const auto& each : report.devices) json["devices"].push_back(deviceJson(each));
+  for (const auto& each : report.faults) json["faults"].push_back(faultJson(each));
+  for (const SpyReason& each : report.reasons) {
+    json["reasons"].push_back({{"reason", each.name}, {"text", each.text}, {"hint", each.hint}});
+  }
+  // Names are UTF-8 by the packet format, but interface names need not be.
+  return json.dump(indented ? 2 : -1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace rocinante

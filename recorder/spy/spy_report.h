@@ -1,0 +1,110 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/math/vector.h"
+#include "core/packet/packet.h"
+#include "core/time.h"
+
+namespace rocinante {
+
+/// What has come to one listening endpoint.
+struct SpyEndpoint {
+  std::string endpoint;  ///< with the port that was bound
+  bool multicast = false;
+  std::uint64_t datagrams = 0;
+  std::uint64_t bytes = 0;
+  std::uint64_t dropped = 0;  ///< by the kernel
+  std::uint64_t senders = 0;
+  std::optional<Nanoseconds> silent;  ///< since the last datagram; empty when none came
+};
+
+/// Who sends: one address and port at one endpoint.
+struct SpySender {
+  std::size_t endpoint = 0;  ///< index in SpyReport::endpoints
+  std::string address;
+  std::uint64_t datagrams = 0;
+  std::uint64_t packets = 0;  ///< of those, packet text
+  double rate_hz = 0;         ///< over the last two seconds
+  std::size_t smallest_bytes = 0;
+  std::size_t largest_bytes = 0;
+  Nanoseconds silent{};
+  std::string first_bytes;  ///< of the first datagram that is no packet; safe to print
+};
+
+/// One SOURCE, whoever speaks for it.
+struct SpySource {
+  std::string name;
+  std::string run;
+  std::vector<std::string> senders;  ///< the first few addresses
+  std::uint64_t turns = 0;           ///< times that an earlier sender spoke again after another
+  std::uint64_t packets = 0;         ///< applied
+  double rate_hz = 0;
+  std::uint64_t gap = 0, late = 0, restarts = 0, faults = 0;
+  std::uint64_t restated = 0;  ///< packets that restate
+  std::uint64_t by_others = 0;
+  Nanoseconds silent{};
+  /// TIME less the arrival, of the last packet: the difference of the clocks, less the way.
+  std::optional<Nanoseconds> clock_offset;
+};
+
+struct SpyDevice {
+  std::string name;
+  std::vector<std::string> sources;  ///< the first few that wrote about it
+  std::uint64_t statements = 0;      ///< joints, joint and pose
+  double rate_hz = 0;
+  std::uint64_t changes = 0;   ///< of those, such as said something new
+  Nanoseconds silent{};        ///< since the last of any statement about it
+  std::string presence;        ///< "added MODEL", "removed" or empty
+  std::vector<double> joints;  ///< last positional values, radians and metres
+  std::map<std::string, double> named_joints;
+  std::optional<Pose> pose;
+  std::string carrier;  ///< "arm/tool", or empty for the world; safe to print
+};
+
+/// One kind of fault, with the first line that has it.
+struct SpyFault {
+  PacketFault kind{};
+  std::uint64_t count = 0;
+  std::string sender;
+  std::string line;  ///< safe to print; empty when the datagram is no text
+  std::uint32_t line_number = 0;
+  std::uint32_t column = 0;  ///< in bytes, from 1; 0: the whole line
+  std::string hint;
+};
+
+/// A reason why something may not move, the likeliest first.
+struct SpyReason {
+  std::string name;  ///< stable, for scripts: "nothing_arrives", "not_packet_text" ...
+  std::string text;
+  std::string hint;
+};
+
+/// What a spy has seen up to a moment.
+struct SpyReport {
+  Nanoseconds watched{};
+  std::uint64_t datagrams = 0;
+  std::uint64_t packets = 0;
+  std::vector<SpyEndpoint> endpoints;
+  std::vector<SpySender> senders;  ///< in order of appearance
+  std::uint64_t more_senders = 0;  ///< beyond what is kept
+  std::vector<SpySource> sources;  ///< by name
+  std::vector<SpyDevice> devices;  ///< by name
+  std::vector<SpyFault> faults;    ///< the most frequent first
+  std::vector<SpyReason> reasons;
+};
+
+/// Fills `reasons` from the rest: the answer to "nothing moves, why?".
+void findReasons(SpyReport& report);
+
+/// For people: tables with at most `rows` lines (0: all) of at most `columns` characters (0: any).
+std::string spyText(const SpyReport& report, std::size_t rows, std::size_t columns);
+
+/// For scripts: one JSON object (docs/programs/spy.md), indented or on one line, without LF.
+std::string spyJson(const SpyReport& report, bool indented);
+
+}  // namespace rocinante

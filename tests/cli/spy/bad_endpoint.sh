@@ -1,0 +1,1 @@
+rocinante spy nonsense

@@ -1,0 +1,1 @@
+rocinante spy --help | head -3

@@ -1,0 +1,175 @@
+#include "recorder/spy/spy.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace rocinante {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+using testing::AllOf;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::Field;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::SizeIs;
+
+class SpyTest : public testing::Test {
+ protected:
+  static constexpr LogTime kBegan{seconds(1'700'000'000)};
+
+  static std::vector<ListenedEndpoint> endpoints() {
+    ListenedEndpoint one;
+    one.endpoint = Endpoint::parse("127.0.0.1:19960").value();
+    one.bound = one.endpoint.address;
+    return {one};
+  }
+
+  void hear(std::string_view payload, Nanoseconds at, std::uint16_t port = 40'000) {
+    ReceivedDatagram datagram;
+    datagram.payload = bytesOf(payload);
+    datagram.sender = SocketAddress::parse("127.0.0.1", port).value();
+    spy.add(0, datagram, kBegan + at);
+  }
+
+  SpyReport after(Nanoseconds time) { return spy.report(kBegan + time); }
+
+  static auto reason(std::string name) { return Field("name", &SpyReason::name, name); }
+
+  Spy spy{endpoints(), kBegan};
+};
+
+TEST_F(SpyTest, SilenceIsToldAfterTwoSeconds) {
+  EXPECT_THAT(after(seconds(1)).reasons, IsEmpty());
+  const SpyReport report = after(seconds(3));
+  ASSERT_THAT(report.reasons, ElementsAre(reason("nothing_arrives")));
+  EXPECT_THAT(report.reasons[0].text, HasSubstr("udp://127.0.0.1:19960"));
+}
+
+TEST_F(SpyTest, WhoSendsWhatIsNoPacketIsShownItsFirstBytes) {
+  hear("RK2 me - -\n", milliseconds(10));
+  hear({"\0\xff", 2}, milliseconds(20), 40'001);
+  const SpyReport report = after(milliseconds(30));
+  EXPECT_EQ(report.datagrams, 2U);
+  EXPECT_EQ(report.packets, 0U);
+  ASSERT_THAT(report.senders, SizeIs(2));
+  EXPECT_EQ(report.senders[0].first_bytes, "\"RK2 me - -\\x0a\"");
+  EXPECT_EQ(report.senders[1].first_bytes, "00ff");
+  EXPECT_THAT(report.reasons, Contains(reason("not_packet_text")));
+}
+
+TEST_F(SpyTest, RatesAreOfTheLastTwoSeconds) {
+  for (int i = 0; i < 400; ++i) {
+    hear(fmt::format("RK1 arm@r {} -\njoints a {}\n", i, i), milliseconds(10 * i));
+  }
+  const SpyReport report = after(seconds(4));
+  ASSERT_THAT(report.sources, SizeIs(1));
+  EXPECT_NEAR(report.sources[0].rate_hz, 100, 7);
+  EXPECT_NEAR(report.devices[0].rate_hz, 100, 7);
+  EXPECT_NEAR(after(seconds(20)).sources[0].rate_hz, 0, 1e-9);
+}
+
+TEST_F(SpyTest, AFirstPacketAloneIsNoRate) {
+  hear("RK1 arm - -\njoints a 1\n", milliseconds(10));
+  EXPECT_EQ(after(milliseconds(20)).sources[0].rate_hz, 0);
+}
+
+TEST_F(SpyTest, DevicesShowTheirLastValuesAndWhetherTheyMove) {
+  hear("RK1 arm@r 0 -\njoints a 1 2\njoint g left=0.5\npose t 1 2 3 0 0 0 1 in a/tool\n",
+       milliseconds(10));
+  hear("RK1 arm@r 1 -\njoints a 1 2\njoint g left=0.6\n", milliseconds(20));
+  const SpyReport report = after(seconds(3));
+  ASSERT_THAT(report.devices, SizeIs(3));
+  EXPECT_THAT(report.devices[0].joints, ElementsAre(1, 2));
+  EXPECT_EQ(report.devices[0].changes, 0U);
+  EXPECT_EQ(report.devices[1].named_joints.at("left"), 0.6);
+  EXPECT_EQ(report.devices[1].changes, 1U);
+  EXPECT_EQ(report.devices[2].pose->position.z, 3);
+  EXPECT_EQ(report.devices[2].carrier, "a/tool");
+  EXPECT_THAT(report.reasons,
+              Contains(AllOf(reason("constant"), Field(&SpyReason::text, HasSubstr("a was told")))));
+}
+
+TEST_F(SpyTest, EachKindOfFaultKeepsItsFirstLineWithItsColumn) {
+  hear("RK1 arm@r 0 -\njoints a 1,0 2\n", milliseconds(10));
+  hear("RK1 arm@r 1 -\njoints a nan\n", milliseconds(20));
+  hear("RK1 arm@r 2 -\norder b x y\njoints b 1 2 3\n", milliseconds(30));
+  const SpyReport report = after(milliseconds(40));
+  ASSERT_THAT(report.faults, SizeIs(2));
+  EXPECT_EQ(report.faults[0].kind, PacketFault::bad_number);
+  EXPECT_EQ(report.faults[0].count, 2U);
+  EXPECT_EQ(report.faults[0].line, "joints a 1,0 2");
+  EXPECT_EQ(report.faults[0].line_number, 2U);
+  EXPECT_EQ(report.faults[0].column, 10U);
+  EXPECT_THAT(report.faults[0].hint, HasSubstr("no comma"));
+  EXPECT_EQ(report.faults[1].kind, PacketFault::order_mismatch);
+  EXPECT_EQ(report.faults[1].line, "joints b 1 2 3");
+}
+
+TEST_F(SpyTest, TwoSendersOfOneNameAreFoundOut) {
+  for (int i = 0; i < 5; ++i) {
+    hear(fmt::format("RK1 arm@r {} -\n", 10 + i), milliseconds(20 * i), 40'000);
+    hear(fmt::format("RK1 arm@s {} -\n", 20 + i), milliseconds(20 * i + 10), 40'001);
+  }
+  EXPECT_THAT(after(seconds(1)).reasons, Contains(reason("two_senders")));
+}
+
+TEST_F(SpyTest, ASourceThatStartsAnewIsNoSecondSender) {
+  hear("RK1 arm@r 7 -\n", milliseconds(10), 40'000);
+  hear("RK1 arm@s 0 -\n", milliseconds(20), 40'001);
+  hear("RK1 arm@s 1 -\n", milliseconds(30), 40'001);
+  const SpyReport report = after(milliseconds(40));
+  EXPECT_THAT(report.reasons, Not(Contains(reason("two_senders"))));
+  EXPECT_EQ(report.sources[0].restarts, 1U);
+  EXPECT_EQ(report.sources[0].run, "s");
+}
+
+TEST_F(SpyTest, ClocksApartAndLossesAreTold) {
+  hear("RK1 arm@r 0 1700000060.5\n", milliseconds(500));
+  hear("RK1 arm@r 9 1700000060.6\n", milliseconds(600));
+  spy.setDropped(0, 4);
+  const SpyReport report = after(milliseconds(700));
+  EXPECT_EQ(report.sources[0].gap, 8U);
+  EXPECT_THAT(report.reasons,
+              AllOf(Contains(reason("gap")), Contains(reason("clock")),
+                    Contains(reason("kernel_drops"))));
+  EXPECT_EQ(report.sources[0].clock_offset, Nanoseconds(seconds(60)));
+}
+
+TEST_F(SpyTest, StrangersWithoutNumberFillNoMemory) {
+  for (std::uint16_t port = 1; port < 10'000; ++port) hear("x", milliseconds(port), port);
+  const SpyReport report = after(seconds(11));
+  EXPECT_EQ(report.senders.size(), 4'096U);
+  EXPECT_EQ(report.more_senders, 9'999U - 4'096U);
+}
+
+TEST_F(SpyTest, TimesThatGoBackAreHeldUp) {
+  hear("RK1 arm@r 0 -\njoints a 1\n", seconds(2));
+  hear("RK1 arm@r 1 -\njoints a 2\n", seconds(1));
+  EXPECT_THAT(spy.report(kBegan).devices[0].joints, ElementsAre(2));
+}
+
+TEST_F(SpyTest, NoLineOfATableObeysAStranger) {
+  hear("RK1 a%1Bb - -\njoints d%0Ae 1\n", milliseconds(10));
+  hear("RK1 a - -\nlabel x 0 0 0 \"\x1b[2J\"\n", milliseconds(20));
+  const std::string text = spyText(after(seconds(1)), 0, 0);
+  EXPECT_THAT(text, Not(HasSubstr("\x1b")));
+}
+
+TEST_F(SpyTest, TablesFitTheScreen) {
+  for (int i = 0; i < 50; ++i) hear(fmt::format("RK1 s{} - -\n", i), milliseconds(i));
+  const std::string text = spyText(after(seconds(1)), 5, 40);
+  EXPECT_THAT(text, HasSubstr("... and 45 more sources"));
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = text.find('\n', at);
+    EXPECT_LE(end - at, 40U);
+    at = end + 1;
+  }
+}
+
+}  // namespace
+}  // namespace rocinante
