@@ -33,8 +33,8 @@ std::uint64_t ChunkHead::recordsByLength() const {
 }
 
 bool ChunkHead::open() const {
-  return length == kOpenEnded || chunk.message_end_time == kOpenEnded ||
-         chunk.uncompressed_size == kOpenEnded || records_bytes == kOpenEnded;
+  return records_bytes >> 56U == 0xFF || length == kOpenEnded ||
+         chunk.message_end_time == kOpenEnded || chunk.uncompressed_size == kOpenEnded;
 }
 
 bool ChunkHead::wholeOpen() const {

@@ -19,8 +19,9 @@ struct ChunkHead {
 
   /// What `length` says of the length of the records; 0 when it cannot be.
   std::uint64_t recordsByLength() const;
-  /// True when any field is still as it was when the chunk was begun: the header is open, or its
-  /// completion was cut short, and then none of the others proves anything.
+  /// True when the highest byte of the length of the records, or any whole field, is still as it
+  /// was when the chunk was begun: then its completion is yet to come or was torn, and none of the
+  /// other fields proves anything.
   bool open() const;
   /// True when all those fields are.
   bool wholeOpen() const;

@@ -105,9 +105,9 @@ bool tellsOfOpenChunk(const LogReader& reader) {
   });
 }
 
-class OpenChunk : public ::testing::TestWithParam<bool> {};
+class ReadOpenChunk : public ::testing::TestWithParam<bool> {};
 
-TEST_P(OpenChunk, IsReadAndFoundByTime) {
+TEST_P(ReadOpenChunk, IsReadAndFoundByTime) {
   const ChunkedLog log = chunkedLog(GetParam());
   LogReader reader = openLog(log.open);
   EXPECT_EQ(reader.summary().messages, kMessages);
@@ -127,7 +127,7 @@ TEST_P(OpenChunk, IsReadAndFoundByTime) {
   EXPECT_THAT(reader.damage()[1].cause, HasSubstr("never closed"));
 }
 
-TEST_P(OpenChunk, CutAtEveryByteGivesBackEveryMessageFlushedBefore) {
+TEST_P(ReadOpenChunk, CutAtEveryByteGivesBackEveryMessageFlushedBefore) {
   const ChunkedLog log = chunkedLog(GetParam());
   for (std::size_t size = 8; size <= log.open.size(); ++size) {
     SCOPED_TRACE(size);
@@ -142,7 +142,7 @@ TEST_P(OpenChunk, CutAtEveryByteGivesBackEveryMessageFlushedBefore) {
 }
 
 /// The header is completed in one write, which a power cut may tear at any byte, either side first.
-TEST_P(OpenChunk, ATornHeaderLosesNothing) {
+TEST_P(ReadOpenChunk, ATornHeaderLosesNothing) {
   const ChunkedLog log = chunkedLog(GetParam());
   for (std::size_t torn = 0; torn <= log.head_bytes; ++torn) {
     for (const bool front_is_new : {true, false}) {
@@ -158,7 +158,7 @@ TEST_P(OpenChunk, ATornHeaderLosesNothing) {
   }
 }
 
-TEST_P(OpenChunk, WhatFollowsItIsReadToo) {
+TEST_P(ReadOpenChunk, WhatFollowsItIsReadToo) {
   const ChunkedLog log = chunkedLog(GetParam());
   Bytes file = log.open;
   append(file, mcap::Metadata{"note", {{"a", "b"}}});
@@ -173,7 +173,7 @@ TEST_P(OpenChunk, WhatFollowsItIsReadToo) {
   ASSERT_THAT(reader.damage(), SizeIs(1));
 }
 
-TEST_P(OpenChunk, ZerosOfASpaceThatWasAllocatedAheadAreNoMessages) {
+TEST_P(ReadOpenChunk, ZerosOfASpaceThatWasAllocatedAheadAreNoMessages) {
   const ChunkedLog log = chunkedLog(GetParam());
   for (const std::size_t size : {log.message_ends[5], log.open.size()}) {
     SCOPED_TRACE(size);
@@ -186,7 +186,7 @@ TEST_P(OpenChunk, ZerosOfASpaceThatWasAllocatedAheadAreNoMessages) {
   }
 }
 
-TEST_P(OpenChunk, IsFoundBehindDamage) {
+TEST_P(ReadOpenChunk, IsFoundBehindDamage) {
   const ChunkedLog log = chunkedLog(GetParam());
   for (std::size_t byte = 8; byte < log.head; ++byte) {
     SCOPED_TRACE(byte);
@@ -197,7 +197,7 @@ TEST_P(OpenChunk, IsFoundBehindDamage) {
   }
 }
 
-TEST_P(OpenChunk, AFlippedBitNeverChangesAPayloadSilently) {
+TEST_P(ReadOpenChunk, AFlippedBitNeverChangesAPayloadSilently) {
   const ChunkedLog log = chunkedLog(GetParam());
   for (std::size_t byte = 8; byte < log.open.size(); ++byte) {
     for (unsigned bit = 0; bit < 8; ++bit) {
@@ -217,7 +217,7 @@ TEST_P(OpenChunk, AFlippedBitNeverChangesAPayloadSilently) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Compression, OpenChunk, ::testing::Bool(),
+INSTANTIATE_TEST_SUITE_P(Compression, ReadOpenChunk, ::testing::Bool(),
                          [](const auto& each) { return each.param ? "zstd" : "none"; });
 
 /// A small open chunk that would grow beyond all bounds.
