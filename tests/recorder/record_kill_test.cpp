@@ -1,0 +1,181 @@
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <fstream>
+#include <random>
+#include <sstream>
+#include <thread>
+
+#include "core/log/log_reader.h"
+#include "core/net/udp_socket.h"
+#include "tests/support/joint_packets.h"
+#include "tests/support/programs.h"
+
+// The true program, killed: docs/log-format.md, "The open chunk".
+namespace rocinante {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr Nanoseconds kSync = milliseconds(100);
+constexpr Nanoseconds kGrace = milliseconds(50);
+
+SteadyTime steadyNow() { return std::chrono::steady_clock::now(); }
+
+/// The longest that this machine kept a thread waiting that only wanted to wake up: a recorder that
+/// does not get to run cannot write.
+class StallWatch {
+ public:
+  StallWatch() : thread_([this] { watch(); }) {}
+  ~StallWatch() { stop(); }
+  Nanoseconds stop() {
+    stop_ = true;
+    if (thread_.joinable()) thread_.join();
+    return longest_;
+  }
+
+ private:
+  void watch() {
+    constexpr Nanoseconds kSleep = milliseconds(1);
+    while (!stop_) {
+      const SteadyTime before = steadyNow();
+      std::this_thread::sleep_for(kSleep);
+      longest_ = std::max<Nanoseconds>(longest_, steadyNow() - before - kSleep);
+    }
+  }
+  std::atomic<bool> stop_{false};
+  Nanoseconds longest_{};
+  std::thread thread_;
+};
+
+/// What the kernel dropped at a bound port, because the buffer was full.
+std::uint64_t kernelDrops(std::uint16_t port) {
+  std::ifstream table("/proc/net/udp");
+  std::string line;
+  std::getline(table, line);
+  while (std::getline(table, line)) {
+    std::istringstream words(line);
+    std::vector<std::string> fields;
+    for (std::string word; words >> word;) fields.push_back(word);
+    if (fields.size() < 13) continue;
+    const std::size_t colon = fields[1].find(':');
+    if (std::stoul(fields[1].substr(colon + 1), nullptr, 16) == port)
+      return std::stoull(fields[12]);
+  }
+  ADD_FAILURE() << "port " << port << " is not in /proc/net/udp";
+  return 0;
+}
+
+struct SentUntil {
+  SteadyTime at;
+  std::uint64_t packets;  ///< handed to the kernel by then
+};
+
+/// Sends `rate_hz` packets a second, evenly, in bursts of a millisecond.
+std::vector<SentUntil> sendFor(UdpSender& sender, double rate_hz, Nanoseconds span) {
+  std::vector<SentUntil> sent;
+  std::uint64_t next = 0;
+  const SteadyTime start = steadyNow();
+  while (true) {
+    const Nanoseconds passed = steadyNow() - start;
+    if (passed >= span) return sent;
+    const double seconds = std::chrono::duration<double>(passed).count();
+    const auto due = static_cast<std::uint64_t>(seconds * rate_hz) + 1;
+    while (next < due) {
+      std::vector<std::string> packets;
+      for (; next < due && packets.size() < 64; ++next) {
+        packets.push_back(test::jointPacket(next, rate_hz));
+      }
+      std::vector<ByteView> views;
+      for (const std::string& each : packets) views.push_back(bytesOf(each));
+      EXPECT_TRUE(sender.send(views).ok());
+    }
+    sent.push_back({steadyNow(), next});
+    std::this_thread::sleep_for(milliseconds(1));
+  }
+}
+
+/// The sequences that stand in a killed log, in its order.
+std::vector<std::uint64_t> sequencesIn(const std::filesystem::path& path) {
+  std::vector<std::uint64_t> sequences;
+  auto log = LogReader::open(path);
+  EXPECT_TRUE(log.ok()) << log.error().text();
+  if (!log) return sequences;
+  for (auto message = log->next(); message && *message; message = log->next()) {
+    if (!(*message)->channel->captured()) continue;
+    std::istringstream words{std::string(textOf((*message)->payload))};
+    std::string word;
+    std::uint64_t sequence = 0;
+    words >> word >> word >> sequence;
+    sequences.push_back(sequence);
+  }
+  EXPECT_FALSE(log->summary().complete);
+  return sequences;
+}
+
+void killOnce(double rate_hz, Nanoseconds after, const std::string& compression) {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path path = folder / "log.mcap";
+  auto program = test::Program::start(
+      "rocinante-record", {"127.0.0.1:0", "-o", path.string(), "--compression", compression});
+  std::istringstream line(program.waitForLine("recording "));
+  std::string endpoint;
+  line >> endpoint >> endpoint;
+  const auto bound = Endpoint::parse(endpoint);
+  ASSERT_TRUE(bound.ok()) << endpoint;
+  UdpSender sender = std::move(UdpSender::open(*bound).value());
+
+  StallWatch stalls;
+  const std::vector<SentUntil> sent = sendFor(sender, rate_hz, after);
+  const std::uint64_t dropped = kernelDrops(bound->address.port);
+  const SteadyTime killed_at = steadyNow();
+  program.signal(SIGKILL);
+  const Nanoseconds stall = stalls.stop();
+  EXPECT_EQ(program.finish().exit_code, 128 + SIGKILL);
+
+  std::uint64_t safe = 0;
+  for (const SentUntil& each : sent) {
+    if (each.at + kSync + kGrace + 2 * stall <= killed_at) safe = each.packets;
+  }
+  ASSERT_GT(safe, 0U);
+  const std::vector<std::uint64_t> stored = sequencesIn(path);
+  std::uint64_t safe_stored = 0;
+  for (std::size_t i = 0; i < stored.size(); ++i) {
+    if (i > 0) {
+      ASSERT_LT(stored[i - 1], stored[i]);
+    }
+    if (stored[i] < safe) ++safe_stored;
+  }
+  EXPECT_LE(safe - safe_stored, dropped)
+      << safe << " packets were safe, the last of " << stored.size() << " in the log is "
+      << (stored.empty() ? 0 : stored.back()) << "; this machine stalled for "
+      << std::chrono::duration_cast<milliseconds>(stall).count() << " ms";
+}
+
+void killAtRandomMoments(double rate_hz) {
+  const bool is_long = std::getenv("ROCINANTE_LONG") != nullptr;
+  std::random_device random;
+  const unsigned seed = random();
+  SCOPED_TRACE(::testing::Message() << "seed " << seed);
+  std::mt19937 generator(seed);
+  // Past the first datagrams, and past one whole chunk at 100,000 a second.
+  std::uniform_int_distribution<int> moment_ms(400, rate_hz < 10 ? 2'500 : 1'200);
+  for (int i = 0; i < (is_long ? 20 : 1); ++i) {
+    for (const char* compression : {"zstd", "none"}) {
+      SCOPED_TRACE(compression);
+      killOnce(rate_hz, milliseconds(moment_ms(generator)), compression);
+    }
+  }
+}
+
+TEST(RecordKilled, AtOnePacketASecondLosesAtMostSync) { killAtRandomMoments(1); }
+TEST(RecordKilled, AtAHundredPacketsASecondLosesAtMostSync) { killAtRandomMoments(100); }
+TEST(RecordKilled, AtSixThousandPacketsASecondLosesAtMostSync) { killAtRandomMoments(6'000); }
+TEST(RecordKilled, AtAHundredThousandPacketsASecondLosesAtMostSync) {
+  killAtRandomMoments(100'000);
+}
+
+}  // namespace
+}  // namespace rocinante
