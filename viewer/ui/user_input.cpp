@@ -28,13 +28,27 @@ void applyMouse(ViewModel& model, int height_px) {
   if (io.MouseWheel != 0) model.holdCamera().zoom(io.MouseWheel);
 }
 
-void applyTransportKeys(Transport& transport, SteadyTime now) {
-  const Nanoseconds step = ImGui::GetIO().KeyShift ? Nanoseconds(100ms) : Nanoseconds(1s);
-  if (ImGui::IsKeyPressed(GLFW_KEY_SPACE, false)) transport.toggle(now);
-  if (ImGui::IsKeyPressed(GLFW_KEY_LEFT)) transport.step(-step, now);
-  if (ImGui::IsKeyPressed(GLFW_KEY_RIGHT)) transport.step(step, now);
-  if (ImGui::IsKeyPressed(GLFW_KEY_HOME, false)) transport.seek(transport.start(), now);
-  if (ImGui::IsKeyPressed(GLFW_KEY_END, false)) transport.seek(transport.end(), now);
+void applyTransportKey(Transport& transport, const KeyPress& press, SteadyTime now) {
+  const Nanoseconds step = press.shift ? Nanoseconds(100ms) : Nanoseconds(1s);
+  switch (press.key) {
+    case GLFW_KEY_LEFT:
+      transport.step(-step, now);
+      break;
+    case GLFW_KEY_RIGHT:
+      transport.step(step, now);
+      break;
+    case GLFW_KEY_SPACE:
+      if (!press.repeated) transport.toggle(now);
+      break;
+    case GLFW_KEY_HOME:
+      transport.seek(transport.start(), now);
+      break;
+    case GLFW_KEY_END:
+      transport.seek(transport.end(), now);
+      break;
+    default:
+      break;
+  }
 }
 
 }  // namespace
@@ -42,14 +56,19 @@ void applyTransportKeys(Transport& transport, SteadyTime now) {
 void applyUserInput(ViewModel& model, SteadyTime now, int height_px, bool& fit_requested,
                     Window& window) {
   applyMouse(model, height_px);
+  const std::vector<KeyPress> presses = window.takeKeyPresses();
   if (ImGui::GetIO().WantTextInput) return;
-  if (Transport* transport = model.transport()) applyTransportKeys(*transport, now);
-  if (ImGui::IsKeyPressed(GLFW_KEY_F, false)) fit_requested = true;
-  if (ImGui::IsKeyPressed(GLFW_KEY_TAB, false)) model.panels_shown = !model.panels_shown;
-  if (ImGui::IsKeyPressed(GLFW_KEY_Q, false)) window.requestClose();
-  const std::vector<std::string> cameras = model.cameraNames();
-  for (std::size_t i = 0; i < cameras.size() && i < 9; ++i) {
-    if (ImGui::IsKeyPressed(GLFW_KEY_1 + static_cast<int>(i), false)) model.useCamera(cameras[i]);
+  for (const KeyPress& press : presses) {
+    if (Transport* transport = model.transport()) applyTransportKey(*transport, press, now);
+    if (press.repeated) continue;
+    if (press.key == GLFW_KEY_F) fit_requested = true;
+    if (press.key == GLFW_KEY_TAB) model.panels_shown = !model.panels_shown;
+    if (press.key == GLFW_KEY_Q) window.requestClose();
+    const std::vector<std::string> cameras = model.cameraNames();
+    const int number = press.key - GLFW_KEY_1;
+    if (number >= 0 && number < 9 && static_cast<std::size_t>(number) < cameras.size()) {
+      model.useCamera(cameras[static_cast<std::size_t>(number)]);
+    }
   }
 }
 

@@ -41,6 +41,18 @@ Result<std::unique_ptr<Window>> Window::open(const std::string& title, int width
   return opened;
 }
 
+// Dear ImGui, which comes after, calls on to whatever callbacks it finds.
+Window::Window(GLFWwindow* window) : window_(window) {
+  glfwSetWindowUserPointer(window_, this);
+  glfwSetKeyCallback(window_, onKey);
+}
+
+void Window::onKey(GLFWwindow* window, int key, int /*scancode*/, int action, int modifiers) {
+  if (action == GLFW_RELEASE) return;
+  auto* const self = static_cast<Window*>(glfwGetWindowUserPointer(window));
+  self->key_presses_.push_back({key, (modifiers & GLFW_MOD_SHIFT) != 0, action == GLFW_REPEAT});
+}
+
 Window::~Window() {
   glfwDestroyWindow(window_);
   glfwTerminate();

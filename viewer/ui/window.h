@@ -2,6 +2,8 @@
 
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/result.h"
 #include "viewer/render/render_context.h"
@@ -9,6 +11,13 @@
 struct GLFWwindow;
 
 namespace rocinante {
+
+/// A key that went down, or that repeats while it is held.
+struct KeyPress {
+  int key = 0;  ///< GLFW's number
+  bool shift = false;
+  bool repeated = false;
+};
 
 /// A window with a GL 3.3 core context, by GLFW. Main thread only. One at a time.
 class Window final : public RenderContext {
@@ -31,11 +40,16 @@ class Window final : public RenderContext {
   /// Shows what was drawn into framebuffer 0. Waits for the display when `paced`.
   void swap();
   void setPaced(bool paced);
+  /// The keys pressed since the last call, in order: also those let go again before anybody looked,
+  /// which asking for a key's state in every frame would miss when a frame takes long.
+  std::vector<KeyPress> takeKeyPresses() { return std::exchange(key_presses_, {}); }
 
  private:
-  explicit Window(GLFWwindow* window) : window_(window) {}
+  explicit Window(GLFWwindow* window);
+  static void onKey(GLFWwindow* window, int key, int scancode, int action, int modifiers);
 
   GLFWwindow* window_;
+  std::vector<KeyPress> key_presses_;
 };
 
 }  // namespace rocinante
