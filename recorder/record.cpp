@@ -21,6 +21,8 @@ using std::chrono::milliseconds;
 
 // Every endpoint takes a receive buffer; MCAP's channels are bounded too.
 constexpr std::size_t kMaxEndpoints = 256;
+// A loss of one endpoint as it stands in the log, its index with it.
+constexpr std::uint64_t kLossBytes = 512;
 // Drained and slept: half the cost of waking up for each datagram, and 600,000 a second.
 constexpr Nanoseconds kReceiveSleep = std::chrono::microseconds(500);
 constexpr Nanoseconds kIdleSleep = milliseconds(2);
@@ -221,7 +223,9 @@ Result<RecordSummary> record(const RecordOptions& options, const RecordEvents& e
     if (!receiver) return receiver.error();
     receivers.push_back(std::move(*receiver));
   }
-  Result<LogWriter> log = LogWriter::create(options.log, options.writing, newSessionId());
+  LogWriterOptions writing = options.writing;
+  writing.closing_room_bytes += kLossBytes * options.endpoints.size();
+  Result<LogWriter> log = LogWriter::create(options.log, writing, newSessionId());
   if (!log) return log.error();
   if (Status attached = attachCell(options, *log); !attached) return attached.error();
   std::vector<DatagramSource*> sources;
