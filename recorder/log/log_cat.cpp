@@ -1,15 +1,13 @@
 #include "recorder/log/log_cat.h"
 
-#include <fmt/format.h>
 #include <fnmatch.h>
 
 #include <algorithm>
 #include <limits>
-#include <nlohmann/json.hpp>
 
-#include "core/duration_text.h"
+#include "core/log/log_profile.h"
+#include "core/session/marks.h"
 #include "core/session/timeline.h"
-#include "recorder/log/message_text.h"
 
 namespace rocinante {
 namespace {
@@ -37,98 +35,58 @@ Result<TimeRange> rangeOf(const CatOptions& options, const LogSummary& summary) 
   return range;
 }
 
+bool matches(const std::vector<std::string>& patterns, const std::string& topic) {
+  return std::ranges::any_of(patterns, [&](const std::string& pattern) {
+    return ::fnmatch(pattern.c_str(), topic.c_str(), 0) == 0;
+  });
+}
+
 /// By channel id: whether its messages are wanted.
 std::vector<bool> wantedChannels(const CatOptions& options, const LogReader& reader) {
   std::vector<bool> wanted;
   for (const LogChannel& channel : reader.channels()) {
     if (wanted.size() <= channel.id) wanted.resize(channel.id + 1U, false);
-    bool chosen = options.channels.empty() && channel.captured();
-    for (const std::string& pattern : options.channels) {
-      chosen = chosen || ::fnmatch(pattern.c_str(), channel.topic.c_str(), 0) == 0;
-    }
-    wanted[channel.id] = chosen;
+    wanted[channel.id] =
+        options.channels.empty() ? channel.captured() : matches(options.channels, channel.topic);
   }
   return wanted;
 }
 
-/// RFC 4180: quoted where it must be, quotes doubled.
-std::string csvField(std::string_view text) {
-  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"') out += '"';
-    out += c;
-  }
-  return out + "\"";
-}
-
-class Printer {
+/// The marks beside a log as messages, as a tool would bake them in.
+class MarkMessages {
  public:
-  Printer(const LogReader& reader, const CatOptions& options, const std::vector<bool>& wanted)
-      : options_(options), name_(reader.name()), origin_(reader.summary().origin) {
-    for (const LogChannel& channel : reader.channels()) {
-      if (wanted[channel.id]) {
-        topic_width_ = std::max(topic_width_, plainText(channel.topic).size());
-      }
-    }
+  static Result<MarkMessages> of(const LogReader& reader, const CatOptions& options) {
+    MarkMessages messages;
+    if (!matches(options.channels, std::string(profile::kMarkTopic))) return messages;
+    Result<std::vector<Event>> marks = readMarks(reader.name());
+    if (!marks) return marks.error();
+    messages.marks_ = std::move(*marks);
+    return messages;
   }
 
-  void header(std::string& out) const {
-    if (options_.format != CatFormat::csv) return;
-    if (options_.name_log) out += "log,";
-    out += "log_time_ns,channel,sequence,publish_time_ns,encoding,text,payload_base64\r\n";
+  void seek(LogTime from) {
+    while (next_ < marks_.size() && marks_[next_].time < from) ++next_;
   }
-
-  void message(const LogMessage& message, std::string& out) const {
-    const std::string& encoding = message.channel->encoding;
-    const bool is_text = (encoding == "rk1" || encoding == "json") && isUtf8(message.payload);
-    switch (options_.format) {
-      case CatFormat::text:
-        return text(message, is_text, out);
-      case CatFormat::json:
-        return json(message, is_text, out);
-      case CatFormat::csv:
-        return csv(message, is_text, out);
-    }
+  /// The next mark if it is earlier than `until`; valid until the next call.
+  std::optional<LogMessage> before(LogTime until) {
+    if (next_ == marks_.size() || marks_[next_].time >= until) return std::nullopt;
+    const Event& mark = marks_[next_];
+    payload_ = markText(mark.text);
+    LogMessage message;
+    message.channel = &channel_;
+    message.sequence = static_cast<std::uint32_t>(next_);
+    message.log_time = mark.time;
+    message.publish_time_ns = mark.time.time_since_epoch().count();
+    message.payload = bytesOf(payload_);
+    ++next_;
+    return message;
   }
 
  private:
-  void text(const LogMessage& message, bool is_text, std::string& out) const {
-    if (options_.name_log) out += plainText(name_) + "  ";
-    out += fmt::format("{:>14}  {:<{}}  {:>6}  {}\n", secondsText(message.log_time - origin_, 9),
-                       plainText(message.channel->topic), topic_width_, message.sequence,
-                       payloadLine(message.payload, is_text));
-  }
-
-  void json(const LogMessage& message, bool is_text, std::string& out) const {
-    using Json = nlohmann::ordered_json;
-    Json line;
-    if (options_.name_log) line["log"] = name_;
-    line["log_time_ns"] = message.log_time.time_since_epoch().count();
-    line["channel"] = message.channel->topic;
-    line["sequence"] = message.sequence;
-    if (is_text) {
-      line["text"] = textOf(message.payload);
-    } else {
-      line["payload_base64"] = base64Of(message.payload);
-    }
-    out += line.dump(-1, ' ', false, Json::error_handler_t::replace);
-    out += '\n';
-  }
-
-  void csv(const LogMessage& message, bool is_text, std::string& out) const {
-    if (options_.name_log) out += csvField(name_) + ",";
-    out += fmt::format("{},{},{},{},{},{},{}\r\n", message.log_time.time_since_epoch().count(),
-                       csvField(message.channel->topic), message.sequence, message.publish_time_ns,
-                       csvField(message.channel->encoding),
-                       is_text ? csvField(textOf(message.payload)) : std::string(),
-                       is_text ? std::string() : base64Of(message.payload));
-  }
-
-  const CatOptions& options_;
-  const std::string& name_;
-  LogTime origin_;
-  std::size_t topic_width_ = 0;
+  LogChannel channel_{0, std::string(profile::kMarkTopic), std::string(profile::kMarkEncoding), {}};
+  std::vector<Event> marks_;
+  std::size_t next_ = 0;
+  std::string payload_;
 };
 
 }  // namespace
@@ -138,21 +96,38 @@ Result<std::uint64_t> catLog(LogReader& reader, const CatOptions& options, bool 
   const Result<TimeRange> range = rangeOf(options, reader.summary());
   if (!range) return range.error();
   const std::vector<bool> wanted = wantedChannels(options, reader);
-  const Printer printer(reader, options, wanted);
+  Result<MarkMessages> marks = MarkMessages::of(reader, options);
+  if (!marks) return marks.error();
+  MessagePrinter printer(options.format, options.name_log ? reader.name() : std::string(),
+                         reader.summary().origin);
+  for (const LogChannel& channel : reader.channels()) {
+    if (wanted[channel.id]) printer.makeRoomFor(channel);
+  }
   std::string piece;
   if (with_header) printer.header(piece);
   if (Status found = reader.seek(range->from); !found) return found.error();
+  marks->seek(range->from);
   std::uint64_t count = 0;
+  // Handed over when a piece is full, and at the end.
+  const auto print = [&](const LogMessage& message) -> Status {
+    printer.message(message, piece);
+    ++count;
+    if (piece.size() < kPieceBytes) return {};
+    Status written = out(piece);
+    piece.clear();
+    return written;
+  };
   while (true) {
     const Result<std::optional<LogMessage>> message = reader.next();
     if (!message) return message.error();
-    if (!*message || (*message)->log_time >= range->until) break;
+    const bool at_end = !*message || (*message)->log_time >= range->until;
+    const LogTime now = at_end ? range->until : (*message)->log_time;
+    while (const std::optional<LogMessage> mark = marks->before(now)) {
+      if (Status printed = print(*mark); !printed) return printed.error();
+    }
+    if (at_end) break;
     if (!wanted[(*message)->channel->id]) continue;
-    printer.message(**message, piece);
-    ++count;
-    if (piece.size() < kPieceBytes) continue;
-    if (Status written = out(piece); !written) return written.error();
-    piece.clear();
+    if (Status printed = print(**message); !printed) return printed.error();
   }
   if (Status written = out(piece); !written) return written.error();
   return count;

@@ -7,10 +7,9 @@
 
 #include "core/log/log_reader.h"
 #include "core/result.h"
+#include "recorder/log/message_printer.h"
 
 namespace rocinante {
-
-enum class CatFormat { text, json, csv };
 
 struct CatOptions {
   std::string from;                   ///< a session time (docs/programs/log.md); empty: the start
@@ -24,7 +23,8 @@ struct CatOptions {
 using TextSink = std::function<Status(std::string_view)>;
 
 /// Gives the chosen messages of a log, in order, one a line (of a CSV file: one a row, and its
-/// first line names the columns when `with_header`). Answers how many there were.
+/// first line names the columns when `with_header`). Marks beside the log are messages on
+/// /rocinante/mark, at their times, behind the log's own. Answers how many there were.
 Result<std::uint64_t> catLog(LogReader& reader, const CatOptions& options, bool with_header,
                              const TextSink& out);
 

@@ -20,5 +20,16 @@ struct LogCommand {
 
 LogCommand addInfoCommand(CLI::App& program);
 LogCommand addCatCommand(CLI::App& program);
+LogCommand addDoctorCommand(CLI::App& program);
+LogCommand addFollowCommand(CLI::App& program);
+LogCommand addMarkCommand(CLI::App& program);
+LogCommand addCutCommand(CLI::App& program);
+LogCommand addFilterCommand(CLI::App& program);
+LogCommand addMergeCommand(CLI::App& program);
+LogCommand addSplitCommand(CLI::App& program);
+LogCommand addShiftCommand(CLI::App& program);
+LogCommand addRecoverCommand(CLI::App& program);
+LogCommand addAttachCommand(CLI::App& program);
+LogCommand addExtractCommand(CLI::App& program);
 
 }  // namespace rocinante

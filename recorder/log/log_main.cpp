@@ -9,7 +9,17 @@ constexpr const char* kExamples =
     "  rocinante log info session.mcap                 what is in it, and whether it is whole\n"
     "  rocinante log info --json session.mcap          the same for scripts\n"
     "  rocinante log cat session.mcap --from 12.5s --until 14s\n"
-    "  rocinante log cat session.mcap --channel '/udp/*/arm' --format json\n";
+    "  rocinante log cat session.mcap --channel '/udp/*/arm' --format json\n"
+    "  rocinante log doctor session.mcap               whether it keeps every rule\n"
+    "  rocinante log follow session.mcap               what its recorder adds, as it comes\n"
+    "  rocinante log mark session.mcap 12.5s 'the gripper slipped'\n"
+    "  rocinante log cut session.mcap -o pick.mcap --from-event pick --until-event place\n"
+    "  rocinante log filter session.mcap -o arm.mcap --source arm\n"
+    "  rocinante log merge left.mcap right.mcap -o both.mcap\n"
+    "  rocinante log split session.mcap -o pieces/ --time 60s\n"
+    "  rocinante log recover killed.mcap -o whole.mcap\n"
+    "  rocinante log attach session.mcap --cell demo.cell.toml -o carries_its_cell.mcap\n"
+    "  rocinante log extract session.mcap --cell -o demo/\n";
 
 }  // namespace
 
@@ -20,6 +30,17 @@ int main(int argc, char** argv) {
   const std::vector<LogCommand> commands{
       addInfoCommand(app),
       addCatCommand(app),
+      addDoctorCommand(app),
+      addFollowCommand(app),
+      addMarkCommand(app),
+      addCutCommand(app),
+      addFilterCommand(app),
+      addMergeCommand(app),
+      addSplitCommand(app),
+      addShiftCommand(app),
+      addRecoverCommand(app),
+      addAttachCommand(app),
+      addExtractCommand(app),
   };
   return cli::run(app, argc, argv, kExamples, [&]() -> Result<cli::Exit> {
     for (const LogCommand& command : commands) {

@@ -1,0 +1,180 @@
+#include "recorder/doctor/chunk_rules.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/hash.h"
+#include "core/log/log_profile.h"
+
+namespace rocinante {
+
+using mcap::Opcode;
+
+void ChunkRules::chunk(const mcap::Record& record) {
+  open_ = true;
+  readable_ = false;
+  offset_ = record.offset;
+  entries_.clear();
+  any_index_ = false;
+  facts_.chunk_offsets.push_back(record.offset);
+  mcap::Chunk chunk;
+  if (!mcap::parse(record.content, chunk)) {
+    report_.add("record-fields", offset_, "the lengths in a Chunk do not fit into it");
+    if (profile_ != nullptr) profile_->gap();
+    return;
+  }
+  if (profile_ != nullptr && chunk.compression != "" && chunk.compression != "zstd") {
+    report_.add("profile-compression", offset_, "a chunk of ours is compressed with zstd, or not");
+  }
+  // Its checksum is looked at apart from its content.
+  mcap::Chunk unchecked = chunk;
+  unchecked.uncompressed_crc = 0;
+  const Result<ByteView> expanded = expander_.expand(unchecked, scratch_);
+  if (!expanded) {
+    report_.add(expanded.error().kind == ErrorKind::unsupported ? "chunk-unread" : "chunk-content",
+                offset_, expanded.error().what);
+    if (profile_ != nullptr) profile_->gap();
+    return;
+  }
+  if (chunk.uncompressed_crc == 0) {
+    if (profile_ != nullptr && !expanded->empty()) {
+      report_.add("profile-crc", offset_, "the chunk has no checksum");
+    }
+  } else if (const std::uint32_t found = crc32(*expanded); found != chunk.uncompressed_crc) {
+    report_.add("chunk-crc", offset_,
+                fmt::format("the chunk fails its checksum ({:08x}, stored {:08x})", found,
+                            chunk.uncompressed_crc));
+    // What it says is not to be believed.
+    if (profile_ != nullptr) profile_->gap();
+    return;
+  }
+  readable_ = true;
+  records(chunk, *expanded);
+}
+
+void ChunkRules::records(const mcap::Chunk& chunk, ByteView records) {
+  for (std::uint64_t at = 0; at < records.size();) {
+    const std::optional<mcap::Record> record = mcap::recordAt(records, at);
+    if (!record) {
+      report_.add("chunk-records", offset_,
+                  fmt::format("a record reaches past the end of its chunk, {} bytes into it", at));
+      readable_ = false;
+      return;
+    }
+    at = record->end();
+    if (record->opcode == Opcode::message) {
+      message(*record, offset_);
+    } else if (record->opcode == Opcode::schema) {
+      definitions_.addSchema(*record, offset_);
+      if (profile_ != nullptr) report_.add("profile-schema", offset_, "a Schema; ours have none");
+    } else if (record->opcode == Opcode::channel) {
+      if (const std::optional<mcap::Channel> channel = definitions_.addChannel(*record, offset_)) {
+        defined_in_[channel->id] = number();
+        if (profile_ != nullptr) profile_->channel(*channel, offset_);
+      }
+    } else if (record->opcode <= Opcode::data_end) {
+      report_.add("chunk-records", offset_,
+                  fmt::format("a {} lies in a chunk", mcap::nameOf(record->opcode)));
+    }
+  }
+  times(chunk);
+}
+
+void ChunkRules::message(const mcap::Record& record, std::uint64_t offset) {
+  mcap::Message message;
+  if (!mcap::parse(record.content, message)) {
+    report_.add("record-fields", offset, "a Message is too short");
+    return;
+  }
+  ++report_.messages;
+  ++facts_.message_count;
+  ++facts_.messages[message.channel_id];
+  facts_.start_time = std::min(facts_.start_time, message.log_time);
+  facts_.end_time = std::max(facts_.end_time, message.log_time);
+  if (open_) entries_.push_back({message.channel_id, message.log_time, record.offset});
+  if (!definitions_.hasChannel(message.channel_id)) {
+    report_.add(
+        "message-channel", offset,
+        fmt::format("a message on channel {}, which was not defined before", message.channel_id));
+    return;
+  }
+  if (profile_ == nullptr) return;
+  if (open_ && defined_in_[message.channel_id] != number()) {
+    report_.add(
+        "chunk-alone", offset,
+        fmt::format("channel {} is used in a chunk that does not define it", message.channel_id));
+    defined_in_[message.channel_id] = number();  // said once a chunk
+  }
+  profile_->message(message, offset);
+}
+
+void ChunkRules::times(const mcap::Chunk& chunk) {
+  std::uint64_t start = 0;
+  std::uint64_t end = 0;
+  for (bool first = true; const Entry& entry : entries_) {
+    start = first ? entry.time : std::min(start, entry.time);
+    end = std::max(end, entry.time);
+    first = false;
+  }
+  if (chunk.message_start_time == start && chunk.message_end_time == end) return;
+  report_.add("chunk-times", offset_,
+              fmt::format("the header gives the times {} to {}, the messages {} to {}",
+                          chunk.message_start_time, chunk.message_end_time, start, end));
+}
+
+void ChunkRules::index(const mcap::Record& record) {
+  if (!open_) {
+    report_.add("record-place", record.offset, "a MessageIndex follows no chunk");
+    return;
+  }
+  mcap::MessageIndex index;
+  if (!mcap::parse(record.content, index)) {
+    report_.add("record-fields", record.offset, "the lengths in a MessageIndex do not fit into it");
+    return;
+  }
+  if (indexed_in_[index.channel_id] == number()) {
+    report_.add("index-twice", record.offset,
+                fmt::format("a second MessageIndex of channel {}", index.channel_id));
+    return;
+  }
+  // They are to be compared channel by channel.
+  if (!any_index_) std::ranges::sort(entries_);
+  any_index_ = true;
+  indexed_in_[index.channel_id] = number();
+  if (index.records.empty()) {
+    report_.add("index-empty", record.offset,
+                fmt::format("the MessageIndex of channel {} is empty", index.channel_id));
+    return;
+  }
+  if (!readable_) return;
+  std::ranges::sort(index.records);
+  const auto mine = std::ranges::equal_range(entries_, index.channel_id, {}, &Entry::channel);
+  const bool same = std::ranges::equal(index.records, mine, [](const auto& said, const Entry& is) {
+    return said.first == is.time && said.second == is.offset;
+  });
+  if (same) return;
+  report_.add("index-entries", record.offset,
+              fmt::format("the MessageIndex of channel {} does not tell its {} messages in the "
+                          "chunk",
+                          index.channel_id, std::ranges::size(mine)));
+}
+
+void ChunkRules::end() {
+  if (!open_) return;
+  open_ = false;
+  if (!readable_ || (!any_index_ && profile_ == nullptr)) return;
+  std::ranges::sort(entries_);
+  for (auto at = entries_.begin(); at != entries_.end();) {
+    const std::uint16_t channel = at->channel;
+    if (indexed_in_[channel] != number()) {
+      report_.add("index-missing", offset_,
+                  fmt::format("channel {} has messages in the chunk and no MessageIndex behind it",
+                              channel));
+    }
+    at = std::find_if(at, entries_.end(),
+                      [&](const Entry& entry) { return entry.channel != channel; });
+  }
+}
+
+}  // namespace rocinante

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/log/mcap_chunk.h"
+#include "core/log/mcap_stream_reader.h"
+#include "recorder/doctor/doctor_facts.h"
+#include "recorder/doctor/profile_rules.h"
+
+namespace rocinante {
+
+/// Looks at one chunk after another, and at the message indexes that follow each. Holds one chunk.
+class ChunkRules {
+ public:
+  /// `profile` is null for files that are not ours. All are borrowed.
+  ChunkRules(DoctorReport& report, DoctorFacts& facts, Definitions& definitions,
+             ProfileRules* profile)
+      : report_(report),
+        facts_(facts),
+        definitions_(definitions),
+        profile_(profile),
+        defined_in_(kChannels),
+        indexed_in_(kChannels) {}
+
+  /// A Chunk record at its place in the file.
+  void chunk(const mcap::Record& record);
+  /// A MessageIndex that follows it, or another of them.
+  void index(const mcap::Record& record);
+  /// All its indexes were given.
+  void end();
+
+  /// A message of a chunk, or one outside: of a channel that is known, counted.
+  void message(const mcap::Record& record, std::uint64_t offset);
+
+ private:
+  /// A message of the chunk, as its index must have it.
+  struct Entry {
+    std::uint16_t channel;
+    std::uint64_t time;
+    std::uint64_t offset;  ///< in the chunk
+    auto operator<=>(const Entry&) const = default;
+  };
+
+  static constexpr std::size_t kChannels = 65536;
+
+  std::uint64_t number() const { return facts_.chunk_offsets.size(); }
+  void records(const mcap::Chunk& chunk, ByteView records);
+  void times(const mcap::Chunk& chunk);
+
+  DoctorReport& report_;
+  DoctorFacts& facts_;
+  Definitions& definitions_;
+  ProfileRules* profile_;
+  mcap::ChunkExpander expander_;
+  mcap::Scratch scratch_;
+
+  std::uint64_t offset_ = 0;  ///< of the chunk
+  bool open_ = false;         ///< its indexes may follow
+  bool readable_ = false;
+  bool any_index_ = false;
+  std::vector<Entry> entries_;  ///< sorted when the first index comes
+  /// By channel id: the number of the last chunk that defined it, and of the last whose index came.
+  std::vector<std::uint64_t> defined_in_;
+  std::vector<std::uint64_t> indexed_in_;
+};
+
+}  // namespace rocinante

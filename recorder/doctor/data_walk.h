@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+#include "core/log/mcap_stream_reader.h"
+#include "core/log/record_probe.h"
+#include "recorder/doctor/chunk_rules.h"
+#include "recorder/doctor/doctor_facts.h"
+#include "recorder/doctor/profile_rules.h"
+
+namespace rocinante {
+
+/// Goes over the data section of a file, record by record, and past what is no record.
+class DataWalk {
+ public:
+  DataWalk(ByteView file, DoctorReport& report, DoctorFacts& facts, Definitions& definitions)
+      : file_(file), report_(report), facts_(facts), definitions_(definitions), probe_(file) {}
+
+  /// Where the summary begins: behind DataEnd. Empty when the file ends before; that is a breach.
+  /// `progress` is told now and then how many bytes are done.
+  std::optional<std::uint64_t> run(const std::function<void(std::uint64_t)>& progress);
+
+ private:
+  void begin();
+  void record(const mcap::Record& record);
+  void attachment(const mcap::Record& record);
+  void metadata(const mcap::Record& record);
+  void dataEnd(const mcap::Record& record);
+  bool skipBroken();
+  bool endsAsAWholeFile() const;
+
+  ByteView file_;
+  DoctorReport& report_;
+  DoctorFacts& facts_;
+  Definitions& definitions_;
+  RecordProbe probe_;
+  std::optional<ProfileRules> profile_;
+  std::optional<ChunkRules> chunks_;
+  std::uint64_t position_ = 0;
+  std::uint64_t last_offset_ = 0;  ///< of the record before this one
+  std::optional<std::uint64_t> summary_start_;
+};
+
+}  // namespace rocinante

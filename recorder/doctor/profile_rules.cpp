@@ -1,0 +1,253 @@
+#include "recorder/doctor/profile_rules.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+
+#include "core/log/log_profile.h"
+#include "core/log/loss_message.h"
+#include "core/plain_text.h"
+#include "core/session/marks.h"
+
+namespace rocinante {
+namespace {
+
+constexpr auto kLastTime = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+
+LogTime timeOf(std::uint64_t time) {
+  return LogTime(Nanoseconds(static_cast<std::int64_t>(std::min(time, kLastTime))));
+}
+
+std::optional<std::string> entryOf(const std::map<std::string, std::string>& entries,
+                                   std::string_view key) {
+  const auto found = entries.find(std::string(key));
+  if (found == entries.end()) return std::nullopt;
+  return found->second;
+}
+
+bool isOrigin(const std::string& text) {
+  std::int64_t number = 0;
+  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return fault == std::errc() && end == text.data() + text.size() && number >= 0;
+}
+
+/// The first line of `mine` that `theirs` lacks.
+std::string firstDifference(const std::string& mine, const std::string& theirs) {
+  const auto differ = std::ranges::mismatch(mine, theirs);
+  const auto at = static_cast<std::size_t>(differ.in1 - mine.begin());
+  const std::size_t line = at == 0 ? 0 : mine.rfind('\n', at - 1) + 1;
+  return plainText(mine.substr(line, std::min(mine.find('\n', line), line + 200) - line));
+}
+
+}  // namespace
+
+void ProfileRules::channel(const mcap::Channel& channel, std::uint64_t offset) {
+  Known known;
+  known.channel = {channel.id, channel.topic, channel.message_encoding, channel.metadata};
+  if (!channels_.try_emplace(channel.id, known).second) return;
+  Known& mine = channels_[channel.id];
+  const LogChannel& as_read = mine.channel;
+  if (channel.schema_id != 0) {
+    report_.add("profile-schema", offset,
+                fmt::format("channel {} has a schema; none of ours has", channel.id));
+  }
+  if (!as_read.topic.starts_with('/')) {
+    report_.add("topic", offset,
+                fmt::format("the topic \"{}\" does not begin with /", plainText(as_read.topic)));
+  }
+  std::string_view wanted;
+  if (as_read.topic == profile::kKeyframeTopic) wanted = profile::kKeyframeEncoding;
+  if (as_read.topic == profile::kMarkTopic) wanted = profile::kMarkEncoding;
+  if (as_read.topic == kLossTopic) wanted = kLossEncoding;
+  const bool right = as_read.captured() ? as_read.encoding == "rk1" || as_read.encoding == "octets"
+                                        : wanted.empty() || as_read.encoding == wanted;
+  if (!right) {
+    report_.add("encoding", offset,
+                fmt::format("channel {}, {}, has the message encoding \"{}\"", channel.id,
+                            plainText(as_read.topic), plainText(as_read.encoding)));
+  }
+  if (as_read.topic == profile::kKeyframeTopic) {
+    if (keyframe_channel_) {
+      report_.add("keyframe-place", offset, "a second channel of keyframes");
+    } else {
+      keyframe_channel_ = channel.id;
+    }
+  }
+  if (!as_read.folded()) return;
+  auto decoder = decoders_.find(as_read.encoding);
+  if (decoder == decoders_.end()) {
+    decoder = decoders_.emplace(as_read.encoding, makeDecoder(as_read.encoding)).first;
+  }
+  mine.decoder = decoder->second.get();
+}
+
+void ProfileRules::metadata(const mcap::Metadata& metadata, std::uint64_t offset) {
+  if (metadata.name == profile::kSession) session(metadata, offset);
+  if (metadata.name == profile::kEnd) closing(metadata, offset);
+}
+
+void ProfileRules::session(const mcap::Metadata& metadata, std::uint64_t offset) {
+  if (session_) {
+    report_.add("session", offset, "a second rocinante.session");
+    return;
+  }
+  session_ = metadata.metadata;
+  const std::optional<std::string> format = entryOf(*session_, profile::kFormatKey);
+  if (format != profile::kFormat) {
+    report_.add("session", offset,
+                fmt::format("rocinante.session has the format \"{}\"; 1 is known",
+                            plainText(format.value_or("").substr(0, 40))));
+  }
+  if (entryOf(*session_, profile::kSessionIdKey).value_or("").empty()) {
+    report_.add("session", offset, "rocinante.session has no session_id");
+  }
+  const std::optional<std::string> origin = entryOf(*session_, profile::kOriginKey);
+  if (origin && !isOrigin(*origin)) {
+    report_.add("session", offset,
+                fmt::format("origin_ns is \"{}\", no decimal number of nanoseconds",
+                            plainText(origin->substr(0, 40))));
+  }
+  if (any_captured_) {
+    report_.add("session-place", offset,
+                "rocinante.session stands behind the first captured message");
+  }
+}
+
+void ProfileRules::closing(const mcap::Metadata& metadata, std::uint64_t offset) {
+  if (end_offset_) {
+    report_.add("end", offset, "a second rocinante.end");
+    return;
+  }
+  end_offset_ = offset;
+  if (!entryOf(metadata.metadata, profile::kReasonKey)) {
+    report_.add("end", offset, "rocinante.end gives no reason");
+  }
+  if (!session_) return;
+  for (const std::string_view key : {profile::kSessionIdKey, profile::kOriginKey}) {
+    if (entryOf(metadata.metadata, key) != entryOf(*session_, key)) {
+      report_.add("origin", offset, fmt::format("{} is another than in rocinante.session", key));
+    }
+  }
+}
+
+void ProfileRules::end(std::uint64_t offset, std::uint64_t last_offset) {
+  if (!session_) report_.add("session", offset, "there is no rocinante.session");
+  if (session_ && any_captured_ && !session_->contains(std::string(profile::kOriginKey))) {
+    report_.add("session", offset,
+                "messages were captured, and rocinante.session has no origin_ns");
+  }
+  if (!end_offset_) {
+    report_.add("end", offset, "there is no rocinante.end");
+  } else if (*end_offset_ != last_offset) {
+    report_.add("end", *end_offset_, "rocinante.end is not the last record before DataEnd");
+  }
+}
+
+void ProfileRules::message(const mcap::Message& message, std::uint64_t offset) {
+  const auto found = channels_.find(message.channel_id);
+  if (found == channels_.end()) return;
+  const Known& known = found->second;
+  if (message.log_time > kLastTime) {
+    report_.add("time-range", offset,
+                fmt::format("a message has the log time {}, beyond 2^63", message.log_time));
+    return;
+  }
+  if (message.log_time < last_time_) {
+    report_.add("time-order", offset,
+                fmt::format("a message lies {} ns before one that stands before it",
+                            last_time_ - message.log_time));
+  }
+  last_time_ = std::max(last_time_, message.log_time);
+  if (known.channel.captured()) captured(known, message, offset);
+  if (known.channel.folded()) fold(known, message, offset);
+  if (known.channel.topic == profile::kKeyframeTopic) {
+    keyframe(known, message, offset);
+  } else if (!known.channel.folded()) {
+    own(known, message, offset);
+  }
+}
+
+void ProfileRules::captured(const Known& known, const mcap::Message& message,
+                            std::uint64_t offset) {
+  if (!any_captured_ && !session_) {
+    report_.add("session-place", offset, "a captured message stands before rocinante.session");
+  }
+  any_captured_ = true;
+  if (encodingOf(message.data) != known.channel.encoding) {
+    report_.add("encoding", offset,
+                fmt::format("message {} on channel {} is {}, and the channel says {}",
+                            message.sequence, message.channel_id, encodingOf(message.data),
+                            plainText(known.channel.encoding)));
+  }
+}
+
+void ProfileRules::fold(const Known& known, const mcap::Message& message, std::uint64_t offset) {
+  if (last_folded_time_ && message.log_time < *last_folded_time_) fold_ordered_ = false;
+  if (keyframe_time_ && message.log_time < *keyframe_time_) {
+    report_.add("keyframe-time", offset, "a message behind a keyframe lies before it in time");
+  }
+  keyframe_time_.reset();
+  last_folded_time_ = message.log_time;
+  if (known.decoder == nullptr) return;
+  const Packet* const packet = known.decoder->decode(message.data);
+  if (packet == nullptr) return;
+  if (known.channel.captured() && !packet->header.by.empty()) {
+    report_.add("restated", offset,
+                fmt::format("message {} on channel {} is somebody's restatement (by=), which "
+                            "belongs on /rocinante/restated/...",
+                            message.sequence, message.channel_id));
+  }
+  state_.apply(timeOf(message.log_time), *packet);
+  (void)state_.takeEvents();
+}
+
+void ProfileRules::keyframe(const Known&, const mcap::Message& message, std::uint64_t offset) {
+  const LogTime time = timeOf(message.log_time);
+  Result<SessionState> told = keyframe_reader_.read(message.data, time);
+  if (!told) {
+    report_.add("keyframe-content", offset, told.error().text());
+    return;
+  }
+  keyframe_time_ = message.log_time;
+  if (!last_folded_time_ || !fold_known_) {
+    // It opens a piece, or follows what could not be read: from here on it is what is known.
+    state_ = std::move(*told);
+    fold_known_ = true;
+    return;
+  }
+  if (message.log_time < *last_folded_time_) {
+    report_.add("keyframe-time", offset, "a keyframe lies before a message that stands before it");
+    return;
+  }
+  if (!fold_ordered_) {
+    report_.add("keyframe-place", offset,
+                "a keyframe follows messages that are not in order of time");
+    return;
+  }
+  if (state_.restatementOpen(timeOf(*last_folded_time_))) {
+    report_.add("keyframe-place", offset, "a keyframe stands inside an unfinished restatement");
+    return;
+  }
+  if (state_.sameAs(*told)) return;
+  report_.add("keyframe-state", offset,
+              report_.broke("keyframe-state")
+                  ? std::string("a keyframe is not the fold of what stands before it")
+                  : fmt::format("a keyframe is not the fold of what stands before it: the fold has "
+                                "\"{}\"",
+                                firstDifference(state_.identityText(), told->identityText())));
+}
+
+void ProfileRules::own(const Known& known, const mcap::Message& message, std::uint64_t offset) {
+  if (known.channel.topic == kLossTopic && !parseLoss(message.data)) {
+    report_.add("loss", offset,
+                fmt::format("message {} on {} tells no loss", message.sequence, kLossTopic));
+  }
+  if (known.channel.topic == profile::kMarkTopic && !parseMark(message.data)) {
+    report_.add("mark", offset,
+                fmt::format("message {} on {} is no mark", message.sequence, profile::kMarkTopic));
+  }
+}
+
+}  // namespace rocinante

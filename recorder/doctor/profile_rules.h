@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "core/log/log_types.h"
+#include "core/log/mcap_records.h"
+#include "core/packet/decoder.h"
+#include "core/packet/session_state.h"
+#include "core/session/keyframe.h"
+#include "recorder/doctor/doctor_report.h"
+
+namespace rocinante {
+
+/// The rules of the profile `rocinante` (docs/log-format.md) over the records of a data section,
+/// told in the file's order.
+class ProfileRules {
+ public:
+  explicit ProfileRules(DoctorReport& report) : report_(report) {}
+
+  void channel(const mcap::Channel& channel, std::uint64_t offset);
+  void message(const mcap::Message& message, std::uint64_t offset);
+  void metadata(const mcap::Metadata& metadata, std::uint64_t offset);
+  /// Messages are missing here: what the session was before is no longer known.
+  void gap() { fold_known_ = false; }
+  /// The data section ends at `offset`; its last record stands at `last_offset`.
+  void end(std::uint64_t offset, std::uint64_t last_offset);
+
+ private:
+  struct Known {
+    LogChannel channel;
+    Decoder* decoder = nullptr;  ///< of folded channels, where there is one
+  };
+
+  void session(const mcap::Metadata& metadata, std::uint64_t offset);
+  void closing(const mcap::Metadata& metadata, std::uint64_t offset);
+  void captured(const Known& known, const mcap::Message& message, std::uint64_t offset);
+  void fold(const Known& known, const mcap::Message& message, std::uint64_t offset);
+  void keyframe(const Known& known, const mcap::Message& message, std::uint64_t offset);
+  void own(const Known& known, const mcap::Message& message, std::uint64_t offset);
+
+  DoctorReport& report_;
+  std::map<std::uint16_t, Known> channels_;
+  std::map<std::string, std::unique_ptr<Decoder>, std::less<>> decoders_;
+
+  std::optional<std::map<std::string, std::string>> session_;
+  std::optional<std::uint64_t> end_offset_;
+  bool any_captured_ = false;
+  std::uint64_t last_time_ = 0;
+
+  SessionState state_;
+  KeyframeReader keyframe_reader_;
+  bool fold_known_ = true;
+  bool fold_ordered_ = true;
+  std::optional<std::uint64_t> last_folded_time_;
+  std::optional<std::uint64_t> keyframe_time_;  ///< of the last keyframe, until a message follows
+  std::optional<std::uint16_t> keyframe_channel_;
+};
+
+}  // namespace rocinante

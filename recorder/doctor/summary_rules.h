@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/log/mcap_stream_reader.h"
+#include "recorder/doctor/doctor_facts.h"
+
+namespace rocinante {
+
+/// Looks at everything behind DataEnd, and holds it against the data section.
+class SummaryRules {
+ public:
+  SummaryRules(ByteView file, DoctorReport& report, const DoctorFacts& facts,
+               Definitions& definitions)
+      : file_(file), report_(report), facts_(facts), definitions_(definitions) {}
+
+  /// `start`: behind DataEnd.
+  void run(std::uint64_t start);
+
+ private:
+  /// A run of records of one kind.
+  struct Group {
+    mcap::Opcode opcode = mcap::Opcode::invalid;
+    std::uint64_t start = 0;
+    std::uint64_t end = 0;
+    bool pointed_at = false;
+  };
+
+  void record(const mcap::Record& record);
+  void place(const mcap::Record& record);
+  void chunkIndex(const mcap::Record& record);
+  void compareWithChunk(const mcap::ChunkIndex& index, const mcap::Record& record);
+  void attachmentIndex(const mcap::Record& record);
+  void metadataIndex(const mcap::Record& record);
+  void statistics(const mcap::Record& record);
+  void summaryOffset(const mcap::Record& record);
+  void footer(const mcap::Record& record);
+  void complete(std::uint64_t offset);
+  void compareStatistics();
+  /// Marks the record at `pointed` as indexed; false, with a breach, when there is none in
+  /// `offsets` or it was indexed before.
+  bool point(const std::vector<std::uint64_t>& offsets, std::vector<bool>& seen,
+             std::uint64_t pointed, std::uint64_t offset, std::string_view rule);
+  void missing(const std::vector<std::uint64_t>& offsets, const std::vector<bool>& seen,
+               bool required, std::string_view rule, std::string_view what);
+
+  ByteView file_;
+  DoctorReport& report_;
+  const DoctorFacts& facts_;
+  Definitions& definitions_;
+
+  std::uint64_t start_ = 0;
+  std::vector<Group> groups_;
+  std::optional<mcap::Record> statistics_;
+  std::vector<bool> chunks_seen_;
+  std::vector<bool> attachments_seen_;
+  std::vector<bool> metadata_seen_;
+  std::vector<bool> channels_repeated_;  ///< by id
+  bool any_chunk_index_ = false;
+  bool any_attachment_index_ = false;
+  bool any_metadata_index_ = false;
+  bool any_channel_ = false;
+};
+
+}  // namespace rocinante

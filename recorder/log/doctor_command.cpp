@@ -1,0 +1,41 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "recorder/doctor/log_doctor.h"
+#include "recorder/log/command_support.h"
+#include "recorder/log/log_commands.h"
+
+namespace rocinante {
+namespace {
+
+struct DoctorOptions {
+  std::vector<std::string> logs;
+  bool json = false;
+};
+
+Result<cli::Exit> runDoctor(const DoctorOptions& options) {
+  cli::Exit exit = cli::Exit::done;
+  for (const std::string& log : options.logs) {
+    ProgressLine progress("examining " + log);
+    const Result<DoctorReport> report = examineLog(log, [&](double part) { progress.show(part); });
+    if (!report) return report.error();
+    const std::string text =
+        options.json ? doctorJson(*report, options.logs.size() == 1) : doctorText(*report);
+    if (Status written = toStandardOutput(text); !written) return written.error();
+    if (!report->clean()) exit = cli::Exit::no;
+  }
+  return exit;
+}
+
+}  // namespace
+
+LogCommand addDoctorCommand(CLI::App& program) {
+  auto options = std::make_shared<DoctorOptions>();
+  CLI::App* const app = program.add_subcommand(
+      "doctor", "whether a log keeps every rule of its format, and where not");
+  app->add_option("LOG", options->logs, "logs to examine; other MCAP files too")->required();
+  app->add_flag("--json", options->json, "for scripts; of several logs, one object a line");
+  return {app, [options] { return runDoctor(*options); }};
+}
+
+}  // namespace rocinante

@@ -1,0 +1,71 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+#include <thread>
+
+#include "recorder/log/command_support.h"
+#include "recorder/log/log_commands.h"
+#include "recorder/log/log_follow.h"
+
+namespace rocinante {
+namespace {
+
+/// A recorder adds to its log every 50 ms by default.
+constexpr std::chrono::milliseconds kBetweenLooks{20};
+
+struct FollowCommandOptions {
+  std::string log;
+  bool from_start = false;
+  std::string format = "text";
+  FollowOptions follow;
+};
+
+Status toFlushedOutput(std::string_view text) {
+  if (Status written = toStandardOutput(text); !written) return written;
+  if (std::fflush(stdout) == 0) return {};
+  return Error{ErrorKind::unreadable, "cannot write to standard output", {}};
+}
+
+Result<cli::Exit> runFollow(FollowCommandOptions& options) {
+  options.follow.format = options.format == "json"  ? CatFormat::json
+                          : options.format == "csv" ? CatFormat::csv
+                                                    : CatFormat::text;
+  cli::catchStopSignals();
+  Result<LogFollower> follower = LogFollower::open(
+      options.log, options.from_start ? LogFollower::From::start : LogFollower::From::now);
+  if (!follower) return follower.error();
+  cli::Exit exit = cli::Exit::done;
+  FollowEvents events;
+  events.wait = [] {
+    if (!cli::stopRequested()) std::this_thread::sleep_for(kBetweenLooks);
+    return !cli::stopRequested();
+  };
+  events.damaged = [&](const DamageSpan& span) {
+    cli::warn(fmt::format("{} ({}, byte {})", span.cause, options.log, span.from));
+    exit = cli::Exit::no;
+  };
+  const Result<std::uint64_t> shown = followLog(*follower, options.follow, events, toFlushedOutput);
+  if (!shown) return shown.error();
+  return exit;
+}
+
+}  // namespace
+
+LogCommand addFollowCommand(CLI::App& program) {
+  auto options = std::make_shared<FollowCommandOptions>();
+  CLI::App* const app = program.add_subcommand(
+      "follow", "the messages of a log that is being recorded, as they come");
+  app->add_option("LOG", options->log, "the log")->required();
+  app->add_flag("--from-start", options->from_start, "with those that stand there already");
+  app->add_option("--channel", options->follow.channels,
+                  "only topics that match this pattern, as a shell's; may be repeated")
+      ->allow_extra_args(false);
+  app->add_option("--format", options->format, "text, json (one object a line) or csv")
+      ->check(CLI::IsMember({"text", "json", "csv"}))
+      ->capture_default_str();
+  return {app, [options] { return runFollow(*options); }};
+}
+
+}  // namespace rocinante

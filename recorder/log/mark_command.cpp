@@ -1,0 +1,41 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "core/duration_text.h"
+#include "core/plain_text.h"
+#include "recorder/log/command_support.h"
+#include "recorder/log/log_commands.h"
+#include "recorder/log/log_mark.h"
+
+namespace rocinante {
+namespace {
+
+struct MarkOptions {
+  std::string log;
+  std::string time;
+  std::string text;
+};
+
+Result<cli::Exit> runMark(const MarkOptions& options) {
+  const Result<MarkMade> made = markLog(options.log, options.time, options.text);
+  if (!made) return made.error();
+  const Status told = toStandardOutput(fmt::format(
+      "{} s  {}\n", secondsText(made->mark.time - made->origin, 3), plainText(made->mark.text)));
+  if (!told) return told.error();
+  return cli::Exit::done;
+}
+
+}  // namespace
+
+LogCommand addMarkCommand(CLI::App& program) {
+  auto options = std::make_shared<MarkOptions>();
+  CLI::App* const app = program.add_subcommand("mark", "put an event beside a log, into LOG.marks");
+  app->add_option("LOG", options->log, "the log; it is not changed")->required();
+  app->add_option("TIME", options->time, "12.5s from the origin, -1s from the end, or RFC 3339")
+      ->required();
+  app->add_option("TEXT", options->text, "what happened there")->required();
+  return {app, [options] { return runMark(*options); }};
+}
+
+}  // namespace rocinante

@@ -1,0 +1,16 @@
+# A log that grows while it is followed; Ctrl-C ends it, and 0 is the answer.
+log=$SRC/tests/data/logs/version-1.mcap
+head -c 1500 "$log" > session.mcap
+rocinante-log follow session.mcap --from-start --channel '*' --format json > followed.json &
+follower=$!
+tail -c +1501 "$log" | head -c 1000 >> session.mcap
+tail -c +2501 "$log" >> session.mcap
+wait $follower
+rocinante log cat session.mcap --channel '*' --format json | cmp - followed.json
+head -c 1500 "$log" > killed.mcap
+rocinante-log follow killed.mcap --from-start > text &
+follower=$!
+for _ in $(seq 500); do [ -s text ] && break; sleep 0.02; done
+kill -INT $follower
+wait $follower
+echo "messages: $(wc -l < text)"
