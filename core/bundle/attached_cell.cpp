@@ -83,6 +83,11 @@ Result<std::optional<CellBundle>> readAttachedCell(const LogReader& log) {
                  log.name()};
   }
   const std::string manifest_name = entryOf(*record, profile::kCellManifestKey);
+  if (std::ranges::find(log.attachments(), manifest_name, &LogAttachment::name) ==
+      log.attachments().end()) {
+    // The record is written last: a copy that leaves attachments out leaves it alone.
+    return std::optional<CellBundle>();
+  }
   const auto text =
       readByHash(log, manifest_name, entryOf(*record, profile::kCellSha256Key), kMostManifestBytes);
   if (!text.ok()) return text.error();

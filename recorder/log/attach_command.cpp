@@ -1,0 +1,99 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "core/atomic_file.h"
+#include "core/bundle/bundle_names.h"
+#include "core/bundle/media_type.h"
+#include "recorder/log/copy_options.h"
+#include "recorder/log/log_attach.h"
+#include "recorder/log/log_commands.h"
+
+namespace rocinante {
+namespace {
+
+struct AttachArguments {
+  std::string log, name, media_type;
+  std::vector<std::filesystem::path> files;
+  std::filesystem::path cell;
+  CellOptions search;
+  bool replace = false;
+  CopyArguments copy;
+};
+
+Result<std::vector<NewAttachment>> readFiles(const AttachArguments& my) {
+  std::vector<NewAttachment> files;
+  for (const std::filesystem::path& path : my.files) {
+    auto content = readFile(path, kMostAttachedBytes);
+    if (!content.ok()) return content.error();
+    NewAttachment file;
+    file.name = my.name.empty() ? manifestWord(path.filename().string()) : my.name;
+    if (!isBundleName(file.name)) {
+      return Error{ErrorKind::bad_argument,
+                   "an attachment is named as a file in a folder is: NAME or FOLDER/NAME",
+                   file.name};
+    }
+    file.media_type = my.media_type.empty() ? mediaTypeOf(file.name) : my.media_type;
+    const ByteView bytes = bytesOf(*content);
+    file.data.assign(bytes.begin(), bytes.end());
+    files.push_back(std::move(file));
+  }
+  return files;
+}
+
+Result<cli::Exit> runAttach(const AttachArguments& my) {
+  const auto refuse = [](std::string why) {
+    return Error{ErrorKind::bad_argument, std::move(why), {}};
+  };
+  if (my.files.empty() && my.cell.empty()) {
+    return refuse("what to attach? FILE..., --cell CELL, or both");
+  }
+  if (my.files.size() != 1 && !(my.name.empty() && my.media_type.empty())) {
+    return refuse("--name and --media-type go with one FILE");
+  }
+  if (my.cell.empty() && (!my.search.search.empty() || my.search.search_environment)) {
+    return refuse("--search and --search-env go with --cell");
+  }
+  AttachOptions attach;
+  attach.replace = my.replace;
+  auto files = readFiles(my);
+  if (!files.ok()) return files.error();
+  attach.files = std::move(*files);
+  CellBundle cell;
+  if (!my.cell.empty()) {
+    auto collected = collectCell(my.cell, my.search);
+    if (!collected.ok()) return collected.error();
+    cell = std::move(*collected);
+    for (const ModelFault& warning : cell.warnings) cli::warn(warning.print());
+    attach.cell = &cell;
+  }
+  const Result<CopyReport> report =
+      runCopy(my.copy, "copying " + my.log,
+              [&](const MakeOptions& make) { return attachToLog(my.log, attach, make); });
+  if (!report) return report.error();
+  return tellCopy(my.copy, *report);
+}
+
+}  // namespace
+
+LogCommand addAttachCommand(CLI::App& program) {
+  auto my = std::make_shared<AttachArguments>();
+  CLI::App* const app =
+      program.add_subcommand("attach", "a log that carries files, or the cell it belongs to");
+  app->add_option("LOG", my->log, "the log; it is not changed")->required();
+  app->add_option("FILE", my->files, "files to attach, each under its name without folders");
+  app->add_option("--cell", my->cell, "attach this cell and every file it names")
+      ->type_name("CELL");
+  app->add_option("--search", my->search.search, "a folder in which its models are looked for")
+      ->type_name("DIR")
+      ->allow_extra_args(false);
+  app->add_flag("--search-env", my->search.search_environment,
+                "also in ROCINANTE_PATH, AMENT_PREFIX_PATH, ROS_PACKAGE_PATH");
+  app->add_option("--name", my->name, "attach the one FILE under this name");
+  app->add_option("--media-type", my->media_type, "of the one FILE; default by its ending");
+  app->add_flag("--replace", my->replace, "in place of what the log has under the same name");
+  addCopyArguments(*app, my->copy);
+  return {app, [my] { return runAttach(*my); }};
+}
+
+}  // namespace rocinante
