@@ -61,7 +61,7 @@ bool StateFolder::makeRoom(std::uint64_t before, std::uint64_t after) {
 void StateFolder::count(PacketFault fault) { ++counts_->faults[static_cast<std::size_t>(fault)]; }
 
 StateFolder::Device* StateFolder::deviceFor(std::string_view name) {
-  if (Device* const device = state_.device_cache_.find(name)) return device;
+  if (Device* const* const known = state_.device_cache_.find(name)) return *known;
   auto found = state_.devices_.find(name);
   if (found == state_.devices_.end()) {
     if (state_.devices_.size() == limits::kDevices) {

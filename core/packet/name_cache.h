@@ -8,10 +8,10 @@
 
 namespace rocinante {
 
-/// Remembers where the values of names used lately lie in a map, so that a steady stream finds
-/// them without walking it. Points into its owner's maps: a copy or a moved one starts empty,
-/// and clear() must be called before a remembered element is erased.
-template <class Value>
+/// Remembers what belongs to names used lately (where their values lie in a map), so that a steady
+/// stream finds it without walking the map. Points into its owner's maps: a copy or a moved one
+/// starts empty, and clear() must be called before a remembered element is erased.
+template <class Found>
 class NameCache {
  public:
   NameCache() = default;
@@ -29,26 +29,43 @@ class NameCache {
   ~NameCache() = default;
 
   /// Null when it is not remembered, which says nothing about the map.
-  Value* find(std::string_view name) const {
+  const Found* find(std::string_view name) const {
     const Slot& slot = slots_[slotOf(name)];
-    return slot.name != nullptr && *slot.name == name ? slot.value : nullptr;
+    return slot.name != nullptr && *slot.name == name ? &slot.found : nullptr;
   }
-  void remember(const std::string& name, Value* value) { slots_[slotOf(name)] = {&name, value}; }
+  void remember(const std::string& name, Found found) { slots_[slotOf(name)] = {&name, found}; }
   void clear() { slots_ = {}; }
 
  private:
   struct Slot {
     const std::string* name = nullptr;
-    Value* value = nullptr;
+    Found found{};
   };
   static constexpr std::size_t kSlots = 256;
 
-  /// The last eight bytes tell numbered names apart.
+  template <class Unsigned>
+  static std::uint64_t load(const char* from) {
+    Unsigned bits;
+    std::memcpy(&bits, from, sizeof bits);
+    return bits;
+  }
+
+  /// The last eight bytes tell numbered names apart. Loads of fixed sizes, which may overlap: one
+  /// of the name's size would stall on its own stores.
   static std::size_t slotOf(std::string_view name) {
-    std::uint64_t bits = name.size();
-    const std::size_t tail = name.size() < 8 ? name.size() : 8;
-    std::memcpy(&bits, name.data() + name.size() - tail, tail);
-    return static_cast<std::size_t>((bits ^ name.size()) * 0x9E3779B97F4A7C15U >> 56U);
+    const std::size_t size = name.size();
+    const char* const end = name.data() + size;
+    std::uint64_t bits = size;
+    if (size >= 8) {
+      bits ^= load<std::uint64_t>(end - 8);
+    } else if (size >= 4) {
+      bits ^= load<std::uint32_t>(name.data()) << 32U | load<std::uint32_t>(end - 4);
+    } else if (size >= 2) {
+      bits ^= load<std::uint16_t>(name.data()) << 16U | load<std::uint16_t>(end - 2);
+    } else if (size == 1) {
+      bits ^= load<std::uint8_t>(name.data());
+    }
+    return static_cast<std::size_t>(bits * 0x9E3779B97F4A7C15U >> 56U);
   }
 
   std::array<Slot, kSlots> slots_{};

@@ -224,9 +224,12 @@ class SessionState {
   std::map<std::string, RelayCounts, std::less<>> relays_;
   std::uint64_t refused_packets_ = 0;
   std::vector<Event> events_;
-  NameCache<SourceState> source_cache_;
-  NameCache<SourceCounts> counts_cache_;
-  NameCache<Devices::value_type> device_cache_;
+  struct KnownSource {
+    SourceState* state = nullptr;
+    SourceCounts* counts = nullptr;
+  };
+  NameCache<KnownSource> source_cache_;
+  NameCache<Devices::value_type*> device_cache_;
 };
 
 }  // namespace rocinante

@@ -50,9 +50,11 @@ Applied StateFolder::fold() {
 }
 
 bool StateFolder::findSource() {
-  source_ = state_.source_cache_.find(header_.source);
-  counts_ = state_.counts_cache_.find(header_.source);
-  if (source_ != nullptr && counts_ != nullptr) return true;
+  if (const auto* known = state_.source_cache_.find(header_.source)) {
+    source_ = known->state;
+    counts_ = known->counts;
+    return true;
+  }
   auto found = state_.sources_.find(header_.source);
   if (found == state_.sources_.end()) {
     if (state_.sources_.size() == limits::kSources) return false;
@@ -66,8 +68,7 @@ bool StateFolder::findSource() {
   }
   source_ = &found->second;
   counts_ = &state_.counts_.find(header_.source)->second;
-  state_.source_cache_.remember(found->first, source_);
-  state_.counts_cache_.remember(found->first, counts_);
+  state_.source_cache_.remember(found->first, {source_, counts_});
   return true;
 }
 
