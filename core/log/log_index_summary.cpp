@@ -5,6 +5,7 @@
 #include "core/log/byte_cursor.h"
 #include "core/log/log_index.h"
 #include "core/log/mcap_stream_reader.h"
+#include "core/log/record_probe.h"
 
 namespace rocinante {
 
@@ -68,7 +69,7 @@ bool parseInto(ByteView content, std::vector<ChunkPlace>& out) {
   const auto chunk_length = cursor.number<std::uint64_t>();
   const ByteView index_offsets = cursor.bytes32();
   const auto index_length = cursor.number<std::uint64_t>();
-  span.chunk.compression = cursor.string();
+  span.chunk.compression = compressionName(cursor.string());
   place.compressed_size = cursor.number<std::uint64_t>();
   span.chunk.uncompressed_size = cursor.number<std::uint64_t>();
   constexpr std::size_t kPairBytes = sizeof(ChannelId) + sizeof(std::uint64_t);

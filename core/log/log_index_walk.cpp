@@ -163,6 +163,7 @@ class Walk {
     chunk_->offset = offset;
     chunk_->end = chunk_->index_end = end;
     chunk_->chunk = chunk;
+    chunk_->chunk.compression = compressionName(chunk.compression);
     chunk_->start_time = logTimeOf(chunk.message_start_time);
     chunk_->end_time = logTimeOf(chunk.message_end_time);
     indexes_.clear();
@@ -225,8 +226,8 @@ class Walk {
   void addSpan(MessageSpan span, const Range& range, Channel channel) {
     for (const auto& each : range) span.channels.push_back(std::invoke(channel, each));
     std::ranges::sort(span.channels);
-    const auto repeated = std::ranges::unique(span.channels);
-    span.channels.erase(repeated.begin(), repeated.end());
+    span.channels.erase(std::unique(span.channels.begin(), span.channels.end()),
+                        span.channels.end());
     index_.spans.push_back(std::move(span));
   }
 

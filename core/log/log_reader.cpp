@@ -45,6 +45,7 @@ std::optional<LogTime> timeOf(const std::string* text) {
 
 struct LogReader::Impl {
   MappedFile mapped;
+  bool is_mapped = false;  ///< else the bytes are in memory already
   ByteView file;
   std::string name;
   LogIndex index;
@@ -76,7 +77,7 @@ struct LogReader::Impl {
       if (channel_by_id.size() <= channel.id) channel_by_id.resize(channel.id + 1U, nullptr);
       channel_by_id[channel.id] = &channel;
     }
-    cache.emplace(file, index.spans, channel_by_id, index.damage);
+    cache.emplace(file, is_mapped ? &mapped : nullptr, index.spans, channel_by_id, index.damage);
     merge.emplace(*cache);
     summarise();
     return {};
@@ -238,6 +239,7 @@ Result<LogReader> LogReader::open(const std::filesystem::path& path) {
   if (!mapped) return mapped.error();
   auto impl = std::make_unique<Impl>();
   impl->mapped = std::move(*mapped);
+  impl->is_mapped = true;
   impl->file = impl->mapped.bytes();
   impl->name = path.string();
   if (Status built = impl->build(); !built) return built.error();
@@ -292,6 +294,9 @@ Result<Bytes> LogReader::readAttachment(std::size_t index) const {
   }
   const std::uint64_t offset = impl_->index.attachment_offsets[index];
   const std::string place = fmt::format("{}, byte {}", name(), offset);
+  if (impl_->is_mapped && !impl_->mapped.whole()) {
+    return Error{ErrorKind::unreadable, "the file was made shorter while it was read", place};
+  }
   const std::optional<mcap::Record> record = mcap::recordAt(impl_->file, offset);
   mcap::Attachment attachment;
   if (!record || !mcap::parse(record->content, attachment)) {

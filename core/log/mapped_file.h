@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <span>
 
 #include "core/bytes.h"
 #include "core/result.h"
@@ -8,7 +10,9 @@
 namespace rocinante {
 
 /// A file's bytes, read as the system pages them in. The length is that at opening: what is
-/// appended later is not seen. The file must not be made shorter while it is mapped.
+/// appended later is not seen. Where a file is made shorter meanwhile, the system kills who looks
+/// at what is gone (SIGBUS): what is used in quantity is read(), and whole() asked before anything
+/// else is looked at long after opening.
 class MappedFile {
  public:
   /// not_found or unreadable; a folder or a device is unreadable.
@@ -22,8 +26,14 @@ class MappedFile {
   /// Valid while this lives, wherever it is moved.
   ByteView bytes() const { return bytes_; }
 
+  /// False when the file has become shorter than it was at opening.
+  bool whole() const;
+  /// Copies bytes of the file; false when they are not all there, or cannot be read.
+  bool read(std::uint64_t offset, std::span<std::byte> out) const;
+
  private:
   ByteView bytes_;
+  int file_ = -1;
 };
 
 }  // namespace rocinante

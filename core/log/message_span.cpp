@@ -14,6 +14,10 @@ using mcap::Opcode;
 
 namespace {
 
+/// More than a chunk can be that is expanded at all. A run of messages outside chunks may be longer
+/// when it is one message, and is not copied then.
+constexpr std::uint64_t kMostStoredBytes = mcap::kMaxChunkBytes + mcap::kMaxChunkBytes / 64;
+
 constexpr auto kLastFileTime = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
 
 }  // namespace
@@ -49,24 +53,52 @@ mcap::Chunk SpanDecoder::chunkInFile(const MessageSpan& span,
   return found;
 }
 
+/// The bytes, which lie in the file, from the file itself where we have it.
+Result<ByteView> SpanDecoder::stored(ByteView bytes, mcap::Scratch& scratch) const {
+  if (mapped_ == nullptr || bytes.size() > kMostStoredBytes) return bytes;
+  const std::span<std::byte> copy(scratch.make(bytes.size()), bytes.size());
+  if (mapped_->read(static_cast<std::uint64_t>(bytes.data() - file_.data()), copy)) return copy;
+  return Error{ErrorKind::unreadable,
+               "the file was made shorter while it was read, or cannot be read any more",
+               {}};
+}
+
+Result<ByteView> SpanDecoder::expand(const MessageSpan& span, SpanMessages& out) {
+  if (span.loose) {
+    return stored(file_.subspan(static_cast<std::size_t>(span.offset),
+                                static_cast<std::size_t>(span.end - span.offset)),
+                  out.scratch);
+  }
+  const bool plain = span.chunk.compression.empty();
+  mcap::Chunk chunk = span.chunk;
+  if (chunk.records.size() > kMostStoredBytes) {
+    if (!span.cut) {
+      return Error{ErrorKind::damaged,
+                   fmt::format("the chunk is {} bytes long; at most {} are expanded",
+                               chunk.records.size(), kMostStoredBytes),
+                   {}};
+    }
+    chunk.records = chunk.records.first(static_cast<std::size_t>(kMostStoredBytes));
+  }
+  Result<ByteView> records = stored(chunk.records, plain ? out.scratch : compressed_);
+  if (!records) return records;
+  // It was there a moment ago.
+  if (span.by_summary) chunk = chunkInFile(span, out.damage);
+  chunk.records = *records;
+  return span.cut ? expander_.expandCut(chunk, out.scratch) : expander_.expand(chunk, out.scratch);
+}
+
 void SpanDecoder::decode(const MessageSpan& span, SpanMessages& out) {
   out.records = {};
   out.places.clear();
   out.channels.clear();
   out.damage.clear();
-  if (span.loose) {
-    out.records = file_.subspan(static_cast<std::size_t>(span.offset),
-                                static_cast<std::size_t>(span.end - span.offset));
-  } else {
-    const mcap::Chunk chunk = span.by_summary ? chunkInFile(span, out.damage) : span.chunk;
-    Result<ByteView> records =
-        span.cut ? expander_.expandCut(chunk, out.scratch) : expander_.expand(chunk, out.scratch);
-    if (!records) {
-      out.damage.push_back({span.offset, span.end, records.error().what, indexedMessages(span)});
-      return;
-    }
-    out.records = *records;
+  Result<ByteView> records = expand(span, out);
+  if (!records) {
+    out.damage.push_back({span.offset, span.end, records.error().what, indexedMessages(span)});
+    return;
   }
+  out.records = *records;
   readRecords(span, out);
   // Nearly always so already: recorders write in time order.
   if (!std::is_sorted(out.places.begin(), out.places.end())) {
@@ -109,6 +141,7 @@ void SpanDecoder::readRecords(const MessageSpan& span, SpanMessages& out) {
 }
 
 std::optional<std::uint64_t> SpanDecoder::indexedMessages(const MessageSpan& span) const {
+  if (!whole()) return std::nullopt;
   std::optional<std::uint64_t> count;
   std::uint64_t position = span.end;
   while (const std::optional<mcap::Record> record = mcap::recordAt(file_, position)) {
@@ -123,6 +156,7 @@ std::optional<std::uint64_t> SpanDecoder::indexedMessages(const MessageSpan& spa
 
 std::optional<mcap::IndexEntries> SpanDecoder::indexOf(const MessageSpan& span,
                                                        ChannelId channel) const {
+  if (!whole()) return std::nullopt;
   std::uint64_t position = span.end;
   while (position < span.index_end) {
     const std::optional<mcap::Record> record = mcap::recordAt(file_, position);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/log/log_types.h"
+#include "core/log/mapped_file.h"
 #include "core/log/mcap_chunk.h"
 #include "core/log/mcap_records.h"
 
@@ -60,7 +61,11 @@ struct SpanMessages {
 /// Expands spans of one file. One a thread.
 class SpanDecoder {
  public:
-  explicit SpanDecoder(ByteView file) : file_(file) {}
+  /// Where `mapped` is given it has the same bytes, and the spans are read from it and not looked
+  /// at in memory: so they may vanish, or change, without harm to what was given out. Both must
+  /// outlive this.
+  explicit SpanDecoder(ByteView file, const MappedFile* mapped = nullptr)
+      : file_(file), mapped_(mapped) {}
 
   /// Fills `out`, whose memory is used again. What is broken is in `out.damage`, and left out.
   void decode(const MessageSpan& span, SpanMessages& out);
@@ -77,9 +82,14 @@ class SpanDecoder {
   std::optional<mcap::IndexEntries> indexOf(const MessageSpan& span, ChannelId channel) const;
 
  private:
+  bool whole() const { return mapped_ == nullptr || mapped_->whole(); }
+  Result<ByteView> stored(ByteView bytes, mcap::Scratch& scratch) const;
+  Result<ByteView> expand(const MessageSpan& span, SpanMessages& out);
   void readRecords(const MessageSpan& span, SpanMessages& out);
 
   ByteView file_;
+  const MappedFile* mapped_;
+  mcap::Scratch compressed_;
   mcap::ChunkExpander expander_;
 };
 

@@ -28,6 +28,10 @@ bool knownCompression(std::string_view name) {
   return name.empty() || name == "zstd" || name == "lz4";
 }
 
+std::string_view compressionName(std::string_view name) {
+  return name == "zstd" ? "zstd" : name == "lz4" ? "lz4" : name.empty() ? "" : name;
+}
+
 bool RecordProbe::plausibleAt(std::uint64_t offset) {
   if (offset == file_.size()) return true;
   const std::optional<mcap::Record> record = mcap::recordAt(file_, offset);

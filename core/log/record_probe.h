@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 #include "core/bytes.h"
 #include "core/log/mcap_stream_reader.h"
@@ -32,5 +33,7 @@ class RecordProbe {
 
 /// A chunk is stored in one of these ways.
 bool knownCompression(std::string_view name);
+/// The name, no longer borrowed from the file where it is a known one.
+std::string_view compressionName(std::string_view name);
 
 }  // namespace rocinante

@@ -15,13 +15,13 @@ constexpr std::size_t kKeptSpans = 64;
 
 }  // namespace
 
-SpanCache::SpanCache(ByteView file, const std::vector<MessageSpan>& spans,
+SpanCache::SpanCache(ByteView file, const MappedFile* mapped, const std::vector<MessageSpan>& spans,
                      const std::vector<const LogChannel*>& channels,
                      std::vector<DamageSpan>& damage)
     : spans_(spans),
       channels_(channels),
       damage_(damage),
-      decoder_(file),
+      decoder_(file, mapped),
       reported_(spans.size(), false) {}
 
 std::shared_ptr<const SpanMessages> SpanCache::get(std::uint32_t span) {

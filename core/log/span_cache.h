@@ -13,9 +13,9 @@ namespace rocinante {
 /// and forth does not expand them again. What is broken in a span is listed when it is first read.
 class SpanCache {
  public:
-  /// All are borrowed and must outlive this; damage is appended to `damage`, once a span.
-  /// `channels` is by id, null where there is none.
-  SpanCache(ByteView file, const std::vector<MessageSpan>& spans,
+  /// `mapped` is the file that `file` lies in, or null. All are borrowed and must outlive this;
+  /// damage is appended to `damage`, once a span. `channels` is by id, null where there is none.
+  SpanCache(ByteView file, const MappedFile* mapped, const std::vector<MessageSpan>& spans,
             const std::vector<const LogChannel*>& channels, std::vector<DamageSpan>& damage);
 
   /// The messages of a span, without those on unknown channels. They live as long as they are held,
