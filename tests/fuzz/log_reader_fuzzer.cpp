@@ -1,5 +1,6 @@
-// Any bytes as a log: opened, read from the start, sought, its attachments read. Nothing may crash,
-// hang or take memory without bound, and the messages come in time order.
+// Any bytes as a log: opened, read from the start and back, sought, its attachments read. Nothing
+// may crash, hang or take memory without bound; the messages come in time order, and the same ones
+// in both directions.
 
 #include <cstdlib>
 #include <limits>
@@ -27,6 +28,15 @@ void readOn(LogReader& reader) {
   }
 }
 
+/// From the end, where readOn() left off, to the beginning.
+void readBack(LogReader& reader) {
+  std::size_t back = 0;
+  while (*reader.previous()) ++back;
+  std::size_t forth = 0;
+  while (*reader.next()) ++forth;
+  if (back != forth && reader.damage().empty()) std::abort();
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -34,9 +44,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   Result<LogReader> reader = LogReader::openBytes(bytes, "fuzz");
   if (!reader) return 0;
   readOn(*reader);
+  readBack(*reader);
   const LogSummary& summary = reader->summary();
   if (!reader->seek(summary.start + (summary.end - summary.start) / 2)) std::abort();
   readOn(*reader);
+  for (const LogChannel& channel : reader->channels()) {
+    const Result<std::optional<LogMessage>> last = reader->lastOf(channel.id, summary.end);
+    if (last && *last && (*last)->channel->id != channel.id) std::abort();
+  }
+  (void)reader->losses();
   for (std::size_t i = 0; i < reader->attachments().size(); ++i) (void)reader->readAttachment(i);
   return 0;
 }
