@@ -35,6 +35,14 @@ mcap::WriterOptions writerOptions(const LogWriterOptions& options, std::size_t s
   return mcap_options;
 }
 
+/// A file that was made and could not be begun is no log.
+void removeEmpty(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(path, ignored) && std::filesystem::is_empty(path, ignored)) {
+    std::filesystem::remove(path, ignored);
+  }
+}
+
 }  // namespace
 
 struct LogWriter::Impl {
@@ -110,7 +118,9 @@ Result<LogWriter> LogWriter::create(const std::filesystem::path& path,
                                     const LogWriterOptions& options, std::string session_id) {
   Result<std::unique_ptr<ByteSink>> sink = makeFileSink(path, options.overwrite);
   if (!sink) return sink.error();
-  return createOn(std::move(*sink), options, std::move(session_id));
+  Result<LogWriter> writer = createOn(std::move(*sink), options, std::move(session_id));
+  if (!writer) removeEmpty(path);
+  return writer;
 }
 
 Result<LogWriter> LogWriter::createOn(std::unique_ptr<ByteSink> sink,

@@ -29,7 +29,8 @@ struct LogWriterOptions {
 /// net.
 class LogWriter {
  public:
-  /// refused when the file exists and `overwrite` is false; unreadable when it cannot be made.
+  /// refused when the file exists and `overwrite` is false; unreadable when it cannot be made, or
+  /// the disk has no room for a log without messages. No empty file is left behind then.
   static Result<LogWriter> create(const std::filesystem::path& path,
                                   const LogWriterOptions& options, std::string session_id);
   /// The same on any sink.

@@ -1,6 +1,7 @@
 #include "core/log/mcap_summary.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "core/hash.h"
 #include "core/log/byte_cursor.h"
@@ -63,9 +64,10 @@ std::uint64_t Summary::bytes(std::span<const std::uint16_t> chunk_channels) cons
   std::uint64_t channel_bytes = channel_bytes_;
   if (leaves_out_unused_) {
     channel_bytes = 0;
+    std::vector<bool> in_chunk(std::numeric_limits<std::uint16_t>::max() + std::size_t{1});
+    for (const std::uint16_t id : chunk_channels) in_chunk[id] = true;
     for (const auto& [id, channel] : channels_) {
-      const bool used = channel.messages > 0 || std::ranges::count(chunk_channels, id) > 0;
-      if (used) channel_bytes += channel.record.size();
+      if (channel.messages > 0 || in_chunk[id]) channel_bytes += channel.record.size();
     }
   }
   return schemas_.size() + channel_bytes + kStatisticsBytes + kCountBytes * channels_.size() +

@@ -154,13 +154,13 @@ void Writer::keepChunk() {
 
 Status Writer::writeAttachment(const Attachment& attachment) {
   if (Status closed = closeChunk(); !closed) return closed;
-  scratch_.clear();
-  append(scratch_, attachment);
-  const AttachmentIndex index{file_.size(),           scratch_.size(),        attachment.log_time,
+  Bytes record;  // not scratch_: it may be large, and is not needed again
+  append(record, attachment);
+  const AttachmentIndex index{file_.size(),           record.size(),          attachment.log_time,
                               attachment.create_time, attachment.data.size(), attachment.name,
                               attachment.media_type};
   const std::uint64_t tail = tailBytes() + Summary::bytesFor(index);
-  if (Status written = file_.append(scratch_, tail); !written) {
+  if (Status written = file_.append(record, tail); !written) {
     releaseRoom();
     return written;
   }

@@ -13,9 +13,10 @@ namespace {
 /// Of the content, without the compression's name and the records.
 constexpr std::uint64_t kFixedBytes = 8 + 8 + 8 + 4 + 4 + 8;
 
-// A chunk that had no more than this when it was begun is of a slow session (10,000 packets a
-// second), where pieces are small and compress badly, and time costs nothing.
-constexpr std::size_t kSlowBytes = std::size_t{64} << 10U;
+// A chunk that had no more than this when it was begun is of a slow session (600 packets a second),
+// where pieces are small and compress badly, and time costs nothing. Above, a higher level gains
+// nothing.
+constexpr std::size_t kSlowBytes = std::size_t{4} << 10U;
 constexpr int kSlowLevel = 6;
 
 template <class T>

@@ -1,6 +1,7 @@
 #include "core/log/log_writer.h"
 
 #include <gmock/gmock.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -129,6 +130,20 @@ TEST(LogWriter, IntoAReadOnlyFolderFailsWithTheSystemsReason) {
   ASSERT_EQ(::chmod(folder.path().c_str(), 0700), 0);
   ASSERT_FALSE(writer.ok());
   EXPECT_THAT(writer.error().text(), HasSubstr("Permission denied"));
+}
+
+TEST(LogWriter, WithoutRoomForAnEmptyLogLeavesNoFile) {
+  const TemporaryFolder folder;
+  struct rlimit before {};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+  struct rlimit limit = before;
+  limit.rlim_cur = 100;
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &limit), 0);
+  const Result<LogWriter> writer = LogWriter::create(folder / "a.mcap", {}, "s");
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
+  ASSERT_FALSE(writer.ok());
+  EXPECT_THAT(writer.error().text(), HasSubstr("File too large"));
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
 }
 
 TEST(LogWriter, IntoAFolderThatDoesNotExistFails) {
