@@ -1,8 +1,15 @@
+#include <fcntl.h>
 #include <gmock/gmock.h>
+#include <unistd.h>
 
+#include <cerrno>
+
+#include "core/atomic_file.h"
+#include "core/log/file_sink.h"
 #include "core/log/mcap_stream_reader.h"
 #include "tests/core/log/faulty_sink.h"
 #include "tests/core/log/log_support.h"
+#include "tests/support/temporary_folder.h"
 
 namespace rocinante::test {
 namespace {
@@ -18,6 +25,10 @@ struct Outcome {
   std::size_t writes = 0;
   Status closed;
 };
+
+std::string payloadOf(std::uint32_t i) {
+  return std::to_string(i) + std::string(100, static_cast<char>('a' + i % 7));
+}
 
 enum class Pace { fast, slow, mixed };
 
@@ -39,8 +50,7 @@ Outcome recordOnto(const DiskFaults& faults, Pace pace, LogWriterOptions::Compre
     if (i % 20 == 0) {
       channels.push_back(*writer->addChannel("/udp/1/" + std::to_string(i), "octets", {}));
     }
-    const std::string payload =
-        std::to_string(i) + std::string(100, static_cast<char>('a' + i % 7));
+    const std::string payload = payloadOf(i);
     (void)writer->write(channels[i % channels.size()], i, at(1000 + i), 0, bytesOf(payload));
     now += options.sync;
     const bool flushes = pace == Pace::slow || (pace == Pace::mixed && i % 16 < 5);
@@ -64,8 +74,7 @@ std::uint64_t storedIn(const Bytes& file, bool* complete = nullptr) {
   for (const KeptMessage& message : readAll(reader)) {
     if (!message.topic.starts_with("/udp/")) continue;
     const std::uint32_t i = message.sequence;
-    EXPECT_EQ(message.payload,
-              std::to_string(i) + std::string(100, static_cast<char>('a' + i % 7)));
+    EXPECT_EQ(message.payload, payloadOf(i));
     ++stored;
   }
   if (complete != nullptr) {
@@ -202,6 +211,107 @@ TEST_P(DiskFault, WhatCannotBeTakenBackEitherIsNotCountedAsStored) {
     ASSERT_FALSE(outcome.closed.ok());
     // Half an addition stands at the end: whole messages in it are a gift.
     EXPECT_GE(storedIn(outcome.file) + outcome.refused, kMessages);
+  }
+}
+
+TEST(DiskFaults, ChannelsForWhichThereIsNoRoomAnyMoreAreLeftOutOfTheSummary) {
+  for (const bool used : {false, true}) {
+    SCOPED_TRACE(used ? "each with a message" : "most of them without");
+    Bytes file;
+    std::size_t writes = 0;
+    DiskFaults faults;
+    faults.room = 40'000;
+    Result<LogWriter> writer =
+        LogWriter::createOn(std::make_unique<FaultySink>(file, faults, writes), {}, "s");
+    ASSERT_TRUE(writer.ok());
+    const ChannelId first = *writer->addChannel("/udp/1/first", "octets", {});
+    ASSERT_TRUE(writer->write(first, 0, at(1), 0, bytesOf("kept")).ok());
+    ASSERT_TRUE(writer->flushIfDue(SteadyTime(std::chrono::seconds(1))).ok());
+    // Their names alone are more than the disk holds.
+    ChannelId last = 0;
+    for (int i = 0; i < 1000; ++i) {
+      last =
+          *writer->addChannel("/udp/1/" + std::string(100, 'x') + std::to_string(i), "octets", {});
+      if (used) (void)writer->write(last, 0, at(2), 0, bytesOf("not kept"));
+    }
+    (void)writer->write(last, 0, at(2), 0, bytesOf("not kept"));
+    EXPECT_FALSE(writer->flushIfDue(SteadyTime(std::chrono::seconds(2))).ok());
+    EXPECT_FALSE(writer->close("refused").ok());
+    LogReader reader = openLog(file);
+    EXPECT_TRUE(reader.summary().complete);
+    EXPECT_TRUE(reader.damage().empty());
+    EXPECT_EQ(readAll(reader).size(), 1U);
+    EXPECT_EQ(reader.channels().size(), 1U);
+    EXPECT_EQ(writer->refusedByDisk().contains(first), false);
+    expectStrictlyWhole(file);
+  }
+}
+
+TEST(DiskFaults, AnAttachmentThatDoesNotFitLeavesTheMessagesAsTheyAre) {
+  Bytes file;
+  std::size_t writes = 0;
+  DiskFaults faults;
+  faults.room = 40'000;
+  Result<LogWriter> writer =
+      LogWriter::createOn(std::make_unique<FaultySink>(file, faults, writes), {}, "s");
+  ASSERT_TRUE(writer.ok());
+  const ChannelId channel = *writer->addChannel("/udp/1/a", "octets", {});
+  ASSERT_TRUE(writer->write(channel, 0, at(1), 0, bytesOf("kept")).ok());
+  const std::string large(50'000, 'x');
+  EXPECT_FALSE(writer->writeAttachment("a", "b", at(1), bytesOf(large)).ok());
+  EXPECT_FALSE(writer->close("refused").ok());
+  LogReader reader = openLog(file);
+  EXPECT_TRUE(reader.summary().complete);
+  EXPECT_EQ(readAll(reader).size(), 1U);
+  EXPECT_TRUE(reader.attachments().empty());
+  EXPECT_TRUE(writer->refusedByDisk().empty());
+}
+
+/// The true file sink over system calls that fail from some write on, as those of a disk that was
+/// pulled out do.
+TEST(DiskFaults, AFileWhoseDiskGoesAwayKeepsWhatItHad) {
+  for (int works = 1; works < 60; works += 3) {
+    SCOPED_TRACE(works);
+    const TemporaryFolder folder;
+    const std::filesystem::path path = folder / "a.mcap";
+    FileCalls calls = FileCalls::system();
+    int left = works;
+    const auto gone = [&left] {
+      errno = EIO;
+      return --left < 0;
+    };
+    calls.pwrite = [gone](int file, const void* bytes, std::size_t size, off_t offset) -> ssize_t {
+      return gone() ? -1 : ::pwrite(file, bytes, size, offset);
+    };
+    calls.ftruncate = [&left](int file, off_t size) {
+      errno = EIO;
+      return left < 0 ? -1 : ::ftruncate(file, size);
+    };
+    calls.fdatasync = [&left](int file) {
+      errno = EIO;
+      return left < 0 ? -1 : ::fdatasync(file);
+    };
+    const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+    ASSERT_GE(file, 0);
+    LogWriterOptions options;
+    options.chunk_bytes = 1000;
+    Result<LogWriter> writer =
+        LogWriter::createOn(makeFileSinkOn(file, "disk", calls), options, "s");
+    ASSERT_TRUE(writer.ok());
+    const ChannelId channel = *writer->addChannel("/udp/1/a", "octets", {});
+    SteadyTime now{};
+    for (std::uint32_t i = 0; i < kMessages; ++i) {
+      (void)writer->write(channel, i, at(i), 0, bytesOf(payloadOf(i)));
+      now += options.sync;
+      (void)writer->flushIfDue(now);
+    }
+    const Status closed = writer->close("finished");
+    ASSERT_FALSE(closed.ok());
+    EXPECT_EQ(closed.error().text(), "cannot write to the log: Input/output error (disk)");
+    std::uint64_t refused = 0;
+    for (const auto& [id, count] : writer->refusedByDisk()) refused += count;
+    const std::string text = *readFile(path);
+    EXPECT_EQ(storedIn(Bytes(bytesOf(text).begin(), bytesOf(text).end())) + refused, kMessages);
   }
 }
 
