@@ -126,6 +126,8 @@ bool readSummary(ByteView bytes, Summary& out) {
 bool tellsAll(const Summary& summary) {
   if (!summary.statistics) return false;
   const mcap::Statistics& statistics = *summary.statistics;
+  // They lie outside chunks, and nothing indexes those.
+  if (summary.chunks.empty() && statistics.message_count > 0) return false;
   std::uint64_t messages = 0;
   std::vector<bool> known(std::size_t{1} << 16U, false);
   for (const mcap::Channel& channel : summary.channels) known[channel.id] = true;

@@ -1,4 +1,5 @@
 #include <gmock/gmock.h>
+#include <zstd.h>
 
 #include <algorithm>
 #include <set>
@@ -134,6 +135,29 @@ TEST_P(CutLog, InsideAChunkGivesBackWholeMessagesOfIt) {
   }
 }
 
+/// The times of a cut log are as good as those of a whole one: it is sought in, and read back.
+TEST_P(CutLog, AtEveryByteIsInOrderOfTimeBothWays) {
+  const SmallLog log = smallLog(GetParam());
+  for (std::size_t size = 8; size < log.file.size(); ++size) {
+    SCOPED_TRACE(size);
+    const Bytes cut = cutAt(log.file, size);
+    LogReader reader = openLog(cut);
+    const std::vector<KeptMessage> read = readAll(reader);
+    for (std::size_t i = read.size(); i-- > 0;) {
+      const std::optional<LogMessage> message = *reader.previous();
+      ASSERT_TRUE(message && keep(*message) == read[i]);
+    }
+    ASSERT_FALSE(reader.previous()->has_value());
+    for (std::size_t i = 0; i < read.size(); i += 5) {
+      const auto first =
+          std::ranges::lower_bound(read, read[i].log_time_ns, {}, &KeptMessage::log_time_ns);
+      ASSERT_TRUE(reader.seek(at(read[i].log_time_ns)).ok());
+      const std::optional<LogMessage> message = *reader.next();
+      ASSERT_TRUE(message && keep(*message) == *first);
+    }
+  }
+}
+
 /// Whatever is flipped: no crash, and every message that comes back is one that was written,
 /// unless damage is said.
 TEST_P(CutLog, AFlippedBitNeverChangesAPayloadSilently) {
@@ -202,6 +226,77 @@ INSTANTIATE_TEST_SUITE_P(Compression, CutLog,
                            return each.param == LogWriterOptions::Compression::none ? "none"
                                                                                     : "zstd";
                          });
+
+/// A chunk of several zstd blocks, cut anywhere: every message comes back that a decoder fed byte
+/// by byte can make whole, so that what is missing cannot be had from these bytes.
+TEST(LogDamage, OfACutCompressedChunkEveryMessageThatCanBeDecodedComesBack) {
+  Bytes file;
+  LogWriter writer = makeWriter(file);
+  const ChannelId channel = *writer.addChannel("/udp/1/a", "octets", {});
+  std::uint64_t random = 1;
+  for (int i = 0; i < 4000; ++i) {
+    std::string payload = "RK1 arm@7f " + std::to_string(i) + " -\njoints arm";
+    for (int j = 0; j < 6; ++j) {
+      random = random * 6364136223846793005U + 1442695040888963407U;
+      payload += " 0." + std::to_string(random >> 45U);
+    }
+    ASSERT_TRUE(writer.write(channel, 0, at(1000 + i), 7, bytesOf(payload)).ok());
+  }
+  ASSERT_TRUE(writer.close("finished").ok());
+  std::uint64_t chunk_offset = 8;
+  mcap::Chunk chunk;
+  while (true) {
+    const std::optional<mcap::Record> record = mcap::recordAt(file, chunk_offset);
+    if (record->opcode == mcap::Opcode::chunk && mcap::parse(record->content, chunk)) break;
+    chunk_offset = record->end();
+  }
+  ASSERT_EQ(chunk.compression, "zstd");
+  mcap::ChunkExpander expander;
+  mcap::Scratch scratch;
+  const Bytes records = [&] {
+    const Result<ByteView> whole = expander.expand(chunk, scratch);
+    return Bytes(whole->begin(), whole->end());
+  }();
+  std::vector<std::size_t> message_ends;
+  for (std::uint64_t position = 0; position < records.size();) {
+    const std::optional<mcap::Record> record = mcap::recordAt(records, position);
+    position = record->end();
+    if (record->opcode == mcap::Opcode::message) message_ends.push_back(position);
+  }
+
+  const std::size_t head = static_cast<std::size_t>(chunk.records.data() - file.data());
+  ZSTD_DCtx* const zstd = ZSTD_createDCtx();
+  Bytes made(records.size());
+  ZSTD_outBuffer out{made.data(), made.size(), 0};
+  std::size_t counts = 0;
+  std::size_t last_count = 0;
+  for (std::size_t size = 0; size < chunk.records.size(); ++size) {
+    // What `size` bytes give; looked at where that grows, just before, and now and then.
+    const std::size_t before = out.pos;
+    ZSTD_inBuffer in{chunk.records.data() + size, 1, 0};
+    if (size % 4999 == 0) {
+      const Bytes cut = cutAt(file, head + size);
+      LogReader reader = openLog(cut);
+      const auto wanted =
+          std::ranges::count_if(message_ends, [&](std::size_t end) { return end <= before; });
+      ASSERT_EQ(readAll(reader).size(), static_cast<std::size_t>(wanted)) << size;
+    }
+    ASSERT_EQ(ZSTD_isError(ZSTD_decompressStream(zstd, &out, &in)), 0U);
+    if (out.pos == before) continue;
+    ++counts;
+    for (const std::size_t there : {size, size + 1}) {
+      const Bytes cut = cutAt(file, head + there);
+      LogReader reader = openLog(cut);
+      const std::size_t decoded = there == size ? before : out.pos;
+      last_count = static_cast<std::size_t>(
+          std::ranges::count_if(message_ends, [&](std::size_t end) { return end <= decoded; }));
+      ASSERT_EQ(readAll(reader).size(), last_count) << there;
+    }
+  }
+  ZSTD_freeDCtx(zstd);
+  EXPECT_GE(counts, 3U) << "blocks";
+  EXPECT_EQ(last_count, 4000U);
+}
 
 TEST(LogDamage, AChunkThatFailsItsChecksumIsSkippedAndCounted) {
   SmallLog log = smallLog(LogWriterOptions::Compression::none);

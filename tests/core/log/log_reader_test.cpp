@@ -301,5 +301,70 @@ TEST(LogReader, ASummaryThatForgetsAChunkIsNotBelieved) {
   EXPECT_THAT(reader.damage()[0].cause, HasSubstr("summary does not agree"));
 }
 
+/// Every part of a summary, and the message indexes, may be missing from a valid file.
+TEST(LogReader, ReadsFilesWhoseWriterLeftAnythingOut) {
+  for (unsigned parts = 0; parts < 256; ++parts) {
+    SCOPED_TRACE(parts);
+    mcap::WriterOptions options;
+    options.chunk_bytes = 300;
+    options.chunked = (parts & 1U) != 0;
+    options.message_indexes = (parts & 2U) != 0;
+    options.chunk_indexes = (parts & 4U) != 0;
+    options.attachment_indexes = (parts & 8U) != 0;
+    options.metadata_indexes = (parts & 16U) != 0;
+    options.statistics = (parts & 32U) != 0;
+    options.repeat_channels = (parts & 64U) != 0;
+    options.summary_offsets = (parts & 128U) != 0;
+    Bytes file;
+    Result<mcap::Writer> writer = mcap::Writer::start(makeMemorySink(file), options, {"", ""});
+    ASSERT_TRUE(writer.ok());
+    writer->addChannel(channel(1, "/udp/1/a"));
+    writer->addChannel(channel(2, "/udp/1/b"));
+    std::vector<std::string> written;
+    for (std::uint32_t i = 0; i < 12; ++i) {
+      written.push_back("message " + std::to_string(i));
+      const auto id = static_cast<std::uint16_t>(i % 3 == 2 ? 2 : 1);
+      ASSERT_TRUE(writer->write({id, i, 100 + i, 1, bytesOf(written.back())}).ok());
+      if (i == 5) {
+        mcap::Attachment attachment;
+        attachment.name = "note";
+        attachment.data = bytesOf(written[0]);
+        ASSERT_TRUE(writer->writeAttachment(attachment).ok());
+        ASSERT_TRUE(writer->writeMetadata({"remark", {{"a", "b"}}}).ok());
+      }
+    }
+    ASSERT_TRUE(writer->finish().ok());
+    LogReader reader = openLog(file);
+    EXPECT_THAT(payloads(reader), ElementsAreArray(written));
+    EXPECT_EQ(reader.summary().messages, 12U);
+    EXPECT_EQ(reader.summary().start, at(100));
+    EXPECT_EQ(reader.summary().end, at(111));
+    ASSERT_EQ(reader.attachments().size(), 1U);
+    EXPECT_EQ(textOf(*reader.readAttachment(0)), written[0]);
+    ASSERT_EQ(reader.metadata().size(), 1U);
+    EXPECT_EQ(reader.metadata()[0].name, "remark");
+    EXPECT_EQ(textOf((*reader.lastOf(2, at(110)))->payload), "message 8");
+    // Messages outside chunks are damage only beside chunks.
+    EXPECT_THAT(reader.damage(), IsEmpty());
+  }
+}
+
+/// A chunk whose messages all lie in other ones' time, and one that says nothing of its own.
+TEST(LogReader, GoesBackwardsOverChunksThatOverlapAndComeOutOfOrder) {
+  Bytes a, b, c;
+  const Bytes file = FileMaker()
+                         .add(makeChunk(a, {{50, "a50"}, {10, "a10"}, {30, "a30"}}))
+                         .add(makeChunk(b, {{30, "b30"}, {31, "b31"}, {90, "b90"}}))
+                         .add(makeChunk(c, {{5, "c5"}, {30, "c30"}, {50, "c50"}}))
+                         .end();
+  LogReader reader = openLog(file);
+  ASSERT_TRUE(reader.seek(LogTime::max()).ok());
+  std::vector<std::string> back;
+  while (const std::optional<LogMessage> message = *reader.previous()) {
+    back.emplace_back(textOf(message->payload));
+  }
+  EXPECT_THAT(back, ElementsAre("b90", "c50", "a50", "b31", "c30", "b30", "a30", "a10", "c5"));
+}
+
 }  // namespace
 }  // namespace rocinante::test
