@@ -49,5 +49,36 @@ TEST(LogVersions, TheFirstFormatReadsForEver) {
   EXPECT_THAT(reader->damage(), ::testing::IsEmpty());
 }
 
+/// Recorders of the first format that were killed in an open chunk, the second of each log; it had
+/// been flushed several times. Never make them anew.
+TEST(LogVersions, AKilledRecordersLogOfTheFirstFormatReadsForEver) {
+  constexpr std::int64_t kOrigin = 1'770'091'506'000'000'000;
+  for (const char* name : {"version-1-killed-plain.mcap", "version-1-killed-zstd.mcap"}) {
+    SCOPED_TRACE(name);
+    Result<LogReader> reader = LogReader::open(keptLog(name));
+    ASSERT_TRUE(reader.ok()) << reader.error().text();
+    const LogSummary& summary = reader->summary();
+    EXPECT_EQ(summary.session_id, "6f8db599de986fab7a21625b7916589c");
+    EXPECT_EQ(summary.origin, at(kOrigin));
+    EXPECT_EQ(summary.end, at(kOrigin + 1'550'000'000));
+    EXPECT_EQ(summary.messages, 32U);
+    EXPECT_FALSE(summary.complete);
+    EXPECT_EQ(reader->storage().chunks, 2U);
+
+    const std::vector<KeptMessage> messages = readAll(*reader);
+    ASSERT_EQ(messages.size(), 32U);
+    EXPECT_EQ(messages[5].payload, std::string("\x00\x01\xfe\x05", 4));
+    EXPECT_EQ(messages[5].topic, "/udp/19960/127.0.0.1");
+    EXPECT_EQ(messages[31].payload, "RK1 arm@7f 31 -\njoints arm 31e-2 0.5 -0.25 0 1.5 0");
+    EXPECT_EQ(*contentSha256(*reader),
+              "65b4da7b3ae74dc2778d336369c6d6001310237aad19d82d0aa87f396491d556");
+
+    ASSERT_EQ(reader->damage().size(), 2U);
+    EXPECT_THAT(reader->damage()[0].cause, ::testing::HasSubstr("never finished"));
+    EXPECT_EQ(reader->damage()[0].to, std::filesystem::file_size(keptLog(name)));
+    EXPECT_THAT(reader->damage()[1].cause, ::testing::HasSubstr("never closed"));
+  }
+}
+
 }  // namespace
 }  // namespace rocinante::test
