@@ -89,6 +89,7 @@ class FileSink final : public ByteSink {
     // Not every file system asks for this limit before the write itself.
     if (size_bytes > largestFile()) return cannotWrite(EFBIG);
     if (!reserves_) return {};
+    allocated_ahead_ = true;  // a call that fails may have allocated some of it
     const int answer = uninterrupted([&] {
       return calls_.fallocate(file_, FALLOC_FL_KEEP_SIZE, static_cast<off_t>(from),
                               static_cast<off_t>(size_bytes - from));
@@ -114,7 +115,7 @@ class FileSink final : public ByteSink {
 
   Status close() override {
     Status outcome;
-    if (reserved_until_ > end_) outcome = setSize(end_);
+    if (allocated_ahead_) outcome = setSize(end_);
     // EINVAL: a pipe or a device, which has nothing to sync.
     if (uninterrupted([&] { return calls_.fdatasync(file_); }) != 0 && errno != EINVAL && outcome) {
       outcome = systemError("cannot hand the log to the disk", errno, name_);
@@ -161,6 +162,7 @@ class FileSink final : public ByteSink {
   bool reserves_ = false;
   std::uint64_t end_ = 0;
   std::uint64_t reserved_until_ = 0;  ///< blocks are there up to this
+  bool allocated_ahead_ = false;
 };
 
 }  // namespace
