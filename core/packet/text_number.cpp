@@ -3,8 +3,10 @@
 #include <fast_float/fast_float.h>
 
 #include <array>
+#include <bit>
 #include <charconv>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace rocinante {
@@ -18,6 +20,29 @@ bool isSeparator(char character) { return character == ' ' || character == '\t';
 constexpr std::array<double, 23> kExactPowers = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                                  1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
                                                  1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+
+constexpr std::array<std::uint64_t, 9> kPowers = {
+    1, 10, 100, 1'000, 10'000, 100'000, 1'000'000, 10'000'000, 100'000'000};
+
+/// How many digits the eight bytes at `at` begin with, and their value: at once, since a loop over
+/// digits waits for each of them.
+std::size_t readEightBytes(const char* at, std::uint64_t& value) {
+  static_assert(std::endian::native == std::endian::little);
+  std::uint64_t bytes;
+  std::memcpy(&bytes, at, sizeof bytes);
+  bytes ^= 0x3030303030303030U;  // digits become 0 to 9
+  // What is above 9 gets its highest bit set; a carry reaches only bytes behind such a one.
+  const std::uint64_t others = ((bytes + 0x7676767676767676U) | bytes) & 0x8080808080808080U;
+  const std::size_t count =
+      others == 0 ? 8 : static_cast<std::size_t>(std::countr_zero(others)) / 8;
+  if (count == 0) return 0;
+  bytes <<= 8 * (8 - count);  // zeros in front
+  bytes = bytes * 10 + (bytes >> 8U);
+  value = (((bytes & 0x000000FF000000FFU) * 0x000F424000000064U) +
+           (((bytes >> 16U) & 0x000000FF000000FFU) * 0x0000271000000001U)) >>
+          32U;
+  return count;
+}
 
 bool readAnyNumber(const char* first, const char* end, const char*& at, double& number) {
   const char* field_end = first;
@@ -45,6 +70,12 @@ bool readNumber(const char*& at, const char* end, double& number) {
   std::size_t decimals = 0;
   if (next != end && *next == '.') {
     const char* const point = ++next;
+    if (end - next >= 8) {
+      std::uint64_t value = 0;
+      const std::size_t count = readEightBytes(next, value);
+      mantissa = mantissa * kPowers[count] + value;
+      next += count;
+    }
     for (; next != end && isDigit(*next); ++next) {
       mantissa = mantissa * 10 + static_cast<std::uint64_t>(*next - '0');
     }
@@ -93,7 +124,7 @@ std::optional<std::int64_t> readSeconds(std::string_view text) {
     const auto digits = readUnsigned(decimals);
     if (!digits || decimals.size() > 9) return std::nullopt;
     fraction = *digits;
-    for (std::size_t i = decimals.size(); i < 9; ++i) fraction *= 10;
+    fraction *= decimals.empty() ? 0 : kPowers[9 - decimals.size()];
   }
   constexpr auto kMost = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
   if (!seconds || *seconds > (kMost - fraction) / kNanoseconds) return std::nullopt;
