@@ -1,0 +1,63 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "core/duration_text.h"
+#include "core/session/timeline.h"
+#include "recorder/log/command_support.h"
+#include "recorder/log/log_commands.h"
+#include "recorder/log/log_state.h"
+
+namespace rocinante {
+namespace {
+
+struct StateCommandOptions {
+  std::string log;
+  std::string at;
+  bool json = false;
+};
+
+Result<cli::Exit> runState(const StateCommandOptions& options) {
+  Result<Timeline> session = Timeline::open(options.log);
+  if (!session) return session.error();
+  const Result<LogTime> moment = parseSessionTime(options.at, session->origin(), session->end());
+  if (!moment) return moment.error();
+  if (*moment < session->start() || *moment > session->end()) {
+    const auto shown = [&](LogTime time) { return secondsText(time - session->origin(), 3); };
+    return Error{ErrorKind::bad_argument,
+                 fmt::format("{} is outside the log, which has {} to {} s", options.at,
+                             shown(session->start()), shown(session->end())),
+                 options.log};
+  }
+  const Result<const SessionState*> state = session->stateAt(*moment);
+  if (!state) return state.error();
+  const ShownState shown{options.log, session->origin(), *moment, *state};
+  if (Status printed = toStandardOutput(options.json ? stateJson(shown) : stateText(shown));
+      !printed) {
+    return printed.error();
+  }
+  for (const KeyframeFault& fault : session->keyframeFaults()) {
+    cli::warn(fmt::format("the keyframe at {} s does not count: {} ({})",
+                          secondsText(fault.time - session->origin(), 3), fault.cause,
+                          options.log));
+  }
+  for (const DamageSpan& span : session->log().damage()) {
+    cli::warn(fmt::format("{} ({}, byte {})", span.cause, options.log, span.from));
+  }
+  const bool is_whole = session->log().damage().empty() && session->keyframeFaults().empty();
+  return is_whole ? cli::Exit::done : cli::Exit::no;
+}
+
+}  // namespace
+
+LogCommand addStateCommand(CLI::App& program) {
+  auto options = std::make_shared<StateCommandOptions>();
+  CLI::App* const app = program.add_subcommand("state", "the folded state at a moment");
+  app->add_option("LOG", options->log, "the log to look into")->required();
+  app->add_option("--at", options->at, "the moment: a session time (12.5s, -1s, RFC 3339)")
+      ->required();
+  app->add_flag("--json", options->json, "one JSON object");
+  return {app, [options] { return runState(*options); }};
+}
+
+}  // namespace rocinante
