@@ -41,6 +41,16 @@ class Walk {
  private:
   void damaged(std::uint64_t from, std::uint64_t to, std::string cause,
                std::optional<std::uint64_t> lost) {
+    // Very many small ones, one behind the other, are one.
+    if (!index_.damage.empty()) {
+      DamageSpan& last = index_.damage.back();
+      if (from < to && last.to == from && last.cause == cause &&
+          last.messages_lost.has_value() == lost.has_value()) {
+        last.to = to;
+        if (lost) *last.messages_lost += *lost;
+        return;
+      }
+    }
     index_.damage.push_back({from, to, std::move(cause), lost});
   }
 
@@ -234,7 +244,10 @@ class Walk {
   void expandChunk(MessageSpan span) {
     decoder_.decode(span, scratch_);
     // One that is defined twice is told when the chunk is read.
-    for (const mcap::Channel& channel : scratch_.channels) addChannel(index_, channel);
+    for (const ByteView content : scratch_.channels) {
+      mcap::Channel channel;
+      if (mcap::parse(content, channel)) addChannel(index_, channel);
+    }
     const std::vector<SpanMessages::Place>& places = scratch_.places;
     // The reader would find the same faults again.
     if (places.empty()) {

@@ -129,8 +129,7 @@ void SpanDecoder::readRecords(const MessageSpan& span, SpanMessages& out) {
                               static_cast<std::uint32_t>(position), message.channel_id});
       }
     } else if (record->opcode == Opcode::channel) {
-      mcap::Channel channel;
-      if (mcap::parse(record->content, channel)) out.channels.push_back(std::move(channel));
+      out.channels.push_back(record->content);
     }
     position = record->end();
   }

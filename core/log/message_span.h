@@ -50,7 +50,7 @@ struct SpanMessages {
 
   ByteView records;  ///< borrowed from the file, or from `scratch`
   std::vector<Place> places;
-  std::vector<mcap::Channel> channels;  ///< defined in the span, as they came
+  std::vector<ByteView> channels;  ///< contents of the Channel records in `records`, as they came
   std::vector<DamageSpan> damage;
   mcap::Scratch scratch;
 

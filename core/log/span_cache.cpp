@@ -77,7 +77,9 @@ void SpanCache::report(std::uint32_t span, SpanMessages& messages) {
                        fmt::format("{} messages are on a channel that nothing defines", orphans),
                        std::uint64_t{orphans}});
   }
-  for (const mcap::Channel& channel : messages.channels) {
+  for (const ByteView content : messages.channels) {
+    mcap::Channel channel;
+    if (!mcap::parse(content, channel)) continue;
     const LogChannel* const known = channel.id < channels_.size() ? channels_[channel.id] : nullptr;
     if (known == nullptr || known->topic != channel.topic ||
         known->encoding != channel.message_encoding || known->metadata != channel.metadata) {

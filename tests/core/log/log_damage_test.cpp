@@ -158,6 +158,18 @@ TEST_P(CutLog, AtEveryByteIsInOrderOfTimeBothWays) {
   }
 }
 
+/// From the end back to the beginning: the same messages.
+::testing::AssertionResult goesBackTheSameWay(LogReader& reader,
+                                              const std::vector<KeptMessage>& read) {
+  std::vector<KeptMessage> back;
+  while (const std::optional<LogMessage> message = *reader.previous()) {
+    if (message->channel->captured()) back.push_back(keep(*message));
+  }
+  std::ranges::reverse(back);
+  if (back == read) return ::testing::AssertionSuccess();
+  return ::testing::AssertionFailure() << back.size() << " backwards, " << read.size();
+}
+
 /// Whatever is flipped: no crash, and every message that comes back is one that was written,
 /// unless damage is said.
 TEST_P(CutLog, AFlippedBitNeverChangesAPayloadSilently) {
@@ -181,6 +193,7 @@ TEST_P(CutLog, AFlippedBitNeverChangesAPayloadSilently) {
       if (read.size() < log.messages.size()) {
         ASSERT_THAT(reader->damage(), Not(IsEmpty()));
       }
+      ASSERT_TRUE(goesBackTheSameWay(*reader, read));
     }
   }
 }
@@ -211,6 +224,7 @@ TEST_P(CutLog, AFlippedBitInAKilledLogNeverChangesAPayloadSilently) {
       for (const KeptMessage& message : read) {
         ASSERT_TRUE(written.contains(message)) << ::testing::PrintToString(message);
       }
+      ASSERT_TRUE(goesBackTheSameWay(reader, read));
       // "Never closed" is there always; a loss must say more.
       if (read.size() < log.messages.size()) {
         ASSERT_GT(reader.damage().size(), 1U);
