@@ -24,24 +24,49 @@ constexpr std::array<double, 23> kExactPowers = {1e0,  1e1,  1e2,  1e3,  1e4,  1
 constexpr std::array<std::uint64_t, 9> kPowers = {
     1, 10, 100, 1'000, 10'000, 100'000, 1'000'000, 10'000'000, 100'000'000};
 
-/// How many digits the eight bytes at `at` begin with, and their value: at once, since a loop over
-/// digits waits for each of them.
-std::size_t readEightBytes(const char* at, std::uint64_t& value) {
-  static_assert(std::endian::native == std::endian::little);
-  std::uint64_t bytes;
+// Several digits at once, since a loop over them waits for each. The bytes of digits become 0 to 9;
+// of others the highest bit is set (a carry reaches only bytes behind such a one).
+static_assert(std::endian::native == std::endian::little);
+
+template <class Unsigned>
+Unsigned loadDigits(const char* at) {
+  Unsigned bytes;
   std::memcpy(&bytes, at, sizeof bytes);
-  bytes ^= 0x3030303030303030U;  // digits become 0 to 9
-  // What is above 9 gets its highest bit set; a carry reaches only bytes behind such a one.
-  const std::uint64_t others = ((bytes + 0x7676767676767676U) | bytes) & 0x8080808080808080U;
-  const std::size_t count =
-      others == 0 ? 8 : static_cast<std::size_t>(std::countr_zero(others)) / 8;
-  if (count == 0) return 0;
-  bytes <<= 8 * (8 - count);  // zeros in front
-  bytes = bytes * 10 + (bytes >> 8U);
-  value = (((bytes & 0x000000FF000000FFU) * 0x000F424000000064U) +
-           (((bytes >> 16U) & 0x000000FF000000FFU) * 0x0000271000000001U)) >>
-          32U;
-  return count;
+  return bytes ^ static_cast<Unsigned>(0x3030303030303030U);
+}
+
+template <class Unsigned>
+Unsigned otherBytes(Unsigned bytes) {
+  return ((bytes + static_cast<Unsigned>(0x7676767676767676U)) | bytes) &
+         static_cast<Unsigned>(0x8080808080808080U);
+}
+
+std::uint64_t valueOf(std::uint64_t eight) {
+  eight = eight * 10 + (eight >> 8U);
+  return (((eight & 0x000000FF000000FFU) * 0x000F424000000064U) +
+          (((eight >> 16U) & 0x000000FF000000FFU) * 0x0000271000000001U)) >>
+         32U;
+}
+
+std::uint64_t valueOf(std::uint32_t four) {
+  four = four * 10 + (four >> 8U);
+  return ((four & 0x00FF00FFU) * 0x00640001U) >> 16U;
+}
+
+/// Reads the digits from `at` on, which then stands behind them; what does not fit is lost.
+void readDigits(const char*& at, const char* end, std::uint64_t& number) {
+  if (end - at >= 8) {
+    const std::uint64_t bytes = loadDigits<std::uint64_t>(at);
+    const std::uint64_t others = otherBytes(bytes);
+    const std::size_t count =
+        others == 0 ? 8 : static_cast<std::size_t>(std::countr_zero(others)) / 8;
+    if (count > 0) number = number * kPowers[count] + valueOf(bytes << 8 * (8 - count));
+    at += count;
+    if (count < 8) return;
+  }
+  for (; at != end && isDigit(*at); ++at) {
+    number = number * 10 + static_cast<std::uint64_t>(*at - '0');
+  }
 }
 
 bool readAnyNumber(const char* first, const char* end, const char*& at, double& number) {
@@ -70,15 +95,7 @@ bool readNumber(const char*& at, const char* end, double& number) {
   std::size_t decimals = 0;
   if (next != end && *next == '.') {
     const char* const point = ++next;
-    if (end - next >= 8) {
-      std::uint64_t value = 0;
-      const std::size_t count = readEightBytes(next, value);
-      mantissa = mantissa * kPowers[count] + value;
-      next += count;
-    }
-    for (; next != end && isDigit(*next); ++next) {
-      mantissa = mantissa * 10 + static_cast<std::uint64_t>(*next - '0');
-    }
+    readDigits(next, end, mantissa);
     decimals = static_cast<std::size_t>(next - point);
     digits += decimals;
   }
@@ -102,9 +119,22 @@ std::optional<std::uint64_t> readUnsigned(std::string_view digits) {
   if (digits.empty()) return std::nullopt;
   std::uint64_t number = 0;
   if (digits.size() <= 19) {
-    for (const char digit : digits) {
-      if (!isDigit(digit)) return std::nullopt;
-      number = number * 10 + static_cast<std::uint64_t>(digit - '0');
+    const char* at = digits.data();
+    const char* const last = at + digits.size();
+    for (; last - at >= 8; at += 8) {
+      const std::uint64_t eight = loadDigits<std::uint64_t>(at);
+      if (otherBytes(eight) != 0) return std::nullopt;
+      number = number * kPowers[8] + valueOf(eight);
+    }
+    if (last - at >= 4) {
+      const std::uint32_t four = loadDigits<std::uint32_t>(at);
+      if (otherBytes(four) != 0) return std::nullopt;
+      number = number * kPowers[4] + valueOf(four);
+      at += 4;
+    }
+    for (; at != last; ++at) {
+      if (!isDigit(*at)) return std::nullopt;
+      number = number * 10 + static_cast<std::uint64_t>(*at - '0');
     }
     return number;
   }
