@@ -104,8 +104,10 @@ Result<CheckReport> judge(const Arguments& my) {
   CellOptions options;
   options.search.assign(my.search.begin(), my.search.end());
   options.search_environment = my.search_environment;
-  const Result<Cell> cell = loadCellOrLog(my.cell, options);
+  Result<Cell> cell = loadCellOrLog(my.cell, options);
   if (!cell) return cell.error();
+  // Nothing is read from files any more, and a signal ends this program at once.
+  cell->keeps_files.reset();
   if (!my.live.empty()) {
     const Result<Nanoseconds> duration = parseDuration(my.duration);
     if (!duration) return duration.error();
@@ -144,7 +146,6 @@ int main(int argc, char** argv) {
     if (my.log.empty() && my.live.empty() && isLog(my.cell)) my.log = my.cell;
     Result<CheckReport> report = judge(my);
     if (!report) return report.error();
-    report->cell = my.cell;
     if (!my.log.empty()) report->session = my.log;
     const bool json = my.json || my.format == "json";
     const std::string text = json ? checkJson(*report) : checkText(*report);

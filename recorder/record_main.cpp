@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cstdio>
 
+#include "core/bundle/attached_cell.h"
 #include "core/cli/program.h"
 #include "core/duration_text.h"
 #include "recorder/record.h"
@@ -74,9 +75,11 @@ Status readCell(const Arguments& arguments, RecordOptions& options) {
     if (search.search.empty() && !search.search_environment) return {};
     return Error{ErrorKind::bad_argument, "--search and --search-env go with --cell", {}};
   }
-  auto cell = collectCell(arguments.cell, search);
+  auto cell = collectCellOrLog(arguments.cell, search);
   if (!cell) return cell.error();
-  for (const ModelFault& warning : cell->warnings) cli::warn(warning.print());
+  if (!arguments.quiet) {
+    for (const std::string& warning : bundleWarnings(*cell)) cli::warn(warning);
+  }
   options.cell = std::make_shared<const CellBundle>(std::move(*cell));
   return {};
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <map>
 #include <utility>
 
 #include "core/bundle/cell_folder.h"
@@ -27,23 +28,26 @@ std::string entryOf(const LogMetadata& record, std::string_view key) {
   return found == record.entries.end() ? std::string() : found->second;
 }
 
+/// Numbers of a log's attachments by their names.
+using AttachmentNumbers = std::multimap<std::string_view, std::size_t>;
+
 /// The attachment of that name and SHA-256. A merged log may have several of one name.
-Result<Bytes> readByHash(const LogReader& log, const std::string& name, const std::string& sha256,
+Result<Bytes> readByHash(const LogReader& log, const AttachmentNumbers& numbers,
+                         const std::string& name, const std::string& sha256,
                          std::uint64_t most_bytes) {
   std::optional<Error> fault;
   const auto remember = [&](Error error) {
     if (!fault) fault = std::move(error);
   };
-  for (std::size_t i = 0; i < log.attachments().size(); ++i) {
-    const LogAttachment& attachment = log.attachments()[i];
-    if (attachment.name != name) continue;
-    if (attachment.data_bytes > most_bytes) {
+  const auto [begin, end] = numbers.equal_range(name);
+  for (auto each = begin; each != end; ++each) {
+    if (log.attachments()[each->second].data_bytes > most_bytes) {
       remember({ErrorKind::damaged,
                 fmt::format("attachment {} is larger than it should be", plainText(name)),
                 log.name()});
       continue;
     }
-    auto bytes = log.readAttachment(i);
+    auto bytes = log.readAttachment(each->second);
     if (bytes.ok() && sha256Of(*bytes) == sha256) return bytes;
     remember(bytes.ok() ? Error{ErrorKind::damaged,
                                 fmt::format("attachment {} is not what was attached: its SHA-256 "
@@ -83,13 +87,16 @@ Result<std::optional<CellBundle>> readAttachedCell(const LogReader& log) {
                  log.name()};
   }
   const std::string manifest_name = entryOf(*record, profile::kCellManifestKey);
-  if (std::ranges::find(log.attachments(), manifest_name, &LogAttachment::name) ==
-      log.attachments().end()) {
+  AttachmentNumbers numbers;
+  for (std::size_t i = 0; i < log.attachments().size(); ++i) {
+    numbers.emplace(log.attachments()[i].name, i);
+  }
+  if (!numbers.contains(manifest_name)) {
     // The record is written last: a copy that leaves attachments out leaves it alone.
     return std::optional<CellBundle>();
   }
-  const auto text =
-      readByHash(log, manifest_name, entryOf(*record, profile::kCellSha256Key), kMostManifestBytes);
+  const auto text = readByHash(log, numbers, manifest_name,
+                               entryOf(*record, profile::kCellSha256Key), kMostManifestBytes);
   if (!text.ok()) return text.error();
   auto manifest = parseManifest(*text, log.name() + ":" + plainText(manifest_name));
   if (!manifest.ok()) return manifest.error();
@@ -97,16 +104,17 @@ Result<std::optional<CellBundle>> readAttachedCell(const LogReader& log) {
   CellBundle bundle;
   bundle.manifest = std::move(*manifest);
   for (const BundleManifest::File& file : bundle.manifest.files) {
-    auto bytes =
-        readByHash(log, std::string(profile::kCellFolder) + file.name, file.sha256, file.bytes);
+    auto bytes = readByHash(log, numbers, std::string(profile::kCellFolder) + file.name,
+                            file.sha256, file.bytes);
     if (!bytes.ok()) return bytes.error();
     bundle.contents.push_back(std::move(*bytes));
   }
   return std::optional(std::move(bundle));
 }
 
-Result<Cell> loadCellOrLog(const std::filesystem::path& path, const CellOptions& options) {
-  if (!isLog(path)) return loadCell(path, options);
+namespace {
+
+Result<CellBundle> readLogsCell(const std::filesystem::path& path, const CellOptions& options) {
   if (!options.search.empty()) {
     return Error{ErrorKind::bad_argument,
                  "a cell inside a log has all its files: --search means nothing to it",
@@ -114,15 +122,26 @@ Result<Cell> loadCellOrLog(const std::filesystem::path& path, const CellOptions&
   }
   const auto log = LogReader::open(path);
   if (!log.ok()) return log.error();
-  const auto bundle = readAttachedCell(*log);
+  auto bundle = readAttachedCell(*log);
   if (!bundle.ok()) return bundle.error();
-  if (!*bundle) {
-    return Error{ErrorKind::not_found,
-                 "the log carries no cell: name a cell before it, or attach one "
-                 "(rocinante log attach LOG --cell CELL -o OUT)",
-                 path.string()};
-  }
-  return loadBundle(**bundle, path.string() + ":" + std::string(profile::kCellFolder), options);
+  if (*bundle) return std::move(**bundle);
+  return Error{ErrorKind::not_found,
+               "the log carries no cell: name a cell before it, or attach one "
+               "(rocinante log attach LOG --cell CELL -o OUT)",
+               path.string()};
+}
+
+}  // namespace
+
+Result<CellBundle> collectCellOrLog(const std::filesystem::path& path, const CellOptions& options) {
+  return isLog(path) ? readLogsCell(path, options) : collectCell(path, options);
+}
+
+Result<Cell> loadCellOrLog(const std::filesystem::path& path, const CellOptions& options) {
+  if (!isLog(path)) return loadCell(path, options);
+  const auto bundle = readLogsCell(path, options);
+  if (!bundle.ok()) return bundle.error();
+  return loadBundle(*bundle, path.string() + ":" + std::string(profile::kCellFolder), options);
 }
 
 }  // namespace rocinante

@@ -19,6 +19,9 @@ bool isLog(const std::filesystem::path& path);
 /// first counts.
 Result<std::optional<CellBundle>> readAttachedCell(const LogReader& log);
 
+/// The bundle of whatever a program is given as a cell: collectCell(), or what a log carries.
+Result<CellBundle> collectCellOrLog(const std::filesystem::path& path, const CellOptions& options);
+
 /// Loads a cell from whatever a program is given as one: a file as loadCell() takes it, or a log
 /// with a cell in it. Faults of the latter name files as LOG:cell/NAME. `search` roots mean nothing
 /// to a cell in a log, and are refused with it.

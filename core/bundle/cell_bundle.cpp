@@ -224,6 +224,20 @@ Result<CellBundle> collectCell(const fs::path& path, CellOptions options) {
   return bundle;
 }
 
+std::vector<std::string> bundleWarnings(const CellBundle& bundle) {
+  constexpr std::size_t kShown = 3;
+  std::vector<std::string> lines;
+  for (const ModelFault& warning : bundle.warnings) {
+    if (lines.size() == kShown) {
+      lines.push_back(fmt::format("... and {} more warnings (rocinante check lists all)",
+                                  bundle.warnings.size() - kShown));
+      break;
+    }
+    lines.push_back(warning.print());
+  }
+  return lines;
+}
+
 AttachedBundle::AttachedBundle(const CellBundle& bundle)
     : manifest_text_(manifestText(bundle.manifest)) {
   const std::string manifest_name(profile::kCellManifest);

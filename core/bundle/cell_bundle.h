@@ -27,6 +27,9 @@ struct CellBundle {
 /// not used.
 Result<CellBundle> collectCell(const std::filesystem::path& path, CellOptions options);
 
+/// The first of its warnings for people, a line each, and how many there are besides.
+std::vector<std::string> bundleWarnings(const CellBundle& bundle);
+
 /// A file as it is attached.
 struct BundleAttachment {
   std::string name;

@@ -45,13 +45,6 @@ void addFoldersOf(const std::string& name, std::set<std::string>& folders) {
   }
 }
 
-void replaceAll(std::string& text, const std::string& what, const std::string& with) {
-  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at)) {
-    text.replace(at, what.size(), with);
-    at += with.size();
-  }
-}
-
 /// What names mean, by folder and name, as the manifest says.
 FileAnswers answersOf(const BundleManifest& manifest, const fs::path& root) {
   using Key = std::pair<std::string, std::string>;
@@ -104,25 +97,28 @@ Result<Cell> loadBundle(const CellBundle& bundle, const std::string& shown_as,
   const auto folder = PrivateFolder::make();
   if (!folder.ok()) return folder.error();
   const fs::path& root = (*folder)->path();
-  const auto shown = [&, prefix = root.string() + "/"](std::string& text) {
-    replaceAll(text, prefix, shown_as);
-  };
-  const auto shownError = [&](Error error) {
-    shown(error.what);
-    shown(error.where);
-    return error;
-  };
-  if (Status written = layOut(bundle, root); !written) return shownError(written.error());
+  if (Status written = layOut(bundle, root); !written) {
+    return Error{written.error().kind, "the cell cannot be unpacked: " + written.error().what,
+                 written.error().where};
+  }
   CellOptions inside;
   inside.geometry = options.geometry;
   inside.answers = answersOf(bundle.manifest, root);
   auto cell = loadCell(root / bundle.manifest.main, inside);
-  if (!cell.ok()) return shownError(cell.error());
-  shown(cell->file);
+  if (!cell.ok()) {
+    Cell nothing;
+    nothing.files_below = root.string() + "/";
+    nothing.files_shown_as = shown_as;
+    return Error{cell.error().kind, nothing.shown(cell.error().what),
+                 nothing.shown(cell.error().where)};
+  }
+  cell->files_below = root.string() + "/";
+  cell->files_shown_as = shown_as;
+  cell->file = cell->shown(cell->file);
   for (ModelFault& fault : cell->faults) {
-    shown(fault.file);
-    shown(fault.text);
-    shown(fault.hint);
+    fault.file = cell->shown(fault.file);
+    fault.text = cell->shown(fault.text);
+    fault.hint = cell->shown(fault.hint);
   }
   cell->keeps_files = *folder;
   return cell;

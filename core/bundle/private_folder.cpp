@@ -27,7 +27,7 @@ constexpr std::time_t kYoungSeconds = 60;
 bool isAbandoned(const fs::path& folder) {
   struct stat facts {};
   if (::lstat(folder.c_str(), &facts) != 0 || !S_ISDIR(facts.st_mode)) return false;
-  if (facts.st_uid != ::geteuid() || std::time(nullptr) - facts.st_ctime < kYoungSeconds) {
+  if (facts.st_uid != ::geteuid() || std::time(nullptr) - facts.st_mtime < kYoungSeconds) {
     return false;
   }
   const int lock = ::open((folder / kLockName).c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC);

@@ -157,6 +157,15 @@ const CellCamera* Cell::findCamera(std::string_view name) const {
   return nullptr;
 }
 
+std::string Cell::shown(std::string text) const {
+  if (files_below.empty()) return text;
+  for (std::size_t at = 0; (at = text.find(files_below, at)) != std::string::npos;) {
+    text.replace(at, files_below.size(), files_shown_as);
+    at += files_shown_as.size();
+  }
+  return text;
+}
+
 Result<Cell> readCell(ByteView bytes, const fs::path& path, const CellOptions& options) {
   const auto document = parseToml(textOf(bytes), path.string());
   if (!document.ok()) return document.error();

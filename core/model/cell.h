@@ -76,13 +76,17 @@ struct Cell {
   ModelFaults faults;  ///< of the cell and all that it names
   /// Every file that was read, for attaching and hashing; sorted.
   std::vector<std::filesystem::path> files;
-  /// Keeps what `files` lie in while they are needed: of a cell that came out of a log, its folder.
+  /// Of a cell that came out of a log: keeps the folder that `files` lie in while they are needed,
+  /// and says how people know that folder, each with a `/` behind it.
   std::shared_ptr<const void> keeps_files;
+  std::string files_below, files_shown_as;
 
   /// The model of a device; null when it could not be read.
   const Model* modelOf(const CellDevice& device) const;
   const CellDevice* findDevice(std::string_view name) const;
   const CellCamera* findCamera(std::string_view name) const;
+  /// `text` with files named as people know them: they may lie elsewhere for a while.
+  std::string shown(std::string text) const;
 };
 
 struct CellOptions {

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "core/atomic_file.h"
+#include "core/bundle/attached_cell.h"
 #include "core/bundle/bundle_names.h"
 #include "core/bundle/media_type.h"
 #include "recorder/log/copy_options.h"
@@ -61,10 +62,10 @@ Result<cli::Exit> runAttach(const AttachArguments& my) {
   attach.files = std::move(*files);
   CellBundle cell;
   if (!my.cell.empty()) {
-    auto collected = collectCell(my.cell, my.search);
+    auto collected = collectCellOrLog(my.cell, my.search);
     if (!collected.ok()) return collected.error();
     cell = std::move(*collected);
-    for (const ModelFault& warning : cell.warnings) cli::warn(warning.print());
+    for (const std::string& warning : bundleWarnings(cell)) cli::warn(warning);
     attach.cell = &cell;
   }
   const Result<CopyReport> report =

@@ -91,6 +91,8 @@ Result<FrameMaker> FrameMaker::open(Cell cell, std::optional<Timeline> session, 
   auto renderer = Renderer::create(*impl->context, impl->cell, profile);
   if (!renderer) return renderer.error();
   impl->renderer = std::move(*renderer);
+  // Everything is in memory now: a folder made for this cell alone can go.
+  impl->cell.keeps_files.reset();
   return FrameMaker(std::move(impl));
 }
 

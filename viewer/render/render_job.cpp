@@ -105,7 +105,9 @@ std::vector<std::string> warningsOf(const FrameMaker& maker) {
   for (const ModelFault& fault : maker.cell().faults) {
     if (fault.severity != Severity::note) warnings.push_back(fault.print());
   }
-  warnings.insert(warnings.end(), maker.warnings().begin(), maker.warnings().end());
+  for (const std::string& warning : maker.warnings()) {
+    warnings.push_back(maker.cell().shown(warning));
+  }
   return warnings;
 }
 

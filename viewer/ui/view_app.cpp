@@ -102,7 +102,9 @@ Result<std::unique_ptr<ViewApp>> ViewApp::open(ViewModel& model, const ViewOptio
   if (!window.ok()) return window.error();
   auto renderer = Renderer::create(**window, model.cell(), options.profile);
   if (!renderer.ok()) return renderer.error();
-  for (const std::string& warning : renderer->warnings()) cli::warn(warning);
+  for (const std::string& warning : renderer->warnings()) {
+    cli::warn(model.cell().shown(warning));
+  }
   std::unique_ptr<ViewApp> app(
       new ViewApp(model, options, std::move(*window), std::move(*renderer)));
   auto painter = ImguiPainter::create(app->renderer_.gl());

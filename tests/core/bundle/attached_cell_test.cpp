@@ -61,6 +61,20 @@ TEST_F(AttachedCellTest, WhatIsReadIsWhatWasAttached) {
   EXPECT_EQ((*read)->contents, bundle_.contents);
 }
 
+TEST_F(AttachedCellTest, TheCellOfOneLogCanGoIntoAnother) {
+  test::writeLog(log(), &bundle_);
+  const auto bundle = collectCellOrLog(log(), {});
+  ASSERT_TRUE(bundle.ok()) << bundle.error().text();
+  EXPECT_EQ(bundle->manifest, bundle_.manifest);
+  EXPECT_EQ(bundle->contents, bundle_.contents);
+}
+
+TEST_F(AttachedCellTest, ALogWithoutItsAttachmentsHasNoCell) {
+  const AttachedBundle attached(bundle_);
+  writeLogWith({}, attached.metadata());
+  EXPECT_THAT(refusal(), HasSubstr("the log carries no cell"));
+}
+
 TEST_F(AttachedCellTest, ALogWithoutOneSaysHowToGiveOne) {
   test::writeLog(log(), nullptr);
   EXPECT_THAT(refusal(), HasSubstr("the log carries no cell"));

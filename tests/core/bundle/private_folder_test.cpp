@@ -61,6 +61,27 @@ TEST_F(PrivateFolderTest, OneInUseOrYoungIsLeftAlone) {
   EXPECT_EQ(folders(), 3U);
 }
 
+TEST_F(PrivateFolderTest, WhatAKilledProcessLeftBehindIsRemoved) {
+  const auto old = fs::file_time_type::clock::now() - std::chrono::minutes(5);
+  const auto in_use = PrivateFolder::make();
+  ASSERT_TRUE(in_use.ok());
+  fs::last_write_time((*in_use)->path(), old);
+  fs::create_directories(temporary_ / "rocinante-cell-killed/a");
+  std::ofstream(temporary_ / "rocinante-cell-killed/.lock") << "";
+  fs::last_write_time(temporary_ / "rocinante-cell-killed", old);
+  // One without a lock, a link, and another name are none of these.
+  fs::create_directory(temporary_ / "rocinante-cell-other");
+  fs::last_write_time(temporary_ / "rocinante-cell-other", old);
+  fs::create_directory_symlink(temporary_ / "rocinante-cell-other",
+                               temporary_ / "rocinante-cell-link");
+  fs::create_directory(temporary_ / "mine");
+  const auto next = PrivateFolder::make();
+  ASSERT_TRUE(next.ok());
+  EXPECT_FALSE(fs::exists(temporary_ / "rocinante-cell-killed"));
+  EXPECT_TRUE(fs::exists((*in_use)->path()));
+  EXPECT_EQ(folders(), 5U);
+}
+
 TEST_F(PrivateFolderTest, WithoutATemporaryFolderItIsRefused) {
   ::setenv("TMPDIR", (temporary_ / "gone").c_str(), 1);
   const auto folder = PrivateFolder::make();
