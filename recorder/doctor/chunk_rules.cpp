@@ -21,11 +21,11 @@ void ChunkRules::chunk(const mcap::Record& record) {
   mcap::Chunk chunk;
   if (!mcap::parse(record.content, chunk)) {
     report_.add("record-fields", offset_, "the lengths in a Chunk do not fit into it");
-    if (profile_ != nullptr) profile_->gap();
-    return;
+    return unreadable();
   }
   if (profile_ != nullptr && chunk.compression != "" && chunk.compression != "zstd") {
     report_.add("profile-compression", offset_, "a chunk of ours is compressed with zstd, or not");
+    return unreadable();
   }
   // Its checksum is looked at apart from its content.
   mcap::Chunk unchecked = chunk;
@@ -34,8 +34,7 @@ void ChunkRules::chunk(const mcap::Record& record) {
   if (!expanded) {
     report_.add(expanded.error().kind == ErrorKind::unsupported ? "chunk-unread" : "chunk-content",
                 offset_, expanded.error().what);
-    if (profile_ != nullptr) profile_->gap();
-    return;
+    return unreadable();
   }
   if (chunk.uncompressed_crc == 0) {
     if (profile_ != nullptr && !expanded->empty()) {
@@ -46,11 +45,16 @@ void ChunkRules::chunk(const mcap::Record& record) {
                 fmt::format("the chunk fails its checksum ({:08x}, stored {:08x})", found,
                             chunk.uncompressed_crc));
     // What it says is not to be believed.
-    if (profile_ != nullptr) profile_->gap();
-    return;
+    return unreadable();
   }
   readable_ = true;
   records(chunk, *expanded);
+}
+
+void ChunkRules::unreadable() {
+  readable_ = false;
+  facts_.all_read = false;
+  if (profile_ != nullptr) profile_->gap();
 }
 
 void ChunkRules::records(const mcap::Chunk& chunk, ByteView records) {
@@ -59,8 +63,7 @@ void ChunkRules::records(const mcap::Chunk& chunk, ByteView records) {
     if (!record) {
       report_.add("chunk-records", offset_,
                   fmt::format("a record reaches past the end of its chunk, {} bytes into it", at));
-      readable_ = false;
-      return;
+      return unreadable();
     }
     at = record->end();
     if (record->opcode == Opcode::message) {

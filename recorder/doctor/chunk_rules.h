@@ -16,12 +16,7 @@ class ChunkRules {
   /// `profile` is null for files that are not ours. All are borrowed.
   ChunkRules(DoctorReport& report, DoctorFacts& facts, Definitions& definitions,
              ProfileRules* profile)
-      : report_(report),
-        facts_(facts),
-        definitions_(definitions),
-        profile_(profile),
-        defined_in_(kChannels),
-        indexed_in_(kChannels) {}
+      : report_(report), facts_(facts), definitions_(definitions), profile_(profile) {}
 
   /// A Chunk record at its place in the file.
   void chunk(const mcap::Record& record);
@@ -42,9 +37,9 @@ class ChunkRules {
     auto operator<=>(const Entry&) const = default;
   };
 
-  static constexpr std::size_t kChannels = 65536;
-
   std::uint64_t number() const { return facts_.chunk_offsets.size(); }
+  /// Its messages cannot be known.
+  void unreadable();
   void records(const mcap::Chunk& chunk, ByteView records);
   void times(const mcap::Chunk& chunk);
 
@@ -61,8 +56,18 @@ class ChunkRules {
   bool any_index_ = false;
   std::vector<Entry> entries_;  ///< sorted when the first index comes
   /// By channel id: the number of the last chunk that defined it, and of the last whose index came.
-  std::vector<std::uint64_t> defined_in_;
-  std::vector<std::uint64_t> indexed_in_;
+  class LastChunk {
+   public:
+    std::uint64_t& operator[](std::uint16_t id) {
+      if (id >= numbers_.size()) numbers_.resize(id + 1U);
+      return numbers_[id];
+    }
+
+   private:
+    std::vector<std::uint64_t> numbers_;
+  };
+  LastChunk defined_in_;
+  LastChunk indexed_in_;
 };
 
 }  // namespace rocinante

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "core/hash.h"
-#include "core/log/byte_cursor.h"
+#include "core/log/chunk_head.h"
 #include "core/log/log_profile.h"
 
 namespace rocinante {
@@ -153,6 +153,18 @@ void DataWalk::dataEnd(const mcap::Record& record) {
   summary_start_ = record.end();
 }
 
+/// How the file ends at position_, where a whole record should stand.
+std::string DataWalk::cutOff() const {
+  if (position_ >= file_.size()) return "the file ends before its DataEnd";
+  const std::optional<ChunkHead> chunk = chunkHeadAt(file_, position_);
+  if (chunk && chunk->open()) {
+    return fmt::format("the chunk that begins here is still open, {} bytes before the file's end",
+                       file_.size() - position_);
+  }
+  return fmt::format("the file ends inside the record that begins here, after {} bytes of it",
+                     file_.size() - position_);
+}
+
 bool DataWalk::endsAsAWholeFile() const {
   if (file_.size() < mcap::magic().size() + mcap::kFileEndBytes) return false;
   const std::optional<mcap::Record> footer =
@@ -166,13 +178,7 @@ bool DataWalk::endsAsAWholeFile() const {
 bool DataWalk::skipBroken() {
   chunks_->end();
   if (!endsAsAWholeFile()) {
-    report_.add(
-        "not-closed", position_,
-        position_ >= file_.size()
-            ? std::string("the file ends before its DataEnd: it was never closed")
-            : fmt::format("the file ends inside a record, {} bytes behind its beginning: it "
-                          "was never closed",
-                          file_.size() - position_));
+    report_.add("not-closed", position_, cutOff() + ": it was never closed");
     return false;
   }
   const std::uint64_t from = position_;
@@ -182,6 +188,7 @@ bool DataWalk::skipBroken() {
   report_.add("record-length", from,
               fmt::format("a record reaches past the end of the file; {} bytes were passed over",
                           position_ - from));
+  facts_.all_read = false;
   if (profile_) profile_->gap();
   if (position_ < file_.size()) return true;
   report_.add("data-end", from, "no DataEnd follows");

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <string>
 
 #include "core/log/mcap_stream_reader.h"
 #include "core/log/record_probe.h"
@@ -30,6 +31,7 @@ class DataWalk {
   void dataEnd(const mcap::Record& record);
   bool skipBroken();
   bool endsAsAWholeFile() const;
+  std::string cutOff() const;
 
   ByteView file_;
   DoctorReport& report_;

@@ -15,6 +15,7 @@ namespace rocinante {
 /// What the data section of a file holds, for the summary to be held against it.
 struct DoctorFacts {
   bool ours = false;                                ///< of the profile `rocinante`
+  bool all_read = true;                             ///< false: messages are missing in the counts
   std::vector<std::uint64_t> chunk_offsets;         ///< ascending
   std::vector<std::uint64_t> attachment_offsets;    ///< ascending
   std::vector<std::uint64_t> metadata_offsets;      ///< ascending

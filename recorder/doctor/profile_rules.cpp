@@ -154,16 +154,18 @@ void ProfileRules::message(const mcap::Message& message, std::uint64_t offset) {
                 fmt::format("a message has the log time {}, beyond 2^63", message.log_time));
     return;
   }
-  if (message.log_time < last_time_) {
+  const bool is_keyframe = known.channel.topic == profile::kKeyframeTopic;
+  if (message.log_time < last_time_ && !is_keyframe) {
     report_.add("time-order", offset,
                 fmt::format("a message lies {} ns before one that stands before it",
                             last_time_ - message.log_time));
   }
   last_time_ = std::max(last_time_, message.log_time);
+  if (!is_keyframe) last_other_time_ = std::max(last_other_time_, message.log_time);
   if (known.channel.captured()) captured(known, message, offset);
   if (known.channel.folded()) fold(known, message, offset);
-  if (known.channel.topic == profile::kKeyframeTopic) {
-    keyframe(known, message, offset);
+  if (is_keyframe) {
+    keyframe(message, offset);
   } else if (!known.channel.folded()) {
     own(known, message, offset);
   }
@@ -184,12 +186,6 @@ void ProfileRules::captured(const Known& known, const mcap::Message& message,
 }
 
 void ProfileRules::fold(const Known& known, const mcap::Message& message, std::uint64_t offset) {
-  if (last_folded_time_ && message.log_time < *last_folded_time_) fold_ordered_ = false;
-  if (keyframe_time_ && message.log_time < *keyframe_time_) {
-    report_.add("keyframe-time", offset, "a message behind a keyframe lies before it in time");
-  }
-  keyframe_time_.reset();
-  last_folded_time_ = message.log_time;
   if (known.decoder == nullptr) return;
   const Packet* const packet = known.decoder->decode(message.data);
   if (packet == nullptr) return;
@@ -199,26 +195,29 @@ void ProfileRules::fold(const Known& known, const mcap::Message& message, std::u
                             "belongs on /rocinante/restated/...",
                             message.sequence, message.channel_id));
   }
+  if (last_folded_time_ && message.log_time < *last_folded_time_) fold_ordered_ = false;
+  last_folded_time_ = std::max(last_folded_time_.value_or(0), message.log_time);
   state_.apply(timeOf(message.log_time), *packet);
   (void)state_.takeEvents();
 }
 
-void ProfileRules::keyframe(const Known&, const mcap::Message& message, std::uint64_t offset) {
+void ProfileRules::keyframe(const mcap::Message& message, std::uint64_t offset) {
   const LogTime time = timeOf(message.log_time);
   Result<SessionState> told = keyframe_reader_.read(message.data, time);
   if (!told) {
     report_.add("keyframe-content", offset, told.error().text());
     return;
   }
-  keyframe_time_ = message.log_time;
   if (!last_folded_time_ || !fold_known_) {
     // It opens a piece, or follows what could not be read: from here on it is what is known.
     state_ = std::move(*told);
     fold_known_ = true;
     return;
   }
-  if (message.log_time < *last_folded_time_) {
-    report_.add("keyframe-time", offset, "a keyframe lies before a message that stands before it");
+  if (message.log_time < *last_folded_time_ || message.log_time > last_other_time_) {
+    report_.add("keyframe-time", offset,
+                fmt::format("a keyframe has the time {}, and the last message before it {}",
+                            message.log_time, last_other_time_));
     return;
   }
   if (!fold_ordered_) {

@@ -39,7 +39,7 @@ class ProfileRules {
   void closing(const mcap::Metadata& metadata, std::uint64_t offset);
   void captured(const Known& known, const mcap::Message& message, std::uint64_t offset);
   void fold(const Known& known, const mcap::Message& message, std::uint64_t offset);
-  void keyframe(const Known& known, const mcap::Message& message, std::uint64_t offset);
+  void keyframe(const mcap::Message& message, std::uint64_t offset);
   void own(const Known& known, const mcap::Message& message, std::uint64_t offset);
 
   DoctorReport& report_;
@@ -50,13 +50,13 @@ class ProfileRules {
   std::optional<std::uint64_t> end_offset_;
   bool any_captured_ = false;
   std::uint64_t last_time_ = 0;
+  std::uint64_t last_other_time_ = 0;  ///< of messages that are no keyframes
 
   SessionState state_;
   KeyframeReader keyframe_reader_;
   bool fold_known_ = true;
   bool fold_ordered_ = true;
   std::optional<std::uint64_t> last_folded_time_;
-  std::optional<std::uint64_t> keyframe_time_;  ///< of the last keyframe, until a message follows
   std::optional<std::uint16_t> keyframe_channel_;
 };
 

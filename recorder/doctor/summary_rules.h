@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "core/log/mcap_stream_reader.h"
@@ -57,7 +58,7 @@ class SummaryRules {
   std::vector<bool> chunks_seen_;
   std::vector<bool> attachments_seen_;
   std::vector<bool> metadata_seen_;
-  std::vector<bool> channels_repeated_;  ///< by id
+  std::set<std::uint16_t> channels_repeated_;
   bool any_chunk_index_ = false;
   bool any_attachment_index_ = false;
   bool any_metadata_index_ = false;

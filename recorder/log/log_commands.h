@@ -20,6 +20,8 @@ struct LogCommand {
 
 LogCommand addInfoCommand(CLI::App& program);
 LogCommand addCatCommand(CLI::App& program);
+LogCommand addStateCommand(CLI::App& program);
+LogCommand addDiffCommand(CLI::App& program);
 LogCommand addDoctorCommand(CLI::App& program);
 LogCommand addFollowCommand(CLI::App& program);
 LogCommand addMarkCommand(CLI::App& program);

@@ -10,7 +10,9 @@ constexpr const char* kExamples =
     "  rocinante log info --json session.mcap          the same for scripts\n"
     "  rocinante log cat session.mcap --from 12.5s --until 14s\n"
     "  rocinante log cat session.mcap --channel '/udp/*/arm' --format json\n"
+    "  rocinante log state session.mcap --at 12.5s     what holds at that moment\n"
     "  rocinante log doctor session.mcap               whether it keeps every rule\n"
+    "  rocinante log diff before.mcap after.mcap       where they part\n"
     "  rocinante log follow session.mcap               what its recorder adds, as it comes\n"
     "  rocinante log mark session.mcap 12.5s 'the gripper slipped'\n"
     "  rocinante log cut session.mcap -o pick.mcap --from-event pick --until-event place\n"
@@ -30,6 +32,8 @@ int main(int argc, char** argv) {
   const std::vector<LogCommand> commands{
       addInfoCommand(app),
       addCatCommand(app),
+      addStateCommand(app),
+      addDiffCommand(app),
       addDoctorCommand(app),
       addFollowCommand(app),
       addMarkCommand(app),

@@ -1,0 +1,11 @@
+# Where two logs part: a log without its second half, one that was moved in time, and itself.
+log=$SRC/tests/data/logs/version-1.mcap
+cp "$log" a.mcap
+rocinante log diff a.mcap a.mcap
+rocinante log filter a.mcap -o without.mcap --not-channel '/udp/*/planner' > /dev/null
+rocinante log diff a.mcap without.mcap || echo "exit $?"
+rocinante log shift a.mcap -o later.mcap --by 250ms > /dev/null
+rocinante log diff a.mcap later.mcap || echo "exit $?"
+rocinante log diff a.mcap later.mcap --by payload
+rocinante log diff a.mcap later.mcap --by state --json || echo "exit $?"
+rocinante log diff without.mcap a.mcap --by time --json || echo "exit $?"
