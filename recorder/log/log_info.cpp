@@ -1,12 +1,14 @@
 #include "recorder/log/log_info.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <memory>
 
 #include "core/log/content_hash.h"
+#include "core/log/log_profile.h"
 #include "core/packet/decoder.h"
-#include "core/packet/session_state.h"
+#include "core/session/marks.h"
 
 namespace rocinante {
 namespace {
@@ -27,11 +29,21 @@ class Collector {
   void add(const LogMessage& message) {
     PerChannel& mine = by_channel_[message.channel->id];
     ChannelInfo& info = mine.info;
-    if (info.messages++ == 0) info.first = message.log_time;
+    if (info.messages++ == 0) info.first = info.last = message.log_time;
+    if (const Nanoseconds gap = message.log_time - info.last; gap > info.longest_gap) {
+      info.longest_gap = gap;
+      info.gap_from = info.last;
+    }
     info.last = message.log_time;
     ++info.activity[partOf(message.log_time)];
     hash_.add(message);
     if (message.channel->topic == "/rocinante/keyframe") ++info_.keyframes;
+    if (message.channel->topic == profile::kMarkTopic) {
+      if (auto text = parseMark(message.payload)) {
+        ++info_.marks;
+        addEvent({message.log_time, {}, std::move(*text)});
+      }
+    }
     const bool captured = message.channel->captured();
     if (captured) ++info_.messages;
     if (mine.decoder == nullptr) return;
@@ -39,7 +51,20 @@ class Collector {
     if (packet == nullptr) return;
     if (captured) ++info_.packets;
     state_.apply(message.log_time, *packet);
-    info_.events += state_.takeEvents().size();
+    for (Event& event : state_.takeEvents()) addEvent(std::move(event));
+  }
+
+  /// Those of LOG.marks, which lie in order among the others; at one time behind them.
+  void addMarks(std::vector<Event> marks) {
+    info_.events += marks.size();
+    info_.marks += marks.size();
+    std::vector<Event>& events = info_.first_events;
+    const std::size_t own = events.size();
+    std::ranges::move(marks, std::back_inserter(events));
+    std::inplace_merge(events.begin(), events.begin() + static_cast<std::ptrdiff_t>(own),
+                       events.end(),
+                       [](const Event& a, const Event& b) { return a.time < b.time; });
+    if (events.size() > kMostEvents) events.resize(kMostEvents);
   }
 
   void finish() {
@@ -57,6 +82,10 @@ class Collector {
     ChannelInfo info;
     Decoder* decoder = nullptr;
   };
+
+  void addEvent(Event event) {
+    if (info_.events++ < kMostEvents) info_.first_events.push_back(std::move(event));
+  }
 
   Decoder* decoderFor(const std::string& encoding) {
     auto found = decoders_.find(encoding);
@@ -106,6 +135,9 @@ Result<LogInfo> logInfo(const std::filesystem::path& path,
       progress(std::min(1.0, static_cast<double>(read) / expected));
     }
   }
+  Result<std::vector<Event>> marks = readMarks(path);
+  if (!marks) return marks.error();
+  collector.addMarks(std::move(*marks));
   collector.finish();
   info.loss_spans = reader->losses();
   for (const LossSpan& span : info.loss_spans) info.losses += span.counts;

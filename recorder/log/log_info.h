@@ -7,12 +7,15 @@
 #include <vector>
 
 #include "core/log/log_reader.h"
+#include "core/packet/session_state.h"
 #include "core/result.h"
 
 namespace rocinante {
 
 /// Equal parts of the session's time over which a channel's messages are counted.
 inline constexpr std::size_t kActivityParts = 24;
+/// So many events are kept one by one.
+inline constexpr std::size_t kMostEvents = 1000;
 
 struct ChannelInfo {
   LogChannel channel;
@@ -20,6 +23,8 @@ struct ChannelInfo {
   LogTime first{};
   LogTime last{};
   std::array<std::uint64_t, kActivityParts> activity{};
+  Nanoseconds longest_gap{0};  ///< between one message and the next
+  LogTime gap_from{};          ///< the message before it
 
   /// Messages a second between the first and the last; 0 when there are fewer than two.
   double rateHz() const;
@@ -36,7 +41,10 @@ struct LogInfo {
   std::vector<ChannelInfo> own_channels;  ///< /rocinante/...
   std::uint64_t keyframes = 0;
   std::uint64_t packets = 0;  ///< captured messages that could be decoded
-  std::uint64_t events = 0;
+  std::uint64_t events = 0;   ///< in packets, and marks: in the log and beside it
+  std::uint64_t marks = 0;    ///< of those
+  /// The first of them, in order of time.
+  std::vector<Event> first_events;
   LossCounts losses;
   std::uint64_t source_gap = 0;  ///< SEQUENCE numbers that never came, over all sources
   std::vector<LossSpan> loss_spans;
@@ -45,7 +53,8 @@ struct LogInfo {
   std::string content_sha256;
 };
 
-/// Reads the whole log. `progress` is told now and then which part of it is done, 0 to 1.
+/// Reads the whole log, and its marks. An error when those are malformed. `progress` is told now
+/// and then which part of it is done, 0 to 1.
 Result<LogInfo> logInfo(const std::filesystem::path& path,
                         const std::function<void(double)>& progress = {});
 

@@ -26,7 +26,12 @@ Json channelJson(const ChannelInfo& info) {
           {"sender", metadataOf(info.channel, "remote")},
           {"source", metadataOf(info.channel, "source")},
           {"messages", info.messages},
-          {"rate_hz", thousandths(info.rateHz())}};
+          {"rate_hz", thousandths(info.rateHz())},
+          {"first_ns", info.messages > 0 ? Json(nanosecondsOf(info.first)) : Json(nullptr)},
+          {"last_ns", info.messages > 0 ? Json(nanosecondsOf(info.last)) : Json(nullptr)},
+          {"longest_gap_ns", info.longest_gap.count()},
+          {"longest_gap_from_ns",
+           info.longest_gap.count() > 0 ? Json(nanosecondsOf(info.gap_from)) : Json(nullptr)}};
 }
 
 Json channelsJson(const std::vector<ChannelInfo>& channels) {
@@ -61,6 +66,16 @@ Json damageJson(const std::vector<DamageSpan>& damage) {
   return out;
 }
 
+Json eventsJson(const std::vector<Event>& events) {
+  Json out = Json::array();
+  for (const Event& event : events) {
+    out.push_back({{"log_time_ns", nanosecondsOf(event.time)},
+                   {"source", event.source},
+                   {"text", event.text}});
+  }
+  return out;
+}
+
 Json attachmentsJson(const std::vector<LogAttachment>& attachments) {
   Json out = Json::array();
   for (const LogAttachment& attachment : attachments) {
@@ -91,6 +106,8 @@ std::string logInfoJson(const LogInfo& info, bool indented) {
   out["own_channels"] = channelsJson(info.own_channels);
   out["keyframes"] = info.keyframes;
   out["events"] = info.events;
+  out["marks"] = info.marks;
+  out["event_list"] = eventsJson(info.first_events);
   out["losses"] = lossesJson(info);
   out["complete"] = summary.complete;
   out["end_reason"] = summary.end_reason;
@@ -98,6 +115,8 @@ std::string logInfoJson(const LogInfo& info, bool indented) {
   out["compression"] = info.storage.compressions;
   out["chunks"] = info.storage.chunks;
   out["file_bytes"] = info.storage.file_bytes;
+  out["stored_bytes"] = info.storage.stored_bytes;
+  out["expanded_bytes"] = info.storage.expanded_bytes;
   out["damage"] = damageJson(info.damage);
   // Names come from a stranger's file: what is no UTF-8 is replaced, and must not throw.
   return out.dump(indented ? 2 : -1, ' ', false, Json::error_handler_t::replace) + "\n";

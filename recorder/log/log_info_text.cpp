@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 
 #include "core/duration_text.h"
 #include "recorder/log/log_info.h"
@@ -8,6 +9,8 @@
 
 namespace rocinante {
 namespace {
+
+constexpr std::size_t kShownEvents = 20;
 
 /// 1234567 as 1,234,567.
 std::string grouped(std::uint64_t number) {
@@ -82,20 +85,38 @@ std::string table(const std::vector<std::vector<std::string>>& rows,
   return out;
 }
 
+/// The longest time without a message, between the first and the last.
+std::string gapText(const ChannelInfo& info) {
+  if (info.messages < 2) return "-";
+  return fmt::format("{:.3f}", static_cast<double>(info.longest_gap.count()) / 1e9);
+}
+
 void addChannels(std::string& out, const LogInfo& info) {
   std::vector<std::vector<std::string>> rows = {
-      {"channel", "encoding", "source", "sender", "messages", "rate/s", "activity"}};
+      {"channel", "encoding", "source", "sender", "messages", "rate/s", "silent/s", "activity"}};
   const auto add = [&](const ChannelInfo& channel) {
     rows.push_back({plainText(channel.channel.topic), plainText(channel.channel.encoding),
                     metadataOf(channel.channel, "source"), metadataOf(channel.channel, "remote"),
                     grouped(channel.messages), fmt::format("{:.1f}", channel.rateHz()),
-                    sparkline(channel)});
+                    gapText(channel), sparkline(channel)});
   };
   std::ranges::for_each(info.channels, add);
   std::ranges::for_each(info.own_channels, add);
   if (rows.size() == 1) return;
   out += '\n';
-  out += table(rows, {false, false, false, false, true, true, false});
+  out += table(rows, {false, false, false, false, true, true, true, false});
+}
+
+void addEvents(std::string& out, const LogInfo& info) {
+  if (info.events == 0) return;
+  out += fmt::format("\n  events\n");
+  const std::size_t shown = std::min(info.first_events.size(), kShownEvents);
+  for (const Event& event : std::span(info.first_events).first(shown)) {
+    const std::string who = event.source.empty() ? "(mark)" : plainText(event.source);
+    out += fmt::format("  {:>14} s  {}: {}\n", secondsText(event.time - info.summary.origin, 3),
+                       who, plainText(event.text));
+  }
+  if (info.events > shown) out += fmt::format("  and {} more\n", grouped(info.events - shown));
 }
 
 void addLosses(std::string& out, const LogInfo& info) {
@@ -149,7 +170,12 @@ std::string logInfoText(const LogInfo& info) {
     out += fmt::format("; {} could be decoded", grouped(info.packets));
   }
   out += "\n";
-  if (info.events > 0) out += fmt::format("  events      {}\n", grouped(info.events));
+  if (info.events > 0) {
+    out += fmt::format("  events      {}", grouped(info.events));
+    if (info.marks > 0) out += fmt::format(", {} of them marks", grouped(info.marks));
+    out += "\n";
+  }
+  if (info.keyframes > 0) out += fmt::format("  keyframes   {}\n", grouped(info.keyframes));
   out += fmt::format("  stored      {} in {}", bytesText(info.storage.file_bytes),
                      counted(info.storage.chunks, "chunk"));
   if (!info.storage.compressions.empty()) {
@@ -169,6 +195,7 @@ std::string logInfoText(const LogInfo& info) {
   addLosses(out, info);
   out += "  content     sha256 " + info.content_sha256 + "\n";
   addChannels(out, info);
+  addEvents(out, info);
   addDamage(out, info);
   return out;
 }
