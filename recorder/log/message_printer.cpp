@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/duration_text.h"
+#include "core/log/log_profile.h"
 #include "recorder/log/message_text.h"
 
 namespace rocinante {
@@ -36,7 +37,9 @@ void MessagePrinter::header(std::string& out) const {
 
 void MessagePrinter::message(const LogMessage& message, std::string& out) const {
   const std::string& encoding = message.channel->encoding;
-  const bool is_text = (encoding == "rk1" || encoding == "json") && isUtf8(message.payload);
+  const bool says_text =
+      encoding == "rk1" || encoding == "json" || encoding == profile::kKeyframeEncoding;
+  const bool is_text = says_text && isUtf8(message.payload);
   switch (format_) {
     case CatFormat::text:
       return text(message, is_text, out);
