@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "core/session/keyframe.h"
+
 namespace rocinante {
 namespace {
 
@@ -78,14 +80,30 @@ CheckReport checkSession(const Cell& cell, const SessionCheck& session) {
   return report;
 }
 
+namespace {
+
+/// A piece of a session opens with what preceded it, said as packets: judged like any restatement.
+void addPreceding(SessionCheck& session, const LogMessage& keyframe) {
+  if (!KeyframeReader().read(keyframe.payload, keyframe.log_time)) return;
+  for (const std::string_view datagram : keyframeDatagrams(keyframe.payload)) {
+    session.add(keyframe.log_time, "rk1", false, bytesOf(datagram));
+  }
+}
+
+}  // namespace
+
 Result<CheckReport> checkLog(const Cell& cell, LogReader& log) {
   if (Status status = log.rewind(); !status) return status.error();
   SessionCheck session(cell);
+  bool is_first = true;
   while (true) {
     const Result<std::optional<LogMessage>> next = log.next();
     if (!next) return next.error();
     if (!*next) break;
     const LogMessage& message = **next;
+    const bool is_keyframe = isKeyframeChannel(*message.channel);
+    if (is_keyframe && is_first) addPreceding(session, message);
+    is_first = is_first && !is_keyframe && !message.channel->folded();
     if (!message.channel->folded()) continue;
     session.add(message.log_time, message.channel->encoding, message.channel->captured(),
                 message.payload);

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "core/log/log_profile.h"
 #include "core/packet/decoder.h"
 #include "core/packet/restatement.h"
 
@@ -86,6 +87,22 @@ std::string keyframeText(const SessionState& state) {
   return text;
 }
 
+std::vector<std::string_view> keyframeDatagrams(ByteView payload) {
+  std::vector<std::string_view> datagrams;
+  std::string_view rest = textOf(payload);
+  while (!rest.empty()) {
+    const std::size_t end = rest.find(kSeparator);
+    // The first LF of the separator ends the datagram's last line.
+    datagrams.push_back(rest.substr(0, end));
+    rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + kSeparator.size());
+  }
+  return datagrams;
+}
+
+bool isKeyframeChannel(const LogChannel& channel) {
+  return channel.topic == profile::kKeyframeTopic && channel.encoding == profile::kKeyframeEncoding;
+}
+
 KeyframeReader::KeyframeReader() : decoder_(makeDecoder("rk1")) {}
 KeyframeReader::~KeyframeReader() = default;
 KeyframeReader::KeyframeReader(KeyframeReader&&) noexcept = default;
@@ -93,12 +110,8 @@ KeyframeReader& KeyframeReader::operator=(KeyframeReader&&) noexcept = default;
 
 Result<SessionState> KeyframeReader::read(ByteView payload, LogTime moment) {
   Reading reading(*decoder_, moment);
-  std::string_view rest = textOf(payload);
-  while (!rest.empty()) {
-    const std::size_t end = rest.find(kSeparator);
-    // The first LF of the separator ends the datagram's last line.
-    if (Status added = reading.add(rest.substr(0, end)); !added) return added.error();
-    rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + kSeparator.size());
+  for (const std::string_view datagram : keyframeDatagrams(payload)) {
+    if (Status added = reading.add(datagram); !added) return added.error();
   }
   return reading.finish();
 }

@@ -2,8 +2,11 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "core/bytes.h"
+#include "core/log/log_types.h"
 #include "core/packet/session_state.h"
 #include "core/result.h"
 #include "core/time.h"
@@ -16,6 +19,12 @@ class Decoder;
 /// (docs/log-format.md, "Keyframes"). Empty for a state that knows no source. What it says is exact
 /// only where no restatement is unfinished.
 std::string keyframeText(const SessionState& state);
+
+/// The datagrams of a keyframe one after another, borrowed from `payload`: ordinary packet text.
+std::vector<std::string_view> keyframeDatagrams(ByteView payload);
+
+/// True for the channels whose messages are keyframes.
+bool isKeyframeChannel(const LogChannel& channel);
 
 /// Reads keyframes back. Holds scratch memory: one a thread.
 class KeyframeReader {

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "core/log/log_profile.h"
-
 namespace rocinante {
 namespace {
 
@@ -18,8 +16,7 @@ constexpr std::size_t kMostFaults = 100;
 KeyframeFinder::KeyframeFinder(LogReader& reader) : reader_(reader) {
   std::size_t count = 0;
   for (const LogChannel& channel : reader.channels()) {
-    if (channel.topic != profile::kKeyframeTopic) continue;
-    if (channel.encoding != profile::kKeyframeEncoding) continue;
+    if (!isKeyframeChannel(channel)) continue;
     channel_ = channel.id;
     ++count;
   }

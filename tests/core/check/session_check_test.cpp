@@ -6,6 +6,8 @@
 
 #include "core/check/check.h"
 #include "core/log/log_writer.h"
+#include "core/packet/decoder.h"
+#include "core/session/session_writer.h"
 #include "tests/support/temporary_folder.h"
 
 namespace rocinante {
@@ -273,6 +275,34 @@ TEST_F(SessionCheckTest, ReadsAWholeLogAndTellsTimesFromItsOrigin) {
   const std::string json = checkJson(*found);
   EXPECT_TRUE(json.starts_with("{\n  \"format\": 1,\n  \"verdict\": \"incompatible\",")) << json;
   EXPECT_THAT(json, HasSubstr("\"first_s\": 4.0,"));
+}
+
+TEST_F(SessionCheckTest, APieceIsJudgedWithWhatPrecededItAndKeyframesAreNotCounted) {
+  SessionState preceding;
+  const std::string before = "RK1 me@a 0 -\norder arm slide shoulder\n";
+  preceding.apply(now_, *makeDecoder("rk1")->decode(bytesOf(before)));
+  const std::filesystem::path path = folder_ / "piece.mcap";
+  Result<LogWriter> writer = LogWriter::create(path, {}, "0123");
+  ASSERT_TRUE(writer.ok()) << writer.error().text();
+  KeyframeOptions keyframes;
+  keyframes.packets = 20;
+  SessionWriter piece(std::move(*writer), keyframes);
+  ASSERT_TRUE(piece.beginWith(preceding, now_).ok());
+  const auto channel = piece.addChannel("/udp/1/me", "rk1", {});
+  for (std::uint32_t i = 0; i < 50; ++i) {
+    // Two of three joints: only the order, said before, makes that right.
+    const std::string text = fmt::format("RK1 me@a {} -\njoints arm 0.1 1\n", i + 1);
+    ASSERT_TRUE(piece.write(*channel, i, now_, 0, bytesOf(text)).ok());
+  }
+  EXPECT_GE(piece.keyframes(), 2U);
+  ASSERT_TRUE(piece.log().close("done").ok());
+  Result<LogReader> log = LogReader::open(path);
+  ASSERT_TRUE(log.ok()) << log.error().text();
+  const Result<CheckReport> found = checkLog(cell_, *log);
+  ASSERT_TRUE(found.ok()) << found.error().text();
+  EXPECT_THAT(rules(*found), IsEmpty());
+  EXPECT_EQ(found->packets, 50U);
+  EXPECT_EQ(found->verdict, Verdict::compatible);
 }
 
 TEST_F(SessionCheckTest, JudgesTheCellAlone) {

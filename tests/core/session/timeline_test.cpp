@@ -183,9 +183,9 @@ std::vector<LogTime> momentsOf(const KeyframedLog& log) {
 
 TEST(Timeline, FromKeyframesIsTheFoldFromTheStartInAnyOrder) {
   std::uint64_t keyframes = 0;
-  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     SCOPED_TRACE(seed);
-    const KeyframedLog log = makeKeyframedLog(seed, 300);
+    const KeyframedLog log = makeKeyframedLog(seed, 200);
     keyframes += log.keyframes;
     std::vector<LogTime> moments = momentsOf(log);
     std::mt19937_64 random(seed);
@@ -200,7 +200,7 @@ TEST(Timeline, FromKeyframesIsTheFoldFromTheStartInAnyOrder) {
     EXPECT_TRUE(timeline.keyframeFaults().empty());
     EXPECT_TRUE(timeline.log().damage().empty());
   }
-  EXPECT_GE(keyframes, 120U);
+  EXPECT_GE(keyframes, 60U);
 }
 
 TEST(Timeline, OfAPieceGoesOnFromWhatPreceded) {
