@@ -54,6 +54,9 @@ LogCommand addCatCommand(CLI::App& program) {
   app->add_option("--channel", options->cat.channels,
                   "only topics that match this pattern, as a shell's; may be repeated")
       ->allow_extra_args(false);
+  app->add_option("--device", options->cat.devices,
+                  "only packets about a device that matches this pattern; may be repeated")
+      ->allow_extra_args(false);
   app->add_option("--format", options->format, "text, json (one object a line) or csv")
       ->check(CLI::IsMember({"text", "json", "csv"}))
       ->capture_default_str();

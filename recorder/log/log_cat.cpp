@@ -3,11 +3,11 @@
 #include <fnmatch.h>
 
 #include <algorithm>
-#include <limits>
 
 #include "core/log/log_profile.h"
 #include "core/session/marks.h"
 #include "core/session/timeline.h"
+#include "recorder/copy/log_selection.h"
 
 namespace rocinante {
 namespace {
@@ -15,12 +15,7 @@ namespace {
 /// Output is handed over in pieces of about this size.
 constexpr std::size_t kPieceBytes = 1U << 16U;
 
-struct TimeRange {
-  LogTime from{Nanoseconds(std::numeric_limits<std::int64_t>::min())};
-  LogTime until{Nanoseconds(std::numeric_limits<std::int64_t>::max())};
-};
-
-Result<TimeRange> rangeOf(const CatOptions& options, const LogSummary& summary) {
+Result<TimeRange> chosenRange(const CatOptions& options, const LogSummary& summary) {
   TimeRange range;
   if (!options.from.empty()) {
     Result<LogTime> from = parseSessionTime(options.from, summary.origin, summary.end);
@@ -57,6 +52,7 @@ class MarkMessages {
  public:
   static Result<MarkMessages> of(const LogReader& reader, const CatOptions& options) {
     MarkMessages messages;
+    if (!options.devices.empty()) return messages;
     if (!matches(options.channels, std::string(profile::kMarkTopic))) return messages;
     Result<std::vector<Event>> marks = readMarks(reader.name());
     if (!marks) return marks.error();
@@ -93,9 +89,15 @@ class MarkMessages {
 
 Result<std::uint64_t> catLog(LogReader& reader, const CatOptions& options, bool with_header,
                              const TextSink& out) {
-  const Result<TimeRange> range = rangeOf(options, reader.summary());
+  const Result<TimeRange> range = chosenRange(options, reader.summary());
   if (!range) return range.error();
   const std::vector<bool> wanted = wantedChannels(options, reader);
+  std::optional<Selection> devices;
+  if (!options.devices.empty()) {
+    SelectionOptions by_device;
+    by_device.devices = options.devices;
+    devices.emplace(by_device, reader.channels());
+  }
   Result<MarkMessages> marks = MarkMessages::of(reader, options);
   if (!marks) return marks.error();
   MessagePrinter printer(options.format, options.name_log ? reader.name() : std::string(),
@@ -127,6 +129,7 @@ Result<std::uint64_t> catLog(LogReader& reader, const CatOptions& options, bool 
     }
     if (at_end) break;
     if (!wanted[(*message)->channel->id]) continue;
+    if (devices && !((*message)->channel->folded() && devices->wants(**message))) continue;
     if (Status printed = print(**message); !printed) return printed.error();
   }
   if (Status written = out(piece); !written) return written.error();
