@@ -102,8 +102,18 @@ bool CopyMerge::othersAt(std::size_t source, LogTime time) const {
   return false;
 }
 
+/// What a piece says again of the time before it: a restated datagram that its source said itself.
+bool CopyMerge::isLead(const CopyItem& item) {
+  if (item.kind == CopyItem::Kind::lead) return true;
+  if (item.kind != CopyItem::Kind::message || item.message.channel->captured()) return false;
+  if (!item.message.channel->folded()) return false;
+  const PacketHeader* const header = decoder_.decodeHeader(item.message.payload);
+  return header != nullptr && header->by.empty();
+}
+
 bool CopyMerge::isRepeated(std::size_t source, const CopyItem& item) {
   if (item.kind == CopyItem::Kind::opening) return covered(source);
+  if (isLead(item) && covered(source)) return true;
   if (item.time != given_time_) {
     given_.clear();
     given_time_ = item.time;
@@ -121,6 +131,8 @@ bool CopyMerge::isRepeated(std::size_t source, const CopyItem& item) {
     if ((one.channel == nullptr) != (other.channel == nullptr)) continue;
     if (one.channel == nullptr && one.kind != other.kind) continue;
     if (one.channel != nullptr && !sameFlow(*one.channel, *other.channel)) continue;
+    // One that was said again stands in no place of a captured one.
+    if (one.channel != nullptr && one.channel->captured() && !other.channel->captured()) continue;
     // A person's mark is one whatever sessions it was set in.
     if (item.kind != CopyItem::Kind::mark && !sameSession(source, other.source)) continue;
     if (std::ranges::find(other.repeated_by, source) != other.repeated_by.end()) continue;

@@ -8,6 +8,7 @@
 #include "core/log/loss_message.h"
 #include "core/session/keyframe.h"
 #include "core/session/marks.h"
+#include "recorder/copy/clock_message.h"
 #include "recorder/copy/log_preceding.h"
 
 namespace rocinante {
@@ -42,31 +43,25 @@ std::optional<LogTime> CopySource::origin() const {
   return shifted(summary.origin);
 }
 
-/// A keyframe before anything that is folded tells what no message of this log does.
 Status CopySource::findOpening() {
-  if (Status there = reader_.rewind(); !there) return there.error();
-  while (true) {
-    const Result<std::optional<LogMessage>> message = reader_.next();
-    if (!message) return message.error();
-    if (!*message || (*message)->channel->folded()) return {};
-    if ((*message)->channel->topic != profile::kKeyframeTopic) continue;
-    const LogTime moment = (*message)->log_time;
-    Result<SessionState> state = openingState(**message);
-    if (!state) {
-      notes_.push_back("the opening keyframe cannot be used: " + state.error().what);
-      continue;
-    }
-    preceding_.emplace();
-    preceding_->moment = shifted(moment);
-    preceding_->state = std::move(*state);
-    return {};
+  std::string fault;
+  const Result<std::optional<LogMessage>> keyframe = openingKeyframe(reader_, fault);
+  if (!keyframe) return keyframe.error();
+  if (!fault.empty())
+    notes_.push_back("a keyframe that the log begins with cannot be read: " + fault);
+  if (!*keyframe) return {};
+  const ByteView payload = (*keyframe)->payload;
+  const LogTime moment = (*keyframe)->log_time;
+  preceding_.emplace();
+  preceding_->moment = shifted(moment);
+  if (selection_.wantsAll() && options_.shift == Nanoseconds(0)) {
+    Result<SessionState> whole = KeyframeReader().read(payload, moment);
+    if (!whole) return whole.error();
+    preceding_->state = std::move(*whole);
+  } else {
+    preceding_->state = wantedKeyframeState(payload, moment, selection_, options_.shift);
   }
-}
-
-Result<SessionState> CopySource::openingState(const LogMessage& keyframe) {
-  Result<SessionState> whole = KeyframeReader().read(keyframe.payload, keyframe.log_time);
-  if (!whole || (selection_.wantsAll() && options_.shift == Nanoseconds(0))) return whole;
-  return wantedKeyframeState(keyframe.payload, keyframe.log_time, selection_, options_.shift);
+  return {};
 }
 
 Status CopySource::findPreceding(const CopyProgress& progress) {
@@ -167,6 +162,12 @@ void CopySource::chooseItem() {
     item_.message = *message_;
     item_.publish_time_ns =
         message_->publish_time_ns + (options_.shift_publish ? options_.shift.count() : 0);
+    if (message_->channel->topic == kClockTopic && options_.shift != Nanoseconds(0)) {
+      if (std::optional<std::string> text = shiftedClockText(message_->payload, options_.shift)) {
+        moved_payload_ = std::move(*text);
+        item_.message.payload = bytesOf(moved_payload_);
+      }
+    }
     if (message_->channel->topic == profile::kMarkTopic) {
       if (std::optional<std::string> text = parseMark(message_->payload)) {
         baked_mark_ = Event{message_time, {}, std::move(*text)};

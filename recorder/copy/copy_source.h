@@ -89,7 +89,6 @@ class CopySource {
   Status start();
   Status takeMessage();
   void chooseItem();
-  Result<SessionState> openingState(const LogMessage& keyframe);
 
   LogReader reader_;
   Options options_;
@@ -103,6 +102,7 @@ class CopySource {
   bool message_is_lead_ = false;
   bool at_end_ = false;
   Event baked_mark_;
+  std::string moved_payload_;  ///< of a clock step whose time is shifted
   /// Texts of marks given at the time of the last: one that stands in the log and beside it is one.
   std::vector<std::string> given_marks_;
   LogTime given_marks_time_{};

@@ -59,6 +59,7 @@ class CopyMerge {
   Status refill();
   std::optional<std::size_t> earliest() const;
   bool isRepeated(std::size_t source, const CopyItem& item);
+  bool isLead(const CopyItem& item);
   bool covered(std::size_t source) const;
   bool sameSession(std::size_t a, std::size_t b) const;
   bool othersAt(std::size_t source, LogTime time) const;
@@ -70,6 +71,7 @@ class CopyMerge {
   std::optional<std::size_t> taken_;  ///< whose head was given last
   std::vector<Given> given_;          ///< at given_time_, where another source may repeat it
   LogTime given_time_{};
+  PacketTextDecoder decoder_;
   std::uint64_t repeated_ = 0;
 };
 

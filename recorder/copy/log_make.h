@@ -45,7 +45,8 @@ Result<CopyReport> cutLog(const std::filesystem::path& log, const SelectionOptio
                           const MakeOptions& make, const std::string& reason);
 
 /// Several logs as one. Those of one session stay that session, and what several of them hold is
-/// taken once; else a new one, named by theirs. Times count from the earliest origin.
+/// taken once; else a new one, named by theirs. Times count from the earliest origin. At one time
+/// the log named first comes first, and of pieces of one session the one that begins first.
 Result<CopyReport> mergeLogs(const std::vector<std::filesystem::path>& logs,
                              const MakeOptions& make);
 

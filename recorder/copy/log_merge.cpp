@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 
 #include "core/hash.h"
 #include "recorder/copy/log_make.h"
@@ -20,21 +21,43 @@ std::string mergedSessionId(const std::vector<std::string>& ids) {
   return hexOf(hash.finish()).substr(0, 32);
 }
 
+/// Pieces of one session among the logs, in the order of their beginnings: what two of them hold
+/// comes from the earlier one, which also holds what is around it.
+void sortPieces(std::vector<OpenedLog>& logs) {
+  std::map<std::string, std::vector<std::size_t>> places;
+  for (std::size_t i = 0; i < logs.size(); ++i) {
+    places[logs[i].reader.summary().session_id].push_back(i);
+  }
+  for (const auto& [id, of_one] : places) {
+    if (id.empty() || of_one.size() == 1) continue;
+    std::vector<OpenedLog> pieces;
+    for (const std::size_t place : of_one) pieces.push_back(std::move(logs[place]));
+    std::ranges::stable_sort(pieces, {},
+                             [](const OpenedLog& piece) { return piece.reader.summary().start; });
+    for (std::size_t i = 0; i < pieces.size(); ++i) logs[of_one[i]] = std::move(pieces[i]);
+  }
+}
+
 }  // namespace
 
 Result<CopyReport> mergeLogs(const std::vector<std::filesystem::path>& logs,
                              const MakeOptions& make) {
   if (Status free = checkOutput(make.output, make.overwrite, logs); !free) return free.error();
-  std::vector<CopySource> sources;
-  std::vector<std::string> ids;
-  std::optional<LogTime> origin;
+  std::vector<OpenedLog> opened_logs;
   for (const std::filesystem::path& log : logs) {
     Result<OpenedLog> opened = openForCopy(log);
     if (!opened) return opened.error();
-    const Result<std::string> id = sessionIdOf(opened->reader);
+    opened_logs.push_back(std::move(*opened));
+  }
+  sortPieces(opened_logs);
+  std::vector<CopySource> sources;
+  std::vector<std::string> ids;
+  std::optional<LogTime> origin;
+  for (OpenedLog& opened : opened_logs) {
+    const Result<std::string> id = sessionIdOf(opened.reader);
     if (!id) return id.error();
     Result<CopySource> source =
-        CopySource::of(std::move(opened->reader), std::move(opened->options), std::nullopt, {});
+        CopySource::of(std::move(opened.reader), std::move(opened.options), std::nullopt, {});
     if (!source) return source.error();
     // A log in which nothing was captured is of no session.
     if (source->reader().summary().messages > 0) ids.push_back(*id);

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <vector>
 
+#include "core/log/log_profile.h"
+#include "core/session/keyframe.h"
 #include "core/session/timeline.h"
 
 namespace rocinante {
@@ -29,11 +32,15 @@ Status readWhile(LogReader& reader, const std::function<Result<bool>(const LogMe
   }
 }
 
-/// Folds on from `start` (the state of everything before where the reader stands, which is put
-/// there by `go_to_start`) up to `from`, and finds the lead when a restatement is open then.
+constexpr LogTime kBeforeAll = LogTime::min();
+
+/// Folds on from `start`, the state of everything up to and with `base`, to `from`, and finds the
+/// lead when a restatement is open then.
 Result<Preceding> foldUpTo(LogReader& reader, Selection& selection, const SessionState& start,
-                           const std::function<Status()>& go_to_start, LogTime from,
-                           const CopyProgress& progress) {
+                           LogTime base, LogTime from, const CopyProgress& progress) {
+  const auto go_to_start = [&] {
+    return base == kBeforeAll ? reader.rewind() : reader.seek(base + Nanoseconds(1));
+  };
   const LogTime begin = reader.summary().start;
   const double span = static_cast<double>(std::max<std::int64_t>((from - begin).count(), 1));
   std::uint64_t count = 0;
@@ -78,11 +85,25 @@ Result<Preceding> foldUpTo(LogReader& reader, Selection& selection, const Sessio
   if (!read) return read.error();
   preceding.state = again.takeState();
   preceding.moment = *first_open;
-  preceding.lead = closed ? *closed : LogPlace{};
+  preceding.lead = closed.value_or(LogPlace{base, std::numeric_limits<std::uint64_t>::max()});
   return preceding;
 }
 
 }  // namespace
+
+Result<std::optional<LogMessage>> openingKeyframe(LogReader& reader, std::string& fault) {
+  if (Status there = reader.rewind(); !there) return there.error();
+  while (true) {
+    Result<std::optional<LogMessage>> message = reader.next();
+    if (!message) return message.error();
+    if (!*message || (*message)->channel->folded()) return std::optional<LogMessage>();
+    if ((*message)->channel->topic != profile::kKeyframeTopic) continue;
+    const Result<SessionState> state =
+        KeyframeReader().read((*message)->payload, (*message)->log_time);
+    if (state) return message;
+    fault = state.error().what;
+  }
+}
 
 void SelectionFold::fold(const LogMessage& message) {
   if (!message.channel->folded() || message.channel->encoding != decoder_.encoding()) return;
@@ -121,8 +142,7 @@ SessionState wantedKeyframeState(ByteView payload, LogTime moment, const Selecti
 Result<Preceding> precedingBySelection(LogReader& reader, Selection& selection,
                                        const SessionState& opening, LogTime from,
                                        const CopyProgress& progress) {
-  return foldUpTo(
-      reader, selection, opening, [&] { return reader.rewind(); }, from, progress);
+  return foldUpTo(reader, selection, opening, kBeforeAll, from, progress);
 }
 
 Result<Preceding> precedingOf(const std::filesystem::path& path, LogTime from) {
@@ -137,14 +157,26 @@ Result<Preceding> precedingOf(const std::filesystem::path& path, LogTime from) {
   // Rare: a little further back, then message by message.
   Result<LogReader> reader = LogReader::open(path);
   if (!reader) return reader.error();
+  std::string fault;
+  const Result<std::optional<LogMessage>> keyframe = openingKeyframe(*reader, fault);
+  if (!keyframe) return keyframe.error();
+  LogTime beginning = kBeforeAll;
+  SessionState opening;
+  if (*keyframe) {
+    beginning = (*keyframe)->log_time;
+    opening = wantedKeyframeState((*keyframe)->payload, beginning, Selection{}, Nanoseconds(0));
+  }
   Selection all;
   for (const Nanoseconds back : {Nanoseconds(seconds(1)), Nanoseconds(seconds(3)), kMostLead}) {
     const LogTime base = from - back;
-    state = timeline->stateAt(base);
-    if (!state) return state.error();
-    const SessionState start = **state;
-    Result<Preceding> found = foldUpTo(
-        *reader, all, start, [&] { return reader->seek(base + Nanoseconds(1)); }, from, {});
+    // What the log begins with is no fold of its messages.
+    const bool at_start = base <= beginning;
+    if (!at_start) {
+      state = timeline->stateAt(base);
+      if (!state) return state.error();
+    }
+    Result<Preceding> found = foldUpTo(*reader, all, at_start ? opening : SessionState(**state),
+                                       at_start ? kBeforeAll : base, from, {});
     if (!found || !found->restatement_cut) return found;
   }
   preceding.restatement_cut = true;

@@ -24,6 +24,11 @@ class SelectionFold {
   PacketTextDecoder decoder_;
 };
 
+/// The keyframe that a log begins with, before anything that is folded: it tells what no message of
+/// this log does. Empty when there is none, or when it cannot be read (then `fault` says why).
+/// Borrowed until the reader is asked for the next. Moves the reader.
+Result<std::optional<LogMessage>> openingKeyframe(LogReader& reader, std::string& fault);
+
 /// The state that a keyframe tells of what is wanted, its log times moved by `shift`. The payload
 /// must be one that KeyframeReader takes.
 SessionState wantedKeyframeState(ByteView payload, LogTime moment, const Selection& selection,
