@@ -1,0 +1,8 @@
+# Datagrams that say something about a device, whole; and as JSON what was made.
+cp "$SRC/tests/data/logs/version-1.mcap" session.mcap
+rocinante log filter session.mcap -o out.mcap --source planner --json | sed -e '/"bytes"/d'
+rocinante log cat out.mcap
+status=0
+rocinante log filter session.mcap -o none.mcap --device no-such || status=$?
+rocinante log filter session.mcap -o none.mcap || status=$?
+echo "exit $status"

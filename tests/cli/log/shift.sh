@@ -1,0 +1,11 @@
+# Every log time moves, and what would lie before 1970 is refused.
+cp "$SRC/tests/data/logs/version-1.mcap" session.mcap
+rocinante log shift session.mcap -o out.mcap --to 2001-02-03T04:05:06Z
+rocinante log info --json out.mcap | grep -E '"(origin_ns|start_ns|end_ns)"'
+rocinante log cat out.mcap --until 0.1s
+status=0
+rocinante log shift session.mcap -o old.mcap --to 1969-12-31T23:59:59Z || status=$?
+rocinante log shift session.mcap -o old.mcap || status=$?
+rocinante log shift session.mcap -o old.mcap --by 1s --to 2001-02-03T04:05:06Z || status=$?
+echo "exit $status"
+ls
