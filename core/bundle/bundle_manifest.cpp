@@ -11,7 +11,8 @@
 namespace rocinante {
 namespace {
 
-using Json = nlohmann::ordered_json;
+// Not ordered_json, which takes the square of the number of keys that a stranger's text has.
+using Json = nlohmann::json;
 using Why = FoundFile::Why;
 
 constexpr std::size_t kMostNameBytes = 1024;
@@ -153,16 +154,17 @@ bool isBundleName(std::string_view name) {
 }
 
 std::string manifestText(const BundleManifest& manifest) {
-  Json root;
+  using OrderedJson = nlohmann::ordered_json;
+  OrderedJson root;
   root["format"] = 1;
   root["main"] = manifest.main;
-  root["files"] = Json::array();
+  root["files"] = OrderedJson::array();
   for (const BundleManifest::File& file : manifest.files) {
     root["files"].push_back({{"name", file.name}, {"bytes", file.bytes}, {"sha256", file.sha256}});
   }
-  root["names"] = Json::array();
+  root["names"] = OrderedJson::array();
   for (const BundleManifest::Name& name : manifest.names) {
-    Json one = {{"in", name.in}, {"says", name.says}, {"why", textOf(name.why)}};
+    OrderedJson one = {{"in", name.in}, {"says", name.says}, {"why", textOf(name.why)}};
     if (!name.means.empty()) one["means"] = name.means;
     root["names"].push_back(std::move(one));
   }

@@ -1,6 +1,7 @@
 #include "core/bundle/cell_folder.h"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -69,9 +70,16 @@ FileAnswers answersOf(const BundleManifest& manifest, const fs::path& root) {
 
 Status layOut(const CellBundle& bundle, const fs::path& folder) {
   std::set<std::string> folders;
-  for (const BundleManifest::File& file : bundle.manifest.files) addFoldersOf(file.name, folders);
-  for (const std::string& name : bundle.manifest.folders) {
-    addFoldersOf(name + "/", folders);
+  std::vector<std::string> names = bundle.manifest.folders;
+  for (std::string& name : names) name += '/';
+  for (const BundleManifest::File& file : bundle.manifest.files) names.push_back(file.name);
+  for (const std::string& name : names) {
+    addFoldersOf(name, folders);
+    if (folders.size() > kMostBundledFolders) {
+      return Error{ErrorKind::unsupported,
+                   fmt::format("the cell's files lie in more than {} folders", kMostBundledFolders),
+                   folder.string()};
+    }
   }
   for (const std::string& name : folders) {
     if (name.empty()) continue;

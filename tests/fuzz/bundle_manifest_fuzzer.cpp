@@ -1,5 +1,6 @@
-// Any bytes as the list of a cell's files in a log. Nothing may crash or hang; what is accepted names
-// no place outside the folder it is laid out in, and is the same when written and read once more.
+// Any bytes as the list of a cell's files in a log. Nothing may crash or hang; what is accepted
+// names no place outside the folder it is laid out in, and is the same when written and read once
+// more.
 
 #include <cstdlib>
 #include <filesystem>

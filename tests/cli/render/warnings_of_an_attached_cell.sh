@@ -8,10 +8,8 @@ vt 0 0
 usemtl skin
 f 1/1 2/1 3/1
 OBJ
-printf 'newmtl skin\nmap_Kd skin.png\nmap_Bump gone.png\nmap_Kd gone.png\n' >tank.mtl
 printf 'newmtl skin\nmap_Kd skin.png\n' >tank.mtl
 printf 'no picture' >skin.png
-printf 'RK1 tank 0 -\npose tank 0 0 0 0 0 0 1\n' >packet
 rocinante record 127.0.0.1:0 --cell tank.obj -o session.mcap --duration 50ms --quiet
 rocinante render session.mcap --at 0 -o frame.png 2>&1 | sed 's/: [^:]* (session/: WHY (session/'
 printf 'usemtl gone\nf 1 2 9\n' >>tank.obj

@@ -1,5 +1,6 @@
 #include "core/bundle/attached_cell.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/hash.h"
@@ -116,8 +117,8 @@ TEST_F(AttachedCellTest, OfSeveralOfANameTheRightOneIsTaken) {
   std::vector<BundleAttachment> attachments = attached.attachments();
   attachments.insert(attachments.begin(), {"cell/steel.png", "", bytesOf("picture-of-stone")});
   attachments.insert(attachments.begin(), {"cell.json", "", bytesOf("{}")});
-  attachments.push_back(
-      {"cell/tank.obj", "", bytesOf("far too long to be it: " + std::string(4096, 'x'))});
+  const std::string too_long(4096, 'x');
+  attachments.push_back({"cell/tank.obj", "", bytesOf(too_long)});
   writeLogWith(attachments, attached.metadata());
   EXPECT_EQ(refusal(), "");
 }

@@ -1,5 +1,6 @@
 #include "core/bundle/bundle_manifest.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/bundle/bundle_names.h"
@@ -105,6 +106,12 @@ TEST(BundleManifest, DeepNestingIsRefusedNotFollowed) {
   EXPECT_NE(refusalOf("{\"format\":1,\"main\":" + std::string(1'000'000, '[') +
                       std::string(1'000'000, ']') + "}"),
             "");
+}
+
+TEST(BundleManifest, ManyKeysAreReadInReasonableTime) {
+  std::string text = "{\"format\":1";
+  for (int i = 0; i < 500'000; ++i) text += ",\"" + std::to_string(i) + "\":0";
+  EXPECT_THAT(refusalOf(text + "}"), testing::HasSubstr("it lacks the text `main`"));
 }
 
 TEST(ManifestWord, LeavesTextAndEncodesTheRest) {

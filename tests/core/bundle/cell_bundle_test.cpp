@@ -1,5 +1,6 @@
 #include "core/bundle/cell_bundle.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
@@ -199,6 +200,19 @@ TEST(LayOut, NeverReplacesOrFollowsWhatIsThere) {
   fs::create_symlink(folder / "target", folder / "a");
   EXPECT_FALSE(layOut(bundle, folder.path()).ok());
   EXPECT_FALSE(fs::exists(folder / "target"));
+}
+
+TEST(LayOut, FoldersWithoutEndAreRefusedBeforeTheyAreMade) {
+  const test::TemporaryFolder folder;
+  CellBundle bundle;
+  for (int i = 0; i < 200; ++i) {
+    std::string name = "f" + std::to_string(i);
+    while (name.size() < 1000) name += "/a";
+    bundle.manifest.files.push_back({name, 1, ""});
+    bundle.contents.emplace_back(1);
+  }
+  EXPECT_FALSE(layOut(bundle, folder.path()).ok());
+  EXPECT_TRUE(fs::is_empty(folder.path()));
 }
 
 TEST(LayOut, AFileNamedAsAFolderIsRefused) {
