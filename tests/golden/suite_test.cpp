@@ -55,6 +55,15 @@ tolerance = "cpu"
   EXPECT_EQ(suite->cases[1].tolerance.name, "cpu");
 }
 
+TEST(ParseSuite, ALogMayBringItsCell) {
+  const std::string one_case = "[[case]]\nname = \"a\"\nat = \"1s\"\n";
+  const auto suite = parseSuite("format = 1\nlog = \"session.mcap\"\n" + one_case, "suites/s.toml");
+  ASSERT_TRUE(suite.ok()) << suite.error().text();
+  EXPECT_TRUE(suite->cell.empty());
+  EXPECT_EQ(faultOf("format = 1\n" + one_case),
+            "a suite names its `cell`, or a `log` that carries one (s.toml:1:1)");
+}
+
 TEST(ParseSuite, EveryFaultNamesItsPlace) {
   const std::string head = kHead;
   const std::string named = head + "[[case]]\nname = \"a\"\n";
