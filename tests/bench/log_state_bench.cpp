@@ -29,6 +29,12 @@ constexpr std::int64_t kPeriodNs = 1'000'000'000 / kRateHz;
 constexpr std::size_t kArms = 6;
 constexpr double kBarMs = 16;
 
+double threadCpuMs() {
+  timespec now{};
+  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
+}
+
 double cpuSeconds() {
   timespec now{};
   ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
@@ -119,18 +125,23 @@ void writeSession(const std::filesystem::path& path, std::size_t packets) {
 void ask(const char* name, const std::filesystem::path& path, const std::vector<LogTime>& moments) {
   using Clock = std::chrono::steady_clock;
   Timeline timeline = need(Timeline::open(path));
-  std::vector<double> took_ms;
+  std::vector<double> took_ms, cpu_ms;
   for (const LogTime moment : moments) {
+    const double cpu_before = threadCpuMs();
     const Clock::time_point start = Clock::now();
     (void)need(timeline.stateAt(moment));
+    cpu_ms.push_back(threadCpuMs() - cpu_before);
     took_ms.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
   }
-  std::sort(took_ms.begin(), took_ms.end());
-  const auto at = [&](double part) {
-    return took_ms[static_cast<std::size_t>(part * static_cast<double>(took_ms.size() - 1))];
+  const auto at = [](std::vector<double>& times, double part) {
+    std::sort(times.begin(), times.end());
+    return times[static_cast<std::size_t>(part * static_cast<double>(times.size() - 1))];
   };
-  fmt::print("{:<28} p50 {:6.2f} ms, p99 {:6.2f} ms, max {:6.2f} ms  ({} moments; bar p99 {} ms)\n",
-             name, at(0.5), at(0.99), at(1), took_ms.size(), kBarMs);
+  fmt::print(
+      "{:<18} p50 {:5.2f} ms, p99 {:5.2f} (bar {}), max {:5.2f}; of CPU p99 {:5.2f}, max "
+      "{:5.2f}  ({} moments)\n",
+      name, at(took_ms, 0.5), at(took_ms, 0.99), kBarMs, at(took_ms, 1), at(cpu_ms, 0.99),
+      at(cpu_ms, 1), took_ms.size());
 }
 
 void askEverywhere(const std::filesystem::path& path, LogTime start, LogTime end) {
