@@ -109,9 +109,13 @@ Result<CheckReport> checkLog(const Cell& cell, LogReader& log) {
                 message.payload);
   }
   for (const LossSpan& loss : log.losses()) session.addLoss(loss);
+  const std::uint64_t file_bytes = log.storage().file_bytes;
   for (const DamageSpan& damage : log.damage()) {
-    // A missing summary makes no byte unusable: log.incomplete tells of it.
-    if (damage.from != damage.to) session.addDamage(damage);
+    // log.incomplete tells of what a recorder leaves that is killed: no summary, which makes no
+    // byte unusable, and a chunk at the end of the file that is open, and read.
+    const bool at_end = damage.to == file_bytes && !damage.messages_lost;
+    const bool is_torn_end = !log.summary().complete && at_end;
+    if (damage.from != damage.to && !is_torn_end) session.addDamage(damage);
   }
   CheckReport report = checkSession(cell, session);
   report.session = log.name();
