@@ -6,14 +6,27 @@
 #include "core/bytes.h"
 #include "core/result.h"
 #include "core/time.h"
+#include "player/tape_place.h"
 
 namespace rocinante {
 
+/// A part of a session to be played: [from, until).
+struct PlayedSpan {
+  LogTime from{};
+  LogTime until{};
+  bool operator==(const PlayedSpan&) const = default;
+};
+
 /// When a datagram is due and what it is.
 struct Due {
-  LogTime time{};
-  std::uint32_t span = 0;  ///< which played span it belongs to, from 0
-  bool restated = false;   ///< the sender's own restatement: in no count and no hash
+  LogTime time{};           ///< on the stream's own line: turns of a loop lie one after the other
+  std::uint32_t span = 0;   ///< which played span it belongs to, from 0
+  bool restated = false;    ///< the sender's own restatement: in no count and no hash
+  bool after_turn = false;  ///< its span began because the one before it was played to its end
+  std::uint16_t route = 0;  ///< by which of the sender's sockets it leaves
+  PlayedSpan bounds{};      ///< of its span; both 0: the stream does not say
+  TapePlace place{};        ///< in the logs; of a restatement: where it is said
+  bool continues = false;   ///< a restatement of which further datagrams follow
 };
 
 /// Datagrams to be sent, in order of their time: a log's messages, a CSV file's rows, a motion.

@@ -20,8 +20,10 @@ class SendEdge {
   /// May return early (a signal), never much later.
   virtual void sleepUntil(SteadyTime moment) = 0;
   virtual bool stopRequested() = 0;
-  /// Sends all, in order; writes when each left into `sent_at`, which is as long as `payloads`.
-  virtual Status send(std::span<const ByteView> payloads, std::span<SteadyTime> sent_at) = 0;
+  /// Sends all by one route, in order; writes when each left into `sent_at`, which is as long as
+  /// `payloads`.
+  virtual Status send(std::uint16_t route, std::span<const ByteView> payloads,
+                      std::span<SteadyTime> sent_at) = 0;
 };
 
 /// Told of everything that was sent, in order.

@@ -5,15 +5,13 @@
 
 #include "core/duration_text.h"
 #include "core/session/timeline.h"
-#include "player/log_merge.h"
-#include "player/play_stream.h"
-#include "player/read_ahead.h"
+#include "player/play_line.h"
+#include "player/tape_finder.h"
+#include "player/transport.h"
+#include "player/udp_edge.h"
 
 namespace rocinante {
 namespace {
-
-// Time to send a first restatement before the first message is due.
-constexpr Nanoseconds kRestateAhead = std::chrono::milliseconds(5);
 
 std::string namesOf(const std::vector<std::filesystem::path>& paths) {
   std::string names;
@@ -37,61 +35,124 @@ Result<PlayedSpan> spanOf(const LogMerge& logs, const PlayOptions& options) {
   return span;
 }
 
-Status checkSpan(LogMerge& logs, const PlayedSpan& span, const PlayOptions& options) {
-  const Error nothing{ErrorKind::not_found,
-                      "nothing to play: no captured message from " +
-                          secondsText(span.from - logs.origin()) + " s until " +
-                          secondsText(span.until - logs.origin()) + " s",
-                      namesOf(options.logs)};
-  if (logs.messages() == 0) {
-    return Error{ErrorKind::not_found, "nothing to play: no captured message",
+Status checkSpan(TapeFinder& finder, const LogMerge& logs, const PlayedSpan& span,
+                 const PlayOptions& options) {
+  if (logs.empty()) {
+    return Error{ErrorKind::not_found,
+                 options.channels.isAll() ? "nothing to play: no captured message"
+                                          : "nothing to play: no message on the chosen channels",
                  namesOf(options.logs)};
   }
-  if (span.from >= span.until) return nothing;
-  if (const Status found = logs.seek(span.from, LogMerge::Which::captured); !found) return found;
-  const Result<std::optional<LogMessage>> first = logs.next();
-  if (!first) return first.error();
-  if (!*first || (*first)->log_time >= span.until) return nothing;
-  return {};
+  bool any = false;
+  if (span.from < span.until) {
+    const Result<bool> found = finder.anyIn(span.from, span.until);
+    if (!found) return found.error();
+    any = *found;
+  }
+  if (any) return {};
+  return Error{ErrorKind::not_found,
+               "nothing to play: no captured message from " +
+                   secondsText(span.from - logs.origin()) + " s until " +
+                   secondsText(span.until - logs.origin()) + " s",
+               namesOf(options.logs)};
+}
+
+Result<std::optional<PlayedSpan>> loopOf(TapeFinder& finder, const LogMerge& logs,
+                                         const PlayedSpan& span, const PlayOptions& options) {
+  if (!options.loop) return std::optional<PlayedSpan>();
+  const Result<PlayedSpan> asked = parseLoop(*options.loop, logs.origin(), logs.end());
+  if (!asked) return asked.error();
+  const PlayedSpan loop{std::max(asked->from, span.from), std::min(asked->until, span.until)};
+  bool any = false;
+  if (loop.from < loop.until) {
+    const Result<bool> found = finder.anyIn(loop.from, loop.until);
+    if (!found) return found.error();
+    any = *found;
+  }
+  if (!any) {
+    return Error{ErrorKind::not_found, "nothing to play: no captured message in the loop",
+                 *options.loop};
+  }
+  return std::optional(loop);
+}
+
+std::string mannerOf(const PlayOptions& options) {
+  if (options.lockstep) return " in lockstep";
+  return options.at_once ? std::string(" at once") : " at " + options.speed.text() + "x";
 }
 
 }  // namespace
 
-Result<PlayReport> play(const PlayOptions& options, const SendSurroundings& surroundings) {
-  Result<LogMerge> logs = LogMerge::open(options.logs);
+Result<PlayedSpan> parseLoop(std::string_view text, LogTime origin, LogTime end) {
+  // A hyphen also begins a time from the end, and stands in dates: the first cut that fits counts.
+  for (std::size_t cut = text.find('-', 1); cut < text.size(); cut = text.find('-', cut + 1)) {
+    const auto from = parseSessionTime(text.substr(0, cut), origin, end);
+    const auto until = parseSessionTime(text.substr(cut + 1), origin, end);
+    if (from && until && *from < *until) return PlayedSpan{*from, *until};
+  }
+  return Error{ErrorKind::bad_argument,
+               "a loop is a number of turns, or A-B with session times, as in 2s-4.5s",
+               std::string(text)};
+}
+
+Result<PlayReport> play(const PlayOptions& options, const SendSurroundings& surroundings,
+                        const PlayControl& control) {
+  Result<LogMerge> logs = LogMerge::open(options.logs, options.channels);
   if (!logs) return logs.error();
+  Result<TapeFinder> finder = TapeFinder::open(options.logs, options.channels);
+  if (!finder) return finder.error();
   const Result<PlayedSpan> span = spanOf(*logs, options);
   if (!span) return span.error();
-  if (const Status judged = checkSpan(*logs, *span, options); !judged) return judged.error();
+  if (Status judged = checkSpan(*finder, *logs, *span, options); !judged) return judged.error();
+  const auto loop = loopOf(*finder, *logs, *span, options);
+  if (!loop) return loop.error();
+  const Result<PlayRoutes> routes = makeRoutes(*logs, options.to, options.maps, options.keep_ports);
+  if (!routes) return routes.error();
 
-  PlayStream::Options how;
+  TransportOptions how;
   how.span = *span;
+  // Who loops a part begins with it.
+  if (*loop && !options.from) how.start = (*loop)->from;
   how.turns = options.turns;
+  how.loop = *loop;
+  how.origin = logs->origin();
+  how.end = logs->end();
+  how.speed = options.speed;
+  if (options.at_once || options.lockstep) how.speed.reset();
+  how.start_paused = options.start_paused;
+  how.lockstep = options.lockstep;
   how.restate = options.restate;
-  if (options.restate) how.restate_ahead = options.speed.logDuration(kRestateAhead);
-  Result<PlayStream> stream = PlayStream::open(*logs, how);
-  if (!stream) return stream.error();
+  how.repeat = options.repeat;
+  how.gap_limit = options.gap_limit;
 
-  surroundings.told(
-      "playing " + namesOf(options.logs) + " to " + options.to.text() +
-      (options.at_once ? std::string(" at once") : " at " + options.speed.text() + "x"));
-  SendPlan plan;
-  plan.to = options.to;
-  if (!options.at_once) plan.speed = options.speed;
-  plan.first = span->from - how.restate_ahead;
-  plan.from = span->from;
-  plan.until = span->until;
-  plan.origin = logs->origin();
-  plan.last = std::min(span->until, logs->end());
-  plan.realtime = options.realtime;
-  plan.progress = options.progress;
-  Result<PlayReport> report = [&] {
-    ReadAhead ahead(*stream);
-    return sendPlan(ahead, plan, surroundings.stop);
-  }();
-  if (!report) return report;
-  for (const auto& log : options.logs) report->inputs.push_back(log.string());
-  report->damage = logs->damage();
+  Result<UdpEdge> edge = UdpEdge::open(routes->all, how.speed ? options.realtime : Realtime::off,
+                                       surroundings.stop, control.wake);
+  if (!edge) return edge.error();
+  surroundings.told("playing " + namesOf(options.logs) + " to " + options.to.text() +
+                    mannerOf(options));
+  Result<std::unique_ptr<Transport>> transport =
+      Transport::open(*logs, *finder, *routes, how, edge->now());
+  if (!transport) return transport.error();
+
+  PlayReport report;
+  PlayJournal journal(span->from, span->until);
+  const TransportRules rules{options.stays, logs->origin(), logs->end(), options.ack_timeout};
+  Result<SendEnd> end = SendEnd::finished;
+  {
+    PlayStatus status;
+    PlayLine line(status, logs->origin(), std::min(span->until, logs->end()), options.progress);
+    end = sendTransport(**transport, rules, *edge, journal, control.commands, status);
+  }
+  if (!end) report.failure = end.error();
+  report.to = options.to.text();
+  report.speed = (*transport)->speed();
+  transport->reset();
+  report.timing_source = edge->timingSource();
+  report.scheduling = edge->scheduling();
+  report.interrupted = end && *end == SendEnd::stopped;
+  journal.writeTo(report, end && *end == SendEnd::finished);
+  for (const auto& log : options.logs) report.inputs.push_back(log.string());
+  report.damage = logs->damage();
   return report;
 }
 

@@ -26,10 +26,13 @@ void PlayJournal::sent(const Due& due, ByteView payload, SteadyTime deadline, St
     ++restatements_;
     return;
   }
-  while (span_ < due.span) {
-    closeSpan();
-    ++span_;
+  if (span_ < due.span && (span_sent_ > 0 || !says_bounds_)) {
+    closeSpan(due.after_turn && span_ + 1 == due.span);
   }
+  span_ = due.span;
+  says_bounds_ = due.bounds != PlayedSpan{};
+  if (says_bounds_) bounds_ = due.bounds;
+  last_told_ = due.place.time;
   if (sent_ == 0) first_ = sent_at;
   last_ = sent_at;
   ++sent_;
@@ -41,14 +44,17 @@ void PlayJournal::sent(const Due& due, ByteView payload, SteadyTime deadline, St
   drift_.add(sent_at - deadline);
 }
 
-void PlayJournal::closeSpan() {
+void PlayJournal::closeSpan(bool whole) {
   const std::string sha256 = hexOf(span_hash_.finish());
-  if (spans_.size() < kMostSpans) spans_.push_back({from_, until_, span_sent_, sha256});
+  PlayedSpan span = bounds_;
+  // One that was left is as long as it was played.
+  if (says_bounds_ && !whole) span.until = last_told_ + Nanoseconds(1);
+  if (spans_.size() < kMostSpans) spans_.push_back({span.from, span.until, span_sent_, sha256});
   span_sent_ = 0;
 }
 
-void PlayJournal::writeTo(PlayReport& report) {
-  closeSpan();
+void PlayJournal::writeTo(PlayReport& report, bool whole) {
+  closeSpan(whole);
   report.sent = sent_;
   report.bytes = bytes_;
   report.restatements = restatements_;
@@ -106,6 +112,7 @@ std::string jsonText(const PlayReport& report) {
   json["spans"] = spans;
   json["interrupted"] = report.interrupted;
   json["damage"] = report.damage;
+  json["failure"] = report.failure ? Json(report.failure->text()) : Json(nullptr);
   // A file name need not be UTF-8.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -7,6 +7,7 @@
 
 #include "core/hash.h"
 #include "core/playback_speed.h"
+#include "core/result.h"
 #include "core/time.h"
 #include "player/late_histogram.h"
 #include "player/paced_sender.h"
@@ -38,10 +39,12 @@ struct PlayReport {
   Nanoseconds duration{};  ///< from the first datagram to the last
   std::string stream_sha256;
   std::vector<PlayedSpanReport> spans;
-  std::string timing_source;  ///< "kernel", "clock" or "kernel and clock"
-  std::string scheduling;     ///< "fifo" or "other"
-  bool interrupted = false;
+  std::string timing_source;        ///< "kernel", "clock" or "kernel and clock"
+  std::string scheduling;           ///< "fifo" or "other"
+  bool interrupted = false;         ///< ended by a signal, or told to quit
   std::vector<std::string> damage;  ///< what could not be read of the logs
+  /// What ended it before its end: the network, or the logs, or nobody acknowledged a step.
+  std::optional<Error> failure;
 
   double achievedRateHz() const;
   /// False when sending fell behind its schedule and stayed there.
@@ -58,18 +61,21 @@ std::string behindText(const PlayReport& report);
 /// Counts, hashes and times what is sent. Its memory does not grow with the number of datagrams.
 class PlayJournal final : public SendJournal {
  public:
-  /// `turn` n covers `span` moved by n of its lengths; the report names the session's own times.
-  PlayJournal(LogTime from, LogTime until) : from_(from), until_(until) {}
+  /// The times of the spans of streams that do not say them.
+  PlayJournal(LogTime from, LogTime until) : bounds_{from, until} {}
 
   void sent(const Due& due, ByteView payload, SteadyTime deadline, SteadyTime sent_at) override;
 
-  /// Fills what the journal knows. Call once, at the end.
-  void writeTo(PlayReport& report);
+  /// Fills what the journal knows. Call once, at the end; `whole` when the last span was played to
+  /// its end.
+  void writeTo(PlayReport& report, bool whole = true);
 
  private:
-  void closeSpan();
+  void closeSpan(bool whole);
 
-  LogTime from_, until_;
+  PlayedSpan bounds_;         ///< of the span being played
+  LogTime last_told_{};       ///< the log time of its last message
+  bool says_bounds_ = false;  ///< the stream does
   Sha256 stream_hash_;
   Sha256 span_hash_;
   std::uint32_t span_ = 0;

@@ -21,6 +21,11 @@ class PlaybackClock {
     return real_anchor_ + speed_.realDuration(moment - log_anchor_);
   }
 
+  /// What is due at `now`: within a nanosecond of log time, or of real time, the reverse.
+  LogTime moment(SteadyTime now) const {
+    return log_anchor_ + speed_.logDuration(now - real_anchor_);
+  }
+
  private:
   LogTime log_anchor_;
   SteadyTime real_anchor_;

@@ -1,5 +1,6 @@
 #include "player/read_ahead.h"
 
+#include <algorithm>
 #include <condition_variable>
 #include <deque>
 #include <mutex>
@@ -25,13 +26,15 @@ struct Block {
 constexpr std::size_t kBlocks = 16;
 constexpr std::size_t kBlockBytes = 256 * 1024;
 constexpr std::size_t kBlockItems = 4096;
+// The first is small, so that whoever waits for it waits shortly.
+constexpr std::size_t kFirstBlockItems = 32;
 
 }  // namespace
 
 struct ReadAhead::Impl {
   explicit Impl(DatagramStream& stream) : input(stream) {}
 
-  Block readBlock();
+  Block readBlock(std::size_t most_items);
   void readAll();
 
   DatagramStream& input;
@@ -47,9 +50,9 @@ struct ReadAhead::Impl {
   std::thread thread;
 };
 
-Block ReadAhead::Impl::readBlock() {
+Block ReadAhead::Impl::readBlock(std::size_t most_items) {
   Block block;
-  while (block.bytes.size() < kBlockBytes && block.items.size() < kBlockItems) {
+  while (block.bytes.size() < kBlockBytes && block.items.size() < most_items) {
     const Result<std::optional<Due>> due = input.due();
     if (!due) block.error = due.error();
     block.last = !due || !*due;
@@ -63,8 +66,8 @@ Block ReadAhead::Impl::readBlock() {
 
 void ReadAhead::Impl::readAll() {
   bool last = false;
-  while (!last) {
-    Block block = readBlock();
+  for (std::size_t items = kFirstBlockItems; !last; items = std::min(items * 4, kBlockItems)) {
+    Block block = readBlock(items);
     last = block.last;
     std::unique_lock lock(mutex);
     changed.wait(lock, [this] { return stop || ready.size() < kBlocks; });
@@ -75,8 +78,9 @@ void ReadAhead::Impl::readAll() {
   }
 }
 
-ReadAhead::ReadAhead(DatagramStream& stream) : impl_(std::make_unique<Impl>(stream)) {
+ReadAhead::ReadAhead(DatagramStream& stream, bool fill) : impl_(std::make_unique<Impl>(stream)) {
   impl_->thread = std::thread([this] { impl_->readAll(); });
+  if (!fill) return;
   std::unique_lock lock(impl_->mutex);
   impl_->changed.wait(lock, [this] { return impl_->ended || impl_->ready.size() == kBlocks; });
 }

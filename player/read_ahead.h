@@ -10,9 +10,10 @@ namespace rocinante {
 /// ever delays a deadline. Holds at most 4 MiB of payloads beside the largest one.
 class ReadAhead final : public DatagramStream {
  public:
-  /// `stream` must outlive this and is used by the thread alone until then. Returns when the
-  /// memory is full or the stream has ended: sending may begin.
-  explicit ReadAhead(DatagramStream& stream);
+  /// `stream` must outlive this and is used by the thread alone until then. When `fill` is set it
+  /// returns when the memory is full or the stream has ended; otherwise at once, and the first
+  /// datagrams are there soon.
+  explicit ReadAhead(DatagramStream& stream, bool fill = true);
   ~ReadAhead() override;
   ReadAhead(const ReadAhead&) = delete;
   ReadAhead& operator=(const ReadAhead&) = delete;

@@ -9,7 +9,8 @@ namespace rocinante {
 
 Result<PlayReport> sendPlan(DatagramStream& stream, const SendPlan& plan,
                             const std::function<bool()>& stop) {
-  Result<UdpEdge> edge = UdpEdge::open(plan.to, plan.speed ? plan.realtime : Realtime::off, stop);
+  Result<UdpEdge> edge =
+      UdpEdge::open({{plan.to, 0, false}}, plan.speed ? plan.realtime : Realtime::off, stop);
   if (!edge) return edge.error();
   PlayJournal journal(plan.from, plan.until);
   Result<SendEnd> end = SendEnd::finished;

@@ -1,5 +1,6 @@
 #include "player/udp_edge.h"
 
+#include <poll.h>
 #include <time.h>
 
 #include <algorithm>
@@ -13,43 +14,65 @@ constexpr Nanoseconds kLongestAwake = std::chrono::milliseconds(300);
 
 }  // namespace
 
-Result<UdpEdge> UdpEdge::open(const Endpoint& to, Realtime realtime, std::function<bool()> stop) {
-  Result<UdpSender> sender = UdpSender::open(to);
-  if (!sender) return sender.error();
+Result<UdpEdge> UdpEdge::open(const std::vector<Route>& routes, Realtime realtime,
+                              std::function<bool()> stop, int wake) {
+  std::vector<Way> ways;
+  ways.reserve(routes.size());
+  for (const Route& route : routes) {
+    Result<UdpSender> sender = UdpSender::open(route.to, route.local_port);
+    if (!sender) return sender.error();
+    ways.emplace_back(std::move(*sender), route.restating);
+  }
   Result<PacingThread> thread = PacingThread::begin(realtime);
   if (!thread) return thread.error();
-  return UdpEdge(std::move(*sender), std::move(*thread), std::move(stop));
+  return UdpEdge(std::move(ways), std::move(*thread), std::move(stop), wake);
 }
 
-UdpEdge::UdpEdge(UdpSender sender, PacingThread thread, std::function<bool()> stop)
-    : sender_(std::move(sender)),
+UdpEdge::UdpEdge(std::vector<Way> ways, PacingThread thread, std::function<bool()> stop, int wake)
+    : ways_(std::move(ways)),
       thread_(std::move(thread)),
       stop_(std::move(stop)),
-      stamps_(sender_.fileDescriptor()),
+      wake_(wake),
       last_sleep_(now()) {}
 
 SteadyTime UdpEdge::now() { return std::chrono::steady_clock::now(); }
 
 void UdpEdge::sleepUntil(SteadyTime moment) {
-  const Nanoseconds since_boot = moment.time_since_epoch();
-  const auto seconds = std::chrono::floor<std::chrono::seconds>(since_boot);
-  const timespec wake{seconds.count(), (since_boot - seconds).count()};
-  ::clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &wake, nullptr);
+  if (wake_ < 0) {
+    const Nanoseconds since_boot = moment.time_since_epoch();
+    const auto seconds = std::chrono::floor<std::chrono::seconds>(since_boot);
+    const timespec wake{seconds.count(), (since_boot - seconds).count()};
+    ::clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &wake, nullptr);
+  } else if (const Nanoseconds span = moment - now(); span.count() > 0) {
+    const auto seconds = std::chrono::floor<std::chrono::seconds>(span);
+    const timespec most{seconds.count(), (span - seconds).count()};
+    pollfd wake{wake_, POLLIN, 0};
+    ::ppoll(&wake, 1, &most, nullptr);
+  }
   last_sleep_ = now();
 }
 
-Status UdpEdge::send(std::span<const ByteView> payloads, std::span<SteadyTime> sent_at) {
-  if (Status sent = sender_.send(payloads); !sent) return sent;
+Status UdpEdge::send(std::uint16_t route, std::span<const ByteView> payloads,
+                     std::span<SteadyTime> sent_at) {
+  Way& way = ways_[route];
+  if (Status sent = way.sender.send(payloads); !sent) return sent;
   const SteadyTime after = now();
   std::fill(sent_at.begin(), sent_at.end(), after);
-  stamps_.collect(sent_at);
+  way.stamps.collect(sent_at);
   if (thread_.isRealtime() && after - last_sleep_ > kLongestAwake) thread_.leaveRealtime();
   return {};
 }
 
 std::string UdpEdge::timingSource() const {
-  if (stamps_.stamped() == 0) return "clock";
-  return stamps_.unstamped() == 0 ? "kernel" : "kernel and clock";
+  bool any_stamped = false;
+  bool all_stamped = true;
+  for (const Way& way : ways_) {
+    if (way.restating) continue;
+    any_stamped = any_stamped || way.stamps.stamped() > 0;
+    all_stamped = all_stamped && way.stamps.unstamped() == 0;
+  }
+  if (!any_stamped) return "clock";
+  return all_stamped ? "kernel" : "kernel and clock";
 }
 
 }  // namespace rocinante

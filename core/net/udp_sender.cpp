@@ -6,6 +6,7 @@
 #include <array>
 #include <cerrno>
 
+#include "core/net/port_holder.h"
 #include "core/net/system_socket.h"
 #include "core/net/udp_socket.h"
 
@@ -59,11 +60,29 @@ Status configureUnicast(SystemSocket& socket, const Endpoint& to) {
   return {};
 }
 
-Status connectTo(SystemSocket& socket, const Endpoint& to) {
+/// Of a port that cannot be had; `errno` says why.
+Error portError(const SocketAddress& from, const Endpoint& to) {
+  const std::string what = "cannot send from port " + std::to_string(from.port);
+  if (errno == EADDRINUSE) {
+    if (const std::optional<PortHolder> holder = portHolder(from)) {
+      return {ErrorKind::refused,
+              what + ": it is held by " + holder->name + " (pid " + std::to_string(holder->pid) +
+                  ")",
+              to.text()};
+    }
+  }
+  return systemError(what, to);
+}
+
+Status connectTo(SystemSocket& socket, const Endpoint& to, std::uint16_t local_port) {
   sockaddr_storage system{};
-  if (to.source) {
-    const socklen_t length = toSystem(*to.source, system);
+  if (to.source || local_port != 0) {
+    SocketAddress from = to.source.value_or(SocketAddress{});
+    from.is_ipv6 = to.address.is_ipv6;
+    if (local_port != 0) from.port = local_port;
+    const socklen_t length = toSystem(from, system);
     if (::bind(socket.descriptor(), reinterpret_cast<sockaddr*>(&system), length) != 0) {
+      if (local_port != 0) return portError(from, to);
       return systemError("cannot send from the address of source=", to);
     }
   }
@@ -95,7 +114,7 @@ UdpSender::~UdpSender() = default;
 UdpSender::UdpSender(UdpSender&&) noexcept = default;
 UdpSender& UdpSender::operator=(UdpSender&&) noexcept = default;
 
-Result<UdpSender> UdpSender::open(const Endpoint& to) {
+Result<UdpSender> UdpSender::open(const Endpoint& to, std::uint16_t local_port) {
   if (to.address.isAny() || to.address.port == 0) {
     return Error{ErrorKind::bad_argument, "to send, an endpoint needs a host and a port",
                  to.text()};
@@ -104,7 +123,7 @@ Result<UdpSender> UdpSender::open(const Endpoint& to) {
   if (!socket) return socket.error();
   Status done = to.isMulticast() ? configureMulticast(*socket, to) : configureUnicast(*socket, to);
   if (!done) return done.error();
-  if (done = connectTo(*socket, to); !done) return done.error();
+  if (done = connectTo(*socket, to, local_port); !done) return done.error();
   const Result<SocketAddress> local = socket->localAddress(to);
   if (!local) return local.error();
 

@@ -24,13 +24,15 @@ class FakeEdge : public SendEdge {
     }
   }
   bool stopRequested() override { return sends >= stop_after_sends; }
-  Status send(std::span<const ByteView> payloads, std::span<SteadyTime> sent_at) override {
+  Status send(std::uint16_t route, std::span<const ByteView> payloads,
+              std::span<SteadyTime> sent_at) override {
     ++sends;
     if (fail_send == sends) return Error{ErrorKind::refused, "the network is gone", "udp://x"};
     for (std::size_t i = 0; i < payloads.size(); ++i) {
       time_ += send_costs;
       sent_at[i] = time_;
       if (keep_payloads) sent.emplace_back(textOf(payloads[i]));
+      if (keep_payloads) routes.push_back(route);
     }
     return {};
   }
@@ -43,6 +45,7 @@ class FakeEdge : public SendEdge {
   bool keep_payloads = true;
 
   std::vector<std::string> sent;
+  std::vector<std::uint16_t> routes;  ///< of each of `sent`
   std::size_t looks = 0, sleeps = 0, sends = 0;
   Nanoseconds slept{}, longest_sleep{};
 

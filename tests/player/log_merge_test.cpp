@@ -27,14 +27,13 @@ TEST(LogMerge, OrdersByTimeAndThenByPlaceAmongTheArguments) {
   const auto a = writeLog(folder / "a", {{1s, "a1"}, {2s, "a2"}, {2s, "a2'"}, {9s, "a9"}});
   const auto b = writeLog(folder / "b", {{2s, "b2"}, {3s, "b3"}});
   auto ab = LogMerge::open({a, b}).value();
-  ASSERT_TRUE(ab.seek(LogTime{}, LogMerge::Which::captured).ok());
+  ASSERT_TRUE(ab.seek(TapePlace{}, LogMerge::Which::captured).ok());
   EXPECT_THAT(payloads(ab), ElementsAre("a1", "a2", "a2'", "b2", "b3", "a9"));
   auto ba = LogMerge::open({b, a}).value();
-  ASSERT_TRUE(ba.seek(LogTime{}, LogMerge::Which::captured).ok());
+  ASSERT_TRUE(ba.seek(TapePlace{}, LogMerge::Which::captured).ok());
   EXPECT_THAT(payloads(ba), ElementsAre("a1", "b2", "a2", "a2'", "b3", "a9"));
   EXPECT_EQ(ab.start(), LogTime(1s));
   EXPECT_EQ(ab.end(), LogTime(9s));
-  EXPECT_EQ(ab.messages(), 6U);
 }
 
 TEST(LogMerge, SeeksInAllLogsAndBack) {
@@ -43,10 +42,10 @@ TEST(LogMerge, SeeksInAllLogsAndBack) {
   const auto b = writeLog(folder / "b", {{2s, "b2"}, {3s, "b3"}});
   auto logs = LogMerge::open({a, b}).value();
   for (int turn = 0; turn < 2; ++turn) {
-    ASSERT_TRUE(logs.seek(LogTime(2s), LogMerge::Which::captured).ok());
+    ASSERT_TRUE(logs.seek(TapePlace::at(LogTime(2s)), LogMerge::Which::captured).ok());
     EXPECT_THAT(payloads(logs), ElementsAre("a2", "b2", "b3"));
   }
-  ASSERT_TRUE(logs.seek(LogTime(3s + 1ns), LogMerge::Which::captured).ok());
+  ASSERT_TRUE(logs.seek(TapePlace::at(LogTime(3s + 1ns)), LogMerge::Which::captured).ok());
   EXPECT_THAT(payloads(logs), ElementsAre());
 }
 
@@ -56,11 +55,10 @@ TEST(LogMerge, OnlyCapturedMessagesArePlayedAndRestatementsAreFoldedToo) {
                                          {2s, "restated", "/rocinante/restated/udp/1/a"},
                                          {3s, "keyframe", "/rocinante/keyframe"}});
   auto logs = LogMerge::open({a}).value();
-  ASSERT_TRUE(logs.seek(LogTime{}, LogMerge::Which::captured).ok());
+  ASSERT_TRUE(logs.seek(TapePlace{}, LogMerge::Which::captured).ok());
   EXPECT_THAT(payloads(logs), ElementsAre("captured"));
-  ASSERT_TRUE(logs.seek(LogTime{}, LogMerge::Which::folded).ok());
+  ASSERT_TRUE(logs.seek(TapePlace{}, LogMerge::Which::folded).ok());
   EXPECT_THAT(payloads(logs), ElementsAre("captured", "restated"));
-  EXPECT_EQ(logs.messages(), 1U);
 }
 
 TEST(LogMerge, SaysWhichLogCannotBeOpened) {

@@ -120,7 +120,8 @@ TEST(PlayReport, JsonHasEveryKeyInItsOrder) {
     }
   ],
   "interrupted": false,
-  "damage": []
+  "damage": [],
+  "failure": null
 }
 )");
 }

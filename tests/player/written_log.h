@@ -27,7 +27,10 @@ inline std::filesystem::path writeLog(const std::filesystem::path& path,
   for (const WrittenMessage& message : messages) {
     if (!channels.contains(message.topic)) {
       channels[message.topic] =
-          writer.addChannel(message.topic, "rk1", {{"source", message.topic.substr(7)}}).value();
+          writer
+              .addChannel(message.topic, "rk1",
+                          {{"source", message.topic.substr(message.topic.rfind('/') + 1)}})
+              .value();
     }
     EXPECT_TRUE(writer
                     .write(channels[message.topic], sequence++, LogTime(message.time),

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "player/control_socket.h"
+
+namespace rocinante {
+
+/// The two kinds of ControlSocket::open.
+Result<ControlSocket> openUdpControl(const Endpoint& endpoint, std::vector<AddressBlock> allowed);
+Result<ControlSocket> openUnixControl(const std::filesystem::path& path);
+
+}  // namespace rocinante
