@@ -30,21 +30,10 @@ int main(int argc, char** argv) {
   CLI::App app("Looks into logs.", "rocinante-log");
   app.require_subcommand(1);
   const std::vector<LogCommand> commands{
-      addInfoCommand(app),
-      addCatCommand(app),
-      addStateCommand(app),
-      addDiffCommand(app),
-      addDoctorCommand(app),
-      addFollowCommand(app),
-      addMarkCommand(app),
-      addCutCommand(app),
-      addFilterCommand(app),
-      addMergeCommand(app),
-      addSplitCommand(app),
-      addShiftCommand(app),
-      addRecoverCommand(app),
-      addAttachCommand(app),
-      addExtractCommand(app),
+      addInfoCommand(app),    addCatCommand(app),    addStateCommand(app),   addDiffCommand(app),
+      addDoctorCommand(app),  addFollowCommand(app), addMarkCommand(app),    addCutCommand(app),
+      addFilterCommand(app),  addMergeCommand(app),  addSplitCommand(app),   addShiftCommand(app),
+      addRecoverCommand(app), addAttachCommand(app), addExtractCommand(app),
   };
   return cli::run(app, argc, argv, kExamples, [&]() -> Result<cli::Exit> {
     for (const LogCommand& command : commands) {
