@@ -1,7 +1,6 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <cstring>
 
 #include "core/log/byte_sink.h"
 #include "tests/core/log/log_support.h"
@@ -53,7 +52,7 @@ void apply(Bytes& file, const Write& write, std::size_t count) {
   const auto offset = static_cast<std::size_t>(write.offset);
   if (write.truncates) return file.resize(offset);
   file.resize(std::max(file.size(), offset + count));
-  std::memcpy(file.data() + offset, write.bytes.data(), count);
+  std::copy_n(write.bytes.begin(), count, file.begin() + static_cast<std::ptrdiff_t>(offset));
 }
 
 struct Recording {
