@@ -215,8 +215,8 @@ struct LogReader::Impl {
       for (std::size_t i = index.spans.size(); i-- > 0;) {
         const MessageSpan& span = index.spans[i];
         // No message: times of 0 mean nothing.
-        const bool is_empty = span.start_time == LogTime{} && span.end_time == LogTime{} &&
-                              span.channels.empty();
+        const bool is_empty =
+            span.start_time == LogTime{} && span.end_time == LogTime{} && span.channels.empty();
         earliest_from[i] =
             is_empty ? earliest_from[i + 1] : std::min(earliest_from[i + 1], span.start_time);
       }

@@ -74,8 +74,8 @@ class LogReader {
   /// The last message of the channel at or before `moment`, found by the indexes; the reader does
   /// not move, but its payload is borrowed until the next call of any kind.
   Result<std::optional<LogMessage>> lastOf(ChannelId channel, LogTime moment);
-  /// True when no message that stands behind `place` (of a message) in the file sorts before it: then
-  /// what was folded up to there is all that comes before it. The reader does not move.
+  /// True when no message that stands behind `place` (of a message) in the file sorts before it:
+  /// then what was folded up to there is all that comes before it. The reader does not move.
   bool inOrderAt(LogPlace place);
 
   const std::string& name() const;  ///< of the file, for messages to people
