@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "core/hash.h"
 #include "core/log/loss_message.h"
 #include "recorder/copy/log_copy.h"
 
@@ -13,28 +14,46 @@ std::string_view plainTopic(const LogChannel& channel) {
   return topic;
 }
 
-bool sameFlow(const LogChannel& a, const LogChannel& b) {
-  return plainTopic(a) == plainTopic(b) && a.encoding == b.encoding && a.metadata == b.metadata;
-}
-
 bool isMessage(CopyItem::Kind kind) {
   return kind == CopyItem::Kind::message || kind == CopyItem::Kind::lead;
 }
 
-/// What two items must have in common to be one, beside channel and numbers.
-Bytes contentOf(const CopyItem& item) {
-  if (isMessage(item.kind)) return {item.message.payload.begin(), item.message.payload.end()};
-  const std::string text = item.kind == CopyItem::Kind::mark   ? item.mark->text
-                           : item.kind == CopyItem::Kind::loss ? lossText(*item.loss)
-                                                               : std::string();
+void addText(Bytes& out, std::string_view text) {
   const ByteView bytes = bytesOf(text);
-  return {bytes.begin(), bytes.end()};
+  const std::uint64_t size = bytes.size();
+  const auto* const size_bytes = reinterpret_cast<const std::byte*>(&size);
+  out.insert(out.end(), size_bytes, size_bytes + sizeof size);
+  out.insert(out.end(), bytes.begin(), bytes.end());
+}
+
+/// Equal for items that are one when two pieces of a session hold them.
+std::array<std::byte, 16> identityOf(const CopyItem& item) {
+  Bytes all;
+  if (isMessage(item.kind)) {
+    const LogChannel& channel = *item.message.channel;
+    addText(all, plainTopic(channel));
+    addText(all, channel.encoding);
+    for (const auto& [key, value] : channel.metadata) {
+      addText(all, key);
+      addText(all, value);
+    }
+    addText(all, std::to_string(item.message.sequence));
+    addText(all, std::to_string(item.publish_time_ns));
+    addText(all, textOf(item.message.payload));
+  } else if (item.kind == CopyItem::Kind::mark) {
+    addText(all, "mark");
+    addText(all, item.mark->text);
+  } else if (item.kind == CopyItem::Kind::loss) {
+    addText(all, "loss");
+    addText(all, lossText(*item.loss));
+  }
+  return xxh3(all);
 }
 
 }  // namespace
 
 CopyMerge::CopyMerge(std::vector<CopySource>& sources)
-    : sources_(sources), heads_(sources.size(), nullptr), begun_(sources.size(), false) {}
+    : sources_(sources), heads_(sources.size(), nullptr) {}
 
 /// Puts the next of every source that was taken from into heads_; at first, of all.
 Status CopyMerge::refill() {
@@ -73,26 +92,15 @@ Result<const CopyItem*> CopyMerge::next() {
     const CopyItem& item = *heads_[*source];
     if (sources_.size() > 1 && isRepeated(*source, item)) {
       if (item.kind == CopyItem::Kind::message) ++repeated_;
-      begun_[*source] = true;
       continue;
     }
-    begun_[*source] = true;
     return &item;
   }
 }
 
 bool CopyMerge::sameSession(std::size_t a, std::size_t b) const {
   const std::string& id = sources_[a].reader().summary().session_id;
-  return !id.empty() && id == sources_[b].reader().summary().session_id &&
-         sources_[a].options().shift == sources_[b].options().shift;
-}
-
-/// Another piece of the same session is being given: the fold holds what this one opens with.
-bool CopyMerge::covered(std::size_t source) const {
-  for (std::size_t i = 0; i < sources_.size(); ++i) {
-    if (i != source && begun_[i] && heads_[i] != nullptr && sameSession(i, source)) return true;
-  }
-  return false;
+  return !id.empty() && id == sources_[b].reader().summary().session_id;
 }
 
 bool CopyMerge::othersAt(std::size_t source, LogTime time) const {
@@ -102,45 +110,34 @@ bool CopyMerge::othersAt(std::size_t source, LogTime time) const {
   return false;
 }
 
-/// What a piece says again of the time before it: a restated datagram that its source said itself.
-bool CopyMerge::isLead(const CopyItem& item) {
-  if (item.kind == CopyItem::Kind::lead) return true;
-  if (item.kind != CopyItem::Kind::message || item.message.channel->captured()) return false;
-  if (!item.message.channel->folded()) return false;
-  const PacketHeader* const header = decoder_.decodeHeader(item.message.payload);
-  return header != nullptr && header->by.empty();
-}
-
 bool CopyMerge::isRepeated(std::size_t source, const CopyItem& item) {
-  if (item.kind == CopyItem::Kind::opening) return covered(source);
-  if (isLead(item) && covered(source)) return true;
-  if (item.time != given_time_) {
-    given_.clear();
-    given_time_ = item.time;
+  if (item.kind == CopyItem::Kind::opening) {
+    // While another piece of its session goes on, the fold holds what this one opens with.
+    for (std::size_t i = 0; i < heads_.size(); ++i) {
+      const bool goes_on = heads_[i] != nullptr && sources_[i].reader().summary().start < item.time;
+      if (i != source && goes_on && sameSession(i, source)) return true;
+    }
+    return false;
   }
-  if (given_.empty() && !othersAt(source, item.time)) return false;
-  Given one{source, item.kind, nullptr, 0, 0, contentOf(item), {}};
-  if (isMessage(item.kind)) {
-    one.channel = item.message.channel;
-    one.sequence = item.message.sequence;
-    one.publish_time_ns = item.publish_time_ns;
+  if (item.time != seen_time_) {
+    seen_.clear();
+    seen_time_ = item.time;
   }
-  for (Given& other : given_) {
-    if (other.source == source || other.payload != one.payload) continue;
-    if (other.sequence != one.sequence || other.publish_time_ns != one.publish_time_ns) continue;
-    if ((one.channel == nullptr) != (other.channel == nullptr)) continue;
-    if (one.channel == nullptr && one.kind != other.kind) continue;
-    if (one.channel != nullptr && !sameFlow(*one.channel, *other.channel)) continue;
-    // One that was said again stands in no place of a captured one.
-    if (one.channel != nullptr && one.channel->captured() && !other.channel->captured()) continue;
+  if (seen_.empty() && !othersAt(source, item.time)) return false;
+  // One that is said again stands in no place of a captured one; the other way round it does.
+  const bool captured =
+      isMessage(item.kind) && item.message.channel->captured() && item.kind != CopyItem::Kind::lead;
+  std::vector<Seen>& equal = seen_[identityOf(item)];
+  auto own = std::ranges::find(equal, source, &Seen::source);
+  if (own == equal.end()) own = equal.insert(equal.end(), Seen{source, 0, 0});
+  ++own->all;
+  if (captured) ++own->captured;
+  return std::ranges::any_of(equal, [&](const Seen& other) {
+    if (other.source == source) return false;
     // A person's mark is one whatever sessions it was set in.
-    if (item.kind != CopyItem::Kind::mark && !sameSession(source, other.source)) continue;
-    if (std::ranges::find(other.repeated_by, source) != other.repeated_by.end()) continue;
-    other.repeated_by.push_back(source);
-    return true;
-  }
-  given_.push_back(std::move(one));
-  return false;
+    if (item.kind != CopyItem::Kind::mark && !sameSession(source, other.source)) return false;
+    return captured ? other.captured >= own->captured : other.all >= own->all;
+  });
 }
 
 }  // namespace rocinante

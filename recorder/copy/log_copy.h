@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -46,32 +48,26 @@ class CopyMerge {
   std::uint64_t repeated() const { return repeated_; }
 
  private:
-  struct Given {
+  /// What equal items came at one time from one source.
+  struct Seen {
     std::size_t source = 0;
-    CopyItem::Kind kind = CopyItem::Kind::message;
-    const LogChannel* channel = nullptr;
-    std::uint32_t sequence = 0;
-    std::int64_t publish_time_ns = 0;
-    Bytes payload;  ///< or the text of a mark, or of a loss
-    std::vector<std::size_t> repeated_by;
+    std::uint64_t captured = 0;
+    std::uint64_t all = 0;
   };
 
   Status refill();
   std::optional<std::size_t> earliest() const;
   bool isRepeated(std::size_t source, const CopyItem& item);
-  bool isLead(const CopyItem& item);
-  bool covered(std::size_t source) const;
   bool sameSession(std::size_t a, std::size_t b) const;
   bool othersAt(std::size_t source, LogTime time) const;
 
   std::vector<CopySource>& sources_;
   std::vector<const CopyItem*> heads_;
-  std::vector<bool> begun_;           ///< by source: something of it was given
   bool filled_ = false;               ///< every source was looked at
   std::optional<std::size_t> taken_;  ///< whose head was given last
-  std::vector<Given> given_;          ///< at given_time_, where another source may repeat it
-  LogTime given_time_{};
-  PacketTextDecoder decoder_;
+  /// By the hash of what makes items equal: those at seen_time_, where another source may repeat.
+  std::map<std::array<std::byte, 16>, std::vector<Seen>> seen_;
+  LogTime seen_time_{};
   std::uint64_t repeated_ = 0;
 };
 
