@@ -108,7 +108,8 @@ Status Transport::begin(TapePlace place, LogTime moment, bool jump, SteadyTime n
   // At the very start there is time to fill the memory before the first deadline.
   if (options_.read_ahead) run_->ahead.emplace(run_->tape, runs_ == 1 && options_.speed);
   asked_at_ = now;
-  anchor(block_.size() > block_taken_ ? now + kLead : now);
+  starts_ = starts_ || jump;
+  anchor(now);
   return {};
 }
 
@@ -184,6 +185,11 @@ Status Transport::repeatIfDue(const std::optional<Due>& head, SteadyTime now) {
 Result<std::optional<Transport::Next>> Transport::next(SteadyTime now) {
   next_.reset();
   if (quit_) return next_;
+  if (std::exchange(starts_, false)) {
+    // Reading and folding took their time, which is not to be made up for.
+    asked_at_ = now;
+    anchor(block_taken_ < block_.size() ? now + kLead : now);
+  }
   if (block_taken_ == block_.size()) {
     Result<std::optional<Due>> head = run_->stream().due();
     if (!head) return head.error();

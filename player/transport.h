@@ -119,6 +119,7 @@ class Transport {
   std::unique_ptr<Run> run_;
   bool playing_ = false;
   bool quit_ = false;
+  bool starts_ = false;  ///< after a jump: time goes on when next() is asked
   PlaybackClock clock_{LogTime{}, SteadyTime{}, PlaybackSpeed()};
 
   TapePlace place_;      ///< where it stands

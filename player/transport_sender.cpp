@@ -11,16 +11,18 @@ class Asking {
  public:
   Asking(CommandSource* source, const TransportRules& rules) : source_(source), rules_(rules) {}
 
-  void take(Transport& transport, SteadyTime now) {
-    if (source_ == nullptr || open_) return;
+  /// True when there was one.
+  bool take(Transport& transport, SteadyTime now) {
+    if (source_ == nullptr || open_) return false;
     const std::optional<std::string_view> line = source_->asked();
-    if (!line) return;
+    if (!line) return false;
     open_ = true;
     error_.clear();
     const auto command = parseTransportCommand(*line, rules_.origin, rules_.end);
     const Status done = command ? transport.obey(*command, now) : Status(command.error());
     if (!done) error_ = "error " + done.error().text();
     says_nothing_ = done && command->kind == TransportCommand::Kind::ack;
+    return true;
   }
 
   /// Answers when all that was asked for is done.
@@ -92,7 +94,7 @@ Result<SendEnd> sendTransport(Transport& transport, const TransportRules& rules,
   SteadyTime publish_at{};
   while (!edge.stopRequested()) {
     SteadyTime now = edge.now();
-    asking.take(transport, now);
+    if (asking.take(transport, now)) now = edge.now();
     Result<std::optional<Transport::Next>> next = transport.next(now);
     if (!next) return next.error();
     asking.settle(transport, now, !*next || !(*next)->immediate);

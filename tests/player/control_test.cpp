@@ -1,0 +1,262 @@
+// What comes from outside of a running player: lines, addresses, keys, sockets.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <random>
+
+#include "core/net/system_socket.h"
+#include "core/net/udp_socket.h"
+#include "player/command_slot.h"
+#include "player/control_address.h"
+#include "player/control_socket.h"
+#include "player/control_thread.h"
+#include "player/play.h"
+#include "player/terminal_keys.h"
+#include "player/transport_command.h"
+#include "tests/support/temporary_folder.h"
+
+namespace rocinante {
+namespace {
+
+using namespace std::chrono_literals;
+using Kind = TransportCommand::Kind;
+
+Result<TransportCommand> parse(std::string_view line) {
+  return parseTransportCommand(line, LogTime(10s), LogTime(20s));
+}
+
+TEST(TransportCommand, ReadsWhatIsDocumented) {
+  EXPECT_EQ(parse("play")->kind, Kind::play);
+  EXPECT_EQ(parse("  pause\t")->kind, Kind::pause);
+  EXPECT_EQ(parse("toggle\r")->kind, Kind::toggle);
+  EXPECT_EQ(parse("step")->count, 1U);
+  EXPECT_EQ(parse("step 17")->count, 17U);
+  EXPECT_EQ(parse("back 0.5s")->kind, Kind::move);
+  EXPECT_EQ(parse("back 0.5s")->duration, -500ms);
+  EXPECT_EQ(parse("seek 2.5")->from, LogTime(12'500ms));
+  EXPECT_EQ(parse("seek -1s")->from, LogTime(19s));
+  EXPECT_EQ(parse("loop 1 2s")->until, LogTime(12s));
+  EXPECT_EQ(parse("loop off")->kind, Kind::loop_off);
+  EXPECT_EQ(parse("speed 3/2")->speed, PlaybackSpeed::parse("1.5").value());
+  EXPECT_EQ(parse("ack 3")->count, 3U);
+}
+
+TEST(TransportCommand, RefusesEverythingElseInOneSentence) {
+  for (const char* line : {"",
+                           " ",
+                           "Play",
+                           "play now",
+                           "step 0",
+                           "step -1",
+                           "step 1.5",
+                           "step 1000001",
+                           "step x",
+                           "step 1 2",
+                           "back -1s",
+                           "seek",
+                           "seek x",
+                           "seek 1 2",
+                           "speed 0",
+                           "speed 1001",
+                           "speed nan",
+                           "loop",
+                           "loop 1",
+                           "loop 2 1",
+                           "loop on",
+                           "ack",
+                           "ack -1",
+                           "quit now",
+                           "seek 99999999999999999999s",
+                           "step 18446744073709551616"}) {
+    SCOPED_TRACE(line);
+    const auto command = parse(line);
+    ASSERT_FALSE(command.ok());
+    EXPECT_FALSE(command.error().what.empty());
+    EXPECT_EQ(command.error().what.find('\n'), std::string::npos);
+  }
+  EXPECT_FALSE(parse(std::string(257, 'x')).ok());
+}
+
+TEST(TransportCommand, NoiseIsAnsweredInPlainText) {
+  std::mt19937 random(7);
+  for (int i = 0; i < 20'000; ++i) {
+    std::string line = i % 2 == 0 ? "" : "seek ";
+    for (std::size_t n = random() % 30; n > 0; --n) line += static_cast<char>(random());
+    const auto command = parse(line);
+    if (command.ok()) continue;
+    for (const char each : command.error().text()) {
+      EXPECT_TRUE(static_cast<unsigned char>(each) >= ' ' && each != '\x7f');
+    }
+  }
+}
+
+TEST(ParseLoop, FindsThePlaceToCut) {
+  const LogTime origin(10s);
+  const LogTime end(20s);
+  EXPECT_EQ(parseLoop("2s-4.5s", origin, end).value(),
+            (PlayedSpan{LogTime(12s), LogTime(14'500ms)}));
+  EXPECT_EQ(parseLoop("-4s--1s", origin, end).value(), (PlayedSpan{LogTime(16s), LogTime(19s)}));
+  EXPECT_EQ(parseLoop("1970-01-01T00:00:11Z-1970-01-01T00:00:12Z", origin, end).value(),
+            (PlayedSpan{LogTime(11s), LogTime(12s)}));
+  EXPECT_FALSE(parseLoop("4s-2s", origin, end).ok());
+  EXPECT_FALSE(parseLoop("-", origin, end).ok());
+  EXPECT_FALSE(parseLoop("", origin, end).ok());
+}
+
+TEST(KeyReader, KnowsArrowsInPiecesAndPassesOverTheRest) {
+  KeyReader keys;
+  EXPECT_EQ(keys.take(' '), "toggle");
+  EXPECT_EQ(keys.take('\x1b'), "");
+  EXPECT_EQ(keys.take('['), "");
+  EXPECT_EQ(keys.take('C'), "step 1");
+  for (const char key : std::string("\x1b[15~")) EXPECT_EQ(keys.take(key), "");
+  EXPECT_EQ(keys.take('q'), "quit");
+  for (const char key : std::string("\x1b\x1b[")) EXPECT_EQ(keys.take(key), "");
+  EXPECT_EQ(keys.take('D'), "back 1");
+  for (const char key : std::string("\x1b[999999999999999999999999")) keys.take(key);
+  EXPECT_EQ(keys.take('+'), "faster");
+  EXPECT_EQ(keys.take('z'), "");
+}
+
+TEST(AddressBlock, HoldsItsAddresses) {
+  const auto block = AddressBlock::parse("10.1.0.0/15").value();
+  EXPECT_TRUE(block.holds(SocketAddress::parse("10.0.7.7", 1).value()));
+  EXPECT_FALSE(block.holds(SocketAddress::parse("10.2.0.0", 1).value()));
+  EXPECT_FALSE(block.holds(SocketAddress::parse("::1", 1).value()));
+  EXPECT_TRUE(AddressBlock::parse("0.0.0.0/0")->holds(SocketAddress::parse("9.9.9.9", 1).value()));
+  EXPECT_TRUE(AddressBlock::parse("fe80::/10")->holds(SocketAddress::parse("febf::1", 1).value()));
+  for (const char* text : {"", "10", "10.0.0.0/33", "10.0.0.0/", "10.0.0.0/-1", "::/129", "x/8"}) {
+    EXPECT_FALSE(AddressBlock::parse(text).ok()) << text;
+  }
+  EXPECT_TRUE(isOwnAddress(SocketAddress::parse("127.4.5.6", 1).value()));
+  EXPECT_FALSE(isOwnAddress(SocketAddress::parse("192.0.2.1", 1).value()));
+}
+
+/// A sender that answers "ok LINE" until it is told to quit.
+void answerUntilQuit(CommandSlot& slot) {
+  while (true) {
+    const auto line = slot.asked();
+    if (!line) {
+      std::this_thread::yield();
+      continue;
+    }
+    const bool over = *line == "quit";
+    slot.answer("ok " + std::string(*line));
+    if (over) return;
+  }
+}
+
+class UnixClient {
+ public:
+  explicit UnixClient(const std::filesystem::path& path)
+      : socket_(::socket(AF_UNIX, SOCK_STREAM, 0)) {
+    sockaddr_un address{};
+    address.sun_family = AF_UNIX;
+    path.native().copy(address.sun_path, sizeof address.sun_path - 1);
+    connected_ =
+        ::connect(socket_.descriptor(), reinterpret_cast<sockaddr*>(&address), sizeof address) == 0;
+  }
+  bool connected() const { return connected_; }
+  void say(const std::string& text) {
+    EXPECT_EQ(::send(socket_.descriptor(), text.data(), text.size(), MSG_NOSIGNAL),
+              static_cast<ssize_t>(text.size()));
+  }
+  /// One line; empty when the other side has closed.
+  std::string hear() {
+    std::string line;
+    char each = 0;
+    while (::recv(socket_.descriptor(), &each, 1, 0) == 1 && each != '\n') line += each;
+    return line;
+  }
+
+ private:
+  SystemSocket socket_;
+  bool connected_ = false;
+};
+
+TEST(ControlSocket, AUnixSocketTakesLinesInAnyPieces) {
+  const test::TemporaryFolder folder;
+  const auto path = folder / "control";
+  const auto slot = CommandSlot::make().value();
+  {
+    auto control = ControlSocket::open(ControlAddress::parse("unix:" + path.string()).value(), {});
+    ASSERT_TRUE(control.ok());
+    EXPECT_EQ(std::filesystem::status(path).permissions(),
+              std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+    // A second player does not take the first one's place.
+    EXPECT_FALSE(
+        ControlSocket::open(ControlAddress::parse("unix:" + path.string()).value(), {}).ok());
+    std::vector<std::unique_ptr<ControlInput>> inputs;
+    inputs.push_back(std::move(control->input));
+    const ControlThread thread(*slot, std::move(inputs));
+    std::thread sender([&] { answerUntilQuit(*slot); });
+    UnixClient client(path);
+    ASSERT_TRUE(client.connected());
+    for (const char* piece : {"sta", "tus\nstep", " 1\npl"}) client.say(piece);
+    client.say("ay\n");
+    EXPECT_EQ(client.hear(), "ok status");
+    EXPECT_EQ(client.hear(), "ok step 1");
+    EXPECT_EQ(client.hear(), "ok play");
+    UnixClient endless(path);
+    endless.say(std::string(300, 'x'));
+    EXPECT_EQ(endless.hear(), "error a command has at most 256 bytes");
+    EXPECT_EQ(endless.hear(), "");
+    { UnixClient(path).say("gone before the answer\n"); }
+    client.say("quit\n");
+    EXPECT_EQ(client.hear(), "ok quit");
+    sender.join();
+  }
+  EXPECT_FALSE(std::filesystem::exists(path));
+}
+
+TEST(ControlSocket, ADeadPlayersSocketIsReplacedAndNothingElseIs) {
+  const test::TemporaryFolder folder;
+  const auto path = folder / "control";
+  {
+    const SystemSocket dead(::socket(AF_UNIX, SOCK_STREAM, 0));
+    sockaddr_un address{};
+    address.sun_family = AF_UNIX;
+    path.native().copy(address.sun_path, sizeof address.sun_path - 1);
+    ASSERT_EQ(::bind(dead.descriptor(), reinterpret_cast<sockaddr*>(&address), sizeof address), 0);
+  }
+  ASSERT_TRUE(std::filesystem::exists(path));
+  const auto address = ControlAddress::parse("unix:" + path.string()).value();
+  EXPECT_TRUE(ControlSocket::open(address, {}).ok());
+  std::ofstream(path) << "precious";
+  EXPECT_FALSE(ControlSocket::open(address, {}).ok());
+  EXPECT_EQ(std::filesystem::file_size(path), 8U);
+}
+
+TEST(ControlSocket, AFloodOfDatagramsIsAnsweredOrDroppedAndThePlayerEnds) {
+  const auto slot = CommandSlot::make().value();
+  auto control = ControlSocket::open(ControlAddress::parse("127.0.0.1:0").value(), {}).value();
+  const Endpoint to = Endpoint::parse(control.where).value();
+  std::vector<std::unique_ptr<ControlInput>> inputs;
+  inputs.push_back(std::move(control.input));
+  const ControlThread thread(*slot, std::move(inputs));
+  std::thread sender([&] {
+    for (int answered = 0; answered < 500;) {
+      if (const auto line = slot->asked()) {
+        slot->answer("ok");
+        ++answered;
+      } else {
+        std::this_thread::yield();
+      }
+    }
+    slot->close();
+  });
+  UdpSender flood = UdpSender::open(to).value();
+  std::string many;
+  for (int i = 0; i < 40; ++i) many += "status\n";
+  for (std::size_t i = 0; !slot->closed(); ++i) {
+    ASSERT_TRUE(flood.send(bytesOf(i % 3 == 0 ? many : std::string(i % 200, '\xff'))).ok());
+  }
+  sender.join();
+}
+
+}  // namespace
+}  // namespace rocinante
