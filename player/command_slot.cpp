@@ -46,8 +46,12 @@ std::string CommandSlot::ask(std::string line) {
   raise(wake_);
   state_.wait(kAsked, std::memory_order_acquire);
   int answered = kAnswered;
-  if (!state_.compare_exchange_strong(answered, kIdle, std::memory_order_acq_rel)) return {};
-  return std::move(answer_);
+  if (state_.load(std::memory_order_acquire) != kAnswered) return {};
+  std::string said = std::move(answer_);
+  state_.compare_exchange_strong(answered, kIdle, std::memory_order_acq_rel);
+  // The sender may be waiting to close.
+  state_.notify_all();
+  return said;
 }
 
 std::optional<std::string_view> CommandSlot::asked() {

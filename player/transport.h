@@ -76,6 +76,7 @@ class Transport {
   TapePlace place() const { return place_; }  ///< the next message lies at or behind it
   std::uint64_t sent() const { return sent_; }
   std::optional<PlaybackSpeed> speed() const { return options_.speed; }
+  bool isPlaying() const { return playing_; }  ///< no pause was asked for, also at the end
   bool hasQuit() const { return quit_; }
   /// Lockstep: which message's `ack` it waits for; 0: for a peer to speak at all.
   std::optional<std::uint64_t> awaited() const { return awaited_; }

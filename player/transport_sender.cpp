@@ -105,7 +105,9 @@ Result<SendEnd> sendTransport(Transport& transport, const TransportRules& rules,
       publish_at = now + kPublishEach;
     }
     if (!*next) {
-      const bool over = transport.state() == Transport::State::ended && !transport.awaited();
+      // Who stepped to the end may want to step back.
+      const bool over = transport.state() == Transport::State::ended && transport.isPlaying() &&
+                        !transport.awaited();
       if (over && !rules.stays) return SendEnd::finished;
       edge.sleepUntil(now + Pacing::kLongestSleep);
       continue;
