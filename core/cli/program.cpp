@@ -1,10 +1,12 @@
 #include "core/cli/program.h"
 
 #include <signal.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <atomic>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -21,10 +23,26 @@ static_assert(std::atomic<bool>::is_always_lock_free, "set from a signal handler
 
 std::string program_name = "rocinante";
 
+// One wish to stop can come as several signals: timeout(1) sends one to the process and one to the
+// group, a shell script that is interrupted passes on what its child has had already.
+constexpr std::int64_t kSameWishMs = 500;
+std::atomic<std::int64_t> stop_requested_at_ms{0};
+static_assert(std::atomic<std::int64_t>::is_always_lock_free, "set from a signal handler");
+
+std::int64_t steadyMilliseconds() {
+  timespec now{};
+  ::clock_gettime(CLOCK_MONOTONIC, &now);  // may be called in a signal handler
+  return now.tv_sec * 1'000 + now.tv_nsec / 1'000'000;
+}
+
 void onStopSignal(int signal_number) {
   stop_requested.store(true);
-  // The next one is the user's last word.
+  std::int64_t first = 0;
+  const std::int64_t now = steadyMilliseconds();
+  if (stop_requested_at_ms.compare_exchange_strong(first, now) || now - first < kSameWishMs) return;
+  // A later one is the user's last word.
   ::signal(signal_number, SIG_DFL);
+  ::raise(signal_number);
 }
 
 }  // namespace

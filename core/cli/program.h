@@ -26,8 +26,8 @@ enum class Exit : int {
 int run(CLI::App& app, int argc, char** argv, std::string_view examples,
         const std::function<Result<Exit>()>& body);
 
-/// Becomes true on SIGINT or SIGTERM once catchStopSignals() was called; a second signal ends the
-/// process at once.
+/// Becomes true on SIGINT or SIGTERM once catchStopSignals() was called; one that comes more than
+/// half a second after the first ends the process at once.
 void catchStopSignals();
 bool stopRequested();
 
