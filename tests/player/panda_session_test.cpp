@@ -176,7 +176,7 @@ void checkSession(const std::string& source_speed, const std::vector<std::string
     EXPECT_EQ(played["spans"].size(), 1U);
     EXPECT_EQ(played["spans"][0]["from_ns"], session.times.front().time_since_epoch().count());
     EXPECT_EQ(played["spans"][0]["until_ns"], session.times.back().time_since_epoch().count() + 1);
-    EXPECT_EQ(played["restatements"], 1);
+    EXPECT_GE(played["restatements"], 1);
     const TimingError error = timingError(schedule, replay.times, std::stod(speed));
     show("play " + speed + "x", played, error);
     // A machine without real-time scheduling, busy with other tests, is allowed this much.
