@@ -64,8 +64,8 @@ class ChunkExpander {
   std::unique_ptr<Contexts> contexts_;
 };
 
-/// How many of the bytes the zstd frame at their beginning takes: empty when they end before it does,
-/// or begin none. Nothing is expanded.
+/// How many of the bytes the zstd frame at their beginning takes: empty when they end before it
+/// does, or begin none. Nothing is expanded.
 std::optional<std::uint64_t> zstdFrameBytes(ByteView bytes);
 
 }  // namespace rocinante::mcap

@@ -65,10 +65,10 @@ Error portError(const SocketAddress& from, const Endpoint& to) {
   const std::string what = "cannot send from port " + std::to_string(from.port);
   if (errno == EADDRINUSE) {
     if (const std::optional<PortHolder> holder = portHolder(from)) {
-      return {ErrorKind::refused,
-              what + ": it is held by " + holder->name + " (pid " + std::to_string(holder->pid) +
-                  ")",
-              to.text()};
+      return {
+          ErrorKind::refused,
+          what + ": it is held by " + holder->name + " (pid " + std::to_string(holder->pid) + ")",
+          to.text()};
     }
   }
   return systemError(what, to);

@@ -55,7 +55,8 @@ class UdpSender {
   /// bad_argument when the endpoint has no host or port 0. The endpoint's `source` is the local
   /// address to send from. Multicast datagrams also reach listeners on this machine.
   static Result<UdpSender> open(const Endpoint& to) { return open(to, 0); }
-  /// The same from a port of one's own choice; refused, with its holder, when that is taken. 0: any.
+  /// The same from a port of one's own choice; refused, with its holder, when that is taken. 0:
+  /// any.
   static Result<UdpSender> open(const Endpoint& to, std::uint16_t local_port);
 
   ~UdpSender();

@@ -90,8 +90,8 @@ TEST_F(SpyTest, DevicesShowTheirLastValuesAndWhetherTheyMove) {
   EXPECT_EQ(report.devices[1].changes, 1U);
   EXPECT_EQ(report.devices[2].pose->position.z, 3);
   EXPECT_EQ(report.devices[2].carrier, "a/tool");
-  EXPECT_THAT(report.reasons,
-              Contains(AllOf(reason("constant"), Field(&SpyReason::text, HasSubstr("a was told")))));
+  EXPECT_THAT(report.reasons, Contains(AllOf(reason("constant"),
+                                             Field(&SpyReason::text, HasSubstr("a was told")))));
 }
 
 TEST_F(SpyTest, EachKindOfFaultKeepsItsFirstLineWithItsColumn) {
@@ -134,9 +134,8 @@ TEST_F(SpyTest, ClocksApartAndLossesAreTold) {
   spy.setDropped(0, 4);
   const SpyReport report = after(milliseconds(700));
   EXPECT_EQ(report.sources[0].gap, 8U);
-  EXPECT_THAT(report.reasons,
-              AllOf(Contains(reason("gap")), Contains(reason("clock")),
-                    Contains(reason("kernel_drops"))));
+  EXPECT_THAT(report.reasons, AllOf(Contains(reason("gap")), Contains(reason("clock")),
+                                    Contains(reason("kernel_drops"))));
   EXPECT_EQ(report.sources[0].clock_offset, Nanoseconds(seconds(60)));
 }
 
