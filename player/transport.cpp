@@ -228,6 +228,8 @@ ByteView Transport::take(SteadyTime now) {
   const ByteView payload = run_->stream().take();
   if (due.restated) {
     in_block_ = due.continues;
+    // It also says what lies before the next message and is not played: what others restated.
+    if (!in_block_) place_ = std::max(place_, due.place);
     return payload;
   }
   place_ = TapePlace::behind(due.place);
