@@ -220,13 +220,48 @@ class Split {
   SplitReport report_;
 };
 
+/// A pattern that names a folder: one that is there, or that no file's name looks like.
+bool namesFolder(const std::string& pattern) {
+  std::error_code ignored;
+  return pattern.ends_with('/') || std::filesystem::is_directory(pattern, ignored) ||
+         (pattern.find("%n") == std::string::npos &&
+          !std::filesystem::path(pattern).has_extension());
+}
+
+/// The pieces' folder, made when it is not there; taken back, unless something lies in it by then,
+/// when it was not kept.
+class PieceFolder {
+ public:
+  Status make(const std::filesystem::path& path) {
+    std::error_code fault;
+    if (std::filesystem::create_directory(path, fault)) {
+      made_ = path;
+    } else if (fault) {
+      return Error{ErrorKind::unreadable, "cannot make the folder: " + fault.message(),
+                   path.string()};
+    }
+    return {};
+  }
+  void keep() { made_.clear(); }
+
+  PieceFolder() = default;
+  PieceFolder(const PieceFolder&) = delete;
+  PieceFolder& operator=(const PieceFolder&) = delete;
+  ~PieceFolder() {
+    std::error_code ignored;
+    if (!made_.empty()) std::filesystem::remove(made_, ignored);
+  }
+
+ private:
+  std::filesystem::path made_;
+};
+
 }  // namespace
 
 std::string pieceName(const std::string& pattern, const std::filesystem::path& log,
                       std::uint64_t number) {
   const std::string digits = fmt::format("{:03}", number);
-  std::error_code ignored;
-  if (pattern.ends_with('/') || std::filesystem::is_directory(pattern, ignored)) {
+  if (namesFolder(pattern)) {
     return (std::filesystem::path(pattern) / (log.stem().string() + "-" + digits + ".mcap"))
         .string();
   }
@@ -261,7 +296,14 @@ Result<SplitReport> splitLog(const std::filesystem::path& log, const SplitOption
   Result<CopySource> source = CopySource::of(std::move(opened->reader), std::move(opened->options),
                                              std::nullopt, make.progress);
   if (!source) return source.error();
-  return Split(log, split, make, std::move(*source), std::move(*session_id)).run(*events);
+  PieceFolder folder;
+  if (namesFolder(make.output.string())) {
+    if (Status made = folder.make(first.parent_path()); !made) return made.error();
+  }
+  Result<SplitReport> report =
+      Split(log, split, make, std::move(*source), std::move(*session_id)).run(*events);
+  if (report) folder.keep();
+  return report;
 }
 
 }  // namespace rocinante

@@ -28,7 +28,7 @@ struct SplitReport {
 
 /// The name of piece `number` (from 1): `%n` in the pattern is the number, three digits or more,
 /// and `%%` a percent sign; without one, the number goes before the extension. A pattern that is a
-/// folder, or ends in a slash, stands for FOLDER/LOG-%n.mcap.
+/// folder, ends in a slash, or has neither number nor extension, stands for FOLDER/LOG-%n.mcap.
 std::string pieceName(const std::string& pattern, const std::filesystem::path& log,
                       std::uint64_t number);
 

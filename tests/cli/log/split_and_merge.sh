@@ -6,6 +6,5 @@ rocinante log merge pieces-003.mcap pieces-001.mcap pieces-004.mcap pieces-002.m
 for log in session.mcap again.mcap; do
   rocinante log info --json $log | grep -E '"(content_sha256|session_id|origin_ns)"'
 done
-mkdir folder
 rocinante log split session.mcap -o folder --event '*' --json | grep -E '"(output|messages)"'
 rocinante log split session.mcap -o x.mcap --size 100

@@ -159,6 +159,8 @@ TEST(LogSplit, AllPiecesAppearOrNone) {
   const Result<SplitReport> none = splitLog(folder / "log.mcap", split, makeAt(folder / "q.mcap"));
   ASSERT_FALSE(none.ok());
   EXPECT_THAT(none.error().text(), HasSubstr("no event matches (never)"));
+  EXPECT_FALSE(splitLog(folder / "log.mcap", split, makeAt(folder / "new-folder")).ok());
+  EXPECT_FALSE(std::filesystem::exists(folder / "new-folder"));
 }
 
 TEST(LogSplit, PiecesAreNamedByAPatternAFolderOrTheOutput) {
@@ -166,7 +168,7 @@ TEST(LogSplit, PiecesAreNamedByAPatternAFolderOrTheOutput) {
   EXPECT_EQ(pieceName("p-%n.mcap", "log.mcap", 7), "p-007.mcap");
   EXPECT_EQ(pieceName("50%%-%n%x", "log.mcap", 1234), "50%-1234%x");
   EXPECT_EQ(pieceName("a/out.mcap", "log.mcap", 1), "a/out-001.mcap");
-  EXPECT_EQ(pieceName("no-such-place", "log.mcap", 1), "no-such-place-001");
+  EXPECT_EQ(pieceName("no-such-place", "log.mcap", 1), "no-such-place/log-001.mcap");
   EXPECT_EQ(pieceName("some/", "x/log.mcap", 2), "some/log-002.mcap");
   EXPECT_EQ(pieceName(folder.path().string(), "log.mcap", 2), (folder / "log-002.mcap").string());
 }
