@@ -157,14 +157,17 @@ bool killOnce(double rate_hz, Nanoseconds after, const std::string& compression)
 }
 
 void killAtRandomMoments(double rate_hz) {
-  const bool is_long = std::getenv("ROCINANTE_LONG") != nullptr;
+  // ROCINANTE_KILLS=N, as scripts/nightly has it: N rounds.
+  const char* const wanted = std::getenv("ROCINANTE_KILLS");
+  const int usual = std::getenv("ROCINANTE_LONG") != nullptr ? 4 : 1;
+  const int rounds = wanted != nullptr ? std::atoi(wanted) : usual;
   std::random_device random;
   const unsigned seed = random();
   SCOPED_TRACE(::testing::Message() << "seed " << seed);
   std::mt19937 generator(seed);
   // Past the first datagrams, and past one whole chunk at 100,000 a second.
   std::uniform_int_distribution<int> moment_ms(400, rate_hz < 10 ? 2'500 : 1'200);
-  for (int i = 0; i < (is_long ? 20 : 1); ++i) {
+  for (int i = 0; i < rounds; ++i) {
     for (const char* compression : {"zstd", "none"}) {
       SCOPED_TRACE(compression);
       int attempts = 1;
