@@ -83,8 +83,10 @@ class Split {
     options_.session_id = std::move(session_id);
     options_.origin = sources_.front().origin();
     if (split.size_bytes > 0) {
-      options_.log.chunk_bytes = static_cast<std::size_t>(std::clamp<std::uint64_t>(
-          split.size_bytes / kChunksInPiece, kLeastChunkBytes, options_.log.chunk_bytes));
+      const std::uint64_t wanted =
+          std::max<std::uint64_t>(split.size_bytes / kChunksInPiece, kLeastChunkBytes);
+      options_.log.chunk_bytes =
+          std::min(options_.log.chunk_bytes, static_cast<std::size_t>(wanted));
     }
     report_.whole.session_id = options_.session_id;
     report_.whole.origin = options_.origin;

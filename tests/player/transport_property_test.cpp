@@ -95,7 +95,9 @@ void expectSpansWhole(const Deck& deck, const std::vector<Told>& all) {
       const std::size_t last = index[deck.dues()[i - 1].place];
       // Both turns end alike; the message before may have been sent under the bounds before that.
       const LogTime until = due.bounds.until;
-      RC_ASSERT(last + 1 == all.size() || all[last + 1].place.time >= until);
+      // RC_ASSERT looks at both sides of an "or".
+      const bool at_its_end = last + 1 == all.size() || all[last + 1].place.time >= until;
+      RC_ASSERT(at_its_end);
     }
   }
 }
