@@ -6,9 +6,9 @@
 #include <tuple>
 
 #include "core/model/cell_reader.h"
+#include "core/model/fault_list.h"
 #include "core/model/file_search.h"
 #include "core/model/inline_model.h"
-#include "core/model/mesh_faults.h"
 #include "core/model/urdf_reader.h"
 
 namespace rocinante {

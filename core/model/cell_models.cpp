@@ -3,8 +3,8 @@
 #include <set>
 
 #include "core/model/cell_reader.h"
+#include "core/model/fault_list.h"
 #include "core/model/inline_model.h"
-#include "core/model/mesh_faults.h"
 #include "core/model/name_hint.h"
 #include "core/model/urdf_reader.h"
 

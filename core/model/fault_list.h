@@ -14,8 +14,8 @@ struct Place {
   int column = 0;
 };
 
-/// Adds the faults of one cell or model file to a list: the first hundred of each rule, then one
-/// line that counts the rest, so that a hostile file cannot fill the memory with sentences.
+/// Adds the faults of one cell, model or mesh file to a list: the first hundred of each rule, then
+/// one line that counts the rest, so that a hostile file cannot fill the memory with sentences.
 class FaultList {
  public:
   FaultList(ModelFaults& faults, std::string file) : faults_(faults), file_(std::move(file)) {}
@@ -51,5 +51,8 @@ class FaultList {
   std::string file_;
   std::map<std::string, Count, std::less<>> counts_;
 };
+
+/// `text` in backquotes for a fault's sentence: control characters escaped, cut when very long.
+std::string quotedInFault(std::string_view text);
 
 }  // namespace rocinante

@@ -6,8 +6,8 @@
 
 #include "core/math/transform.h"
 #include "core/math/trigonometry.h"
+#include "core/model/fault_list.h"
 #include "core/model/glob.h"
-#include "core/model/mesh_faults.h"
 #include "core/model/model_draft.h"
 #include "core/model/name_hint.h"
 

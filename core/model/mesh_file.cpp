@@ -9,7 +9,7 @@
 #include <cerrno>
 #include <cstring>
 
-#include "core/model/mesh_faults.h"
+#include "core/model/fault_list.h"
 #include "core/model/obj_reader.h"
 #include "core/model/stl_reader.h"
 
@@ -86,7 +86,7 @@ class WholeFile {
 Result<Mesh> readMeshBytes(ByteView bytes, const std::filesystem::path& path,
                            const MeshReadOptions& options, ModelFaults& faults) {
   const std::string ending = endingOf(path);
-  MeshFaults mesh_faults(faults, path.string());
+  FaultList mesh_faults(faults, path.string());
   if (ending == ".obj") return readObj(bytes, path, options, mesh_faults);
   if (ending == ".stl" || ending == ".stlb") return readStl(bytes, path, options, mesh_faults);
   return Error{ErrorKind::unsupported,

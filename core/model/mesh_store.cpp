@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "core/model/mesh_faults.h"
+#include "core/model/fault_list.h"
 
 namespace rocinante {
 

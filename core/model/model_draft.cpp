@@ -5,7 +5,7 @@
 #include <numeric>
 #include <string_view>
 
-#include "core/model/mesh_faults.h"
+#include "core/model/fault_list.h"
 #include "core/model/name_hint.h"
 
 namespace rocinante {

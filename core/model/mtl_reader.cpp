@@ -34,7 +34,7 @@ constexpr std::array kTextureOptions = {
 class MtlReader {
  public:
   MtlReader(std::string_view text, const fs::path& path, const ResolveFile& resolve,
-            MeshFaults& faults, std::vector<Material>& materials)
+            FaultList& faults, std::vector<Material>& materials)
       : scan_(text), path_(path), resolve_(resolve), faults_(faults), materials_(materials) {
     for (const Material& material : materials) names_.insert(material.name);
   }
@@ -177,7 +177,7 @@ class MtlReader {
     begun_ = false;
     if (!names_.insert(material_.name).second) {
       faults_.add(
-          Severity::warning, "mtl.duplicate-material", begun_line_,
+          Severity::warning, "mtl.duplicate-material", {begun_line_},
           "material " + quotedInFault(material_.name) + " is defined twice; the first is used");
       return;
     }
@@ -185,13 +185,13 @@ class MtlReader {
   }
 
   void add(Severity severity, std::string_view rule, std::string text, std::string hint = {}) {
-    faults_.add(severity, rule, line_, std::move(text), std::move(hint));
+    faults_.add(severity, rule, {line_}, std::move(text), std::move(hint));
   }
 
   TextScanner scan_;
   const fs::path& path_;
   const ResolveFile& resolve_;
-  MeshFaults& faults_;
+  FaultList& faults_;
   std::vector<Material>& materials_;
   std::set<std::string> names_;
   Material material_;
@@ -203,7 +203,7 @@ class MtlReader {
 }  // namespace
 
 void readMtl(std::string_view text, const fs::path& path, const ResolveFile& resolve,
-             MeshFaults& faults, std::vector<Material>& materials) {
+             FaultList& faults, std::vector<Material>& materials) {
   MtlReader(text, path, resolve, faults, materials).read();
 }
 

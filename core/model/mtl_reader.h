@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/model/mesh_faults.h"
+#include "core/model/fault_list.h"
 #include "core/model/mesh_file.h"
 
 namespace rocinante {
@@ -15,7 +15,7 @@ namespace rocinante {
 /// backslashes, by its bare name beside the file, and in ../materials/textures; one that is not
 /// found is a fault, and the material stays without.
 void readMtl(std::string_view text, const std::filesystem::path& path, const ResolveFile& resolve,
-             MeshFaults& faults, std::vector<Material>& materials);
+             FaultList& faults, std::vector<Material>& materials);
 
 /// `options.resolve`, or one that finds only what lies in the folder `beside` or below it.
 ResolveFile resolverOf(const MeshReadOptions& options);

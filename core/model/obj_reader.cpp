@@ -22,8 +22,7 @@ constexpr std::uint64_t kLargestMtlBytes = std::uint64_t{64} << 20U;
 
 class ObjReader {
  public:
-  ObjReader(ByteView bytes, const fs::path& path, const MeshReadOptions& options,
-            MeshFaults& faults)
+  ObjReader(ByteView bytes, const fs::path& path, const MeshReadOptions& options, FaultList& faults)
       : scan_(textOf(bytes)),
         path_(path),
         options_(options),
@@ -287,7 +286,7 @@ class ObjReader {
     }
     any_library_ = true;
     const std::size_t before = loose_.materials.size();
-    MeshFaults faults(faults_.list(), file.string());
+    FaultList faults(faults_.all(), file.string());
     readMtl(*text, file, resolve_, faults, loose_.materials);
     for (std::size_t i = before; i < loose_.materials.size(); ++i) {
       material_numbers_.emplace(loose_.materials[i].name, static_cast<std::uint32_t>(i));
@@ -311,14 +310,14 @@ class ObjReader {
   }
 
   void add(Severity severity, std::string_view rule, std::string text) {
-    faults_.add(severity, rule, line_, std::move(text));
+    faults_.add(severity, rule, {line_}, std::move(text));
   }
 
   TextScanner scan_;
   const fs::path& path_;
   const MeshReadOptions& options_;
   const ResolveFile resolve_;
-  MeshFaults& faults_;
+  FaultList& faults_;
   int line_ = 0;
   LooseMesh loose_;
   std::string object_;
@@ -341,7 +340,7 @@ bool looksLikeUtf16(std::string_view text) {
 }  // namespace
 
 Result<Mesh> readObj(ByteView bytes, const std::filesystem::path& path,
-                     const MeshReadOptions& options, MeshFaults& faults) {
+                     const MeshReadOptions& options, FaultList& faults) {
   if (looksLikeUtf16(textOf(bytes))) {
     return Error{ErrorKind::unsupported, "is UTF-16 text; save it as UTF-8", path.string()};
   }

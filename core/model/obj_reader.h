@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "core/bytes.h"
-#include "core/model/mesh_faults.h"
+#include "core/model/fault_list.h"
 #include "core/model/mesh_file.h"
 
 namespace rocinante {
@@ -16,6 +16,6 @@ namespace rocinante {
 /// used: missing normals are smoothed by angle alone, within a group. Vertex colours, lines and
 /// points are passed over. A material that no file defines gets grey.
 Result<Mesh> readObj(ByteView bytes, const std::filesystem::path& path,
-                     const MeshReadOptions& options, MeshFaults& faults);
+                     const MeshReadOptions& options, FaultList& faults);
 
 }  // namespace rocinante

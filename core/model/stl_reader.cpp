@@ -22,7 +22,7 @@ static_assert(std::endian::native == std::endian::little);
 class StlReader {
  public:
   StlReader(ByteView bytes, const std::filesystem::path& path, const MeshReadOptions& options,
-            MeshFaults& faults)
+            FaultList& faults)
       : bytes_(bytes),
         path_(path),
         options_(options),
@@ -67,17 +67,17 @@ class StlReader {
 
   void readBinary() {
     if (bytes_.size() < kHeaderBytes) {
-      faults_.add(Severity::error, "stl.truncated", 0,
+      faults_.add(Severity::error, "stl.truncated", {},
                   fmt::format("{} bytes are less than an STL header", bytes_.size()));
       return;
     }
     const std::uint64_t claimed = countOfHeader();
     const std::uint64_t held = (bytes_.size() - kHeaderBytes) / kFacetBytes;
     if (claimed > held) {
-      faults_.add(Severity::error, "stl.truncated", 0,
+      faults_.add(Severity::error, "stl.truncated", {},
                   fmt::format("says {} triangles and holds {}", claimed, held));
     } else if (bytes_.size() - kHeaderBytes != claimed * kFacetBytes) {
-      faults_.add(Severity::warning, "stl.trailing-bytes", 0,
+      faults_.add(Severity::warning, "stl.trailing-bytes", {},
                   fmt::format("{} bytes follow the {} triangles that it says",
                               bytes_.size() - kHeaderBytes - claimed * kFacetBytes, claimed));
     }
@@ -107,33 +107,34 @@ class StlReader {
         Vec3 p(0.0);
         if (!scan.number(p.x) || !scan.number(p.y) || !scan.number(p.z)) {
           scan.skipBlanks();
-          faults_.add(Severity::error, "stl.bad-number", line,
+          faults_.add(Severity::error, "stl.bad-number", {line},
                       "vertex needs three numbers, not " + quotedInFault(scan.word()));
           // Too many corners: the facet is left out with the fault that was just told.
           corners = facet.size() + 1;
         } else if (corners < facet.size()) {
           facet[corners++] = p;
         } else if (corners == facet.size()) {
-          faults_.add(Severity::error, "stl.bad-facet", line, "a facet of more than three corners");
+          faults_.add(Severity::error, "stl.bad-facet", {line},
+                      "a facet of more than three corners");
           ++corners;
         }
       } else if (word == "endfacet") {
         if (corners == facet.size()) {
           addFacet(facet, line, number);
         } else if (corners < facet.size()) {
-          faults_.add(Severity::error, "stl.bad-facet", line,
+          faults_.add(Severity::error, "stl.bad-facet", {line},
                       fmt::format("a facet of {} corners", corners));
         }
         corners = 0;
         ++number;
       } else if (word != "facet" && word != "outer" && word != "endloop" && word != "solid" &&
                  word != "endsolid") {
-        faults_.add(Severity::warning, "stl.unknown-keyword", line,
+        faults_.add(Severity::warning, "stl.unknown-keyword", {line},
                     quotedInFault(word) + " is not known in STL");
       }
     }
     if (corners > 0) {
-      faults_.add(Severity::error, "stl.truncated", scan.line(), "ends inside a facet");
+      faults_.add(Severity::error, "stl.truncated", {scan.line()}, "ends inside a facet");
     }
   }
 
@@ -145,7 +146,7 @@ class StlReader {
       points[c] = glm::vec3(up * options_.unit_m);
       if (!std::isfinite(points[c].x) || !std::isfinite(points[c].y) ||
           !std::isfinite(points[c].z)) {
-        faults_.add(Severity::error, "stl.bad-number", line,
+        faults_.add(Severity::error, "stl.bad-number", {line},
                     fmt::format("triangle {} has a corner that is no number", number));
         return;
       }
@@ -156,7 +157,7 @@ class StlReader {
   ByteView bytes_;
   const std::filesystem::path& path_;
   const MeshReadOptions& options_;
-  MeshFaults& faults_;
+  FaultList& faults_;
   PositionIndex points_;
   LooseMesh loose_;
 };
@@ -164,7 +165,7 @@ class StlReader {
 }  // namespace
 
 Result<Mesh> readStl(ByteView bytes, const std::filesystem::path& path,
-                     const MeshReadOptions& options, MeshFaults& faults) {
+                     const MeshReadOptions& options, FaultList& faults) {
   return StlReader(bytes, path, options, faults).read();
 }
 

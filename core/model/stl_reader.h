@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "core/bytes.h"
-#include "core/model/mesh_faults.h"
+#include "core/model/fault_list.h"
 #include "core/model/mesh_file.h"
 
 namespace rocinante {
@@ -13,6 +13,6 @@ namespace rocinante {
 /// coordinates are joined; normals come from the winding, smoothed by angle: the file's own are one
 /// a face and often zero. One part without a name, one grey material.
 Result<Mesh> readStl(ByteView bytes, const std::filesystem::path& path,
-                     const MeshReadOptions& options, MeshFaults& faults);
+                     const MeshReadOptions& options, FaultList& faults);
 
 }  // namespace rocinante

@@ -7,7 +7,7 @@
 
 #include "core/math/transform.h"
 #include "core/math/trigonometry.h"
-#include "core/model/mesh_faults.h"
+#include "core/model/fault_list.h"
 #include "core/model/name_hint.h"
 
 namespace rocinante {

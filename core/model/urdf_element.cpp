@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/math/transform.h"
-#include "core/model/mesh_faults.h"
+#include "core/model/fault_list.h"
 #include "core/model/name_hint.h"
 
 namespace rocinante {

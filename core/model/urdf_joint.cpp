@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "core/math/transform.h"
-#include "core/model/mesh_faults.h"
+#include "core/model/fault_list.h"
 #include "core/model/name_hint.h"
 #include "core/model/urdf_parts.h"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/model/mesh_faults.h"
+#include "core/model/fault_list.h"
 #include "core/model/name_hint.h"
 #include "core/model/urdf_parts.h"
 

@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-#include "core/model/mesh_faults.h"
+#include "core/model/fault_list.h"
 #include "core/model/model_draft.h"
 #include "core/model/urdf_parts.h"
 

@@ -44,7 +44,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   };
   if (data[0] % 3 == 2) {
     std::vector<Material> materials;
-    MeshFaults list(faults, "fuzz.mtl");
+    FaultList list(faults, "fuzz.mtl");
     readMtl(textOf(bytes), "fuzz.mtl", options.resolve, list, materials);
     return 0;
   }

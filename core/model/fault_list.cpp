@@ -1,26 +1,31 @@
-#include "core/model/mesh_faults.h"
+#include "core/model/fault_list.h"
 
 #include <fmt/format.h>
 
 namespace rocinante {
 namespace {
 
-constexpr std::size_t kListedPerRule = 20;
+constexpr std::size_t kListedPerRule = 100;
 constexpr std::size_t kQuotedBytes = 60;
 
 }  // namespace
 
-void MeshFaults::add(Severity severity, std::string_view rule, int line, std::string text,
-                     std::string hint) {
+void FaultList::add(Severity severity, std::string_view rule, Place place, std::string text,
+                    std::string hint) {
   auto found = counts_.find(rule);
   if (found == counts_.end()) found = counts_.emplace(std::string(rule), Count{}).first;
   found->second.severity = severity;
   if (++found->second.times > kListedPerRule) return;
-  faults_.push_back(
-      {severity, std::string(rule), file_, line, 0, std::move(text), std::move(hint)});
+  faults_.push_back({severity, std::string(rule), file_, place.line, place.column, std::move(text),
+                     std::move(hint)});
 }
 
-MeshFaults::~MeshFaults() {
+bool FaultList::lists(std::string_view rule) const {
+  const auto found = counts_.find(rule);
+  return found == counts_.end() || found->second.times < kListedPerRule;
+}
+
+FaultList::~FaultList() {
   for (const auto& [rule, count] : counts_) {
     if (count.times <= kListedPerRule) continue;
     faults_.push_back({count.severity, rule, file_, 0, 0,
