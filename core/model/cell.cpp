@@ -57,6 +57,17 @@ Error firstError(const ModelFaults& faults, const fs::path& path) {
   return {ErrorKind::damaged, "nothing in the file can be used", path.string()};
 }
 
+Status refuseFaulty(const Cell& cell, const fs::path& path, const CellOptions& options) {
+  if (!options.strict) return Status{};
+  const auto errors =
+      std::count_if(cell.faults.begin(), cell.faults.end(),
+                    [](const ModelFault& fault) { return fault.severity == Severity::error; });
+  if (errors == 0) return Status{};
+  Error first = firstError(cell.faults, path);
+  if (errors > 1) first.what += fmt::format("; {} errors in all", errors);
+  return first;
+}
+
 // Of the cell first, then of each file as it was come to; in each from top to bottom.
 void sortFaults(Cell& cell) {
   std::map<std::string, std::size_t> order{{cell.file, 0}};
@@ -74,6 +85,7 @@ Result<Cell> loadModelFile(const fs::path& path, const CellOptions& options) {
   if (Status added = addRoots(options, search); !added.ok()) return added.error();
   search.setPackagesAbove(folderOf(path));
   MeshStore meshes(search, options.geometry);
+  meshes.readWith(options.parallel, options.progress);
   Cell cell;
   cell.file = path.string();
   CellDevice device;
@@ -104,6 +116,7 @@ Result<Cell> loadModelFile(const fs::path& path, const CellOptions& options) {
   cell.devices.push_back(std::move(device));
   cell.files.assign(meshes.files().begin(), meshes.files().end());
   sortFaults(cell);
+  if (Status sound = refuseFaulty(cell, path, options); !sound.ok()) return sound.error();
   return cell;
 }
 
@@ -195,7 +208,9 @@ Result<Cell> readCell(ByteView bytes, const fs::path& path, const CellOptions& o
     if (Status added = addRoots(options, search); !added.ok()) return added.error();
 
     MeshStore meshes(search, options.geometry);
+    meshes.readWith(options.parallel, options.progress);
     meshes.addFile(path);
+    meshes.readAhead(meshesOfInlineModels(*document, folderOf(path)));
     CellModels models(folderOf(path), meshes);
     for (TomlTable& table : root.tables("model", "[[model]]")) models.readModel(table);
     readLayers(root, cell);
@@ -207,6 +222,7 @@ Result<Cell> readCell(ByteView bytes, const fs::path& path, const CellOptions& o
     cell.files.assign(meshes.files().begin(), meshes.files().end());
   }
   sortFaults(cell);
+  if (Status sound = refuseFaulty(cell, path, options); !sound.ok()) return sound.error();
   return cell;
 }
 

@@ -12,6 +12,7 @@
 #include "core/model/file_search.h"
 #include "core/model/model.h"
 #include "core/model/model_fault.h"
+#include "core/parallel_for.h"
 #include "core/result.h"
 
 namespace rocinante {
@@ -93,6 +94,11 @@ struct CellOptions {
   std::vector<std::filesystem::path> search;  ///< roots besides the cell's own
   bool search_environment = false;  ///< ROCINANTE_PATH, AMENT_PREFIX_PATH, ROS_PACKAGE_PATH
   bool geometry = true;  ///< false: kinematics only, no mesh is opened (check without GL is fast)
+  /// Reads meshes on several threads; empty: one after the other. What is loaded, and which faults
+  /// in which order, does not depend on it. `answers` is then called by any of them.
+  ParallelFor parallel;
+  TellLoadProgress progress;       ///< of the meshes; may be empty
+  bool strict = false;             ///< an error when any fault is one
   FileLookups* lookups = nullptr;  ///< borrowed: told of every root and name that is looked for
   FileAnswers answers;             ///< what names mean, in place of looking; then no root counts
 };

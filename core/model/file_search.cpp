@@ -207,9 +207,17 @@ FoundFile FileSearch::checkIn(const std::vector<Root>& roots, const fs::path& fi
 
 FoundFile FileSearch::check(const fs::path& file) const { return checkIn(roots_, file); }
 
+FoundFile FileSearch::look(const std::string& name, const fs::path& beside) const {
+  return answers_ ? answers_(name, beside) : lookFor(name, beside);
+}
+
+void FileSearch::note(const FileLookup& lookup) const {
+  if (lookups_ != nullptr) lookups_->lookups.push_back(lookup);
+}
+
 FoundFile FileSearch::find(const std::string& name, const fs::path& beside) const {
-  FoundFile found = answers_ ? answers_(name, beside) : lookFor(name, beside);
-  if (lookups_ != nullptr) lookups_->lookups.push_back({beside, name, found});
+  FoundFile found = look(name, beside);
+  note({beside, name, found});
   return found;
 }
 

@@ -68,6 +68,10 @@ class FileSearch {
 
   /// `beside` is the folder of the file that says `name`.
   FoundFile find(const std::string& name, const std::filesystem::path& beside) const;
+  /// The same without noting it; any number of threads at once.
+  FoundFile look(const std::string& name, const std::filesystem::path& beside) const;
+  /// Notes what look() gave.
+  void note(const FileLookup& lookup) const;
 
   /// The path as find() would give it when `file` lies within a root; no_file, outside, missing.
   FoundFile check(const std::filesystem::path& file) const;

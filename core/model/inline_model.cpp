@@ -373,6 +373,29 @@ std::shared_ptr<const Model> readInlineModel(TomlTable& table, const std::string
   return InlineModelReader(table, name, folder, meshes).read();
 }
 
+std::vector<MeshWanted> meshesOfInlineModels(const TomlNode& document,
+                                             const std::filesystem::path& folder) {
+  std::vector<MeshWanted> wanted;
+  for (const TomlNode::Entry& models : document.entries) {
+    if (models.key != "model") continue;
+    for (const TomlNode& model : models.value.items) {
+      MeshWanted mesh;
+      mesh.beside = folder;
+      for (const TomlNode::Entry& entry : model.entries) {
+        if (entry.key == "obj" || entry.key == "stl") mesh.name = entry.value.text;
+        if (entry.key == "up" && entry.value.text == "y") mesh.up = UpAxis::y;
+        if (entry.key != "unit") continue;
+        mesh.unit_m = entry.value.number;
+        for (const Unit& unit : kUnits) {
+          if (unit.name == entry.value.text) mesh.unit_m = unit.metres;
+        }
+      }
+      if (!mesh.name.empty() && mesh.unit_m > 0) wanted.push_back(std::move(mesh));
+    }
+  }
+  return wanted;
+}
+
 Model rigidModel(std::string name, std::string file, std::shared_ptr<const Mesh> mesh) {
   Model model;
   model.name = std::move(name);

@@ -17,6 +17,11 @@ std::shared_ptr<const Model> readInlineModel(TomlTable& table, const std::string
                                              const std::filesystem::path& folder,
                                              MeshStore& meshes);
 
+/// The meshes that readInlineModel will ask for, of all tables of a cell's `document`: to be read
+/// ahead. What is wrong in them is left out here.
+std::vector<MeshWanted> meshesOfInlineModels(const TomlNode& document,
+                                             const std::filesystem::path& folder);
+
 /// A model of one link that carries all of `mesh`, which may be null.
 Model rigidModel(std::string name, std::string file, std::shared_ptr<const Mesh> mesh);
 

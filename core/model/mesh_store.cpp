@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+#include <mutex>
+
 #include "core/model/fault_list.h"
 
 namespace rocinante {
@@ -23,30 +27,90 @@ std::filesystem::path MeshStore::find(const std::string& name, const std::filesy
   return found.path;
 }
 
+void MeshStore::readWith(ParallelFor parallel, TellLoadProgress tell) {
+  parallel_ = std::move(parallel);
+  tell_ = std::move(tell);
+}
+
+MeshStore::Loaded MeshStore::read(const Key& key) const {
+  Loaded loaded;
+  MeshReadOptions options;
+  options.unit_m = std::get<1>(key);
+  options.up = std::get<2>(key);
+  options.resolve = [&](const std::string& wanted, const std::filesystem::path& folder) {
+    loaded.lookups.push_back({folder, wanted, search_.look(wanted, folder)});
+    return loaded.lookups.back().found.path;
+  };
+  Result<Mesh> mesh = readMeshFile(std::get<0>(key), options, loaded.faults);
+  if (mesh.ok()) {
+    loaded.mesh = std::make_shared<const Mesh>(std::move(*mesh));
+  } else {
+    loaded.problem = mesh.error().text();
+  }
+  return loaded;
+}
+
+void MeshStore::readAhead(const std::vector<MeshWanted>& wanted) {
+  if (!geometry_ || (!parallel_ && !tell_)) return;
+  std::map<Key, Loaded> fresh;
+  for (const MeshWanted& mesh : wanted) {
+    const Key key{search_.look(mesh.name, mesh.beside).path, mesh.unit_m, mesh.up};
+    if (!std::get<0>(key).empty() && !meshes_.contains(key)) fresh.try_emplace(key);
+  }
+  if (fresh.empty()) return;
+  // The largest first, so that no thread is left with it in the end.
+  struct Job {
+    const Key* key;
+    Loaded* loaded;
+    std::uint64_t bytes;
+  };
+  std::vector<Job> jobs;
+  for (auto& [key, loaded] : fresh) {
+    std::error_code error;
+    const std::uintmax_t bytes = std::filesystem::file_size(std::get<0>(key), error);
+    jobs.push_back({&key, &loaded, error ? 0 : bytes});
+    progress_.bytes_total += jobs.back().bytes;
+  }
+  std::stable_sort(jobs.begin(), jobs.end(),
+                   [](const Job& a, const Job& b) { return a.bytes > b.bytes; });
+  progress_.files_total += jobs.size();
+
+  std::mutex telling;
+  const auto readOne = [&](std::size_t i) {
+    *jobs[i].loaded = read(*jobs[i].key);
+    const std::lock_guard lock(telling);
+    ++progress_.files_done;
+    progress_.bytes_done += jobs[i].bytes;
+    if (tell_) tell_(progress_);
+  };
+  if (parallel_) {
+    parallel_(jobs.size(), readOne);
+  } else {
+    for (std::size_t i = 0; i < jobs.size(); ++i) readOne(i);
+  }
+  meshes_.merge(fresh);
+}
+
 std::shared_ptr<const Mesh> MeshStore::load(const std::string& name,
                                             const std::filesystem::path& beside, double unit_m,
                                             UpAxis up, Place place, FaultList& faults) {
   const std::filesystem::path path =
       find(name, beside, Severity::error, "model.missing-file", "the mesh", place, faults);
   if (path.empty() || !geometry_) return nullptr;
-  const auto [entry, is_new] = meshes_.try_emplace({path, unit_m, up});
+  const Key key{path, unit_m, up};
+  auto entry = meshes_.find(key);
+  if (entry == meshes_.end()) entry = meshes_.emplace(key, read(key)).first;
   Loaded& loaded = entry->second;
-  if (is_new) {
+  if (!loaded.told) {
+    loaded.told = true;
     addFile(path);
-    MeshReadOptions options;
-    options.unit_m = unit_m;
-    options.up = up;
-    options.resolve = [this](const std::string& wanted, const std::filesystem::path& folder) {
-      const FoundFile found = search_.find(wanted, folder);
-      if (!found.path.empty()) addFile(found.path);
-      return found.path;
-    };
-    Result<Mesh> mesh = readMeshFile(path, options, faults.all());
-    if (mesh.ok()) {
-      loaded.mesh = std::make_shared<const Mesh>(std::move(*mesh));
-    } else {
-      loaded.problem = mesh.error().text();
+    for (const FileLookup& lookup : loaded.lookups) {
+      search_.note(lookup);
+      if (!lookup.found.path.empty()) addFile(lookup.found.path);
     }
+    std::move(loaded.faults.begin(), loaded.faults.end(), std::back_inserter(faults.all()));
+    loaded.lookups.clear();
+    loaded.faults.clear();
   }
   if (!loaded.mesh) {
     faults.error("model.unusable-mesh", place,

@@ -45,6 +45,23 @@ const tinyxml2::XMLElement* xacroElement(const tinyxml2::XMLElement& robot) {
   return nullptr;
 }
 
+// What the meshes of its visuals and collisions are.
+std::vector<MeshWanted> meshesOf(const tinyxml2::XMLElement& robot,
+                                 const std::filesystem::path& folder) {
+  std::vector<MeshWanted> wanted;
+  for (const auto* link = robot.FirstChildElement("link"); link != nullptr;
+       link = link->NextSiblingElement("link")) {
+    for (const auto* part = link->FirstChildElement(); part != nullptr;
+         part = part->NextSiblingElement()) {
+      const tinyxml2::XMLElement* geometry = part->FirstChildElement("geometry");
+      const auto* mesh = geometry == nullptr ? nullptr : geometry->FirstChildElement("mesh");
+      const char* name = mesh == nullptr ? nullptr : mesh->Attribute("filename");
+      if (name != nullptr) wanted.push_back({name, folder});
+    }
+  }
+  return wanted;
+}
+
 // Whether the reading may go on to the links.
 bool isUrdf(const tinyxml2::XMLElement& robot, const XmlPlaces& places, FaultList& faults) {
   const std::string_view tag = robot.Name();
@@ -110,6 +127,7 @@ std::optional<Model> readUrdf(ByteView bytes, const std::filesystem::path& path,
                    "URDF requires one; other readers refuse the file");
   }
 
+  meshes.readAhead(meshesOf(*robot, path.parent_path()));
   UrdfLinkReader links(meshes, path.parent_path());
   root.each("material", [&](const UrdfElement& below) { links.addMaterial(below); });
   std::size_t link_count = 0, joint_count = 0;
