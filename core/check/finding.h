@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/check/time_histogram.h"
 #include "core/model/model_fault.h"
 #include "core/time.h"
 
@@ -17,6 +18,7 @@ struct Finding {
   Severity severity = Severity::error;
   std::uint64_t count = 1;
   std::optional<LogTime> first, last;   ///< empty for what is wrong with the model
+  TimeHistogram when;                   ///< of the session's findings; may hold fewer than `count`
   std::optional<std::uint64_t> packet;  ///< of the first: captured datagrams of the log from 1
   std::string subject;                  ///< device, source or endpoint; may be empty
   std::string text;                     ///< one sentence

@@ -5,6 +5,7 @@
 namespace rocinante {
 bool Tally::hit(const Place& place) {
   last = place.time;
+  when.hit(place.time);
   if (++count > 1) return false;
   first = place.time;
   packet = place.packet;
@@ -20,6 +21,7 @@ Finding Tally::finding(std::string rule, Severity severity, std::string subject,
   finding.count = count;
   finding.first = first;
   finding.last = last;
+  finding.when = when;
   // What a recorder restated before the first datagram has no number.
   if (packet > 0) finding.packet = packet;
   finding.subject = std::move(subject);

@@ -22,6 +22,7 @@ struct Place {
 struct Tally {
   std::uint64_t count = 0;
   LogTime first{}, last{};
+  TimeHistogram when;
   std::uint64_t packet = 0;
   std::string example;
 
