@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <nlohmann/json.hpp>
+
+#include "core/size_text.h"
 
 namespace rocinante {
 namespace {
@@ -31,19 +32,6 @@ void addCounts(Json& object, const LossCounts& counts) {
 }
 
 }  // namespace
-
-std::string sizeText(std::uint64_t bytes) {
-  if (bytes < 1'000) return fmt::format("{} B", bytes);
-  constexpr std::array kUnits{"kB", "MB", "GB", "TB", "PB", "EB"};
-  double value = static_cast<double>(bytes) / 1'000.0;
-  std::size_t unit = 0;
-  // 999.95 would show as 1000.0.
-  while (value >= 999.95 && unit + 1 < kUnits.size()) {
-    value /= 1'000.0;
-    ++unit;
-  }
-  return fmt::format("{:.1f} {}", value, kUnits[unit]);
-}
 
 std::string statusText(const RecordProgress& now, const RecordProgress& before) {
   const double span = secondsOf(now.elapsed - before.elapsed);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <string>
 
 #include "recorder/record.h"
@@ -8,9 +7,6 @@
 namespace rocinante {
 
 /// What a recording says of itself. Texts end without a newline.
-
-/// "1.2 MB": decimal units, three digits or so.
-std::string sizeText(std::uint64_t bytes);
 
 /// One line for a terminal; `before` is the progress shown last, from which the rate comes.
 std::string statusText(const RecordProgress& now, const RecordProgress& before);

@@ -1,7 +1,7 @@
 #include <CLI/CLI.hpp>
-#include <charconv>
 
 #include "core/duration_text.h"
+#include "core/size_text.h"
 #include "recorder/copy/copy_report.h"
 #include "recorder/copy/log_split.h"
 #include "recorder/log/command_support.h"
@@ -21,26 +21,12 @@ struct SplitArguments {
   CopyArguments copy;
 };
 
-/// "100MB", "64MiB", "1.5GB", or bytes.
 Result<std::uint64_t> readSize(const std::string& text) {
-  double number = 0;
-  const char* const end = text.data() + text.size();
-  const auto [used, fault] = std::from_chars(text.data(), end, number);
-  const std::string_view unit(used, static_cast<std::size_t>(end - used));
-  const double factor = unit.empty() || unit == "B"    ? 1
-                        : unit == "kB" || unit == "KB" ? 1e3
-                        : unit == "MB"                 ? 1e6
-                        : unit == "GB"                 ? 1e9
-                        : unit == "KiB"                ? 1024.0
-                        : unit == "MiB"                ? 1024.0 * 1024
-                        : unit == "GiB"                ? 1024.0 * 1024 * 1024
-                                                       : 0;
-  const double bytes = number * factor;
-  if (fault == std::errc() && bytes >= static_cast<double>(kLeastPieceBytes) && bytes < 1e18) {
-    return static_cast<std::uint64_t>(bytes);
+  Result<std::uint64_t> size = parseSize(text);
+  if (size && *size < kLeastPieceBytes) {
+    return Error{ErrorKind::bad_argument, "a piece has at least 4096 bytes", text};
   }
-  return Error{ErrorKind::bad_argument, "a size is 100MB, 64MiB, 1.5GB or bytes, at least 4096",
-               text};
+  return size;
 }
 
 Result<SplitReport> split(SplitArguments& arguments) {

@@ -7,15 +7,6 @@ namespace {
 
 using namespace std::chrono_literals;
 
-TEST(RecordReport, SizesReadWell) {
-  EXPECT_EQ(sizeText(0), "0 B");
-  EXPECT_EQ(sizeText(999), "999 B");
-  EXPECT_EQ(sizeText(1'000), "1.0 kB");
-  EXPECT_EQ(sizeText(999'949), "999.9 kB");
-  EXPECT_EQ(sizeText(999'950), "1.0 MB");
-  EXPECT_EQ(sizeText(~std::uint64_t{0}), "18.4 EB");
-}
-
 TEST(RecordReport, StatusShowsTheRateSinceLastTime) {
   const RecordProgress before{2s, 10'000, 0, 500'000};
   EXPECT_EQ(statusText({4s, 22'000, 3, 1'200'000}, before),
