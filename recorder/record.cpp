@@ -60,12 +60,6 @@ std::string newSessionId() {
   return hexOf(bytes);
 }
 
-std::string boundText(const DatagramSource& source) {
-  Endpoint endpoint = source.endpoint();
-  endpoint.address.port = source.boundAddress().port;
-  return endpoint.text();
-}
-
 /// A thread that leaves signals to the caller's.
 template <class Body>
 std::thread quietThread(const char* name, Body body) {

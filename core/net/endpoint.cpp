@@ -9,6 +9,7 @@
 #include <memory>
 #include <utility>
 
+#include "core/net/endpoint_text.h"
 #include "core/net/system_socket.h"
 
 namespace rocinante {
@@ -17,16 +18,7 @@ namespace {
 // No host name is longer than 253 bytes, and the options are short.
 constexpr std::size_t kMaxTextBytes = 1'024;
 
-std::string printable(std::string_view text) {
-  std::string shown(text.substr(0, 100));
-  std::replace_if(
-      shown.begin(), shown.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-  return shown;
-}
-
-Error bad(std::string_view text, std::string_view reason) {
-  return {ErrorKind::bad_argument, std::string(reason), printable(text)};
-}
+Error bad(std::string_view text, std::string_view reason) { return badEndpoint(text, reason); }
 
 template <class Number>
 std::optional<Number> decimal(std::string_view text) {
@@ -63,8 +55,8 @@ Result<SocketAddress> lookUp(std::string_view name, std::uint16_t port, std::str
   const int fault = ::getaddrinfo(std::string(name).c_str(), nullptr, &hints, &first);
   if (fault != 0) {
     return Error{ErrorKind::refused,
-                 "cannot look up " + printable(name) + ": " + ::gai_strerror(fault),
-                 printable(text)};
+                 "cannot look up " + printableEndpoint(name) + ": " + ::gai_strerror(fault),
+                 printableEndpoint(text)};
   }
   const std::unique_ptr<addrinfo, void (*)(addrinfo*)> list(first, ::freeaddrinfo);
   const addrinfo* chosen = first;
@@ -84,12 +76,12 @@ Result<SocketAddress> lookUp(std::string_view name, std::uint16_t port, std::str
 
 Status checkScheme(std::string_view scheme, std::string_view text) {
   if (scheme == "udp") return {};
-  for (const std::string_view later : {"subscribe", "nats", "pcap"}) {
+  for (const std::string_view later : {"subscribe", "nats"}) {
     if (scheme == later) {
       return Error{
           ErrorKind::unsupported,
           std::string(later) + ":// endpoints are not in this version; use udp://HOST:PORT",
-          printable(text)};
+          printableEndpoint(text)};
     }
   }
   return bad(text, "an endpoint begins with udp:// or is HOST:PORT or :PORT");
@@ -133,12 +125,8 @@ Result<SocketAddress> parseHostPort(std::string_view host_port, std::string_view
 
 Status setInterface(Endpoint& endpoint, std::string_view name, std::string_view text) {
   if (!endpoint.isMulticast()) return bad(text, "interface= is for multicast groups only");
-  const bool good =
-      !name.empty() && name.size() < IF_NAMESIZE &&
-      std::all_of(name.begin(), name.end(), [](char c) {
-        return c > ' ' && c <= '~' && std::string_view("/&?#%=").find(c) == std::string_view::npos;
-      });
-  if (!good) return bad(text, "interface= takes the name of a network interface, such as eth0");
+  if (!isInterfaceName(name))
+    return bad(text, "interface= takes the name of a network interface, such as eth0");
   endpoint.interface = name;
   return {};
 }
@@ -193,10 +181,30 @@ Status moveZoneToInterface(Endpoint& endpoint, std::string_view text) {
 
 }  // namespace
 
+std::string printableEndpoint(std::string_view text) {
+  std::string shown(text.substr(0, 100));
+  std::replace_if(
+      shown.begin(), shown.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  return shown;
+}
+
+Error badEndpoint(std::string_view text, std::string_view reason) {
+  return {ErrorKind::bad_argument, std::string(reason), printableEndpoint(text)};
+}
+
+bool isInterfaceName(std::string_view name) {
+  return !name.empty() && name.size() < IF_NAMESIZE &&
+         std::all_of(name.begin(), name.end(), [](char c) {
+           return c > ' ' && c <= '~' &&
+                  std::string_view("/&?#%=").find(c) == std::string_view::npos;
+         });
+}
+
 Result<Endpoint> Endpoint::parse(std::string_view text) {
   if (text.empty()) return bad(text, "an endpoint is udp://HOST:PORT, HOST:PORT or :PORT");
   if (text.size() > kMaxTextBytes) return bad(text, "this is too long for an endpoint");
   std::string_view rest = text;
+  if (rest.starts_with(kPcapScheme)) return parsePcap(text);
   if (const std::size_t scheme_end = rest.find("://"); scheme_end != rest.npos) {
     if (Status known = checkScheme(rest.substr(0, scheme_end), text); !known) return known.error();
     rest.remove_prefix(scheme_end + 3);
@@ -226,6 +234,7 @@ Endpoint Endpoint::standard() {
 }
 
 std::string Endpoint::text() const {
+  if (isPcap()) return pcapText(*this);
   std::string text = "udp://" + address.text();
   char mark = '?';
   const auto add = [&](std::string_view name, std::string_view value) {

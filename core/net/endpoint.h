@@ -28,11 +28,17 @@ struct SocketAddress {
 };
 
 /// Where datagrams come from or go to, as a user writes it:
-/// udp://HOST:PORT, udp://GROUP:PORT?interface=eth0&ttl=1&source=IP, [V6]:PORT, HOST:PORT, :PORT.
+/// udp://HOST:PORT, udp://GROUP:PORT?interface=eth0&ttl=1&source=IP, [V6]:PORT, HOST:PORT, :PORT;
+/// for those who listen also pcap://INTERFACE?filter=EXPR and pcap:///FILE.
 /// Defined by docs/endpoints.md.
 struct Endpoint {
-  SocketAddress address;   ///< ":PORT" is 0.0.0.0 for a listener
-  std::string interface;   ///< multicast only; empty: the system chooses
+  enum class Scheme { udp, pcap };
+
+  Scheme scheme = Scheme::udp;
+  SocketAddress address;   ///< ":PORT" is 0.0.0.0 for a listener; nothing for pcap
+  std::string interface;   ///< multicast and pcap only; empty: the system chooses, or a file
+  std::string filter;      ///< pcap only: what tcpdump takes; empty: all UDP
+  std::string file;        ///< pcap only: a capture to read, instead of an interface
   std::optional<int> ttl;  ///< 0..255; multicast hops, or unicast time to live
   /// Multicast only: a listener hears this sender alone, a sender sends from this address. Port 0.
   std::optional<SocketAddress> source;
@@ -44,6 +50,8 @@ struct Endpoint {
   static Endpoint standard();
 
   bool isMulticast() const { return address.isMulticast(); }
+  /// Watches traffic that has its receiver: for core/input, not for a socket.
+  bool isPcap() const { return scheme == Scheme::pcap; }
   /// The canonical form; parse(text()) gives the same endpoint.
   std::string text() const;
   bool operator==(const Endpoint&) const = default;

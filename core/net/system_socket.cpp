@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <memory>
 #include <utility>
 
 namespace rocinante {
@@ -49,6 +50,11 @@ SocketAddress fromSystem(const sockaddr_storage& system) {
 }
 
 Result<SystemSocket> SystemSocket::open(const Endpoint& endpoint) {
+  if (endpoint.isPcap()) {
+    return Error{ErrorKind::bad_argument,
+                 "pcap:// only watches: record, spy, check --live and view --live take it",
+                 endpoint.text()};
+  }
   const int family = endpoint.address.is_ipv6 ? AF_INET6 : AF_INET;
   const int descriptor = ::socket(family, SOCK_DGRAM | SOCK_CLOEXEC, IPPROTO_UDP);
   if (descriptor < 0) return systemError("cannot make a UDP socket", endpoint);
@@ -88,10 +94,27 @@ Result<unsigned> interfaceIndex(const Endpoint& endpoint) {
   if (endpoint.interface.empty()) return 0U;
   const unsigned index = ::if_nametoindex(endpoint.interface.c_str());
   if (index == 0) {
-    return Error{ErrorKind::refused, "there is no network interface " + endpoint.interface,
-                 endpoint.text()};
+    return Error{
+        ErrorKind::refused,
+        "there is no network interface " + endpoint.interface + "; there are " + interfaceNames(),
+        endpoint.text()};
   }
   return index;
+}
+
+std::string interfaceNames() {
+  const std::unique_ptr<struct if_nameindex, void (*)(struct if_nameindex*)> list(
+      ::if_nameindex(), ::if_freenameindex);
+  constexpr std::size_t kShown = 16;
+  std::string names;
+  std::size_t count = 0;
+  for (const struct if_nameindex* each = list.get(); each != nullptr && each->if_index != 0;
+       ++each, ++count) {
+    if (count == kShown) return names + " ...";
+    if (count > 0) names += ", ";
+    names += each->if_name;
+  }
+  return count == 0 ? "none" : names;
 }
 
 }  // namespace rocinante

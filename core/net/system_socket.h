@@ -2,6 +2,7 @@
 
 #include <sys/socket.h>
 
+#include <string>
 #include <string_view>
 
 #include "core/net/endpoint.h"
@@ -36,7 +37,10 @@ class SystemSocket {
 /// "cannot DO: No such device (udp://...)", from errno.
 Error systemError(std::string_view what, const Endpoint& endpoint);
 
-/// The index of the endpoint's interface; 0 when it names none. refused when there is no such one.
+/// The index of the endpoint's interface; 0 when it names none. refused when there is no such one,
+/// with those that there are.
 Result<unsigned> interfaceIndex(const Endpoint& endpoint);
+/// "lo, eth0": the network interfaces of this machine, for a sentence.
+std::string interfaceNames();
 
 }  // namespace rocinante

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/net/drop_counter.h"
+#include "core/net/group_membership.h"
 #include "core/net/port_holder.h"
 #include "core/net/system_socket.h"
 #include "core/net/udp_socket.h"
@@ -36,29 +37,6 @@ Error portTaken(const Endpoint& endpoint) {
   return {ErrorKind::refused,
           "port " + std::to_string(endpoint.address.port) + " is held by " + by + advice,
           endpoint.text()};
-}
-
-/// Joins for any sender, or for the one the endpoint names.
-Status joinGroup(SystemSocket& socket, const Endpoint& endpoint) {
-  const Result<unsigned> interface = interfaceIndex(endpoint);
-  if (!interface) return interface.error();
-  const int level = endpoint.address.is_ipv6 ? IPPROTO_IPV6 : IPPROTO_IP;
-  int answer = 0;
-  if (endpoint.source) {
-    group_source_req request{};
-    request.gsr_interface = *interface;
-    toSystem(endpoint.address, request.gsr_group);
-    toSystem(*endpoint.source, request.gsr_source);
-    answer =
-        ::setsockopt(socket.descriptor(), level, MCAST_JOIN_SOURCE_GROUP, &request, sizeof request);
-  } else {
-    group_req request{};
-    request.gr_interface = *interface;
-    toSystem(endpoint.address, request.gr_group);
-    answer = ::setsockopt(socket.descriptor(), level, MCAST_JOIN_GROUP, &request, sizeof request);
-  }
-  if (answer != 0) return systemError("cannot join the multicast group", endpoint);
-  return {};
 }
 
 Status configure(SystemSocket& socket, const Endpoint& endpoint,
@@ -101,18 +79,35 @@ Status bindTo(SystemSocket& socket, const Endpoint& endpoint) {
   return systemError("cannot listen here", endpoint);
 }
 
+/// A socket that listens; a group is joined by its caller.
+Result<SystemSocket> listenAt(const Endpoint& endpoint, const UdpReceiver::Options& options) {
+  Result<SystemSocket> socket = SystemSocket::open(endpoint);
+  if (!socket) return socket;
+  if (Status done = configure(*socket, endpoint, options); !done) return done.error();
+  if (Status done = bindTo(*socket, endpoint); !done) return done.error();
+  return socket;
+}
+
+/// A group of an interface or a link (ff01::, ff02::) is bound to its interface with the address.
+bool isBoundToInterface(const SocketAddress& group) {
+  const unsigned scope = group.address[1] & 0x0FU;
+  return group.is_ipv6 && (scope == 1 || scope == 2);
+}
+
 }  // namespace
 
 struct UdpReceiver::Impl {
   Impl(SystemSocket open_socket, const Endpoint& bound_endpoint, const SocketAddress& bound,
-       std::size_t datagram_bytes)
+       const Options& chosen)
       : socket(std::move(open_socket)),
         endpoint(bound_endpoint),
         bound_address(bound),
+        options(chosen),
         // Not initialised: pages that no datagram reaches cost nothing.
-        buffers(new std::byte[kBatch * (datagram_bytes + kBufferStagger)]) {
+        buffers(new std::byte[kBatch * (chosen.datagram_bytes + kBufferStagger)]) {
     for (std::size_t i = 0; i < kBatch; ++i) {
-      pieces[i] = {buffers.get() + i * (datagram_bytes + kBufferStagger), datagram_bytes};
+      pieces[i] = {buffers.get() + i * (chosen.datagram_bytes + kBufferStagger),
+                   chosen.datagram_bytes};
       headers[i].msg_hdr.msg_iov = &pieces[i];
       headers[i].msg_hdr.msg_iovlen = 1;
       headers[i].msg_hdr.msg_name = &senders[i];
@@ -139,7 +134,7 @@ struct UdpReceiver::Impl {
       if (each->cmsg_type == SCM_TIMESTAMPNS) {
         std::memcpy(&stamp, CMSG_DATA(each), sizeof stamp);
         stamped = true;
-      } else if (each->cmsg_type == SO_RXQ_OVFL) {
+      } else if (each->cmsg_type == SO_RXQ_OVFL && !old_socket) {
         std::uint32_t reading = 0;
         std::memcpy(&reading, CMSG_DATA(each), sizeof reading);
         drops.update(reading);
@@ -153,11 +148,19 @@ struct UdpReceiver::Impl {
     alignas(cmsghdr) std::array<char, kControlBytes> bytes;
   };
 
+  /// The rest of the old socket is received first; its drops stay in the count.
+  Status listenAnew();
+  Result<std::uint64_t> countDrops();
+
   SystemSocket socket;
+  std::optional<SystemSocket> old_socket;  ///< until it is empty; its drops are counted already
   Endpoint endpoint;
   SocketAddress bound_address;
+  Options options;
+  std::optional<GroupMembership> membership;
   int granted_buffer_bytes = 0;
   DropCounter drops;
+  std::uint64_t drops_before = 0;  ///< of sockets that listened here before
   std::unique_ptr<std::byte[]> buffers;
   std::array<iovec, kBatch> pieces{};
   std::array<sockaddr_storage, kBatch> senders{};
@@ -172,12 +175,13 @@ UdpReceiver::UdpReceiver(UdpReceiver&&) noexcept = default;
 UdpReceiver& UdpReceiver::operator=(UdpReceiver&&) noexcept = default;
 
 Result<UdpReceiver> UdpReceiver::open(const Endpoint& endpoint, const Options& options) {
-  Result<SystemSocket> socket = SystemSocket::open(endpoint);
+  Result<SystemSocket> socket = listenAt(endpoint, options);
   if (!socket) return socket.error();
-  if (Status done = configure(*socket, endpoint, options); !done) return done.error();
-  if (Status done = bindTo(*socket, endpoint); !done) return done.error();
+  std::optional<GroupMembership> membership;
   if (endpoint.isMulticast()) {
-    if (Status done = joinGroup(*socket, endpoint); !done) return done.error();
+    Result<GroupMembership> joined = GroupMembership::join(socket->descriptor(), endpoint);
+    if (!joined) return joined.error();
+    membership = std::move(*joined);
   }
   const Result<SocketAddress> bound = socket->localAddress(endpoint);
   if (!bound) return bound.error();
@@ -187,17 +191,22 @@ Result<UdpReceiver> UdpReceiver::open(const Endpoint& endpoint, const Options& o
   if (::getsockopt(socket->descriptor(), SOL_SOCKET, SO_RCVBUF, &granted, &length) != 0) {
     return systemError("cannot tell the receive buffer's size", endpoint);
   }
-  auto impl = std::make_unique<Impl>(std::move(*socket), endpoint, *bound, options.datagram_bytes);
+  auto impl = std::make_unique<Impl>(std::move(*socket), endpoint, *bound, options);
+  impl->membership = std::move(membership);
   impl->granted_buffer_bytes = granted;
   return UdpReceiver(std::move(impl));
 }
 
 Result<std::span<const ReceivedDatagram>> UdpReceiver::receive() {
+  const SystemSocket& socket = impl_->old_socket ? *impl_->old_socket : impl_->socket;
   int count = 0;
   do {
-    count = ::recvmmsg(impl_->socket.descriptor(), impl_->headers.data(), kBatch, MSG_DONTWAIT,
-                       nullptr);
+    count = ::recvmmsg(socket.descriptor(), impl_->headers.data(), kBatch, MSG_DONTWAIT, nullptr);
   } while (count < 0 && errno == EINTR);
+  if (count < 0 && impl_->old_socket) {
+    impl_->old_socket.reset();
+    return receive();
+  }
   if (count < 0) {
     if (errno == EAGAIN || errno == EWOULDBLOCK) return std::span<const ReceivedDatagram>();
     return systemError("cannot receive", impl_->endpoint);
@@ -216,20 +225,55 @@ Result<std::span<const ReceivedDatagram>> UdpReceiver::receive() {
   return std::span<const ReceivedDatagram>(impl_->datagrams.data(), received);
 }
 
-std::uint64_t UdpReceiver::dropped() const { return impl_->drops.total(); }
+std::uint64_t UdpReceiver::dropped() const { return impl_->drops_before + impl_->drops.total(); }
 
-Result<std::uint64_t> UdpReceiver::droppedByNow() {
+Result<std::uint64_t> UdpReceiver::droppedByNow() { return impl_->countDrops(); }
+
+Result<std::uint64_t> UdpReceiver::Impl::countDrops() {
   std::array<std::uint32_t, SK_MEMINFO_VARS> info{};
   socklen_t length = sizeof info;
-  if (::getsockopt(impl_->socket.descriptor(), SOL_SOCKET, SO_MEMINFO, info.data(), &length) != 0 ||
+  if (::getsockopt(socket.descriptor(), SOL_SOCKET, SO_MEMINFO, info.data(), &length) != 0 ||
       length <= SK_MEMINFO_DROPS * sizeof(std::uint32_t)) {
-    return systemError("cannot ask for the kernel's drop count", impl_->endpoint);
+    return systemError("cannot ask for the kernel's drop count", endpoint);
   }
-  impl_->drops.update(info[SK_MEMINFO_DROPS]);
-  return impl_->drops.total();
+  drops.update(info[SK_MEMINFO_DROPS]);
+  return drops_before + drops.total();
 }
 
-int UdpReceiver::receiveBufferBytes() const { return impl_->granted_buffer_bytes; }
+Status UdpReceiver::Impl::listenAnew() {
+  Endpoint here = endpoint;
+  here.address.port = bound_address.port;
+  Result<SystemSocket> made = listenAt(here, options);
+  if (!made) return made.error();
+  if (Status joined = membership->renew(made->descriptor()); !joined) return joined;
+  if (const auto counted = countDrops(); counted) drops_before = *counted;
+  drops = DropCounter();
+  old_socket = std::exchange(socket, std::move(*made));
+  return {};
+}
+
+std::optional<std::string> UdpReceiver::tend() {
+  // What waits in a socket that is replaced is received first.
+  if (!impl_->membership || impl_->old_socket) return std::nullopt;
+  switch (impl_->membership->look()) {
+    case GroupMembership::Change::none:
+      return std::nullopt;
+    case GroupMembership::Change::gone:
+      return "the way to " + impl_->endpoint.text() + " is gone: it hears nothing until it is back";
+    case GroupMembership::Change::moved:
+      break;
+  }
+  // A refusal now (an interface that is not up yet) is tried again at the next look.
+  const Status joined = isBoundToInterface(impl_->endpoint.address)
+                            ? impl_->listenAnew()
+                            : impl_->membership->renew(impl_->socket.descriptor());
+  if (!joined) return std::nullopt;
+  return "joined " + impl_->endpoint.text() + " again";
+}
+
+std::uint64_t UdpReceiver::receiveBufferBytes() const {
+  return static_cast<std::uint64_t>(impl_->granted_buffer_bytes);
+}
 const Endpoint& UdpReceiver::endpoint() const { return impl_->endpoint; }
 const SocketAddress& UdpReceiver::boundAddress() const { return impl_->bound_address; }
 int UdpReceiver::fileDescriptor() const { return impl_->socket.descriptor(); }

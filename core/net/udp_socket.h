@@ -37,11 +37,14 @@ class UdpReceiver final : public DatagramSource {
   /// The same by SO_MEMINFO, which also counts drops after the last datagram received.
   Result<std::uint64_t> droppedByNow() override;
   /// What the kernel granted, as it counts it (twice what was asked for).
-  int receiveBufferBytes() const;
+  std::uint64_t receiveBufferBytes() const override;
+  /// Joins the group again when its interface was taken away and is back, or the routes to it lead
+  /// elsewhere; says so.
+  std::optional<std::string> tend() override;
 
   const Endpoint& endpoint() const override;
   const SocketAddress& boundAddress() const override;
-  int fileDescriptor() const;  ///< for poll()
+  int fileDescriptor() const override;
 
  private:
   struct Impl;

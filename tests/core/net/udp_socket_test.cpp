@@ -195,8 +195,10 @@ TEST(UdpReceiver, HearsOnlyTheSourceThatTheEndpointNames) {
 TEST(UdpReceiver, SaysWhichInterfaceIsNotThere) {
   const auto receiver = UdpReceiver::open(endpointOf("239.255.19.96:0?interface=nowhere0"));
   ASSERT_FALSE(receiver.ok());
-  EXPECT_EQ(receiver.error().text(),
-            "there is no network interface nowhere0 (udp://239.255.19.96:0?interface=nowhere0)");
+  EXPECT_THAT(receiver.error().what,
+              HasSubstr("there is no network interface nowhere0; there are "));
+  EXPECT_THAT(receiver.error().what, HasSubstr("lo"));
+  EXPECT_EQ(receiver.error().where, "udp://239.255.19.96:0?interface=nowhere0");
 }
 
 TEST(UdpReceiver, RefusesAnAddressOfAnotherMachine) {
@@ -209,6 +211,14 @@ TEST(UdpReceiver, RefusesAnAddressOfAnotherMachine) {
 TEST(UdpSender, NeedsAHostAndAPort) {
   EXPECT_EQ(UdpSender::open(endpointOf(":19960")).error().kind, ErrorKind::bad_argument);
   EXPECT_EQ(UdpSender::open(endpointOf("127.0.0.1:0")).error().kind, ErrorKind::bad_argument);
+}
+
+TEST(UdpSender, IsNotForWatchedTraffic) {
+  for (const std::string_view text : {"pcap://lo", "pcap:///tmp/x.pcap"}) {
+    EXPECT_EQ(UdpSender::open(endpointOf(text)).error().kind, ErrorKind::bad_argument);
+    EXPECT_THAT(UdpReceiver::open(endpointOf(text)).error().what,
+                HasSubstr("pcap:// only watches"));
+  }
 }
 
 TEST(UdpSender, LosesNothingToEarlierRefusals) {

@@ -1,0 +1,98 @@
+#include <algorithm>
+#include <optional>
+
+#include "core/net/endpoint_text.h"
+
+namespace rocinante {
+namespace {
+
+constexpr std::string_view kFilter = "filter=";
+
+std::optional<unsigned> hexDigit(char c) {
+  if (c >= '0' && c <= '9') return static_cast<unsigned>(c - '0');
+  if (c >= 'a' && c <= 'f') return static_cast<unsigned>(c - 'a' + 10);
+  if (c >= 'A' && c <= 'F') return static_cast<unsigned>(c - 'A' + 10);
+  return std::nullopt;
+}
+
+/// %XX as in URLs. Empty when a % stands for nothing, or a byte is none that text may have.
+std::optional<std::string> decoded(std::string_view text) {
+  std::string bytes;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    char byte = text[i];
+    if (byte == '%') {
+      if (text.size() - i < 3) return std::nullopt;
+      const auto high = hexDigit(text[i + 1]);
+      const auto low = hexDigit(text[i + 2]);
+      if (!high || !low) return std::nullopt;
+      byte = static_cast<char>(*high * 16 + *low);
+      i += 2;
+    }
+    if (byte == '\0' || byte == '\n' || byte == '\r') return std::nullopt;
+    bytes.push_back(byte);
+  }
+  return bytes;
+}
+
+/// One word, whatever the text: what is no printable character, and `also`, as %XX.
+std::string encoded(std::string_view text, std::string_view also) {
+  constexpr std::string_view kDigits = "0123456789ABCDEF";
+  std::string word;
+  for (const char c : text) {
+    if (c > ' ' && c <= '~' && c != '%' && also.find(c) == also.npos) {
+      word.push_back(c);
+      continue;
+    }
+    const auto byte = static_cast<unsigned char>(c);
+    word += {'%', kDigits[byte >> 4U], kDigits[byte & 15U]};
+  }
+  return word;
+}
+
+}  // namespace
+
+Result<Endpoint> parsePcap(std::string_view text) {
+  Endpoint endpoint;
+  endpoint.scheme = Endpoint::Scheme::pcap;
+  const std::string_view rest = text.substr(kPcapScheme.size());
+  const std::size_t question = std::min(rest.find('?'), rest.size());
+  const std::string_view place = rest.substr(0, question);
+  if (place.find('/') != place.npos) {
+    const auto file = decoded(place);
+    if (!file) return badEndpoint(text, "a % in a file's name is written %25, as in URLs");
+    endpoint.file = *file;
+  } else {
+    if (!isInterfaceName(place)) {
+      return badEndpoint(text,
+                         "after pcap:// comes a network interface, such as eth0 or any, or a "
+                         "capture file with a / in its name");
+    }
+    endpoint.interface = place;
+  }
+  if (question == rest.size()) return endpoint;
+  const std::string_view option = rest.substr(question + 1);
+  if (!option.starts_with(kFilter)) {
+    return badEndpoint(text, "the option of a pcap:// endpoint is filter=");
+  }
+  // The rest, whatever it holds: & and ? have a meaning there.
+  const auto filter = decoded(option.substr(kFilter.size()));
+  if (!filter) return badEndpoint(text, "a % in filter= is written %25, as in URLs");
+  if (filter->find_first_not_of(' ') == filter->npos) {
+    return badEndpoint(text, "filter= takes what tcpdump takes, such as udp port 5000");
+  }
+  endpoint.filter = *filter;
+  return endpoint;
+}
+
+std::string pcapText(const Endpoint& endpoint) {
+  std::string text(kPcapScheme);
+  text += endpoint.file.empty() ? endpoint.interface : encoded(endpoint.file, "?");
+  if (!endpoint.filter.empty()) {
+    text += '?';
+    text += kFilter;
+    text += encoded(endpoint.filter, "");
+  }
+  return text;
+}
+
+}  // namespace rocinante

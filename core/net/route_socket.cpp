@@ -1,0 +1,137 @@
+#include "core/net/route_socket.h"
+
+#include <linux/netlink.h>
+#include <linux/rtnetlink.h>
+#include <sys/socket.h>
+#include <sys/time.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+namespace rocinante {
+namespace {
+
+int openNetlink(std::uint32_t groups) {
+  const int descriptor = ::socket(AF_NETLINK, SOCK_RAW | SOCK_CLOEXEC, NETLINK_ROUTE);
+  if (descriptor < 0) return -1;
+  sockaddr_nl self{};
+  self.nl_family = AF_NETLINK;
+  self.nl_groups = groups;
+  if (::bind(descriptor, reinterpret_cast<sockaddr*>(&self), sizeof self) == 0) return descriptor;
+  ::close(descriptor);
+  return -1;
+}
+
+/// Calls `each(header)` for the messages of one netlink datagram.
+template <class Each>
+void forEachMessage(const char* bytes, std::size_t length, Each each) {
+  // NLMSG_OK counts in int; what came fits, because the buffer does.
+  auto left = static_cast<int>(length);
+  for (auto* header = reinterpret_cast<const nlmsghdr*>(bytes); NLMSG_OK(header, left);
+       header = NLMSG_NEXT(header, left)) {
+    each(*header);
+  }
+}
+
+/// RTA_OIF of a route as RTM_GETROUTE answers it.
+unsigned outgoingInterface(const nlmsghdr& header) {
+  const auto* route = static_cast<const rtmsg*>(NLMSG_DATA(&header));
+  auto left = static_cast<int>(RTM_PAYLOAD(&header));
+  for (const rtattr* each = RTM_RTA(route); RTA_OK(each, left); each = RTA_NEXT(each, left)) {
+    unsigned index = 0;
+    if (each->rta_type != RTA_OIF || RTA_PAYLOAD(each) < sizeof index) continue;
+    std::memcpy(&index, RTA_DATA(each), sizeof index);
+    return index;
+  }
+  return 0;
+}
+
+struct RouteRequest {
+  nlmsghdr header;
+  rtmsg route;
+  rtattr attribute;
+  std::array<std::uint8_t, 16> address;
+};
+
+}  // namespace
+
+RouteSocket::RouteSocket()
+    : descriptor_(openNetlink(RTMGRP_LINK | RTMGRP_IPV4_IFADDR | RTMGRP_IPV6_IFADDR |
+                              RTMGRP_IPV4_ROUTE | RTMGRP_IPV6_ROUTE)) {}
+
+RouteSocket::~RouteSocket() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+RouteSocket::RouteSocket(RouteSocket&& other) noexcept
+    : descriptor_(std::exchange(other.descriptor_, -1)) {}
+
+RouteSocket& RouteSocket::operator=(RouteSocket&& other) noexcept {
+  std::swap(descriptor_, other.descriptor_);
+  return *this;
+}
+
+RouteSocket::Changes RouteSocket::takeChanges() {
+  Changes changes;
+  if (descriptor_ < 0) {
+    changes.any = true;
+    return changes;
+  }
+  alignas(nlmsghdr) std::array<char, 16'384> bytes;
+  for (;;) {
+    const ssize_t length = ::recv(descriptor_, bytes.data(), bytes.size(), MSG_DONTWAIT);
+    if (length < 0 && errno == EINTR) continue;
+    if (length < 0 && errno == ENOBUFS) {
+      // So much happened that the kernel gave up telling.
+      changes.any = true;
+      changes.told_everything = false;
+      continue;
+    }
+    if (length <= 0) return changes;
+    changes.any = true;
+    forEachMessage(bytes.data(), static_cast<std::size_t>(length), [&](const nlmsghdr& header) {
+      if (header.nlmsg_type != RTM_DELLINK || NLMSG_PAYLOAD(&header, 0) < sizeof(ifinfomsg)) return;
+      const auto* link = static_cast<const ifinfomsg*>(NLMSG_DATA(&header));
+      // The bridge's own word that a port left it is no end of the interface.
+      if (link->ifi_family == AF_UNSPEC) {
+        changes.gone.push_back(static_cast<unsigned>(link->ifi_index));
+      }
+    });
+  }
+}
+
+unsigned interfaceTowards(const SocketAddress& address) {
+  const int descriptor = openNetlink(0);
+  if (descriptor < 0) return 0;
+  // The kernel answers at once; a sandbox that swallows the question must not hang the program.
+  const timeval patience{0, 200'000};
+  ::setsockopt(descriptor, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
+  const std::size_t bytes = address.is_ipv6 ? 16 : 4;
+  RouteRequest request{};
+  request.header.nlmsg_len =
+      static_cast<std::uint32_t>(NLMSG_LENGTH(sizeof(rtmsg)) + RTA_LENGTH(bytes));
+  request.header.nlmsg_type = RTM_GETROUTE;
+  request.header.nlmsg_flags = NLM_F_REQUEST;
+  request.route.rtm_family = address.is_ipv6 ? AF_INET6 : AF_INET;
+  request.route.rtm_dst_len = static_cast<unsigned char>(bytes * 8);
+  request.attribute.rta_type = RTA_DST;
+  request.attribute.rta_len = static_cast<unsigned short>(RTA_LENGTH(bytes));
+  request.address = address.address;
+  unsigned index = 0;
+  if (::send(descriptor, &request, request.header.nlmsg_len, 0) > 0) {
+    alignas(nlmsghdr) std::array<char, 8'192> answer;
+    const ssize_t length = ::recv(descriptor, answer.data(), answer.size(), 0);
+    if (length > 0) {
+      forEachMessage(answer.data(), static_cast<std::size_t>(length), [&](const nlmsghdr& header) {
+        if (header.nlmsg_type == RTM_NEWROUTE) index = outgoingInterface(header);
+      });
+    }
+  }
+  ::close(descriptor);
+  return index;
+}
+
+}  // namespace rocinante
