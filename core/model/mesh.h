@@ -2,9 +2,11 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "core/bytes.h"
 #include "core/math/vector.h"
 
 namespace rocinante {
@@ -18,8 +20,11 @@ struct Material {
   glm::vec3 emission{0.0F, 0.0F, 0.0F};
   float shininess = 0.0F;             ///< MTL's Ns, 0 to 1000
   std::filesystem::path diffuse_map;  ///< resolved file; empty: none
-  glm::vec2 map_scale{1.0F, 1.0F};    ///< map_Kd -s
-  glm::vec2 map_offset{0.0F, 0.0F};   ///< map_Kd -o
+  /// The picture's own bytes (PNG, JPEG ...) when it lies inside the mesh's file; diffuse_map is
+  /// then no file but a name for it: "arm.glb#2".
+  std::shared_ptr<const Bytes> diffuse_bytes;
+  glm::vec2 map_scale{1.0F, 1.0F};   ///< map_Kd -s
+  glm::vec2 map_offset{0.0F, 0.0F};  ///< map_Kd -o
   bool operator==(const Material&) const = default;
 };
 
@@ -51,11 +56,15 @@ struct Bounds {
 struct Mesh {
   std::vector<Vertex> vertices;
   std::vector<std::uint32_t> indices;
+  /// 0xRRGGBBAA by vertex, which multiplies the material's diffuse colour; empty: none.
+  std::vector<std::uint32_t> colors;
   std::vector<MeshPart> parts;  ///< in the order of the file
   std::vector<Material> materials;
   Bounds bounds;
 
   std::size_t triangleCount() const { return indices.size() / 3; }
+  /// What it holds in memory, pictures inside it once each.
+  std::size_t memoryBytes() const;
 };
 
 }  // namespace rocinante

@@ -1,5 +1,6 @@
 #include "core/model/mesh_builder.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace rocinante {
@@ -40,6 +41,7 @@ Mesh indexedMesh(LooseMesh&& loose) {
           corner.texture == kNone ? glm::vec2(0.0F) : loose.textures[corner.texture];
       mesh.vertices.push_back(
           {loose.positions[corner.position], loose.normals[corner.normal], texture});
+      if (!loose.colors.empty()) mesh.colors.push_back(loose.colors[corner.position]);
       shared.push_back({corner.texture, corner.normal, first_of[corner.position]});
       first_of[corner.position] = found;
     }
@@ -47,6 +49,15 @@ Mesh indexedMesh(LooseMesh&& loose) {
   }
   for (const Vertex& vertex : mesh.vertices) mesh.bounds.add(Vec3(vertex.position));
   return mesh;
+}
+
+std::uint32_t packedColor(const glm::vec4& color) {
+  std::uint32_t packed = 0;
+  for (int i = 0; i < 4; ++i) {
+    const float component = color[i] > 0.0F ? std::min(color[i], 1.0F) : 0.0F;
+    packed = packed << 8U | static_cast<std::uint32_t>(component * 255.0F + 0.5F);
+  }
+  return packed;
 }
 
 }  // namespace rocinante

@@ -22,9 +22,10 @@ struct Corner {
 struct LooseMesh {
   std::vector<glm::vec3> positions;
   std::vector<glm::vec2> textures;
-  std::vector<glm::vec3> normals;  ///< unit length
-  std::vector<Corner> corners;     ///< three a triangle
-  std::vector<MeshPart> parts;     ///< first_index and index_count count corners
+  std::vector<glm::vec3> normals;     ///< unit length
+  std::vector<std::uint32_t> colors;  ///< 0xRRGGBBAA by position; empty: none
+  std::vector<Corner> corners;        ///< three a triangle
+  std::vector<MeshPart> parts;        ///< first_index and index_count count corners
   std::vector<Material> materials;
 };
 
@@ -38,5 +39,8 @@ void smoothNormals(LooseMesh& loose, double angle_deg);
 /// Joins corners that are equal in position, texture and normal into indexed vertices, numbered in
 /// the order in which triangles first use them. Every corner must have a normal.
 Mesh indexedMesh(LooseMesh&& loose);
+
+/// 0xRRGGBBAA of components in [0, 1]; those outside are clamped, NaN is 0.
+std::uint32_t packedColor(const glm::vec4& color);
 
 }  // namespace rocinante

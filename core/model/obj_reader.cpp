@@ -18,6 +18,7 @@ namespace fs = std::filesystem;
 
 /// Vertices and corners are numbered with 32 bits; half of that leaves room for the arithmetic.
 constexpr std::size_t kMostElements = std::size_t{1} << 31U;
+constexpr std::uint32_t kWhite = 0xFFFFFFFF;
 constexpr std::uint64_t kLargestMtlBytes = std::uint64_t{64} << 20U;
 
 class ObjReader {
@@ -42,6 +43,10 @@ class ObjReader {
     closePart();
     if (loose_.corners.empty()) {
       return Error{ErrorKind::damaged, "holds no face that can be drawn", path_.string()};
+    }
+    // Colours at the points are meant as they are, not darkened by a grey that nobody wrote.
+    for (const std::size_t grey : loose_.colors.empty() ? std::vector<std::size_t>() : greys_) {
+      loose_.materials[grey].diffuse = glm::vec4(1.0F);
     }
     smoothNormals(loose_, options_.smooth_angle_deg);
     return indexedMesh(std::move(loose_));
@@ -91,6 +96,23 @@ class ObjReader {
       position.x = NAN;
     }
     loose_.positions.push_back(position);
+    if (scan_.skipBlanks()) readColor();
+    if (!loose_.colors.empty()) loose_.colors.resize(loose_.positions.size(), kWhite);
+  }
+
+  /// What stands behind a position: a weight, which is passed over, or red, green and blue.
+  void readColor() {
+    double numbers[3] = {0, 0, 0};
+    if (!scan_.number(numbers[0]) || !scan_.number(numbers[1]) || !scan_.number(numbers[2])) return;
+    const glm::vec4 color(numbers[0], numbers[1], numbers[2], 1.0);
+    for (const double component : numbers) {
+      if (component >= 0 && component <= 1) continue;
+      add(Severity::warning, "obj.color-range",
+          "a colour of v is outside 0 to 1, and is taken as the nearest");
+      break;
+    }
+    loose_.colors.resize(loose_.positions.size(), kWhite);
+    loose_.colors.back() = packedColor(color);
   }
 
   void readNormal() {
@@ -227,6 +249,7 @@ class ObjReader {
     }
     Material grey;
     grey.name = name;
+    greys_.push_back(loose_.materials.size());
     loose_.materials.push_back(std::move(grey));
     return numberLastMaterial();
   }
@@ -326,6 +349,7 @@ class ObjReader {
   bool any_library_ = false;
   std::map<std::string, std::uint32_t> material_numbers_;
   std::map<fs::path, bool> libraries_;
+  std::vector<std::size_t> greys_;  ///< materials that no file defines
   std::vector<Corner> face_;
   std::vector<glm::vec3> polygon_;
   PolygonCutter cutter_;
