@@ -7,11 +7,13 @@ namespace rocinante {
 namespace {
 
 /// False when a stop was asked for first.
-bool waitFor(SteadyTime deadline, const Pacing& pacing, SendEdge& edge) {
+bool waitFor(SteadyTime deadline, Pacing& pacing, SendEdge& edge) {
   while (!edge.stopRequested()) {
     const Pacing::Step step = pacing.step(edge.now(), deadline);
     if (step.action == Pacing::Action::send) return true;
-    if (step.action == Pacing::Action::sleep) edge.sleepUntil(step.until);
+    if (step.action != Pacing::Action::sleep) continue;
+    edge.sleepUntil(step.until);
+    pacing.woke(step.until, edge.now());
   }
   return false;
 }

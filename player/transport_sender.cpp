@@ -113,7 +113,10 @@ Result<SendEnd> sendTransport(Transport& transport, const TransportRules& rules,
       continue;
     }
     const Pacing::Step step = pacing.step(now, (*next)->deadline);
-    if (step.action == Pacing::Action::sleep) edge.sleepUntil(step.until);
+    if (step.action == Pacing::Action::sleep) {
+      edge.sleepUntil(step.until);
+      pacing.woke(step.until, edge.now());
+    }
     if (step.action != Pacing::Action::send) continue;
     pacing.sent((*next)->deadline);
     while (*next && !batch.full() && (*next)->deadline <= now) {
