@@ -6,6 +6,7 @@
 
 #include "core/bundle/attached_cell.h"
 #include "core/check/check.h"
+#include "core/check/report_formats.h"
 #include "core/cli/program.h"
 #include "core/duration_text.h"
 #include "core/net/udp_socket.h"
@@ -129,6 +130,7 @@ cli::Exit exitOf(Verdict verdict) {
     case Verdict::incompatible:
       return cli::Exit::no;
     case Verdict::nothing_judged:
+    case Verdict::interrupted:
       break;
   }
   return cli::Exit::could_not_run;

@@ -20,26 +20,6 @@ Finding findingOf(const ModelFault& fault) {
   return finding;
 }
 
-/// Orders the findings and draws the conclusion.
-void conclude(CheckReport& report, bool judged) {
-  const auto key = [](const Finding& f) {
-    // Errors first; what is wrong with the model before what is wrong with the session.
-    return std::tuple(-static_cast<int>(f.severity), f.first.has_value(),
-                      f.first.value_or(LogTime{}), std::string_view(f.file), f.line, f.column,
-                      std::string_view(f.rule), std::string_view(f.subject),
-                      std::string_view(f.text));
-  };
-  std::sort(report.findings.begin(), report.findings.end(),
-            [&](const Finding& a, const Finding& b) { return key(a) < key(b); });
-  if (!judged) {
-    report.verdict = Verdict::nothing_judged;
-  } else if (report.countOf(Severity::error) > 0) {
-    report.verdict = Verdict::incompatible;
-  } else {
-    report.verdict = Verdict::compatible;
-  }
-}
-
 CheckReport reportOfCell(const Cell& cell) {
   CheckReport report;
   report.cell = cell.file;
@@ -57,26 +37,55 @@ std::string_view nameOf(Verdict verdict) {
       return "incompatible";
     case Verdict::nothing_judged:
       return "nothing_judged";
+    case Verdict::interrupted:
+      return "interrupted";
   }
   return "";
 }
 
 std::size_t CheckReport::countOf(Severity severity) const {
-  return static_cast<std::size_t>(
-      std::count_if(findings.begin(), findings.end(),
-                    [&](const Finding& finding) { return finding.severity == severity; }));
+  return static_cast<std::size_t>(std::count_if(
+      findings.begin(), findings.end(),
+      [&](const Finding& finding) { return finding.severity == severity && !finding.accepted; }));
+}
+
+std::size_t CheckReport::countOfAccepted() const {
+  return static_cast<std::size_t>(std::count_if(
+      findings.begin(), findings.end(), [](const Finding& finding) { return finding.accepted; }));
+}
+
+void conclude(CheckReport& report) {
+  const auto key = [](const Finding& f) {
+    // Errors first; what is wrong with the model before what is wrong with the session.
+    return std::tuple(-static_cast<int>(f.severity), f.first.has_value(),
+                      f.first.value_or(LogTime{}), std::string_view(f.file), f.line, f.column,
+                      std::string_view(f.rule), std::string_view(f.subject),
+                      std::string_view(f.text));
+  };
+  std::sort(report.findings.begin(), report.findings.end(),
+            [&](const Finding& a, const Finding& b) { return key(a) < key(b); });
+  const bool failed = std::any_of(report.findings.begin(), report.findings.end(),
+                                  [&](const Finding& f) { return report.isFailure(f); });
+  if (report.interrupted) {
+    report.verdict = Verdict::interrupted;
+  } else if (report.has_session && report.packets == 0) {
+    report.verdict = Verdict::nothing_judged;
+  } else {
+    report.verdict = failed ? Verdict::incompatible : Verdict::compatible;
+  }
 }
 
 CheckReport checkCell(const Cell& cell) {
   CheckReport report = reportOfCell(cell);
-  conclude(report, true);
+  conclude(report);
   return report;
 }
 
 CheckReport checkSession(const Cell& cell, const SessionCheck& session) {
   CheckReport report = reportOfCell(cell);
+  report.has_session = true;
   session.finish(report);
-  conclude(report, report.packets > 0);
+  conclude(report);
   return report;
 }
 
@@ -127,6 +136,7 @@ Result<CheckReport> checkLog(const Cell& cell, LogReader& log) {
     finding.severity = Severity::note;
     finding.text = "the recorder did not close the log: its end may be missing";
     report.findings.push_back(std::move(finding));
+    conclude(report);
   }
   return report;
 }

@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
-#include "core/check/finding.h"
+#include "core/check/report_formats.h"
+#include "core/check/rule_list.h"
 
 namespace rocinante {
 namespace {
@@ -24,6 +25,13 @@ Json jsonOf(const CheckReport& report, const Finding& finding) {
   json["text"] = finding.text;
   json["example"] = finding.example;
   json["hint"] = finding.hint;
+  json["accepted"] = finding.accepted;
+  if (const Rule* const rule = findRule(finding.rule)) json["title"] = std::string(rule->title);
+  if (!finding.when.counts().empty()) {
+    json["when"] = {{"start_s", secondsOf(report, finding.when.start())},
+                    {"bin_s", static_cast<double>(finding.when.width().count()) / 1e9},
+                    {"counts", finding.when.counts()}};
+  }
   if (!finding.file.empty()) {
     json["file"] = finding.file;
     json["line"] = finding.line;
@@ -47,6 +55,8 @@ std::string checkJson(const CheckReport& report) {
   json["errors"] = report.countOf(Severity::error);
   json["warnings"] = report.countOf(Severity::warning);
   json["notes"] = report.countOf(Severity::note);
+  json["accepted"] = report.countOfAccepted();
+  json["fail_on"] = std::string(nameOf(report.fail_on));
   json["findings"] = Json::array();
   for (const Finding& finding : report.findings) {
     json["findings"].push_back(jsonOf(report, finding));

@@ -26,12 +26,14 @@ struct Finding {
   std::string hint;                     ///< what to do about it; may be empty
   std::string file;                     ///< of a model fault
   int line = 0, column = 0;             ///< in `file`; 0: none
+  bool accepted = false;                ///< by a baseline: shown, and no reason to say no
 };
 
 enum class Verdict : std::uint8_t {
   compatible,
-  incompatible,    ///< a finding of severity error
+  incompatible,    ///< a finding of severity error, or of what was said to fail
   nothing_judged,  ///< no packet could be decoded: never the same as compatible
+  interrupted,     ///< stopped before the end: what was found so far is true, and not all
 };
 std::string_view nameOf(Verdict verdict);
 
@@ -39,20 +41,27 @@ std::string_view nameOf(Verdict verdict);
 struct CheckReport {
   std::string cell;     ///< as the user named it
   std::string session;  ///< log or endpoint; empty when the model alone was judged
+  bool has_session = false;
   std::uint64_t datagrams = 0;
   std::uint64_t packets = 0;  ///< of those, decoded
   std::vector<std::string> sources;
   LogTime origin{};
   Nanoseconds duration{0};
   std::vector<Finding> findings;  ///< errors first, then by first time, then by rule
+  bool has_baseline = false;
+  bool interrupted = false;
+  Severity fail_on = Severity::error;  ///< a finding as severe as that makes it incompatible
   Verdict verdict = Verdict::nothing_judged;
 
+  /// Findings that no baseline accepts.
   std::size_t countOf(Severity severity) const;
+  std::size_t countOfAccepted() const;
+  bool isFailure(const Finding& finding) const {
+    return !finding.accepted && finding.severity >= fail_on;
+  }
 };
 
-/// For people: grouped by severity, one finding a paragraph. Ends with the verdict.
-std::string checkText(const CheckReport& report);
-/// One JSON object that starts with "format": 1.
-std::string checkJson(const CheckReport& report);
+/// Puts the findings in order and draws the verdict from them.
+void conclude(CheckReport& report);
 
 }  // namespace rocinante

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "core/check/check.h"
+#include "core/check/report_formats.h"
 #include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"
 

@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "core/check/check.h"
+#include "core/check/report_formats.h"
 #include "core/log/log_writer.h"
 #include "core/packet/decoder.h"
 #include "core/session/session_writer.h"
