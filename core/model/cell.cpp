@@ -217,6 +217,7 @@ Result<Cell> readCell(ByteView bytes, const fs::path& path, const CellOptions& o
     readDevices(root, cell, models);
     readCameras(root, cell);
     readSources(root, cell);
+    readRules(root, cell);
     readScene(root, cell);
     root.finish();
     cell.files.assign(meshes.files().begin(), meshes.files().end());

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/bytes.h"
+#include "core/model/cell_rules.h"
 #include "core/model/file_search.h"
 #include "core/model/model.h"
 #include "core/model/model_fault.h"
@@ -47,6 +48,7 @@ struct CellLayer {
 struct CellSource {
   std::string name;
   std::optional<std::pair<double, double>> rate_hz;
+  SourceLimits limits;
   std::vector<std::string> devices;
   std::map<std::string, std::string> ghost_of;  ///< device drawn as a ghost of another
 };
@@ -73,6 +75,7 @@ struct Cell {
   std::vector<CellCamera> cameras;
   std::vector<CellLayer> layers;
   std::vector<CellSource> sources;
+  std::vector<CellRule> rules;  ///< as the file has them
   CellScene scene;
   ModelFaults faults;  ///< of the cell and all that it names
   /// Every file that was read, for attaching and hashing; sorted.

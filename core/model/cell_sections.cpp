@@ -249,6 +249,7 @@ void readSources(TomlTable& root, Cell& cell) {
       table.error("cell.bad-range", "rate_hz", "`rate_hz` must not be below 0");
       source.rate_hz.reset();
     }
+    source.limits = readSourceLimits(table);
     source.devices = table.texts("devices");
     if (table.table("ghost_of", "ghost_of")) {
       for (const TomlNode::Entry& entry : table.node("ghost_of")->entries) {
