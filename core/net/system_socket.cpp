@@ -7,8 +7,9 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <memory>
 #include <utility>
+
+#include "core/net/interfaces.h"
 
 namespace rocinante {
 
@@ -100,21 +101,6 @@ Result<unsigned> interfaceIndex(const Endpoint& endpoint) {
         endpoint.text()};
   }
   return index;
-}
-
-std::string interfaceNames() {
-  const std::unique_ptr<struct if_nameindex, void (*)(struct if_nameindex*)> list(
-      ::if_nameindex(), ::if_freenameindex);
-  constexpr std::size_t kShown = 16;
-  std::string names;
-  std::size_t count = 0;
-  for (const struct if_nameindex* each = list.get(); each != nullptr && each->if_index != 0;
-       ++each, ++count) {
-    if (count == kShown) return names + " ...";
-    if (count > 0) names += ", ";
-    names += each->if_name;
-  }
-  return count == 0 ? "none" : names;
 }
 
 }  // namespace rocinante

@@ -2,7 +2,6 @@
 
 #include <sys/socket.h>
 
-#include <string>
 #include <string_view>
 
 #include "core/net/endpoint.h"
@@ -40,7 +39,5 @@ Error systemError(std::string_view what, const Endpoint& endpoint);
 /// The index of the endpoint's interface; 0 when it names none. refused when there is no such one,
 /// with those that there are.
 Result<unsigned> interfaceIndex(const Endpoint& endpoint);
-/// "lo, eth0": the network interfaces of this machine, for a sentence.
-std::string interfaceNames();
 
 }  // namespace rocinante

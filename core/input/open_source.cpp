@@ -1,0 +1,30 @@
+#include "core/input/open_source.h"
+
+#include "core/input/filtered_source.h"
+#include "core/input/pcap_source.h"
+
+namespace rocinante {
+namespace {
+
+Result<std::unique_ptr<DatagramSource>> openUnfiltered(const Endpoint& endpoint,
+                                                       const InputOptions& options) {
+  if (endpoint.isPcap()) {
+    PcapOptions watching;
+    watching.buffer_bytes = options.receiving.receive_buffer_bytes;
+    return openPcap(endpoint, watching);
+  }
+  Result<UdpReceiver> receiver = UdpReceiver::open(endpoint, options.receiving);
+  if (!receiver) return receiver.error();
+  return std::make_unique<UdpReceiver>(std::move(*receiver));
+}
+
+}  // namespace
+
+Result<std::unique_ptr<DatagramSource>> openSource(const Endpoint& endpoint,
+                                                   const InputOptions& options) {
+  auto source = openUnfiltered(endpoint, options);
+  if (!source || (options.allow.empty() && options.own.empty())) return source;
+  return std::make_unique<FilteredSource>(std::move(*source), options.allow, options.own);
+}
+
+}  // namespace rocinante
