@@ -64,16 +64,16 @@ class TableReader {
 
   std::vector<std::string> texts(std::string_view key) {
     const TomlNode* found = ofKind(key, TomlNode::Kind::array, "a list of strings");
-    std::vector<std::string> list;
-    if (found == nullptr) return list;
+    std::vector<std::string> texts;
+    if (found == nullptr) return texts;
     for (const TomlNode& item : found->items) {
       if (item.kind == TomlNode::Kind::text) {
-        list.push_back(item.text);
+        texts.push_back(item.text);
       } else {
         complain(item, fmt::format("`{}` is a list of strings", key));
       }
     }
-    return list;
+    return texts;
   }
 
  private:

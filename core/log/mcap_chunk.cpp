@@ -20,8 +20,6 @@ constexpr std::size_t kFrameHeadBytes = 5;
 /// Made at first for a chunk whose size is not known.
 constexpr std::size_t kFirstRoom = std::size_t{64} << 10U;
 
-Error damaged(std::string what) { return Error{ErrorKind::damaged, std::move(what), {}}; }
-
 /// What would stop us before the first byte is expanded.
 Status mayExpand(const Chunk& chunk) {
   if (chunk.compression != "" && chunk.compression != "zstd") {
@@ -31,8 +29,8 @@ Status mayExpand(const Chunk& chunk) {
                  {}};
   }
   if (chunk.uncompressed_size > kMaxChunkBytes) {
-    return damaged(fmt::format("the chunk claims to hold {} bytes; at most {} are expanded",
-                               chunk.uncompressed_size, kMaxChunkBytes));
+    return damagedChunk(fmt::format("the chunk claims to hold {} bytes; at most {} are expanded",
+                                    chunk.uncompressed_size, kMaxChunkBytes));
   }
   return {};
 }
@@ -57,26 +55,28 @@ Result<ByteView> ChunkExpander::expand(const Chunk& chunk, Scratch& scratch) {
   ByteView records = chunk.records;
   if (chunk.compression == "zstd") {
     if (chunk.uncompressed_size > (chunk.records.size() + 1) * kMaxZstdGrowth) {
-      return damaged(fmt::format("the chunk claims {} bytes out of {}, more than zstd can make",
-                                 chunk.uncompressed_size, chunk.records.size()));
+      return damagedChunk(
+          fmt::format("the chunk claims {} bytes out of {}, more than zstd can make",
+                      chunk.uncompressed_size, chunk.records.size()));
     }
     const auto size = static_cast<std::size_t>(chunk.uncompressed_size);
     std::byte* const out = scratch.make(size);
     const std::size_t made =
         ZSTD_decompressDCtx(contexts_->zstd, out, size, records.data(), records.size());
     if (ZSTD_isError(made) != 0U) {
-      return damaged(fmt::format("the chunk does not decompress: {}", ZSTD_getErrorName(made)));
+      return damagedChunk(
+          fmt::format("the chunk does not decompress: {}", ZSTD_getErrorName(made)));
     }
     records = ByteView(out, made);
   }
   if (records.size() != chunk.uncompressed_size) {
-    return damaged(fmt::format("the chunk holds {} bytes where its header says {}", records.size(),
-                               chunk.uncompressed_size));
+    return damagedChunk(fmt::format("the chunk holds {} bytes where its header says {}",
+                                    records.size(), chunk.uncompressed_size));
   }
   if (chunk.uncompressed_crc != 0) {
     if (const std::uint32_t found = crc32(records); found != chunk.uncompressed_crc) {
-      return damaged(fmt::format("the chunk fails its checksum ({:08x}, stored {:08x})", found,
-                                 chunk.uncompressed_crc));
+      return damagedChunk(fmt::format("the chunk fails its checksum ({:08x}, stored {:08x})", found,
+                                      chunk.uncompressed_crc));
     }
   }
   return records;

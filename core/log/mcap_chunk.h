@@ -64,6 +64,11 @@ class ChunkExpander {
   std::unique_ptr<Contexts> contexts_;
 };
 
+/// A chunk that is not what it says.
+inline Error damagedChunk(std::string what) {
+  return Error{ErrorKind::damaged, std::move(what), {}};
+}
+
 /// How many of the bytes the zstd frame at their beginning takes: empty when they end before it
 /// does, or begin none. Nothing is expanded.
 std::optional<std::uint64_t> zstdFrameBytes(ByteView bytes);

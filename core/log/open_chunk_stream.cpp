@@ -13,8 +13,6 @@ namespace {
 
 constexpr std::size_t kPieceBytes = 1U << 17U;
 
-Error damaged(std::string what) { return Error{ErrorKind::damaged, std::move(what), {}}; }
-
 }  // namespace
 
 struct OpenChunkStream::Impl {
@@ -41,7 +39,7 @@ struct OpenChunkStream::Impl {
   Status keep(ByteView bytes) {
     expanded_bytes += bytes.size();
     if (expanded_bytes > kMaxChunkBytes) {
-      return damaged(fmt::format("the chunk goes on past {} bytes", kMaxChunkBytes));
+      return damagedChunk(fmt::format("the chunk goes on past {} bytes", kMaxChunkBytes));
     }
     crc = crc32(bytes, crc);
     pending.insert(pending.end(), bytes.begin(), bytes.end());
@@ -72,7 +70,8 @@ Result<std::size_t> OpenChunkStream::feed(ByteView stored) {
     ZSTD_outBuffer out{chunk.piece.data(), chunk.piece.size(), 0};
     const std::size_t hint = ZSTD_decompressStream(chunk.zstd, &out, &in);
     if (ZSTD_isError(hint) != 0U) {
-      return damaged(fmt::format("the chunk does not decompress: {}", ZSTD_getErrorName(hint)));
+      return damagedChunk(
+          fmt::format("the chunk does not decompress: {}", ZSTD_getErrorName(hint)));
     }
     if (Status kept = chunk.keep(ByteView(chunk.piece).first(out.pos)); !kept) return kept.error();
     chunk.ended = hint == 0;
@@ -87,12 +86,12 @@ Result<std::optional<Record>> OpenChunkStream::next() {
   const ByteView rest = ByteView(chunk.pending).subspan(chunk.at);
   std::optional<Record> record = recordAt(rest, 0);
   if (!record) {
-    if (chunk.ended && !rest.empty()) return damaged("the chunk ends inside a record");
+    if (chunk.ended && !rest.empty()) return damagedChunk("the chunk ends inside a record");
     if (rest.size() >= kPrefixBytes) {
       std::uint64_t length = 0;
       std::memcpy(&length, rest.data() + 1, sizeof(length));
       if (length > kMaxChunkBytes) {
-        return damaged(fmt::format("a record of {} bytes lies in the chunk", length));
+        return damagedChunk(fmt::format("a record of {} bytes lies in the chunk", length));
       }
     }
     return std::optional<Record>();

@@ -10,8 +10,6 @@ namespace {
 /// What expanded spans may hold together before those that wait are let go.
 constexpr std::size_t kHeldBytes = std::size_t{48} << 20U;
 
-std::int64_t nanosecondsOf(LogTime time) { return time.time_since_epoch().count(); }
-
 constexpr LogPlace kBeginning{LogTime(Nanoseconds(std::numeric_limits<std::int64_t>::min())), 0};
 
 }  // namespace

@@ -5,6 +5,7 @@
 #ifndef GLM_FORCE_PURE
 #define GLM_FORCE_PURE
 #endif
+#include <cmath>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
@@ -27,5 +28,12 @@ struct Pose {
 
   bool operator==(const Pose&) const = default;
 };
+
+/// Written out: glm's own may be vectorised otherwise.
+inline double dotOf(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline Vec3 crossOf(const Vec3& a, const Vec3& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+inline double lengthOf(const Vec3& a) { return std::sqrt(dotOf(a, a)); }
 
 }  // namespace rocinante

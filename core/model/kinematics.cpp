@@ -14,10 +14,6 @@ struct Plane {
   Vec3 x, y;
 };
 
-Vec3 crossOf(const Vec3& a, const Vec3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
 Plane planeOf(const Vec3& n) {
   const Vec3 size{std::fabs(n.x), std::fabs(n.y), std::fabs(n.z)};
   Vec3 beside{0, 1, 0};

@@ -13,7 +13,7 @@
 namespace rocinante {
 namespace {
 
-constexpr LogPlace kBeforeAll{LogTime::min(), 0};
+constexpr LogPlace kStartOfLog{LogTime::min(), 0};
 
 /// Folding this many messages on is quicker than finding a place to start from.
 constexpr std::uint64_t kNearMessages = 1024;
@@ -35,8 +35,8 @@ struct Timeline::Impl {
   // The state is that of the last usable keyframe before it, or the empty one, and of all messages
   // behind that up to `reached`. It is so whatever way it was reached: the log may tell lies.
   SessionState state;
-  LogPlace reached = kBeforeAll;
-  LogPlace base = kBeforeAll;           ///< of that keyframe
+  LogPlace reached = kStartOfLog;
+  LogPlace base = kStartOfLog;          ///< of that keyframe
   std::uint64_t since_base = 0;         ///< messages read behind it
   std::uint64_t since_kept = 0;         ///< since a state was kept
   std::optional<LogMessage> lookahead;  ///< the first behind `reached`, borrowed from the reader
@@ -79,7 +79,7 @@ struct Timeline::Impl {
     const bool can_go_on = reached <= endOf(moment);
     const auto* kept = cache.nearest(endOf(moment));
     std::optional<LogPlace> known;
-    if (can_go_on && reached != kBeforeAll) known = reached;
+    if (can_go_on && reached != kStartOfLog) known = reached;
     if (kept != nullptr && (!known || kept->first > *known)) known = kept->first;
     Result<std::optional<KeyframeFinder::Found>> found = finder.lastBefore(moment, known);
     if (!found) return found.error();
@@ -91,7 +91,7 @@ struct Timeline::Impl {
     } else if (kept != nullptr && !(can_go_on && reached >= kept->first)) {
       startFrom(kept->first, kept->second.state, kept->second.base, kept->second.messages);
     } else if (!can_go_on) {
-      startFrom(kBeforeAll, SessionState{}, kBeforeAll, 0);
+      startFrom(kStartOfLog, SessionState{}, kStartOfLog, 0);
     }
     return {};
   }
@@ -100,7 +100,7 @@ struct Timeline::Impl {
   /// Events go to `sink`, if there is one.
   Result<bool> foldTo(LogTime moment, std::uint64_t most, std::vector<Event>* sink) {
     if (!placed) {
-      const Status put = reached == kBeforeAll ? reader.rewind() : reader.seekAfter(reached);
+      const Status put = reached == kStartOfLog ? reader.rewind() : reader.seekAfter(reached);
       if (!put) return put.error();
       placed = true;
     }
@@ -175,7 +175,7 @@ LogTime Timeline::end() const { return impl_->reader.summary().end; }
 
 Result<const SessionState*> Timeline::stateAt(LogTime moment) {
   Impl& line = *impl_;
-  if (line.reached <= endOf(moment) && line.reached != kBeforeAll) {
+  if (line.reached <= endOf(moment) && line.reached != kStartOfLog) {
     const Result<bool> near = line.foldTo(moment, kNearMessages, nullptr);
     if (!near) return near.error();
     if (*near) return &line.state;
@@ -193,7 +193,7 @@ Result<const std::vector<Event>*> Timeline::events() {
   Impl& line = *impl_;
   if (!line.events) {
     std::vector<Event> found;
-    line.startFrom(kBeforeAll, SessionState{}, kBeforeAll, 0);
+    line.startFrom(kStartOfLog, SessionState{}, kStartOfLog, 0);
     if (Result<bool> folded = line.foldTo(LogTime::max(), kAll, &found); !folded) {
       return folded.error();
     }

@@ -11,8 +11,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::int64_t nanosecondsOf(LogTime time) { return time.time_since_epoch().count(); }
-
 /// Names of files may hold any bytes.
 std::string textOf(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

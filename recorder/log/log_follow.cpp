@@ -8,7 +8,7 @@
 namespace rocinante {
 namespace {
 
-constexpr std::size_t kPieceBytes = 1U << 16U;
+constexpr std::size_t kFlushBytes = 1U << 16U;
 
 bool isChosen(const LogChannel& channel, const std::vector<std::string>& patterns) {
   if (patterns.empty()) return channel.captured();
@@ -46,7 +46,7 @@ Result<std::uint64_t> followLog(LogFollower& follower, const FollowOptions& opti
         ++count;
       }
     }
-    if (idle || !message || piece.size() >= kPieceBytes) {
+    if (idle || !message || piece.size() >= kFlushBytes) {
       if (Status written = out(piece); !written) return written.error();
       piece.clear();
       for (const DamageSpan& span : follower.takeDamage()) events.damaged(span);

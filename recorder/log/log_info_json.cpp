@@ -9,8 +9,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::int64_t nanosecondsOf(LogTime time) { return time.time_since_epoch().count(); }
-
 std::string metadataOf(const LogChannel& channel, const char* key) {
   const auto found = channel.metadata.find(key);
   return found == channel.metadata.end() ? std::string() : found->second;

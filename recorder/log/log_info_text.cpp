@@ -56,7 +56,7 @@ std::string sparkline(const ChannelInfo& info) {
   return line;
 }
 
-std::string metadataOf(const LogChannel& channel, const char* key) {
+std::string shownMetadata(const LogChannel& channel, const char* key) {
   const auto found = channel.metadata.find(key);
   return found == channel.metadata.end() || found->second.empty() ? "-" : plainText(found->second);
 }
@@ -96,9 +96,9 @@ void addChannels(std::string& out, const LogInfo& info) {
       {"channel", "encoding", "source", "sender", "messages", "rate/s", "silent/s", "activity"}};
   const auto add = [&](const ChannelInfo& channel) {
     rows.push_back({plainText(channel.channel.topic), plainText(channel.channel.encoding),
-                    metadataOf(channel.channel, "source"), metadataOf(channel.channel, "remote"),
-                    grouped(channel.messages), fmt::format("{:.1f}", channel.rateHz()),
-                    gapText(channel), sparkline(channel)});
+                    shownMetadata(channel.channel, "source"),
+                    shownMetadata(channel.channel, "remote"), grouped(channel.messages),
+                    fmt::format("{:.1f}", channel.rateHz()), gapText(channel), sparkline(channel)});
   };
   std::ranges::for_each(info.channels, add);
   std::ranges::for_each(info.own_channels, add);

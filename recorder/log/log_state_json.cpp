@@ -10,8 +10,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::int64_t nanosecondsOf(LogTime time) { return time.time_since_epoch().count(); }
-
 Json jsonOf(const Vec3& v) { return Json::array({v.x, v.y, v.z}); }
 
 std::string colorOf(std::uint32_t rgba) { return fmt::format("#{:08x}", rgba); }

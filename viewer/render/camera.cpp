@@ -9,12 +9,6 @@
 namespace rocinante {
 namespace {
 
-// Written out: glm's own may be vectorised otherwise.
-double dotOf(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-Vec3 crossOf(const Vec3& a, const Vec3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-double lengthOf(const Vec3& a) { return std::sqrt(dotOf(a, a)); }
 bool finite(const Vec3& a) {
   return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
 }

@@ -28,11 +28,6 @@ struct FlatTriangle {
 using PlaneKey = std::tuple<std::int64_t, std::int64_t, std::int64_t, std::int64_t>;
 using Planes = std::map<PlaneKey, std::vector<FlatTriangle>>;
 
-Vec3 crossOf(const Vec3& a, const Vec3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-double dotOf(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-
 /// Whether the insides overlap by more than `slack`: no edge of either separates them.
 bool overlap(const FlatTriangle& a, const FlatTriangle& b, double slack) {
   for (const FlatTriangle* triangle : {&a, &b}) {

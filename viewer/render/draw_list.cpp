@@ -10,9 +10,7 @@ namespace rocinante {
 namespace {
 
 /// Below this an item is drawn as translucent.
-constexpr float kOpaque = 0.999F;
-
-double lengthOf(const Vec3& v) { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
+constexpr float kOpaqueAlpha = 0.999F;
 
 /// The largest factor by which the matrix lengthens anything is at most this.
 double scaleBound(const Mat4& m) {
@@ -116,7 +114,7 @@ DrawList makeDrawList(const PosedScene& scene, const SceneCatalog& catalog,
           const bool holes = item.texture >= 0 &&
                              static_cast<std::size_t>(item.texture) < translucent_textures.size() &&
                              translucent_textures[static_cast<std::size_t>(item.texture)] != 0;
-          item.translucent = item.diffuse.a < kOpaque || holes;
+          item.translucent = item.diffuse.a < kOpaqueAlpha || holes;
           item.distance =
               camera.orthographic() ? camera.depthOf(center) : lengthOf(center - camera.eye());
           if (item.diffuse.a <= 0.0F) return;

@@ -10,7 +10,7 @@
 namespace rocinante {
 namespace {
 
-constexpr float kMargin = 10;
+constexpr float kBarMargin = 10;
 constexpr float kTrackHeight = 22;
 constexpr std::array kSpeeds{"0.1", "0.25", "0.5", "1", "2", "4", "10"};
 
@@ -86,9 +86,9 @@ void drawTrack(ViewModel& model, Transport& transport, SteadyTime now) {
 
 void drawTimeBar(ViewModel& model, Transport& transport, SteadyTime now) {
   const ImGuiIO& io = ImGui::GetIO();
-  ImGui::SetNextWindowPos(ImVec2(kMargin, io.DisplaySize.y - kMargin), ImGuiCond_Always,
+  ImGui::SetNextWindowPos(ImVec2(kBarMargin, io.DisplaySize.y - kBarMargin), ImGuiCond_Always,
                           ImVec2(0, 1));
-  ImGui::SetNextWindowSize(ImVec2(io.DisplaySize.x - 2 * kMargin, 0));
+  ImGui::SetNextWindowSize(ImVec2(io.DisplaySize.x - 2 * kBarMargin, 0));
   ImGui::Begin("time", nullptr,
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);

@@ -65,12 +65,6 @@ mcap::Chunk makeChunk(Bytes& records,
   return chunk;
 }
 
-std::vector<std::string> payloads(LogReader& reader) {
-  std::vector<std::string> out;
-  for (const KeptMessage& message : readAll(reader)) out.push_back(message.payload);
-  return out;
-}
-
 TEST(LogReader, MergesChunksThatOverlapAndComeOutOfOrder) {
   Bytes a, b, c;
   const Bytes file = FileMaker()

@@ -47,6 +47,12 @@ inline std::vector<KeptMessage> readAll(LogReader& reader) {
   return messages;
 }
 
+inline std::vector<std::string> payloads(LogReader& reader) {
+  std::vector<std::string> out;
+  for (const KeptMessage& message : readAll(reader)) out.push_back(message.payload);
+  return out;
+}
+
 inline LogWriter makeWriter(Bytes& out, const LogWriterOptions& options = {}) {
   Result<LogWriter> writer = LogWriter::createOn(makeMemorySink(out), options, "session-1");
   EXPECT_TRUE(writer.ok());

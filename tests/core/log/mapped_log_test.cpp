@@ -13,7 +13,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-constexpr int kMessages = 3000;
+constexpr int kMappedMessages = 3000;
 
 /// Some 400 KB in chunks of 8 KB, so that most of it lies on pages of its own.
 std::filesystem::path writeLog(const TemporaryFolder& folder,
@@ -25,7 +25,7 @@ std::filesystem::path writeLog(const TemporaryFolder& folder,
   Result<LogWriter> writer = LogWriter::create(path, options, "session-1");
   EXPECT_TRUE(writer.ok());
   const ChannelId channel = *writer->addChannel("/udp/1/a", "octets", {});
-  for (int i = 0; i < kMessages; ++i) {
+  for (int i = 0; i < kMappedMessages; ++i) {
     std::string payload = std::to_string(i) + " ";
     for (unsigned j = 0; j < 100; ++j) {
       payload.push_back(static_cast<char>('a' + (static_cast<unsigned>(i) * 7919U + j * j) % 26U));

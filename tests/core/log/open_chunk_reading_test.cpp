@@ -93,12 +93,6 @@ std::vector<std::string> firstPayloads(std::size_t count) {
   return payloads;
 }
 
-std::vector<std::string> payloads(LogReader& reader) {
-  std::vector<std::string> out;
-  for (const KeptMessage& message : readAll(reader)) out.push_back(message.payload);
-  return out;
-}
-
 bool tellsOfOpenChunk(const LogReader& reader) {
   return std::ranges::any_of(reader.damage(), [](const DamageSpan& damage) {
     return damage.cause.find("never finished") != std::string::npos;

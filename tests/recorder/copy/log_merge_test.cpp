@@ -10,7 +10,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-constexpr const char* kTool = "rocinante log cut";
+constexpr const char* kCutTool = "rocinante log cut";
 
 TEST(LogMerge, ThePiecesOfASessionMakeTheSessionAgain) {
   TemporaryFolder folder;
@@ -52,9 +52,9 @@ TEST(LogMerge, WhatOverlappingPiecesOfASessionBothHoldIsTakenOnce) {
     SelectionOptions second;
     second.from = rfcOf(whole[120].log_time_ns);
     ASSERT_TRUE(
-        cutLog(folder / "whole.mcap", first, makeAt(folder / (name + "a.mcap")), kTool).ok());
+        cutLog(folder / "whole.mcap", first, makeAt(folder / (name + "a.mcap")), kCutTool).ok());
     ASSERT_TRUE(
-        cutLog(folder / "whole.mcap", second, makeAt(folder / (name + "b.mcap")), kTool).ok());
+        cutLog(folder / "whole.mcap", second, makeAt(folder / (name + "b.mcap")), kCutTool).ok());
     for (const bool swapped : {false, true}) {
       std::vector<std::filesystem::path> paths{folder / (name + "a.mcap"),
                                                folder / (name + "b.mcap")};
@@ -151,8 +151,8 @@ TEST(LogMerge, WhatALaterPieceOpensWithIsSaidAgain) {
   first.until = rfcOf(whole[100].log_time_ns);
   SelectionOptions second;
   second.from = rfcOf(whole[200].log_time_ns);
-  ASSERT_TRUE(cutLog(folder / "whole.mcap", first, makeAt(folder / "a.mcap"), kTool).ok());
-  ASSERT_TRUE(cutLog(folder / "whole.mcap", second, makeAt(folder / "b.mcap"), kTool).ok());
+  ASSERT_TRUE(cutLog(folder / "whole.mcap", first, makeAt(folder / "a.mcap"), kCutTool).ok());
+  ASSERT_TRUE(cutLog(folder / "whole.mcap", second, makeAt(folder / "b.mcap"), kCutTool).ok());
   ASSERT_TRUE(mergeLogs({folder / "a.mcap", folder / "b.mcap"}, makeAt(folder / "m.mcap")).ok());
   const std::vector<KeptMessage> merged = messagesOf(folder / "m.mcap");
   EXPECT_GT(countOn(merged, kRestatedKeyframeTopic), 0U);

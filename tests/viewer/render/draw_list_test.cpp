@@ -11,7 +11,7 @@ using test::colored;
 using test::squareMesh;
 using test::TestCell;
 
-Camera frontCamera() {
+Camera wideCamera() {
   CameraView view;
   view.eye = {0, -10, 0};
   view.target = {0, 0, 0};
@@ -33,7 +33,7 @@ Listed listOf(TestCell& cell, const std::vector<std::string>& hide = {},
   const SceneCatalog catalog(cell.cell());
   const PosedScene scene = cell.scene();
   const DrawList list =
-      makeDrawList(scene, catalog, *ViewChoice::make(hide, show), frontCamera(), {});
+      makeDrawList(scene, catalog, *ViewChoice::make(hide, show), wideCamera(), {});
   return {namesOf(list.opaque, scene), namesOf(list.translucent, scene)};
 }
 
@@ -106,7 +106,7 @@ TEST(DrawList, AColorThatWasSetReplacesMaterialAndTexture) {
   ASSERT_EQ(catalog.textures().size(), 1U);
   PosedScene scene = cell.scene();
   const auto listNow = [&] {
-    return makeDrawList(scene, catalog, *ViewChoice::make({}, {}), frontCamera(), {});
+    return makeDrawList(scene, catalog, *ViewChoice::make({}, {}), wideCamera(), {});
   };
   EXPECT_EQ(listNow().opaque.at(0).texture, 0);
   scene.devices[0].link_color[0] = 0x0000FF80;
@@ -125,8 +125,8 @@ TEST(DrawList, APictureWithHolesMakesItsSurfaceTranslucent) {
   const SceneCatalog catalog(cell.cell());
   const PosedScene scene = cell.scene();
   const auto choice = ViewChoice::make({}, {});
-  EXPECT_EQ(makeDrawList(scene, catalog, *choice, frontCamera(), {0}).opaque.size(), 1U);
-  EXPECT_EQ(makeDrawList(scene, catalog, *choice, frontCamera(), {1}).translucent.size(), 1U);
+  EXPECT_EQ(makeDrawList(scene, catalog, *choice, wideCamera(), {0}).opaque.size(), 1U);
+  EXPECT_EQ(makeDrawList(scene, catalog, *choice, wideCamera(), {1}).translucent.size(), 1U);
 }
 
 TEST(SceneCatalog, PutsOneSidedTrianglesLastInTheirPart) {
