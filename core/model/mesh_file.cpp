@@ -11,6 +11,7 @@
 
 #include "core/model/fault_list.h"
 #include "core/model/obj_reader.h"
+#include "core/model/scene_reader.h"
 #include "core/model/stl_reader.h"
 
 namespace rocinante {
@@ -89,8 +90,11 @@ Result<Mesh> readMeshBytes(ByteView bytes, const std::filesystem::path& path,
   FaultList mesh_faults(faults, path.string());
   if (ending == ".obj") return readObj(bytes, path, options, mesh_faults);
   if (ending == ".stl" || ending == ".stlb") return readStl(bytes, path, options, mesh_faults);
+  if (ending == ".dae" || ending == ".gltf" || ending == ".glb") {
+    return readScene(bytes, path, options, mesh_faults);
+  }
   return Error{ErrorKind::unsupported,
-               "is no mesh that can be read: only .obj and .stl are, not " +
+               "is no mesh that can be read: .obj, .stl, .dae, .gltf and .glb are, not " +
                    (ending.empty() ? "a file without an ending" : quotedInFault(ending)),
                path.string()};
 }

@@ -25,9 +25,10 @@ struct MeshReadOptions {
   double smooth_angle_deg = 40;  ///< missing normals: faces that meet at less are smoothed
 };
 
-/// Reads .obj (with .mtl) or .stl, binary and ASCII, by the file's ending. Faults of the file are
-/// added to `faults` with their lines and as much as is sound is returned; an error only when
-/// nothing can be used. What each format's reader makes of a file: obj_reader.h, stl_reader.h.
+/// Reads .obj (with .mtl), .stl, binary and ASCII, .dae, .gltf or .glb by the file's ending. Faults
+/// of the file are added to `faults` with their lines and as much as is sound is returned; an error
+/// only when nothing can be used. What each format's reader makes of a file: obj_reader.h,
+/// stl_reader.h, scene_reader.h.
 Result<Mesh> readMeshFile(const std::filesystem::path& path, const MeshReadOptions& options,
                           ModelFaults& faults);
 

@@ -126,7 +126,7 @@ class MtlReader {
       add(Severity::warning, "mtl.missing-texture", "map_Kd names no file");
       return;
     }
-    material_.diffuse_map = find(name);
+    material_.diffuse_map = textureFile(resolve_, name, path_.parent_path());
     if (material_.diffuse_map.empty()) {
       add(Severity::warning, "mtl.missing-texture",
           "the texture " + quotedInFault(name) + " of material " + quotedInFault(material_.name) +
@@ -157,19 +157,6 @@ class MtlReader {
     } else if (option.name == "-o") {
       material_.map_offset = {static_cast<float>(values[0]), static_cast<float>(values[1])};
     }
-  }
-
-  fs::path find(std::string name) const {
-    const fs::path beside = path_.parent_path();
-    if (fs::path found = resolve_(name, beside); !found.empty()) return found;
-    if (name.find('\\') != std::string::npos) {
-      std::replace(name.begin(), name.end(), '\\', '/');
-      if (fs::path found = resolve_(name, beside); !found.empty()) return found;
-    }
-    const std::string bare = name.substr(name.rfind('/') + 1);
-    if (bare.empty()) return {};
-    if (fs::path found = resolve_(bare, beside); !found.empty()) return found;
-    return resolve_("../materials/textures/" + bare, beside);
   }
 
   void keepMaterial() {
@@ -205,6 +192,18 @@ class MtlReader {
 void readMtl(std::string_view text, const fs::path& path, const ResolveFile& resolve,
              FaultList& faults, std::vector<Material>& materials) {
   MtlReader(text, path, resolve, faults, materials).read();
+}
+
+fs::path textureFile(const ResolveFile& resolve, std::string name, const fs::path& beside) {
+  if (fs::path found = resolve(name, beside); !found.empty()) return found;
+  if (name.find('\\') != std::string::npos) {
+    std::replace(name.begin(), name.end(), '\\', '/');
+    if (fs::path found = resolve(name, beside); !found.empty()) return found;
+  }
+  const std::string bare = name.substr(name.rfind('/') + 1);
+  if (bare.empty()) return {};
+  if (fs::path found = resolve(bare, beside); !found.empty()) return found;
+  return resolve("../materials/textures/" + bare, beside);
 }
 
 ResolveFile resolverOf(const MeshReadOptions& options) {

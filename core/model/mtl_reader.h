@@ -11,11 +11,15 @@ namespace rocinante {
 
 /// Reads a Wavefront material file: Kd Ks Ke Ns d Tr map_Kd (with -s and -o). Materials are added
 /// to `materials` in the file's order; one whose name is there already is left out with a fault.
-/// Other known keywords are passed over. A texture is looked for as it is named, with slashes for
-/// backslashes, by its bare name beside the file, and in ../materials/textures; one that is not
-/// found is a fault, and the material stays without.
+/// Other known keywords are passed over. A texture that textureFile does not find is a fault, and
+/// the material stays without.
 void readMtl(std::string_view text, const std::filesystem::path& path, const ResolveFile& resolve,
              FaultList& faults, std::vector<Material>& materials);
+
+/// The picture that a material names: as named, with slashes for backslashes, by its bare name in
+/// the folder `beside`, and in ../materials/textures from there. Empty when it is not found.
+std::filesystem::path textureFile(const ResolveFile& resolve, std::string name,
+                                  const std::filesystem::path& beside);
 
 /// `options.resolve`, or one that finds only what lies in the folder `beside` or below it.
 ResolveFile resolverOf(const MeshReadOptions& options);
