@@ -17,9 +17,9 @@ enum class Realtime : std::uint8_t {
 /// "auto", "on" and "off", as options write them; anything else is automatic.
 Realtime realtimeOf(std::string_view text);
 
-/// Makes the calling thread fit for pacing while it lives: timers without slack and, when
-/// permitted, SCHED_FIFO (not for threads started from it). One at a time; belongs to the thread
-/// that made it.
+/// Makes the calling thread fit for pacing while it lives: timers without slack, short slices and,
+/// when permitted, SCHED_FIFO (not for threads started from it). One at a time; belongs to the
+/// thread that made it.
 class PacingThread {
  public:
   /// refused when `realtime` is `on` and the system does not permit it.
