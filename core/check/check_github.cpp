@@ -1,0 +1,95 @@
+#include <fmt/format.h>
+
+#include <map>
+
+#include "core/check/report_formats.h"
+
+namespace rocinante {
+namespace {
+
+/// The runner takes these back: https://github.com/actions/toolkit, "command.ts".
+std::string data(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) {
+    switch (c) {
+      case '%':
+        escaped += "%25";
+        break;
+      case '\r':
+        escaped += "%0D";
+        break;
+      case '\n':
+        escaped += "%0A";
+        break;
+      default:
+        escaped += c;
+    }
+  }
+  return escaped;
+}
+
+std::string property(std::string_view text) {
+  std::string escaped;
+  for (const char c : data(text)) {
+    if (c == ':') {
+      escaped += "%3A";
+    } else if (c == ',') {
+      escaped += "%2C";
+    } else {
+      escaped += c;
+    }
+  }
+  return escaped;
+}
+
+std::string_view commandOf(Severity severity) {
+  switch (severity) {
+    case Severity::error:
+      return "error";
+    case Severity::warning:
+      return "warning";
+    case Severity::note:
+      return "notice";
+  }
+  return "error";
+}
+
+std::string commandFor(const CheckReport& report, const Finding& finding) {
+  std::string command = fmt::format("::{} ", commandOf(finding.severity));
+  if (!finding.file.empty()) {
+    command += fmt::format("file={},", property(finding.file));
+    if (finding.line > 0) command += fmt::format("line={},", finding.line);
+    if (finding.line > 0 && finding.column > 0) command += fmt::format("col={},", finding.column);
+  }
+  std::string text = finding.text;
+  if (finding.first) text += "\n" + whenText(report, finding);
+  if (!finding.example.empty()) text += "\nsuch as: " + finding.example;
+  if (!finding.hint.empty()) text += "\nhint: " + finding.hint;
+  return command + fmt::format("title={}::{}\n", property(finding.rule), data(text));
+}
+
+}  // namespace
+
+std::string checkGithub(const CheckReport& report, std::size_t most_a_rule) {
+  std::string text;
+  std::map<std::string_view, std::size_t> listed, left_out;
+  for (const Finding& finding : report.findings) {
+    if (finding.accepted) continue;
+    if (most_a_rule > 0 && listed[finding.rule] == most_a_rule) {
+      ++left_out[finding.rule];
+      continue;
+    }
+    ++listed[finding.rule];
+    text += commandFor(report, finding);
+  }
+  for (const auto& [rule, more] : left_out) {
+    text += fmt::format("::notice title={}::and {} more\n", property(rule), more);
+  }
+  if (report.verdict == Verdict::nothing_judged || report.verdict == Verdict::interrupted) {
+    text += fmt::format("::error title=rocinante check::{}\n", data(verdictText(report.verdict)));
+  }
+  return text + fmt::format("{}{}{}: {}\n", report.cell, report.session.empty() ? "" : " and ",
+                            report.session, verdictText(report.verdict));
+}
+
+}  // namespace rocinante

@@ -1,0 +1,127 @@
+#include <fmt/format.h>
+
+#include <map>
+
+#include "core/check/report_formats.h"
+#include "core/check/rule_list.h"
+#include "core/plain_text.h"
+
+namespace rocinante {
+namespace {
+
+/// As XML 1.0 can hold it, in an attribute or between tags.
+std::string xml(std::string_view text) {
+  std::string escaped;
+  // What is no UTF-8, and control characters, which XML cannot hold at all, as \xNN.
+  std::string line;
+  const auto flush = [&] {
+    for (const char c : plainText(line)) {
+      switch (c) {
+        case '&':
+          escaped += "&amp;";
+          break;
+        case '<':
+          escaped += "&lt;";
+          break;
+        case '>':
+          escaped += "&gt;";
+          break;
+        case '"':
+          escaped += "&quot;";
+          break;
+        default:
+          escaped += c;
+      }
+    }
+    line.clear();
+  };
+  for (const char c : text) {
+    if (c != '\n') {
+      line += c;
+      continue;
+    }
+    flush();
+    escaped += "&#10;";
+  }
+  flush();
+  return escaped;
+}
+
+std::string paragraphOf(const CheckReport& report, const Finding& finding) {
+  const std::string place = placeText(finding);
+  std::string text = fmt::format("{}: {}{}{}\n", nameOf(finding.severity), place,
+                                 place.empty() ? "" : ": ", finding.text);
+  if (finding.first) text += "  " + whenText(report, finding) + "\n";
+  if (!finding.example.empty()) text += "  such as: " + finding.example + "\n";
+  if (!finding.hint.empty()) text += "  hint: " + finding.hint + "\n";
+  return text;
+}
+
+struct Counts {
+  std::size_t tests = 0, failures = 0, errors = 0, skipped = 0;
+};
+
+/// The test case of one rule, with what was found by it.
+std::string testCase(const CheckReport& report, std::string_view rule,
+                     const std::vector<const Finding*>& findings, Counts& counts) {
+  ++counts.tests;
+  const std::string_view family = rule.substr(0, rule.find('.'));
+  std::string text =
+      fmt::format("    <testcase classname=\"rocinante.check.{}\" name=\"{}\" time=\"0\"",
+                  xml(family), xml(rule));
+  if (findings.empty()) return text + "/>\n";
+  text += ">\n";
+  std::string failures, others, accepted;
+  const Finding* first_failure = nullptr;
+  for (const Finding* finding : findings) {
+    const bool fails = report.isFailure(*finding);
+    if (fails && first_failure == nullptr) first_failure = finding;
+    (fails ? failures : finding->accepted ? accepted : others) += paragraphOf(report, *finding);
+  }
+  if (first_failure != nullptr) {
+    ++counts.failures;
+    text += fmt::format("      <failure message=\"{}\" type=\"{}\">{}</failure>\n",
+                        xml(first_failure->text), nameOf(first_failure->severity), xml(failures));
+  } else if (!accepted.empty() && others.empty()) {
+    ++counts.skipped;
+    text += "      <skipped message=\"accepted by the baseline\"/>\n";
+  }
+  if (!others.empty() || !accepted.empty()) {
+    text += fmt::format("      <system-out>{}</system-out>\n", xml(others + accepted));
+  }
+  return text + "    </testcase>\n";
+}
+
+}  // namespace
+
+std::string checkJunit(const CheckReport& report) {
+  std::map<std::string_view, std::vector<const Finding*>> by_rule;
+  for (const Rule& rule : allRules()) by_rule[rule.id];
+  for (const Finding& finding : report.findings) by_rule[finding.rule].push_back(&finding);
+
+  Counts counts;
+  std::string cases;
+  for (const auto& [rule, findings] : by_rule) cases += testCase(report, rule, findings, counts);
+  // Without it, a session that nobody judged would look like one without faults.
+  ++counts.tests;
+  cases += "    <testcase classname=\"rocinante.check\" name=\"judged\" time=\"0\"";
+  if (report.verdict == Verdict::nothing_judged || report.verdict == Verdict::interrupted) {
+    ++counts.errors;
+    cases += fmt::format(">\n      <error message=\"{}\" type=\"{}\"/>\n    </testcase>\n",
+                         xml(verdictText(report.verdict)), nameOf(report.verdict));
+  } else {
+    cases += "/>\n";
+  }
+  const std::string totals = fmt::format("tests=\"{}\" failures=\"{}\" errors=\"{}\"", counts.tests,
+                                         counts.failures, counts.errors);
+  std::string name = "rocinante check " + report.cell;
+  if (!report.session.empty()) name += " " + report.session;
+  return fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+      "<testsuites name=\"rocinante check\" {0} time=\"0\">\n"
+      "  <testsuite name=\"{1}\" {0} skipped=\"{2}\" time=\"0\">\n{3}"
+      "  </testsuite>\n</testsuites>\n",
+      totals, xml(name), counts.skipped, cases);
+}
+
+}  // namespace rocinante
