@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct Arrival {
   std::uint32_t endpoint = 0;  ///< index of the listening endpoint
   std::uint32_t offset = 0;    ///< of the payload in the block
   std::uint32_t length = 0;
+  bool has_destination = false;  ///< it was sent elsewhere than to the endpoint's own address
 };
 
 /// Many datagrams in one piece of memory, handed from the receiving thread to the writing one.
@@ -33,11 +35,19 @@ class DatagramBlock {
   }
 
   /// Copies the datagram in. False when it does not fit; an empty block takes any datagram.
-  bool add(std::uint32_t endpoint, LogTime time, const SocketAddress& sender, ByteView payload) {
-    if (arrivals_.size() == kArrivals || payload.size() > kBytes - used_) return false;
+  /// `destination` is null when it is the endpoint's own address: as a rule.
+  bool add(std::uint32_t endpoint, LogTime time, const SocketAddress& sender, ByteView payload,
+           const SocketAddress* destination = nullptr) {
+    const std::size_t before = destination != nullptr ? sizeof *destination : 0;
+    if (arrivals_.size() == kArrivals || payload.size() + before > kBytes - used_) return false;
+    if (destination != nullptr) {
+      // Before the payload, so that what is almost always the same takes no room.
+      std::memcpy(bytes_.get() + used_, destination, before);
+      used_ += before;
+    }
     if (!payload.empty()) std::memcpy(bytes_.get() + used_, payload.data(), payload.size());
     arrivals_.push_back({time, sender, endpoint, static_cast<std::uint32_t>(used_),
-                         static_cast<std::uint32_t>(payload.size())});
+                         static_cast<std::uint32_t>(payload.size()), destination != nullptr});
     used_ += payload.size();
     return true;
   }
@@ -46,6 +56,13 @@ class DatagramBlock {
   std::span<const Arrival> arrivals() const { return arrivals_; }
   ByteView payload(const Arrival& arrival) const {
     return {bytes_.get() + arrival.offset, arrival.length};
+  }
+  std::optional<SocketAddress> destination(const Arrival& arrival) const {
+    if (!arrival.has_destination) return std::nullopt;
+    SocketAddress destination;
+    std::memcpy(&destination, bytes_.get() + arrival.offset - sizeof destination,
+                sizeof destination);
+    return destination;
   }
   void clear() {
     arrivals_.clear();

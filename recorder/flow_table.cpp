@@ -18,6 +18,13 @@ std::size_t hashOf(const Any& flow) {
   std::uint64_t mixed = (std::uint64_t{flow.endpoint} << 32U) ^
                         (std::uint64_t{flow.sender.port} << 8U) ^ (flow.is_packet_text ? 1U : 0U) ^
                         (flow.is_restated ? 2U : 0U);
+  if (flow.destination) {
+    // Hostile traffic may choose both addresses; a few long chains are all that gains it, because
+    // flows are bounded.
+    std::uint64_t host = 0;
+    std::memcpy(&host, flow.destination->address.data() + (flow.destination->is_ipv6 ? 8 : 0), 8);
+    mixed ^= (host * 0xD6E8FEB86659FD93U) + flow.destination->port;
+  }
   for (const std::uint64_t part :
        {high, low, std::uint64_t{std::hash<std::string_view>{}(flow.source)}}) {
     mixed = (mixed ^ part) * 0x9E3779B97F4A7C15U;
@@ -26,9 +33,10 @@ std::size_t hashOf(const Any& flow) {
   return mixed;
 }
 
-std::string rootOf(const ListenedEndpoint& listened) {
-  if (listened.endpoint.isMulticast()) return "/udp/" + listened.bound.text();
-  return fmt::format("/udp/{}", listened.bound.port);
+/// What topics of datagrams to `address` begin with.
+std::string rootOf(const SocketAddress& address) {
+  if (address.isMulticast()) return "/udp/" + address.text();
+  return fmt::format("/udp/{}", address.port);
 }
 
 }  // namespace
@@ -40,7 +48,7 @@ FlowTable::FlowTable(std::vector<ListenedEndpoint> endpoints) {
   for (ListenedEndpoint& each : endpoints) {
     // A zone would say where the listener is, not what it listens to.
     each.bound.scope_id = 0;
-    std::string root = rootOf(each);
+    std::string root = each.endpoint.isPcap() ? "/udp" : rootOf(each.bound);
     endpoints_.push_back({std::move(each), std::move(root), 0, {}});
   }
 }
@@ -52,9 +60,10 @@ std::size_t FlowTable::channelOf(const Flow& flow) {
   ++endpoint.flows;
   const std::size_t index = channels_.size();
   channels_.push_back(channelFor(flow, false));
-  flows_.emplace(Key{flow.endpoint, flow.sender, std::string(flow.source), flow.is_packet_text,
-                     flow.is_restated},
-                 index);
+  Key key{flow.endpoint,       flow.sender,      std::string(flow.source),
+          flow.is_packet_text, flow.is_restated, std::nullopt};
+  if (flow.destination != nullptr) key.destination = *flow.destination;
+  flows_.emplace(std::move(key), index);
   return index;
 }
 
@@ -70,22 +79,30 @@ FlowChannel FlowTable::channelFor(const Flow& flow, bool shared) const {
   FlowChannel channel;
   channel.endpoint = flow.endpoint;
   channel.encoding = flow.is_packet_text ? "rk1" : "octets";
-  channel.metadata = {{"protocol", "udp"}, {"local", endpoint.listened.bound.text()}};
-  if (endpoint.listened.endpoint.isMulticast()) {
-    channel.metadata["group"] = endpoint.listened.bound.hostText();
-    if (!endpoint.listened.endpoint.interface.empty()) {
-      channel.metadata["interface"] = endpoint.listened.endpoint.interface;
-    }
+  channel.metadata = {{"protocol", "udp"}};
+  // Without an address, flows beyond the bound share one channel, wherever they went.
+  const Endpoint& listened = endpoint.listened.endpoint;
+  std::optional<SocketAddress> local = endpoint.listened.bound;
+  if (listened.isPcap()) local.reset();
+  if (flow.destination != nullptr && !shared) local = *flow.destination;
+  if (local) {
+    channel.metadata["local"] = local->text();
+    if (local->isMulticast()) channel.metadata["group"] = local->hostText();
+  }
+  const bool by_interface = listened.isPcap() || listened.isMulticast();
+  if (by_interface && !listened.interface.empty()) {
+    channel.metadata["interface"] = listened.interface;
   }
   const std::string restated = flow.is_restated ? "/rocinante/restated" : "";
   if (shared) {
-    channel.topic = restated + endpoint.root + "/_many";
+    channel.topic = fmt::format("{}{}/_many", restated, endpoint.root);
     return channel;
   }
   channel.metadata["remote"] = flow.sender.text();
   if (!flow.source.empty()) channel.metadata["source"] = flow.source;
   const std::string name = flow.source.empty() ? flow.sender.hostText() : encodeName(flow.source);
-  channel.topic = fmt::format("{}{}/{}", restated, endpoint.root, name);
+  const std::string root = flow.destination != nullptr ? rootOf(*flow.destination) : endpoint.root;
+  channel.topic = fmt::format("{}{}/{}", restated, root, name);
   return channel;
 }
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -12,7 +13,8 @@
 
 namespace rocinante {
 
-/// A listening endpoint as channels name it.
+/// A listening endpoint as channels name it. One that watches others' traffic (pcap://) has no
+/// address of its own: its channels are named by where each datagram was sent.
 struct ListenedEndpoint {
   Endpoint endpoint;
   SocketAddress bound;  ///< with the port that was bound
@@ -25,6 +27,8 @@ struct Flow {
   std::string_view source;  ///< SOURCE of packet text; empty when there is none
   bool is_packet_text = false;
   bool is_restated = false;  ///< said by someone else (`by=`)
+  /// Where it was sent, when that is not the endpoint's own address; borrowed.
+  const SocketAddress* destination = nullptr;
 };
 
 /// The channel that keeps a flow.
@@ -58,6 +62,7 @@ class FlowTable {
     std::string source;
     bool is_packet_text;
     bool is_restated;
+    std::optional<SocketAddress> destination;
   };
   struct Hash {
     using is_transparent = void;
@@ -69,12 +74,13 @@ class FlowTable {
     template <class A, class B>
     bool operator()(const A& a, const B& b) const {
       return a.endpoint == b.endpoint && a.sender == b.sender && a.source == b.source &&
-             a.is_packet_text == b.is_packet_text && a.is_restated == b.is_restated;
+             a.is_packet_text == b.is_packet_text && a.is_restated == b.is_restated &&
+             (a.destination ? b.destination && *a.destination == *b.destination : !b.destination);
     }
   };
   struct EndpointState {
     ListenedEndpoint listened;
-    std::string root;  ///< "/udp/19960", "/udp/239.255.19.96:19960"
+    std::string root;  ///< "/udp/19960", "/udp/239.255.19.96:19960"; of pcap:// "/udp"
     std::size_t flows = 0;
     std::map<std::pair<bool, bool>, std::size_t> shared;  ///< _many, by encoding and restated
   };

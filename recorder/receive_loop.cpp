@@ -11,15 +11,20 @@ constexpr int kBatchesATurn = 64;
 // Few wake-ups for the writing thread, and still well within the reordering window.
 constexpr Nanoseconds kBlockAge = std::chrono::milliseconds(5);
 constexpr Nanoseconds kAskForDrops = std::chrono::milliseconds(50);
+constexpr Nanoseconds kRateSpan = std::chrono::seconds(1);
 // A flood that goes on must not keep a recording from ending.
 constexpr Nanoseconds kLastPasses = std::chrono::milliseconds(500);
 
 }  // namespace
 
-ReceiveLoop::ReceiveLoop(std::vector<DatagramSource*> sources, Look look, HandOver& out)
-    : look_(std::move(look)), out_(out), clock_(look_()) {
+ReceiveLoop::ReceiveLoop(std::vector<DatagramSource*> sources, Look look, HandOver& out,
+                         Callbacks callbacks)
+    : look_(std::move(look)), out_(out), callbacks_(std::move(callbacks)), clock_(look_()) {
   for (DatagramSource* source : sources) {
-    listeners_.push_back({.source = source, .checked = clock_.now()});
+    Listener listener{};
+    listener.source = source;
+    listener.checked = listener.rate_since = clock_.now();
+    listeners_.push_back(listener);
   }
   asked_ = clock_.now();
 }
@@ -60,10 +65,12 @@ Result<bool> ReceiveLoop::drain(std::uint32_t endpoint) {
     const auto batch = listener.source->receive();
     if (!batch) return batch.error();
     if (batch->empty()) {
-      listener.drained_until = asked;
+      listener.drained_until = asked - listener.source->heldBack();
       break;
     }
     received = true;
+    if (callbacks_.tee) callbacks_.tee(*batch);
+    listener.datagrams += batch->size();
     // Now, so that no stamp of the batch lies ahead of the last look.
     lookAgain();
     for (const ReceivedDatagram& datagram : *batch) keep(endpoint, datagram);
@@ -77,12 +84,15 @@ void ReceiveLoop::keep(std::uint32_t endpoint, const ReceivedDatagram& datagram)
   Listener& listener = listeners_[endpoint];
   listener.last = std::max(listener.last, clock_.at(datagram.kernel_time));
   const LogTime time = listener.last;
-  bool kept = block_ && block_->add(endpoint, time, datagram.sender, datagram.payload);
+  listener.bytes += datagram.payload.size();
+  bool kept = block_ &&
+              block_->add(endpoint, time, datagram.sender, datagram.payload, datagram.destination);
   if (!kept) {
     if (block_) handOverBlock(std::nullopt);
     block_ = out_.freeBlock();
     block_began_ = clock_.now();
-    kept = block_ && block_->add(endpoint, time, datagram.sender, datagram.payload);
+    kept = block_ &&
+           block_->add(endpoint, time, datagram.sender, datagram.payload, datagram.destination);
   }
   if (kept && !datagram.truncated) return;
   EndpointLoss loss{endpoint, time, time, {}};
@@ -107,8 +117,39 @@ Status ReceiveLoop::askForDrops() {
     const Result<std::uint64_t> dropped = listeners_[endpoint].source->droppedByNow();
     if (!dropped) return dropped.error();
     noteDrops(endpoint, *dropped);
+    tend(listeners_[endpoint]);
   }
   return {};
+}
+
+void ReceiveLoop::tend(Listener& listener) {
+  if (const auto said = listener.source->tend(); said && callbacks_.note) callbacks_.note(*said);
+  if (clock_.now() - listener.rate_since >= kRateSpan) measureRate(listener);
+}
+
+void ReceiveLoop::measureRate(Listener& listener) {
+  const double seconds = std::chrono::duration<double>(clock_.now() - listener.rate_since).count();
+  ReceiveRate rate;
+  rate.datagrams_a_second = static_cast<double>(listener.datagrams) / seconds;
+  if (listener.datagrams > 0) {
+    rate.bytes_a_datagram =
+        static_cast<double>(listener.bytes) / static_cast<double>(listener.datagrams);
+  }
+  listener.datagrams = listener.bytes = 0;
+  listener.rate_since = clock_.now();
+  if (neededReceiveBuffer(rate) > neededReceiveBuffer(listener.busiest)) listener.busiest = rate;
+  if (listener.small_buffer_told || !callbacks_.note) return;
+  const auto advice =
+      receiveBufferAdvice(boundText(*listener.source), listener.source->receiveBufferBytes(), rate);
+  if (!advice) return;
+  listener.small_buffer_told = true;
+  callbacks_.note(*advice);
+}
+
+Nanoseconds ReceiveLoop::heldBack() const {
+  Nanoseconds longest{0};
+  for (const Listener& each : listeners_) longest = std::max(longest, each.source->heldBack());
+  return longest;
 }
 
 void ReceiveLoop::handOverBlock(std::optional<LogTime> drained_until) {

@@ -102,6 +102,8 @@ Status connectTo(SystemSocket& socket, const Endpoint& to, std::uint16_t local_p
 }  // namespace
 
 struct UdpSender::Impl {
+  Result<std::size_t> sendSome(std::span<const ByteView> payloads, int flags);
+
   SystemSocket socket;
   Endpoint endpoint;
   SocketAddress local_address;
@@ -138,47 +140,54 @@ Result<UdpSender> UdpSender::open(const Endpoint& to, std::uint16_t local_port) 
 Status UdpSender::send(ByteView payload) { return send(std::span<const ByteView>(&payload, 1)); }
 
 Status UdpSender::send(std::span<const ByteView> payloads) {
-  int refusals = 0;
   while (!payloads.empty()) {
-    const std::size_t wanted = std::min(payloads.size(), kBatch);
-    for (std::size_t i = 0; i < wanted; ++i) {
-      // sendmmsg only reads what the pieces point to.
-      impl_->pieces[i] = {const_cast<std::byte*>(payloads[i].data()), payloads[i].size()};
-    }
-    const int sent = ::sendmmsg(impl_->socket.descriptor(), impl_->headers.data(),
-                                static_cast<unsigned>(wanted), 0);
-    if (sent > 0) {
-      payloads = payloads.subspan(static_cast<std::size_t>(sent));
-      refusals = 0;
-      continue;
-    }
+    const Result<std::size_t> sent = impl_->sendSome(payloads, 0);
+    if (!sent) return sent.error();
+    payloads = payloads.subspan(*sent);
+    if (*sent > 0) continue;
+    // A full device queue shows as writable at once, so the wait is for time alone.
+    const bool device_full = errno == ENOBUFS;
+    pollfd writable{impl_->socket.descriptor(), POLLOUT, 0};
+    ::poll(&writable, device_full ? 0 : 1, 1);
+  }
+  return {};
+}
+
+Result<std::size_t> UdpSender::sendWithoutWaiting(std::span<const ByteView> payloads) {
+  return impl_->sendSome(payloads, MSG_DONTWAIT);
+}
+
+/// The first so many of `payloads`, in one system call; 0 when there is no room, and errno says of
+/// which kind.
+Result<std::size_t> UdpSender::Impl::sendSome(std::span<const ByteView> payloads, int flags) {
+  const std::size_t wanted = std::min(payloads.size(), kBatch);
+  for (std::size_t i = 0; i < wanted; ++i) {
+    // sendmmsg only reads what the pieces point to.
+    pieces[i] = {const_cast<std::byte*>(payloads[i].data()), payloads[i].size()};
+  }
+  for (int refusals = 0;;) {
+    const int sent =
+        ::sendmmsg(socket.descriptor(), headers.data(), static_cast<unsigned>(wanted), flags);
+    if (sent >= 0) return static_cast<std::size_t>(sent);
     switch (errno) {
       case EINTR:
         continue;
       case EAGAIN:
-      case ENOBUFS: {
-        // A full device queue shows as writable at once, so the wait is for time alone.
-        const bool device_full = errno == ENOBUFS;
-        pollfd writable{impl_->socket.descriptor(), POLLOUT, 0};
-        ::poll(&writable, device_full ? 0 : 1, 1);
-        continue;
-      }
+      case ENOBUFS:
+        return std::size_t{0};
       case ECONNREFUSED:
         // The error belongs to a datagram sent before; this one has not gone yet.
         if (++refusals <= kRefusals) continue;
-        payloads = payloads.subspan(1);
-        refusals = 0;
-        continue;
+        return std::size_t{1};
       case EMSGSIZE:
         return Error{ErrorKind::bad_argument,
                      "a datagram of " + std::to_string(payloads[0].size()) +
                          " bytes is longer than the network takes",
-                     impl_->endpoint.text()};
+                     endpoint.text()};
       default:
-        return systemError("cannot send", impl_->endpoint);
+        return systemError("cannot send", endpoint);
     }
   }
-  return {};
 }
 
 const Endpoint& UdpSender::endpoint() const { return impl_->endpoint; }

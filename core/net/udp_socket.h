@@ -70,6 +70,9 @@ class UdpSender {
   Status send(ByteView payload);
   /// Sends all of them, in order, in as few system calls as can be (sendmmsg).
   Status send(std::span<const ByteView> payloads);
+  /// Sends the first of them, as many as go without waiting, and answers how many; 0 when the
+  /// socket or the device is full. A failure is of the first.
+  Result<std::size_t> sendWithoutWaiting(std::span<const ByteView> payloads);
 
   const Endpoint& endpoint() const;
   /// Where the datagrams come from, as a receiver sees it on this machine.

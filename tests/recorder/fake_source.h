@@ -32,6 +32,12 @@ class FakeSource final : public DatagramSource {
     if (!only_when_asked) dropped_ = dropped_by_now_;
   }
   void fail() { failed_ = true; }
+  /// From here on everything is sent there: as watched traffic is.
+  void watch(const SocketAddress& destination) { destination_ = destination; }
+  void holdBack(Nanoseconds time) { held_back_ = time; }
+  void grantBuffer(std::uint64_t bytes) { buffer_bytes_ = bytes; }
+  /// What the next tend() says.
+  void mend(std::string sentence) { mended_ = std::move(sentence); }
 
   Result<std::span<const ReceivedDatagram>> receive() override {
     if (failed_) return Error{ErrorKind::refused, "cannot receive: the cable is out", "fake"};
@@ -42,12 +48,15 @@ class FakeSource final : public DatagramSource {
     for (const Datagram& each : current_) {
       received_.push_back({bytesOf(each.payload),
                            SocketAddress::parse(each.sender, each.port).value(), each.stamp,
-                           each.truncated});
+                           each.truncated, destination_ ? &*destination_ : nullptr});
     }
     return std::span<const ReceivedDatagram>(received_);
   }
   std::uint64_t dropped() const override { return dropped_; }
   Result<std::uint64_t> droppedByNow() override { return dropped_ = dropped_by_now_; }
+  std::optional<std::string> tend() override { return std::exchange(mended_, std::nullopt); }
+  Nanoseconds heldBack() const override { return held_back_; }
+  std::uint64_t receiveBufferBytes() const override { return buffer_bytes_; }
   const Endpoint& endpoint() const override { return endpoint_; }
   const SocketAddress& boundAddress() const override { return bound_; }
 
@@ -60,6 +69,10 @@ class FakeSource final : public DatagramSource {
   std::uint64_t dropped_ = 0;
   std::uint64_t dropped_by_now_ = 0;
   bool failed_ = false;
+  std::optional<SocketAddress> destination_;
+  std::optional<std::string> mended_;
+  Nanoseconds held_back_{};
+  std::uint64_t buffer_bytes_ = 0;
 };
 
 /// Two clocks that only a test moves. Both begin at 1,000 s.

@@ -49,6 +49,40 @@ TEST(FlowTable, NamesTheGroupOfMulticast) {
   EXPECT_EQ(table.channels()[second].topic, "/udp/[ff02::9]:6/arm");
 }
 
+TEST(FlowTable, NamesWatchedTrafficByWhereItWasSent) {
+  FlowTable table({listening("pcap://eth0?filter=udp", 0)});
+  const SocketAddress to = sender(19'960, "10.0.0.9");
+  const SocketAddress group = sender(5, "239.1.2.3");
+  const auto first = table.channelOf({0, sender(4000), "arm", true, false, &to});
+  EXPECT_EQ(table.channels()[first].topic, "/udp/19960/arm");
+  EXPECT_EQ(table.channels()[first].metadata,
+            (std::map<std::string, std::string>{{"local", "10.0.0.9:19960"},
+                                                {"remote", "10.0.0.7:4000"},
+                                                {"protocol", "udp"},
+                                                {"interface", "eth0"},
+                                                {"source", "arm"}}));
+  const auto second = table.channelOf({0, sender(4000), "arm", true, true, &group});
+  EXPECT_EQ(table.channels()[second].topic, "/rocinante/restated/udp/239.1.2.3:5/arm");
+  EXPECT_EQ(table.channels()[second].metadata.at("group"), "239.1.2.3");
+  // The same sender to another receiver is another flow; equal addresses are one.
+  const SocketAddress other = sender(19'960, "10.0.0.10");
+  const SocketAddress again = to;
+  EXPECT_NE(table.channelOf({0, sender(4000), "arm", true, false, &other}), first);
+  EXPECT_EQ(table.channelOf({0, sender(4000), "arm", true, false, &again}), first);
+}
+
+TEST(FlowTable, WatchedTrafficBeyondTheBoundSharesOneChannel) {
+  FlowTable table({listening("pcap://eth0", 0)});
+  std::size_t last = 0;
+  for (unsigned i = 0; i < FlowTable::kFlowsAnEndpoint + 9; ++i) {
+    const SocketAddress to = sender(static_cast<std::uint16_t>(i), "10.0.0.9");
+    last = table.channelOf({0, sender(4000), "", false, false, &to});
+  }
+  EXPECT_EQ(table.channels().size(), FlowTable::kFlowsAnEndpoint + 1);
+  EXPECT_EQ(table.channels()[last].topic, "/udp/_many");
+  EXPECT_EQ(table.channels()[last].metadata.count("local"), 0U);
+}
+
 TEST(FlowTable, KeepsRestatementsOfOthersApart) {
   FlowTable table({listening(":9", 9)});
   const auto own = table.channelOf({0, sender(1), "arm", true, false});

@@ -173,6 +173,92 @@ TEST(ReceiveLoop, KeepsWhatItHasWhenASocketFails) {
   EXPECT_TRUE(taken.finished);
 }
 
+TEST(ReceiveLoop, KeepsWhereWatchedTrafficWasSent) {
+  Receiving setup;
+  const SocketAddress group = SocketAddress::parse("239.1.2.3", 5).value();
+  setup.first.arrive({{"own", setup.clocks.wall()}});
+  setup.second.watch(group);
+  setup.second.arrive({{"watched", setup.clocks.wall()}, {"", setup.clocks.wall()}});
+  setup.passAfter(1ms);
+  ASSERT_TRUE(setup.loop.finish().ok());
+  const TakenOver taken = setup.take();
+  const DatagramBlock& block = *taken.blocks.at(0);
+  ASSERT_EQ(block.arrivals().size(), 3U);
+  EXPECT_EQ(block.destination(block.arrivals()[0]), std::nullopt);
+  EXPECT_EQ(block.destination(block.arrivals()[1]), group);
+  EXPECT_EQ(block.destination(block.arrivals()[2]), group);
+  EXPECT_EQ(textOf(block.payload(block.arrivals()[1])), "watched");
+}
+
+TEST(ReceiveLoop, WhatTheSystemHoldsBackIsNotDrained) {
+  Receiving setup;
+  setup.first.holdBack(15ms);
+  setup.passAfter(100ms);
+  EXPECT_EQ(setup.take().drained_until, setup.loop.clock().now() - 15ms);
+  EXPECT_EQ(setup.loop.heldBack(), Nanoseconds(15ms));
+}
+
+struct Told {
+  std::vector<std::string> notes;
+  std::string teed;
+};
+
+/// The same with callbacks that keep what they are told.
+ReceiveLoop telling(Receiving& setup, Told& told) {
+  return {{&setup.first, &setup.second},
+          [&setup] { return setup.clocks.look(); },
+          setup.queue,
+          {[&told](std::span<const ReceivedDatagram> batch) {
+             for (const ReceivedDatagram& each : batch) told.teed += textOf(each.payload);
+           },
+           [&told](const std::string& note) { told.notes.push_back(note); }}};
+}
+
+TEST(ReceiveLoop, GivesTheTeeEverythingEvenWhatTheQueueDrops) {
+  Receiving setup(/*max_blocks=*/0);
+  Told told;
+  ReceiveLoop loop = telling(setup, told);
+  setup.first.arrive({{"a", setup.clocks.wall()}, {"b", setup.clocks.wall()}});
+  setup.second.arrive({{"c", setup.clocks.wall()}});
+  ASSERT_TRUE(loop.pass().ok());
+  EXPECT_EQ(told.teed, "abc");
+}
+
+TEST(ReceiveLoop, SaysWhatASourceMended) {
+  Receiving setup;
+  Told told;
+  ReceiveLoop loop = telling(setup, told);
+  setup.first.mend("joined again");
+  for (int i = 0; i < 10; ++i) {
+    setup.clocks.pass(60ms);
+    ASSERT_TRUE(loop.pass().ok());
+  }
+  EXPECT_EQ(told.notes, std::vector<std::string>{"joined again"});
+}
+
+TEST(ReceiveLoop, SaysOnceThatTheBufferIsSmallForTheRate) {
+  Receiving setup;
+  Told told;
+  ReceiveLoop loop = telling(setup, told);
+  // Both hold 100 datagrams; 10 ms of the one's rate.
+  setup.first.grantBuffer(83'200);
+  setup.second.grantBuffer(83'200);
+  for (int i = 0; i < 3'000; ++i) {
+    std::vector<FakeSource::Datagram> batch(10, {std::string(100, 'x'), setup.clocks.wall()});
+    setup.first.arrive(std::move(batch));
+    if (i % 10 == 0) setup.second.arrive({{"slow", setup.clocks.wall()}});
+    setup.clocks.pass(1ms);
+    ASSERT_TRUE(loop.pass().ok());
+    for (auto& block : setup.take().blocks) setup.queue.giveBack(std::move(block));
+  }
+  ASSERT_EQ(told.notes.size(), 1U);
+  EXPECT_NE(told.notes[0].find("the receive buffer of udp://127.0.0.1:1 holds 10 ms of 10"),
+            std::string::npos)
+      << told.notes[0];
+  EXPECT_NEAR(loop.busiest(0).datagrams_a_second, 10'000, 100);
+  EXPECT_EQ(loop.busiest(0).bytes_a_datagram, 100);
+}
+
 TEST(ReceiveLoop, EndsUnderAFloodThatGoesOn) {
   Receiving setup;
   for (int i = 0; i < 100'000; ++i) setup.first.arrive({{"x", setup.clocks.wall()}});
