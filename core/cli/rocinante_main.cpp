@@ -25,6 +25,7 @@ constexpr std::array kVerbs{
     Verb{"play", "re-emit a log as UDP, at any speed"},
     Verb{"source", "send kinematic state: from a CSV file or the demo's motion"},
     Verb{"log", "look into a log: info, cat"},
+    Verb{"model", "what is in a model: info, tree, fk, convert"},
     Verb{"check", "does this session still fit this model?"},
     Verb{"render", "draw frames of a cell and a log without a window"},
     Verb{"view", "the interactive viewer"},

@@ -1,0 +1,41 @@
+#include <CLI/CLI.hpp>
+
+#include "golden/model/forward_kinematics.h"
+#include "golden/model/model_commands.h"
+
+namespace rocinante {
+namespace {
+
+struct FkOptions {
+  ModelFileOptions file;
+  PoseOptions pose;
+  bool json = false;
+};
+
+Result<cli::Exit> runFk(const FkOptions& options) {
+  const Result<PoseRequest> request = poseRequestOf(options.pose, options.file.device);
+  if (!request) return request.error();
+  const Result<Cell> cell = loadFile(options.file, false);
+  if (!cell) return cell.error();
+  warnOfFaults(*cell);
+  const auto links = forwardKinematics(*cell, *request);
+  if (!links) return links.error();
+  const std::string text =
+      options.json ? forwardKinematicsJson(*links) : forwardKinematicsText(*links);
+  if (Status written = toStandardOutput(text); !written) return written.error();
+  return cli::Exit::done;
+}
+
+}  // namespace
+
+ModelCommand addFkCommand(CLI::App& program) {
+  auto options = std::make_shared<FkOptions>();
+  CLI::App* const app =
+      program.add_subcommand("fk", "where every link stands for given joint values");
+  addFileOptions(*app, options->file);
+  addPoseOptions(*app, options->pose);
+  app->add_flag("--json", options->json, "for scripts: LINK to {xyz, quaternion}");
+  return {app, [options] { return runFk(*options); }};
+}
+
+}  // namespace rocinante

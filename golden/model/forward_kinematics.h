@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/model/posed_scene.h"
+#include "golden/model/pose_request.h"
+
+namespace rocinante {
+
+/// A link where it stands in the world.
+struct LinkPose {
+  std::string link;  ///< "LINK", or "DEVICE/LINK" where several devices are told
+  Pose pose;
+};
+
+/// Of every link of the device that is asked for, or of all devices that are there; in the order of
+/// cell and model.
+Result<std::vector<LinkPose>> forwardKinematics(const Cell& cell, const PoseRequest& request);
+
+/// A table in metres for people; for scripts an object of links with `format` before them, which a
+/// link of that very name takes the place of.
+std::string forwardKinematicsText(const std::vector<LinkPose>& links);
+std::string forwardKinematicsJson(const std::vector<LinkPose>& links);
+
+}  // namespace rocinante
