@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <limits>
 
 #include "core/math/transform.h"
 #include "core/math/trigonometry.h"
@@ -84,22 +85,33 @@ void readJointAxis(TomlTable& table, Joint& joint) {
   if (joint.type == JointType::planar) joint.axis = {0, 0, 1};
   const auto axis = turns_or_slides ? table.requiredVector("axis") : table.vector("axis");
   if (!axis) return;
-  if (const auto unit = normalized(*axis)) {
+  if (const auto unit = table.direction("axis")) {
     joint.axis = *unit;
   } else {
     table.error("cell.zero-axis", "axis", "the axis has no direction", "x is taken");
   }
 }
 
+// A limit of velocity or effort.
+std::optional<double> readRate(TomlTable& table, std::string_view key) {
+  const auto rate = table.number(key);
+  if (!rate || *rate >= 0.0) return rate;
+  table.error("cell.bad-number", key, fmt::format("`{}` of {} is below 0", key, table.what()));
+  return std::nullopt;
+}
+
 void readJointLimits(TomlTable& table, Joint& joint) {
   const auto limits = table.range("limits");
   const auto limits_deg = table.range("limits_deg");
-  const auto velocity = table.number("velocity"), effort = table.number("effort");
+  const auto velocity = readRate(table, "velocity"), effort = readRate(table, "effort");
   const bool bounded = joint.type == JointType::revolute || joint.type == JointType::prismatic;
-  for (const char* key : {"limits", "limits_deg"}) {
-    if (table.has(key) && !bounded) {
-      table.error("cell.useless-limits", key,
-                  fmt::format("a {} joint has no limits", nameOf(joint.type)));
+  const bool turns_or_slides = bounded || joint.type == JointType::continuous;
+  for (const char* key : {"limits", "limits_deg", "velocity", "effort"}) {
+    const bool may = *key == 'l' ? bounded : turns_or_slides;
+    if (table.has(key) && !may) {
+      table.error(
+          "cell.useless-limits", key,
+          fmt::format("a {} joint has no {}", nameOf(joint.type), *key == 'l' ? "limits" : key));
     }
   }
   if (limits_deg && joint.type == JointType::prismatic) {
@@ -110,10 +122,18 @@ void readJointLimits(TomlTable& table, Joint& joint) {
   if (limits && limits_deg) {
     table.error("cell.two-limits", "limits_deg", "the joint has both limits and limits_deg");
   }
-  if (!bounded || (!limits && !limits_deg)) return;
-  joint.limits = limits ? JointLimits{limits->first, limits->second, velocity, effort}
-                        : JointLimits{radiansOf(limits_deg->first), radiansOf(limits_deg->second),
-                                      velocity, effort};
+  constexpr double kNoEnd = std::numeric_limits<double>::infinity();
+  JointLimits read{-kNoEnd, kNoEnd, velocity, effort};
+  if (bounded && limits) {
+    read.lower = limits->first;
+    read.upper = limits->second;
+  } else if (bounded && limits_deg) {
+    read.lower = radiansOf(limits_deg->first);
+    read.upper = radiansOf(limits_deg->second);
+  } else if (!turns_or_slides || (!velocity && !effort)) {
+    return;
+  }
+  joint.limits = read;
 }
 
 std::optional<JointDraft> readJoint(TomlTable& table, const std::string& parent,
@@ -188,7 +208,11 @@ class InlineModelReader {
     draft_.file = *file;
     auto model = finishModel(std::move(draft_), table_.faults());
     if (!model) return nullptr;
-    if (mesh) shareOut(*model, mesh, in_world);
+    if (mesh) {
+      shareOut(*model, mesh, in_world);
+    } else {
+      model->links[model->root].visuals.emplace_back().name = "missing";
+    }
     return std::make_shared<const Model>(std::move(*model));
   }
 

@@ -22,6 +22,15 @@ int hexDigit(char c) {
   return -1;
 }
 
+/// Scaled to unit length; but numbers that are as near to it as rounding lets them come are kept,
+/// so that a turn which a program wrote is read back to the bit.
+template <class T>
+std::optional<T> unitOf(const T& given, double length_squared) {
+  constexpr double kRounding = 2e-15;
+  if (std::abs(length_squared - 1.0) <= kRounding) return given;
+  return normalized(given);
+}
+
 bool isNumber(const TomlNode& node) {
   return node.kind == TomlNode::Kind::integer || node.kind == TomlNode::Kind::number;
 }
@@ -134,6 +143,12 @@ std::optional<Vec4> TomlTable::vector4(std::string_view key) {
   return Vec4{v[0], v[1], v[2], v[3]};
 }
 
+std::optional<Vec3> TomlTable::direction(std::string_view key) {
+  const auto given = vector(key);
+  if (!given) return std::nullopt;
+  return unitOf(*given, given->x * given->x + given->y * given->y + given->z * given->z);
+}
+
 std::optional<std::pair<double, double>> TomlTable::range(std::string_view key) {
   double v[2] = {};
   if (!numbers(key, v, 2)) return std::nullopt;
@@ -190,7 +205,9 @@ Pose TomlTable::pose() {
         quaternionFromRpy({radiansOf(rpy_deg->x), radiansOf(rpy_deg->y), radiansOf(rpy_deg->z)});
   }
   if (quaternion) {
-    const auto unit = normalized(Quat{quaternion->w, quaternion->x, quaternion->y, quaternion->z});
+    const Quat given{quaternion->w, quaternion->x, quaternion->y, quaternion->z};
+    const auto unit = unitOf(
+        given, given.w * given.w + given.x * given.x + given.y * given.y + given.z * given.z);
     if (unit) {
       pose.orientation = *unit;
     } else {

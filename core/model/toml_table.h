@@ -35,6 +35,8 @@ class TomlTable {
   std::optional<bool> flag(std::string_view key);
   std::optional<Vec3> vector(std::string_view key);
   std::optional<Vec3> requiredVector(std::string_view key);
+  /// A vector scaled to unit length; empty too when it has none.
+  std::optional<Vec3> direction(std::string_view key);
   std::optional<Vec4> vector4(std::string_view key);
   /// [low, high] with low <= high.
   std::optional<std::pair<double, double>> range(std::string_view key);
