@@ -104,8 +104,10 @@ Result<Cell> loadModelFile(const fs::path& path, const CellOptions& options) {
     FaultList faults(cell.faults, path.string());
     auto mesh = meshes.load(path.filename().string(), folderOf(path), 1.0, UpAxis::z, {}, faults);
     if (mesh || !options.geometry) {
-      faults.note("cell.assumed-unit", {}, "the file is taken as metres with z up",
-                  "a cell with a [[model]] can say otherwise");
+      if (!saysItsUnit(path)) {
+        faults.note("cell.assumed-unit", {}, "the file is taken as metres with z up",
+                    "a cell with a [[model]] can say otherwise");
+      }
       model = std::make_shared<const Model>(rigidModel(device.name, path.string(), mesh));
     }
   }
@@ -242,16 +244,14 @@ Result<Cell> loadCell(const fs::path& path, const CellOptions& options) {
     if (!bytes.ok()) return bytes.error();
     return readCell(*bytes, path, options);
   }
-  if (ending == ".urdf" || ending == ".obj" || ending == ".stl") {
-    return loadModelFile(path, options);
-  }
+  if (ending == ".urdf" || isMeshFile(path)) return loadModelFile(path, options);
   if (ending == ".xacro") {
     return Error{ErrorKind::unsupported,
                  "a xacro template is not read; expand it first: xacro model.xacro > model.urdf",
                  path.string()};
   }
-  return Error{ErrorKind::bad_argument, "a cell ends in .cell.toml, .urdf, .obj or .stl",
-               path.string()};
+  return Error{ErrorKind::bad_argument,
+               "a cell ends in .cell.toml, .urdf, .obj, .stl, .dae, .gltf or .glb", path.string()};
 }
 
 }  // namespace rocinante

@@ -84,15 +84,23 @@ class WholeFile {
 
 }  // namespace
 
+bool saysItsUnit(const std::filesystem::path& path) {
+  const std::string ending = endingOf(path);
+  return ending == ".dae" || ending == ".gltf" || ending == ".glb";
+}
+
+bool isMeshFile(const std::filesystem::path& path) {
+  const std::string ending = endingOf(path);
+  return ending == ".obj" || ending == ".stl" || ending == ".stlb" || saysItsUnit(path);
+}
+
 Result<Mesh> readMeshBytes(ByteView bytes, const std::filesystem::path& path,
                            const MeshReadOptions& options, ModelFaults& faults) {
   const std::string ending = endingOf(path);
   FaultList mesh_faults(faults, path.string());
   if (ending == ".obj") return readObj(bytes, path, options, mesh_faults);
   if (ending == ".stl" || ending == ".stlb") return readStl(bytes, path, options, mesh_faults);
-  if (ending == ".dae" || ending == ".gltf" || ending == ".glb") {
-    return readScene(bytes, path, options, mesh_faults);
-  }
+  if (saysItsUnit(path)) return readScene(bytes, path, options, mesh_faults);
   return Error{ErrorKind::unsupported,
                "is no mesh that can be read: .obj, .stl, .dae, .gltf and .glb are, not " +
                    (ending.empty() ? "a file without an ending" : quotedInFault(ending)),

@@ -25,6 +25,11 @@ struct MeshReadOptions {
   double smooth_angle_deg = 40;  ///< missing normals: faces that meet at less are smoothed
 };
 
+/// By the file's ending: .obj .stl .stlb .dae .gltf .glb.
+bool isMeshFile(const std::filesystem::path& path);
+/// COLLADA and glTF do; OBJ and STL say neither their unit nor their up axis.
+bool saysItsUnit(const std::filesystem::path& path);
+
 /// Reads .obj (with .mtl), .stl, binary and ASCII, .dae, .gltf or .glb by the file's ending. Faults
 /// of the file are added to `faults` with their lines and as much as is sound is returned; an error
 /// only when nothing can be used. What each format's reader makes of a file: obj_reader.h,

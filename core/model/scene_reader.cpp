@@ -175,8 +175,10 @@ class SceneReader {
       visits.pop_back();
       const aiNode& node = *visit.node;
       const Mat4 to_root = visit.above * matrixOf(node.mTransformation);
-      // The outermost node is assimp's own where the file has several.
-      if (node.mParent != nullptr && node.mName.length > 0) visit.group = node.mName.C_Str();
+      const std::string_view name = node.mName.C_Str();
+      // The outermost node is assimp's own: always in COLLADA, in glTF where there are several.
+      const bool is_own = node.mParent == nullptr && (!is_gltf_ || name == "ROOT");
+      if (!is_own && !name.empty()) visit.group = name;
       for (unsigned i = 0; i < node.mNumMeshes; ++i) {
         if (Status added = addMesh(*scene_.mMeshes[node.mMeshes[i]], to_root, visit.group);
             !added.ok()) {
@@ -204,7 +206,8 @@ class SceneReader {
     const glm::dmat3 normal_turn = volume != 0 ? glm::transpose(glm::inverse(turn)) : turn;
     const unsigned channel = textureChannel(mesh);
     const bool has_textures = mesh.HasTextureCoords(channel);
-    if (mesh.HasVertexColors(0) && loose_.colors.empty()) loose_.colors.resize(base, 0xFFFFFFFF);
+    if (mesh.HasVertexColors(0)) has_colors_ = true;
+    if (has_colors_) loose_.colors.resize(base, 0xFFFFFFFF);
 
     for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
       const aiVector3D& p = mesh.mVertices[i];
@@ -221,7 +224,7 @@ class SceneReader {
         const bool sound = length > 1e-30 && std::isfinite(length);
         loose_.normals.emplace_back(sound ? glm::vec3(turned / length) : glm::vec3(NAN));
       }
-      if (loose_.colors.empty()) continue;
+      if (!has_colors_) continue;
       loose_.colors.push_back(mesh.HasVertexColors(0) ? colorOf(mesh.mColors[0][i]) : 0xFFFFFFFF);
     }
 
@@ -374,6 +377,7 @@ class SceneReader {
   const MeshReadOptions& options_;
   FaultList& faults_;
   LooseMesh loose_;
+  bool has_colors_ = false;
   std::vector<unsigned> channels_;  ///< of texture coordinates, by material
   std::map<const aiTexture*, std::pair<fs::path, std::shared_ptr<const Bytes>>> pictures_;
 };

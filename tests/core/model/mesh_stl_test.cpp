@@ -161,11 +161,12 @@ TEST(StlReader, SurvivesEveryPrefix) {
 
 TEST(MeshFile, RefusesOtherEndingsAndMissingFiles) {
   ModelFaults faults;
-  const Result<Mesh> collada = readMeshBytes({}, "a.dae", {}, faults);
-  ASSERT_FALSE(collada.ok());
-  EXPECT_EQ(collada.error().kind, ErrorKind::unsupported);
-  EXPECT_EQ(collada.error().text(),
-            "is no mesh that can be read: only .obj and .stl are, not `.dae` (a.dae)");
+  const Result<Mesh> step = readMeshBytes({}, "a.step", {}, faults);
+  ASSERT_FALSE(step.ok());
+  EXPECT_EQ(step.error().kind, ErrorKind::unsupported);
+  EXPECT_EQ(
+      step.error().text(),
+      "is no mesh that can be read: .obj, .stl, .dae, .gltf and .glb are, not `.step` (a.step)");
   const Result<Mesh> missing = readMeshFile("/nowhere/a.obj", {}, faults);
   ASSERT_FALSE(missing.ok());
   EXPECT_EQ(missing.error().kind, ErrorKind::not_found);
