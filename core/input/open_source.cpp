@@ -27,4 +27,19 @@ Result<std::unique_ptr<DatagramSource>> openSource(const Endpoint& endpoint,
   return std::make_unique<FilteredSource>(std::move(*source), options.allow, options.own);
 }
 
+Result<Sources> openSources(const std::vector<Endpoint>& endpoints, const InputOptions& options) {
+  Sources sources;
+  for (const Endpoint& each : endpoints) {
+    if (!each.file.empty() && endpoints.size() > 1) {
+      return Error{ErrorKind::bad_argument,
+                   "a capture file is read alone: its times are not those of what arrives now",
+                   each.text()};
+    }
+    auto source = openSource(each, options);
+    if (!source) return source.error();
+    sources.push_back(std::move(*source));
+  }
+  return sources;
+}
+
 }  // namespace rocinante

@@ -25,4 +25,9 @@ inline Result<std::unique_ptr<DatagramSource>> openSource(const Endpoint& endpoi
   return openSource(endpoint, InputOptions());
 }
 
+/// All of them, in this order, or the first failure. A capture file stands alone (bad_argument):
+/// its times are not those of what arrives now.
+using Sources = std::vector<std::unique_ptr<DatagramSource>>;
+Result<Sources> openSources(const std::vector<Endpoint>& endpoints, const InputOptions& options);
+
 }  // namespace rocinante

@@ -60,6 +60,14 @@ Status AddressFilter::add(std::string_view cidr) {
   return {};
 }
 
+Result<AddressFilter> AddressFilter::of(const std::vector<std::string>& networks) {
+  AddressFilter filter;
+  for (const std::string& each : networks) {
+    if (Status added = filter.add(each); !added) return added.error();
+  }
+  return filter;
+}
+
 bool AddressFilter::allows(const SocketAddress& sender) const {
   if (networks_.empty()) return true;
   const Words words = wordsOf(sender);

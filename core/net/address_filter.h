@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -15,6 +16,9 @@ class AddressFilter {
   /// "10.0.0.0/8", "fd00::/8", or one address. bad_argument with the reason: a prefix that is too
   /// long, or bits beyond it, which would say something else than it seems to.
   Status add(std::string_view cidr);
+
+  /// All of them, or the first failure.
+  static Result<AddressFilter> of(const std::vector<std::string>& networks);
 
   bool empty() const { return networks_.empty(); }
   bool allows(const SocketAddress& sender) const;

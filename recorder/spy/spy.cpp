@@ -56,13 +56,16 @@ Spy::Spy(const std::vector<ListenedEndpoint>& endpoints, LogTime began)
     SpyEndpoint seen;
     seen.endpoint = endpoint.text();
     seen.multicast = endpoint.isMulticast();
+    seen.watched = endpoint.isPcap();
     endpoints_.push_back(std::move(seen));
   }
   for (std::size_t i = 0; i < kPacketFaultCount; ++i) faults_[i].kind = static_cast<PacketFault>(i);
 }
 
-Spy::Sender* Spy::senderFor(std::size_t endpoint, const SocketAddress& address) {
-  const auto key = std::pair(endpoint, address.text());
+Spy::Sender* Spy::senderFor(std::size_t endpoint, const ReceivedDatagram& datagram) {
+  const std::string address = datagram.sender.text();
+  const std::string to = datagram.destination != nullptr ? datagram.destination->text() : "";
+  const auto key = std::pair(endpoint, address + to);
   if (const auto found = sender_by_address_.find(key); found != sender_by_address_.end()) {
     return &senders_[found->second];
   }
@@ -74,7 +77,8 @@ Spy::Sender* Spy::senderFor(std::size_t endpoint, const SocketAddress& address) 
   sender_by_address_.emplace(key, senders_.size());
   Sender& sender = senders_.emplace_back();
   sender.seen.endpoint = endpoint;
-  sender.seen.address = key.second;
+  sender.seen.address = address;
+  sender.seen.to = to;
   return &sender;
 }
 
@@ -87,7 +91,7 @@ void Spy::add(std::size_t endpoint, const ReceivedDatagram& datagram, LogTime ar
   at.bytes += datagram.payload.size();
   endpoint_last_[endpoint] = arrived;
 
-  Sender* const sender = senderFor(endpoint, datagram.sender);
+  Sender* const sender = senderFor(endpoint, datagram);
   const Packet* const packet = decoder_.decode(datagram.payload);
   if (sender != nullptr) {
     SpySender& seen = sender->seen;
@@ -107,8 +111,9 @@ void Spy::add(std::size_t endpoint, const ReceivedDatagram& datagram, LogTime ar
   if (packet != nullptr) readPacket(*packet, datagram.payload, address, arrived);
 }
 
-void Spy::setDropped(std::size_t endpoint, std::uint64_t dropped) {
+void Spy::setDropped(std::size_t endpoint, std::uint64_t dropped, const InputCounts& counts) {
   endpoints_[endpoint].dropped = dropped;
+  endpoints_[endpoint].counts = counts;
 }
 
 void Spy::readPacket(const Packet& packet, ByteView payload, const std::string& sender,

@@ -24,8 +24,8 @@ class Spy {
   Spy(const std::vector<ListenedEndpoint>& endpoints, LogTime began);
 
   void add(std::size_t endpoint, const ReceivedDatagram& datagram, LogTime arrived);
-  /// The endpoint's drop count so far.
-  void setDropped(std::size_t endpoint, std::uint64_t dropped);
+  /// The endpoint's drop count so far, and what else did not come through.
+  void setDropped(std::size_t endpoint, std::uint64_t dropped, const InputCounts& counts = {});
 
   SpyReport report(LogTime now);
 
@@ -52,7 +52,7 @@ class Spy {
     std::optional<std::size_t> values;  ///< a hash of where it stood after the last of them
   };
 
-  Sender* senderFor(std::size_t endpoint, const SocketAddress& address);
+  Sender* senderFor(std::size_t endpoint, const ReceivedDatagram& datagram);
   void readPacket(const Packet& packet, ByteView payload, const std::string& sender,
                   LogTime arrived);
   static void hearSender(Source& source, const std::string& sender);

@@ -16,6 +16,9 @@ Json endpointJson(const SpyEndpoint& each) {
   json["bytes"] = each.bytes;
   json["senders"] = each.senders;
   json["dropped"] = each.dropped;
+  json["refused"] = each.counts.refused;
+  json["incomplete"] = each.counts.incomplete;
+  json["malformed"] = each.counts.malformed;
   json["silent_s"] = each.silent ? Json(secondsOf(*each.silent)) : Json();
   return json;
 }
@@ -24,6 +27,7 @@ Json senderJson(const SpySender& each, const SpyReport& report) {
   Json json;
   json["sender"] = each.address;
   json["endpoint"] = report.endpoints[each.endpoint].endpoint;
+  json["to"] = each.to.empty() ? Json() : Json(each.to);
   json["rate_hz"] = each.rate_hz;
   json["datagrams"] = each.datagrams;
   json["packets"] = each.packets;

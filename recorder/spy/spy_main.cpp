@@ -10,7 +10,7 @@
 
 #include "core/cli/program.h"
 #include "core/duration_text.h"
-#include "core/net/udp_socket.h"
+#include "core/input/open_source.h"
 #include "recorder/spy/spy.h"
 
 namespace {
@@ -20,6 +20,8 @@ using namespace rocinante;
 constexpr std::string_view kExamples =
     "  rocinante spy                          what this machine's own group says, live\n"
     "  rocinante spy :19960                   what is sent to port 19960\n"
+    "  rocinante spy pcap://eth0              traffic of others, with its own receivers\n"
+    "  rocinante spy pcap://./cell.pcapng     what a capture file holds\n"
     "  rocinante spy --duration 5s            a report after five seconds\n"
     "  rocinante spy --duration 5s --json     the same for scripts\n";
 
@@ -27,6 +29,7 @@ constexpr Nanoseconds kRefresh = std::chrono::milliseconds(250);
 
 struct Arguments {
   std::vector<std::string> endpoints;
+  std::vector<std::string> allow;
   std::string duration;
   bool json = false;
 };
@@ -72,46 +75,71 @@ class Screen {
   }
 };
 
-/// Gives everything that waits at the sockets to the spy.
-Status drain(std::vector<UdpReceiver>& receivers, Spy& spy) {
-  for (std::size_t i = 0; i < receivers.size(); ++i) {
+/// Gives everything that waits at the sources to the spy.
+Status drain(const Sources& sources, Spy& spy) {
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    DatagramSource& source = *sources[i];
     // One endpoint under a flood must not keep the others waiting.
     for (int turn = 0; turn < 64; ++turn) {
-      const auto batch = receivers[i].receive();
+      const auto batch = source.receive();
       if (!batch) return batch.error();
       if (batch->empty()) break;
       for (const ReceivedDatagram& each : *batch) {
         spy.add(i, each, LogTime(each.kernel_time.time_since_epoch()));
       }
     }
-    const Result<std::uint64_t> dropped = receivers[i].droppedByNow();
+    const Result<std::uint64_t> dropped = source.droppedByNow();
     if (!dropped) return dropped.error();
-    spy.setDropped(i, *dropped);
+    spy.setDropped(i, *dropped, source.counts());
   }
   return {};
 }
 
-Result<SpyReport> watch(std::vector<UdpReceiver>& receivers, std::optional<Nanoseconds> duration,
-                        bool live) {
+std::vector<ListenedEndpoint> listenedTo(const Sources& sources) {
   std::vector<ListenedEndpoint> listened;
-  std::vector<pollfd> waiting;
-  std::vector<std::string> names;
-  for (const UdpReceiver& each : receivers) {
-    listened.push_back({each.endpoint(), each.boundAddress()});
-    waiting.push_back({each.fileDescriptor(), POLLIN, 0});
-    Endpoint endpoint = each.endpoint();
-    endpoint.address.port = each.boundAddress().port;
-    names.push_back(endpoint.text());
+  for (const auto& each : sources) listened.push_back({each->endpoint(), each->boundAddress()});
+  return listened;
+}
+
+/// A capture file, by its own time.
+Result<SpyReport> read(DatagramSource& source, const std::vector<ListenedEndpoint>& listened) {
+  std::optional<Spy> spy;
+  LogTime last{};
+  while (!source.ended() && !cli::stopRequested()) {
+    const auto batch = source.receive();
+    // What stands before a break is worth a report.
+    if (!batch && !spy) return batch.error();
+    if (!batch) {
+      cli::warn(batch.error().text());
+      break;
+    }
+    for (const ReceivedDatagram& each : *batch) {
+      const LogTime time(each.kernel_time.time_since_epoch());
+      if (!spy) spy.emplace(listened, time);
+      last = std::max(last, time);
+      spy->add(0, each, time);
+    }
   }
+  if (!spy) spy.emplace(listened, last);
+  spy->setDropped(0, 0, source.counts());
+  return spy->report(last);
+}
+
+Result<SpyReport> watch(const Sources& sources, std::optional<Nanoseconds> duration, bool live) {
+  const std::vector<ListenedEndpoint> listened = listenedTo(sources);
+  if (!listened[0].endpoint.file.empty()) return read(*sources[0], listened);
   Spy spy(listened, wallNow());
   std::optional<Screen> screen;
   if (live) {
     screen.emplace();
   } else {
+    std::vector<std::string> names;
+    for (const auto& each : sources) names.push_back(boundText(*each));
     fmt::print(stderr, "listening at {}\n", fmt::join(names, " "));
   }
   const auto start = std::chrono::steady_clock::now();
   auto shown = start - kRefresh;
+  std::vector<pollfd> waiting(sources.size());
   while (!cli::stopRequested()) {
     const auto now = std::chrono::steady_clock::now();
     if (duration && now - start >= *duration) break;
@@ -119,8 +147,13 @@ Result<SpyReport> watch(std::vector<UdpReceiver>& receivers, std::optional<Nanos
       shown = now;
       screen->show(spy.report(wallNow()));
     }
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+      const auto said = sources[i]->tend();
+      if (said && !screen) cli::warn(*said);
+      waiting[i] = {sources[i]->fileDescriptor(), POLLIN, 0};
+    }
     ::poll(waiting.data(), waiting.size(), 50);
-    if (Status drained = drain(receivers, spy); !drained) return drained.error();
+    if (Status drained = drain(sources, spy); !drained) return drained.error();
   }
   return spy.report(wallNow());
 }
@@ -143,15 +176,15 @@ Result<cli::Exit> run(const Arguments& arguments) {
     endpoints.push_back(*endpoint);
   }
   if (endpoints.empty()) endpoints.push_back(Endpoint::standard());
-  std::vector<UdpReceiver> receivers;
-  for (const Endpoint& endpoint : endpoints) {
-    Result<UdpReceiver> receiver = UdpReceiver::open(endpoint);
-    if (!receiver) return receiver.error();
-    receivers.push_back(std::move(*receiver));
-  }
+  InputOptions options;
+  const Result<AddressFilter> allow = AddressFilter::of(arguments.allow);
+  if (!allow) return allow.error();
+  options.allow = *allow;
+  const Result<Sources> sources = openSources(endpoints, options);
+  if (!sources) return sources.error();
   cli::catchStopSignals();
   const bool live = !arguments.json && ::isatty(STDOUT_FILENO) == 1;
-  const Result<SpyReport> report = watch(receivers, duration, live);
+  const Result<SpyReport> report = watch(*sources, duration, live);
   if (!report) return report.error();
   const std::string text = arguments.json ? spyJson(*report, true) + "\n" : spyText(*report, 0, 0);
   fmt::print("{}", text);
@@ -168,8 +201,14 @@ int main(int argc, char** argv) {
       "rocinante-spy");
   Arguments arguments;
   app.add_option("EP", arguments.endpoints,
-                 "endpoints to listen at; default " + Endpoint::standard().text())
+                 "endpoints to listen at, interfaces to watch (pcap://eth0) or a capture file\n"
+                 "(pcap://./FILE); default " +
+                     Endpoint::standard().text())
       ->type_name("");
+  app.add_option("--allow", arguments.allow,
+                 "hear only senders of this network (10.0.0.0/8); may be repeated")
+      ->type_name("CIDR")
+      ->allow_extra_args(false);
   app.add_option("--duration", arguments.duration, "report after so long (5s); else at Ctrl-C")
       ->type_name("TIME");
   app.add_flag("--json", arguments.json, "the report as JSON");

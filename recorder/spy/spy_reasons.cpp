@@ -80,7 +80,9 @@ class Reasons {
     if (endpoint.datagrams == 0 && report_.watched >= kPatience) {
       say("nothing_arrives",
           fmt::format("nothing has come to {} for {:.0f} s", endpoint.endpoint, seconds()),
-          endpoint.multicast
+          endpoint.watched ? "does it pass this interface, and does filter= let it through? on the "
+                             "machine of the receiver it does"
+          : endpoint.multicast
               ? "does the sender send to this group and port, out of the interface named here "
                 "(interface=), with a ttl that reaches this machine? 'ip maddr' shows the groups "
                 "joined"
@@ -91,6 +93,24 @@ class Reasons {
           fmt::format("nothing has come to {} for the last {} s", endpoint.endpoint,
                       secondsText(rounded(*endpoint.silent), 1)),
           "the sender stopped, or the way to here is cut");
+    }
+    if (endpoint.counts.refused > 0) {
+      say("refused",
+          fmt::format("{} at {} came from senders that --allow does not name",
+                      counted(endpoint.counts.refused, "datagram"), endpoint.endpoint),
+          "whoever is meant to be heard needs a network of --allow around its address");
+    }
+    if (endpoint.counts.incomplete > 0) {
+      say("incomplete",
+          fmt::format("of {} at {} some fragments never came",
+                      counted(endpoint.counts.incomplete, "datagram"), endpoint.endpoint),
+          "lost on the way; datagrams within the MTU (1,472 bytes on Ethernet) need no fragments");
+    }
+    if (endpoint.counts.malformed > 0) {
+      say("malformed",
+          fmt::format("{} at {} broke the rules of IP or UDP",
+                      counted(endpoint.counts.malformed, "frame"), endpoint.endpoint),
+          "a capture that kept only the beginning of each frame (tcpdump -s) looks so");
     }
     if (endpoint.dropped > 0) {
       say("kernel_drops",

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/math/vector.h"
+#include "core/net/datagram_source.h"
 #include "core/packet/packet.h"
 #include "core/time.h"
 
@@ -16,9 +17,11 @@ namespace rocinante {
 struct SpyEndpoint {
   std::string endpoint;  ///< with the port that was bound
   bool multicast = false;
+  bool watched = false;  ///< pcap://: traffic that has another receiver
   std::uint64_t datagrams = 0;
   std::uint64_t bytes = 0;
   std::uint64_t dropped = 0;  ///< by the kernel
+  InputCounts counts;
   std::uint64_t senders = 0;
   std::optional<Nanoseconds> silent;  ///< since the last datagram; empty when none came
 };
@@ -27,6 +30,7 @@ struct SpyEndpoint {
 struct SpySender {
   std::size_t endpoint = 0;  ///< index in SpyReport::endpoints
   std::string address;
+  std::string to;  ///< of watched traffic: where it sends
   std::uint64_t datagrams = 0;
   std::uint64_t packets = 0;  ///< of those, packet text
   double rate_hz = 0;         ///< over the last two seconds

@@ -95,10 +95,11 @@ class Page {
     table.is_number = {false, true, true, true, true, true, false};
     table.rows.push_back({"sender", "rate/s", "datagrams", "packets", "bytes", "silent", "what"});
     for (const SpySender& each : report_.senders) {
+      const std::string sender = each.to.empty() ? each.address : each.address + " > " + each.to;
       const std::string bytes = each.smallest_bytes == each.largest_bytes
                                     ? fmt::format("{}", each.largest_bytes)
                                     : fmt::format("{}-{}", each.smallest_bytes, each.largest_bytes);
-      table.rows.push_back({each.address, rateCell(each.rate_hz), grouped(each.datagrams),
+      table.rows.push_back({sender, rateCell(each.rate_hz), grouped(each.datagrams),
                             grouped(each.packets), bytes, secondsCell(each.silent),
                             each.first_bytes.empty() ? "" : "no packet: " + each.first_bytes});
     }
