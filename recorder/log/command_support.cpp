@@ -1,30 +1,8 @@
 #include "recorder/log/command_support.h"
 
-#include <fmt/format.h>
-#include <unistd.h>
-
 #include <cstdio>
-#include <utility>
 
 namespace rocinante {
-
-using Clock = std::chrono::steady_clock;
-
-ProgressLine::ProgressLine(std::string doing)
-    : doing_(std::move(doing)),
-      on_(::isatty(STDERR_FILENO) == 1),
-      next_(Clock::now() + std::chrono::seconds(1)) {}
-
-ProgressLine::~ProgressLine() {
-  if (shown_) std::fputs("\r\033[K", stderr);
-}
-
-void ProgressLine::show(double part) {
-  if (!on_ || Clock::now() < next_) return;
-  next_ = Clock::now() + std::chrono::milliseconds(100);
-  shown_ = true;
-  fmt::print(stderr, "\r{} {:3.0f} %", doing_, part * 100);
-}
 
 Status toStandardOutput(std::string_view text) {
   if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size()) return {};

@@ -1,31 +1,13 @@
 #pragma once
 
-#include <chrono>
-#include <string>
 #include <string_view>
 
+#include "core/cli/progress_line.h"
 #include "core/result.h"
 
 namespace rocinante {
 
-/// "reading session.mcap 42 %" on a terminal, once the work has taken a second; nothing elsewhere.
-class ProgressLine {
- public:
-  /// `doing` is what stands before the percentage.
-  explicit ProgressLine(std::string doing);
-  ~ProgressLine();
-  ProgressLine(const ProgressLine&) = delete;
-  ProgressLine& operator=(const ProgressLine&) = delete;
-
-  /// `part` of the work is done, 0 to 1.
-  void show(double part);
-
- private:
-  std::string doing_;
-  bool on_;
-  bool shown_ = false;
-  std::chrono::steady_clock::time_point next_;
-};
+using cli::ProgressLine;
 
 /// A TextSink: all of `text` goes to standard output, or it is an error.
 Status toStandardOutput(std::string_view text);

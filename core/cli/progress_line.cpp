@@ -1,0 +1,29 @@
+#include "core/cli/progress_line.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <utility>
+
+namespace rocinante::cli {
+
+using Clock = std::chrono::steady_clock;
+
+ProgressLine::ProgressLine(std::string doing)
+    : doing_(std::move(doing)),
+      on_(::isatty(STDERR_FILENO) == 1),
+      next_(Clock::now() + std::chrono::seconds(1)) {}
+
+ProgressLine::~ProgressLine() {
+  if (shown_) std::fputs("\r\033[K", stderr);
+}
+
+void ProgressLine::show(double part) {
+  if (!on_ || Clock::now() < next_) return;
+  next_ = Clock::now() + std::chrono::milliseconds(100);
+  shown_ = true;
+  fmt::print(stderr, "\r{} {:3.0f} %", doing_, part * 100);
+}
+
+}  // namespace rocinante::cli

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cstddef>
+
+namespace rocinante::cli {
+
+/// What standard output is, for programs that lay text out for people.
+struct OutputTerminal {
+  bool is_terminal = false;
+  bool color = false;       ///< a terminal, NO_COLOR is unset and TERM is not "dumb"
+  bool unicode = false;     ///< a terminal, and the locale says UTF-8
+  std::size_t columns = 0;  ///< of the terminal; 0: none, or not known
+};
+OutputTerminal outputTerminal();
+
+}  // namespace rocinante::cli
