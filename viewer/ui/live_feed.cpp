@@ -8,7 +8,7 @@
 #include <thread>
 #include <utility>
 
-#include "core/net/udp_socket.h"
+#include "core/input/open_source.h"
 #include "core/packet/decoder.h"
 
 namespace rocinante {
@@ -49,7 +49,7 @@ SteadyTime steadyNow() { return std::chrono::steady_clock::now(); }
 
 struct LiveFeed::Impl {
   std::vector<Endpoint> endpoints;
-  std::vector<UdpReceiver> receivers;
+  Sources sources;
   std::atomic<LiveSnapshot*> mailbox{nullptr};
   std::atomic<bool> stop{false};
   std::thread thread;
@@ -67,10 +67,10 @@ struct LiveFeed::Impl {
 
 std::uint64_t LiveFeed::Impl::drain(Decoder& decoder, LiveSnapshot& current) {
   std::uint64_t count = 0;
-  for (UdpReceiver& receiver : receivers) {
+  for (const auto& source : sources) {
     while (!stop.load(std::memory_order_relaxed)) {
-      const auto batch = receiver.receive();
-      // A socket that fails for a moment (an interface goes away) is asked again.
+      const auto batch = source->receive();
+      // A source that fails for a moment (an interface goes away) is asked again.
       if (!batch.ok() || batch->empty()) break;
       for (const ReceivedDatagram& datagram : *batch) {
         ++count;
@@ -94,20 +94,22 @@ void LiveFeed::Impl::run() {
   const auto decoder = makeDecoder("rk1");
   LiveSnapshot current;
   RateMeter meter;
-  std::vector<pollfd> polls;
-  for (const UdpReceiver& receiver : receivers) {
-    polls.push_back({receiver.fileDescriptor(), POLLIN, 0});
-  }
+  std::vector<pollfd> polls(sources.size());
   bool news = true;
   double told_rate = 0;
   while (!stop.load(std::memory_order_relaxed)) {
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+      // A group is joined again when its interface is back; the descriptor may then be another.
+      (void)sources[i]->tend();
+      polls[i] = {sources[i]->fileDescriptor(), POLLIN, 0};
+    }
     ::poll(polls.data(), polls.size(), kPollMs);
     const std::uint64_t count = drain(*decoder, current);
     current.datagrams += count;
     meter.add(steadyNow(), count);
     current.rate_hz = meter.perSecond();
     current.dropped = 0;
-    for (const UdpReceiver& receiver : receivers) current.dropped += receiver.dropped();
+    for (const auto& source : sources) current.dropped += source->dropped();
     news = news || count > 0 || current.rate_hz != told_rate;
     if (!news || mailbox.load(std::memory_order_acquire) != nullptr) continue;
     current.gaps = 0;
@@ -131,10 +133,15 @@ Result<LiveFeed> LiveFeed::start(const std::vector<Endpoint>& endpoints) {
   auto impl = std::make_unique<Impl>();
   impl->endpoints = endpoints;
   for (const Endpoint& endpoint : endpoints) {
-    auto receiver = UdpReceiver::open(endpoint);
-    if (!receiver.ok()) return receiver.error();
-    impl->receivers.push_back(std::move(*receiver));
+    if (!endpoint.file.empty()) {
+      return Error{ErrorKind::bad_argument,
+                   "a capture file is not live: record makes a log of it, which can be viewed",
+                   endpoint.text()};
+    }
   }
+  auto sources = openSources(endpoints, InputOptions());
+  if (!sources) return sources.error();
+  impl->sources = std::move(*sources);
   Impl* feed = impl.get();
   impl->thread = std::thread([feed] { feed->run(); });
   return LiveFeed(std::move(impl));

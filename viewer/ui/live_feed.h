@@ -26,7 +26,7 @@ struct LiveSnapshot {
 /// taken the last one (one atomic exchange; neither waits for the other).
 class LiveFeed {
  public:
-  /// refused, as UdpReceiver::open says, when an endpoint cannot be listened to.
+  /// refused, as openSource() says, when an endpoint cannot be listened to or watched.
   static Result<LiveFeed> start(const std::vector<Endpoint>& endpoints);
 
   ~LiveFeed();
