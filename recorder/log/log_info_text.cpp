@@ -3,41 +3,19 @@
 #include <algorithm>
 #include <span>
 
+#include "core/cli/text_table.h"
 #include "core/duration_text.h"
+#include "core/size_text.h"
 #include "recorder/log/log_info.h"
 #include "recorder/log/message_text.h"
 
 namespace rocinante {
 namespace {
 
+using cli::counted;
+using cli::grouped;
+
 constexpr std::size_t kShownEvents = 20;
-
-/// 1234567 as 1,234,567.
-std::string grouped(std::uint64_t number) {
-  const std::string digits = std::to_string(number);
-  std::string out;
-  for (std::size_t i = 0; i < digits.size(); ++i) {
-    if (i > 0 && (digits.size() - i) % 3 == 0) out += ',';
-    out += digits[i];
-  }
-  return out;
-}
-
-/// "1 message", "2 messages".
-std::string counted(std::uint64_t number, std::string_view one) {
-  return fmt::format("{} {}{}", grouped(number), one, number == 1 ? "" : "s");
-}
-
-std::string bytesText(std::uint64_t bytes) {
-  static constexpr std::string_view kUnits[] = {"bytes", "KiB", "MiB", "GiB", "TiB"};
-  double size = static_cast<double>(bytes);
-  std::size_t unit = 0;
-  while (size >= 1024 && unit + 1 < std::size(kUnits)) {
-    size /= 1024;
-    ++unit;
-  }
-  return unit == 0 ? fmt::format("{} bytes", bytes) : fmt::format("{:.1f} {}", size, kUnits[unit]);
-}
 
 /// Eight heights; a dot where nothing came, so that a silence is seen.
 std::string sparkline(const ChannelInfo& info) {
@@ -61,30 +39,6 @@ std::string shownMetadata(const LogChannel& channel, const char* key) {
   return found == channel.metadata.end() || found->second.empty() ? "-" : plainText(found->second);
 }
 
-/// Columns as wide as their widest cell: numbers to the right, the last one free.
-std::string table(const std::vector<std::vector<std::string>>& rows,
-                  const std::vector<bool>& is_number) {
-  std::vector<std::size_t> widths(is_number.size(), 0);
-  for (const auto& row : rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
-  }
-  std::string out;
-  for (const auto& row : rows) {
-    out += " ";
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      if (i + 1 == row.size()) {
-        out += " " + row[i];
-      } else if (is_number[i]) {
-        out += fmt::format(" {:>{}} ", row[i], widths[i]);
-      } else {
-        out += fmt::format(" {:<{}} ", row[i], widths[i]);
-      }
-    }
-    out += "\n";
-  }
-  return out;
-}
-
 /// The longest time without a message, between the first and the last.
 std::string gapText(const ChannelInfo& info) {
   if (info.messages < 2) return "-";
@@ -92,19 +46,21 @@ std::string gapText(const ChannelInfo& info) {
 }
 
 void addChannels(std::string& out, const LogInfo& info) {
-  std::vector<std::vector<std::string>> rows = {
+  cli::TextTable table;
+  table.is_number = {false, false, false, false, true, true, true, false};
+  table.rows = {
       {"channel", "encoding", "source", "sender", "messages", "rate/s", "silent/s", "activity"}};
   const auto add = [&](const ChannelInfo& channel) {
-    rows.push_back({plainText(channel.channel.topic), plainText(channel.channel.encoding),
-                    shownMetadata(channel.channel, "source"),
-                    shownMetadata(channel.channel, "remote"), grouped(channel.messages),
-                    fmt::format("{:.1f}", channel.rateHz()), gapText(channel), sparkline(channel)});
+    table.rows.push_back({plainText(channel.channel.topic), plainText(channel.channel.encoding),
+                          shownMetadata(channel.channel, "source"),
+                          shownMetadata(channel.channel, "remote"), grouped(channel.messages),
+                          fmt::format("{:.1f}", channel.rateHz()), gapText(channel),
+                          sparkline(channel)});
   };
   std::ranges::for_each(info.channels, add);
   std::ranges::for_each(info.own_channels, add);
-  if (rows.size() == 1) return;
-  out += '\n';
-  out += table(rows, {false, false, false, false, true, true, true, false});
+  if (table.rows.size() == 1) return;
+  out += '\n' + table.text();
 }
 
 void addEvents(std::string& out, const LogInfo& info) {
@@ -176,7 +132,7 @@ std::string logInfoText(const LogInfo& info) {
     out += "\n";
   }
   if (info.keyframes > 0) out += fmt::format("  keyframes   {}\n", grouped(info.keyframes));
-  out += fmt::format("  stored      {} in {}", bytesText(info.storage.file_bytes),
+  out += fmt::format("  stored      {} in {}", sizeText(info.storage.file_bytes),
                      counted(info.storage.chunks, "chunk"));
   if (!info.storage.compressions.empty()) {
     out += fmt::format(", {}", fmt::join(info.storage.compressions, " and "));
