@@ -1,15 +1,19 @@
-#include <poll.h>
-
 #include <CLI/CLI.hpp>
-#include <chrono>
-#include <cstdio>
+#include <optional>
 
+#include "core/atomic_file.h"
 #include "core/bundle/attached_cell.h"
+#include "core/bundle/cell_folder.h"
+#include "core/check/baseline.h"
 #include "core/check/check.h"
-#include "core/check/report_formats.h"
+#include "core/check/model_drift.h"
 #include "core/cli/program.h"
+#include "core/cli/progress_line.h"
 #include "core/duration_text.h"
-#include "core/net/udp_socket.h"
+#include "core/log/log_profile.h"
+#include "golden/check_live.h"
+#include "golden/check_options.h"
+#include "golden/check_output.h"
 
 namespace {
 
@@ -20,95 +24,59 @@ constexpr const char* kExamples =
     "  rocinante check cell.toml session.mcap            does this session fit this model?\n"
     "  rocinante check session.mcap                      a log that carries its cell\n"
     "  rocinante check arm.urdf session.mcap --json      for a program\n"
-    "  rocinante check cell.toml --live :19960 --duration 10s\n";
+    "  rocinante check cell.toml session.mcap -o junit=check.xml -o sarif=check.sarif\n"
+    "  rocinante check cell.toml session.mcap --baseline known.json --strict\n"
+    "  rocinante check cell.toml --live :19960 --duration 10s\n"
+    "  rocinante check --explain joint.limit\n";
 
-struct Arguments {
-  std::string cell, log, live;
-  std::string duration = "2s";
-  std::string format = "text";
-  bool json = false;
-  std::vector<std::string> search;
-  bool search_environment = false;
-};
-
-void declare(CLI::App& app, Arguments& my) {
-  app.add_option("cell", my.cell,
-                 "a *.cell.toml, .urdf or .obj file, or a log that carries its cell")
-      ->required();
-  auto* log = app.add_option("log", my.log, "a recorded session");
-  auto* live = app.add_option("--live", my.live, "judge what arrives here: udp://HOST:PORT");
-  live->excludes(log);
-  app.add_option("--duration", my.duration, "how long to listen")
-      ->needs(live)
-      ->capture_default_str();
-  auto* format = app.add_option("--format", my.format, "text or json")
-                     ->check(CLI::IsMember({"text", "json"}))
-                     ->capture_default_str();
-  app.add_flag("--json", my.json, "the same as --format json")->excludes(format);
-  app.add_option("--search", my.search,
-                 "a root for package:// and relative names; may be repeated");
-  app.add_flag("--search-env", my.search_environment,
-               "search ROCINANTE_PATH, AMENT_PREFIX_PATH and ROS_PACKAGE_PATH too");
+/// What differs between the cell that the log carries, if any, and the one that it is judged with.
+std::vector<Finding> driftOf(const LogReader& log, const Cell& given) {
+  const auto unreadable = [&](const Error& error) {
+    Finding finding;
+    finding.rule = "drift.unreadable";
+    finding.severity = Severity::warning;
+    finding.text = "the cell that the log carries cannot be compared: " + error.text();
+    return std::vector<Finding>{finding};
+  };
+  const Result<std::optional<CellBundle>> bundle = readAttachedCell(log);
+  if (!bundle) return unreadable(bundle.error());
+  if (!*bundle) return {};
+  const std::string shown_as = log.name() + ":" + std::string(profile::kCellFolder);
+  const Result<Cell> recorded = loadBundle(**bundle, shown_as, {});
+  if (!recorded) return unreadable(recorded.error());
+  return modelDrift(*recorded, given);
 }
 
-LogTime logTimeOf(WallTime time) { return LogTime(time.time_since_epoch()); }
-
-/// Judges what arrives for a while, or until a stop signal.
-Result<CheckReport> checkLive(const Cell& cell, const std::string& where, Nanoseconds duration) {
-  const Result<Endpoint> endpoint = Endpoint::parse(where);
-  if (!endpoint) return endpoint.error();
-  Result<UdpReceiver> receiver = UdpReceiver::open(*endpoint);
-  if (!receiver) return receiver.error();
+Result<CheckReport> judgeLog(const CheckArguments& my, const Cell& cell) {
+  Result<LogReader> log = LogReader::open(my.log);
+  if (!log) return log.error();
   cli::catchStopSignals();
-  // With the port that was bound: ":0" takes a free one.
-  Endpoint bound = *endpoint;
-  bound.address = receiver->boundAddress();
-  cli::warn("listening on " + bound.text());
-  SessionCheck session(cell);
-  std::optional<LogTime> first, last;
-  const auto deadline = std::chrono::steady_clock::now() + duration;
-  while (!cli::stopRequested()) {
-    const auto left =
-        std::chrono::ceil<std::chrono::milliseconds>(deadline - std::chrono::steady_clock::now());
-    if (left.count() <= 0) break;
-    pollfd waiting{receiver->fileDescriptor(), POLLIN, 0};
-    ::poll(&waiting, 1, static_cast<int>(std::min<std::int64_t>(left.count(), 100)));
-    while (true) {
-      const auto datagrams = receiver->receive();
-      if (!datagrams) return datagrams.error();
-      if (datagrams->empty()) break;
-      for (const ReceivedDatagram& datagram : *datagrams) {
-        // The kernel's clock may be set back; a session's time line never goes back.
-        last = std::max(last.value_or(LogTime{}), logTimeOf(datagram.kernel_time));
-        if (!first) first = last;
-        session.add(*last, encodingOf(datagram.payload), true, datagram.payload);
-      }
-      if (std::chrono::steady_clock::now() >= deadline) break;
-    }
+  Result<CheckReport> report = [&] {
+    cli::ProgressLine line("judging " + my.log);
+    return checkLog(cell, *log, [&](double part) {
+      line.show(part);
+      return !cli::stopRequested();
+    });
+  }();
+  if (!report) return report;
+  report->session = my.log;
+  // A log that is judged with its own cell has not drifted from it.
+  if (my.log != my.cell) {
+    std::vector<Finding> drift = driftOf(*log, cell);
+    report->findings.insert(report->findings.end(), drift.begin(), drift.end());
   }
-  if (const auto dropped = receiver->droppedByNow(); dropped && *dropped > 0) {
-    LossSpan loss;
-    loss.endpoint = bound.text();
-    loss.from = first.value_or(LogTime{});
-    loss.until = last.value_or(LogTime{});
-    loss.counts.kernel = *dropped;
-    session.addLoss(loss);
-  }
-  CheckReport report = checkSession(cell, session);
-  report.session = bound.text();
-  report.origin = first.value_or(LogTime{});
-  report.duration = last.value_or(LogTime{}) - first.value_or(LogTime{});
   return report;
 }
 
-Result<CheckReport> judge(const Arguments& my) {
+Result<CheckReport> judge(const CheckArguments& my) {
+  const Result<std::vector<CellRule>> rules = readRuleArguments(my);
+  if (!rules) return rules.error();
   CellOptions options;
   options.search.assign(my.search.begin(), my.search.end());
   options.search_environment = my.search_environment;
   Result<Cell> cell = loadCellOrLog(my.cell, options);
   if (!cell) return cell.error();
-  // Nothing is read from files any more, and a signal ends this program at once.
-  cell->keeps_files.reset();
+  cell->rules.insert(cell->rules.end(), rules->begin(), rules->end());
   if (!my.live.empty()) {
     const Result<Nanoseconds> duration = parseDuration(my.duration);
     if (!duration) return duration.error();
@@ -117,10 +85,26 @@ Result<CheckReport> judge(const Arguments& my) {
     }
     return checkLive(*cell, my.live, *duration);
   }
-  if (my.log.empty()) return checkCell(*cell);
-  Result<LogReader> log = LogReader::open(my.log);
-  if (!log) return log.error();
-  return checkLog(*cell, *log);
+  return my.log.empty() ? checkCell(*cell) : judgeLog(my, *cell);
+}
+
+/// Accepts what is known, and draws the verdict from the rest.
+Status concludeWith(const CheckArguments& my, const std::optional<Baseline>& baseline,
+                    CheckReport& report) {
+  report.fail_on = failOn(my);
+  const bool is_whole = !report.interrupted && !(report.has_session && report.packets == 0);
+  conclude(report);
+  if (my.update_baseline && is_whole) {
+    const Baseline now = Baseline::of(report);
+    now.applyTo(report);
+    if (Status written = writeFileWhole(my.baseline, bytesOf(now.text()), true); !written) {
+      return written;
+    }
+  } else if (baseline) {
+    baseline->applyTo(report);
+  }
+  conclude(report);
+  return {};
 }
 
 cli::Exit exitOf(Verdict verdict) {
@@ -136,22 +120,42 @@ cli::Exit exitOf(Verdict verdict) {
   return cli::Exit::could_not_run;
 }
 
+Result<cli::Exit> run(CheckArguments& my) {
+  if (my.list_rules) {
+    printRules(my.wantsJson());
+    return cli::Exit::done;
+  }
+  if (!my.explain.empty()) {
+    if (Status explained = explainRule(my.explain); !explained) return explained.error();
+    return cli::Exit::done;
+  }
+  if (my.cell.empty()) {
+    return Error{ErrorKind::bad_argument, "a cell is required (see rocinante-check --help)",
+                 "cell"};
+  }
+  // A log that carries its cell is judged alone.
+  if (my.log.empty() && my.live.empty() && isLog(my.cell)) my.log = my.cell;
+  const Result<std::vector<CheckOutput>> outputs = readOutputs(my);
+  if (!outputs) return outputs.error();
+  std::optional<Baseline> baseline;
+  if (!my.baseline.empty() && !my.update_baseline) {
+    Result<Baseline> read = Baseline::read(my.baseline);
+    if (!read) return read.error();
+    baseline = std::move(*read);
+  }
+  Result<CheckReport> report = judge(my);
+  if (!report) return report.error();
+  if (Status concluded = concludeWith(my, baseline, *report); !concluded) return concluded.error();
+  if (Status written = writeReport(*report, my, *outputs); !written) return written.error();
+  return exitOf(report->verdict);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   CLI::App app("Says whether a session fits a model: devices, joints, limits, losses.",
                "rocinante-check");
-  Arguments my;
-  declare(app, my);
-  return cli::run(app, argc, argv, kExamples, [&]() -> Result<cli::Exit> {
-    // A log that carries its cell is judged alone.
-    if (my.log.empty() && my.live.empty() && isLog(my.cell)) my.log = my.cell;
-    Result<CheckReport> report = judge(my);
-    if (!report) return report.error();
-    if (!my.log.empty()) report->session = my.log;
-    const bool json = my.json || my.format == "json";
-    const std::string text = json ? checkJson(*report) : checkText(*report);
-    std::fputs(text.c_str(), stdout);
-    return exitOf(report->verdict);
-  });
+  CheckArguments my;
+  declareCheck(app, my);
+  return cli::run(app, argc, argv, kExamples, [&] { return run(my); });
 }

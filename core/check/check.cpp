@@ -8,6 +8,9 @@
 namespace rocinante {
 namespace {
 
+/// How often progress is told.
+constexpr std::uint64_t kProgressMessages = 2048;
+
 Finding findingOf(const ModelFault& fault) {
   Finding finding;
   finding.rule = fault.rule;
@@ -101,15 +104,23 @@ void addPreceding(SessionCheck& session, const LogMessage& keyframe) {
 
 }  // namespace
 
-Result<CheckReport> checkLog(const Cell& cell, LogReader& log) {
+Result<CheckReport> checkLog(const Cell& cell, LogReader& log,
+                             const std::function<bool(double)>& progress) {
   if (Status status = log.rewind(); !status) return status.error();
   SessionCheck session(cell);
-  bool is_first = true;
-  while (true) {
+  const LogTime start = log.summary().start;
+  const double span = std::max(1.0, static_cast<double>((log.summary().end - start).count()));
+  bool is_first = true, interrupted = false;
+  for (std::uint64_t messages = 0;; ++messages) {
     const Result<std::optional<LogMessage>> next = log.next();
     if (!next) return next.error();
     if (!*next) break;
     const LogMessage& message = **next;
+    if (progress && messages % kProgressMessages == 0) {
+      const double done = static_cast<double>((message.log_time - start).count()) / span;
+      interrupted = !progress(std::clamp(done, 0.0, 1.0));
+      if (interrupted) break;
+    }
     const bool is_keyframe = isKeyframeChannel(*message.channel);
     if (is_keyframe && is_first) addPreceding(session, message);
     is_first = is_first && !is_keyframe && !message.channel->folded();
@@ -127,6 +138,8 @@ Result<CheckReport> checkLog(const Cell& cell, LogReader& log) {
     if (damage.from != damage.to && !is_torn_end) session.addDamage(damage);
   }
   CheckReport report = checkSession(cell, session);
+  report.interrupted = interrupted;
+  if (interrupted) conclude(report);
   report.session = log.name();
   report.origin = log.summary().origin;
   report.duration = log.summary().end - log.summary().start;
