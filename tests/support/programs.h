@@ -84,6 +84,8 @@ class Program {
     }
   }
 
+  ::pid_t pid() const { return pid_; }
+
   void signal(int number) const {
     if (pid_ > 0 && !reaped_) ::kill(pid_, number);
   }
