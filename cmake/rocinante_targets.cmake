@@ -23,6 +23,11 @@ option(ROCINANTE_UNITY "Compile each target's files in a few pieces" OFF)
 function(rocinante_unity target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${ROCINANTE_UNITY}
     UNITY_BUILD_BATCH_SIZE 8)
+  if(ROCINANTE_UNITY)
+    # A class of one .cpp may well hold what that .cpp keeps to itself: g++ takes it for a header.
+    target_compile_options(${target} PRIVATE
+      $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+  endif()
 endfunction()
 
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
@@ -45,6 +50,26 @@ function(rocinante_library name)
   rocinante_unity(${target})
   install(TARGETS ${target} EXPORT rocinante-targets
     FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/rocinante)
+endfunction()
+
+# Where modules are installed (core/loaded_module.h), and the way there from the programs.
+set(ROCINANTE_MODULE_FOLDER ${CMAKE_INSTALL_LIBDIR}/rocinante)
+file(RELATIVE_PATH ROCINANTE_MODULE_FROM_PROGRAMS
+  /prefix/${CMAKE_INSTALL_BINDIR} /prefix/${ROCINANTE_MODULE_FOLDER})
+
+# rocinante_module(sdformat SOURCES a.cpp LINK b USED_BY rocinante_model): lib/librocinante_sdformat.so.
+# Nothing links a module, so whoever links the library that uses it must have it built.
+function(rocinante_module name)
+  cmake_parse_arguments(arg "" "USED_BY" "SOURCES;LINK" ${ARGN})
+  set(target rocinante_${name})
+  add_library(${target} MODULE ${arg_SOURCES})
+  target_compile_features(${target} PRIVATE cxx_std_20)
+  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
+  target_link_libraries(${target} PRIVATE ${arg_LINK} rocinante_build)
+  set_target_properties(${target} PROPERTIES
+    CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+  add_dependencies(${arg_USED_BY} ${target})
+  install(TARGETS ${target} LIBRARY DESTINATION ${ROCINANTE_MODULE_FOLDER})
 endfunction()
 
 # `cmake --build --preset release --target programs`: the programs without the tests.
