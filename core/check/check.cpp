@@ -11,6 +11,9 @@ namespace {
 /// How often progress is told.
 constexpr std::uint64_t kProgressMessages = 2048;
 
+/// Where a recorder notes that its wall clock was set (docs/programs/record.md).
+constexpr std::string_view kClockTopic = "/rocinante/clock";
+
 Finding findingOf(const ModelFault& fault) {
   Finding finding;
   finding.rule = fault.rule;
@@ -27,6 +30,10 @@ CheckReport reportOfCell(const Cell& cell) {
   CheckReport report;
   report.cell = cell.file;
   for (const ModelFault& fault : cell.faults) report.findings.push_back(findingOf(fault));
+  report.rules = RuleSettings(cell.rules, cell.file);
+  for (const ModelFault& fault : report.rules.faults()) {
+    report.findings.push_back(findingOf(fault));
+  }
   return report;
 }
 
@@ -58,6 +65,7 @@ std::size_t CheckReport::countOfAccepted() const {
 }
 
 void conclude(CheckReport& report) {
+  report.rules.apply(report.findings);
   const auto key = [](const Finding& f) {
     // Errors first; what is wrong with the model before what is wrong with the session.
     return std::tuple(-static_cast<int>(f.severity), f.first.has_value(),
@@ -124,6 +132,9 @@ Result<CheckReport> checkLog(const Cell& cell, LogReader& log,
     const bool is_keyframe = isKeyframeChannel(*message.channel);
     if (is_keyframe && is_first) addPreceding(session, message);
     is_first = is_first && !is_keyframe && !message.channel->folded();
+    if (message.channel->topic == kClockTopic) {
+      session.addClockStep(message.log_time, message.payload);
+    }
     if (!message.channel->folded()) continue;
     session.add(message.log_time, message.channel->encoding, message.channel->captured(),
                 message.payload);
@@ -137,20 +148,13 @@ Result<CheckReport> checkLog(const Cell& cell, LogReader& log,
     const bool is_torn_end = !log.summary().complete && at_end;
     if (damage.from != damage.to && !is_torn_end) session.addDamage(damage);
   }
+  if (!log.summary().complete) session.noteIncomplete();
   CheckReport report = checkSession(cell, session);
   report.interrupted = interrupted;
   if (interrupted) conclude(report);
   report.session = log.name();
   report.origin = log.summary().origin;
   report.duration = log.summary().end - log.summary().start;
-  if (!log.summary().complete) {
-    Finding finding;
-    finding.rule = "log.incomplete";
-    finding.severity = Severity::note;
-    finding.text = "the recorder did not close the log: its end may be missing";
-    report.findings.push_back(std::move(finding));
-    conclude(report);
-  }
   return report;
 }
 

@@ -3,18 +3,20 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace rocinante {
 namespace {
 
-/// A value is outside its limits when it is so by more than this: senders round.
-constexpr double kLimitSlack = 1e-6;
+/// As that of a pose (docs/packet-format.md).
+constexpr double kUnitSlack = 1e-3;
 /// Names that are told apart in one device; a hostile session has more, nobody reads them.
 constexpr std::size_t kMostNames = 200;
+constexpr std::size_t kMostStrangers = 20;
 
-using NameTallies = std::map<std::string, Tally, std::less<>>;
-
-void hitName(NameTallies& tallies, std::string_view name, const Place& place) {
+template <class Tallies>
+void hitName(Tallies& tallies, std::string_view name, const PacketPlace& place) {
   auto found = tallies.find(name);
   if (found == tallies.end()) {
     if (tallies.size() == kMostNames) return;
@@ -23,19 +25,24 @@ void hitName(NameTallies& tallies, std::string_view name, const Place& place) {
   found->second.hit(place);
 }
 
-constexpr std::array kPlanar = {".x", ".y", ".yaw"};
-constexpr std::array kFloating = {".x", ".y", ".z", ".qx", ".qy", ".qz", ".qw"};
-
 }  // namespace
 
-void DeviceJudge::appearInCell(const Model* model, bool optional) {
-  in_cell_ = true;
-  optional_ = optional;
+bool DeviceOwners::allow(std::string_view source) const {
+  if (!names.empty()) return std::find(names.begin(), names.end(), source) != names.end();
+  return bound == nullptr || !bound->contains(source);
+}
+
+void DeviceJudge::appearInCell(const Model* model, Standing standing) {
+  in_cell_ = is_known_ = true;
+  is_optional_ = standing != Standing::there;
+  is_ghost_ = standing == Standing::ghost;
+  if (standing != Standing::optional) presence_.beThere();
   useModel(model);
 }
 
-void DeviceJudge::appearByAdd(const Model* model, const Statement& add, const Place& place) {
-  added_ = true;
+void DeviceJudge::appearByAdd(const Model* model, const Statement& add, const PacketPlace& place) {
+  is_known_ = true;
+  presence_.add(place);
   if (model == nullptr) {
     if (unknown_model_.hit(place)) unknown_model_name_ = std::string(add.text);
     return;
@@ -44,45 +51,53 @@ void DeviceJudge::appearByAdd(const Model* model, const Statement& add, const Pl
   if (add.kinematics && *add.kinematics != kinematicsHash(*model)) other_kinematics_.hit(place);
 }
 
+void DeviceJudge::disappear(const PacketPlace& place) { presence_.remove(place); }
+
 void DeviceJudge::useModel(const Model* model) {
+  reportValues(earlier_);
   model_ = model;
   values_.clear();
+  quaternions_.clear();
   value_by_name_.clear();
-  if (model != nullptr) listValues(*model);
+  if (model == nullptr) return;
+  listValues(*model);
   for (auto& [source, order] : orders_) resolve(order);
+  for (const auto& [link, tally] : std::exchange(early_links_, {})) {
+    if (!model->findLink(link)) unknown_links_[link].merge(tally);
+  }
+  for (const auto& [joint, tally] : std::exchange(early_joints_, {})) {
+    if (value_by_name_.contains(joint)) continue;
+    (model->findJoint(joint) ? undrivable_joints_ : unknown_joints_)[joint].merge(tally);
+  }
 }
 
 void DeviceJudge::listValues(const Model& model) {
   for (const std::size_t number : model.movableJoints()) {
     const Joint& joint = model.joints[number];
+    if (joint.type == JointType::floating) quaternions_.push_back(values_.size() + 3);
     const std::size_t count = valueCount(joint.type);
     for (std::size_t component = 0; component < count; ++component) {
-      Value value;
-      value.name = joint.name;
-      if (count == kPlanar.size()) value.name += kPlanar[component];
-      if (count == kFloating.size()) value.name += kFloating[component];
-      value.unit = joint.type == JointType::prismatic ? "m" : "rad";
-      const bool limited = joint.type == JointType::revolute || joint.type == JointType::prismatic;
-      if (limited && joint.limits) {
-        value.lower = joint.limits->lower;
-        value.upper = joint.limits->upper;
-      }
-      value_by_name_.emplace(value.name, values_.size());
-      values_.push_back(std::move(value));
+      values_.push_back({JointJudge(joint, component, thresholds_)});
+      value_by_name_.emplace(values_.back().judge.name(), values_.size() - 1);
     }
   }
 }
 
-void DeviceJudge::judgeLink(std::string_view link, const Place& place) {
-  if (model_ == nullptr || link.empty() || model_->findLink(link)) return;
-  hitName(unknown_links_, link, place);
+void DeviceJudge::judgeLink(std::string_view link, const PacketPlace& place) {
+  if (link.empty()) return;
+  if (model_ == nullptr) {
+    if (!is_known_) hitName(early_links_, link, place);
+    return;
+  }
+  if (!model_->findLink(link)) hitName(unknown_links_, link, place);
 }
 
-void DeviceJudge::judgeJoints(std::span<const double> values, bool ordered, std::uint32_t source,
-                              const Place& place) {
-  driven_ = true;
-  const auto known = ordered ? orders_.find(source) : orders_.end();
-  if (known == orders_.end()) return judgePositional(values, source, place);
+void DeviceJudge::judgeJoints(std::span<const double> values, bool ordered,
+                              const PacketPlace& place) {
+  is_driven_ = true;
+  ++statements_;
+  const auto known = ordered ? orders_.find(place.source) : orders_.end();
+  if (known == orders_.end()) return judgePositional(values, place);
   const Order& order = known->second;
   if (order.names.size() != values.size()) {
     if (joint_count_.hit(place)) {
@@ -92,42 +107,67 @@ void DeviceJudge::judgeJoints(std::span<const double> values, bool ordered, std:
     return;
   }
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (order.values[i] != kNoValue) judgeValue(order.values[i], values[i], source, place);
+    if (order.values[i] != kNoValue) judgeValue(order.values[i], values[i], place);
   }
+  if (!quaternions_.empty()) judgeUnitQuaternions(place);
 }
 
-void DeviceJudge::judgePositional(std::span<const double> values, std::uint32_t source,
-                                  const Place& place) {
+void DeviceJudge::judgePositional(std::span<const double> values, const PacketPlace& place) {
   if (model_ == nullptr) return;
   if (values.size() != values_.size() && joint_count_.hit(place)) {
     joint_count_text_ = fmt::format("{} values, and its model {} takes {}", values.size(),
                                     model_->name, values_.size());
   }
   const std::size_t shared = std::min(values.size(), values_.size());
-  for (std::size_t i = 0; i < shared; ++i) judgeValue(i, values[i], source, place);
+  for (std::size_t i = 0; i < shared; ++i) judgeValue(i, values[i], place);
+  if (!quaternions_.empty()) judgeUnitQuaternions(place);
 }
 
 void DeviceJudge::judgeNamed(std::span<const std::string_view> names,
-                             std::span<const double> values, std::uint32_t source,
-                             const Place& place) {
-  driven_ = true;
-  if (model_ == nullptr) return;
+                             std::span<const double> values, const PacketPlace& place) {
+  is_driven_ = true;
+  ++statements_;
+  if (model_ == nullptr) {
+    for (const std::string_view name : names) hitName(early_joints_, name, place);
+    return;
+  }
   for (std::size_t i = 0; i < names.size() && i < values.size(); ++i) {
     const std::size_t value = valueNamed(names[i], place);
-    if (value != kNoValue) judgeValue(value, values[i], source, place);
+    if (value == kNoValue) continue;
+    if (values_[value].said_in == statements_ && repeated_joint_.hit(place)) {
+      repeated_joint_name_ = names[i];
+    }
+    judgeValue(value, values[i], place);
   }
+  if (!quaternions_.empty()) judgeUnitQuaternions(place);
 }
 
-void DeviceJudge::judgeOrder(std::span<const std::string_view> names, std::uint32_t source,
-                             const Place& place) {
-  if (model_ != nullptr) {
-    for (const std::string_view name : names) valueNamed(name, place);
-  }
-  Order& order = orders_[source];
+void DeviceJudge::judgeEarlier(std::string_view value_name, double value,
+                               const PacketPlace& place) {
+  const auto found = value_by_name_.find(value_name);
+  if (found != value_by_name_.end()) judgeValue(found->second, value, place);
+}
+
+void DeviceJudge::judgeOrder(std::span<const std::string_view> names, const PacketPlace& place) {
+  Order& order = orders_[place.source];
   // Orders are restated every few seconds and hardly ever change.
-  if (std::equal(names.begin(), names.end(), order.names.begin(), order.names.end())) return;
-  order.names.assign(names.begin(), names.end());
-  resolve(order);
+  const bool is_same =
+      std::equal(names.begin(), names.end(), order.names.begin(), order.names.end());
+  if (!is_same) {
+    order.names.assign(names.begin(), names.end());
+    resolve(order);
+    std::vector<std::string_view> sorted(names.begin(), names.end());
+    std::sort(sorted.begin(), sorted.end());
+    const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
+    if (twice != sorted.end() && repeated_joint_.hit(place)) repeated_joint_name_ = *twice;
+  }
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (model_ == nullptr) {
+      hitName(early_joints_, names[i], place);
+    } else if (order.values[i] == kNoValue) {
+      valueNamed(names[i], place);
+    }
+  }
 }
 
 void DeviceJudge::resolve(Order& order) const {
@@ -138,7 +178,7 @@ void DeviceJudge::resolve(Order& order) const {
   }
 }
 
-std::size_t DeviceJudge::valueNamed(std::string_view value_name, const Place& place) {
+std::size_t DeviceJudge::valueNamed(std::string_view value_name, const PacketPlace& place) {
   const auto found = value_by_name_.find(value_name);
   if (found != value_by_name_.end()) return found->second;
   // A fixed joint or one that mimics another is there, but nothing that a sender says moves it.
@@ -146,93 +186,52 @@ std::size_t DeviceJudge::valueNamed(std::string_view value_name, const Place& pl
   return kNoValue;
 }
 
-void DeviceJudge::judgeValue(std::size_t number, double q, std::uint32_t source,
-                             const Place& place) {
+void DeviceJudge::judgeValue(std::size_t number, double q, const PacketPlace& place) {
   Value& value = values_[number];
-  noteWriter(value.writer, source, two_drivers_, place);
-  const double excess = std::max(value.lower - q, q - value.upper);
-  if (excess <= kLimitSlack) return;
-  value.beyond.hit(place);
-  if (excess > value.worst_excess) {
-    value.worst_excess = excess;
-    value.worst = q;
-    value.worst_at = place.time;
+  value.said_in = statements_;
+  noteWriter(value.writer, two_drivers_, place);
+  value.judge.judge(q, place);
+}
+
+void DeviceJudge::judgeUnitQuaternions(const PacketPlace& place) {
+  for (const std::size_t first : quaternions_) {
+    double square = 0;
+    bool is_whole = true;
+    for (std::size_t i = first; i < first + 4; ++i) {
+      is_whole = is_whole && values_[i].said_in == statements_;
+      square += values_[i].judge.value() * values_[i].judge.value();
+    }
+    if (is_whole && std::abs(std::sqrt(square) - 1) > kUnitSlack) not_unit_.hit(place);
   }
 }
 
-void DeviceJudge::judgePose(std::uint32_t source, const Place& place) {
-  noteWriter(pose_writer_, source, two_posers_, place);
+void DeviceJudge::judgePose(const PacketPlace& place) {
+  noteWriter(pose_writer_, two_posers_, place);
 }
 
-void DeviceJudge::noteWriter(std::uint32_t& writer, std::uint32_t source, TwoSources& two,
-                             const Place& place) {
-  if (writer == source) return;
+void DeviceJudge::writtenBy(std::string_view source_name, const PacketPlace& place) {
+  if (writer_ != place.source) {
+    writer_ = place.source;
+    stranger_ = nullptr;
+    if (!owners_.allow(source_name) && strangers_.size() < kMostStrangers) {
+      stranger_ = &strangers_[place.source];
+      stranger_->name = source_name;
+    }
+  }
+  if (stranger_ != nullptr) stranger_->tally.hit(place);
+}
+
+void DeviceJudge::noteWriter(std::uint32_t& writer, TwoSources& two, const PacketPlace& place) {
+  if (writer == place.source) return;
   if (writer != kNobody && two.tally.hit(place)) {
     two.before = writer;
-    two.now = source;
+    two.now = place.source;
   }
-  writer = source;
+  writer = place.source;
 }
 
-void DeviceJudge::report(const std::vector<std::string>& sources,
-                         std::vector<Finding>& findings) const {
-  const auto add = [&](const Tally& tally, const char* rule, Severity severity, std::string text,
-                       std::string hint = {}) {
-    if (tally.count == 0) return;
-    findings.push_back(tally.finding(rule, severity, name_, std::move(text)));
-    findings.back().hint = std::move(hint);
-  };
-  if (!in_cell_ && !added_) {
-    add(mentioned_, "packet.unknown-device", Severity::error,
-        fmt::format("the cell has no device {}, and no `add` brings it", name_),
-        "name the device as the cell does, or let the source `add` it");
-    return;
-  }
-  add(unknown_model_, "packet.unknown-model", Severity::error,
-      fmt::format("`add` gives device {} the model {}, which the cell does not know", name_,
-                  unknown_model_name_));
-  add(other_kinematics_, "packet.other-kinematics", Severity::error,
-      fmt::format("the sender's kinematics of device {} are not those of the model here", name_),
-      "one of the two has another version of the model file");
-  add(joint_count_, "packet.joint-count", Severity::error,
-      fmt::format("device {} gets {}", name_, joint_count_text_));
-  for (const auto& [joint, tally] : unknown_joints_) {
-    add(tally, "packet.unknown-joint", Severity::error,
-        fmt::format("the model {} of device {} has no joint {}", model_->name, name_, joint));
-  }
-  for (const auto& [joint, tally] : undrivable_joints_) {
-    add(tally, "packet.undrivable-joint", Severity::warning,
-        fmt::format("joint {} of device {} is fixed, or mimics another: what is said of it moves "
-                    "nothing",
-                    joint, name_));
-  }
-  for (const auto& [link, tally] : unknown_links_) {
-    add(tally, "packet.unknown-link", Severity::error,
-        fmt::format("device {} has no link {}", name_, link));
-  }
-  for (const Value& value : values_) {
-    add(value.beyond, "joint.limit", Severity::error,
-        fmt::format("{}/{} is outside its limits [{:.6g}, {:.6g}] {}; the worst is {:.6g}", name_,
-                    value.name, value.lower, value.upper, value.unit, value.worst));
-  }
-  const auto two = [&](const TwoSources& found, const char* what) {
-    if (found.tally.count == 0) return;
-    add(found.tally, "packet.two-sources", Severity::warning,
-        fmt::format("the {} of device {} are written by {} and by {}; the last to write wins", what,
-                    name_, sources[found.before], sources[found.now]));
-  };
-  two(two_drivers_, "joints");
-  two(two_posers_, "poses");
-  if (in_cell_ && !optional_ && !driven_ && !values_.empty()) {
-    Finding finding;
-    finding.rule = "device.undriven";
-    finding.severity = Severity::error;
-    finding.subject = name_;
-    finding.text =
-        fmt::format("device {} has {} joint values, and nobody drives it", name_, values_.size());
-    finding.hint = "if it is meant to stand still, let its source say so once";
-    findings.push_back(std::move(finding));
-  }
+bool DeviceJudge::isUndriven() const {
+  return in_cell_ && !is_optional_ && !is_driven_ && !values_.empty();
 }
 
 }  // namespace rocinante

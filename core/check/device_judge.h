@@ -2,57 +2,90 @@
 
 #include <limits>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/check/joint_judge.h"
+#include "core/check/presence_judge.h"
 #include "core/check/tally.h"
 #include "core/model/model.h"
 #include "core/packet/packet.h"
 
 namespace rocinante {
 
+/// What of the cell's `[[source]]` bears on one device.
+struct DeviceOwners {
+  std::vector<std::string> names;  ///< sources whose `devices` name it
+  /// Sources that name devices at all: what they do not name is not theirs. Borrowed.
+  const std::set<std::string, std::less<>>* bound = nullptr;
+
+  bool allow(std::string_view source) const;
+};
+
+/// What is known only at the end.
+struct SessionRoster {
+  const std::vector<std::string>& sources;            ///< names by number
+  const std::set<std::string, std::less<>>& missing;  ///< sources of the cell that never spoke
+};
+
 /// Judges what a session says about one device against its model. Findings come at the end, when
 /// it is known whether the device ever appeared.
 class DeviceJudge {
  public:
-  explicit DeviceJudge(std::string name) : name_(std::move(name)) {}
+  DeviceJudge(std::string name, const MotionThresholds& thresholds)
+      : name_(std::move(name)), thresholds_(thresholds) {}
 
-  /// The cell has it. `optional`: it waits for `add`, and nobody need drive it.
-  void appearInCell(const Model* model, bool optional);
+  enum class Standing : std::uint8_t {
+    there,     ///< from the start
+    optional,  ///< it waits for `add`, and nobody need drive it
+    ghost,     ///< from when its source speaks
+  };
+  void appearInCell(const Model* model, Standing standing);
+  void setOwners(DeviceOwners owners) { owners_ = std::move(owners); }
+
   /// `add` brought it; null when the cell knows no such model.
-  void appearByAdd(const Model* model, const Statement& add, const Place& place);
+  void appearByAdd(const Model* model, const Statement& add, const PacketPlace& place);
+  void disappear(const PacketPlace& place);
 
-  /// Any statement that names the device.
-  void mention(const Place& place) { mentioned_.hit(place); }
-  void judgeLink(std::string_view link, const Place& place);
+  /// Any statement that names the device, but for `add` and `remove`.
+  void mention(const PacketPlace& place) {
+    if (mentioned_.count == 0 || !is_known_) mentioned_.hit(place);
+    presence_.mention(place);
+  }
+  void judgeLink(std::string_view link, const PacketPlace& place);
   /// By the names of the order that this source last gave, when `ordered` says that the state
   /// still holds one; else positional.
-  void judgeJoints(std::span<const double> values, bool ordered, std::uint32_t source,
-                   const Place& place);
+  void judgeJoints(std::span<const double> values, bool ordered, const PacketPlace& place);
   void judgeNamed(std::span<const std::string_view> names, std::span<const double> values,
-                  std::uint32_t source, const Place& place);
-  void judgeOrder(std::span<const std::string_view> names, std::uint32_t source,
-                  const Place& place);
-  void judgePose(std::uint32_t source, const Place& place);
+                  const PacketPlace& place);
+  void judgeOrder(std::span<const std::string_view> names, const PacketPlace& place);
+  void judgePose(const PacketPlace& place);
+  /// A value that was said before the device had a model.
+  void judgeEarlier(std::string_view value_name, double value, const PacketPlace& place);
 
-  /// `sources`: names by number.
-  void report(const std::vector<std::string>& sources, std::vector<Finding>& findings) const;
+  bool hasModel() const { return model_ != nullptr; }
+  bool hasOrderOf(std::uint32_t source) const { return orders_.contains(source); }
+
+  /// Drives or poses the device: a source's number and name.
+  void writtenBy(std::string_view source_name, const PacketPlace& place);
+  /// A device of the cell that nobody drives though it could be driven, and should.
+  bool isUndriven() const;
+  const std::vector<std::string>& owners() const { return owners_.names; }
+  /// A source that writes it though the cell gives it to others; empty: none.
+  std::string stranger() const;
+
+  void report(const SessionRoster& roster, std::vector<Finding>& findings) const;
 
  private:
   static constexpr std::uint32_t kNobody = std::numeric_limits<std::uint32_t>::max();
   static constexpr std::size_t kNoValue = std::numeric_limits<std::size_t>::max();
 
-  /// One value of the model's movable joints, in the order of positional `joints`.
   struct Value {
-    std::string name;
-    const char* unit = "";
-    double lower = -std::numeric_limits<double>::infinity();
-    double upper = std::numeric_limits<double>::infinity();
+    JointJudge judge;
     std::uint32_t writer = kNobody;
-    Tally beyond;
-    double worst = 0, worst_excess = 0;
-    LogTime worst_at{};
+    std::uint64_t said_in = 0;  ///< number of the last statement that gave it
   };
   /// What `joints` of each source mean: numbers in `values_`, kNoValue for a name that is none.
   struct Order {
@@ -63,28 +96,50 @@ class DeviceJudge {
     Tally tally;
     std::uint32_t before = 0, now = 0;
   };
+  struct Stranger {
+    std::string name;
+    Tally tally;
+  };
+  using NameTallies = std::map<std::string, Tally, std::less<>>;
 
   void useModel(const Model* model);
   void listValues(const Model& model);
-  void judgePositional(std::span<const double> values, std::uint32_t source, const Place& place);
+  void judgePositional(std::span<const double> values, const PacketPlace& place);
   void resolve(Order& order) const;
-  void judgeValue(std::size_t value, double number, std::uint32_t source, const Place& place);
-  void noteWriter(std::uint32_t& writer, std::uint32_t source, TwoSources& two, const Place& place);
+  void judgeValue(std::size_t value, double number, const PacketPlace& place);
+  void judgeUnitQuaternions(const PacketPlace& place);
+  void noteWriter(std::uint32_t& writer, TwoSources& two, const PacketPlace& place);
   /// Number of the value in `values_`; kNoValue, with the fault counted, when there is none.
-  std::size_t valueNamed(std::string_view value_name, const Place& place);
+  std::size_t valueNamed(std::string_view value_name, const PacketPlace& place);
+
+  void reportNames(std::vector<Finding>& findings) const;
+  void reportValues(std::vector<Finding>& findings) const;
+  bool reportDegrees(std::vector<Finding>& findings) const;
+  void reportUndriven(const SessionRoster& roster, std::vector<Finding>& findings) const;
+  void reportWriters(const SessionRoster& roster, std::vector<Finding>& findings) const;
 
   std::string name_;
-  bool in_cell_ = false, optional_ = false, added_ = false, driven_ = false;
+  MotionThresholds thresholds_;
+  DeviceOwners owners_;
+  bool in_cell_ = false, is_optional_ = false, is_ghost_ = false, is_known_ = false;
+  bool is_driven_ = false;
+  PresenceJudge presence_;
   const Model* model_ = nullptr;
   std::vector<Value> values_;
+  std::vector<std::size_t> quaternions_;  ///< the first of four values that are one
   std::map<std::string, std::size_t, std::less<>> value_by_name_;
   std::map<std::uint32_t, Order> orders_;
-  std::uint32_t pose_writer_ = kNobody;
+  std::uint32_t pose_writer_ = kNobody, writer_ = kNobody;
+  std::uint64_t statements_ = 0;
+  std::map<std::uint32_t, Stranger> strangers_;
+  Stranger* stranger_ = nullptr;  ///< of `writer_`
 
-  Tally mentioned_, unknown_model_, other_kinematics_, joint_count_;
-  std::string unknown_model_name_, joint_count_text_;
-  std::map<std::string, Tally, std::less<>> unknown_links_, unknown_joints_, undrivable_joints_;
+  Tally mentioned_, unknown_model_, other_kinematics_, joint_count_, repeated_joint_, not_unit_;
+  std::string unknown_model_name_, joint_count_text_, repeated_joint_name_;
+  NameTallies unknown_links_, unknown_joints_, undrivable_joints_;
+  NameTallies early_links_, early_joints_;  ///< said before there was a model to judge them
   TwoSources two_drivers_, two_posers_;
+  std::vector<Finding> earlier_;  ///< about the values of a model that it no longer has
 };
 
 }  // namespace rocinante

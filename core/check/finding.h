@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/check/rule_settings.h"
 #include "core/check/time_histogram.h"
 #include "core/model/model_fault.h"
 #include "core/time.h"
@@ -48,6 +49,7 @@ struct CheckReport {
   LogTime origin{};
   Nanoseconds duration{0};
   std::vector<Finding> findings;  ///< errors first, then by first time, then by rule
+  RuleSettings rules;             ///< what the cell makes of the rules; conclude() applies it
   bool has_baseline = false;
   bool interrupted = false;
   Severity fail_on = Severity::error;  ///< a finding as severe as that makes it incompatible
@@ -61,7 +63,8 @@ struct CheckReport {
   }
 };
 
-/// Puts the findings in order and draws the verdict from them.
+/// Gives the findings the severities that the rules are set to, removes those of rules that are off,
+/// puts them in order and draws the verdict from them. May be called again.
 void conclude(CheckReport& report);
 
 }  // namespace rocinante

@@ -1,16 +1,20 @@
 #pragma once
 
-#include <array>
-#include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
 
 #include "core/bytes.h"
+#include "core/check/datagram_judge.h"
 #include "core/check/device_judge.h"
 #include "core/check/finding.h"
+#include "core/check/layer_judge.h"
+#include "core/check/log_judge.h"
+#include "core/check/rule_settings.h"
+#include "core/check/source_judge.h"
 #include "core/log/log_types.h"
 #include "core/model/cell.h"
 #include "core/packet/decoder.h"
@@ -18,7 +22,8 @@
 
 namespace rocinante {
 
-/// Judges a session against a cell while it folds it, datagram by datagram, from a log or live.
+/// Judges a session against a cell while it folds it, datagram by datagram, from a log or live:
+/// hands each packet to the judges of its source, its devices and its layers.
 /// No allocation a packet once everything in it has been seen. The cell must outlive it.
 /// One thread.
 class SessionCheck {
@@ -30,21 +35,19 @@ class SessionCheck {
   /// others that are folded are restatements by a recorder, judged but not counted.
   void add(LogTime time, std::string_view encoding, bool captured, ByteView datagram);
 
-  void addLoss(const LossSpan& span);
-  void addDamage(const DamageSpan& span);
+  // What the log says of its own recording.
+  void addLoss(const LossSpan& span) { log_.takeLoss(span); }
+  void addDamage(const DamageSpan& span) { log_.takeDamage(span); }
+  /// A message on /rocinante/clock.
+  void addClockStep(LogTime time, ByteView payload) { log_.takeClockStep(time, payload); }
+  /// Its recorder did not close it.
+  void noteIncomplete() { log_.noteIncomplete(); }
 
   /// What was found about the session, in no order; the cell's own faults are not in it. Fills
   /// datagrams, packets, sources and findings of `report`.
   void finish(CheckReport& report) const;
 
  private:
-  struct Source {
-    std::string name;
-    std::uint32_t number = 0;
-    const SourceCounts* counts = nullptr;  ///< in state_, whose map does not move them
-    std::uint64_t gap_seen = 0, late_seen = 0, restarts_seen = 0;
-    Tally gap, late, restart;
-  };
   struct Hash {
     using is_transparent = void;
     std::size_t operator()(std::string_view text) const {
@@ -53,36 +56,47 @@ class SessionCheck {
   };
   template <class T>
   using ByName = std::unordered_map<std::string, T, Hash, std::equal_to<>>;
+  using Names = std::set<std::string, std::less<>>;
 
+  struct Source {
+    SourceJudge judge;
+    const SourceCounts* counts;  ///< in state_, whose map does not move them
+  };
+
+  void expectDevices();
+  DeviceJudge& newDevice(std::string_view name);
   Decoder* decoderFor(std::string_view encoding);
   Source& sourceNamed(std::string_view name);
   /// Null beyond the bound on names.
   DeviceJudge* deviceNamed(std::string_view name);
-  void countFaults(std::span<const FaultAt> faults, Place place);
-  void watchSource(Source& source, const Place& place);
-  void judge(const Statement& statement, Source& source, const Place& place);
-  void judgeJoints(const Statement& statement, const Source& source, DeviceJudge& device,
-                   const Place& place);
-  void judgeAdd(const Statement& statement, DeviceJudge& device, const Place& place);
-  void judgePath(const PathView& path, const Place& place);
-  void reportSources(std::vector<Finding>& findings) const;
-  void reportLosses(std::vector<Finding>& findings) const;
+  void judge(const Statement& statement, SourceJudge& source, const PacketPlace& place);
+  void judgeOfDevice(const Statement& statement, SourceJudge& source, const PacketPlace& place);
+  void judgeJoints(const Statement& statement, const SourceJudge& source, DeviceJudge& device,
+                   const PacketPlace& place);
+  void judgeAdd(const Statement& statement, DeviceJudge& device, const PacketPlace& place);
+  /// What was lost behind a relay, by its own count.
+  std::uint64_t relayGap(std::string_view relay) const;
+  void judgePath(const PathView& path, const PacketPlace& place);
+  void reportSources(const SessionRoster& roster, std::vector<Finding>& findings) const;
+  void reportMissing(const SessionRoster& roster, std::vector<Finding>& findings) const;
 
   const Cell& cell_;
+  RuleSettings rules_;
+  MotionThresholds motion_;
   SessionState state_;
+  Names bound_sources_;  ///< of the cell, that name their devices
   ByName<std::unique_ptr<Decoder>> decoders_;
   ByName<Source> sources_;
   std::vector<std::string> source_names_;  ///< by number
   ByName<DeviceJudge> devices_;
-  std::map<std::string, bool, std::less<>> layers_;
+  NameCache<Source*> source_cache_;
+  NameCache<DeviceJudge*> device_cache_;
+  LayerJudge layers_;
+  DatagramJudge faults_;
+  LogJudge log_;
   std::uint64_t datagrams_ = 0, packets_ = 0;
-  std::array<Tally, kPacketFaultCount> faults_;
-  std::array<std::uint32_t, kPacketFaultCount> fault_columns_{};
-  std::map<std::string, Tally, std::less<>> undecoded_;  ///< by encoding
-  std::map<std::string, Tally, std::less<>> unknown_layers_;
-  Tally refused_;
-  std::map<std::string, std::vector<LossSpan>, std::less<>> losses_;  ///< by endpoint
-  std::vector<DamageSpan> damage_;
+  LogTime end_{};
+  Tally refused_, relay_gap_;
 };
 
 }  // namespace rocinante

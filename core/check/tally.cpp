@@ -1,9 +1,25 @@
 #include "core/check/tally.h"
 
+#include <algorithm>
+#include <cassert>
+
+#include "core/check/rule_list.h"
 #include "core/plain_text.h"
 
 namespace rocinante {
-bool Tally::hit(const Place& place) {
+
+Finding makeFinding(std::string_view rule, std::string subject, std::string text) {
+  const Rule* const known = findRule(rule);
+  assert(known != nullptr);
+  Finding finding;
+  finding.rule = rule;
+  finding.severity = known->severity;
+  finding.subject = std::move(subject);
+  finding.text = std::move(text);
+  return finding;
+}
+
+bool Tally::hit(const PacketPlace& place) {
   last = place.time;
   when.hit(place.time);
   if (++count > 1) return false;
@@ -13,19 +29,31 @@ bool Tally::hit(const Place& place) {
   return true;
 }
 
-Finding Tally::finding(std::string rule, Severity severity, std::string subject,
-                       std::string text) const {
-  Finding finding;
-  finding.rule = std::move(rule);
-  finding.severity = severity;
+void Tally::merge(const Tally& other) {
+  if (other.count == 0) return;
+  if (count == 0) {
+    *this = other;
+    return;
+  }
+  if (other.first < first) {
+    Tally merged = other;
+    merged.merge(*this);
+    *this = std::move(merged);
+    return;
+  }
+  count += other.count;
+  last = std::max(last, other.last);
+  when.merge(other.when);
+}
+
+Finding Tally::finding(std::string_view rule, std::string subject, std::string text) const {
+  Finding finding = makeFinding(rule, std::move(subject), std::move(text));
   finding.count = count;
   finding.first = first;
   finding.last = last;
   finding.when = when;
   // What a recorder restated before the first datagram has no number.
   if (packet > 0) finding.packet = packet;
-  finding.subject = std::move(subject);
-  finding.text = std::move(text);
   finding.example = example;
   return finding;
 }

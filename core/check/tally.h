@@ -2,20 +2,16 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
-#include "core/bytes.h"
 #include "core/check/finding.h"
+#include "core/check/packet_place.h"
 #include "core/time.h"
 
 namespace rocinante {
 
-/// Which statement is being judged. Borrowed from the packet.
-struct Place {
-  LogTime time{};
-  std::uint64_t packet = 0;  ///< captured datagrams from 1
-  ByteView datagram;
-  std::uint32_t line = 0;  ///< in the datagram, from 1
-};
+/// A finding of a rule, as severe as the list of rules says.
+Finding makeFinding(std::string_view rule, std::string subject, std::string text);
 
 /// How often something happened, when, and its first example. Counting allocates only the first
 /// time: a session whose every packet is wrong is judged as fast as a sound one.
@@ -27,9 +23,11 @@ struct Tally {
   std::string example;
 
   /// True the first time.
-  bool hit(const Place& place);
+  bool hit(const PacketPlace& place);
+  /// Adds what another counted.
+  void merge(const Tally& other);
   /// A finding with what was counted.
-  Finding finding(std::string rule, Severity severity, std::string subject, std::string text) const;
+  Finding finding(std::string_view rule, std::string subject, std::string text) const;
 };
 
 }  // namespace rocinante

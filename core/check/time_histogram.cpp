@@ -30,6 +30,13 @@ void TimeHistogram::hit(LogTime time, std::uint32_t times) {
   counts_[bin] = sum(counts_[bin], times);
 }
 
+void TimeHistogram::merge(const TimeHistogram& other) {
+  for (std::size_t i = 0; i < other.counts_.size(); ++i) {
+    if (other.counts_[i] == 0) continue;
+    hit(other.start_ + static_cast<std::int64_t>(i) * other.width_, other.counts_[i]);
+  }
+}
+
 void TimeHistogram::halve() {
   width_ *= 2;
   for (std::size_t i = 0; i < counts_.size(); ++i) {

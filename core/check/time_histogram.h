@@ -16,6 +16,9 @@ class TimeHistogram {
   /// `time` should not lie before the first hit; what does counts in the first bin.
   void hit(LogTime time, std::uint32_t times = 1);
 
+  /// Adds what another counted, each bin at its start.
+  void merge(const TimeHistogram& other);
+
   /// How often in [start + i * width, start + (i + 1) * width). The last bin is not zero; empty
   /// when nothing happened.
   const std::vector<std::uint32_t>& counts() const { return counts_; }

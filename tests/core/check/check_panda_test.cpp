@@ -42,8 +42,11 @@ CheckReport judgeAgainst(const std::string& model) {
     const double seconds = std::stod(line.substr(0, comma));
     std::string values = line.substr(comma);
     for (char& c : values) c = c == ',' ? ' ' : c;
+    // As `source` says it: the order first, and again with a restatement every two seconds or so.
     const std::string text =
-        fmt::format("RK1 panda@1 {} -\n{}\njoints panda{}\n", row, row == 0 ? order : "#", values);
+        fmt::format("RK1 panda@1 {} {:.9f}{}\n{}\njoints panda{}\n", row, seconds,
+                    row % 2000 == 0 && row > 0 ? " restated" : "",
+                    row % 2000 == 0 ? order : "#", values);
     session.add(LogTime(Nanoseconds(static_cast<std::int64_t>(seconds * 1e9))), "rk1", true,
                 bytesOf(text));
   }
@@ -56,6 +59,8 @@ TEST(RealPandaSession, FitsThePanda) {
   EXPECT_EQ(report.verdict, Verdict::compatible) << checkText(report);
   EXPECT_EQ(report.packets, 20544U);
   for (const Finding& finding : report.findings) {
+    // True: the recording has the seven joints of the arm, and not those of its fingers.
+    if (finding.rule == "joint.undriven" && finding.severity == Severity::note) continue;
     EXPECT_EQ(finding.rule, "obj.missing-mtllib") << finding.text;
   }
 }

@@ -1,0 +1,37 @@
+#include "core/check/layer_judge.h"
+
+#include <fmt/format.h>
+
+namespace rocinante {
+namespace {
+
+/// Layers that are told apart; a hostile session has more, nobody reads them.
+constexpr std::size_t kMostNames = 200;
+
+}  // namespace
+
+LayerJudge::LayerJudge(const Cell& cell) {
+  for (const CellLayer& layer : cell.layers) layers_.insert(layer.name);
+  for (const CellDevice& device : cell.devices) {
+    if (!device.layer.empty()) layers_.insert(device.layer);
+  }
+}
+
+void LayerJudge::judge(std::string_view layer, const PacketPlace& place) {
+  if (layers_.contains(layer)) return;
+  auto found = unknown_.find(layer);
+  if (found == unknown_.end()) {
+    if (unknown_.size() == kMostNames) return;
+    found = unknown_.emplace(std::string(layer), Tally()).first;
+  }
+  found->second.hit(place);
+}
+
+void LayerJudge::report(std::vector<Finding>& findings) const {
+  for (const auto& [layer, tally] : unknown_) {
+    findings.push_back(tally.finding("packet.unknown-layer", layer,
+                                     fmt::format("the cell has no layer {}", layer)));
+  }
+}
+
+}  // namespace rocinante

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "core/bytes.h"
+#include "core/time.h"
+
+namespace rocinante {
+
+/// Which statement is being judged, and who said it when. Borrowed from the packet.
+struct PacketPlace {
+  LogTime time{};            ///< arrival
+  std::uint64_t packet = 0;  ///< captured datagrams from 1
+  ByteView datagram;
+  std::uint32_t line = 0;               ///< in the datagram, from 1
+  std::optional<std::int64_t> sent_ns;  ///< TIME: nanoseconds since the epoch on its clock
+  std::uint32_t source = 0;             ///< number of the source
+  std::uint32_t stretch = 0;            ///< another one after each restart and each `reset`
+  bool is_restated = false;             ///< said before, by itself or by somebody else
+};
+
+}  // namespace rocinante
