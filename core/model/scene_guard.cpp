@@ -7,94 +7,19 @@
 #include <string_view>
 #include <vector>
 
+#include "core/model/xml_tags.h"
+
 namespace rocinante {
 namespace {
 
-constexpr std::size_t kDeepestXml = 100;          // elements in elements
+constexpr std::size_t kDeepestXml = 100;       // elements in elements
 constexpr std::size_t kLongestChain = 1000;    // of nodes that stand for nodes
 constexpr std::size_t kMostNodes = 1'000'000;  // once all is in place
-constexpr std::string_view kBlanks = " \t\r\n";
-
-/// One start or end tag.
-struct Tag {
-  std::string_view name;   ///< without the slash
-  std::string_view inner;  ///< what stands between the name and the bracket
-  bool ends = false;       ///< an end tag, or one that is both
-  bool starts = false;
-};
-
-/// Walks through the tags of XML, without judging it.
-class TagWalker {
- public:
-  explicit TagWalker(std::string_view text) : text_(text) {}
-
-  bool next(Tag& tag) {
-    while ((at_ = text_.find('<', at_)) != std::string_view::npos) {
-      const std::string_view rest = text_.substr(at_);
-      if (rest.starts_with("<!--")) {
-        skipPast("-->");
-      } else if (rest.starts_with("<![CDATA[")) {
-        skipPast("]]>");
-      } else if (rest.starts_with("<?")) {
-        skipPast("?>");
-      } else if (rest.starts_with("<!")) {
-        skipPast(">");
-      } else {
-        return readTag(tag);
-      }
-    }
-    return false;
-  }
-
- private:
-  void skipPast(std::string_view end) {
-    at_ = text_.find(end, at_);
-    at_ = at_ == std::string_view::npos ? text_.size() : at_ + end.size();
-  }
-
-  bool readTag(Tag& tag) {
-    std::size_t end = at_ + 1;
-    for (; end < text_.size() && text_[end] != '>'; ++end) {
-      if (text_[end] != '"' && text_[end] != '\'') continue;
-      end = text_.find(text_[end], end + 1);
-      if (end == std::string_view::npos) break;
-    }
-    if (end == std::string_view::npos || end >= text_.size()) return false;
-    std::string_view inner = text_.substr(at_ + 1, end - at_ - 1);
-    at_ = end + 1;
-    tag.starts = !inner.starts_with('/');
-    tag.ends = !tag.starts || inner.ends_with('/');
-    if (!tag.starts) inner.remove_prefix(1);
-    if (tag.starts && tag.ends) inner.remove_suffix(1);
-    const std::size_t blank = std::min(inner.find_first_of(kBlanks), inner.size());
-    tag.name = inner.substr(0, blank);
-    tag.inner = inner.substr(blank);
-    return true;
-  }
-
-  std::string_view text_;
-  std::size_t at_ = 0;
-};
-
-/// The value of an attribute; empty when there is none.
-std::string_view attributeOf(const Tag& tag, std::string_view name) {
-  for (std::size_t at = 0; (at = tag.inner.find(name, at)) != std::string_view::npos; ++at) {
-    if (at == 0 || kBlanks.find(tag.inner[at - 1]) == std::string_view::npos) continue;
-    std::size_t from = tag.inner.find_first_not_of(kBlanks, at + name.size());
-    if (from == std::string_view::npos || tag.inner[from] != '=') continue;
-    from = tag.inner.find_first_not_of(kBlanks, from + 1);
-    if (from == std::string_view::npos) return {};
-    const std::size_t end = tag.inner.find(tag.inner[from], from + 1);
-    if (end == std::string_view::npos) return {};
-    return tag.inner.substr(from + 1, end - from - 1);
-  }
-  return {};
-}
 
 /// The nodes of a COLLADA file, and those that stand for others (<instance_node>).
 class NodeGraph {
  public:
-  std::size_t open(const Tag& tag, std::size_t parent) {
+  std::size_t open(const XmlTag& tag, std::size_t parent) {
     nodes_.emplace_back();
     const std::size_t node = nodes_.size() - 1;
     if (parent != kNoNode) nodes_[parent].children.push_back(node);
@@ -172,10 +97,10 @@ std::string problemOfCollada(ByteView bytes) {
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
     return "is UTF-16 text; save it as UTF-8";
   }
-  TagWalker tags(text);
+  XmlTags tags(text);
   NodeGraph graph;
   std::vector<std::size_t> open;  // by element: the node that it is or lies in
-  for (Tag tag; tags.next(tag);) {
+  for (XmlTag tag; tags.next(tag);) {
     if (tag.starts) {
       if (open.size() >= kDeepestXml) {
         return fmt::format("the XML is nested deeper than {} elements", kDeepestXml);
@@ -196,7 +121,7 @@ char upAxisOfCollada(ByteView bytes) {
   const std::string_view text = textOf(bytes);
   const std::size_t tag = text.find("<up_axis>");
   if (tag == std::string_view::npos) return 'Y';
-  const std::size_t word = text.find_first_not_of(kBlanks, tag + 9);
+  const std::size_t word = text.find_first_not_of(kXmlBlanks, tag + 9);
   if (word == std::string_view::npos) return 'Y';
   return text[word] == 'Z' || text[word] == 'X' ? text[word] : 'Y';
 }

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <stddef.h>
+#include <stdint.h>
+
+// What librocinante_sdformat.so offers, in C: the module is loaded with dlopen and shares no C++
+// with the program. Metres and radians; texts are borrowed for the call.
+
+#define ROCINANTE_SDF_ABI 1
+
+extern "C" {
+
+struct RocinanteSdfPose {
+  double position[3];
+  double quaternion[4];  ///< x y z w
+};
+
+struct RocinanteSdfJoint {
+  const char *name, *parent, *child;  ///< a parent "world" is no link
+  /// SDF's word: "revolute", "ball" ...
+  const char* type;
+  struct RocinanteSdfPose in_model;
+  double axis[3];  ///< in the joint's space
+  double lower, upper, velocity, effort;
+};
+
+struct RocinanteSdfShape {
+  int32_t is_collision;
+  const char* name;
+  struct RocinanteSdfPose in_link;
+  /// "box" (size: its sides), "sphere" (radius), "cylinder" and "capsule" (radius, length), "mesh"
+  /// (size: its scale), or another kind that is not drawn.
+  const char* kind;
+  double size[3];
+  const char* uri;  ///< of a mesh
+  int32_t has_color;
+  float color[4];
+};
+
+/// Told of what is in the file, in its order; shapes follow their link.
+struct RocinanteSdfSink {
+  void* to;
+  void (*fault)(void* to, int32_t is_error, int32_t line, const char* sentence);
+  void (*model)(void* to, const char* name);  ///< each; links and joints follow the first alone
+  void (*link)(void* to, const char* name, const struct RocinanteSdfPose* in_model);
+  void (*shape)(void* to, const struct RocinanteSdfShape* shape);
+  void (*joint)(void* to, const struct RocinanteSdfJoint* joint);
+};
+
+/// rocinante_sdf_abi: ROCINANTE_SDF_ABI of the module's build; others are not used.
+typedef int (*RocinanteSdfAbi)(void);
+/// rocinante_sdf_read: `text` ends in a zero. Opens no file. One thread at a time.
+typedef void (*RocinanteSdfRead)(const char* text, const struct RocinanteSdfSink* sink);
+
+}  // extern "C"
