@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <cstdio>
@@ -43,6 +44,13 @@ void onStopSignal(int signal_number) {
   // A later one is the user's last word.
   ::signal(signal_number, SIG_DFL);
   ::raise(signal_number);
+}
+
+std::array<std::atomic<std::uint32_t>, NSIG> signal_counts{};
+static_assert(std::atomic<std::uint32_t>::is_always_lock_free, "counted in a signal handler");
+
+void onCountedSignal(int signal_number) {
+  signal_counts[static_cast<std::size_t>(signal_number)].fetch_add(1);
 }
 
 }  // namespace
@@ -87,6 +95,19 @@ void catchStopSignals() {
   // No SA_RESTART: a blocking call must come back.
   ::sigaction(SIGINT, &action, nullptr);
   ::sigaction(SIGTERM, &action, nullptr);
+}
+
+void countSignal(int signal_number) {
+  struct sigaction before {};
+  if (::sigaction(signal_number, nullptr, &before) == 0 && before.sa_handler == SIG_IGN) return;
+  struct sigaction action {};
+  action.sa_handler = onCountedSignal;
+  action.sa_flags = SA_RESTART;
+  ::sigaction(signal_number, &action, nullptr);
+}
+
+std::uint32_t signalCount(int signal_number) {
+  return signal_counts.at(static_cast<std::size_t>(signal_number)).load();
 }
 
 bool stopRequested() { return stop_requested.load(); }

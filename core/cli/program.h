@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -30,6 +31,12 @@ int run(CLI::App& app, int argc, char** argv, std::string_view examples,
 /// half a second after the first ends the process at once.
 void catchStopSignals();
 bool stopRequested();
+
+/// From now on this signal (SIGHUP, SIGUSR1) is counted and ends nothing; one that this process was
+/// started to ignore (nohup) stays ignored. Signals that come together may count as one.
+void countSignal(int signal_number);
+/// How often it came; 0 for one that is not counted.
+std::uint32_t signalCount(int signal_number);
 
 /// One line on stderr: "rocinante-NAME: TEXT".
 void warn(std::string_view text);
