@@ -7,7 +7,10 @@
 
 #include "core/atomic_file.h"
 #include "core/bundle/attached_cell.h"
+#include "core/bundle/cell_folder.h"
+#include "core/check/baseline.h"
 #include "core/check/check.h"
+#include "core/check/model_drift.h"
 #include "core/log/log_writer.h"
 #include "core/packet/decoder.h"
 #include "core/session/session_writer.h"
@@ -163,6 +166,12 @@ Result<CheckReport> judgeExample(const RuleExample& example) {
     std::filesystem::create_directories((folder / name).parent_path());
     std::ofstream(folder / name, std::ios::binary) << bytes;
   }
+  // What the recorded cell does not have of its own it has in common with the other.
+  for (const auto& [name, bytes] : example.files) {
+    const std::filesystem::path recorded = folder / ("recorded/" + name);
+    if (!std::filesystem::exists(folder / "recorded") || name.starts_with("recorded/")) continue;
+    if (!std::filesystem::exists(recorded)) std::ofstream(recorded, std::ios::binary) << bytes;
+  }
   const Result<Cell> cell = loadCell(folder / example.cell, {});
   if (!cell) return cell.error();
   if (!example.has_session) return checkCell(*cell);
@@ -170,7 +179,21 @@ Result<CheckReport> judgeExample(const RuleExample& example) {
   if (Status written = writeLog(example, folder.path(), path); !written) return written.error();
   Result<LogReader> log = LogReader::open(path);
   if (!log) return log.error();
-  return checkLog(*cell, *log);
+  Result<CheckReport> report = checkLog(*cell, *log);
+  if (!report) return report;
+  if (const auto bundle = readAttachedCell(*log); bundle.ok() && *bundle) {
+    const Result<Cell> recorded = loadBundle(**bundle, "session.mcap:cell/", {});
+    if (!recorded) return recorded.error();
+    const std::vector<Finding> drift = modelDrift(*recorded, *cell);
+    report->findings.insert(report->findings.end(), drift.begin(), drift.end());
+  }
+  if (example.files.contains("baseline.json")) {
+    const Result<Baseline> baseline = Baseline::read(folder / "baseline.json");
+    if (!baseline) return baseline.error();
+    baseline->applyTo(*report);
+  }
+  conclude(*report);
+  return report;
 }
 
 }  // namespace rocinante::test
