@@ -9,6 +9,7 @@
 #include "core/model/fault_list.h"
 #include "core/model/file_search.h"
 #include "core/model/inline_model.h"
+#include "core/model/sdf_reader.h"
 #include "core/model/urdf_reader.h"
 
 namespace rocinante {
@@ -98,6 +99,13 @@ Result<Cell> loadModelFile(const fs::path& path, const CellOptions& options) {
     if (!bytes.ok()) return bytes.error();
     meshes.addFile(path);
     if (auto read = readUrdf(*bytes, path, meshes, cell.faults)) {
+      model = std::make_shared<const Model>(std::move(*read));
+    }
+  } else if (endingOf(path) == ".sdf") {
+    const auto bytes = readWholeFile(path, kMostSdfBytes);
+    if (!bytes.ok()) return bytes.error();
+    meshes.addFile(path);
+    if (auto read = readSdf(*bytes, path, meshes, cell.faults)) {
       model = std::make_shared<const Model>(std::move(*read));
     }
   } else {
@@ -244,14 +252,16 @@ Result<Cell> loadCell(const fs::path& path, const CellOptions& options) {
     if (!bytes.ok()) return bytes.error();
     return readCell(*bytes, path, options);
   }
-  if (ending == ".urdf" || isMeshFile(path)) return loadModelFile(path, options);
+  if (ending == ".urdf" || ending == ".sdf" || isMeshFile(path))
+    return loadModelFile(path, options);
   if (ending == ".xacro") {
     return Error{ErrorKind::unsupported,
                  "a xacro template is not read; expand it first: xacro model.xacro > model.urdf",
                  path.string()};
   }
   return Error{ErrorKind::bad_argument,
-               "a cell ends in .cell.toml, .urdf, .obj, .stl, .dae, .gltf or .glb", path.string()};
+               "a cell ends in .cell.toml, .urdf, .sdf, .obj, .stl, .dae, .gltf or .glb",
+               path.string()};
 }
 
 }  // namespace rocinante

@@ -1,6 +1,7 @@
 #include "core/model/mesh_file.h"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -82,6 +83,33 @@ class WholeFile {
   std::size_t capacity_ = 0, size_ = 0;
 };
 
+/// Some triangles without area are in every export; one in a hundred is worth a word.
+void judgeTriangles(const Mesh& mesh, FaultList& faults) {
+  std::size_t flat = 0;
+  for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    const Vec3 a(mesh.vertices[mesh.indices[i]].position);
+    const Vec3 b(mesh.vertices[mesh.indices[i + 1]].position);
+    const Vec3 c(mesh.vertices[mesh.indices[i + 2]].position);
+    if (glm::cross(b - a, c - a) == Vec3(0.0)) ++flat;
+  }
+  if (flat * 100 < mesh.triangleCount() || flat == 0) return;
+  faults.note("mesh.degenerate-triangles", {},
+              fmt::format("{} of the {} triangles have no area", flat, mesh.triangleCount()),
+              "remove them where the mesh is made; nothing is seen of them");
+}
+
+Result<Mesh> readByEnding(ByteView bytes, const std::filesystem::path& path,
+                          const MeshReadOptions& options, FaultList& mesh_faults) {
+  const std::string ending = endingOf(path);
+  if (ending == ".obj") return readObj(bytes, path, options, mesh_faults);
+  if (ending == ".stl" || ending == ".stlb") return readStl(bytes, path, options, mesh_faults);
+  if (saysItsUnit(path)) return readScene(bytes, path, options, mesh_faults);
+  return Error{ErrorKind::unsupported,
+               "is no mesh that can be read: .obj, .stl, .dae, .gltf and .glb are, not " +
+                   (ending.empty() ? "a file without an ending" : quotedInFault(ending)),
+               path.string()};
+}
+
 }  // namespace
 
 bool saysItsUnit(const std::filesystem::path& path) {
@@ -96,15 +124,10 @@ bool isMeshFile(const std::filesystem::path& path) {
 
 Result<Mesh> readMeshBytes(ByteView bytes, const std::filesystem::path& path,
                            const MeshReadOptions& options, ModelFaults& faults) {
-  const std::string ending = endingOf(path);
   FaultList mesh_faults(faults, path.string());
-  if (ending == ".obj") return readObj(bytes, path, options, mesh_faults);
-  if (ending == ".stl" || ending == ".stlb") return readStl(bytes, path, options, mesh_faults);
-  if (saysItsUnit(path)) return readScene(bytes, path, options, mesh_faults);
-  return Error{ErrorKind::unsupported,
-               "is no mesh that can be read: .obj, .stl, .dae, .gltf and .glb are, not " +
-                   (ending.empty() ? "a file without an ending" : quotedInFault(ending)),
-               path.string()};
+  Result<Mesh> mesh = readByEnding(bytes, path, options, mesh_faults);
+  if (mesh.ok()) judgeTriangles(*mesh, mesh_faults);
+  return mesh;
 }
 
 Result<Mesh> readMeshFile(const std::filesystem::path& path, const MeshReadOptions& options,

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/model/fault_list.h"
 #include "core/model/name_hint.h"
@@ -135,7 +136,8 @@ std::shared_ptr<const Mesh> UrdfLinkReader::readShape(const UrdfElement& shape, 
   return meshes_.load(*file, folder_, 1.0, UpAxis::z, shape.place("filename"), shape.faults());
 }
 
-std::optional<Visual> UrdfLinkReader::readGeometry(const UrdfElement& owner) {
+std::optional<Visual> UrdfLinkReader::readGeometry(const UrdfElement& owner,
+                                                   const std::string& link) {
   const auto geometry = owner.child("geometry");
   if (!geometry) {
     owner.faults().error("urdf.missing-element", owner.place(),
@@ -167,6 +169,11 @@ std::optional<Visual> UrdfLinkReader::readGeometry(const UrdfElement& owner) {
   bool sound = false;
   visual.mesh = readShape(*shape, visual.scale, sound);
   if (!sound) return std::nullopt;
+  if (shape->tag() == "mesh" && visual.mesh) {
+    const Vec3 sides = (visual.mesh->bounds.max - visual.mesh->bounds.min) * visual.scale;
+    mesh_uses_.push_back({link, shape->text("filename"), owner.tag() == "collision",
+                          std::sqrt(glm::dot(sides, sides)), shape->place("filename")});
+  }
   return visual;
 }
 
@@ -178,7 +185,7 @@ void UrdfLinkReader::readVisual(const UrdfElement& element, Link& link) {
     material = readMaterial(*given);
     if (material && !material->name.empty()) define(*given, *material);
   }
-  auto visual = readGeometry(element);
+  auto visual = readGeometry(element, link.name);
   if (!visual) return;
   if (given && !(visual->mesh && hasOwnMaterials(*visual->mesh))) {
     visual->material = material;
@@ -200,7 +207,7 @@ std::optional<LinkDraft> UrdfLinkReader::readLink(const UrdfElement& element) {
   draft.link.name = *name;
   element.each("visual", [&](const UrdfElement& below) { readVisual(below, draft.link); });
   element.each("collision", [&](const UrdfElement& below) {
-    if (auto collision = readGeometry(below)) {
+    if (auto collision = readGeometry(below, draft.link.name)) {
       draft.link.collisions.push_back(std::move(*collision));
     }
   });

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/model/mesh_scale.h"
 #include "core/model/mesh_store.h"
 #include "core/model/model_draft.h"
 #include "core/model/urdf_element.h"
@@ -24,6 +25,8 @@ class UrdfLinkReader {
   /// A `<material>` of the robot or of a visual: its name then means it everywhere in the file.
   void addMaterial(const UrdfElement& element);
   std::optional<LinkDraft> readLink(const UrdfElement& element);
+  /// Every file that a visual or a collision shows, and how large it is there.
+  const std::vector<MeshUse>& meshUses() const { return mesh_uses_; }
   /// Once all is read: gives visuals the materials that they name, wherever those are defined.
   void resolveMaterials(std::vector<LinkDraft>& links, FaultList& faults) const;
 
@@ -38,7 +41,7 @@ class UrdfLinkReader {
   std::optional<Material> readMaterial(const UrdfElement& element);
   void define(const UrdfElement& element, const Material& material);
   void readVisual(const UrdfElement& element, Link& link);
-  std::optional<Visual> readGeometry(const UrdfElement& owner);
+  std::optional<Visual> readGeometry(const UrdfElement& owner, const std::string& link);
   std::shared_ptr<const Mesh> readShape(const UrdfElement& shape, Vec3& scale, bool& sound);
   std::optional<double> size(const UrdfElement& shape, const char* attribute) const;
 
@@ -48,6 +51,7 @@ class UrdfLinkReader {
   std::map<std::string, Place> material_places_;
   std::vector<Wanted> wanted_;
   std::size_t link_count_ = 0;
+  std::vector<MeshUse> mesh_uses_;
 };
 
 }  // namespace rocinante

@@ -145,7 +145,9 @@ std::optional<Model> readUrdf(ByteView bytes, const std::filesystem::path& path,
     if (auto joint = readUrdfJoint(below)) draft.joints.push_back(std::move(*joint));
   });
   links.resolveMaterials(draft.links, faults);
-  return finishModel(std::move(draft), faults);
+  auto model = finishModel(std::move(draft), faults);
+  if (model) judgeScale(*model, links.meshUses(), faults);
+  return model;
 }
 
 }  // namespace rocinante
