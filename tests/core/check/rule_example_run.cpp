@@ -106,6 +106,17 @@ class SessionText {
                          : loss.counts.truncated) = count;
       return writer_.log().writeLoss(loss);
     }
+    if (order == "clock-step") {
+      double step = 0;
+      words >> step;
+      const auto id = writer_.addChannel("/rocinante/clock", "json", {});
+      if (!id) return id.error();
+      const LogTime now = timeOf(seconds_);
+      const std::string text =
+          fmt::format(R"({{"noticed_ns":{},"step_ns":{}}})", now.time_since_epoch().count(),
+                      static_cast<std::int64_t>(step * 1e9));
+      return writer_.write(*id, 0, now, now.time_since_epoch().count(), bytesOf(text));
+    }
     if (order == "bytes") {
       for (unsigned byte = 0; words >> std::hex >> byte;) datagram_ += static_cast<char>(byte);
       return send();
