@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ranges>
 #include <tuple>
 
+#include "core/model/cell_materials.h"
 #include "core/model/cell_reader.h"
 #include "core/model/fault_list.h"
 #include "core/model/file_search.h"
@@ -130,34 +132,10 @@ Result<Cell> loadModelFile(const fs::path& path, const CellOptions& options) {
   return cell;
 }
 
-// Roots that the cell names, relative to its folder; where they are not used, what it says of them
-// is only read.
-void addOwnRoots(TomlTable& root, const fs::path& folder, bool are_used, FileSearch& search) {
-  const TomlNode* given = root.node("search");
-  if (given == nullptr) return;
-  const auto entries = root.texts("search");
-  if (!are_used) return;
-  for (const std::string& entry : entries) {
-    if (entry.find('\0') != std::string::npos || entry.empty()) {
-      root.error("cell.bad-root", "search", "a search root is empty or no path");
-      continue;
-    }
-    const fs::path path = (folder / entry).lexically_normal();
-    std::error_code ignored;
-    if (fs::weakly_canonical(path, ignored) == path.root_path() && path.has_root_path()) {
-      root.error("cell.bad-root", "search", "the whole file system cannot be a search root");
-      continue;
-    }
-    if (const Status added = search.addRoot(path); !added.ok()) {
-      root.error("cell.bad-root", "search",
-                 fmt::format("{}: {}", added.error().what, quotedInFault(entry)));
-    }
-  }
-}
-
 }  // namespace
 
 const Model* Cell::modelOf(const CellDevice& device) const {
+  if (device.dressed) return device.dressed.get();
   const auto found = models.find(device.model);
   return found == models.end() ? nullptr : found->second.get();
 }
@@ -190,48 +168,45 @@ std::string Cell::shown(std::string text) const {
 }
 
 Result<Cell> readCell(ByteView bytes, const fs::path& path, const CellOptions& options) {
-  const auto document = parseToml(textOf(bytes), path.string());
-  if (!document.ok()) return document.error();
-
   Cell cell;
   cell.file = path.string();
   FileSearch search = searchFor(options);
-  if (Status added = search.addRoot(folderOf(path)); !added.ok()) return added.error();
-  {
-    FaultList faults(cell.faults, path.string());
-    TomlTable root(*document, "the cell", faults);
-    const TomlNode* format = root.node("format");
-    if (format == nullptr && !root.has("device") && !root.has("model")) {
-      return Error{ErrorKind::damaged, "this is no cell: it has neither `format` nor a [[device]]",
-                   path.string()};
-    }
-    if (format != nullptr && format->kind == TomlNode::Kind::integer && format->integer > 1) {
-      return Error{
-          ErrorKind::unsupported,
-          fmt::format("the cell has format {}; this program reads format 1", format->integer),
-          path.string()};
-    }
-    if (format == nullptr || format->kind != TomlNode::Kind::integer || format->integer != 1) {
-      root.error("cell.format", "format", "the cell does not say `format = 1`");
-    }
-    addOwnRoots(root, folderOf(path), !options.answers, search);
-    if (Status added = addRoots(options, search); !added.ok()) return added.error();
+  CellFiles files(search, cell.faults, !options.answers);
+  if (Status read = files.readMain(bytes, path); !read.ok()) return read.error();
+  if (Status added = addRoots(options, search); !added.ok()) return added.error();
+  files.readIncluded();
 
-    MeshStore meshes(search, options.geometry);
-    meshes.readWith(options.parallel, options.progress);
-    meshes.addFile(path);
-    meshes.readAhead(meshesOfInlineModels(*document, folderOf(path)));
-    CellModels models(folderOf(path), meshes);
-    for (TomlTable& table : root.tables("model", "[[model]]")) models.readModel(table);
-    readLayers(root, cell);
-    readDevices(root, cell, models);
-    readCameras(root, cell);
-    readSources(root, cell);
-    readRules(root, cell);
-    readScene(root, cell);
-    root.finish();
-    cell.files.assign(meshes.files().begin(), meshes.files().end());
+  MeshStore meshes(search, options.geometry);
+  meshes.readWith(options.parallel, options.progress);
+  CellNames names(files);
+  CellModels models(files.inOrder().front()->folder, names, meshes);
+  DeviceReader devices(cell, models, names);
+  for (const CellFile* file : files.inOrder()) {
+    meshes.addFile(file->path);
+    meshes.readAhead(meshesOfInlineModels(file->document, file->folder));
   }
+  for (const CellFile* file : files.inOrder()) {
+    for (TomlTable& table : file->root->tables("model", "[[model]]")) {
+      models.readModel(table, file->folder);
+    }
+    readLayers(*file->root, names, cell);
+  }
+  for (const CellFile* file : files.inOrder()) devices.read(*file->root, file->folder);
+  devices.finish();
+  for (const CellFile* file : files.inOrder()) {
+    readCameras(*file->root, names, cell);
+    readSources(*file->root, names, cell);
+  }
+  CellMaterials materials;
+  // What is read later stands over what was read before.
+  for (const CellFile* file : std::views::reverse(files.inOrder())) {
+    readRules(*file->root, cell);
+    readScene(*file->root, cell);
+    materials.read(*file->root, file->folder, meshes);
+  }
+  if (options.geometry) materials.apply(cell);
+  files.finish();
+  cell.files.assign(meshes.files().begin(), meshes.files().end());
   sortFaults(cell);
   if (Status sound = refuseFaulty(cell, path, options); !sound.ok()) return sound.error();
   return cell;

@@ -28,6 +28,8 @@ struct CellDevice {
   /// Carried from the start: `pose` is in the space of this device's link (empty: its root).
   std::string on_device, on_link;
   std::optional<glm::vec4> color;  ///< in place of its materials' own
+  /// The model with what [[material]] tables change of this device's looks; null: nothing.
+  std::shared_ptr<const Model> dressed;
 };
 
 struct CellCamera {
@@ -85,7 +87,7 @@ struct Cell {
   std::shared_ptr<const void> keeps_files;
   std::string files_below, files_shown_as;
 
-  /// The model of a device; null when it could not be read.
+  /// The model of a device as it looks; null when it could not be read.
   const Model* modelOf(const CellDevice& device) const;
   const CellDevice* findDevice(std::string_view name) const;
   const CellCamera* findCamera(std::string_view name) const;

@@ -11,6 +11,8 @@
 namespace rocinante {
 namespace {
 
+constexpr const char* kModelKinds[] = {"obj", "stl", "mesh", "urdf"};
+
 bool endsIn(const std::string& name, std::string_view ending) {
   if (name.size() < ending.size()) return false;
   for (std::size_t i = 0; i < ending.size(); ++i) {
@@ -23,9 +25,10 @@ bool endsIn(const std::string& name, std::string_view ending) {
 
 }  // namespace
 
-std::shared_ptr<const Model> CellModels::readUrdfFile(const std::string& name, Place place,
-                                                      FaultList& faults) {
-  const FoundFile found = meshes_.search().find(name, folder_);
+std::shared_ptr<const Model> CellModels::readUrdfFile(const std::string& name,
+                                                      const std::filesystem::path& folder,
+                                                      Place place, FaultList& faults) {
+  const FoundFile found = meshes_.search().find(name, folder);
   if (found.path.empty()) {
     faults.error("cell.missing-file", place,
                  fmt::format("the model {} is not used: {}", quotedInFault(name), found.problem()),
@@ -50,54 +53,68 @@ std::shared_ptr<const Model> CellModels::readUrdfFile(const std::string& name, P
   return model;
 }
 
-void CellModels::readModel(TomlTable table) {
-  const auto name = table.requiredName("name");
-  const int kinds = int{table.has("obj")} + int{table.has("stl")} + int{table.has("urdf")};
+std::shared_ptr<const Model> CellModels::readModelFile(const std::string& name,
+                                                       const std::filesystem::path& folder,
+                                                       Place place, FaultList& faults) {
+  if (endsIn(name, ".urdf")) return readUrdfFile(name, folder, place, faults);
+  // A mesh that says its unit is a rigid thing.
+  auto mesh = meshes_.load(name, folder, 1.0, UpAxis::z, place, faults);
+  const std::filesystem::path file(name);
+  return std::make_shared<const Model>(rigidModel(file.stem().string(), name, std::move(mesh)));
+}
+
+void CellModels::readModel(TomlTable table, const std::filesystem::path& folder) {
+  const auto name = names_.take(table);
+  int kinds = 0;
+  for (const char* key : kModelKinds) {
+    kinds += table.has(key) ? 1 : 0;
+    static_cast<void>(table.node(key));
+  }
   if (kinds != 1) {
-    for (const char* key : {"obj", "stl", "urdf"}) static_cast<void>(table.node(key));
     table.faults().error("cell.model-kind", table.place(),
                          kinds == 0 ? "[[model]] names no file"
-                                    : "[[model]] names more than one of obj, stl and urdf",
-                         "give one of `obj`, `stl` and `urdf`");
+                                    : "[[model]] names more than one of obj, stl, mesh and urdf",
+                         "give one of `obj`, `stl`, `mesh` and `urdf`");
     return;
   }
   std::shared_ptr<const Model> model;
   if (table.has("urdf")) {
     const auto file = table.requiredText("urdf");
     table.finish();
-    if (file) model = readUrdfFile(*file, table.place("urdf"), table.faults());
+    if (file && name) model = readUrdfFile(*file, folder, table.place("urdf"), table.faults());
   } else {
-    model = readInlineModel(table, name.value_or("model"), folder_, meshes_);
+    model = readInlineModel(table, name.value_or("model"), folder, meshes_);
   }
-  if (!name) return;
-  if (written_.contains(*name)) {
-    table.error("cell.duplicate-name", "name",
-                fmt::format("a second [[model]] is named {}", quotedInFault(*name)),
-                "the first one stands");
-    return;
-  }
-  written_.emplace(*name, std::move(model));
+  if (name) written_.emplace(*name, std::move(model));
 }
 
-void CellModels::use(const std::string& name, const TomlTable& table) {
-  if (written_.contains(name) || used_.contains(name)) return;
-  if (endsIn(name, ".urdf")) {
-    used_.emplace(name, readUrdfFile(name, table.place("model"), table.faults()));
-    return;
+std::string CellModels::use(const std::string& name, const TomlTable& table,
+                            const std::filesystem::path& folder) {
+  if (written_.contains(name)) return name;
+  // As the cell itself would write it.
+  std::string key = name;
+  if (folder != main_folder_ && name.find(':') == std::string::npos) {
+    key = (folder.lexically_relative(main_folder_) / name).lexically_normal().string();
+  }
+  if (used_.contains(key)) return key;
+  if (endsIn(name, ".urdf") || (isMeshFile(name) && saysItsUnit(name))) {
+    used_.emplace(key, readModelFile(name, folder, table.place("model"), table.faults()));
+    return key;
   }
   std::vector<std::string_view> names;
   for (const auto& [known, model] : written_) names.push_back(known);
   std::string hint = didYouMean(name, names);
-  if (endsIn(name, ".obj") || endsIn(name, ".stl")) {
+  if (isMeshFile(name)) {
     hint = "write a [[model]] with its name, unit and up axis, and use that";
   } else if (endsIn(name, ".xacro")) {
     hint = "expand the template first: xacro model.xacro > model.urdf";
   } else if (hint.empty()) {
-    hint = "`model` is a .urdf file or the name of a [[model]]";
+    hint = "`model` is a .urdf, .dae, .gltf or .glb file or the name of a [[model]]";
   }
   table.error("cell.unknown-model", "model", fmt::format("no model is {}", quotedInFault(name)),
               std::move(hint));
-  used_.emplace(name, nullptr);
+  used_.emplace(key, nullptr);
+  return key;
 }
 
 std::map<std::string, std::shared_ptr<const Model>> CellModels::named() const {

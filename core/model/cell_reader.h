@@ -3,48 +3,93 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/model/cell.h"
+#include "core/model/cell_files.h"
 #include "core/model/mesh_store.h"
 #include "core/model/toml_table.h"
 
 namespace rocinante {
 
-/// Most bytes of a cell file; more is refused.
-inline constexpr std::size_t kMostCellBytes = std::size_t{4} << 20;
+/// The names of a cell's tables, over all its files. A file outranks what it includes; else the
+/// first table of a name stands.
+class CellNames {
+ public:
+  explicit CellNames(const CellFiles& files) : files_(files) {}
+
+  /// The table's `name` (or `name`, which then stands for it) when it is the table's to have; empty
+  /// when another has it, with a fault.
+  std::optional<std::string> take(TomlTable& table);
+  std::optional<std::string> take(TomlTable& table, const std::string& name);
+
+ private:
+  struct Owner {
+    std::string file;
+    Place place;
+  };
+  const CellFiles& files_;
+  std::map<std::pair<std::string, std::string>, Owner> owners_;  // by kind of table, and name
+};
 
 /// The models of a cell: of its `[[model]]` tables, and of the files that its devices name.
 class CellModels {
  public:
-  CellModels(std::filesystem::path folder, MeshStore& meshes)
-      : folder_(std::move(folder)), meshes_(meshes) {}
+  /// `main_folder` is that of the cell itself.
+  CellModels(std::filesystem::path main_folder, CellNames& names, MeshStore& meshes)
+      : main_folder_(std::move(main_folder)), names_(names), meshes_(meshes) {}
 
-  /// Reads one `[[model]]`.
-  void readModel(TomlTable table);
-  /// The model that a device means by `name`, said at the table's `model`: a [[model]], or a file,
-  /// which is then read. A fault when there is none.
-  void use(const std::string& name, const TomlTable& table);
+  /// Reads one `[[model]]` of a file in `folder`.
+  void readModel(TomlTable table, const std::filesystem::path& folder);
+  /// The model that a device means by `name`, said at the table's `model` in a file in `folder`: a
+  /// [[model]], or a file, which is then read. A fault when there is none. Returns its key.
+  std::string use(const std::string& name, const TomlTable& table,
+                  const std::filesystem::path& folder);
 
   /// Keys as Cell::models has them.
   std::map<std::string, std::shared_ptr<const Model>> named() const;
 
  private:
-  std::shared_ptr<const Model> readUrdfFile(const std::string& name, Place place,
+  std::shared_ptr<const Model> readModelFile(const std::string& name,
+                                             const std::filesystem::path& folder, Place place,
+                                             FaultList& faults);
+  std::shared_ptr<const Model> readUrdfFile(const std::string& name,
+                                            const std::filesystem::path& folder, Place place,
                                             FaultList& faults);
 
-  std::filesystem::path folder_;
+  std::filesystem::path main_folder_;
+  CellNames& names_;
   MeshStore& meshes_;
   std::map<std::string, std::shared_ptr<const Model>> written_;  // [[model]]; null: unusable
   std::map<std::string, std::shared_ptr<const Model>> used_;     // files as devices name them
   std::map<std::filesystem::path, std::shared_ptr<const Model>> files_;
 };
 
-/// Reads the sections of a cell other than its models into `cell`, and checks what they name.
-void readDevices(TomlTable& root, Cell& cell, CellModels& models);
-void readCameras(TomlTable& root, Cell& cell);
-void readLayers(TomlTable& root, Cell& cell);
-void readSources(TomlTable& root, Cell& cell);
+/// Reads the devices of a cell's files, then checks what they name.
+class DeviceReader {
+ public:
+  DeviceReader(Cell& cell, CellModels& models, CellNames& names)
+      : cell_(cell), models_(models), names_(names) {}
+
+  void read(TomlTable& root, const std::filesystem::path& folder);
+  /// When all files were read: fills Cell::models.
+  void finish();
+
+ private:
+  Cell& cell_;
+  CellModels& models_;
+  CellNames& names_;
+  std::vector<std::pair<TomlTable, std::string>> carried_;  // tables that say `on`, and the device
+};
+
+/// Reads the other sections of one file of a cell into `cell`, and checks what they name. Of
+/// [scene] what is given stands over what was read before.
+void readCameras(TomlTable& root, CellNames& names, Cell& cell);
+void readLayers(TomlTable& root, CellNames& names, Cell& cell);
+void readSources(TomlTable& root, CellNames& names, Cell& cell);
 void readScene(TomlTable& root, Cell& cell);
 
 }  // namespace rocinante

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 
 #include "core/math/transform.h"
 #include "core/model/cell_reader.h"
@@ -17,16 +16,6 @@ std::string deviceHint(const TomlTable& table, const Cell& cell, std::string_vie
   std::vector<std::string_view> names;
   for (const CellDevice& device : cell.devices) names.push_back(device.name);
   return didYouMean(name, names);
-}
-
-// A name that no earlier table of its kind has.
-std::optional<std::string> newName(TomlTable& table, std::set<std::string>& taken) {
-  auto name = table.requiredName("name");
-  if (!name || taken.insert(*name).second) return name;
-  table.error("cell.duplicate-name", "name",
-              fmt::format("a second {} is named {}", table.what(), quotedInFault(*name)),
-              "the first one stands");
-  return std::nullopt;
 }
 
 struct Target {
@@ -88,11 +77,17 @@ void checkLayer(const TomlTable& table, const Cell& cell, const std::string& lay
                          didYouMean(layer, names));
 }
 
-// Tables of devices that say `on`, by the devices' names.
-using Carried = std::vector<std::pair<TomlTable, std::string>>;
+// "arm" of "robots/arm.urdf", and of a [[model]] its name.
+std::string nameFromModel(const std::string& model) {
+  const std::size_t slash = model.find_last_of("/\\");
+  const std::string file = slash == std::string::npos ? model : model.substr(slash + 1);
+  const std::size_t dot = file.find_last_of('.');
+  return dot == std::string::npos || dot == 0 ? file : file.substr(0, dot);
+}
 
 // Follows each chain of carriers once; one that comes back to itself is a loop.
-void checkCarriers(const Cell& cell, const Carried& carried) {
+void checkCarriers(const Cell& cell,
+                   const std::vector<std::pair<TomlTable, std::string>>& carried) {
   std::map<std::string, std::size_t> turn;  // by device: the walk that passed it
   for (std::size_t first = 0; first < carried.size(); ++first) {
     const CellDevice* at = cell.findDevice(carried[first].second);
@@ -130,9 +125,9 @@ void readGhost(const TomlTable& table, const TomlNode::Entry& ghost, const Cell&
   }
 }
 
-std::optional<CellCamera> readCamera(TomlTable& table, std::set<std::string>& taken) {
+std::optional<CellCamera> readCamera(TomlTable& table, CellNames& names) {
   CellCamera camera;
-  const auto name = newName(table, taken);
+  const auto name = names.take(table);
   const auto eye = table.requiredVector("eye"), target = table.requiredVector("target");
   const auto up = table.vector("up");
   if (const auto fov = table.number("fov_deg")) {
@@ -183,19 +178,21 @@ std::optional<CellCamera> readCamera(TomlTable& table, std::set<std::string>& ta
 
 }  // namespace
 
-void readDevices(TomlTable& root, Cell& cell, CellModels& models) {
-  std::set<std::string> taken;
-  Carried carried;
+void DeviceReader::read(TomlTable& root, const std::filesystem::path& folder) {
   for (TomlTable& table : root.tables("device", "[[device]]")) {
     CellDevice device;
-    const auto name = newName(table, taken);
+    // What is alone of its kind needs no name of its own.
     const auto model = table.requiredText("model");
+    const auto name = table.has("name") ? names_.take(table)
+                      : model           ? names_.take(table, nameFromModel(*model))
+                                        : std::nullopt;
+    static_cast<void>(table.node("name"));
     if (auto pose = table.table("pose", "pose")) {
       device.pose = pose->pose();
       pose->finish();
     }
     device.layer = table.text("layer").value_or("");
-    checkLayer(table, cell, device.layer);
+    checkLayer(table, cell_, device.layer);
     device.optional = table.flag("optional").value_or(false);
     device.color = table.color("color");
     const Target on = readTarget(table, "on");
@@ -203,25 +200,26 @@ void readDevices(TomlTable& root, Cell& cell, CellModels& models) {
     device.on_link = on.link;
     table.finish();
     if (!name || !model) continue;
-    models.use(*model, table);
     device.name = *name;
-    device.model = *model;
-    if (!on.device.empty()) carried.emplace_back(table, *name);
-    cell.device_by_name.emplace(*name, cell.devices.size());
-    cell.devices.push_back(std::move(device));
+    device.model = models_.use(*model, table, folder);
+    if (!on.device.empty()) carried_.emplace_back(table, *name);
+    cell_.device_by_name.emplace(*name, cell_.devices.size());
+    cell_.devices.push_back(std::move(device));
   }
-  cell.models = models.named();
-  for (const auto& [table, name] : carried) {
-    CellDevice& device = cell.devices[cell.device_by_name.at(name)];
-    checkTarget(table, "on", cell, device.on_device, device.on_link);
-  }
-  checkCarriers(cell, carried);
 }
 
-void readCameras(TomlTable& root, Cell& cell) {
-  std::set<std::string> taken;
+void DeviceReader::finish() {
+  cell_.models = models_.named();
+  for (const auto& [table, name] : carried_) {
+    CellDevice& device = cell_.devices[cell_.device_by_name.at(name)];
+    checkTarget(table, "on", cell_, device.on_device, device.on_link);
+  }
+  checkCarriers(cell_, carried_);
+}
+
+void readCameras(TomlTable& root, CellNames& names, Cell& cell) {
   for (TomlTable& table : root.tables("camera", "[[camera]]")) {
-    auto camera = readCamera(table, taken);
+    auto camera = readCamera(table, names);
     if (!camera) continue;
     checkTarget(table, "on", cell, camera->on_device, camera->on_link);
     checkTarget(table, "follow", cell, camera->follow_device, camera->follow_link);
@@ -229,21 +227,19 @@ void readCameras(TomlTable& root, Cell& cell) {
   }
 }
 
-void readLayers(TomlTable& root, Cell& cell) {
-  std::set<std::string> taken;
+void readLayers(TomlTable& root, CellNames& names, Cell& cell) {
   for (TomlTable& table : root.tables("layer", "[[layer]]")) {
-    const auto name = newName(table, taken);
+    const auto name = names.take(table);
     const bool visible = table.flag("visible").value_or(true);
     table.finish();
     if (name) cell.layers.push_back({*name, visible});
   }
 }
 
-void readSources(TomlTable& root, Cell& cell) {
-  std::set<std::string> taken;
+void readSources(TomlTable& root, CellNames& names, Cell& cell) {
   for (TomlTable& table : root.tables("source", "[[source]]")) {
     CellSource source;
-    const auto name = newName(table, taken);
+    const auto name = names.take(table);
     source.rate_hz = table.range("rate_hz");
     if (source.rate_hz && source.rate_hz->first < 0.0) {
       table.error("cell.bad-range", "rate_hz", "`rate_hz` must not be below 0");

@@ -193,10 +193,16 @@ class InlineModelReader {
       : table_(table), name_(name), folder_(folder), meshes_(meshes) {}
 
   std::shared_ptr<const Model> read() {
-    const char* kind = table_.has("obj") ? "obj" : "stl";
+    const char* kind = table_.has("obj") ? "obj" : table_.has("stl") ? "stl" : "mesh";
     const auto file = table_.requiredText(kind);
-    const auto unit = readUnit(table_);
-    const auto up = readUp(table_);
+    std::optional<double> unit = 1.0;
+    std::optional<UpAxis> up = UpAxis::z;
+    if (!file || !saysItsUnit(*file)) {
+      unit = readUnit(table_);
+      up = readUp(table_);
+    } else {
+      refuseUnit();
+    }
     const bool in_world = readGeometry();
     readLinks();
     table_.finish();
@@ -217,6 +223,14 @@ class InlineModelReader {
   }
 
  private:
+  void refuseUnit() {
+    for (const char* key : {"unit", "up"}) {
+      if (table_.node(key) == nullptr) continue;
+      table_.error("cell.useless-unit", key,
+                   fmt::format("`{}` means nothing: the file says its own unit and up axis", key));
+    }
+  }
+
   bool readGeometry() {
     const auto geometry = table_.text("geometry");
     if (!geometry || *geometry == "world") return true;
@@ -406,7 +420,8 @@ std::vector<MeshWanted> meshesOfInlineModels(const TomlNode& document,
       MeshWanted mesh;
       mesh.beside = folder;
       for (const TomlNode::Entry& entry : model.entries) {
-        if (entry.key == "obj" || entry.key == "stl") mesh.name = entry.value.text;
+        if (entry.key == "obj" || entry.key == "stl" || entry.key == "mesh")
+          mesh.name = entry.value.text;
         if (entry.key == "up" && entry.value.text == "y") mesh.up = UpAxis::y;
         if (entry.key != "unit") continue;
         mesh.unit_m = entry.value.number;

@@ -97,9 +97,12 @@ class ScenePoser {
     for (const CellDevice& device : cell_.devices) {
       const DeviceState* state = stateOf(device.name);
       if (isRemoved(state) || (device.optional && !isAdded(state))) continue;
-      const Model* model = nullptr;
-      if (isAdded(state)) model = modelNamed(state->presence->value.model);
-      if (model == nullptr) model = cell_.modelOf(device);
+      const Model* model = cell_.modelOf(device);
+      if (isAdded(state)) {
+        // The cell's own model by any of its names keeps what the cell makes of its looks.
+        const Model* added = modelNamed(state->presence->value.model);
+        if (added != nullptr && added != modelNamed(device.model)) model = added;
+      }
       if (model == nullptr) continue;
       Standing& standing = stand(device.name, *model, state);
       standing.device.layer = device.layer;

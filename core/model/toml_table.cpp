@@ -137,6 +137,12 @@ std::optional<Vec3> TomlTable::requiredVector(std::string_view key) {
   return value;
 }
 
+std::optional<Vec2> TomlTable::pair(std::string_view key) {
+  double v[2] = {};
+  if (!numbers(key, v, 2)) return std::nullopt;
+  return Vec2{v[0], v[1]};
+}
+
 std::optional<Vec4> TomlTable::vector4(std::string_view key) {
   double v[4] = {};
   if (!numbers(key, v, 4)) return std::nullopt;
@@ -245,13 +251,19 @@ std::vector<TomlTable> TomlTable::tables(std::string_view key, const std::string
 }
 
 void TomlTable::finish() const {
-  const std::vector<std::string_view> known(known_.begin(), known_.end());
+  std::vector<std::string_view> known(known_.begin(), known_.end());
+  std::sort(known.begin(), known.end());
   for (const TomlNode::Entry& entry : node_->entries) {
     if (entry.key.starts_with("x-")) continue;
-    if (std::find(known_.begin(), known_.end(), entry.key) != known_.end()) continue;
+    if (std::binary_search(known.begin(), known.end(), entry.key)) continue;
+    std::string hint;
+    if (faults_->lists("cell.unknown-key")) {
+      hint = didYouMean(entry.key, known);
+      if (hint.empty()) hint = fmt::format("its keys are {}", fmt::join(known, ", "));
+    }
     faults_->error("cell.unknown-key", entry.place,
                    fmt::format("{} has an unknown key {}", what_, quotedInFault(entry.key)),
-                   didYouMean(entry.key, known));
+                   std::move(hint));
   }
 }
 

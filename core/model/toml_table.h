@@ -37,6 +37,7 @@ class TomlTable {
   std::optional<Vec3> requiredVector(std::string_view key);
   /// A vector scaled to unit length; empty too when it has none.
   std::optional<Vec3> direction(std::string_view key);
+  std::optional<Vec2> pair(std::string_view key);
   std::optional<Vec4> vector4(std::string_view key);
   /// [low, high] with low <= high.
   std::optional<std::pair<double, double>> range(std::string_view key);
@@ -50,7 +51,8 @@ class TomlTable {
   std::vector<TomlTable> tables(std::string_view key, const std::string& what);
   const TomlNode* node(std::string_view key);
 
-  /// Reports the keys that nothing asked for, but for x-*.
+  /// Reports the keys that nothing asked for, but for x-*: with one that was meant, else with all
+  /// that there are.
   void finish() const;
 
   void error(std::string_view rule, std::string_view key, std::string text,

@@ -1,6 +1,7 @@
 #include "viewer/render/scene_catalog.h"
 
 #include <cmath>
+#include <set>
 
 #include "viewer/render/coplanar_surfaces.h"
 
@@ -31,12 +32,19 @@ std::uint32_t putOneSidedLast(const MeshPart& part, const std::vector<std::uint8
 
 SceneCatalog::SceneCatalog(const Cell& cell) {
   for (const auto& [name, model] : cell.models) {
-    if (!model) continue;
-    for (const Link& link : model->links) {
-      for (const Visual& visual : link.visuals) {
-        if (visual.material) addTexture(*visual.material);
-        if (visual.mesh) addMesh(visual.mesh.get());
-      }
+    if (model) addModel(*model);
+  }
+  std::set<const Model*> dressed;  // thousands of devices may share one
+  for (const CellDevice& device : cell.devices) {
+    if (device.dressed && dressed.insert(device.dressed.get()).second) addModel(*device.dressed);
+  }
+}
+
+void SceneCatalog::addModel(const Model& model) {
+  for (const Link& link : model.links) {
+    for (const Visual& visual : link.visuals) {
+      if (visual.material) addTexture(*visual.material);
+      if (visual.mesh) addMesh(visual.mesh.get());
     }
   }
 }
@@ -45,7 +53,7 @@ void SceneCatalog::addTexture(const Material& material) {
   if (material.diffuse_map.empty()) return;
   const auto number = static_cast<std::uint32_t>(textures_.size());
   if (texture_numbers_.emplace(material.diffuse_map, number).second) {
-    textures_.push_back(material.diffuse_map);
+    textures_.push_back({material.diffuse_map, material.diffuse_bytes});
   }
 }
 

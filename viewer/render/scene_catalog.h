@@ -31,26 +31,34 @@ struct CatalogMesh {
   }
 };
 
+/// A picture: a file's, or, when there are bytes, those; `file` is then a name for them.
+struct CatalogTexture {
+  std::filesystem::path file;
+  std::shared_ptr<const Bytes> bytes;
+};
+
 /// Every mesh and texture of a cell's models, numbered. Numbers follow the cell alone (models by
-/// name, links and visuals as their files have them), so that the order in which things are drawn
-/// never depends on what was drawn before. Borrows the cell's meshes.
+/// name, then those of devices that look otherwise, links and visuals as their files have them), so
+/// that the order in which things are drawn never depends on what was drawn before. Borrows the
+/// cell's meshes.
 class SceneCatalog {
  public:
   explicit SceneCatalog(const Cell& cell);
 
   const std::vector<CatalogMesh>& meshes() const { return meshes_; }
-  const std::vector<std::filesystem::path>& textures() const { return textures_; }
+  const std::vector<CatalogTexture>& textures() const { return textures_; }
   std::optional<std::uint32_t> meshNumber(const Mesh* mesh) const;
   /// Empty for a material without one.
   std::optional<std::uint32_t> textureNumber(const Material& material) const;
 
  private:
+  void addModel(const Model& model);
   void addTexture(const Material& material);
   void addMesh(const Mesh* mesh);
 
   std::vector<CatalogMesh> meshes_;
   std::map<const Mesh*, std::uint32_t> mesh_numbers_;  // looked up, never walked through
-  std::vector<std::filesystem::path> textures_;
+  std::vector<CatalogTexture> textures_;
   std::map<std::filesystem::path, std::uint32_t> texture_numbers_;
 };
 

@@ -27,9 +27,10 @@ fov = 45
             "`search`?) [cell.unknown-key]\n"
             "test.cell.toml:7:1: error: [[device]] has an unknown key `colour` (did you mean "
             "`color`?) [cell.unknown-key]\n"
-            "test.cell.toml:9:27: error: pose has an unknown key `rpy_degrees` [cell.unknown-key]\n"
-            "test.cell.toml:14:1: error: [[camera]] has an unknown key `fov` "
-            "[cell.unknown-key]\n");
+            "test.cell.toml:9:27: error: pose has an unknown key `rpy_degrees` (its keys are "
+            "quaternion, rpy, rpy_deg, xyz) [cell.unknown-key]\n"
+            "test.cell.toml:14:1: error: [[camera]] has an unknown key `fov` (its keys "
+            "are eye, follow, fov_deg, name, on, ortho_height_m, target, up) [cell.unknown-key]\n");
 }
 
 struct FaultCase {
@@ -99,7 +100,8 @@ TEST_F(CellFaults, EachKindOfFaultSaysWhereAndWhat) {
        "test.cell.toml:7:12: error: `wrld` is no kind of geometry (\"world\" (as assembled at "
        "zero joints) or \"link\" (each in its link's space)) [cell.unknown-word]\n"},
       {"[[model]]\nname = 't'\n",
-       "test.cell.toml:2:1: error: [[model]] names no file (give one of `obj`, `stl` and `urdf`) "
+       "test.cell.toml:2:1: error: [[model]] names no file (give one of `obj`, `stl`, `mesh` "
+       "and `urdf`) "
        "[cell.model-kind]\n"},
       {"[[camera]]\nname = 'c'\neye = [0, 0, 1]\ntarget = [0, 0, 1]\n",
        "test.cell.toml:5:10: error: `eye` and `target` are the same point [cell.no-direction]\n"},
