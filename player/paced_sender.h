@@ -20,6 +20,8 @@ class SendEdge {
   /// May return early (a signal), never much later.
   virtual void sleepUntil(SteadyTime moment) = 0;
   virtual bool stopRequested() = 0;
+  /// True once after this process was stopped by a signal and went on.
+  virtual bool hasResumed() { return false; }
   /// Sends all by one route, in order; writes when each left into `sent_at`, which is as long as
   /// `payloads`.
   virtual Status send(std::uint16_t route, std::span<const ByteView> payloads,

@@ -12,6 +12,7 @@
 #include "player/control_socket.h"
 #include "player/control_thread.h"
 #include "player/play.h"
+#include "player/resumes.h"
 #include "player/terminal_keys.h"
 
 namespace {
@@ -205,6 +206,7 @@ Status openControl(Arguments& my, Inputs& inputs) {
 
 Result<PlayReport> playWithControl(Arguments& my) {
   cli::catchStopSignals();
+  watchResumes();
   const auto slot = CommandSlot::make();
   if (!slot) return slot.error();
   Inputs inputs;

@@ -10,6 +10,8 @@
 #include <cstdio>
 #include <utility>
 
+#include "player/resumes.h"
+
 namespace rocinante {
 namespace {
 
@@ -78,6 +80,7 @@ void onSuspend(int) {
 
 void onResume(int) {
   const int saved = errno;
+  noteResume();
   if (in_key_mode.load() && isForeground()) ::tcsetattr(kKeyboard, TCSANOW, &key_mode);
   errno = saved;
 }

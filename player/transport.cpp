@@ -143,6 +143,11 @@ void Transport::freeze(SteadyTime now) {
   time_ = time;
 }
 
+void Transport::skipTime(SteadyTime stopped, SteadyTime now) {
+  freeze(stopped);
+  anchor(now);
+}
+
 Transport::State Transport::state() {
   if (!head()) return State::ended;
   return playing_ ? State::playing : State::paused;

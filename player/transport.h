@@ -69,6 +69,10 @@ class Transport {
   /// logs could not be read.
   Status obey(const TransportCommand& command, SteadyTime now);
 
+  /// The process was stopped at `stopped` and went on at `now`: what would have been played in
+  /// between is not made up for.
+  void skipTime(SteadyTime stopped, SteadyTime now);
+
   /// "ok t=12.345678901 state=playing speed=1 sent=N"
   std::string status(SteadyTime now);
   LogTime time(SteadyTime now);

@@ -46,6 +46,8 @@ class Lockstep {
  public:
   Lockstep(CommandSource* source, Nanoseconds timeout) : source_(source), timeout_(timeout) {}
 
+  void skipTime(Nanoseconds skipped) { since_ += skipped; }
+
   Status judge(const Transport& transport, SteadyTime now) {
     const std::optional<std::uint64_t> awaited = transport.awaited();
     if (!awaited) {
@@ -92,8 +94,14 @@ Result<SendEnd> sendTransport(Transport& transport, const TransportRules& rules,
   Asking asking(commands, rules);
   Lockstep lockstep(commands, rules.ack_timeout);
   SteadyTime publish_at{};
+  SteadyTime looked_at = edge.now();
   while (!edge.stopRequested()) {
     SteadyTime now = edge.now();
+    if (edge.hasResumed()) {
+      transport.skipTime(looked_at, now);
+      lockstep.skipTime(now - looked_at);
+    }
+    looked_at = now;
     if (asking.take(transport, now)) now = edge.now();
     Result<std::optional<Transport::Next>> next = transport.next(now);
     if (!next) return next.error();

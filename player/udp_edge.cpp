@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "player/resumes.h"
+
 namespace rocinante {
 namespace {
 
@@ -33,7 +35,13 @@ UdpEdge::UdpEdge(std::vector<Way> ways, PacingThread thread, std::function<bool(
       thread_(std::move(thread)),
       stop_(std::move(stop)),
       wake_(wake),
-      last_sleep_(now()) {}
+      last_sleep_(now()),
+      resumes_(resumeCount()) {}
+
+bool UdpEdge::hasResumed() {
+  const std::uint32_t resumes = resumeCount();
+  return std::exchange(resumes_, resumes) != resumes;
+}
 
 SteadyTime UdpEdge::now() { return std::chrono::steady_clock::now(); }
 

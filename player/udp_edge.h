@@ -24,6 +24,7 @@ class UdpEdge final : public SendEdge {
   SteadyTime now() override;
   void sleepUntil(SteadyTime moment) override;
   bool stopRequested() override { return stop_(); }
+  bool hasResumed() override;
   Status send(std::uint16_t route, std::span<const ByteView> payloads,
               std::span<SteadyTime> sent_at) override;
 
@@ -49,6 +50,7 @@ class UdpEdge final : public SendEdge {
   std::function<bool()> stop_;
   int wake_;
   SteadyTime last_sleep_;
+  std::uint32_t resumes_;
 };
 
 }  // namespace rocinante

@@ -24,6 +24,11 @@ class FakeEdge : public SendEdge {
     }
   }
   bool stopRequested() override { return sends >= stop_after_sends; }
+  bool hasResumed() override {
+    if (sends != stopped_after_sends) return false;
+    stopped_after_sends = 0;
+    return true;
+  }
   Status send(std::uint16_t route, std::span<const ByteView> payloads,
               std::span<SteadyTime> sent_at) override {
     ++sends;
@@ -34,6 +39,7 @@ class FakeEdge : public SendEdge {
       if (keep_payloads) sent.emplace_back(textOf(payloads[i]));
       if (keep_payloads) routes.push_back(route);
     }
+    if (sends == stopped_after_sends) time_ += stopped_for;
     return {};
   }
 
@@ -41,6 +47,8 @@ class FakeEdge : public SendEdge {
   Nanoseconds wakes_late{10'000};
   Nanoseconds send_costs{1'000};
   std::size_t stop_after_sends = static_cast<std::size_t>(-1);
+  std::size_t stopped_after_sends = 0;  ///< the process is stopped then, for `stopped_for`
+  Nanoseconds stopped_for{};
   std::size_t fail_send = 0;  ///< which call fails, from 1
   bool keep_payloads = true;
 

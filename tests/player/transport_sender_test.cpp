@@ -156,6 +156,20 @@ TEST_F(SendTransportTest, AtTheEndItStaysForCommandsWhenToldTo) {
   EXPECT_THAT(commands.answers.back(), testing::HasSubstr("state=ended"));
 }
 
+TEST_F(SendTransportTest, TimeInWhichTheProcessWasStoppedIsNotMadeUpFor) {
+  TransportOptions options;
+  options.restate = false;
+  FakeEdge edge;
+  edge.stopped_after_sends = 1;
+  edge.stopped_for = 1h;
+  FakeJournal journal;
+  ASSERT_EQ(send(kThree, options, edge, journal).value(), SendEnd::finished);
+  EXPECT_THAT(edge.sent, ElementsAre("a", "b", "c"));
+  for (const auto& line : journal.lines) EXPECT_LT(line.sent_at - line.deadline, 20us);
+  EXPECT_GE(journal.lines[1].sent_at - journal.lines[0].sent_at, 1h + 999ms);
+  EXPECT_GE(journal.lines[2].sent_at - journal.lines[1].sent_at, 999ms);
+}
+
 TEST_F(SendTransportTest, ANetworkThatGoesAwayIsAnErrorAfterWhatWasSent) {
   FakeEdge edge;
   FakeJournal journal;
