@@ -34,12 +34,16 @@ class DatagramBlock {
     arrivals_.reserve(kArrivals);
   }
 
+  /// For one more datagram of so many bytes, its destination with them.
+  bool hasRoom(std::size_t bytes) const {
+    return arrivals_.size() < kArrivals && bytes <= kBytes - used_;
+  }
   /// Copies the datagram in. False when it does not fit; an empty block takes any datagram.
   /// `destination` is null when it is the endpoint's own address: as a rule.
   bool add(std::uint32_t endpoint, LogTime time, const SocketAddress& sender, ByteView payload,
            const SocketAddress* destination = nullptr) {
     const std::size_t before = destination != nullptr ? sizeof *destination : 0;
-    if (arrivals_.size() == kArrivals || payload.size() + before > kBytes - used_) return false;
+    if (!hasRoom(payload.size() + before)) return false;
     if (destination != nullptr) {
       // Before the payload, so that what is almost always the same takes no room.
       std::memcpy(bytes_.get() + used_, destination, before);
@@ -58,10 +62,13 @@ class DatagramBlock {
     return {bytes_.get() + arrival.offset, arrival.length};
   }
   std::optional<SocketAddress> destination(const Arrival& arrival) const {
+    return destinationOf(arrival, payload(arrival));
+  }
+  /// The same from a payload that stands in its block.
+  static std::optional<SocketAddress> destinationOf(const Arrival& arrival, ByteView payload) {
     if (!arrival.has_destination) return std::nullopt;
     SocketAddress destination;
-    std::memcpy(&destination, bytes_.get() + arrival.offset - sizeof destination,
-                sizeof destination);
+    std::memcpy(&destination, payload.data() - sizeof destination, sizeof destination);
     return destination;
   }
   void clear() {

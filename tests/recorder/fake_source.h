@@ -34,6 +34,8 @@ class FakeSource final : public DatagramSource {
   void fail() { failed_ = true; }
   /// From here on everything is sent there: as watched traffic is.
   void watch(const SocketAddress& destination) { destination_ = destination; }
+  /// As a capture file: after what waits, nothing comes any more.
+  void end() { ends_ = true; }
   void holdBack(Nanoseconds time) { held_back_ = time; }
   void grantBuffer(std::uint64_t bytes) { buffer_bytes_ = bytes; }
   /// What the next tend() says.
@@ -55,6 +57,7 @@ class FakeSource final : public DatagramSource {
   std::uint64_t dropped() const override { return dropped_; }
   Result<std::uint64_t> droppedByNow() override { return dropped_ = dropped_by_now_; }
   std::optional<std::string> tend() override { return std::exchange(mended_, std::nullopt); }
+  bool ended() const override { return ends_ && waiting_.empty(); }
   Nanoseconds heldBack() const override { return held_back_; }
   std::uint64_t receiveBufferBytes() const override { return buffer_bytes_; }
   const Endpoint& endpoint() const override { return endpoint_; }
@@ -69,6 +72,7 @@ class FakeSource final : public DatagramSource {
   std::uint64_t dropped_ = 0;
   std::uint64_t dropped_by_now_ = 0;
   bool failed_ = false;
+  bool ends_ = false;
   std::optional<SocketAddress> destination_;
   std::optional<std::string> mended_;
   Nanoseconds held_back_{};
