@@ -86,13 +86,12 @@ Error damaged(const std::string& name, std::string what) {
   return {ErrorKind::damaged, std::move(what), name};
 }
 
-/// The line and column of a byte, from 1.
+/// The line and column of a byte, all from 1.
 std::string placeIn(std::string_view text, std::size_t byte) {
-  const std::string_view before = text.substr(0, std::min(byte, text.size()));
+  const std::string_view before = text.substr(0, std::min(byte > 0 ? byte - 1 : 0, text.size()));
   const auto lines = std::count(before.begin(), before.end(), '\n');
-  const std::size_t line_start = before.rfind('\n');
-  return fmt::format(":{}:{}", lines + 1,
-                     before.size() - (line_start == before.npos ? 0 : line_start + 1));
+  const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 is 0
+  return fmt::format(":{}:{}", lines + 1, before.size() - line_start + 1);
 }
 
 }  // namespace
@@ -157,7 +156,7 @@ Baseline Baseline::of(const CheckReport& report) {
   Baseline baseline;
   for (const Finding& finding : report.findings) {
     const bool counts =
-        finding.accepted || report.isFailure(finding) || finding.severity != Severity::note;
+        finding.accepted || report.isFailure(finding) || finding.severity >= Severity::warning;
     if (counts && finding.rule != kStale) {
       baseline.accepted_.insert(baselineKeyOf(report, finding));
     }

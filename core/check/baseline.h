@@ -30,8 +30,8 @@ class Baseline {
   /// not_found or unreadable; damaged with the place when it is no baseline. `path` names it.
   static Result<Baseline> read(const std::filesystem::path& path);
   static Result<Baseline> parse(ByteView bytes, const std::string& name);
-  /// All findings of a report that would fail or that a baseline accepts already; what says that a
-  /// baseline is stale is not among them.
+  /// Errors, warnings, what would fail, and what a baseline accepts already; not the notes that a
+  /// baseline is stale.
   static Baseline of(const CheckReport& report);
 
   /// Marks what it accepts, and adds a note for each entry that nothing matches any more; then the

@@ -3,12 +3,13 @@
 #include <map>
 
 #include "core/check/report_formats.h"
+#include "core/plain_text.h"
 
 namespace rocinante {
 namespace {
 
 /// The runner takes these back: https://github.com/actions/toolkit, "command.ts".
-std::string data(std::string_view text) {
+std::string escapedData(std::string_view text) {
   std::string escaped;
   for (const char c : text) {
     switch (c) {
@@ -28,9 +29,9 @@ std::string data(std::string_view text) {
   return escaped;
 }
 
-std::string property(std::string_view text) {
+std::string escapedProperty(std::string_view text) {
   std::string escaped;
-  for (const char c : data(text)) {
+  for (const char c : escapedData(text)) {
     if (c == ':') {
       escaped += "%3A";
     } else if (c == ',') {
@@ -57,15 +58,15 @@ std::string_view commandOf(Severity severity) {
 std::string commandFor(const CheckReport& report, const Finding& finding) {
   std::string command = fmt::format("::{} ", commandOf(finding.severity));
   if (!finding.file.empty()) {
-    command += fmt::format("file={},", property(finding.file));
+    command += fmt::format("file={},", escapedProperty(finding.file));
     if (finding.line > 0) command += fmt::format("line={},", finding.line);
     if (finding.line > 0 && finding.column > 0) command += fmt::format("col={},", finding.column);
   }
-  std::string text = finding.text;
+  std::string text = plainText(finding.text);
   if (finding.first) text += "\n" + whenText(report, finding);
-  if (!finding.example.empty()) text += "\nsuch as: " + finding.example;
-  if (!finding.hint.empty()) text += "\nhint: " + finding.hint;
-  return command + fmt::format("title={}::{}\n", property(finding.rule), data(text));
+  if (!finding.example.empty()) text += "\nsuch as: " + plainText(finding.example);
+  if (!finding.hint.empty()) text += "\nhint: " + plainText(finding.hint);
+  return command + fmt::format("title={}::{}\n", escapedProperty(finding.rule), escapedData(text));
 }
 
 }  // namespace
@@ -83,10 +84,11 @@ std::string checkGithub(const CheckReport& report, std::size_t most_a_rule) {
     text += commandFor(report, finding);
   }
   for (const auto& [rule, more] : left_out) {
-    text += fmt::format("::notice title={}::and {} more\n", property(rule), more);
+    text += fmt::format("::notice title={}::and {} more\n", escapedProperty(rule), more);
   }
   if (report.verdict == Verdict::nothing_judged || report.verdict == Verdict::interrupted) {
-    text += fmt::format("::error title=rocinante check::{}\n", data(verdictText(report.verdict)));
+    text += fmt::format("::error title=rocinante check::{}\n",
+                        escapedData(verdictText(report.verdict)));
   }
   return text + fmt::format("{}{}{}: {}\n", report.cell, report.session.empty() ? "" : " and ",
                             report.session, verdictText(report.verdict));

@@ -6,6 +6,7 @@
 #include "core/check/report_formats.h"
 #include "core/check/time_strip.h"
 #include "core/duration_text.h"
+#include "core/plain_text.h"
 
 namespace rocinante {
 namespace {
@@ -29,7 +30,10 @@ class TextWriter {
   explicit TextWriter(const TextStyle& style) : style_(style) {}
 
   /// `color`: an SGR parameter, empty for none.
-  void line(std::size_t indent, std::string_view text, std::string_view color = "") {
+  void line(std::size_t indent, std::string_view what, std::string_view color = "") {
+    // Names and examples are a sender's bytes: none of them may move the cursor.
+    const std::string safe = plainText(what);
+    std::string_view text = safe;
     const std::string start = paint(color), end = color.empty() ? "" : paint("0");
     do {
       const std::size_t bytes = fitting(text, indent);

@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <optional>
+
 #include "core/net/udp_socket.h"
 #include "tests/support/programs.h"
 
@@ -13,35 +15,56 @@ constexpr std::string_view kArm =
     "<robot name=\"arm\"> <link name=\"base\"/> <link name=\"hand\"/> <joint name=\"turn\" "
     "type=\"continuous\"> <parent link=\"base\"/> <child link=\"hand\"/> </joint> </robot>";
 
-test::ProgramResult judgeLive(std::string_view packet) {
-  const test::TemporaryFolder folder;
-  std::ofstream(folder / "arm.urdf") << kArm;
-  test::Program check = test::Program::start(
-      "rocinante-check", {"arm.urdf", "--live", "127.0.0.1:0", "--duration", "60s"}, folder.path());
-  const std::string said = check.waitForLine("listening on ");
-  const Result<Endpoint> to = Endpoint::parse(said.substr(said.find("udp://")));
-  EXPECT_TRUE(to.ok()) << said;
-  Result<UdpSender> sender = UdpSender::open(*to);
-  EXPECT_TRUE(sender.ok());
-  EXPECT_TRUE(sender->send(bytesOf(packet)).ok());
-  // Stopping judges what came until then; until it has come, there is nothing to stop for.
-  std::this_thread::sleep_for(std::chrono::milliseconds(300));
-  return check.stop();
+/// The program, listening, with a packet on its way to it.
+class LiveCheck {
+ public:
+  LiveCheck(const std::string& duration, std::string_view packet) {
+    std::ofstream(folder_ / "arm.urdf") << kArm;
+    check_.emplace(test::Program::start(
+        "rocinante-check", {"arm.urdf", "--live", "127.0.0.1:0", "--duration", duration},
+        folder_.path()));
+    const std::string said = check_->waitForLine("listening on ");
+    const Result<Endpoint> to = Endpoint::parse(said.substr(said.find("udp://")));
+    EXPECT_TRUE(to.ok()) << said;
+    Result<UdpSender> sender = UdpSender::open(*to);
+    EXPECT_TRUE(sender.ok());
+    EXPECT_TRUE(sender->send(bytesOf(packet)).ok());
+  }
+  test::Program& program() { return *check_; }
+
+ private:
+  const test::TemporaryFolder folder_;
+  std::optional<test::Program> check_;
+};
+
+TEST(CheckProgram, JudgesWhatArrivesForAWhile) {
+  // All listen at once: each for long enough that a busy machine delivers its packet.
+  LiveCheck fits("3s", "RK1 me@a - -\njoints arm 1\n");
+  LiveCheck differs("3s", "RK1 me@a - -\njoints arm 1 2\n");
+  LiveCheck unknown("3s", "hello");
+
+  const test::ProgramResult yes = fits.program().finish();
+  EXPECT_EQ(yes.exit_code, 0) << yes.out << yes.err;
+  EXPECT_THAT(yes.out, HasSubstr("1 packet of 1 source"));
+  EXPECT_TRUE(yes.out.ends_with("\ncompatible\n")) << yes.out;
+
+  const test::ProgramResult no = differs.program().finish();
+  EXPECT_EQ(no.exit_code, 1);
+  EXPECT_THAT(no.out, HasSubstr("[packet.joint-count]"));
+
+  const test::ProgramResult nothing = unknown.program().finish();
+  EXPECT_EQ(nothing.exit_code, 2);
+  EXPECT_TRUE(nothing.out.ends_with("nothing judged: no packet could be decoded\n")) << nothing.out;
 }
 
-TEST(CheckProgram, JudgesWhatArrivesUntilItIsStopped) {
-  const test::ProgramResult fits = judgeLive("RK1 me - -\njoints arm 1\n");
-  EXPECT_EQ(fits.exit_code, 0) << fits.out << fits.err;
-  EXPECT_THAT(fits.out, HasSubstr("1 packet of 1 source"));
-  EXPECT_TRUE(fits.out.ends_with("\ncompatible\n")) << fits.out;
-
-  const test::ProgramResult differs = judgeLive("RK1 me - -\njoints arm 1 2\n");
-  EXPECT_EQ(differs.exit_code, 1);
-  EXPECT_THAT(differs.out, HasSubstr("[packet.joint-count]"));
-
-  const test::ProgramResult unknown = judgeLive("hello");
-  EXPECT_EQ(unknown.exit_code, 2);
-  EXPECT_TRUE(unknown.out.ends_with("nothing judged: no packet could be decoded\n")) << unknown.out;
+TEST(CheckProgram, AnInterruptionTellsWhatWasFoundAndIsNeverYes) {
+  LiveCheck fits("60s", "RK1 me@a - -\njoints arm 1\n");
+  // Until it has come, there is nothing to stop for.
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  const test::ProgramResult stopped = fits.program().stop();
+  EXPECT_EQ(stopped.exit_code, 2);
+  EXPECT_TRUE(stopped.out.ends_with("\ninterrupted: what was found so far is not all\n"))
+      << stopped.out;
 }
 
 }  // namespace
