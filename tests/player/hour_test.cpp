@@ -85,8 +85,8 @@ TEST(PlayHour, EndsOnTheExactNanosecondAtEverySpeedAndInConstantMemory) {
     options.speed = PlaybackSpeed::parse(speed.text).value();
     test::FakeEdge edge;
     edge.keep_payloads = false;
-    edge.look_costs = 1us;
-    edge.send_costs = 1us;
+    edge.look_costs = 15us;  // a spin is few looks
+    edge.send_costs = 100ns;
     auto transport = Transport::open(tape, finder, routes, options, edge.now()).value();
     PlayJournal report(options.span.from, options.span.until);
     ExactJournal journal(report, speed.log_part, speed.real_part);
