@@ -1,7 +1,5 @@
 #include "recorder/capture_writer.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <utility>
 
@@ -9,15 +7,18 @@
 
 namespace rocinante {
 
-CaptureWriter::CaptureWriter(LogWriter log, std::vector<ListenedEndpoint> endpoints,
-                             CaptureLimits limits, const KeyframeOptions& keyframes)
-    : session_(std::move(log), keyframes),
+CaptureWriter::CaptureWriter(std::unique_ptr<CaptureSink> sink,
+                             std::vector<ListenedEndpoint> endpoints, CaptureLimits limits)
+    : sink_(std::move(sink)),
       endpoints_(std::move(endpoints)),
-      limits_(limits),
+      limits_(std::move(limits)),
       flows_(endpoints_),
       window_(endpoints_.size()),
       ledger_(endpoints_.size()),
       taken_(endpoints_.size()),
+      started_(limits_.start_on.empty()),
+      start_(limits_.start_on),
+      stop_(limits_.stop_on),
       saved_bytes_(logBytes()) {}
 
 void CaptureWriter::write(TakenOver taken, HandOver& blocks) {
@@ -28,51 +29,83 @@ void CaptureWriter::write(TakenOver taken, HandOver& blocks) {
     window_.add(*key);
   }
   for (const EndpointLoss& loss : taken.losses) {
-    if (!end_ || loss.from < *end_) ledger_.add(loss);
+    if (!end_ || loss.from < *end_) new_losses_.push_back(loss);
   }
   steps_.insert(steps_.end(), taken.steps.begin(), taken.steps.end());
+  drained_until_ = taken.drained_until;
 
   while (const auto held = window_.next(taken.drained_until)) writeHeld(*held, blocks);
   const LogTime reached = taken.drained_until - ReorderWindow::kWidth;
+  if (!started_) {
+    // What was lost or set before the recording is none of its business.
+    new_losses_.clear();
+    steps_.clear();
+    return;
+  }
+  enterLosses(LogTime::max());
   writeLosses(ledger_.due(reached));
   writeSteps(reached);
+  if (!end_ && stop_.metBySilence(reached) != nullptr) endAt(stop_.moment(), "condition");
 }
 
-void CaptureWriter::flush(SteadyTime now) { keep(session_.log().flushIfDue(now)); }
+void CaptureWriter::flush(SteadyTime now) {
+  keep(sink_->flush(drained_until_ - ReorderWindow::kWidth, now));
+}
 
-void CaptureWriter::close(const std::string& reason, SteadyTime now, HandOver& blocks) {
+void CaptureWriter::close(const std::string& reason, HandOver& blocks) {
   while (const auto held = window_.nextOfAll()) writeHeld(*held, blocks);
   writeLosses(ledger_.rest());
   writeSteps(LogTime::max());
-  // The open chunk now, so that what the disk refuses of it can still be told in the file.
-  keep(session_.log().flushIfDue(now + std::chrono::hours(24)));
+  keep(sink_->flushAll());
   writeLosses(newDiskLosses());
   const std::string cause = trouble_ ? "refused" : reason;
   // What only the closing refused can no longer be told in the file, but is in the account.
-  if (!keep(session_.log().close(cause))) (void)newDiskLosses();
+  if (!keep(sink_->close(cause))) (void)newDiskLosses();
 }
 
 void CaptureWriter::writeHeld(const ReorderWindow::Held& held, HandOver& blocks) {
-  if (!end_ && limits_.until && held.time >= *limits_.until) end_ = *limits_.until;
-  if (!end_) {
-    writeDatagram(*held.arrival, held.time, held.block->payload(*held.arrival));
-    if (limits_.max_packets && packets_ == *limits_.max_packets) end_ = held.time;
-  }
+  if (!end_ && limits_.until && held.time >= *limits_.until) endAt(*limits_.until, "duration");
+  if (!end_ && stop_.metBySilence(held.time) != nullptr) endAt(stop_.moment(), "condition");
+  if (!end_) takeDatagram(*held.arrival, held.time, held.block->payload(*held.arrival));
   release(held.block, blocks);
 }
 
-void CaptureWriter::writeDatagram(const Arrival& arrival, LogTime time, ByteView payload) {
-  // Decoded once, for its flow and for the fold.
+void CaptureWriter::takeDatagram(const Arrival& arrival, LogTime time, ByteView payload) {
+  // Decoded once: for its flow, for the conditions and for the fold.
   const Packet* const packet = decoder_.decode(payload);
-  const std::size_t index = channelOf(arrival, payload, packet);
-  if (index == channels_.size()) {
-    const FlowChannel& channel = flows_.channels()[index];
-    const Result<ChannelId> id =
-        session_.addChannel(channel.topic, channel.encoding, channel.metadata);
-    // FlowTable stays below what a log can have, so this is for a change of one without the other.
-    if (!id && !trouble_) trouble_ = id.error();
-    channels_.push_back({id ? *id : ChannelId{0}, 0});
+  if (!started_ && !begins(time, packet)) return;
+  writeDatagram(arrival, time, payload, packet);
+  if (limits_.max_packets && packets_ == *limits_.max_packets) endAt(time, "packets");
+  if (stop_.any() && stop_.metBy(time, packet) != nullptr && !end_) endAt(time, "condition");
+}
+
+bool CaptureWriter::begins(LogTime time, const Packet* packet) {
+  if (start_.metBy(time, packet) == nullptr) {
+    ++packets_before_;
+    if (packet != nullptr) {
+      before_.apply(time, *packet);
+      (void)before_.takeEvents();  // they would pile up
+    }
+    return false;
   }
+  started_ = true;
+  if (limits_.duration) limits_.until = time + *limits_.duration;
+  std::erase_if(new_losses_, [&](const EndpointLoss& loss) { return loss.until < time; });
+  std::erase_if(steps_, [&](const ClockStep& step) { return step.at < time; });
+  keep(sink_->begin(std::exchange(before_, {}), time));
+  return true;
+}
+
+void CaptureWriter::writeDatagram(const Arrival& arrival, LogTime time, ByteView payload,
+                                  const Packet* packet) {
+  if (sink_->seamDue(time)) {
+    enterLosses(time);
+    writeLosses(ledger_.upTo(time));
+    writeSteps(time - Nanoseconds(1));
+    keep(sink_->seam(time));
+  }
+  const std::size_t flow = flowOf(arrival, payload, packet);
+  if (flow == sequences_.size()) sequences_.push_back(0);
   if (logBytes() != saved_bytes_) {
     saved_bytes_ = logBytes();
     unsaved_since_ = time;
@@ -83,18 +116,25 @@ void CaptureWriter::writeDatagram(const Arrival& arrival, LogTime time, ByteView
   ++packets_;
   ++taken_[arrival.endpoint];
   payload_bytes_ += payload.size();
-  ChannelState& channel = channels_[index];
-  std::int64_t publish_time_ns = time.time_since_epoch().count();
+  CapturedDatagram datagram;
+  datagram.flow = flow;
+  datagram.channel = &flows_.channels()[flow];
+  datagram.sequence = sequences_[flow]++;
+  datagram.time = time;
+  datagram.publish_time_ns = time.time_since_epoch().count();
   // A log has no times before 1970.
   if (packet != nullptr && packet->header.time_ns && *packet->header.time_ns >= 0) {
-    publish_time_ns = *packet->header.time_ns;
+    datagram.publish_time_ns = *packet->header.time_ns;
   }
-  keep(session_.write(channel.id, channel.sequence++, time, publish_time_ns, payload, packet));
+  datagram.payload = payload;
+  datagram.packet = packet;
+  keep(sink_->write(datagram));
 }
 
-std::size_t CaptureWriter::channelOf(const Arrival& arrival, ByteView payload,
-                                     const Packet* packet) {
+std::size_t CaptureWriter::flowOf(const Arrival& arrival, ByteView payload, const Packet* packet) {
   Flow flow{arrival.endpoint, arrival.sender, {}, false, false};
+  const auto destination = DatagramBlock::destinationOf(arrival, payload);
+  if (destination) flow.destination = &*destination;
   if (packet != nullptr) {
     flow.source = packet->header.source;
     flow.is_packet_text = true;
@@ -106,30 +146,32 @@ std::size_t CaptureWriter::channelOf(const Arrival& arrival, ByteView payload,
   return flows_.channelOf(flow);
 }
 
+void CaptureWriter::enterLosses(LogTime time) {
+  std::erase_if(new_losses_, [&](const EndpointLoss& loss) {
+    if (loss.until > time) return false;
+    ledger_.add(loss);
+    return true;
+  });
+}
+
 void CaptureWriter::writeLosses(const std::vector<EndpointLoss>& losses) {
   for (const EndpointLoss& loss : losses) {
     Endpoint endpoint = endpoints_[loss.endpoint].endpoint;
     endpoint.address.port = endpoints_[loss.endpoint].bound.port;
-    keep(session_.log().writeLoss({endpoint.text(), loss.from, loss.until, loss.counts}));
+    keep(sink_->writeLoss({endpoint.text(), loss.from, loss.until, loss.counts}));
   }
 }
 
 void CaptureWriter::writeSteps(LogTime reached) {
   const auto later = std::stable_partition(
       steps_.begin(), steps_.end(), [&](const ClockStep& step) { return step.at <= reached; });
-  for (auto step = steps_.begin(); step != later; ++step) {
-    if (!clock_channel_) {
-      const Result<ChannelId> id = session_.addChannel("/rocinante/clock", "json", {});
-      if (!id) break;
-      clock_channel_ = *id;
-    }
-    last_time_ = std::max(last_time_, step->at);
-    const std::string text = fmt::format(R"({{"noticed_ns":{},"step_ns":{}}})",
-                                         step->at.time_since_epoch().count(), step->step.count());
-    keep(session_.write(*clock_channel_, clock_sequence_++, last_time_,
-                        last_time_.time_since_epoch().count(), bytesOf(text)));
-  }
+  for (auto step = steps_.begin(); step != later; ++step) keep(sink_->writeStep(*step));
   steps_.erase(steps_.begin(), later);
+}
+
+void CaptureWriter::endAt(LogTime time, const char* reason) {
+  end_ = time;
+  end_reason_ = reason;
 }
 
 void CaptureWriter::release(DatagramBlock* block, HandOver& blocks) {
@@ -145,15 +187,15 @@ bool CaptureWriter::keep(const Status& done) {
 }
 
 std::vector<EndpointLoss> CaptureWriter::newDiskLosses() {
+  const std::vector<std::uint64_t> refused = sink_->refusedByFlow();
   std::vector<EndpointLoss> losses;
-  for (std::size_t i = 0; i < channels_.size(); ++i) {
-    const auto refused = session_.log().refusedByDisk().find(channels_[i].id);
-    if (refused == session_.log().refusedByDisk().end()) continue;
-    EndpointLoss loss{flows_.channels()[i].endpoint, unsaved_since_, last_time_, {}};
-    loss.counts.disk = refused->second;
+  for (std::size_t flow = 0; flow < refused.size(); ++flow) {
+    if (refused[flow] == 0) continue;
+    EndpointLoss loss{flows_.channels()[flow].endpoint, unsaved_since_, last_time_, {}};
+    loss.counts.disk = refused[flow];
     addLoss(losses, loss);
   }
-  // The log counts from its beginning; what was added before is not new.
+  // The sink counts from its beginning; what was added before is not new.
   for (EndpointLoss& loss : losses) loss.counts.disk -= ledger_.totals()[loss.endpoint].disk;
   std::erase_if(losses, [](const EndpointLoss& loss) { return loss.counts.disk == 0; });
   for (const EndpointLoss& loss : losses) ledger_.add(loss);

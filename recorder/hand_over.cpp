@@ -56,6 +56,11 @@ void HandOver::give(std::unique_ptr<DatagramBlock> block, std::vector<EndpointLo
   if (urgent) given_.notify_one();
 }
 
+double HandOver::fill() {
+  const std::lock_guard lock(mutex_);
+  return static_cast<double>(made_ - free_.size()) / static_cast<double>(max_blocks_);
+}
+
 void HandOver::finish() {
   {
     const std::lock_guard lock(mutex_);

@@ -45,6 +45,8 @@ class HandOver {
   void give(std::unique_ptr<DatagramBlock> block, std::vector<EndpointLoss>& losses,
             std::vector<ClockStep>& steps, std::optional<LogTime> drained_until);
   void finish();
+  /// Which part of the blocks is in use, 0 to 1: near 1 the receiver is about to drop.
+  double fill();
 
   /// For the writing thread: what was given, waiting for a block at most so long.
   TakenOver take(Nanoseconds at_most);

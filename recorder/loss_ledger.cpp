@@ -1,7 +1,6 @@
 #include "recorder/loss_ledger.h"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 namespace rocinante {
@@ -12,16 +11,32 @@ void LossLedger::add(const EndpointLoss& loss) {
   totals_[loss.endpoint] += loss.counts;
 }
 
+namespace {
+
+/// Takes out of `losses` what is over by `time`.
+void moveUpTo(LogTime time, std::vector<EndpointLoss>& losses, std::vector<EndpointLoss>& out) {
+  const auto not_yet = std::stable_partition(
+      losses.begin(), losses.end(), [&](const EndpointLoss& each) { return each.until <= time; });
+  out.insert(out.end(), losses.begin(), not_yet);
+  losses.erase(losses.begin(), not_yet);
+}
+
+}  // namespace
+
 std::vector<EndpointLoss> LossLedger::due(LogTime time) {
   if (time - gathered_since_ >= kSpan) {
     ripe_.insert(ripe_.end(), gathering_.begin(), gathering_.end());
     gathering_.clear();
   }
-  const auto not_yet = std::stable_partition(
-      ripe_.begin(), ripe_.end(), [&](const EndpointLoss& each) { return each.until <= time; });
-  std::vector<EndpointLoss> given(std::make_move_iterator(ripe_.begin()),
-                                  std::make_move_iterator(not_yet));
-  ripe_.erase(ripe_.begin(), not_yet);
+  std::vector<EndpointLoss> given;
+  moveUpTo(time, ripe_, given);
+  return given;
+}
+
+std::vector<EndpointLoss> LossLedger::upTo(LogTime time) {
+  std::vector<EndpointLoss> given;
+  moveUpTo(time, ripe_, given);
+  moveUpTo(time, gathering_, given);
   return given;
 }
 

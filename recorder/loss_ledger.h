@@ -19,6 +19,8 @@ class LossLedger {
 
   /// The spans to write, now that the log has reached `time`; each is given once.
   std::vector<EndpointLoss> due(LogTime time);
+  /// All that are over by `time`, of whatever span, and were not given yet.
+  std::vector<EndpointLoss> upTo(LogTime time);
   /// All that were not given yet.
   std::vector<EndpointLoss> rest();
 

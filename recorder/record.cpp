@@ -1,18 +1,19 @@
 #include "recorder/record.h"
 
 #include <fmt/format.h>
-#include <pthread.h>
-#include <signal.h>
-#include <sys/random.h>
+#include <sys/statvfs.h>
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <thread>
 #include <utility>
 
-#include "core/hash.h"
+#include "core/input/open_source.h"
+#include "recorder/capture_file_loop.h"
+#include "recorder/quiet_thread.h"
 #include "recorder/receive_loop.h"
+#include "recorder/record_sink.h"
+#include "recorder/tee_set.h"
 
 namespace rocinante {
 namespace {
@@ -21,8 +22,6 @@ using std::chrono::milliseconds;
 
 // Every endpoint takes a receive buffer; MCAP's channels are bounded too.
 constexpr std::size_t kMaxEndpoints = 256;
-// A loss of one endpoint as it stands in the log, its index with it.
-constexpr std::uint64_t kLossBytes = 512;
 // Drained and slept: half the cost of waking up for each datagram, and 600,000 a second.
 constexpr Nanoseconds kReceiveSleep = std::chrono::microseconds(500);
 constexpr Nanoseconds kIdleSleep = milliseconds(2);
@@ -31,6 +30,7 @@ constexpr Nanoseconds kWriteWait = milliseconds(10);
 constexpr Nanoseconds kControlSleep = milliseconds(10);
 constexpr Nanoseconds kProgressPeriod = milliseconds(250);
 constexpr const char* kRefused = "refused";
+constexpr std::size_t kMostWarnings = 100;
 constexpr Nanoseconds kNarrowLook = std::chrono::microseconds(2);
 
 SteadyTime steadyNow() { return std::chrono::steady_clock::now(); }
@@ -50,37 +50,19 @@ ClockReading lookAtClocks() {
   return best;
 }
 
-std::string newSessionId() {
-  std::array<std::byte, 16> bytes{};
-  // 16 bytes come whole or not at all, and only an early boot makes it wait.
-  if (::getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) {
-    const auto now = steadyNow().time_since_epoch().count();
-    std::memcpy(bytes.data(), &now, sizeof now);
-  }
-  return hexOf(bytes);
-}
-
-/// A thread that leaves signals to the caller's.
-template <class Body>
-std::thread quietThread(const char* name, Body body) {
-  sigset_t all;
-  sigset_t before;
-  sigfillset(&all);
-  ::pthread_sigmask(SIG_SETMASK, &all, &before);
-  std::thread thread(std::move(body));
-  ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
-  ::pthread_setname_np(thread.native_handle(), name);
-  return thread;
-}
-
 /// What the threads tell each other beside the datagrams.
 struct Shared {
   std::atomic<bool> stop{false};
   std::atomic<bool> receiver_failed{false};
+  std::atomic<bool> file_ended{false};
   std::atomic<bool> writer_over{false};
+  std::atomic<bool> started{false};
+  std::atomic<std::uint32_t> seams{0};     ///< asked for so far
+  std::atomic<std::uint32_t> triggers{0};  ///< likewise
   std::atomic<std::uint64_t> packets{0};
   std::atomic<std::uint64_t> lost{0};
   std::atomic<std::uint64_t> log_bytes{0};
+  std::atomic<std::int64_t> held_ns{0};
 };
 
 Status receiveUntilStopped(ReceiveLoop& loop, Shared& shared) {
@@ -96,47 +78,139 @@ Status receiveUntilStopped(ReceiveLoop& loop, Shared& shared) {
     idle = *busy ? 0 : std::min(idle + 1, kIdlePasses);
     std::this_thread::sleep_for(idle == kIdlePasses ? kIdleSleep : kReceiveSleep);
   }
+  // What the system still keeps of what has arrived.
+  std::this_thread::sleep_for(loop.heldBack());
   Status finished = loop.finish();
   return ended ? finished : ended;
 }
 
+/// The same of a capture file.
+Status readUntilEnded(DatagramSource& file, HandOver& queue, Shared& shared) {
+  CaptureFileLoop loop(file, queue);
+  Status broken;
+  while (!shared.stop.load(std::memory_order_relaxed) && !loop.ended()) {
+    const Result<bool> passed = loop.pass();
+    if (!passed) {
+      broken = passed.error();
+      break;
+    }
+    // A queue that is full waits for the disk.
+    if (!*passed) std::this_thread::sleep_for(kReceiveSleep);
+  }
+  loop.finish();
+  shared.file_ended.store(true);
+  return broken;
+}
+
 void writeUntilFinished(CaptureWriter& writer, HandOver& queue, Shared& shared) {
+  std::uint32_t seams = 0;
+  std::uint32_t triggers = 0;
   for (bool finished = false; !finished;) {
     TakenOver taken = queue.take(kWriteWait);
     finished = taken.finished;
     writer.write(std::move(taken), queue);
+    if (const std::uint32_t asked = shared.seams.load(); asked != seams) {
+      seams = asked;
+      writer.askForSeam();
+    }
+    if (const std::uint32_t asked = shared.triggers.load(); asked != triggers) {
+      triggers = asked;
+      writer.trigger("signal");
+    }
     writer.flush(steadyNow());
     shared.packets.store(writer.packets(), std::memory_order_relaxed);
     shared.lost.store(writer.lost(), std::memory_order_relaxed);
     shared.log_bytes.store(writer.logBytes(), std::memory_order_relaxed);
+    shared.held_ns.store(writer.held().count(), std::memory_order_relaxed);
+    shared.started.store(writer.started(), std::memory_order_relaxed);
     shared.writer_over.store(writer.over(), std::memory_order_relaxed);
   }
 }
 
-/// Waits for a reason to end, and says which.
-std::string waitForEnd(const RecordOptions& options, const RecordEvents& events, SteadyTime start,
-                       Shared& shared) {
-  SteadyTime told = start;
-  for (;;) {
-    const SteadyTime now = steadyNow();
-    if (events.stop_requested()) return "interrupted";
-    if (shared.receiver_failed.load()) return "socket";
-    if (shared.writer_over.load(std::memory_order_relaxed)) return "limit";
-    if (options.duration && now - start >= *options.duration) return "duration";
-    if (now - told >= kProgressPeriod) {
-      told = now;
-      events.progress({now - start, shared.packets.load(std::memory_order_relaxed),
-                       shared.lost.load(std::memory_order_relaxed),
-                       shared.log_bytes.load(std::memory_order_relaxed)});
-    }
-    std::this_thread::sleep_for(kControlSleep);
+std::optional<std::uint64_t> diskFree(const std::filesystem::path& log) {
+  struct statvfs facts {};
+  std::filesystem::path folder = log;
+  // Of a pattern, the folder above whatever is filled in.
+  while (!folder.empty() && ::statvfs(folder.c_str(), &facts) != 0) {
+    folder = folder.has_parent_path() ? folder.parent_path() : std::filesystem::path();
   }
+  if (folder.empty() && ::statvfs(".", &facts) != 0) return std::nullopt;
+  return std::uint64_t{facts.f_bavail} * facts.f_frsize;
 }
 
-RecordSummary summaryOf(const CaptureWriter& writer, const RecordOptions& options,
-                        const Status& received) {
+/// The caller's side of a recording that goes on.
+class Control {
+ public:
+  Control(const RecordOptions& options, const RecordEvents& events, NoteBox& notes, HandOver& queue,
+          Shared& shared)
+      : options_(options), events_(events), notes_(notes), queue_(queue), shared_(shared) {}
+
+  /// Waits for a reason to end, and says which.
+  std::string waitForEnd(SteadyTime start) {
+    std::optional<SteadyTime> begun;
+    SteadyTime told = start;
+    for (;;) {
+      const SteadyTime now = steadyNow();
+      passOn();
+      if (!begun && (options_.start_on.empty() || shared_.started.load())) {
+        begun = options_.start_on.empty() ? start : now;
+      }
+      if (events_.stop_requested()) return "interrupted";
+      if (shared_.receiver_failed.load()) return "socket";
+      if (shared_.file_ended.load()) return "end";
+      if (shared_.writer_over.load(std::memory_order_relaxed)) return "limit";
+      const bool by_the_clock = options_.endpoints.empty() || options_.endpoints[0].file.empty();
+      if (by_the_clock && options_.duration && begun && now - *begun >= *options_.duration)
+        return "duration";
+      if (now - told >= kProgressPeriod) {
+        told = now;
+        events_.progress(progressAt(now - start));
+      }
+      std::this_thread::sleep_for(kControlSleep);
+    }
+  }
+
+  /// Between the program and the threads, both ways.
+  void passOn() {
+    shared_.seams.store(events_.seams_requested());
+    shared_.triggers.store(events_.triggers_requested());
+    for (const NoteBox::Note& note : notes_.take()) {
+      events_.note(note);
+      if (note.is_trouble && warnings_.size() < kMostWarnings) warnings_.push_back(note.text);
+    }
+  }
+
+  std::vector<std::string> takeWarnings() { return std::move(warnings_); }
+
+ private:
+  RecordProgress progressAt(Nanoseconds elapsed) const {
+    RecordProgress progress;
+    progress.elapsed = elapsed;
+    progress.packets = shared_.packets.load(std::memory_order_relaxed);
+    progress.lost = shared_.lost.load(std::memory_order_relaxed);
+    progress.log_bytes = shared_.log_bytes.load(std::memory_order_relaxed);
+    progress.started = options_.start_on.empty() || shared_.started.load();
+    progress.held = Nanoseconds(shared_.held_ns.load(std::memory_order_relaxed));
+    progress.queue_fill = queue_.fill();
+    progress.disk_free_bytes = diskFree(options_.log);
+    return progress;
+  }
+
+  const RecordOptions& options_;
+  const RecordEvents& events_;
+  NoteBox& notes_;
+  HandOver& queue_;
+  Shared& shared_;
+  std::vector<std::string> warnings_;
+};
+
+RecordSummary summaryOf(const CaptureWriter& writer, const Status& received) {
   RecordSummary summary;
-  summary.log = options.log;
+  summary.files = writer.files();
+  for (const PieceFacts& each : summary.files.pieces) {
+    summary.log = each.file.path;
+    summary.log_bytes += each.bytes;
+  }
   summary.endpoints = writer.accounts();
   for (const EndpointAccount& each : summary.endpoints) {
     summary.packets += each.recorded;
@@ -144,7 +218,7 @@ RecordSummary summaryOf(const CaptureWriter& writer, const RecordOptions& option
   }
   summary.restated = writer.restated();
   summary.payload_bytes = writer.payloadBytes();
-  summary.log_bytes = writer.logBytes();
+  summary.packets_before = writer.packetsBefore();
   summary.channels = writer.channelCount();
   summary.late = writer.late();
   if (writer.trouble()) {
@@ -155,22 +229,17 @@ RecordSummary summaryOf(const CaptureWriter& writer, const RecordOptions& option
   return summary;
 }
 
-/// A log that did not get its cell is none: nothing of it stays.
-Status attachCell(const RecordOptions& options, LogWriter& log) {
-  if (!options.cell) return {};
-  const LogTime now(lookAtClocks().wall.time_since_epoch());
-  Status attached = AttachedBundle(*options.cell).writeTo(log, now);
-  std::error_code ignored;
-  if (!attached && std::filesystem::is_regular_file(options.log, ignored)) {
-    std::filesystem::remove(options.log, ignored);
-  }
-  return attached;
+/// Of a capture file: by its own time.
+Nanoseconds spanOf(const RecordedFiles& files, LogTime begins) {
+  LogTime ends = begins;
+  for (const PieceFacts& each : files.pieces) ends = std::max(ends, each.end.value_or(begins));
+  return ends - begins;
 }
 
-}  // namespace
-
-RecordSummary recordFrom(const std::vector<DatagramSource*>& sources, LogWriter log,
-                         const RecordOptions& options, const RecordEvents& events) {
+RecordSummary recordInto(std::unique_ptr<CaptureSink> sink, const std::string& name,
+                         const std::vector<DatagramSource*>& sources, TeeSet& tees,
+                         const RecordOptions& options, const RecordEvents& events, NoteBox& notes,
+                         std::optional<LogTime> file_begins) {
   std::vector<ListenedEndpoint> listened;
   std::vector<std::string> names;
   for (const DatagramSource* source : sources) {
@@ -179,30 +248,59 @@ RecordSummary recordFrom(const std::vector<DatagramSource*>& sources, LogWriter 
   }
   Shared shared;
   HandOver queue(options.queue_blocks);
-  ReceiveLoop loop(sources, lookAtClocks, queue);
+  ReceiveLoop::Callbacks callbacks;
+  callbacks.note = [&](const std::string& note) { notes.say(note); };
+  if (!tees.empty()) callbacks.tee = [&](auto batch) { tees.forward(batch); };
+  ReceiveLoop loop(sources, lookAtClocks, queue, std::move(callbacks));
   const SteadyTime start = steadyNow();
-  CaptureLimits limits{std::nullopt, options.max_packets};
-  if (options.duration) limits.until = loop.clock().now() + *options.duration;
-  CaptureWriter writer(std::move(log), std::move(listened), limits);
+  CaptureLimits limits;
+  limits.max_packets = options.max_packets;
+  limits.start_on = options.start_on;
+  limits.stop_on = options.stop_on;
+  limits.duration = options.duration;
+  if (options.duration && options.start_on.empty()) {
+    limits.until = file_begins.value_or(loop.clock().now()) + *options.duration;
+  }
+  CaptureWriter writer(std::move(sink), std::move(listened), std::move(limits));
 
   Status received;
-  std::thread receiving =
-      quietThread("receive", [&] { received = receiveUntilStopped(loop, shared); });
+  std::thread receiving = quietThread("receive", [&] {
+    received = file_begins ? readUntilEnded(*sources[0], queue, shared)
+                           : receiveUntilStopped(loop, shared);
+  });
   std::thread writing = quietThread("write", [&] { writeUntilFinished(writer, queue, shared); });
-  events.ready(names);
-  std::string reason = waitForEnd(options, events, start, shared);
+  events.ready(names, name);
+  Control control(options, events, notes, queue, shared);
+  std::string reason = control.waitForEnd(start);
   const Nanoseconds duration = steadyNow() - start;
   shared.stop.store(true);
   receiving.join();
+  tees.close();
   writing.join();
-  if (reason == "limit") reason = writer.packets() == options.max_packets ? "packets" : "duration";
+  if (reason == "limit") reason = writer.endReason();
   if (!received) reason = kRefused;
-  writer.close(reason, steadyNow(), queue);
+  writer.close(reason, queue);
+  control.passOn();
 
-  RecordSummary summary = summaryOf(writer, options, received);
-  summary.duration = options.duration ? std::min(duration, *options.duration) : duration;
+  RecordSummary summary = summaryOf(writer, received);
+  const bool bounded = options.duration && options.start_on.empty();
+  summary.duration = bounded ? std::min(duration, *options.duration) : duration;
+  if (file_begins) summary.duration = spanOf(summary.files, *file_begins);
   summary.reason = summary.trouble ? kRefused : reason;
+  summary.warnings = control.takeWarnings();
+  summary.inputs = inputAccounts(sources, loop);
+  summary.tees = tees.accounts();
   return summary;
+}
+
+}  // namespace
+
+RecordSummary recordFrom(const std::vector<DatagramSource*>& sources, LogWriter log,
+                         const RecordOptions& options, const RecordEvents& events) {
+  NoteBox notes;
+  TeeSet tees;
+  return recordInto(sinkOf(std::move(log), options, notes), options.log.string(), sources, tees,
+                    options, events, notes, std::nullopt);
 }
 
 Result<RecordSummary> record(const RecordOptions& options, const RecordEvents& events) {
@@ -211,20 +309,34 @@ Result<RecordSummary> record(const RecordOptions& options, const RecordEvents& e
                  fmt::format("1 to {} endpoints can be recorded", kMaxEndpoints), ""};
   }
   // Sockets first: a port that is taken must not leave an empty log behind.
-  std::vector<UdpReceiver> receivers;
-  for (const Endpoint& endpoint : options.endpoints) {
-    Result<UdpReceiver> receiver = UdpReceiver::open(endpoint, options.receiving);
-    if (!receiver) return receiver.error();
-    receivers.push_back(std::move(*receiver));
-  }
-  LogWriterOptions writing = options.writing;
-  writing.closing_room_bytes += kLossBytes * options.endpoints.size();
-  Result<LogWriter> log = LogWriter::create(options.log, writing, newSessionId());
-  if (!log) return log.error();
-  if (Status attached = attachCell(options, *log); !attached) return attached.error();
+  Result<TeeSet> tees = TeeSet::open(options.tees);
+  if (!tees) return tees.error();
+  const InputOptions listening{options.receiving, options.allow, tees->localAddresses()};
+  const Result<Sources> opened = openSources(options.endpoints, listening);
+  if (!opened) return opened.error();
   std::vector<DatagramSource*> sources;
-  for (UdpReceiver& each : receivers) sources.push_back(&each);
-  return recordFrom(sources, std::move(*log), options, events);
+  for (const auto& each : *opened) sources.push_back(each.get());
+  if (Status checked = tees->check(sources); !checked) return checked.error();
+  std::optional<LogTime> file_begins;
+  if (const Endpoint& first = options.endpoints[0]; !first.file.empty()) {
+    if (!tees->empty()) {
+      return Error{ErrorKind::bad_argument,
+                   "a capture file is not sent on by --tee: record it, then play the log",
+                   first.text()};
+    }
+    const auto begins = firstMoment(first);
+    if (!begins) return begins.error();
+    if (!*begins) {
+      return Error{ErrorKind::refused, "this capture file holds no UDP datagram", first.text()};
+    }
+    file_begins = *begins;
+  }
+  NoteBox notes;
+  Result<RecordSink> made = makeSink(
+      options, file_begins.value_or(LogTime(lookAtClocks().wall.time_since_epoch())), notes);
+  if (!made) return made.error();
+  return recordInto(std::move(made->sink), made->name, sources, *tees, options, events, notes,
+                    file_begins);
 }
 
 }  // namespace rocinante

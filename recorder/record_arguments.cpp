@@ -5,7 +5,6 @@
 
 #include "core/bundle/attached_cell.h"
 #include "core/cli/program.h"
-#include "core/duration_text.h"
 #include "recorder/record_path.h"
 
 namespace rocinante {
@@ -26,15 +25,6 @@ Status readCompression(std::string_view text, LogWriterOptions& options) {
   }
   return Error{ErrorKind::bad_argument, "--compression is none, zstd or zstd:1 to zstd:22",
                std::string(text)};
-}
-
-Result<Nanoseconds> readPositive(const std::string& text, const char* option) {
-  const Result<Nanoseconds> duration = parseDuration(text);
-  if (!duration) return duration.error();
-  if (*duration <= Nanoseconds(0)) {
-    return Error{ErrorKind::bad_argument, std::string(option) + " must be more than nothing", text};
-  }
-  return *duration;
 }
 
 /// The cell with all its files: before a socket is bound, so that a recording never begins without
@@ -61,12 +51,21 @@ Status readCell(const RecordArguments& arguments, RecordOptions& options) {
 void addRecordArguments(CLI::App& app, RecordArguments& arguments) {
   app.add_option("EP", arguments.endpoints,
                  "endpoints to listen at: udp://HOST:PORT, HOST:PORT, :PORT, or a multicast\n"
-                 "group; default " +
+                 "group; interfaces to watch: pcap://eth0?filter=EXPR; or one capture file:\n"
+                 "pcap://./FILE; default " +
                      Endpoint::standard().text())
       ->type_name("");
+  app.add_option("--allow", arguments.allow,
+                 "record only senders of this network (10.0.0.0/8); may be repeated")
+      ->type_name("CIDR")
+      ->allow_extra_args(false);
+  app.add_option("--tee", arguments.tees,
+                 "send everything received on to this endpoint; may be repeated")
+      ->type_name("EP")
+      ->allow_extra_args(false);
   app.add_option("-o,--output", arguments.output,
-                 "the log: a file, a folder or a name with %Y%m%dT%H%M%S (UTC); default\n"
-                 "session-%Y%m%dT%H%M%SZ.mcap")
+                 "the log: a file, a folder or a name with %Y%m%dT%H%M%S (UTC) and %n\n"
+                 "(the piece's number); default session-%Y%m%dT%H%M%SZ.mcap")
       ->type_name("LOG");
   app.add_option("--cell", arguments.cell,
                  "attach this cell and every file it names: the log then replays alone")
@@ -91,9 +90,19 @@ void addRecordArguments(CLI::App& app, RecordArguments& arguments) {
   app.add_option("--sync", arguments.sync, "a crash loses at most about the last so long")
       ->type_name("TIME")
       ->capture_default_str();
+  addSessionArguments(app, arguments.session);
+  app.add_option("--status", arguments.status, "a line on how it stands, every so often")
+      ->type_name("TIME");
   app.add_flag("--force", arguments.force, "replace an existing log");
   app.add_flag("--json", arguments.json, "print the summary as JSON");
   app.add_flag("--quiet", arguments.quiet, "print nothing but errors (and --json)");
+}
+
+Result<std::optional<Nanoseconds>> readStatusPeriod(const RecordArguments& arguments) {
+  if (arguments.status.empty()) return std::optional<Nanoseconds>();
+  const Result<Nanoseconds> period = readSpan(arguments.status, "--status");
+  if (!period) return period.error();
+  return std::optional(*period);
 }
 
 Result<RecordOptions> readRecordArguments(const RecordArguments& arguments) {
@@ -104,22 +113,30 @@ Result<RecordOptions> readRecordArguments(const RecordArguments& arguments) {
     options.endpoints.push_back(*endpoint);
   }
   if (options.endpoints.empty()) options.endpoints.push_back(Endpoint::standard());
+  Result<AddressFilter> allow = AddressFilter::of(arguments.allow);
+  if (!allow) return allow.error();
+  options.allow = std::move(*allow);
+  for (const std::string& text : arguments.tees) {
+    const Result<Endpoint> endpoint = Endpoint::parse(text);
+    if (!endpoint) return endpoint.error();
+    options.tees.push_back(*endpoint);
+  }
   if (!arguments.duration.empty()) {
-    const Result<Nanoseconds> duration = readPositive(arguments.duration, "--duration");
+    const Result<Nanoseconds> duration = readSpan(arguments.duration, "--duration");
     if (!duration) return duration.error();
     options.duration = *duration;
   }
-  const Result<Nanoseconds> sync = readPositive(arguments.sync, "--sync");
+  const Result<Nanoseconds> sync = readSpan(arguments.sync, "--sync");
   if (!sync) return sync.error();
   options.writing.sync = *sync;
   Status done = readCompression(arguments.compression, options.writing);
   if (!done) return done.error();
   options.writing.overwrite = arguments.force;
   options.max_packets = arguments.max_packets;
-  const auto now = std::chrono::system_clock::now();
-  const auto path = recordPath(arguments.output, now);
+  const auto path = recordPath(arguments.output, WallTime{});
   if (!path) return path.error();
-  options.log = *path;
+  options.log = arguments.output;
+  if (Status read = readSessionArguments(arguments.session, options); !read) return read.error();
   if (Status read = readCell(arguments, options); !read) return read.error();
   return options;
 }

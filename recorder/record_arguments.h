@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "recorder/record.h"
+#include "recorder/session_arguments.h"
 
 namespace CLI {
 class App;
@@ -17,6 +18,8 @@ namespace rocinante {
 /// What the command line of rocinante-record says, as it stands there.
 struct RecordArguments {
   std::vector<std::string> endpoints;
+  std::vector<std::string> allow;
+  std::vector<std::string> tees;
   std::string output;
   std::string cell;
   std::vector<std::filesystem::path> search;
@@ -24,6 +27,8 @@ struct RecordArguments {
   std::string duration;
   std::optional<std::uint64_t> max_packets, max_loss;
   std::uint64_t min_packets = 0;
+  SessionArguments session;
+  std::string status;
   std::string compression = "zstd";
   std::string sync = "100ms";
   bool force = false;
@@ -33,6 +38,9 @@ struct RecordArguments {
 
 /// Its options, with their help. `arguments` must outlive the parsing.
 void addRecordArguments(CLI::App& app, RecordArguments& arguments);
+
+/// How often a line of its own says how the recording stands; empty: never.
+Result<std::optional<Nanoseconds>> readStatusPeriod(const RecordArguments& arguments);
 
 /// What they ask for. Reads the cell, if there is one, with all its files; binds and makes nothing.
 Result<RecordOptions> readRecordArguments(const RecordArguments& arguments);

@@ -9,7 +9,7 @@
 namespace rocinante {
 namespace {
 
-Result<std::string> filled(std::string_view pattern, WallTime start) {
+Result<std::string> filled(std::string_view pattern, WallTime start, std::uint64_t number) {
   const std::time_t seconds =
       std::chrono::floor<std::chrono::seconds>(start).time_since_epoch().count();
   const std::tm utc = fmt::gmtime(seconds);
@@ -48,30 +48,57 @@ Result<std::string> filled(std::string_view pattern, WallTime start) {
       case 's':
         text += fmt::format("{}", seconds);
         break;
+      case 'n':
+        text += fmt::format("{:03}", number);
+        break;
       case '%':
         text += '%';
         break;
       default:
         return Error{ErrorKind::bad_argument,
-                     "a log's name takes %Y %m %d %H %M %S %j %F %s, and %% for a percent sign",
+                     "a log's name takes %Y %m %d %H %M %S %j %F %s %n, and %% for a percent sign",
                      std::string(pattern)};
     }
   }
   return text;
 }
 
+bool isFolder(const std::filesystem::path& path) {
+  std::error_code ignored;
+  return path.filename().empty() || std::filesystem::is_directory(path, ignored);
+}
+
 }  // namespace
 
-Result<std::filesystem::path> recordPath(std::string_view output, WallTime start) {
-  const Result<std::string> text = filled(output.empty() ? kDefaultRecordName : output, start);
+Result<std::filesystem::path> recordPath(std::string_view output, WallTime start,
+                                         std::uint64_t number) {
+  const Result<std::string> text =
+      filled(output.empty() ? kDefaultRecordName : output, start, number);
   if (!text) return text.error();
   const std::filesystem::path path = *text;
-  std::error_code ignored;
-  const bool is_folder = path.filename().empty() || std::filesystem::is_directory(path, ignored);
-  if (!is_folder) return path;
-  const Result<std::string> name = filled(kDefaultRecordName, start);
+  if (!isFolder(path)) return path;
+  const Result<std::string> name = filled(kDefaultRecordName, start, number);
   if (!name) return name.error();
   return path / *name;
+}
+
+ChangingName changingName(std::string_view output) {
+  ChangingName name;
+  // A folder takes the default name.
+  const Result<std::string> text = filled(output, WallTime{}, 1);
+  name.time = output.empty() || (text && isFolder(*text));
+  for (std::size_t i = 0; i + 1 < output.size(); ++i) {
+    if (output[i] != '%') continue;
+    ++i;
+    name.number = name.number || output[i] == 'n';
+    name.time = name.time || (output[i] != 'n' && output[i] != '%');
+  }
+  return name;
+}
+
+std::filesystem::path numberedPath(const std::filesystem::path& path, std::uint64_t number) {
+  return path.parent_path() /
+         fmt::format("{}-{:03}{}", path.stem().string(), number, path.extension().string());
 }
 
 }  // namespace rocinante

@@ -8,9 +8,6 @@ namespace rocinante {
 
 /// What a recording says of itself. Texts end without a newline.
 
-/// One line for a terminal; `before` is the progress shown last, from which the rate comes.
-std::string statusText(const RecordProgress& now, const RecordProgress& before);
-
 /// A few lines for a person.
 std::string summaryText(const RecordSummary& summary);
 

@@ -28,6 +28,8 @@ class PieceMaker {
   Result<MadePiece> make(LogTime start, const PieceNamer::Ours& ours);
 
  private:
+  Error failed(Error error);
+
   Options options_;
   PieceNamer namer_;
   bool attached_ = false;

@@ -35,4 +35,9 @@ Result<std::filesystem::path> PieceNamer::next(LogTime start, const Ours& ours) 
   return Error{ErrorKind::refused, "no name is free for the next piece", options_.output};
 }
 
+void PieceNamer::takeBack() {
+  --named_;
+  --number_;
+}
+
 }  // namespace rocinante

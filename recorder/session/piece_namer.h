@@ -31,8 +31,8 @@ class PieceNamer {
   /// lets a stranger's file go, never one of ours. refused when no number is free.
   Result<std::filesystem::path> next(LogTime start, const Ours& ours);
 
-  /// Pieces named so far.
-  std::uint64_t named() const { return named_; }
+  /// The last name was not used after all: its number is the next one's.
+  void takeBack();
 
  private:
   Options options_;

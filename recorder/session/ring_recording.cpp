@@ -72,12 +72,20 @@ Status RingRecording::write(const CapturedDatagram& datagram) {
   if (!origin_ && datagram.captured()) origin_ = datagram.time;
   if (channels_.size() <= datagram.flow) channels_.resize(datagram.flow + 1);
   if (!channels_[datagram.flow]) channels_[datagram.flow] = *datagram.channel;
+  triggerBySilence(datagram.time);
   add({RingBuffer::Kind::datagram, datagram.time, datagram.publish_time_ns,
        static_cast<std::uint32_t>(datagram.flow), datagram.sequence, datagram.payload});
   if (const Condition* const met = triggers_.metBy(datagram.time, datagram.packet)) {
     trigger(datagram.time, met->text());
   }
   return {};
+}
+
+/// Before anything of its span is dropped.
+void RingRecording::triggerBySilence(LogTime reached) {
+  if (const Condition* const met = triggers_.metBySilence(reached)) {
+    trigger(triggers_.moment(), met->text());
+  }
 }
 
 Status RingRecording::writeLoss(const LossSpan& span) {
@@ -207,11 +215,8 @@ void RingRecording::closeFile(const std::string& reason) {
 }
 
 Status RingRecording::flush(LogTime reached, SteadyTime now) {
-  reached_ = std::max(reached_, reached);
+  triggerBySilence(reached);
   dropOld(reached);
-  if (const Condition* const met = triggers_.metBySilence(reached)) {
-    trigger(triggers_.moment(), met->text());
-  }
   writeSome(kItemsATime);
   if (file_ && next_ == ring_.end() && reached > until_) closeFile(kReason);
   if (file_) {

@@ -61,6 +61,7 @@ class RingRecording final : public CaptureSink {
   void add(const RingBuffer::Item& item);
   void dropFront();
   void dropOld(LogTime now);
+  void triggerBySilence(LogTime reached);
   void startFile(LogTime moment, const std::string& why);
   void fold(const RingBuffer::Item& item, SessionState& state);
   RingBuffer::Place placeToBegin(LogTime from, SessionState& state);
@@ -75,8 +76,7 @@ class RingRecording final : public CaptureSink {
   std::vector<std::optional<FlowChannel>> channels_;  ///< by flow
   SessionState tail_;  ///< the fold of everything that has left the ring
   PacketTextDecoder decoder_;
-  LogTime last_{};  ///< of any item
-  LogTime reached_{};
+  LogTime last_{};                        ///< of any item
   std::optional<LogTime> dropped_early_;  ///< the latest item that had to go before its time
 
   std::unique_ptr<PieceLog> file_;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/log/log_reader.h"
+#include "recorder/session/piece_sequence.h"
 #include "tests/recorder/fake_source.h"
 
 namespace rocinante {
@@ -59,8 +60,11 @@ struct Capturing {
       const Endpoint endpoint = Endpoint::parse(text).value();
       endpoints.push_back({endpoint, endpoint.address});
     }
-    writer.emplace(
+    MadePiece made{
         LogWriter::createOn(std::make_unique<FullSink>(bytes, room), options, "session").value(),
+        {}};
+    writer.emplace(
+        std::make_unique<PieceSequence>(std::move(made), PieceSequence::Options(), notes),
         endpoints, limits);
   }
 
@@ -78,7 +82,7 @@ struct Capturing {
     taken.drained_until = drained_until;
     writer->write(std::exchange(taken, {}), queue);
   }
-  void close() { writer->close("interrupted", SteadyTime(1h), queue); }
+  void close() { writer->close("interrupted", queue); }
 
   LogReader reader() { return LogReader::openBytes(bytes, "memory").value(); }
   std::vector<Seen> messages() {
@@ -93,6 +97,7 @@ struct Capturing {
   }
 
   Bytes bytes;
+  NoteBox notes;
   HandOver queue{64};
   TakenOver taken;
   std::optional<CaptureWriter> writer;
@@ -159,7 +164,7 @@ TEST(CaptureWriter, EndsAfterExactlyMaxPackets) {
   Capturing setup(limits);
   for (int i = 0; i < 10; ++i) setup.arrive(0, logTime(1ms * i), std::to_string(i));
   setup.write(logTime(1s));
-  EXPECT_TRUE(setup.writer->limitReached());
+  EXPECT_TRUE(setup.writer->over());
   setup.close();
   EXPECT_EQ(setup.messages().size(), 3U);
   EXPECT_EQ(setup.writer->accounts()[0].recorded, 3U);

@@ -7,13 +7,6 @@ namespace {
 
 using namespace std::chrono_literals;
 
-TEST(RecordReport, StatusShowsTheRateSinceLastTime) {
-  const RecordProgress before{2s, 10'000, 0, 500'000};
-  EXPECT_EQ(statusText({4s, 22'000, 3, 1'200'000}, before),
-            "4.0 s   6000 packets/s   22000 packets   3 lost   1.2 MB");
-  EXPECT_EQ(statusText(before, before), "2.0 s   0 packets/s   10000 packets   0 lost   500.0 kB");
-}
-
 RecordSummary summary() {
   RecordSummary summary;
   summary.log = "a.mcap";
@@ -25,6 +18,12 @@ RecordSummary summary() {
   summary.channels = 1;
   summary.duration = 1500ms;
   summary.log_bytes = 600;
+  PieceFacts piece;
+  piece.file.path = "a.mcap";
+  piece.packets = 1;
+  piece.bytes = 600;
+  piece.start = piece.end = LogTime(1'770'091'506s);
+  summary.files.pieces.push_back(piece);
   summary.payload_bytes = 42;
   summary.reason = "interrupted";
   return summary;
@@ -75,7 +74,23 @@ TEST(RecordReport, JsonHoldsTheWholeAccount) {
         "truncated": 4
       }
     }
-  ]
+  ],
+  "pieces": [
+    {
+      "log": "a.mcap",
+      "packets": 1,
+      "bytes": 600,
+      "start": "2026-02-03T04:05:06.000000000Z",
+      "end": "2026-02-03T04:05:06.000000000Z"
+    }
+  ],
+  "deleted": {
+    "pieces": 0,
+    "packets": 0,
+    "bytes": 0
+  },
+  "packets_before": 0,
+  "warnings": []
 })");
 }
 

@@ -1,0 +1,305 @@
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/mount.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <set>
+#include <sstream>
+#include <thread>
+
+#include "core/log/log_reader.h"
+#include "core/net/udp_socket.h"
+#include "tests/support/programs.h"
+
+// The true program: its pieces, its ring and its conditions, over true sockets on loopback.
+namespace rocinante {
+namespace {
+
+using Json = nlohmann::json;
+using std::chrono::milliseconds;
+using test::Program;
+using test::ProgramResult;
+using test::TemporaryFolder;
+
+namespace fs = std::filesystem;
+
+class Recording {
+ public:
+  Recording(const std::string& output, std::vector<std::string> options)
+      : program(start(output, std::move(options))) {
+    std::istringstream words(program.waitForLine("recording "));
+    std::string endpoint;
+    words >> endpoint >> endpoint;
+    const auto bound = Endpoint::parse(endpoint);
+    EXPECT_TRUE(bound.ok()) << endpoint;
+    sender.emplace(std::move(UdpSender::open(*bound).value()));
+  }
+
+  static Program start(const std::string& output, std::vector<std::string> options) {
+    std::vector<std::string> arguments{"127.0.0.1:0", "-o", output, "--json"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return Program::start("rocinante-record", arguments);
+  }
+
+  void say(const std::string& payload) { ASSERT_TRUE(sender->send(bytesOf(payload)).ok()); }
+
+  /// "N padding", `rate_hz` a second in bursts of a millisecond, until `until` says so.
+  template <class Until>
+  std::uint64_t talk(std::uint64_t rate_hz, Until until) {
+    const auto start = std::chrono::steady_clock::now();
+    std::uint64_t sent = 0;
+    while (!until()) {
+      const auto passed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start);
+      const auto due =
+          static_cast<std::uint64_t>(passed.count() * static_cast<double>(rate_hz)) + 1;
+      while (sent < due) {
+        std::vector<std::string> payloads;
+        std::vector<ByteView> views;
+        while (sent < due && payloads.size() < 64) payloads.push_back(numbered(sent++));
+        for (const std::string& each : payloads) views.push_back(bytesOf(each));
+        // It may have ended of itself.
+        if (!sender->send(views)) return sent;
+      }
+      std::this_thread::sleep_for(milliseconds(1));
+    }
+    return sent;
+  }
+
+  Json finish(int exit_code = 0) {
+    const ProgramResult result = program.stop();
+    EXPECT_EQ(result.exit_code, exit_code) << result.err;
+    return Json::parse(result.out, nullptr, false);
+  }
+
+  /// A hundred bytes that zstd makes little of.
+  static std::string numbered(std::uint64_t number) {
+    std::string payload = std::to_string(number) + " ";
+    std::mt19937_64 random(number);
+    while (payload.size() < 100) payload += static_cast<char>('!' + random() % 90);
+    return payload;
+  }
+
+  Program program;
+  std::optional<UdpSender> sender;
+};
+
+template <class Until>
+bool waitUntil(Until until) {
+  for (int i = 0; i < 15'000 && !until(); ++i) std::this_thread::sleep_for(milliseconds(2));
+  return until();
+}
+
+std::vector<fs::path> logsIn(const fs::path& folder) {
+  std::vector<fs::path> logs;
+  for (const auto& each : fs::directory_iterator(folder)) {
+    if (each.path().extension() == ".mcap") logs.push_back(each.path());
+  }
+  std::ranges::sort(logs);
+  return logs;
+}
+
+/// The numbers that the datagrams of a log begin with, in its order.
+std::vector<std::uint64_t> numbersIn(const fs::path& path, bool complete = true) {
+  std::vector<std::uint64_t> numbers;
+  auto log = LogReader::open(path);
+  EXPECT_TRUE(log.ok()) << log.error().text();
+  if (!log) return numbers;
+  EXPECT_EQ(log->summary().complete, complete) << path;
+  for (auto message = log->next(); message && *message; message = log->next()) {
+    if ((*message)->channel->captured()) {
+      numbers.push_back(std::stoull(std::string(textOf((*message)->payload))));
+    }
+  }
+  return numbers;
+}
+
+TEST(RecordPieces, ABlowOfSighupBeginsANewPiece) {
+  const TemporaryFolder folder;
+  Recording recording((folder / "log.mcap").string(), {});
+  recording.say("0 before");
+  // What waits is taken before the seam, which the next datagram brings.
+  ASSERT_TRUE(waitUntil([&] { return fs::file_size(folder / "log.mcap") > 400; }));
+  recording.program.signal(SIGHUP);
+  std::uint64_t sent = 1;
+  ASSERT_TRUE(waitUntil([&] {
+    recording.say(std::to_string(sent++) + " after");
+    return fs::exists(folder / "log-002.mcap");
+  }));
+  const Json summary = recording.finish();
+  ASSERT_EQ(summary["pieces"].size(), 2U);
+  EXPECT_EQ(summary["packets"], sent);
+  EXPECT_EQ(summary["log"], (folder / "log-002.mcap").string());
+  std::vector<std::uint64_t> numbers = numbersIn(folder / "log.mcap");
+  for (const std::uint64_t each : numbersIn(folder / "log-002.mcap")) numbers.push_back(each);
+  ASSERT_EQ(numbers.size(), sent);
+  EXPECT_TRUE(std::ranges::is_sorted(numbers));
+}
+
+TEST(RecordPieces, RotatingAtAHundredThousandASecondLosesNothingInTheQueue) {
+  const TemporaryFolder folder;
+  Recording recording((folder / "p-%n.mcap").string(), {"--split-size", "2MB", "--keep", "4"});
+  const auto end = std::chrono::steady_clock::now() + milliseconds(2'500);
+  const std::uint64_t sent =
+      recording.talk(100'000, [&] { return std::chrono::steady_clock::now() > end; });
+  const Json summary = recording.finish();
+  EXPECT_EQ(summary["losses"]["queue"], 0);
+  EXPECT_EQ(summary["losses"]["disk"], 0);
+  EXPECT_EQ(
+      summary["packets"].get<std::uint64_t>() + summary["losses"]["kernel"].get<std::uint64_t>(),
+      sent);
+  EXPECT_GT(summary["deleted"]["pieces"], 0) << summary;
+  std::uint64_t stored = summary["deleted"]["packets"];
+  const std::vector<fs::path> logs = logsIn(folder.path());
+  EXPECT_EQ(logs.size(), 4U);
+  std::uint64_t last = 0;
+  for (const fs::path& each : logs) {
+    const std::vector<std::uint64_t> numbers = numbersIn(each);
+    stored += numbers.size();
+    EXPECT_TRUE(std::ranges::is_sorted(numbers));
+    EXPECT_LT(last, numbers.front());
+    last = numbers.back();
+  }
+  EXPECT_EQ(stored, summary["packets"]);
+}
+
+TEST(RecordPieces, KilledWhilePiecesRotateAllButTheLastAreWhole) {
+  std::random_device device;
+  std::mt19937 random(device());
+  for (int round = 0; round < 4; ++round) {
+    const TemporaryFolder folder;
+    Recording recording((folder / "p-%n.mcap").string(), {"--split-size", "40kB"});
+    const auto end = std::chrono::steady_clock::now() + milliseconds(300 + random() % 300);
+    recording.talk(20'000, [&] { return std::chrono::steady_clock::now() > end; });
+    recording.program.signal(SIGKILL);
+    EXPECT_EQ(recording.program.finish().exit_code, 128 + SIGKILL);
+    const std::vector<fs::path> logs = logsIn(folder.path());
+    ASSERT_GT(logs.size(), 3U);
+    std::vector<std::uint64_t> numbers;
+    std::size_t incomplete = 0;
+    for (const fs::path& each : logs) {
+      auto log = LogReader::open(each);
+      ASSERT_TRUE(log.ok()) << log.error().text();
+      const bool complete = log->summary().complete;
+      incomplete += complete ? 0 : 1;
+      EXPECT_FALSE(complete && incomplete > 0) << each << " was closed before an older one";
+      for (const std::uint64_t number : numbersIn(each, complete)) numbers.push_back(number);
+    }
+    // The one being written, and those that waited for the disk to be closed.
+    EXPECT_GE(incomplete, 1U);
+    EXPECT_LE(incomplete, 10U);
+    EXPECT_TRUE(std::ranges::is_sorted(numbers));
+    EXPECT_EQ(std::set<std::uint64_t>(numbers.begin(), numbers.end()).size(), numbers.size());
+  }
+}
+
+TEST(RecordPieces, ADiskThatFillsUpInALaterPieceLeavesAllWhole) {
+  const TemporaryFolder folder;
+  if (::mount("rocinante-test", folder.path().c_str(), "tmpfs", 0, "size=3m") != 0) {
+    GTEST_SKIP() << "no file system can be mounted here";
+  }
+  std::uint64_t sent = 0;
+  {
+    Recording recording((folder / "p-%n.mcap").string(),
+                        {"--split-size", "1MB", "--compression", "none"});
+    std::string said;
+    // It ends of itself; more than the disk holds.
+    sent = recording.talk(20'000, [&] { return ++sent > 2'500; });
+    const ProgramResult result = recording.program.stop();
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_NE(result.err.find("No space left on device"), std::string::npos) << result.err;
+    const Json summary = Json::parse(result.out, nullptr, false);
+    EXPECT_EQ(summary["reason"], "refused");
+    EXPECT_GT(summary["losses"]["disk"], 0);
+    EXPECT_GE(summary["pieces"].size(), 2U);
+    std::uint64_t stored = 0;
+    std::uint64_t told = 0;
+    for (const fs::path& each : logsIn(folder.path())) {
+      stored += numbersIn(each).size();
+      const auto log = LogReader::open(each);
+      for (const LossSpan& loss : log->losses()) told += loss.counts.disk;
+    }
+    EXPECT_EQ(stored, summary["packets"]);
+    EXPECT_EQ(told, summary["losses"]["disk"]);
+  }
+  ::umount2(folder.path().c_str(), MNT_DETACH);
+}
+
+TEST(RecordRing, ASignalWritesWhatIsHeld) {
+  const TemporaryFolder folder;
+  Recording recording((folder / "ring-%n.mcap").string(), {"--ring", "60s", "--keep", "1"});
+  for (int i = 0; i < 200; ++i) recording.say(std::to_string(i) + " x");
+  std::this_thread::sleep_for(milliseconds(100));
+  EXPECT_TRUE(logsIn(folder.path()).empty());
+  recording.program.signal(SIGUSR1);
+  recording.program.waitForLine("ring-001.mcap is written");
+  EXPECT_EQ(numbersIn(folder / "ring-001.mcap").size(), 200U);
+  recording.say("200 x");
+  std::this_thread::sleep_for(milliseconds(100));
+  recording.program.signal(SIGUSR1);
+  recording.program.waitForLine("ring-001.mcap is deleted");
+  const Json summary = recording.finish();
+  EXPECT_EQ(numbersIn(folder / "ring-002.mcap").size(), 201U);
+  EXPECT_EQ(logsIn(folder.path()).size(), 1U);
+  EXPECT_EQ(summary["packets"], 201);
+  EXPECT_EQ(summary["pieces"][0]["why"], "signal");
+  EXPECT_EQ(summary["pieces"][0]["cut_short"], false);
+}
+
+TEST(RecordRing, WithoutASignalNothingIsWritten) {
+  const TemporaryFolder folder;
+  Recording recording((folder / "ring.mcap").string(), {"--ring", "1s"});
+  recording.say("0 x");
+  const Json summary = recording.finish();
+  EXPECT_TRUE(fs::is_empty(folder.path()));
+  EXPECT_TRUE(summary["log"].is_null());
+  EXPECT_TRUE(summary["pieces"].empty());
+}
+
+TEST(RecordConditions, BeginAndEndWithTheDatagramsThatMeetThem) {
+  const TemporaryFolder folder;
+  Recording recording((folder / "log.mcap").string(),
+                      {"--start-on", "event=cycle begins", "--stop-on", "cycle ends"});
+  EXPECT_FALSE(recording.program.waitForLine("waiting for event=cycle begins").empty());
+  recording.say("RK1 arm@r 0 -\nadd arm puma\n");
+  recording.say("RK1 arm@r 1 -\nevent \"cycle ends\"\n");
+  recording.say("RK1 arm@r 2 -\nevent \"cycle begins\"\n");
+  recording.say("RK1 arm@r 3 -\njoints arm 1\n");
+  recording.say("RK1 arm@r 4 -\nevent \"cycle ends\"\n");
+  recording.say("RK1 arm@r 5 -\njoints arm 2\n");
+  const ProgramResult result = recording.program.finish();
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  const Json summary = Json::parse(result.out, nullptr, false);
+  EXPECT_EQ(summary["packets"], 3);
+  EXPECT_EQ(summary["packets_before"], 2);
+  EXPECT_EQ(summary["reason"], "condition");
+  auto log = LogReader::open(folder / "log.mcap").value();
+  EXPECT_EQ(log.summary().messages, 3U);
+  EXPECT_EQ(log.summary().end_reason, "condition");
+}
+
+TEST(RecordConditions, ASilenceEndsIt) {
+  const TemporaryFolder folder;
+  Recording recording((folder / "log.mcap").string(), {"--stop-on", "silence=200ms"});
+  recording.say("0 x");
+  const ProgramResult result = recording.program.finish();
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(Json::parse(result.out)["reason"], "condition");
+  EXPECT_EQ(numbersIn(folder / "log.mcap").size(), 1U);
+}
+
+TEST(RecordConditions, TheDurationCountsFromTheBeginning) {
+  const TemporaryFolder folder;
+  Recording recording((folder / "log.mcap").string(),
+                      {"--start-on", "source=arm", "--duration", "300ms"});
+  std::this_thread::sleep_for(milliseconds(500));
+  recording.say("RK1 arm - -\n");
+  const ProgramResult result = recording.program.finish();
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(Json::parse(result.out)["reason"], "duration");
+  EXPECT_EQ(Json::parse(result.out)["packets"], 1);
+}
+
+}  // namespace
+}  // namespace rocinante
