@@ -56,7 +56,8 @@ struct Bounds {
 struct Mesh {
   std::vector<Vertex> vertices;
   std::vector<std::uint32_t> indices;
-  /// 0xRRGGBBAA by vertex, which multiplies the material's diffuse colour; empty: none.
+  /// 0xRRGGBBAA by vertex, which multiplies the material's diffuse colour (the opacity is not
+  /// drawn); empty: none.
   std::vector<std::uint32_t> colors;
   std::vector<MeshPart> parts;  ///< in the order of the file
   std::vector<Material> materials;

@@ -1,5 +1,6 @@
 #include "viewer/picture/openimageio_module.h"
 
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
@@ -101,10 +102,13 @@ bool readAs(OIIO::ImageInput& input, OIIO::TypeDesc type, RocinantePictureOut& o
   return true;
 }
 
-void read(const char* path, int64_t max_pixels, RocinantePictureOut& out) {
+void read(const char* path, const void* bytes, size_t size, int64_t max_pixels,
+          RocinantePictureOut& out) {
   OIIO::ImageSpec wanted;
   wanted.attribute("oiio:UnassociatedAlpha", 1);
-  const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open(path, &wanted);
+  OIIO::Filesystem::IOMemReader memory(const_cast<void*>(bytes), size);  // it never writes
+  const std::unique_ptr<OIIO::ImageInput> input =
+      OIIO::ImageInput::open(path, &wanted, bytes == nullptr ? nullptr : &memory);
   if (!input) return answer(out, no_picture, "is no picture: " + firstLine(OIIO::geterror()));
   const OIIO::ImageSpec& spec = input->spec();
   if (spec.width <= 0 || spec.height <= 0 || spec.depth > 1 || spec.nchannels < 1) {
@@ -139,12 +143,13 @@ __attribute__((visibility("default"))) int rocinante_picture_abi(void) {
   return ROCINANTE_PICTURE_ABI;
 }
 
-__attribute__((visibility("default"))) void rocinante_picture_read(const char* path,
+__attribute__((visibility("default"))) void rocinante_picture_read(const char* name,
+                                                                   const void* bytes, size_t size,
                                                                    int64_t max_pixels,
                                                                    RocinantePictureOut* out) {
   *out = {};
   try {
-    read(path, max_pixels, *out);
+    read(name, bytes, size, max_pixels, *out);
   } catch (const std::exception& fault) {
     answer(*out, damaged, std::string("cannot be decoded: ") + fault.what());
   }

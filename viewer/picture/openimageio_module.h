@@ -6,7 +6,7 @@
 // What librocinante_openimageio.so offers, in C: the module is loaded with dlopen and shares no
 // C++ with the program. Functions are found by the names of their typedefs' comments.
 
-#define ROCINANTE_PICTURE_ABI 1
+#define ROCINANTE_PICTURE_ABI 2
 
 extern "C" {
 
@@ -21,9 +21,10 @@ struct RocinantePictureOut {
   char error[256];  ///< one sentence, when it was not read
 };
 
-/// rocinante_picture_read: decodes the first picture in the file. Any thread.
-typedef void (*RocinantePictureRead)(const char* path, int64_t max_pixels,
-                                     struct RocinantePictureOut* out);
+/// rocinante_picture_read: decodes the first picture in the file `name`, or, when `bytes` is not
+/// null, in those, which `name` then only gives the format by its ending. Any thread.
+typedef void (*RocinantePictureRead)(const char* name, const void* bytes, size_t size,
+                                     int64_t max_pixels, struct RocinantePictureOut* out);
 /// rocinante_picture_free
 typedef void (*RocinantePictureFree)(uint8_t* rgba);
 

@@ -36,6 +36,9 @@ Status writePng(const std::filesystem::path& path, const Picture& picture, bool 
 /// 16 bits lose the lower eight, linear floating point gets the sRGB curve. The same bytes on every
 /// CPU. Any thread.
 Result<Picture> readPicture(const std::filesystem::path& path, std::int64_t max_pixels = 1 << 28);
+/// The same from bytes; `name` is for the sentence.
+Result<Picture> decodePicture(ByteView bytes, const std::string& name,
+                              std::int64_t max_pixels = 1 << 28);
 
 /// SHA-256 of the RGBA rows, top to bottom, in hexadecimal: what `render --hash` prints.
 std::string pictureSha256(const Picture& picture);

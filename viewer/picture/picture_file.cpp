@@ -20,4 +20,9 @@ Result<Picture> readPicture(const std::filesystem::path& path, std::int64_t max_
   return png ? readPng(path, max_pixels) : readByModule(path, max_pixels);
 }
 
+Result<Picture> decodePicture(ByteView bytes, const std::string& name, std::int64_t max_pixels) {
+  const bool png = textOf(bytes).starts_with("\x89PNG\r\n\x1A\n");
+  return png ? decodePng(bytes, name, max_pixels) : decodeByModule(bytes, name, max_pixels);
+}
+
 }  // namespace rocinante

@@ -46,25 +46,34 @@ const PictureModule& pictureModule() {
   return module;
 }
 
-}  // namespace
-
-Result<Picture> readByModule(const fs::path& path, std::int64_t max_pixels) {
+Result<Picture> askModule(const char* file, ByteView bytes, const std::string& name,
+                          std::int64_t max_pixels) {
   const PictureModule& module = pictureModule();
   if (module.read == nullptr) {
     return Error{ErrorKind::unsupported,
-                 "only PNG is read without the OpenImageIO module; " + module.reason,
-                 path.string()};
+                 "only PNG is read without the OpenImageIO module; " + module.reason, name};
   }
   RocinantePictureOut out{};
-  module.read(path.c_str(), max_pixels, &out);
+  module.read(file, bytes.data(), bytes.size(), max_pixels, &out);
   if (out.answer != 0) {
-    return Error{out.answer == 3 ? ErrorKind::damaged : ErrorKind::unsupported, out.error,
-                 path.string()};
+    return Error{out.answer == 3 ? ErrorKind::damaged : ErrorKind::unsupported, out.error, name};
   }
   const std::unique_ptr<std::uint8_t, RocinantePictureFree> rgba(out.rgba, module.free);
-  const std::size_t bytes =
+  const std::size_t size =
       std::size_t{4} * static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height);
-  return Picture{out.width, out.height, {out.rgba, out.rgba + bytes}};
+  return Picture{out.width, out.height, {out.rgba, out.rgba + size}};
+}
+
+}  // namespace
+
+Result<Picture> readByModule(const fs::path& path, std::int64_t max_pixels) {
+  return askModule(path.c_str(), {}, path.string(), max_pixels);
+}
+
+Result<Picture> decodeByModule(ByteView bytes, const std::string& name, std::int64_t max_pixels) {
+  // The module goes by endings; what else than JPEG stands in mesh files it tells by the bytes.
+  const bool is_jpeg = textOf(bytes).starts_with("\xFF\xD8\xFF");
+  return askModule(is_jpeg ? "picture.jpg" : "picture.png", bytes, name, max_pixels);
 }
 
 }  // namespace rocinante

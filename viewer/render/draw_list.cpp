@@ -103,6 +103,7 @@ DrawList makeDrawList(const PosedScene& scene, const SceneCatalog& catalog,
                               ? &mesh.mesh->materials[run.material]
                               : &kPlain;
           item.diffuse = item.material->diffuse;
+          item.tinted = !mesh.mesh->colors.empty() && !visual.material && !device.link_color[l];
           if (const auto texture = catalog.textureNumber(*item.material)) {
             item.texture = static_cast<std::int32_t>(*texture);
           }

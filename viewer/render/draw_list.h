@@ -16,6 +16,7 @@ struct DrawItem {
   std::uint32_t part = 0;     ///< of that mesh
   std::uint32_t device = 0;   ///< into PosedScene::devices
   std::uint32_t link = 0;     ///< of its model: with `device`, whose pixels these are
+  bool tinted = false;        ///< by the colours at its points (Mesh::colors)
   std::int32_t texture = -1;  ///< into SceneCatalog::textures; -1: none
   std::uint32_t coplanar_rank = 0;
   const Material* material = nullptr;

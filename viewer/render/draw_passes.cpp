@@ -69,6 +69,7 @@ DrawPasses::DrawPasses(const GlTable& gl, ShaderProgram scene, ShaderProgram bac
   uniforms_.emission = scene_.uniform("emission");
   uniforms_.shininess = scene_.uniform("shininess");
   uniforms_.has_map = scene_.uniform("has_map");
+  uniforms_.has_tint = scene_.uniform("has_tint");
   uniforms_.orthographic = scene_.uniform("orthographic");
   uniforms_.view_direction = scene_.uniform("view_direction");
   uniforms_.key_direction = scene_.uniform("key_direction");
@@ -191,6 +192,7 @@ void DrawPasses::setItem(const DrawItem& item, const TextureStore& textures,
   const GLuint texture =
       item.texture >= 0 ? textures.name(static_cast<std::size_t>(item.texture)) : 0;
   gl_.Uniform1i(uniforms_.has_map, texture != 0 ? 1 : 0);
+  gl_.Uniform1i(uniforms_.has_tint, item.tinted ? 1 : 0);
   if (texture != 0) gl_.BindTexture(GL_TEXTURE_2D, texture);
 
   if (item.coplanar_rank > 0) {

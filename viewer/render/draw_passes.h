@@ -44,7 +44,7 @@ class DrawPasses {
  private:
   struct SceneUniforms {
     GLint clip_from_model, relative_from_model, normal_from_model, map_scale, map_offset;
-    GLint diffuse, specular, emission, shininess, has_map;
+    GLint diffuse, specular, emission, shininess, has_map, has_tint;
     GLint orthographic, view_direction, key_direction, fill_direction;
   };
   DrawPasses(const GlTable& gl, ShaderProgram scene, ShaderProgram background, ShaderProgram grid,

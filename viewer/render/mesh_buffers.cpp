@@ -33,9 +33,27 @@ MeshBuffers::MeshBuffers(const GlTable& gl, const SceneCatalog& catalog, InputsH
     attribute(0, 3, offsetof(Vertex, position));
     attribute(1, 3, offsetof(Vertex, normal));
     attribute(2, 2, offsetof(Vertex, texture));
+    if (!mesh.colors.empty()) addColors(mesh.colors, buffers, inputs);
     meshes_.push_back(buffers);
   }
   gl_.BindVertexArray(0);
+}
+
+void MeshBuffers::addColors(const std::vector<std::uint32_t>& colors, Buffers& buffers,
+                            InputsHash& inputs) {
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(colors.size() * 4);
+  for (const std::uint32_t color : colors) {
+    for (const int shift : {24, 16, 8, 0})
+      bytes.push_back(static_cast<std::uint8_t>(color >> shift));
+  }
+  inputs.add(std::as_bytes(std::span(bytes)));
+  gl_.GenBuffers(1, &buffers.colors);
+  gl_.BindBuffer(GL_ARRAY_BUFFER, buffers.colors);
+  gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes.size()), bytes.data(),
+                 GL_STATIC_DRAW);
+  gl_.EnableVertexAttribArray(3);
+  gl_.VertexAttribPointer(3, 4, GL_UNSIGNED_BYTE, GL_TRUE, 0, nullptr);
 }
 
 MeshBuffers::~MeshBuffers() {
@@ -43,6 +61,7 @@ MeshBuffers::~MeshBuffers() {
     gl_.DeleteVertexArrays(1, &buffers.array);
     gl_.DeleteBuffers(1, &buffers.vertices);
     gl_.DeleteBuffers(1, &buffers.indices);
+    gl_.DeleteBuffers(1, &buffers.colors);
   }
 }
 

@@ -23,7 +23,10 @@ class MeshBuffers {
  private:
   struct Buffers {
     GLuint array = 0, vertices = 0, indices = 0;
+    GLuint colors = 0;  // 0: none
   };
+  void addColors(const std::vector<std::uint32_t>& colors, Buffers& buffers, InputsHash& inputs);
+
   const GlTable& gl_;
   std::vector<Buffers> meshes_;
 };

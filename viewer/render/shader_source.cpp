@@ -6,6 +6,7 @@ const std::string_view kSceneVertex = R"(#version 330 core
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec2 texture_place;
+layout(location = 3) in vec3 point_color;
 uniform mat4 clip_from_model;
 uniform mat4 relative_from_model;  // world axes, origin at the eye
 uniform mat3 normal_from_model;
@@ -14,7 +15,9 @@ uniform vec2 map_offset;
 out vec3 from_eye;
 out vec3 world_normal;
 out vec2 map_place;
+out vec3 tint;
 void main() {
+  tint = point_color;
   gl_Position = clip_from_model * vec4(position, 1.0);
   from_eye = (relative_from_model * vec4(position, 1.0)).xyz;
   world_normal = normal_from_model * normal;
@@ -26,11 +29,13 @@ const std::string_view kSceneFragment = R"(#version 330 core
 in vec3 from_eye;
 in vec3 world_normal;
 in vec2 map_place;
+in vec3 tint;
 uniform vec4 diffuse;
 uniform vec3 specular;
 uniform vec3 emission;
 uniform float shininess;
 uniform bool has_map;
+uniform bool has_tint;
 uniform bool orthographic;
 uniform vec3 view_direction;  // of an orthographic camera
 uniform vec3 key_direction;   // towards the light
@@ -60,6 +65,7 @@ void main() {
   if (dot(n, face) < 0.0) n = -n;
 
   vec4 base = vec4(lightOf(diffuse.rgb), diffuse.a);
+  if (has_tint) base.rgb *= lightOf(tint);
   if (has_map) {
     vec4 texel = texture(map, map_place);
     base *= vec4(lightOf(texel.rgb), texel.a);

@@ -31,11 +31,11 @@ void flipRows(Picture& picture) {
   }
 }
 
-TextureStore::TextureStore(const GlTable& gl, const std::vector<std::filesystem::path>& files,
+TextureStore::TextureStore(const GlTable& gl, const std::vector<CatalogTexture>& files,
                            Profile profile, InputsHash& inputs)
     : gl_(gl) {
-  for (const std::filesystem::path& file : files) {
-    Result<Picture> picture = readPicture(file);
+  for (const auto& [file, bytes] : files) {
+    Result<Picture> picture = bytes ? decodePicture(*bytes, file.string()) : readPicture(file);
     inputs.add(std::uint64_t{0x74657874});  // "text"
     if (!picture || picture->width < 1 || picture->height < 1) {
       warnings_.push_back(picture ? "an empty picture (" + file.string() + ")"

@@ -8,6 +8,7 @@
 #include "viewer/picture/picture.h"
 #include "viewer/render/gl_table.h"
 #include "viewer/render/inputs_hash.h"
+#include "viewer/render/scene_catalog.h"
 #include "viewer/render/renderer_key.h"
 
 namespace rocinante {
@@ -19,7 +20,7 @@ class TextureStore {
  public:
   /// Reads and uploads all, mipmaps by our own code; what was read is added to `inputs`.
   /// Anisotropic filtering in the fast profile only, where the driver has it.
-  TextureStore(const GlTable& gl, const std::vector<std::filesystem::path>& files, Profile profile,
+  TextureStore(const GlTable& gl, const std::vector<CatalogTexture>& files, Profile profile,
                InputsHash& inputs);
   ~TextureStore();
   TextureStore(const TextureStore&) = delete;

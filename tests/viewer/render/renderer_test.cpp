@@ -76,6 +76,14 @@ TEST(Renderer, ARedBoxStandsWhereItMust) {
   }
 }
 
+TEST(Renderer, ColoursAtThePointsTintTheMaterial) {
+  TestCell cell;
+  Mesh mesh = boxMesh({2, 2, 2});
+  mesh.colors.assign(mesh.vertices.size(), 0x00FF00FF);
+  cell.add("box", mesh, {2, 0, 2}, std::nullopt);
+  EXPECT_TRUE(isGreen(at(drawn(cell), 140, 60)));
+}
+
 TEST(Renderer, PerspectiveShrinksWithDistance) {
   CameraView view;
   view.eye = {0, -10, 0};
