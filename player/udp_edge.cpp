@@ -11,8 +11,16 @@
 namespace rocinante {
 namespace {
 
-// Longer without a sleep, a real-time thread is close to being throttled (950 ms of each second).
-constexpr Nanoseconds kLongestAwake = std::chrono::milliseconds(300);
+// A real-time thread that runs longer without a sleep is close to being throttled (950 ms of each
+// second). What counts is its own running: a machine that stood still did not starve anybody.
+constexpr Nanoseconds kAwake = std::chrono::milliseconds(100);
+constexpr Nanoseconds kMostRunning = std::chrono::milliseconds(200);
+
+Nanoseconds runningTime() {
+  timespec time{};
+  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return std::chrono::seconds(time.tv_sec) + Nanoseconds(time.tv_nsec);
+}
 
 }  // namespace
 
@@ -58,6 +66,7 @@ void UdpEdge::sleepUntil(SteadyTime moment) {
     ::ppoll(&wake, 1, &most, nullptr);
   }
   last_sleep_ = now();
+  ran_until_.reset();
 }
 
 Status UdpEdge::send(std::uint16_t route, std::span<const ByteView> payloads,
@@ -67,8 +76,14 @@ Status UdpEdge::send(std::uint16_t route, std::span<const ByteView> payloads,
   const SteadyTime after = now();
   std::fill(sent_at.begin(), sent_at.end(), after);
   way.stamps.collect(sent_at);
-  if (thread_.isRealtime() && after - last_sleep_ > kLongestAwake) thread_.leaveRealtime();
+  if (thread_.isRealtime() && after - last_sleep_ > kAwake) leaveRealtimeIfHogging();
   return {};
+}
+
+void UdpEdge::leaveRealtimeIfHogging() {
+  const Nanoseconds ran = runningTime();
+  if (!ran_until_) ran_until_ = ran;
+  if (ran - *ran_until_ > kMostRunning) thread_.leaveRealtime();
 }
 
 std::string UdpEdge::timingSource() const {

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,11 +46,14 @@ class UdpEdge final : public SendEdge {
 
   UdpEdge(std::vector<Way> ways, PacingThread thread, std::function<bool()> stop, int wake);
 
+  void leaveRealtimeIfHogging();
+
   std::vector<Way> ways_;
   PacingThread thread_;
   std::function<bool()> stop_;
   int wake_;
   SteadyTime last_sleep_;
+  std::optional<Nanoseconds> ran_until_;  ///< since the last sleep, when it was looked at first
   std::uint32_t resumes_;
 };
 
