@@ -140,7 +140,11 @@ TEST_F(RealTraffic, ARadarOnThreeGroupsInFragments) {
   const Traffic expected = byTshark(capture, folder / "");
   ASSERT_EQ(countOf(expected), 35U);
   ASSERT_EQ(expected.size(), 3U);
-  expectRecorded(capture, expected);
+  // What the capturing machine itself sent has no checksums yet: its network card fills them in.
+  const std::filesystem::path adapted = folder / "radar.pcap";
+  ASSERT_TRUE(NetworkNamespace::run("tcprewrite -i '" + capture.string() + "' -o '" +
+                                    adapted.string() + "' --fixcsum"));
+  expectRecorded(adapted, expected);
 
   // The file itself, read as one.
   const ProgramResult read = test::runProgram(

@@ -139,7 +139,7 @@ TEST(RecordInputs, WatchesWhatHasItsReceiverAndNotItsOwnTee) {
   EXPECT_EQ(recording.payloads(), sent);
   const auto log = LogReader::open(recording.folder / "log.mcap");
   ASSERT_TRUE(log.ok());
-  for (const auto& [id, channel] : log->summary().channels) {
+  for (const LogChannel& channel : log->channels()) {
     if (!channel.captured()) continue;
     EXPECT_EQ(channel.topic, "/udp/" + std::to_string(to.address.port) + "/arm");
     EXPECT_EQ(channel.metadata.at("local"), to.address.text());
