@@ -99,7 +99,7 @@ constexpr auto kRules = std::to_array<Rule>({
     {"log.incomplete", kNote, "the recorder did not close the log"},
     {"log.loss", kWarning, "datagrams that the recorder lost"},
     {"mesh.bad-triangle", kError, "a triangle of a mesh has a corner that is no point"},
-    {"mesh.degenerate-triangles", kWarning, "many triangles of a mesh have no area"},
+    {"mesh.degenerate-triangles", kNote, "many triangles of a mesh have no area"},
     {"mesh.missing-texture", kWarning, "a texture of a COLLADA or glTF mesh is not found"},
     {"mesh.up-axis", kNote, "a mesh that is not z up is turned"},
     {"model.absolute-path", kWarning, "a model names a file by a path of one machine"},
