@@ -2,12 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <set>
 
+#include "core/math/transform.h"
 #include "core/model/posed_scene.h"
-#include "core/plain_text.h"
 #include "golden/model/pose_request.h"
 #include "golden/model/posed_parts.h"
 
@@ -76,18 +77,42 @@ class Gathering {
   std::map<std::string, std::optional<std::uint64_t>> textures_;
 };
 
-// Which of a mesh's vertices its part uses: few parts share any, so each is moved about once.
-void addBounds(const PosedPart& part, Bounds& bounds) {
-  const MeshPart& run = *part.part;
-  if (run.index_count == part.mesh->indices.size()) {
-    for (const Vertex& vertex : part.mesh->vertices) bounds.add(worldPoint(part, vertex.position));
-    return;
+// The bounds of parts in the world, to the vertex. What stands beside another of its kind, turned
+// alike, is only moved: thousands of devices of one model cost little.
+class PartBounds {
+ public:
+  void add(const PosedPart& part, Bounds& bounds) {
+    Mat4 turned = part.to_world;
+    turned[3] = Vec4(0, 0, 0, 1);
+    Key key{part.part, {}};
+    for (int column = 0; column < 3; ++column) {
+      for (int row = 0; row < 3; ++row) {
+        key.second[static_cast<std::size_t>(column * 3 + row)] = turned[column][row];
+      }
+    }
+    const auto [known, is_new] = known_.try_emplace(key);
+    if (is_new) known->second = boundsOf(part, turned);
+    if (known->second.empty()) return;
+    const Vec3 at = positionOf(part.to_world);
+    bounds.add(known->second.min + at);
+    bounds.add(known->second.max + at);
   }
-  for (std::uint32_t i = 0; i < run.index_count; ++i) {
-    const std::uint32_t index = part.mesh->indices[run.first_index + i];
-    bounds.add(worldPoint(part, part.mesh->vertices[index].position));
+
+ private:
+  using Key = std::pair<const MeshPart*, std::array<double, 9>>;
+
+  static Bounds boundsOf(const PosedPart& part, const Mat4& turned) {
+    Bounds bounds;
+    const MeshPart& run = *part.part;
+    for (std::uint32_t i = 0; i < run.index_count; ++i) {
+      const std::uint32_t index = part.mesh->indices[run.first_index + i];
+      bounds.add(transformPoint(turned, Vec3(part.mesh->vertices[index].position)));
+    }
+    return bounds;
   }
-}
+
+  std::map<Key, Bounds> known_;
+};
 
 }  // namespace
 
@@ -101,6 +126,7 @@ Result<ModelInfo> modelInfo(const Cell& cell, const std::string& device) {
   ModelInfo info;
   info.cell = &cell;
   Gathering gathering(info);
+  PartBounds bounds;
   for (const CellDevice& known : cell.devices) {
     if (!device.empty() && known.name != device) continue;
     InfoDevice& entry = info.devices.emplace_back();
@@ -116,7 +142,7 @@ Result<ModelInfo> modelInfo(const Cell& cell, const std::string& device) {
     if (posed == nullptr) continue;
     forEachPart(*posed, false, [&](const PosedPart& part) {
       entry.triangles += part.part->index_count / 3;
-      addBounds(part, entry.bounds);
+      bounds.add(part, entry.bounds);
     });
     info.triangles += entry.triangles;
     info.bounds.add(entry.bounds);

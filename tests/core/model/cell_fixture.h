@@ -23,6 +23,7 @@ class CellFolder : public testing::Test {
       gantry += std::string("g ") + group + "\nf 1 2 3\n";
     }
     writeFile(folder_ / "gantry.obj", gantry);
+    writeFile(folder_ / "site.cell.toml", "format = 1\n[[layer]]\nname = \"robots\"\n");
     writeFile(folder_ / "tank.obj", "v 0 0 0\nv 1000 0 0\nv 0 1000 0\nf 1 2 3\n");
   }
 
