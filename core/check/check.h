@@ -14,8 +14,8 @@ namespace rocinante {
 CheckReport checkCell(const Cell& cell);
 
 /// The cell and a whole recorded session. nothing_judged when no packet of it can be decoded.
-/// `progress` is told now and then how much is done, 0 to 1; when it answers false, judging stops and
-/// the report says that it was interrupted.
+/// `progress` is told now and then how much is done, 0 to 1; when it answers false, judging stops
+/// and the report says that it was interrupted.
 Result<CheckReport> checkLog(const Cell& cell, LogReader& log,
                              const std::function<bool(double)>& progress = {});
 

@@ -63,8 +63,8 @@ struct CheckReport {
   }
 };
 
-/// Gives the findings the severities that the rules are set to, removes those of rules that are off,
-/// puts them in order and draws the verdict from them. May be called again.
+/// Gives the findings the severities that the rules are set to, removes those of rules that are
+/// off, puts them in order and draws the verdict from them. May be called again.
 void conclude(CheckReport& report);
 
 }  // namespace rocinante

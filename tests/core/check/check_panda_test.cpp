@@ -43,10 +43,9 @@ CheckReport judgeAgainst(const std::string& model) {
     std::string values = line.substr(comma);
     for (char& c : values) c = c == ',' ? ' ' : c;
     // As `source` says it: the order first, and again with a restatement every two seconds or so.
-    const std::string text =
-        fmt::format("RK1 panda@1 {} {:.9f}{}\n{}\njoints panda{}\n", row, seconds,
-                    row % 2000 == 0 && row > 0 ? " restated" : "",
-                    row % 2000 == 0 ? order : "#", values);
+    const std::string text = fmt::format("RK1 panda@1 {} {:.9f}{}\n{}\njoints panda{}\n", row,
+                                         seconds, row % 2000 == 0 && row > 0 ? " restated" : "",
+                                         row % 2000 == 0 ? order : "#", values);
     session.add(LogTime(Nanoseconds(static_cast<std::int64_t>(seconds * 1e9))), "rk1", true,
                 bytesOf(text));
   }

@@ -202,9 +202,8 @@ TEST_F(SessionCheckTest, CountsFaultsOfPacketTextByKind) {
   say("joints arm 0 0 0\njoints arm 0 nan 0\njoints arm 0 x 0\nwobble arm");
   session_->add(now_, "rk1", true, bytesOf("RK1 me@a oops 3\njoints arm 0 0 0\n"));
   const CheckReport found = report();
-  EXPECT_THAT(rules(found),
-              ElementsAre("packet.bad-header", "packet.bad-number", "packet.not-finite",
-                          "packet.unknown-statement"));
+  EXPECT_THAT(rules(found), ElementsAre("packet.bad-header", "packet.bad-number",
+                                        "packet.not-finite", "packet.unknown-statement"));
   EXPECT_EQ(found.findings[1].count, 1U);
   EXPECT_EQ(found.findings[1].example, "joints arm 0 x 0");
   EXPECT_EQ(found.findings[1].text, "lines with a malformed number; the first at column 14");
