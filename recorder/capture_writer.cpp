@@ -43,8 +43,9 @@ void CaptureWriter::write(TakenOver taken, HandOver& blocks) {
     return;
   }
   enterLosses(LogTime::max());
-  writeLosses(ledger_.due(reached));
+  // A loss is told behind whatever stands there; a step has its own time.
   writeSteps(reached);
+  writeLosses(ledger_.due(reached));
   if (!end_ && stop_.metBySilence(reached) != nullptr) endAt(stop_.moment(), "condition");
 }
 
@@ -54,8 +55,8 @@ void CaptureWriter::flush(SteadyTime now) {
 
 void CaptureWriter::close(const std::string& reason, HandOver& blocks) {
   while (const auto held = window_.nextOfAll()) writeHeld(*held, blocks);
-  writeLosses(ledger_.rest());
   writeSteps(LogTime::max());
+  writeLosses(ledger_.rest());
   keep(sink_->flushAll());
   writeLosses(newDiskLosses());
   const std::string cause = trouble_ ? "refused" : reason;
@@ -100,8 +101,8 @@ void CaptureWriter::writeDatagram(const Arrival& arrival, LogTime time, ByteView
                                   const Packet* packet) {
   if (sink_->seamDue(time)) {
     enterLosses(time);
-    writeLosses(ledger_.upTo(time));
     writeSteps(time - Nanoseconds(1));
+    writeLosses(ledger_.upTo(time));
     keep(sink_->seam(time));
   }
   const std::size_t flow = flowOf(arrival, payload, packet);

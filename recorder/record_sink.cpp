@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 
 #include "core/hash.h"
@@ -82,7 +83,12 @@ Status checkFolder(const RecordOptions& options, LogTime now) {
   if (!std::filesystem::exists(folder, ignored)) {
     folder = folder.has_parent_path() ? folder.parent_path() : ".";
   }
-  if (std::filesystem::is_directory(folder, ignored) && ::access(folder.c_str(), W_OK) == 0) {
+  // Tried, not asked for: what the system says of rights is not all that can refuse.
+  std::string probe = (folder / ".rocinante-XXXXXX").string();
+  const int file = ::mkstemp(probe.data());
+  if (file >= 0) {
+    ::close(file);
+    ::unlink(probe.c_str());
     return {};
   }
   return Error{ErrorKind::unreadable,

@@ -44,6 +44,7 @@ Status readSplit(const SessionArguments& arguments, RecordOptions& options) {
     if (!time) return time.error();
     options.split.time = *time;
   }
+  if (arguments.keep == 0U) return badArgument("--keep leaves at least one piece");
   options.limits.keep = arguments.keep;
   if (!arguments.disk_quota.empty()) {
     const auto quota = readSize(arguments.disk_quota, "--disk-quota", kLeastQuotaBytes);
@@ -117,7 +118,7 @@ void addSessionArguments(CLI::App& app, SessionArguments& arguments) {
   add("--split-size", arguments.split_size, "SIZE",
       "a new piece about every so much (1GB, 512MiB)");
   add("--split-time", arguments.split_time, "TIME", "a new piece every so often");
-  add("--keep", arguments.keep, "N", "the newest N pieces stay")->check(CLI::PositiveNumber);
+  add("--keep", arguments.keep, "N", "the newest N pieces stay");
   add("--disk-quota", arguments.disk_quota, "SIZE",
       "the oldest pieces go when all take more than this");
   app.add_flag("--attach-once", arguments.attach_once, "the cell goes into the first piece alone");

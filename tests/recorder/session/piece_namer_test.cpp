@@ -60,7 +60,7 @@ TEST_F(PieceNames, HaveANumberWhereTheTimeIsTheSameAgain) {
 }
 
 TEST_F(PieceNames, OfAFolderAreTheDefault) {
-  PieceNamer pieces = namer(".");
+  PieceNamer pieces = namer("");
   EXPECT_EQ(next(pieces), "session-20260203T040506Z.mcap");
   take("session-20260203T040506Z.mcap");
   EXPECT_EQ(next(pieces), "session-20260203T040506Z-002.mcap");
