@@ -89,6 +89,14 @@ class NodeGraph {
   std::string problem_;
 };
 
+/// Whether the element holds whole numbers and nothing else: assimp reads an index list until its
+/// end, and never gets past a letter.
+bool holdsIndices(std::string_view text, const XmlTag& tag) {
+  const auto from = static_cast<std::size_t>(tag.inner.data() + tag.inner.size() + 1 - text.data());
+  const std::size_t end = text.find_first_not_of("0123456789+- \t\r\n", from);
+  return end == std::string_view::npos || text.substr(end).starts_with("</");
+}
+
 }  // namespace
 
 std::string problemOfCollada(ByteView bytes) {
@@ -101,6 +109,10 @@ std::string problemOfCollada(ByteView bytes) {
   NodeGraph graph;
   std::vector<std::size_t> open;  // by element: the node that it is or lies in
   for (XmlTag tag; tags.next(tag);) {
+    if (tag.starts && !tag.ends && (tag.name == "p" || tag.name == "vcount") &&
+        !holdsIndices(text, tag)) {
+      return fmt::format("a <{}> holds what is no index", tag.name);
+    }
     if (tag.starts) {
       if (open.size() >= kDeepestXml) {
         return fmt::format("the XML is nested deeper than {} elements", kDeepestXml);

@@ -137,6 +137,15 @@ TEST(ColladaReader, NodesThatContainThemselvesAreRefused) {
   EXPECT_EQ(mesh.error().what, "its nodes stand for more than 1000000 nodes");
 }
 
+TEST(ColladaReader, AListOfIndicesThatIsNoneIsRefusedAtOnce) {
+  std::string text = collada(1, "Z_UP", kWedge);
+  text.replace(text.find("<p>0 2 1"), 8, "<p>0 x 1");
+  ModelFaults faults;
+  const auto mesh = readMeshBytes(bytesOf(text), "a.dae", {}, faults);
+  ASSERT_FALSE(mesh.ok());
+  EXPECT_EQ(mesh.error().what, "a <p> holds what is no index");
+}
+
 TEST(ColladaReader, WhatAssimpCannotReadIsToldInOneSentence) {
   std::string deep;
   for (int i = 0; i < 100000; ++i) deep += "<node>";
