@@ -56,6 +56,30 @@ std::uint64_t LateHistogram::percentile(double share) const {
   return max_us_;
 }
 
+std::vector<LateHistogram::Bin> LateHistogram::bins() const {
+  std::vector<Bin> bins;
+  std::uint64_t up_to_us = 1;
+  const auto count = [&](std::uint64_t us, std::uint64_t how_many) {
+    if (how_many == 0) return;
+    // 1, 2, 5, 10: what begins with a 2 is followed by two and a half times itself.
+    while (up_to_us < us) {
+      std::uint64_t first = up_to_us;
+      while (first >= 10) first /= 10;
+      up_to_us = first == 2 ? up_to_us / 2 * 5 : up_to_us * 2;
+    }
+    if (bins.empty() || bins.back().up_to_us < up_to_us) bins.push_back({up_to_us, 0});
+    bins.back().count += how_many;
+  };
+  for (std::size_t page = 0; page < kPages; ++page) {
+    if (!pages_[page]) continue;
+    for (std::size_t bin = 0; bin < kPageBins; ++bin) {
+      count(page * kPageBins + bin, (*pages_[page])[bin]);
+    }
+  }
+  for (const auto& [upper_us, how_many] : beyond_) count(upper_us, how_many);
+  return bins;
+}
+
 void DriftMeter::add(Nanoseconds error) {
   if (first_.size() < kWindow) first_.push_back(error);
   if (last_.size() < kWindow) {

@@ -23,6 +23,12 @@ class LateHistogram {
   /// The least lateness, in microseconds rounded up, that `share` (0..1) of all did not exceed.
   /// 0 when empty.
   std::uint64_t percentile(double share) const;
+  struct Bin {
+    std::uint64_t up_to_us;  ///< 1, 2, 5, 10 ...; more than the bin's before
+    std::uint64_t count;
+  };
+  /// The bins that are not empty, the least lateness first.
+  std::vector<Bin> bins() const;
   /// Exact, rounded up to a microsecond.
   std::uint64_t max() const { return max_us_; }
 

@@ -63,6 +63,7 @@ void PlayJournal::writeTo(PlayReport& report, bool whole) {
   report.late_p99_us = late_.percentile(0.99);
   report.late_p999_us = late_.percentile(0.999);
   report.late_max_us = late_.max();
+  report.late_bins = late_.bins();
   report.drift = drift_.drift();
   report.duration = last_ - first_;
   report.stream_sha256 = hexOf(stream_hash_.finish());
@@ -85,6 +86,7 @@ std::string jsonText(const PlayReport& report) {
   json["achieved_rate_hz"] = report.achievedRateHz();
   // Without a schedule nothing can be late.
   Json late = nullptr;
+  Json bins = nullptr;
   Json drift = nullptr;
   if (report.speed) {
     late = Json::object();
@@ -93,9 +95,14 @@ std::string jsonText(const PlayReport& report) {
     late["p99"] = report.late_p99_us;
     late["p999"] = report.late_p999_us;
     late["max"] = report.late_max_us;
+    bins = Json::object();
+    for (const LateHistogram::Bin& bin : report.late_bins) {
+      bins[std::to_string(bin.up_to_us)] = bin.count;
+    }
     drift = microseconds(report.drift);
   }
   json["late_us"] = late;
+  json["late_histogram_us"] = bins;
   json["drift_us"] = drift;
   json["timing_source"] = report.timing_source;
   json["scheduling"] = report.scheduling;

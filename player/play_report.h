@@ -35,6 +35,7 @@ struct PlayReport {
   std::uint64_t restatements = 0;
   std::uint64_t late_p50_us = 0, late_p90_us = 0, late_p99_us = 0, late_p999_us = 0;
   std::uint64_t late_max_us = 0;
+  std::vector<LateHistogram::Bin> late_bins;
   Nanoseconds drift{};
   Nanoseconds duration{};  ///< from the first datagram to the last
   std::string stream_sha256;

@@ -7,6 +7,19 @@ namespace {
 
 using namespace std::chrono_literals;
 
+TEST(LateHistogram, ItsBinsAreAPersonsAndHoldEverything) {
+  LateHistogram late;
+  for (const Nanoseconds each : {-5ns, 0ns, 1ns, 2'000ns, 2'001ns, 5'000ns, 10'000ns, 20'000ns}) {
+    late.add(each);
+  }
+  late.add(1h);
+  std::string text;
+  for (const auto& [up_to_us, count] : late.bins()) {
+    text += std::to_string(up_to_us) + ":" + std::to_string(count) + " ";
+  }
+  EXPECT_EQ(text, "1:3 2:1 5:2 10:1 20:1 5000000000:1 ");
+}
+
 TEST(LateHistogram, IsExactToAMicrosecondRoundedUp) {
   LateHistogram late;
   for (int us = 1; us <= 1000; ++us) late.add(us * 1us);

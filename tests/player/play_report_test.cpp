@@ -82,6 +82,7 @@ TEST(PlayReport, JsonHasEveryKeyInItsOrder) {
   report.late_p99_us = 3;
   report.late_p999_us = 4;
   report.late_max_us = 5;
+  report.late_bins = {{1, 2}, {5, 1}};
   report.drift = 1500ns;
   report.duration = 2s;
   report.stream_sha256 = "aa";
@@ -106,6 +107,10 @@ TEST(PlayReport, JsonHasEveryKeyInItsOrder) {
     "p99": 3,
     "p999": 4,
     "max": 5
+  },
+  "late_histogram_us": {
+    "1": 2,
+    "5": 1
   },
   "drift_us": 1.5,
   "timing_source": "kernel",
