@@ -35,7 +35,9 @@ void CadenceJudge::begin(const PacketPlace& place) {
   packets_ = 1;
   ++all_packets_;
   window_sent_ = 0;
-  window_has_pause_ = false;
+  // What waited for the source to be listened to comes at once.
+  window_has_pause_ = true;
+  was_long_ = false;
   intervals_ = 0;
   period_s_ = 0;
 }
@@ -50,7 +52,7 @@ void CadenceJudge::take(const PacketPlace& place, std::uint64_t lost) {
   const std::uint64_t sent = std::min<std::uint64_t>(lost, 1000) + 1;
   ++packets_;
   ++all_packets_;
-  if (thresholds_.rate_hz) judgeRate(place, sent, is_pause);
+  if (thresholds_.rate_hz) judgeRate(place, sent, interval_s);
   if (thresholds_.jitter_s) judgeJitter(place, interval_s, sent, is_pause);
   last_ = last_sign_ = place.time;
 }
@@ -74,10 +76,13 @@ void CadenceJudge::judgeSilence(const PacketPlace& place) {
   longest_silence_s_ = std::max(longest_silence_s_, silence_s);
 }
 
-void CadenceJudge::judgeRate(const PacketPlace& place, std::uint64_t sent, bool is_pause) {
-  window_sent_ += sent;
-  window_has_pause_ = window_has_pause_ || is_pause;
+void CadenceJudge::judgeRate(const PacketPlace& place, std::uint64_t sent, double interval_s) {
   const auto [low, high] = *thresholds_.rate_hz;
+  window_sent_ += sent;
+  // One long interval is a pause; one after the other, they are the rate.
+  const bool is_long = low > 0 && interval_s > std::max(kOften_s, kPausePeriods / low);
+  if (is_long && !was_long_) window_has_pause_ = true;
+  was_long_ = is_long;
   const double window_s = secondsOf(place.time - window_began_);
   const double wanted_s = low > 0 ? std::max(kWindow_s, kWindowPackets / low) : kWindow_s;
   if (window_s < wanted_s) return;

@@ -33,7 +33,7 @@ class CadenceJudge {
  private:
   void begin(const PacketPlace& place);
   void judgeSilence(const PacketPlace& place);
-  void judgeRate(const PacketPlace& place, std::uint64_t sent, bool is_pause);
+  void judgeRate(const PacketPlace& place, std::uint64_t sent, double interval_s);
   void judgeJitter(const PacketPlace& place, double interval_s, std::uint64_t sent, bool is_pause);
   /// Whether a silence of this source is worth telling: it spoke often until then.
   bool isExpected() const;
@@ -47,7 +47,7 @@ class CadenceJudge {
 
   LogTime window_began_{};
   std::uint64_t window_sent_ = 0;
-  bool window_has_pause_ = false;
+  bool window_has_pause_ = false, was_long_ = false;
   Tally rate_;
   double worst_rate_hz_ = 0, worst_rate_off_ = 0;
 

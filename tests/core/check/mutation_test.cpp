@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <set>
 
@@ -341,6 +342,83 @@ const Mutation kMutations[] = {
          if (p.source == kLeft) p.sequence = std::to_string(sequence++);
      }},
 };
+
+/// What happens to sound sessions every day, and is no fault.
+const Mutation kHarmless[] = {
+    {"the recording begins in the middle", "",
+     [](SoundSession& s) {
+       std::erase_if(s.packets, [](const SaidPacket& p) { return p.arrives_s < 3.3; });
+     }},
+    {"no TIME", "",
+     [](SoundSession& s) {
+       for (SaidPacket& p : s.packets) p.time = "-";
+     }},
+    {"no SEQUENCE", "",
+     [](SoundSession& s) {
+       for (SaidPacket& p : s.packets) p.sequence = "-";
+     }},
+    {"a simulation's own TIME", "",
+     [](SoundSession& s) {
+       for (SaidPacket& p : s.packets) p.time = p.time.substr(4);
+     }},
+    {"packets delayed by up to a fifth of a second, without TIME", "",
+     [](SoundSession& s) {
+       s.replace(s.cell, "rate_hz = [20, 30]", "rate_hz = [20, 30]\njitter_ms = 250");
+       double until_s = 0;
+       for (SaidPacket& p : s.packets) {
+         p.time = "-";
+         // A queue that is stopped now and then, and lets out all that waits.
+         const double phase_s = std::fmod(p.arrives_s, 1.7);
+         if (phase_s < 0.2) p.arrives_s += 0.2 - phase_s;
+         p.arrives_s = until_s = std::max(until_s, p.arrives_s);
+       }
+     }},
+    {"a first packet that is late by a second", "",
+     [](SoundSession& s) {
+       for (const char* source : {kLeft, kRight}) {
+         for (SaidPacket* p : s.of(source, 0, 0.8)) p->arrives_s = 0.8;
+       }
+       s.sort();
+     }},
+    {"a pause of five seconds", "",
+     [](SoundSession& s) {
+       for (SaidPacket& p : s.packets) {
+         if (p.arrives_s < 6.01) continue;
+         p.arrives_s += 5;
+         p.time = fmt::format("{:.6f}", std::stod(p.time) + 5);
+       }
+     }},
+    {"a clock that is a third of a second behind", "",
+     [](SoundSession& s) { changeTimes(s, kLeft, 0, [](double t) { return t - 0.3; }); }},
+    {"a clock that drifts by a hundred parts in a million", "",
+     [](SoundSession& s) { changeTimes(s, kLeft, 0, [](double t) { return t * 1.0001; }); }},
+    {"a relay that says it all again for a late joiner", "",
+     [](SoundSession& s) {
+       std::vector<SaidPacket> again;
+       for (const SaidPacket* p : s.of(kLeft, 4, 4.5)) again.push_back(*p);
+       for (SaidPacket& p : again) {
+         p.words += " by=hub";
+         p.arrives_s += 0.001;
+         s.packets.push_back(p);
+       }
+     }},
+    {"limits and speeds used to the full", "",
+     [](SoundSession& s) {
+       s.replace(s.urdf, "upper=\"2\" effort=\"1\" velocity=\"2\"",
+                 "upper=\"1\" effort=\"1\" velocity=\"0.7\"");
+     }},
+};
+
+TEST(Mutations, WhatIsNoFaultFiresNothing) {
+  for (const Mutation& harmless : kHarmless) {
+    SCOPED_TRACE(harmless.what);
+    SoundSession session;
+    harmless.apply(session);
+    session.sort();
+    const CheckReport report = session.judge();
+    EXPECT_TRUE(report.findings.empty()) << texts(report);
+  }
+}
 
 TEST(Mutations, TheSoundSessionIsSound) {
   const SoundSession sound;
