@@ -13,7 +13,9 @@ namespace rocinante::test {
 class FrameBytes {
  public:
   FrameBytes& number(std::uint64_t value, unsigned bytes) {
-    for (unsigned at = bytes; at-- > 0;) bytes_.push_back(static_cast<std::byte>(value >> at * 8));
+    for (unsigned at = bytes; at-- > 0;) {
+      bytes_.push_back(at < 8 ? static_cast<std::byte>(value >> at * 8) : std::byte{0});
+    }
     return *this;
   }
   FrameBytes& bytes(ByteView more) {
