@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/model/posed_scene.h"
 #include "tests/core/model/cell_fixture.h"
 
