@@ -21,7 +21,6 @@ plain said.out
 for piece in p-*.mcap; do rocinante log doctor "$piece" | sed 's/, [0-9]* bytes/, N bytes/'; done
 rocinante log merge p-003.mcap p-001.mcap p-002.mcap -o all.mcap | sed 's/, [0-9.]* s/, T s/'
 rocinante log cat all.mcap | grep -o 'puma [0-9]'
-rocinante log state p-003.mcap --at 0s | grep joints || echo "the third begins later"
 
 mkdir two
 record -o two/log.mcap --split-time 1ms --keep 2
