@@ -75,6 +75,7 @@ TEST(RecordReport, JsonHoldsTheWholeAccount) {
       }
     }
   ],
+  "tees": [],
   "pieces": [
     {
       "log": "a.mcap",
