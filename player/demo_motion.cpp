@@ -18,7 +18,7 @@ constexpr Nanoseconds kRestatePeriod = std::chrono::seconds(2);
 constexpr Nanoseconds kGantryPhase = std::chrono::milliseconds(3);
 constexpr std::size_t kLeastMtuBytes = 512;
 
-double secondsOf(Nanoseconds at) { return static_cast<double>(at.count()) * 1e-9; }
+double motionSeconds(Nanoseconds at) { return static_cast<double>(at.count()) * 1e-9; }
 
 /// Micrometres and microradians: what an encoder would give, and short to write.
 template <std::size_t N>
@@ -39,7 +39,7 @@ Statement jointsOf(std::string_view device, std::span<const double> values) {
 
 void sayArm(DemoSpeaker& speaker, Nanoseconds start) {
   for (Nanoseconds at{}; at < kDemoLength; at += kArmPeriod) {
-    const ArmJoints joints = rounded(armJointsAt(secondsOf(at)));
+    const ArmJoints joints = rounded(armJointsAt(motionSeconds(at)));
     speaker.say(start + at, {jointsOf("arm", joints)});
     if (at.count() > 0 && at % kRestatePeriod == Nanoseconds(0)) {
       speaker.sayAgain(start + at);
@@ -73,7 +73,7 @@ void sayGantry(DemoSpeaker& speaker, Nanoseconds start) {
 
   double before = -1;  // of the last datagram; the canister is said when it changed since
   for (Nanoseconds at = kGantryPhase; at < kDemoLength; at += kGantryPeriod) {
-    const double seconds = secondsOf(at);
+    const double seconds = motionSeconds(at);
     const GantryJoints joints = rounded(gantryJointsAt(seconds));
     const CanisterPose canister = canisterPoseAt(seconds);
     std::vector<Statement> statements;

@@ -13,8 +13,6 @@ using std::chrono::seconds;
 
 constexpr Nanoseconds kDiskSpan = seconds(10);
 
-double secondsOf(Nanoseconds duration) { return std::chrono::duration<double>(duration).count(); }
-
 double perSecond(std::uint64_t now, std::uint64_t before, Nanoseconds span) {
   return span > Nanoseconds(0) ? static_cast<double>(now - std::min(now, before)) / secondsOf(span)
                                : 0;

@@ -24,8 +24,6 @@ constexpr double kPausePeriods = 10;
 constexpr double kUnevenPart = 0.05;
 constexpr std::uint64_t kLeastUneven = 10;
 
-double secondsOf(Nanoseconds duration) { return static_cast<double>(duration.count()) * 1e-9; }
-
 }  // namespace
 
 void CadenceJudge::begin(const PacketPlace& place) {

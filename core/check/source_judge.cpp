@@ -7,11 +7,7 @@
 #include "core/check/rule_settings.h"
 
 namespace rocinante {
-namespace {
-
-double secondsOf(Nanoseconds duration) { return static_cast<double>(duration.count()) * 1e-9; }
-
-}  // namespace
+namespace {}  // namespace
 
 SourceThresholds SourceThresholds::of(const RuleSettings& rules, const CellSource* source) {
   const SourceLimits limits = source != nullptr ? source->limits : SourceLimits{};

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ranges>
 #include <tuple>
 
 #include "core/model/cell_materials.h"
@@ -199,10 +198,11 @@ Result<Cell> readCell(ByteView bytes, const fs::path& path, const CellOptions& o
   }
   CellMaterials materials;
   // What is read later stands over what was read before.
-  for (const CellFile* file : std::views::reverse(files.inOrder())) {
-    readRules(*file->root, cell);
-    readScene(*file->root, cell);
-    materials.read(*file->root, file->folder, meshes);
+  for (auto at = files.inOrder().rbegin(); at != files.inOrder().rend(); ++at) {
+    const CellFile& file = **at;
+    readRules(*file.root, cell);
+    readScene(*file.root, cell);
+    materials.read(*file.root, file.folder, meshes);
   }
   if (options.geometry) materials.apply(cell);
   files.finish();

@@ -10,7 +10,7 @@ namespace rocinante {
 namespace {
 
 // Devices and changes compared, of one cell.
-constexpr std::size_t kMostMatches = 100'000'000;
+constexpr std::size_t kMostComparisons = 100'000'000;
 
 bool isLike(const std::string& pattern, std::string_view name) {
   return pattern.empty() || globMatches(pattern, name);
@@ -109,7 +109,7 @@ void CellMaterials::read(TomlTable& root, const std::filesystem::path& folder, M
 
 void CellMaterials::apply(Cell& cell) {
   if (changes_.empty()) return;
-  if (changes_.size() * cell.devices.size() > kMostMatches) {
+  if (changes_.size() * cell.devices.size() > kMostComparisons) {
     changes_.back().table.faults().error(
         "cell.too-many", changes_.back().table.place(),
         fmt::format("{} devices and {} materials are too many to compare", cell.devices.size(),

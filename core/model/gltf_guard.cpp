@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::size_t kDeepestJson = 100;           // brackets in brackets, nodes below nodes
+constexpr std::size_t kDeepestJson = 100;             // brackets in brackets, nodes below nodes
 constexpr std::uint64_t kMostBufferBytes = 1U << 29;  // of one buffer
 constexpr std::uint32_t kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
 

@@ -123,7 +123,7 @@ std::string reasonOf(const char* given) {
   return text.empty() ? std::string("the file is not understood") : plainText(text);
 }
 
-Mat4 matrixOf(const aiMatrix4x4& m) {
+Mat4 matrixOfNode(const aiMatrix4x4& m) {
   return Mat4(Vec4(m.a1, m.b1, m.c1, m.d1), Vec4(m.a2, m.b2, m.c2, m.d2),
               Vec4(m.a3, m.b3, m.c3, m.d3), Vec4(m.a4, m.b4, m.c4, m.d4));
 }
@@ -174,7 +174,7 @@ class SceneReader {
       Visit visit = std::move(visits.back());
       visits.pop_back();
       const aiNode& node = *visit.node;
-      const Mat4 to_root = visit.above * matrixOf(node.mTransformation);
+      const Mat4 to_root = visit.above * matrixOfNode(node.mTransformation);
       const std::string_view name = node.mName.C_Str();
       // The outermost node is assimp's own: always in COLLADA, in glTF where there are several.
       const bool is_own = node.mParent == nullptr && (!is_gltf_ || name == "ROOT");

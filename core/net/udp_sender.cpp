@@ -13,7 +13,7 @@
 namespace rocinante {
 namespace {
 
-constexpr std::size_t kBatch = 128;
+constexpr std::size_t kSendBatch = 128;
 // An answer "nobody listens" to an earlier datagram takes the place of one send. More of them in a
 // row than this is no answer to what was sent.
 constexpr int kRefusals = 8;
@@ -107,8 +107,8 @@ struct UdpSender::Impl {
   SystemSocket socket;
   Endpoint endpoint;
   SocketAddress local_address;
-  std::array<iovec, kBatch> pieces{};
-  std::array<mmsghdr, kBatch> headers{};
+  std::array<iovec, kSendBatch> pieces{};
+  std::array<mmsghdr, kSendBatch> headers{};
 };
 
 UdpSender::UdpSender(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -130,7 +130,7 @@ Result<UdpSender> UdpSender::open(const Endpoint& to, std::uint16_t local_port) 
   if (!local) return local.error();
 
   auto impl = std::make_unique<Impl>(Impl{std::move(*socket), to, *local});
-  for (std::size_t i = 0; i < kBatch; ++i) {
+  for (std::size_t i = 0; i < kSendBatch; ++i) {
     impl->headers[i].msg_hdr.msg_iov = &impl->pieces[i];
     impl->headers[i].msg_hdr.msg_iovlen = 1;
   }
@@ -160,7 +160,7 @@ Result<std::size_t> UdpSender::sendWithoutWaiting(std::span<const ByteView> payl
 /// The first so many of `payloads`, in one system call; 0 when there is no room, and errno says of
 /// which kind.
 Result<std::size_t> UdpSender::Impl::sendSome(std::span<const ByteView> payloads, int flags) {
-  const std::size_t wanted = std::min(payloads.size(), kBatch);
+  const std::size_t wanted = std::min(payloads.size(), kSendBatch);
   for (std::size_t i = 0; i < wanted; ++i) {
     // sendmmsg only reads what the pieces point to.
     pieces[i] = {const_cast<std::byte*>(payloads[i].data()), payloads[i].size()};

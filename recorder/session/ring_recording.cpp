@@ -20,8 +20,6 @@ constexpr Nanoseconds kMargin = std::chrono::seconds(1);
 constexpr std::uint64_t kItemsATime = 8'192;
 constexpr const char* kReason = "ring";
 
-double secondsOf(Nanoseconds span) { return std::chrono::duration<double>(span).count(); }
-
 }  // namespace
 
 RingRecording::RingRecording(Options options, NoteBox& notes)

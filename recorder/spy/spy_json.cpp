@@ -7,8 +7,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-double secondsOf(Nanoseconds time) { return std::chrono::duration<double>(time).count(); }
-
 Json endpointJson(const SpyEndpoint& each) {
   Json json;
   json["endpoint"] = each.endpoint;

@@ -15,7 +15,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr std::int64_t kRate = 6'000;
+constexpr std::int64_t kHourRate = 6'000;
 constexpr std::uint32_t kTurns = 60;
 constexpr LogTime kStart{1s};
 constexpr Nanoseconds kTurn = 1min;
@@ -23,8 +23,8 @@ constexpr Nanoseconds kTurn = 1min;
 /// A minute at 6,000 a second, and one at its very end.
 std::vector<test::WrittenMessage> minute() {
   std::vector<test::WrittenMessage> messages;
-  for (std::int64_t i = 0; i < kRate * 60; ++i) {
-    const Nanoseconds at(i * 1'000'000'000 / kRate);
+  for (std::int64_t i = 0; i < kHourRate * 60; ++i) {
+    const Nanoseconds at(i * 1'000'000'000 / kHourRate);
     messages.push_back(
         {kStart.time_since_epoch() + at,
          "RK1 arm@r1 " + std::to_string(i) + " -\njoints arm 0.125 1 2 3 4 " + std::to_string(i)});
@@ -96,7 +96,7 @@ TEST(PlayHour, EndsOnTheExactNanosecondAtEverySpeedAndInConstantMemory) {
               SendEnd::finished);
     const std::uint64_t bytes_late = test::anonymousBytes();
 
-    EXPECT_EQ(journal.count, kTurns * (kRate * 60 + 1));
+    EXPECT_EQ(journal.count, kTurns * (kHourRate * 60 + 1));
     EXPECT_EQ(journal.wrong, 0U);
     EXPECT_EQ(journal.early, 0U);
     EXPECT_EQ((journal.last - journal.first).count(),

@@ -12,18 +12,18 @@ namespace {
 using namespace std::chrono_literals;
 using test::logTime;
 
-const SocketAddress kSender = SocketAddress::parse("10.0.0.1", 5000).value();
+const SocketAddress kHandedSender = SocketAddress::parse("10.0.0.1", 5000).value();
 
 TEST(DatagramBlock, TakesTheLongestDatagramAndStopsWhenFull) {
   DatagramBlock block;
   const std::string longest(65'535, 'x');
   std::size_t taken = 0;
-  while (block.add(0, logTime(0ns), kSender, bytesOf(longest))) ++taken;
+  while (block.add(0, logTime(0ns), kHandedSender, bytesOf(longest))) ++taken;
   EXPECT_EQ(taken, DatagramBlock::kBytes / longest.size());
   block.clear();
   EXPECT_TRUE(block.empty());
   // Empty datagrams take memory too.
-  for (taken = 0; block.add(0, logTime(0ns), kSender, {});) ++taken;
+  for (taken = 0; block.add(0, logTime(0ns), kHandedSender, {});) ++taken;
   EXPECT_EQ(taken, DatagramBlock::kArrivals);
 }
 
@@ -80,7 +80,7 @@ TEST(HandOver, CarriesEverythingBetweenThreadsInOrder) {
       }
       for (int each = 0; each < 7 && i < kCount; ++each, ++i) {
         const std::string payload = std::to_string(i);
-        block->add(0, logTime(1us * i), kSender, bytesOf(payload));
+        block->add(0, logTime(1us * i), kHandedSender, bytesOf(payload));
       }
       queue.give(std::move(block), losses, steps, logTime(1us * i));
     }

@@ -8,8 +8,8 @@
 #include "viewer/picture/picture.h"
 #include "viewer/render/gl_table.h"
 #include "viewer/render/inputs_hash.h"
-#include "viewer/render/scene_catalog.h"
 #include "viewer/render/renderer_key.h"
+#include "viewer/render/scene_catalog.h"
 
 namespace rocinante {
 

@@ -33,14 +33,14 @@ fov = 45
             "are eye, follow, fov_deg, name, on, ortho_height_m, target, up) [cell.unknown-key]\n");
 }
 
-struct FaultCase {
+struct CellFaultCase {
   const char* text;
   const char* fault;
 };
 
 TEST_F(CellFaults, EachKindOfFaultSaysWhereAndWhat) {
   const std::string head = "format = 1\n";
-  const FaultCase cases[] = {
+  const CellFaultCase cases[] = {
       {"[[device]]\nname = 'a'\n",
        "test.cell.toml:2:1: error: [[device]] lacks `model` [cell.missing-key]\n"},
       {"[[device]]\nname = 'a/b'\nmodel = 'arm.urdf'\n",
@@ -127,7 +127,7 @@ TEST_F(CellFaults, EachKindOfFaultSaysWhereAndWhat) {
        "test.cell.toml:7:9: warning: no [[layer]] is named `robot` (did you mean `robots`?) "
        "[cell.unknown-layer]\n"},
   };
-  for (const FaultCase& each : cases) {
+  for (const CellFaultCase& each : cases) {
     SCOPED_TRACE(each.text);
     EXPECT_EQ(faultsOf(head + each.text), each.fault);
   }
@@ -136,7 +136,7 @@ TEST_F(CellFaults, EachKindOfFaultSaysWhereAndWhat) {
 TEST_F(CellFaults, LinksOverGroupsAreHeldToTheFile) {
   const std::string head =
       "format = 1\n[[model]]\nname = 'g'\nobj = 'gantry.obj'\nunit = 'm'\nup = 'z'\n";
-  const FaultCase cases[] = {
+  const CellFaultCase cases[] = {
       {"[[model.link]]\nname = 'a'\nparent = 'base'\ngroups = ['brigde_left', 'hand']\n"
        "joint = { name = 'x', type = 'prismatc', axis = [1, 0, 0] }\n",
        "test.cell.toml:10:10: error: no group of the file is `brigde_left` (did you mean "
@@ -165,7 +165,7 @@ TEST_F(CellFaults, LinksOverGroupsAreHeldToTheFile) {
        "test.cell.toml:8:8: error: link `a` hangs on no joint, and neither does `base` (join it "
        "with a joint; it stands at the model's origin) [cell.two-roots]\n"},
   };
-  for (const FaultCase& each : cases) {
+  for (const CellFaultCase& each : cases) {
     SCOPED_TRACE(each.text);
     EXPECT_EQ(faultsOf(head + each.text), each.fault);
   }
