@@ -83,4 +83,41 @@ std::string plainLine(ByteView datagram, std::uint32_t number) {
   return part.size() < text.size() ? shown + "..." : shown;
 }
 
+std::string xmlText(std::string_view text) {
+  std::string escaped;
+  // What is no UTF-8, and control characters, which XML cannot hold at all, as \xNN.
+  std::string line;
+  const auto flush = [&] {
+    for (const char c : plainText(line)) {
+      switch (c) {
+        case '&':
+          escaped += "&amp;";
+          break;
+        case '<':
+          escaped += "&lt;";
+          break;
+        case '>':
+          escaped += "&gt;";
+          break;
+        case '"':
+          escaped += "&quot;";
+          break;
+        default:
+          escaped += c;
+      }
+    }
+    line.clear();
+  };
+  for (const char c : text) {
+    if (c != '\n') {
+      line += c;
+      continue;
+    }
+    flush();
+    escaped += "&#10;";
+  }
+  flush();
+  return escaped;
+}
+
 }  // namespace rocinante

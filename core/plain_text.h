@@ -19,4 +19,8 @@ std::string plainText(std::string_view text);
 /// when it is very long. Empty when there is none.
 std::string plainLine(ByteView datagram, std::uint32_t number);
 
+/// Text as XML 1.0 can hold it, in an attribute or between tags: markup escaped, line ends as
+/// &#10;, and everything else as plainText, since XML cannot hold control characters at all.
+std::string xmlText(std::string_view text);
+
 }  // namespace rocinante

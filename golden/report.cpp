@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/atomic_file.h"
+#include "core/plain_text.h"
 
 namespace rocinante {
 namespace {
@@ -36,34 +37,6 @@ Json frameJson(const JudgedFrame& judged) {
                        {"session_equal", judged.golden->session == judged.session}};
   }
   return frame;
-}
-
-/// XML 1.0 text; bytes that it cannot hold become U+FFFD.
-std::string xmlEscape(std::string_view text) {
-  std::string escaped;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      default:
-        if (static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t') {
-          escaped += "\xEF\xBF\xBD";
-        } else {
-          escaped += c;
-        }
-    }
-  }
-  return escaped;
 }
 
 Status writePictures(const JudgedFrame& judged, const std::filesystem::path& folder) {
@@ -122,11 +95,11 @@ std::string reportJunit(const SuiteReport& report) {
     const double took = (judged.render_ms + judged.judge_ms) / 1000;
     seconds += took;
     cases += fmt::format("  <testcase classname=\"{}\" name=\"{}\" time=\"{:.3f}\">\n",
-                         xmlEscape(report.suite), xmlEscape(judged.frame.name), took);
+                         xmlText(report.suite), xmlText(judged.frame.name), took);
     if (judged.verdict != FrameVerdict::same) {
       cases += fmt::format("    <{0} message=\"{1}: {2}\"/>\n",
                            judged.verdict == FrameVerdict::incomparable ? "error" : "failure",
-                           nameOf(judged.verdict), xmlEscape(judged.rule));
+                           nameOf(judged.verdict), xmlText(judged.rule));
     }
     cases += "  </testcase>\n";
   }
@@ -134,7 +107,7 @@ std::string reportJunit(const SuiteReport& report) {
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
       "<testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" time=\"{:.3f}\">\n{}"
       "</testsuite>\n",
-      xmlEscape(report.suite), report.frames.size(), failures, errors, seconds, cases);
+      xmlText(report.suite), report.frames.size(), failures, errors, seconds, cases);
 }
 
 Status writeReport(const SuiteReport& report, const std::filesystem::path& folder) {

@@ -178,6 +178,8 @@ auto outcomeOf(const Cell& cell) {
     faults.emplace_back(fault.severity, fault.rule, static_cast<int>(fault.line),
                         static_cast<int>(fault.column));
   }
+  // By their files' names they may stand otherwise: those are not the same.
+  std::sort(faults.begin(), faults.end());
   return std::tuple(faults, cell.files.size(), cell.devices.size(), cell.models.size());
 }
 

@@ -9,44 +9,6 @@
 namespace rocinante {
 namespace {
 
-/// As XML 1.0 can hold it, in an attribute or between tags.
-std::string xml(std::string_view text) {
-  std::string escaped;
-  // What is no UTF-8, and control characters, which XML cannot hold at all, as \xNN.
-  std::string line;
-  const auto flush = [&] {
-    for (const char c : plainText(line)) {
-      switch (c) {
-        case '&':
-          escaped += "&amp;";
-          break;
-        case '<':
-          escaped += "&lt;";
-          break;
-        case '>':
-          escaped += "&gt;";
-          break;
-        case '"':
-          escaped += "&quot;";
-          break;
-        default:
-          escaped += c;
-      }
-    }
-    line.clear();
-  };
-  for (const char c : text) {
-    if (c != '\n') {
-      line += c;
-      continue;
-    }
-    flush();
-    escaped += "&#10;";
-  }
-  flush();
-  return escaped;
-}
-
 std::string paragraphOf(const CheckReport& report, const Finding& finding) {
   const std::string place = placeText(finding);
   std::string text = fmt::format("{}: {}{}{}\n", nameOf(finding.severity), place,
@@ -68,7 +30,7 @@ std::string testCase(const CheckReport& report, std::string_view rule,
   const std::string_view family = rule.substr(0, rule.find('.'));
   std::string text =
       fmt::format("    <testcase classname=\"rocinante.check.{}\" name=\"{}\" time=\"0\"",
-                  xml(family), xml(rule));
+                  xmlText(family), xmlText(rule));
   if (findings.empty()) return text + "/>\n";
   text += ">\n";
   std::string failures, others, accepted;
@@ -81,13 +43,14 @@ std::string testCase(const CheckReport& report, std::string_view rule,
   if (first_failure != nullptr) {
     ++counts.failures;
     text += fmt::format("      <failure message=\"{}\" type=\"{}\">{}</failure>\n",
-                        xml(first_failure->text), nameOf(first_failure->severity), xml(failures));
+                        xmlText(first_failure->text), nameOf(first_failure->severity),
+                        xmlText(failures));
   } else if (!accepted.empty() && others.empty()) {
     ++counts.skipped;
     text += "      <skipped message=\"accepted by the baseline\"/>\n";
   }
   if (!others.empty() || !accepted.empty()) {
-    text += fmt::format("      <system-out>{}</system-out>\n", xml(others + accepted));
+    text += fmt::format("      <system-out>{}</system-out>\n", xmlText(others + accepted));
   }
   return text + "    </testcase>\n";
 }
@@ -108,7 +71,7 @@ std::string checkJunit(const CheckReport& report) {
   if (report.verdict == Verdict::nothing_judged || report.verdict == Verdict::interrupted) {
     ++counts.errors;
     cases += fmt::format(">\n      <error message=\"{}\" type=\"{}\"/>\n    </testcase>\n",
-                         xml(verdictText(report.verdict)), nameOf(report.verdict));
+                         xmlText(verdictText(report.verdict)), nameOf(report.verdict));
   } else {
     cases += "/>\n";
   }
@@ -121,7 +84,7 @@ std::string checkJunit(const CheckReport& report) {
       "<testsuites name=\"rocinante check\" {0} time=\"0\">\n"
       "  <testsuite name=\"{1}\" {0} skipped=\"{2}\" time=\"0\">\n{3}"
       "  </testsuite>\n</testsuites>\n",
-      totals, xml(name), counts.skipped, cases);
+      totals, xmlText(name), counts.skipped, cases);
 }
 
 }  // namespace rocinante

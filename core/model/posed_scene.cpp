@@ -3,19 +3,12 @@
 #include <cmath>
 
 #include "core/math/transform.h"
+#include "core/model/mesh_builder.h"
 
 namespace rocinante {
 namespace {
 
 constexpr std::uint32_t kGhostColor = 0x66A3FF59;
-
-std::uint32_t packedColor(const glm::vec4& color) {
-  std::uint32_t packed = 0;
-  for (int i = 0; i < 4; ++i) {
-    packed = packed << 8 | static_cast<std::uint32_t>(std::lround(color[i] * 255.0F));
-  }
-  return packed;
-}
 
 // What packets say about one path, if anything.
 template <class T>
