@@ -145,12 +145,13 @@ std::string answerToAnotherHost(const std::filesystem::path& log,
     said.resize(size > 0 ? static_cast<std::size_t>(size) : 0);
     player.stop();
   }
-  // Else its end lives until the kernel finds that the asker's namespace is gone.
-  if (is_wired) {
-    EXPECT_EQ(std::system("ip link delete near"), 0);
-  }
   ::kill(asker, SIGKILL);
   ::waitpid(asker, nullptr, 0);
+  // Our end goes when the kernel comes to it, and the next one has the same name.
+  EXPECT_EQ(std::system("ip link delete near 2>/dev/null; "
+                        "for i in $(seq 250); do ip link show near >/dev/null 2>&1 || exit 0; "
+                        "sleep 0.02; done; exit 1"),
+            0);
   for (const int each : {ready[0], ready[1], go[0], go[1], answers[0], answers[1]}) ::close(each);
   return said;
 }

@@ -89,7 +89,8 @@ TEST(Tee, EverythingIsSentOrCountedWhateverTheRate) {
   ASSERT_TRUE(receiver.ok());
   auto tee = Tee::open(reach(*receiver), {.queue_blocks = 2, .patience = 20ms});
   ASSERT_TRUE(tee.ok());
-  const auto batch = batchOf(std::vector<std::string>(100, std::string(9'000, 'x')));
+  const std::vector<std::string> payloads(100, std::string(9'000, 'x'));  // the batch borrows them
+  const auto batch = batchOf(payloads);
   for (int i = 0; i < 200; ++i) (*tee)->forward(batch);
   (*tee)->close();
   const Tee::Account account = (*tee)->account();

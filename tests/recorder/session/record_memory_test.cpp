@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <fstream>
 
 #include "recorder/receive_loop.h"
 #include "tests/recorder/session/capture_rig.h"
 #include "tests/support/joint_packets.h"
+#include "tests/support/process_memory.h"
 
 // Hours of a session as fast as they go: sockets and clocks are the test's own.
 namespace rocinante {
@@ -52,17 +52,12 @@ class SteadySource final : public DatagramSource {
   std::uint64_t sent_ = 0;
 };
 
-std::uint64_t anonymousBytes() {
-  std::ifstream status("/proc/self/status");
-  for (std::string word; status >> word;) {
-    if (word != "RssAnon:") continue;
-    std::uint64_t kilobytes = 0;
-    status >> kilobytes;
-    return kilobytes * 1024;
-  }
-  ADD_FAILURE() << "no RssAnon in /proc/self/status";
-  return 0;
-}
+// Under AddressSanitizer freed memory waits to be judged: how much there is says nothing then.
+#ifdef __SANITIZE_ADDRESS__
+constexpr bool kJudgesMemory = false;
+#else
+constexpr bool kJudgesMemory = true;
+#endif
 
 /// Records for so long; the anonymous memory takes no more in the second half than in the first, in
 /// which every piece has grown to its end and every buffer to its size.
@@ -83,7 +78,7 @@ void recordFor(Nanoseconds span, RecordOptions options) {
     (void)rig.notes.take();
     if (step % 100 != 0) continue;
     std::uint64_t& most = step < steps / 2 ? at_first : later;
-    most = std::max(most, anonymousBytes());
+    most = std::max(most, test::anonymousBytes());
   }
   ASSERT_TRUE(loop.finish().ok());
   rig.writer->write(rig.queue.take(0ns), rig.queue);
@@ -94,7 +89,9 @@ void recordFor(Nanoseconds span, RecordOptions options) {
   std::printf("%llu packets; anonymous memory %.1f MB at most in the first half, %.1f MB later\n",
               static_cast<unsigned long long>(source.sent()), static_cast<double>(at_first) * 1e-6,
               static_cast<double>(later) * 1e-6);
-  EXPECT_LT(later, at_first + (2U << 20U));
+  if (kJudgesMemory) {
+    EXPECT_LT(later, at_first + (2U << 20U));
+  }
 }
 
 Nanoseconds sessionLength() {
