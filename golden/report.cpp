@@ -22,7 +22,7 @@ Json frameJson(const JudgedFrame& judged) {
       {"key", judged.key},
       {"pixels", judged.pixels},
       {"inputs", judged.inputs},
-      {"tolerance", judged.frame.suite_case->tolerance.name},
+      {"tolerance", judged.tolerance.name},
       {"max", found.max},
       {"worst_tile_mean", found.worst_tile_mean},
       {"pixels_over",

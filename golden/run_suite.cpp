@@ -85,8 +85,16 @@ std::string_view nameOf(FrameVerdict verdict) {
       return "unstable";
     case FrameVerdict::incomparable:
       return "incomparable";
+    case FrameVerdict::expected:
+      return "expected";
+    case FrameVerdict::unexpected:
+      return "unexpected";
   }
   return "incomparable";
+}
+
+bool isFine(FrameVerdict verdict) {
+  return verdict == FrameVerdict::same || verdict == FrameVerdict::expected;
 }
 
 SuiteSession::SuiteSession(Suite suite, Manifest manifest, FrameMaker maker, std::string session,
@@ -220,6 +228,7 @@ void SuiteSession::judgeAgainst(const std::vector<const AcceptedPicture*>& golde
 Result<JudgedFrame> SuiteSession::judge(const SuiteFrame& frame) {
   JudgedFrame judged;
   judged.frame = frame;
+  judged.tolerance = frame.suite_case->tolerance;
   judged.key = keyText(*frame.suite_case);
   judged.inputs = maker_.inputsHash();
   judged.session = session_;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -9,39 +8,12 @@
 
 #include "core/result.h"
 #include "core/time.h"
-#include "golden/compare.h"
+#include "golden/judged_frame.h"
 #include "golden/manifest.h"
 #include "golden/suite.h"
 #include "viewer/render/frame_maker.h"
 
 namespace rocinante {
-
-/// One moment of a case: what a golden belongs to. A case with `every` gives many.
-struct SuiteFrame {
-  std::string name;  ///< of the case; with `every`: NAME-00012.500s
-  const SuiteCase* suite_case = nullptr;
-  std::optional<LogTime> time;  ///< empty: the moment does not exist; `why` says why
-  std::string why;
-};
-
-enum class FrameVerdict : std::uint8_t { same, different, missing, unstable, incomparable };
-std::string_view nameOf(FrameVerdict verdict);
-
-/// A judged frame. Pictures are kept for those that are not the same.
-struct JudgedFrame {
-  SuiteFrame frame;
-  FrameVerdict verdict = FrameVerdict::incomparable;
-  std::string rule;  ///< the rule and figures that decided, and where the limit came from
-  Comparison comparison;
-  std::string key;                        ///< renderer, size, samples
-  std::string pixels;                     ///< hash of what was drawn
-  std::string inputs;                     ///< hash of what it was drawn from
-  std::string session;                    ///< content_sha256 of the log
-  std::optional<AcceptedPicture> golden;  ///< the nearest accepted one
-  std::optional<Picture> drawn, accepted;
-  std::optional<Picture> thumbnail;  ///< of a frame that is the same: small, for the report
-  double render_ms = 0, judge_ms = 0;
-};
 
 struct SuiteOptions {
   std::optional<std::filesystem::path> cell;  ///< in place of the suite's

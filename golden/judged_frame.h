@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/time.h"
+#include "golden/compare.h"
+#include "golden/manifest.h"
+#include "golden/suite.h"
+#include "viewer/picture/picture.h"
+
+namespace rocinante {
+
+/// One picture of a case: what a golden belongs to. A case with `every`, `events` or several
+/// cameras gives many.
+struct SuiteFrame {
+  std::string name;  ///< CASE[.CAMERA][-MOMENT], unique in its suite
+  /// Borrowed from the suite. Null where there is no suite to draw from: in a report that was put
+  /// together from others or compares revisions.
+  const SuiteCase* suite_case = nullptr;
+  std::optional<LogTime> time;  ///< empty: the moment does not exist; `why` says why
+  std::string why;
+  std::string case_name{};
+  std::string camera{};  ///< empty: as render chooses
+  std::vector<std::string> tags{};
+};
+
+enum class FrameVerdict : std::uint8_t {
+  same,
+  different,
+  missing,       ///< no golden was ever approved
+  unstable,      ///< drawn again, the frame differs from itself
+  incomparable,  ///< not judged: no such moment, no golden of this key, another shape ...
+  expected,      ///< different, as the case says it will be: no failure
+  unexpected     ///< same, though the case says that it will be different
+};
+std::string_view nameOf(FrameVerdict verdict);
+/// False when a person is needed: all but same and expected.
+bool isFine(FrameVerdict verdict);
+
+/// A judged frame: all that a report tells of it. Pictures are kept for those that are not fine.
+struct JudgedFrame {
+  SuiteFrame frame;
+  FrameVerdict verdict = FrameVerdict::incomparable;
+  std::string rule;  ///< the rule and figures that decided
+  Tolerance tolerance;
+  std::string limit_from;   ///< "the default", "s.toml:12", "[tolerance.arm] of s.toml:4"
+  std::string expectation;  ///< why the case is expected to differ; empty when it is not
+  Comparison comparison;
+  std::string key;                        ///< renderer, size, samples
+  std::string pixels;                     ///< hash of what was drawn
+  std::string inputs;                     ///< hash of what it was drawn from
+  std::string session;                    ///< content_sha256 of the log
+  std::optional<AcceptedPicture> golden;  ///< the nearest accepted one
+  std::optional<Picture> drawn, accepted;
+  std::optional<Picture> thumbnail;  ///< of a frame that is fine: small, for the report
+  double render_ms = 0, judge_ms = 0;
+};
+
+}  // namespace rocinante
