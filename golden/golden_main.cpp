@@ -6,12 +6,11 @@
 #include <chrono>
 #include <cstdlib>
 #include <iostream>
-#include <nlohmann/json.hpp>
 
 #include "core/atomic_file.h"
 #include "core/cli/program.h"
 #include "core/duration_text.h"
-#include "golden/compare.h"
+#include "golden/compare_command.h"
 #include "golden/report.h"
 #include "golden/run_suite.h"
 
@@ -19,7 +18,6 @@ namespace rocinante {
 namespace {
 
 using cli::Exit;
-using Json = nlohmann::ordered_json;
 
 constexpr char kExamples[] =
     "  rocinante golden run examples/demo/demo.suite.toml --report out/report\n"
@@ -28,10 +26,10 @@ constexpr char kExamples[] =
     "  rocinante golden compare before.png after.png --tier cpu\n";
 
 struct Arguments {
-  std::filesystem::path suite, picture_a, picture_b;
-  std::string cell, log, only, report, junit, json_file, message, tier = "exact";
+  std::filesystem::path suite;
+  std::string cell, log, only, report, junit, json_file, message;
   std::vector<std::filesystem::path> search;
-  bool search_environment = false, json = false;
+  bool search_environment = false;
 };
 
 double steadyMs() {
@@ -43,18 +41,6 @@ std::string nowText() {
   const auto now =
       std::chrono::time_point_cast<std::chrono::seconds>(std::chrono::system_clock::now());
   return rfc3339Text(WallTime(now.time_since_epoch())).substr(0, 19) + "Z";
-}
-
-Exit exitOf(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::same:
-      return Exit::done;
-    case Verdict::different:
-      return Exit::no;
-    case Verdict::incomparable:
-      return Exit::could_not_run;
-  }
-  return Exit::could_not_run;
 }
 
 SuiteOptions suiteOptions(const Arguments& arguments) {
@@ -201,45 +187,6 @@ Result<Exit> approveSuite(const Arguments& arguments) {
   return refused > 0 ? Exit::no : Exit::done;
 }
 
-Result<Exit> comparePictures(const Arguments& arguments) {
-  const auto tolerance = Tolerance::named(arguments.tier);
-  if (!tolerance.ok()) return tolerance.error();
-  const auto frame = readPicture(arguments.picture_a);
-  if (!frame.ok()) return frame.error();
-  const auto golden = readPicture(arguments.picture_b);
-  if (!golden.ok()) return golden.error();
-  const Comparison found = compare(*frame, *golden, *tolerance);
-  if (arguments.json) {
-    const Json root = {
-        {"format", 1},
-        {"verdict", nameOf(found.verdict)},
-        {"rule", found.rule},
-        {"tier", tolerance->name},
-        {"max", found.max},
-        {"worst", {{"x", found.worst_x}, {"y", found.worst_y}}},
-        {"worst_tile_mean", found.worst_tile_mean},
-        {"worst_tile_over", found.worst_tile_over},
-        {"differing", found.differing},
-        {"pixels_over",
-         {{"1", found.over_1}, {"2", found.over_2}, {"8", found.over_8}, {"32", found.over_32}}}};
-    std::cout << root.dump(2) << "\n";
-    return exitOf(found.verdict);
-  }
-  fmt::print("{}: {}\n", nameOf(found.verdict), found.rule);
-  if (found.differing > 0) {
-    fmt::print("differing pixels: {} of {}; over 1/2/8/32: {}/{}/{}/{}\n", found.differing,
-               static_cast<std::int64_t>(frame->width) * frame->height, found.over_1, found.over_2,
-               found.over_8, found.over_32);
-    fmt::print("largest difference: {} at ({}, {}): rgba {} against {}\n", found.max, found.worst_x,
-               found.worst_y, fmt::join(found.worst_frame, " "),
-               fmt::join(found.worst_golden, " "));
-    fmt::print("worst 16x16 tile: mean {:.2f}, {} pixels over 32\n", found.worst_tile_mean,
-               found.worst_tile_over);
-    for (const std::string& line : differenceMap(*frame, *golden)) fmt::print("    |{}|\n", line);
-  }
-  return exitOf(found.verdict);
-}
-
 void addSuiteOptions(CLI::App& app, Arguments& arguments) {
   app.add_option("SUITE", arguments.suite, "the suite's TOML file")->required();
   app.add_option("--cell", arguments.cell, "judge this cell in place of the suite's");
@@ -268,19 +215,14 @@ int goldenMain(int argc, char** argv) {
   addSuiteOptions(*approve, arguments);
   approve->add_option("-m,--message", arguments.message, "why; kept in the manifest")->required();
 
-  CLI::App* compare_command = app.add_subcommand("compare", "compare two pictures");
-  compare_command->add_option("A", arguments.picture_a, "a picture")->required();
-  compare_command->add_option("B", arguments.picture_b, "the picture to compare it with")
-      ->required();
-  compare_command->add_option("--tier", arguments.tier, "exact, cpu or loose")
-      ->capture_default_str();
-  compare_command->add_flag("--json", arguments.json, "answer with every figure as JSON");
+  CompareArguments compare_arguments;
+  CLI::App* compare_command = addCompareCommand(app, compare_arguments);
 
   return cli::run(app, argc, argv, kExamples, [&]() -> Result<Exit> {
     cli::catchStopSignals();
-    if (run->parsed()) return runSuite(arguments);
+    if (compare_command->parsed()) return runCompareCommand(compare_arguments);
     if (approve->parsed()) return approveSuite(arguments);
-    return comparePictures(arguments);
+    return runSuite(arguments);
   });
 }
 
