@@ -125,7 +125,7 @@ Result<Picture> FrameMaker::frame(const FrameRequest& request) {
     if (!target) return target.error();
     my.target = std::move(*target);
   }
-  const auto drawn = my.renderer->draw({&scene, *camera, &*choice}, *my.target);
+  const auto drawn = my.renderer->draw({&scene, *camera, &*choice, &request.style}, *my.target);
   if (!drawn) return drawn.error();
   my.target->resolve();
   return my.target->read();

@@ -9,6 +9,7 @@
 #include "core/model/cell.h"
 #include "core/session/timeline.h"
 #include "viewer/picture/picture.h"
+#include "viewer/render/render_style.h"
 #include "viewer/render/renderer_key.h"
 
 namespace rocinante {
@@ -24,6 +25,7 @@ struct FrameRequest {
   int samples = 4;                ///< MSAA; llvmpipe has 1 and 4
   std::vector<std::string> hide;  ///< PATHs: outrank packets and the cell (see ViewChoice)
   std::vector<std::string> show;
+  RenderStyle style;
 };
 
 /// frame = render(cell, log, t, camera, options, size): a pure function behind one object that

@@ -8,7 +8,9 @@
 #include "core/model/posed_scene.h"
 #include "viewer/render/camera.h"
 #include "viewer/render/frame_buffer.h"
+#include "viewer/render/frame_extras.h"
 #include "viewer/render/render_context.h"
+#include "viewer/render/render_style.h"
 #include "viewer/render/renderer_key.h"
 #include "viewer/render/text_atlas.h"
 #include "viewer/render/view_choice.h"
@@ -20,6 +22,8 @@ struct SceneFrame {
   const PosedScene* scene = nullptr;
   CameraView camera;
   const ViewChoice* choice = nullptr;
+  const RenderStyle* style = nullptr;   ///< null: the default, no look at all
+  const FrameExtras* extras = nullptr;  ///< what limits and trails of `style` need; null: neither
 };
 
 struct DrawCounts {
