@@ -24,6 +24,18 @@ double boundedWidth(double px) {
 
 }  // namespace
 
+void Overlay::setOwner(std::uint32_t owner) { owned_from_.emplace_back(vertices_.size(), owner); }
+
+std::vector<std::uint32_t> Overlay::owners() const {
+  std::vector<std::uint32_t> owners(vertices_.size(), 0);
+  for (std::size_t i = 0; i < owned_from_.size(); ++i) {
+    const std::size_t until = i + 1 < owned_from_.size() ? owned_from_[i + 1].first : owners.size();
+    std::fill(owners.begin() + static_cast<std::ptrdiff_t>(owned_from_[i].first),
+              owners.begin() + static_cast<std::ptrdiff_t>(until), owned_from_[i].second);
+  }
+  return owners;
+}
+
 Overlay::ScreenPoint Overlay::toScreen(const Vec4& clip) const {
   return {(clip.x / clip.w + 1) / 2 * camera_.width(), (1 - clip.y / clip.w) / 2 * camera_.height(),
           clip.z, clip.w};

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "viewer/render/camera.h"
@@ -42,8 +43,13 @@ class Overlay {
   /// Arrows of the world's axes in the bottom left corner, when there is room.
   void addGnomon(const TextAtlas& atlas);
 
+  /// Vertices from here on belong to this owner, whatever the caller numbers; at first to 0.
+  void setOwner(std::uint32_t owner);
+
   /// Three a triangle.
   const std::vector<OverlayVertex>& vertices() const { return vertices_; }
+  /// By vertex.
+  std::vector<std::uint32_t> owners() const;
 
  private:
   struct ScreenPoint {
@@ -61,6 +67,7 @@ class Overlay {
 
   const Camera& camera_;
   std::vector<OverlayVertex> vertices_;
+  std::vector<std::pair<std::size_t, std::uint32_t>> owned_from_;  // first vertex, owner
 };
 
 }  // namespace rocinante

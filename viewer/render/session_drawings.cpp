@@ -38,8 +38,10 @@ void addLinesAndPoints(Overlay& overlay, const std::vector<PosedDrawing>& drawin
                        const ViewChoice& choice) {
   const bool lines = choice.layerVisible("lines");
   const bool points = choice.layerVisible("points");
-  for (const PosedDrawing& posed : drawings) {
+  for (std::uint32_t i = 0; i < drawings.size(); ++i) {
+    const PosedDrawing& posed = drawings[i];
     const Drawing& drawing = *posed.drawing;
+    overlay.setOwner(i + 1);
     if (drawing.kind == StatementKind::line && lines) {
       addPolyline(overlay, posed);
     } else if (drawing.kind == StatementKind::points && points) {
@@ -60,20 +62,23 @@ void addLabels(Overlay& overlay, const std::vector<PosedDrawing>& drawings,
     Vec3 world;
     double depth;
     const Drawing* drawing;
+    std::uint32_t owner;
   };
   std::vector<Placed> labels;
-  for (const PosedDrawing& posed : drawings) {
+  for (std::uint32_t i = 0; i < drawings.size(); ++i) {
+    const PosedDrawing& posed = drawings[i];
     if (posed.drawing->kind != StatementKind::label) continue;
     for (const auto& part : posed.drawing->parts) {
       if (!part) continue;
       forEachPoint(*part, posed.to_world, [&](const Vec3& point) {
-        labels.push_back({point, camera.depthOf(point), posed.drawing});
+        labels.push_back({point, camera.depthOf(point), posed.drawing, i + 1});
       });
     }
   }
   std::stable_sort(labels.begin(), labels.end(),
                    [](const Placed& a, const Placed& b) { return a.depth > b.depth; });
   for (const Placed& label : labels) {
+    overlay.setOwner(label.owner);
     overlay.addLabel(atlas, label.world, label.drawing->rgba, label.drawing->text);
   }
 }

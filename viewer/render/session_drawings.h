@@ -8,6 +8,8 @@
 
 namespace rocinante {
 
+// What is added belongs (Overlay::setOwner) to 1 + its drawing's place in `drawings`.
+
 /// The sources' lines and points, in the order of the scene. A part that never came is a gap.
 void addLinesAndPoints(Overlay& overlay, const std::vector<PosedDrawing>& drawings,
                        const ViewChoice& choice);
