@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/math/transform.h"
 #include "core/math/trigonometry.h"
@@ -29,7 +30,8 @@ Camera::Camera(const CameraView& view, int width, int height, ClipDepth depth, d
       height_(std::max(height, 1)),
       eye_(finite(view.eye) ? view.eye : Vec3(0, 0, 0)),
       orthographic_(view.ortho_height_m && *view.ortho_height_m > 0 &&
-                    std::isfinite(*view.ortho_height_m)) {
+                    std::isfinite(*view.ortho_height_m)),
+      reach_m_(reach_m > 0 && std::isfinite(reach_m) ? reach_m : 1.0) {
   const Vec3 toward = finite(view.target) ? view.target - eye_ : Vec3(0, 0, 0);
   const double distance = lengthOf(toward);
   forward_ = distance > 1e-12 ? toward / distance : Vec3(1, 0, 0);
@@ -53,9 +55,8 @@ Camera::Camera(const CameraView& view, int width, int height, ClipDepth depth, d
   Vec4 w(forward_, 0);
   Vec4 z(0, 0, 0, near_m_);
   if (orthographic_) {
-    const double reach = reach_m > 0 && std::isfinite(reach_m) ? reach_m : 1.0;
     w = Vec4(0, 0, 0, 1);
-    z = Vec4(-forward_ / (2 * reach), 0.5);
+    z = Vec4(-forward_ / (2 * reach_m_), 0.5);
   }
   if (depth == ClipDepth::minus_one_to_one) z = z * 2.0 - w;
   for (int column = 0; column < 4; ++column) {
@@ -80,6 +81,11 @@ Vec4 Camera::clipOf(const Vec3& world) const {
 }
 
 double Camera::depthOf(const Vec3& world) const { return dotOf(world - eye_, forward_); }
+
+double Camera::depthAt(double stored) const {
+  if (!(stored > 0)) return std::numeric_limits<double>::infinity();
+  return orthographic_ ? (0.5 - stored) * 2 * reach_m_ : near_m_ / stored;
+}
 
 double Camera::metersPerPixel(double depth_m) const {
   const double half = orthographic_ ? half_height_ : half_height_ * std::max(depth_m, near_m_);

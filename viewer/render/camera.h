@@ -47,6 +47,8 @@ class Camera {
   Vec4 clipOf(const Vec3& world) const;
   /// Metres in front of the eye, along the view.
   double depthOf(const Vec3& world) const;
+  /// The same from what a depth buffer holds, 1 (near) to 0; infinity for 0.
+  double depthAt(double stored) const;
   /// Metres that a pixel covers at this depth.
   double metersPerPixel(double depth_m) const;
   /// False only when nothing of the sphere can be in the picture.
@@ -58,6 +60,7 @@ class Camera {
   bool orthographic_;
   double half_width_, half_height_;  ///< at depth 1, or of the whole picture when orthographic
   double near_m_;
+  double reach_m_;  ///< orthographic
   Mat4 clip_from_relative_;
 };
 
