@@ -15,6 +15,8 @@ static_assert(std::endian::native == std::endian::little, "abgr is written as by
 constexpr double kLift = 5e-4;
 constexpr double kMaxWidthPx = 256;
 constexpr std::uint32_t kPlate = 0x14181CC8;
+constexpr int kPlatePaddingX = 4;
+constexpr int kPlatePaddingY = 2;
 
 std::uint32_t swapped(std::uint32_t rgba) { return __builtin_bswap32(rgba); }
 
@@ -97,6 +99,90 @@ void Overlay::addLine(const std::vector<Vec3>& points, std::uint32_t rgba, doubl
   }
 }
 
+void Overlay::addRibbon(const std::vector<RibbonPoint>& points) {
+  const double near = camera_.orthographic() ? 0.5 : camera_.near();
+  std::vector<std::pair<Vec4, RibbonPoint>> run;
+  const auto flush = [&] {
+    addRibbonRun(run);
+    run.clear();
+  };
+  std::optional<std::pair<Vec4, RibbonPoint>> before;
+  for (const RibbonPoint& point : points) {
+    const Vec4 clip = liftedClip(point.world);
+    if (!std::isfinite(clip.x + clip.y + clip.z + clip.w)) {
+      flush();
+      before.reset();
+      continue;
+    }
+    // Where it comes from behind the eye or goes there it is cut at the near plane.
+    if (before && (before->first.w < near) != (clip.w < near)) {
+      const double part = (near - before->first.w) / (clip.w - before->first.w);
+      run.emplace_back(before->first + (clip - before->first) * part, point);
+      if (clip.w < near) flush();
+    }
+    if (clip.w >= near) run.emplace_back(clip, point);
+    before.emplace(clip, point);
+  }
+  flush();
+}
+
+void Overlay::addRibbonRun(const std::vector<std::pair<Vec4, RibbonPoint>>& run) {
+  /// Nearer than this two points say nothing of a direction.
+  constexpr double kLeastStep = 0.75;
+  struct Corner {
+    ScreenPoint at;
+    const RibbonPoint* point;
+  };
+  const auto distance = [](const ScreenPoint& a, const ScreenPoint& b) {
+    return std::sqrt((a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y));
+  };
+  std::vector<Corner> corners;
+  for (const auto& [clip, point] : run) {
+    const ScreenPoint at = toScreen(clip);
+    if (!std::isfinite(at.x) || !std::isfinite(at.y)) continue;
+    const bool last = &point == &run.back().second;
+    if (!corners.empty() && distance(at, corners.back().at) < (last ? 1e-6 : kLeastStep)) {
+      continue;
+    }
+    corners.push_back({at, &point});
+  }
+  if (corners.size() < 2) return;
+
+  const auto direction = [&](std::size_t i) {
+    const Vec2 step(corners[i + 1].at.x - corners[i].at.x, corners[i + 1].at.y - corners[i].at.y);
+    return step / std::sqrt(step.x * step.x + step.y * step.y);
+  };
+  const auto sideAt = [&](std::size_t i, const Vec2& across) {
+    const Corner& corner = corners[i];
+    const double half = boundedWidth(corner.point->width_px) / 2;
+    return std::pair(
+        vertexAt(corner.at, corner.at.x + across.x * half, corner.at.y + across.y * half,
+                 corner.point->rgba, OverlayKind::solid),
+        vertexAt(corner.at, corner.at.x - across.x * half, corner.at.y - across.y * half,
+                 corner.point->rgba, OverlayKind::solid));
+  };
+  Vec2 along = direction(0);
+  auto from = sideAt(0, {-along.y, along.x});
+  for (std::size_t i = 1; i < corners.size(); ++i) {
+    Vec2 across(-along.y, along.x);
+    Vec2 next = along;
+    bool sharp = false;
+    if (i + 1 < corners.size()) {
+      next = direction(i);
+      // Both sides' normals added up: to the mitre's tip it is one over the cosine of half the
+      // turn.
+      const Vec2 sum = across + Vec2(-next.y, next.x);
+      const double squared = sum.x * sum.x + sum.y * sum.y;
+      sharp = squared < 1;
+      if (!sharp) across = sum * (2 / squared);
+    }
+    const auto to = sideAt(i, across);
+    addQuad(from.first, to.first, to.second, from.second);
+    along = next;
+    from = sharp ? sideAt(i, {-along.y, along.x}) : to;
+  }
+}
+
 void Overlay::addDisc(const ScreenPoint& center, std::uint32_t rgba, double size_px) {
   if (!std::isfinite(center.x) || !std::isfinite(center.y)) return;
   // Half a pixel more on each side, over which the edge fades.
@@ -118,31 +204,53 @@ void Overlay::addPoint(const Vec3& world, std::uint32_t rgba, double size_px) {
   addDisc(toScreen(clip), rgba, boundedWidth(size_px));
 }
 
-void Overlay::addLabel(const TextAtlas& atlas, const Vec3& world, std::uint32_t rgba,
-                       std::string_view text) {
+std::optional<Vec2> Overlay::labelAnchor(const Vec3& world) const {
   const Vec4 clip = camera_.clipOf(world);
-  if (clip.w < camera_.near() && !camera_.orthographic()) return;
+  if (clip.w < camera_.near() && !camera_.orthographic()) return std::nullopt;
   const ScreenPoint anchor = toScreen(clip);
   const double w = camera_.width();
   const double h = camera_.height();
-  if (!(anchor.x >= 0 && anchor.y >= 0 && anchor.x < w && anchor.y < h)) return;
+  if (!(anchor.x >= 0 && anchor.y >= 0 && anchor.x < w && anchor.y < h)) return std::nullopt;
+  return Vec2(anchor.x, anchor.y);
+}
+
+void Overlay::addLabel(const TextAtlas& atlas, const Vec3& world, std::uint32_t rgba,
+                       std::string_view text) {
+  const auto anchor = labelAnchor(world);
+  if (!anchor) return;
 
   constexpr int kPadding = 4;
   const TextSize size = atlas.measure(text);
   // Up and to the right of its point, but inside of the picture where it fits.
-  const int wanted_x = static_cast<int>(std::floor(anchor.x)) + 10;
-  const int wanted_y = static_cast<int>(std::floor(anchor.y)) - 10 - size.height;
+  const int wanted_x = static_cast<int>(std::floor(anchor->x)) + 10;
+  const int wanted_y = static_cast<int>(std::floor(anchor->y)) - 10 - size.height;
   const int x = std::max(std::min(wanted_x, camera_.width() - size.width - 2 * kPadding), kPadding);
   const int y =
       std::max(std::min(wanted_y, camera_.height() - size.height - 2 * kPadding), kPadding);
-  const ScreenPoint front{0, 0, 0, 1};
-  const ScreenPoint dot{anchor.x, anchor.y, front.z, front.w};
-  addScreenLine({anchor.x, anchor.y},
-                {static_cast<double>(x), static_cast<double>(y + size.height)}, kPlate, 1.5);
+  const ScreenPoint dot{anchor->x, anchor->y, 0, 1};
+  addScreenLine(*anchor, {static_cast<double>(x), static_cast<double>(y + size.height)}, kPlate,
+                1.5);
   addScreenRectangle({x - kPadding, y - 2}, {x + size.width + kPadding, y + size.height + 2},
                      kPlate);
   addDisc(dot, (rgba & 0xFFFFFF00U) | 0xFFU, 5);
   addScreenText(atlas, x, y, rgba, text);
+}
+
+void Overlay::addLabelAt(const TextAtlas& atlas, const Vec2& anchor,
+                         const std::optional<ScreenBox>& plate, std::uint32_t rgba,
+                         std::string_view text) {
+  const std::uint32_t opaque = (rgba & 0xFFFFFF00U) | 0xFFU;
+  if (plate) {
+    const double left = plate->left;
+    const double top = plate->top;
+    const double right = plate->right;
+    const double bottom = plate->bottom;
+    const Vec2 nearest(std::clamp(anchor.x, left, right), std::clamp(anchor.y, top, bottom));
+    addScreenLine(anchor, nearest, kPlate, 1.5);
+    addScreenRectangle({left, top}, {right, bottom}, kPlate);
+    addScreenText(atlas, plate->left + kPlatePaddingX, plate->top + kPlatePaddingY, rgba, text);
+  }
+  addDisc({anchor.x, anchor.y, 0, 1}, opaque, 5);
 }
 
 void Overlay::addScreenLine(Vec2 from, Vec2 to, std::uint32_t rgba, double width_px) {
@@ -210,6 +318,30 @@ void Overlay::addGnomon(const TextAtlas& atlas) {
                   static_cast<int>(std::floor(end.y - size.height / 2.0 + 0.5)), one.rgba,
                   one.letter);
   }
+}
+
+void Overlay::addScaleBar(const TextAtlas& atlas, const ScaleBar& bar) {
+  constexpr double kInset = 12;
+  constexpr double kTick = 7;
+  constexpr std::uint32_t kInk = 0xF2F4F6FF;
+  const TextSize size = atlas.measure(bar.text);
+  // Whole pixels, so that its ends are sharp.
+  const double length = std::floor(bar.pixels + 0.5);
+  const double inner = std::max(length, static_cast<double>(size.width));
+  const double right = camera_.width() - kInset;
+  const double bottom = camera_.height() - kInset;
+  const double left = right - inner - 16;
+  const double top = bottom - size.height - kTick - 12;
+  if (camera_.width() < 200 || camera_.height() < 150) return;
+  addScreenRectangle({left, top}, {right, bottom}, kPlate);
+  const double bar_left = std::floor(right - 8 - inner / 2 - length / 2);
+  const double bar_bottom = bottom - 6;
+  addScreenRectangle({bar_left, bar_bottom - 2}, {bar_left + length, bar_bottom}, kInk);
+  for (const double tick : {bar_left, bar_left + length - 2}) {
+    addScreenRectangle({tick, bar_bottom - kTick}, {tick + 2, bar_bottom}, kInk);
+  }
+  addScreenText(atlas, static_cast<int>(std::floor(right - 8 - inner / 2 - size.width / 2.0)),
+                static_cast<int>(top) + 3, kInk, bar.text);
 }
 
 }  // namespace rocinante

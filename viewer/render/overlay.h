@@ -1,11 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "viewer/render/camera.h"
+#include "viewer/render/label_layout.h"
+#include "viewer/render/scale_bar.h"
 #include "viewer/render/text_atlas.h"
 
 namespace rocinante {
@@ -21,6 +24,13 @@ struct OverlayVertex {
 };
 static_assert(sizeof(OverlayVertex) == 32);
 
+/// A corner of a line that changes colour and width on its way.
+struct RibbonPoint {
+  Vec3 world{};
+  std::uint32_t rgba = 0xFFFFFFFF;
+  double width_px = 1;
+};
+
 /// Builds triangles for what has its size in pixels: lines, points, text. Plain values, no GL.
 class Overlay {
  public:
@@ -30,10 +40,19 @@ class Overlay {
   /// line on a surface shows.
   void addLine(const std::vector<Vec3>& points, std::uint32_t rgba, double width_px);
   void addPoint(const Vec3& world, std::uint32_t rgba, double size_px);
+  /// Depth-tested as a line is, but with mitred corners: where it is translucent, nothing of it
+  /// covers itself. A point that is not finite is a gap.
+  void addRibbon(const std::vector<RibbonPoint>& points);
   /// Text on a plate beside a world point, upright and facing the camera; nothing when the point is
   /// behind it.
   void addLabel(const TextAtlas& atlas, const Vec3& world, std::uint32_t rgba,
                 std::string_view text);
+  /// Where the label of a world point would begin: pixels from the top left; empty when the point
+  /// is not in the picture.
+  std::optional<Vec2> labelAnchor(const Vec3& world) const;
+  /// A label on a plate that layOutLabels() found, with a line to its point; without one a dot.
+  void addLabelAt(const TextAtlas& atlas, const Vec2& anchor, const std::optional<ScreenBox>& plate,
+                  std::uint32_t rgba, std::string_view text);
 
   // In pixels from the top left, over everything.
   void addScreenLine(Vec2 from, Vec2 to, std::uint32_t rgba, double width_px);
@@ -42,6 +61,8 @@ class Overlay {
                      std::string_view text);
   /// Arrows of the world's axes in the bottom left corner, when there is room.
   void addGnomon(const TextAtlas& atlas);
+  /// In the bottom right corner, when there is room.
+  void addScaleBar(const TextAtlas& atlas, const ScaleBar& bar);
 
   /// Vertices from here on belong to this owner, whatever the caller numbers; at first to 0.
   void setOwner(std::uint32_t owner);
@@ -60,6 +81,7 @@ class Overlay {
   OverlayVertex vertexAt(const ScreenPoint& at, double x, double y, std::uint32_t rgba,
                          OverlayKind kind) const;
   void addSegment(Vec4 from, Vec4 to, std::uint32_t rgba, double width_px);
+  void addRibbonRun(const std::vector<std::pair<Vec4, RibbonPoint>>& run);
   void addDisc(const ScreenPoint& center, std::uint32_t rgba, double size_px);
   void addQuad(const OverlayVertex& a, const OverlayVertex& b, const OverlayVertex& c,
                const OverlayVertex& d);

@@ -1,6 +1,8 @@
 #include "viewer/render/session_drawings.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "core/math/transform.h"
 
@@ -32,7 +34,57 @@ void addPolyline(Overlay& overlay, const PosedDrawing& posed) {
   flush();
 }
 
+struct PlacedLabel {
+  Vec3 world;
+  double depth;
+  const Drawing* drawing;
+  std::uint32_t owner;
+};
+
+/// `labels`: the farthest first.
+void addLabelsApart(Overlay& overlay, const std::vector<PlacedLabel>& labels, const Camera& camera,
+                    const TextAtlas& atlas) {
+  std::vector<const PlacedLabel*> seen;
+  std::vector<LabelAnchor> anchors;
+  for (auto label = labels.rbegin(); label != labels.rend(); ++label) {
+    const auto anchor = overlay.labelAnchor(label->world);
+    if (!anchor) continue;
+    seen.push_back(&*label);
+    anchors.push_back({anchor->x, anchor->y, atlas.measure(label->drawing->text)});
+  }
+  // The corners where gnomon and scale bar stand.
+  const int w = camera.width();
+  const int h = camera.height();
+  const std::vector<ScreenBox> taken{{0, h - 84, 84, h}, {w - 200, h - 50, w, h}};
+  const auto plates = layOutLabels(anchors, taken, w, h);
+  for (std::size_t i = seen.size(); i-- > 0;) {
+    overlay.setOwner(seen[i]->owner);
+    overlay.addLabelAt(atlas, {anchors[i].x, anchors[i].y}, plates[i], seen[i]->drawing->rgba,
+                       seen[i]->drawing->text);
+  }
+}
+
+/// Strong and apart from each other, on light and dark grounds.
+constexpr std::array<std::uint32_t, 6> kTrailColors{0xF0641EFF, 0x1C86EEFF, 0x2FA84FFF,
+                                                    0xB03AC8FF, 0xE0A800FF, 0x10A5A5FF};
+constexpr double kTrailWidthPx = 3.5;
+
 }  // namespace
+
+void addTrails(Overlay& overlay, const std::vector<Trail>& trails) {
+  for (std::size_t i = 0; i < trails.size(); ++i) {
+    const std::uint32_t color = kTrailColors[i % kTrailColors.size()];
+    for (const std::vector<Trail::Point>& run : trails[i].runs) {
+      std::vector<RibbonPoint> points;
+      for (const Trail::Point& point : run) {
+        const auto alpha = static_cast<std::uint32_t>(point.fresh * 235.0F);
+        points.push_back(
+            {point.at, (color & 0xFFFFFF00U) | alpha, kTrailWidthPx * (0.4 + 0.6 * point.fresh)});
+      }
+      overlay.addRibbon(points);
+    }
+  }
+}
 
 void addLinesAndPoints(Overlay& overlay, const std::vector<PosedDrawing>& drawings,
                        const ViewChoice& choice) {
@@ -56,28 +108,29 @@ void addLinesAndPoints(Overlay& overlay, const std::vector<PosedDrawing>& drawin
 }
 
 void addLabels(Overlay& overlay, const std::vector<PosedDrawing>& drawings,
-               const ViewChoice& choice, const Camera& camera, const TextAtlas& atlas) {
+               const ViewChoice& choice, const Camera& camera, const TextAtlas& atlas,
+               LabelStyle style) {
   if (!choice.layerVisible("labels")) return;
-  struct Placed {
-    Vec3 world;
-    double depth;
-    const Drawing* drawing;
-    std::uint32_t owner;
-  };
-  std::vector<Placed> labels;
+  std::vector<PlacedLabel> labels;
   for (std::uint32_t i = 0; i < drawings.size(); ++i) {
     const PosedDrawing& posed = drawings[i];
     if (posed.drawing->kind != StatementKind::label) continue;
     for (const auto& part : posed.drawing->parts) {
       if (!part) continue;
       forEachPoint(*part, posed.to_world, [&](const Vec3& point) {
-        labels.push_back({point, camera.depthOf(point), posed.drawing, i + 1});
+        // What stands at no number has no place among the others.
+        const double depth = camera.depthOf(point);
+        if (std::isfinite(depth)) labels.push_back({point, depth, posed.drawing, i + 1});
       });
     }
   }
   std::stable_sort(labels.begin(), labels.end(),
-                   [](const Placed& a, const Placed& b) { return a.depth > b.depth; });
-  for (const Placed& label : labels) {
+                   [](const PlacedLabel& a, const PlacedLabel& b) { return a.depth > b.depth; });
+  if (style == LabelStyle::apart) {
+    addLabelsApart(overlay, labels, camera, atlas);
+    return;
+  }
+  for (const PlacedLabel& label : labels) {
     overlay.setOwner(label.owner);
     overlay.addLabel(atlas, label.world, label.drawing->rgba, label.drawing->text);
   }

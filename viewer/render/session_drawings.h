@@ -3,7 +3,9 @@
 #include <vector>
 
 #include "core/model/posed_scene.h"
+#include "viewer/render/frame_extras.h"
 #include "viewer/render/overlay.h"
+#include "viewer/render/render_style.h"
 #include "viewer/render/view_choice.h"
 
 namespace rocinante {
@@ -14,8 +16,13 @@ namespace rocinante {
 void addLinesAndPoints(Overlay& overlay, const std::vector<PosedDrawing>& drawings,
                        const ViewChoice& choice);
 
-/// Their labels, the farthest first, so that nearer ones cover farther ones.
+/// Their labels, the farthest first, so that nearer ones cover farther ones; apart, the nearer
+/// ones get the better places.
 void addLabels(Overlay& overlay, const std::vector<PosedDrawing>& drawings,
-               const ViewChoice& choice, const Camera& camera, const TextAtlas& atlas);
+               const ViewChoice& choice, const Camera& camera, const TextAtlas& atlas,
+               LabelStyle style = LabelStyle::beside);
+
+/// Trails as ribbons that fade towards their old end, each in a colour of its own by its place.
+void addTrails(Overlay& overlay, const std::vector<Trail>& trails);
 
 }  // namespace rocinante

@@ -7,12 +7,14 @@
 
 #include "core/model/posed_scene.h"
 #include "core/result.h"
+#include "viewer/render/view_path.h"
 
 namespace rocinante {
 
-/// What a viewer chose to see, by PATH (DEVICE, DEVICE/LINK or layer/NAME, percent-encoded as in a
-/// packet): it outranks packets, which outrank the cell. The nearest choice decides: the link's
-/// own, else its device's, else its layer's. A PATH both hidden and shown is hidden.
+/// What a viewer chose to see, by PATH (view_path.h): it outranks packets, which outrank the cell.
+/// The nearest choice decides: a part's (of its link, of its device, of every device), else the
+/// link's own, that of links of its name, its device's, its layer's, that of every device. A PATH
+/// both hidden and shown is hidden.
 ///
 /// Besides the cell's, these layers are always there: grid, gnomon, lines, points, labels.
 class ViewChoice {
@@ -21,12 +23,23 @@ class ViewChoice {
   static Result<ViewChoice> make(const std::vector<std::string>& hide,
                                  const std::vector<std::string>& show);
 
+  /// Of a link, but for parts that were chosen by themselves.
   bool linkVisible(const PosedDevice& device, std::size_t link) const;
+  /// Whether parts must be asked for one by one.
+  bool choosesParts() const { return !parts_.empty(); }
+  bool partVisible(const PosedDevice& device, std::size_t link, std::string_view group) const;
   /// One of the built-in layers; they are visible unless hidden.
   bool layerVisible(std::string_view layer) const;
 
  private:
-  std::map<Path, bool> visible_;
+  struct PartChoice {
+    ViewPath path;
+    bool visible = true;
+    int nearness = 0;
+  };
+
+  std::map<Path, bool> visible_;   ///< an empty `first`: every device
+  std::vector<PartChoice> parts_;  ///< the nearest first, among equals what is hidden
 };
 
 }  // namespace rocinante
