@@ -124,7 +124,8 @@ class CellDrift {
                         was.fov_deg == is->fov_deg && was.ortho_height_m == is->ortho_height_m &&
                         was.on_device == is->on_device && was.on_link == is->on_link &&
                         was.follow_device == is->follow_device &&
-                        was.follow_link == is->follow_link;
+                        was.follow_link == is->follow_link && was.look_device == is->look_device &&
+                        was.look_link == is->look_link;
       if (!same) report(was.name, "looks from elsewhere, or otherwise");
     }
     for (const CellCamera& is : given_.cameras) {

@@ -42,6 +42,7 @@ constexpr auto kRules = std::to_array<Rule>({
     {"cell.two-orientations", kError, "a pose says its orientation twice"},
     {"cell.two-projections", kError, "a camera is both in perspective and orthographic"},
     {"cell.two-roots", kError, "two links hang on nothing"},
+    {"cell.unknown-camera", kWarning, "an inset shows a camera that no [[camera]] names"},
     {"cell.unknown-device", kError, "the cell names a device that it does not have"},
     {"cell.unknown-group", kError, "a pattern matches no group of the OBJ"},
     {"cell.unknown-key", kError, "a key of the cell is not known"},

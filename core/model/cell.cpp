@@ -196,6 +196,7 @@ Result<Cell> readCell(ByteView bytes, const fs::path& path, const CellOptions& o
     readCameras(*file->root, names, cell);
     readSources(*file->root, names, cell);
   }
+  for (const CellFile* file : files.inOrder()) readInsets(*file->root, cell);
   CellMaterials materials;
   // What is read later stands over what was read before.
   for (auto at = files.inOrder().rbegin(); at != files.inOrder().rend(); ++at) {

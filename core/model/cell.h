@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -39,6 +40,23 @@ struct CellCamera {
   std::optional<double> ortho_height_m;    ///< orthographic: metres from top to bottom
   std::string on_device, on_link;          ///< rides on it: eye and target in its space
   std::string follow_device, follow_link;  ///< follows its position without turning
+  /// Looks at it: `target` is an offset from its position, in the world's directions.
+  std::string look_device, look_link;
+};
+
+enum class InsetCorner : std::uint8_t { top_right, top_left, bottom_right, bottom_left };
+
+/// A window with a camera of its own, drawn over the main view (docs/cell-format.md, "Insets").
+struct CellInset {
+  std::string camera;  ///< of the cell, a `view` of the session, or built in: "map", "fit"
+  InsetCorner corner = InsetCorner::top_right;
+  double width = 0.3, height = 0.3;  ///< parts of the picture's; pixels when `in_pixels`
+  bool in_pixels = false;
+  int margin_px = 12;                ///< from the picture's edges, and between insets
+  std::optional<std::string> title;  ///< without: the camera's name; empty: none
+  int border_px = 1;
+  std::uint32_t border_rgba = 0x14181CFF;
+  bool operator==(const CellInset&) const = default;
 };
 
 struct CellLayer {
@@ -75,6 +93,7 @@ struct Cell {
   /// that would mean two models means neither.
   std::map<std::string, std::shared_ptr<const Model>> models;
   std::vector<CellCamera> cameras;
+  std::vector<CellInset> insets;  ///< as the files have them
   std::vector<CellLayer> layers;
   std::vector<CellSource> sources;
   std::vector<CellRule> rules;  ///< as the file has them

@@ -88,6 +88,8 @@ class DeviceReader {
 /// Reads the other sections of one file of a cell into `cell`, and checks what they name. Of
 /// [scene] what is given stands over what was read before.
 void readCameras(TomlTable& root, CellNames& names, Cell& cell);
+/// When the cameras of all files were read.
+void readInsets(TomlTable& root, Cell& cell);
 void readLayers(TomlTable& root, CellNames& names, Cell& cell);
 void readSources(TomlTable& root, CellNames& names, Cell& cell);
 void readScene(TomlTable& root, Cell& cell);

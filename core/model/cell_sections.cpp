@@ -128,7 +128,12 @@ void readGhost(const TomlTable& table, const TomlNode::Entry& ghost, const Cell&
 std::optional<CellCamera> readCamera(TomlTable& table, CellNames& names) {
   CellCamera camera;
   const auto name = names.take(table);
-  const auto eye = table.requiredVector("eye"), target = table.requiredVector("target");
+  const Target look = readTarget(table, "look_at");
+  camera.look_device = look.device;
+  camera.look_link = look.link;
+  const auto eye = table.requiredVector("eye");
+  const auto target = table.has("look_at") ? table.vector("target").value_or(Vec3{0, 0, 0})
+                                           : table.requiredVector("target");
   const auto up = table.vector("up");
   if (const auto fov = table.number("fov_deg")) {
     if (*fov > 0.0 && *fov < 180.0) {
@@ -162,11 +167,13 @@ std::optional<CellCamera> readCamera(TomlTable& table, CellNames& names) {
   camera.name = *name;
   camera.eye = *eye;
   camera.target = *target;
+  camera.up = up.value_or(Vec3{0, 0, 1});
+  // Where it looks at something, the line of sight is another one from moment to moment.
+  if (table.has("look_at")) return camera;
   if (*eye == *target) {
     table.error("cell.no-direction", "target", "`eye` and `target` are the same point");
     return std::nullopt;
   }
-  camera.up = up.value_or(Vec3{0, 0, 1});
   if (runParallel(camera.up, *target - *eye)) {
     if (up) {
       table.error("cell.no-direction", "up", "`up` points along the line of sight, or nowhere");
@@ -223,6 +230,7 @@ void readCameras(TomlTable& root, CellNames& names, Cell& cell) {
     if (!camera) continue;
     checkTarget(table, "on", cell, camera->on_device, camera->on_link);
     checkTarget(table, "follow", cell, camera->follow_device, camera->follow_link);
+    checkTarget(table, "look_at", cell, camera->look_device, camera->look_link);
     cell.cameras.push_back(std::move(*camera));
   }
 }

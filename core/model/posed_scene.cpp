@@ -265,7 +265,10 @@ class ScenePoser {
         const auto followed = scene_.find(camera.follow_device, camera.follow_link);
         if (followed) space = translationMatrix(positionOf(*followed));
       }
-      scene_.cameras.push_back(moved(std::move(posed), space));
+      PosedCamera& placed = scene_.cameras.emplace_back(moved(std::move(posed), space));
+      if (camera.look_device.empty()) continue;
+      const auto seen = scene_.find(camera.look_device, camera.look_link);
+      placed.target = camera.target + (seen ? positionOf(*seen) : Vec3(0, 0, 0));
     }
     for (const auto& [name, item] : state_.views()) {
       const ViewValue& view = item.value;

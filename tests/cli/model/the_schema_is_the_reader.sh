@@ -34,6 +34,8 @@ parent = "base"
 joint = {{ name = "j", type = "revolute", axis = [1, 0, 0], {odd} = 1, mimic = {{ joint = "k", {odd} = 1 }} }}
 [[camera]]
 {odd} = 1
+[[inset]]
+{odd} = 1
 [[layer]]
 {odd} = 1
 [[material]]
@@ -52,6 +54,7 @@ tables = schema['definitions']
 expected = {'the cell': schema, '[[device]]': tables['device'], 'pose': tables['pose'],
             '[[model]]': tables['model'], '[[model.link]]': tables['link'], 'joint': tables['joint'],
             'mimic': tables['joint']['properties']['mimic'], '[[camera]]': tables['camera'],
+            '[[inset]]': tables['inset'],
             '[[layer]]': tables['layer'], '[[material]]': tables['material'],
             '[[source]]': tables['source'], '[scene]': tables['scene']}
 for table, of in expected.items():
@@ -71,7 +74,8 @@ for wrong in ['', 'format = 2', head + 'serach = []', head + '[[device]]\nname =
               head + '[[device]]\nmodel = "a.urdf"\ncolor = "red"', head + '[[device]]\nmodel = "a.urdf"\nname = "a/b"',
               head + '[[device]]\nmodel = "a.urdf"\npose = { rpy = [0, 0, 0], rpy_deg = [0, 0, 0] }',
               head + '[[model]]\nname = "a"', head + '[[model]]\nname = "a"\nobj = "a.obj"\nurdf = "a.urdf"',
-              head + '[[camera]]\nname = "c"\neye = [0, 0]\ntarget = [0, 0, 0]', head + '[[material]]\nlink = "a"',
+              head + '[[camera]]\nname = "c"\neye = [0, 0]\ntarget = [0, 0, 0]', head + '[[material]]\nlink = "a"', head + '[[inset]]\ncamera = "map"\ncorner = "left"',
+              head + '[[inset]]\ncamera = "map"\nsize = [2, 2]', head + '[[inset]]\nsize_px = [64, 64]',
               head + '[[source]]\nname = "s"\nrate_hz = [-1, 2]', head + '[rules]\n"packet.bad-name" = "loud"']:
     open('wrong.cell.toml', 'w').write(wrong)
     status = subprocess.run(['rocinante', 'model', 'tree', 'wrong.cell.toml', '--strict'], capture_output=True).returncode
