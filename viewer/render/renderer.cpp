@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/math/transform.h"
 #include "viewer/render/draw_list.h"
@@ -55,7 +56,7 @@ struct Renderer::Impl {
   InputsHash inputs;
   MeshBuffers meshes;
   TextureStore textures;
-  std::unique_ptr<DrawPasses> passes;
+  std::optional<DrawPasses> passes;
   std::string inputs_text;
 };
 
@@ -74,7 +75,7 @@ Result<Renderer> Renderer::create(RenderContext& context, const Cell& cell, Prof
   auto impl = std::make_unique<Impl>(*gl, cell, profile);
   auto passes = DrawPasses::create(impl->gl, impl->atlas);
   if (!passes) return passes.error();
-  impl->passes = std::move(*passes);
+  impl->passes.emplace(std::move(*passes));
   return Renderer(std::move(impl));
 }
 
@@ -103,13 +104,13 @@ Result<DrawCounts> Renderer::draw(const SceneFrame& frame, const FrameBuffer& ta
   const DrawPasses& passes = *my.passes;
   target.bind();
   passes.begin();
-  passes.drawBackground(look);
-  passes.drawOpaque(list, my.catalog, my.meshes, my.textures, camera, look);
-  if (look.grid && choice.layerVisible("grid")) passes.drawGrid(camera, look);
+  passes.background.draw(look);
+  passes.scene.drawOpaque(list, my.catalog, my.meshes, my.textures, camera, look);
+  if (look.grid && choice.layerVisible("grid")) passes.grid.draw(camera, look);
   // Before what is translucent, so that a planner's line shows through a ghost.
-  passes.drawInScene(in_scene);
-  passes.drawTranslucent(list, my.catalog, my.meshes, my.textures, camera, look);
-  passes.drawOnTop(on_top);
+  passes.overlay.drawInScene(in_scene);
+  passes.scene.drawTranslucent(list, my.catalog, my.meshes, my.textures, camera, look);
+  passes.overlay.drawOnTop(on_top);
   passes.end();
   if (const GLenum fault = my.gl.GetError(); fault != GL_NO_ERROR) {
     return Error{

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "core/model/cell.h"
+#include "viewer/render/camera.h"
+#include "viewer/render/shader_program.h"
+
+namespace rocinante {
+
+/// Draws the ground grid into whatever framebuffer is bound, between DrawPasses::begin() and end().
+/// Its context must be current whenever it is used or destroyed.
+class GridPass {
+ public:
+  static Result<GridPass> create(const GlTable& gl);
+  ~GridPass();
+  GridPass(GridPass&& other) noexcept;
+  GridPass& operator=(GridPass&&) = delete;
+
+  /// Nothing when the cell's grid has no size or no step.
+  void draw(const Camera& camera, const CellScene& look) const;
+
+ private:
+  GridPass(const GlTable& gl, ShaderProgram program);
+
+  const GlTable& gl_;
+  ShaderProgram program_;
+  GLuint array_ = 0, vertices_ = 0;
+};
+
+}  // namespace rocinante

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "viewer/render/overlay.h"
+#include "viewer/render/shader_program.h"
+
+namespace rocinante {
+
+/// Draws what has its size in pixels (Overlay) into whatever framebuffer is bound, between
+/// DrawPasses::begin() and end(). Its context must be current whenever it is used or destroyed.
+class OverlayPass {
+ public:
+  static Result<OverlayPass> create(const GlTable& gl, const TextAtlas& atlas);
+  ~OverlayPass();
+  OverlayPass(OverlayPass&& other) noexcept;
+  OverlayPass& operator=(OverlayPass&&) = delete;
+
+  /// Depth-tested, in the scene.
+  void drawInScene(const Overlay& overlay) const;
+  /// Over everything.
+  void drawOnTop(const Overlay& overlay) const;
+
+ private:
+  OverlayPass(const GlTable& gl, ShaderProgram program, const TextAtlas& atlas);
+  void drawVertices(const Overlay& overlay) const;
+
+  const GlTable& gl_;
+  ShaderProgram program_;
+  GLuint array_ = 0, vertices_ = 0, atlas_texture_ = 0;
+};
+
+}  // namespace rocinante
