@@ -104,6 +104,28 @@ bool Camera::sees(const Vec3& center, double radius) const {
          y - half_height_ * z <= radius * std::sqrt(1 + half_height_ * half_height_);
 }
 
+CameraView mapView(const std::vector<Vec3>& points, int width, int height) {
+  constexpr double kMapMargin = 1.08;
+  Vec3 least(-5, -5, 0);
+  Vec3 most(5, 5, 0);
+  if (!points.empty()) least = most = points.front();
+  for (const Vec3& point : points) {
+    for (int axis = 0; axis < 3; ++axis) {
+      least[axis] = std::min(least[axis], point[axis]);
+      most[axis] = std::max(most[axis], point[axis]);
+    }
+  }
+  const Vec3 middle = (least + most) * 0.5;
+  const double aspect = static_cast<double>(std::max(width, 1)) / std::max(height, 1);
+  const double metres = std::max(most.y - least.y, (most.x - least.x) / aspect) * kMapMargin;
+  CameraView view;
+  view.eye = {middle.x, middle.y, most.z + 1};
+  view.target = {middle.x, middle.y, least.z};
+  view.up = {0, 1, 0};
+  view.ortho_height_m = metres > 0 && std::isfinite(metres) ? metres : 1.0;
+  return view;
+}
+
 CameraView fittedView(const std::vector<Vec3>& points, int width, int height) {
   constexpr double kFovDeg = 35;
   constexpr double kMargin = 1.08;

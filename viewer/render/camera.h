@@ -68,6 +68,10 @@ class Camera {
 /// camera. The example view when there are none.
 CameraView fittedView(const std::vector<Vec3>& points, int width, int height);
 
+/// Straight down on all `points` without perspective, with a margin: x to the right, y up. The map
+/// of ten metres around the origin when there are none.
+CameraView mapView(const std::vector<Vec3>& points, int width, int height);
+
 /// `view` with its eye, target and up moved by a rigid matrix.
 CameraView carriedView(const CameraView& view, const Mat4& carrier);
 

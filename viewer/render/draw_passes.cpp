@@ -17,9 +17,9 @@ Result<DrawPasses> DrawPasses::create(const GlTable& gl, const TextAtlas& atlas)
                     std::move(*overlay)};
 }
 
-void DrawPasses::begin() const {
+void DrawPasses::begin(const PixelRectangle& part, int frame_height) const {
   if (gl.ClipControl != nullptr) gl.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-  gl.Disable(GL_SCISSOR_TEST);
+  setViewport(gl, part, frame_height);
   gl.Disable(GL_CULL_FACE);
   gl.Disable(GL_BLEND);
   gl.Disable(GL_POLYGON_OFFSET_FILL);
@@ -39,6 +39,7 @@ void DrawPasses::begin() const {
 
 void DrawPasses::end() const {
   gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  gl.Disable(GL_SCISSOR_TEST);
   gl.Disable(GL_DEPTH_TEST);
   gl.DepthFunc(GL_LESS);
   gl.ClearDepth(1);

@@ -4,6 +4,7 @@
 #include "viewer/render/grid_pass.h"
 #include "viewer/render/overlay_pass.h"
 #include "viewer/render/scene_pass.h"
+#include "viewer/render/viewport.h"
 
 namespace rocinante {
 
@@ -17,7 +18,8 @@ struct DrawPasses {
     return gl.ClipControl != nullptr ? ClipDepth::zero_to_one : ClipDepth::minus_one_to_one;
   }
 
-  void begin() const;
+  /// Clears a part of the framebuffer; all passes draw there alone until the next call.
+  void begin(const PixelRectangle& part, int frame_height) const;
   /// Leaves GL's state as a guest expects it: no depth test, no blending, nothing bound.
   void end() const;
 

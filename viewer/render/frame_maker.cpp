@@ -7,14 +7,12 @@
 #include "core/duration_text.h"
 #include "core/model/posed_scene.h"
 #include "viewer/render/camera_choice.h"
+#include "viewer/render/fitted_cameras.h"
+#include "viewer/render/inset_layout.h"
 #include "viewer/render/renderer.h"
 
 namespace rocinante {
 namespace {
-
-/// A fitted view must hold what moves in the session, and be the same at all its times: it is
-/// fitted to so many moments, spread evenly from the first to the last.
-constexpr int kFitMoments = 9;
 
 Result<std::unique_ptr<RenderContext>> makeContext(Profile profile) {
   if (profile == Profile::fast) {
@@ -22,6 +20,21 @@ Result<std::unique_ptr<RenderContext>> makeContext(Profile profile) {
   }
   return makeOsmesaContext();
 }
+
+/// A request when everything that it names was found.
+struct FoundFrame {
+  ViewChoice choice;
+  PosedScene scene;  // borrows from the session's state: valid until the next question
+  CameraView camera;
+  std::vector<FrameInset> insets;
+  const RenderStyle* style = nullptr;
+
+  SceneFrame shown() const {
+    SceneFrame frame{&scene, camera, &choice, style};
+    frame.insets = insets;
+    return frame;
+  }
+};
 
 }  // namespace
 
@@ -32,49 +45,101 @@ struct FrameMaker::Impl {
     if (context && !context->makeCurrent()) return;
   }
 
+  Status checkTime(LogTime time) const;
   Result<const SessionState*> stateAt(LogTime time) {
     if (!session) return &nothing_said;
     return session->stateAt(time);
   }
-  Result<CameraView> cameraFor(const FrameRequest& request, const PosedScene& scene,
-                               const ViewChoice& choice);
-  Status findScenesToFit();
+  Result<CameraView> cameraNamed(const std::string& name, const FrameRequest& request,
+                                 const FoundFrame& found, int width, int height);
+  Status placeCameras(const FrameRequest& request, FoundFrame& found);
+  Result<FoundFrame> find(const FrameRequest& request);
+  Status prepareTarget(std::optional<FrameBuffer>& buffer, int width, int height, int samples);
 
   Cell cell;
   std::optional<Timeline> session;
   SessionState nothing_said;
-  std::vector<PosedScene> scenes_to_fit;  // without drawings: they outlive their states
   std::unique_ptr<RenderContext> context;
   std::optional<Renderer> renderer;
+  std::optional<FittedCameras> fitted;
   std::optional<FrameBuffer> target;
+  std::optional<FrameBuffer> number_target;  // one sample a pixel
 };
 
-Status FrameMaker::Impl::findScenesToFit() {
-  if (!scenes_to_fit.empty()) return {};
-  const int moments = session ? kFitMoments : 1;
-  for (int i = 0; i < moments; ++i) {
-    LogTime moment{};
-    if (session)
-      moment = session->start() + (session->end() - session->start()) / (moments - 1) * i;
-    const auto state = stateAt(moment);
-    if (!state) return state.error();
-    scenes_to_fit.push_back(poseScene(cell, **state));
-    scenes_to_fit.back().drawings.clear();
+Status FrameMaker::Impl::checkTime(LogTime time) const {
+  if (!session || (time >= session->start() && time <= session->end())) return {};
+  const auto shown = [&](LogTime moment) { return secondsText(moment - session->origin(), 3); };
+  return Error{ErrorKind::bad_argument,
+               fmt::format("{} s is outside the log, which has {} to {} s", shown(time),
+                           shown(session->start()), shown(session->end())),
+               session->log().name()};
+}
+
+Result<CameraView> FrameMaker::Impl::cameraNamed(const std::string& name,
+                                                 const FrameRequest& request,
+                                                 const FoundFrame& found, int width, int height) {
+  if (name.empty() && !cell.cameras.empty()) {
+    // The cell's own come first in the scene's.
+    return viewOf(found.scene.cameras.front());
+  }
+  const std::string wanted = name.empty() ? "fit" : name;
+  const bool built_in =
+      FittedCameras::knows(wanted) && (name.empty() || found.scene.findCamera(wanted) == nullptr);
+  if (!built_in) return chooseCamera(wanted, found.scene);
+  return fitted->view(wanted, found.choice, request.hide, request.show, width, height);
+}
+
+Status FrameMaker::Impl::placeCameras(const FrameRequest& request, FoundFrame& found) {
+  auto camera = cameraNamed(request.camera, request, found, request.width, request.height);
+  if (!camera) return camera.error();
+  found.camera = *camera;
+  const std::vector<CellInset>& insets = request.insets ? *request.insets : cell.insets;
+  const std::vector<PixelRectangle> parts = placeInsets(insets, request.width, request.height);
+  for (std::size_t i = 0; i < insets.size(); ++i) {
+    const CellInset& inset = insets[i];
+    camera = cameraNamed(inset.camera, request, found, parts[i].width, parts[i].height);
+    if (!camera && request.insets) return camera.error();
+    if (!camera || parts[i].width == 0) continue;
+    found.insets.push_back({parts[i], *camera, inset.title.value_or(inset.camera),
+                            inset.border_rgba, inset.border_px});
   }
   return {};
 }
 
-Result<CameraView> FrameMaker::Impl::cameraFor(const FrameRequest& request, const PosedScene& scene,
-                                               const ViewChoice& choice) {
-  if (!request.camera.empty()) return chooseCamera(request.camera, scene);
-  // The cell's own come first in the scene's.
-  if (!cell.cameras.empty()) return viewOf(scene.cameras.front());
-  std::vector<Vec3> points;
-  for (const PosedScene& fitted : scenes_to_fit) {
-    const std::vector<Vec3> some = renderer->visiblePoints(fitted, choice);
-    points.insert(points.end(), some.begin(), some.end());
+Result<FoundFrame> FrameMaker::Impl::find(const FrameRequest& request) {
+  if (Status inside = checkTime(request.time); !inside) return inside.error();
+  if (Status current = context->makeCurrent(); !current) return current.error();
+  FoundFrame found;
+  found.style = &request.style;
+  auto choice = ViewChoice::make(request.hide, request.show);
+  if (!choice) return choice.error();
+  found.choice = std::move(*choice);
+  // Before the state at the time asked for, which is valid until the next question only.
+  const std::vector<CellInset>& insets = request.insets ? *request.insets : cell.insets;
+  const bool fits =
+      FittedCameras::knows(request.camera) || (request.camera.empty() && cell.cameras.empty()) ||
+      std::any_of(insets.begin(), insets.end(),
+                  [](const CellInset& inset) { return FittedCameras::knows(inset.camera); });
+  if (fits) {
+    if (Status ready = fitted->prepare(session ? &*session : nullptr); !ready) return ready.error();
   }
-  return fittedView(points, request.width, request.height);
+  const auto state = stateAt(request.time);
+  if (!state) return state.error();
+  found.scene = poseScene(cell, **state);
+  if (Status placed = placeCameras(request, found); !placed) return placed.error();
+  return found;
+}
+
+Status FrameMaker::Impl::prepareTarget(std::optional<FrameBuffer>& buffer, int width, int height,
+                                       int samples) {
+  if (buffer && buffer->width() == width && buffer->height() == height &&
+      buffer->samples() == samples) {
+    return {};
+  }
+  auto made = FrameBuffer::create(renderer->gl(), width, height, samples);
+  if (!made) return made.error();
+  buffer = std::move(*made);
+  return {};
 }
 
 FrameMaker::FrameMaker(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -91,6 +156,7 @@ Result<FrameMaker> FrameMaker::open(Cell cell, std::optional<Timeline> session, 
   auto renderer = Renderer::create(*impl->context, impl->cell, profile);
   if (!renderer) return renderer.error();
   impl->renderer = std::move(*renderer);
+  impl->fitted.emplace(impl->cell, *impl->renderer);
   // Everything is in memory now: a folder made for this cell alone can go.
   impl->cell.keeps_files.reset();
   return FrameMaker(std::move(impl));
@@ -98,37 +164,32 @@ Result<FrameMaker> FrameMaker::open(Cell cell, std::optional<Timeline> session, 
 
 Result<Picture> FrameMaker::frame(const FrameRequest& request) {
   Impl& my = *impl_;
-  if (my.session && (request.time < my.session->start() || request.time > my.session->end())) {
-    const auto shown = [&](LogTime time) { return secondsText(time - my.session->origin(), 3); };
-    return Error{ErrorKind::bad_argument,
-                 fmt::format("{} s is outside the log, which has {} to {} s", shown(request.time),
-                             shown(my.session->start()), shown(my.session->end())),
-                 my.session->log().name()};
-  }
-  if (Status current = my.context->makeCurrent(); !current) return current.error();
-  const auto choice = ViewChoice::make(request.hide, request.show);
-  if (!choice) return choice.error();
-  // Before the state at the time asked for, which is valid until the next question only.
-  if (request.camera.empty() && my.cell.cameras.empty()) {
-    if (Status found = my.findScenesToFit(); !found) return found.error();
-  }
-  const auto state = my.stateAt(request.time);
-  if (!state) return state.error();
-  const PosedScene scene = poseScene(my.cell, **state);
-  const auto camera = my.cameraFor(request, scene, *choice);
-  if (!camera) return camera.error();
-
-  if (!my.target || my.target->width() != request.width || my.target->height() != request.height ||
-      my.target->samples() != request.samples) {
-    auto target =
-        FrameBuffer::create(my.renderer->gl(), request.width, request.height, request.samples);
-    if (!target) return target.error();
-    my.target = std::move(*target);
-  }
-  const auto drawn = my.renderer->draw({&scene, *camera, &*choice, &request.style}, *my.target);
+  const auto found = my.find(request);
+  if (!found) return found.error();
+  Status ready = my.prepareTarget(my.target, request.width, request.height, request.samples);
+  if (!ready) return ready.error();
+  const auto drawn = my.renderer->draw(found->shown(), *my.target);
   if (!drawn) return drawn.error();
   my.target->resolve();
   return my.target->read();
+}
+
+Result<IdentityFrame> FrameMaker::identity(const FrameRequest& request) {
+  Impl& my = *impl_;
+  const auto found = my.find(request);
+  if (!found) return found.error();
+  Status ready = my.prepareTarget(my.number_target, request.width, request.height, 1);
+  if (!ready) return ready.error();
+  return my.renderer->identity(found->shown(), *my.number_target);
+}
+
+Result<DepthFrame> FrameMaker::depth(const FrameRequest& request) {
+  Impl& my = *impl_;
+  const auto found = my.find(request);
+  if (!found) return found.error();
+  Status ready = my.prepareTarget(my.number_target, request.width, request.height, 1);
+  if (!ready) return ready.error();
+  return my.renderer->depth(found->shown(), *my.number_target);
 }
 
 const RendererKey& FrameMaker::key() const { return impl_->renderer->key(); }

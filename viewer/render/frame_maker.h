@@ -9,6 +9,7 @@
 #include "core/model/cell.h"
 #include "core/session/timeline.h"
 #include "viewer/picture/picture.h"
+#include "viewer/render/identity_frame.h"
 #include "viewer/render/render_style.h"
 #include "viewer/render/renderer_key.h"
 
@@ -17,8 +18,8 @@ namespace rocinante {
 /// What to draw besides time and place.
 struct FrameRequest {
   LogTime time{};
-  /// Of the cell, or a `view` of the session. Empty: the cell's first, or a three-quarter view
-  /// fitted to nine moments spread over the session, and so the same at every time.
+  /// Of the cell, a `view` of the session, or "map" or "fit" (docs/cell-format.md, "Built in").
+  /// Empty: the cell's first, or "fit".
   std::string camera;
   int width = 640;
   int height = 480;
@@ -26,6 +27,9 @@ struct FrameRequest {
   std::vector<std::string> hide;  ///< PATHs: outrank packets and the cell (see ViewChoice)
   std::vector<std::string> show;
   RenderStyle style;
+  /// Empty: the cell's, but for those whose camera is not there. Given ones must be there.
+  std::optional<std::vector<CellInset>> insets;
+  bool panel = false;  ///< in a corner: time, devices, joint values, rates (overlay_panel.h)
 };
 
 /// frame = render(cell, log, t, camera, options, size): a pure function behind one object that
@@ -42,8 +46,12 @@ class FrameMaker {
   FrameMaker& operator=(FrameMaker&&) noexcept;
 
   /// bad_argument for a time outside the log or a size or samples that cannot be drawn; not_found
-  /// for an unknown camera.
+  /// for an unknown camera. The same of identity() and depth().
   Result<Picture> frame(const FrameRequest& request);
+  /// Whose its pixels are, insets included; the request's samples and panel mean nothing.
+  Result<IdentityFrame> identity(const FrameRequest& request);
+  /// How far they are; of the main view alone.
+  Result<DepthFrame> depth(const FrameRequest& request);
 
   const RendererKey& key() const;
   /// XXH3 of decoded textures, glyphs and vertex buffers: tells "the inputs differ" from "the

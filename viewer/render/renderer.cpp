@@ -9,7 +9,10 @@
 #include "core/math/transform.h"
 #include "viewer/render/draw_list.h"
 #include "viewer/render/draw_passes.h"
+#include "viewer/render/identity_numbers.h"
+#include "viewer/render/identity_pass.h"
 #include "viewer/render/inputs_hash.h"
+#include "viewer/render/inset_frame.h"
 #include "viewer/render/session_drawings.h"
 
 namespace rocinante {
@@ -57,7 +60,19 @@ struct Renderer::Impl {
   MeshBuffers meshes;
   TextureStore textures;
   std::optional<DrawPasses> passes;
+  std::optional<IdentityPass> identity_pass;  // made when it is first asked for
   std::string inputs_text;
+
+  Camera cameraOf(const SceneFrame& frame, const CameraView& view, int width, int height) const;
+  DrawList listOf(const SceneFrame& frame, const Camera& camera) const {
+    return makeDrawList(*frame.scene, catalog, *frame.choice, camera, textures.translucent());
+  }
+  /// One view into a part of what is bound.
+  DrawCounts drawView(const SceneFrame& frame, const CameraView& view, const PixelRectangle& part,
+                      int frame_height) const;
+  void drawInsetFrames(const SceneFrame& frame, const FrameBuffer& target) const;
+  Status prepareIdentity(const FrameBuffer& target);
+  Status glStatus() const;
 };
 
 Renderer::Renderer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
@@ -79,44 +94,122 @@ Result<Renderer> Renderer::create(RenderContext& context, const Cell& cell, Prof
   return Renderer(std::move(impl));
 }
 
-Result<DrawCounts> Renderer::draw(const SceneFrame& frame, const FrameBuffer& target) {
-  const Impl& my = *impl_;
-  const CellScene& look = my.cell.scene;
+Camera Renderer::Impl::cameraOf(const SceneFrame& frame, const CameraView& view, int width,
+                                int height) const {
+  double reach = 0;
+  if (view.ortho_height_m) {
+    reach = reachOf(view.eye, visibleCorners(*frame.scene, catalog, *frame.choice),
+                    cell.scene.grid_size_m);
+  }
+  return Camera(view, width, height, passes->clipDepth(), reach);
+}
+
+Status Renderer::Impl::glStatus() const {
+  const GLenum fault = gl.GetError();
+  if (fault == GL_NO_ERROR) return {};
+  return Error{ErrorKind::refused, fmt::format("the GL driver reports error 0x{:04x}", fault), {}};
+}
+
+DrawCounts Renderer::Impl::drawView(const SceneFrame& frame, const CameraView& view,
+                                    const PixelRectangle& part, int frame_height) const {
+  const CellScene& look = cell.scene;
   const ViewChoice& choice = *frame.choice;
   // App: where everything is, seen from where.
-  double reach = 0;
-  if (frame.camera.ortho_height_m) {
-    reach = reachOf(frame.camera.eye, visibleCorners(*frame.scene, my.catalog, choice),
-                    look.grid_size_m);
-  }
-  const Camera camera(frame.camera, target.width(), target.height(), my.passes->clipDepth(), reach);
+  const Camera camera = cameraOf(frame, view, part.width, part.height);
 
   // Cull: what of it can be seen, in which order.
-  const DrawList list =
-      makeDrawList(*frame.scene, my.catalog, choice, camera, my.textures.translucent());
+  const DrawList list = listOf(frame, camera);
   Overlay in_scene(camera);
   addLinesAndPoints(in_scene, frame.scene->drawings, choice);
   Overlay on_top(camera);
-  addLabels(on_top, frame.scene->drawings, choice, camera, my.atlas);
-  if (choice.layerVisible("gnomon")) on_top.addGnomon(my.atlas);
+  addLabels(on_top, frame.scene->drawings, choice, camera, atlas);
+  if (choice.layerVisible("gnomon")) on_top.addGnomon(atlas);
 
   // Draw.
-  const DrawPasses& passes = *my.passes;
-  target.bind();
-  passes.begin();
-  passes.background.draw(look);
-  passes.scene.drawOpaque(list, my.catalog, my.meshes, my.textures, camera, look);
-  if (look.grid && choice.layerVisible("grid")) passes.grid.draw(camera, look);
+  passes->begin(part, frame_height);
+  passes->background.draw(look);
+  passes->scene.drawOpaque(list, catalog, meshes, textures, camera, look);
+  if (look.grid && choice.layerVisible("grid")) passes->grid.draw(camera, look);
   // Before what is translucent, so that a planner's line shows through a ghost.
-  passes.overlay.drawInScene(in_scene);
-  passes.scene.drawTranslucent(list, my.catalog, my.meshes, my.textures, camera, look);
-  passes.overlay.drawOnTop(on_top);
-  passes.end();
-  if (const GLenum fault = my.gl.GetError(); fault != GL_NO_ERROR) {
-    return Error{
-        ErrorKind::refused, fmt::format("the GL driver reports error 0x{:04x}", fault), {}};
-  }
+  passes->overlay.drawInScene(in_scene);
+  passes->scene.drawTranslucent(list, catalog, meshes, textures, camera, look);
+  passes->overlay.drawOnTop(on_top);
   return DrawCounts{list.triangles, list.opaque.size() + list.translucent.size()};
+}
+
+void Renderer::Impl::drawInsetFrames(const SceneFrame& frame, const FrameBuffer& target) const {
+  const Camera whole(frame.camera, target.width(), target.height(), passes->clipDepth(), 1);
+  for (const FrameInset& inset : frame.insets) {
+    // Seen in pixels of the whole picture, cut off at the inset's edges.
+    setViewport(gl, inset.part, target.height());
+    gl.Viewport(0, 0, target.width(), target.height());
+    Overlay overlay(whole);
+    addInsetFrame(overlay, inset, atlas);
+    passes->overlay.drawOnTop(overlay);
+  }
+}
+
+Result<DrawCounts> Renderer::draw(const SceneFrame& frame, const FrameBuffer& target) {
+  const Impl& my = *impl_;
+  target.bind();
+  const PixelRectangle whole{0, 0, target.width(), target.height()};
+  DrawCounts counts = my.drawView(frame, frame.camera, whole, target.height());
+  for (const FrameInset& inset : frame.insets) {
+    const DrawCounts more = my.drawView(frame, inset.camera, inset.part, target.height());
+    counts.triangles += more.triangles;
+    counts.draws += more.draws;
+  }
+  my.drawInsetFrames(frame, target);
+  my.passes->end();
+  if (Status fine = my.glStatus(); !fine) return fine.error();
+  return counts;
+}
+
+Status Renderer::Impl::prepareIdentity(const FrameBuffer& target) {
+  if (!identity_pass) {
+    auto made = IdentityPass::create(gl);
+    if (!made) return made.error();
+    identity_pass.emplace(std::move(*made));
+  }
+  target.bind();
+  return {};
+}
+
+Result<IdentityFrame> Renderer::identity(const SceneFrame& frame, const FrameBuffer& target) {
+  Impl& my = *impl_;
+  if (Status ready = my.prepareIdentity(target); !ready) return ready.error();
+  const IdentityNumbers numbers(*frame.scene);
+  const auto drawView = [&](const CameraView& view, const PixelRectangle& part) {
+    const Camera camera = my.cameraOf(frame, view, part.width, part.height);
+    my.identity_pass->begin(part, target.height());
+    my.identity_pass->drawGeometry(
+        my.listOf(frame, camera), my.catalog, my.meshes, my.textures, camera,
+        [&](const DrawItem& item) { return numbers.ofLink(item.device, item.link); });
+    Overlay in_scene(camera);
+    addLinesAndPoints(in_scene, frame.scene->drawings, *frame.choice);
+    my.identity_pass->drawOverlay(in_scene, numbers.ofVertices(in_scene), true);
+    Overlay on_top(camera);
+    addLabels(on_top, frame.scene->drawings, *frame.choice, camera, my.atlas);
+    my.identity_pass->drawOverlay(on_top, numbers.ofVertices(on_top), false);
+  };
+  drawView(frame.camera, {0, 0, target.width(), target.height()});
+  for (const FrameInset& inset : frame.insets) drawView(inset.camera, inset.part);
+  my.identity_pass->end();
+  if (Status fine = my.glStatus(); !fine) return fine.error();
+  return numbers.frame(IdentityPass::readNumbers(target), target.width(), target.height());
+}
+
+Result<DepthFrame> Renderer::depth(const SceneFrame& frame, const FrameBuffer& target) {
+  Impl& my = *impl_;
+  if (Status ready = my.prepareIdentity(target); !ready) return ready.error();
+  const Camera camera = my.cameraOf(frame, frame.camera, target.width(), target.height());
+  my.identity_pass->begin({0, 0, target.width(), target.height()}, target.height());
+  my.identity_pass->drawGeometry(my.listOf(frame, camera), my.catalog, my.meshes, my.textures,
+                                 camera, [](const DrawItem&) { return 1U; });
+  DepthFrame depth{target.width(), target.height(), my.identity_pass->readDepth(target, camera)};
+  my.identity_pass->end();
+  if (Status fine = my.glStatus(); !fine) return fine.error();
+  return depth;
 }
 
 CameraView Renderer::fittedCamera(const PosedScene& scene, const ViewChoice& choice, int width,

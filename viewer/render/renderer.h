@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -9,21 +10,33 @@
 #include "viewer/render/camera.h"
 #include "viewer/render/frame_buffer.h"
 #include "viewer/render/frame_extras.h"
+#include "viewer/render/identity_frame.h"
 #include "viewer/render/render_context.h"
 #include "viewer/render/render_style.h"
 #include "viewer/render/renderer_key.h"
 #include "viewer/render/text_atlas.h"
 #include "viewer/render/view_choice.h"
+#include "viewer/render/viewport.h"
 
 namespace rocinante {
+
+/// A window over the main view, with a camera of its own.
+struct FrameInset {
+  PixelRectangle part;
+  CameraView camera;
+  std::string title;  ///< empty: none
+  std::uint32_t border_rgba = 0x14181CFF;
+  int border_px = 1;  ///< drawn inside of `part`
+};
 
 /// What one frame shows. Borrowed for the length of the call.
 struct SceneFrame {
   const PosedScene* scene = nullptr;
   CameraView camera;
   const ViewChoice* choice = nullptr;
-  const RenderStyle* style = nullptr;   ///< null: the default, no look at all
-  const FrameExtras* extras = nullptr;  ///< what limits and trails of `style` need; null: neither
+  const RenderStyle* style = nullptr;    ///< null: the default, no look at all
+  const FrameExtras* extras = nullptr;   ///< what limits and trails of `style` need; null: neither
+  std::span<const FrameInset> insets{};  ///< later ones over earlier ones
 };
 
 struct DrawCounts {
@@ -50,6 +63,11 @@ class Renderer {
 
   /// Draws into `target` (its samples: resolve() comes next). refused when GL reports an error.
   Result<DrawCounts> draw(const SceneFrame& frame, const FrameBuffer& target);
+
+  /// Whose each pixel of that frame is, insets included. `target` must have one sample a pixel.
+  Result<IdentityFrame> identity(const SceneFrame& frame, const FrameBuffer& target);
+  /// How far each is, in the main view.
+  Result<DepthFrame> depth(const SceneFrame& frame, const FrameBuffer& target);
 
   /// A three-quarter view of all that is visible in `scene`.
   CameraView fittedCamera(const PosedScene& scene, const ViewChoice& choice, int width,

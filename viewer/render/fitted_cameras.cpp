@@ -1,0 +1,50 @@
+#include "viewer/render/fitted_cameras.h"
+
+namespace rocinante {
+namespace {
+
+constexpr int kFitMoments = 9;
+/// Of a suite with many sizes and choices; then all are forgotten.
+constexpr std::size_t kMostAnswers = 256;
+
+}  // namespace
+
+Status FittedCameras::prepare(Timeline* session) {
+  if (!scenes_.empty()) return {};
+  std::vector<PosedScene> scenes;
+  const SessionState nothing_said;
+  const int moments = session != nullptr ? kFitMoments : 1;
+  for (int i = 0; i < moments; ++i) {
+    const SessionState* state = &nothing_said;
+    if (session != nullptr) {
+      const Nanoseconds span = session->end() - session->start();
+      const auto found = session->stateAt(session->start() + span / (moments - 1) * i);
+      if (!found) return found.error();
+      state = *found;
+    }
+    scenes.push_back(poseScene(cell_, *state));
+    scenes.back().drawings.clear();
+  }
+  scenes_ = std::move(scenes);
+  return {};
+}
+
+CameraView FittedCameras::view(std::string_view name, const ViewChoice& choice,
+                               const std::vector<std::string>& hide,
+                               const std::vector<std::string>& show, int width, int height) {
+  Asked asked(std::string(name), hide, show, width, height);
+  const auto known = answered_.find(asked);
+  if (known != answered_.end()) return known->second;
+  std::vector<Vec3> points;
+  for (const PosedScene& scene : scenes_) {
+    const std::vector<Vec3> some = renderer_.visiblePoints(scene, choice);
+    points.insert(points.end(), some.begin(), some.end());
+  }
+  const CameraView view =
+      name == "map" ? mapView(points, width, height) : fittedView(points, width, height);
+  if (answered_.size() == kMostAnswers) answered_.clear();
+  answered_.emplace(std::move(asked), view);
+  return view;
+}
+
+}  // namespace rocinante

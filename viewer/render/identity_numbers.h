@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/model/posed_scene.h"
+#include "viewer/render/identity_frame.h"
+#include "viewer/render/overlay.h"
+
+namespace rocinante {
+
+/// Numbers what a scene can show, from 1: the links of its devices in order, then its drawings.
+/// Plain values, no GL. Borrows the scene.
+class IdentityNumbers {
+ public:
+  explicit IdentityNumbers(const PosedScene& scene);
+
+  std::uint32_t ofLink(std::uint32_t device, std::uint32_t link) const {
+    return first_of_device_[device] + link;
+  }
+  /// By vertex, from its owner (see addLinesAndPoints()); 0 where it has none.
+  std::vector<std::uint32_t> ofVertices(const Overlay& overlay) const;
+
+  /// The frame of these numbers: those that are in it, numbered anew without gaps.
+  IdentityFrame frame(std::vector<std::uint32_t> numbers, int width, int height) const;
+
+ private:
+  IdentityName nameOf(std::uint32_t number) const;
+
+  const PosedScene& scene_;
+  std::vector<std::uint32_t> first_of_device_;
+  std::uint32_t first_drawing_ = 1;
+};
+
+}  // namespace rocinante

@@ -1,0 +1,231 @@
+#include "viewer/render/identity_pass.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cstddef>
+#include <glm/gtc/type_ptr.hpp>
+#include <limits>
+#include <utility>
+
+#include "viewer/render/depth_lift.h"
+#include "viewer/render/draw_triangles.h"
+
+namespace rocinante {
+namespace {
+
+// The position is made as the scene's shader makes it, so that depths agree.
+constexpr std::string_view kSurfaceVertex = R"(#version 330 core
+layout(location = 0) in vec3 position;
+layout(location = 2) in vec2 texture_place;
+uniform mat4 clip_from_model;
+uniform vec2 map_scale;
+uniform vec2 map_offset;
+out vec2 map_place;
+void main() {
+  gl_Position = clip_from_model * vec4(position, 1.0);
+  map_place = texture_place * map_scale + map_offset;
+}
+)";
+
+constexpr std::string_view kSurfaceFragment = R"(#version 330 core
+in vec2 map_place;
+uniform vec4 number;
+uniform bool has_holes;
+uniform sampler2D map;
+out vec4 color;
+void main() {
+  if (has_holes && texture(map, map_place).a < 0.5) discard;
+  color = number;
+}
+)";
+
+constexpr std::string_view kFlatVertex = R"(#version 330 core
+layout(location = 0) in vec4 clip;
+layout(location = 1) in vec2 disc_place;
+layout(location = 2) in vec4 vertex_number;
+layout(location = 3) in uint vertex_kind;
+out vec2 place;
+flat out vec4 number;
+flat out uint kind;
+void main() {
+  gl_Position = clip;
+  place = disc_place;
+  number = vertex_number;
+  kind = vertex_kind;
+}
+)";
+
+// Text stands on a plate of the same drawing.
+constexpr std::string_view kFlatFragment = R"(#version 330 core
+in vec2 place;
+flat in vec4 number;
+flat in uint kind;
+out vec4 color;
+void main() {
+  if (kind == 2u || (kind == 1u && dot(place, place) > 1.0)) discard;
+  color = number;
+}
+)";
+
+}  // namespace
+
+Result<IdentityPass> IdentityPass::create(const GlTable& gl) {
+  auto surface = ShaderProgram::link(gl, "identity", kSurfaceVertex, kSurfaceFragment);
+  if (!surface) return surface.error();
+  auto flat = ShaderProgram::link(gl, "identity overlay", kFlatVertex, kFlatFragment);
+  if (!flat) return flat.error();
+  return IdentityPass(gl, std::move(*surface), std::move(*flat));
+}
+
+IdentityPass::IdentityPass(const GlTable& gl, ShaderProgram surface, ShaderProgram flat)
+    : gl_(gl),
+      surface_(std::move(surface)),
+      flat_(std::move(flat)),
+      clip_from_model_(surface_.uniform("clip_from_model")),
+      map_scale_(surface_.uniform("map_scale")),
+      map_offset_(surface_.uniform("map_offset")),
+      has_holes_(surface_.uniform("has_holes")),
+      number_(surface_.uniform("number")) {
+  gl_.GenVertexArrays(1, &array_);
+  gl_.BindVertexArray(array_);
+  gl_.GenBuffers(1, &vertices_);
+  gl_.BindBuffer(GL_ARRAY_BUFFER, vertices_);
+  for (GLuint place = 0; place < 4; ++place) gl_.EnableVertexAttribArray(place);
+  const auto offset = [](std::size_t bytes) { return reinterpret_cast<const void*>(bytes); };
+  constexpr GLsizei kStride = sizeof(OverlayVertex);
+  gl_.VertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, kStride, offset(offsetof(OverlayVertex, clip)));
+  gl_.VertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, kStride,
+                          offset(offsetof(OverlayVertex, texture)));
+  gl_.VertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, kStride,
+                          offset(offsetof(OverlayVertex, abgr)));
+  gl_.VertexAttribIPointer(3, 1, GL_UNSIGNED_INT, kStride, offset(offsetof(OverlayVertex, kind)));
+  gl_.BindVertexArray(0);
+}
+
+IdentityPass::IdentityPass(IdentityPass&& other) noexcept
+    : gl_(other.gl_),
+      surface_(std::move(other.surface_)),
+      flat_(std::move(other.flat_)),
+      clip_from_model_(other.clip_from_model_),
+      map_scale_(other.map_scale_),
+      map_offset_(other.map_offset_),
+      has_holes_(other.has_holes_),
+      number_(other.number_),
+      array_(std::exchange(other.array_, 0)),
+      vertices_(std::exchange(other.vertices_, 0)) {}
+
+IdentityPass::~IdentityPass() {
+  gl_.DeleteVertexArrays(1, &array_);
+  gl_.DeleteBuffers(1, &vertices_);
+}
+
+void IdentityPass::begin(const PixelRectangle& part, int frame_height) const {
+  if (gl_.ClipControl != nullptr) gl_.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+  setViewport(gl_, part, frame_height);
+  gl_.Disable(GL_CULL_FACE);
+  gl_.Disable(GL_BLEND);
+  gl_.Disable(GL_POLYGON_OFFSET_FILL);
+  gl_.ActiveTexture(GL_TEXTURE0);
+  gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  gl_.DepthMask(GL_TRUE);
+  gl_.ClearColor(0, 0, 0, 0);
+  gl_.ClearDepth(0);
+  gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  gl_.Enable(GL_DEPTH_TEST);
+  gl_.DepthFunc(GL_GEQUAL);
+}
+
+void IdentityPass::drawItem(const DrawItem& item, const SceneCatalog& catalog,
+                            const MeshBuffers& meshes, const TextureStore& textures,
+                            const Camera& camera, std::uint32_t number) const {
+  surface_.use();
+  const glm::mat4 clip_from_model(camera.clipFromRelative() * camera.relative(item.world));
+  gl_.UniformMatrix4fv(clip_from_model_, 1, GL_FALSE, glm::value_ptr(clip_from_model));
+  // A byte over 255 in a float comes back as that byte: 8-bit components round to the nearest.
+  const auto component = [&](unsigned shift) {
+    return static_cast<float>(number >> shift & 255U) / 255.0F;
+  };
+  gl_.Uniform4f(number_, component(0), component(8), component(16), component(24));
+  const auto texture = static_cast<std::size_t>(std::max(item.texture, 0));
+  const bool has_holes =
+      item.texture >= 0 && textures.name(texture) != 0 && textures.translucent()[texture] != 0;
+  gl_.Uniform1i(has_holes_, has_holes ? 1 : 0);
+  if (has_holes) {
+    const Material& material = *item.material;
+    gl_.BindTexture(GL_TEXTURE_2D, textures.name(texture));
+    gl_.Uniform2f(map_scale_, material.map_scale.x, material.map_scale.y);
+    gl_.Uniform2f(map_offset_, material.map_offset.x, material.map_offset.y);
+  }
+  if (item.coplanar_rank > 0) {
+    gl_.Enable(GL_POLYGON_OFFSET_FILL);
+    setDepthLift(gl_, static_cast<float>(item.coplanar_rank));
+  }
+  meshes.bind(item.mesh);
+  drawTriangles(gl_, item, catalog);
+  gl_.Disable(GL_POLYGON_OFFSET_FILL);
+}
+
+void IdentityPass::drawOverlay(const Overlay& overlay, const std::vector<std::uint32_t>& numbers,
+                               bool in_scene) const {
+  assert(numbers.size() == overlay.vertices().size());
+  // Memory holds R, G, B, A from the number's lowest byte on: as readNumbers() takes them.
+  std::vector<OverlayVertex> vertices;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (numbers[i] == 0) continue;
+    vertices.push_back(overlay.vertices()[i]);
+    vertices.back().abgr = numbers[i];
+  }
+  if (vertices.empty()) return;
+  if (!in_scene) gl_.Disable(GL_DEPTH_TEST);
+  flat_.use();
+  gl_.BindVertexArray(array_);
+  gl_.BindBuffer(GL_ARRAY_BUFFER, vertices_);
+  gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(OverlayVertex)),
+                 vertices.data(), GL_STREAM_DRAW);
+  gl_.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(vertices.size()));
+  gl_.Enable(GL_DEPTH_TEST);
+}
+
+void IdentityPass::end() const {
+  gl_.Disable(GL_SCISSOR_TEST);
+  gl_.Disable(GL_DEPTH_TEST);
+  gl_.DepthFunc(GL_LESS);
+  gl_.ClearDepth(1);
+  gl_.BindVertexArray(0);
+  gl_.BindBuffer(GL_ARRAY_BUFFER, 0);
+  gl_.BindTexture(GL_TEXTURE_2D, 0);
+  gl_.UseProgram(0);
+  if (gl_.ClipControl != nullptr) gl_.ClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+}
+
+std::vector<std::uint32_t> IdentityPass::readNumbers(const FrameBuffer& drawn) {
+  const Picture picture = drawn.read();
+  std::vector<std::uint32_t> numbers;
+  numbers.reserve(picture.rgba.size() / 4);
+  for (std::size_t i = 0; i < picture.rgba.size(); i += 4) {
+    std::uint32_t number = 0;
+    for (std::size_t byte = 4; byte-- > 0;) number = number << 8U | picture.rgba[i + byte];
+    numbers.push_back(number);
+  }
+  return numbers;
+}
+
+std::vector<float> IdentityPass::readDepth(const FrameBuffer& drawn, const Camera& camera) const {
+  const auto width = static_cast<std::size_t>(drawn.width());
+  const auto height = static_cast<std::size_t>(drawn.height());
+  std::vector<float> stored(width * height);
+  gl_.PixelStorei(GL_PACK_ALIGNMENT, 4);
+  gl_.ReadPixels(0, 0, drawn.width(), drawn.height(), GL_DEPTH_COMPONENT, GL_FLOAT, stored.data());
+  std::vector<float> metres;
+  metres.reserve(stored.size());
+  for (std::size_t y = height; y-- > 0;) {
+    for (std::size_t x = 0; x < width; ++x) {
+      const double depth = stored[y * width + x];
+      metres.push_back(depth > 0 ? static_cast<float>(camera.depthAt(depth))
+                                 : std::numeric_limits<float>::infinity());
+    }
+  }
+  return metres;
+}
+
+}  // namespace rocinante

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "viewer/render/camera.h"
+#include "viewer/render/draw_list.h"
+#include "viewer/render/frame_buffer.h"
+#include "viewer/render/mesh_buffers.h"
+#include "viewer/render/overlay.h"
+#include "viewer/render/shader_program.h"
+#include "viewer/render/texture_store.h"
+#include "viewer/render/viewport.h"
+
+namespace rocinante {
+
+/// Draws numbers in place of colours: a pixel's four bytes are a number, exactly. With what a frame
+/// draws (its draw list, its overlays), so that the two agree. Draws into the framebuffer that is
+/// bound, which must have one sample a pixel; its context must be current.
+class IdentityPass {
+ public:
+  static Result<IdentityPass> create(const GlTable& gl);
+  ~IdentityPass();
+  IdentityPass(IdentityPass&& other) noexcept;
+  IdentityPass& operator=(IdentityPass&&) = delete;
+
+  /// Clears a part of the framebuffer to 0, and draws there alone until the next call.
+  void begin(const PixelRectangle& part, int frame_height) const;
+  /// `number_of(item)` for each; the nearest surface has a pixel, translucent or not.
+  template <class NumberOf>
+  void drawGeometry(const DrawList& list, const SceneCatalog& catalog, const MeshBuffers& meshes,
+                    const TextureStore& textures, const Camera& camera,
+                    const NumberOf& number_of) const {
+    for (const auto* items : {&list.opaque, &list.translucent}) {
+      for (const DrawItem& item : *items) {
+        drawItem(item, catalog, meshes, textures, camera, number_of(item));
+      }
+    }
+  }
+  /// Numbers by vertex; 0 leaves what is there. `in_scene`: tested against depth.
+  void drawOverlay(const Overlay& overlay, const std::vector<std::uint32_t>& numbers,
+                   bool in_scene) const;
+  /// Leaves GL's state as begin() found it.
+  void end() const;
+
+  /// All pixels' numbers, top row first.
+  static std::vector<std::uint32_t> readNumbers(const FrameBuffer& drawn);
+  /// Metres along the view of what was drawn, top row first; infinity where nothing was.
+  std::vector<float> readDepth(const FrameBuffer& drawn, const Camera& camera) const;
+
+ private:
+  IdentityPass(const GlTable& gl, ShaderProgram surface, ShaderProgram flat);
+  void drawItem(const DrawItem& item, const SceneCatalog& catalog, const MeshBuffers& meshes,
+                const TextureStore& textures, const Camera& camera, std::uint32_t number) const;
+
+  const GlTable& gl_;
+  ShaderProgram surface_, flat_;
+  GLint clip_from_model_, map_scale_, map_offset_, has_holes_, number_;
+  GLuint array_ = 0, vertices_ = 0;
+};
+
+}  // namespace rocinante

@@ -1,0 +1,31 @@
+#include "viewer/render/inset_frame.h"
+
+#include <algorithm>
+
+namespace rocinante {
+
+void addInsetFrame(Overlay& overlay, const FrameInset& inset, const TextAtlas& atlas) {
+  constexpr std::uint32_t kTitlePlate = 0x14181CC8;
+  constexpr std::uint32_t kTitleInk = 0xF2F4F6FF;
+  constexpr int kPadding = 6;
+  const double left = inset.part.x, top = inset.part.y;
+  const double right = left + inset.part.width, bottom = top + inset.part.height;
+  const double wide =
+      std::min<double>(inset.border_px, std::min(inset.part.width, inset.part.height) / 2);
+  if (!inset.title.empty()) {
+    const TextSize size = atlas.measure(inset.title);
+    const Vec2 corner(left + wide, top + wide);
+    overlay.addScreenRectangle(corner, corner + Vec2(size.width + 2 * kPadding, size.height + 2),
+                               kTitlePlate);
+    overlay.addScreenText(atlas, static_cast<int>(corner.x) + kPadding,
+                          static_cast<int>(corner.y) + 1, kTitleInk, inset.title);
+  }
+  if (wide <= 0) return;
+  // None over another: a translucent border would show its corners.
+  overlay.addScreenRectangle({left, top}, {right, top + wide}, inset.border_rgba);
+  overlay.addScreenRectangle({left, bottom - wide}, {right, bottom}, inset.border_rgba);
+  overlay.addScreenRectangle({left, top + wide}, {left + wide, bottom - wide}, inset.border_rgba);
+  overlay.addScreenRectangle({right - wide, top + wide}, {right, bottom - wide}, inset.border_rgba);
+}
+
+}  // namespace rocinante
