@@ -3,83 +3,64 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cassert>
-#include <cstdlib>
+#include <array>
+#include <cmath>
 #include <cstring>
+#include <span>
+
+#include "golden/picture_mask.h"
+#include "golden/pixel_difference.h"
 
 namespace rocinante {
 namespace {
 
-constexpr int kTile = 16;
-constexpr int kStride = 8;
-constexpr int kOver = 32;
+/// How many pixels have each difference, 0 to 255.
+using Histogram = std::array<std::int64_t, 256>;
 
-std::size_t pixelIndex(const Picture& picture, int x, int y) {
-  return static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
-         static_cast<std::size_t>(x);
-}
-
-int pixelDifference(const std::uint8_t* a, const std::uint8_t* b) {
-  int largest = 0;
-  for (int component = 0; component < 4; ++component) {
-    largest = std::max(largest, std::abs(a[component] - b[component]));
-  }
-  return largest;
-}
-
-/// The largest component difference of each pixel, in one row.
-void differenceRow(const Picture& a, const Picture& b, int y, std::uint8_t* row) {
-  const std::uint8_t* pixel_a = a.rgba.data() + pixelIndex(a, 0, y) * 4;
-  const std::uint8_t* pixel_b = b.rgba.data() + pixelIndex(b, 0, y) * 4;
-  for (int x = 0; x < a.width; ++x) {
-    row[x] = static_cast<std::uint8_t>(pixelDifference(pixel_a + x * 4, pixel_b + x * 4));
-  }
-}
-
-/// Where tiles begin along one side: every 8 pixels, and flush to the far edge.
-std::vector<int> tileStarts(int length) {
-  std::vector<int> starts;
-  for (int start = 0; start + kTile <= length; start += kStride) starts.push_back(start);
-  const int flush = std::max(0, length - kTile);
-  if (starts.empty() || starts.back() != flush) starts.push_back(flush);
-  return starts;
-}
-
-/// Sums over columns of the rows of one band of tiles, so that a tile costs 16 additions.
-struct ColumnSums {
-  std::vector<std::uint32_t> difference;
-  std::vector<std::uint32_t> over;
-};
-
-void findWorstTile(const std::vector<std::uint8_t>& differences, int width, int height,
-                   Comparison& found) {
-  const std::vector<int> columns = tileStarts(width);
-  const int tile_width = std::min(kTile, width);
-  const int tile_height = std::min(kTile, height);
-  const auto size = static_cast<std::size_t>(width);
-  ColumnSums sums{std::vector<std::uint32_t>(size), std::vector<std::uint32_t>(size)};
-  for (const int top : tileStarts(height)) {
-    std::ranges::fill(sums.difference, 0U);
-    std::ranges::fill(sums.over, 0U);
-    for (int y = top; y < top + tile_height; ++y) {
-      const std::uint8_t* row = differences.data() + static_cast<std::size_t>(y) * size;
-      for (std::size_t x = 0; x < size; ++x) {
-        sums.difference[x] += row[x];
-        sums.over[x] += row[x] > kOver ? 1U : 0U;
-      }
+Histogram histogramOf(std::span<const std::uint8_t> differences) {
+  Histogram counts{};
+  std::size_t i = 0;
+  for (; i + 8 <= differences.size(); i += 8) {
+    std::uint64_t eight = 0;
+    std::memcpy(&eight, differences.data() + i, sizeof eight);
+    if (eight == 0) {  // most of a picture is equal
+      counts[0] += 8;
+      continue;
     }
-    for (const int left : columns) {
-      std::uint32_t difference = 0;
-      std::uint32_t over = 0;
-      for (int x = left; x < left + tile_width; ++x) {
-        difference += sums.difference[static_cast<std::size_t>(x)];
-        over += sums.over[static_cast<std::size_t>(x)];
-      }
-      found.worst_tile_mean = std::max(found.worst_tile_mean,
-                                       difference / static_cast<double>(tile_width * tile_height));
-      found.worst_tile_over = std::max(found.worst_tile_over, static_cast<std::int64_t>(over));
-    }
+    for (std::size_t j = 0; j < 8; ++j) ++counts[differences[i + j]];
   }
+  for (; i < differences.size(); ++i) ++counts[differences[i]];
+  return counts;
+}
+
+std::int64_t countOver(const Histogram& counts, std::size_t limit) {
+  std::int64_t sum = 0;
+  for (std::size_t level = limit + 1; level < counts.size(); ++level) sum += counts[level];
+  return sum;
+}
+
+void measure(const Picture& frame, const Picture& golden, Comparison& found) {
+  const std::vector<std::uint8_t> differences = pixelDifferences(frame, golden);
+  const Histogram counts = histogramOf(differences);
+  found.differing = countOver(counts, 0);
+  found.over_1 = countOver(counts, 1);
+  found.over_2 = countOver(counts, 2);
+  found.over_8 = countOver(counts, 8);
+  found.over_32 = countOver(counts, 32);
+  for (int level = 0; level < 256; ++level) {
+    if (counts[static_cast<std::size_t>(level)] > 0) found.max = level;
+  }
+  const auto worst = std::ranges::find(differences, static_cast<std::uint8_t>(found.max));
+  const auto place = static_cast<std::size_t>(worst - differences.begin());
+  found.worst_x = static_cast<int>(place % static_cast<std::size_t>(frame.width));
+  found.worst_y = static_cast<int>(place / static_cast<std::size_t>(frame.width));
+  std::copy_n(frame.rgba.data() + place * 4, 4, found.worst_frame.begin());
+  std::copy_n(golden.rgba.data() + place * 4, 4, found.worst_golden.begin());
+  const WorstTile tile = worstTile(differences, frame.width, frame.height);
+  found.worst_tile_mean = tile.mean;
+  found.worst_tile_x = tile.x;
+  found.worst_tile_y = tile.y;
+  found.worst_tile_over = tile.over;
 }
 
 void decide(const Tolerance& tolerance, Comparison& found) {
@@ -106,6 +87,24 @@ void decide(const Tolerance& tolerance, Comparison& found) {
                            tolerance.tile_over, tolerance.name);
 }
 
+std::size_t rgbaBytes(const Picture& picture) {
+  return static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height) * 4;
+}
+
+/// Counts what differs beyond 8 bits, outside the mask.
+void measureFine(const FinePicture& frame, const FinePicture& golden, const PictureMask* mask,
+                 Comparison& found) {
+  const int width = frame.picture.width;
+  for (std::size_t i = 0; i < frame.samples.size(); ++i) {
+    if (frame.samples[i] == golden.samples[i]) continue;
+    const int pixel = static_cast<int>(i / 4);
+    if (mask != nullptr && mask->hides(pixel % width, pixel / width)) continue;
+    ++found.fine_differing;
+    found.fine_max = std::max(found.fine_max,
+                              std::abs(static_cast<double>(frame.samples[i]) - golden.samples[i]));
+  }
+}
+
 }  // namespace
 
 std::string_view nameOf(Verdict verdict) {
@@ -127,125 +126,73 @@ Result<Tolerance> Tolerance::named(std::string_view name) {
   return Error{ErrorKind::bad_argument, "a tolerance is exact, cpu or loose", std::string(name)};
 }
 
-Comparison compare(const Picture& frame, const Picture& golden, const Tolerance& tolerance) {
+Comparison compare(const Picture& frame, const Picture& golden, const Tolerance& tolerance,
+                   const PictureMask* mask) {
   Comparison found;
   if (frame.width != golden.width || frame.height != golden.height) {
     found.rule = fmt::format("the frame is {}x{}, the golden {}x{}", frame.width, frame.height,
                              golden.width, golden.height);
     return found;
   }
-  const std::size_t bytes =
-      static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height) * 4;
-  if (bytes == 0 || frame.rgba.size() != bytes || golden.rgba.size() != bytes) {
+  if (frame.width <= 0 || frame.height <= 0 || frame.rgba.size() != rgbaBytes(frame) ||
+      golden.rgba.size() != rgbaBytes(frame)) {
     found.rule = "a picture without pixels";
     return found;
   }
-  if (std::memcmp(frame.rgba.data(), golden.rgba.data(), bytes) == 0) {
+  if (mask != nullptr) {
+    if (mask->width() != frame.width || mask->height() != frame.height) {
+      found.rule = fmt::format("the mask is {}x{}, the frame {}x{}", mask->width(), mask->height(),
+                               frame.width, frame.height);
+      return found;
+    }
+    found.masked = mask->hiddenPixels();
+    if (mask->hidesEverything()) {
+      found.rule = "the masks hide every pixel: nothing would be judged";
+      return found;
+    }
+    const std::int64_t masked = found.masked;
+    found = compare(mask->applied(frame, golden), golden, tolerance);
+    found.masked = masked;
+    return found;
+  }
+  if (frame.rgba == golden.rgba) {
     found.verdict = Verdict::same;
     found.rule = "equal pixels";
     return found;
   }
-
-  std::vector<std::uint8_t> differences(bytes / 4);
-  for (int y = 0; y < frame.height; ++y) {
-    std::uint8_t* row = differences.data() + pixelIndex(frame, 0, y);
-    differenceRow(frame, golden, y, row);
-    for (int x = 0; x < frame.width; ++x) {
-      const int difference = row[x];
-      if (difference == 0) continue;
-      ++found.differing;
-      found.over_1 += difference > 1 ? 1 : 0;
-      found.over_2 += difference > 2 ? 1 : 0;
-      found.over_8 += difference > 8 ? 1 : 0;
-      found.over_32 += difference > kOver ? 1 : 0;
-      if (difference > found.max) {
-        found.max = difference;
-        found.worst_x = x;
-        found.worst_y = y;
-      }
-    }
-  }
-  const std::size_t worst = pixelIndex(frame, found.worst_x, found.worst_y) * 4;
-  std::copy_n(frame.rgba.begin() + static_cast<std::ptrdiff_t>(worst), 4,
-              found.worst_frame.begin());
-  std::copy_n(golden.rgba.begin() + static_cast<std::ptrdiff_t>(worst), 4,
-              found.worst_golden.begin());
-  findWorstTile(differences, frame.width, frame.height, found);
+  measure(frame, golden, found);
   decide(tolerance, found);
   return found;
 }
 
-Picture differencePicture(const Picture& frame, const Picture& golden) {
-  assert(frame.width == golden.width && frame.height == golden.height);
-  Picture shown{frame.width, frame.height, frame.rgba};
-  for (std::size_t pixel = 0; pixel < shown.rgba.size(); pixel += 4) {
-    std::uint8_t* out = shown.rgba.data() + pixel;
-    const int difference = pixelDifference(frame.rgba.data() + pixel, golden.rgba.data() + pixel);
-    if (difference == 0) {
-      const int grey = (out[0] * 54 + out[1] * 183 + out[2] * 19) / 256;
-      const auto dimmed = static_cast<std::uint8_t>(96 + grey / 4);
-      out[0] = out[1] = out[2] = dimmed;
-    } else {
-      out[0] = 255;
-      out[1] = static_cast<std::uint8_t>(std::max(0, 220 - difference * 4));
-      out[2] = 0;
-    }
-    out[3] = 255;
+Comparison compareFine(const FinePicture& frame, const FinePicture& golden,
+                       const Tolerance& tolerance, const PictureMask* mask) {
+  Comparison found = compare(frame.picture, golden.picture, tolerance, mask);
+  if (found.verdict == Verdict::incomparable) return found;
+  const auto refuse = [&](std::string why) {
+    found.verdict = Verdict::incomparable;
+    found.rule = std::move(why);
+    return found;
+  };
+  if (frame.encoding.bits != golden.encoding.bits ||
+      frame.encoding.floating != golden.encoding.floating) {
+    return refuse(fmt::format("the frame has {}, the golden {}", frame.encoding.depthText(),
+                              golden.encoding.depthText()));
   }
-  return shown;
-}
-
-std::vector<std::string> differenceMap(const Picture& frame, const Picture& golden, int columns) {
-  assert(frame.width == golden.width && frame.height == golden.height);
-  columns = std::min(columns, frame.width);
-  // A character is about twice as high as wide.
-  const int rows = std::max(1, frame.height * columns / frame.width / 2);
-  std::vector<int> largest(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
-  std::vector<std::uint8_t> row(static_cast<std::size_t>(frame.width));
-  for (int y = 0; y < frame.height; ++y) {
-    differenceRow(frame, golden, y, row.data());
-    const int map_y = std::min(rows - 1, y * rows / frame.height);
-    for (int x = 0; x < frame.width; ++x) {
-      const int map_x = std::min(columns - 1, x * columns / frame.width);
-      int& area = largest[static_cast<std::size_t>(map_y * columns + map_x)];
-      area = std::max(area, static_cast<int>(row[static_cast<std::size_t>(x)]));
-    }
+  for (const auto& [whose, picture] : {std::pair("frame", &frame), std::pair("golden", &golden)}) {
+    if (picture->not_finite == 0) continue;
+    return refuse(fmt::format("{} of the {}'s numbers are NaN or infinite, first at ({}, {})",
+                              picture->not_finite, whose, picture->not_finite_x,
+                              picture->not_finite_y));
   }
-  std::vector<std::string> lines;
-  for (int y = 0; y < rows; ++y) {
-    std::string line;
-    for (int x = 0; x < columns; ++x) {
-      const int difference = largest[static_cast<std::size_t>(y * columns + x)];
-      line.push_back(difference == 0    ? ' '
-                     : difference <= 2  ? '.'
-                     : difference <= 8  ? ':'
-                     : difference <= 32 ? '+'
-                                        : '#');
-    }
-    lines.push_back(std::move(line));
+  if (frame.samples.size() != golden.samples.size()) return refuse("a picture without samples");
+  measureFine(frame, golden, mask, found);
+  if (tolerance.exact && found.fine_differing > 0) {
+    found.verdict = Verdict::different;
+    found.rule = fmt::format("{} differing samples of {}, {} pixels at 8 bits (exact)",
+                             found.fine_differing, frame.encoding.depthText(), found.differing);
   }
-  return lines;
-}
-
-Picture reducedPicture(const Picture& picture, int width) {
-  const int factor = std::max(1, (picture.width + width - 1) / width);
-  Picture reduced{picture.width / factor, picture.height / factor, {}};
-  if (reduced.width == 0 || reduced.height == 0) return picture;
-  reduced.rgba.reserve(static_cast<std::size_t>(reduced.width * reduced.height) * 4);
-  for (int y = 0; y < reduced.height; ++y) {
-    for (int x = 0; x < reduced.width; ++x) {
-      for (std::size_t component = 0; component < 4; ++component) {
-        int sum = 0;
-        for (int row = y * factor; row < (y + 1) * factor; ++row) {
-          for (int column = x * factor; column < (x + 1) * factor; ++column) {
-            sum += picture.rgba[pixelIndex(picture, column, row) * 4 + component];
-          }
-        }
-        reduced.rgba.push_back(static_cast<std::uint8_t>(sum / (factor * factor)));
-      }
-    }
-  }
-  return reduced;
+  return found;
 }
 
 }  // namespace rocinante

@@ -7,9 +7,12 @@
 #include <vector>
 
 #include "core/result.h"
+#include "viewer/picture/fine_picture.h"
 #include "viewer/picture/picture.h"
 
 namespace rocinante {
+
+class PictureMask;
 
 /// How far a frame may be from its golden and still be the same (docs/golden-suites.md,
 /// "Tolerances"). Limits are inclusive.
@@ -43,14 +46,28 @@ struct Comparison {
   int worst_x = 0, worst_y = 0;                               ///< where it is; origin top left
   std::array<std::uint8_t, 4> worst_frame{}, worst_golden{};  ///< RGBA there
   double worst_tile_mean = 0;
-  std::int64_t worst_tile_over = 0;
+  int worst_tile_x = 0, worst_tile_y = 0;  ///< upper left pixel of the first tile with that mean
+  std::int64_t worst_tile_over = 0;        ///< most pixels of one tile over 32; may be another's
   /// How many pixels differ by at least 1, and by more than 1, 2, 8 and 32.
   std::int64_t differing = 0;
   std::int64_t over_1 = 0, over_2 = 0, over_8 = 0, over_32 = 0;
+  std::int64_t masked = 0;  ///< pixels that no rule looked at
+  /// Beyond 8 bits: samples that differ, and by how much at most, in the file's own numbers.
+  std::int64_t fine_differing = 0;
+  double fine_max = 0;
 };
 
-/// Compares a frame with its golden. Shape first: a cropped frame never passes.
-Comparison compare(const Picture& frame, const Picture& golden, const Tolerance& tolerance);
+/// Compares a frame with its golden. Shape first: a cropped frame never passes. Pixels that the
+/// mask hides count as equal, so that a mask never makes a frame fail; a mask of another size, and
+/// one that leaves nothing to judge, make the pictures incomparable.
+Comparison compare(const Picture& frame, const Picture& golden, const Tolerance& tolerance,
+                   const PictureMask* mask = nullptr);
+
+/// The same for pictures that may be deeper than 8 bits. Shape first, then depth, then finiteness:
+/// a picture with NaN or an infinite sample never passes, not even against itself, masked or not.
+/// Tolerances look at 8 bits; exactly the same are only equal samples.
+Comparison compareFine(const FinePicture& frame, const FinePicture& golden,
+                       const Tolerance& tolerance, const PictureMask* mask = nullptr);
 
 /// Where two pictures of one shape differ, for people: the frame in grey, dimmed, with differing
 /// pixels from yellow (slight) to red.

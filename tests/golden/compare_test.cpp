@@ -2,21 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include "golden/picture_mask.h"
+#include "tests/golden/test_pictures.h"
+
 namespace rocinante {
 namespace {
 
-Picture grey(int width, int height, std::uint8_t level = 100) {
-  Picture picture{width, height, {}};
-  picture.rgba.assign(static_cast<std::size_t>(width * height) * 4, level);
-  return picture;
-}
-
-std::uint8_t* pixel(Picture& picture, int x, int y) {
-  return picture.rgba.data() + static_cast<std::ptrdiff_t>((y * picture.width + x) * 4);
-}
-
 TEST(CompareWithGolden, EqualPicturesAreTheSameInEveryTier) {
-  const Picture picture = grey(40, 30);
+  const Picture picture = greyPicture(40, 30);
   for (const Tolerance& tolerance : {Tolerance::exactly(), Tolerance::cpu(), Tolerance::loose()}) {
     const Comparison found = compare(picture, picture, tolerance);
     EXPECT_EQ(found.verdict, Verdict::same);
@@ -26,8 +19,8 @@ TEST(CompareWithGolden, EqualPicturesAreTheSameInEveryTier) {
 
 TEST(CompareWithGolden, ACroppedFrameNeverPasses) {
   // Debian's idiff passes this one: the rest of the larger picture is black.
-  Picture golden = grey(32, 64, 0);
-  const Picture frame = grey(64, 64, 0);
+  Picture golden = greyPicture(32, 64, 0);
+  const Picture frame = greyPicture(64, 64, 0);
   for (const Tolerance& tolerance : {Tolerance::exactly(), Tolerance::loose()}) {
     const Comparison found = compare(frame, golden, tolerance);
     EXPECT_EQ(found.verdict, Verdict::incomparable);
@@ -37,15 +30,15 @@ TEST(CompareWithGolden, ACroppedFrameNeverPasses) {
 
 TEST(CompareWithGolden, PicturesWithoutPixelsOrTooFewAreIncomparable) {
   EXPECT_EQ(compare(Picture{}, Picture{}, {}).verdict, Verdict::incomparable);
-  Picture cut = grey(8, 8);
+  Picture cut = greyPicture(8, 8);
   cut.rgba.pop_back();
-  EXPECT_EQ(compare(cut, grey(8, 8), {}).verdict, Verdict::incomparable);
+  EXPECT_EQ(compare(cut, greyPicture(8, 8), {}).verdict, Verdict::incomparable);
 }
 
 TEST(CompareWithGolden, OneLevelInOnePixelFailsTheExactTierAlone) {
-  const Picture golden = grey(40, 30);
+  const Picture golden = greyPicture(40, 30);
   Picture frame = golden;
-  pixel(frame, 39, 29)[3] += 1;  // alpha counts as much as a colour
+  pixelAt(frame, 39, 29)[3] += 1;  // alpha counts as much as a colour
   const Comparison exact = compare(frame, golden, Tolerance::exactly());
   EXPECT_EQ(exact.verdict, Verdict::different);
   EXPECT_EQ(exact.rule, "1 differing pixels (exact)");
@@ -56,10 +49,10 @@ TEST(CompareWithGolden, OneLevelInOnePixelFailsTheExactTierAlone) {
 }
 
 TEST(CompareWithGolden, SaysWhereTheWorstPixelIsAndBothValues) {
-  const Picture golden = grey(40, 30);
+  const Picture golden = greyPicture(40, 30);
   Picture frame = golden;
-  pixel(frame, 7, 5)[1] = 90;
-  pixel(frame, 21, 13)[0] = 150;
+  pixelAt(frame, 7, 5)[1] = 90;
+  pixelAt(frame, 21, 13)[0] = 150;
   const Comparison found = compare(frame, golden, Tolerance::exactly());
   EXPECT_EQ(found.worst_x, 21);
   EXPECT_EQ(found.worst_y, 13);
@@ -72,30 +65,30 @@ TEST(CompareWithGolden, SaysWhereTheWorstPixelIsAndBothValues) {
 }
 
 TEST(CompareWithGolden, TheTileMeanLimitIsInclusive) {
-  const Picture golden = grey(64, 64);
+  const Picture golden = greyPicture(64, 64);
   Picture frame = golden;
   // 16x16 pixels that differ by exactly 4, on a tile's place.
   for (int y = 8; y < 24; ++y) {
-    for (int x = 16; x < 32; ++x) pixel(frame, x, y)[2] = 104;
+    for (int x = 16; x < 32; ++x) pixelAt(frame, x, y)[2] = 104;
   }
   const Comparison at_limit = compare(frame, golden, Tolerance::cpu());
   EXPECT_EQ(at_limit.verdict, Verdict::same);
   EXPECT_DOUBLE_EQ(at_limit.worst_tile_mean, 4.0);
-  pixel(frame, 20, 12)[2] = 105;
+  pixelAt(frame, 20, 12)[2] = 105;
   const Comparison over = compare(frame, golden, Tolerance::cpu());
   EXPECT_EQ(over.verdict, Verdict::different);
   EXPECT_EQ(over.rule, "worst tile's mean 4.00 > 4.00 (cpu)");
 }
 
 TEST(CompareWithGolden, ThreePixelsOfATileOver32FailTheCpuTier) {
-  const Picture golden = grey(64, 64);
+  const Picture golden = greyPicture(64, 64);
   Picture frame = golden;
-  pixel(frame, 1, 1)[0] = 133;
-  pixel(frame, 9, 3)[0] = 133;
+  pixelAt(frame, 1, 1)[0] = 133;
+  pixelAt(frame, 9, 3)[0] = 133;
   EXPECT_EQ(compare(frame, golden, Tolerance::cpu()).verdict, Verdict::same);
-  pixel(frame, 15, 15)[0] = 132;  // 32 is not over 32
+  pixelAt(frame, 15, 15)[0] = 132;  // 32 is not over 32
   EXPECT_EQ(compare(frame, golden, Tolerance::cpu()).verdict, Verdict::same);
-  pixel(frame, 15, 15)[0] = 133;
+  pixelAt(frame, 15, 15)[0] = 133;
   const Comparison found = compare(frame, golden, Tolerance::cpu());
   EXPECT_EQ(found.verdict, Verdict::different);
   EXPECT_EQ(found.rule, "3 pixels of a tile over 32 > 2 (cpu)");
@@ -103,50 +96,219 @@ TEST(CompareWithGolden, ThreePixelsOfATileOver32FailTheCpuTier) {
 
 TEST(CompareWithGolden, TilesReachTheFarEdgeOfAnySize) {
   // 37 and 29 are multiples of nothing: the last tile lies flush with the edge.
-  const Picture golden = grey(37, 29);
+  const Picture golden = greyPicture(37, 29);
   Picture frame = golden;
   for (int y = 13; y < 29; ++y) {
-    for (int x = 21; x < 37; ++x) pixel(frame, x, y)[0] = 110;
+    for (int x = 21; x < 37; ++x) pixelAt(frame, x, y)[0] = 110;
   }
   EXPECT_DOUBLE_EQ(compare(frame, golden, Tolerance::cpu()).worst_tile_mean, 10.0);
 }
 
 TEST(CompareWithGolden, APictureSmallerThanATileIsOneTile) {
-  const Picture golden = grey(5, 3);
+  const Picture golden = greyPicture(5, 3);
   Picture frame = golden;
-  pixel(frame, 4, 2)[0] = 115;
+  pixelAt(frame, 4, 2)[0] = 115;
   EXPECT_DOUBLE_EQ(compare(frame, golden, Tolerance::cpu()).worst_tile_mean, 1.0);
 }
 
-TEST(DifferenceMap, ShowsWhereByHowMuch) {
-  const Picture golden = grey(8, 4);
+TEST(CompareWithGolden, SaysWhereTheWorstTileIs) {
+  const Picture golden = greyPicture(64, 48);
   Picture frame = golden;
-  pixel(frame, 0, 0)[0] = 101;
-  pixel(frame, 3, 0)[0] = 105;
-  pixel(frame, 5, 3)[0] = 120;
-  pixel(frame, 7, 3)[0] = 200;
+  for (int y = 16; y < 32; ++y) {
+    for (int x = 40; x < 56; ++x) pixelAt(frame, x, y)[0] = 103;
+  }
+  pixelAt(frame, 0, 0)[0] = 255;  // more than the tile, in one pixel
+  const Comparison found = compare(frame, golden, Tolerance::cpu());
+  EXPECT_DOUBLE_EQ(found.worst_tile_mean, 3.0);
+  EXPECT_EQ(found.worst_tile_x, 40);
+  EXPECT_EQ(found.worst_tile_y, 16);
+  EXPECT_EQ(found.worst_tile_over, 1);
+}
+
+TEST(CompareWithGolden, CountsEveryLimitWithoutTheLimitItself) {
+  const Picture golden = greyPicture(16, 4);
+  Picture frame = golden;
+  int x = 0;
+  for (const int difference : {1, 2, 3, 8, 9, 32, 33, 155}) {
+    pixelAt(frame, x++, 2)[1] = static_cast<std::uint8_t>(100 + difference);
+  }
+  const Comparison found = compare(frame, golden, Tolerance::exactly());
+  EXPECT_EQ(found.differing, 8);
+  EXPECT_EQ(found.over_1, 7);
+  EXPECT_EQ(found.over_2, 6);
+  EXPECT_EQ(found.over_8, 4);
+  EXPECT_EQ(found.over_32, 2);
+  EXPECT_EQ(found.max, 155);
+}
+
+TEST(CompareWithGolden, IsTheSameInBothDirections) {
+  const Picture golden = noisePicture(41, 23, 7);
+  const Picture frame = noisePicture(41, 23, 8);
+  const Comparison there = compare(frame, golden, Tolerance::loose());
+  const Comparison back = compare(golden, frame, Tolerance::loose());
+  EXPECT_EQ(there.rule, back.rule);
+  EXPECT_EQ(there.max, back.max);
+  EXPECT_EQ(there.worst_tile_mean, back.worst_tile_mean);
+  EXPECT_EQ(there.over_8, back.over_8);
+}
+
+TEST(CompareWithGolden, LooksAtEveryPixelAndComponent) {
+  const Picture golden = noisePicture(19, 21, 3);
+  for (std::size_t i = 0; i < golden.rgba.size(); ++i) {
+    Picture frame = golden;
+    frame.rgba[i] ^= 1U;
+    const Comparison found = compare(frame, golden, Tolerance::exactly());
+    ASSERT_EQ(found.verdict, Verdict::different) << i;
+    ASSERT_EQ(found.differing, 1) << i;
+    ASSERT_EQ(found.worst_x, static_cast<int>(i / 4 % 19)) << i;
+    ASSERT_EQ(found.worst_y, static_cast<int>(i / 4 / 19)) << i;
+  }
+}
+
+TEST(CompareWithGolden, TheLimitsOfTheTiersAreTheDocumentedOnes) {
+  struct Case {
+    Tolerance tolerance;
+    int level;  // of a whole tile, at the limit
+    int over;   // pixels over 32, at the limit
+  };
+  for (const Case& tier : {Case{Tolerance::cpu(), 4, 2}, Case{Tolerance::loose(), 6, 16}}) {
+    SCOPED_TRACE(tier.tolerance.name);
+    const Picture golden = greyPicture(32, 32);
+    Picture frame = greyPicture(32, 32, static_cast<std::uint8_t>(100 + tier.level));
+    EXPECT_EQ(compare(frame, golden, tier.tolerance).verdict, Verdict::same);
+    pixelAt(frame, 9, 9)[2] += 1;
+    EXPECT_EQ(compare(frame, golden, tier.tolerance).verdict, Verdict::different);
+
+    Picture dotted = golden;
+    for (int i = 0; i < tier.over; ++i) pixelAt(dotted, 8 + i % 8, 8 + i / 8)[0] = 133;
+    EXPECT_EQ(compare(dotted, golden, tier.tolerance).verdict, Verdict::same);
+    pixelAt(dotted, 15, 15)[0] = 133;
+    EXPECT_EQ(compare(dotted, golden, tier.tolerance).verdict, Verdict::different);
+  }
+}
+
+TEST(CompareMasked, WhatAMaskHidesIsNotJudged) {
+  const Picture golden = greyPicture(40, 30);
+  Picture frame = golden;
+  pixelAt(frame, 10, 5)[0] = 200;
+  PictureMask mask(40, 30);
+  mask.hide(PixelRectangle{10, 5, 1, 1}, "label");
+  const Comparison found = compare(frame, golden, Tolerance::exactly(), &mask);
+  EXPECT_EQ(found.verdict, Verdict::same);
+  EXPECT_EQ(found.masked, 1);
+  pixelAt(frame, 11, 5)[0] = 200;
+  const Comparison beside = compare(frame, golden, Tolerance::exactly(), &mask);
+  EXPECT_EQ(beside.verdict, Verdict::different);
+  EXPECT_EQ(beside.differing, 1);
+  EXPECT_EQ(beside.masked, 1);
+}
+
+TEST(CompareMasked, NothingLeftToJudgeIsIncomparable) {
+  const Picture golden = greyPicture(40, 30);
+  PictureMask mask(40, 30);
+  mask.hide(PixelRectangle{0, 0, 40, 30}, "all");
+  const Comparison found = compare(golden, golden, Tolerance::loose(), &mask);
+  EXPECT_EQ(found.verdict, Verdict::incomparable);
+  EXPECT_EQ(found.rule, "the masks hide every pixel: nothing would be judged");
+}
+
+TEST(CompareMasked, AMaskOfAnotherSizeIsIncomparable) {
+  const Picture golden = greyPicture(40, 30);
+  const PictureMask mask(30, 40);
+  EXPECT_EQ(compare(golden, golden, Tolerance::loose(), &mask).verdict, Verdict::incomparable);
+}
+
+FinePicture deepPicture(int width, int height, float sample) {
+  FinePicture fine;
+  fine.picture = greyPicture(width, height);
+  fine.encoding = {4, 16, false};
+  fine.samples.assign(static_cast<std::size_t>(width * height) * 4, sample);
+  return fine;
+}
+
+TEST(CompareFine, SixteenBitsThatDifferBelowTheEighthAreNotExactlyTheSame) {
+  const FinePicture golden = deepPicture(20, 20, 25'700);
+  FinePicture frame = golden;
+  frame.samples[4 * 20 + 2] = 25'701;
+  const Comparison exact = compareFine(frame, golden, Tolerance::exactly());
+  EXPECT_EQ(exact.verdict, Verdict::different);
+  EXPECT_EQ(exact.rule, "1 differing samples of 16 bits a component, 0 pixels at 8 bits (exact)");
+  EXPECT_EQ(exact.fine_max, 1);
+  EXPECT_EQ(compareFine(frame, golden, Tolerance::cpu()).verdict, Verdict::same);
+  PictureMask mask(20, 20);
+  mask.hide(PixelRectangle{0, 1, 1, 1}, "corner");
+  EXPECT_EQ(compareFine(frame, golden, Tolerance::exactly(), &mask).verdict, Verdict::same);
+  EXPECT_EQ(compareFine(golden, golden, Tolerance::exactly()).verdict, Verdict::same);
+}
+
+TEST(CompareFine, AnotherDepthIsIncomparableThoughEveryPixelIsEqual) {
+  const FinePicture golden = deepPicture(20, 20, 25'700);
+  FinePicture eight = golden;
+  eight.encoding.bits = 8;
+  eight.samples.clear();
+  FinePicture half = golden;
+  half.encoding.floating = true;
+  for (const Tolerance& tolerance : {Tolerance::exactly(), Tolerance::loose()}) {
+    const Comparison found = compareFine(eight, golden, tolerance);
+    EXPECT_EQ(found.verdict, Verdict::incomparable);
+    EXPECT_EQ(found.rule, "the frame has 8 bits a component, the golden 16 bits a component");
+    EXPECT_EQ(compareFine(golden, eight, tolerance).verdict, Verdict::incomparable);
+    EXPECT_EQ(compareFine(half, golden, tolerance).verdict, Verdict::incomparable);
+  }
+}
+
+TEST(CompareFine, ANumberThatIsNoneNeverPassesNotEvenAgainstItself) {
+  FinePicture golden = deepPicture(20, 20, 1);
+  golden.encoding = {4, 32, true};
+  FinePicture frame = golden;
+  frame.not_finite = 3;
+  frame.not_finite_x = 7;
+  frame.not_finite_y = 2;
+  for (const Tolerance& tolerance : {Tolerance::exactly(), Tolerance::loose()}) {
+    const Comparison found = compareFine(frame, golden, tolerance);
+    EXPECT_EQ(found.verdict, Verdict::incomparable);
+    EXPECT_EQ(found.rule, "3 of the frame's numbers are NaN or infinite, first at (7, 2)");
+    EXPECT_EQ(compareFine(golden, frame, tolerance).verdict, Verdict::incomparable);
+    EXPECT_EQ(compareFine(frame, frame, tolerance).verdict, Verdict::incomparable);
+  }
+}
+
+TEST(CompareFine, ShapeComesFirst) {
+  FinePicture frame = deepPicture(20, 19, 1);
+  frame.not_finite = 1;
+  EXPECT_EQ(compareFine(frame, deepPicture(20, 20, 1), {}).rule,
+            "the frame is 20x19, the golden 20x20");
+}
+
+TEST(DifferenceMap, ShowsWhereByHowMuch) {
+  const Picture golden = greyPicture(8, 4);
+  Picture frame = golden;
+  pixelAt(frame, 0, 0)[0] = 101;
+  pixelAt(frame, 3, 0)[0] = 105;
+  pixelAt(frame, 5, 3)[0] = 120;
+  pixelAt(frame, 7, 3)[0] = 200;
   EXPECT_EQ(differenceMap(frame, golden, 8), (std::vector<std::string>{".  :    ", "     + #"}));
 }
 
 TEST(DifferencePicture, LeavesEqualPixelsGreyAndMarksTheOthers) {
-  const Picture golden = grey(2, 1);
+  const Picture golden = greyPicture(2, 1);
   Picture frame = golden;
-  pixel(frame, 1, 0)[0] = 200;
+  pixelAt(frame, 1, 0)[0] = 200;
   Picture shown = differencePicture(frame, golden);
-  EXPECT_EQ(pixel(shown, 0, 0)[0], pixel(shown, 0, 0)[1]);
-  EXPECT_EQ(pixel(shown, 1, 0)[0], 255);
-  EXPECT_EQ(pixel(shown, 1, 0)[2], 0);
+  EXPECT_EQ(pixelAt(shown, 0, 0)[0], pixelAt(shown, 0, 0)[1]);
+  EXPECT_EQ(pixelAt(shown, 1, 0)[0], 255);
+  EXPECT_EQ(pixelAt(shown, 1, 0)[2], 0);
 }
 
 TEST(ReducedPicture, AveragesWholeBlocksAndLeavesSmallOnesAlone) {
-  Picture picture = grey(640, 4, 0);
-  pixel(picture, 0, 0)[0] = 200;  // one of the four of the first block
+  Picture picture = greyPicture(640, 4, 0);
+  pixelAt(picture, 0, 0)[0] = 200;  // one of the four of the first block
   const Picture reduced = reducedPicture(picture, 320);
   EXPECT_EQ(reduced.width, 320);
   EXPECT_EQ(reduced.height, 2);
   EXPECT_EQ(reduced.rgba[0], 50);
-  EXPECT_EQ(reducedPicture(grey(5, 3), 320), grey(5, 3));
-  EXPECT_EQ(reducedPicture(grey(700, 1), 320), grey(700, 1));
+  EXPECT_EQ(reducedPicture(greyPicture(5, 3), 320), greyPicture(5, 3));
+  EXPECT_EQ(reducedPicture(greyPicture(700, 1), 320), greyPicture(700, 1));
 }
 
 }  // namespace

@@ -71,8 +71,26 @@ uint8_t byteOf(float value, float alpha, bool multiplied, const rocinante::SrgbC
   return straight > 0 ? static_cast<uint8_t>(std::min(straight, 1.0F) * 255.0F + 0.5F) : uint8_t{0};
 }
 
+/// The file's own numbers as RGBA floats; null without memory.
 template <class T>
-bool readAs(OIIO::ImageInput& input, OIIO::TypeDesc type, RocinantePictureOut& out) {
+float* samplesOf(const std::vector<T>& content, std::size_t per_pixel, const Channels& channels,
+                 float opaque) {
+  const std::size_t pixels = content.size() / per_pixel;
+  auto* samples = static_cast<float*>(std::malloc(pixels * 4 * sizeof(float)));
+  if (samples == nullptr) return nullptr;
+  for (std::size_t i = 0; i < pixels; ++i) {
+    const T* pixel = content.data() + i * per_pixel;
+    samples[i * 4] = static_cast<float>(pixel[channels.red]);
+    samples[i * 4 + 1] = static_cast<float>(pixel[channels.green]);
+    samples[i * 4 + 2] = static_cast<float>(pixel[channels.blue]);
+    samples[i * 4 + 3] = channels.alpha < 0 ? opaque : static_cast<float>(pixel[channels.alpha]);
+  }
+  return samples;
+}
+
+template <class T>
+bool readAs(OIIO::ImageInput& input, OIIO::TypeDesc type, bool with_samples,
+            RocinantePictureOut& out) {
   const OIIO::ImageSpec& spec = input.spec();
   const std::size_t pixels =
       static_cast<std::size_t>(spec.width) * static_cast<std::size_t>(spec.height);
@@ -99,10 +117,14 @@ bool readAs(OIIO::ImageInput& input, OIIO::TypeDesc type, RocinantePictureOut& o
     to[2] = byteOf<T>(pixel[channels.blue], alpha, multiplied, color_curve);
     to[3] = byteOf<T>(alpha, kOpaque, false, nullptr);
   }
+  if (with_samples && sizeof(T) > 1) {
+    out.samples = samplesOf(content, per_pixel, channels, static_cast<float>(kOpaque));
+    return out.samples != nullptr;
+  }
   return true;
 }
 
-void read(const char* path, const void* bytes, size_t size, int64_t max_pixels,
+void read(const char* path, const void* bytes, size_t size, int64_t max_pixels, bool with_samples,
           RocinantePictureOut& out) {
   OIIO::ImageSpec wanted;
   wanted.attribute("oiio:UnassociatedAlpha", 1);
@@ -123,15 +145,21 @@ void read(const char* path, const void* bytes, size_t size, int64_t max_pixels,
   }
   out.width = spec.width;
   out.height = spec.height;
+  out.components = spec.nchannels;
+  out.has_alpha = spec.alpha_channel >= 0 ? 1 : 0;
+  out.bits = static_cast<int32_t>(spec.format.size() * 8);
+  out.floating = spec.format.is_floating_point() ? 1 : 0;
+  out.pictures = 1;
   bool done = false;
   if (spec.format.is_floating_point()) {
-    done = readAs<float>(*input, OIIO::TypeDesc::FLOAT, out);
+    done = readAs<float>(*input, OIIO::TypeDesc::FLOAT, with_samples, out);
   } else if (spec.format.size() == 1) {
-    done = readAs<uint8_t>(*input, OIIO::TypeDesc::UINT8, out);
+    done = readAs<uint8_t>(*input, OIIO::TypeDesc::UINT8, with_samples, out);
   } else {
-    done = readAs<uint16_t>(*input, OIIO::TypeDesc::UINT16, out);
+    done = readAs<uint16_t>(*input, OIIO::TypeDesc::UINT16, with_samples, out);
   }
   if (!done) return answer(out, damaged, "cannot be decoded: " + firstLine(input->geterror()));
+  if (with_samples && input->seek_subimage(1, 0)) out.pictures = 2;
   answer(out, read_whole, "");
 }
 
@@ -146,21 +174,24 @@ __attribute__((visibility("default"))) int rocinante_picture_abi(void) {
 __attribute__((visibility("default"))) void rocinante_picture_read(const char* name,
                                                                    const void* bytes, size_t size,
                                                                    int64_t max_pixels,
+                                                                   int32_t with_samples,
                                                                    RocinantePictureOut* out) {
   *out = {};
   try {
-    read(name, bytes, size, max_pixels, *out);
+    read(name, bytes, size, max_pixels, with_samples != 0, *out);
   } catch (const std::exception& fault) {
     answer(*out, damaged, std::string("cannot be decoded: ") + fault.what());
   }
   if (out->answer != read_whole) {
     std::free(out->rgba);
+    std::free(out->samples);
     out->rgba = nullptr;
+    out->samples = nullptr;
   }
 }
 
-__attribute__((visibility("default"))) void rocinante_picture_free(uint8_t* rgba) {
-  std::free(rgba);
+__attribute__((visibility("default"))) void rocinante_picture_free(void* memory) {
+  std::free(memory);
 }
 
 }  // extern "C"

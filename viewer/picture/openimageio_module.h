@@ -6,7 +6,7 @@
 // What librocinante_openimageio.so offers, in C: the module is loaded with dlopen and shares no
 // C++ with the program. Functions are found by the names of their typedefs' comments.
 
-#define ROCINANTE_PICTURE_ABI 2
+#define ROCINANTE_PICTURE_ABI 3
 
 extern "C" {
 
@@ -15,7 +15,15 @@ typedef int (*RocinantePictureAbi)(void);
 
 struct RocinantePictureOut {
   int32_t width, height;
-  uint8_t* rgba;  ///< straight alpha, rows top to bottom; given back to rocinante_picture_free
+  uint8_t* rgba;       ///< straight alpha, rows top to bottom; given back to rocinante_picture_free
+  int32_t components;  ///< in the file, alpha among them
+  int32_t has_alpha;   ///< 1 when one of them is alpha
+  int32_t bits;        ///< of each in the file
+  int32_t floating;    ///< 1 when they are floating point numbers
+  int32_t pictures;    ///< 1, or 2 for more; only counted with samples
+  /// When samples were asked for and the file has more than 8 bits: RGBA of each pixel with the
+  /// file's own numbers, multiplied by alpha where the file says so; given back like `rgba`.
+  float* samples;
   /// 0 read; 1 cannot be opened as a picture; 2 too many pixels; 3 damaged.
   int32_t answer;
   char error[256];  ///< one sentence, when it was not read
@@ -24,8 +32,9 @@ struct RocinantePictureOut {
 /// rocinante_picture_read: decodes the first picture in the file `name`, or, when `bytes` is not
 /// null, in those, which `name` then only gives the format by its ending. Any thread.
 typedef void (*RocinantePictureRead)(const char* name, const void* bytes, size_t size,
-                                     int64_t max_pixels, struct RocinantePictureOut* out);
-/// rocinante_picture_free
-typedef void (*RocinantePictureFree)(uint8_t* rgba);
+                                     int64_t max_pixels, int32_t with_samples,
+                                     struct RocinantePictureOut* out);
+/// rocinante_picture_free: of `rgba` or `samples`; null is allowed.
+typedef void (*RocinantePictureFree)(void* memory);
 
 }  // extern "C"

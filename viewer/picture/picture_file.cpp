@@ -1,28 +1,63 @@
 #include <fstream>
 
+#include "core/atomic_file.h"
+#include "viewer/picture/fine_picture.h"
 #include "viewer/picture/picture.h"
 #include "viewer/picture/picture_module.h"
 
 namespace rocinante {
+namespace {
 
-Result<Picture> readPicture(const std::filesystem::path& path, std::int64_t max_pixels) {
+constexpr std::string_view kPngSignature = "\x89PNG\r\n\x1A\n";
+
+/// Whether the file is a PNG; what it is, its bytes say and not its name.
+Result<bool> isPng(const std::filesystem::path& path) {
+  std::error_code fault;
+  const auto status = std::filesystem::status(path, fault);
+  if (!std::filesystem::exists(status)) {
+    return Error{ErrorKind::not_found, "the picture does not exist", path.string()};
+  }
+  if (std::filesystem::is_directory(status)) {
+    return Error{ErrorKind::unreadable, "is a folder, not a picture", path.string()};
+  }
   std::ifstream file(path, std::ios::binary);
-  char first[8] = {};
+  char first[kPngSignature.size()] = {};
   if (!file.read(first, sizeof first)) {
-    std::error_code error;
-    if (!std::filesystem::exists(path, error)) {
-      return Error{ErrorKind::not_found, "the picture does not exist", path.string()};
-    }
     return Error{ErrorKind::unreadable, "is no picture that can be read", path.string()};
   }
-  file.close();
-  const bool png = std::string_view(first, sizeof first) == "\x89PNG\r\n\x1A\n";
-  return png ? readPng(path, max_pixels) : readByModule(path, max_pixels);
+  return std::string_view(first, sizeof first) == kPngSignature;
+}
+
+}  // namespace
+
+Result<Picture> readPicture(const std::filesystem::path& path, std::int64_t max_pixels) {
+  const Result<bool> png = isPng(path);
+  if (!png.ok()) return png.error();
+  return *png ? readPng(path, max_pixels) : readByModule(path, max_pixels);
 }
 
 Result<Picture> decodePicture(ByteView bytes, const std::string& name, std::int64_t max_pixels) {
-  const bool png = textOf(bytes).starts_with("\x89PNG\r\n\x1A\n");
+  const bool png = textOf(bytes).starts_with(kPngSignature);
   return png ? decodePng(bytes, name, max_pixels) : decodeByModule(bytes, name, max_pixels);
+}
+
+Result<FinePicture> readFinePicture(const std::filesystem::path& path, std::int64_t max_pixels) {
+  const Result<bool> png = isPng(path);
+  if (!png.ok()) return png.error();
+  if (!*png) return readFineByModule(path, max_pixels);
+  const Result<std::string> content = readFile(path);
+  if (!content.ok()) return content.error();
+  return decodeFinePng(bytesOf(*content), path.string(), max_pixels);
+}
+
+std::string PictureEncoding::depthText() const {
+  return floating ? std::to_string(bits) + "-bit floating point"
+                  : std::to_string(bits) + " bits a component";
+}
+
+std::string_view PictureEncoding::componentsText() const {
+  constexpr std::string_view kNames[] = {"grey", "grey with alpha", "RGB", "RGBA"};
+  return kNames[components - 1];
 }
 
 }  // namespace rocinante

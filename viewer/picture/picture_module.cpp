@@ -1,6 +1,6 @@
 #include "viewer/picture/picture_module.h"
 
-#include <memory>
+#include <cmath>
 
 #include "core/loaded_module.h"
 #include "viewer/picture/openimageio_module.h"
@@ -46,34 +46,100 @@ const PictureModule& pictureModule() {
   return module;
 }
 
-Result<Picture> askModule(const char* file, ByteView bytes, const std::string& name,
-                          std::int64_t max_pixels) {
+/// What the module answered; its memory goes with it.
+struct ModuleAnswer {
+  RocinantePictureOut out{};
+  RocinantePictureFree free = nullptr;
+
+  ModuleAnswer() = default;
+  ModuleAnswer(const ModuleAnswer&) = delete;
+  ModuleAnswer& operator=(const ModuleAnswer&) = delete;
+  ~ModuleAnswer() {
+    if (free == nullptr) return;
+    free(out.rgba);
+    free(out.samples);
+  }
+  std::size_t size() const {
+    return std::size_t{4} * static_cast<std::size_t>(out.width) *
+           static_cast<std::size_t>(out.height);
+  }
+  Picture picture() const { return {out.width, out.height, {out.rgba, out.rgba + size()}}; }
+};
+
+Status askModule(const char* file, ByteView bytes, const std::string& name, std::int64_t max_pixels,
+                 bool with_samples, ModuleAnswer& answer) {
   const PictureModule& module = pictureModule();
   if (module.read == nullptr) {
     return Error{ErrorKind::unsupported,
                  "only PNG is read without the OpenImageIO module; " + module.reason, name};
   }
-  RocinantePictureOut out{};
-  module.read(file, bytes.data(), bytes.size(), max_pixels, &out);
-  if (out.answer != 0) {
-    return Error{out.answer == 3 ? ErrorKind::damaged : ErrorKind::unsupported, out.error, name};
+  answer.free = module.free;
+  module.read(file, bytes.data(), bytes.size(), max_pixels, with_samples ? 1 : 0, &answer.out);
+  if (answer.out.answer != 0) {
+    return Error{answer.out.answer == 3 ? ErrorKind::damaged : ErrorKind::unsupported,
+                 answer.out.error, name};
   }
-  const std::unique_ptr<std::uint8_t, RocinantePictureFree> rgba(out.rgba, module.free);
-  const std::size_t size =
-      std::size_t{4} * static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height);
-  return Picture{out.width, out.height, {out.rgba, out.rgba + size}};
+  return {};
+}
+
+/// What would go unjudged in the file; empty: nothing.
+std::string unjudged(const RocinantePictureOut& out) {
+  if (out.pictures > 1) return "holds several pictures; only files of one are judged";
+  if (out.components > 4 || out.components - out.has_alpha == 2) {
+    return "holds " + std::to_string(out.components) +
+           " components; grey, RGB and alpha are judged";
+  }
+  if (out.bits > (out.floating != 0 ? 32 : 16)) {
+    return "holds numbers of " + std::to_string(out.bits) + " bits; at most " +
+           (out.floating != 0 ? "32" : "16") + " are judged";
+  }
+  return "";
+}
+
+void countNotFinite(FinePicture& fine) {
+  for (std::size_t i = 0; i < fine.samples.size(); ++i) {
+    if (std::isfinite(fine.samples[i])) continue;
+    if (fine.not_finite++ > 0) continue;
+    const auto width = static_cast<std::size_t>(fine.picture.width);
+    fine.not_finite_x = static_cast<int>(i / 4 % width);
+    fine.not_finite_y = static_cast<int>(i / 4 / width);
+  }
 }
 
 }  // namespace
 
 Result<Picture> readByModule(const fs::path& path, std::int64_t max_pixels) {
-  return askModule(path.c_str(), {}, path.string(), max_pixels);
+  ModuleAnswer answer;
+  const Status read = askModule(path.c_str(), {}, path.string(), max_pixels, false, answer);
+  if (!read.ok()) return read.error();
+  return answer.picture();
+}
+
+Result<FinePicture> readFineByModule(const fs::path& path, std::int64_t max_pixels) {
+  ModuleAnswer answer;
+  const Status read = askModule(path.c_str(), {}, path.string(), max_pixels, true, answer);
+  if (!read.ok()) return read.error();
+  if (const std::string why = unjudged(answer.out); !why.empty()) {
+    return Error{ErrorKind::unsupported, why, path.string()};
+  }
+  FinePicture fine;
+  fine.picture = answer.picture();
+  fine.encoding = {answer.out.components, answer.out.bits, answer.out.floating != 0};
+  if (answer.out.samples != nullptr) {
+    fine.samples.assign(answer.out.samples, answer.out.samples + answer.size());
+    countNotFinite(fine);
+  }
+  return fine;
 }
 
 Result<Picture> decodeByModule(ByteView bytes, const std::string& name, std::int64_t max_pixels) {
   // The module goes by endings; what else than JPEG stands in mesh files it tells by the bytes.
   const bool is_jpeg = textOf(bytes).starts_with("\xFF\xD8\xFF");
-  return askModule(is_jpeg ? "picture.jpg" : "picture.png", bytes, name, max_pixels);
+  ModuleAnswer answer;
+  const Status read =
+      askModule(is_jpeg ? "picture.jpg" : "picture.png", bytes, name, max_pixels, false, answer);
+  if (!read.ok()) return read.error();
+  return answer.picture();
 }
 
 }  // namespace rocinante

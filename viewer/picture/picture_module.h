@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "viewer/picture/fine_picture.h"
 #include "viewer/picture/picture.h"
 
 namespace rocinante {
@@ -10,6 +11,7 @@ namespace rocinante {
 /// folder that ROCINANTE_MODULES names, else in ../lib beside the program (a build folder) and in
 /// the installed module folder. unsupported, with the reason, when it cannot be used.
 Result<Picture> readByModule(const std::filesystem::path& path, std::int64_t max_pixels);
+Result<FinePicture> readFineByModule(const std::filesystem::path& path, std::int64_t max_pixels);
 /// The same from bytes; `name` is for the sentence.
 Result<Picture> decodeByModule(ByteView bytes, const std::string& name, std::int64_t max_pixels);
 

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "core/atomic_file.h"
+#include "viewer/picture/fine_picture.h"
 #include "viewer/picture/picture.h"
 
 namespace rocinante {
@@ -21,11 +22,28 @@ struct FreeContext {
 };
 using Context = std::unique_ptr<spng_ctx, FreeContext>;
 
-}  // namespace
+/// What the header and the transparent colours say; call it once the picture is decoded.
+int componentsOf(spng_ctx* context, const spng_ihdr& header) {
+  spng_trns transparent{};
+  const bool has_alpha = (header.color_type & SPNG_COLOR_TYPE_GRAYSCALE_ALPHA) != 0 ||
+                         spng_get_trns(context, &transparent) == 0;
+  const bool has_color = (header.color_type & SPNG_COLOR_TYPE_TRUECOLOR) != 0;
+  return (has_color ? 3 : 1) + (has_alpha ? 1 : 0);
+}
 
-Result<Picture> decodePng(ByteView bytes, std::string name, std::int64_t max_pixels) {
+/// 16-bit RGBA, in the machine's order, as it stands and with the lower eight bits dropped.
+void takeSixteenBits(const std::vector<std::uint16_t>& rgba, FinePicture& fine) {
+  fine.samples.assign(rgba.begin(), rgba.end());
+  for (std::size_t i = 0; i < rgba.size(); ++i) {
+    fine.picture.rgba[i] = static_cast<std::uint8_t>(rgba[i] >> 8U);
+  }
+}
+
+/// With `deep`, pictures of 16 bits come with their samples.
+Result<FinePicture> decode(ByteView bytes, const std::string& name, std::int64_t max_pixels,
+                           bool deep) {
   const auto refusal = [&](ErrorKind kind, std::string what) {
-    return Error{kind, std::move(what), std::move(name)};
+    return Error{kind, std::move(what), name};
   };
   const auto damaged = [&](int code) {
     return refusal(ErrorKind::damaged, std::string("is no sound PNG: ") + spng_strerror(code));
@@ -48,16 +66,35 @@ Result<Picture> decodePng(ByteView bytes, std::string name, std::int64_t max_pix
   if (pixels / 1100 / 8 > bytes.size()) {
     return refusal(ErrorKind::damaged, "is no sound PNG: too short for its size");
   }
-  Picture picture{static_cast<int>(header.width), static_cast<int>(header.height), {}};
-  picture.rgba.resize(pixels * 4);
-  if (const int code = spng_decode_image(context.get(), picture.rgba.data(), picture.rgba.size(),
-                                         SPNG_FMT_RGBA8, SPNG_DECODE_TRNS);
-      code != 0) {
-    return damaged(code);
-  }
+  FinePicture fine;
+  fine.picture = {static_cast<int>(header.width), static_cast<int>(header.height), {}};
+  fine.picture.rgba.resize(pixels * 4);
+  deep = deep && header.bit_depth == 16;
+  std::vector<std::uint16_t> wide(deep ? pixels * 4 : 0);
+  const int code =
+      deep ? spng_decode_image(context.get(), wide.data(), wide.size() * 2, SPNG_FMT_RGBA16,
+                               SPNG_DECODE_TRNS)
+           : spng_decode_image(context.get(), fine.picture.rgba.data(), fine.picture.rgba.size(),
+                               SPNG_FMT_RGBA8, SPNG_DECODE_TRNS);
+  if (code != 0) return damaged(code);
   // On to the end, so that the last checksums are looked at too.
-  if (const int code = spng_decode_chunks(context.get()); code != 0) return damaged(code);
-  return picture;
+  if (const int end = spng_decode_chunks(context.get()); end != 0) return damaged(end);
+  if (deep) takeSixteenBits(wide, fine);
+  fine.encoding = {componentsOf(context.get(), header), header.bit_depth == 16 ? 16 : 8, false};
+  return fine;
+}
+
+}  // namespace
+
+Result<Picture> decodePng(ByteView bytes, std::string name, std::int64_t max_pixels) {
+  auto fine = decode(bytes, name, max_pixels, false);
+  if (!fine.ok()) return fine.error();
+  return std::move(fine->picture);
+}
+
+Result<FinePicture> decodeFinePng(ByteView bytes, const std::string& name,
+                                  std::int64_t max_pixels) {
+  return decode(bytes, name, max_pixels, true);
 }
 
 Result<Picture> readPng(const std::filesystem::path& path, std::int64_t max_pixels) {

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "viewer/picture/picture.h"
+
+namespace rocinante {
+
+/// The difference of two pixels: the largest of |a - b| over R, G, B and A, from 0 to 255.
+int pixelDifference(const std::uint8_t* a, const std::uint8_t* b);
+
+/// The difference of each of `out.size()` RGBA pixels.
+void differenceRow(const std::uint8_t* a, const std::uint8_t* b, std::span<std::uint8_t> out);
+/// The same one pixel at a time: what the fast one is tested against, and used off x86-64.
+void differenceRowPlain(const std::uint8_t* a, const std::uint8_t* b, std::span<std::uint8_t> out);
+
+/// The difference of every pixel of two pictures of one shape, rows top to bottom.
+std::vector<std::uint8_t> pixelDifferences(const Picture& a, const Picture& b);
+
+/// The worst of all 16x16 tiles of a picture of differences (docs/golden-suites.md, "Tolerances").
+struct WorstTile {
+  double mean = 0;   ///< largest mean difference that any tile has
+  int x = 0, y = 0;  ///< the upper left pixel of the first tile with it
+  int width = 0, height = 0;
+  std::int64_t over = 0;  ///< most pixels of one tile that differ by more than 32: any tile's
+};
+
+/// Tiles begin at every eighth pixel and flush with each far edge; a picture smaller than a tile is
+/// one tile. `differences` holds width * height values.
+WorstTile worstTile(std::span<const std::uint8_t> differences, int width, int height);
+
+}  // namespace rocinante
