@@ -39,17 +39,28 @@ glm::vec4 colorOf(std::uint32_t rgba) {
           static_cast<float>(rgba >> 8 & 255U) / 255.0F, static_cast<float>(rgba & 255U) / 255.0F};
 }
 
+void applyLook(const PartLook& look, DrawItem& item) {
+  if (look.tone) {
+    item.diffuse = glm::vec4(glm::vec3(*look.tone), look.tone->a * item.diffuse.a);
+    item.texture = -1;
+    item.tinted = false;
+  }
+  item.diffuse.a *= look.opacity;
+}
+
 /// Calls each(visual, device number, link number, mesh number) for all that is visible.
 template <class Each>
 void forEachVisual(const PosedScene& scene, const SceneCatalog& catalog, const ViewChoice& choice,
-                   const Each& each) {
+                   const LinkLooks& looks, DrawnGeometry geometry, const Each& each) {
   for (std::uint32_t d = 0; d < scene.devices.size(); ++d) {
     const PosedDevice& device = scene.devices[d];
     if (device.model == nullptr) continue;
     for (std::uint32_t l = 0; l < device.model->links.size(); ++l) {
       const Link& link = device.model->links[l];
-      if (link.visuals.empty() || !choice.linkVisible(device, l)) continue;
-      for (const Visual& visual : link.visuals) {
+      const auto& drawn = geometry == DrawnGeometry::visuals ? link.visuals : link.collisions;
+      if (drawn.empty() || !(choice.choosesParts() || choice.linkVisible(device, l))) continue;
+      if (looks.anyCollision() && !looks.draws(geometry, device, l)) continue;
+      for (const Visual& visual : drawn) {
         const auto mesh = catalog.meshNumber(visual.mesh.get());
         if (mesh) each(visual, d, l, *mesh);
       }
@@ -72,11 +83,12 @@ void forEachPart(const Visual& visual, const CatalogMesh& mesh, const Each& each
 
 DrawList makeDrawList(const PosedScene& scene, const SceneCatalog& catalog,
                       const ViewChoice& choice, const Camera& camera,
-                      const std::vector<std::uint8_t>& translucent_textures) {
+                      const std::vector<std::uint8_t>& translucent_textures, const LinkLooks& looks,
+                      DrawnGeometry geometry) {
   static const Material kPlain;
   DrawList list;
   forEachVisual(
-      scene, catalog, choice,
+      scene, catalog, choice, looks, geometry,
       [&](const Visual& visual, std::uint32_t d, std::uint32_t l, std::uint32_t mesh_number) {
         const PosedDevice& device = scene.devices[d];
         const CatalogMesh& mesh = catalog.meshes()[mesh_number];
@@ -87,6 +99,7 @@ DrawList makeDrawList(const PosedScene& scene, const SceneCatalog& catalog,
           const CatalogPart& known = mesh.parts[part];
           const MeshPart& run = mesh.mesh->parts[part];
           if (run.index_count == 0) return;
+          if (choice.choosesParts() && !choice.partVisible(device, l, run.group)) return;
           const Vec3 center = transformPoint(world, known.center);
           if (!camera.sees(center, known.radius * scale)) return;
 
@@ -112,6 +125,12 @@ DrawList makeDrawList(const PosedScene& scene, const SceneCatalog& catalog,
             item.diffuse = colorOf(*device.link_color[l]);
             item.texture = -1;
           }
+          PartLook look;
+          if (looks.any()) {
+            look = looks.lookOf(geometry, scene, d, l, run.group);
+            applyLook(look, item);
+          }
+          item.outlined = looks.anyOutlined() && looks.outlined(device, l, run.group);
           const bool holes = item.texture >= 0 &&
                              static_cast<std::size_t>(item.texture) < translucent_textures.size() &&
                              translucent_textures[static_cast<std::size_t>(item.texture)] != 0;
@@ -120,7 +139,11 @@ DrawList makeDrawList(const PosedScene& scene, const SceneCatalog& catalog,
               camera.orthographic() ? camera.depthOf(center) : lengthOf(center - camera.eye());
           if (item.diffuse.a <= 0.0F) return;
           list.triangles += run.index_count / 3;
-          (item.translucent ? list.translucent : list.opaque).push_back(item);
+          (look.wireframe     ? list.wireframe
+           : look.ghost       ? list.ghosts
+           : item.translucent ? list.translucent
+                              : list.opaque)
+              .push_back(item);
         });
       });
   // Stable: what is equal stays in the order of the scene.
@@ -138,13 +161,15 @@ std::vector<Vec3> visibleCorners(const PosedScene& scene, const SceneCatalog& ca
                                  const ViewChoice& choice) {
   std::vector<Vec3> corners;
   forEachVisual(
-      scene, catalog, choice,
+      scene, catalog, choice, LinkLooks(), DrawnGeometry::visuals,
       [&](const Visual& visual, std::uint32_t d, std::uint32_t l, std::uint32_t mesh_number) {
         const CatalogMesh& mesh = catalog.meshes()[mesh_number];
         const Mat4 world = visualWorld(scene.devices[d].link_world[l], visual);
         forEachPart(visual, mesh, [&](std::uint32_t part) {
           const CatalogPart& known = mesh.parts[part];
-          if (mesh.mesh->parts[part].index_count == 0) return;
+          const MeshPart& run = mesh.mesh->parts[part];
+          if (run.index_count == 0) return;
+          if (choice.choosesParts() && !choice.partVisible(scene.devices[d], l, run.group)) return;
           for (unsigned corner = 0; corner < 8; ++corner) {
             const Vec3 sign((corner & 1U) != 0 ? 1 : -1, (corner & 2U) != 0 ? 1 : -1,
                             (corner & 4U) != 0 ? 1 : -1);
