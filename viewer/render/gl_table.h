@@ -22,6 +22,7 @@ using GlProcFinder = std::function<GlProc(const char* name)>;
   X(PFNGLBINDRENDERBUFFERPROC, BindRenderbuffer)                             \
   X(PFNGLBINDTEXTUREPROC, BindTexture)                                       \
   X(PFNGLBINDVERTEXARRAYPROC, BindVertexArray)                               \
+  X(PFNGLBINDSAMPLERPROC, BindSampler)                                       \
   X(PFNGLBLENDEQUATIONPROC, BlendEquation)                                   \
   X(PFNGLBLENDFUNCPROC, BlendFunc)                                           \
   X(PFNGLBLENDFUNCSEPARATEPROC, BlendFuncSeparate)                           \
@@ -43,6 +44,7 @@ using GlProcFinder = std::function<GlProc(const char* name)>;
   X(PFNGLDELETEPROGRAMPROC, DeleteProgram)                                   \
   X(PFNGLDELETERENDERBUFFERSPROC, DeleteRenderbuffers)                       \
   X(PFNGLDELETESHADERPROC, DeleteShader)                                     \
+  X(PFNGLDELETESAMPLERSPROC, DeleteSamplers)                                 \
   X(PFNGLDELETETEXTURESPROC, DeleteTextures)                                 \
   X(PFNGLDELETEVERTEXARRAYSPROC, DeleteVertexArrays)                         \
   X(PFNGLDEPTHFUNCPROC, DepthFunc)                                           \
@@ -60,6 +62,7 @@ using GlProcFinder = std::function<GlProc(const char* name)>;
   X(PFNGLGENBUFFERSPROC, GenBuffers)                                         \
   X(PFNGLGENFRAMEBUFFERSPROC, GenFramebuffers)                               \
   X(PFNGLGENRENDERBUFFERSPROC, GenRenderbuffers)                             \
+  X(PFNGLGENSAMPLERSPROC, GenSamplers)                                       \
   X(PFNGLGENTEXTURESPROC, GenTextures)                                       \
   X(PFNGLGENVERTEXARRAYSPROC, GenVertexArrays)                               \
   X(PFNGLGETERRORPROC, GetError)                                             \
@@ -79,6 +82,7 @@ using GlProcFinder = std::function<GlProc(const char* name)>;
   X(PFNGLREADBUFFERPROC, ReadBuffer)                                         \
   X(PFNGLREADPIXELSPROC, ReadPixels)                                         \
   X(PFNGLRENDERBUFFERSTORAGEMULTISAMPLEPROC, RenderbufferStorageMultisample) \
+  X(PFNGLSAMPLERPARAMETERIPROC, SamplerParameteri)                           \
   X(PFNGLSCISSORPROC, Scissor)                                               \
   X(PFNGLSHADERSOURCEPROC, ShaderSource)                                     \
   X(PFNGLTEXIMAGE2DPROC, TexImage2D)                                         \

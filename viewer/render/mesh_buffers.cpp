@@ -56,6 +56,19 @@ void MeshBuffers::addColors(const std::vector<std::uint32_t>& colors, Buffers& b
   gl_.VertexAttribPointer(3, 4, GL_UNSIGNED_BYTE, GL_TRUE, 0, nullptr);
 }
 
+void MeshBuffers::setDetail(std::size_t number, std::span<const std::uint32_t> own,
+                            std::span<const std::uint32_t> coarser) {
+  if (coarser.empty()) return;
+  const auto bytes = [](std::span<const std::uint32_t> indices) {
+    return static_cast<GLsizeiptr>(indices.size_bytes());
+  };
+  gl_.BindVertexArray(meshes_[number].array);
+  gl_.BufferData(GL_ELEMENT_ARRAY_BUFFER, bytes(own) + bytes(coarser), nullptr, GL_STATIC_DRAW);
+  gl_.BufferSubData(GL_ELEMENT_ARRAY_BUFFER, 0, bytes(own), own.data());
+  gl_.BufferSubData(GL_ELEMENT_ARRAY_BUFFER, bytes(own), bytes(coarser), coarser.data());
+  gl_.BindVertexArray(0);
+}
+
 MeshBuffers::~MeshBuffers() {
   for (const Buffers& buffers : meshes_) {
     gl_.DeleteVertexArrays(1, &buffers.array);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "viewer/render/gl_table.h"
@@ -17,6 +19,10 @@ class MeshBuffers {
   ~MeshBuffers();
   MeshBuffers(const MeshBuffers&) = delete;
   MeshBuffers& operator=(const MeshBuffers&) = delete;
+
+  /// Puts the indices of coarser versions behind the mesh's own, which are `own`.
+  void setDetail(std::size_t number, std::span<const std::uint32_t> own,
+                 std::span<const std::uint32_t> coarser);
 
   void bind(std::size_t number) const { gl_.BindVertexArray(meshes_[number].array); }
 

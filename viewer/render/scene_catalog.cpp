@@ -87,6 +87,27 @@ void SceneCatalog::addMesh(const Mesh* mesh) {
   meshes_.push_back(std::move(entry));
 }
 
+std::vector<DetailInput> SceneCatalog::detailInputs() const {
+  std::vector<DetailInput> inputs;
+  for (const CatalogMesh& mesh : meshes_) {
+    DetailInput input{mesh.mesh, &mesh.indices(), {}};
+    for (const CatalogPart& part : mesh.parts) {
+      input.one_sided_counts.push_back(part.one_sided_count);
+    }
+    inputs.push_back(std::move(input));
+  }
+  return inputs;
+}
+
+void SceneCatalog::setDetail(std::size_t mesh_number, const MeshDetail& detail) {
+  CatalogMesh& mesh = meshes_[mesh_number];
+  const auto own = static_cast<std::uint32_t>(mesh.indices().size());
+  for (std::size_t i = 0; i < mesh.parts.size(); ++i) {
+    mesh.parts[i].coarser = detail.parts[i];
+    for (CoarsePart& part : mesh.parts[i].coarser) part.first_index += own;
+  }
+}
+
 std::optional<std::uint32_t> SceneCatalog::meshNumber(const Mesh* mesh) const {
   const auto found = mesh_numbers_.find(mesh);
   if (found == mesh_numbers_.end()) return std::nullopt;

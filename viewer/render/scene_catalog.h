@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/model/cell.h"
+#include "viewer/detail/mesh_detail.h"
 
 namespace rocinante {
 
@@ -18,6 +19,9 @@ struct CatalogPart {
   std::uint32_t coplanar_rank = 0;  ///< see CoplanarSurfaces
   /// Of the part's indices, the last so many are triangles seen from their front alone.
   std::uint32_t one_sided_count = 0;
+  /// From fine to coarse; their indices stand behind the mesh's own (MeshBuffers::setDetail).
+  /// Empty until SceneCatalog::setDetail().
+  std::vector<CoarsePart> coarser;
 };
 
 struct CatalogMesh {
@@ -48,6 +52,10 @@ class SceneCatalog {
   const std::vector<CatalogMesh>& meshes() const { return meshes_; }
   const std::vector<CatalogTexture>& textures() const { return textures_; }
   std::optional<std::uint32_t> meshNumber(const Mesh* mesh) const;
+  /// By mesh number: what coarser versions are made of. Borrows from this catalog.
+  std::vector<DetailInput> detailInputs() const;
+  /// Coarser versions of a mesh's parts, made from its detailInputs().
+  void setDetail(std::size_t mesh_number, const MeshDetail& detail);
   /// Empty for a material without one.
   std::optional<std::uint32_t> textureNumber(const Material& material) const;
 

@@ -34,6 +34,11 @@ void flipRows(Picture& picture) {
 TextureStore::TextureStore(const GlTable& gl, const std::vector<CatalogTexture>& files,
                            Profile profile, InputsHash& inputs)
     : gl_(gl) {
+  gl_.GenSamplers(1, &plain_sampler_);
+  gl_.SamplerParameteri(plain_sampler_, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
+  gl_.SamplerParameteri(plain_sampler_, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  gl_.SamplerParameteri(plain_sampler_, GL_TEXTURE_WRAP_S, GL_REPEAT);
+  gl_.SamplerParameteri(plain_sampler_, GL_TEXTURE_WRAP_T, GL_REPEAT);
   for (const auto& [file, bytes] : files) {
     Result<Picture> picture = bytes ? decodePicture(*bytes, file.string()) : readPicture(file);
     inputs.add(std::uint64_t{0x74657874});  // "text"
@@ -53,10 +58,14 @@ TextureStore::TextureStore(const GlTable& gl, const std::vector<CatalogTexture>&
 }
 
 TextureStore::~TextureStore() {
+  gl_.DeleteSamplers(1, &plain_sampler_);
   for (const GLuint name : names_) {
     if (name != 0) gl_.DeleteTextures(1, &name);
   }
 }
+
+void TextureStore::beginPlainFiltering() const { gl_.BindSampler(0, plain_sampler_); }
+void TextureStore::endPlainFiltering() const { gl_.BindSampler(0, 0); }
 
 GLuint TextureStore::upload(Picture picture, Profile profile) {
   GLint max_side = 0;

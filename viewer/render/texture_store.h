@@ -28,6 +28,10 @@ class TextureStore {
 
   /// 0 when that picture could not be read.
   GLuint name(std::size_t number) const { return names_[number]; }
+  /// Until endPlainFiltering() texture unit 0 reads with the cheapest filter that uses mipmaps: only
+  /// textures of this store may be bound there.
+  void beginPlainFiltering() const;
+  void endPlainFiltering() const;
   /// Non-zero by number: some pixel is not opaque.
   const std::vector<std::uint8_t>& translucent() const { return translucent_; }
   const std::vector<std::string>& warnings() const { return warnings_; }
@@ -36,6 +40,7 @@ class TextureStore {
   GLuint upload(Picture picture, Profile profile);
 
   const GlTable& gl_;
+  GLuint plain_sampler_ = 0;
   std::vector<GLuint> names_;
   std::vector<std::uint8_t> translucent_;
   std::vector<std::string> warnings_;
