@@ -60,12 +60,14 @@ struct Renderer::Impl {
   MeshBuffers meshes;
   TextureStore textures;
   std::optional<DrawPasses> passes;
+  std::optional<DetailBuilder> detail_builder;  // borrows the catalog
   std::optional<IdentityPass> identity_pass;  // made when it is first asked for
   std::string inputs_text;
 
   Camera cameraOf(const SceneFrame& frame, const CameraView& view, int width, int height) const;
   DrawList listOf(const SceneFrame& frame, const Camera& camera) const {
-    return makeDrawList(*frame.scene, catalog, *frame.choice, camera, textures.translucent());
+    return makeDrawList(*frame.scene, catalog, *frame.choice, camera, textures.translucent(),
+                        LinkLooks(), DrawnGeometry::visuals, frame.detail);
   }
   /// One view into a part of what is bound.
   DrawCounts drawView(const SceneFrame& frame, const CameraView& view, const PixelRectangle& part,
@@ -128,11 +130,15 @@ DrawCounts Renderer::Impl::drawView(const SceneFrame& frame, const CameraView& v
   // Draw.
   passes->begin(part, frame_height);
   passes->background.draw(look);
+  if (frame.detail.plain_filtering) textures.beginPlainFiltering();
   passes->scene.drawOpaque(list, catalog, meshes, textures, camera, look);
+  textures.endPlainFiltering();
   if (look.grid && choice.layerVisible("grid")) passes->grid.draw(camera, look);
   // Before what is translucent, so that a planner's line shows through a ghost.
   passes->overlay.drawInScene(in_scene);
+  if (frame.detail.plain_filtering) textures.beginPlainFiltering();
   passes->scene.drawTranslucent(list, catalog, meshes, textures, camera, look);
+  textures.endPlainFiltering();
   passes->overlay.drawOnTop(on_top);
   return DrawCounts{list.triangles, list.opaque.size() + list.translucent.size()};
 }
@@ -163,6 +169,28 @@ Result<DrawCounts> Renderer::draw(const SceneFrame& frame, const FrameBuffer& ta
   my.passes->end();
   if (Status fine = my.glStatus(); !fine) return fine.error();
   return counts;
+}
+
+void Renderer::prepareDetail(const DetailCache& cache, int threads) {
+  if (impl_->detail_builder) return;
+  impl_->detail_builder.emplace(impl_->catalog.detailInputs(), cache, threads);
+}
+
+bool Renderer::takeReadyDetail(bool wait_for_all) {
+  Impl& my = *impl_;
+  if (!my.detail_builder || my.detail_builder->finished()) return false;
+  const std::vector<ReadyDetail> ready =
+      wait_for_all ? my.detail_builder->waitForAll() : my.detail_builder->takeReady();
+  for (const ReadyDetail& one : ready) {
+    my.meshes.setDetail(one.number, my.catalog.meshes()[one.number].indices(),
+                        one.detail.indices);
+    my.catalog.setDetail(one.number, one.detail);
+  }
+  return !ready.empty();
+}
+
+bool Renderer::detailReady() const {
+  return impl_->detail_builder && impl_->detail_builder->finished();
 }
 
 Status Renderer::Impl::prepareIdentity(const FrameBuffer& target) {

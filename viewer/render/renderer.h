@@ -7,6 +7,8 @@
 
 #include "core/model/cell.h"
 #include "core/model/posed_scene.h"
+#include "viewer/detail/detail_builder.h"
+#include "viewer/detail/detail_level.h"
 #include "viewer/render/camera.h"
 #include "viewer/render/frame_buffer.h"
 #include "viewer/render/frame_extras.h"
@@ -37,6 +39,7 @@ struct SceneFrame {
   const RenderStyle* style = nullptr;    ///< null: the default, no look at all
   const FrameExtras* extras = nullptr;   ///< what limits and trails of `style` need; null: neither
   std::span<const FrameInset> insets{};  ///< later ones over earlier ones
+  DetailLevel detail{};                  ///< the default draws everything
 };
 
 struct DrawCounts {
@@ -63,6 +66,14 @@ class Renderer {
 
   /// Draws into `target` (its samples: resolve() comes next). refused when GL reports an error.
   Result<DrawCounts> draw(const SceneFrame& frame, const FrameBuffer& target);
+
+  /// Begins to make coarser meshes, in threads of their own, for frames whose detail asks for them.
+  void prepareDetail(const DetailCache& cache, int threads);
+  /// Takes over those that are ready, or all of them, waiting for them; true when there are new
+  /// ones. Never called, detail means nothing but leaving out and filtering.
+  bool takeReadyDetail(bool wait_for_all = false);
+  /// All that prepareDetail() began is done and taken over.
+  bool detailReady() const;
 
   /// Whose each pixel of that frame is, insets included. `target` must have one sample a pixel.
   Result<IdentityFrame> identity(const SceneFrame& frame, const FrameBuffer& target);
