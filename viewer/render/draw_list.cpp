@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "core/math/transform.h"
+#include "viewer/render/scene_detail.h"
 
 namespace rocinante {
 namespace {
@@ -37,6 +38,11 @@ glm::vec4 colorOf(std::uint32_t rgba) {
   return {static_cast<float>(rgba >> 24 & 255U) / 255.0F,
           static_cast<float>(rgba >> 16 & 255U) / 255.0F,
           static_cast<float>(rgba >> 8 & 255U) / 255.0F, static_cast<float>(rgba & 255U) / 255.0F};
+}
+
+std::uint64_t triangleCount(const DrawItem& item, const MeshPart& part) {
+  if (item.coarse == nullptr) return part.index_count / 3;
+  return (item.coarse->two_sided_count + item.coarse->one_sided_count) / 3;
 }
 
 void applyLook(const PartLook& look, DrawItem& item) {
@@ -84,7 +90,7 @@ void forEachPart(const Visual& visual, const CatalogMesh& mesh, const Each& each
 DrawList makeDrawList(const PosedScene& scene, const SceneCatalog& catalog,
                       const ViewChoice& choice, const Camera& camera,
                       const std::vector<std::uint8_t>& translucent_textures, const LinkLooks& looks,
-                      DrawnGeometry geometry) {
+                      DrawnGeometry geometry, const DetailLevel& detail) {
   static const Material kPlain;
   DrawList list;
   forEachVisual(
@@ -101,7 +107,9 @@ DrawList makeDrawList(const PosedScene& scene, const SceneCatalog& catalog,
           if (run.index_count == 0) return;
           if (choice.choosesParts() && !choice.partVisible(device, l, run.group)) return;
           const Vec3 center = transformPoint(world, known.center);
-          if (!camera.sees(center, known.radius * scale)) return;
+          const PartSphere sphere{center, known.radius * scale, scale};
+          if (!camera.sees(center, sphere.radius_m)) return;
+          if (tooSmall(sphere, camera, detail)) return;
 
           DrawItem item;
           item.mesh = mesh_number;
@@ -111,6 +119,7 @@ DrawList makeDrawList(const PosedScene& scene, const SceneCatalog& catalog,
           item.world = world;
           item.mirrored = mirrored;
           item.coplanar_rank = known.coplanar_rank;
+          item.coarse = coarseVersion(known, sphere, camera, detail);
           item.material = visual.material ? &*visual.material
                           : run.material < mesh.mesh->materials.size()
                               ? &mesh.mesh->materials[run.material]
@@ -138,7 +147,7 @@ DrawList makeDrawList(const PosedScene& scene, const SceneCatalog& catalog,
           item.distance =
               camera.orthographic() ? camera.depthOf(center) : lengthOf(center - camera.eye());
           if (item.diffuse.a <= 0.0F) return;
-          list.triangles += run.index_count / 3;
+          list.triangles += triangleCount(item, run);
           (look.wireframe     ? list.wireframe
            : look.ghost       ? list.ghosts
            : item.translucent ? list.translucent

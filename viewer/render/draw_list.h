@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/model/posed_scene.h"
+#include "viewer/detail/detail_level.h"
 #include "viewer/render/camera.h"
 #include "viewer/render/link_looks.h"
 #include "viewer/render/scene_catalog.h"
@@ -20,7 +21,8 @@ struct DrawItem {
   bool tinted = false;        ///< by the colours at its points (Mesh::colors)
   std::int32_t texture = -1;  ///< into SceneCatalog::textures; -1: none
   std::uint32_t coplanar_rank = 0;
-  const Material *material = nullptr;
+  const CoarsePart* coarse = nullptr;  ///< drawn in the part's place; null: the part itself
+  const Material* material = nullptr;
   glm::vec4 diffuse{};    ///< display values and opacity, after colours that were set
   Mat4 world{1.0};        ///< of the mesh's vertices
   double distance = 0;    ///< from the eye to the middle of the part
@@ -38,18 +40,17 @@ struct DrawList {
   std::uint64_t triangles = 0;
 };
 
-/// The cull stage. `translucent_textures`: by texture number, non-zero for
-/// pictures that are not opaque everywhere. Pure: the same scene and camera
-/// give the same list, whatever was drawn before. The catalog must be of the
-/// same geometry.
-DrawList makeDrawList(const PosedScene &scene, const SceneCatalog &catalog,
-                      const ViewChoice &choice, const Camera &camera,
-                      const std::vector<std::uint8_t> &translucent_textures,
-                      const LinkLooks &looks = {}, DrawnGeometry geometry = DrawnGeometry::visuals);
+/// The cull stage. `translucent_textures`: by texture number, non-zero for pictures that are not
+/// opaque everywhere. Pure: the same scene, camera and detail give the same list, whatever was drawn
+/// before. The catalog must be of the same geometry.
+DrawList makeDrawList(const PosedScene& scene, const SceneCatalog& catalog,
+                      const ViewChoice& choice, const Camera& camera,
+                      const std::vector<std::uint8_t>& translucent_textures,
+                      const LinkLooks& looks = {}, DrawnGeometry geometry = DrawnGeometry::visuals,
+                      const DetailLevel& detail = {});
 
-/// Corners of the boxes around everything visible, world space: what a fitted
-/// view must show.
-std::vector<Vec3> visibleCorners(const PosedScene &scene, const SceneCatalog &catalog,
-                                 const ViewChoice &choice);
+/// Corners of the boxes around everything visible, world space: what a fitted view must show.
+std::vector<Vec3> visibleCorners(const PosedScene& scene, const SceneCatalog& catalog,
+                                 const ViewChoice& choice);
 
 }  // namespace rocinante
