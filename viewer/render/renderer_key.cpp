@@ -29,6 +29,16 @@ bool isRendererVariable(std::string_view name) {
   return false;
 }
 
+/// The pin takes away what a processor has beyond it and cannot add what is missing. SSSE3 to
+/// SSE4.2 draw the same bits (emulated core2duo to Westmere), those before others (Opteron_G3).
+bool processorDrawsAsSse41() {
+#if defined(__x86_64__)
+  return __builtin_cpu_supports("ssse3") != 0;
+#else
+  return true;  // the architecture is part of the key
+#endif
+}
+
 /// A renderer's name as part of a file name: GPUs have spaces and slashes in theirs.
 std::string fileNameOf(const std::string& name) {
   std::string safe;
@@ -102,6 +112,12 @@ Status requireReproducible(const RendererKey& key) {
                  "the reproducible profile needs GALLIUM_OVERRIDE_CPU_CAPS pinned before the first "
                  "context, and it is " +
                      (key.caps == "native" ? std::string("unset") : "\"" + key.caps + "\""),
+                 {}};
+  }
+  if (key.caps == "sse4.1" && !processorDrawsAsSse41()) {
+    return Error{ErrorKind::refused,
+                 "this processor is older than SSSE3 and would draw other bits than sse4.1 stands "
+                 "for: --caps sse2 draws those that every x86-64 machine can",
                  {}};
   }
   return {};
