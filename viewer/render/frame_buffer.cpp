@@ -147,6 +147,13 @@ Picture FrameBuffer::read() const {
   return picture;
 }
 
+void FrameBuffer::stretchTo(const FrameBuffer& target) const {
+  gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, resolved());
+  gl_->BindFramebuffer(GL_DRAW_FRAMEBUFFER, target.resolved());
+  gl_->BlitFramebuffer(0, 0, width_, height_, 0, 0, target.width_, target.height_,
+                       GL_COLOR_BUFFER_BIT, GL_LINEAR);
+}
+
 void FrameBuffer::blitTo(GLuint target) const {
   gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, resolved());
   gl_->BindFramebuffer(GL_DRAW_FRAMEBUFFER, target);

@@ -33,6 +33,9 @@ class FrameBuffer {
   /// Copies the resolved pixels one to one into framebuffer `target` (0: the window), at its bottom
   /// left.
   void blitTo(GLuint target) const;
+  /// Fills all of `target`, which has one sample a pixel, with the resolved pixels, interpolated
+  /// where its size is another.
+  void stretchTo(const FrameBuffer& target) const;
 
  private:
   explicit FrameBuffer(const GlTable& gl) : gl_(&gl) {}
