@@ -1,0 +1,51 @@
+#include "golden/why/explain_pictures.h"
+
+namespace rocinante {
+namespace {
+
+/// The state that a side is drawn in; a copy, since the next question to a session ends the last.
+Result<SessionState> stateOf(const DrawableSide& side) {
+  if (side.maker.session() == nullptr) return SessionState{};
+  const auto state = side.maker.session()->stateAt(side.request.time);
+  if (!state.ok()) return state.error();
+  return **state;
+}
+
+std::string cameraName(const DrawableSide& side) {
+  if (!side.request.camera.empty()) return side.request.camera;
+  const auto& cameras = side.maker.cell().cameras;
+  return cameras.empty() ? std::string() : cameras.front().name;
+}
+
+}  // namespace
+
+Result<FrameWhy> explainBoth(const Picture& golden, const DrawableSide& golden_side,
+                             const Picture& frame, const DrawableSide& frame_side) {
+  const auto golden_identity = golden_side.maker.identity(golden_side.request);
+  if (!golden_identity.ok()) return golden_identity.error();
+  const auto frame_identity = frame_side.maker.identity(frame_side.request);
+  if (!frame_identity.ok()) return frame_identity.error();
+  const auto golden_state = stateOf(golden_side);
+  if (!golden_state.ok()) return golden_state.error();
+  const auto frame_state = stateOf(frame_side);
+  if (!frame_state.ok()) return frame_state.error();
+  const Moment golden_moment{golden_side.maker.cell(), *golden_state};
+  const Moment frame_moment{frame_side.maker.cell(), *frame_state};
+  FrameWhy why;
+  why.basis = GoldenBasis::redrawn;
+  why.blame = blameLinks({golden, *golden_identity}, {frame, *frame_identity},
+                         movedLinks(golden_moment, frame_moment));
+  why.state = stateChanges(golden_moment, frame_moment, cameraName(frame_side));
+  return why;
+}
+
+Result<FrameWhy> explainByGuess(const Picture& golden, const Picture& frame,
+                                const DrawableSide& frame_side) {
+  const auto identity = frame_side.maker.identity(frame_side.request);
+  if (!identity.ok()) return identity.error();
+  FrameWhy why;
+  why.blame = guessBlame(golden, {frame, *identity});
+  return why;
+}
+
+}  // namespace rocinante

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "core/result.h"
+#include "golden/why/frame_why.h"
+#include "viewer/render/frame_maker.h"
+
+namespace rocinante {
+
+/// One side of a comparison that can be drawn. Borrowed.
+struct DrawableSide {
+  FrameMaker& maker;
+  FrameRequest request;
+};
+
+/// Both sides known: who the differing pixels belong to and how the sessions differ.
+Result<FrameWhy> explainBoth(const Picture& golden, const DrawableSide& golden_side,
+                             const Picture& frame, const DrawableSide& frame_side);
+/// Only the frame's side known.
+Result<FrameWhy> explainByGuess(const Picture& golden, const Picture& frame,
+                                const DrawableSide& frame_side);
+
+}  // namespace rocinante

@@ -1,0 +1,58 @@
+#include "golden/why/file_change.h"
+
+#include <string_view>
+
+#include "core/bundle/attached_cell.h"
+#include "core/hash.h"
+
+namespace rocinante {
+namespace {
+
+/// What a file of a cell is, by the ending of its name.
+std::string_view roleOf(const std::string& name) {
+  std::string ending = std::filesystem::path(name).extension().string();
+  for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  if (ending == ".mtl") return "materials";
+  if (ending == ".toml") return "cell";
+  if (ending == ".urdf" || ending == ".sdf") return "kinematics";
+  for (const char* picture :
+       {".png", ".jpg", ".jpeg", ".tif", ".tiff", ".exr", ".tga", ".bmp", ".hdr"}) {
+    if (ending == picture) return "texture";
+  }
+  for (const char* mesh : {".obj", ".stl", ".dae", ".gltf", ".glb", ".ply", ".bin"}) {
+    if (ending == mesh) return "mesh";
+  }
+  return "file";
+}
+
+}  // namespace
+
+Result<FileHashes> hashCellFiles(const std::filesystem::path& cell, const CellOptions& options) {
+  const auto bundle = collectCellOrLog(cell, options);
+  if (!bundle.ok()) return bundle.error();
+  FileHashes hashes;
+  for (const auto& file : bundle->manifest.files) hashes[file.name] = file.sha256;
+  return hashes;
+}
+
+std::vector<std::string> fileChanges(const FileHashes& golden, const FileHashes& frame) {
+  FileHashes all = golden;
+  all.insert(frame.begin(), frame.end());
+  std::vector<std::string> lines;
+  for (const auto& [name, ignored] : all) {
+    const auto before = golden.find(name);
+    const auto now = frame.find(name);
+    const std::string role(roleOf(name));
+    if (before == golden.end()) {
+      lines.push_back(name + ": the " + role + " is new");
+    } else if (now == frame.end()) {
+      lines.push_back(name + ": the " + role + " is no part of the cell any more");
+    } else if (before->second != now->second) {
+      lines.push_back(name + ": the " + role + (role.ends_with('s') ? " have" : " has") +
+                      " changed");
+    }
+  }
+  return lines;
+}
+
+}  // namespace rocinante

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "viewer/picture/picture.h"
+#include "viewer/render/identity_frame.h"
+
+namespace rocinante {
+
+/// What became of a link between the golden and the frame.
+enum class ChangeKind : std::uint8_t {
+  moved,     ///< its pixels are found elsewhere
+  appeared,  ///< the golden shows nothing of it
+  vanished,  ///< the frame shows nothing of it
+  shape,     ///< its outline is another one, wherever it is laid
+  color,     ///< the same outline, other colours
+  drawing    ///< a label, line or points of the session, or the text in it
+};
+std::string_view nameOf(ChangeKind kind);
+
+/// A link, or a drawing, with the differing pixels that are laid to it.
+struct LinkChange {
+  /// `device` empty: what belongs to no device (sky, ground, grid).
+  IdentityName name;
+  ChangeKind kind = ChangeKind::color;
+  std::int64_t pixels = 0;                        ///< of the differing ones
+  std::optional<std::array<double, 2>> moved_px;  ///< from golden to frame: right, down
+  std::array<double, 3>
+      color_shift{};  ///< frame minus golden, mean R G B where it differs in place
+};
+
+/// Differing pixels by link (docs/golden-suites.md, "Why").
+struct Blame {
+  static constexpr std::size_t kMostRows = 254;
+
+  std::int64_t differing = 0;
+  std::vector<LinkChange> changes;  ///< most pixels first
+  /// Of the picture's size. Each byte is 1 + a place in `changes`, 255 for one beyond kMostRows, 0
+  /// for none: red, to whom a differing pixel is laid; green, whose surface the frame shows there;
+  /// blue, whose the golden showed.
+  Picture mask;
+};
+
+/// "puma/link4", "drawing planner/goal", "background".
+std::string nameText(const IdentityName& name);
+/// "moved by (3.1, -0.4) px", "colour, by (+12, 0, -3)".
+std::string whatText(const LinkChange& change);
+/// "puma/link4: 6,900 of 7,213 differing pixels, moved by (3.1, -0.4) px".
+std::string changeText(const LinkChange& change, std::int64_t differing);
+
+}  // namespace rocinante

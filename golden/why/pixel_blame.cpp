@@ -1,0 +1,331 @@
+#include "golden/why/pixel_blame.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <map>
+#include <optional>
+
+#include "golden/why/registration.h"
+
+namespace rocinante {
+namespace {
+
+/// A shift explains a change when it takes this share of the cost away.
+constexpr double kExplains = 0.7;
+/// Guessing takes more to believe: surfaces without marks look alike everywhere.
+constexpr double kGuessExplains = 0.5;
+/// A pixel's edge samples reach half a pixel: neighbours are looked at, and theirs.
+constexpr int kReach = 1;
+/// Changed outline pixels for each of the outline: less is what an edge of others does.
+constexpr double kMovedOutline = 0.2;
+
+/// Finding how far a link went takes a while: for more links than these nobody reads it.
+constexpr std::size_t kMostRegistered = 48;
+
+bool samePixel(const Picture& a, const Picture& b, std::size_t i) {
+  return std::memcmp(a.rgba.data() + i * 4, b.rgba.data() + i * 4, 4) == 0;
+}
+
+struct LinkPixels {
+  std::int64_t golden = 0, frame = 0;  ///< pixels that show it
+  std::int64_t gained = 0, lost = 0;   ///< that show it in the frame alone, in the golden alone
+  std::int64_t outline = 0;            ///< of both pictures
+  std::int64_t owned = 0;              ///< differing pixels laid to it
+  std::array<double, 3> color_shift{};
+  std::int64_t in_place = 0;  ///< of those, that show it in both
+
+  /// How much of its outline changed. What is there in one picture only changed altogether.
+  double change() const {
+    if (golden == 0 || frame == 0) return 1e9;
+    return static_cast<double>(gained + lost) /
+           static_cast<double>(std::max<std::int64_t>(1, outline));
+  }
+};
+
+/// One comparison at work. Links are numbers: 0 is the background, the others 1 + a place in names.
+class BlameWork {
+ public:
+  BlameWork(const Picture& golden, const Picture& frame) : golden_(golden), frame_(frame) {
+    pixels_ = static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height);
+    links_.resize(1);
+    names_.emplace_back();
+  }
+
+  std::vector<std::uint32_t> adopt(const IdentityFrame& identity) {
+    std::vector<std::uint32_t> numbers(identity.names.size() + 1);
+    for (std::size_t i = 0; i < identity.names.size(); ++i) {
+      const IdentityName& name = identity.names[i];
+      const auto [found, is_new] = number_.try_emplace({name.device, name.link}, names_.size());
+      if (is_new) names_.push_back(name);
+      numbers[i + 1] = static_cast<std::uint32_t>(found->second);
+    }
+    links_.resize(names_.size());
+    std::vector<std::uint32_t> ids(pixels_);
+    for (std::size_t i = 0; i < pixels_; ++i) {
+      // A number without a name is nobody's.
+      if (identity.ids[i] < numbers.size()) ids[i] = numbers[identity.ids[i]];
+    }
+    return ids;
+  }
+
+  void setIdentities(std::vector<std::uint32_t> golden_ids, std::vector<std::uint32_t> frame_ids) {
+    golden_ids_ = std::move(golden_ids);
+    frame_ids_ = std::move(frame_ids);
+    for (std::size_t i = 0; i < pixels_; ++i) {
+      const std::uint32_t g = golden_ids_[i];
+      const std::uint32_t f = frame_ids_[i];
+      ++links_[g].golden;
+      ++links_[f].frame;
+      if (g != f) {
+        ++links_[g].lost;
+        ++links_[f].gained;
+      }
+      countOutline(golden_ids_, i);
+      countOutline(frame_ids_, i);
+    }
+  }
+
+  void setMoved(const MovedLinks& moved) {
+    has_moved_ = true;
+    moved_.assign(names_.size(), false);
+    for (std::size_t link = 1; link < names_.size(); ++link) {
+      moved_[link] = moved.contains({names_[link].device, names_[link].link});
+    }
+  }
+
+  /// For one whose outline in the golden is a guess.
+  void setShift(std::uint32_t link, double right, double down) { shifts_[link] = {right, down}; }
+
+  /// Whether it is known to have moved or, where nothing is known of any, looks like it.
+  bool hasMoved(std::uint32_t link) const {
+    if (link == 0) return false;
+    const LinkPixels& its = links_[link];
+    if (its.golden == 0 || its.frame == 0) return true;
+    return knowsMovers() ? moved_[link] : its.change() > kMovedOutline;
+  }
+
+  void layPixels() {
+    owner_.assign(pixels_, kNobody);
+    for (std::size_t i = 0; i < pixels_; ++i) {
+      if (samePixel(golden_, frame_, i)) continue;
+      ++differing_;
+      const std::uint32_t owner = ownerOf(i);
+      owner_[i] = owner;
+      LinkPixels& link = links_[owner];
+      ++link.owned;
+      if (golden_ids_[i] != owner || frame_ids_[i] != owner) continue;
+      ++link.in_place;
+      for (std::size_t component = 0; component < 3; ++component) {
+        link.color_shift[component] +=
+            frame_.rgba[i * 4 + component] - golden_.rgba[i * 4 + component];
+      }
+    }
+  }
+
+  Blame blame() const {
+    Blame made;
+    made.differing = differing_;
+    std::vector<std::uint32_t> order;
+    for (std::uint32_t link = 0; link < links_.size(); ++link) {
+      if (links_[link].owned > 0) order.push_back(link);
+    }
+    std::ranges::stable_sort(
+        order, [&](std::uint32_t a, std::uint32_t b) { return links_[a].owned > links_[b].owned; });
+    std::vector<std::uint8_t> row(links_.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      made.changes.push_back(changeOf(order[i], i < kMostRegistered));
+      row[order[i]] = static_cast<std::uint8_t>(std::min(i + 1, Blame::kMostRows + 1));
+    }
+    made.mask = {frame_.width, frame_.height, std::vector<std::uint8_t>(pixels_ * 4, 255)};
+    for (std::size_t i = 0; i < pixels_; ++i) {
+      made.mask.rgba[i * 4] = owner_[i] == kNobody ? std::uint8_t{0} : row[owner_[i]];
+      // The background has no outline to show.
+      made.mask.rgba[i * 4 + 1] = frame_ids_[i] == 0 ? std::uint8_t{0} : row[frame_ids_[i]];
+      made.mask.rgba[i * 4 + 2] = golden_ids_[i] == 0 ? std::uint8_t{0} : row[golden_ids_[i]];
+    }
+    return made;
+  }
+
+  std::size_t linkCount() const { return names_.size(); }
+  const IdentityName& name(std::size_t link) const { return names_[link]; }
+
+ private:
+  static constexpr std::uint32_t kNobody = 0xFFFFFFFF;
+
+  bool knowsMovers() const { return has_moved_ && std::ranges::find(moved_, true) != moved_.end(); }
+
+  void countOutline(const std::vector<std::uint32_t>& ids, std::size_t i) {
+    const std::size_t width = static_cast<std::size_t>(frame_.width);
+    const bool last_column = i % width == width - 1;
+    const bool last_row = i + width >= pixels_;
+    const bool is_edge =
+        (!last_column && ids[i + 1] != ids[i]) || (!last_row && ids[i + width] != ids[i]);
+    if (is_edge) ++links_[ids[i]].outline;
+  }
+
+  /// Of two that share a pixel, the one that did it.
+  std::uint32_t guiltier(std::uint32_t a, std::uint32_t b) const {
+    if (a == b || b == 0) return a;
+    if (a == 0) return b;
+    if (hasMoved(a) != hasMoved(b)) return hasMoved(a) ? a : b;
+    return links_[b].change() > links_[a].change() ? b : a;
+  }
+
+  std::uint32_t ownerOf(std::size_t i) const {
+    const std::uint32_t f = frame_ids_[i];
+    const std::uint32_t g = golden_ids_[i];
+    std::uint32_t owner = guiltier(f, g);
+    if (hasMoved(owner)) return owner;
+    // Not by what its middle shows: then by one beside it that moved, or came or went.
+    const auto width = static_cast<std::ptrdiff_t>(frame_.width);
+    const auto x = static_cast<std::ptrdiff_t>(i) % width;
+    const auto y = static_cast<std::ptrdiff_t>(i) / width;
+    std::optional<std::uint32_t> mover;
+    for (std::ptrdiff_t down = -kReach; down <= kReach; ++down) {
+      for (std::ptrdiff_t right = -kReach; right <= kReach; ++right) {
+        if (x + right < 0 || x + right >= width || y + down < 0 || y + down >= frame_.height)
+          continue;
+        const auto at = static_cast<std::size_t>((y + down) * width + x + right);
+        for (const std::uint32_t link : {frame_ids_[at], golden_ids_[at]}) {
+          if (hasMoved(link)) mover = mover ? guiltier(*mover, link) : link;
+        }
+      }
+    }
+    return mover.value_or(owner);
+  }
+
+  LinkChange changeOf(std::uint32_t number, bool may_register) const {
+    const LinkPixels& link = links_[number];
+    LinkChange change;
+    change.name = names_[number];
+    change.pixels = link.owned;
+    if (link.in_place > 0) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        change.color_shift[i] = link.color_shift[i] / static_cast<double>(link.in_place);
+      }
+    }
+    if (number == 0) return change;
+    if (change.name.device == "drawing") {
+      change.kind = ChangeKind::drawing;
+    } else if (link.golden == 0 || link.frame == 0) {
+      change.kind = link.golden == 0 ? ChangeKind::appeared : ChangeKind::vanished;
+    } else if (const auto known = shifts_.find(number); known != shifts_.end()) {
+      change.kind = ChangeKind::moved;
+      change.moved_px = known->second;
+    } else if (may_register) {
+      followOutline(number, change);
+    }
+    return change;
+  }
+
+  void followOutline(std::uint32_t number, LinkChange& change) const {
+    const LinkPixels& link = links_[number];
+    const bool known_mover = knowsMovers() && moved_[number];
+    if (!known_mover && link.gained + link.lost == 0) return;
+    const auto regionIn = [&](const std::vector<std::uint32_t>& ids) {
+      return regionOf(ids, frame_.width, frame_.height, number);
+    };
+    const auto shift =
+        registerRegions(golden_, regionIn(golden_ids_), frame_, regionIn(frame_ids_));
+    if (known_mover || (shift && shift->cost <= kExplains * shift->cost_unmoved)) {
+      change.kind = ChangeKind::moved;
+      if (shift) change.moved_px = {shift->right, shift->down};
+    } else if (link.change() > kMovedOutline) {
+      change.kind = ChangeKind::shape;
+    }
+  }
+
+  const Picture& golden_;
+  const Picture& frame_;
+  std::size_t pixels_ = 0;
+  std::map<std::pair<std::string, std::string>, std::size_t> number_;
+  std::vector<IdentityName> names_;
+  std::vector<LinkPixels> links_;
+  std::vector<bool> moved_;
+  std::map<std::uint32_t, std::array<double, 2>> shifts_;
+  bool has_moved_ = false;
+  std::vector<std::uint32_t> golden_ids_, frame_ids_;
+  std::vector<std::uint32_t> owner_;
+  std::int64_t differing_ = 0;
+};
+
+/// Links with differing pixels of their own, most first, as many as are worth looking for.
+std::vector<std::uint32_t> linksToFind(const Picture& golden, const Picture& frame,
+                                       const std::vector<std::uint32_t>& ids, std::size_t links) {
+  std::vector<std::int64_t> differing(links);
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    if (!samePixel(golden, frame, i)) ++differing[ids[i]];
+  }
+  std::vector<std::uint32_t> found;
+  for (std::uint32_t link = 1; link < links; ++link) {
+    if (differing[link] > 0) found.push_back(link);
+  }
+  std::ranges::stable_sort(found, std::greater<>(),
+                           [&](std::uint32_t link) { return differing[link]; });
+  found.resize(std::min(found.size(), kMostRegistered));
+  return found;
+}
+
+/// Where the golden's own link would lie, if it looked as it does now.
+void layBack(const Region& region, const Shift& shift, int width, int height, std::uint32_t link,
+             std::vector<std::uint32_t>& ids) {
+  for (std::uint32_t& id : ids) {
+    if (id == link) id = 0;
+  }
+  const auto right = static_cast<int>(std::lround(shift.right));
+  const auto down = static_cast<int>(std::lround(shift.down));
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const auto at = [&](int column, int line) {
+        return static_cast<std::size_t>(line) * static_cast<std::size_t>(width) +
+               static_cast<std::size_t>(column);
+      };
+      if (region.inside[at(x, y)] == 0) continue;
+      if (x + right < 0 || y + down < 0 || x + right >= width || y + down >= height) continue;
+      ids[at(x + right, y + down)] = link;
+    }
+  }
+}
+
+}  // namespace
+
+Blame blameLinks(const BlameSide& golden, const BlameSide& frame, const MovedLinks& moved) {
+  assert(golden.picture.rgba.size() == frame.picture.rgba.size());
+  assert(golden.identity.ids.size() * 4 == golden.picture.rgba.size());
+  assert(frame.identity.ids.size() * 4 == frame.picture.rgba.size());
+  BlameWork work(golden.picture, frame.picture);
+  auto golden_ids = work.adopt(golden.identity);
+  auto frame_ids = work.adopt(frame.identity);
+  work.setIdentities(std::move(golden_ids), std::move(frame_ids));
+  work.setMoved(moved);
+  work.layPixels();
+  return work.blame();
+}
+
+Blame guessBlame(const Picture& golden, const BlameSide& frame) {
+  assert(golden.rgba.size() == frame.picture.rgba.size());
+  BlameWork work(golden, frame.picture);
+  const std::vector<std::uint32_t> frame_ids = work.adopt(frame.identity);
+  std::vector<std::uint32_t> golden_ids = frame_ids;
+  MovedLinks moved;
+  const auto to_find = linksToFind(golden, frame.picture, frame_ids, work.linkCount());
+  for (const std::uint32_t link : to_find) {
+    const Region region = regionOf(frame_ids, golden.width, golden.height, link);
+    const auto shift = findRegion(frame.picture, region, golden, kGuessWindow);
+    if (!shift || shift->cost > kGuessExplains * shift->cost_unmoved) continue;
+    if (shift->right * shift->right + shift->down * shift->down < 0.01) continue;
+    layBack(region, *shift, golden.width, golden.height, link, golden_ids);
+    moved.emplace(work.name(link).device, work.name(link).link);
+    work.setShift(link, -shift->right, -shift->down);
+  }
+  work.setIdentities(std::move(golden_ids), frame_ids);
+  work.setMoved(moved);
+  work.layPixels();
+  return work.blame();
+}
+
+}  // namespace rocinante
