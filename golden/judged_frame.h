@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -9,10 +10,13 @@
 #include "core/time.h"
 #include "golden/compare.h"
 #include "golden/manifest.h"
+#include "golden/picture_mask.h"
 #include "golden/suite.h"
 #include "viewer/picture/picture.h"
 
 namespace rocinante {
+
+struct FrameWhy;
 
 /// One picture of a case: what a golden belongs to. A case with `every`, `events` or several
 /// cameras gives many.
@@ -50,13 +54,15 @@ struct JudgedFrame {
   std::string limit_from;   ///< "the default", "s.toml:12", "[tolerance.arm] of s.toml:4"
   std::string expectation;  ///< why the case is expected to differ; empty when it is not
   Comparison comparison;
+  std::vector<PictureMask::Part> masks;   ///< of the case, and how many pixels each hides
   std::string key;                        ///< renderer, size, samples
   std::string pixels;                     ///< hash of what was drawn
   std::string inputs;                     ///< hash of what it was drawn from
   std::string session;                    ///< content_sha256 of the log
   std::optional<AcceptedPicture> golden;  ///< the nearest accepted one
   std::optional<Picture> drawn, accepted;
-  std::optional<Picture> thumbnail;  ///< of a frame that is fine: small, for the report
+  std::optional<Picture> thumbnail;     ///< of a frame that is fine: small, for the report
+  std::shared_ptr<const FrameWhy> why;  ///< who and what differs, where that was asked for
   double render_ms = 0, judge_ms = 0;
 };
 

@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "core/atomic_file.h"
 #include "core/hash.h"
+#include "core/plain_text.h"
+#include "golden/suite_case.h"
 
 namespace rocinante {
 namespace {
@@ -26,8 +29,26 @@ std::string textIn(const Json& object, const char* key) {
   return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
-bool isPlainFileName(const std::string& name) {
-  return !name.empty() && name != "." && name != ".." && name.find('/') == std::string::npos;
+/// What is read and replaced must lie in the folder and be a picture of ours.
+bool isPictureName(const std::string& name) {
+  return name.size() > 4 && name.size() <= 255 && name.ends_with(".png") && name.front() != '.' &&
+         isFileText(name);
+}
+
+Result<AcceptedPicture> acceptedOf(const Json& entry, const std::string& name,
+                                   const std::filesystem::path& file) {
+  AcceptedPicture accepted{textIn(entry, "key"),         textIn(entry, "picture"),
+                           textIn(entry, "pixels"),      textIn(entry, "inputs"),
+                           textIn(entry, "session"),     textIn(entry, "accepted_by"),
+                           textIn(entry, "accepted_at"), textIn(entry, "reason"),
+                           textIn(entry, "areas"),       textIn(entry, "areas_pixels")};
+  if (accepted.key.empty() || accepted.pixels.empty() || !isPictureName(accepted.picture) ||
+      (!accepted.areas.empty() && !isPictureName(accepted.areas))) {
+    return broken(file, fmt::format("a picture of case `{}` lacks its key, its pixel hash or a "
+                                    "plain file name",
+                                    plainText(name)));
+  }
+  return accepted;
 }
 
 }  // namespace
@@ -48,19 +69,21 @@ Result<Manifest> Manifest::read(const std::filesystem::path& folder) {
   if (cases == root.end() || !cases->is_object()) return broken(file, "it has no `cases`");
 
   Manifest manifest;
+  std::set<std::string> files;
   for (const auto& [name, pictures] : cases->items()) {
-    if (!pictures.is_array()) return broken(file, fmt::format("case `{}` is no list", name));
+    if (!pictures.is_array()) {
+      return broken(file, fmt::format("case `{}` is no list", plainText(name)));
+    }
     for (const Json& entry : pictures) {
-      AcceptedPicture accepted{textIn(entry, "key"),         textIn(entry, "picture"),
-                               textIn(entry, "pixels"),      textIn(entry, "inputs"),
-                               textIn(entry, "session"),     textIn(entry, "accepted_by"),
-                               textIn(entry, "accepted_at"), textIn(entry, "reason")};
-      if (!isPlainFileName(accepted.picture) || accepted.key.empty() || accepted.pixels.empty()) {
-        return broken(file, fmt::format("a picture of case `{}` lacks its key, its pixel hash or a "
-                                        "plain file name",
-                                        name));
+      auto accepted = acceptedOf(entry, name, file);
+      if (!accepted.ok()) return accepted.error();
+      // Replacing one golden must never take another's picture away. In a store equal pictures
+      // share a file by its hash.
+      if (!files.insert(accepted->picture).second &&
+          accepted->picture != accepted->pixels + ".png") {
+        return broken(file, fmt::format("two goldens are in {}", plainText(accepted->picture)));
       }
-      manifest.cases[name].push_back(std::move(accepted));
+      manifest.cases[name].push_back(std::move(*accepted));
     }
   }
   return manifest;
@@ -73,14 +96,18 @@ Status Manifest::write(const std::filesystem::path& folder) const {
   for (const auto& [name, pictures] : cases) {
     Json& list = root["cases"][name] = Json::array();
     for (const AcceptedPicture& accepted : pictures) {
-      list.push_back({{"key", accepted.key},
-                      {"picture", accepted.picture},
-                      {"pixels", accepted.pixels},
-                      {"inputs", accepted.inputs},
-                      {"session", accepted.session},
-                      {"accepted_by", accepted.accepted_by},
-                      {"accepted_at", accepted.accepted_at},
-                      {"reason", accepted.reason}});
+      Json& entry = list.emplace_back();
+      entry = {{"key", accepted.key},
+               {"picture", accepted.picture},
+               {"pixels", accepted.pixels},
+               {"inputs", accepted.inputs},
+               {"session", accepted.session},
+               {"accepted_by", accepted.accepted_by},
+               {"accepted_at", accepted.accepted_at},
+               {"reason", accepted.reason}};
+      if (accepted.areas.empty()) continue;
+      entry["areas"] = accepted.areas;
+      entry["areas_pixels"] = accepted.areas_pixels;
     }
   }
   const std::string text = root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -110,20 +137,37 @@ const AcceptedPicture* Manifest::findAnyOfShape(std::string_view case_name,
   return nullptr;
 }
 
-void Manifest::accept(const std::string& case_name, AcceptedPicture accepted) {
+void Manifest::accept(const std::string& case_name, AcceptedPicture accepted, bool beside) {
   std::vector<AcceptedPicture>& pictures = cases[case_name];
-  std::erase_if(pictures, [&](const AcceptedPicture& old) { return old.key == accepted.key; });
+  std::erase_if(pictures, [&](const AcceptedPicture& old) {
+    return old.key == accepted.key && (!beside || old.pixels == accepted.pixels);
+  });
   pictures.push_back(std::move(accepted));
   // Sorted: the order of approving must not reach the file.
-  std::ranges::sort(pictures, {}, &AcceptedPicture::key);
+  std::ranges::sort(pictures, [](const AcceptedPicture& a, const AcceptedPicture& b) {
+    return std::tie(a.key, a.picture) < std::tie(b.key, b.picture);
+  });
+}
+
+std::set<std::string> Manifest::files() const {
+  std::set<std::string> files;
+  for (const auto& [name, pictures] : cases) {
+    for (const AcceptedPicture& accepted : pictures) {
+      files.insert(accepted.picture);
+      if (!accepted.areas.empty()) files.insert(accepted.areas);
+    }
+  }
+  return files;
 }
 
 std::string shapeText(int width, int height, int samples) {
   return fmt::format("{}x{} {}x", width, height, samples);
 }
 
-std::string goldenFileName(std::string_view case_name, std::string_view key) {
-  return fmt::format("{}.{}.png", case_name, hexOf(xxh3(bytesOf(key))).substr(0, 8));
+std::string goldenFileName(std::string_view case_name, std::string_view key, int turn) {
+  const std::string key_digits = hexOf(xxh3(bytesOf(key))).substr(0, 8);
+  return turn == 1 ? fmt::format("{}.{}.png", case_name, key_digits)
+                   : fmt::format("{}.{}.{}.png", case_name, key_digits, turn);
 }
 
 }  // namespace rocinante

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,8 @@ struct AcceptedPicture {
   std::string inputs;   ///< FrameMaker::inputsHash when it was drawn
   std::string session;  ///< content_sha256 of the log; empty without one
   std::string accepted_by, accepted_at, reason;
+  /// Where the case's masks lay (areasPicture): its file and pixel hash; empty without masks.
+  std::string areas{}, areas_pixels{};
   bool operator==(const AcceptedPicture&) const = default;
 };
 
@@ -26,7 +29,8 @@ struct AcceptedPicture {
 struct Manifest {
   std::map<std::string, std::vector<AcceptedPicture>> cases;
 
-  /// Empty when the folder has none. Picture names that lead out of the folder are refused.
+  /// Empty when the folder has none. Names of pictures that lead out of the folder, or are no
+  /// plain PNG's, and pictures that two cases name, are refused.
   static Result<Manifest> read(const std::filesystem::path& folder);
   Status write(const std::filesystem::path& folder) const;
 
@@ -34,13 +38,16 @@ struct Manifest {
   std::vector<const AcceptedPicture*> find(std::string_view case_name, std::string_view key) const;
   /// Any picture of the case with this size and these samples, for a tolerance that allows it.
   const AcceptedPicture* findAnyOfShape(std::string_view case_name, std::string_view shape) const;
-  /// Puts `accepted` in place of the pictures of its case and key.
-  void accept(const std::string& case_name, AcceptedPicture accepted);
+  /// Puts `accepted` in place of the pictures of its case and key, or beside them.
+  void accept(const std::string& case_name, AcceptedPicture accepted, bool beside = false);
+  /// The names of all files that it uses: pictures and areas.
+  std::set<std::string> files() const;
 };
 
 /// "640x480 4x": the end of a key.
 std::string shapeText(int width, int height, int samples);
 /// The golden's file name: the case and eight digits of the key's hash, so that keys never clash.
-std::string goldenFileName(std::string_view case_name, std::string_view key);
+/// `turn` tells several pictures of one key apart: the first has none.
+std::string goldenFileName(std::string_view case_name, std::string_view key, int turn = 1);
 
 }  // namespace rocinante

@@ -2,64 +2,80 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "core/parallel_for.h"
 #include "core/result.h"
-#include "core/time.h"
+#include "golden/frame_drawer.h"
+#include "golden/golden_folder.h"
 #include "golden/judged_frame.h"
 #include "golden/manifest.h"
 #include "golden/suite.h"
-#include "viewer/render/frame_maker.h"
+#include "golden/suite_plan.h"
 
 namespace rocinante {
 
 struct SuiteOptions {
   std::optional<std::filesystem::path> cell;  ///< in place of the suite's
   std::optional<std::filesystem::path> log;
-  std::string only;  ///< glob over frame names; empty: all
+  FrameSelection selection;
   std::vector<std::filesystem::path> search;
   bool search_environment = false;
+  ParallelFor parallel;            ///< for loading the cell; may be empty
   std::function<double()> now_ms;  ///< a steady clock, for the report's timings
-  std::function<void(std::size_t done, std::size_t of)> progress;  ///< may be empty
+  MakeDrawer drawers;              ///< a test's; empty: sceneDrawers()
 };
 
-/// A suite with its cell, log, renderer and manifest open.
+/// A suite with its cell, log and manifest open. Nothing is drawn, and no GL context is made,
+/// before it is needed: a process may fork after open(). One thread.
 class SuiteSession {
  public:
   static Result<SuiteSession> open(const std::filesystem::path& suite_file,
                                    const SuiteOptions& options);
 
-  const Suite& suite() const { return suite_; }
+  const Suite& suite() const { return *suite_; }
   const Manifest& manifest() const { return manifest_; }
-  /// The selected moments in order of the suite. Never empty: open() refuses that.
+  const GoldenFolder& folder() const { return folder_; }
+  const Cell& cell() const { return cell_; }
+  /// content_sha256 of the log; empty without one.
+  const std::string& sessionHash() const { return session_hash_; }
+  /// The selected frames in order of the suite, never empty; and all that the suite has.
   const std::vector<SuiteFrame>& frames() const { return frames_; }
-  const RendererKey& key() const { return maker_.key(); }
-  const ModelFaults& modelFaults() const { return maker_.cell().faults; }
+  const std::vector<SuiteFrame>& allFrames() const { return all_frames_; }
 
-  /// Draws and judges one. An error only when the renderer fails.
+  /// What draws; made by the first call. Valid as long as the session.
+  Result<FrameDrawer*> drawer();
+  /// A drawer with a context of its own, which nothing was drawn in.
+  Result<std::unique_ptr<FrameDrawer>> freshDrawer() const { return make_drawer_(); }
+  /// What to ask of a drawer for a frame with a time.
+  FrameRequest request(const SuiteFrame& frame) const;
+  /// Renderer, size and samples: what a golden is kept under.
+  Result<std::string> key(const SuiteCase& suite_case);
+  /// Where the case's masks lie in this frame; empty for a case without any.
+  Result<std::optional<CaseAreas>> areas(const SuiteFrame& frame);
+
+  /// Draws and judges one. What fails is drawn twice more, once after another frame and once in a
+  /// fresh context, so as to tell an unstable frame from a different one. An error only when the
+  /// renderer fails.
   Result<JudgedFrame> judge(const SuiteFrame& frame);
-
-  /// Draws the frame twice and, when both are equal, makes it the golden of its case and key.
-  /// The manifest is written by finishApproval().
-  Status approve(const SuiteFrame& frame, std::string by, std::string at, std::string reason);
-  Status finishApproval();
+  /// The same drawn twice more: the rule that says how it is unstable, or empty.
+  Result<std::string> instability(const SuiteFrame& frame, const Picture& drawn);
 
  private:
-  SuiteSession(Suite suite, Manifest manifest, FrameMaker maker, std::string session,
-               SuiteOptions options);
-  Status selectFrames();
-  Result<Picture> draw(const SuiteFrame& frame);
-  std::string keyText(const SuiteCase& suite_case) const;
-  void judgeAgainst(const std::vector<const AcceptedPicture*>& goldens, JudgedFrame& judged);
+  SuiteSession() : folder_({}, {}) {}
 
-  Suite suite_;
+  std::unique_ptr<Suite> suite_;  // frames point into it
   Manifest manifest_;
-  FrameMaker maker_;
-  std::string session_;
-  SuiteOptions options_;
-  std::vector<SuiteFrame> frames_;
+  GoldenFolder folder_;
+  Cell cell_;
+  std::string session_hash_;
+  std::function<double()> now_ms_;
+  MakeDrawer make_drawer_;
+  std::unique_ptr<FrameDrawer> drawer_;
+  std::vector<SuiteFrame> frames_, all_frames_;
 };
 
 }  // namespace rocinante

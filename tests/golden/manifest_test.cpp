@@ -9,8 +9,9 @@ namespace rocinante {
 namespace {
 
 AcceptedPicture accepted(std::string key, std::string pixels) {
-  return {std::move(key), "pick.png", std::move(pixels), "inputs",
-          "session",      "ada",      "2026-02-03",      "first"};
+  std::string file = "pick." + pixels + ".png";
+  return {std::move(key), std::move(file), std::move(pixels), "inputs",
+          "session",      "ada",           "2026-02-03",      "first"};
 }
 
 TEST(Manifest, AFolderWithoutOneHasNoGoldens) {
@@ -42,6 +43,30 @@ TEST(Manifest, AcceptingReplacesThePictureOfTheSameKeyAlone) {
   EXPECT_TRUE(manifest.find("place", "a 640x480 4x").empty());
 }
 
+TEST(Manifest, SeveralPicturesOfOneKeyStandBesideEachOther) {
+  Manifest manifest;
+  manifest.accept("pick", accepted("a 640x480 4x", "one"), true);
+  manifest.accept("pick", accepted("a 640x480 4x", "two"), true);
+  manifest.accept("pick", accepted("a 640x480 4x", "two"), true);
+  EXPECT_EQ(manifest.find("pick", "a 640x480 4x").size(), 2U);
+  EXPECT_EQ(manifest.files(), (std::set<std::string>{"pick.one.png", "pick.two.png"}));
+  manifest.accept("pick", accepted("a 640x480 4x", "three"));
+  EXPECT_EQ(manifest.find("pick", "a 640x480 4x").size(), 1U);
+}
+
+TEST(Manifest, RemembersWhereMasksLay) {
+  const test::TemporaryFolder folder;
+  Manifest manifest;
+  AcceptedPicture masked = accepted("a 640x480 4x", "aa");
+  masked.areas = "pick.areas.png";
+  masked.areas_pixels = "bb";
+  manifest.accept("pick", masked);
+  ASSERT_TRUE(manifest.write(folder.path()).ok());
+  const auto read = Manifest::read(folder.path());
+  ASSERT_TRUE(read.ok());
+  EXPECT_EQ(read->cases, manifest.cases);
+}
+
 TEST(Manifest, AnotherRenderersGoldenIsFoundByItsShape) {
   Manifest manifest;
   manifest.accept("pick", accepted("other 640x480 4x", "x"));
@@ -63,6 +88,26 @@ TEST(Manifest, ABrokenOneIsToldWithItsFile) {
                     "\"picture\":\"../../etc/passwd\"}]}}"),
             "the manifest of goldens is broken: a picture of case `a` lacks its key, its pixel "
             "hash or a plain file name");
+  const auto named = [&](const std::string& picture) {
+    return faultOf(
+        "{\"format\":1,\"cases\":{\"a\":[{\"key\":\"k\",\"pixels\":\"p\",\"picture\":\"" + picture +
+        "\"}]}}");
+  };
+  EXPECT_EQ(named("a.png"), "none");
+  for (const char* hostile : {"manifest.json", ".a.png", "..", ".png", "a\\u0000.png", "a\\n.png",
+                              "a/b.png", "\\u001b[2J.png", "caf\\u00e9.png"}) {
+    EXPECT_NE(named(hostile), "none") << hostile;
+  }
+}
+
+TEST(Manifest, TwoGoldensInOneFileAreRefused) {
+  const test::TemporaryFolder folder;
+  const std::string entry = R"({"key":"K","pixels":"P","picture":"a.png"})";
+  const std::string text = "{\"format\":1,\"cases\":{\"a\":[" + entry + "],\"b\":[" + entry + "]}}";
+  ASSERT_TRUE(writeFileWhole(folder / "manifest.json", bytesOf(text), true).ok());
+  const auto manifest = Manifest::read(folder.path());
+  ASSERT_FALSE(manifest.ok());
+  EXPECT_EQ(manifest.error().what, "the manifest of goldens is broken: two goldens are in a.png");
 }
 
 TEST(GoldenFileName, DiffersByKey) {

@@ -51,8 +51,68 @@ tolerance = "cpu"
   EXPECT_EQ(pick.hide, std::vector<std::string>{"layer/labels"});
   EXPECT_FALSE(pick.tolerance.exact);
   EXPECT_DOUBLE_EQ(pick.tolerance.tile_mean, 1.5);
+  EXPECT_EQ(pick.cameras, std::vector<std::string>{"overview"});
+  EXPECT_EQ(pick.limit_from, "suites/s.toml:15");
   EXPECT_EQ(suite->cases[1].moment.every, 500ms);
   EXPECT_EQ(suite->cases[1].tolerance.name, "cpu");
+}
+
+TEST(ParseSuite, ReadsMomentsLooksMasksAndExpectations) {
+  const auto suite = parseSuite(R"(
+format = 1
+cell = "cell.toml"
+store = "/srv/goldens"
+[defaults]
+size = [320, 200]
+tags = ["nightly"]
+tolerance = "arm"
+[tolerance.arm]
+tile_mean = 1.0
+tile_over = 4
+[[case]]
+name = "again"
+event = "picked"
+occurrence = -1
+camera = ["overview", "top"]
+layers = ["robots"]
+insets = false
+style = { edges = "only", shadows = true, trails = ["arm@3", "arm/link6@1"] }
+mask = ["layer/labels", { path = "arm/link6", grow = 2 }, { rectangle = [0, 0, 64, 20] }]
+judge_only = "arm"
+expect = "different"
+reason = "the gripper is being redrawn"
+[[case]]
+name = "each"
+events = "pick*"
+after = "10ms"
+tolerance = "exact"
+tags = []
+)",
+                                "s.toml");
+  ASSERT_TRUE(suite.ok()) << suite.error().text();
+  EXPECT_EQ(suite->store, "/srv/goldens");
+  const SuiteCase& again = suite->cases[0];
+  EXPECT_EQ(again.moment.occurrence, -1);
+  EXPECT_EQ(again.cameras, (std::vector<std::string>{"overview", "top"}));
+  EXPECT_EQ(again.width, 320);
+  EXPECT_EQ(again.layers, std::vector<std::string>{"robots"});
+  EXPECT_FALSE(again.insets);
+  EXPECT_EQ(again.style.edges, EdgeStyle::only);
+  EXPECT_EQ(again.style.trails.size(), 2U);
+  EXPECT_EQ(again.mask, (std::vector<PictureArea>{{{}, "layer/labels", 0},
+                                                  {{}, "arm/link6", 2},
+                                                  {PixelRectangle{0, 0, 64, 20}, "", 0}}));
+  EXPECT_EQ(again.judge_only.size(), 1U);
+  EXPECT_TRUE(again.expect_different);
+  EXPECT_EQ(again.tolerance.name, "arm");
+  EXPECT_EQ(again.limit_from, "[defaults], [tolerance.arm], s.toml:8");
+  EXPECT_EQ(again.tags, std::vector<std::string>{"nightly"});
+  const SuiteCase& each = suite->cases[1];
+  EXPECT_EQ(each.moment.events, "pick*");
+  EXPECT_EQ(each.moment.after, 10ms);
+  EXPECT_TRUE(each.tolerance.exact);
+  EXPECT_EQ(each.limit_from, "s.toml:29");
+  EXPECT_TRUE(each.tags.empty());
 }
 
 TEST(ParseSuite, ALogMayBringItsCell) {
@@ -78,13 +138,32 @@ TEST(ParseSuite, EveryFaultNamesItsPlace) {
   EXPECT_EQ(faultOf(named + "every = \"0s\"\n"),
             "`every` is a duration above zero, such as \"0.5s\" (s.toml:5:9)");
   EXPECT_EQ(faultOf(named + "at = \"1\"\nevent = \"e\"\n"),
-            "a case has one of `at`, `event` and `every` (s.toml:3:1)");
+            "a case has one of `at`, `event`, `events` and `every` (s.toml:3:1)");
   EXPECT_EQ(faultOf(named + "tolerance = \"lax\"\n"),
             "`tolerance` is \"exact\", \"cpu\", \"loose\" or { tile_mean = ..., tile_over = ... } "
             "(s.toml:5:13)");
   EXPECT_EQ(faultOf(named + "[[case]]\nname = \"a\"\n"), "two cases are named `a` (s.toml:5:1)");
   EXPECT_EQ(faultOf(head + "[[case]]\nname = \"../up\"\n"),
             "a case has a `name` of letters, digits, `_`, `-` and `.` (s.toml:3:1)");
+  EXPECT_EQ(faultOf(named + "after = \"1s\"\n"),
+            "`after` goes with `event` or `events` (s.toml:5:9)");
+  EXPECT_EQ(faultOf(named + "occurrence = 0\nevent = \"e\"\n"),
+            "`occurrence` goes with `event`: 1 is the first, -1 the last (s.toml:5:14)");
+  EXPECT_EQ(faultOf(named + "expect = \"different\"\n"),
+            "who expects a difference says why: `reason = \"...\"` (s.toml:5:10)");
+  EXPECT_EQ(faultOf(named + "reason = \"why\"\n"), "`reason` goes with `expect` (s.toml:5:10)");
+  EXPECT_EQ(faultOf(named + "mask = [\"layer/grid\"]\n"),
+            "`hide` layer/grid: what is not drawn needs no mask (s.toml:5:9)");
+  EXPECT_EQ(faultOf(named + "mask = [{ rectangle = [0, 0, 0, 5] }]\n"),
+            "`rectangle` is [x, y, width, height] in pixels (s.toml:5:23)");
+  EXPECT_EQ(faultOf(named + "mask = [{ grow = 1 }]\n"),
+            "an area has either a `path` or a `rectangle` (s.toml:5:9)");
+  EXPECT_NE(faultOf(named + "style = { edges = \"bold\" }\n"), "none");
+  EXPECT_NE(faultOf(named + "style = { glow = true }\n"), "none");
+  EXPECT_EQ(faultOf(named + "[tolerance.cpu]\ntile_mean = 1.0\n"),
+            "`cpu` is a tier: choose another name (s.toml:5:1)");
+  EXPECT_EQ(faultOf(head + "[defaults]\nname = \"a\"\n[[case]]\nname = \"a\"\n"),
+            "unknown key `name` (s.toml:4:8)");
   EXPECT_NE(faultOf("format = = 1"), "none");
 }
 

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "core/cli/program.h"
+#include "core/result.h"
+#include "golden/suite_arguments.h"
+
+namespace rocinante {
+
+/// What `rocinante golden run` was asked for (docs/programs/golden.md).
+struct RunArguments {
+  SuiteArguments suite;
+  std::string report, junit, json_file;
+  int jobs = 0;  ///< 0: as many as pay
+};
+
+/// Adds the sub-command `run` to `app`; parsing fills `arguments`, which must outlive it.
+CLI::App* addRunCommand(CLI::App& app, RunArguments& arguments);
+
+/// Draws every frame, judges it, writes the reports and prints the verdicts.
+Result<cli::Exit> runRunCommand(const RunArguments& arguments);
+
+}  // namespace rocinante

@@ -1,0 +1,203 @@
+#include "golden/approval.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "core/atomic_file.h"
+#include "golden/approval_list.h"
+#include "tests/support/temporary_folder.h"
+
+namespace rocinante {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr char kKey[] = "llvmpipe 4x4 1x";
+
+Picture plain(std::uint8_t level) { return {4, 4, std::vector<std::uint8_t>(4 * 4 * 4, level)}; }
+
+AcceptedPicture entryOf(const Picture& picture) {
+  return {kKey, {}, pictureXxh3(picture), "inputs", "session", "ada", "2026-02-03", "why"};
+}
+
+class ApprovalTest : public testing::Test {
+ protected:
+  Manifest manifest() const {
+    auto read = Manifest::read(folder_.goldens());
+    EXPECT_TRUE(read.ok());
+    return read.ok() ? *read : Manifest{};
+  }
+
+  std::vector<std::string> approve(const std::string& name, const Picture& picture,
+                                   bool beside = false) const {
+    Approval approval(folder_, manifest());
+    EXPECT_TRUE(approval.stage(name, entryOf(picture), picture, nullptr, beside).ok());
+    const auto left = approval.commit();
+    EXPECT_TRUE(left.ok()) << left.error().text();
+    return left.ok() ? *left : std::vector<std::string>{};
+  }
+
+  std::vector<std::string> files() const {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_.goldens())) {
+      names.push_back(entry.path().filename().string());
+    }
+    std::ranges::sort(names);
+    return names;
+  }
+
+  test::TemporaryFolder root_;
+  GoldenFolder folder_{root_ / "goldens", {}};
+  std::string pick_ = goldenFileName("pick", kKey);
+};
+
+TEST_F(ApprovalTest, WritesPictureAndManifestAndLeavesNothingElse) {
+  approve("pick", plain(10));
+  EXPECT_EQ(files(), (std::vector<std::string>{"manifest.json", pick_}));
+  approve("pick", plain(20));
+  EXPECT_EQ(files(), (std::vector<std::string>{"manifest.json", pick_}));
+  const Manifest now = manifest();
+  EXPECT_EQ(*folder_.read(*now.find("pick", kKey).front()), plain(20));
+}
+
+TEST_F(ApprovalTest, WhatIsStagedAloneChangesNothing) {
+  approve("pick", plain(10));
+  const auto before = files();
+  {
+    Approval approval(folder_, manifest());
+    ASSERT_TRUE(approval.stage("pick", entryOf(plain(30)), plain(30), nullptr, false).ok());
+    EXPECT_EQ(*folder_.read(*manifest().find("pick", kKey).front()), plain(10));
+  }
+  EXPECT_EQ(files(), before);
+}
+
+TEST_F(ApprovalTest, SeveralPicturesOfACaseHaveFilesOfTheirOwn) {
+  approve("pick", plain(10));
+  approve("pick", plain(20), true);
+  const Manifest now = manifest();
+  ASSERT_EQ(now.find("pick", kKey).size(), 2U);
+  for (const AcceptedPicture* one : now.find("pick", kKey)) EXPECT_TRUE(folder_.read(*one).ok());
+  // One in place of both: the other's file goes.
+  approve("pick", plain(30));
+  EXPECT_EQ(files(), (std::vector<std::string>{"manifest.json", pick_}));
+}
+
+TEST_F(ApprovalTest, WhatAnotherApprovedMeanwhileIsKept) {
+  approve("pick", plain(10));
+  Approval slow(folder_, manifest());
+  ASSERT_TRUE(slow.stage("pick", entryOf(plain(20)), plain(20), nullptr, false).ok());
+  ASSERT_TRUE(slow.stage("place", entryOf(plain(21)), plain(21), nullptr, false).ok());
+  approve("pick", plain(30));
+  approve("other", plain(40));
+  const auto left = slow.commit();
+  ASSERT_TRUE(left.ok());
+  EXPECT_EQ(*left, std::vector<std::string>{"pick"});
+  const Manifest now = manifest();
+  EXPECT_EQ(*folder_.read(*now.find("pick", kKey).front()), plain(30));
+  EXPECT_EQ(*folder_.read(*now.find("place", kKey).front()), plain(21));
+  EXPECT_EQ(*folder_.read(*now.find("other", kKey).front()), plain(40));
+}
+
+TEST_F(ApprovalTest, KilledAfterTheManifestTheNewPictureCounts) {
+  approve("pick", plain(10));
+  // As it is between the manifest and the last rename.
+  Manifest after = manifest();
+  AcceptedPicture accepted = entryOf(plain(20));
+  accepted.picture = pick_;
+  after.accept("pick", accepted);
+  ASSERT_TRUE(writePng(folder_.arrivingFile(pick_), plain(20)).ok());
+  ASSERT_TRUE(after.write(folder_.goldens()).ok());
+  EXPECT_EQ(*folder_.read(accepted), plain(20));
+  // Whoever approves next finishes it.
+  approve("place", plain(1));
+  EXPECT_EQ(files(),
+            (std::vector<std::string>{"manifest.json", pick_, goldenFileName("place", kKey)}));
+  EXPECT_EQ(*folder_.read(accepted), plain(20));
+}
+
+TEST_F(ApprovalTest, KilledBeforeTheManifestTheOldPictureCounts) {
+  approve("pick", plain(10));
+  ASSERT_TRUE(writePng(folder_.arrivingFile(pick_), plain(20)).ok());
+  EXPECT_EQ(*folder_.read(*manifest().find("pick", kKey).front()), plain(10));
+  approve("place", plain(1));
+  EXPECT_EQ(*folder_.read(*manifest().find("pick", kKey).front()), plain(10));
+  EXPECT_FALSE(std::filesystem::exists(folder_.arrivingFile(pick_)));
+}
+
+TEST_F(ApprovalTest, ABrokenManifestIsNotWrittenOver) {
+  approve("pick", plain(10));
+  const Manifest seen = manifest();
+  ASSERT_TRUE(writeFileWhole(root_ / "goldens/manifest.json", bytesOf("{"), true).ok());
+  Approval approval(folder_, seen);
+  ASSERT_TRUE(approval.stage("pick", entryOf(plain(20)), plain(20), nullptr, false).ok());
+  EXPECT_FALSE(approval.commit().ok());
+  EXPECT_EQ(*readFile(root_ / "goldens/manifest.json"), "{");
+}
+
+TEST_F(ApprovalTest, AStoreHoldsPicturesByTheirHash) {
+  folder_ = GoldenFolder(root_ / "goldens", root_ / "store");
+  approve("pick", plain(10));
+  approve("place", plain(10));
+  approve("pick", plain(20));
+  EXPECT_EQ(files(), std::vector<std::string>{"manifest.json"});
+  EXPECT_TRUE(std::filesystem::exists(root_ / "store" / (pictureXxh3(plain(10)) + ".png")));
+  const Manifest now = manifest();
+  EXPECT_EQ(*folder_.read(*now.find("pick", kKey).front()), plain(20));
+  EXPECT_EQ(*folder_.read(*now.find("place", kKey).front()), plain(10));
+  // What lies under a hash must be what the hash says.
+  ASSERT_TRUE(writePng(root_ / "store" / (pictureXxh3(plain(20)) + ".png"), plain(21)).ok());
+  EXPECT_FALSE(folder_.read(*now.find("pick", kKey).front()).ok());
+}
+
+TEST_F(ApprovalTest, APointerOfLfsIsToldAsWhatItIs) {
+  approve("pick", plain(10));
+  const std::string pointer =
+      "version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 12345\n";
+  ASSERT_TRUE(writeFileWhole(root_ / "goldens" / pick_, bytesOf(pointer), true).ok());
+  const auto read = folder_.read(*manifest().find("pick", kKey).front());
+  ASSERT_FALSE(read.ok());
+  EXPECT_THAT(read.error().text(), HasSubstr("is a Git LFS pointer and not the picture; `git lfs "
+                                             "pull` fetches it"));
+}
+
+TEST_F(ApprovalTest, ACorruptGoldenIsNamed) {
+  approve("pick", plain(10));
+  const std::filesystem::path file = root_ / "goldens" / pick_;
+  const std::string whole = *readFile(file);
+  for (std::size_t length = 0; length < whole.size(); ++length) {
+    std::ofstream(file, std::ios::binary) << whole.substr(0, length);
+    const auto read = folder_.read(*manifest().find("pick", kKey).front());
+    // Only what no pixel depends on may be missing.
+    if (read.ok()) {
+      EXPECT_EQ(*read, plain(10)) << length;
+    } else {
+      EXPECT_THAT(read.error().text(), HasSubstr(pick_)) << length;
+    }
+  }
+}
+
+TEST(ApprovalList, IsReadAsItIsWritten) {
+  const ApprovalList list{{"pick", std::string(32, 'a')},
+                          {"tour-00001.000s", std::string(32, '0')}};
+  const auto read = parseApprovalList("# chosen in the report\r\n\n" + approvalListText(list), "l");
+  ASSERT_TRUE(read.ok()) << read.error().text();
+  EXPECT_EQ(*read, list);
+}
+
+TEST(ApprovalList, RefusesWhatIsNone) {
+  const auto faultOf = [](const std::string& text) {
+    const auto list = parseApprovalList(text, "list.txt");
+    return list.ok() ? std::string("none") : list.error().text();
+  };
+  const std::string hash(32, 'a');
+  EXPECT_EQ(faultOf(""), "the list names no frame: nothing would be approved (list.txt)");
+  EXPECT_EQ(faultOf("\npick\n"), "`pick` is no frame and its pixel hash of 32 digits (list.txt:2)");
+  EXPECT_EQ(faultOf("pick " + hash + "0\n").substr(0, 6), "`pick ");
+  EXPECT_EQ(faultOf("pick " + hash + " x\n").substr(0, 6), "`pick ");
+  EXPECT_EQ(faultOf("a " + hash + "\na\t" + hash), "frame a stands in the list twice (list.txt:2)");
+}
+
+}  // namespace
+}  // namespace rocinante
