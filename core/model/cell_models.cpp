@@ -6,6 +6,7 @@
 #include "core/model/fault_list.h"
 #include "core/model/inline_model.h"
 #include "core/model/name_hint.h"
+#include "core/model/sdf_reader.h"
 #include "core/model/urdf_reader.h"
 
 namespace rocinante {
@@ -25,7 +26,7 @@ bool endsIn(const std::string& name, std::string_view ending) {
 
 }  // namespace
 
-std::shared_ptr<const Model> CellModels::readUrdfFile(const std::string& name,
+std::shared_ptr<const Model> CellModels::readTreeFile(const std::string& name,
                                                       const std::filesystem::path& folder,
                                                       Place place, FaultList& faults) {
   const FoundFile found = meshes_.search().find(name, folder);
@@ -38,14 +39,16 @@ std::shared_ptr<const Model> CellModels::readUrdfFile(const std::string& name,
   const auto known = files_.find(found.path);
   if (known != files_.end()) return known->second;
   std::shared_ptr<const Model> model;
-  const auto bytes = readWholeFile(found.path, kMostUrdfBytes);
+  const bool is_sdf = endsIn(found.path.string(), ".sdf");
+  const auto bytes = readWholeFile(found.path, is_sdf ? kMostSdfBytes : kMostUrdfBytes);
   if (!bytes.ok()) {
     faults.error(
         "cell.unusable-model", place,
         fmt::format("the model {} is not used: {}", quotedInFault(name), bytes.error().text()));
   } else {
     meshes_.addFile(found.path);
-    if (auto read = readUrdf(*bytes, found.path, meshes_, faults.all())) {
+    const auto readTree = is_sdf ? readSdf : readUrdf;
+    if (auto read = readTree(*bytes, found.path, meshes_, faults.all())) {
       model = std::make_shared<const Model>(std::move(*read));
     }
   }
@@ -56,7 +59,8 @@ std::shared_ptr<const Model> CellModels::readUrdfFile(const std::string& name,
 std::shared_ptr<const Model> CellModels::readModelFile(const std::string& name,
                                                        const std::filesystem::path& folder,
                                                        Place place, FaultList& faults) {
-  if (endsIn(name, ".urdf")) return readUrdfFile(name, folder, place, faults);
+  if (endsIn(name, ".urdf") || endsIn(name, ".sdf"))
+    return readTreeFile(name, folder, place, faults);
   // A mesh that says its unit is a rigid thing.
   auto mesh = meshes_.load(name, folder, 1.0, UpAxis::z, place, faults);
   const std::filesystem::path file(name);
@@ -81,7 +85,7 @@ void CellModels::readModel(TomlTable table, const std::filesystem::path& folder)
   if (table.has("urdf")) {
     const auto file = table.requiredText("urdf");
     table.finish();
-    if (file && name) model = readUrdfFile(*file, folder, table.place("urdf"), table.faults());
+    if (file && name) model = readTreeFile(*file, folder, table.place("urdf"), table.faults());
   } else {
     model = readInlineModel(table, name.value_or("model"), folder, meshes_);
   }
@@ -97,7 +101,7 @@ std::string CellModels::use(const std::string& name, const TomlTable& table,
     key = (folder.lexically_relative(main_folder_) / name).lexically_normal().string();
   }
   if (used_.contains(key)) return key;
-  if (endsIn(name, ".urdf") || (isMeshFile(name) && saysItsUnit(name))) {
+  if (endsIn(name, ".urdf") || endsIn(name, ".sdf") || (isMeshFile(name) && saysItsUnit(name))) {
     used_.emplace(key, readModelFile(name, folder, table.place("model"), table.faults()));
     return key;
   }
@@ -109,7 +113,7 @@ std::string CellModels::use(const std::string& name, const TomlTable& table,
   } else if (endsIn(name, ".xacro")) {
     hint = "expand the template first: xacro model.xacro > model.urdf";
   } else if (hint.empty()) {
-    hint = "`model` is a .urdf, .dae, .gltf or .glb file or the name of a [[model]]";
+    hint = "`model` is a .urdf, .sdf, .dae, .gltf or .glb file or the name of a [[model]]";
   }
   table.error("cell.unknown-model", "model", fmt::format("no model is {}", quotedInFault(name)),
               std::move(hint));

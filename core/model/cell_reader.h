@@ -56,7 +56,7 @@ class CellModels {
   std::shared_ptr<const Model> readModelFile(const std::string& name,
                                              const std::filesystem::path& folder, Place place,
                                              FaultList& faults);
-  std::shared_ptr<const Model> readUrdfFile(const std::string& name,
+  std::shared_ptr<const Model> readTreeFile(const std::string& name,
                                             const std::filesystem::path& folder, Place place,
                                             FaultList& faults);
 
