@@ -30,7 +30,7 @@ CheckReport reportOfCell(const Cell& cell) {
   CheckReport report;
   report.cell = cell.file;
   for (const ModelFault& fault : cell.faults) report.findings.push_back(findingOf(fault));
-  report.rules = RuleSettings(cell.rules, cell.file);
+  report.rules = RuleSettings(cell.rules);
   for (const ModelFault& fault : report.rules.faults()) {
     report.findings.push_back(findingOf(fault));
   }

@@ -25,9 +25,11 @@ std::string thresholdHint(const Rule& rule) {
 
 }  // namespace
 
-RuleSettings::RuleSettings(const std::vector<CellRule>& rules, const std::string& file) {
-  FaultList faults(faults_, file);
+RuleSettings::RuleSettings(const std::vector<CellRule>& rules) {
+  std::map<std::string, FaultList> faults_of_file;
   for (const CellRule& setting : rules) {
+    FaultList& faults =
+        faults_of_file.try_emplace(setting.file, faults_, setting.file).first->second;
     const Place place{setting.line, setting.column};
     const Rule* const rule = findRule(setting.id);
     if (rule == nullptr) {

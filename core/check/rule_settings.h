@@ -18,8 +18,8 @@ class RuleSettings {
  public:
   /// As the list of rules says.
   RuleSettings() = default;
-  /// `file`: the cell that `rules` stand in, for the faults.
-  RuleSettings(const std::vector<CellRule>& rules, const std::string& file);
+  /// As `rules` change it, the later ones over the earlier.
+  explicit RuleSettings(const std::vector<CellRule>& rules);
 
   /// What `rules` say that there is not: unknown ids, thresholds that a rule does not have.
   const ModelFaults& faults() const { return faults_; }

@@ -25,8 +25,7 @@ bool isStatic(StatementKind kind) {
 
 }  // namespace
 
-SessionCheck::SessionCheck(const Cell& cell)
-    : cell_(cell), rules_(cell.rules, cell.file), layers_(cell) {
+SessionCheck::SessionCheck(const Cell& cell) : cell_(cell), rules_(cell.rules), layers_(cell) {
   motion_.velocity_factor = rules_.threshold("joint.velocity");
   motion_.acceleration = rules_.threshold("joint.acceleration");
   expectDevices();

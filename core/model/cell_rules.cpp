@@ -70,6 +70,7 @@ void readFamily(const TomlNode& table, const std::string& family, FaultList& fau
                    fmt::format("[rules] has more than {} rules", kMostRules));
       return;
     }
+    rule.file = faults.file();
     rule.line = entry.place.line;
     rule.column = entry.place.column;
     if (is_table) {

@@ -16,7 +16,8 @@ struct CellRule {
   std::optional<Severity> severity;  ///< empty: as it is by default, unless it is off
   std::string threshold_key;         ///< "ms"; empty: none is given
   double threshold = 0;
-  int line = 0, column = 0;  ///< of the rule's id in the cell; 0: not from a file
+  std::string file;          ///< that says so: the cell, or one that it includes
+  int line = 0, column = 0;  ///< of the rule's id there; 0: not from a file
 };
 
 /// "off", "note", "warning" or "error" into `rule`; false when `word` is none of these.
