@@ -7,8 +7,10 @@
 #include "core/check/baseline.h"
 #include "core/check/check.h"
 #include "core/check/model_drift.h"
+#include "core/cli/load_progress.h"
 #include "core/cli/program.h"
 #include "core/cli/progress_line.h"
+#include "core/cli/worker_threads.h"
 #include "core/duration_text.h"
 #include "core/log/log_profile.h"
 #include "golden/check_live.h"
@@ -42,7 +44,10 @@ std::vector<Finding> driftOf(const LogReader& log, const Cell& given) {
   if (!bundle) return unreadable(bundle.error());
   if (!*bundle) return {};
   const std::string shown_as = log.name() + ":" + std::string(profile::kCellFolder);
-  const Result<Cell> recorded = loadBundle(**bundle, shown_as, {});
+  CellOptions options;
+  options.parallel = cli::workerThreads();
+  options.progress = cli::loadProgress(shown_as);
+  const Result<Cell> recorded = loadBundle(**bundle, shown_as, options);
   if (!recorded) return unreadable(recorded.error());
   return modelDrift(*recorded, given);
 }
@@ -74,6 +79,8 @@ Result<CheckReport> judge(const CheckArguments& my) {
   CellOptions options;
   options.search.assign(my.search.begin(), my.search.end());
   options.search_environment = my.search_environment;
+  options.parallel = cli::workerThreads();
+  options.progress = cli::loadProgress(my.cell);
   Result<Cell> cell = loadCellOrLog(my.cell, options);
   if (!cell) return cell.error();
   cell->rules.insert(cell->rules.end(), rules->begin(), rules->end());

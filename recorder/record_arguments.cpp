@@ -4,7 +4,9 @@
 #include <charconv>
 
 #include "core/bundle/attached_cell.h"
+#include "core/cli/load_progress.h"
 #include "core/cli/program.h"
+#include "core/cli/worker_threads.h"
 #include "recorder/record_path.h"
 
 namespace rocinante {
@@ -37,6 +39,8 @@ Status readCell(const RecordArguments& arguments, RecordOptions& options) {
     if (search.search.empty() && !search.search_environment) return {};
     return Error{ErrorKind::bad_argument, "--search and --search-env go with --cell", {}};
   }
+  search.parallel = cli::workerThreads();
+  if (!arguments.quiet) search.progress = cli::loadProgress(arguments.cell);
   auto cell = collectCellOrLog(arguments.cell, search);
   if (!cell) return cell.error();
   if (!arguments.quiet) {

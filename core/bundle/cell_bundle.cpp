@@ -184,8 +184,10 @@ auto outcomeOf(const Cell& cell) {
 }
 
 /// An attachment that turns out useless when the original is gone helps nobody: loads it now.
-Status prove(const CellBundle& bundle, const Cell& cell) {
-  const auto again = loadBundle(bundle, "", {});
+Status prove(const CellBundle& bundle, const Cell& cell, const ParallelFor& parallel) {
+  CellOptions options;
+  options.parallel = parallel;
+  const auto again = loadBundle(bundle, "", options);
   if (!again.ok()) return again.error();
   if (outcomeOf(*again) == outcomeOf(cell)) return {};
   return Error{ErrorKind::damaged, "the cell changed while it was read, so it is not attached",
@@ -222,7 +224,7 @@ Result<CellBundle> collectCell(const fs::path& path, CellOptions options) {
   for (const ModelFault& fault : cell->faults) {
     if (fault.severity == Severity::warning) bundle.warnings.push_back(fault);
   }
-  if (Status proved = prove(bundle, *cell); !proved) return proved.error();
+  if (Status proved = prove(bundle, *cell, options.parallel); !proved) return proved.error();
   return bundle;
 }
 

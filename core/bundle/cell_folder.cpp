@@ -111,6 +111,9 @@ Result<Cell> loadBundle(const CellBundle& bundle, const std::string& shown_as,
   }
   CellOptions inside;
   inside.geometry = options.geometry;
+  inside.strict = options.strict;
+  inside.parallel = options.parallel;
+  inside.progress = options.progress;
   inside.answers = answersOf(bundle.manifest, root);
   auto cell = loadCell(root / bundle.manifest.main, inside);
   if (!cell.ok()) {
@@ -128,6 +131,7 @@ Result<Cell> loadBundle(const CellBundle& bundle, const std::string& shown_as,
     fault.text = cell->shown(fault.text);
     fault.hint = cell->shown(fault.hint);
   }
+  for (CellRule& rule : cell->rules) rule.file = cell->shown(rule.file);
   cell->keeps_files = *folder;
   return cell;
 }

@@ -16,6 +16,8 @@ class ProgressLine {
 
   /// `part` of the work is done, 0 to 1.
   void show(double part);
+  /// Takes it away again, until the next show().
+  void clear();
 
  private:
   std::string doing_;

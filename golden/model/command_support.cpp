@@ -4,6 +4,8 @@
 #include <cstdio>
 
 #include "core/bundle/attached_cell.h"
+#include "core/cli/load_progress.h"
+#include "core/cli/worker_threads.h"
 #include "core/math/transform.h"
 #include "core/plain_text.h"
 #include "golden/model/model_commands.h"
@@ -28,6 +30,8 @@ Result<Cell> loadFile(const ModelFileOptions& options, bool geometry) {
   how.search_environment = options.search_environment;
   how.geometry = geometry;
   how.strict = options.strict;
+  how.parallel = cli::workerThreads();
+  how.progress = cli::loadProgress(options.file);
   Result<Cell> cell = loadCellOrLog(options.file, how);
   if (!cell) return cell.error();
   if (!options.device.empty() && cell->findDevice(options.device) == nullptr) {

@@ -6,6 +6,8 @@
 #include "core/bundle/attached_cell.h"
 #include "core/bundle/bundle_names.h"
 #include "core/bundle/media_type.h"
+#include "core/cli/load_progress.h"
+#include "core/cli/worker_threads.h"
 #include "recorder/log/copy_options.h"
 #include "recorder/log/log_attach.h"
 #include "recorder/log/log_commands.h"
@@ -62,7 +64,10 @@ Result<cli::Exit> runAttach(const AttachArguments& my) {
   attach.files = std::move(*files);
   CellBundle cell;
   if (!my.cell.empty()) {
-    auto collected = collectCellOrLog(my.cell, my.search);
+    CellOptions search = my.search;
+    search.parallel = cli::workerThreads();
+    search.progress = cli::loadProgress(my.cell);
+    auto collected = collectCellOrLog(my.cell, search);
     if (!collected.ok()) return collected.error();
     cell = std::move(*collected);
     for (const std::string& warning : bundleWarnings(cell)) cli::warn(warning);
