@@ -5,7 +5,9 @@
 
 #include "core/atomic_file.h"
 #include "core/bundle/attached_cell.h"
+#include "core/cli/load_progress.h"
 #include "core/cli/program.h"
+#include "core/cli/worker_threads.h"
 #include "viewer/ui/view_app.h"
 
 namespace rocinante {
@@ -89,6 +91,8 @@ Result<Exit> view(const Arguments& arguments) {
   CellOptions cell_options;
   cell_options.search = arguments.search;
   cell_options.search_environment = arguments.search_environment;
+  cell_options.parallel = cli::workerThreads();
+  cell_options.progress = cli::loadProgress(arguments.cell.string());
   auto cell = loadCellOrLog(arguments.cell, cell_options);
   if (!cell.ok()) return cell.error();
   warnOfFaults(*cell);
