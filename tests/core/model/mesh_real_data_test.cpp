@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <map>
 #include <numeric>
 #include <set>
@@ -97,6 +99,53 @@ TEST(RealMeshes, ThePandaLoadsWithATextureNamedOnAnotherMachine) {
 TEST(RealMeshes, TheFingersOfR2D2Load) {
   ROCINANTE_NEEDS_SHARED_DATA("robots/r2d2");
   EXPECT_EQ(trianglesOf("robots/r2d2", {"l_finger", "l_finger_tip"}, ".stl"), 253U + 151U);
+}
+
+/// How large the triangles of one group are, by the corners that they use.
+Vec3 sizeOfGroup(const Mesh& mesh, const std::string& group) {
+  Bounds bounds;
+  for (const MeshPart& part : mesh.parts) {
+    if (part.group != group) continue;
+    for (std::uint32_t i = 0; i < part.index_count; ++i) {
+      bounds.add(Vec3(mesh.vertices[mesh.indices[part.first_index + i]].position));
+    }
+  }
+  return bounds.max - bounds.min;
+}
+
+TEST(RealSizes, AnInchColladaMeasuresAsItsMetreTwinInObj) {
+  ROCINANTE_NEEDS_SHARED_DATA("env/gazebo_originals/reactor/meshes/reactor.dae");
+  ROCINANTE_NEEDS_SHARED_DATA("env/waste_yard/waste_yard.obj");
+  // The scene was made of the same reactor by other hands, and put elsewhere.
+  const Bounds inches = readShared("env/gazebo_originals/reactor/meshes/reactor.dae").mesh.bounds;
+  const Vec3 metres = sizeOfGroup(readShared("env/waste_yard/waste_yard.obj").mesh, "reactor_1");
+  EXPECT_LT(glm::length(inches.max - inches.min - metres), 1e-4);
+  EXPECT_NEAR(metres.z, 25.90462, 1e-4) << "85 feet high";
+}
+
+TEST(RealSizes, ThePumaOfInchesIsAsLargeAsThePumaOfMetres) {
+  ROCINANTE_NEEDS_SHARED_DATA("robots/puma560_description");
+  // Two sets of meshes of one arm, from different hands: STL in inches, COLLADA in metres.
+  MeshReadOptions inches;
+  inches.unit_m = 0.0254;
+  const auto stl = [&](int link) {
+    return readShared(fmt::format("robots/puma560_description/meshes/puma_link{}.stl", link),
+                      inches)
+        .mesh.bounds;
+  };
+  const auto collada = [&](int link) {
+    return readShared(fmt::format("robots/puma560_description/meshes/puma560_link{}.dae", link))
+        .mesh.bounds;
+  };
+  // The flange is the same in both, two inches across.
+  EXPECT_LT(glm::length(stl(7).max - collada(7).max), 1e-6);
+  EXPECT_LT(glm::length(stl(7).min - collada(7).min), 1e-6);
+  EXPECT_NEAR(stl(7).max.x - stl(7).min.x, 2 * 0.0254, 1e-6);
+  // The others were drawn anew: a wrong unit would make them 39 times as large.
+  for (int link = 1; link <= 7; ++link) {
+    const Vec3 a = stl(link).max - stl(link).min, b = collada(link).max - collada(link).min;
+    EXPECT_NEAR(glm::length(a) / glm::length(b), 1, 0.13) << "link " << link;
+  }
 }
 
 }  // namespace

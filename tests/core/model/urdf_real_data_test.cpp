@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <set>
 
 #include "core/math/transform.h"
 #include "core/model/cell.h"
@@ -25,6 +26,8 @@ constexpr RobotFile kRobots[] = {
     {"robots/kuka_iiwa/model.urdf", 8, 7, 7, 14758},
     {"robots/franka_panda/panda.urdf", 13, 12, 8, 102759},
     {"robots/r2d2/r2d2.urdf", 16, 15, 8, 808},
+    {"robots/kuka_iiwa/objects/tray.urdf", 1, 0, 0, 72},
+    {"robots/kuka_iiwa/objects/block.urdf", 1, 0, 0, 0},
 };
 
 class RealRobot : public testing::TestWithParam<RobotFile> {};
@@ -131,6 +134,41 @@ TEST_P(RealRobot, HasTheLinksJointsAndLimitsThatUrdfdomReads) {
   }
 }
 
+TEST_P(RealRobot, HasTheShapesThatUrdfdomReads) {
+  ROCINANTE_NEEDS_SHARED_DATA(GetParam().path);
+  const auto cell = loadCell(test::sharedData(GetParam().path), {});
+  ASSERT_TRUE(cell.ok());
+  const Model& model = *cell->modelOf(cell->devices[0]);
+  const auto judge = urdf::parseURDFFile(test::sharedData(GetParam().path).string());
+  ASSERT_TRUE(judge);
+  for (const Link& link : model.links) {
+    SCOPED_TRACE(link.name);
+    const auto other = judge->getLink(link.name);
+    ASSERT_TRUE(other);
+    ASSERT_EQ(link.visuals.size(), other->visual_array.size());
+    ASSERT_EQ(link.collisions.size(), other->collision_array.size());
+    for (std::size_t i = 0; i < link.visuals.size(); ++i) {
+      const Visual& ours = link.visuals[i];
+      const urdf::Visual& theirs = *other->visual_array[i];
+      ASSERT_TRUE(ours.mesh);
+      const Vec3 apart = transformPoint(matrixOf(ours.origin), {1, 1, 1}) -
+                         transformPoint(matrixOfUrdf(theirs.origin), {1, 1, 1});
+      EXPECT_LT(glm::length(apart), 1e-12);
+      if (const auto* mesh = dynamic_cast<const urdf::Mesh*>(theirs.geometry.get())) {
+        EXPECT_EQ(ours.scale, Vec3(mesh->scale.x, mesh->scale.y, mesh->scale.z));
+      } else if (const auto* box = dynamic_cast<const urdf::Box*>(theirs.geometry.get())) {
+        const Vec3 size = ours.mesh->bounds.max - ours.mesh->bounds.min;
+        EXPECT_LT(glm::length(size - Vec3(box->dim.x, box->dim.y, box->dim.z)), 1e-6);
+      } else if (const auto* tube = dynamic_cast<const urdf::Cylinder*>(theirs.geometry.get())) {
+        EXPECT_NEAR(ours.mesh->bounds.max.z * 2, tube->length, 1e-6);
+        EXPECT_NEAR(ours.mesh->bounds.max.x, tube->radius, 1e-6);
+      } else if (const auto* ball = dynamic_cast<const urdf::Sphere*>(theirs.geometry.get())) {
+        EXPECT_NEAR(ours.mesh->bounds.max.z, ball->radius, 1e-6);
+      }
+    }
+  }
+}
+
 TEST_P(RealRobot, StandsWhereUrdfdomsTreePutsItAlsoFarFromTheOrigin) {
   ROCINANTE_NEEDS_SHARED_DATA(GetParam().path);
   CellOptions options;
@@ -164,12 +202,24 @@ TEST_P(RealRobot, StandsWhereUrdfdomsTreePutsItAlsoFarFromTheOrigin) {
   EXPECT_LT(worst, 1e-12) << "and far better, in double";
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    OfTheSharedData, RealRobot, testing::ValuesIn(kRobots), [](const auto& each) {
-      std::string name = std::filesystem::path(each.param.path).parent_path().filename().string();
-      if (name == "urdf") name = "puma560";
-      return name;
-    });
+INSTANTIATE_TEST_SUITE_P(OfTheSharedData, RealRobot, testing::ValuesIn(kRobots),
+                         [](const auto& each) {
+                           const std::filesystem::path path(each.param.path);
+                           const std::string name = path.parent_path().filename().string();
+                           if (name == "urdf") return std::string("puma560");
+                           return name == "objects" ? path.stem().string() : name;
+                         });
+
+TEST(RealRobots, AreAllHeldAgainstUrdfdom) {
+  ROCINANTE_NEEDS_SHARED_DATA("robots");
+  std::set<std::filesystem::path> held, there;
+  for (const RobotFile& robot : kRobots) held.insert(test::sharedData(robot.path));
+  const std::filesystem::recursive_directory_iterator all(test::sharedData());
+  for (const auto& entry : all) {
+    if (entry.path().extension() == ".urdf") there.insert(entry.path());
+  }
+  EXPECT_EQ(held, there);
+}
 
 }  // namespace
 }  // namespace rocinante
