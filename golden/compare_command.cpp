@@ -6,38 +6,101 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "viewer/picture/picture.h"
+#include "golden/compare_files.h"
+#include "golden/picture_figures.h"
 
 namespace rocinante {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json comparisonJson(const Comparison& found, const Tolerance& tolerance) {
-  return {{"format", 1},
-          {"verdict", nameOf(found.verdict)},
-          {"rule", found.rule},
-          {"tier", tolerance.name},
-          {"max", found.max},
-          {"worst", {{"x", found.worst_x}, {"y", found.worst_y}}},
-          {"worst_tile_mean", found.worst_tile_mean},
-          {"worst_tile_over", found.worst_tile_over},
-          {"differing", found.differing},
-          {"pixels_over",
-           {{"1", found.over_1}, {"2", found.over_2}, {"8", found.over_8}, {"32", found.over_32}}}};
+Json pictureJson(const std::filesystem::path& path, const FinePicture& fine) {
+  return {{"file", path.string()},
+          {"width", fine.picture.width},
+          {"height", fine.picture.height},
+          {"components", fine.encoding.componentsText()},
+          {"depth", fine.encoding.depthText()}};
 }
 
-void printComparison(const Comparison& found, const Picture& frame, const Picture& golden) {
-  fmt::print("{}: {}\n", nameOf(found.verdict), found.rule);
-  if (found.differing == 0) return;
-  fmt::print("differing pixels: {} of {}; over 1/2/8/32: {}/{}/{}/{}\n", found.differing,
-             static_cast<std::int64_t>(frame.width) * frame.height, found.over_1, found.over_2,
-             found.over_8, found.over_32);
+Json optionalNumber(const std::optional<double>& number) {
+  return number ? Json(*number) : Json(nullptr);
+}
+
+/// The keys up to pixels_over are what scripts rely on; more are only ever added.
+Json answerJson(const CompareArguments& arguments, const FilesComparison& files,
+                const std::optional<PictureFigures>& figures) {
+  const Comparison& found = files.comparison;
+  Json answer = {
+      {"format", 1},
+      {"verdict", nameOf(found.verdict)},
+      {"rule", found.rule},
+      {"tier", arguments.tier},
+      {"max", found.max},
+      {"worst", {{"x", found.worst_x}, {"y", found.worst_y}}},
+      {"worst_tile_mean", found.worst_tile_mean},
+      {"worst_tile_over", found.worst_tile_over},
+      {"differing", found.differing},
+      {"pixels_over",
+       {{"1", found.over_1}, {"2", found.over_2}, {"8", found.over_8}, {"32", found.over_32}}},
+      {"worst_tile", {{"x", found.worst_tile_x}, {"y", found.worst_tile_y}}},
+      {"masked", found.masked}};
+  if (files.frame) answer["frame"] = pictureJson(arguments.frame, *files.frame);
+  if (files.golden) answer["golden"] = pictureJson(arguments.golden, *files.golden);
+  if (figures) {
+    answer["rmse"] = figures->rmse;
+    answer["psnr"] = optionalNumber(figures->psnr);
+    answer["ssim"] = optionalNumber(figures->ssim);
+    answer["flip"] = {{"mean", figures->flip.mean}, {"max", figures->flip.max}};
+  }
+  if (files.frame && !files.frame->samples.empty()) {
+    answer["samples"] = {{"differing", found.fine_differing}, {"max", found.fine_max}};
+  }
+  answer["masks"] = Json::array();
+  for (const PictureMask::Part& part : files.masks) {
+    answer["masks"].push_back({{"mask", part.name}, {"pixels", part.pixels}});
+  }
+  answer["notes"] = files.notes;
+  return answer;
+}
+
+std::string shareText(const Comparison& found, double pixels) {
+  const auto share = [&](std::int64_t count) { return static_cast<double>(count) / pixels * 100; };
+  return fmt::format("over 1/2/8/32: {}/{}/{}/{} ({:.3f}/{:.3f}/{:.3f}/{:.3f} %)", found.over_1,
+                     found.over_2, found.over_8, found.over_32, share(found.over_1),
+                     share(found.over_2), share(found.over_8), share(found.over_32));
+}
+
+void printDifference(const FilesComparison& files, const PictureFigures& figures) {
+  const Comparison& found = files.comparison;
+  const Picture& golden = files.golden->picture;
+  const double pixels = static_cast<double>(golden.width) * golden.height;
+  fmt::print("differing pixels: {} of {} ({:.3f} %)\n", found.differing, pixels,
+             static_cast<double>(found.differing) / pixels * 100);
+  fmt::print("{}\n", shareText(found, pixels));
   fmt::print("largest difference: {} at ({}, {}): rgba {} against {}\n", found.max, found.worst_x,
              found.worst_y, fmt::join(found.worst_frame, " "), fmt::join(found.worst_golden, " "));
-  fmt::print("worst 16x16 tile: mean {:.2f}, {} pixels over 32\n", found.worst_tile_mean,
-             found.worst_tile_over);
-  for (const std::string& line : differenceMap(frame, golden)) fmt::print("    |{}|\n", line);
+  fmt::print("worst 16x16 tile: mean {:.2f} at ({}, {}); at most {} pixels of a tile over 32\n",
+             found.worst_tile_mean, found.worst_tile_x, found.worst_tile_y, found.worst_tile_over);
+  fmt::print("RMSE {:.4f}, PSNR {}, SSIM {}, FLIP {:.6f} (largest {:.4f})\n", figures.rmse,
+             figures.psnr ? fmt::format("{:.2f} dB", *figures.psnr) : "infinite",
+             figures.ssim ? fmt::format("{:.6f}", *figures.ssim) : "none (a side under 11 pixels)",
+             figures.flip.mean, figures.flip.max);
+  for (const std::string& line : differenceMap(files.judged(), golden)) {
+    fmt::print("    |{}|\n", line);
+  }
+}
+
+void printAnswer(const FilesComparison& files, const std::optional<PictureFigures>& figures) {
+  const Comparison& found = files.comparison;
+  fmt::print("{}: {}\n", nameOf(found.verdict), found.rule);
+  if (!figures) return;  // the verdict was all that was asked for
+  for (const std::string& note : files.notes) fmt::print("note: {}\n", note);
+  if (found.masked > 0) fmt::print("masked: {} pixels\n", found.masked);
+  if (found.fine_differing > 0) {
+    fmt::print("differing samples: {} of {}, by at most {:g}\n", found.fine_differing,
+               files.frame->samples.size(), found.fine_max);
+  }
+  if (found.differing > 0) printDifference(files, *figures);
 }
 
 }  // namespace
@@ -47,6 +110,13 @@ CLI::App* addCompareCommand(CLI::App& app, CompareArguments& arguments) {
   command->add_option("A", arguments.frame, "a picture")->required();
   command->add_option("B", arguments.golden, "the picture to compare it with")->required();
   command->add_option("--tier", arguments.tier, "exact, cpu or loose")->capture_default_str();
+  command
+      ->add_option("--mask", arguments.masks,
+                   "X,Y,WIDTHxHEIGHT: leave these pixels out; repeatable")
+      ->allow_extra_args(false);
+  command->add_option("--difference", arguments.difference, "write a picture of what differs");
+  command->add_flag("--force", arguments.force, "replace the file of --difference");
+  command->add_flag("-q,--quiet", arguments.quiet, "the verdict alone: no figures, no map; faster");
   command->add_flag("--json", arguments.json, "answer with every figure as JSON");
   return command;
 }
@@ -54,17 +124,32 @@ CLI::App* addCompareCommand(CLI::App& app, CompareArguments& arguments) {
 Result<cli::Exit> runCompareCommand(const CompareArguments& arguments) {
   const auto tolerance = Tolerance::named(arguments.tier);
   if (!tolerance.ok()) return tolerance.error();
-  const auto frame = readPicture(arguments.frame);
-  if (!frame.ok()) return frame.error();
-  const auto golden = readPicture(arguments.golden);
-  if (!golden.ok()) return golden.error();
-  const Comparison found = compare(*frame, *golden, *tolerance);
-  if (arguments.json) {
-    std::cout << comparisonJson(found, *tolerance).dump(2) << "\n";
-  } else {
-    printComparison(found, *frame, *golden);
+  std::vector<PixelRectangle> masks;
+  for (const std::string& text : arguments.masks) {
+    const auto rectangle = PixelRectangle::parse(text);
+    if (!rectangle.ok()) return rectangle.error();
+    masks.push_back(*rectangle);
   }
-  return exitOf(found.verdict);
+  const FilesComparison files = compareFiles(arguments.frame, arguments.golden, *tolerance, masks);
+  // A script that reads the answer wants one in every case.
+  if (files.unreadable && !arguments.json) return *files.unreadable;
+  std::optional<PictureFigures> figures;
+  if (files.comparable() && !arguments.quiet) {
+    figures = pictureFigures(files.judged(), files.golden->picture);
+  }
+  if (files.comparable() && !arguments.difference.empty()) {
+    const Picture shown = differencePicture(files.judged(), files.golden->picture);
+    const Status written = writePng(arguments.difference, shown, arguments.force);
+    if (!written.ok()) return written.error();
+  }
+  if (arguments.json) {
+    std::cout
+        << answerJson(arguments, files, figures).dump(2, ' ', false, Json::error_handler_t::replace)
+        << "\n";
+  } else {
+    printAnswer(files, figures);
+  }
+  return exitOf(files.comparison.verdict);
 }
 
 cli::Exit exitOf(Verdict verdict) {

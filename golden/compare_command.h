@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "core/cli/program.h"
 #include "core/result.h"
@@ -13,7 +14,9 @@ namespace rocinante {
 struct CompareArguments {
   std::filesystem::path frame, golden;
   std::string tier = "exact";
-  bool json = false;
+  std::vector<std::string> masks;
+  std::filesystem::path difference;  ///< empty: none is written
+  bool force = false, quiet = false, json = false;
 };
 
 /// Adds the sub-command `compare` to `app`; parsing fills `arguments`, which must outlive it.

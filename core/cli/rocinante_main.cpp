@@ -66,6 +66,12 @@ int main(int argc, char** argv) {
   }
 
   std::string program = "rocinante-" + std::string(verb);
+  // A sub-verb may have a program of its own, which starts faster than the one with all of them.
+  const std::string_view sub_verb = argc > 2 ? argv[2] : "";
+  if (!sub_verb.empty() && sub_verb.find_first_of("/-.") == std::string_view::npos) {
+    const std::string own_program = program + "-" + argv[2];
+    ::execv((folderOfThisProgram() / own_program).c_str(), argv + 2);
+  }
   argv[1] = program.data();
   const auto beside = folderOfThisProgram() / program;
   ::execv(beside.c_str(), argv + 1);

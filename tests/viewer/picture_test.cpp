@@ -2,11 +2,10 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <zlib.h>
 
 #include <fstream>
 
-#include "core/hash.h"
+#include "tests/support/picture_bytes.h"
 #include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"
 #include "viewer/picture/srgb_curve.h"
@@ -16,35 +15,6 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-
-void appendU32(std::string& to, std::uint32_t value) {
-  for (int shift = 24; shift >= 0; shift -= 8) to += static_cast<char>(value >> shift & 0xFFU);
-}
-
-std::string chunk(const std::string& type, const std::string& content) {
-  std::string bytes;
-  appendU32(bytes, static_cast<std::uint32_t>(content.size()));
-  bytes += type + content;
-  appendU32(bytes, crc32(bytesOf(type + content)));
-  return bytes;
-}
-
-/// A PNG written by hand: `rows` are the unfiltered rows, each behind its filter byte 0.
-std::string png(std::uint32_t width, std::uint32_t height, int depth, int color_type,
-                const std::string& rows, const std::string& more_chunks = "") {
-  std::string header;
-  appendU32(header, width);
-  appendU32(header, height);
-  header += {static_cast<char>(depth), static_cast<char>(color_type), 0, 0, 0};
-  std::string packed(::compressBound(rows.size()), '\0');
-  uLongf length = packed.size();
-  EXPECT_EQ(::compress(reinterpret_cast<Bytef*>(packed.data()), &length,
-                       reinterpret_cast<const Bytef*>(rows.data()), rows.size()),
-            Z_OK);
-  packed.resize(length);
-  return "\x89PNG\r\n\x1A\n" + chunk("IHDR", header) + more_chunks + chunk("IDAT", packed) +
-         chunk("IEND", "");
-}
 
 std::string bytes(std::initializer_list<int> values) {
   std::string text;
@@ -75,46 +45,49 @@ Picture gradient(int width, int height) {
 }
 
 TEST(Png, DecodesEveryColourTypeToRgba) {
-  EXPECT_THAT(decoded(png(2, 1, 8, 2, bytes({0, 1, 2, 3, 4, 5, 6}))),
+  EXPECT_THAT(decoded(test::pngFile(2, 1, 8, 2, bytes({0, 1, 2, 3, 4, 5, 6}))),
               ElementsAre(1, 2, 3, 255, 4, 5, 6, 255));
-  EXPECT_THAT(decoded(png(1, 2, 8, 6, bytes({0, 1, 2, 3, 4, 0, 5, 6, 7, 8}))),
+  EXPECT_THAT(decoded(test::pngFile(1, 2, 8, 6, bytes({0, 1, 2, 3, 4, 0, 5, 6, 7, 8}))),
               ElementsAre(1, 2, 3, 4, 5, 6, 7, 8));
-  EXPECT_THAT(decoded(png(2, 1, 8, 0, bytes({0, 9, 200}))),
+  EXPECT_THAT(decoded(test::pngFile(2, 1, 8, 0, bytes({0, 9, 200}))),
               ElementsAre(9, 9, 9, 255, 200, 200, 200, 255));
-  EXPECT_THAT(decoded(png(1, 1, 8, 4, bytes({0, 9, 100}))), ElementsAre(9, 9, 9, 100));
+  EXPECT_THAT(decoded(test::pngFile(1, 1, 8, 4, bytes({0, 9, 100}))), ElementsAre(9, 9, 9, 100));
 }
 
 TEST(Png, DecodesEveryDepth) {
-  EXPECT_THAT(decoded(png(2, 1, 1, 0, bytes({0, 0x40}))),
+  EXPECT_THAT(decoded(test::pngFile(2, 1, 1, 0, bytes({0, 0x40}))),
               ElementsAre(0, 0, 0, 255, 255, 255, 255, 255));
-  EXPECT_THAT(decoded(png(2, 1, 2, 0, bytes({0, 0x60}))),
+  EXPECT_THAT(decoded(test::pngFile(2, 1, 2, 0, bytes({0, 0x60}))),
               ElementsAre(85, 85, 85, 255, 170, 170, 170, 255));
-  EXPECT_THAT(decoded(png(1, 1, 4, 0, bytes({0, 0xF0}))), ElementsAre(255, 255, 255, 255));
-  EXPECT_THAT(decoded(png(1, 1, 16, 2, bytes({0, 1, 255, 2, 255, 3, 255}))),
+  EXPECT_THAT(decoded(test::pngFile(1, 1, 4, 0, bytes({0, 0xF0}))),
+              ElementsAre(255, 255, 255, 255));
+  EXPECT_THAT(decoded(test::pngFile(1, 1, 16, 2, bytes({0, 1, 255, 2, 255, 3, 255}))),
               ElementsAre(1, 2, 3, 255));
-  EXPECT_THAT(decoded(png(1, 1, 16, 6, bytes({0, 1, 0, 2, 0, 3, 0, 4, 0}))),
+  EXPECT_THAT(decoded(test::pngFile(1, 1, 16, 6, bytes({0, 1, 0, 2, 0, 3, 0, 4, 0}))),
               ElementsAre(1, 2, 3, 4));
 }
 
 TEST(Png, DecodesPalettesAndTransparency) {
-  const std::string palette = chunk("PLTE", bytes({10, 20, 30, 40, 50, 60}));
-  EXPECT_THAT(decoded(png(2, 1, 8, 3, bytes({0, 1, 0}), palette + chunk("tRNS", bytes({7})))),
+  const std::string palette = test::pngChunk("PLTE", bytes({10, 20, 30, 40, 50, 60}));
+  EXPECT_THAT(decoded(test::pngFile(2, 1, 8, 3, bytes({0, 1, 0}),
+                                    palette + test::pngChunk("tRNS", bytes({7})))),
               ElementsAre(40, 50, 60, 255, 10, 20, 30, 7));
-  EXPECT_THAT(decoded(png(2, 1, 8, 0, bytes({0, 9, 8}), chunk("tRNS", bytes({0, 9})))),
-              ElementsAre(9, 9, 9, 0, 8, 8, 8, 255));
+  EXPECT_THAT(
+      decoded(test::pngFile(2, 1, 8, 0, bytes({0, 9, 8}), test::pngChunk("tRNS", bytes({0, 9})))),
+      ElementsAre(9, 9, 9, 0, 8, 8, 8, 255));
 }
 
 TEST(Png, RefusesMorePixelsThanAllowedBeforeAllocating) {
-  const std::string huge = png(20000, 20000, 8, 6, "");
+  const std::string huge = test::pngFile(20000, 20000, 8, 6, "");
   const Result<Picture> picture = decodePng(bytesOf(huge), "huge.png");
   ASSERT_FALSE(picture.ok());
   EXPECT_EQ(picture.error().kind, ErrorKind::unsupported);
   EXPECT_EQ(picture.error().text(),
             "is 20000 x 20000 pixels; at most 268435456 are read (huge.png)");
-  EXPECT_TRUE(decodePng(bytesOf(png(2, 1, 8, 0, bytes({0, 9, 8}))), "x", 2).ok());
-  EXPECT_FALSE(decodePng(bytesOf(png(2, 1, 8, 0, bytes({0, 9, 8}))), "x", 1).ok());
+  EXPECT_TRUE(decodePng(bytesOf(test::pngFile(2, 1, 8, 0, bytes({0, 9, 8}))), "x", 2).ok());
+  EXPECT_FALSE(decodePng(bytesOf(test::pngFile(2, 1, 8, 0, bytes({0, 9, 8}))), "x", 1).ok());
   // Allowed by its size, but its bytes could never hold it.
-  const std::string hollow = png(16000, 16000, 8, 6, "");
+  const std::string hollow = test::pngFile(16000, 16000, 8, 6, "");
   EXPECT_THAT(decodePng(bytesOf(hollow), "x").error().what, HasSubstr("too short for its size"));
 }
 
@@ -211,7 +184,7 @@ TEST_F(OtherPictures, KeepStraightAlpha) {
 }
 
 TEST_F(OtherPictures, AreToldByTheirBytesNotByTheirName) {
-  EXPECT_THAT(read("a.jpg", png(1, 1, 8, 0, bytes({0, 9}))), ElementsAre(9, 9, 9, 255));
+  EXPECT_THAT(read("a.jpg", test::pngFile(1, 1, 8, 0, bytes({0, 9}))), ElementsAre(9, 9, 9, 255));
 }
 
 TEST_F(OtherPictures, GiveASentenceWhenTheyAreNone) {

@@ -35,6 +35,9 @@ struct FinePicture {
   int not_finite_x = 0, not_finite_y = 0;  ///< the first pixel with one
 };
 
+/// More pixels of more than 8 bits are not read: their samples would take over a gigabyte.
+constexpr std::int64_t kMaxDeepPixels = 1 << 26;
+
 /// Any picture, as readPicture(). unsupported too where a file holds what would go unjudged: more
 /// than four components, several pictures, or numbers that a float cannot hold.
 Result<FinePicture> readFinePicture(const std::filesystem::path& path,

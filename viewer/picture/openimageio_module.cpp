@@ -14,6 +14,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "viewer/picture/fine_picture.h"
 #include "viewer/picture/srgb_curve.h"
 
 namespace {
@@ -135,6 +136,9 @@ void read(const char* path, const void* bytes, size_t size, int64_t max_pixels, 
   const OIIO::ImageSpec& spec = input->spec();
   if (spec.width <= 0 || spec.height <= 0 || spec.depth > 1 || spec.nchannels < 1) {
     return answer(out, no_picture, "is no flat picture");
+  }
+  if (with_samples && spec.format.size() > 1) {
+    max_pixels = std::min(max_pixels, rocinante::kMaxDeepPixels);
   }
   // A picture of thousands of components is none of ours, and would take as much more memory.
   if (int64_t{spec.width} * spec.height > max_pixels || spec.nchannels > 16) {

@@ -26,6 +26,8 @@ Result<Picture> readPng(const std::filesystem::path& path, std::int64_t max_pixe
 Result<Picture> decodePng(ByteView bytes, std::string name, std::int64_t max_pixels = 1 << 28);
 /// The same bytes for the same picture (and version of zlib).
 Bytes encodePng(const Picture& picture);
+/// One component of 16 bits a pixel, rows top to bottom: what is measured, not looked at.
+Bytes encodeGreyPng(int width, int height, std::span<const std::uint16_t> grey);
 /// Written beside and renamed: the file appears whole or not at all. refused when it exists and
 /// `overwrite` is false.
 Status writePng(const std::filesystem::path& path, const Picture& picture, bool overwrite = true);

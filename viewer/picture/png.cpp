@@ -1,5 +1,6 @@
 #include <spng.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cstdlib>
 #include <limits>
@@ -8,6 +9,7 @@
 #include "core/atomic_file.h"
 #include "viewer/picture/fine_picture.h"
 #include "viewer/picture/picture.h"
+#include "viewer/picture/plain_png.h"
 
 namespace rocinante {
 namespace {
@@ -21,6 +23,34 @@ struct FreeContext {
   void operator()(spng_ctx* context) const { spng_ctx_free(context); }
 };
 using Context = std::unique_ptr<spng_ctx, FreeContext>;
+
+Bytes encode(const spng_ihdr& header, const void* pixels, std::size_t bytes) {
+  const Context context(spng_ctx_new(SPNG_CTX_ENCODER));
+  spng_set_option(context.get(), SPNG_ENCODE_TO_BUFFER, 1);
+  spng_set_option(context.get(), SPNG_IMG_COMPRESSION_LEVEL, kCompressionLevel);
+  spng_ihdr written = header;
+  spng_set_ihdr(context.get(), &written);
+  int code = spng_encode_image(context.get(), pixels, bytes, SPNG_FMT_PNG, SPNG_ENCODE_FINALIZE);
+  std::size_t length = 0;
+  struct Free {
+    void operator()(void* memory) const { std::free(memory); }
+  };
+  const std::unique_ptr<void, Free> png(
+      code == 0 ? spng_get_png_buffer(context.get(), &length, &code) : nullptr);
+  // A picture that holds what its size says can only fail for want of memory.
+  if (!png) return {};
+  const auto* first = static_cast<const std::byte*>(png.get());
+  return Bytes(first, first + length);
+}
+
+spng_ihdr headerOf(int width, int height, std::uint8_t bit_depth, std::uint8_t color_type) {
+  spng_ihdr header{};
+  header.width = static_cast<std::uint32_t>(width);
+  header.height = static_cast<std::uint32_t>(height);
+  header.bit_depth = bit_depth;
+  header.color_type = color_type;
+  return header;
+}
 
 /// What the header and the transparent colours say; call it once the picture is decoded.
 int componentsOf(spng_ctx* context, const spng_ihdr& header) {
@@ -56,6 +86,8 @@ Result<FinePicture> decode(ByteView bytes, const std::string& name, std::int64_t
   if (const int code = spng_get_ihdr(context.get(), &header); code != 0) return damaged(code);
   constexpr std::uint32_t kLargestSide = std::numeric_limits<int>::max();
   const std::uint64_t pixels = std::uint64_t{header.width} * header.height;
+  deep = deep && header.bit_depth == 16;
+  if (deep) max_pixels = std::min(max_pixels, kMaxDeepPixels);
   if (header.width > kLargestSide || header.height > kLargestSide || max_pixels < 0 ||
       pixels > static_cast<std::uint64_t>(max_pixels)) {
     return refusal(ErrorKind::unsupported, "is " + std::to_string(header.width) + " x " +
@@ -69,7 +101,14 @@ Result<FinePicture> decode(ByteView bytes, const std::string& name, std::int64_t
   FinePicture fine;
   fine.picture = {static_cast<int>(header.width), static_cast<int>(header.height), {}};
   fine.picture.rgba.resize(pixels * 4);
-  deep = deep && header.bit_depth == 16;
+  const bool plain = header.bit_depth == 8 && header.interlace_method == 0 &&
+                     (header.color_type == SPNG_COLOR_TYPE_TRUECOLOR ||
+                      header.color_type == SPNG_COLOR_TYPE_TRUECOLOR_ALPHA);
+  fine.encoding = {header.color_type == SPNG_COLOR_TYPE_TRUECOLOR ? 3 : 4, 8, false};
+  if (plain && decodePlainPng(bytes, header.width, header.height, fine.encoding.components,
+                              fine.picture.rgba)) {
+    return fine;
+  }
   std::vector<std::uint16_t> wide(deep ? pixels * 4 : 0);
   const int code =
       deep ? spng_decode_image(context.get(), wide.data(), wide.size() * 2, SPNG_FMT_RGBA16,
@@ -107,27 +146,15 @@ Bytes encodePng(const Picture& picture) {
   assert(picture.width > 0 && picture.height > 0);
   assert(picture.rgba.size() == std::size_t{4} * static_cast<std::size_t>(picture.width) *
                                     static_cast<std::size_t>(picture.height));
-  const Context context(spng_ctx_new(SPNG_CTX_ENCODER));
-  spng_set_option(context.get(), SPNG_ENCODE_TO_BUFFER, 1);
-  spng_set_option(context.get(), SPNG_IMG_COMPRESSION_LEVEL, kCompressionLevel);
-  spng_ihdr header{};
-  header.width = static_cast<std::uint32_t>(picture.width);
-  header.height = static_cast<std::uint32_t>(picture.height);
-  header.bit_depth = 8;
-  header.color_type = SPNG_COLOR_TYPE_TRUECOLOR_ALPHA;
-  spng_set_ihdr(context.get(), &header);
-  int code = spng_encode_image(context.get(), picture.rgba.data(), picture.rgba.size(),
-                               SPNG_FMT_PNG, SPNG_ENCODE_FINALIZE);
-  std::size_t length = 0;
-  struct Free {
-    void operator()(void* memory) const { std::free(memory); }
-  };
-  const std::unique_ptr<void, Free> png(
-      code == 0 ? spng_get_png_buffer(context.get(), &length, &code) : nullptr);
-  // A picture that holds what its size says can only fail for want of memory.
-  if (!png) return {};
-  const auto* first = static_cast<const std::byte*>(png.get());
-  return Bytes(first, first + length);
+  return encode(headerOf(picture.width, picture.height, 8, SPNG_COLOR_TYPE_TRUECOLOR_ALPHA),
+                picture.rgba.data(), picture.rgba.size());
+}
+
+Bytes encodeGreyPng(int width, int height, std::span<const std::uint16_t> grey) {
+  assert(width > 0 && height > 0);
+  assert(grey.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  return encode(headerOf(width, height, 16, SPNG_COLOR_TYPE_GRAYSCALE), grey.data(),
+                grey.size_bytes());
 }
 
 Status writePng(const std::filesystem::path& path, const Picture& picture, bool overwrite) {
