@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <glm/gtc/type_ptr.hpp>
+#include <utility>
 
 #include "core/math/transform.h"
 #include "viewer/render/depth_lift.h"
 #include "viewer/render/draw_triangles.h"
+#include "viewer/render/plain_shader.h"
 #include "viewer/render/shader_source.h"
 
 namespace rocinante {
@@ -32,112 +35,219 @@ glm::mat3 normalMatrix(const Mat4& m) {
           glm::vec3(columns[2] * scale)};
 }
 
+/// Bit by bit: what is not a number equals itself, so that it is not set again and again.
+template <class T>
+bool sameBits(const T& a, const T& b) {
+  return std::memcmp(&a, &b, sizeof(T)) == 0;
+}
+
+/// What is set when it changes; the first value always counts as a change.
+template <class T>
+class Latest {
+ public:
+  bool changesTo(const T& value) {
+    if (known_ && sameBits(value_, value)) return false;
+    known_ = true;
+    value_ = value;
+    return true;
+  }
+
+ private:
+  bool known_ = false;
+  T value_{};
+};
+
 }  // namespace
 
-Result<ScenePass> ScenePass::create(const GlTable& gl) {
-  auto program = ShaderProgram::link(gl, "scene", shader::kSceneVertex, shader::kSceneFragment);
-  if (!program) return program.error();
-  return ScenePass(gl, std::move(*program));
-}
+/// Tells GL of item after item. For each program it remembers what that was last told.
+class ScenePass::Items {
+ public:
+  Items(const ScenePass& pass, const SceneCatalog& catalog, const MeshBuffers& meshes,
+        const TextureStore& textures, const Camera& camera, const CellScene& look, Shading shading)
+      : pass_(pass),
+        gl_(pass.gl_),
+        catalog_(catalog),
+        meshes_(meshes),
+        textures_(textures),
+        camera_(camera),
+        look_(look),
+        plain_(shading == Shading::plain) {}
 
-ScenePass::ScenePass(const GlTable& gl, ShaderProgram program)
-    : gl_(gl), program_(std::move(program)) {
-  uniforms_.clip_from_model = program_.uniform("clip_from_model");
-  uniforms_.relative_from_model = program_.uniform("relative_from_model");
-  uniforms_.normal_from_model = program_.uniform("normal_from_model");
-  uniforms_.map_scale = program_.uniform("map_scale");
-  uniforms_.map_offset = program_.uniform("map_offset");
-  uniforms_.diffuse = program_.uniform("diffuse");
-  uniforms_.specular = program_.uniform("specular");
-  uniforms_.emission = program_.uniform("emission");
-  uniforms_.shininess = program_.uniform("shininess");
-  uniforms_.has_map = program_.uniform("has_map");
-  uniforms_.has_tint = program_.uniform("has_tint");
-  uniforms_.orthographic = program_.uniform("orthographic");
-  uniforms_.view_direction = program_.uniform("view_direction");
-  uniforms_.key_direction = program_.uniform("key_direction");
-  uniforms_.fill_direction = program_.uniform("fill_direction");
-}
+  /// Everything but the drawing.
+  void set(const DrawItem& item) {
+    const GLuint texture =
+        item.texture >= 0 ? textures_.name(static_cast<std::size_t>(item.texture)) : 0;
+    const Program& program = !plain_        ? pass_.standard_
+                             : texture == 0 ? pass_.plain_
+                                            : pass_.plain_mapped_;
+    if (&program != program_) use(program);
+    if (mesh_.changesTo(item.mesh)) meshes_.bind(item.mesh);
+    if (world_.changesTo(item.world)) setWorld(item.world);
+    setMaterial(item, texture);
+    if (texture != 0 && texture_.changesTo(texture)) gl_.BindTexture(GL_TEXTURE_2D, texture);
+    if (rank_.changesTo(item.coplanar_rank)) setLift(item.coplanar_rank);
+  }
 
-void ScenePass::setScene(const Camera& camera, const CellScene& look) const {
-  gl_.Enable(GL_DEPTH_TEST);
-  program_.use();
-  gl_.Uniform1i(uniforms_.orthographic, camera.orthographic() ? 1 : 0);
-  const glm::vec3 forward(camera.forward());
-  gl_.Uniform3f(uniforms_.view_direction, forward.x, forward.y, forward.z);
-  const auto setDirection = [&](GLint place, const Vec3& wanted) {
-    const double length =
-        std::sqrt(wanted.x * wanted.x + wanted.y * wanted.y + wanted.z * wanted.z);
+  void draw(const DrawItem& item) const { drawTriangles(gl_, item, catalog_); }
+
+ private:
+  void use(const Program& program) {
+    program_ = &program;
+    world_ = {};
+    material_ = {};
+    diffuse_ = {};
+    has_map_ = {};
+    has_tint_ = {};
+    program.shader.use();
+    gl_.Uniform1i(program.orthographic, camera_.orthographic() ? 1 : 0);
+    const glm::vec3 forward(camera_.forward());
+    gl_.Uniform3f(program.view_direction, forward.x, forward.y, forward.z);
+    setDirection(program.key_direction, Vec3(look_.light_direction));
+    setDirection(program.fill_direction,
+                 camera_.up() * 0.4 - camera_.forward() - camera_.right() * 0.8);
+  }
+
+  void setDirection(GLint place, const Vec3& wanted) const {
+    const double length = lengthOf(wanted);
     const glm::vec3 unit(length > 0 ? wanted / length : Vec3(0, 0, 1));
     gl_.Uniform3f(place, unit.x, unit.y, unit.z);
-  };
-  setDirection(uniforms_.key_direction, Vec3(look.light_direction));
-  setDirection(uniforms_.fill_direction,
-               camera.up() * 0.4 - camera.forward() - camera.right() * 0.8);
-}
-
-void ScenePass::setItem(const DrawItem& item, const TextureStore& textures,
-                        const Camera& camera) const {
-  const Mat4 relative = camera.relative(item.world);
-  const glm::mat4 clip_from_model(camera.clipFromRelative() * relative);
-  const glm::mat4 relative_from_model(relative);
-  const glm::mat3 normal_from_model = normalMatrix(relative);
-  gl_.UniformMatrix4fv(uniforms_.clip_from_model, 1, GL_FALSE, glm::value_ptr(clip_from_model));
-  gl_.UniformMatrix4fv(uniforms_.relative_from_model, 1, GL_FALSE,
-                       glm::value_ptr(relative_from_model));
-  gl_.UniformMatrix3fv(uniforms_.normal_from_model, 1, GL_FALSE, glm::value_ptr(normal_from_model));
-
-  const Material& material = *item.material;
-  gl_.Uniform2f(uniforms_.map_scale, material.map_scale.x, material.map_scale.y);
-  gl_.Uniform2f(uniforms_.map_offset, material.map_offset.x, material.map_offset.y);
-  gl_.Uniform4f(uniforms_.diffuse, item.diffuse.r, item.diffuse.g, item.diffuse.b, item.diffuse.a);
-  gl_.Uniform3f(uniforms_.specular, material.specular.r, material.specular.g, material.specular.b);
-  gl_.Uniform3f(uniforms_.emission, material.emission.r, material.emission.g, material.emission.b);
-  const bool shines = material.specular != glm::vec3(0.0F);
-  // MTL files often say Ks without Ns: a broad highlight then.
-  const float exponent = material.shininess > 0 ? std::clamp(material.shininess, 4.0F, 512.0F) : 16;
-  gl_.Uniform1f(uniforms_.shininess, shines ? exponent : 0.0F);
-  const GLuint texture =
-      item.texture >= 0 ? textures.name(static_cast<std::size_t>(item.texture)) : 0;
-  gl_.Uniform1i(uniforms_.has_map, texture != 0 ? 1 : 0);
-  gl_.Uniform1i(uniforms_.has_tint, item.tinted ? 1 : 0);
-  if (texture != 0) gl_.BindTexture(GL_TEXTURE_2D, texture);
-
-  if (item.coplanar_rank > 0) {
-    gl_.Enable(GL_POLYGON_OFFSET_FILL);
-    setDepthLift(gl_, static_cast<float>(item.coplanar_rank));
-  } else {
-    gl_.Disable(GL_POLYGON_OFFSET_FILL);
   }
+
+  void setWorld(const Mat4& world) const {
+    const Mat4 relative = camera_.relative(world);
+    const glm::mat4 clip_from_model(camera_.clipFromRelative() * relative);
+    const glm::mat4 relative_from_model(relative);
+    const glm::mat3 normal_from_model = normalMatrix(relative);
+    gl_.UniformMatrix4fv(program_->clip_from_model, 1, GL_FALSE, glm::value_ptr(clip_from_model));
+    gl_.UniformMatrix4fv(program_->relative_from_model, 1, GL_FALSE,
+                         glm::value_ptr(relative_from_model));
+    gl_.UniformMatrix3fv(program_->normal_from_model, 1, GL_FALSE,
+                         glm::value_ptr(normal_from_model));
+  }
+
+  void setMaterial(const DrawItem& item, GLuint texture) {
+    const Program& program = *program_;
+    const glm::vec4& diffuse = item.diffuse;
+    if (diffuse_.changesTo(diffuse)) {
+      gl_.Uniform4f(program.diffuse, diffuse.r, diffuse.g, diffuse.b, diffuse.a);
+    }
+    if (has_map_.changesTo(texture != 0 ? 1 : 0)) {
+      gl_.Uniform1i(program.has_map, texture != 0 ? 1 : 0);
+    }
+    if (has_tint_.changesTo(item.tinted ? 1 : 0)) {
+      gl_.Uniform1i(program.has_tint, item.tinted ? 1 : 0);
+    }
+    if (!material_.changesTo(item.material)) return;
+    const Material& material = *item.material;
+    gl_.Uniform2f(program.map_scale, material.map_scale.x, material.map_scale.y);
+    gl_.Uniform2f(program.map_offset, material.map_offset.x, material.map_offset.y);
+    const glm::vec3& specular = material.specular;
+    gl_.Uniform3f(program.specular, specular.r, specular.g, specular.b);
+    const glm::vec3& emission = material.emission;
+    gl_.Uniform3f(program.emission, emission.r, emission.g, emission.b);
+    // MTL files often say Ks without Ns: a broad highlight then.
+    const float exponent =
+        material.shininess > 0 ? std::clamp(material.shininess, 4.0F, 512.0F) : 16;
+    gl_.Uniform1f(program.shininess, specular != glm::vec3(0.0F) ? exponent : 0.0F);
+  }
+
+  void setLift(std::uint32_t rank) const {
+    if (rank == 0) {
+      gl_.Disable(GL_POLYGON_OFFSET_FILL);
+      return;
+    }
+    gl_.Enable(GL_POLYGON_OFFSET_FILL);
+    setDepthLift(gl_, static_cast<float>(rank));
+  }
+
+  const ScenePass& pass_;
+  const GlTable& gl_;
+  const SceneCatalog& catalog_;
+  const MeshBuffers& meshes_;
+  const TextureStore& textures_;
+  const Camera& camera_;
+  const CellScene& look_;
+  bool plain_;
+  const Program* program_ = nullptr;
+  // Of the program.
+  Latest<Mat4> world_;
+  Latest<const Material*> material_;
+  Latest<glm::vec4> diffuse_;
+  Latest<int> has_map_, has_tint_;
+  // Of the context.
+  Latest<std::uint32_t> mesh_, rank_;
+  Latest<GLuint> texture_;
+};
+
+Result<ScenePass::Program> ScenePass::link(const GlTable& gl, std::string_view name,
+                                           std::string_view vertex, std::string_view fragment) {
+  auto linked = ShaderProgram::link(gl, name, vertex, fragment);
+  if (!linked) return linked.error();
+  Program program{.shader = std::move(*linked)};
+  const ShaderProgram& shader = program.shader;
+  program.clip_from_model = shader.uniform("clip_from_model");
+  program.relative_from_model = shader.uniform("relative_from_model");
+  program.normal_from_model = shader.uniform("normal_from_model");
+  program.map_scale = shader.uniform("map_scale");
+  program.map_offset = shader.uniform("map_offset");
+  program.diffuse = shader.uniform("diffuse");
+  program.specular = shader.uniform("specular");
+  program.emission = shader.uniform("emission");
+  program.shininess = shader.uniform("shininess");
+  program.has_map = shader.uniform("has_map");
+  program.has_tint = shader.uniform("has_tint");
+  program.orthographic = shader.uniform("orthographic");
+  program.view_direction = shader.uniform("view_direction");
+  program.key_direction = shader.uniform("key_direction");
+  program.fill_direction = shader.uniform("fill_direction");
+  return program;
 }
+
+Result<ScenePass> ScenePass::create(const GlTable& gl) {
+  using namespace shader;
+  auto standard = link(gl, "scene", kSceneVertex, kSceneFragment);
+  if (!standard) return standard.error();
+  auto plain = link(gl, "plain scene", kPlainVertex, kPlainFragment);
+  if (!plain) return plain.error();
+  auto plain_mapped = link(gl, "plain scene with pictures", kPlainVertex, kPlainMappedFragment);
+  if (!plain_mapped) return plain_mapped.error();
+  return ScenePass(gl, std::move(*standard), std::move(*plain), std::move(*plain_mapped));
+}
+
+ScenePass::ScenePass(const GlTable& gl, Program standard, Program plain, Program plain_mapped)
+    : gl_(gl),
+      standard_(std::move(standard)),
+      plain_(std::move(plain)),
+      plain_mapped_(std::move(plain_mapped)) {}
 
 void ScenePass::drawOpaque(const DrawList& list, const SceneCatalog& catalog,
                            const MeshBuffers& meshes, const TextureStore& textures,
-                           const Camera& camera, const CellScene& look) const {
-  setScene(camera, look);
+                           const Camera& camera, const CellScene& look, Shading shading) const {
+  gl_.Enable(GL_DEPTH_TEST);
+  Items items(*this, catalog, meshes, textures, camera, look, shading);
   for (const DrawItem& item : list.opaque) {
-    meshes.bind(item.mesh);
-    setItem(item, textures, camera);
-    drawTriangles(gl_, item, catalog);
+    items.set(item);
+    items.draw(item);
   }
   gl_.Disable(GL_POLYGON_OFFSET_FILL);
 }
 
 void ScenePass::drawTranslucent(const DrawList& list, const SceneCatalog& catalog,
                                 const MeshBuffers& meshes, const TextureStore& textures,
-                                const Camera& camera, const CellScene& look) const {
+                                const Camera& camera, const CellScene& look,
+                                Shading shading) const {
   if (list.translucent.empty()) return;
-  setScene(camera, look);
+  gl_.Enable(GL_DEPTH_TEST);
   gl_.Enable(GL_BLEND);
+  Items items(*this, catalog, meshes, textures, camera, look, shading);
   for (const DrawItem& item : list.translucent) {
-    meshes.bind(item.mesh);
-    setItem(item, textures, camera);
+    items.set(item);
     // Depth first, so that of each part only the nearest surface shows: its back sides would come
     // and go with the order of its triangles.
     gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-    drawTriangles(gl_, item, catalog);
+    items.draw(item);
     gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
-    drawTriangles(gl_, item, catalog);
+    items.draw(item);
   }
   gl_.Disable(GL_POLYGON_OFFSET_FILL);
   gl_.Disable(GL_BLEND);

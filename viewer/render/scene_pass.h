@@ -4,36 +4,41 @@
 #include "viewer/render/camera.h"
 #include "viewer/render/draw_list.h"
 #include "viewer/render/mesh_buffers.h"
+#include "viewer/render/render_style.h"
 #include "viewer/render/shader_program.h"
 #include "viewer/render/texture_store.h"
 
 namespace rocinante {
 
 /// Draws the geometry of a draw list into whatever framebuffer is bound, between
-/// DrawPasses::begin() and end(). Its context must be current whenever it is used or destroyed.
+/// DrawPasses::begin() and end(). Sets only what differs from one item to the next. Its context
+/// must be current whenever it is used or destroyed.
 class ScenePass {
  public:
   static Result<ScenePass> create(const GlTable& gl);
 
   void drawOpaque(const DrawList& list, const SceneCatalog& catalog, const MeshBuffers& meshes,
-                  const TextureStore& textures, const Camera& camera, const CellScene& look) const;
+                  const TextureStore& textures, const Camera& camera, const CellScene& look,
+                  Shading shading = Shading::standard) const;
   void drawTranslucent(const DrawList& list, const SceneCatalog& catalog, const MeshBuffers& meshes,
-                       const TextureStore& textures, const Camera& camera,
-                       const CellScene& look) const;
+                       const TextureStore& textures, const Camera& camera, const CellScene& look,
+                       Shading shading = Shading::standard) const;
 
  private:
-  struct Uniforms {
-    GLint clip_from_model, relative_from_model, normal_from_model, map_scale, map_offset;
-    GLint diffuse, specular, emission, shininess, has_map, has_tint;
-    GLint orthographic, view_direction, key_direction, fill_direction;
+  struct Program {
+    ShaderProgram shader;
+    GLint clip_from_model = -1, relative_from_model = -1, normal_from_model = -1, map_scale = -1;
+    GLint map_offset = -1, diffuse = -1, specular = -1, emission = -1;
+    GLint shininess = -1, has_map = -1, has_tint = -1, orthographic = -1;
+    GLint view_direction = -1, key_direction = -1, fill_direction = -1;
   };
-  ScenePass(const GlTable& gl, ShaderProgram program);
-  void setScene(const Camera& camera, const CellScene& look) const;
-  void setItem(const DrawItem& item, const TextureStore& textures, const Camera& camera) const;
+  class Items;  // one run of items: what GL was last told
+  ScenePass(const GlTable& gl, Program standard, Program plain, Program plain_mapped);
+  static Result<Program> link(const GlTable& gl, std::string_view name, std::string_view vertex,
+                              std::string_view fragment);
 
   const GlTable& gl_;
-  ShaderProgram program_;
-  Uniforms uniforms_{};
+  Program standard_, plain_, plain_mapped_;
 };
 
 }  // namespace rocinante
