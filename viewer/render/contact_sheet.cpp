@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cstdint>
 
 namespace rocinante {
@@ -30,43 +31,50 @@ void copyInto(Picture& sheet, const Picture& frame, int left, int top) {
 
 }  // namespace
 
-Result<Picture> contactSheet(const std::vector<SheetFrame>& frames, const TextAtlas& atlas) {
-  if (frames.empty()) {
+Result<ContactSheet> ContactSheet::create(std::size_t frames, int width, int height,
+                                          const TextAtlas& atlas) {
+  const auto tooLarge = [](const std::string& size) {
+    return Error{
+        ErrorKind::bad_argument,
+        "a contact sheet of " + size + " is too large: ask for fewer moments or a smaller --size",
+        {}};
+  };
+  if (frames == 0) {
     return Error{ErrorKind::bad_argument, "a contact sheet needs at least one moment", {}};
   }
-  const std::int64_t count = static_cast<std::int64_t>(frames.size());
+  const auto count = static_cast<std::int64_t>(frames);
+  if (count > kMaxPixels) return tooLarge(fmt::format("{} frames", frames));
   std::int64_t columns = 1;
   while (columns * columns < count) ++columns;
   const std::int64_t rows = (count + columns - 1) / columns;
-  const std::int64_t cell_width = frames.front().picture.width + kGap;
-  const std::int64_t cell_height =
-      std::int64_t{frames.front().picture.height} + atlas.linePixels() + kGap;
-  const std::int64_t width = columns * cell_width + kGap;
-  const std::int64_t height = rows * cell_height + kGap;
-  if (width * height > kMaxPixels) {
-    return Error{
-        ErrorKind::bad_argument,
-        fmt::format("a contact sheet of {}x{} pixels is too large: ask for fewer moments or "
-                    "a smaller --size",
-                    width, height),
-        {}};
+  const std::int64_t sheet_width = columns * (std::int64_t{width} + kGap) + kGap;
+  const std::int64_t sheet_height =
+      rows * (std::int64_t{height} + atlas.linePixels() + kGap) + kGap;
+  if (sheet_width * sheet_height > kMaxPixels) {
+    return tooLarge(fmt::format("{}x{} pixels", sheet_width, sheet_height));
   }
 
-  Picture sheet;
-  sheet.width = static_cast<int>(width);
-  sheet.height = static_cast<int>(height);
-  sheet.rgba.resize(static_cast<std::size_t>(width * height) * 4);
-  fill(sheet, kPaper);
-  for (std::int64_t i = 0; i < count; ++i) {
-    const SheetFrame& frame = frames[static_cast<std::size_t>(i)];
-    const int left = static_cast<int>(kGap + i % columns * cell_width);
-    const int top = static_cast<int>(kGap + i / columns * cell_height);
-    copyInto(sheet, frame.picture, left, top);
-    const TextSize size = atlas.measure(frame.caption);
-    atlas.drawOn(sheet, left + (frame.picture.width - size.width) / 2,
-                 top + frame.picture.height + 2, frame.caption, kInk);
-  }
+  ContactSheet sheet(atlas);
+  sheet.frame_width_ = width;
+  sheet.frame_height_ = height;
+  sheet.columns_ = static_cast<int>(columns);
+  sheet.sheet_.width = static_cast<int>(sheet_width);
+  sheet.sheet_.height = static_cast<int>(sheet_height);
+  sheet.sheet_.rgba.resize(static_cast<std::size_t>(sheet_width * sheet_height) * 4);
+  fill(sheet.sheet_, kPaper);
   return sheet;
+}
+
+void ContactSheet::put(std::size_t place, const Picture& frame, const std::string& caption) {
+  assert(frame.width == frame_width_ && frame.height == frame_height_);
+  const int column = static_cast<int>(place) % columns_;
+  const int row = static_cast<int>(place) / columns_;
+  const int left = kGap + column * (frame_width_ + kGap);
+  const int top = kGap + row * (frame_height_ + atlas_->linePixels() + kGap);
+  copyInto(sheet_, frame, left, top);
+  const TextSize size = atlas_->measure(caption);
+  atlas_->drawOn(sheet_, left + (frame.width - size.width) / 2, top + frame.height + 2, caption,
+                 kInk);
 }
 
 }  // namespace rocinante

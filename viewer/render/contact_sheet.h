@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "core/result.h"
 #include "viewer/picture/picture.h"
@@ -9,13 +8,26 @@
 
 namespace rocinante {
 
-struct SheetFrame {
-  Picture picture;
-  std::string caption;  ///< one line, under the picture
-};
+/// Many frames of one size on one picture, left to right and top to bottom, in about as many
+/// columns as rows, with a line of text under each.
+class ContactSheet {
+ public:
+  /// bad_argument when the sheet would pass 2^27 pixels, or has no frame. Borrows the atlas.
+  static Result<ContactSheet> create(std::size_t frames, int width, int height,
+                                     const TextAtlas& atlas);
 
-/// All frames on one picture, in order, left to right and top to bottom, in about as many columns
-/// as rows. The frames are of one size. bad_argument when the sheet would pass 2^27 pixels.
-Result<Picture> contactSheet(const std::vector<SheetFrame>& frames, const TextAtlas& atlas);
+  /// The frame at `place`, from 0; in any order.
+  void put(std::size_t place, const Picture& frame, const std::string& caption);
+
+  const Picture& picture() const { return sheet_; }
+
+ private:
+  explicit ContactSheet(const TextAtlas& atlas) : atlas_(&atlas) {}
+
+  const TextAtlas* atlas_;
+  Picture sheet_;
+  int frame_width_ = 0, frame_height_ = 0;
+  int columns_ = 1;
+};
 
 }  // namespace rocinante

@@ -9,7 +9,11 @@
 #include "viewer/render/camera_choice.h"
 #include "viewer/render/fitted_cameras.h"
 #include "viewer/render/inset_layout.h"
+#include "viewer/render/limit_levels.h"
+#include "viewer/render/overlay_panel.h"
 #include "viewer/render/renderer.h"
+#include "viewer/render/source_rates.h"
+#include "viewer/render/trail_finder.h"
 
 namespace rocinante {
 namespace {
@@ -24,13 +28,15 @@ Result<std::unique_ptr<RenderContext>> makeContext(Profile profile) {
 /// A request when everything that it names was found.
 struct FoundFrame {
   ViewChoice choice;
-  PosedScene scene;  // borrows from the session's state: valid until the next question
+  const SessionState* state = nullptr;  // valid until the session's next question
+  PosedScene scene;                     // borrows from it
   CameraView camera;
   std::vector<FrameInset> insets;
   const RenderStyle* style = nullptr;
+  FrameExtras extras;
 
   SceneFrame shown() const {
-    SceneFrame frame{&scene, camera, &choice, style};
+    SceneFrame frame{&scene, camera, &choice, style, &extras};
     frame.insets = insets;
     return frame;
   }
@@ -54,6 +60,7 @@ struct FrameMaker::Impl {
                                  const FoundFrame& found, int width, int height);
   Status placeCameras(const FrameRequest& request, FoundFrame& found);
   Result<FoundFrame> find(const FrameRequest& request);
+  Status addPanel(LogTime time, const FoundFrame& found, Picture& picture);
   Status prepareTarget(std::optional<FrameBuffer>& buffer, int width, int height, int samples);
 
   Cell cell;
@@ -62,6 +69,8 @@ struct FrameMaker::Impl {
   std::unique_ptr<RenderContext> context;
   std::optional<Renderer> renderer;
   std::optional<FittedCameras> fitted;
+  std::optional<TrailFinder> trails;
+  std::optional<SourceRates> rates;  // made when they are first asked for
   std::optional<FrameBuffer> target;
   std::optional<FrameBuffer> number_target;  // one sample a pixel
 };
@@ -123,11 +132,36 @@ Result<FoundFrame> FrameMaker::Impl::find(const FrameRequest& request) {
   if (fits) {
     if (Status ready = fitted->prepare(session ? &*session : nullptr); !ready) return ready.error();
   }
+  if (session && !request.style.trails.empty()) {
+    auto trails_found = trails->find(request.style.trails, *session, request.time);
+    if (!trails_found) return trails_found.error();
+    found.extras.trails = std::move(*trails_found);
+  }
   const auto state = stateAt(request.time);
   if (!state) return state.error();
-  found.scene = poseScene(cell, **state);
+  found.state = *state;
+  found.scene = poseScene(cell, *found.state);
+  if (request.style.limits) found.extras.limits = limitLevels(found.scene, *found.state);
   if (Status placed = placeCameras(request, found); !placed) return placed.error();
   return found;
+}
+
+Status FrameMaker::Impl::addPanel(LogTime time, const FoundFrame& found, Picture& picture) {
+  std::map<std::string, std::uint64_t> counted;
+  std::string shown;
+  if (session) {
+    if (!rates) {
+      auto reader = LogReader::open(session->log().name());
+      if (!reader) return reader.error();
+      rates.emplace(std::move(*reader));
+    }
+    auto now = rates->at(time);
+    if (!now) return now.error();
+    counted = std::move(*now);
+    shown = secondsText(time - session->origin(), 3) + " s";
+  }
+  drawPanel(picture, panelRows(shown, found.scene, *found.state, counted), renderer->text());
+  return {};
 }
 
 Status FrameMaker::Impl::prepareTarget(std::optional<FrameBuffer>& buffer, int width, int height,
@@ -157,6 +191,7 @@ Result<FrameMaker> FrameMaker::open(Cell cell, std::optional<Timeline> session, 
   if (!renderer) return renderer.error();
   impl->renderer = std::move(*renderer);
   impl->fitted.emplace(impl->cell, *impl->renderer);
+  impl->trails.emplace(impl->cell);
   // Everything is in memory now: a folder made for this cell alone can go.
   impl->cell.keeps_files.reset();
   return FrameMaker(std::move(impl));
@@ -171,7 +206,11 @@ Result<Picture> FrameMaker::frame(const FrameRequest& request) {
   const auto drawn = my.renderer->draw(found->shown(), *my.target);
   if (!drawn) return drawn.error();
   my.target->resolve();
-  return my.target->read();
+  Picture picture = my.target->read();
+  if (request.panel) {
+    if (Status added = my.addPanel(request.time, *found, picture); !added) return added.error();
+  }
+  return picture;
 }
 
 Result<IdentityFrame> FrameMaker::identity(const FrameRequest& request) {

@@ -2,102 +2,79 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
+#include <memory>
+#include <numeric>
+#include <set>
 
 #include "core/atomic_file.h"
 #include "core/bundle/attached_cell.h"
 #include "core/duration_text.h"
+#include "viewer/render/background_writer.h"
 #include "viewer/render/contact_sheet.h"
+#include "viewer/render/inset_layout.h"
+#include "viewer/render/measured_files.h"
+#include "viewer/render/render_files.h"
+#include "viewer/render/video_file.h"
 
 namespace rocinante {
 namespace {
 
-/// Beyond this, --every is surely a slip of the hand.
-constexpr std::int64_t kMaxFrames = 1'000'000;
+constexpr int kSheetTextPx = 18;
 
 Error badJob(std::string what) { return Error{ErrorKind::bad_argument, std::move(what), {}}; }
 
-struct Moment {
-  std::string text;
-  LogTime time{};
-};
+Status checkMoments(const RenderJob& job) {
+  const MomentChoice& chosen = job.moments;
+  const bool any_at = !chosen.at.empty() || !chosen.at_file.empty();
+  const bool any_event = chosen.all_events || !chosen.events.empty();
+  const bool any_span = !chosen.from.empty() || !chosen.until.empty();
+  const bool any = chosen.any() || any_span || !job.video.empty();
+  if (job.log.empty() && any) return badJob("a time means nothing without a log");
+  if (job.log.empty()) return {};
+  const int ways = (any_at ? 1 : 0) + (chosen.every.empty() ? 0 : 1) + (any_event ? 1 : 0);
+  if (ways > 1) return badJob("--at, --every and --events exclude each other");
+  if (!chosen.rate.empty() && job.video.empty()) return badJob("--fps is for --video alone");
+  if (ways == 0 && job.video.empty()) return badJob("which moment? (--at T, or --every D)");
+  if (any_span && any_at)
+    return badJob("--from and --until choose among --every, --events or --fps");
+  return {};
+}
 
 Status checkJob(const RenderJob& job) {
-  const bool any_time = !job.at.empty() || !job.every.empty();
-  if (job.log.empty() && any_time) return badJob("a time means nothing without a log");
-  if (!job.log.empty() && !any_time) return badJob("which moment? (--at T, or --every D)");
-  if (!job.at.empty() && !job.every.empty()) return badJob("--at and --every exclude each other");
-  if (!job.output.empty() && (job.at.size() > 1 || !job.every.empty())) {
-    return badJob("-o holds one frame; for several there are --sheet FILE and --frames DIR");
-  }
-  for (const auto* file : {&job.output, &job.sheet}) {
+  if (Status fit = checkMoments(job); !fit) return fit;
+  for (const auto* file : {&job.output, &job.sheet, &job.identity, &job.depth}) {
     if (!file->empty() && file->extension() != ".png" && file->extension() != ".PNG") {
       return Error{ErrorKind::bad_argument, "pictures are written as .png", file->string()};
     }
   }
-  return {};
-}
-
-Result<std::vector<Moment>> momentsOf(const RenderJob& job, const Timeline* session) {
-  if (session == nullptr) return std::vector<Moment>{{"rest", {}}};
-  std::vector<Moment> moments;
-  for (const std::string& text : job.at) {
-    const auto time = parseSessionTime(text, session->origin(), session->end());
-    if (!time) return time.error();
-    moments.push_back({text, *time});
-  }
-  if (!job.every.empty()) {
-    const auto step = parseDuration(job.every);
-    if (!step) return step.error();
-    if (step->count() <= 0) return badJob("--every needs a duration above zero");
-    const Nanoseconds span = session->end() - session->start();
-    if (span / *step >= kMaxFrames) {
-      return badJob(fmt::format("--every {} asks for more than {} frames", job.every, kMaxFrames));
-    }
-    // From the origin, not from the start, so that cutting a log does not shift the moments.
-    const Nanoseconds before = session->start() - session->origin();
-    const std::int64_t first =
-        before.count() <= 0 ? 0 : (before.count() + step->count() - 1) / step->count();
-    for (std::int64_t i = first; session->origin() + *step * i <= session->end(); ++i) {
-      moments.push_back({secondsText(*step * i, 3), session->origin() + *step * i});
-    }
-  }
-  for (const Moment& moment : moments) {
-    if (moment.time < session->start() || moment.time > session->end()) {
-      const auto shown = [&](LogTime time) { return secondsText(time - session->origin(), 3); };
-      return Error{ErrorKind::bad_argument,
-                   fmt::format("{} is outside the log, which has {} to {} s", moment.text,
-                               shown(session->start()), shown(session->end())),
-                   job.log.string()};
-    }
-  }
-  if (moments.empty()) return badJob("no moment lies in the log");
-  return moments;
-}
-
-std::filesystem::path frameFile(const RenderJob& job, std::size_t number) {
-  return job.frames / fmt::format("frame-{:05}.png", number + 1);
-}
-
-/// The files to come: none may be there already.
-Status checkOutputs(const RenderJob& job, std::size_t count) {
-  std::vector<std::filesystem::path> files;
-  if (!job.output.empty()) files.push_back(job.output);
-  if (!job.sheet.empty()) files.push_back(job.sheet);
-  if (!job.frames.empty()) {
-    for (std::size_t i = 0; i < count; ++i) files.push_back(frameFile(job, i));
-  }
-  std::error_code ignored;
-  for (const auto& file : files) {
-    if (!job.overwrite && std::filesystem::exists(file, ignored)) {
-      return Error{ErrorKind::refused, "the file exists; --force replaces it", file.string()};
-    }
+  if (!job.video.empty() && !VideoFile::isVideo(job.video)) {
+    return Error{ErrorKind::bad_argument, "videos are written as .mp4, .mkv, .mov or .webm",
+                 job.video.string()};
   }
   return {};
 }
 
-Status writePicture(const std::filesystem::path& file, const Picture& picture, bool overwrite) {
-  return writeFileWhole(file, encodePng(picture), overwrite);
+/// Pictures a second of the video, as docs/programs/render.md says.
+Result<FrameRate> videoRate(const MomentChoice& chosen) {
+  if (!chosen.rate.empty()) return parseFrameRate(chosen.rate);
+  if (chosen.every.empty()) return chosen.any() ? FrameRate{1, 1} : FrameRate{};
+  const auto step = parseDuration(chosen.every);
+  if (!step) return step.error();
+  if (step->count() <= 0) return badJob("--every needs a duration above zero");
+  const std::int64_t common = std::gcd(std::int64_t{1'000'000'000}, step->count());
+  return FrameRate{1'000'000'000 / common, step->count() / common};
+}
+
+Result<std::vector<RenderMoment>> momentsOf(const RenderJob& job, Timeline* session,
+                                            const FrameRate& rate) {
+  if (session == nullptr) return std::vector<RenderMoment>{{"rest", {}, {}}};
+  MomentChoice chosen = job.moments;
+  chosen.rate.clear();
+  // A video alone shows each of its pictures' moments.
+  if (!chosen.any()) chosen.rate = rate.text();
+  return renderMoments(chosen, *session);
 }
 
 std::vector<std::string> warningsOf(const FrameMaker& maker) {
@@ -110,6 +87,183 @@ std::vector<std::string> warningsOf(const FrameMaker& maker) {
   }
   return warnings;
 }
+
+/// Only these layers: all devices and the built-in layers are hidden, and these shown.
+Status chooseLayers(const std::vector<std::string>& layers, const Cell& cell, FrameRequest& look) {
+  if (layers.empty()) return {};
+  const std::set<std::string> built_in{"gnomon", "grid", "labels", "lines", "points"};
+  std::set<std::string> known = built_in;
+  for (const CellLayer& layer : cell.layers) known.insert(layer.name);
+  for (const CellDevice& device : cell.devices) {
+    if (!device.layer.empty()) known.insert(device.layer);
+  }
+  std::set<std::string> hidden = built_in;
+  look.hide.emplace_back("*");
+  for (const std::string& layer : layers) {
+    if (!known.contains(layer)) {
+      std::string all;
+      for (const std::string& name : known) all += (all.empty() ? "" : ", ") + name;
+      return Error{
+          ErrorKind::not_found, "no layer is called `" + layer + "`: there are " + all, {}};
+    }
+    hidden.erase(layer);
+    if (!built_in.contains(layer)) look.show.push_back("layer/" + layer);
+  }
+  for (const std::string& layer : hidden) look.hide.push_back("layer/" + layer);
+  return {};
+}
+
+Status chooseInsets(const RenderJob& job, FrameRequest& look) {
+  if (!job.show_insets) look.insets.emplace();
+  if (job.insets.empty()) return {};
+  look.insets.emplace();
+  for (const std::string& text : job.insets) {
+    auto inset = parseInset(text);
+    if (!inset) return inset.error();
+    look.insets->push_back(std::move(*inset));
+  }
+  return {};
+}
+
+Status makeFolders(const RenderFiles& files) {
+  if (files.frames.empty()) return {};
+  for (std::size_t camera = 0; camera < files.cameras.size(); ++camera) {
+    std::error_code fault;
+    const std::filesystem::path folder = files.frame(0, camera).parent_path();
+    std::filesystem::create_directories(folder, fault);
+    if (fault) return Error{ErrorKind::refused, fault.message(), folder.string()};
+  }
+  return {};
+}
+
+std::string captionOf(const RenderMoment& moment, const std::string& camera) {
+  const bool bare = moment.text.find_first_not_of("0123456789.-") == std::string::npos;
+  std::string caption = moment.text + (bare ? " s" : "");
+  if (!moment.event.empty()) caption += "  " + moment.event;
+  if (!camera.empty()) caption += "  " + camera;
+  return caption;
+}
+
+/// The job while it runs: one picture after another.
+class RenderRun {
+ public:
+  RenderRun(const RenderJob& job, const FrameRequest& look, RenderFiles files, FrameMaker& maker)
+      : job_(job),
+        request_(look),
+        files_(std::move(files)),
+        maker_(maker),
+        frames_(files_.moments.size() * files_.cameras.size()) {}
+
+  Status begin(const FrameRate& rate) {
+    if (!job_.sheet.empty()) {
+      auto sheet = ContactSheet::create(frames_.size(), request_.width, request_.height, atlas_);
+      if (!sheet) return sheet.error();
+      sheet_ = std::move(*sheet);
+    }
+    if (job_.video.empty()) return {};
+    for (std::size_t camera = 0; camera < files_.cameras.size(); ++camera) {
+      auto video = VideoFile::create(files_.ofCamera(job_.video, camera), request_.width,
+                                     request_.height, rate, job_.overwrite);
+      if (!video) return video.error();
+      videos_.push_back(std::move(*video));
+    }
+    return {};
+  }
+
+  Status draw(std::size_t moment, std::size_t camera) {
+    const std::size_t place = moment * files_.cameras.size() + camera;
+    RenderedFrame& frame = frames_[place];
+    frame.time = files_.moments[moment].text;
+    frame.log_time = files_.moments[moment].time;
+    frame.event = files_.moments[moment].event;
+    frame.camera = files_.cameras[camera];
+    request_.time = frame.log_time;
+    request_.camera = frame.camera;
+    const bool any_picture = job_.hashes || !job_.output.empty() || !job_.frames.empty() ||
+                             !job_.sheet.empty() || !job_.video.empty();
+    if (any_picture) {
+      if (Status drawn = drawPicture(moment, camera, place); !drawn) return drawn;
+    }
+    return drawMeasured(moment, camera, frame);
+  }
+
+  Status finish() {
+    if (Status written = writer_.finish(); !written) return written;
+    for (VideoFile& video : videos_) {
+      if (Status finished = video.finish(); !finished) return finished;
+    }
+    if (!sheet_) return {};
+    return writePng(job_.sheet, sheet_->picture(), job_.overwrite);
+  }
+
+  std::vector<RenderedFrame> takeFrames() { return std::move(frames_); }
+
+ private:
+  Status drawPicture(std::size_t moment, std::size_t camera, std::size_t place) {
+    auto drawn = maker_.frame(request_);
+    if (!drawn) return drawn.error();
+    const auto picture = std::make_shared<const Picture>(std::move(*drawn));
+    if (sheet_) {
+      const std::string& named = files_.cameras.size() > 1 ? files_.cameras[camera] : std::string();
+      sheet_->put(place, *picture, captionOf(files_.moments[moment], named));
+    }
+    if (!videos_.empty()) {
+      if (Status added = videos_[camera].add(*picture); !added) return added;
+    }
+    RenderedFrame& frame = frames_[place];
+    if (!job_.frames.empty()) frame.file = files_.frame(moment, camera);
+    std::vector<std::filesystem::path> wanted;
+    if (!frame.file.empty()) wanted.push_back(frame.file);
+    if (!job_.output.empty()) {
+      frame.file = files_.ofCamera(job_.output, camera);
+      wanted.push_back(frame.file);
+    }
+    if (wanted.empty() && !job_.hashes) return {};
+    return writer_.add([this, picture, wanted, &frame]() -> Status {
+      if (job_.hashes) frame.sha256 = pictureSha256(*picture);
+      if (wanted.empty()) return {};
+      const Bytes png = encodePng(*picture);
+      if (png.empty()) {
+        return Error{ErrorKind::refused, "no memory to encode", wanted.front().string()};
+      }
+      for (const auto& file : wanted) {
+        if (Status written = writeFileWhole(file, png, job_.overwrite); !written) return written;
+      }
+      return {};
+    });
+  }
+
+  Status drawMeasured(std::size_t moment, std::size_t camera, RenderedFrame& frame) {
+    const MeasuredFrame of{frame.time, frame.log_time.time_since_epoch().count(), frame.camera};
+    if (!job_.identity.empty()) {
+      auto identity = maker_.identity(request_);
+      if (!identity) return identity.error();
+      frame.identity = files_.ofMoment(job_.identity, moment, camera);
+      auto shared = std::make_shared<const IdentityFrame>(std::move(*identity));
+      Status added = writer_.add([=, this, file = frame.identity] {
+        return writeIdentity(file, *shared, of, job_.overwrite);
+      });
+      if (!added) return added;
+    }
+    if (job_.depth.empty()) return {};
+    auto depth = maker_.depth(request_);
+    if (!depth) return depth.error();
+    frame.depth = files_.ofMoment(job_.depth, moment, camera);
+    auto shared = std::make_shared<const DepthFrame>(std::move(*depth));
+    return writer_.add(
+        [=, this, file = frame.depth] { return writeDepth(file, *shared, of, job_.overwrite); });
+  }
+
+  const RenderJob& job_;
+  FrameRequest request_;
+  const RenderFiles files_;
+  FrameMaker& maker_;
+  const TextAtlas atlas_{kSheetTextPx};
+  std::optional<ContactSheet> sheet_;
+  std::vector<VideoFile> videos_;
+  std::vector<RenderedFrame> frames_;
+  BackgroundWriter writer_;  // last: its tasks use all of the above
+};
 
 }  // namespace
 
@@ -134,64 +288,66 @@ Result<RenderReport> render(const RenderJob& given,
   RenderJob job = given;
   if (job.log.empty() && isLog(job.cell)) job.log = job.cell;
   if (Status fit = checkJob(job); !fit) return fit.error();
+  const auto rate = videoRate(job.moments);
+  if (!rate) return rate.error();
+  FrameRequest look = job.look;
+  if (Status chosen = chooseInsets(job, look); !chosen) return chosen.error();
   std::optional<Timeline> session;
   if (!job.log.empty()) {
     auto opened = Timeline::open(job.log);
     if (!opened) return opened.error();
     session = std::move(*opened);
   }
-  const auto moments = momentsOf(job, session ? &*session : nullptr);
+  auto moments = momentsOf(job, session ? &*session : nullptr, *rate);
   if (!moments) return moments.error();
-  if (Status free = checkOutputs(job, moments->size()); !free) return free.error();
+  if (!job.output.empty() && moments->size() > 1) {
+    return badJob("-o holds one frame; for several there are --sheet FILE and --frames DIR");
+  }
+  RenderFiles files{job.output, job.sheet,  job.video,   job.identity,
+                    job.depth,  job.frames, job.cameras, std::move(*moments)};
+  if (files.cameras.empty()) files.cameras.emplace_back();
+  if (Status free = files.check(job.overwrite); !free) return free.error();
 
   CellOptions options;
   options.search = job.search;
   options.search_environment = job.search_environment;
+  options.parallel = job.parallel;
+  options.progress = job.load_progress;
   auto cell = loadCellOrLog(job.cell, options);
   if (!cell) return cell.error();
+  if (Status chosen = chooseLayers(job.layers, *cell, look); !chosen) return chosen.error();
   auto maker = FrameMaker::open(std::move(*cell), std::move(session), job.profile);
   if (!maker) return maker.error();
-  if (!job.frames.empty()) {
-    std::error_code fault;
-    std::filesystem::create_directories(job.frames, fault);
-    if (fault) return Error{ErrorKind::refused, fault.message(), job.frames.string()};
-  }
+  if (Status made = makeFolders(files); !made) return made.error();
 
   RenderReport report;
   report.key = maker->key();
   report.inputs = maker->inputsHash();
   report.warnings = warningsOf(*maker);
-  std::vector<SheetFrame> sheet;
-  for (std::size_t i = 0; i < moments->size(); ++i) {
-    const Moment& moment = (*moments)[i];
-    FrameRequest request = job.look;
-    request.time = moment.time;
-    auto picture = maker->frame(request);
-    if (!picture) return picture.error();
-    RenderedFrame frame{moment.text, moment.time, pictureSha256(*picture), {}};
-    if (!job.frames.empty()) frame.file = frameFile(job, i);
-    if (!job.output.empty()) frame.file = job.output;
-    if (!frame.file.empty()) {
-      Status written = writePicture(frame.file, *picture, job.overwrite);
-      if (!written) return written.error();
-    }
-    if (!job.sheet.empty()) {
-      const bool bare_number = moment.text.find_first_not_of("0123456789.-") == std::string::npos;
-      sheet.push_back({std::move(*picture), moment.text + (bare_number ? " s" : "")});
-    }
-    report.frames.push_back(std::move(frame));
-    if (!progress(i + 1, moments->size())) {
-      return Error{ErrorKind::refused,
-                   fmt::format("stopped after {} of {} frames", i + 1, moments->size()),
-                   {}};
+  std::vector<std::size_t> by_time(files.moments.size());
+  std::iota(by_time.begin(), by_time.end(), std::size_t{0});
+  std::stable_sort(by_time.begin(), by_time.end(), [&](std::size_t a, std::size_t b) {
+    return files.moments[a].time < files.moments[b].time;
+  });
+  const std::size_t of = by_time.size() * files.cameras.size();
+  for (std::size_t i = 0; i < files.cameras.size() && !job.video.empty(); ++i) {
+    report.videos.push_back(files.ofCamera(job.video, i));
+  }
+  const std::size_t cameras = files.cameras.size();
+  RenderRun run(job, look, std::move(files), *maker);
+  if (Status begun = run.begin(*rate); !begun) return begun.error();
+  std::size_t done = 0;
+  for (const std::size_t moment : by_time) {
+    for (std::size_t camera = 0; camera < cameras; ++camera) {
+      if (Status drawn = run.draw(moment, camera); !drawn) return drawn.error();
+      if (!progress(++done, of)) {
+        return Error{
+            ErrorKind::refused, fmt::format("stopped after {} of {} frames", done, of), {}};
+      }
     }
   }
-  if (!job.sheet.empty()) {
-    const auto picture = contactSheet(sheet, TextAtlas(18));
-    if (!picture) return picture.error();
-    Status written = writePicture(job.sheet, *picture, job.overwrite);
-    if (!written) return written.error();
-  }
+  if (Status finished = run.finish(); !finished) return finished.error();
+  report.frames = run.takeFrames();
   return report;
 }
 

@@ -1,10 +1,12 @@
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <optional>
 
+#include "core/cli/load_progress.h"
 #include "core/cli/program.h"
+#include "core/cli/progress_line.h"
+#include "core/cli/worker_threads.h"
 #include "viewer/render/render_job.h"
 
 namespace {
@@ -18,7 +20,10 @@ constexpr const char* kExamples =
     "  rocinante render cell.toml session.mcap --at 1 --at 2.5 --at -1s --sheet sheet.png\n"
     "  rocinante render cell.toml session.mcap --every 0.04s --frames frames/\n"
     "  rocinante render cell.toml session.mcap --at 12.5s --hash\n"
-    "  rocinante render cell.toml session.mcap --at 3 --hide layer/labels --camera side -o f.png\n";
+    "  rocinante render cell.toml session.mcap --at 3 --hide layer/labels --camera side -o f.png\n"
+    "  rocinante render cell.toml session.mcap --events --overlay --frames events/\n"
+    "  rocinante render cell.toml session.mcap --video out.mp4 --inset map:bottom-left\n"
+    "  rocinante render cell.toml session.mcap --at 3 --identity ids.png --depth depth.png\n";
 
 /// How many faults are shown before the rest is only counted.
 constexpr std::size_t kWarningsShown = 5;
@@ -43,21 +48,58 @@ void printJson(const RenderReport& report) {
     nlohmann::ordered_json one;
     one["time"] = frame.time;
     one["log_time_ns"] = frame.log_time.time_since_epoch().count();
+    if (!frame.event.empty()) one["event"] = frame.event;
+    if (!frame.camera.empty()) one["camera"] = frame.camera;
     one["sha256"] = frame.sha256;
     if (!frame.file.empty()) one["file"] = frame.file.string();
+    if (!frame.identity.empty()) one["identity"] = frame.identity.string();
+    if (!frame.depth.empty()) one["depth"] = frame.depth.string();
     json["frames"].push_back(std::move(one));
   }
+  if (!report.videos.empty()) json["videos"] = nlohmann::ordered_json::array();
+  for (const auto& video : report.videos) json["videos"].push_back(video.string());
   json["warnings"] = report.warnings;
   std::printf("%s\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
 }
 
-void printHashes(const RenderReport& report) {
+void printHashes(const RenderReport& report, bool several_cameras) {
   for (const RenderedFrame& frame : report.frames) {
-    if (report.frames.size() == 1) {
-      std::printf("%s\n", frame.sha256.c_str());
-    } else {
-      std::printf("%s %s\n", frame.time.c_str(), frame.sha256.c_str());
+    std::string line = report.frames.size() > 1 ? frame.time + " " : "";
+    if (several_cameras) line += frame.camera + " ";
+    std::printf("%s%s\n", line.c_str(), frame.sha256.c_str());
+  }
+}
+
+/// Every look by its own name: "--shadows", "--edges=only", "--trail arm/hand@5".
+void addStyleOptions(CLI::App& app, RenderStyle& style) {
+  const auto set = [&style](const std::string& key, const std::string& value) {
+    if (const Status fit = setStyle(style, key, value); !fit) {
+      throw CLI::ValidationError("--" + key, fit.error().text());
     }
+  };
+  for (const StyleKey& key : styleKeys()) {
+    const std::string name = "--" + std::string(key.key);
+    const std::string means(key.means);
+    if (key.values.starts_with("on|")) {
+      app.add_flag_function(
+             name + "{on}",
+             [&app, set, name, key = std::string(key.key)](std::int64_t) {
+               set(key, app.get_option(name)->results().back());
+             },
+             means)
+          ->option_text(std::string(key.values))
+          ->group("Looks");
+      continue;
+    }
+    app.add_option_function<std::vector<std::string>>(
+           name,
+           [set, key = std::string(key.key)](const std::vector<std::string>& values) {
+             for (const std::string& value : values) set(key, value);
+           },
+           means + (key.repeats ? "; repeatable" : ""))
+        ->option_text(std::string(key.values))
+        ->allow_extra_args(false)
+        ->group("Looks");
   }
 }
 
@@ -75,15 +117,33 @@ int main(int argc, char** argv) {
                  "A .cell.toml, a bare .urdf or .obj, or a log that carries its cell")
       ->required();
   app.add_option("log", job.log, "The session; without one, the cell at rest");
-  app.add_option("--at", job.at,
+  app.add_option("--at", job.moments.at,
                  "A moment: 12.5, 1m02.5s, -1s from the end, or RFC 3339; repeatable")
       ->allow_extra_args(false);
-  app.add_option("--every", job.every, "Every so often, from the log's start to its end");
+  app.add_option("--every", job.moments.every, "Every so often, from the log's start to its end");
+  app.add_option("--at-file", job.moments.at_file, "More moments, one a line; # begins a comment");
+  app.add_flag("--events", job.moments.all_events, "Every event and mark of the log");
+  app.add_option("--event", job.moments.events, "Those whose text is so (* and ?); repeatable")
+      ->option_text("PATTERN")
+      ->allow_extra_args(false);
+  app.add_option("--from", job.moments.from, "Of --every, --events and --fps: from there on");
+  app.add_option("--until", job.moments.until, "And up to there, exclusive");
   app.add_option("-o,--output", job.output, "One frame, as PNG");
   app.add_option("--sheet", job.sheet, "All moments on one PNG, their times below");
   app.add_option("--frames", job.frames, "A folder for frame-00001.png and on");
-  app.add_option("--camera", job.look.camera, "Of the cell, or a `view` of the session")
-      ->option_text("NAME");
+  app.add_option("--video", job.video, "All moments as .mp4, .mkv, .mov or .webm, by ffmpeg");
+  app.add_option("--fps", job.moments.rate, "Of --video: pictures a second, 25 or 30000/1001");
+  app.add_option("--identity", job.identity, "Devices and links as colours: a PNG, a JSON legend");
+  app.add_option("--depth", job.depth, "Metres along the view: a 16-bit PNG, its unit in JSON");
+  app.add_option("--camera", job.cameras,
+                 "Of the cell, a `view` of the session, map or fit; repeatable")
+      ->option_text("NAME")
+      ->allow_extra_args(false);
+  app.add_option("--inset", job.insets, "A window over the view in place of the cell's; repeatable")
+      ->option_text("CAMERA[:CORNER]")
+      ->allow_extra_args(false);
+  app.add_flag("!--no-insets", job.show_insets, "Without the cell's insets");
+  app.add_flag("--overlay", job.look.panel, "Time, devices, joint values and rates in a corner");
   app.add_option("--size", size, "Pixels")->capture_default_str();
   app.add_option("--samples", job.look.samples, "A pixel: 1 or 4")->capture_default_str();
   app.add_option("--hide", job.look.hide,
@@ -91,6 +151,11 @@ int main(int argc, char** argv) {
       ->allow_extra_args(false);
   app.add_option("--show", job.look.show, "PATH to draw whatever packets say; repeatable")
       ->allow_extra_args(false);
+  app.add_option("--layers", job.layers, "Only these layers, with commas between")
+      ->option_text("NAME,...")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  addStyleOptions(app, job.look.style);
   app.add_option("--profile", profile, "reproducible: the same bits everywhere; fast: any GPU")
       ->check(CLI::IsMember({"reproducible", "fast"}))
       ->capture_default_str();
@@ -112,25 +177,33 @@ int main(int argc, char** argv) {
     const auto pixels = parseSize(size);
     if (!pixels) return pixels.error();
     std::tie(job.look.width, job.look.height) = *pixels;
-    if (job.output.empty() && job.sheet.empty() && job.frames.empty() && !hash && !json) {
+    job.hashes = hash || json;
+    if (job.output.empty() && job.sheet.empty() && job.frames.empty() && job.video.empty() &&
+        job.identity.empty() && job.depth.empty() && !job.hashes) {
       return Error{ErrorKind::bad_argument,
-                   "nothing to make: -o FILE, --sheet FILE, --frames DIR, --hash or --json",
+                   "nothing to make: -o FILE, --sheet FILE, --frames DIR, --video FILE, "
+                   "--identity FILE, --depth FILE, --hash or --json",
                    {}};
     }
+    if (!job.show_insets && !job.insets.empty()) {
+      return Error{ErrorKind::bad_argument, "--inset and --no-insets exclude each other", {}};
+    }
+    job.parallel = cli::workerThreads();
+    job.load_progress = cli::loadProgress(job.cell.string());
     cli::catchStopSignals();
-    const bool bar = ::isatty(STDERR_FILENO) == 1;
+    std::optional<cli::ProgressLine> line;
     const auto report = render(job, [&](std::size_t done, std::size_t of) {
-      if (bar && of > 1) {
-        std::fprintf(stderr, "\rframe %zu of %zu%s", done, of, done == of ? "\n" : "");
-      }
+      if (!line) line.emplace("drawing");
+      line->show(static_cast<double>(done) / static_cast<double>(of));
       return !cli::stopRequested();
     });
+    line.reset();
     if (!report) return report.error();
     printWarnings(*report);
     if (json) {
       printJson(*report);
     } else if (hash) {
-      printHashes(*report);
+      printHashes(*report, job.cameras.size() > 1);
     }
     return cli::Exit::done;
   });

@@ -13,12 +13,14 @@ Picture plain(int width, int height, std::uint8_t value) {
 
 TEST(ContactSheet, LaysFramesOutInRowsWithTheirTimesBelow) {
   const TextAtlas atlas(18);
-  std::vector<SheetFrame> frames;
-  for (int i = 0; i < 5; ++i) {
-    frames.push_back({plain(60, 40, static_cast<std::uint8_t>(10 * i)), std::to_string(i) + " s"});
+  auto made = ContactSheet::create(5, 60, 40, atlas);
+  ASSERT_TRUE(made.has_value());
+  // Whatever the order in which they come.
+  for (const int i : {3, 0, 4, 1, 2}) {
+    made->put(static_cast<std::size_t>(i), plain(60, 40, static_cast<std::uint8_t>(10 * i)),
+              std::to_string(i) + " s");
   }
-  const auto sheet = contactSheet(frames, atlas);
-  ASSERT_TRUE(sheet.has_value());
+  const Picture* sheet = &made->picture();
   EXPECT_EQ(sheet->width, 3 * 72 + 12);
   EXPECT_EQ(sheet->height, 2 * (40 + 18 + 12) + 12);
   const auto red = [&](int x, int y) {
@@ -37,10 +39,9 @@ TEST(ContactSheet, LaysFramesOutInRowsWithTheirTimesBelow) {
 
 TEST(ContactSheet, RefusesNoneAndTooMany) {
   const TextAtlas atlas(18);
-  EXPECT_FALSE(contactSheet({}, atlas).has_value());
-  SheetFrame huge;
-  huge.picture.width = huge.picture.height = 16384;  // judged by its size alone
-  EXPECT_FALSE(contactSheet({huge}, atlas).has_value());
+  EXPECT_FALSE(ContactSheet::create(0, 60, 40, atlas).has_value());
+  EXPECT_FALSE(ContactSheet::create(1, 16384, 16384, atlas).has_value());
+  EXPECT_FALSE(ContactSheet::create(std::size_t{1} << 40, 1, 1, atlas).has_value());
 }
 
 }  // namespace

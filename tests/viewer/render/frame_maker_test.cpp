@@ -2,75 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/temporary_folder.h"
-#include "tests/viewer/render/test_session.h"
+#include "tests/viewer/render/test_maker.h"
 
 namespace rocinante {
 namespace {
 
-constexpr const char* kCameras = R"(
-[[camera]]
-name = "top"
-eye = [0, 0, 6]
-target = [0, 0, 0]
-[[camera]]
-name = "riding"
-on = "arm/hand"
-eye = [0, 0, 0.2]
-target = [1, 0, 0.2]
-[[camera]]
-name = "flat"
-eye = [0, -5, 1]
-target = [0, 0, 1]
-ortho_height_m = 4
-)";
-
-class FrameMakerTest : public testing::Test {
- protected:
-  void SetUp() override {
-    test::writeText(folder_ / "arm.urdf", test::kArmUrdf);
-    test::writeArmSession(folder_ / "arm.mcap");
-  }
-
-  FrameMaker open(const std::string& cell_text = "", bool with_session = true) {
-    std::filesystem::path file = folder_ / "arm.urdf";
-    if (!cell_text.empty()) {
-      file = folder_ / "arm.cell.toml";
-      test::writeText(file,
-                      "format = 1\n[[device]]\nname = \"arm\"\nmodel = \"arm.urdf\"\n" + cell_text);
-    }
-    auto cell = loadCell(file, {});
-    EXPECT_TRUE(cell.has_value()) << cell.error().text();
-    for (const ModelFault& fault : cell->faults) {
-      EXPECT_NE(fault.severity, Severity::error) << fault.print();
-    }
-    std::optional<Timeline> session;
-    if (with_session) {
-      auto opened = Timeline::open(folder_ / "arm.mcap");
-      EXPECT_TRUE(opened.has_value()) << opened.error().text();
-      session = std::move(*opened);
-    }
-    auto maker = FrameMaker::open(std::move(*cell), std::move(session), Profile::reproducible);
-    EXPECT_TRUE(maker.has_value()) << maker.error().text();
-    return std::move(*maker);
-  }
-
-  static FrameRequest requestAt(std::int64_t milliseconds) {
-    FrameRequest request;
-    request.time = test::sessionTime(milliseconds);
-    request.width = 160;
-    request.height = 120;
-    return request;
-  }
-
-  static Picture frameOf(FrameMaker& maker, const FrameRequest& request) {
-    auto frame = maker.frame(request);
-    EXPECT_TRUE(frame.has_value()) << frame.error().text();
-    return frame ? std::move(*frame) : Picture{};
-  }
-
-  test::TemporaryFolder folder_;
-};
+using test::kCameras;
+using FrameMakerTest = test::MakerTest;
 
 TEST_F(FrameMakerTest, AFrameIsTheSameHoweverItsTimeWasReached) {
   const std::vector<std::int64_t> times{0, 250, 3000, 4000, 4550, 5000, 6999, 7000, 10000};
@@ -170,7 +108,7 @@ TEST_F(FrameMakerTest, AnUnknownCameraIsAnsweredWithThoseThereAre) {
   request.camera = "tip";
   const auto frame = maker.frame(request);
   ASSERT_FALSE(frame.has_value());
-  EXPECT_EQ(frame.error().what, "no camera is called `tip`: there are top, riding, flat");
+  EXPECT_EQ(frame.error().what, "no camera is called `tip`: there are top, riding, flat, front");
 }
 
 TEST_F(FrameMakerTest, TheInputsHashFollowsTheGeometryAlone) {

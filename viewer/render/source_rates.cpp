@@ -1,0 +1,55 @@
+#include "viewer/render/source_rates.h"
+
+#include <chrono>
+
+namespace rocinante {
+namespace {
+
+constexpr Nanoseconds kWindow = std::chrono::seconds(1);
+
+std::string nameOf(const LogChannel& channel) {
+  const auto source = channel.metadata.find("source");
+  const bool named = source != channel.metadata.end() && !source->second.empty();
+  return named ? source->second : channel.topic;
+}
+
+}  // namespace
+
+Status SourceRates::readOn(LogTime time) {
+  const bool can_go_on = reached_ && *reached_ <= time && *reached_ >= time - kWindow;
+  if (!can_go_on) {
+    window_.clear();
+    next_.reset();
+    at_end_ = false;
+    if (Status put = reader_.seek(time - kWindow + Nanoseconds(1)); !put) return put;
+  }
+  reached_ = time;
+  while (true) {
+    if (!next_ && !at_end_) {
+      const auto message = reader_.next();
+      if (!message) return message.error();
+      at_end_ = !*message;
+      if (*message) next_ = Counted{(*message)->log_time, (*message)->channel};
+    }
+    if (!next_ || next_->time > time) break;
+    if (next_->channel->captured()) window_.push_back(*next_);
+    next_.reset();
+  }
+  while (!window_.empty() && window_.front().time <= time - kWindow) window_.pop_front();
+  return {};
+}
+
+Result<std::map<std::string, std::uint64_t>> SourceRates::at(LogTime time) {
+  if (Status read = readOn(time); !read) {
+    reached_.reset();
+    return read.error();
+  }
+  std::map<std::string, std::uint64_t> rates;
+  for (const LogChannel& channel : reader_.channels()) {
+    if (channel.captured()) rates.emplace(nameOf(channel), 0);
+  }
+  for (const Counted& one : window_) ++rates[nameOf(*one.channel)];
+  return rates;
+}
+
+}  // namespace rocinante
