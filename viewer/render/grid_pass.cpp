@@ -31,6 +31,7 @@ GridPass::GridPass(const GlTable& gl, ShaderProgram program)
 GridPass::GridPass(GridPass&& other) noexcept
     : gl_(other.gl_),
       program_(std::move(other.program_)),
+      with_shadows_(std::move(other.with_shadows_)),
       array_(std::exchange(other.array_, 0)),
       vertices_(std::exchange(other.vertices_, 0)) {}
 
@@ -39,26 +40,37 @@ GridPass::~GridPass() {
   gl_.DeleteBuffers(1, &vertices_);
 }
 
-void GridPass::draw(const Camera& camera, const CellScene& look) const {
-  if (!(look.grid_size_m > 0) || !(look.grid_step_m > 0)) return;
+Status GridPass::draw(const Camera& camera, const CellScene& look, const ShadowLookup* shadows) {
+  if (!(look.grid_size_m > 0) || !(look.grid_step_m > 0)) return {};
+  // A light from below casts nothing on the ground.
+  const bool dark = shadows != nullptr && look.light_direction.z > 0;
+  if (dark && !with_shadows_) {
+    auto made = ShaderProgram::link(gl_, "grid", shader::withShadows(shader::kGridVertex, false),
+                                    shader::withShadows(shader::kGridFragment, true));
+    if (!made) return made.error();
+    with_shadows_.emplace(std::move(*made));
+  }
+  const ShaderProgram& program = dark ? *with_shadows_ : program_;
   gl_.Enable(GL_DEPTH_TEST);
   gl_.DepthMask(GL_FALSE);
   gl_.Enable(GL_BLEND);
   // Floors that lie on the ground hide it.
   gl_.Enable(GL_POLYGON_OFFSET_FILL);
   setDepthLift(gl_, -1);
-  program_.use();
+  program.use();
+  if (dark) bindShadows(gl_, program, *shadows);
   const glm::mat4 clip(camera.clipFromRelative());
-  gl_.UniformMatrix4fv(program_.uniform("clip_from_relative"), 1, GL_FALSE, glm::value_ptr(clip));
+  gl_.UniformMatrix4fv(program.uniform("clip_from_relative"), 1, GL_FALSE, glm::value_ptr(clip));
   const glm::vec3 center(-camera.eye());
-  gl_.Uniform3f(program_.uniform("center_from_eye"), center.x, center.y, center.z);
-  gl_.Uniform1f(program_.uniform("half_size"), static_cast<float>(look.grid_size_m));
-  gl_.Uniform1f(program_.uniform("grid_step"), static_cast<float>(look.grid_step_m));
+  gl_.Uniform3f(program.uniform("center_from_eye"), center.x, center.y, center.z);
+  gl_.Uniform1f(program.uniform("half_size"), static_cast<float>(look.grid_size_m));
+  gl_.Uniform1f(program.uniform("grid_step"), static_cast<float>(look.grid_step_m));
   gl_.BindVertexArray(array_);
   gl_.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
   gl_.Disable(GL_POLYGON_OFFSET_FILL);
   gl_.Disable(GL_BLEND);
   gl_.DepthMask(GL_TRUE);
+  return {};
 }
 
 }  // namespace rocinante

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <optional>
+
 #include "core/model/cell.h"
 #include "viewer/render/camera.h"
 #include "viewer/render/shader_program.h"
+#include "viewer/render/shadow_map.h"
 
 namespace rocinante {
 
@@ -16,13 +19,15 @@ class GridPass {
   GridPass& operator=(GridPass&&) = delete;
 
   /// Nothing when the cell's grid has no size or no step.
-  void draw(const Camera& camera, const CellScene& look) const;
+  /// With `shadows` they fall on the ground that it covers.
+  Status draw(const Camera& camera, const CellScene& look, const ShadowLookup* shadows = nullptr);
 
  private:
   GridPass(const GlTable& gl, ShaderProgram program);
 
   const GlTable& gl_;
   ShaderProgram program_;
+  std::optional<ShaderProgram> with_shadows_;  // made when it is first asked for
   GLuint array_ = 0, vertices_ = 0;
 };
 

@@ -31,7 +31,7 @@ class IdentityPass {
   void drawGeometry(const DrawList& list, const SceneCatalog& catalog, const MeshBuffers& meshes,
                     const TextureStore& textures, const Camera& camera,
                     const NumberOf& number_of) const {
-    for (const auto* items : {&list.opaque, &list.translucent}) {
+    for (const auto* items : {&list.opaque, &list.translucent, &list.wireframe, &list.ghosts}) {
       for (const DrawItem& item : *items) {
         drawItem(item, catalog, meshes, textures, camera, number_of(item));
       }

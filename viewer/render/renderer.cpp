@@ -13,6 +13,7 @@
 #include "viewer/render/identity_pass.h"
 #include "viewer/render/inputs_hash.h"
 #include "viewer/render/inset_frame.h"
+#include "viewer/render/look_passes.h"
 #include "viewer/render/session_drawings.h"
 
 namespace rocinante {
@@ -35,6 +36,25 @@ double reachOf(const Vec3& eye, const std::vector<Vec3>& corners, double grid_m)
   while (reach < farthest && reach < 1e12) reach *= 2;
   return reach;
 }
+
+/// Lines of edges, and what stands in for a scale bar's longest length.
+constexpr glm::vec4 kEdgeColor{0.09F, 0.11F, 0.14F, 0.9F};
+constexpr double kScaleBarPx = 180;
+
+const RenderStyle& styleOf(const SceneFrame& frame) {
+  static const RenderStyle kDefault;
+  return frame.style != nullptr ? *frame.style : kDefault;
+}
+
+/// Collision geometry, uploaded when it is first asked for. No part of the inputs hash: a frame
+/// without it does not depend on it.
+struct CollisionGeometry {
+  CollisionGeometry(const GlTable& gl, const Cell& cell)
+      : catalog(cell, DrawnGeometry::collisions), meshes(gl, catalog, unused_inputs) {}
+  SceneCatalog catalog;
+  InputsHash unused_inputs;
+  MeshBuffers meshes;
+};
 
 }  // namespace
 
@@ -61,17 +81,30 @@ struct Renderer::Impl {
   TextureStore textures;
   std::optional<DrawPasses> passes;
   std::optional<DetailBuilder> detail_builder;  // borrows the catalog
+  std::optional<CollisionGeometry> collision;   // made when it is first asked for
+  LookPasses look_passes{gl};
   std::optional<IdentityPass> identity_pass;  // made when it is first asked for
   std::string inputs_text;
 
   Camera cameraOf(const SceneFrame& frame, const CameraView& view, int width, int height) const;
-  DrawList listOf(const SceneFrame& frame, const Camera& camera) const {
-    return makeDrawList(*frame.scene, catalog, *frame.choice, camera, textures.translucent(),
-                        LinkLooks(), DrawnGeometry::visuals, frame.detail);
+  DrawList listOf(const SceneFrame& frame, const Camera& camera, const LinkLooks& looks) const {
+    return makeDrawList(*frame.scene, catalog, *frame.choice, camera, textures.translucent(), looks,
+                        DrawnGeometry::visuals, frame.detail);
   }
+  DrawList collisionListOf(const SceneFrame& frame, const Camera& camera,
+                           const LinkLooks& looks) const {
+    return makeDrawList(*frame.scene, collision->catalog, *frame.choice, camera, {}, looks,
+                        DrawnGeometry::collisions);
+  }
+  /// What the style says of the scene's links; then `collision` is there where it is needed.
+  Result<LinkLooks> looksOf(const SceneFrame& frame);
   /// One view into a part of what is bound.
-  DrawCounts drawView(const SceneFrame& frame, const CameraView& view, const PixelRectangle& part,
-                      int frame_height) const;
+  Result<DrawCounts> drawView(const SceneFrame& frame, const LinkLooks& looks,
+                              const CameraView& view, const PixelRectangle& part, int frame_height);
+  Result<ShadowLookup> drawShadows(const SceneFrame& frame, const LinkLooks& looks,
+                                   const Camera& camera);
+  Status drawEdges(std::span<const DrawnSet> sets, const RenderStyle& style, const Camera& camera);
+  Overlay onTopOf(const SceneFrame& frame, const Camera& camera, const CameraView& view) const;
   void drawInsetFrames(const SceneFrame& frame, const FrameBuffer& target) const;
   Status prepareIdentity(const FrameBuffer& target);
   Status glStatus() const;
@@ -112,35 +145,140 @@ Status Renderer::Impl::glStatus() const {
   return Error{ErrorKind::refused, fmt::format("the GL driver reports error 0x{:04x}", fault), {}};
 }
 
-DrawCounts Renderer::Impl::drawView(const SceneFrame& frame, const CameraView& view,
-                                    const PixelRectangle& part, int frame_height) const {
+Result<LinkLooks> Renderer::Impl::looksOf(const SceneFrame& frame) {
+  auto made = LinkLooks::make(styleOf(frame), frame.extras);
+  if (made && made->anyCollision() && !collision) collision.emplace(gl, cell);
+  return made;
+}
+
+Result<ShadowLookup> Renderer::Impl::drawShadows(const SceneFrame& frame, const LinkLooks& looks,
+                                                 const Camera& camera) {
+  const auto map = look_passes.shadows();
+  if (!map) return map.error();
+  const ShadowFit fit = shadowFit(visibleCorners(*frame.scene, catalog, *frame.choice),
+                                  Vec3(cell.scene.light_direction), ShadowMap::kSide);
+  const Camera light = (*map)->lightCamera(fit);
+  const DrawList list = listOf(frame, light, looks);
+  std::vector<DrawnSet> sets{{&list, &catalog, &meshes}};
+  DrawList collisions;
+  if (looks.anyCollision()) {
+    collisions = collisionListOf(frame, light, looks);
+    sets.push_back({&collisions, &collision->catalog, &collision->meshes});
+  }
+  return (*map)->draw(sets, light, fit, camera);
+}
+
+Status Renderer::Impl::drawEdges(std::span<const DrawnSet> sets, const RenderStyle& style,
+                                 const Camera& camera) {
+  bool any = style.edges != EdgeStyle::none;
+  for (const DrawnSet& set : sets) any = any || !set.list->wireframe.empty();
+  if (!any) return {};
+  const auto edges = look_passes.edges();
+  if (!edges) return edges.error();
+  for (const DrawnSet& set : sets) {
+    if (style.edges != EdgeStyle::none) {
+      for (const auto* items : {&set.list->opaque, &set.list->translucent}) {
+        (*edges)->draw(*items, *set.catalog, camera, EdgeChoice::features, kEdgeColor);
+      }
+    }
+    (*edges)->draw(set.list->wireframe, *set.catalog, camera, EdgeChoice::all, std::nullopt);
+  }
+  return {};
+}
+
+Overlay Renderer::Impl::onTopOf(const SceneFrame& frame, const Camera& camera,
+                                const CameraView& view) const {
+  const RenderStyle& style = styleOf(frame);
+  Overlay on_top(camera);
+  addLabels(on_top, frame.scene->drawings, *frame.choice, camera, atlas, style.labels);
+  on_top.setOwner(0);
+  if (frame.choice->layerVisible("gnomon")) on_top.addGnomon(atlas);
+  if (style.scale_bar) {
+    const auto bar = scaleBar(camera.metersPerPixel(camera.depthOf(view.target)), kScaleBarPx);
+    if (bar) on_top.addScaleBar(atlas, *bar);
+  }
+  return on_top;
+}
+
+Result<DrawCounts> Renderer::Impl::drawView(const SceneFrame& frame, const LinkLooks& looks,
+                                            const CameraView& view, const PixelRectangle& part,
+                                            int frame_height) {
   const CellScene& look = cell.scene;
   const ViewChoice& choice = *frame.choice;
+  const RenderStyle& style = styleOf(frame);
   // App: where everything is, seen from where.
   const Camera camera = cameraOf(frame, view, part.width, part.height);
 
   // Cull: what of it can be seen, in which order.
-  const DrawList list = listOf(frame, camera);
+  const DrawList list = listOf(frame, camera, looks);
+  std::vector<DrawnSet> sets{{&list, &catalog, &meshes}};
+  DrawList collisions;
+  if (looks.anyCollision()) {
+    collisions = collisionListOf(frame, camera, looks);
+    sets.push_back({&collisions, &collision->catalog, &collision->meshes});
+  }
   Overlay in_scene(camera);
   addLinesAndPoints(in_scene, frame.scene->drawings, choice);
-  Overlay on_top(camera);
-  addLabels(on_top, frame.scene->drawings, choice, camera, atlas);
-  if (choice.layerVisible("gnomon")) on_top.addGnomon(atlas);
+  if (frame.extras != nullptr) addTrails(in_scene, frame.extras->trails);
 
-  // Draw.
+  // Draw. First what is drawn elsewhere, for this view to look into.
+  std::optional<ShadowLookup> shadows;
+  if (style.shadows && style.shading == Shading::standard) {
+    const auto drawn = drawShadows(frame, looks, camera);
+    if (!drawn) return drawn.error();
+    shadows = *drawn;
+  }
+  OutlinePass* outlines = nullptr;
+  if (looks.anyOutlined()) {
+    const auto made = look_passes.outlines();
+    if (!made) return made.error();
+    outlines = *made;
+    if (Status found = outlines->find(sets, camera); !found) return found.error();
+  }
+  SurfaceLook surfaces;
+  surfaces.shading = style.shading;
+  surfaces.shadows = shadows ? &*shadows : nullptr;
+  surfaces.depth_ranks = style.edges != EdgeStyle::none ? EdgePass::kSurfaceRanks : 0;
+  surfaces.depth_only = style.edges == EdgeStyle::only;
+  if (Status ready = passes->scene.prepare(surfaces); !ready) return ready.error();
+
   passes->begin(part, frame_height);
   passes->background.draw(look);
   if (frame.detail.plain_filtering) textures.beginPlainFiltering();
-  passes->scene.drawOpaque(list, catalog, meshes, textures, camera, look);
+  for (const DrawnSet& set : sets) {
+    passes->scene.drawOpaque(*set.list, *set.catalog, *set.meshes, textures, camera, look,
+                             surfaces);
+  }
   textures.endPlainFiltering();
-  if (look.grid && choice.layerVisible("grid")) passes->grid.draw(camera, look);
+  if (Status lines = drawEdges(sets, style, camera); !lines) return lines.error();
+  if (look.grid && choice.layerVisible("grid")) {
+    const Status grid = passes->grid.draw(camera, look, surfaces.shadows);
+    if (!grid) return grid.error();
+  }
   // Before what is translucent, so that a planner's line shows through a ghost.
   passes->overlay.drawInScene(in_scene);
-  if (frame.detail.plain_filtering) textures.beginPlainFiltering();
-  passes->scene.drawTranslucent(list, catalog, meshes, textures, camera, look);
-  textures.endPlainFiltering();
-  passes->overlay.drawOnTop(on_top);
-  return DrawCounts{list.triangles, list.opaque.size() + list.translucent.size()};
+  if (!list.ghosts.empty()) {
+    const auto ghosts = look_passes.ghosts();
+    if (!ghosts) return ghosts.error();
+    (*ghosts)->draw(list.ghosts, catalog, meshes, camera);
+  }
+  if (!surfaces.depth_only) {
+    if (frame.detail.plain_filtering) textures.beginPlainFiltering();
+    for (const DrawnSet& set : sets) {
+      passes->scene.drawTranslucent(*set.list, *set.catalog, *set.meshes, textures, camera, look,
+                                    surfaces);
+    }
+    textures.endPlainFiltering();
+  }
+  if (outlines != nullptr) outlines->draw();
+  passes->overlay.drawOnTop(onTopOf(frame, camera, view));
+  DrawCounts counts;
+  for (const DrawnSet& set : sets) {
+    counts.triangles += set.list->triangles;
+    counts.draws += set.list->opaque.size() + set.list->translucent.size() +
+                    set.list->wireframe.size() + set.list->ghosts.size();
+  }
+  return counts;
 }
 
 void Renderer::Impl::drawInsetFrames(const SceneFrame& frame, const FrameBuffer& target) const {
@@ -156,14 +294,18 @@ void Renderer::Impl::drawInsetFrames(const SceneFrame& frame, const FrameBuffer&
 }
 
 Result<DrawCounts> Renderer::draw(const SceneFrame& frame, const FrameBuffer& target) {
-  const Impl& my = *impl_;
+  Impl& my = *impl_;
+  const auto looks = my.looksOf(frame);
+  if (!looks) return looks.error();
   target.bind();
   const PixelRectangle whole{0, 0, target.width(), target.height()};
-  DrawCounts counts = my.drawView(frame, frame.camera, whole, target.height());
+  auto counts = my.drawView(frame, *looks, frame.camera, whole, target.height());
+  if (!counts) return counts.error();
   for (const FrameInset& inset : frame.insets) {
-    const DrawCounts more = my.drawView(frame, inset.camera, inset.part, target.height());
-    counts.triangles += more.triangles;
-    counts.draws += more.draws;
+    const auto more = my.drawView(frame, *looks, inset.camera, inset.part, target.height());
+    if (!more) return more.error();
+    counts->triangles += more->triangles;
+    counts->draws += more->draws;
   }
   my.drawInsetFrames(frame, target);
   my.passes->end();
@@ -182,8 +324,7 @@ bool Renderer::takeReadyDetail(bool wait_for_all) {
   const std::vector<ReadyDetail> ready =
       wait_for_all ? my.detail_builder->waitForAll() : my.detail_builder->takeReady();
   for (const ReadyDetail& one : ready) {
-    my.meshes.setDetail(one.number, my.catalog.meshes()[one.number].indices(),
-                        one.detail.indices);
+    my.meshes.setDetail(one.number, my.catalog.meshes()[one.number].indices(), one.detail.indices);
     my.catalog.setDetail(one.number, one.detail);
   }
   return !ready.empty();
@@ -207,17 +348,27 @@ Result<IdentityFrame> Renderer::identity(const SceneFrame& frame, const FrameBuf
   Impl& my = *impl_;
   if (Status ready = my.prepareIdentity(target); !ready) return ready.error();
   const IdentityNumbers numbers(*frame.scene);
+  const auto looks = my.looksOf(frame);
+  if (!looks) return looks.error();
+  const auto number_of = [&](const DrawItem& item) {
+    return numbers.ofLink(item.device, item.link);
+  };
   const auto drawView = [&](const CameraView& view, const PixelRectangle& part) {
     const Camera camera = my.cameraOf(frame, view, part.width, part.height);
     my.identity_pass->begin(part, target.height());
-    my.identity_pass->drawGeometry(
-        my.listOf(frame, camera), my.catalog, my.meshes, my.textures, camera,
-        [&](const DrawItem& item) { return numbers.ofLink(item.device, item.link); });
+    my.identity_pass->drawGeometry(my.listOf(frame, camera, *looks), my.catalog, my.meshes,
+                                   my.textures, camera, number_of);
+    if (looks->anyCollision()) {
+      my.identity_pass->drawGeometry(my.collisionListOf(frame, camera, *looks),
+                                     my.collision->catalog, my.collision->meshes, my.textures,
+                                     camera, number_of);
+    }
     Overlay in_scene(camera);
     addLinesAndPoints(in_scene, frame.scene->drawings, *frame.choice);
     my.identity_pass->drawOverlay(in_scene, numbers.ofVertices(in_scene), true);
     Overlay on_top(camera);
-    addLabels(on_top, frame.scene->drawings, *frame.choice, camera, my.atlas);
+    addLabels(on_top, frame.scene->drawings, *frame.choice, camera, my.atlas,
+              styleOf(frame).labels);
     my.identity_pass->drawOverlay(on_top, numbers.ofVertices(on_top), false);
   };
   drawView(frame.camera, {0, 0, target.width(), target.height()});
@@ -232,8 +383,10 @@ Result<DepthFrame> Renderer::depth(const SceneFrame& frame, const FrameBuffer& t
   if (Status ready = my.prepareIdentity(target); !ready) return ready.error();
   const Camera camera = my.cameraOf(frame, frame.camera, target.width(), target.height());
   my.identity_pass->begin({0, 0, target.width(), target.height()}, target.height());
-  my.identity_pass->drawGeometry(my.listOf(frame, camera), my.catalog, my.meshes, my.textures,
-                                 camera, [](const DrawItem&) { return 1U; });
+  const auto looks = my.looksOf(frame);
+  if (!looks) return looks.error();
+  my.identity_pass->drawGeometry(my.listOf(frame, camera, *looks), my.catalog, my.meshes,
+                                 my.textures, camera, [](const DrawItem&) { return 1U; });
   DepthFrame depth{target.width(), target.height(), my.identity_pass->readDepth(target, camera)};
   my.identity_pass->end();
   if (Status fine = my.glStatus(); !fine) return fine.error();

@@ -30,19 +30,21 @@ std::uint32_t putOneSidedLast(const MeshPart& part, const std::vector<std::uint8
 
 }  // namespace
 
-SceneCatalog::SceneCatalog(const Cell& cell) {
+SceneCatalog::SceneCatalog(const Cell& cell, DrawnGeometry geometry) {
   for (const auto& [name, model] : cell.models) {
-    if (model) addModel(*model);
+    if (model) addModel(*model, geometry);
   }
   std::set<const Model*> dressed;  // thousands of devices may share one
   for (const CellDevice& device : cell.devices) {
-    if (device.dressed && dressed.insert(device.dressed.get()).second) addModel(*device.dressed);
+    if (device.dressed && dressed.insert(device.dressed.get()).second)
+      addModel(*device.dressed, geometry);
   }
 }
 
-void SceneCatalog::addModel(const Model& model) {
+void SceneCatalog::addModel(const Model& model, DrawnGeometry geometry) {
   for (const Link& link : model.links) {
-    for (const Visual& visual : link.visuals) {
+    const auto& drawn = geometry == DrawnGeometry::visuals ? link.visuals : link.collisions;
+    for (const Visual& visual : drawn) {
       if (visual.material) addTexture(*visual.material);
       if (visual.mesh) addMesh(visual.mesh.get());
     }

@@ -8,6 +8,7 @@
 
 #include "core/model/cell.h"
 #include "viewer/detail/mesh_detail.h"
+#include "viewer/render/link_looks.h"
 
 namespace rocinante {
 
@@ -47,7 +48,7 @@ struct CatalogTexture {
 /// cell's meshes.
 class SceneCatalog {
  public:
-  explicit SceneCatalog(const Cell& cell);
+  explicit SceneCatalog(const Cell& cell, DrawnGeometry geometry = DrawnGeometry::visuals);
 
   const std::vector<CatalogMesh>& meshes() const { return meshes_; }
   const std::vector<CatalogTexture>& textures() const { return textures_; }
@@ -60,7 +61,7 @@ class SceneCatalog {
   std::optional<std::uint32_t> textureNumber(const Material& material) const;
 
  private:
-  void addModel(const Model& model);
+  void addModel(const Model& model, DrawnGeometry geometry);
   void addTexture(const Material& material);
   void addMesh(const Mesh* mesh);
 

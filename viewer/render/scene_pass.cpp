@@ -63,7 +63,8 @@ class Latest {
 class ScenePass::Items {
  public:
   Items(const ScenePass& pass, const SceneCatalog& catalog, const MeshBuffers& meshes,
-        const TextureStore& textures, const Camera& camera, const CellScene& look, Shading shading)
+        const TextureStore& textures, const Camera& camera, const CellScene& look,
+        const SurfaceLook& surfaces)
       : pass_(pass),
         gl_(pass.gl_),
         catalog_(catalog),
@@ -71,13 +72,16 @@ class ScenePass::Items {
         textures_(textures),
         camera_(camera),
         look_(look),
-        plain_(shading == Shading::plain) {}
+        surfaces_(surfaces),
+        plain_(surfaces.shading == Shading::plain),
+        standard_(surfaces.shadows != nullptr && pass.shadowed_ ? *pass.shadowed_
+                                                                : pass.standard_) {}
 
   /// Everything but the drawing.
   void set(const DrawItem& item) {
     const GLuint texture =
         item.texture >= 0 ? textures_.name(static_cast<std::size_t>(item.texture)) : 0;
-    const Program& program = !plain_        ? pass_.standard_
+    const Program& program = !plain_        ? standard_
                              : texture == 0 ? pass_.plain_
                                             : pass_.plain_mapped_;
     if (&program != program_) use(program);
@@ -99,6 +103,9 @@ class ScenePass::Items {
     has_map_ = {};
     has_tint_ = {};
     program.shader.use();
+    if (pass_.shadowed_ && &program == &*pass_.shadowed_) {
+      bindShadows(gl_, program.shader, *surfaces_.shadows);
+    }
     gl_.Uniform1i(program.orthographic, camera_.orthographic() ? 1 : 0);
     const glm::vec3 forward(camera_.forward());
     gl_.Uniform3f(program.view_direction, forward.x, forward.y, forward.z);
@@ -152,12 +159,13 @@ class ScenePass::Items {
   }
 
   void setLift(std::uint32_t rank) const {
-    if (rank == 0) {
+    const float ranks = static_cast<float>(rank) + surfaces_.depth_ranks;
+    if (ranks == 0) {
       gl_.Disable(GL_POLYGON_OFFSET_FILL);
       return;
     }
     gl_.Enable(GL_POLYGON_OFFSET_FILL);
-    setDepthLift(gl_, static_cast<float>(rank));
+    setDepthLift(gl_, ranks);
   }
 
   const ScenePass& pass_;
@@ -167,7 +175,9 @@ class ScenePass::Items {
   const TextureStore& textures_;
   const Camera& camera_;
   const CellScene& look_;
+  const SurfaceLook& surfaces_;
   bool plain_;
+  const Program& standard_;
   const Program* program_ = nullptr;
   // Of the program.
   Latest<Mat4> world_;
@@ -220,26 +230,38 @@ ScenePass::ScenePass(const GlTable& gl, Program standard, Program plain, Program
       plain_(std::move(plain)),
       plain_mapped_(std::move(plain_mapped)) {}
 
+Status ScenePass::prepare(const SurfaceLook& surfaces) {
+  if (surfaces.shadows == nullptr || shadowed_) return {};
+  auto linked = link(gl_, "scene with shadows", shader::kSceneVertex,
+                     shader::withShadows(shader::kSceneFragment, true));
+  if (!linked) return linked.error();
+  shadowed_.emplace(std::move(*linked));
+  return {};
+}
+
 void ScenePass::drawOpaque(const DrawList& list, const SceneCatalog& catalog,
                            const MeshBuffers& meshes, const TextureStore& textures,
-                           const Camera& camera, const CellScene& look, Shading shading) const {
+                           const Camera& camera, const CellScene& look,
+                           const SurfaceLook& surfaces) const {
   gl_.Enable(GL_DEPTH_TEST);
-  Items items(*this, catalog, meshes, textures, camera, look, shading);
+  if (surfaces.depth_only) gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  Items items(*this, catalog, meshes, textures, camera, look, surfaces);
   for (const DrawItem& item : list.opaque) {
     items.set(item);
     items.draw(item);
   }
+  if (surfaces.depth_only) gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
   gl_.Disable(GL_POLYGON_OFFSET_FILL);
 }
 
 void ScenePass::drawTranslucent(const DrawList& list, const SceneCatalog& catalog,
                                 const MeshBuffers& meshes, const TextureStore& textures,
                                 const Camera& camera, const CellScene& look,
-                                Shading shading) const {
+                                const SurfaceLook& surfaces) const {
   if (list.translucent.empty()) return;
   gl_.Enable(GL_DEPTH_TEST);
   gl_.Enable(GL_BLEND);
-  Items items(*this, catalog, meshes, textures, camera, look, shading);
+  Items items(*this, catalog, meshes, textures, camera, look, surfaces);
   for (const DrawItem& item : list.translucent) {
     items.set(item);
     // Depth first, so that of each part only the nearest surface shows: its back sides would come

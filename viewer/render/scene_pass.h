@@ -6,9 +6,18 @@
 #include "viewer/render/mesh_buffers.h"
 #include "viewer/render/render_style.h"
 #include "viewer/render/shader_program.h"
+#include "viewer/render/shadow_map.h"
 #include "viewer/render/texture_store.h"
 
 namespace rocinante {
+
+/// How all surfaces are drawn; the default is the shader without any look in it.
+struct SurfaceLook {
+  Shading shading = Shading::standard;
+  const ShadowLookup* shadows = nullptr;  ///< of the standard shading; null: none
+  float depth_ranks = 0;                  ///< by which all are lifted (setDepthLift)
+  bool depth_only = false;  ///< opaque ones hide what is behind them and show nothing themselves
+};
 
 /// Draws the geometry of a draw list into whatever framebuffer is bound, between
 /// DrawPasses::begin() and end(). Sets only what differs from one item to the next. Its context
@@ -17,12 +26,14 @@ class ScenePass {
  public:
   static Result<ScenePass> create(const GlTable& gl);
 
+  /// Compiles what such surfaces need, when it is first asked for.
+  Status prepare(const SurfaceLook& surfaces);
   void drawOpaque(const DrawList& list, const SceneCatalog& catalog, const MeshBuffers& meshes,
                   const TextureStore& textures, const Camera& camera, const CellScene& look,
-                  Shading shading = Shading::standard) const;
+                  const SurfaceLook& surfaces = {}) const;
   void drawTranslucent(const DrawList& list, const SceneCatalog& catalog, const MeshBuffers& meshes,
                        const TextureStore& textures, const Camera& camera, const CellScene& look,
-                       Shading shading = Shading::standard) const;
+                       const SurfaceLook& surfaces = {}) const;
 
  private:
   struct Program {
@@ -39,6 +50,7 @@ class ScenePass {
 
   const GlTable& gl_;
   Program standard_, plain_, plain_mapped_;
+  std::optional<Program> shadowed_;  // standard, with shadows: prepare()
 };
 
 }  // namespace rocinante

@@ -74,6 +74,10 @@ void main() {
   // left: walls that meet differ in shade wherever one stands.
   vec3 ambient = mix(vec3(0.12, 0.11, 0.10), vec3(0.27, 0.29, 0.32), n.z * 0.5 + 0.5);
   float key = max(dot(n, key_direction), 0.0);
+#ifdef SHADOWS
+  // From a texel and a half above the surface: it must not lie in its own shadow.
+  if (key > 0.0) key *= litAt(from_eye + n * (texel_m * 1.5));
+#endif
   float fill = max(dot(n, fill_direction), 0.0);
   vec3 light = base.rgb * (ambient + vec3(0.54, 0.52, 0.49) * key + vec3(0.20, 0.21, 0.22) * fill);
   if (shininess > 0.0) {
@@ -109,14 +113,23 @@ uniform mat4 clip_from_relative;
 uniform vec3 center_from_eye;  // the world's origin, seen from the eye
 uniform float half_size;
 out vec2 ground;  // metres from the origin
+#ifdef SHADOWS
+out vec3 from_eye;
+#endif
 void main() {
   ground = corner * half_size;
+#ifdef SHADOWS
+  from_eye = center_from_eye + vec3(ground, 0.0);
+#endif
   gl_Position = clip_from_relative * vec4(center_from_eye + vec3(ground, 0.0), 1.0);
 }
 )";
 
 const std::string_view kGridFragment = R"(#version 330 core
 in vec2 ground;
+#ifdef SHADOWS
+in vec3 from_eye;
+#endif
 uniform float grid_step;
 uniform float half_size;
 out vec4 color;
@@ -150,6 +163,12 @@ void main() {
   if (x_axis > 0.0) { shade = vec3(0.75, 0.22, 0.20); strength = max(strength, x_axis * 0.75); }
   else if (y_axis > 0.0) { shade = vec3(0.22, 0.56, 0.22); strength = max(strength, y_axis * 0.75); }
   color = vec4(shade, strength * fade);
+#ifdef SHADOWS
+  // The ground is no surface: it shows shadows and nothing else. Lines over them.
+  float dark = (1.0 - litAt(from_eye + vec3(0.0, 0.0, texel_m))) * 0.34 * fade;
+  float both = color.a + dark * (1.0 - color.a);
+  color = vec4(mix(vec3(0.04, 0.05, 0.07), shade, color.a / max(both, 1e-6)), both);
+#endif
 }
 )";
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 
 namespace rocinante::shader {
@@ -15,5 +16,18 @@ extern const std::string_view kGridVertex;
 extern const std::string_view kGridFragment;
 extern const std::string_view kOverlayVertex;
 extern const std::string_view kOverlayFragment;
+
+// Of the optional looks (look_shaders.cpp).
+extern const std::string_view kFlatVertex;
+extern const std::string_view kFlatFragment;
+extern const std::string_view kEdgeVertex;
+extern const std::string_view kGhostFragment;
+extern const std::string_view kOutlineVertex;
+extern const std::string_view kOutlineFragment;
+extern const std::string_view kShadowLookup;
+
+/// The scene's or the grid's source with SHADOWS defined, and kShadowLookup in it when it is the
+/// stage that looks into the map. A variant, not a branch: shadows that are off cost nothing.
+std::string withShadows(std::string_view source, bool looks_up);
 
 }  // namespace rocinante::shader

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "viewer/render/camera.h"
+#include "viewer/render/draw_list.h"
+#include "viewer/render/mesh_edges.h"
+#include "viewer/render/shader_program.h"
+
+namespace rocinante {
+
+enum class EdgeChoice {
+  features,  ///< borders, creases, and outlines as seen from the camera
+  all,       ///< every edge of every triangle
+};
+
+/// Draws edges of meshes as lines of one width in pixels, depth-tested, into whatever framebuffer
+/// is bound. The edges of a mesh are found and uploaded when it is first drawn so. Its context must
+/// be current whenever it is used or destroyed.
+class EdgePass {
+ public:
+  /// How far surfaces stand back for the sake of lines on them (setDepthLift).
+  static constexpr float kSurfaceRanks = -10;
+
+  static Result<EdgePass> create(const GlTable& gl);
+  ~EdgePass();
+  EdgePass(EdgePass&& other) noexcept;
+  EdgePass& operator=(EdgePass&&) = delete;
+
+  /// One colour for all, or, where `color` is empty, each item's own diffuse one.
+  void draw(const std::vector<DrawItem>& items, const SceneCatalog& catalog, const Camera& camera,
+            EdgeChoice choice, const std::optional<glm::vec4>& color);
+
+ private:
+  struct Edges {
+    GLuint texture = 0;
+    std::vector<PartEdges> parts;
+  };
+  EdgePass(const GlTable& gl, ShaderProgram program);
+  const Edges& edgesOf(const Mesh& mesh);
+  void setItem(const DrawItem& item, const Camera& camera) const;
+
+  const GlTable& gl_;
+  ShaderProgram program_;
+  GLuint empty_array_ = 0;
+  std::map<const Mesh*, Edges> edges_;  // looked up, never walked through but to delete
+  struct Uniforms {
+    GLint clip_from_model, eye, first_edge, every_edge, color, viewport, near, lift, low;
+  } uniforms_{};
+};
+
+}  // namespace rocinante

@@ -1,0 +1,154 @@
+#include "viewer/render/outline_pass.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/gtc/type_ptr.hpp>
+#include <utility>
+
+#include "core/math/transform.h"
+#include "viewer/render/draw_triangles.h"
+#include "viewer/render/shader_source.h"
+
+namespace rocinante {
+namespace {
+
+constexpr glm::vec4 kLineColor{1.0F, 0.58F, 0.05F, 1};
+/// How far from what is covered the line may reach: kOutlineFragment looks no farther.
+constexpr int kReachPx = 3;
+
+/// In pixels from the bottom left: what the items can cover.
+struct CoveredBox {
+  double left = 1e9, bottom = 1e9, right = -1e9, top = -1e9;
+};
+
+void addItem(CoveredBox& box, const DrawItem& item, const CatalogPart& part, const Camera& camera) {
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    const Vec3 sign((corner & 1U) != 0 ? 1 : -1, (corner & 2U) != 0 ? 1 : -1,
+                    (corner & 4U) != 0 ? 1 : -1);
+    const Vec4 clip = camera.clipOf(transformPoint(item.world, part.center + sign * part.half));
+    // Behind the eye a corner says nothing: then it may be anywhere.
+    const bool behind = !camera.orthographic() && !(clip.w > camera.near());
+    const double x = behind ? 0 : clip.x / clip.w;
+    const double y = behind ? 0 : clip.y / clip.w;
+    const double spread = behind ? 1 : 0;
+    box.left = std::min(box.left, (x - spread + 1) / 2 * camera.width());
+    box.right = std::max(box.right, (x + spread + 1) / 2 * camera.width());
+    box.bottom = std::min(box.bottom, (y - spread + 1) / 2 * camera.height());
+    box.top = std::max(box.top, (y + spread + 1) / 2 * camera.height());
+  }
+}
+
+int boundedPixel(double place, int most) {
+  if (!(place > 0)) return 0;
+  return place < most ? static_cast<int>(place) : most;
+}
+
+}  // namespace
+
+Result<OutlinePass> OutlinePass::create(const GlTable& gl) {
+  auto mask = ShaderProgram::link(gl, "mask", shader::kFlatVertex, shader::kFlatFragment);
+  if (!mask) return mask.error();
+  auto line = ShaderProgram::link(gl, "outline", shader::kOutlineVertex, shader::kOutlineFragment);
+  if (!line) return line.error();
+  return OutlinePass(gl, std::move(*mask), std::move(*line));
+}
+
+OutlinePass::OutlinePass(const GlTable& gl, ShaderProgram mask, ShaderProgram line)
+    : gl_(gl), mask_(std::move(mask)), line_(std::move(line)) {
+  gl_.GenVertexArrays(1, &empty_array_);
+}
+
+OutlinePass::OutlinePass(OutlinePass&& other) noexcept
+    : gl_(other.gl_),
+      mask_(std::move(other.mask_)),
+      line_(std::move(other.line_)),
+      empty_array_(std::exchange(other.empty_array_, 0)),
+      frame_(std::exchange(other.frame_, 0)),
+      covered_(std::exchange(other.covered_, 0)),
+      width_(other.width_),
+      height_(other.height_) {}
+
+OutlinePass::~OutlinePass() {
+  if (empty_array_ != 0) gl_.DeleteVertexArrays(1, &empty_array_);
+  if (frame_ != 0) gl_.DeleteFramebuffers(1, &frame_);
+  if (covered_ != 0) gl_.DeleteTextures(1, &covered_);
+}
+
+Status OutlinePass::resize(int width, int height) {
+  if (frame_ != 0 && width == width_ && height == height_) return {};
+  if (frame_ == 0) gl_.GenFramebuffers(1, &frame_);
+  if (covered_ == 0) gl_.GenTextures(1, &covered_);
+  gl_.BindTexture(GL_TEXTURE_2D, covered_);
+  gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_R8, width, height, 0, GL_RED, GL_UNSIGNED_BYTE, nullptr);
+  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, frame_);
+  gl_.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, covered_, 0);
+  width_ = width;
+  height_ = height;
+  if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
+    return Error{ErrorKind::refused, "the GL driver gives no framebuffer for outlines", {}};
+  }
+  return {};
+}
+
+Status OutlinePass::find(std::span<const DrawnSet> sets, const Camera& camera) {
+  found_ = false;
+  GLint bound = 0;
+  gl_.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+  Status ready = resize(camera.width(), camera.height());
+  if (ready) {
+    gl_.BindFramebuffer(GL_FRAMEBUFFER, frame_);
+    gl_.Viewport(0, 0, width_, height_);
+    gl_.Disable(GL_SCISSOR_TEST);
+    gl_.Disable(GL_DEPTH_TEST);
+    gl_.Disable(GL_BLEND);
+    gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    gl_.ClearColor(0, 0, 0, 0);
+    gl_.Clear(GL_COLOR_BUFFER_BIT);
+    mask_.use();
+    const GLint clip = mask_.uniform("clip_from_model");
+    gl_.Uniform4f(mask_.uniform("flat_color"), 1, 1, 1, 1);
+    CoveredBox box;
+    for (const DrawnSet& set : sets) {
+      const DrawList& list = *set.list;
+      for (const auto* items : {&list.opaque, &list.translucent, &list.wireframe, &list.ghosts}) {
+        for (const DrawItem& item : *items) {
+          if (!item.outlined) continue;
+          found_ = true;
+          const glm::mat4 clip_from_model(camera.clipFromRelative() * camera.relative(item.world));
+          gl_.UniformMatrix4fv(clip, 1, GL_FALSE, glm::value_ptr(clip_from_model));
+          set.meshes->bind(item.mesh);
+          drawTriangles(gl_, item, *set.catalog);
+          addItem(box, item, set.catalog->meshes()[item.mesh].parts[item.part], camera);
+        }
+      }
+    }
+    left_ = boundedPixel(box.left - kReachPx - 1, width_);
+    right_ = boundedPixel(box.right + kReachPx + 2, width_);
+    bottom_ = boundedPixel(box.bottom - kReachPx - 1, height_);
+    top_ = boundedPixel(box.top + kReachPx + 2, height_);
+  }
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(bound));
+  return ready;
+}
+
+void OutlinePass::draw() const {
+  if (!found_ || left_ >= right_ || bottom_ >= top_) return;
+  gl_.Disable(GL_DEPTH_TEST);
+  gl_.Enable(GL_BLEND);
+  line_.use();
+  gl_.Uniform4f(line_.uniform("box"), static_cast<float>(left_), static_cast<float>(bottom_),
+                static_cast<float>(right_), static_cast<float>(top_));
+  gl_.Uniform2f(line_.uniform("size"), static_cast<float>(width_), static_cast<float>(height_));
+  gl_.Uniform4f(line_.uniform("line_color"), kLineColor.r, kLineColor.g, kLineColor.b,
+                kLineColor.a);
+  gl_.BindTexture(GL_TEXTURE_2D, covered_);
+  gl_.BindVertexArray(empty_array_);
+  gl_.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  gl_.Disable(GL_BLEND);
+}
+
+}  // namespace rocinante

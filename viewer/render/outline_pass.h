@@ -1,0 +1,40 @@
+#pragma once
+
+#include <span>
+
+#include "viewer/render/camera.h"
+#include "viewer/render/drawn_set.h"
+#include "viewer/render/shader_program.h"
+
+namespace rocinante {
+
+/// Draws a line around all outlined items together (DrawItem::outlined), also where they are
+/// hidden. First find() what they cover, before a frame's own passes; then draw() the line over
+/// them. Its context must be current whenever it is used or destroyed.
+class OutlinePass {
+ public:
+  static Result<OutlinePass> create(const GlTable& gl);
+  ~OutlinePass();
+  OutlinePass(OutlinePass&& other) noexcept;
+  OutlinePass& operator=(OutlinePass&&) = delete;
+
+  /// Draws into a picture of its own, of the camera's size; what was bound for drawing is bound
+  /// again after, the viewport is not.
+  Status find(std::span<const DrawnSet> sets, const Camera& camera);
+  /// Into whatever framebuffer is bound. Nothing when find() found nothing.
+  void draw() const;
+
+ private:
+  OutlinePass(const GlTable& gl, ShaderProgram mask, ShaderProgram line);
+  Status resize(int width, int height);
+
+  const GlTable& gl_;
+  ShaderProgram mask_, line_;
+  GLuint empty_array_ = 0, frame_ = 0, covered_ = 0;
+  int width_ = 0, height_ = 0;
+  bool found_ = false;
+  /// Of what is covered, with room for the line: pixels from the bottom left.
+  int left_ = 0, bottom_ = 0, right_ = 0, top_ = 0;
+};
+
+}  // namespace rocinante
