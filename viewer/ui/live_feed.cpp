@@ -10,11 +10,13 @@
 
 #include "core/input/open_source.h"
 #include "core/packet/decoder.h"
+#include "core/plain_text.h"
 
 namespace rocinante {
 namespace {
 
 constexpr int kPollMs = 10;
+constexpr std::size_t kSampleBytes = 24;
 
 /// Datagrams of the last second, in tenths.
 class RateMeter {
@@ -79,7 +81,10 @@ std::uint64_t LiveFeed::Impl::drain(Decoder& decoder, LiveSnapshot& current) {
         current.time = std::max(current.time, arrived);
         const Packet* packet = decoder.decode(datagram.payload);
         if (packet == nullptr) {
-          ++current.undecoded;
+          if (current.undecoded++ == 0) {
+            current.undecoded_sample = plainText(textOf(datagram.payload.first(
+                std::min<std::size_t>(datagram.payload.size(), kSampleBytes))));
+          }
         } else {
           current.state.apply(current.time, *packet);
         }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "core/net/endpoint.h"
@@ -13,12 +14,13 @@ namespace rocinante {
 /// What the network thread hands to the window: a whole state, and figures of the last second.
 struct LiveSnapshot {
   SessionState state;
-  LogTime time{};               ///< of the newest datagram
-  std::uint64_t datagrams = 0;  ///< since the start
-  std::uint64_t undecoded = 0;  ///< datagrams that are no packets
-  std::uint64_t dropped = 0;    ///< by the kernel: its buffer was full
-  std::uint64_t gaps = 0;       ///< sequence numbers never seen, all sources
-  double rate_hz = 0;           ///< datagrams in the last second
+  LogTime time{};                ///< of the newest datagram
+  std::uint64_t datagrams = 0;   ///< since the start
+  std::uint64_t undecoded = 0;   ///< datagrams that are no packets
+  std::string undecoded_sample;  ///< the beginning of the first of them, printable
+  std::uint64_t dropped = 0;     ///< by the kernel: its buffer was full
+  std::uint64_t gaps = 0;        ///< sequence numbers never seen, all sources
+  double rate_hz = 0;            ///< datagrams in the last second
 };
 
 /// Listens in a thread of its own, so that packets never slow a frame and a frame never loses a

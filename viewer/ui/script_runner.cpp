@@ -2,8 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
+
+#include "viewer/detail/detail_level.h"
 
 namespace rocinante {
 
@@ -21,11 +25,88 @@ Result<double> ScriptRunner::number(const ViewCommand& command, std::size_t word
   return value;
 }
 
+/// What is shown, and how.
+Status ScriptRunner::applyLook(const ViewCommand& command, const ScriptStage& stage) {
+  ViewModel& model = stage.model;
+  const std::string& first = command.words.front();
+  if (command.name == "style") {
+    RenderStyle style = model.style();
+    if (auto set = setStyle(style, first, command.words[1]); !set) {
+      return faultAt(command, set.error().text());
+    }
+    model.setStyle(style);
+  } else if (command.name == "panels") {
+    model.panels_shown = first != "off";
+  } else if (command.name == "help") {
+    model.help_shown = first != "off";
+  } else if (command.name == "insets") {
+    for (InsetChoice& inset : model.insets) inset.shown = first != "off";
+  } else if (command.name == "select") {
+    const std::size_t slash = first.find('/');
+    model.selected.device = first.substr(0, slash);
+    model.selected.link = slash == std::string::npos ? "" : first.substr(slash + 1);
+  } else {
+    const std::optional<bool> wanted = command.name == "auto"
+                                           ? std::optional<bool>()
+                                           : std::optional<bool>(command.name == "show");
+    if (!model.setVisible(first, wanted)) {
+      return faultAt(command, fmt::format("`{}` is no DEVICE, DEVICE/LINK or layer/NAME", first));
+    }
+  }
+  return {};
+}
+
+/// What a person does with mouse and keyboard.
+Status ScriptRunner::applyPerson(const ViewCommand& command, const ScriptStage& stage) {
+  ViewModel& model = stage.model;
+  if (command.name == "key") {
+    const auto press = parseKey(command.words.front());
+    if (!press) return faultAt(command, fmt::format("`{}` is no key", command.words.front()));
+    ViewerWishes wishes;
+    applyKey(model, *press, stage.now, wishes);
+    if (wishes.evidence) return faultAt(command, "`evidence FILE` makes such a picture");
+    stage.grant(wishes);
+    return {};
+  }
+  const auto x = number(command, 0);
+  if (!x.ok()) return x.error();
+  if (command.name == "zoom") {
+    model.holdCamera().zoom(*x);
+    return {};
+  }
+  const auto y = number(command, 1);
+  if (!y.ok()) return y.error();
+  if (command.name == "click") stage.click({*x, *y, false});
+  if (command.name == "pan") model.holdCamera().pan(*x, *y, stage.height);
+  if (command.name == "orbit") model.holdCamera().orbit(*x, *y, stage.height);
+  return {};
+}
+
+Status ScriptRunner::applyTransport(const ViewCommand& command, const ScriptStage& stage) {
+  Transport* transport = stage.model.transport();
+  if (transport == nullptr) {
+    return faultAt(command, fmt::format("`{}` needs a log", command.name));
+  }
+  if (command.name == "play") transport->play(stage.now);
+  if (command.name == "pause") transport->pause(stage.now);
+  if (command.name == "loop") transport->setLooping(command.words.front() != "off");
+  if (command.name == "speed" && !transport->setSpeed(command.words.front(), stage.now)) {
+    return faultAt(command,
+                   fmt::format("`{}` is no speed from 0.01 to 1000", command.words.front()));
+  }
+  if (command.name == "seek") {
+    const auto moment =
+        parseSessionTime(command.words.front(), stage.model.origin(), transport->end());
+    if (!moment.ok()) return faultAt(command, moment.error().text());
+    transport->seek(*moment, stage.now);
+  }
+  return {};
+}
+
 Status ScriptRunner::apply(const ViewCommand& command, const ScriptStage& stage) {
   ViewModel& model = stage.model;
-  const std::string first = command.words.empty() ? std::string() : command.words.front();
   if (command.name == "camera") {
-    model.useCamera(first);
+    model.useCamera(command.words.front());
     model.cameraView();
     return model.complaint.empty() ? Status{} : Status{faultAt(command, model.complaint)};
   }
@@ -33,50 +114,30 @@ Status ScriptRunner::apply(const ViewCommand& command, const ScriptStage& stage)
     model.fit(stage.visible_corners(), stage.width, stage.height);
     return {};
   }
-  if (command.name == "hide" || command.name == "show") {
-    if (model.setVisible(first, command.name == "show")) return {};
-    return faultAt(command, fmt::format("`{}` is no DEVICE, DEVICE/LINK or layer/NAME", first));
-  }
-  if (command.name == "panels") {
-    model.panels_shown = first != "off";
-    return {};
-  }
-  if (command.name == "select") {
-    model.selected_device = first;
-    return {};
-  }
-  if (command.name == "orbit" || command.name == "pan" || command.name == "zoom") {
-    const auto x = number(command, 0);
-    if (!x.ok()) return x.error();
-    if (command.name == "zoom") {
-      model.holdCamera().zoom(*x);
-      return {};
+  if (command.name == "detail") {
+    ViewerWishes wishes;
+    wishes.rung = parseDetailRung(command.words.front());
+    if (!wishes.rung) {
+      return faultAt(command, fmt::format("`{}` is no level of detail from 0 to {}",
+                                          command.words.front(), kCoarsestRung));
     }
-    const auto y = number(command, 1);
-    if (!y.ok()) return y.error();
-    if (command.name == "pan") {
-      model.holdCamera().pan(*x, *y, stage.height);
-    } else {
-      model.holdCamera().orbit(*x, *y, stage.height);
+    stage.grant(wishes);
+    return {};
+  }
+  if (command.name == "evidence") {
+    if (auto made = stage.make_evidence(command.words.front()); !made) {
+      return faultAt(command, made.error().text());
     }
     return {};
   }
-  Transport* transport = model.transport();
-  if (transport == nullptr) {
-    return faultAt(command, fmt::format("`{}` needs a log", command.name));
+  constexpr std::array<std::string_view, 8> kLooks{"style",  "panels", "help", "insets",
+                                                   "select", "hide",   "show", "auto"};
+  constexpr std::array<std::string_view, 5> kPerson{"key", "click", "orbit", "pan", "zoom"};
+  if (std::ranges::find(kLooks, command.name) != kLooks.end()) return applyLook(command, stage);
+  if (std::ranges::find(kPerson, command.name) != kPerson.end()) {
+    return applyPerson(command, stage);
   }
-  if (command.name == "play") transport->play(stage.now);
-  if (command.name == "pause") transport->pause(stage.now);
-  if (command.name == "loop") transport->setLooping(first != "off");
-  if (command.name == "speed" && !transport->setSpeed(first, stage.now)) {
-    return faultAt(command, fmt::format("`{}` is no speed from 0.01 to 1000", first));
-  }
-  if (command.name == "seek") {
-    const auto moment = parseSessionTime(first, model.origin(), transport->end());
-    if (!moment.ok()) return faultAt(command, moment.error().text());
-    transport->seek(*moment, stage.now);
-  }
-  return {};
+  return applyTransport(command, stage);
 }
 
 Status ScriptRunner::beforeFrame(const ScriptStage& stage) {

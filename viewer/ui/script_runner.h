@@ -8,6 +8,7 @@
 
 #include "core/result.h"
 #include "viewer/picture/picture.h"
+#include "viewer/ui/user_input.h"
 #include "viewer/ui/view_model.h"
 #include "viewer/ui/view_script.h"
 
@@ -19,6 +20,9 @@ struct ScriptStage {
   SteadyTime now;
   int width, height;
   std::function<std::vector<Vec3>()> visible_corners;
+  std::function<void(const PictureClick&)> click;
+  std::function<void(const ViewerWishes&)> grant;
+  std::function<Status(const std::filesystem::path&)> make_evidence;
 };
 
 /// Works through a script, frame by frame: commands run until one needs a frame drawn (`frame`,
@@ -36,6 +40,9 @@ class ScriptRunner {
 
  private:
   Status apply(const ViewCommand& command, const ScriptStage& stage);
+  Status applyLook(const ViewCommand& command, const ScriptStage& stage);
+  Status applyPerson(const ViewCommand& command, const ScriptStage& stage);
+  Status applyTransport(const ViewCommand& command, const ScriptStage& stage);
   Error faultAt(const ViewCommand& command, std::string what) const;
   Result<double> number(const ViewCommand& command, std::size_t word) const;
 

@@ -5,16 +5,15 @@
 #include <array>
 
 #include "core/duration_text.h"
-#include "viewer/ui/panels.h"
+#include "viewer/ui/panel_parts.h"
 
 namespace rocinante {
 namespace {
 
-constexpr float kBarMargin = 10;
 constexpr float kTrackHeight = 22;
 constexpr std::array kSpeeds{"0.1", "0.25", "0.5", "1", "2", "4", "10"};
 
-void drawButtons(Transport& transport, SteadyTime now) {
+void drawButtons(const ViewModel& model, Transport& transport, SteadyTime now) {
   if (ImGui::Button(transport.playing() ? "Pause" : "Play", ImVec2(64, 0))) transport.toggle(now);
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("Space");
   ImGui::SameLine();
@@ -28,6 +27,19 @@ void drawButtons(Transport& transport, SteadyTime now) {
     ImGui::EndCombo();
   }
   ImGui::SameLine();
+  const auto jump = [&](bool forward) {
+    if (const Event* event = model.eventBeside(transport.position(now), forward)) {
+      transport.seek(event->time, now);
+    }
+  };
+  if (!model.events().empty()) {
+    if (ImGui::Button("|<")) jump(false);
+    explain("the event before (,)");
+    ImGui::SameLine();
+    if (ImGui::Button(">|")) jump(true);
+    explain("the next event (.)");
+    ImGui::SameLine();
+  }
   bool looping = transport.looping();
   if (ImGui::Checkbox("loop", &looping)) transport.setLooping(looping);
 }
@@ -71,13 +83,17 @@ void drawTrack(ViewModel& model, Transport& transport, SteadyTime now) {
                       IM_COL32(255, 168, 64, 255), 3);
   for (const Event& event : model.events()) {
     const float x = x_of(event.time);
+    // A mark of a person has no source.
+    const ImU32 color =
+        event.source.empty() ? IM_COL32(150, 230, 140, 255) : IM_COL32(120, 200, 255, 255);
     list->AddRectFilled(ImVec2(x - 1, corner.y + 2), ImVec2(x + 1, corner.y + kTrackHeight - 2),
-                        IM_COL32(120, 200, 255, 255));
+                        color);
   }
   list->AddCircleFilled(ImVec2(at, middle), 7, IM_COL32(255, 255, 255, 255), 20);
   if (ImGui::IsItemHovered()) {
     if (const Event* event = eventNear(model, io.MousePos.x, x_of)) {
-      ImGui::SetTooltip("%s: %s", event->source.c_str(), event->text.c_str());
+      ImGui::SetTooltip("%s%s%s", event->source.c_str(), event->source.empty() ? "" : ": ",
+                        event->text.c_str());
     }
   }
 }
@@ -86,13 +102,13 @@ void drawTrack(ViewModel& model, Transport& transport, SteadyTime now) {
 
 void drawTimeBar(ViewModel& model, Transport& transport, SteadyTime now) {
   const ImGuiIO& io = ImGui::GetIO();
-  ImGui::SetNextWindowPos(ImVec2(kBarMargin, io.DisplaySize.y - kBarMargin), ImGuiCond_Always,
+  ImGui::SetNextWindowPos(ImVec2(kPanelMargin, io.DisplaySize.y - kPanelMargin), ImGuiCond_Always,
                           ImVec2(0, 1));
-  ImGui::SetNextWindowSize(ImVec2(io.DisplaySize.x - 2 * kBarMargin, 0));
+  ImGui::SetNextWindowSize(ImVec2(io.DisplaySize.x - 2 * kPanelMargin, 0));
   ImGui::Begin("time", nullptr,
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
-  drawButtons(transport, now);
+  drawButtons(model, transport, now);
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
   const LogTime at = transport.position(now);

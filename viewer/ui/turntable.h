@@ -23,6 +23,8 @@ class Turntable {
   void pan(double dx_px, double dy_px, int height_px);
   /// One step nearer (positive) is a tenth of the distance.
   void zoom(double steps);
+  /// From now on it turns about `point`, seen from the same direction and as near as before.
+  void aimAt(const Vec3& point) { target_ = point; }
   /// Shows all `points` from the present direction. Nothing when there are none.
   void fit(const std::vector<Vec3>& points, int width_px, int height_px);
 

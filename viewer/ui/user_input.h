@@ -1,16 +1,30 @@
 #pragma once
 
+#include <optional>
+#include <string_view>
+
 #include "core/time.h"
+#include "viewer/ui/panels.h"
 #include "viewer/ui/view_model.h"
+#include "viewer/ui/window.h"
 
 namespace rocinante {
 
-class Window;
+/// Where the mouse was clicked on the picture, in pixels from its top left.
+struct PictureClick {
+  double x = 0, y = 0;
+  bool twice = false;  ///< turn about what is there
+};
 
-/// Mouse and keyboard of this frame, as Dear ImGui has them and has not used them itself: left drag
-/// turns, middle or right drag (or Shift and left) pans, the wheel zooms; Space plays and pauses,
-/// arrows step, Home and End jump, 1 to 9 choose a camera, F fits, Tab hides the panels, Q closes.
-void applyUserInput(ViewModel& model, SteadyTime now, int height_px, bool& fit_requested,
-                    Window& window);
+/// One key, as docs/programs/view.md has them. What is not the model's is wished for.
+void applyKey(ViewModel& model, const KeyPress& press, SteadyTime now, ViewerWishes& wishes);
+
+/// The key that a script names: "E", "shift+H", "space", "left", "F1", ","; empty for no key.
+std::optional<KeyPress> parseKey(std::string_view text);
+
+/// Mouse and keyboard of this frame, as Dear ImGui has them and has not used them itself. Answers a
+/// click on the picture.
+std::optional<PictureClick> applyUserInput(ViewModel& model, SteadyTime now, int height_px,
+                                           ViewerWishes& wishes, Window& window);
 
 }  // namespace rocinante

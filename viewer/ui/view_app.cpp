@@ -2,17 +2,23 @@
 
 #include <fmt/format.h>
 #include <imgui.h>
-#include <imgui_impl_glfw.h>
 
+#include <algorithm>
 #include <chrono>
 #include <optional>
 
 #include "core/cli/program.h"
-#include "viewer/render/embedded_font.h"
+#include "viewer/detail/governor.h"
+#include "viewer/render/fitted_cameras.h"
+#include "viewer/ui/evidence_desk.h"
 #include "viewer/ui/imgui_painter.h"
+#include "viewer/ui/interface_context.h"
 #include "viewer/ui/panels.h"
+#include "viewer/ui/pick.h"
+#include "viewer/ui/scaled_view.h"
 #include "viewer/ui/script_runner.h"
 #include "viewer/ui/user_input.h"
+#include "viewer/ui/view_insets.h"
 #include "viewer/ui/window.h"
 
 #define GLFW_INCLUDE_NONE
@@ -22,44 +28,13 @@ namespace rocinante {
 namespace {
 
 constexpr Nanoseconds kScriptedFrame{1'000'000'000 / 60};
-constexpr float kFontPixels = 15;
+/// Coarser meshes are made beside the frames: one thread leaves the others to those.
+constexpr int kDetailThreads = 1;
 
-/// Dear ImGui's context, with the font whose bytes are fixed at build time.
-class InterfaceContext {
- public:
-  explicit InterfaceContext(GLFWwindow* window) : window_(window) {
-    ImGui::CreateContext();
-    ImGuiIO& io = ImGui::GetIO();
-    io.IniFilename = nullptr;
-    const ByteView font = embeddedFont();
-    ImFontConfig config;
-    config.FontDataOwnedByAtlas = false;
-    io.Fonts->AddFontFromMemoryTTF(const_cast<std::byte*>(font.data()),
-                                   static_cast<int>(font.size()), kFontPixels, &config);
-    stylePanels();
-    if (window_ != nullptr) ImGui_ImplGlfw_InitForOpenGL(window_, true);
-  }
-  ~InterfaceContext() {
-    if (window_ != nullptr) ImGui_ImplGlfw_Shutdown();
-    ImGui::DestroyContext();
-  }
-  InterfaceContext(const InterfaceContext&) = delete;
-  InterfaceContext& operator=(const InterfaceContext&) = delete;
-
-  void beginFrame(int width, int height) {
-    if (window_ != nullptr) {
-      ImGui_ImplGlfw_NewFrame();
-    } else {
-      ImGuiIO& io = ImGui::GetIO();
-      io.DisplaySize = ImVec2(static_cast<float>(width), static_cast<float>(height));
-      io.DeltaTime = 1.0F / 60.0F;
-    }
-    ImGui::NewFrame();
-  }
-
- private:
-  GLFWwindow* window_;  ///< null: scripted, no mouse and no keyboard
-};
+double millisecondsSince(SteadyTime start) {
+  const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
+  return took.count();
+}
 
 class ViewApp {
  public:
@@ -74,6 +49,9 @@ class ViewApp {
         window_(std::move(window)),
         interface_(options.script.empty() ? window_->handle() : nullptr),
         renderer_(std::move(renderer)),
+        fitted_(model.cell(), renderer_),
+        governor_({1000 / options.target_fps, kCoarsestRung}),
+        evidence_(options),
         script_(options.script, options.script_name) {}
 
   bool scripted() const { return !options_.script.empty(); }
@@ -81,8 +59,14 @@ class ViewApp {
     return scripted() ? scripted_now_ : SteadyTime(std::chrono::steady_clock::now());
   }
   std::vector<Vec3> visibleCorners() const;
-  Status drawFrame();
-  Status ensureFrameBuffer();
+  Status prepareView();
+  void prepareDetail();
+  void useRung(int rung);
+  Result<DrawCounts> drawScene();
+  Status drawFrame(double app_ms);
+  void grantWishes(const ViewerWishes& wishes);
+  void clickAt(const PictureClick& click);
+  Status runScript();
   void waitForNews(bool changed);
 
   ViewModel& model_;
@@ -90,11 +74,17 @@ class ViewApp {
   std::unique_ptr<Window> window_;
   InterfaceContext interface_;
   Renderer renderer_;
-  std::optional<FrameBuffer> frame_buffer_;
+  FittedCameras fitted_;
+  ScaledView view_;
   std::optional<ImguiPainter> painter_;
+  Governor governor_;
+  EvidenceDesk evidence_;
   ScriptRunner script_;
   SteadyTime scripted_now_{};
-  FrameFigures figures_;
+  ViewerStatus status_;
+  CoveredEdges covered_;
+  std::vector<FrameInset> insets_;  ///< of the last frame, in the window's pixels
+  int width_ = 1, height_ = 1;
 };
 
 Result<std::unique_ptr<ViewApp>> ViewApp::open(ViewModel& model, const ViewOptions& options) {
@@ -110,8 +100,16 @@ Result<std::unique_ptr<ViewApp>> ViewApp::open(ViewModel& model, const ViewOptio
   auto painter = ImguiPainter::create(app->renderer_.gl());
   if (!painter.ok()) return painter.error();
   app->painter_ = std::move(*painter);
-  app->figures_.renderer = app->renderer_.key().renderer;
+  // Before the first state is asked for, which is valid until the next question only.
+  if (auto ready = app->fitted_.prepare(model.session()); !ready) return ready.error();
   app->window_->setPaced(!app->scripted());
+  ViewerStatus& status = app->status_;
+  status.renderer = app->renderer_.key().renderer;
+  status.target_fps = options.target_fps;
+  status.tells_times = !app->scripted();
+  status.may_govern = !app->scripted() && options.profile == Profile::fast;
+  status.rung_fixed = options.detail.has_value() || !status.may_govern;
+  app->useRung(options.detail.value_or(0));
   return app;
 }
 
@@ -121,44 +119,126 @@ std::vector<Vec3> ViewApp::visibleCorners() const {
   return {bounds.min, bounds.max};
 }
 
-Status ViewApp::ensureFrameBuffer() {
+/// Coarser meshes are begun when they are first wanted, or, where the governor may want them, at
+/// once. A level that was asked for by number is drawn as it says from the first frame on.
+void ViewApp::prepareDetail() {
+  const DetailRung& rung = kDetailRungs[static_cast<std::size_t>(status_.rung)];
+  const bool wanted = rung.level.geometry_error_px > 0;
+  if (!wanted && status_.rung_fixed) return;
+  renderer_.prepareDetail(DetailCache::ofUser(), kDetailThreads);
+  if (renderer_.takeReadyDetail(wanted && status_.rung_fixed)) governor_.forget();
+  status_.coarse_ready = renderer_.detailReady();
+}
+
+void ViewApp::useRung(int rung) { status_.rung = std::clamp(rung, 0, kCoarsestRung); }
+
+Status ViewApp::prepareView() {
   const int width = std::max(1, window_->framebufferWidth());
   const int height = std::max(1, window_->framebufferHeight());
-  if (frame_buffer_ && frame_buffer_->width() == width && frame_buffer_->height() == height) {
-    return {};
-  }
-  frame_buffer_.reset();
-  auto made = FrameBuffer::create(renderer_.gl(), width, height, options_.samples);
-  if (!made.ok()) return made.error();
-  frame_buffer_ = std::move(*made);
+  if (width != width_ || height != height_) governor_.forget();
+  width_ = width;
+  height_ = height;
+  prepareDetail();
+  return view_.prepare(renderer_.gl(), width, height, options_.samples,
+                       kDetailRungs[static_cast<std::size_t>(status_.rung)]);
+}
+
+Result<DrawCounts> ViewApp::drawScene() {
+  const DetailRung& rung = kDetailRungs[static_cast<std::size_t>(status_.rung)];
+  const RenderStyle style = model_.frameStyle();
+  insets_ = frameInsets(model_, fitted_, width_, height_, covered_);
+  const std::vector<FrameInset> scaled = scaledInsets(insets_, rung.resolution);
+  SceneFrame frame;
+  frame.scene = &model_.scene();
+  frame.camera = model_.cameraView();
+  frame.choice = &model_.choice();
+  frame.style = &style;
+  frame.extras = &model_.extras();
+  frame.insets = scaled;
+  frame.detail = rung.level;
+  return renderer_.draw(frame, view_.scene());
+}
+
+Status ViewApp::drawFrame(double app_ms) {
+  FrameTimes times;
+  times.app = app_ms;
+  const SteadyTime began = std::chrono::steady_clock::now();
+  interface_.beginFrame(width_, height_);
+  ViewerWishes wishes;
+  covered_ = drawPanels(model_, status_, now(), wishes);
+  std::optional<PictureClick> click;
+  if (!scripted()) click = applyUserInput(model_, now(), height_, wishes, *window_);
+  ImGui::Render();
+  if (click) clickAt(*click);
+  grantWishes(wishes);
+  times.ui = millisecondsSince(began);
+
+  const SteadyTime scene_began = std::chrono::steady_clock::now();
+  const auto drawn = drawScene();
+  if (!drawn.ok()) return drawn.error();
+  view_.finishScene();
+  if (!scripted()) renderer_.gl().Finish();
+  times.draw = millisecondsSince(scene_began);
+
+  const SteadyTime ui_began = std::chrono::steady_clock::now();
+  painter_->draw(*ImGui::GetDrawData(), width_, height_);
+  if (!scripted()) renderer_.gl().Finish();
+  times.ui += millisecondsSince(ui_began);
+
+  status_.triangles = drawn->triangles;
+  status_.draws = drawn->draws;
+  status_.times.add(times);
+  if (!status_.rung_fixed) useRung(governor_.frameDrawn(times.total()));
   return {};
 }
 
-Status ViewApp::drawFrame() {
-  const auto started = std::chrono::steady_clock::now();
-  const int width = frame_buffer_->width();
-  const int height = frame_buffer_->height();
-  interface_.beginFrame(width, height);
-  bool fit_requested = false;
-  drawPanels(model_, figures_, now(), fit_requested);
-  if (!scripted()) applyUserInput(model_, now(), height, fit_requested, *window_);
-  ImGui::Render();
-  if (fit_requested) model_.fit(visibleCorners(), width, height);
-
-  const SceneFrame frame{&model_.scene(), model_.cameraView(), &model_.choice()};
-  const auto drawn = renderer_.draw(frame, *frame_buffer_);
-  if (!drawn.ok()) return drawn.error();
-  frame_buffer_->resolve();
-  painter_->draw(*ImGui::GetDrawData(), width, height);
-  figures_.triangles = drawn->triangles;
-  if (!scripted()) {
-    renderer_.gl().Finish();
-    const std::chrono::duration<double, std::milli> took =
-        std::chrono::steady_clock::now() - started;
-    // Smoothed, so that it can be read.
-    figures_.frame_ms += (took.count() - figures_.frame_ms) * 0.1;
+void ViewApp::clickAt(const PictureClick& click) {
+  // The inset on top has the click; its camera sees from there.
+  CameraView view = model_.cameraView();
+  PixelRectangle part{0, 0, width_, height_};
+  for (const FrameInset& inset : insets_) {
+    const PixelRectangle& at = inset.part;
+    if (click.x >= at.x && click.y >= at.y && click.x < at.x + at.width &&
+        click.y < at.y + at.height) {
+      part = at;
+      view = inset.camera;
+    }
   }
-  return {};
+  const Camera camera(view, part.width, part.height, ClipDepth::zero_to_one, 1);
+  const auto met =
+      pick(model_.scene(), model_.choice(), sightLine(camera, click.x - part.x, click.y - part.y));
+  if (!met) {
+    if (!click.twice) model_.selected = {};
+    return;
+  }
+  const PosedDevice& device = model_.scene().devices[met->device];
+  const std::vector<Link>& links = device.model->links;
+  // Of what has one link only, the device is meant.
+  model_.selected = {device.name, links.size() > 1 ? links[met->link].name : std::string()};
+  if (click.twice) model_.holdCamera().aimAt(met->point);
+}
+
+void ViewApp::grantWishes(const ViewerWishes& wishes) {
+  if (wishes.close) window_->requestClose();
+  if (wishes.fit) model_.fit(visibleCorners(), width_, height_);
+  if (wishes.mark) {
+    const auto marked = model_.addMark(*wishes.mark);
+    evidence_.say(marked ? fmt::format("marked: {}", *wishes.mark) : marked.error().text(), !marked,
+                  now());
+  }
+  if (wishes.target_fps) {
+    status_.target_fps = *wishes.target_fps;
+    governor_.setTarget(1000 / *wishes.target_fps);
+  }
+  if (wishes.rung) {
+    status_.rung_fixed = *wishes.rung >= 0;
+    useRung(status_.rung_fixed ? *wishes.rung : governor_.rung());
+    governor_.forget();
+  }
+  if (wishes.evidence) evidence_.ask(model_, width_, height_, now());
+  evidence_.look(now());
+  status_.notice = evidence_.notice();
+  status_.notice_is_fault = evidence_.noticeIsFault();
 }
 
 void ViewApp::waitForNews(bool changed) {
@@ -176,31 +256,46 @@ void ViewApp::waitForNews(bool changed) {
   }
 }
 
+Status ViewApp::runScript() {
+  ScriptStage stage{model_,
+                    now(),
+                    width_,
+                    height_,
+                    [this] { return visibleCorners(); },
+                    [this](const PictureClick& click) { clickAt(click); },
+                    [this](const ViewerWishes& wishes) { grantWishes(wishes); },
+                    [this](const std::filesystem::path& file) {
+                      return evidence_.make(model_, width_, height_, file);
+                    }};
+  return script_.beforeFrame(stage);
+}
+
 Status ViewApp::run() {
   if (model_.cameraName().empty()) {
     if (auto updated = model_.update(now()); !updated.ok()) return updated.error();
     model_.fit(visibleCorners(), options_.width, options_.height);
   }
   while (!window_->closeRequested() && !cli::stopRequested()) {
+    const SteadyTime began = std::chrono::steady_clock::now();
     const auto changed = model_.update(now());
     if (!changed.ok()) return changed.error();
-    if (auto ready = ensureFrameBuffer(); !ready) return ready;
+    const double app_ms = millisecondsSince(began);
+    if (auto ready = prepareView(); !ready) return ready;
     if (scripted()) {
-      ScriptStage stage{model_, now(), frame_buffer_->width(), frame_buffer_->height(),
-                        [this] { return visibleCorners(); }};
-      if (auto stepped = script_.beforeFrame(stage); !stepped) return stepped;
+      if (auto stepped = runScript(); !stepped) return stepped;
       if (script_.finished()) return {};
       // What the script moved must be seen in this very frame.
       if (auto updated = model_.update(now()); !updated.ok()) return updated.error();
+      if (auto ready = prepareView(); !ready) return ready;
     }
-    if (auto drawn = drawFrame(); !drawn) return drawn;
+    if (auto drawn = drawFrame(app_ms); !drawn) return drawn;
     if (scripted()) {
-      if (auto kept = script_.afterFrame([this] { return frame_buffer_->read(); }); !kept) {
+      if (auto kept = script_.afterFrame([this] { return view_.window().read(); }); !kept) {
         return kept;
       }
       scripted_now_ += kScriptedFrame;
     }
-    frame_buffer_->blitTo(0);
+    view_.window().blitTo(0);
     window_->swap();
     waitForNews(*changed);
   }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +17,14 @@ struct ViewOptions {
   int height = 720;
   int samples = 4;
   Profile profile = Profile::fast;
+  /// A rung of kDetailRungs to stay on; empty: in the fast profile what holds `target_fps`, else
+  /// everything.
+  std::optional<int> detail;
+  double target_fps = 30;
+  /// What evidence pictures are made of: as the program was given them.
+  std::filesystem::path cell, log;
+  std::vector<std::filesystem::path> search;
+  bool search_environment = true;
   /// Drives the window in place of a person: time is then frames at 60 a second, whatever the clock
   /// says, and mouse and keyboard are left alone, so that a screenshot comes out the same each
   /// time.

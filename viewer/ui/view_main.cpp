@@ -25,7 +25,9 @@ constexpr char kExamples[] =
 struct Arguments {
   std::filesystem::path cell, log, script;
   std::vector<std::string> live;
-  std::string profile = "fast", camera, at, size = "1280x720";
+  std::string profile = "fast", camera, at, size = "1280x720", detail = "auto";
+  std::vector<std::string> styles;
+  double target_fps = 30;
   std::vector<std::string> hide, show;
   std::vector<std::filesystem::path> search;
   bool is_live = false, search_environment = true;
@@ -56,6 +58,19 @@ Result<ViewOptions> viewOptions(const Arguments& arguments) {
                  "--size " + arguments.size};
   }
   options.samples = arguments.samples;
+  options.target_fps = arguments.target_fps;
+  options.cell = arguments.cell;
+  options.log = arguments.log;
+  options.search = arguments.search;
+  options.search_environment = arguments.search_environment;
+  if (arguments.detail != "auto") {
+    options.detail = parseDetailRung(arguments.detail);
+    if (!options.detail) {
+      return Error{ErrorKind::bad_argument,
+                   fmt::format("a level of detail is auto, or 0 (everything) to {}", kCoarsestRung),
+                   "--detail " + arguments.detail};
+    }
+  }
   options.profile = arguments.profile == "fast" ? Profile::fast : Profile::reproducible;
   if (!arguments.script.empty()) {
     const auto text = readFile(arguments.script, 1U << 20U);
@@ -108,6 +123,11 @@ Result<Exit> view(const Arguments& arguments) {
   auto model = ViewModel::make(std::move(*cell), std::move(session), std::move(*feed),
                                arguments.hide, arguments.show);
   if (!model.ok()) return model.error();
+  RenderStyle style;
+  for (const std::string& word : arguments.styles) {
+    if (auto set = setStyle(style, word); !set) return set.error();
+  }
+  model->setStyle(style);
   if (!arguments.camera.empty()) model->useCamera(arguments.camera);
   if (!arguments.at.empty()) {
     Transport* transport = model->transport();
@@ -139,6 +159,14 @@ int viewMain(int argc, char** argv) {
   app.add_option("--camera", arguments.camera, "of the cell, or a view of the session");
   app.add_option("--at", arguments.at, "begin at this session time");
   app.add_option("--size", arguments.size, "of the window, WIDTHxHEIGHT")->capture_default_str();
+  app.add_option("--detail", arguments.detail,
+                 "auto: what holds --target-fps (fast profile); or a level, 0 (everything) to 9")
+      ->capture_default_str();
+  app.add_option("--target-fps", arguments.target_fps, "frames a second to hold, 1 to 240")
+      ->check(CLI::Range(1.0, 240.0))
+      ->capture_default_str();
+  app.add_option("--style", arguments.styles,
+                 "a look, KEY or KEY=VALUE, as `rocinante render` takes them; repeatable");
   app.add_option("--samples", arguments.samples, "multisampling: 1, 2, 4 or 8")
       ->check(CLI::IsMember({1, 2, 4, 8}))
       ->capture_default_str();

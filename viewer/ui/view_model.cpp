@@ -3,9 +3,17 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/packet/packet_text.h"
+#include "core/session/marks.h"
 #include "viewer/render/camera_choice.h"
+#include "viewer/render/limit_levels.h"
 
 namespace rocinante {
+
+std::string Selection::path() const {
+  if (device.empty()) return {};
+  return link.empty() ? encodeName(device) : encodeName(device) + "/" + encodeName(link);
+}
 
 Result<ViewModel> ViewModel::make(Cell cell, std::optional<Timeline> session,
                                   std::optional<LiveFeed> feed, std::vector<std::string> hide,
@@ -23,42 +31,111 @@ Result<ViewModel> ViewModel::make(Cell cell, std::optional<Timeline> session,
     model.transport_.emplace(session->start(), session->end());
     model.session_ = std::move(session);
   }
+  for (const CellInset& inset : model.cell_->insets) model.insets.push_back({inset, true});
   if (!model.cell_->cameras.empty()) model.useCamera(model.cell_->cameras.front().name);
   return model;
 }
 
 Status ViewModel::updateChoice() {
-  auto choice = ViewChoice::make({hidden_.begin(), hidden_.end()},
-                                 {shown_paths_.begin(), shown_paths_.end()});
+  auto choice = ViewChoice::make(hiddenPaths(), shownPaths());
   if (!choice.ok()) return choice.error();
   choice_ = std::move(*choice);
   return {};
 }
 
+Status ViewModel::findState(LogTime moment) {
+  // Trails first: they ask for states too, and only the last one asked for is valid.
+  extras_.trails.clear();
+  if (!style_.trails.empty()) {
+    if (!trail_finder_) trail_finder_.emplace(*cell_);
+    auto trails = trail_finder_->find(style_.trails, *session_, moment);
+    if (!trails.ok()) return trails.error();
+    extras_.trails = std::move(*trails);
+  }
+  const auto state = session_->stateAt(moment);
+  if (!state.ok()) return state.error();
+  state_ = *state;
+  return {};
+}
+
 Result<bool> ViewModel::update(SteadyTime now) {
-  bool changed = !shown_.has_value();
-  LogTime moment{};
+  bool changed = !shown_.has_value() || std::exchange(style_changed_, false);
+  LogTime moment = shownTime();
   if (transport_) {
     moment = transport_->position(now);
-    if (shown_ != moment) {
-      const auto state = session_->stateAt(moment);
-      if (!state.ok()) return state.error();
-      state_ = *state;
+    if (changed || shown_ != moment) {
+      if (auto found = findState(moment); !found) return found.error();
       changed = true;
     }
   } else if (feed_) {
+    if (!live_since_) live_since_ = now;
     if (auto snapshot = feed_->take()) {
+      if (snapshot->datagrams > (live_ ? live_->datagrams : 0)) last_arrival_ = now;
       live_ = std::move(snapshot);
       state_ = &live_->state;
       moment = live_->time;
       changed = true;
     }
-  } else {
-    state_ = &nothing_said_;
   }
   shown_ = moment;
-  if (changed) scene_ = poseScene(*cell_, *state_);
+  if (changed) {
+    scene_ = poseScene(*cell_, *state_);
+    extras_.limits =
+        style_.limits ? limitLevels(scene_, *state_) : std::vector<std::vector<LimitLevel>>();
+  }
   return changed;
+}
+
+std::optional<LiveReason> ViewModel::liveReason(SteadyTime now) const {
+  if (!feed_ || !live_since_) return std::nullopt;
+  LiveFacts facts;
+  facts.endpoints = feed_->endpoints();
+  facts.watched = now - *live_since_;
+  facts.silent = now - last_arrival_.value_or(*live_since_);
+  if (live_) {
+    facts.datagrams = live_->datagrams;
+    facts.undecoded = live_->undecoded;
+    facts.undecoded_sample = live_->undecoded_sample;
+    facts.devices_spoken_of = live_->state.devices().size();
+    bool any_known = false;
+    for (const auto& [name, device] : live_->state.devices()) {
+      any_known = any_known || scene_.findDevice(name) != nullptr;
+      if (facts.unknown_device.empty()) facts.unknown_device = name;
+    }
+    if (any_known) facts.unknown_device.clear();
+  }
+  return rocinante::liveReason(facts);
+}
+
+Status ViewModel::addMark(const std::string& text) {
+  if (!session_) return Error{ErrorKind::bad_argument, "a mark needs a log", {}};
+  Event mark;
+  mark.time = shownTime();
+  mark.text = text;
+  if (auto added = rocinante::addMark(session_->log().name(), mark); !added) return added;
+  const auto after = std::ranges::upper_bound(events_, mark.time, {}, &Event::time);
+  events_.insert(after, std::move(mark));
+  return {};
+}
+
+const Event* ViewModel::eventBeside(LogTime moment, bool after) const {
+  if (after) {
+    const auto next = std::ranges::upper_bound(events_, moment, {}, &Event::time);
+    return next == events_.end() ? nullptr : &*next;
+  }
+  const auto here = std::ranges::lower_bound(events_, moment, {}, &Event::time);
+  return here == events_.begin() ? nullptr : &*std::prev(here);
+}
+
+void ViewModel::setStyle(const RenderStyle& style) {
+  style_changed_ = style_changed_ || !(style == style_);
+  style_ = style;
+}
+
+RenderStyle ViewModel::frameStyle() const {
+  RenderStyle style = style_;
+  if (outline_selected && !selected.device.empty()) style.outlined.push_back(selected.path());
+  return style;
 }
 
 CameraView ViewModel::cameraView() {
@@ -97,15 +174,30 @@ std::vector<std::string> ViewModel::cameraNames() const {
   return names;
 }
 
-bool ViewModel::setVisible(const std::string& path, bool visible) {
+bool ViewModel::setVisible(const std::string& path, std::optional<bool> visible) {
   const auto hidden_before = hidden_;
   const auto shown_before = shown_paths_;
-  (visible ? shown_paths_ : hidden_).insert(path);
-  (visible ? hidden_ : shown_paths_).erase(path);
+  hidden_.erase(path);
+  shown_paths_.erase(path);
+  if (visible) (*visible ? shown_paths_ : hidden_).insert(path);
   if (updateChoice()) return true;
   hidden_ = hidden_before;
   shown_paths_ = shown_before;
   return false;
+}
+
+bool ViewModel::layerVisibleByDefault(const CellLayer& layer) const {
+  const auto said = state_->visibility().find(Path{true, "layer", layer.name});
+  if (said == state_->visibility().end()) return layer.visible;
+  switch (said->second.value.kind) {
+    case Visibility::Kind::shown:
+      return true;
+    case Visibility::Kind::hidden:
+      return false;
+    case Visibility::Kind::by_default:
+      break;
+  }
+  return layer.visible;
 }
 
 std::optional<bool> ViewModel::chosenVisibility(const std::string& path) const {

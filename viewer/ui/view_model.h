@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <set>
@@ -9,12 +10,31 @@
 #include "core/model/cell.h"
 #include "core/model/posed_scene.h"
 #include "core/session/timeline.h"
+#include "viewer/render/frame_extras.h"
+#include "viewer/render/render_style.h"
+#include "viewer/render/trail_finder.h"
 #include "viewer/render/view_choice.h"
 #include "viewer/ui/live_feed.h"
+#include "viewer/ui/live_reason.h"
 #include "viewer/ui/transport.h"
 #include "viewer/ui/turntable.h"
 
 namespace rocinante {
+
+/// A window over the main view, and whether it is to be seen.
+struct InsetChoice {
+  CellInset inset;
+  bool shown = true;
+};
+
+/// What was clicked on or chosen from the list.
+struct Selection {
+  std::string device;  ///< empty: nothing
+  std::string link;    ///< empty: the device as a whole
+  bool operator==(const Selection&) const = default;
+  /// The PATH of a packet and of a style.
+  std::string path() const;
+};
 
 /// What the window shows and what the person in front of it chose: the state behind the panels,
 /// without a window. One thread.
@@ -33,11 +53,20 @@ class ViewModel {
   /// Null without a log.
   Transport* transport() { return transport_ ? &*transport_ : nullptr; }
   LogTime origin() const { return session_ ? session_->origin() : LogTime{}; }
+  /// The moment that is shown, as of the last update(); the newest datagram's in live mode.
+  LogTime shownTime() const { return shown_.value_or(LogTime{}); }
   const std::vector<Event>& events() const { return events_; }
+  /// The nearest event after or before a moment; null when there is none.
+  const Event* eventBeside(LogTime moment, bool after) const;
+  /// Puts a mark beside the log at the moment shown; it is then among events().
+  Status addMark(const std::string& text);
   /// Null when not live, or when nothing has come yet.
   const LiveSnapshot* live() const { return live_.get(); }
   bool isLive() const { return feed_.has_value(); }
   const LiveFeed& feed() const { return *feed_; }
+  /// Why nothing moves in a live session; empty otherwise.
+  std::optional<LiveReason> liveReason(SteadyTime now) const;
+  Timeline* session() { return session_ ? &*session_ : nullptr; }
   const Timeline* session() const { return session_ ? &*session_ : nullptr; }
 
   /// Brings state and scene to `now`; true when they changed.
@@ -54,28 +83,50 @@ class ViewModel {
   /// Names of the cell's cameras and of the session's views.
   std::vector<std::string> cameraNames() const;
 
-  /// False for a PATH that is none.
-  bool setVisible(const std::string& path, bool visible);
+  /// Hides, shows, or (empty) leaves to packets and cell again. False for a PATH that is none.
+  bool setVisible(const std::string& path, std::optional<bool> visible);
   /// What was chosen for the PATH; empty when nothing was.
   std::optional<bool> chosenVisibility(const std::string& path) const;
+  /// As packets, and behind them the cell, have it.
+  bool layerVisibleByDefault(const CellLayer& layer) const;
+  std::vector<std::string> hiddenPaths() const { return {hidden_.begin(), hidden_.end()}; }
+  std::vector<std::string> shownPaths() const { return {shown_paths_.begin(), shown_paths_.end()}; }
 
-  std::string selected_device;
+  /// Every optional look of the picture, as panels and keys changed it. The outline of what is
+  /// selected is added by frameStyle().
+  const RenderStyle& style() const { return style_; }
+  void setStyle(const RenderStyle& style);
+  RenderStyle frameStyle() const;
+  /// What limits and trails of the style need, for scene().
+  const FrameExtras& extras() const { return extras_; }
+
+  std::vector<InsetChoice> insets;
+  Selection selected;
+  bool outline_selected = true;
   bool panels_shown = true;
-  std::string complaint;  ///< one sentence to show; empty: none
+  bool help_shown = false;
+  std::array<char, 256> mark_text{};  ///< being typed; NUL-terminated
+  std::string complaint;              ///< one sentence to show; empty: none
 
  private:
   ViewModel() = default;
   Status updateChoice();
+  Status findState(LogTime moment);
 
   std::unique_ptr<Cell> cell_;  // does not move: the renderer borrows it
   std::optional<Timeline> session_;
   std::optional<LiveFeed> feed_;
   std::unique_ptr<LiveSnapshot> live_;
+  std::optional<SteadyTime> live_since_, last_arrival_;
   std::optional<Transport> transport_;
   std::optional<LogTime> shown_;
   SessionState nothing_said_;
   const SessionState* state_ = &nothing_said_;
   PosedScene scene_;
+  RenderStyle style_;
+  bool style_changed_ = false;
+  std::optional<TrailFinder> trail_finder_;
+  FrameExtras extras_;
   std::vector<Event> events_;
   std::set<std::string> hidden_, shown_paths_;
   ViewChoice choice_;

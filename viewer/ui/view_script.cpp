@@ -14,12 +14,15 @@ struct KnownCommand {
 };
 
 constexpr std::array kCommands{
-    KnownCommand{"play", 0},       KnownCommand{"pause", 0},  KnownCommand{"seek", 1},
-    KnownCommand{"speed", 1},      KnownCommand{"loop", 1},   KnownCommand{"camera", 1},
-    KnownCommand{"orbit", 2},      KnownCommand{"pan", 2},    KnownCommand{"zoom", 1},
-    KnownCommand{"fit", 0},        KnownCommand{"hide", 1},   KnownCommand{"show", 1},
-    KnownCommand{"panels", 1},     KnownCommand{"select", 1}, KnownCommand{"wait", 1},
-    KnownCommand{"screenshot", 1}, KnownCommand{"frame", 1},  KnownCommand{"quit", 0}};
+    KnownCommand{"play", 0},       KnownCommand{"pause", 0},   KnownCommand{"seek", 1},
+    KnownCommand{"speed", 1},      KnownCommand{"loop", 1},    KnownCommand{"camera", 1},
+    KnownCommand{"orbit", 2},      KnownCommand{"pan", 2},     KnownCommand{"zoom", 1},
+    KnownCommand{"fit", 0},        KnownCommand{"hide", 1},    KnownCommand{"show", 1},
+    KnownCommand{"panels", 1},     KnownCommand{"select", 1},  KnownCommand{"wait", 1},
+    KnownCommand{"screenshot", 1}, KnownCommand{"frame", 1},   KnownCommand{"quit", 0},
+    KnownCommand{"style", 2},      KnownCommand{"help", 1},    KnownCommand{"insets", 1},
+    KnownCommand{"auto", 1},       KnownCommand{"key", 1},     KnownCommand{"click", 2},
+    KnownCommand{"detail", 1},     KnownCommand{"evidence", 1}};
 
 }  // namespace
 

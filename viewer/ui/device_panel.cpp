@@ -1,0 +1,142 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "viewer/ui/joint_rows.h"
+#include "viewer/ui/panel_parts.h"
+
+namespace rocinante {
+namespace {
+
+constexpr float kBarWidth = 84;
+constexpr double kDegreesPerRadian = 57.29577951308232;
+
+/// The value as a mark on the range that it may take; amber near an end, red beyond.
+void drawLimitBar(const JointRow& row) {
+  const auto part = row.part();
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float height = ImGui::GetTextLineHeight();
+  ImGui::Dummy(ImVec2(kBarWidth, height));
+  if (!part) return;
+  ImDrawList* const list = ImGui::GetWindowDrawList();
+  const float middle = corner.y + height / 2;
+  list->AddRectFilled(ImVec2(corner.x, middle - 3), ImVec2(corner.x + kBarWidth, middle + 3),
+                      IM_COL32(70, 82, 94, 255), 3);
+  const bool near = *part < 0.05 || *part > 0.95;
+  const ImU32 color = row.outside() ? IM_COL32(255, 90, 70, 255)
+                      : near        ? IM_COL32(255, 190, 70, 255)
+                                    : IM_COL32(150, 220, 160, 255);
+  const float at = corner.x + static_cast<float>(std::clamp(*part, 0.0, 1.0)) * kBarWidth;
+  list->AddRectFilled(ImVec2(at - 2, corner.y + 1), ImVec2(at + 2, corner.y + height - 1), color,
+                      2);
+}
+
+void drawRow(const JointRow& row) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  if (row.said) {
+    ImGui::TextUnformatted(row.name.c_str());
+  } else {
+    ImGui::TextDisabled("%s", row.name.c_str());
+  }
+  std::string tip = row.said ? (row.mimics ? "follows another joint" : "")
+                             : "nothing said: the model's own place";
+  if (row.lower && row.upper) {
+    tip +=
+        fmt::format("{}limits {:.4g} to {:.4g}", tip.empty() ? "" : "\n", *row.lower, *row.upper);
+  }
+  if (row.in_radians) {
+    tip += fmt::format("{}{:.2f} degrees", tip.empty() ? "" : "\n", row.value * kDegreesPerRadian);
+  }
+  if (!tip.empty()) explain(tip.c_str());
+  ImGui::TableNextColumn();
+  const std::string value = fmt::format("{:9.4f}", row.value);
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x -
+                       ImGui::CalcTextSize(value.c_str()).x);
+  if (row.outside()) {
+    ImGui::TextColored(ImVec4(1, 0.45F, 0.35F, 1), "%s", value.c_str());
+  } else {
+    ImGui::TextUnformatted(value.c_str());
+  }
+  ImGui::TableNextColumn();
+  drawLimitBar(row);
+}
+
+void drawJoints(const ViewModel& model, const PosedDevice& device, const DeviceState* state) {
+  std::vector<JointRow> rows = jointRows(*device.model, state, model.selected.link);
+  // A link that does not move by itself: those of the device.
+  if (rows.empty()) rows = jointRows(*device.model, state, "");
+  if (rows.empty()) {
+    ImGui::TextDisabled("no joint");
+    return;
+  }
+  const float tallest = ImGui::GetIO().DisplaySize.y * 0.42F;
+  const float height =
+      std::min(tallest, static_cast<float>(rows.size()) * (ImGui::GetTextLineHeight() + 4) + 4);
+  ImGui::BeginChild("joints", ImVec2(0, height));
+  if (ImGui::BeginTable("values", 3)) {
+    ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch);
+    ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthFixed, 76);
+    ImGui::TableSetupColumn("limits", ImGuiTableColumnFlags_WidthFixed, kBarWidth);
+    for (const JointRow& row : rows) drawRow(row);
+    ImGui::EndTable();
+  }
+  ImGui::EndChild();
+}
+
+void drawPlace(const ViewModel& model, const PosedDevice& device, const DeviceState* state) {
+  const auto at = model.scene().find(device.name, model.selected.link);
+  if (at) {
+    ImGui::Text("at %.4f %.4f %.4f m", (*at)[3].x, (*at)[3].y, (*at)[3].z);
+    explain("where its space begins, in the world");
+  }
+  if (state != nullptr && state->pose && !state->pose->value.carrier.first.empty()) {
+    ImGui::Text("carried by %s%s%s", state->pose->value.carrier.first.c_str(),
+                state->pose->value.carrier.second.empty() ? "" : "/",
+                state->pose->value.carrier.second.c_str());
+  }
+}
+
+/// Values of a device of which no model is known: as they were said.
+void drawBareValues(const DeviceState& state) {
+  if (state.joints) {
+    for (std::size_t i = 0; i < state.joints->value.size(); ++i) {
+      ImGui::Text("[%zu] %9.4f", i, state.joints->value[i]);
+    }
+  }
+  for (const auto& [name, value] : state.named_joints) {
+    ImGui::Text("%-14s %9.4f", name.c_str(), value.value);
+  }
+}
+
+}  // namespace
+
+float drawDevicePanel(ViewModel& model, float top) {
+  if (model.selected.device.empty()) return top;
+  const ImGuiIO& io = ImGui::GetIO();
+  ImGui::SetNextWindowPos(ImVec2(io.DisplaySize.x - kPanelMargin, top), ImGuiCond_Always,
+                          ImVec2(1, 0));
+  ImGui::SetNextWindowSizeConstraints(ImVec2(kDevicePanelWidth, 0),
+                                      ImVec2(kDevicePanelWidth, io.DisplaySize.y - top - 70));
+  ImGui::Begin("device", nullptr, kPanelFlags | ImGuiWindowFlags_NoTitleBar);
+  ImGui::TextUnformatted(model.selected.device.c_str());
+  if (!model.selected.link.empty()) {
+    ImGui::SameLine(0, 0);
+    ImGui::Text("/%s", model.selected.link.c_str());
+  }
+  const auto said = model.state().devices().find(model.selected.device);
+  const DeviceState* const state = said == model.state().devices().end() ? nullptr : &said->second;
+  const PosedDevice* const device = model.scene().findDevice(model.selected.device);
+  if (state == nullptr) ImGui::TextDisabled("nothing said yet");
+  if (device != nullptr && device->model != nullptr) {
+    drawPlace(model, *device, state);
+    drawJoints(model, *device, state);
+  } else if (state != nullptr) {
+    drawBareValues(*state);
+  }
+  const float end = ImGui::GetWindowPos().y + ImGui::GetWindowSize().y;
+  ImGui::End();
+  return end;
+}
+
+}  // namespace rocinante

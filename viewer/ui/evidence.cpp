@@ -1,0 +1,173 @@
+#include "viewer/ui/evidence.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+namespace rocinante {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// As many digits as make the same double again.
+std::string exact(double number) { return fmt::format("{}", number); }
+
+std::string exact(const Vec3& at) { return exact(at.x) + "," + exact(at.y) + "," + exact(at.z); }
+
+fs::path renderProgram() {
+  std::error_code ignored;
+  const fs::path beside =
+      fs::read_symlink("/proc/self/exe", ignored).parent_path() / "rocinante-render";
+  return fs::exists(beside, ignored) ? beside : fs::path("rocinante-render");
+}
+
+/// The last line, without the program's name before it: what it has to say.
+std::string lastSentence(std::string text) {
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  const std::size_t line = text.rfind('\n');
+  if (line != std::string::npos) text.erase(0, line + 1);
+  constexpr std::string_view kName = "rocinante-render: ";
+  if (text.starts_with(kName)) text.erase(0, kName.size());
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::string> evidenceArguments(const EvidenceRequest& request) {
+  std::vector<std::string> words{request.cell.string()};
+  if (!request.log.empty()) words.push_back(request.log.string());
+  const auto add = [&](std::string option, std::string value) {
+    words.push_back(std::move(option));
+    words.push_back(std::move(value));
+  };
+  if (!request.at.empty()) add("--at", request.at);
+  if (!request.camera.empty()) {
+    add("--camera", request.camera);
+  } else {
+    // With =, because a coordinate may begin with a minus sign.
+    const CameraView& view = request.view;
+    words.push_back("--eye=" + exact(view.eye));
+    words.push_back("--target=" + exact(view.target));
+    words.push_back("--up=" + exact(view.up));
+    if (view.ortho_height_m) {
+      words.push_back("--ortho=" + exact(*view.ortho_height_m));
+    } else {
+      words.push_back("--fov=" + exact(view.fov_deg));
+    }
+  }
+  add("--size", fmt::format("{}x{}", request.width, request.height));
+  add("--samples", fmt::format("{}", request.samples));
+  for (const std::string& path : request.hide) add("--hide", path);
+  for (const std::string& path : request.show) add("--show", path);
+  for (const std::string& inset : request.insets) add("--inset", inset);
+  for (const auto& [key, value] : styleWords(request.style)) {
+    add("--style", fmt::format("{}={}", key, value));
+  }
+  for (const fs::path& folder : request.search) add("--search", folder.string());
+  if (request.search_environment) words.push_back("--search-env");
+  add("-o", request.output.string());
+  return words;
+}
+
+std::string shellLine(const std::string& program, const std::vector<std::string>& arguments) {
+  constexpr std::string_view kPlain =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-./:=,@%+";
+  std::string line = program;
+  for (const std::string& word : arguments) {
+    line += ' ';
+    if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) {
+      line += word;
+      continue;
+    }
+    line += '\'';
+    for (const char c : word) line += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    line += '\'';
+  }
+  return line;
+}
+
+Result<EvidenceRun> EvidenceRun::start(const EvidenceRequest& request) {
+  const fs::path program = renderProgram();
+  std::vector<std::string> words = evidenceArguments(request);
+  words.insert(words.begin(), program.string());
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+
+  std::array<int, 2> ends{};
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
+    return Error{ErrorKind::refused, std::string("no pipe: ") + std::strerror(errno), {}};
+  }
+  posix_spawn_file_actions_t actions;
+  ::posix_spawn_file_actions_init(&actions);
+  ::posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  ::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  ::posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
+  pid_t process = -1;
+  const int refused =
+      ::posix_spawnp(&process, program.c_str(), &actions, nullptr, arguments.data(), environ);
+  ::posix_spawn_file_actions_destroy(&actions);
+  ::close(ends[1]);
+  if (refused != 0) {
+    ::close(ends[0]);
+    return Error{ErrorKind::refused,
+                 std::string("rocinante-render cannot be started: ") + std::strerror(refused),
+                 program.string()};
+  }
+  EvidenceRun run;
+  run.process_ = process;
+  run.said_ = ends[0];
+  run.output_ = request.output;
+  return run;
+}
+
+EvidenceRun::EvidenceRun(EvidenceRun&& other) noexcept
+    : process_(std::exchange(other.process_, -1)),
+      said_(std::exchange(other.said_, -1)),
+      output_(std::move(other.output_)) {}
+
+EvidenceRun::~EvidenceRun() {
+  if (process_ > 0) {
+    ::kill(process_, SIGTERM);
+    ::waitpid(process_, nullptr, 0);
+  }
+  if (said_ >= 0) ::close(said_);
+}
+
+std::optional<Result<fs::path>> EvidenceRun::look(bool wait) {
+  int outcome = 0;
+  const pid_t ended = ::waitpid(process_, &outcome, wait ? 0 : WNOHANG);
+  if (ended == 0) return std::nullopt;
+  process_ = -1;
+  if (ended > 0 && WIFEXITED(outcome) && WEXITSTATUS(outcome) == 0) {
+    return Result<fs::path>(output_);
+  }
+  // A sentence or two, which a pipe holds.
+  std::array<char, 4096> buffer{};
+  const ssize_t got = ::read(said_, buffer.data(), buffer.size());
+  std::string why =
+      lastSentence(std::string(buffer.data(), got > 0 ? static_cast<std::size_t>(got) : 0));
+  if (why.empty()) why = "rocinante-render ended without a word";
+  return Result<fs::path>(Error{ErrorKind::refused, std::move(why), {}});
+}
+
+fs::path freeEvidenceName(const fs::path& folder, const std::string& stem,
+                          const std::string& moment) {
+  std::error_code ignored;
+  for (int number = 1;; ++number) {
+    const std::string again = number == 1 ? std::string() : fmt::format("-{}", number);
+    const std::string time = moment.empty() ? std::string() : fmt::format("-{}s", moment);
+    fs::path name = folder / fmt::format("evidence-{}{}{}.png", stem, time, again);
+    if (!fs::exists(name, ignored)) return name;
+  }
+}
+
+}  // namespace rocinante

@@ -1,0 +1,154 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "viewer/ui/panel_parts.h"
+
+namespace rocinante {
+namespace {
+
+const ImVec2 kGraphSize(208, 44);
+
+struct Stage {
+  const char* name;
+  double FrameTimes::*time;
+  ImU32 color;
+};
+constexpr std::array kStages{
+    Stage{"app", &FrameTimes::app, IM_COL32(120, 200, 255, 255)},
+    Stage{"cull", &FrameTimes::cull, IM_COL32(150, 220, 160, 255)},
+    Stage{"draw", &FrameTimes::draw, IM_COL32(255, 168, 64, 255)},
+    Stage{"ui", &FrameTimes::ui, IM_COL32(200, 150, 230, 255)},
+};
+
+void drawLive(const ViewModel& model) {
+  for (const Endpoint& endpoint : model.feed().endpoints()) {
+    ImGui::TextUnformatted(endpoint.text().c_str());
+  }
+  const LiveSnapshot* live = model.live();
+  if (live == nullptr || live->datagrams == 0) {
+    ImGui::TextDisabled("listening; nothing has come yet");
+    return;
+  }
+  ImGui::Text("%.0f packets/s", live->rate_hz);
+  ImGui::Text("%llu datagrams", static_cast<unsigned long long>(live->datagrams));
+  const std::uint64_t lost = live->dropped + live->gaps;
+  const ImVec4 color = lost == 0 ? ImVec4(0.55F, 0.85F, 0.62F, 1) : ImVec4(1, 0.55F, 0.45F, 1);
+  ImGui::TextColored(color, "lost: %llu by this machine, %llu before",
+                     static_cast<unsigned long long>(live->dropped),
+                     static_cast<unsigned long long>(live->gaps));
+  if (live->undecoded > 0) {
+    ImGui::Text("%llu are no packets", static_cast<unsigned long long>(live->undecoded));
+  }
+}
+
+void drawSession(const ViewModel& model) {
+  if (model.isLive()) {
+    drawLive(model);
+  } else if (const Timeline* session = model.session()) {
+    ImGui::TextUnformatted(
+        std::filesystem::path(session->log().name()).filename().string().c_str());
+    ImGui::Text("%llu datagrams",
+                static_cast<unsigned long long>(session->log().summary().messages));
+  } else {
+    ImGui::TextDisabled("the cell at rest");
+  }
+}
+
+/// One column a frame, its stages stacked; a line where the target is.
+void drawGraph(const ViewerStatus& status) {
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  ImGui::Dummy(kGraphSize);
+  ImDrawList* const list = ImGui::GetWindowDrawList();
+  list->AddRectFilled(corner, ImVec2(corner.x + kGraphSize.x, corner.y + kGraphSize.y),
+                      IM_COL32(20, 24, 28, 200), 3);
+  const double target_ms = 1000 / status.target_fps;
+  double highest = target_ms * 1.5;
+  for (std::size_t i = 0; i < status.times.count(); ++i) {
+    highest = std::max(highest, std::min(status.times[i].total(), target_ms * 6));
+  }
+  const float bottom = corner.y + kGraphSize.y;
+  const float column = kGraphSize.x / static_cast<float>(FrameHistory::kFrames);
+  const auto height = [&](double ms) {
+    return static_cast<float>(std::min(ms / highest, 1.0)) * kGraphSize.y;
+  };
+  for (std::size_t i = 0; i < status.times.count(); ++i) {
+    const float x =
+        corner.x + column * static_cast<float>(FrameHistory::kFrames - status.times.count() + i);
+    double below = 0;
+    for (const Stage& stage : kStages) {
+      const double above = below + status.times[i].*stage.time;
+      list->AddRectFilled(ImVec2(x, bottom - height(above)),
+                          ImVec2(x + column, bottom - height(below)), stage.color);
+      below = above;
+    }
+  }
+  const float line = bottom - height(target_ms);
+  list->AddLine(ImVec2(corner.x, line), ImVec2(corner.x + kGraphSize.x, line),
+                IM_COL32(255, 255, 255, 110));
+}
+
+void drawTimes(const ViewerStatus& status) {
+  const FrameTimes& mean = status.times.mean();
+  ImGui::Text("%.1f ms a frame", mean.total());
+  drawGraph(status);
+  for (const Stage& stage : kStages) {
+    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(stage.color), "%s %.1f", stage.name,
+                       mean.*stage.time);
+    if (&stage != &kStages.back()) ImGui::SameLine();
+  }
+}
+
+void drawRung(const ViewerStatus& status, ViewerWishes& wishes) {
+  const DetailRung& rung = kDetailRungs[static_cast<std::size_t>(status.rung)];
+  std::string what =
+      status.rung == 0 ? "everything" : fmt::format("{:.0f} %", rung.resolution * 100);
+  if (status.rung > 0 && !rung.multisampled) what += ", 1 sample";
+  if (rung.level.geometry_error_px > 0) {
+    what += fmt::format(", {:g} px off", rung.level.geometry_error_px);
+  }
+  ImGui::SetNextItemWidth(92);
+  const std::string shown = status.rung_fixed || !status.may_govern
+                                ? fmt::format("detail {}", status.rung)
+                                : fmt::format("auto: {}", status.rung);
+  if (ImGui::BeginCombo("##rung", shown.c_str())) {
+    if (status.may_govern && ImGui::Selectable("auto", !status.rung_fixed)) wishes.rung = -1;
+    for (int i = 0; i <= kCoarsestRung; ++i) {
+      if (ImGui::Selectable(fmt::format("{}", i).c_str(), status.rung_fixed && status.rung == i)) {
+        wishes.rung = i;
+      }
+    }
+    ImGui::EndCombo();
+  }
+  explain("how much is drawn: 0 is everything; auto holds the frame rate");
+  if (status.may_govern && !status.rung_fixed) {
+    ImGui::SameLine();
+    auto fps = static_cast<int>(status.target_fps + 0.5);
+    ImGui::SetNextItemWidth(108);
+    if (ImGui::SliderInt("##fps", &fps, 5, 120, "for %d /s")) wishes.target_fps = fps;
+    explain("frames a second to hold");
+  }
+  ImGui::TextDisabled(
+      "%s%s", what.c_str(),
+      rung.level.geometry_error_px > 0 && !status.coarse_ready ? "; making coarser meshes" : "");
+}
+
+}  // namespace
+
+float drawFigures(const ViewModel& model, const ViewerStatus& status, ViewerWishes& wishes) {
+  const ImGuiIO& io = ImGui::GetIO();
+  ImGui::SetNextWindowPos(ImVec2(io.DisplaySize.x - kPanelMargin, kPanelMargin), ImGuiCond_Always,
+                          ImVec2(1, 0));
+  ImGui::Begin("figures", nullptr, kPanelFlags | ImGuiWindowFlags_NoTitleBar);
+  drawSession(model);
+  ImGui::Text("%llu triangles", static_cast<unsigned long long>(status.triangles));
+  if (status.tells_times && status.times.count() > 0) drawTimes(status);
+  drawRung(status, wishes);
+  ImGui::TextDisabled("%s", status.renderer.c_str());
+  const float end = ImGui::GetWindowPos().y + ImGui::GetWindowSize().y;
+  ImGui::End();
+  return end;
+}
+
+}  // namespace rocinante

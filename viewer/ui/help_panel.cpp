@@ -1,0 +1,71 @@
+#include "viewer/ui/panel_parts.h"
+
+namespace rocinante {
+namespace {
+
+struct HelpLine {
+  const char* keys;
+  const char* means;
+};
+
+constexpr HelpLine kMouse[] = {{"left drag", "turn about the target"},
+                               {"middle or right drag, Shift left", "pan"},
+                               {"wheel", "nearer, farther"},
+                               {"click", "select what is there"},
+                               {"double click", "turn about that point"}};
+constexpr HelpLine kTime[] = {{"Space", "play, pause"},
+                              {"left, right", "a second; Shift: a tenth"},
+                              {", .", "event before, after"},
+                              {"Home, End", "start, end of the log"},
+                              {"M", "a mark at this moment"}};
+constexpr HelpLine kLook[] = {{"1 to 9", "cameras"},
+                              {"F", "show everything"},
+                              {"I", "insets on, off"},
+                              {"E", "edges off, on, only"},
+                              {"D", "shadows"},
+                              {"L", "joints near their limits"},
+                              {"W, T, C", "wireframe, see-through, collision"},
+                              {"R", "trail of what is selected"},
+                              {"H", "hide it; Shift: show all again"},
+                              {"Esc", "select nothing"}};
+constexpr HelpLine kProgram[] = {{"S", "evidence picture by rocinante render"},
+                                 {"Tab", "panels on, off"},
+                                 {"? or F1", "this help"},
+                                 {"Q", "close"}};
+
+template <std::size_t kCount>
+void drawLines(const char* title, const HelpLine (&lines)[kCount]) {
+  ImGui::TextColored(ImVec4(1.0F, 0.66F, 0.25F, 1), "%s", title);
+  if (!ImGui::BeginTable(title, 2, ImGuiTableFlags_SizingFixedFit)) return;
+  for (const HelpLine& line : lines) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TextUnformatted(line.keys);
+    ImGui::TableNextColumn();
+    ImGui::TextDisabled("%s", line.means);
+  }
+  ImGui::EndTable();
+}
+
+}  // namespace
+
+void drawHelp(ViewModel& model) {
+  const ImGuiIO& io = ImGui::GetIO();
+  ImGui::SetNextWindowPos(ImVec2(io.DisplaySize.x / 2, io.DisplaySize.y / 2), ImGuiCond_Always,
+                          ImVec2(0.5F, 0.5F));
+  ImGui::SetNextWindowFocus();
+  ImGui::Begin("Mouse and keyboard", &model.help_shown, kPanelFlags);
+  if (ImGui::BeginTable("help", 2, ImGuiTableFlags_SizingFixedFit)) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    drawLines("Mouse", kMouse);
+    drawLines("Time", kTime);
+    ImGui::TableNextColumn();
+    drawLines("Picture", kLook);
+    drawLines("Program", kProgram);
+    ImGui::EndTable();
+  }
+  ImGui::End();
+}
+
+}  // namespace rocinante
