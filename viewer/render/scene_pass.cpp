@@ -250,7 +250,13 @@ void ScenePass::drawOpaque(const DrawList& list, const SceneCatalog& catalog,
     items.set(item);
     items.draw(item);
   }
-  if (surfaces.depth_only) gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
+  if (surfaces.depth_only) {
+    for (const DrawItem& item : list.translucent) {
+      items.set(item);
+      items.draw(item);
+    }
+    gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
+  }
   gl_.Disable(GL_POLYGON_OFFSET_FILL);
 }
 

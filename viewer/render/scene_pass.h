@@ -16,7 +16,7 @@ struct SurfaceLook {
   Shading shading = Shading::standard;
   const ShadowLookup* shadows = nullptr;  ///< of the standard shading; null: none
   float depth_ranks = 0;                  ///< by which all are lifted (setDepthLift)
-  bool depth_only = false;  ///< opaque ones hide what is behind them and show nothing themselves
+  bool depth_only = false;  ///< all hide what is behind them and show nothing themselves
 };
 
 /// Draws the geometry of a draw list into whatever framebuffer is bound, between

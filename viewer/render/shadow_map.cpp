@@ -8,6 +8,14 @@
 #include "viewer/render/shader_source.h"
 
 namespace rocinante {
+namespace {
+
+/// What one rather sees than sees through casts a whole shadow. Pictures with holes cast none.
+bool casts(const DrawItem& item) {
+  return !item.translucent || (item.texture < 0 && item.diffuse.a >= 0.5F);
+}
+
+}  // namespace
 
 void bindShadows(const GlTable& gl, const ShaderProgram& program, const ShadowLookup& shadows) {
   gl.UniformMatrix4fv(program.uniform("map_from_relative"), 1, GL_FALSE,
@@ -86,11 +94,14 @@ ShadowLookup ShadowMap::draw(std::span<const DrawnSet> casters, const Camera& li
   program_.use();
   const GLint clip = program_.uniform("clip_from_model");
   for (const DrawnSet& set : casters) {
-    for (const DrawItem& item : set.list->opaque) {
-      const glm::mat4 clip_from_model(light.clipFromRelative() * light.relative(item.world));
-      gl_.UniformMatrix4fv(clip, 1, GL_FALSE, glm::value_ptr(clip_from_model));
-      set.meshes->bind(item.mesh);
-      drawTriangles(gl_, item, *set.catalog);
+    for (const auto* items : {&set.list->opaque, &set.list->translucent}) {
+      for (const DrawItem& item : *items) {
+        if (!casts(item)) continue;
+        const glm::mat4 clip_from_model(light.clipFromRelative() * light.relative(item.world));
+        gl_.UniformMatrix4fv(clip, 1, GL_FALSE, glm::value_ptr(clip_from_model));
+        set.meshes->bind(item.mesh);
+        drawTriangles(gl_, item, *set.catalog);
+      }
     }
   }
   gl_.Disable(GL_POLYGON_OFFSET_FILL);

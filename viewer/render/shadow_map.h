@@ -34,8 +34,8 @@ class ShadowMap {
   /// The camera that draw() needs a list for.
   Camera lightCamera(const ShadowFit& fit) const;
 
-  /// Draws what is opaque in `casters`; what was bound for drawing is bound again after, the
-  /// viewport is not. The answer is for shaders that work about the eye of `camera`.
+  /// Draws what is opaque, or nearly so, in `casters`; what was bound for drawing is bound again
+  /// after, the viewport is not. The answer is for shaders that work about the eye of `camera`.
   ShadowLookup draw(std::span<const DrawnSet> casters, const Camera& light, const ShadowFit& fit,
                     const Camera& camera) const;
 
