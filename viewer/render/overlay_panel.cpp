@@ -70,10 +70,12 @@ std::vector<PanelRow> panelRows(const std::string& time, const PosedScene& scene
   rows.push_back({time.empty() ? "at rest" : time, {}, true});
   for (const PosedDevice& device : scene.devices) {
     if (!device.visible || device.model == nullptr) continue;
+    const bool moves = !device.model->movableJoints().empty();
+    if (!moves && !state.devices().contains(device.name)) continue;
     rows.push_back({device.name, device.ghost ? "ghost" : "", false});
     addJoints(device, state, rows);
   }
-  if (!rates.empty()) rows.push_back({"datagrams in the last second", {}, true});
+  if (!rates.empty()) rows.push_back({"datagrams/s", {}, true});
   for (const auto& [source, count] : rates) rows.push_back({source, std::to_string(count)});
   return rows;
 }

@@ -17,9 +17,9 @@ struct PanelRow {
   bool heading = false;
 };
 
-/// What the panel says: the time, each visible device with its joints (degrees for what turns,
-/// metres for what slides), each source's datagrams in the last second. `time` empty: the cell at
-/// rest. Pure.
+/// What the panel says: the time, each visible device that has joints or was spoken of, with its
+/// joints (degrees for what turns, metres for what slides), each source's datagrams in the last
+/// second. `time` empty: the cell at rest. Pure.
 std::vector<PanelRow> panelRows(const std::string& time, const PosedScene& scene,
                                 const SessionState& state,
                                 const std::map<std::string, std::uint64_t>& rates);

@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -70,37 +71,30 @@ void printHashes(const RenderReport& report, bool several_cameras) {
   }
 }
 
+/// What was said of each look, by its key.
+using Looks = std::map<std::string, std::vector<std::string>>;
+
 /// Every look by its own name: "--shadows", "--edges=only", "--trail arm/hand@5".
-void addStyleOptions(CLI::App& app, RenderStyle& style) {
-  const auto set = [&style](const std::string& key, const std::string& value) {
-    if (const Status fit = setStyle(style, key, value); !fit) {
-      throw CLI::ValidationError("--" + key, fit.error().text());
-    }
-  };
+void addLooks(CLI::App& app, Looks& looks) {
   for (const StyleKey& key : styleKeys()) {
     const std::string name = "--" + std::string(key.key);
-    const std::string means(key.means);
-    if (key.values.starts_with("on|")) {
-      app.add_flag_function(
-             name + "{on}",
-             [&app, set, name, key = std::string(key.key)](std::int64_t) {
-               set(key, app.get_option(name)->results().back());
-             },
-             means)
-          ->option_text(std::string(key.values))
-          ->group("Looks");
-      continue;
-    }
-    app.add_option_function<std::vector<std::string>>(
-           name,
-           [set, key = std::string(key.key)](const std::vector<std::string>& values) {
-             for (const std::string& value : values) set(key, value);
-           },
-           means + (key.repeats ? "; repeatable" : ""))
-        ->option_text(std::string(key.values))
-        ->allow_extra_args(false)
-        ->group("Looks");
+    const std::string means = std::string(key.means) + (key.repeats ? "; repeatable" : "");
+    std::vector<std::string>& said = looks[std::string(key.key)];
+    // A switch takes its value behind `=` alone: what follows may be the cell.
+    CLI::Option* option = key.values.starts_with("on|")
+                              ? app.add_flag(name + "{on}", said, means)
+                              : app.add_option(name, said, means)->allow_extra_args(false);
+    option->option_text(std::string(key.values))->group("Looks");
   }
+}
+
+Status setLooks(const Looks& looks, RenderStyle& style) {
+  for (const auto& [key, values] : looks) {
+    for (const std::string& value : values) {
+      if (Status fit = setStyle(style, key, value); !fit) return fit;
+    }
+  }
+  return {};
 }
 
 }  // namespace
@@ -113,6 +107,7 @@ int main(int argc, char** argv) {
   std::string profile = "reproducible";
   bool hash = false;
   bool json = false;
+  Looks looks;
   app.add_option("cell", job.cell,
                  "A .cell.toml, a bare .urdf or .obj, or a log that carries its cell")
       ->required();
@@ -155,7 +150,7 @@ int main(int argc, char** argv) {
       ->option_text("NAME,...")
       ->delimiter(',')
       ->allow_extra_args(false);
-  addStyleOptions(app, job.look.style);
+  addLooks(app, looks);
   app.add_option("--profile", profile, "reproducible: the same bits everywhere; fast: any GPU")
       ->check(CLI::IsMember({"reproducible", "fast"}))
       ->capture_default_str();
@@ -177,6 +172,7 @@ int main(int argc, char** argv) {
     const auto pixels = parseSize(size);
     if (!pixels) return pixels.error();
     std::tie(job.look.width, job.look.height) = *pixels;
+    if (Status set = setLooks(looks, job.look.style); !set) return set.error();
     job.hashes = hash || json;
     if (job.output.empty() && job.sheet.empty() && job.frames.empty() && job.video.empty() &&
         job.identity.empty() && job.depth.empty() && !job.hashes) {
