@@ -5,6 +5,7 @@
 #include "golden/approve_command.h"
 #include "golden/compare_command.h"
 #include "golden/run_command.h"
+#include "golden/session_command.h"
 #include "viewer/render/renderer_key.h"
 
 namespace rocinante {
@@ -14,6 +15,7 @@ constexpr char kExamples[] =
     "  rocinante golden run examples/demo/demo.suite.toml --report out/report\n"
     "  rocinante golden run suite.toml --log new.mcap --only 'pick*' --junit out/junit.xml\n"
     "  rocinante golden approve suite.toml --only picked -m 'the gripper got longer fingers'\n"
+    "  rocinante golden session accepted.mcap new.mcap cell.toml --report out/report\n"
     "  rocinante golden compare before.png after.png --tier cpu\n";
 
 int goldenMain(int argc, char** argv) {
@@ -26,12 +28,15 @@ int goldenMain(int argc, char** argv) {
   CLI::App* approve = addApproveCommand(app, approve_arguments);
   CompareArguments compare_arguments;
   CLI::App* compare = addCompareCommand(app, compare_arguments);
+  SessionArguments session_arguments;
+  CLI::App* session = addSessionCommand(app, session_arguments);
 
   return cli::run(app, argc, argv, kExamples, [&]() -> Result<cli::Exit> {
     cli::catchStopSignals();
     if (run->parsed()) return runRunCommand(run_arguments);
     if (approve->parsed()) return runApproveCommand(approve_arguments);
     if (compare->parsed()) return runCompareCommand(compare_arguments);
+    if (session->parsed()) return runSessionCommand(session_arguments);
     return cli::Exit::could_not_run;
   });
 }

@@ -7,11 +7,35 @@
 
 #include "core/atomic_file.h"
 #include "core/plain_text.h"
+#include "golden/why/frame_why.h"
 
 namespace rocinante {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+/// How far and why, for scripts.
+Json whyJsonOf(const FrameWhy& why) {
+  Json links = Json::array();
+  for (const LinkChange& change : why.blame.changes) {
+    Json link = {{"device", change.name.device},
+                 {"link", change.name.link},
+                 {"pixels", change.pixels},
+                 {"kind", nameOf(change.kind)},
+                 {"text", changeText(change, why.blame.differing)}};
+    if (change.moved_px) link["moved_px"] = *change.moved_px;
+    links.push_back(std::move(link));
+  }
+  Json state = Json::array();
+  for (const StateChange& change : why.state) {
+    state.push_back({{"item", change.item}, {"text", change.text}});
+  }
+  return {{"estimated", why.basis == GoldenBasis::guessed},
+          {"differing", why.blame.differing},
+          {"links", links},
+          {"state", state},
+          {"files", why.files}};
+}
 
 Json frameJson(const JudgedFrame& judged) {
   const Comparison& found = judged.comparison;
@@ -36,11 +60,12 @@ Json frameJson(const JudgedFrame& judged) {
                        {"inputs_equal", judged.golden->inputs == judged.inputs},
                        {"session_equal", judged.golden->session == judged.session}};
   }
+  if (judged.why) frame["why"] = whyJsonOf(*judged.why);
   return frame;
 }
 
 Status writePictures(const JudgedFrame& judged, const std::filesystem::path& folder) {
-  if (judged.verdict == FrameVerdict::same || !judged.drawn) return {};
+  if (isFine(judged.verdict) || !judged.drawn) return {};
   const std::string stem = (folder / judged.frame.name).string();
   if (auto status = writePng(stem + ".frame.png", *judged.drawn); !status) return status;
   if (!judged.accepted) return {};
@@ -60,11 +85,18 @@ std::size_t SuiteReport::count(FrameVerdict verdict) const {
 }
 
 Verdict SuiteReport::verdict() const {
-  if (!frames.empty() && count(FrameVerdict::same) == frames.size()) return Verdict::same;
-  const bool no = count(FrameVerdict::different) + count(FrameVerdict::missing) +
-                      count(FrameVerdict::unstable) >
-                  0;
+  const std::size_t fine = static_cast<std::size_t>(std::ranges::count_if(
+      frames, [](const JudgedFrame& frame) { return isFine(frame.verdict); }));
+  if (!frames.empty() && fine == frames.size()) return Verdict::same;
+  const bool no = frames.size() > fine + count(FrameVerdict::incomparable);
   return no ? Verdict::different : Verdict::incomparable;
+}
+
+bool canApprove(const JudgedFrame& judged) {
+  const bool may = judged.verdict == FrameVerdict::different ||
+                   judged.verdict == FrameVerdict::missing ||
+                   judged.verdict == FrameVerdict::unexpected;
+  return may && !judged.pixels.empty() && judged.drawn.has_value();
 }
 
 std::string reportJson(const SuiteReport& report) {
@@ -76,19 +108,18 @@ std::string reportJson(const SuiteReport& report) {
   root["log"] = report.log;
   root["session"] = report.session;
   root["renderer"] = report.renderer;
-  root["counts"] = {{"same", report.count(FrameVerdict::same)},
-                    {"different", report.count(FrameVerdict::different)},
-                    {"missing", report.count(FrameVerdict::missing)},
-                    {"unstable", report.count(FrameVerdict::unstable)},
-                    {"incomparable", report.count(FrameVerdict::incomparable)}};
+  Json& counts = root["counts"] = Json::object();
+  for (const FrameVerdict verdict : kFrameVerdicts) {
+    counts[std::string(nameOf(verdict))] = report.count(verdict);
+  }
   root["frames"] = Json::array();
   for (const JudgedFrame& judged : report.frames) root["frames"].push_back(frameJson(judged));
   return root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 std::string reportJunit(const SuiteReport& report) {
+  std::size_t failures = 0;
   const std::size_t errors = report.count(FrameVerdict::incomparable);
-  const std::size_t failures = report.frames.size() - errors - report.count(FrameVerdict::same);
   double seconds = 0;
   std::string cases;
   for (const JudgedFrame& judged : report.frames) {
@@ -96,10 +127,17 @@ std::string reportJunit(const SuiteReport& report) {
     seconds += took;
     cases += fmt::format("  <testcase classname=\"{}\" name=\"{}\" time=\"{:.3f}\">\n",
                          xmlText(report.suite), xmlText(judged.frame.name), took);
-    if (judged.verdict != FrameVerdict::same) {
-      cases += fmt::format("    <{0} message=\"{1}: {2}\"/>\n",
-                           judged.verdict == FrameVerdict::incomparable ? "error" : "failure",
-                           nameOf(judged.verdict), xmlText(judged.rule));
+    if (!isFine(judged.verdict)) {
+      const bool is_error = judged.verdict == FrameVerdict::incomparable;
+      failures += is_error ? 0 : 1;
+      std::string text;
+      if (judged.why) {
+        for (const std::string& line : whyLines(*judged.why)) text += xmlText(line) + "\n";
+      }
+      cases += fmt::format(
+          "    <{0} message=\"{1}: {2}\"{3}\n", is_error ? "error" : "failure",
+          nameOf(judged.verdict), xmlText(judged.rule),
+          text.empty() ? "/>" : fmt::format(">\n{}</{}>", text, is_error ? "error" : "failure"));
     }
     cases += "  </testcase>\n";
   }

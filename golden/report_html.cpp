@@ -1,88 +1,23 @@
 #include <fmt/format.h>
 #include <sodium/utils.h>
 
-#include <kainjow/mustache.hpp>
+#include <map>
+#include <nlohmann/json.hpp>
 
 #include "core/duration_text.h"
+#include "core/hash.h"
+#include "core/plain_text.h"
 #include "golden/report.h"
+#include "golden/report_page.h"
+#include "golden/why/frame_why.h"
 
 namespace rocinante {
 namespace {
 
-using kainjow::mustache::data;
-using kainjow::mustache::list;
-using kainjow::mustache::mustache;
-using kainjow::mustache::object;
+using Json = nlohmann::ordered_json;
 
-// Values are escaped by {{ }}; the page needs nothing from outside.
-constexpr char kPage[] = R"html(<!doctype html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<title>{{verdict}}: {{suite}}</title>
-<style>
-:root { color-scheme: light dark; --ink: #1d232b; --soft: #5b6673; --paper: #f6f7f9; --card: #ffffff;
-  --line: #d8dde3; --same: #1a7f4b; --bad: #b3261e; --unsure: #8a5a00; }
-@media (prefers-color-scheme: dark) { :root { --ink: #e6e9ed; --soft: #9aa5b1; --paper: #14181d;
-  --card: #1d232a; --line: #343c46; --same: #57c28a; --bad: #ff8a80; --unsure: #f0b95a; } }
-body { margin: 0; font: 15px/1.5 system-ui, "DejaVu Sans", sans-serif; color: var(--ink);
-  background: var(--paper); }
-main { max-width: 1280px; margin: 0 auto; padding: 24px; }
-h1 { font-size: 22px; margin: 0 0 4px; } h2 { font-size: 17px; margin: 0; }
-.soft { color: var(--soft); } code, .figures { font: 13px/1.5 ui-monospace, "DejaVu Sans Mono", monospace; }
-.verdict { font-weight: 600; } .same { color: var(--same); }
-.different, .missing, .unstable { color: var(--bad); } .incomparable { color: var(--unsure); }
-.counts { display: flex; flex-wrap: wrap; gap: 10px 22px; margin: 14px 0; padding: 0; list-style: none; }
-dl { display: grid; grid-template-columns: max-content 1fr; gap: 2px 16px; margin: 14px 0; }
-dt { color: var(--soft); } dd { margin: 0; overflow-wrap: anywhere; }
-article { background: var(--card); border: 1px solid var(--line); border-radius: 8px; padding: 16px;
-  margin: 16px 0; }
-.pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(280px, 1fr)); gap: 12px;
-  margin-top: 12px; }
-figure { margin: 0; } figcaption { color: var(--soft); font-size: 13px; }
-img { max-width: 100%; height: auto; border: 1px solid var(--line); display: block; }
-pre { overflow-x: auto; margin: 12px 0 0; } .filters label { margin-right: 14px; }
-.command { user-select: all; }
-</style>
-</head>
-<body>
-<main>
-<h1>Golden frames: <span class="verdict {{verdict}}">{{verdict}}</span></h1>
-<p class="soft">{{suite}} &middot; {{made_at}}</p>
-<ul class="counts">{{#counts}}<li><span class="verdict {{name}}">{{count}}</span> {{name}}</li>{{/counts}}</ul>
-<dl>
-<dt>cell</dt><dd>{{cell}}</dd>
-{{#has_log}}<dt>log</dt><dd>{{log}}</dd><dt>session</dt><dd><code>{{session}}</code></dd>{{/has_log}}
-<dt>renderer</dt><dd><code>{{renderer}}</code></dd>
-<dt>run again</dt><dd><code class="command">{{run_command}}</code></dd>
-<dt>approve</dt><dd><code class="command">{{approve_command}}</code></dd>
-</dl>
-<p class="filters"><label><input type="checkbox" id="hide-same"> only what is not the same</label></p>
-{{#frames}}
-<article class="frame" data-verdict="{{verdict}}" id="{{name}}">
-<h2>{{name}} <span class="verdict {{verdict}}">{{verdict}}</span></h2>
-<div>{{rule}}</div>
-<div class="figures soft">{{figures}}</div>
-<div class="soft">{{facts}}</div>
-{{#map}}<pre aria-label="where the pictures differ">{{lines}}</pre>{{/map}}
-<div class="pictures">
-{{#pictures}}<figure><img alt="{{caption}} of {{name}}" src="data:image/png;base64,{{{png}}}"><figcaption>{{caption}}</figcaption></figure>{{/pictures}}
-</div>
-</article>
-{{/frames}}
-</main>
-<script>
-const box = document.getElementById("hide-same");
-box.addEventListener("change", () => {
-  for (const frame of document.querySelectorAll("article.frame")) {
-    frame.hidden = box.checked && frame.dataset.verdict === "same";
-  }
-});
-</script>
-</body>
-</html>
-)html";
+/// Small enough that five hundred of them stay a few megabytes.
+constexpr int kListPicturePixels = 160;
 
 std::string base64(ByteView bytes) {
   std::string text(sodium_base64_ENCODED_LEN(bytes.size(), sodium_base64_VARIANT_ORIGINAL), '\0');
@@ -92,90 +27,231 @@ std::string base64(ByteView bytes) {
   return text;
 }
 
-data pictureData(const char* caption, const std::string& name, const Picture& picture) {
-  return object{
-      {"caption", std::string(caption)}, {"name", name}, {"png", base64(encodePng(picture))}};
+/// The pictures of the page: each lies in it once, whoever shows it.
+class PagePictures {
+ public:
+  /// The number by which the page finds it.
+  std::size_t add(const Picture& picture) {
+    const auto [found, is_new] = number_.try_emplace(pictureXxh3(picture), number_.size());
+    if (is_new) {
+      html_ += fmt::format("<script type=\"text/plain\" id=\"picture-{}\">{}</script>\n",
+                           found->second, base64(encodePng(picture)));
+    }
+    return found->second;
+  }
+  const std::string& html() const { return html_; }
+
+ private:
+  std::map<std::string, std::size_t> number_;
+  std::string html_;
+};
+
+Json picturesJson(const JudgedFrame& judged, PagePictures& pictures) {
+  Json json = Json::object();
+  const Picture* small = judged.thumbnail  ? &*judged.thumbnail
+                         : judged.drawn    ? &*judged.drawn
+                         : judged.accepted ? &*judged.accepted
+                                           : nullptr;
+  if (small != nullptr)
+    json["thumbnail"] = pictures.add(reducedPicture(*small, kListPicturePixels));
+  if (isFine(judged.verdict) && !judged.why) return json;
+  if (judged.drawn) json["frame"] = pictures.add(*judged.drawn);
+  if (judged.accepted) json["golden"] = pictures.add(*judged.accepted);
+  if (judged.why && !judged.why->blame.mask.rgba.empty()) {
+    json["mask"] = pictures.add(judged.why->blame.mask);
+  }
+  return json;
 }
 
-std::string factsOf(const JudgedFrame& judged) {
-  std::string facts;
-  if (judged.golden) {
-    const AcceptedPicture& golden = *judged.golden;
-    facts = fmt::format("golden {} accepted by {} on {}: {}", golden.picture, golden.accepted_by,
-                        golden.accepted_at, golden.reason);
-    if (judged.verdict != FrameVerdict::same) {
-      facts += golden.inputs == judged.inputs
-                   ? "; textures, glyphs and geometry are the same as then"
-                   : "; the inputs differ: textures, glyphs or geometry have changed since";
-      if (golden.session != judged.session) facts += "; it is another recording";
-    }
+Json whyJson(const FrameWhy& why) {
+  Json rows = Json::array();
+  for (std::size_t i = 0; i < std::min(why.blame.changes.size(), Blame::kMostRows); ++i) {
+    const LinkChange& change = why.blame.changes[i];
+    rows.push_back({{"row", i + 1},
+                    {"name", nameText(change.name)},
+                    {"pixels", change.pixels},
+                    {"what", whatText(change)}});
+  }
+  Json state = Json::array();
+  for (const StateChange& change : why.state) state.push_back(change.text);
+  return {{"basis", sentenceOf(why.basis)},
+          {"differing", why.blame.differing},
+          {"rows", rows},
+          {"state", state},
+          {"files", why.files}};
+}
+
+Json factsJson(const JudgedFrame& judged) {
+  Json facts = Json::array();
+  const auto add = [&](const char* name, const std::string& value) {
+    if (!value.empty()) facts.push_back({name, value});
+  };
+  add("expectation", judged.expectation);
+  if (!judged.golden) return facts;
+  const AcceptedPicture& golden = *judged.golden;
+  add("golden", fmt::format("{}, accepted by {} on {}: {}", golden.picture, golden.accepted_by,
+                            golden.accepted_at, golden.reason));
+  if (!isFine(judged.verdict)) {
+    add("drawn from", golden.inputs == judged.inputs
+                          ? "the same textures, glyphs and geometry as the golden"
+                          : "other textures, glyphs or geometry than the golden");
+    if (golden.session != judged.session) add("session", "another recording than the golden's");
   }
   return facts;
 }
 
-data frameData(const JudgedFrame& judged) {
+std::string toleranceText(const JudgedFrame& judged) {
+  const Tolerance& tolerance = judged.tolerance;
+  std::string text = tolerance.name;
+  if (!tolerance.exact) {
+    text += fmt::format(": tile mean {:.2f}, {} pixels of a tile over 32", tolerance.tile_mean,
+                        tolerance.tile_over);
+  }
+  return judged.limit_from.empty() ? text : text + ", from " + judged.limit_from;
+}
+
+/// A frame's name as a shell takes it for one argument.
+std::string quotedName(const std::string& word) {
+  const bool is_plain = !word.empty() && word.find_first_not_of(
+                                             "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                             "0123456789_./:=@%+,-") == std::string::npos;
+  if (is_plain) return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
+Json pageFrameJson(const SuiteReport& report, const JudgedFrame& judged, PagePictures& pictures) {
+  const SuiteFrame& frame = judged.frame;
+  Json json = {{"name", frame.name},
+               {"verdict", nameOf(judged.verdict)},
+               {"rule", judged.rule},
+               {"tags", frame.tags},
+               {"camera", frame.camera},
+               {"key", judged.key},
+               {"pixels", judged.pixels},
+               {"inputs", judged.inputs},
+               {"tolerance", toleranceText(judged)},
+               {"facts", factsJson(judged)},
+               {"pictures", picturesJson(judged, pictures)},
+               {"can_approve", canApprove(judged)}};
+  if (frame.time && !report.log.empty()) {
+    json["moment"] = rfc3339Text(WallTime(frame.time->time_since_epoch()));
+  }
   const Comparison& found = judged.comparison;
-  list pictures;
-  std::string map;
-  if (judged.drawn && judged.verdict != FrameVerdict::same) {
-    if (judged.accepted) {
-      pictures.push_back(pictureData("golden", judged.frame.name, *judged.accepted));
-    }
-    pictures.push_back(pictureData("frame", judged.frame.name, *judged.drawn));
-    if (judged.accepted && judged.accepted->width == judged.drawn->width &&
-        judged.accepted->height == judged.drawn->height) {
-      pictures.push_back(pictureData("difference", judged.frame.name,
-                                     differencePicture(*judged.drawn, *judged.accepted)));
-      for (const std::string& line : differenceMap(*judged.drawn, *judged.accepted)) {
-        map += "|" + line + "|\n";
-      }
-    }
-  } else if (judged.drawn) {
-    pictures.push_back(pictureData("frame", judged.frame.name, *judged.drawn));
-  } else if (judged.thumbnail) {
-    pictures.push_back(pictureData("frame, reduced", judged.frame.name, *judged.thumbnail));
-  }
-  std::string figures;
   if (found.differing > 0) {
-    figures = fmt::format(
-        "{} pixels differ; over 1/2/8/32: {}/{}/{}/{}; largest {} at ({}, {}); worst tile's mean "
-        "{:.2f}",
-        found.differing, found.over_1, found.over_2, found.over_8, found.over_32, found.max,
-        found.worst_x, found.worst_y, found.worst_tile_mean);
+    json["figures"] = {{"differing", found.differing},
+                       {"over", {found.over_1, found.over_2, found.over_8, found.over_32}},
+                       {"max", found.max},
+                       {"x", found.worst_x},
+                       {"y", found.worst_y},
+                       {"tile_mean", found.worst_tile_mean},
+                       {"tile_over", found.worst_tile_over}};
   }
-  object made{{"name", judged.frame.name}, {"verdict", std::string(nameOf(judged.verdict))},
-              {"rule", judged.rule},       {"figures", figures},
-              {"facts", factsOf(judged)},  {"pictures", pictures}};
-  if (!map.empty()) made["map"] = object{{"lines", map}};
-  return made;
+  if (judged.why) json["why"] = whyJson(*judged.why);
+  if (!report.run_one_command.empty()) {
+    json["run"] = report.run_one_command + " " + quotedName(frame.name);
+  }
+  if (!report.approve_one_command.empty()) {
+    json["approve"] = report.approve_one_command + " " + quotedName(frame.name);
+  }
+  return json;
+}
+
+Json environmentJson(const SuiteReport& report) {
+  Json entries = Json::array();
+  const auto add = [&](const std::string& name, const std::string& value, bool command = false) {
+    if (!value.empty()) entries.push_back({{"name", name}, {"value", value}, {"command", command}});
+  };
+  add("suite", report.suite);
+  add("cell", report.cell);
+  add("log", report.log);
+  add("session", report.session);
+  add("renderer", report.renderer);
+  add("made at", report.made_at);
+  for (const auto& [name, value] : report.environment) add(name, value);
+  add("run again", report.run_command, true);
+  add("approve", report.approve_command, true);
+  return entries;
+}
+
+/// What a person must look at is shown first, where there is any.
+Json shownFirst(const SuiteReport& report) {
+  Json verdicts = Json::array();
+  for (const FrameVerdict verdict : kFrameVerdicts) {
+    if (!isFine(verdict) && report.count(verdict) > 0) verdicts.push_back(nameOf(verdict));
+  }
+  return verdicts;
+}
+
+/// For a reader that runs no scripts: what is wrong, as text.
+std::string plainHtml(const SuiteReport& report) {
+  std::string html =
+      fmt::format("<p>{}: {} frames.</p>\n<ul>\n", nameOf(report.verdict()), report.frames.size());
+  for (const JudgedFrame& judged : report.frames) {
+    if (isFine(judged.verdict)) continue;
+    html += fmt::format("<li>{}: <b>{}</b>, {}</li>\n", xmlText(judged.frame.name),
+                        nameOf(judged.verdict), xmlText(judged.rule));
+  }
+  return html + "</ul>\n";
+}
+
+/// JSON inside a script element: nothing in it may look like markup.
+std::string scriptJson(const Json& json) {
+  std::string text;
+  for (const char c : json.dump(-1, ' ', false, Json::error_handler_t::replace)) {
+    if (c == '<') {
+      text += "\\u003c";
+    } else {
+      text += c;
+    }
+  }
+  return text;
+}
+
+/// The page with each mark replaced by its text.
+std::string filledPage(const std::vector<std::pair<std::string_view, std::string_view>>& texts) {
+  std::string page;
+  std::string_view rest = kReportPage;
+  for (const auto& [mark, text] : texts) {
+    const std::size_t at = rest.find(mark);
+    page += rest.substr(0, at);
+    page += text;
+    rest.remove_prefix(at + mark.size());
+  }
+  return page.append(rest);
 }
 
 }  // namespace
 
 std::string reportHtml(const SuiteReport& report) {
-  list counts;
-  for (const FrameVerdict verdict :
-       {FrameVerdict::same, FrameVerdict::different, FrameVerdict::missing, FrameVerdict::unstable,
-        FrameVerdict::incomparable}) {
-    counts.push_back(object{{"name", std::string(nameOf(verdict))},
-                            {"count", std::to_string(report.count(verdict))}});
+  PagePictures pictures;
+  Json counts = Json::object();
+  for (const FrameVerdict verdict : kFrameVerdicts) {
+    counts[std::string(nameOf(verdict))] = report.count(verdict);
   }
-  list frames;
-  for (const JudgedFrame& judged : report.frames) frames.push_back(frameData(judged));
-  object page{{"verdict", std::string(nameOf(report.verdict()))},
-              {"suite", report.suite},
-              {"cell", report.cell},
-              {"log", report.log},
-              {"session", report.session},
-              {"renderer", report.renderer},
-              {"made_at", report.made_at},
-              {"run_command", report.run_command},
-              {"approve_command", report.approve_command},
-              {"counts", counts},
-              {"frames", frames}};
-  page["has_log"] = report.log.empty() ? data(data::type::bool_false) : data(data::type::bool_true);
-  mustache page_template{std::string(kPage)};
-  return page_template.render(data(page));
+  Json frames = Json::array();
+  for (const JudgedFrame& judged : report.frames) {
+    frames.push_back(pageFrameJson(report, judged, pictures));
+  }
+  const Json root = {
+      {"verdict", nameOf(report.verdict())},
+      {"title", report.suite},
+      {"counts", counts},
+      {"environment", environmentJson(report)},
+      {"show_first", shownFirst(report)},
+      {"approve_from",
+       report.approve_from_command.empty() ? Json(nullptr) : Json(report.approve_from_command)},
+      {"frames", frames}};
+  const std::string title = fmt::format("{}: {}", nameOf(report.verdict()), xmlText(report.suite));
+  const std::string plain = plainHtml(report);
+  const std::string data = scriptJson(root);
+  return filledPage({{"<!--TITLE-->", title},
+                     {"/*STYLE*/", kReportStyle},
+                     {"<!--PLAIN-->", plain},
+                     {"<!--DATA-->", data},
+                     {"<!--PICTURES-->", pictures.html()},
+                     {"/*SCRIPT*/", kReportScript}});
 }
 
 }  // namespace rocinante

@@ -10,6 +10,8 @@
 #include "core/atomic_file.h"
 #include "golden/compare_command.h"
 #include "golden/report.h"
+#include "golden/why/frame_explainer.h"
+#include "golden/why/frame_why.h"
 #include "golden/suite_jobs.h"
 
 namespace rocinante {
@@ -72,7 +74,24 @@ SuiteReport reportOf(const SuiteSession& session, const SuiteArguments& argument
   report.made_at = nowText();
   report.run_command = commandText("run", arguments);
   report.approve_command = commandText("approve", arguments) + " -m 'WHY'";
+  SuiteArguments one = arguments;
+  one.shard.clear();
+  one.only.clear();
+  one.tags.clear();
+  one.not_tags.clear();
+  report.run_one_command = commandText("run", one) + " --only";
+  report.approve_one_command = commandText("approve", one) + " -m 'WHY' --only";
+  report.approve_from_command = commandText("approve", one) + " -m 'WHY' --from LIST";
   return report;
+}
+
+/// Says why, a few lines a frame that failed.
+void printWhy(const std::vector<JudgedFrame>& frames) {
+  for (const JudgedFrame& judged : frames) {
+    if (!judged.why) continue;
+    fmt::print("why {}:\n", judged.frame.name);
+    for (const std::string& line : whyLines(*judged.why)) fmt::print("    {}\n", line);
+  }
 }
 
 Result<std::vector<JudgedFrame>> judgeFrames(SuiteSession& session, int jobs, bool quiet) {
@@ -121,6 +140,11 @@ Result<cli::Exit> runRunCommand(const RunArguments& arguments) {
   if (!judged.ok()) return judged.error();
   report.frames = std::move(*judged);
   report.renderer = rendererOf(report.frames);
+  FrameExplainer explainer(*session, arguments.suite.suite, *options);
+  if (auto explained = explainFailures(explainer, report.frames); !explained) {
+    return explained.error();
+  }
+  if (!quiet) printWhy(report.frames);
   if (auto written = writeOutputs(report, arguments); !written) return written.error();
   if (!quiet) {
     printCounts(report);

@@ -1,0 +1,133 @@
+#include "golden/why/frame_explainer.h"
+
+#include <algorithm>
+
+#include "core/bundle/attached_cell.h"
+#include "core/log/log_reader.h"
+
+namespace rocinante {
+
+FrameExplainer::FrameExplainer(SuiteSession& session, std::filesystem::path suite_file,
+                               SuiteOptions options)
+    : now_(session), suite_file_(std::move(suite_file)), options_(std::move(options)) {
+  options_.selection = {};
+}
+
+void FrameExplainer::findCandidates() {
+  looked_ = true;
+  if (options_.cell || options_.log) {
+    Candidate own;
+    own.options = options_;
+    own.options.cell.reset();
+    own.options.log.reset();
+    candidates_.push_back(std::move(own));
+  }
+  const auto suite = readSuite(suite_file_);
+  if (!suite.ok() || !suite->log || suite->cell.empty()) return;
+  const auto reader = LogReader::open(*suite->log);
+  if (!reader.ok()) return;
+  const auto carried = readAttachedCell(*reader);
+  if (!carried.ok() || !*carried) return;
+  Candidate attached;
+  attached.options = options_;
+  attached.options.log.reset();
+  attached.options.cell = *suite->log;
+  // What a log carries is whole: roots mean nothing to it.
+  attached.options.search.clear();
+  attached.options.search_environment = false;
+  candidates_.push_back(std::move(attached));
+}
+
+SuiteSession* FrameExplainer::opened(Candidate& candidate) {
+  if (!candidate.session && !candidate.is_unusable) {
+    auto session = SuiteSession::open(suite_file_, candidate.options);
+    if (session.ok()) candidate.session = std::make_unique<SuiteSession>(std::move(*session));
+    candidate.is_unusable = !candidate.session;
+  }
+  return candidate.session.get();
+}
+
+Result<FrameExplainer::Found> FrameExplainer::findGolden(const JudgedFrame& judged) {
+  if (!looked_) findCandidates();
+  Found best;
+  for (Candidate& candidate : candidates_) {
+    SuiteSession* session = opened(candidate);
+    if (session == nullptr) continue;
+    const auto& frames = session->allFrames();
+    const auto frame = std::ranges::find(frames, judged.frame.name, &SuiteFrame::name);
+    if (frame == frames.end() || !frame->time) continue;
+    const auto drawer = session->drawer();
+    if (!drawer.ok()) return drawer.error();
+    if ((*drawer)->maker() == nullptr) continue;
+    const FrameRequest request = session->request(*frame);
+    const auto drawn = (*drawer)->frame(request);
+    if (drawn.ok() && pictureXxh3(*drawn) == judged.golden->pixels) {
+      return Found{&candidate, request, GoldenBasis::redrawn};
+    }
+    const bool is_its = session->sessionHash() == judged.golden->session &&
+                        (*drawer)->inputsHash() == judged.golden->inputs;
+    if (drawn.ok() && is_its && best.candidate == nullptr) {
+      best = {&candidate, request, GoldenBasis::inputs};
+    }
+  }
+  return best;
+}
+
+std::vector<std::string> FrameExplainer::changedFiles(Candidate& candidate) {
+  const auto hashesOf = [](const SuiteSession& session, const SuiteOptions& options) {
+    CellOptions cell_options;
+    if (!isLog(session.suite().cell)) {
+      cell_options.search = options.search;
+      cell_options.search_environment = options.search_environment;
+    }
+    return hashCellFiles(session.suite().cell, cell_options);
+  };
+  const auto before = hashesOf(*candidate.session, candidate.options);
+  const auto today = hashesOf(now_, options_);
+  // A cell with errors is drawn as far as it goes, and has no list of files.
+  if (!before.ok() || !today.ok()) return {};
+  return fileChanges(*before, *today);
+}
+
+Result<std::shared_ptr<const FrameWhy>> FrameExplainer::explain(const JudgedFrame& judged) {
+  std::shared_ptr<const FrameWhy> nothing;
+  if (!judged.drawn || !judged.accepted || !judged.golden || !judged.frame.time) return nothing;
+  if (judged.drawn->width != judged.accepted->width ||
+      judged.drawn->height != judged.accepted->height || *judged.drawn == *judged.accepted) {
+    return nothing;
+  }
+  const auto drawer = now_.drawer();
+  if (!drawer.ok()) return drawer.error();
+  FrameMaker* const maker = (*drawer)->maker();
+  if (maker == nullptr) return nothing;
+  const DrawableSide today{*maker, now_.request(judged.frame)};
+  const auto golden = findGolden(judged);
+  if (!golden.ok()) return golden.error();
+  if (golden->candidate == nullptr) {
+    auto why = explainByGuess(*judged.accepted, *judged.drawn, today);
+    if (!why.ok()) return why.error();
+    return std::make_shared<const FrameWhy>(std::move(*why));
+  }
+  const auto golden_drawer = golden->candidate->session->drawer();
+  if (!golden_drawer.ok()) return golden_drawer.error();
+  auto why = explainBoth(*judged.accepted, {*(*golden_drawer)->maker(), golden->request},
+                         *judged.drawn, today);
+  if (!why.ok()) return why.error();
+  why->basis = golden->basis;
+  why->files = changedFiles(*golden->candidate);
+  return std::make_shared<const FrameWhy>(std::move(*why));
+}
+
+Status explainFailures(FrameExplainer& explainer, std::vector<JudgedFrame>& frames,
+                       std::size_t most) {
+  for (JudgedFrame& judged : frames) {
+    if (isFine(judged.verdict) || judged.verdict == FrameVerdict::missing) continue;
+    auto why = explainer.explain(judged);
+    if (!why.ok()) return why.error();
+    judged.why = std::move(*why);
+    if (judged.why && --most == 0) break;
+  }
+  return {};
+}
+
+}  // namespace rocinante

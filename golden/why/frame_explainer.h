@@ -1,0 +1,55 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "core/result.h"
+#include "golden/run_suite.h"
+#include "golden/why/explain_pictures.h"
+#include "golden/why/file_change.h"
+
+namespace rocinante {
+
+/// Says why frames of a suite are not their goldens. The golden's own cell and session are looked
+/// for in what the suite names where --cell or --log stand in its place, and in the cell that the
+/// log carries; they count when they draw the accepted pixels again. One thread, as its session.
+class FrameExplainer {
+ public:
+  /// `session` is borrowed; it was opened of `suite_file` with `options`.
+  FrameExplainer(SuiteSession& session, std::filesystem::path suite_file, SuiteOptions options);
+
+  /// Null where there are no two pictures of one size. An error only when the renderer fails.
+  Result<std::shared_ptr<const FrameWhy>> explain(const JudgedFrame& judged);
+
+ private:
+  /// Something that the goldens may have been drawn of.
+  struct Candidate {
+    SuiteOptions options;
+    std::unique_ptr<SuiteSession> session;  ///< opened when first needed
+    bool is_unusable = false;
+  };
+  struct Found {
+    Candidate* candidate = nullptr;
+    FrameRequest request;
+    GoldenBasis basis = GoldenBasis::guessed;
+  };
+
+  void findCandidates();
+  SuiteSession* opened(Candidate& candidate);
+  Result<Found> findGolden(const JudgedFrame& judged);
+  std::vector<std::string> changedFiles(Candidate& candidate);
+
+  SuiteSession& now_;
+  std::filesystem::path suite_file_;
+  SuiteOptions options_;
+  bool looked_ = false;
+  std::vector<Candidate> candidates_;
+};
+
+/// Explains those that failed, where there is something to explain; at most `most` of them, since
+/// nobody reads more.
+Status explainFailures(FrameExplainer& explainer, std::vector<JudgedFrame>& frames,
+                       std::size_t most = 200);
+
+}  // namespace rocinante

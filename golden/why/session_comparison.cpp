@@ -1,0 +1,183 @@
+#include "golden/why/session_comparison.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "core/bundle/attached_cell.h"
+#include "core/log/log_reader.h"
+#include "golden/why/explain_pictures.h"
+
+namespace rocinante {
+namespace {
+
+/// So many of the worst items get a picture, so many events, and so many moments between.
+constexpr std::size_t kMostWorst = 6;
+constexpr std::size_t kMostEvents = 24;
+constexpr int kBetween = 3;
+constexpr int kSmallPicturePixels = 320;
+
+std::string frameNameOf(const std::string& text) {
+  std::string name;
+  for (const char c : text) {
+    const bool is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                          (c >= '0' && c <= '9') || c == '_' || c == '.' || c == '-';
+    name += is_plain ? c : '-';
+  }
+  return name.substr(0, 80);
+}
+
+/// Names of moments, each once.
+class MomentList {
+ public:
+  explicit MomentList(const SessionDeviation& state) : state_(state) {}
+
+  void add(const std::string& name, LogTime moment) {
+    if (moment < state_.from || moment > state_.until || !times_.insert(moment).second) return;
+    std::string unique = name;
+    for (int turn = 2; !names_.insert(unique).second; ++turn) {
+      unique = name + "-" + std::to_string(turn);
+    }
+    moments_.emplace_back(unique, moment);
+  }
+  std::vector<std::pair<std::string, LogTime>> inOrder() {
+    std::ranges::sort(moments_, {}, [](const auto& moment) { return moment.second; });
+    return moments_;
+  }
+
+ private:
+  const SessionDeviation& state_;
+  std::set<LogTime> times_;
+  std::set<std::string> names_;
+  std::vector<std::pair<std::string, LogTime>> moments_;
+};
+
+std::vector<std::pair<std::string, LogTime>> momentsOf(const SessionComparison& comparison) {
+  const SessionDeviation& state = comparison.state;
+  MomentList moments(state);
+  std::vector<Deviation> worst = state.beyond;
+  std::ranges::stable_sort(worst, [](const Deviation& a, const Deviation& b) {
+    return a.largest.value_or(1e9) > b.largest.value_or(1e9);
+  });
+  worst.resize(std::min(worst.size(), kMostWorst));
+  for (const Deviation& item : worst) {
+    moments.add("worst-" + frameNameOf(item.item), item.largest_at);
+  }
+  const auto& events = comparison.events.matched;
+  const std::size_t count = std::min(events.size(), kMostEvents);
+  for (std::size_t i = 0; i < count; ++i) {
+    const MatchedEvent& event = events[i * events.size() / count];
+    moments.add("event-" + frameNameOf(event.text), event.a);
+  }
+  moments.add("start", state.from);
+  for (int i = 1; i <= kBetween; ++i) {
+    moments.add("between-" + std::to_string(i),
+                state.from + (state.until - state.from) / (kBetween + 1) * i);
+  }
+  moments.add("end", state.until);
+  return moments.inOrder();
+}
+
+/// One log with what draws it.
+Result<FrameMaker> makerOf(const std::filesystem::path& cell, const CellOptions& options,
+                           const std::filesystem::path& log) {
+  auto loaded = loadCellOrLog(cell, options);
+  if (!loaded.ok()) return loaded.error();
+  auto session = Timeline::open(log);
+  if (!session.ok()) return session.error();
+  return FrameMaker::open(std::move(*loaded), std::move(*session), Profile::reproducible);
+}
+
+Result<JudgedFrame> judgeMoment(FrameMaker& maker_a, FrameMaker& maker_b, LogTime time_a,
+                                LogTime time_b, const SessionQuestion& question) {
+  FrameRequest request;
+  request.camera = question.camera;
+  request.width = question.width;
+  request.height = question.height;
+  request.samples = question.samples;
+  request.time = time_a;
+  FrameRequest request_b = request;
+  // Rounding at the very ends must not lead out of the log.
+  request_b.time = std::clamp(time_b, maker_b.session()->start(), maker_b.session()->end());
+  auto golden = maker_a.frame(request);
+  if (!golden.ok()) return golden.error();
+  auto frame = maker_b.frame(request_b);
+  if (!frame.ok()) return frame.error();
+  JudgedFrame judged;
+  judged.frame.time = time_a;
+  judged.frame.camera = question.camera;
+  judged.tolerance = question.tolerance;
+  judged.comparison = compare(*frame, *golden, question.tolerance);
+  judged.rule = judged.comparison.rule;
+  judged.pixels = pictureXxh3(*frame);
+  judged.verdict =
+      judged.comparison.verdict == Verdict::same ? FrameVerdict::same : FrameVerdict::different;
+  if (judged.verdict == FrameVerdict::same) {
+    judged.thumbnail = reducedPicture(*frame, kSmallPicturePixels);
+    return judged;
+  }
+  auto why = explainBoth(*golden, {maker_a, request}, *frame, {maker_b, request_b});
+  if (!why.ok()) return why.error();
+  judged.why = std::make_shared<const FrameWhy>(std::move(*why));
+  judged.drawn = std::move(*frame);
+  judged.accepted = std::move(*golden);
+  return judged;
+}
+
+}  // namespace
+
+bool SessionComparison::same() const {
+  return events.only_a.empty() && events.only_b.empty() && state.beyond.empty() &&
+         pictures.count(FrameVerdict::different) == 0;
+}
+
+Result<SessionComparison> judgeSessions(const std::filesystem::path& cell,
+                                        const CellOptions& options, const SessionQuestion& question,
+                                        const std::function<void(const std::string&)>& progress) {
+  const auto tell = [&](const std::string& what) {
+    if (progress) progress(what);
+  };
+  SessionComparison comparison;
+  auto maker_a = makerOf(cell, options, question.a);
+  if (!maker_a.ok()) return maker_a.error();
+  auto maker_b = makerOf(cell, options, question.b);
+  if (!maker_b.ok()) return maker_b.error();
+  Timeline& a = *maker_a->session();
+  Timeline& b = *maker_b->session();
+  for (const Timeline* session : {&a, &b}) {
+    if (session->log().summary().messages == 0) {
+      return Error{ErrorKind::not_found, "the log holds no message, so nothing can be compared",
+                   session->log().name()};
+    }
+  }
+  tell("events");
+  const auto events_a = a.events();
+  if (!events_a.ok()) return events_a.error();
+  const auto events_b = b.events();
+  if (!events_b.ok()) return events_b.error();
+  comparison.origin_a = a.origin();
+  comparison.origin_b = b.origin();
+  comparison.events = alignEvents(**events_a, **events_b, a.start(), b.start());
+  tell("states");
+  auto state = compareSessions(maker_a->cell(), a, b, comparison.events, question.limits);
+  if (!state.ok()) return state.error();
+  comparison.state = std::move(*state);
+
+  SuiteReport& report = comparison.pictures;
+  report.suite = question.a.string() + " against " + question.b.string();
+  report.cell = cell.string();
+  report.log = question.b.string();
+  report.renderer = maker_a->key().text();
+  if (!question.pictures) return comparison;
+  for (const auto& [name, moment] : momentsOf(comparison)) {
+    tell("picture " + name);
+    auto judged = judgeMoment(*maker_a, *maker_b, moment, comparison.events.inB(moment), question);
+    if (!judged.ok()) return judged.error();
+    judged->frame.name = name;
+    judged->frame.case_name = name;
+    report.frames.push_back(std::move(*judged));
+  }
+  return comparison;
+}
+
+}  // namespace rocinante

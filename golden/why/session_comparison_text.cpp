@@ -1,0 +1,156 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/duration_text.h"
+#include "core/plain_text.h"
+#include "golden/why/frame_why.h"
+#include "golden/why/session_comparison.h"
+
+namespace rocinante {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kMostLines = 20;
+
+std::string amountText(const Deviation& item) {
+  if (!item.largest) return "not the same";
+  return fmt::format("up to {:.6f}{}{}", *item.largest, item.unit.empty() ? "" : " ", item.unit);
+}
+
+/// The smallest and largest span of b for a span of a, between two events.
+std::pair<double, double> paceOf(const EventAlignment& events) {
+  double least = 1;
+  double most = 1;
+  bool is_first = true;
+  for (std::size_t i = 1; i < events.matched.size(); ++i) {
+    const Nanoseconds span_a = events.matched[i].a - events.matched[i - 1].a;
+    const Nanoseconds span_b = events.matched[i].b - events.matched[i - 1].b;
+    if (span_a <= Nanoseconds(0)) continue;
+    const double pace = static_cast<double>(span_b.count()) / static_cast<double>(span_a.count());
+    least = is_first ? pace : std::min(least, pace);
+    most = is_first ? pace : std::max(most, pace);
+    is_first = false;
+  }
+  return {least, most};
+}
+
+void addEvents(const SessionComparison& comparison, std::string& out) {
+  const EventAlignment& events = comparison.events;
+  out += fmt::format("events    {} in both, {} only in a, {} only in b\n", events.matched.size(),
+                     events.only_a.size(), events.only_b.size());
+  const auto list = [&](const char* side, const std::vector<Event>& missing, LogTime origin) {
+    for (std::size_t i = 0; i < std::min(missing.size(), kMostLines); ++i) {
+      out += fmt::format("  only in {}: \"{}\" of {} at {} s\n", side, plainText(missing[i].text),
+                         plainText(missing[i].source), secondsText(missing[i].time - origin, 3));
+    }
+  };
+  list("a", events.only_a, comparison.origin_a);
+  list("b", events.only_b, comparison.origin_b);
+  if (events.matched.empty()) {
+    out += "time      no event is in both: the first packets are laid on each other\n";
+  } else if (events.matched.size() > 1) {
+    const auto [least, most] = paceOf(events);
+    out += fmt::format("time      between events b takes {:.4f} to {:.4f} times as long as a\n",
+                       least, most);
+  }
+}
+
+void addState(const SessionComparison& comparison, std::string& out) {
+  const SessionDeviation& state = comparison.state;
+  const auto at = [&](LogTime moment) { return secondsText(moment - comparison.origin_a, 3); };
+  out += fmt::format("state     {} items at {} moments, from {} to {} s, every {} s\n", state.items,
+                     state.samples, at(state.from), at(state.until), secondsText(state.step));
+  if (state.beyond.empty()) {
+    out += "  all within their limits";
+    if (state.largest_within && state.largest_within->largest.value_or(0) > 0) {
+      out += fmt::format("; the nearest to its limit: {}, {}", state.largest_within->item,
+                         amountText(*state.largest_within));
+    }
+    out += "\n";
+    return;
+  }
+  out += fmt::format("  they part at {} s: {} of the items are beyond their limit\n",
+                     at(state.beyond.front().first_at), state.beyond.size());
+  for (std::size_t i = 0; i < std::min(state.beyond.size(), kMostLines); ++i) {
+    const Deviation& item = state.beyond[i];
+    out += fmt::format("  {}: {}, from {} s on", plainText(item.item), amountText(item),
+                       at(item.first_at));
+    out += item.largest ? fmt::format(", most at {} s\n", at(item.largest_at)) : "\n";
+  }
+  if (state.beyond.size() > kMostLines) {
+    out += fmt::format("  and {} more\n", state.beyond.size() - kMostLines);
+  }
+}
+
+}  // namespace
+
+std::string sessionText(const SessionComparison& comparison) {
+  std::string out;
+  addEvents(comparison, out);
+  addState(comparison, out);
+  const SuiteReport& pictures = comparison.pictures;
+  if (!pictures.frames.empty()) {
+    out += fmt::format("pictures  {} of {} differ\n", pictures.count(FrameVerdict::different),
+                       pictures.frames.size());
+  }
+  for (const JudgedFrame& judged : pictures.frames) {
+    if (judged.verdict == FrameVerdict::same) continue;
+    out += fmt::format("  {} at {} s: {}\n", judged.frame.name,
+                       secondsText(*judged.frame.time - comparison.origin_a, 3), judged.rule);
+    if (!judged.why) continue;
+    for (const std::string& line : whyLines(*judged.why, 3)) out += "    " + line + "\n";
+  }
+  out += comparison.same() ? "same\n" : "different\n";
+  return out;
+}
+
+std::string sessionJson(const SessionComparison& comparison) {
+  Json root;
+  root["format"] = 1;
+  root["verdict"] = comparison.same() ? "same" : "different";
+  const auto nanoseconds = [](LogTime time) { return time.time_since_epoch().count(); };
+  const auto eventsJson = [&](const std::vector<Event>& events) {
+    Json list = Json::array();
+    for (const Event& event : events) {
+      list.push_back({{"text", event.text},
+                      {"source", event.source},
+                      {"log_time_ns", nanoseconds(event.time)}});
+    }
+    return list;
+  };
+  Json matched = Json::array();
+  for (const MatchedEvent& event : comparison.events.matched) {
+    matched.push_back({{"text", event.text},
+                       {"a_log_time_ns", nanoseconds(event.a)},
+                       {"b_log_time_ns", nanoseconds(event.b)}});
+  }
+  root["events"] = {{"matched", matched},
+                    {"only_a", eventsJson(comparison.events.only_a)},
+                    {"only_b", eventsJson(comparison.events.only_b)}};
+  const SessionDeviation& state = comparison.state;
+  Json beyond = Json::array();
+  for (const Deviation& item : state.beyond) {
+    beyond.push_back({{"item", item.item},
+                      {"unit", item.unit},
+                      {"largest", item.largest ? Json(*item.largest) : Json(nullptr)},
+                      {"largest_at_ns", nanoseconds(item.largest_at)},
+                      {"first_at_ns", nanoseconds(item.first_at)}});
+  }
+  root["state"] = {
+      {"items", state.items},
+      {"samples", state.samples},
+      {"step_ns", state.step.count()},
+      {"from_ns", nanoseconds(state.from)},
+      {"until_ns", nanoseconds(state.until)},
+      {"parts_at_ns",
+       state.beyond.empty() ? Json(nullptr) : Json(nanoseconds(state.beyond.front().first_at))},
+      {"beyond", beyond}};
+  root["pictures"] = Json::parse(reportJson(comparison.pictures))["frames"];
+  return root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace rocinante
