@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "golden/compare_files.h"
+#include "golden/comparison_text.h"
 #include "golden/picture_figures.h"
 
 namespace rocinante {
@@ -63,44 +64,17 @@ Json answerJson(const CompareArguments& arguments, const FilesComparison& files,
   return answer;
 }
 
-std::string shareText(const Comparison& found, double pixels) {
-  const auto share = [&](std::int64_t count) { return static_cast<double>(count) / pixels * 100; };
-  return fmt::format("over 1/2/8/32: {}/{}/{}/{} ({:.3f}/{:.3f}/{:.3f}/{:.3f} %)", found.over_1,
-                     found.over_2, found.over_8, found.over_32, share(found.over_1),
-                     share(found.over_2), share(found.over_8), share(found.over_32));
-}
-
-void printDifference(const FilesComparison& files, const PictureFigures& figures) {
-  const Comparison& found = files.comparison;
-  const Picture& golden = files.golden->picture;
-  const double pixels = static_cast<double>(golden.width) * golden.height;
-  fmt::print("differing pixels: {} of {} ({:.3f} %)\n", found.differing, pixels,
-             static_cast<double>(found.differing) / pixels * 100);
-  fmt::print("{}\n", shareText(found, pixels));
-  fmt::print("largest difference: {} at ({}, {}): rgba {} against {}\n", found.max, found.worst_x,
-             found.worst_y, fmt::join(found.worst_frame, " "), fmt::join(found.worst_golden, " "));
-  fmt::print("worst 16x16 tile: mean {:.2f} at ({}, {}); at most {} pixels of a tile over 32\n",
-             found.worst_tile_mean, found.worst_tile_x, found.worst_tile_y, found.worst_tile_over);
-  fmt::print("RMSE {:.4f}, PSNR {}, SSIM {}, FLIP {:.6f} (largest {:.4f})\n", figures.rmse,
-             figures.psnr ? fmt::format("{:.2f} dB", *figures.psnr) : "infinite",
-             figures.ssim ? fmt::format("{:.6f}", *figures.ssim) : "none (a side under 11 pixels)",
-             figures.flip.mean, figures.flip.max);
-  for (const std::string& line : differenceMap(files.judged(), golden)) {
-    fmt::print("    |{}|\n", line);
-  }
-}
-
 void printAnswer(const FilesComparison& files, const std::optional<PictureFigures>& figures) {
   const Comparison& found = files.comparison;
   fmt::print("{}: {}\n", nameOf(found.verdict), found.rule);
-  if (!figures) return;  // the verdict was all that was asked for
   for (const std::string& note : files.notes) fmt::print("note: {}\n", note);
+  if (!figures) return;
   if (found.masked > 0) fmt::print("masked: {} pixels\n", found.masked);
   if (found.fine_differing > 0) {
     fmt::print("differing samples: {} of {}, by at most {:g}\n", found.fine_differing,
                files.frame->samples.size(), found.fine_max);
   }
-  if (found.differing > 0) printDifference(files, *figures);
+  fmt::print("{}", differenceText(found, *figures, files.judged(), files.golden->picture));
 }
 
 }  // namespace
