@@ -2,8 +2,11 @@
 #include <CLI/CLI.hpp>
 
 #include "core/cli/program.h"
+#include "golden/add_command.h"
 #include "golden/approve_command.h"
 #include "golden/compare_command.h"
+#include "golden/diff_command.h"
+#include "golden/list_command.h"
 #include "golden/run_command.h"
 #include "golden/session_command.h"
 #include "viewer/render/renderer_key.h"
@@ -16,6 +19,10 @@ constexpr char kExamples[] =
     "  rocinante golden run suite.toml --log new.mcap --only 'pick*' --junit out/junit.xml\n"
     "  rocinante golden approve suite.toml --only picked -m 'the gripper got longer fingers'\n"
     "  rocinante golden session accepted.mcap new.mcap cell.toml --report out/report\n"
+    "  rocinante golden approve suite.toml -i -m 'looked at each'\n"
+    "  rocinante golden list suite.toml --verify\n"
+    "  rocinante golden add suite.toml --case pick --event picked --after 200ms --camera overview\n"
+    "  rocinante golden diff main suite.toml --report out/changes\n"
     "  rocinante golden compare before.png after.png --tier cpu\n";
 
 int goldenMain(int argc, char** argv) {
@@ -26,6 +33,12 @@ int goldenMain(int argc, char** argv) {
   CLI::App* run = addRunCommand(app, run_arguments);
   ApproveArguments approve_arguments;
   CLI::App* approve = addApproveCommand(app, approve_arguments);
+  ListArguments list_arguments;
+  CLI::App* list = addListCommand(app, list_arguments);
+  AddArguments add_arguments;
+  CLI::App* add = addAddCommand(app, add_arguments);
+  DiffArguments diff_arguments;
+  CLI::App* diff = addDiffCommand(app, diff_arguments);
   CompareArguments compare_arguments;
   CLI::App* compare = addCompareCommand(app, compare_arguments);
   SessionArguments session_arguments;
@@ -35,6 +48,9 @@ int goldenMain(int argc, char** argv) {
     cli::catchStopSignals();
     if (run->parsed()) return runRunCommand(run_arguments);
     if (approve->parsed()) return runApproveCommand(approve_arguments);
+    if (list->parsed()) return runListCommand(list_arguments);
+    if (add->parsed()) return runAddCommand(add_arguments);
+    if (diff->parsed()) return runDiffCommand(diff_arguments);
     if (compare->parsed()) return runCompareCommand(compare_arguments);
     if (session->parsed()) return runSessionCommand(session_arguments);
     return cli::Exit::could_not_run;

@@ -59,7 +59,11 @@ Result<Manifest> Manifest::read(const std::filesystem::path& folder) {
   if (!std::filesystem::exists(file, ignored)) return Manifest{};
   const auto text = readFile(file, kMaxManifestBytes);
   if (!text.ok()) return text.error();
-  const Json root = Json::parse(*text, nullptr, false);
+  return parse(*text, file);
+}
+
+Result<Manifest> Manifest::parse(std::string_view text, const std::filesystem::path& file) {
+  const Json root = Json::parse(text, nullptr, false);
   if (root.is_discarded() || !root.is_object()) return broken(file, "it is not a JSON object");
   if (root.value("format", Json()) != 1) {
     return Error{ErrorKind::unsupported, "the manifest of goldens has a format other than 1",

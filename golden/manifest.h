@@ -32,6 +32,8 @@ struct Manifest {
   /// Empty when the folder has none. Names of pictures that lead out of the folder, or are no
   /// plain PNG's, and pictures that two cases name, are refused.
   static Result<Manifest> read(const std::filesystem::path& folder);
+  /// The same from the text of manifest.json; `file` is for the sentences.
+  static Result<Manifest> parse(std::string_view text, const std::filesystem::path& file);
   Status write(const std::filesystem::path& folder) const;
 
   /// The accepted pictures of a case for one key; several when alternatives were approved.

@@ -10,9 +10,9 @@
 #include "core/atomic_file.h"
 #include "golden/compare_command.h"
 #include "golden/report.h"
+#include "golden/suite_jobs.h"
 #include "golden/why/frame_explainer.h"
 #include "golden/why/frame_why.h"
-#include "golden/suite_jobs.h"
 
 namespace rocinante {
 namespace {

@@ -92,6 +92,7 @@ Result<SuiteSession> SuiteSession::open(const std::filesystem::path& suite_file,
     if (!hash.ok()) return hash.error();
     made.session_hash_ = std::move(*hash);
     session = Timeline::of(std::move(*reader));
+    made.origin_ = session->origin();
   }
   auto frames = planFrames(the_suite, session ? &*session : nullptr);
   if (!frames.ok()) return frames.error();

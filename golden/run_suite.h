@@ -42,6 +42,8 @@ class SuiteSession {
   const Cell& cell() const { return cell_; }
   /// content_sha256 of the log; empty without one.
   const std::string& sessionHash() const { return session_hash_; }
+  /// Of the log; empty without one.
+  std::optional<LogTime> origin() const { return origin_; }
   /// The selected frames in order of the suite, never empty; and all that the suite has.
   const std::vector<SuiteFrame>& frames() const { return frames_; }
   const std::vector<SuiteFrame>& allFrames() const { return all_frames_; }
@@ -72,6 +74,7 @@ class SuiteSession {
   GoldenFolder folder_;
   Cell cell_;
   std::string session_hash_;
+  std::optional<LogTime> origin_;
   std::function<double()> now_ms_;
   MakeDrawer make_drawer_;
   std::unique_ptr<FrameDrawer> drawer_;

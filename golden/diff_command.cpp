@@ -1,0 +1,140 @@
+#include "golden/diff_command.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iostream>
+
+#include "core/atomic_file.h"
+#include "core/plain_text.h"
+#include "golden/compare_command.h"
+#include "golden/git_revision.h"
+#include "golden/golden_folder.h"
+#include "golden/manifest_diff.h"
+#include "golden/report.h"
+#include "golden/suite_arguments.h"
+
+namespace rocinante {
+namespace {
+
+Result<Manifest> manifestThen(const GitRevision& revision, const std::filesystem::path& goldens) {
+  const std::filesystem::path file = goldens / "manifest.json";
+  const auto text = revision.file(file);
+  if (!text.ok()) {
+    if (text.error().kind == ErrorKind::not_found) return Manifest{};
+    return text.error();
+  }
+  return Manifest::parse(*text, file);
+}
+
+Result<Picture> pictureThen(const GitRevision& revision, const GoldenFolder& folder,
+                            const AcceptedPicture& accepted) {
+  // A store keeps every picture that ever was accepted.
+  if (folder.isInStore(accepted.picture, accepted.pixels)) return folder.read(accepted);
+  const std::filesystem::path file = folder.goldens() / accepted.picture;
+  const auto bytes = revision.file(file);
+  if (!bytes.ok()) return bytes.error();
+  if (isLfsPointer(bytesOf(*bytes))) {
+    return Error{ErrorKind::unsupported,
+                 "a Git LFS pointer and not the picture; `git lfs fetch` gets it", file.string()};
+  }
+  auto picture = decodePng(bytesOf(*bytes), file.string());
+  if (!picture.ok()) return picture.error();
+  if (pictureXxh3(*picture) == accepted.pixels) return picture;
+  return Error{ErrorKind::damaged, "is not the picture that the manifest accepted then",
+               file.string()};
+}
+
+Result<std::vector<JudgedFrame>> changesIn(const GitRevision& revision, const GoldenFolder& folder,
+                                           const std::string& since) {
+  const auto then = manifestThen(revision, folder.goldens());
+  if (!then.ok()) return then.error();
+  const auto now = Manifest::read(folder.goldens());
+  if (!now.ok()) return now.error();
+  return manifestChanges(
+      *then, [&](const AcceptedPicture& one) { return pictureThen(revision, folder, one); }, *now,
+      [&](const AcceptedPicture& one) { return folder.read(one); }, since);
+}
+
+/// Of the suite, or of every manifest of goldens in the repository.
+Result<std::vector<JudgedFrame>> allChanges(const DiffArguments& arguments) {
+  if (!arguments.suite.empty()) {
+    const auto suite = readSuite(arguments.suite);
+    if (!suite.ok()) return suite.error();
+    const auto revision = GitRevision::open(arguments.suite.parent_path(), arguments.revision);
+    if (!revision.ok()) return revision.error();
+    return changesIn(*revision, GoldenFolder(suite->goldens, suite->store), arguments.revision);
+  }
+  const auto revision = GitRevision::open(".", arguments.revision);
+  if (!revision.ok()) return revision.error();
+  const auto files = revision->filesNamed("manifest.json");
+  if (!files.ok()) return files.error();
+  std::vector<JudgedFrame> all;
+  for (const std::filesystem::path& file : *files) {
+    const std::filesystem::path folder = revision->root() / file.parent_path();
+    auto changes = changesIn(*revision, GoldenFolder(folder, {}), arguments.revision);
+    // Other programs name files so too.
+    if (!changes.ok()) continue;
+    for (JudgedFrame& judged : *changes) {
+      // Of which suite, in a name that may be a file's.
+      std::string place = file.parent_path().generic_string();
+      std::ranges::replace(place, '/', '.');
+      judged.frame.name = place + "." + judged.frame.name;
+      all.push_back(std::move(judged));
+    }
+  }
+  return all;
+}
+
+Status writeOutputs(const SuiteReport& report, const DiffArguments& arguments) {
+  if (arguments.json_file == "-") {
+    std::cout << reportJson(report);
+  } else if (!arguments.json_file.empty()) {
+    if (auto status = writeFileWhole(arguments.json_file, bytesOf(reportJson(report)), true);
+        !status) {
+      return status;
+    }
+  }
+  if (!arguments.report.empty()) return writeReport(report, arguments.report);
+  return {};
+}
+
+}  // namespace
+
+CLI::App* addDiffCommand(CLI::App& app, DiffArguments& arguments) {
+  CLI::App* command = app.add_subcommand("diff", "which goldens changed since a git revision");
+  command->add_option("REV", arguments.revision, "a commit, branch or tag")->required();
+  command->add_option("SUITE", arguments.suite, "without it, every suite of the repository");
+  command->add_option("--report", arguments.report, "folder for index.html and the pictures");
+  command
+      ->add_option("--json", arguments.json_file, "write the changes as JSON; - is standard output")
+      ->expected(0, 1)
+      ->default_str("-");
+  return command;
+}
+
+Result<cli::Exit> runDiffCommand(const DiffArguments& arguments) {
+  auto frames = allChanges(arguments);
+  if (!frames.ok()) return frames.error();
+  const std::size_t goldens = frames->size();
+  std::erase_if(*frames,
+                [](const JudgedFrame& judged) { return judged.verdict == FrameVerdict::same; });
+  SuiteReport report;
+  report.suite = arguments.suite.string();
+  report.made_at = nowText();
+  report.run_command = "rocinante golden diff " + arguments.revision;
+  if (!report.suite.empty()) report.run_command += " " + report.suite;
+  report.frames = std::move(*frames);
+  if (arguments.json_file != "-") {
+    for (const JudgedFrame& judged : report.frames) {
+      fmt::print("{:<13} {}: {}\n", nameOf(judged.verdict), judged.frame.name, judged.rule);
+    }
+    fmt::print("{} of {} goldens changed since {}\n", report.frames.size(), goldens,
+               plainText(arguments.revision));
+  }
+  if (auto written = writeOutputs(report, arguments); !written) return written.error();
+  return report.frames.empty() ? cli::Exit::done : exitOf(report.verdict());
+}
+
+}  // namespace rocinante

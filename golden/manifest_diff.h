@@ -1,0 +1,24 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/result.h"
+#include "golden/judged_frame.h"
+#include "golden/manifest.h"
+
+namespace rocinante {
+
+/// Reads one accepted picture of a manifest.
+using ReadAccepted = std::function<Result<Picture>(const AcceptedPicture&)>;
+
+/// What became of the goldens between two manifests, as frames of a report, by case and key: `then`
+/// is the golden's side, `now` the frame's. Unchanged ones are `same`, without pictures; replaced
+/// ones `different`; added and removed ones `missing`; those whose pictures cannot be read
+/// `incomparable`. `since` names the older side in sentences.
+std::vector<JudgedFrame> manifestChanges(const Manifest& then, const ReadAccepted& read_then,
+                                         const Manifest& now, const ReadAccepted& read_now,
+                                         const std::string& since);
+
+}  // namespace rocinante
