@@ -18,17 +18,22 @@ Result<DrawPasses> DrawPasses::create(const GlTable& gl, const TextAtlas& atlas)
 }
 
 void DrawPasses::begin(const PixelRectangle& part, int frame_height) const {
+  setViewport(gl, part, frame_height);
+  gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  gl.DepthMask(GL_TRUE);
+  gl.ClearColor(0, 0, 0, 1);
+  gl.ClearDepth(0);
+  gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  beginOnTop(part, frame_height);
+}
+
+void DrawPasses::beginOnTop(const PixelRectangle& part, int frame_height) const {
   if (gl.ClipControl != nullptr) gl.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
   setViewport(gl, part, frame_height);
   gl.Disable(GL_CULL_FACE);
   gl.Disable(GL_BLEND);
   gl.Disable(GL_POLYGON_OFFSET_FILL);
   gl.ActiveTexture(GL_TEXTURE0);
-  gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  gl.DepthMask(GL_TRUE);
-  gl.ClearColor(0, 0, 0, 1);
-  gl.ClearDepth(0);
-  gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   // A frame is opaque, whatever is blended into it.
   gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
   gl.BlendEquation(GL_FUNC_ADD);

@@ -20,6 +20,8 @@ struct DrawPasses {
 
   /// Clears a part of the framebuffer; all passes draw there alone until the next call.
   void begin(const PixelRectangle& part, int frame_height) const;
+  /// Before the overlay pass alone, over pixels that are there already: clears nothing.
+  void beginOnTop(const PixelRectangle& part, int frame_height) const;
   /// Leaves GL's state as a guest expects it: no depth test, no blending, nothing bound.
   void end() const;
 

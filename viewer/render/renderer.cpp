@@ -271,7 +271,7 @@ Result<DrawCounts> Renderer::Impl::drawView(const SceneFrame& frame, const LinkL
     textures.endPlainFiltering();
   }
   if (outlines != nullptr) outlines->draw();
-  passes->overlay.drawOnTop(onTopOf(frame, camera, view));
+  if (frame.on_top) passes->overlay.drawOnTop(onTopOf(frame, camera, view));
   DrawCounts counts;
   for (const DrawnSet& set : sets) {
     counts.triangles += set.list->triangles;
@@ -307,10 +307,20 @@ Result<DrawCounts> Renderer::draw(const SceneFrame& frame, const FrameBuffer& ta
     counts->triangles += more->triangles;
     counts->draws += more->draws;
   }
-  my.drawInsetFrames(frame, target);
+  if (frame.on_top) my.drawInsetFrames(frame, target);
   my.passes->end();
   if (Status fine = my.glStatus(); !fine) return fine.error();
   return counts;
+}
+
+Status Renderer::drawOnTop(const SceneFrame& frame, const FrameBuffer& target) {
+  const Impl& my = *impl_;
+  target.resolve();
+  my.passes->beginOnTop({0, 0, target.width(), target.height()}, target.height());
+  const Camera camera = my.cameraOf(frame, frame.camera, target.width(), target.height());
+  my.passes->overlay.drawOnTop(my.onTopOf(frame, camera, frame.camera));
+  my.passes->end();
+  return my.glStatus();
 }
 
 void Renderer::prepareDetail(const DetailCache& cache, int threads) {

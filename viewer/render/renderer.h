@@ -40,6 +40,8 @@ struct SceneFrame {
   const FrameExtras* extras = nullptr;   ///< what limits and trails of `style` need; null: neither
   std::span<const FrameInset> insets{};  ///< later ones over earlier ones
   DetailLevel detail{};                  ///< the default draws everything
+  /// Labels, gnomon, scale bar and the frames of insets with the scene; else by drawOnTop().
+  bool on_top = true;
 };
 
 struct DrawCounts {
@@ -66,6 +68,11 @@ class Renderer {
 
   /// Draws into `target` (its samples: resolve() comes next). refused when GL reports an error.
   Result<DrawCounts> draw(const SceneFrame& frame, const FrameBuffer& target);
+
+  /// What lies over the scene, crisp, for a frame that was drawn without it and then stretched to
+  /// `target`, whose resolved pixels are drawn to. Of the main view: with insets, which cover what
+  /// lies behind them, a frame is drawn whole.
+  Status drawOnTop(const SceneFrame& frame, const FrameBuffer& target);
 
   /// Begins to make coarser meshes, in threads of their own, for frames whose detail asks for them.
   void prepareDetail(const DetailCache& cache, int threads);
