@@ -12,15 +12,12 @@
 #include <cstring>
 #include <utility>
 
+#include "viewer/render/camera_choice.h"
+
 namespace rocinante {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// As many digits as make the same double again.
-std::string exact(double number) { return fmt::format("{}", number); }
-
-std::string exact(const Vec3& at) { return exact(at.x) + "," + exact(at.y) + "," + exact(at.z); }
 
 fs::path renderProgram() {
   std::error_code ignored;
@@ -49,27 +46,16 @@ std::vector<std::string> evidenceArguments(const EvidenceRequest& request) {
     words.push_back(std::move(value));
   };
   if (!request.at.empty()) add("--at", request.at);
-  if (!request.camera.empty()) {
-    add("--camera", request.camera);
-  } else {
-    // With =, because a coordinate may begin with a minus sign.
-    const CameraView& view = request.view;
-    words.push_back("--eye=" + exact(view.eye));
-    words.push_back("--target=" + exact(view.target));
-    words.push_back("--up=" + exact(view.up));
-    if (view.ortho_height_m) {
-      words.push_back("--ortho=" + exact(*view.ortho_height_m));
-    } else {
-      words.push_back("--fov=" + exact(view.fov_deg));
-    }
-  }
+  words.push_back("--camera=" +
+                  (request.camera.empty() ? viewpointText(request.view) : request.camera));
   add("--size", fmt::format("{}x{}", request.width, request.height));
   add("--samples", fmt::format("{}", request.samples));
   for (const std::string& path : request.hide) add("--hide", path);
   for (const std::string& path : request.show) add("--show", path);
+  if (request.insets.empty()) words.push_back("--no-insets");
   for (const std::string& inset : request.insets) add("--inset", inset);
   for (const auto& [key, value] : styleWords(request.style)) {
-    add("--style", fmt::format("{}={}", key, value));
+    words.push_back("--" + key + "=" + value);
   }
   for (const fs::path& folder : request.search) add("--search", folder.string());
   if (request.search_environment) words.push_back("--search-env");

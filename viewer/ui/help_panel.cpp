@@ -34,17 +34,15 @@ constexpr HelpLine kProgram[] = {{"S", "evidence picture by rocinante render"},
                                  {"Q", "close"}};
 
 template <std::size_t kCount>
-void drawLines(const char* title, const HelpLine (&lines)[kCount]) {
+void drawLines(const char* title, const HelpLine (&lines)[kCount], float left, float keys_width) {
+  ImGui::SetCursorPosX(left);
   ImGui::TextColored(ImVec4(1.0F, 0.66F, 0.25F, 1), "%s", title);
-  if (!ImGui::BeginTable(title, 2, ImGuiTableFlags_SizingFixedFit)) return;
   for (const HelpLine& line : lines) {
-    ImGui::TableNextRow();
-    ImGui::TableNextColumn();
+    ImGui::SetCursorPosX(left);
     ImGui::TextUnformatted(line.keys);
-    ImGui::TableNextColumn();
+    ImGui::SameLine(left + keys_width);
     ImGui::TextDisabled("%s", line.means);
   }
-  ImGui::EndTable();
 }
 
 }  // namespace
@@ -55,16 +53,13 @@ void drawHelp(ViewModel& model) {
                           ImVec2(0.5F, 0.5F));
   ImGui::SetNextWindowFocus();
   ImGui::Begin("Mouse and keyboard", &model.help_shown, kPanelFlags);
-  if (ImGui::BeginTable("help", 2, ImGuiTableFlags_SizingFixedFit)) {
-    ImGui::TableNextRow();
-    ImGui::TableNextColumn();
-    drawLines("Mouse", kMouse);
-    drawLines("Time", kTime);
-    ImGui::TableNextColumn();
-    drawLines("Picture", kLook);
-    drawLines("Program", kProgram);
-    ImGui::EndTable();
-  }
+  const float left = ImGui::GetCursorPosX();
+  const float top = ImGui::GetCursorPosY();
+  drawLines("Mouse", kMouse, left, 240);
+  drawLines("Time", kTime, left, 240);
+  ImGui::SetCursorPosY(top);
+  drawLines("Picture", kLook, left + 440, 84);
+  drawLines("Program", kProgram, left + 440, 84);
   ImGui::End();
 }
 

@@ -1,6 +1,7 @@
 #include "viewer/ui/live_feed.h"
 
 #include <poll.h>
+#include <sys/prctl.h>
 
 #include <array>
 #include <atomic>
@@ -15,6 +16,8 @@
 namespace rocinante {
 namespace {
 
+/// As `top -H` shows it.
+constexpr char kThreadName[] = "rocinante-feed";
 constexpr int kPollMs = 10;
 constexpr std::size_t kSampleBytes = 24;
 
@@ -148,7 +151,10 @@ Result<LiveFeed> LiveFeed::start(const std::vector<Endpoint>& endpoints) {
   if (!sources) return sources.error();
   impl->sources = std::move(*sources);
   Impl* feed = impl.get();
-  impl->thread = std::thread([feed] { feed->run(); });
+  impl->thread = std::thread([feed] {
+    ::prctl(PR_SET_NAME, kThreadName);
+    feed->run();
+  });
   return LiveFeed(std::move(impl));
 }
 

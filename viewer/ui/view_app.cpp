@@ -156,7 +156,15 @@ Result<DrawCounts> ViewApp::drawScene() {
   frame.extras = &model_.extras();
   frame.insets = scaled;
   frame.detail = rung.level;
-  return renderer_.draw(frame, view_.scene());
+  // At another resolution text is drawn after stretching, so that it stays crisp.
+  frame.on_top = rung.resolution >= 1 || !scaled.empty();
+  auto drawn = renderer_.draw(frame, view_.scene());
+  if (!drawn.ok()) return drawn;
+  view_.finishScene();
+  if (!frame.on_top) {
+    if (auto crisp = renderer_.drawOnTop(frame, view_.window()); !crisp) return crisp.error();
+  }
+  return drawn;
 }
 
 Status ViewApp::drawFrame(double app_ms) {
@@ -176,7 +184,6 @@ Status ViewApp::drawFrame(double app_ms) {
   const SteadyTime scene_began = std::chrono::steady_clock::now();
   const auto drawn = drawScene();
   if (!drawn.ok()) return drawn.error();
-  view_.finishScene();
   if (!scripted()) renderer_.gl().Finish();
   times.draw = millisecondsSince(scene_began);
 
