@@ -1,0 +1,60 @@
+#pragma once
+
+#include <vector>
+
+#include "viewer/render/background_pass.h"
+#include "viewer/render/draw_list.h"
+#include "viewer/render/frame_buffer.h"
+#include "viewer/render/inputs_hash.h"
+#include "viewer/render/mesh_buffers.h"
+#include "viewer/render/render_style.h"
+#include "viewer/render/shader_program.h"
+#include "viewer/render/texture_store.h"
+
+namespace rocinante::bench {
+
+/// The floor of a frame: the GL calls that draw a list which was made once, and nothing else. The
+/// same buffers, shaders and draws as the renderer's; every value was reckoned beforehand, and only
+/// what differs from one draw to the next is set. Its context must be current.
+class BareLoop {
+ public:
+  static Result<BareLoop> create(const GlTable& gl, const Cell& cell, const PosedScene& scene,
+                                 const CameraView& view, int width, int height, Shading shading);
+
+  void draw(const FrameBuffer& target) const;
+
+ private:
+  struct Scene;
+  struct Run {
+    std::uint32_t first = 0, count = 0;
+    bool one_sided = false, mirrored = false;
+  };
+  struct Command {
+    std::size_t program = 0, mesh = 0;
+    bool sets_program = false, sets_mesh = false, sets_world = false, sets_material = false;
+    bool sets_lift = false;
+    bool translucent = false;
+    glm::mat4 clip{}, relative{};
+    glm::mat3 normal{};
+    glm::vec4 diffuse{};
+    glm::vec3 specular{}, emission{};
+    glm::vec2 map_scale{}, map_offset{};
+    float shininess = 0;
+    GLuint texture = 0;
+    bool tinted = false;
+    std::uint32_t rank = 0;
+    std::vector<Run> runs;
+  };
+  BareLoop(const GlTable& gl, std::shared_ptr<const Scene> scene);
+  void set(const Command& command) const;
+  void drawRuns(const Command& command) const;
+  void useProgram(std::size_t number) const;
+
+  const GlTable& gl_;
+  std::shared_ptr<const Scene> scene_;
+  std::vector<Command> commands_;
+  glm::vec3 key_{}, fill_{}, forward_{};
+  bool orthographic_ = false;
+};
+
+}  // namespace rocinante::bench
