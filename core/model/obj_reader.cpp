@@ -54,14 +54,19 @@ class ObjReader {
 
  private:
   void readStatement(std::string_view keyword) {
-    if (keyword == "v") {
-      readPosition();
-    } else if (keyword == "f" || keyword == "fo") {
+    // Nearly every line is one of these; to compare them as texts would take a while.
+    const char first = keyword.empty() ? '\0' : keyword[0];
+    const char second = keyword.size() == 2 ? keyword[1] : '\0';
+    if (keyword.size() == 1 && first == 'v') return readPosition();
+    if (keyword.size() == 1 && first == 'f') return readFace();
+    if (first == 'v' && second == 'n') return readNormal();
+    if (first == 'v' && second == 't') return readTexture();
+    readRareStatement(keyword);
+  }
+
+  void readRareStatement(std::string_view keyword) {
+    if (keyword == "fo") {
       readFace();
-    } else if (keyword == "vn") {
-      readNormal();
-    } else if (keyword == "vt") {
-      readTexture();
     } else if (keyword == "usemtl") {
       useMaterial(scan_.restOfLine());
     } else if (keyword == "g") {

@@ -71,21 +71,24 @@ class TextScanner {
   bool number(double& value) {
     if (!skipBlanks()) return false;
     const char* from = at_;
-    const bool negative = *at_ == '-';
-    if (negative || *at_ == '+') ++at_;
+    // In registers: `at_` would be stored at every step.
+    const char* at = at_;
+    const bool negative = *at == '-';
+    if (negative || *at == '+') ++at;
     // Up to 2^53 over a power of ten up to 10^22 is one exact division: the common case.
-    const char* digits_from = at_;
+    const char* digits_from = at;
     std::uint64_t mantissa = 0;
-    while (at_ != end_ && isDigit(*at_)) mantissa = mantissa * 10 + digitOf(*at_++);
-    long digits = at_ - digits_from;
+    while (at != end_ && isDigit(*at)) mantissa = mantissa * 10 + digitOf(*at++);
+    long digits = at - digits_from;
     long decimals = 0;
-    if (at_ != end_ && *at_ == '.') {
-      const char* decimals_from = ++at_;
-      while (at_ != end_ && isDigit(*at_)) mantissa = mantissa * 10 + digitOf(*at_++);
-      decimals = at_ - decimals_from;
+    if (at != end_ && *at == '.') {
+      const char* decimals_from = ++at;
+      while (at != end_ && isDigit(*at)) mantissa = mantissa * 10 + digitOf(*at++);
+      decimals = at - decimals_from;
       digits += decimals;
     }
     if (digits == 0) return back(from);
+    at_ = at;
     const bool ends = at_ == end_ || isBlankOrEnd(*at_) || (*at_ == '\\' && continues());
     if (ends && digits <= 19 && mantissa <= (std::uint64_t{1} << 53U)) {
       value = static_cast<double>(mantissa) / kPowersOfTen[decimals];
@@ -104,18 +107,19 @@ class TextScanner {
   /// A decimal integer; one that does not fit becomes the largest or smallest that does, which no
   /// index can be. False when there is none here. Blanks are not skipped.
   bool integer(std::int64_t& value) {
-    const char* from = at_;
-    const bool negative = at_ != end_ && *at_ == '-';
-    if (negative || (at_ != end_ && *at_ == '+')) ++at_;
-    const char* digits_from = at_;
-    constexpr std::int64_t kLargest = std::numeric_limits<std::int64_t>::max();
-    std::int64_t magnitude = 0;
-    while (at_ != end_ && isDigit(*at_)) {
-      const std::int64_t digit = *at_++ - '0';
-      magnitude = magnitude > (kLargest - digit) / 10 ? kLargest : magnitude * 10 + digit;
-    }
-    if (at_ == digits_from) return back(from);
-    value = negative ? -magnitude : magnitude;
+    const char* at = at_;
+    const bool negative = at != end_ && *at == '-';
+    if (negative || (at != end_ && *at == '+')) ++at;
+    const char* digits_from = at;
+    std::uint64_t magnitude = 0;
+    while (at != end_ && isDigit(*at)) magnitude = magnitude * 10 + digitOf(*at++);
+    if (at == digits_from) return false;
+    // Zeros in front aside, so many digits always fit.
+    constexpr std::ptrdiff_t kFitting = std::numeric_limits<std::int64_t>::digits10;
+    if (at - digits_from > kFitting) magnitude = saturated(digits_from, at);
+    at_ = at;
+    value = static_cast<std::int64_t>(magnitude);
+    if (negative) value = -value;
     return true;
   }
 
@@ -135,6 +139,18 @@ class TextScanner {
   static constexpr double kPowersOfTen[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,
                                             1e7,  1e8,  1e9,  1e10, 1e11, 1e12, 1e13,
                                             1e14, 1e15, 1e16, 1e17, 1e18, 1e19};
+
+  /// Of digits that may be too many: the largest that fits at most.
+  static std::uint64_t saturated(const char* from, const char* end) {
+    constexpr auto kLargest = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+    std::uint64_t value = 0;
+    for (; from != end; ++from) {
+      const std::uint64_t digit = digitOf(*from);
+      if (value > (kLargest - digit) / 10) return kLargest;
+      value = value * 10 + digit;
+    }
+    return value;
+  }
 
   static bool isDigit(char c) { return c >= '0' && c <= '9'; }
   static std::uint64_t digitOf(char c) { return static_cast<std::uint64_t>(c - '0'); }
