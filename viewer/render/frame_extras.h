@@ -21,6 +21,7 @@ struct Trail {
   struct Point {
     Vec3 at{};
     float fresh = 0;  ///< 0 at the far end of the window, 1 at the moment of the frame
+    bool operator==(const Point&) const = default;
   };
   std::string path;
   /// Runs without a gap; a device that was not there for a while leaves one.

@@ -22,9 +22,9 @@ constexpr std::array kKeys{
     StyleKey{"ghosts", "plain|clear", "clear: ghosts in one tone, behind the actual device"},
     StyleKey{"limits", "on|off", "links near a joint's limit amber, beyond it red"},
     StyleKey{"scale-bar", "on|off", "a scale, true at the camera's target"},
-    StyleKey{"outlined", "PATH", "a line around it, also where it is hidden", true},
-    StyleKey{"wireframe", "PATH", "its triangles' edges in place of surfaces", true},
-    StyleKey{"transparent", "PATH[@OPACITY]", "seen through; opacity 0.3", true},
+    StyleKey{"outlined", "PATH[#GROUP]", "a line around it, also where it is hidden", true},
+    StyleKey{"wireframe", "PATH[#GROUP]", "its triangles' edges in place of surfaces", true},
+    StyleKey{"transparent", "PATH[#GROUP][@OPACITY]", "seen through; opacity 0.3", true},
     StyleKey{"collision", "PATH", "collision geometry in place of visuals", true},
     StyleKey{"collision-over", "PATH", "collision geometry over visuals", true},
     StyleKey{"trail", "PATH[@SECONDS]", "the way of a device or link; the last 5 s", true},
@@ -118,6 +118,15 @@ Status addPath(std::vector<std::string>& list, std::string_view value) {
   return {};
 }
 
+/// Collision geometry is a link's: its groups are not those of the visuals.
+Status addLink(std::vector<std::string>& list, const StyleKey& key, std::string_view value) {
+  const auto path = parseViewPath(value);
+  if (!path) return path.error();
+  if (path->has_group) return badValue(key, value);
+  addOnce(list, std::string(value));
+  return {};
+}
+
 std::string shortest(double number) {
   std::array<char, 32> text{};
   const auto [end, fault] = std::to_chars(text.data(), text.data() + text.size(), number);
@@ -138,8 +147,8 @@ Status setStyle(RenderStyle& style, std::string_view key_text, std::string_view 
   const std::string_view name = key->key;
   if (name == "outlined") return addPath(style.outlined, value);
   if (name == "wireframe") return addPath(style.wireframe, value);
-  if (name == "collision") return addPath(style.collision, value);
-  if (name == "collision-over") return addPath(style.collision_over, value);
+  if (name == "collision") return addLink(style.collision, *key, value);
+  if (name == "collision-over") return addLink(style.collision_over, *key, value);
   if (name == "transparent") return addTransparent(style, *key, value);
   if (name == "trail") return addTrail(style, *key, value);
 
