@@ -4,15 +4,14 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <iostream>
 
-#include "core/atomic_file.h"
 #include "core/plain_text.h"
 #include "golden/compare_command.h"
 #include "golden/git_revision.h"
 #include "golden/golden_folder.h"
 #include "golden/manifest_diff.h"
 #include "golden/report.h"
+#include "golden/report_output.h"
 #include "golden/suite_arguments.h"
 
 namespace rocinante {
@@ -87,19 +86,6 @@ Result<std::vector<JudgedFrame>> allChanges(const DiffArguments& arguments) {
   return all;
 }
 
-Status writeOutputs(const SuiteReport& report, const DiffArguments& arguments) {
-  if (arguments.json_file == "-") {
-    std::cout << reportJson(report);
-  } else if (!arguments.json_file.empty()) {
-    if (auto status = writeFileWhole(arguments.json_file, bytesOf(reportJson(report)), true);
-        !status) {
-      return status;
-    }
-  }
-  if (!arguments.report.empty()) return writeReport(report, arguments.report);
-  return {};
-}
-
 }  // namespace
 
 CLI::App* addDiffCommand(CLI::App& app, DiffArguments& arguments) {
@@ -133,7 +119,9 @@ Result<cli::Exit> runDiffCommand(const DiffArguments& arguments) {
     fmt::print("{} of {} goldens changed since {}\n", report.frames.size(), goldens,
                plainText(arguments.revision));
   }
-  if (auto written = writeOutputs(report, arguments); !written) return written.error();
+  if (auto written = writeReportFiles(report, {arguments.report, {}, arguments.json_file});
+      !written)
+    return written.error();
   return report.frames.empty() ? cli::Exit::done : exitOf(report.verdict());
 }
 

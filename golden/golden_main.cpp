@@ -7,6 +7,7 @@
 #include "golden/compare_command.h"
 #include "golden/diff_command.h"
 #include "golden/list_command.h"
+#include "golden/report_command.h"
 #include "golden/run_command.h"
 #include "golden/session_command.h"
 #include "viewer/render/renderer_key.h"
@@ -23,6 +24,7 @@ constexpr char kExamples[] =
     "  rocinante golden list suite.toml --verify\n"
     "  rocinante golden add suite.toml --case pick --event picked --after 200ms --camera overview\n"
     "  rocinante golden diff main suite.toml --report out/changes\n"
+    "  rocinante golden report shard-1 shard-2 shard-3 --report out/report --junit out/junit.xml\n"
     "  rocinante golden compare before.png after.png --tier cpu\n";
 
 int goldenMain(int argc, char** argv) {
@@ -39,6 +41,8 @@ int goldenMain(int argc, char** argv) {
   CLI::App* add = addAddCommand(app, add_arguments);
   DiffArguments diff_arguments;
   CLI::App* diff = addDiffCommand(app, diff_arguments);
+  ReportArguments report_arguments;
+  CLI::App* report = addReportCommand(app, report_arguments);
   CompareArguments compare_arguments;
   CLI::App* compare = addCompareCommand(app, compare_arguments);
   SessionArguments session_arguments;
@@ -51,6 +55,7 @@ int goldenMain(int argc, char** argv) {
     if (list->parsed()) return runListCommand(list_arguments);
     if (add->parsed()) return runAddCommand(add_arguments);
     if (diff->parsed()) return runDiffCommand(diff_arguments);
+    if (report->parsed()) return runReportCommand(report_arguments);
     if (compare->parsed()) return runCompareCommand(compare_arguments);
     if (session->parsed()) return runSessionCommand(session_arguments);
     return cli::Exit::could_not_run;

@@ -52,13 +52,21 @@ Json frameJson(const JudgedFrame& judged) {
       {"pixels_over",
        {{"1", found.over_1}, {"2", found.over_2}, {"8", found.over_8}, {"32", found.over_32}}},
       {"render_ms", judged.render_ms},
-      {"judge_ms", judged.judge_ms}};
+      {"judge_ms", judged.judge_ms},
+      {"case", judged.frame.case_name},
+      {"limit_from", judged.limit_from}};
+  if (!judged.frame.camera.empty()) frame["camera"] = judged.frame.camera;
+  if (!judged.frame.tags.empty()) frame["tags"] = judged.frame.tags;
+  if (!judged.expectation.empty()) frame["expectation"] = judged.expectation;
   if (judged.frame.time) frame["log_time_ns"] = judged.frame.time->time_since_epoch().count();
   if (judged.golden) {
     frame["golden"] = {{"picture", judged.golden->picture},
                        {"pixels", judged.golden->pixels},
                        {"inputs_equal", judged.golden->inputs == judged.inputs},
-                       {"session_equal", judged.golden->session == judged.session}};
+                       {"session_equal", judged.golden->session == judged.session},
+                       {"accepted_by", judged.golden->accepted_by},
+                       {"accepted_at", judged.golden->accepted_at},
+                       {"reason", judged.golden->reason}};
   }
   if (judged.why) frame["why"] = whyJsonOf(*judged.why);
   return frame;
@@ -112,6 +120,11 @@ std::string reportJson(const SuiteReport& report) {
   for (const FrameVerdict verdict : kFrameVerdicts) {
     counts[std::string(nameOf(verdict))] = report.count(verdict);
   }
+  root["made_at"] = report.made_at;
+  root["run_command"] = report.run_command;
+  root["approve_command"] = report.approve_command;
+  if (report.shards > 1) root["shard"] = {{"number", report.shard}, {"of", report.shards}};
+  root["notes"] = report.notes;
   root["frames"] = Json::array();
   for (const JudgedFrame& judged : report.frames) root["frames"].push_back(frameJson(judged));
   return root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

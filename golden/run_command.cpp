@@ -4,37 +4,18 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <iostream>
 #include <thread>
 
-#include "core/atomic_file.h"
 #include "golden/compare_command.h"
+#include "golden/housekeeping.h"
 #include "golden/report.h"
+#include "golden/report_output.h"
 #include "golden/suite_jobs.h"
 #include "golden/why/frame_explainer.h"
 #include "golden/why/frame_why.h"
 
 namespace rocinante {
 namespace {
-
-Status writeOutputs(const SuiteReport& report, const RunArguments& arguments) {
-  if (!arguments.junit.empty()) {
-    if (auto status = writeFileWhole(arguments.junit, bytesOf(reportJunit(report)), true);
-        !status) {
-      return status;
-    }
-  }
-  if (arguments.json_file == "-") {
-    std::cout << reportJson(report);
-  } else if (!arguments.json_file.empty()) {
-    if (auto status = writeFileWhole(arguments.json_file, bytesOf(reportJson(report)), true);
-        !status) {
-      return status;
-    }
-  }
-  if (!arguments.report.empty()) return writeReport(report, arguments.report);
-  return {};
-}
 
 void printFrame(const JudgedFrame& judged) {
   fmt::print("{:<13} {}: {}\n", nameOf(judged.verdict), judged.frame.name, judged.rule);
@@ -44,17 +25,16 @@ void printFrame(const JudgedFrame& judged) {
   }
 }
 
-void printCounts(const SuiteReport& report) {
-  fmt::print("{} frames: {} same, {} different, {} missing, {} unstable, {} incomparable",
-             report.frames.size(), report.count(FrameVerdict::same),
-             report.count(FrameVerdict::different), report.count(FrameVerdict::missing),
-             report.count(FrameVerdict::unstable), report.count(FrameVerdict::incomparable));
-  for (const FrameVerdict verdict : {FrameVerdict::expected, FrameVerdict::unexpected}) {
-    if (const std::size_t count = report.count(verdict); count > 0) {
-      fmt::print(", {} {}", count, nameOf(verdict));
-    }
+std::vector<std::string> notesOf(const SuiteSession& session, const FrameSelection& selection,
+                                 const std::vector<JudgedFrame>& judged) {
+  std::vector<std::string> notes = suiteNotes(judged);
+  // A part of a suite says nothing about the rest of the folder.
+  if (!selection.isWhole()) return notes;
+  for (std::string& fault :
+       folderFaults(session.manifest(), session.folder(), session.allFrames(), false)) {
+    notes.push_back(std::move(fault));
   }
-  fmt::print("\n");
+  return notes;
 }
 
 /// A key says the renderer, then size and samples.
@@ -72,6 +52,9 @@ SuiteReport reportOf(const SuiteSession& session, const SuiteArguments& argument
   if (session.suite().log) report.log = session.suite().log->lexically_normal().string();
   report.session = session.sessionHash();
   report.made_at = nowText();
+  if (!arguments.shard.empty()) {
+    std::tie(report.shard, report.shards) = parseShard(arguments.shard).value_or(std::pair(1, 1));
+  }
   report.run_command = commandText("run", arguments);
   report.approve_command = commandText("approve", arguments) + " -m 'WHY'";
   SuiteArguments one = arguments;
@@ -139,15 +122,19 @@ Result<cli::Exit> runRunCommand(const RunArguments& arguments) {
   auto judged = judgeFrames(*session, arguments.jobs, quiet);
   if (!judged.ok()) return judged.error();
   report.frames = std::move(*judged);
+  report.notes = notesOf(*session, options->selection, report.frames);
   report.renderer = rendererOf(report.frames);
   FrameExplainer explainer(*session, arguments.suite.suite, *options);
   if (auto explained = explainFailures(explainer, report.frames); !explained) {
     return explained.error();
   }
   if (!quiet) printWhy(report.frames);
-  if (auto written = writeOutputs(report, arguments); !written) return written.error();
+  if (auto written =
+          writeReportFiles(report, {arguments.report, arguments.junit, arguments.json_file});
+      !written)
+    return written.error();
   if (!quiet) {
-    printCounts(report);
+    printReportSummary(report);
     if (!arguments.report.empty()) fmt::print("report: {}/index.html\n", arguments.report);
   }
   return exitOf(report.verdict());

@@ -17,7 +17,6 @@ namespace rocinante {
 namespace {
 
 constexpr std::size_t kMostFramesPerCase = 100'000;
-constexpr int kMostShards = 10'000;
 
 std::string momentName(Nanoseconds since_origin) {
   const std::int64_t ms = since_origin.count() / 1'000'000;

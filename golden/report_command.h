@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/cli/program.h"
+#include "core/result.h"
+
+namespace rocinante {
+
+/// What `rocinante golden report` was asked for (docs/programs/golden.md).
+struct ReportArguments {
+  std::vector<std::filesystem::path> folders;
+  std::string report, junit, json_file;
+};
+
+/// Adds the sub-command `report` to `app`; parsing fills `arguments`, which must outlive it.
+CLI::App* addReportCommand(CLI::App& app, ReportArguments& arguments);
+
+/// Puts the reports of shards together; the exit code is what one run would have answered.
+Result<cli::Exit> runReportCommand(const ReportArguments& arguments);
+
+}  // namespace rocinante

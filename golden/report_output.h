@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+#include "core/result.h"
+#include "golden/report.h"
+
+namespace rocinante {
+
+/// Where a subcommand writes its report; what is empty is not written.
+struct ReportFiles {
+  std::string folder;     ///< for index.html, report.json and pictures
+  std::string junit;      ///< a file
+  std::string json_file;  ///< a file, or `-` for standard output
+};
+
+Status writeReportFiles(const SuiteReport& report, const ReportFiles& files);
+
+/// Notes, and how many frames had which verdict, on standard output.
+void printReportSummary(const SuiteReport& report);
+
+}  // namespace rocinante
