@@ -41,7 +41,7 @@ void drawLines(const char* title, const HelpLine (&lines)[kCount], float left, f
     ImGui::SetCursorPosX(left);
     ImGui::TextUnformatted(line.keys);
     ImGui::SameLine(left + keys_width);
-    ImGui::TextDisabled("%s", line.means);
+    ImGui::TextColored(ImVec4(0.74F, 0.78F, 0.82F, 1), "%s", line.means);
   }
 }
 
@@ -52,6 +52,7 @@ void drawHelp(ViewModel& model) {
   ImGui::SetNextWindowPos(ImVec2(io.DisplaySize.x / 2, io.DisplaySize.y / 2), ImGuiCond_Always,
                           ImVec2(0.5F, 0.5F));
   ImGui::SetNextWindowFocus();
+  ImGui::SetNextWindowBgAlpha(0.96F);
   ImGui::Begin("Mouse and keyboard", &model.help_shown, kPanelFlags);
   const float left = ImGui::GetCursorPosX();
   const float top = ImGui::GetCursorPosY();
