@@ -6,7 +6,9 @@
 namespace rocinante {
 namespace {
 
-constexpr std::size_t kMostWaiting = 4;
+constexpr std::size_t kMostWaiting = 8;
+/// More than cores, because a file's way to the disk is waiting.
+constexpr std::size_t kThreads = 4;
 
 /// A library's exception must not end the program from this thread.
 Status done(const std::function<Status()>& task) {
@@ -19,7 +21,9 @@ Status done(const std::function<Status()>& task) {
 
 }  // namespace
 
-BackgroundWriter::BackgroundWriter() : thread_([this] { work(); }) {}
+BackgroundWriter::BackgroundWriter() {
+  for (std::size_t i = 0; i < kThreads; ++i) threads_.emplace_back([this] { work(); });
+}
 
 BackgroundWriter::~BackgroundWriter() {
   {
@@ -27,7 +31,7 @@ BackgroundWriter::~BackgroundWriter() {
     ending_ = true;
   }
   changed_.notify_all();
-  thread_.join();
+  for (std::thread& thread : threads_) thread.join();
 }
 
 Status BackgroundWriter::add(std::function<Status()> task) {
@@ -41,7 +45,7 @@ Status BackgroundWriter::add(std::function<Status()> task) {
 
 Status BackgroundWriter::finish() {
   std::unique_lock lock(mutex_);
-  changed_.wait(lock, [&] { return waiting_.empty() && !busy_; });
+  changed_.wait(lock, [&] { return waiting_.empty() && busy_ == 0; });
   if (failure_) return *failure_;
   return {};
 }
@@ -53,15 +57,15 @@ void BackgroundWriter::work() {
     if (waiting_.empty()) return;
     const std::function<Status()> task = std::move(waiting_.front());
     waiting_.pop_front();
-    busy_ = true;
+    ++busy_;
     changed_.notify_all();
     if (!failure_) {
       lock.unlock();
       const Status status = done(task);
       lock.lock();
-      if (!status) failure_ = status.error();
+      if (!status && !failure_) failure_ = status.error();
     }
-    busy_ = false;
+    --busy_;
     changed_.notify_all();
   }
 }

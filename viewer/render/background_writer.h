@@ -7,14 +7,15 @@
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <vector>
 
 #include "core/result.h"
 
 namespace rocinante {
 
-/// Does tasks one after another on a thread of its own, so that encoding and writing pictures goes
-/// on while the next one is drawn. Few wait at a time: memory stays bounded, and who adds waits.
-/// After a task that failed the others are dropped.
+/// Does tasks on threads of its own, so that encoding and writing pictures goes on while the next
+/// one is drawn. Tasks must not depend on each other. Few wait at a time: memory stays bounded, and
+/// who adds waits. After a task that failed those that were not begun are dropped.
 class BackgroundWriter {
  public:
   BackgroundWriter();
@@ -23,9 +24,9 @@ class BackgroundWriter {
   BackgroundWriter(const BackgroundWriter&) = delete;
   BackgroundWriter& operator=(const BackgroundWriter&) = delete;
 
-  /// The answer of the first task that failed so far; later ones may still.
+  /// The answer of a task that has failed, if any; this one may fail later.
   Status add(std::function<Status()> task);
-  /// Waits until all is done: the answer of the first task that failed.
+  /// Waits until all is done: the same.
   Status finish();
 
  private:
@@ -34,9 +35,10 @@ class BackgroundWriter {
   std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<std::function<Status()>> waiting_;
-  bool busy_ = false, ending_ = false;
+  std::size_t busy_ = 0;
+  bool ending_ = false;
   std::optional<Error> failure_;
-  std::thread thread_;  // last: it uses all of the above
+  std::vector<std::thread> threads_;  // last: they use all of the above
 };
 
 }  // namespace rocinante

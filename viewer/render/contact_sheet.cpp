@@ -29,6 +29,20 @@ void copyInto(Picture& sheet, const Picture& frame, int left, int top) {
   }
 }
 
+/// As much of the text as fits, with a sign where it was cut off.
+std::string cutToFit(std::string text, int width, const TextAtlas& atlas) {
+  const std::string ellipsis = "\u2026";
+  if (atlas.measure(text).width <= width) return text;
+  while (!text.empty() && atlas.measure(text + ellipsis).width > width) {
+    // Whole characters of UTF-8.
+    while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xC0U) == 0x80U) {
+      text.pop_back();
+    }
+    if (!text.empty()) text.pop_back();
+  }
+  return text + ellipsis;
+}
+
 }  // namespace
 
 Result<ContactSheet> ContactSheet::create(std::size_t frames, int width, int height,
@@ -72,8 +86,9 @@ void ContactSheet::put(std::size_t place, const Picture& frame, const std::strin
   const int left = kGap + column * (frame_width_ + kGap);
   const int top = kGap + row * (frame_height_ + atlas_->linePixels() + kGap);
   copyInto(sheet_, frame, left, top);
-  const TextSize size = atlas_->measure(caption);
-  atlas_->drawOn(sheet_, left + (frame.width - size.width) / 2, top + frame.height + 2, caption,
+  const std::string shown = cutToFit(caption, frame.width, *atlas_);
+  const TextSize size = atlas_->measure(shown);
+  atlas_->drawOn(sheet_, left + (frame.width - size.width) / 2, top + frame.height + 2, shown,
                  kInk);
 }
 

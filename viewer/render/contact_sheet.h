@@ -9,7 +9,8 @@
 namespace rocinante {
 
 /// Many frames of one size on one picture, left to right and top to bottom, in about as many
-/// columns as rows, with a line of text under each.
+/// columns as rows, with a line of text under each, cut off where it is
+/// wider than the frame.
 class ContactSheet {
  public:
   /// bad_argument when the sheet would pass 2^27 pixels, or has no frame. Borrows the atlas.

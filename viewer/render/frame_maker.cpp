@@ -19,10 +19,12 @@ namespace rocinante {
 namespace {
 
 Result<std::unique_ptr<RenderContext>> makeContext(Profile profile) {
-  if (profile == Profile::fast) {
-    if (auto context = makeEglContext()) return context;
-  }
-  return makeOsmesaContext();
+  if (profile == Profile::reproducible) return makeOsmesaContext();
+  auto egl = makeEglContext();
+  if (egl) return egl;
+  auto osmesa = makeOsmesaContext();
+  if (osmesa) return osmesa;
+  return Error{ErrorKind::refused, egl.error().text() + "; " + osmesa.error().text(), {}};
 }
 
 /// A request when everything that it names was found.

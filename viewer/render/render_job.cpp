@@ -138,7 +138,10 @@ Status makeFolders(const RenderFiles& files) {
 
 std::string captionOf(const RenderMoment& moment, const std::string& camera) {
   const bool bare = moment.text.find_first_not_of("0123456789.-") == std::string::npos;
-  std::string caption = moment.text + (bare ? " s" : "");
+  std::string caption = moment.text;
+  // Of an event's nanoseconds the milliseconds will do.
+  if (!moment.event.empty()) caption.resize(std::min(caption.size(), caption.find('.') + 4));
+  if (bare) caption += " s";
   if (!moment.event.empty()) caption += "  " + moment.event;
   if (!camera.empty()) caption += "  " + camera;
   return caption;
