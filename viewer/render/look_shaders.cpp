@@ -108,35 +108,23 @@ void main() {
 const std::string_view kOutlineVertex = R"(#version 330 core
 uniform vec4 box;   // pixels from the bottom left: left, bottom, right, top
 uniform vec2 size;  // of the picture
-out vec2 place;
+out vec2 place;     // in the box
 void main() {
-  place = vec2((gl_VertexID & 1) == 0 ? box.x : box.z, (gl_VertexID & 2) == 0 ? box.y : box.w);
-  gl_Position = vec4(place / size * 2.0 - 1.0, 0.0, 1.0);
+  vec2 corner = vec2((gl_VertexID & 1) == 0 ? box.x : box.z, (gl_VertexID & 2) == 0 ? box.y : box.w);
+  place = corner - box.xy;
+  gl_Position = vec4(corner / size * 2.0 - 1.0, 0.0, 1.0);
 }
 )";
 
 const std::string_view kOutlineFragment = R"(#version 330 core
 in vec2 place;
-uniform sampler2D covered;
+uniform sampler2D cover;
 uniform vec4 line_color;
 out vec4 color;
 void main() {
-  ivec2 here = ivec2(floor(place));
-  if (texelFetch(covered, here, 0).r > 0.5) discard;
-  ivec2 last = textureSize(covered, 0) - 1;
-  float nearest = 100.0;
-  for (int y = -3; y <= 3; ++y) {
-    for (int x = -3; x <= 3; ++x) {
-      float away = float(x * x + y * y);
-      if (away > 10.5 || away >= nearest) continue;
-      ivec2 there = clamp(here + ivec2(x, y), ivec2(0), last);
-      if (texelFetch(covered, there, 0).r > 0.5) nearest = away;
-    }
-  }
-  // Two and a half pixels wide, the last of them fading.
-  float cover = clamp(3.0 - sqrt(nearest), 0.0, 1.0);
-  if (cover <= 0.0) discard;
-  color = vec4(line_color.rgb, line_color.a * cover);
+  float part = texelFetch(cover, ivec2(floor(place)), 0).r;
+  if (part <= 0.0) discard;
+  color = vec4(line_color.rgb, line_color.a * part);
 }
 )";
 

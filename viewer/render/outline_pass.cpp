@@ -14,8 +14,10 @@ namespace rocinante {
 namespace {
 
 constexpr glm::vec4 kLineColor{1.0F, 0.58F, 0.05F, 1};
-/// How far from what is covered the line may reach: kOutlineFragment looks no farther.
-constexpr int kReachPx = 3;
+/// How far from what is covered the line reaches.
+constexpr int kReachPx = 2;
+/// By the square of the distance: three pixels less the distance, at most a whole one.
+constexpr std::array<std::uint8_t, 10> kCover{0, 255, 255, 255, 255, 195, 195, 195, 44, 0};
 
 /// In pixels from the bottom left: what the items can cover.
 struct CoveredBox {
@@ -46,6 +48,45 @@ int boundedPixel(double place, int most) {
 
 }  // namespace
 
+std::vector<std::uint8_t> outlineOf(const std::vector<std::uint8_t>& covered, int width,
+                                    int height) {
+  const auto w = static_cast<std::size_t>(width);
+  const auto h = static_cast<std::size_t>(height);
+  // First along each row: the square of the distance to what is covered, 9 where it is far.
+  constexpr std::uint8_t kFar = 9;
+  std::vector<std::uint8_t> along(covered.size(), kFar);
+  for (std::size_t y = 0; y < h; ++y) {
+    const std::uint8_t* from = &covered[y * w];
+    std::uint8_t* to = &along[y * w];
+    for (std::size_t x = 0; x < w; ++x) {
+      if (from[x] == 0) continue;
+      to[x] = 0;
+      for (std::size_t off = 1; off <= kReachPx; ++off) {
+        const auto square = static_cast<std::uint8_t>(off * off);
+        if (x >= off) to[x - off] = std::min(to[x - off], square);
+        if (x + off < w) to[x + off] = std::min(to[x + off], square);
+      }
+    }
+  }
+  // Then across them.
+  std::vector<std::uint8_t> cover(covered.size(), 0);
+  std::vector<std::uint8_t> nearest(w);
+  for (std::size_t y = 0; y < h; ++y) {
+    std::fill(nearest.begin(), nearest.end(), kFar);
+    for (int off = -kReachPx; off <= kReachPx; ++off) {
+      const int row = static_cast<int>(y) + off;
+      if (row < 0 || row >= height) continue;
+      const std::uint8_t* from = &along[static_cast<std::size_t>(row) * w];
+      const auto square = static_cast<std::uint8_t>(off * off);
+      for (std::size_t x = 0; x < w; ++x) {
+        nearest[x] = std::min(nearest[x], static_cast<std::uint8_t>(from[x] + square));
+      }
+    }
+    for (std::size_t x = 0; x < w; ++x) cover[y * w + x] = kCover[nearest[x]];
+  }
+  return cover;
+}
+
 Result<OutlinePass> OutlinePass::create(const GlTable& gl) {
   auto mask = ShaderProgram::link(gl, "mask", shader::kFlatVertex, shader::kFlatFragment);
   if (!mask) return mask.error();
@@ -66,6 +107,7 @@ OutlinePass::OutlinePass(OutlinePass&& other) noexcept
       empty_array_(std::exchange(other.empty_array_, 0)),
       frame_(std::exchange(other.frame_, 0)),
       covered_(std::exchange(other.covered_, 0)),
+      cover_(std::exchange(other.cover_, 0)),
       width_(other.width_),
       height_(other.height_) {}
 
@@ -73,6 +115,7 @@ OutlinePass::~OutlinePass() {
   if (empty_array_ != 0) gl_.DeleteVertexArrays(1, &empty_array_);
   if (frame_ != 0) gl_.DeleteFramebuffers(1, &frame_);
   if (covered_ != 0) gl_.DeleteTextures(1, &covered_);
+  if (cover_ != 0) gl_.DeleteTextures(1, &cover_);
 }
 
 Status OutlinePass::resize(int width, int height) {
@@ -130,13 +173,35 @@ Status OutlinePass::find(std::span<const DrawnSet> sets, const Camera& camera) {
     right_ = boundedPixel(box.right + kReachPx + 2, width_);
     bottom_ = boundedPixel(box.bottom - kReachPx - 1, height_);
     top_ = boundedPixel(box.top + kReachPx + 2, height_);
+    if (found_) makeLine();
   }
   gl_.BindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(bound));
   return ready;
 }
 
+void OutlinePass::makeLine() {
+  const int width = right_ - left_;
+  const int height = top_ - bottom_;
+  found_ = width > 0 && height > 0;
+  if (!found_) return;
+  std::vector<std::uint8_t> covered(static_cast<std::size_t>(width) *
+                                    static_cast<std::size_t>(height));
+  gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
+  gl_.ReadPixels(left_, bottom_, width, height, GL_RED, GL_UNSIGNED_BYTE, covered.data());
+  gl_.PixelStorei(GL_PACK_ALIGNMENT, 4);
+  const std::vector<std::uint8_t> cover = outlineOf(covered, width, height);
+  if (cover_ == 0) gl_.GenTextures(1, &cover_);
+  gl_.BindTexture(GL_TEXTURE_2D, cover_);
+  gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_R8, width, height, 0, GL_RED, GL_UNSIGNED_BYTE, cover.data());
+  gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+}
+
 void OutlinePass::draw() const {
-  if (!found_ || left_ >= right_ || bottom_ >= top_) return;
+  if (!found_) return;
   gl_.Disable(GL_DEPTH_TEST);
   gl_.Enable(GL_BLEND);
   line_.use();
@@ -145,7 +210,7 @@ void OutlinePass::draw() const {
   gl_.Uniform2f(line_.uniform("size"), static_cast<float>(width_), static_cast<float>(height_));
   gl_.Uniform4f(line_.uniform("line_color"), kLineColor.r, kLineColor.g, kLineColor.b,
                 kLineColor.a);
-  gl_.BindTexture(GL_TEXTURE_2D, covered_);
+  gl_.BindTexture(GL_TEXTURE_2D, cover_);
   gl_.BindVertexArray(empty_array_);
   gl_.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
   gl_.Disable(GL_BLEND);

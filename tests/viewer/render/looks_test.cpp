@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tests/viewer/render/test_scene.h"
+#include "viewer/render/outline_pass.h"
 #include "viewer/render/renderer.h"
 #include "viewer/render/scale_bar.h"
 
@@ -209,6 +210,22 @@ TEST(Looks, AnOutlineGoesAroundAThingAlsoWhereItIsHidden) {
   EXPECT_EQ(at(outlined, 80, 80), at(plain, 80, 80));
   EXPECT_EQ(at(outlined, 58, 80), at(plain, 58, 80));
   EXPECT_EQ(studio.drawn({"outlined=nobody"}).rgba, plain.rgba);
+}
+
+TEST(Looks, TheLineAroundAThingIsTwoAndAHalfPixelsWide) {
+  // One pixel in the middle of nine by five.
+  std::vector<std::uint8_t> covered(45, 0);
+  covered[2 * 9 + 4] = 255;
+  const auto line = outlineOf(covered, 9, 5);
+  const auto row = [&](std::size_t y) {
+    return std::vector<int>(line.begin() + static_cast<std::ptrdiff_t>(y * 9),
+                            line.begin() + static_cast<std::ptrdiff_t>(y * 9 + 9));
+  };
+  EXPECT_EQ(row(0), (std::vector<int>{0, 0, 44, 195, 255, 195, 44, 0, 0}));
+  EXPECT_EQ(row(1), (std::vector<int>{0, 0, 195, 255, 255, 255, 195, 0, 0}));
+  EXPECT_EQ(row(2), (std::vector<int>{0, 0, 255, 255, 0, 255, 255, 0, 0}));
+  EXPECT_EQ(row(3), row(1));
+  EXPECT_EQ(row(4), row(0));
 }
 
 TEST(Looks, WireframeShowsWhatIsBehindAndTransparentBoth) {
