@@ -13,10 +13,10 @@ namespace rocinante {
 
 /// Which frames of a suite a program works on.
 struct FrameSelection {
-  std::vector<std::string> only;      ///< globs over frames' and cases' names; empty: all
-  std::vector<std::string> tags;      ///< one of these; empty: all
-  std::vector<std::string> not_tags;  ///< none of these
-  int shard = 1, shards = 1;          ///< the cases that are left are dealt out in turn
+  std::vector<std::string> only{};      ///< globs over frames' and cases' names; empty: all
+  std::vector<std::string> tags{};      ///< one of these; empty: all
+  std::vector<std::string> not_tags{};  ///< none of these
+  int shard = 1, shards = 1;            ///< the cases that are left are dealt out in turn
 
   bool isWhole() const { return only.empty() && tags.empty() && not_tags.empty() && shards == 1; }
 };
