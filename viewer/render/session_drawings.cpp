@@ -57,10 +57,14 @@ void addLabelsApart(Overlay& overlay, const std::vector<PlacedLabel>& labels, co
   const int h = camera.height();
   const std::vector<ScreenBox> taken{{0, h - 84, 84, h}, {w - 200, h - 50, w, h}};
   const auto plates = layOutLabels(anchors, taken, w, h);
-  for (std::size_t i = seen.size(); i-- > 0;) {
-    overlay.setOwner(seen[i]->owner);
-    overlay.addLabelAt(atlas, {anchors[i].x, anchors[i].y}, plates[i], seen[i]->drawing->rgba,
-                       seen[i]->drawing->text);
+  // Dots before plates, so that none stands on a text.
+  for (const bool placed : {false, true}) {
+    for (std::size_t i = seen.size(); i-- > 0;) {
+      if (plates[i].has_value() != placed) continue;
+      overlay.setOwner(seen[i]->owner);
+      overlay.addLabelAt(atlas, {anchors[i].x, anchors[i].y}, plates[i], seen[i]->drawing->rgba,
+                         seen[i]->drawing->text);
+    }
   }
 }
 
