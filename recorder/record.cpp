@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/input/open_source.h"
+#include "core/net/interface_wait.h"
 #include "recorder/capture_file_loop.h"
 #include "recorder/quiet_thread.h"
 #include "recorder/receive_loop.h"
@@ -311,6 +312,14 @@ Result<RecordSummary> record(const RecordOptions& options, const RecordEvents& e
   // Sockets first: a port that is taken must not leave an empty log behind.
   Result<TeeSet> tees = TeeSet::open(options.tees);
   if (!tees) return tees.error();
+  if (options.wait_interface) {
+    const auto tell = [&](const std::string& text) { events.note({text, false}); };
+    if (Status there = waitForInterfaces(options.endpoints, *options.wait_interface, tell,
+                                         events.stop_requested);
+        !there) {
+      return there.error();
+    }
+  }
   const InputOptions listening{options.receiving, options.allow, tees->localAddresses()};
   const Result<Sources> opened = openSources(options.endpoints, listening);
   if (!opened) return opened.error();

@@ -26,6 +26,8 @@ struct RecordOptions {
   /// Attached before anything is recorded; null: none.
   std::shared_ptr<const CellBundle> cell;
   bool attach_once = false;  ///< to the first log alone
+  /// How long to wait for network interfaces that do not exist yet; empty: one is refused at once.
+  std::optional<Nanoseconds> wait_interface;
   SplitRule split;
   RetentionLimits limits;
   /// Nothing is written but what is asked for; `split` means nothing then.

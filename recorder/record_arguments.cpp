@@ -67,6 +67,9 @@ void addRecordArguments(CLI::App& app, RecordArguments& arguments) {
                  "send everything received on to this endpoint; may be repeated")
       ->type_name("EP")
       ->allow_extra_args(false);
+  app.add_option("--wait-interface", arguments.wait_interface,
+                 "wait at most so long for network interfaces that do not exist yet")
+      ->type_name("TIME");
   app.add_option("-o,--output", arguments.output,
                  "the log: a file, a folder or a name with %Y%m%dT%H%M%S (UTC) and %n\n"
                  "(the piece's number); default session-%Y%m%dT%H%M%SZ.mcap")
@@ -124,6 +127,11 @@ Result<RecordOptions> readRecordArguments(const RecordArguments& arguments) {
     const Result<Endpoint> endpoint = Endpoint::parse(text);
     if (!endpoint) return endpoint.error();
     options.tees.push_back(*endpoint);
+  }
+  if (!arguments.wait_interface.empty()) {
+    const Result<Nanoseconds> longest = readSpan(arguments.wait_interface, "--wait-interface");
+    if (!longest) return longest.error();
+    options.wait_interface = *longest;
   }
   if (!arguments.duration.empty()) {
     const Result<Nanoseconds> duration = readSpan(arguments.duration, "--duration");

@@ -20,6 +20,7 @@ struct RecordArguments {
   std::vector<std::string> endpoints;
   std::vector<std::string> allow;
   std::vector<std::string> tees;
+  std::string wait_interface;
   std::string output;
   std::string cell;
   std::vector<std::filesystem::path> search;

@@ -179,6 +179,46 @@ TEST(RecordInputs, GoesOnWhenAnInterfaceIsMadeAnew) {
   EXPECT_THAT(payloads, testing::Contains("after"));
 }
 
+TEST(RecordInputs, WaitsForAnInterfaceThatIsMadeLater) {
+  const NetworkNamespace network;
+  ROCINANTE_NEEDS_NETWORK_NAMESPACE(network);
+  const std::string group = "udp://239.1.2.3:5000?interface=late0";
+  const TemporaryFolder folder;
+  auto program = Program::start(
+      "rocinante-record", {group, "--wait-interface", "60s", "-o", "log.mcap"}, folder.path());
+  program.waitForLine("waiting for the network interface late0");
+  EXPECT_FALSE(std::filesystem::exists(folder / "log.mcap")) << "nothing is bound or made yet";
+  ASSERT_TRUE(
+      NetworkNamespace::run("ip link add late0 type veth peer name robot0 && "
+                            "ip addr add 10.9.0.1/24 dev late0 && ip link set robot0 up && "
+                            "ip link set late0 up"));
+  program.waitForLine("recording " + group);
+  auto sender = UdpSender::open(Endpoint::parse(group).value());
+  ASSERT_TRUE(sender.ok()) << sender.error().text();
+  for (int i = 0; i < 20; ++i) {
+    (void)sender->send(bytesOf(std::string_view("heard")));
+    ::poll(nullptr, 0, 10);
+  }
+  const ProgramResult result = program.stop();
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out + result.err, HasSubstr(" packets on 1 channel in "));
+  EXPECT_THAT(result.out + result.err, testing::Not(HasSubstr("recorded 0 packets")));
+}
+
+TEST(RecordInputs, GivesUpWaitingForAnInterfaceWithWhatThereIs) {
+  const ProgramResult late = test::runProgram(
+      "rocinante-record", {"udp://239.1.2.3:5000?interface=no-such-9", "--wait-interface", "50ms"});
+  EXPECT_EQ(late.exit_code, 2);
+  EXPECT_THAT(late.err,
+              HasSubstr("there is still no such network interface after 0.05 s; there are "));
+  auto program = Program::start(
+      "rocinante-record", {"udp://239.1.2.3:5000?interface=no-such-9", "--wait-interface", "60s"});
+  program.waitForLine("waiting for the network interface no-such-9");
+  const ProgramResult stopped = program.stop();
+  EXPECT_EQ(stopped.exit_code, 2);
+  EXPECT_THAT(stopped.err, HasSubstr("interrupted while waiting for a network interface"));
+}
+
 TEST(RecordInputs, SaysWhatIsNeededToCapture) {
   if (::geteuid() != 0) GTEST_SKIP() << "needs root, to give it up";
   // What root starts without this capability may not capture either.

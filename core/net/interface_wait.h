@@ -1,0 +1,21 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+
+#include "core/net/endpoint.h"
+#include "core/result.h"
+#include "core/time.h"
+
+namespace rocinante {
+
+/// Returns when every network interface that the endpoints name exists: a cable adapter that is
+/// plugged in later, a VPN, a container's network. `told` hears once which ones are waited for.
+/// refused when `longest` passes first; interrupted ones end with refused too, when `stop` says so,
+/// which is asked every 20 ms.
+Status waitForInterfaces(std::span<const Endpoint> endpoints, Nanoseconds longest,
+                         const std::function<void(const std::string&)>& told,
+                         const std::function<bool()>& stop);
+
+}  // namespace rocinante

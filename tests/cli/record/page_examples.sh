@@ -1,0 +1,29 @@
+# Every example of docs/programs/record.md that records is taken as it stands, for a moment, in a network of
+# its own, where its ports are free and its interfaces are there.
+if ! unshare -n true 2>/dev/null; then
+  echo "skipped: no network name space here: needs root"
+  exit 77
+fi
+cp "$SRC"/examples/demo/*.* . && cp -r "$SRC/examples/demo/arm" "$SRC/examples/demo/textures" .
+rm session.mcap
+cat >run.py <<'PY'
+import os, re, shlex, signal, subprocess
+page = open(os.environ["SRC"] + "/docs/programs/record.md", encoding="utf-8").read()
+blocks = re.findall(r"^```\n(.*?)^```", page, re.M | re.S)
+commands = [line for block in blocks for line in block.splitlines() if line.startswith("rocinante record ")]
+commands = [line for line in commands if "[" not in line]  # but for the synopsis
+ran = 0
+for command in commands:
+    program = subprocess.Popen(shlex.split(command), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    ready = program.stderr.readline()
+    program.send_signal(signal.SIGINT)
+    out, rest = program.communicate(timeout=60)
+    ran += 1
+    if program.returncode != 0 or not ready.startswith("recording "):
+        print(f"$ {command}\nexit {program.returncode}\n{ready}{rest}{out}")
+print("all are taken" if ran >= 6 else f"only {ran} examples")
+PY
+ip=$(command -v ip)
+unshare -n bash -euc "$ip link set lo up
+$ip link add eth1 type veth peer name robot1 && $ip addr add 192.168.7.1/24 dev eth1 && $ip link set eth1 up && $ip link set robot1 up
+python3 run.py"
