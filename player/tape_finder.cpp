@@ -6,9 +6,13 @@
 namespace rocinante {
 namespace {
 
-constexpr std::size_t kMostKept = 64;
-/// What all that is kept may weigh, as the states count it.
+/// Between two of them lie 16,384 messages at most of every 8 million: some milliseconds to fold.
+constexpr std::size_t kMostKept = 1024;
+/// What all that is kept may weigh, as the states count it; one that is too heavy is not kept.
 constexpr std::uint64_t kMostKeptBytes = std::uint64_t{64} << 20U;
+constexpr std::uint64_t kHeaviest = kMostKeptBytes / 16;
+
+std::uint64_t bytesOfKept(const SessionState& state) { return sizeof(state) + state.weight(); }
 
 }  // namespace
 
@@ -27,10 +31,11 @@ Result<TapeFinder> TapeFinder::open(std::vector<std::filesystem::path> paths,
 }
 
 void TapeFinder::keep(TapePlace place, const SessionState& state) {
-  if (state.weight() > kMostKeptBytes / kMostKept) return;
-  kept_.insert_or_assign(place, state);
-  if (kept_.size() < kMostKept) return;
+  if (bytesOfKept(state) > kHeaviest || !kept_.try_emplace(place, state).second) return;
+  kept_bytes_ += bytesOfKept(state);
+  if (kept_.size() < kMostKept && kept_bytes_ < kMostKeptBytes) return;
   for (auto each = kept_.begin(); each != kept_.end();) {
+    kept_bytes_ -= bytesOfKept(each->second);
     each = kept_.erase(each);
     if (each != kept_.end()) ++each;
   }
@@ -66,7 +71,6 @@ Result<SessionState> TapeFinder::stateBefore(TapePlace place) {
     folder_.fold(*state, **message);
     if (!timeline_ && count % keep_each_ == 0) keep(TapePlace::behind(merge_.place()), *state);
   }
-  if (!timeline_) keep(place, *state);
   for (const auto& [source, memory] : state->sources()) sources_.insert(source);
   return state;
 }

@@ -24,8 +24,8 @@ class TapeFinder {
   static Result<TapeFinder> open(std::vector<std::filesystem::path> paths, ChannelChoice choice);
 
   /// The fold of every message before `place`, so that playing from there continues it. Of a single
-  /// log that is played whole it begins at a keyframe; else at the start, or near where it was
-  /// asked for before.
+  /// log that is played whole it begins at a keyframe; else at the last state kept on the way of an
+  /// earlier question, or at the start.
   Result<SessionState> stateBefore(TapePlace place);
   /// Every SOURCE that is named by the logs or was met in a state: who must be reset.
   const std::set<std::string>& sources() const { return sources_; }
@@ -56,10 +56,12 @@ class TapeFinder {
   std::set<std::string> sources_;
   std::optional<std::vector<LogTime>> event_times_;
 
-  /// States along the way of several logs, whose keyframes know one log alone. Where there are too
-  /// many, every other one goes and they are kept half as often.
+  /// States along the way of several logs, whose keyframes know one log alone: two that speak of
+  /// one device cannot be put together without what lies between. Where there are too many, every
+  /// other one goes and they are kept half as often.
   std::map<TapePlace, SessionState> kept_;
-  std::uint64_t keep_each_ = 4096;
+  std::uint64_t kept_bytes_ = 0;
+  std::uint64_t keep_each_ = 1024;
 };
 
 }  // namespace rocinante
