@@ -116,7 +116,8 @@ void LookDrift::compareLinks(const Link& was, const Link& is, DriftList& drift) 
   }
   const std::size_t shared = std::min(was.visuals.size(), is.visuals.size());
   for (std::size_t i = 0; i < shared; ++i) {
-    compareMaterials(was.visuals[i], is.visuals[i], name, drift);
+    const bool told = comparePointColors(was.visuals[i], is.visuals[i], name, drift);
+    compareMaterials(was.visuals[i], is.visuals[i], name, told, drift);
   }
 }
 
@@ -144,10 +145,10 @@ std::string LookDrift::shapeDrift(const std::vector<Visual>& was, const std::vec
 }
 
 void LookDrift::compareMaterials(const Visual& was, const Visual& is, const std::string& name,
-                                 DriftList& drift) {
+                                 bool color_told, DriftList& drift) {
   const std::vector<const Material*> before = materialsOf(was), after = materialsOf(is);
   const Material plain;
-  bool color_told = false, texture_told = false;
+  bool texture_told = false;
   for (std::size_t i = 0; i < std::min(before.size(), after.size()); ++i) {
     const Material& a = before[i] != nullptr ? *before[i] : plain;
     const Material& b = after[i] != nullptr ? *after[i] : plain;
@@ -168,6 +169,32 @@ void LookDrift::compareMaterials(const Visual& was, const Visual& is, const std:
                                                     : "is another picture, or lies otherwise"));
     }
   }
+}
+
+bool LookDrift::comparePointColors(const Visual& was, const Visual& is, const std::string& name,
+                                   DriftList& drift) {
+  const bool had = was.mesh != nullptr && !was.mesh->colors.empty();
+  const bool has = is.mesh != nullptr && !is.mesh->colors.empty();
+  // Of another shape that is told already the colours are others too.
+  const bool same = had == has && (!has || shapeOf(was) != shapeOf(is) ||
+                                   pointColorsOf(was) == pointColorsOf(is));
+  if (same) return false;
+  drift.add("drift.material", fmt::format("the colours at the points of {} {}", name,
+                                          has && had ? "have changed"
+                                          : has      ? "are new"
+                                                     : "are gone"));
+  return true;
+}
+
+LookDrift::Digest LookDrift::pointColorsOf(const Visual& visual) {
+  std::vector<std::uint32_t> colors;
+  for (const std::size_t part : partsOf(visual)) {
+    const MeshPart& run = visual.mesh->parts[part];
+    for (std::size_t i = 0; i < run.index_count; ++i) {
+      colors.push_back(visual.mesh->colors[visual.mesh->indices[run.first_index + i]]);
+    }
+  }
+  return xxh3(std::as_bytes(std::span(colors)));
 }
 
 LookDrift::Digest LookDrift::shapeOf(const Visual& visual) {

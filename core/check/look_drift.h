@@ -26,8 +26,14 @@ class LookDrift {
   void compareLinks(const Link& was, const Link& is, DriftList& drift);
   /// What differs between two lists of visuals, as a sentence's end; empty when nothing does.
   std::string shapeDrift(const std::vector<Visual>& was, const std::vector<Visual>& is);
+  /// `color_told`: a colour that has changed is told already.
   void compareMaterials(const Visual& was, const Visual& is, const std::string& name,
-                        DriftList& drift);
+                        bool color_told, DriftList& drift);
+  /// Of meshes that have colours at their points (OBJ, COLLADA, glTF).
+  /// True when it told something: without such colours a grey material is another grey.
+  bool comparePointColors(const Visual& was, const Visual& is, const std::string& name,
+                          DriftList& drift);
+  static Digest pointColorsOf(const Visual& visual);
   Digest shapeOf(const Visual& visual);
   Digest partOf(const Mesh& mesh, std::size_t part);
   /// Of the picture's bytes; of its name when it cannot be read.

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/net/udp_socket.h"
+#include "tests/support/network_namespace.h"
 #include "tests/support/programs.h"
 
 namespace rocinante {
@@ -65,6 +66,29 @@ TEST(CheckProgram, AnInterruptionTellsWhatWasFoundAndIsNeverYes) {
   EXPECT_EQ(stopped.exit_code, 2);
   EXPECT_TRUE(stopped.out.ends_with("\ninterrupted: what was found so far is not all\n"))
       << stopped.out;
+}
+
+TEST(CheckProgram, JudgesTrafficThatHasItsOwnReceiver) {
+  const test::NetworkNamespace network;
+  ROCINANTE_NEEDS_NETWORK_NAMESPACE(network);
+  const test::TemporaryFolder folder;
+  std::ofstream(folder / "arm.urdf") << kArm;
+  const Result<UdpReceiver> receiver = UdpReceiver::open(Endpoint::parse("127.0.0.1:0").value());
+  ASSERT_TRUE(receiver.ok());
+  Endpoint to = receiver->endpoint();
+  to.address = receiver->boundAddress();
+  const std::string filter = "?filter=udp port " + std::to_string(to.address.port);
+  auto check = test::Program::start(
+      "rocinante-check", {"arm.urdf", "--live", "pcap://lo" + filter, "--duration", "3s"},
+      folder.path());
+  check.waitForLine("listening on pcap://lo");
+  Result<UdpSender> sender = UdpSender::open(to);
+  ASSERT_TRUE(sender.ok());
+  EXPECT_TRUE(sender->send(bytesOf(std::string_view("RK1 me@a - -\njoints arm 1 2\n"))).ok());
+  const test::ProgramResult judged = check.finish();
+  if (judged.err.find("without libpcap") != std::string::npos) GTEST_SKIP() << judged.err;
+  EXPECT_EQ(judged.exit_code, 1) << judged.out << judged.err;
+  EXPECT_THAT(judged.out, HasSubstr("[packet.joint-count]"));
 }
 
 }  // namespace

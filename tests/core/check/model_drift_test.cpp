@@ -317,6 +317,12 @@ TEST(ModelDrift, FindsEachSmallChangeAndNothingElse) {
        "name = \"back\"",
        {"drift.camera", "drift.camera"},
        "is gone"},
+      {"a point coloured",
+       "part.obj",
+       "v 0 0 0\n",
+       "v 0 0 0 1 0 0\n",
+       {"drift.material"},
+       "the colours at the points of link"},
       // What changes nothing.
       {"a comment", "arm.urdf", "</robot>", "<!-- checked --> </robot>", {}, ""},
       {"a number written otherwise", "arm.urdf", "xyz=\"0 0 0.4\"", "xyz=\"0 -0 4.0e-1\"", {}, ""},
@@ -350,6 +356,26 @@ TEST(ModelDrift, FindsEachSmallChangeAndNothingElse) {
     EXPECT_THAT(rules, ElementsAreArray(mutation.rules)) << said;
     EXPECT_THAT(said, HasSubstr(mutation.says));
   }
+}
+
+TEST(ModelDrift, SeesColoursAtPointsThatHaveChangedOrGone) {
+  const auto colored = [](const std::string& with) {
+    Files files = soundFiles();
+    std::string& text = files.at("part.obj");
+    text.replace(text.find("v 1 0 0\n"), 8, "v 1 0 0" + with + "\n");
+    return files;
+  };
+  const auto said = [](const Files& was, const Files& is) {
+    std::string all;
+    for (const Finding& finding : driftBetween(was, is)) {
+      EXPECT_EQ(finding.rule, "drift.material");
+      all += finding.text + "\n";
+    }
+    return all;
+  };
+  EXPECT_EQ(said(colored(" 1 0 0"), colored(" 1.000 0 0")), "");
+  EXPECT_THAT(said(colored(" 1 0 0"), colored(" 0 1 0")), HasSubstr("have changed"));
+  EXPECT_THAT(said(colored(" 1 0 0"), colored("")), HasSubstr("are gone"));
 }
 
 TEST(ModelDrift, SaysWhichValuesWouldDriveEachOthersJoint) {
