@@ -10,7 +10,7 @@ namespace {
 constexpr int kPaddingX = 4;
 constexpr int kPaddingY = 2;
 /// Between plates.
-constexpr int kGap = 2;
+constexpr int kPlateGap = 2;
 
 /// Plates by the squares of the picture that they touch, so that asking is quick.
 class TakenPlaces {
@@ -60,14 +60,14 @@ class TakenPlaces {
 };
 
 /// Beside the anchor first as labels without any layout stand: up and to the right.
-struct Side {
+struct PlateSide {
   int x, y;  ///< -1: left of and above the anchor, 0: centred, 1: right of and below
 };
-constexpr std::array kSides{Side{1, -1}, Side{1, 1}, Side{-1, -1}, Side{-1, 1},
-                            Side{0, -1}, Side{0, 1}, Side{1, 0},   Side{-1, 0}};
+constexpr std::array kSides{PlateSide{1, -1}, PlateSide{1, 1}, PlateSide{-1, -1}, PlateSide{-1, 1},
+                            PlateSide{0, -1}, PlateSide{0, 1}, PlateSide{1, 0},   PlateSide{-1, 0}};
 constexpr std::array kDistances{10, 26, 48, 76};
 
-ScreenBox boxBeside(const LabelAnchor& anchor, const Side& side, int distance) {
+ScreenBox boxBeside(const LabelAnchor& anchor, const PlateSide& side, int distance) {
   const int x = static_cast<int>(std::floor(anchor.x)) + side.x * distance;
   const int y = static_cast<int>(std::floor(anchor.y)) + side.y * distance;
   const int width = anchor.text.width + 2 * kPaddingX;
@@ -88,12 +88,12 @@ std::vector<std::optional<ScreenBox>> layOutLabels(const std::vector<LabelAnchor
   for (std::size_t i = 0; i < anchors.size(); ++i) {
     const auto find = [&]() -> std::optional<ScreenBox> {
       for (const int distance : kDistances) {
-        for (const Side& side : kSides) {
+        for (const PlateSide& side : kSides) {
           const ScreenBox box = boxBeside(anchors[i], side, distance);
           const bool inside =
               box.left >= 0 && box.top >= 0 && box.right <= width && box.bottom <= height;
-          const ScreenBox wide{box.left - kGap, box.top - kGap, box.right + kGap,
-                               box.bottom + kGap};
+          const ScreenBox wide{box.left - kPlateGap, box.top - kPlateGap, box.right + kPlateGap,
+                               box.bottom + kPlateGap};
           if (inside && places.isFree(wide)) return box;
         }
       }

@@ -14,7 +14,7 @@ static_assert(std::endian::native == std::endian::little, "abgr is written as by
 /// Part of its distance by which a line or point is drawn nearer.
 constexpr double kLift = 5e-4;
 constexpr double kMaxWidthPx = 256;
-constexpr std::uint32_t kPlate = 0x14181CC8;
+constexpr std::uint32_t kLabelPlate = 0x14181CC8;
 constexpr int kPlatePaddingX = 4;
 constexpr int kPlatePaddingY = 2;
 
@@ -228,10 +228,10 @@ void Overlay::addLabel(const TextAtlas& atlas, const Vec3& world, std::uint32_t 
   const int y =
       std::max(std::min(wanted_y, camera_.height() - size.height - 2 * kPadding), kPadding);
   const ScreenPoint dot{anchor->x, anchor->y, 0, 1};
-  addScreenLine(*anchor, {static_cast<double>(x), static_cast<double>(y + size.height)}, kPlate,
-                1.5);
+  addScreenLine(*anchor, {static_cast<double>(x), static_cast<double>(y + size.height)},
+                kLabelPlate, 1.5);
   addScreenRectangle({x - kPadding, y - 2}, {x + size.width + kPadding, y + size.height + 2},
-                     kPlate);
+                     kLabelPlate);
   addDisc(dot, (rgba & 0xFFFFFF00U) | 0xFFU, 5);
   addScreenText(atlas, x, y, rgba, text);
 }
@@ -246,8 +246,8 @@ void Overlay::addLabelAt(const TextAtlas& atlas, const Vec2& anchor,
     const double right = plate->right;
     const double bottom = plate->bottom;
     const Vec2 nearest(std::clamp(anchor.x, left, right), std::clamp(anchor.y, top, bottom));
-    addScreenLine(anchor, nearest, kPlate, 1.5);
-    addScreenRectangle({left, top}, {right, bottom}, kPlate);
+    addScreenLine(anchor, nearest, kLabelPlate, 1.5);
+    addScreenRectangle({left, top}, {right, bottom}, kLabelPlate);
     addScreenText(atlas, plate->left + kPlatePaddingX, plate->top + kPlatePaddingY, rgba, text);
   }
   addDisc({anchor.x, anchor.y, 0, 1}, opaque, 5);
@@ -323,7 +323,7 @@ void Overlay::addGnomon(const TextAtlas& atlas) {
 void Overlay::addScaleBar(const TextAtlas& atlas, const ScaleBar& bar) {
   constexpr double kInset = 12;
   constexpr double kTick = 7;
-  constexpr std::uint32_t kInk = 0xF2F4F6FF;
+  constexpr std::uint32_t kBarInk = 0xF2F4F6FF;
   const TextSize size = atlas.measure(bar.text);
   // Whole pixels, so that its ends are sharp.
   const double length = std::floor(bar.pixels + 0.5);
@@ -333,15 +333,15 @@ void Overlay::addScaleBar(const TextAtlas& atlas, const ScaleBar& bar) {
   const double left = right - inner - 16;
   const double top = bottom - size.height - kTick - 12;
   if (camera_.width() < 200 || camera_.height() < 150) return;
-  addScreenRectangle({left, top}, {right, bottom}, kPlate);
+  addScreenRectangle({left, top}, {right, bottom}, kLabelPlate);
   const double bar_left = std::floor(right - 8 - inner / 2 - length / 2);
   const double bar_bottom = bottom - 6;
-  addScreenRectangle({bar_left, bar_bottom - 2}, {bar_left + length, bar_bottom}, kInk);
+  addScreenRectangle({bar_left, bar_bottom - 2}, {bar_left + length, bar_bottom}, kBarInk);
   for (const double tick : {bar_left, bar_left + length - 2}) {
-    addScreenRectangle({tick, bar_bottom - kTick}, {tick + 2, bar_bottom}, kInk);
+    addScreenRectangle({tick, bar_bottom - kTick}, {tick + 2, bar_bottom}, kBarInk);
   }
   addScreenText(atlas, static_cast<int>(std::floor(right - 8 - inner / 2 - size.width / 2.0)),
-                static_cast<int>(top) + 3, kInk, bar.text);
+                static_cast<int>(top) + 3, kBarInk, bar.text);
 }
 
 }  // namespace rocinante

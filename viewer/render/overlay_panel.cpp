@@ -11,7 +11,7 @@ namespace rocinante {
 namespace {
 
 constexpr int kMarginPx = 8, kPaddingPx = 8, kColumnGapPx = 18;
-constexpr std::uint32_t kPlate = 0x14181CC8, kInk = 0xE8ECF0FF, kHeadingInk = 0xFFD27FFF;
+constexpr std::uint32_t kPanelPlate = 0x14181CC8, kPanelInk = 0xE8ECF0FF, kHeadingInk = 0xFFD27FFF;
 
 /// -0.000 is 0.000: a picture must not tell the two zeros apart.
 std::string fixed(double value, int decimals) {
@@ -46,16 +46,16 @@ void addJoints(const PosedDevice& device, const SessionState& state, std::vector
 }
 
 void blendPlate(Picture& picture, int left, int top, int right, int bottom) {
-  constexpr std::uint32_t kCover = kPlate & 255U;
+  constexpr std::uint32_t cover = kPanelPlate & 255U;
   for (int y = std::max(top, 0); y < std::min(bottom, picture.height); ++y) {
     for (int x = std::max(left, 0); x < std::min(right, picture.width); ++x) {
       const auto at = (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
                        static_cast<std::size_t>(x)) *
                       4;
       for (unsigned c = 0; c < 3; ++c) {
-        const std::uint32_t color = kPlate >> (24 - 8 * c) & 255U;
+        const std::uint32_t color = kPanelPlate >> (24 - 8 * c) & 255U;
         std::uint8_t& pixel = picture.rgba[at + c];
-        pixel = static_cast<std::uint8_t>((color * kCover + pixel * (255 - kCover) + 127) / 255);
+        pixel = static_cast<std::uint8_t>((color * cover + pixel * (255 - cover) + 127) / 255);
       }
     }
   }
@@ -101,9 +101,9 @@ void drawPanel(Picture& picture, const std::vector<PanelRow>& rows, const TextAt
   blendPlate(picture, kMarginPx, kMarginPx, right + kPaddingPx,
              y + static_cast<int>(shown.size()) * line + kPaddingPx);
   for (const PanelRow& row : shown) {
-    atlas.drawOn(picture, left, y, row.name, row.heading ? kHeadingInk : kInk);
+    atlas.drawOn(picture, left, y, row.name, row.heading ? kHeadingInk : kPanelInk);
     if (!row.value.empty()) {
-      atlas.drawOn(picture, right - atlas.measure(row.value).width, y, row.value, kInk);
+      atlas.drawOn(picture, right - atlas.measure(row.value).width, y, row.value, kPanelInk);
     }
     y += line;
   }

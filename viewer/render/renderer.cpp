@@ -46,16 +46,6 @@ const RenderStyle& styleOf(const SceneFrame& frame) {
   return frame.style != nullptr ? *frame.style : kDefault;
 }
 
-/// Collision geometry, uploaded when it is first asked for. No part of the inputs hash: a frame
-/// without it does not depend on it.
-struct CollisionGeometry {
-  CollisionGeometry(const GlTable& gl, const Cell& cell)
-      : catalog(cell, DrawnGeometry::collisions), meshes(gl, catalog, unused_inputs) {}
-  SceneCatalog catalog;
-  InputsHash unused_inputs;
-  MeshBuffers meshes;
-};
-
 }  // namespace
 
 struct Renderer::Impl {
@@ -70,6 +60,16 @@ struct Renderer::Impl {
     inputs.add(std::as_bytes(std::span(atlas.coverage())));
     inputs_text = inputs.text();
   }
+
+  /// Collision geometry, uploaded when it is first asked for. No part of the inputs hash: a frame
+  /// without it does not depend on it.
+  struct CollisionGeometry {
+    CollisionGeometry(const GlTable& gl, const Cell& cell)
+        : catalog(cell, DrawnGeometry::collisions), meshes(gl, catalog, unused_inputs) {}
+    SceneCatalog catalog;
+    InputsHash unused_inputs;
+    MeshBuffers meshes;
+  };
 
   GlTable gl;
   RendererKey key;

@@ -41,22 +41,6 @@ bool sameBits(const T& a, const T& b) {
   return std::memcmp(&a, &b, sizeof(T)) == 0;
 }
 
-/// What is set when it changes; the first value always counts as a change.
-template <class T>
-class Latest {
- public:
-  bool changesTo(const T& value) {
-    if (known_ && sameBits(value_, value)) return false;
-    known_ = true;
-    value_ = value;
-    return true;
-  }
-
- private:
-  bool known_ = false;
-  T value_{};
-};
-
 }  // namespace
 
 /// Tells GL of item after item. For each program it remembers what that was last told.
@@ -167,6 +151,22 @@ class ScenePass::Items {
     gl_.Enable(GL_POLYGON_OFFSET_FILL);
     setDepthLift(gl_, ranks);
   }
+
+  /// What is set when it changes; the first value always counts as a change.
+  template <class T>
+  class Latest {
+   public:
+    bool changesTo(const T& value) {
+      if (known_ && sameBits(value_, value)) return false;
+      known_ = true;
+      value_ = value;
+      return true;
+    }
+
+   private:
+    bool known_ = false;
+    T value_{};
+  };
 
   const ScenePass& pass_;
   const GlTable& gl_;
