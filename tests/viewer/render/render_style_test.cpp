@@ -5,7 +5,7 @@
 namespace rocinante {
 namespace {
 
-RenderStyle styled(const std::vector<std::string>& words) {
+RenderStyle styleSaid(const std::vector<std::string>& words) {
   RenderStyle style;
   for (const std::string& word : words) {
     const Status set = setStyle(style, word);
@@ -16,15 +16,15 @@ RenderStyle styled(const std::vector<std::string>& words) {
 
 TEST(RenderStyle, SaysNothingByDefault) {
   EXPECT_TRUE(styleWords(RenderStyle{}).empty());
-  EXPECT_EQ(styled({"shadows=off", "edges=off", "shading=standard"}), RenderStyle{});
+  EXPECT_EQ(styleSaid({"shadows=off", "edges=off", "shading=standard"}), RenderStyle{});
 }
 
 TEST(RenderStyle, ComesBackFromItsOwnWords) {
   const RenderStyle style =
-      styled({"shading=plain", "shadows", "edges=only", "labels=apart", "ghosts=clear", "limits=on",
-              "scale-bar", "outlined=arm", "outlined=gantry/x", "wireframe=*",
-              "transparent=hall@0.25", "collision=arm", "collision-over=layer/robots",
-              "trail=arm/tool0@2.5s", "trail=gantry@250ms"});
+      styleSaid({"shading=plain", "shadows", "edges=only", "labels=apart", "ghosts=clear",
+                 "limits=on", "scale-bar", "outlined=arm", "outlined=gantry/x", "wireframe=*",
+                 "transparent=hall@0.25", "collision=arm", "collision-over=layer/robots",
+                 "trail=arm/tool0@2.5s", "trail=gantry@250ms"});
   RenderStyle again;
   for (const auto& [key, value] : styleWords(style)) {
     ASSERT_TRUE(setStyle(again, key, value).has_value()) << key << "=" << value;
@@ -57,8 +57,8 @@ TEST(RenderStyle, HasEveryKeyInItsWords) {
 }
 
 TEST(RenderStyle, TakesUnderscoresAndTrueAsFilesWriteThem) {
-  EXPECT_EQ(styled({"scale_bar=true", "collision_over=arm"}),
-            styled({"scale-bar=on", "collision-over=arm"}));
+  EXPECT_EQ(styleSaid({"scale_bar=true", "collision_over=arm"}),
+            styleSaid({"scale-bar=on", "collision-over=arm"}));
 }
 
 TEST(RenderStyle, RefusesWhatItDoesNotKnowAndStaysAsItWas) {
@@ -67,7 +67,7 @@ TEST(RenderStyle, RefusesWhatItDoesNotKnowAndStaysAsItWas) {
         "transparent=arm@1.5", "transparent=arm@nan", "transparent=arm@", "trail=arm@0",
         "trail=arm@-1s", "trail=arm@25h", "trail=layer/robots", "trail=*", "trail=arm#hand",
         "collision=arm#hand", "=", ""}) {
-    RenderStyle style = styled({"shadows", "trail=arm"});
+    RenderStyle style = styleSaid({"shadows", "trail=arm"});
     const RenderStyle before = style;
     EXPECT_FALSE(setStyle(style, word).has_value()) << word;
     EXPECT_EQ(style, before) << word;
@@ -75,7 +75,7 @@ TEST(RenderStyle, RefusesWhatItDoesNotKnowAndStaysAsItWas) {
 }
 
 TEST(RenderStyle, NamesThingsOnce) {
-  EXPECT_EQ(styled({"outlined=arm", "outlined=arm"}).outlined.size(), 1U);
+  EXPECT_EQ(styleSaid({"outlined=arm", "outlined=arm"}).outlined.size(), 1U);
 }
 
 }  // namespace
