@@ -1,5 +1,6 @@
 #include "core/model/sdformat_module.h"
 
+#include <cstdlib>
 #include <exception>
 #include <sdf/Box.hh>
 #include <sdf/Capsule.hh>
@@ -161,8 +162,24 @@ void tellModel(const RocinanteSdfSink& sink, const sdf::Model& model) {
   }
 }
 
-void read(const char* text, const RocinanteSdfSink& sink) {
+/// libsdformat opens ~/.sdformat/sdformat.log when it is first spoken to: a judge writes nothing
+/// that nobody asked for, and its home may not be writable. Programs load cells before they start
+/// threads that look into the environment.
+void keepQuiet() {
+  const char* const home = std::getenv("HOME");
+  const std::string before = home != nullptr ? home : "";
+  ::setenv("HOME", "/dev/null", 1);
   sdf::Console::Instance()->SetQuiet(true);
+  if (home != nullptr) {
+    ::setenv("HOME", before.c_str(), 1);
+  } else {
+    ::unsetenv("HOME");
+  }
+}
+
+void read(const char* text, const RocinanteSdfSink& sink) {
+  static const bool is_quiet = (keepQuiet(), true);
+  static_cast<void>(is_quiet);
   sdf::ParserConfig config;
   config.SetFindCallback([](const std::string&) { return std::string(); });
   sdf::Root root;
