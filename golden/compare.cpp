@@ -191,6 +191,8 @@ Comparison compareFine(const FinePicture& frame, const FinePicture& golden,
     found.verdict = Verdict::different;
     found.rule = fmt::format("{} differing samples of {}, {} pixels at 8 bits (exact)",
                              found.fine_differing, frame.encoding.depthText(), found.differing);
+  } else if (found.fine_differing > 0 && found.differing == 0) {
+    found.rule = fmt::format("equal pixels at 8 bits ({})", tolerance.name);
   }
   return found;
 }

@@ -28,6 +28,12 @@ TEST(CompareWithGolden, ACroppedFrameNeverPasses) {
   }
 }
 
+TEST(CompareWithGolden, ATurnedFrameNeverPasses) {
+  // As many pixels, all equal, and as many bytes.
+  EXPECT_EQ(compare(greyPicture(30, 20), greyPicture(20, 30), Tolerance::loose()).rule,
+            "the frame is 30x20, the golden 20x30");
+}
+
 TEST(CompareWithGolden, PicturesWithoutPixelsOrTooFewAreIncomparable) {
   EXPECT_EQ(compare(Picture{}, Picture{}, {}).verdict, Verdict::incomparable);
   Picture cut = greyPicture(8, 8);
@@ -235,6 +241,7 @@ TEST(CompareFine, SixteenBitsThatDifferBelowTheEighthAreNotExactlyTheSame) {
   EXPECT_EQ(exact.rule, "1 differing samples of 16 bits a component, 0 pixels at 8 bits (exact)");
   EXPECT_EQ(exact.fine_max, 1);
   EXPECT_EQ(compareFine(frame, golden, Tolerance::cpu()).verdict, Verdict::same);
+  EXPECT_EQ(compareFine(frame, golden, Tolerance::cpu()).rule, "equal pixels at 8 bits (cpu)");
   PictureMask mask(20, 20);
   mask.hide(PixelRectangle{0, 1, 1, 1}, "corner");
   EXPECT_EQ(compareFine(frame, golden, Tolerance::exactly(), &mask).verdict, Verdict::same);

@@ -79,6 +79,13 @@ TEST(WorstTile, IsTheSlowOneAtEverySize) {
   }
 }
 
+TEST(WorstTile, OfEqualOnesNamesTheFirst) {
+  std::vector<std::uint8_t> differences(40 * 40, 3);
+  const WorstTile found = worstTile(differences, 40, 40);
+  EXPECT_EQ(found.x, 0);
+  EXPECT_EQ(found.y, 0);
+}
+
 TEST(WorstTile, FindsAFullTileAtEveryPlace) {
   constexpr int kWidth = 45;
   constexpr int kHeight = 37;
