@@ -4,6 +4,7 @@
 #include "core/cli/program.h"
 #include "golden/add_command.h"
 #include "golden/approve_command.h"
+#include "golden/bisect_command.h"
 #include "golden/compare_command.h"
 #include "golden/diff_command.h"
 #include "golden/list_command.h"
@@ -19,6 +20,7 @@ constexpr char kExamples[] =
     "  rocinante golden run examples/demo/demo.suite.toml --report out/report\n"
     "  rocinante golden run suite.toml --log new.mcap --only 'pick*' --junit out/junit.xml\n"
     "  rocinante golden approve suite.toml --only picked -m 'the gripper got longer fingers'\n"
+    "  rocinante golden bisect session.mcap cell.toml --other-cell new/cell.toml\n"
     "  rocinante golden session accepted.mcap new.mcap cell.toml --report out/report\n"
     "  rocinante golden approve suite.toml -i -m 'looked at each'\n"
     "  rocinante golden list suite.toml --verify\n"
@@ -45,6 +47,8 @@ int goldenMain(int argc, char** argv) {
   CLI::App* report = addReportCommand(app, report_arguments);
   CompareArguments compare_arguments;
   CLI::App* compare = addCompareCommand(app, compare_arguments);
+  BisectArguments bisect_arguments;
+  CLI::App* bisect = addBisectCommand(app, bisect_arguments);
   SessionArguments session_arguments;
   CLI::App* session = addSessionCommand(app, session_arguments);
 
@@ -57,6 +61,7 @@ int goldenMain(int argc, char** argv) {
     if (diff->parsed()) return runDiffCommand(diff_arguments);
     if (report->parsed()) return runReportCommand(report_arguments);
     if (compare->parsed()) return runCompareCommand(compare_arguments);
+    if (bisect->parsed()) return runBisectCommand(bisect_arguments);
     if (session->parsed()) return runSessionCommand(session_arguments);
     return cli::Exit::could_not_run;
   });

@@ -9,9 +9,11 @@ class WhyTable {
   show(why) {
     this.pinned = 0;
     find("why").hidden = !why;
+    find("case").classList.toggle("explained", Boolean(why));
     if (!why) return this.body.replaceChildren();
     find("why-basis").textContent = why.basis;
-    this.body.replaceChildren(...why.rows.map((row) => this.rowOf(row, why.differing)));
+    this.body.replaceChildren(...why.rows.map((row) => this.rowOf(row)));
+    find("why-pixels").textContent = "Pixels, of " + grouped(why.differing);
     find("why-links").hidden = why.rows.length === 0;
     this.list("why-state", why.state);
     this.list("why-files", why.files);
@@ -22,11 +24,11 @@ class WhyTable {
     find(id).querySelector("ul").replaceChildren(...lines.map((line) => make("li", { textContent: line })));
   }
 
-  rowOf(row, differing) {
+  rowOf(row) {
     const button = make("button", { type: "button", textContent: row.name, "aria-pressed": "false",
       title: "Show its pixels: cyan where it is, magenta where it was, yellow what differs" });
     const line = make("tr", {}, make("td", {}, button),
-      make("td", { textContent: grouped(row.pixels) + " of " + grouped(differing) }),
+      make("td", { textContent: grouped(row.pixels) }),
       make("td", { textContent: row.what }));
     line.dataset.row = row.row;
     const light = (number) => this.light(number || this.pinned);

@@ -17,7 +17,7 @@ namespace {
 /// A shift explains a change when it takes this share of the cost away.
 constexpr double kExplains = 0.7;
 /// Guessing takes more to believe: surfaces without marks look alike everywhere.
-constexpr double kGuessExplains = 0.5;
+constexpr double kGuessExplains = 0.65;
 /// A pixel's edge samples reach half a pixel: neighbours are looked at, and theirs.
 constexpr int kReach = 1;
 /// Changed outline pixels for each of the outline: less is what an edge of others does.
@@ -313,9 +313,11 @@ Blame guessBlame(const Picture& golden, const BlameSide& frame) {
   std::vector<std::uint32_t> golden_ids = frame_ids;
   MovedLinks moved;
   const auto to_find = linksToFind(golden, frame.picture, frame_ids, work.linkCount());
+  const Picture smooth_golden = smoothed(golden);
+  const Picture smooth_frame = smoothed(frame.picture);
   for (const std::uint32_t link : to_find) {
     const Region region = regionOf(frame_ids, golden.width, golden.height, link);
-    const auto shift = findRegion(frame.picture, region, golden, kGuessWindow);
+    const auto shift = findRegion(smooth_frame, region, smooth_golden, kGuessWindow);
     if (!shift || shift->cost > kGuessExplains * shift->cost_unmoved) continue;
     if (shift->right * shift->right + shift->down * shift->down < 0.01) continue;
     layBack(region, *shift, golden.width, golden.height, link, golden_ids);

@@ -1,6 +1,7 @@
 #include "golden/why/registration.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <functional>
@@ -13,6 +14,9 @@ namespace {
 constexpr std::size_t kMostSamples = 3000;
 constexpr int kNear = 3;
 constexpr int kRim = 2;
+/// An eighth of full scale in all three components is as bad as no fit: shaded surfaces differ by
+/// less from themselves.
+constexpr double kFullCost = 3 * 32.0;
 
 struct Pixel {
   int x = 0, y = 0;
@@ -32,8 +36,7 @@ double colorCost(const Picture& a, std::size_t at_a, const Picture& b, std::size
   for (std::size_t component = 0; component < 3; ++component) {
     sum += std::abs(a.rgba[at_a * 4 + component] - b.rgba[at_b * 4 + component]);
   }
-  // An eighth of full scale is as bad as no fit: shaded surfaces differ by less from themselves.
-  return std::min(1.0, sum / (3 * 32.0));
+  return std::min(1.0, sum / kFullCost);
 }
 
 /// Pixels of a region, spread evenly.
@@ -172,6 +175,76 @@ std::optional<Shift> registerRegions(const Picture& from, const Region& from_reg
   return shift;
 }
 
+namespace {
+
+/// The cost of laying `samples` of one picture on another, between its pixels by their four
+/// neighbours: what moved by a fraction looks so, nearly.
+double costBetween(const Picture& from, const std::vector<Pixel>& samples, const Picture& to,
+                   double right, double down) {
+  const int whole_right = static_cast<int>(std::floor(right));
+  const int whole_down = static_cast<int>(std::floor(down));
+  const double part_x = right - whole_right;
+  const double part_y = down - whole_down;
+  const std::array<double, 4> weights = {(1 - part_x) * (1 - part_y), part_x * (1 - part_y),
+                                         (1 - part_x) * part_y, part_x * part_y};
+  double cost = 0;
+  for (const Pixel& pixel : samples) {
+    const int x = pixel.x + whole_right;
+    const int y = pixel.y + whole_down;
+    if (!holds(to, x, y) || !holds(to, x + 1, y + 1)) {
+      cost += 1;
+      continue;
+    }
+    const std::array<std::size_t, 4> corners = {pixelAt(to, x, y), pixelAt(to, x + 1, y),
+                                                pixelAt(to, x, y + 1), pixelAt(to, x + 1, y + 1)};
+    const std::size_t at = pixelAt(from, pixel.x, pixel.y);
+    double sum = 0;
+    for (std::size_t component = 0; component < 3; ++component) {
+      double value = 0;
+      for (std::size_t i = 0; i < 4; ++i) value += weights[i] * to.rgba[corners[i] * 4 + component];
+      sum += std::abs(value - from.rgba[at * 4 + component]);
+    }
+    cost += std::min(1.0, sum / kFullCost);
+  }
+  return cost / static_cast<double>(samples.size());
+}
+
+/// Goes on from a whole shift by halves of a pixel, quarters and so on.
+void refine(const Picture& from, const std::vector<Pixel>& samples, const Picture& to,
+            Shift& shift) {
+  shift.cost = costBetween(from, samples, to, shift.right, shift.down);
+  for (double step = 0.5; step > 0.05; step /= 2) {
+    const Shift middle = shift;
+    for (int y = -1; y <= 1; ++y) {
+      for (int x = -1; x <= 1; ++x) {
+        const double right = middle.right + x * step;
+        const double down = middle.down + y * step;
+        const double cost = costBetween(from, samples, to, right, down);
+        if (cost < shift.cost) shift = {right, down, cost, shift.cost_unmoved};
+      }
+    }
+  }
+}
+
+}  // namespace
+
+Picture smoothed(const Picture& picture) {
+  Picture made = picture;
+  for (int y = 1; y + 1 < picture.height; ++y) {
+    for (int x = 1; x + 1 < picture.width; ++x) {
+      for (std::size_t component = 0; component < 3; ++component) {
+        const auto row = [&](int line) {
+          const std::uint8_t* at = &picture.rgba[pixelAt(picture, x, line) * 4 + component];
+          return at[-4] + 2 * at[0] + at[4];
+        };
+        made.rgba[pixelAt(picture, x, y) * 4 + component] =
+            static_cast<std::uint8_t>((row(y - 1) + 2 * row(y) + row(y + 1) + 8) / 16);
+      }
+    }
+  }
+  return made;
+}
+
 std::optional<Shift> findRegion(const Picture& from, const Region& region, const Picture& to,
                                 int window) {
   if (region.pixels == 0) return std::nullopt;
@@ -203,7 +276,11 @@ std::optional<Shift> findRegion(const Picture& from, const Region& region, const
   ShiftSearch search(costOf);
   search.tryAround(0, 0, window, 2);
   search.descend();
-  return search.shift();
+  Shift shift = search.shift();
+  shift.right = std::round(shift.right);
+  shift.down = std::round(shift.down);
+  refine(from, samples, to, shift);
+  return shift;
 }
 
 }  // namespace rocinante

@@ -30,6 +30,10 @@ struct Shift {
 std::optional<Shift> registerRegions(const Picture& from, const Region& from_region,
                                      const Picture& to, const Region& to_region);
 
+/// Each pixel with its neighbours, 1 2 1 in both directions: what moved by a part of a pixel is
+/// then found again where it is, jagged edges and all.
+Picture smoothed(const Picture& picture);
+
 /// Finds where the pixels of `from` inside a region are found in `to`, whose outlines are not
 /// known, at most `window` pixels away: by colours, and those of a rim of two pixels around it.
 std::optional<Shift> findRegion(const Picture& from, const Region& region, const Picture& to,

@@ -1,0 +1,285 @@
+#include "golden/bisect_command.h"
+
+#include <fmt/format.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "core/bundle/attached_cell.h"
+#include "core/duration_text.h"
+#include "golden/why/bisect.h"
+#include "viewer/render/frame_maker.h"
+
+namespace rocinante {
+namespace {
+
+/// A maker that outlives the function which draws with it.
+Result<DrawnHash> drawnByUs(const std::filesystem::path& cell, const std::filesystem::path& log,
+                            const CellOptions& options, const FrameRequest& asked) {
+  auto loaded = loadCellOrLog(cell, options);
+  if (!loaded.ok()) return loaded.error();
+  auto session = Timeline::open(log);
+  if (!session.ok()) return session.error();
+  auto opened = FrameMaker::open(std::move(*loaded), std::move(*session), Profile::reproducible);
+  if (!opened.ok()) return opened.error();
+  auto maker = std::make_shared<FrameMaker>(std::move(*opened));
+  return DrawnHash([maker, asked](Nanoseconds moment) -> Result<std::string> {
+    FrameRequest request = asked;
+    request.time = maker->session()->origin() + moment;
+    const auto frame = maker->frame(request);
+    if (!frame.ok()) return frame.error();
+    return pictureSha256(*frame);
+  });
+}
+
+/// The first 64 hexadecimal digits in a row that a program prints.
+std::string hashIn(const std::string& text) {
+  std::size_t digits = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool is_digit = (text[i] >= '0' && text[i] <= '9') || (text[i] >= 'a' && text[i] <= 'f');
+    digits = is_digit ? digits + 1 : 0;
+    if (digits == 64) return text.substr(i - 63, 64);
+  }
+  return {};
+}
+
+/// Runs a program without a shell and gives what it wrote to standard output.
+Result<std::string> outputOf(const std::vector<std::string>& words) {
+  std::array<int, 2> ends{};
+  if (::pipe(ends.data()) != 0) return Error{ErrorKind::refused, "no pipe is to be had", words[0]};
+  const ::pid_t child = ::fork();
+  if (child < 0) return Error{ErrorKind::refused, "no process is to be had", words[0]};
+  if (child == 0) {
+    ::dup2(ends[1], STDOUT_FILENO);
+    ::close(ends[0]);
+    ::close(ends[1]);
+    std::vector<char*> arguments;
+    for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+    arguments.push_back(nullptr);
+    ::execvp(arguments[0], arguments.data());
+    ::_exit(127);
+  }
+  ::close(ends[1]);
+  std::string text;
+  std::array<char, 4096> buffer{};
+  for (::ssize_t got = 0; (got = ::read(ends[0], buffer.data(), buffer.size())) > 0;) {
+    if (text.size() < 65536) text.append(buffer.data(), static_cast<std::size_t>(got));
+  }
+  ::close(ends[0]);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
+    return Error{ErrorKind::unreadable, "it could not draw the frame", words[0]};
+  }
+  return text;
+}
+
+/// Another build of rocinante-render.
+DrawnHash drawnBy(const std::string& program, const std::filesystem::path& cell,
+                  const std::filesystem::path& log, const BisectArguments& arguments) {
+  return [=](Nanoseconds moment) -> Result<std::string> {
+    std::vector<std::string> words = {program,
+                                      cell.string(),
+                                      log.string(),
+                                      "--at",
+                                      secondsText(moment, 9),
+                                      "--size",
+                                      arguments.size,
+                                      "--samples",
+                                      std::to_string(arguments.samples),
+                                      "--hash"};
+    if (!arguments.camera.empty()) words.insert(words.end(), {"--camera", arguments.camera});
+    for (const auto& root : arguments.search)
+      words.insert(words.end(), {"--search", root.string()});
+    const auto text = outputOf(words);
+    if (!text.ok()) return text.error();
+    std::string hash = hashIn(*text);
+    if (hash.empty()) return Error{ErrorKind::unsupported, "it printed no --hash", program};
+    return hash;
+  };
+}
+
+Result<std::vector<Nanoseconds>> momentsOfBoth(const BisectArguments& arguments) {
+  auto moments = changesOf(arguments.log);
+  if (!moments.ok() || arguments.other_log.empty()) return moments;
+  const auto others = changesOf(arguments.other_log);
+  if (!others.ok()) return others.error();
+  if (moments->empty() || others->empty()) {
+    return Error{ErrorKind::not_found, "a log without messages draws nothing",
+                 moments->empty() ? arguments.log.string() : arguments.other_log};
+  }
+  // Where both are: a moment outside one of them is no moment of it.
+  const Nanoseconds from = std::max(moments->front(), others->front());
+  const Nanoseconds until = std::min(moments->back(), others->back());
+  std::vector<Nanoseconds> both;
+  std::ranges::set_union(*moments, *others, std::back_inserter(both));
+  std::erase_if(both, [&](Nanoseconds moment) { return moment < from || moment > until; });
+  return both;
+}
+
+Status limitMoments(const BisectArguments& arguments, const Timeline& session,
+                    std::vector<Nanoseconds>& moments) {
+  if (!arguments.from.empty()) {
+    const auto from = parseSessionTime(arguments.from, session.origin(), session.end());
+    if (!from.ok()) return from.error();
+    std::erase_if(moments, [&](Nanoseconds moment) { return session.origin() + moment < *from; });
+  }
+  if (!arguments.until.empty()) {
+    const auto until = parseSessionTime(arguments.until, session.origin(), session.end());
+    if (!until.ok()) return until.error();
+    std::erase_if(moments, [&](Nanoseconds moment) { return session.origin() + moment >= *until; });
+  }
+  if (!moments.empty()) return {};
+  return Error{ErrorKind::not_found, "there is no moment to draw between these times",
+               arguments.log.string()};
+}
+
+std::string answerText(const BisectAnswer& answer) {
+  const auto seconds = [](Nanoseconds moment) { return secondsText(moment, 3) + " s"; };
+  std::string text;
+  if (!answer.first) {
+    return fmt::format("no difference at the {} moments that were drawn, of {}\n", answer.frames,
+                       answer.moments);
+  }
+  text = fmt::format("the pictures part at {}\n", seconds(*answer.first));
+  if (answer.last_alike) {
+    text += fmt::format("at {}, the moment before that was drawn, they are the same\n",
+                        seconds(*answer.last_alike));
+  }
+  text += answer.is_first_since_probe
+              ? fmt::format("every moment since {} was looked at\n", seconds(answer.searched_from))
+              : "found by halving: there may be an earlier one\n";
+  text += fmt::format("{} of {} moments drawn\n", answer.frames, answer.moments);
+  return text;
+}
+
+std::string answerJson(const BisectAnswer& answer) {
+  const auto orNull = [](const std::optional<Nanoseconds>& moment) {
+    return moment ? nlohmann::ordered_json(moment->count()) : nlohmann::ordered_json(nullptr);
+  };
+  const nlohmann::ordered_json root = {
+      {"format", 1},
+      {"verdict", answer.first ? "different" : "same"},
+      {"first_ns", orNull(answer.first)},
+      {"last_alike_ns", orNull(answer.last_alike)},
+      {"every_moment_since_ns",
+       answer.is_first_since_probe ? orNull(answer.searched_from) : orNull(std::nullopt)},
+      {"drawn", answer.frames},
+      {"moments", answer.moments}};
+  return root.dump(2) + "\n";
+}
+
+Result<BisectQuestion> bisectQuestion(const BisectArguments& arguments) {
+  const std::filesystem::path cell =
+      arguments.cell.empty() ? arguments.log : std::filesystem::path(arguments.cell);
+  const std::filesystem::path other_log =
+      arguments.other_log.empty() ? arguments.log : std::filesystem::path(arguments.other_log);
+  const std::filesystem::path other_cell =
+      arguments.other_cell.empty() ? cell : std::filesystem::path(arguments.other_cell);
+  CellOptions options;
+  options.search = arguments.search;
+  options.search_environment = arguments.search_environment;
+  FrameRequest request;
+  request.camera = arguments.camera;
+  request.samples = arguments.samples;
+  if (std::sscanf(arguments.size.c_str(), "%dx%d", &request.width, &request.height) != 2 ||
+      request.width < 1 || request.height < 1 || request.width > 8192 || request.height > 8192) {
+    return Error{ErrorKind::bad_argument, "--size is WIDTHxHEIGHT, each from 1 to 8192",
+                 arguments.size};
+  }
+  BisectQuestion question;
+  question.most_frames = arguments.most_frames;
+  auto moments = momentsOfBoth(arguments);
+  if (!moments.ok()) return moments.error();
+  question.moments = std::move(*moments);
+  auto session = Timeline::open(arguments.log);
+  if (!session.ok()) return session.error();
+  if (auto limited = limitMoments(arguments, *session, question.moments); !limited) {
+    return limited.error();
+  }
+  question.alike_before = question.moments.front();
+  const auto events = session->events();
+  if (!events.ok()) return events.error();
+  for (const Event& event : **events) question.probes.push_back(event.time - session->origin());
+  // And evenly: a session without events is no reason to draw all of it.
+  for (std::size_t i = 1; i < 16; ++i) {
+    question.probes.push_back(question.moments[question.moments.size() * i / 16]);
+  }
+  if (!arguments.other_log.empty()) {
+    auto other = Timeline::open(other_log);
+    if (!other.ok()) return other.error();
+    // Of one cell and one build equal states are equal pictures, and nothing need be drawn: but for
+    // a camera that is fitted to all that a session will show.
+    CellOptions without_meshes = options;
+    without_meshes.geometry = false;
+    const auto kinematics = loadCellOrLog(cell, without_meshes);
+    if (!kinematics.ok()) return kinematics.error();
+    const bool has_camera = !arguments.camera.empty() || !kinematics->cameras.empty();
+    if (has_camera && arguments.other_cell.empty() && arguments.other_render.empty()) {
+      const auto part = statesPart(*session, *other, question.moments);
+      if (!part.ok()) return part.error();
+      question.alike_before = *part ? **part : question.moments.back() + Nanoseconds(1);
+    }
+  }
+  auto a = drawnByUs(cell, arguments.log, options, request);
+  if (!a.ok()) return a.error();
+  question.a = std::move(*a);
+  if (!arguments.other_render.empty()) {
+    question.b = drawnBy(arguments.other_render, other_cell, other_log, arguments);
+    return question;
+  }
+  auto b = drawnByUs(other_cell, other_log, options, request);
+  if (!b.ok()) return b.error();
+  question.b = std::move(*b);
+  return question;
+}
+
+}  // namespace
+
+CLI::App* addBisectCommand(CLI::App& app, BisectArguments& arguments) {
+  CLI::App* command = app.add_subcommand(
+      "bisect", "the first time at which two logs, cells or builds draw different pictures");
+  command->add_option("LOG", arguments.log, "the session")->required();
+  command->add_option("CELL", arguments.cell, "the cell; by default the one that LOG carries");
+  command->add_option("--other-log", arguments.other_log, "against this log");
+  command->add_option("--other-cell", arguments.other_cell, "against this cell");
+  command->add_option("--other-render", arguments.other_render,
+                      "against this rocinante-render, of another build");
+  command->add_option("--camera", arguments.camera, "of the cell; by default its first");
+  command->add_option("--size", arguments.size, "of the pictures")->capture_default_str();
+  command->add_option("--samples", arguments.samples, "multisampling: 1 or 4")
+      ->capture_default_str();
+  command->add_option("--from", arguments.from, "begin here, a session time");
+  command->add_option("--until", arguments.until, "end before it");
+  command
+      ->add_option("--most-frames", arguments.most_frames,
+                   "draw at most so many moments one by one; more are halved")
+      ->capture_default_str();
+  command->add_option("--search", arguments.search, "root for model files; repeatable");
+  command->add_flag("--search-env", arguments.search_environment,
+                    "search ROCINANTE_PATH, AMENT_PREFIX_PATH and ROS_PACKAGE_PATH too");
+  command->add_flag("--json", arguments.json, "answer as JSON");
+  return command;
+}
+
+Result<cli::Exit> runBisectCommand(const BisectArguments& arguments) {
+  if (arguments.other_log.empty() && arguments.other_cell.empty() &&
+      arguments.other_render.empty()) {
+    return Error{ErrorKind::bad_argument,
+                 "against what? --other-log, --other-cell or --other-render", ""};
+  }
+  const auto question = bisectQuestion(arguments);
+  if (!question.ok()) return question.error();
+  const auto answer = bisectPictures(*question);
+  if (!answer.ok()) return answer.error();
+  std::cout << (arguments.json ? answerJson(*answer) : answerText(*answer));
+  return answer->first ? cli::Exit::no : cli::Exit::done;
+}
+
+}  // namespace rocinante
