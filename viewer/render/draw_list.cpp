@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "core/math/transform.h"
+#include "viewer/render/cull_sphere.h"
 #include "viewer/render/scene_detail.h"
 
 namespace rocinante {
@@ -12,14 +13,6 @@ namespace {
 
 /// Below this an item is drawn as translucent.
 constexpr float kOpaqueAlpha = 0.999F;
-
-/// The largest factor by which the matrix lengthens anything is at most this.
-double scaleBound(const Mat4& m) {
-  const double x = lengthOf(Vec3(m[0]));
-  const double y = lengthOf(Vec3(m[1]));
-  const double z = lengthOf(Vec3(m[2]));
-  return std::sqrt(x * x + y * y + z * z);
-}
 
 bool mirrors(const Mat4& m) {
   const Vec3 x(m[0]);
@@ -54,17 +47,23 @@ void applyLook(const PartLook& look, DrawItem& item) {
   item.diffuse.a *= look.opacity;
 }
 
-/// Calls each(visual, device number, link number, mesh number) for all that is visible.
+/// Calls each(visual, device number, link number, mesh number) for all that is visible, but for
+/// devices and links of which `camera` cannot see anything (null: it sees all).
 template <class Each>
 void forEachVisual(const PosedScene& scene, const SceneCatalog& catalog, const ViewChoice& choice,
-                   const LinkLooks& looks, DrawnGeometry geometry, const Each& each) {
+                   const LinkLooks& looks, DrawnGeometry geometry, const Camera* camera,
+                   const Each& each) {
   for (std::uint32_t d = 0; d < scene.devices.size(); ++d) {
     const PosedDevice& device = scene.devices[d];
     if (device.model == nullptr) continue;
+    const LinkReaches* const reaches = camera == nullptr ? nullptr : catalog.reaches(*device.model);
+    if (reaches != nullptr && !mayBeSeen(*camera, deviceSphere(device, *reaches))) continue;
     for (std::uint32_t l = 0; l < device.model->links.size(); ++l) {
       const Link& link = device.model->links[l];
       const auto& drawn = geometry == DrawnGeometry::visuals ? link.visuals : link.collisions;
-      if (drawn.empty() || !(choice.choosesParts() || choice.linkVisible(device, l))) continue;
+      if (drawn.empty()) continue;
+      if (reaches != nullptr && !mayBeSeen(*camera, linkSphere(device, l, (*reaches)[l]))) continue;
+      if (!(choice.choosesParts() || choice.linkVisible(device, l))) continue;
       if (looks.anyCollision() && !looks.draws(geometry, device, l)) continue;
       for (const Visual& visual : drawn) {
         const auto mesh = catalog.meshNumber(visual.mesh.get());
@@ -85,16 +84,33 @@ void forEachPart(const Visual& visual, const CatalogMesh& mesh, const Each& each
   }
 }
 
+/// By state, what is equal in the order of the scene. Sorts small keys, since items are large.
+void sortByState(std::vector<DrawItem>& items) {
+  using Key = std::tuple<std::uint32_t, std::int32_t, std::uint32_t, std::uint32_t>;
+  std::vector<Key> keys;
+  keys.reserve(items.size());
+  for (const DrawItem& item : items) {
+    keys.emplace_back(item.coplanar_rank, item.texture, item.mesh,
+                      static_cast<std::uint32_t>(keys.size()));
+  }
+  if (std::is_sorted(keys.begin(), keys.end())) return;
+  std::sort(keys.begin(), keys.end());
+  std::vector<DrawItem> sorted;
+  sorted.reserve(items.size());
+  for (const Key& key : keys) sorted.push_back(items[std::get<3>(key)]);
+  items = std::move(sorted);
+}
+
 }  // namespace
 
 DrawList makeDrawList(const PosedScene& scene, const SceneCatalog& catalog,
                       const ViewChoice& choice, const Camera& camera,
                       const std::vector<std::uint8_t>& translucent_textures, const LinkLooks& looks,
-                      DrawnGeometry geometry, const DetailLevel& detail) {
+                      DrawnGeometry geometry, const DetailLevel& detail, Culling culling) {
   static const Material kPlain;
   DrawList list;
   forEachVisual(
-      scene, catalog, choice, looks, geometry,
+      scene, catalog, choice, looks, geometry, culling == Culling::by_device ? &camera : nullptr,
       [&](const Visual& visual, std::uint32_t d, std::uint32_t l, std::uint32_t mesh_number) {
         const PosedDevice& device = scene.devices[d];
         const CatalogMesh& mesh = catalog.meshes()[mesh_number];
@@ -146,6 +162,8 @@ DrawList makeDrawList(const PosedScene& scene, const SceneCatalog& catalog,
           item.translucent = item.diffuse.a < kOpaqueAlpha || holes;
           item.distance =
               camera.orthographic() ? camera.depthOf(center) : lengthOf(center - camera.eye());
+          // No number would have no place in an order.
+          if (std::isnan(item.distance)) item.distance = 0;
           if (item.diffuse.a <= 0.0F) return;
           list.triangles += triangleCount(item, run);
           (look.wireframe     ? list.wireframe
@@ -155,12 +173,8 @@ DrawList makeDrawList(const PosedScene& scene, const SceneCatalog& catalog,
               .push_back(item);
         });
       });
+  sortByState(list.opaque);
   // Stable: what is equal stays in the order of the scene.
-  std::stable_sort(list.opaque.begin(), list.opaque.end(),
-                   [](const DrawItem& a, const DrawItem& b) {
-                     return std::tie(a.coplanar_rank, a.texture, a.mesh) <
-                            std::tie(b.coplanar_rank, b.texture, b.mesh);
-                   });
   std::stable_sort(list.translucent.begin(), list.translucent.end(),
                    [](const DrawItem& a, const DrawItem& b) { return a.distance > b.distance; });
   return list;
@@ -170,7 +184,7 @@ std::vector<Vec3> visibleCorners(const PosedScene& scene, const SceneCatalog& ca
                                  const ViewChoice& choice) {
   std::vector<Vec3> corners;
   forEachVisual(
-      scene, catalog, choice, LinkLooks(), DrawnGeometry::visuals,
+      scene, catalog, choice, LinkLooks(), DrawnGeometry::visuals, nullptr,
       [&](const Visual& visual, std::uint32_t d, std::uint32_t l, std::uint32_t mesh_number) {
         const CatalogMesh& mesh = catalog.meshes()[mesh_number];
         const Mat4 world = visualWorld(scene.devices[d].link_world[l], visual);

@@ -40,14 +40,20 @@ struct DrawList {
   std::uint64_t triangles = 0;
 };
 
+/// How what cannot be seen is found; the list is the same.
+enum class Culling {
+  by_device,  ///< the device first, then the link, then the part: what is beside costs one test
+  by_part,    ///< every part by itself
+};
+
 /// The cull stage. `translucent_textures`: by texture number, non-zero for pictures that are not
-/// opaque everywhere. Pure: the same scene, camera and detail give the same list, whatever was drawn
-/// before. The catalog must be of the same geometry.
+/// opaque everywhere. Pure: the same scene, camera and detail give the same list, whatever was
+/// drawn before. The catalog must be of the same geometry.
 DrawList makeDrawList(const PosedScene& scene, const SceneCatalog& catalog,
                       const ViewChoice& choice, const Camera& camera,
                       const std::vector<std::uint8_t>& translucent_textures,
                       const LinkLooks& looks = {}, DrawnGeometry geometry = DrawnGeometry::visuals,
-                      const DetailLevel& detail = {});
+                      const DetailLevel& detail = {}, Culling culling = Culling::by_device);
 
 /// Corners of the boxes around everything visible, world space: what a fitted view must show.
 std::vector<Vec3> visibleCorners(const PosedScene& scene, const SceneCatalog& catalog,

@@ -206,9 +206,12 @@ Result<DrawCounts> Renderer::Impl::drawView(const SceneFrame& frame, const LinkL
   const CellScene& look = cell.scene;
   const ViewChoice& choice = *frame.choice;
   const RenderStyle& style = styleOf(frame);
+  DrawCounts counts;
+  StageClock clock;
   // App: where everything is, seen from where.
   const Camera camera = cameraOf(frame, view, part.width, part.height);
 
+  clock.endStage(counts.times.app);
   // Cull: what of it can be seen, in which order.
   const DrawList list = listOf(frame, camera, looks);
   std::vector<DrawnSet> sets{{&list, &catalog, &meshes}};
@@ -221,6 +224,7 @@ Result<DrawCounts> Renderer::Impl::drawView(const SceneFrame& frame, const LinkL
   addLinesAndPoints(in_scene, frame.scene->drawings, choice);
   if (frame.extras != nullptr) addTrails(in_scene, frame.extras->trails);
 
+  clock.endStage(counts.times.cull);
   // Draw. First what is drawn elsewhere, for this view to look into.
   std::optional<ShadowLookup> shadows;
   if (style.shadows && style.shading == Shading::standard) {
@@ -272,12 +276,12 @@ Result<DrawCounts> Renderer::Impl::drawView(const SceneFrame& frame, const LinkL
   }
   if (outlines != nullptr) outlines->draw();
   if (frame.on_top) passes->overlay.drawOnTop(onTopOf(frame, camera, view));
-  DrawCounts counts;
   for (const DrawnSet& set : sets) {
     counts.triangles += set.list->triangles;
     counts.draws += set.list->opaque.size() + set.list->translucent.size() +
                     set.list->wireframe.size() + set.list->ghosts.size();
   }
+  clock.endStage(counts.times.draw);
   return counts;
 }
 
@@ -306,6 +310,7 @@ Result<DrawCounts> Renderer::draw(const SceneFrame& frame, const FrameBuffer& ta
     if (!more) return more.error();
     counts->triangles += more->triangles;
     counts->draws += more->draws;
+    counts->times += more->times;
   }
   if (frame.on_top) my.drawInsetFrames(frame, target);
   my.passes->end();

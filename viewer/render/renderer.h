@@ -16,6 +16,7 @@
 #include "viewer/render/render_context.h"
 #include "viewer/render/render_style.h"
 #include "viewer/render/renderer_key.h"
+#include "viewer/render/stage_times.h"
 #include "viewer/render/text_atlas.h"
 #include "viewer/render/view_choice.h"
 #include "viewer/render/viewport.h"
@@ -47,6 +48,7 @@ struct SceneFrame {
 struct DrawCounts {
   std::uint64_t triangles = 0;
   std::uint64_t draws = 0;
+  StageTimes times;
 };
 
 /// Draws a cell: app -> cull -> draw, in one context. A window draws each frame so:

@@ -1,8 +1,10 @@
 #include "viewer/render/scene_catalog.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
+#include "core/math/transform.h"
 #include "viewer/render/coplanar_surfaces.h"
 
 namespace rocinante {
@@ -42,11 +44,23 @@ SceneCatalog::SceneCatalog(const Cell& cell, DrawnGeometry geometry) {
 }
 
 void SceneCatalog::addModel(const Model& model, DrawnGeometry geometry) {
+  LinkReaches& reaches = reaches_[&model];
+  reaches.clear();
   for (const Link& link : model.links) {
+    double& reach = reaches.emplace_back(-1);
     const auto& drawn = geometry == DrawnGeometry::visuals ? link.visuals : link.collisions;
     for (const Visual& visual : drawn) {
       if (visual.material) addTexture(*visual.material);
-      if (visual.mesh) addMesh(visual.mesh.get());
+      if (!visual.mesh) continue;
+      addMesh(visual.mesh.get());
+      const CatalogMesh& mesh = meshes_[*meshNumber(visual.mesh.get())];
+      const Mat4 in_link = matrixOf(visual.origin) * scaleMatrix(visual.scale);
+      for (const CatalogPart& part : mesh.parts) {
+        const double size = scaleBound(in_link) * (lengthOf(part.center) + part.radius);
+        const double farthest = lengthOf(Vec3(in_link[3])) + size;
+        // Of what is no number nothing can be said.
+        reach = std::isfinite(farthest) ? std::max(reach, farthest) : HUGE_VAL;
+      }
     }
   }
 }
@@ -114,6 +128,11 @@ std::optional<std::uint32_t> SceneCatalog::meshNumber(const Mesh* mesh) const {
   const auto found = mesh_numbers_.find(mesh);
   if (found == mesh_numbers_.end()) return std::nullopt;
   return found->second;
+}
+
+const LinkReaches* SceneCatalog::reaches(const Model& model) const {
+  const auto found = reaches_.find(&model);
+  return found == reaches_.end() ? nullptr : &found->second;
 }
 
 std::optional<std::uint32_t> SceneCatalog::textureNumber(const Material& material) const {

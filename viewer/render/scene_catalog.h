@@ -8,6 +8,7 @@
 
 #include "core/model/cell.h"
 #include "viewer/detail/mesh_detail.h"
+#include "viewer/render/cull_sphere.h"
 #include "viewer/render/link_looks.h"
 
 namespace rocinante {
@@ -57,6 +58,8 @@ class SceneCatalog {
   std::vector<DetailInput> detailInputs() const;
   /// Coarser versions of a mesh's parts, made from its detailInputs().
   void setDetail(std::size_t mesh_number, const MeshDetail& detail);
+  /// How far the geometry of a model's links reaches; null for a model that is not the cell's.
+  const LinkReaches* reaches(const Model& model) const;
   /// Empty for a material without one.
   std::optional<std::uint32_t> textureNumber(const Material& material) const;
 
@@ -69,6 +72,7 @@ class SceneCatalog {
   std::map<const Mesh*, std::uint32_t> mesh_numbers_;  // looked up, never walked through
   std::vector<CatalogTexture> textures_;
   std::map<std::filesystem::path, std::uint32_t> texture_numbers_;
+  std::map<const Model*, LinkReaches> reaches_;  // looked up, never walked through
 };
 
 }  // namespace rocinante
