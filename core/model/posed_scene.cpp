@@ -1,6 +1,7 @@
 #include "core/model/posed_scene.h"
 
 #include <cmath>
+#include <cstring>
 
 #include "core/math/transform.h"
 #include "core/model/mesh_builder.h"
@@ -29,12 +30,25 @@ struct Standing {
   Pose pose;
   std::string carrier, carrier_link;   // empty carrier: the world
   std::optional<std::uint32_t> color;  // the cell's own
-  std::vector<Mat4> links;             // in the device's space
+  std::vector<Mat4> links;             // in the device's space; those of `known` where it has some
+  ScenePoses::Known* known = nullptr;  // null: nothing is kept
+  bool links_moved = true;
+
+  const std::vector<Mat4>& linksInDevice() const { return known != nullptr ? known->links : links; }
 };
+
+template <class T>
+bool sameBits(const std::vector<T>& a, const std::vector<T>& b) {
+  return a.size() == b.size() &&
+         (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+}
 
 class ScenePoser {
  public:
-  ScenePoser(const Cell& cell, const SessionState& state) : cell_(cell), state_(state) {}
+  ScenePoser(const Cell& cell, const SessionState& state, ScenePoses::KnownDevices* known)
+      : cell_(cell), state_(state), known_(known) {}
+
+  std::size_t moved() const { return moved_; }
 
   PosedScene pose() {
     addCellDevices();
@@ -71,10 +85,15 @@ class ScenePoser {
 
   Standing& stand(const std::string& name, const Model& model, const DeviceState* state) {
     Standing& standing = standing_.emplace_back();
-    scene_.device_by_name.emplace(name, standing_.size() - 1);
+    const bool first = scene_.device_by_name.emplace(name, standing_.size() - 1).second;
     standing.device.name = name;
     standing.device.model = &model;
-    standing.links = linkPoses(model, jointsOf(model, state));
+    const JointVector joints = jointsOf(model, state);
+    if (known_ == nullptr || !first) {
+      standing.links = linkPoses(model, joints);
+    } else {
+      reckonLinks(standing, (*known_)[name], joints);
+    }
     if (state && state->pose) {
       standing.pose = state->pose->value.pose;
       const Path& carrier = state->pose->value.carrier;
@@ -84,6 +103,17 @@ class ScenePoser {
       }
     }
     return standing;
+  }
+
+  /// The links of a device as they were kept, or anew.
+  static void reckonLinks(Standing& standing, ScenePoses::Known& known, const JointVector& joints) {
+    const Model* model = standing.device.model;
+    standing.known = &known;
+    standing.links_moved = known.model != model || !sameBits(known.joints, joints.values);
+    if (!standing.links_moved) return;
+    known.model = model;
+    known.joints = joints.values;
+    known.links = linkPoses(*model, joints);
   }
 
   void addCellDevices() {
@@ -183,7 +213,7 @@ class ScenePoser {
     }
   }
 
-  void place(Standing& standing) const {
+  void place(Standing& standing) {
     Mat4 carrier{1.0};
     if (const auto found = carrierOf(standing)) {
       const Standing& below = standing_[*found];
@@ -191,11 +221,21 @@ class ScenePoser {
                     ? below.device.base
                     : below.device.link_world[*below.device.model->findLink(standing.carrier_link)];
     }
-    standing.device.base = carrier * matrixOf(standing.pose);
-    standing.device.link_world.reserve(standing.links.size());
-    for (const Mat4& link : standing.links) {
-      standing.device.link_world.push_back(standing.device.base * link);
+    PosedDevice& device = standing.device;
+    device.base = carrier * matrixOf(standing.pose);
+    ScenePoses::Known* const known = standing.known;
+    if (known != nullptr && !standing.links_moved &&
+        std::memcmp(&known->base, &device.base, sizeof(Mat4)) == 0) {
+      device.link_world = known->link_world;
+      return;
     }
+    const std::vector<Mat4>& links = standing.linksInDevice();
+    device.link_world.reserve(links.size());
+    for (const Mat4& link : links) device.link_world.push_back(device.base * link);
+    if (known == nullptr) return;
+    known->base = device.base;
+    known->link_world = device.link_world;
+    ++moved_;
   }
 
   // Visibility and colours: packets outrank the cell; a link outranks its device, which outranks
@@ -287,6 +327,8 @@ class ScenePoser {
 
   const Cell& cell_;
   const SessionState& state_;
+  ScenePoses::KnownDevices* known_;
+  std::size_t moved_ = 0;
   std::vector<Standing> standing_;
   PosedScene scene_;
 };
@@ -314,7 +356,19 @@ JointVector jointsOf(const Model& model, const DeviceState* state) {
 }
 
 PosedScene poseScene(const Cell& cell, const SessionState& state) {
-  return ScenePoser(cell, state).pose();
+  return ScenePoser(cell, state, nullptr).pose();
+}
+
+PosedScene ScenePoses::pose(const SessionState& state) {
+  ScenePoser poser(*cell_, state, &known_);
+  PosedScene scene = poser.pose();
+  moved_ = poser.moved();
+  // A session may name ever new devices: those that are gone are forgotten.
+  if (known_.size() > scene.devices.size()) {
+    std::erase_if(known_,
+                  [&](const auto& known) { return scene.findDevice(known.first) == nullptr; });
+  }
+  return scene;
 }
 
 const PosedDevice* PosedScene::findDevice(std::string_view name) const {
