@@ -79,7 +79,7 @@ Status addTimesOfFile(const std::filesystem::path& file, const Timeline& session
   return {};
 }
 
-/// Moments `offset(i)` from the origin that lie in the span; `offset` never falls.
+/// Moments `offset(i)` from the origin that lie in the span, i up to `most`; `offset` never falls.
 void addGrid(const std::function<Nanoseconds(std::int64_t)>& offset, const Span& span,
              LogTime origin, std::int64_t most, std::vector<RenderMoment>& moments) {
   // The first that is not before the span; never before the origin.
@@ -92,8 +92,10 @@ void addGrid(const std::function<Nanoseconds(std::int64_t)>& offset, const Span&
       high = middle;
     }
   }
-  for (std::int64_t i = low; origin + offset(i) < span.until && moments.size() <= kMaxFrames; ++i) {
-    moments.push_back({secondsText(offset(i), 3), origin + offset(i), {}});
+  for (std::int64_t i = low; i <= most && moments.size() <= kMaxFrames; ++i) {
+    const LogTime time = origin + offset(i);
+    if (time >= span.until) return;
+    if (time >= span.from) moments.push_back({secondsText(offset(i), 3), time, {}});
   }
 }
 
