@@ -33,6 +33,7 @@ class FrameJudgeTest : public testing::Test {
     std::filesystem::create_directories(folder_.goldens());
     case_.name = "pick";
     case_.width = case_.height = 32;
+    case_.samples = 1;
     case_.line = 7;
   }
 

@@ -76,7 +76,7 @@ occurrence = -1
 camera = ["overview", "top"]
 layers = ["robots"]
 insets = false
-style = { edges = "only", shadows = true, trails = ["arm@3", "arm/link6@1"] }
+style = { edges = "only", shadows = true, trail = ["arm@3", "arm/link6@1"] }
 mask = ["layer/labels", { path = "arm/link6", grow = 2 }, { rectangle = [0, 0, 64, 20] }]
 judge_only = "arm"
 expect = "different"
@@ -111,7 +111,7 @@ tags = []
   EXPECT_EQ(each.moment.events, "pick*");
   EXPECT_EQ(each.moment.after, 10ms);
   EXPECT_TRUE(each.tolerance.exact);
-  EXPECT_EQ(each.limit_from, "s.toml:29");
+  EXPECT_EQ(each.limit_from, "s.toml:28");
   EXPECT_TRUE(each.tags.empty());
 }
 

@@ -1,0 +1,19 @@
+# A case is appended behind everything that stands there, and only when the suite stays sound.
+cat >box.urdf <<'URDF'
+<robot name="box"><link name="body"><visual><geometry><box size="1 1 1"/></geometry></visual></link></robot>
+URDF
+rocinante golden add new.toml --case front || echo "exit $?"
+rocinante golden add new.toml --cell box.urdf --case front --size 64x48 --samples 1
+printf '# a comment that stays\n[tolerance.lax]\ntile_mean = 9.0   # and this one' >>new.toml
+cp new.toml before.toml
+rocinante golden add new.toml --case side --camera map --hide layer/grid --mask layer/labels --tolerance lax \
+  --style edges=only --style shadows --tag slow --expect different --reason 'say "why"'
+head -c "$(wc -c <before.toml)" new.toml | cmp - before.toml && echo "the old bytes are there"
+tail -n +9 new.toml
+cp new.toml before.toml
+rocinante golden add new.toml --case side || echo "exit $?"
+rocinante golden add new.toml --case other --samples 3 || echo "exit $?"
+rocinante golden add new.toml --case ../up || echo "exit $?"
+rocinante golden add new.toml --case other --style glow || echo "exit $?"
+rocinante golden add new.toml --case other --cell box.urdf || echo "exit $?"
+cmp before.toml new.toml && ls
