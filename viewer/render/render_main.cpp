@@ -105,6 +105,7 @@ int main(int argc, char** argv) {
   std::string size = "640x480";
   std::string caps = "sse4.1";
   std::string profile = "reproducible";
+  bool without_insets = false;
   bool hash = false;
   bool json = false;
   Looks looks;
@@ -137,7 +138,7 @@ int main(int argc, char** argv) {
   app.add_option("--inset", job.insets, "A window over the view in place of the cell's; repeatable")
       ->option_text("CAMERA[:CORNER]")
       ->allow_extra_args(false);
-  app.add_flag("!--no-insets", job.show_insets, "Without the cell's insets");
+  app.add_flag("--no-insets", without_insets, "Without the cell's insets");
   app.add_flag("--overlay", job.look.panel, "Time, devices, joint values and rates in a corner");
   app.add_option("--size", size, "Pixels")->capture_default_str();
   app.add_option("--samples", job.look.samples, "A pixel: 1 or 4")->capture_default_str();
@@ -173,6 +174,7 @@ int main(int argc, char** argv) {
     if (!pixels) return pixels.error();
     std::tie(job.look.width, job.look.height) = *pixels;
     if (Status set = setLooks(looks, job.look.style); !set) return set.error();
+    job.show_insets = !without_insets;
     job.hashes = hash || json;
     if (job.output.empty() && job.sheet.empty() && job.frames.empty() && job.video.empty() &&
         job.identity.empty() && job.depth.empty() && !job.hashes) {
