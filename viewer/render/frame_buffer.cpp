@@ -3,12 +3,43 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cinttypes>
+#include <cstdio>
+#include <fstream>
+#include <string>
 #include <utility>
 
 namespace rocinante {
 namespace {
 
 Error badFrame(std::string what) { return Error{ErrorKind::bad_argument, std::move(what), {}}; }
+
+Error noMemory(int width, int height, int samples) {
+  return {ErrorKind::refused,
+          fmt::format("there is no memory for a frame of {}x{} with {} samples", width, height,
+                      samples),
+          {}};
+}
+
+/// What a frame takes at most: colour and depth of each sample, what they are resolved to, and the
+/// picture that is read from it.
+std::uint64_t bytesOf(int width, int height, int samples) {
+  const auto pixels = static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
+  return pixels * (static_cast<std::uint64_t>(samples) * 8 + 8);
+}
+
+/// Memory that a software renderer can still have; everything when Linux does not say. Asked
+/// because large allocations succeed here and kill the process later.
+std::uint64_t availableBytes() {
+  std::ifstream file("/proc/meminfo");
+  for (std::string line; std::getline(file, line);) {
+    std::uint64_t kibibytes = 0;
+    if (std::sscanf(line.c_str(), "MemAvailable: %" SCNu64, &kibibytes) == 1) {
+      return kibibytes * 1024;
+    }
+  }
+  return ~std::uint64_t{0};
+}
 
 /// Storage of a new renderbuffer, left bound. Answers how many samples it got: a renderer may round
 /// up.
@@ -39,6 +70,11 @@ Result<FrameBuffer> FrameBuffer::create(const GlTable& gl, int width, int height
         fmt::format("{} samples cannot be drawn: this renderer has 1 to {}", samples, max_samples));
   }
 
+  // Ordinary sizes are not worth the question.
+  constexpr std::uint64_t kLarge = std::uint64_t{1} << 30;
+  const std::uint64_t bytes = bytesOf(width, height, samples);
+  if (bytes > kLarge && bytes > availableBytes()) return noMemory(width, height, samples);
+
   FrameBuffer frame(gl);
   frame.width_ = width;
   frame.height_ = height;
@@ -48,6 +84,7 @@ Result<FrameBuffer> FrameBuffer::create(const GlTable& gl, int width, int height
   // Float depth, because it runs from near (1) to far (0): see camera.h.
   const int color = storeSamples(gl, &frame.color_, GL_RGBA8, width, height, samples);
   const int depth = storeSamples(gl, &frame.depth_, GL_DEPTH_COMPONENT32F, width, height, samples);
+  if (gl.GetError() == GL_OUT_OF_MEMORY) return noMemory(width, height, samples);
   if (color != samples || depth != samples) {
     return badFrame(
         fmt::format("{} samples cannot be drawn: this renderer takes {}", samples, color));
@@ -63,7 +100,7 @@ Result<FrameBuffer> FrameBuffer::create(const GlTable& gl, int width, int height
                                frame.resolved_color_);
     complete = gl.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
   }
-  if (gl.GetError() == GL_OUT_OF_MEMORY) complete = false;
+  if (gl.GetError() == GL_OUT_OF_MEMORY) return noMemory(width, height, samples);
   if (!complete) {
     return Error{ErrorKind::refused,
                  fmt::format("the GL driver gives no framebuffer of {}x{} with {} samples", width,

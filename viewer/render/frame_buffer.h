@@ -12,7 +12,8 @@ namespace rocinante {
 /// context of its GlTable, which must be current whenever it is used or destroyed.
 class FrameBuffer {
  public:
-  /// bad_argument when the renderer has not exactly these samples, or not this size.
+  /// bad_argument when the renderer has not exactly these samples, or not this size; refused when
+  /// memory lacks.
   static Result<FrameBuffer> create(const GlTable& gl, int width, int height, int samples);
 
   ~FrameBuffer();

@@ -134,5 +134,16 @@ TEST_F(Engine, PlainShadingLightsBothSidesAlike) {
   EXPECT_EQ(middleOf(true), middleOf(false));
 }
 
+TEST(FrameBuffer, SaysThatMemoryLacks) {
+  auto context = makeOsmesaContext();
+  auto gl = fillGlTable([&](const char* name) { return (*context)->procAddress(name); });
+  ASSERT_TRUE(gl.has_value());
+  gl->GetError = []() -> GLenum { return GL_OUT_OF_MEMORY; };
+  const auto frame = FrameBuffer::create(*gl, 64, 64, 4);
+  ASSERT_FALSE(frame.has_value());
+  EXPECT_EQ(frame.error().kind, ErrorKind::refused);
+  EXPECT_EQ(frame.error().what, "there is no memory for a frame of 64x64 with 4 samples");
+}
+
 }  // namespace
 }  // namespace rocinante
