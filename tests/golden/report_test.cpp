@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/atomic_file.h"
+#include "golden/why/frame_why.h"
 #include "tests/support/temporary_folder.h"
 
 namespace rocinante {
@@ -78,11 +79,47 @@ TEST_F(ReportTest, JunitTellsFailuresFromErrors) {
 TEST_F(ReportTest, ThePageEscapesWhatItShowsAndNeedsNoNetwork) {
   add(FrameVerdict::different);
   const std::string page = reportHtml(report_);
-  EXPECT_THAT(page, HasSubstr("a&lt;b&amp;c.toml"));
-  EXPECT_THAT(page, HasSubstr("data:image/png;base64,iVBOR"));
+  EXPECT_THAT(page, HasSubstr("a\\u003cb&c.toml"));
+  EXPECT_THAT(page, HasSubstr("id=\"picture-0\">iVBOR"));
   EXPECT_THAT(page, Not(HasSubstr("http:")));
   EXPECT_THAT(page, Not(HasSubstr("https:")));
   EXPECT_THAT(page, Not(HasSubstr("<angle>")));
+}
+
+TEST_F(ReportTest, APictureLiesInThePageOnce) {
+  add(FrameVerdict::different);
+  add(FrameVerdict::different);
+  const std::string page = reportHtml(report_);
+  EXPECT_THAT(page, HasSubstr("id=\"picture-1\""));
+  EXPECT_THAT(page, Not(HasSubstr("id=\"picture-3\"")));
+}
+
+TEST_F(ReportTest, WhyStandsInEveryFormat) {
+  add(FrameVerdict::different);
+  FrameWhy why;
+  why.basis = GoldenBasis::redrawn;
+  why.blame.differing = 256;
+  why.blame.changes = {{{"arm", "hand"}, ChangeKind::moved, 200, {{3.1, -0.4}}, {}}};
+  why.state = {{"arm/turn", "arm/turn: 0.412 -> 0.421 rad", 0.009, true}};
+  why.files = {"arm.obj: the mesh has changed"};
+  report_.frames[0].why = std::make_shared<const FrameWhy>(why);
+  const char* const line = "arm/hand: 200 of 256 differing pixels, moved by (3.1, -0.4) px";
+  EXPECT_THAT(reportJunit(report_), HasSubstr(line));
+  const auto root = nlohmann::json::parse(reportJson(report_));
+  EXPECT_EQ(root["frames"][0]["why"]["links"][0]["text"], line);
+  EXPECT_EQ(root["frames"][0]["why"]["state"][0]["item"], "arm/turn");
+  EXPECT_THAT(reportHtml(report_), HasSubstr("arm.obj: the mesh has changed"));
+}
+
+TEST_F(ReportTest, OnlyWhatWasSeenAndIsSteadyCanBeApproved) {
+  add(FrameVerdict::different);
+  EXPECT_FALSE(canApprove(report_.frames[0]));  // its pixels have no hash
+  report_.frames[0].pixels = "0123";
+  EXPECT_TRUE(canApprove(report_.frames[0]));
+  report_.frames[0].verdict = FrameVerdict::unstable;
+  EXPECT_FALSE(canApprove(report_.frames[0]));
+  report_.frames[0].verdict = FrameVerdict::incomparable;
+  EXPECT_FALSE(canApprove(report_.frames[0]));
 }
 
 TEST_F(ReportTest, PicturesLieBesideThePage) {
