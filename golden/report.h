@@ -31,8 +31,9 @@ struct SuiteReport {
   std::string approve_from_command;
   /// Further lines of what it was judged with: name and value.
   std::vector<std::pair<std::string, std::string>> environment;
-  int shard = 1, shards = 1;        ///< of a suite that was dealt out
-  std::vector<std::string> notes;   ///< about the suite itself: idle masks, loose limits, stale goldens
+  int shard = 1, shards = 1;  ///< of a suite that was dealt out
+  std::vector<std::string>
+      notes;  ///< about the suite itself: idle masks, loose limits, stale goldens
   std::vector<JudgedFrame> frames;
 
   std::size_t count(FrameVerdict verdict) const;

@@ -52,7 +52,7 @@ class MomentList {
   std::vector<std::pair<std::string, LogTime>> moments_;
 };
 
-std::vector<std::pair<std::string, LogTime>> momentsOf(const SessionComparison& comparison) {
+std::vector<std::pair<std::string, LogTime>> momentsToDraw(const SessionComparison& comparison) {
   const SessionDeviation& state = comparison.state;
   MomentList moments(state);
   std::vector<Deviation> worst = state.beyond;
@@ -169,7 +169,7 @@ Result<SessionComparison> judgeSessions(const std::filesystem::path& cell,
   report.log = question.b.string();
   report.renderer = maker_a->key().text();
   if (!question.pictures) return comparison;
-  for (const auto& [name, moment] : momentsOf(comparison)) {
+  for (const auto& [name, moment] : momentsToDraw(comparison)) {
     tell("picture " + name);
     auto judged = judgeMoment(*maker_a, *maker_b, moment, comparison.events.inB(moment), question);
     if (!judged.ok()) return judged.error();
