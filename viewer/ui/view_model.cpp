@@ -20,6 +20,7 @@ Result<ViewModel> ViewModel::make(Cell cell, std::optional<Timeline> session,
                                   std::vector<std::string> show) {
   ViewModel model;
   model.cell_ = std::make_unique<Cell>(std::move(cell));
+  model.poses_.emplace(*model.cell_);
   model.hidden_.insert(hide.begin(), hide.end());
   model.shown_paths_.insert(show.begin(), show.end());
   if (auto chosen = model.updateChoice(); !chosen) return chosen.error();
@@ -77,9 +78,11 @@ Result<bool> ViewModel::update(SteadyTime now) {
       changed = true;
     }
   }
+  // Said anew each time: this model may have been moved.
+  if (!transport_ && !live_) state_ = &nothing_said_;
   shown_ = moment;
   if (changed) {
-    scene_ = poseScene(*cell_, *state_);
+    scene_ = poses_->pose(*state_);
     extras_.limits =
         style_.limits ? limitLevels(scene_, *state_) : std::vector<std::vector<LimitLevel>>();
   }

@@ -48,8 +48,8 @@ TEST_F(Picking, PixelsAndSurfacesMeetAtTheEdge) {
   // Half a metre at 5 m: 0.5 / (5 tan(22.5 deg)) of 100 pixels, 24.1.
   EXPECT_EQ(at(100 + 23, 100), "near");
   EXPECT_EQ(at(100 + 25, 100), "far");
-  EXPECT_EQ(at(100, 100 - 25), "near");
-  EXPECT_EQ(at(100, 100 - 26), "far");
+  EXPECT_EQ(at(100, 100 - 24), "near");
+  EXPECT_EQ(at(100, 100 - 25), "far");
 }
 
 TEST_F(Picking, WhatIsHiddenIsNotInTheWay) {
