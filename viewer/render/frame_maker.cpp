@@ -47,7 +47,7 @@ struct FoundFrame {
 }  // namespace
 
 struct FrameMaker::Impl {
-  explicit Impl(Cell the_cell) : cell(std::move(the_cell)) {}
+  explicit Impl(Cell the_cell) : cell(std::move(the_cell)), poses(cell) {}
   ~Impl() {
     // Deleting GL objects needs their context.
     if (context && !context->makeCurrent()) return;
@@ -66,6 +66,7 @@ struct FrameMaker::Impl {
   Status prepareTarget(std::optional<FrameBuffer>& buffer, int width, int height, int samples);
 
   Cell cell;
+  ScenePoses poses;
   std::optional<Timeline> session;
   SessionState nothing_said;
   std::unique_ptr<RenderContext> context;
@@ -142,7 +143,7 @@ Result<FoundFrame> FrameMaker::Impl::find(const FrameRequest& request) {
   const auto state = stateAt(request.time);
   if (!state) return state.error();
   found.state = *state;
-  found.scene = poseScene(cell, *found.state);
+  found.scene = poses.pose(*found.state);
   if (request.style.limits) found.extras.limits = limitLevels(found.scene, *found.state);
   if (Status placed = placeCameras(request, found); !placed) return placed.error();
   return found;

@@ -122,6 +122,7 @@ class ViewModel {
   std::optional<LogTime> shown_;
   SessionState nothing_said_;
   const SessionState* state_ = &nothing_said_;
+  std::optional<ScenePoses> poses_;  // of *cell_
   PosedScene scene_;
   RenderStyle style_;
   bool style_changed_ = false;
