@@ -15,18 +15,18 @@
 namespace rocinante {
 namespace {
 
-using Json = nlohmann::json;
+using ReportJson = nlohmann::json;
 
 constexpr std::uint64_t kMostReportBytes = std::uint64_t{256} << 20U;
-constexpr char kFileName[] = "report.json";
+constexpr char kReportFileName[] = "report.json";
 
-Error broken(const std::filesystem::path& file, std::string what) {
+Error brokenReport(const std::filesystem::path& file, std::string what) {
   return {ErrorKind::damaged, "is no report of `golden run`: " + std::move(what), file.string()};
 }
 
 /// A field of an object, if it is there and of its kind.
 template <class T>
-T fieldOf(const Json& object, const char* key, T otherwise = {}) {
+T fieldOf(const ReportJson& object, const char* key, T otherwise = {}) {
   const auto found = object.find(key);
   if (found == object.end()) return otherwise;
   if constexpr (std::is_same_v<T, std::string>) {
@@ -36,11 +36,11 @@ T fieldOf(const Json& object, const char* key, T otherwise = {}) {
   }
 }
 
-std::vector<std::string> textsOf(const Json& object, const char* key) {
+std::vector<std::string> textsOf(const ReportJson& object, const char* key) {
   std::vector<std::string> texts;
   const auto found = object.find(key);
   if (found == object.end() || !found->is_array()) return texts;
-  for (const Json& item : *found) {
+  for (const ReportJson& item : *found) {
     if (item.is_string()) texts.push_back(item.get<std::string>());
   }
   return texts;
@@ -53,7 +53,7 @@ std::optional<FrameVerdict> verdictNamed(const std::string& name) {
   return std::nullopt;
 }
 
-void readWhy(const Json& entry, JudgedFrame& judged) {
+void readWhy(const ReportJson& entry, JudgedFrame& judged) {
   const auto found = entry.find("why");
   if (found == entry.end() || !found->is_object()) return;
   auto why = std::make_shared<FrameWhy>();
@@ -63,7 +63,8 @@ void readWhy(const Json& entry, JudgedFrame& judged) {
   why->blame.differing = fieldOf<std::int64_t>(*found, "differing");
   why->files = textsOf(*found, "files");
   const auto links = found->find("links");
-  for (const Json& link : links != found->end() && links->is_array() ? *links : Json::array()) {
+  for (const ReportJson& link :
+       links != found->end() && links->is_array() ? *links : ReportJson::array()) {
     if (!link.is_object()) continue;
     LinkChange& change = why->blame.changes.emplace_back();
     change.name = {fieldOf<std::string>(link, "device"), fieldOf<std::string>(link, "link")};
@@ -80,7 +81,8 @@ void readWhy(const Json& entry, JudgedFrame& judged) {
     }
   }
   const auto state = found->find("state");
-  for (const Json& item : state != found->end() && state->is_array() ? *state : Json::array()) {
+  for (const ReportJson& item :
+       state != found->end() && state->is_array() ? *state : ReportJson::array()) {
     if (!item.is_object()) continue;
     StateChange& change = why->state.emplace_back();
     change.item = fieldOf<std::string>(item, "item");
@@ -89,7 +91,7 @@ void readWhy(const Json& entry, JudgedFrame& judged) {
   judged.why = std::move(why);
 }
 
-void readFigures(const Json& entry, JudgedFrame& judged) {
+void readFigures(const ReportJson& entry, JudgedFrame& judged) {
   Comparison& found = judged.comparison;
   found.max = fieldOf<int>(entry, "max");
   found.worst_tile_mean = fieldOf<double>(entry, "worst_tile_mean");
@@ -105,7 +107,7 @@ void readFigures(const Json& entry, JudgedFrame& judged) {
   judged.judge_ms = fieldOf<double>(entry, "judge_ms");
 }
 
-void readGolden(const Json& entry, JudgedFrame& judged) {
+void readGolden(const ReportJson& entry, JudgedFrame& judged) {
   const auto found = entry.find("golden");
   if (found == entry.end() || !found->is_object()) return;
   AcceptedPicture& golden = judged.golden.emplace();
@@ -124,18 +126,18 @@ void readGolden(const Json& entry, JudgedFrame& judged) {
   if (equal("session_equal")) golden.session = judged.session;
 }
 
-Result<JudgedFrame> frameOf(const Json& entry, const std::string& session,
+Result<JudgedFrame> frameOf(const ReportJson& entry, const std::string& session,
                             const std::filesystem::path& file) {
-  if (!entry.is_object()) return broken(file, "a frame is no object");
+  if (!entry.is_object()) return brokenReport(file, "a frame is no object");
   JudgedFrame judged;
   judged.frame.name = fieldOf<std::string>(entry, "name");
   // It names the files beside it.
   if (judged.frame.name.empty() || judged.frame.name.size() > 240 ||
       judged.frame.name.front() == '.' || !isFileText(judged.frame.name)) {
-    return broken(file, "a frame has no name that a file can have");
+    return brokenReport(file, "a frame has no name that a file can have");
   }
   const auto verdict = verdictNamed(fieldOf<std::string>(entry, "verdict"));
-  if (!verdict) return broken(file, "frame " + judged.frame.name + " has no verdict");
+  if (!verdict) return brokenReport(file, "frame " + judged.frame.name + " has no verdict");
   judged.verdict = *verdict;
   judged.frame.case_name = fieldOf<std::string>(entry, "case");
   judged.frame.camera = fieldOf<std::string>(entry, "camera");
@@ -212,9 +214,10 @@ Status checkShards(const std::vector<SuiteReport>& parts) {
 }  // namespace
 
 Result<SuiteReport> parseReport(std::string_view text, const std::filesystem::path& file) {
-  const Json root = Json::parse(text, nullptr, false);
-  if (root.is_discarded() || !root.is_object()) return broken(file, "it is not a JSON object");
-  if (root.value("format", Json()) != 1) {
+  const ReportJson root = ReportJson::parse(text, nullptr, false);
+  if (root.is_discarded() || !root.is_object())
+    return brokenReport(file, "it is not a JSON object");
+  if (root.value("format", ReportJson()) != 1) {
     return Error{ErrorKind::unsupported, "the report has a format other than 1", file.string()};
   }
   SuiteReport report;
@@ -231,12 +234,12 @@ Result<SuiteReport> parseReport(std::string_view text, const std::filesystem::pa
     report.shard = fieldOf<int>(*shard, "number", 1);
     report.shards = fieldOf<int>(*shard, "of", 1);
     if (report.shard < 1 || report.shard > report.shards || report.shards > kMostShards) {
-      return broken(file, "its shard is none");
+      return brokenReport(file, "its shard is none");
     }
   }
   const auto frames = root.find("frames");
-  if (frames == root.end() || !frames->is_array()) return broken(file, "it has no `frames`");
-  for (const Json& entry : *frames) {
+  if (frames == root.end() || !frames->is_array()) return brokenReport(file, "it has no `frames`");
+  for (const ReportJson& entry : *frames) {
     auto judged = frameOf(entry, report.session, file);
     if (!judged.ok()) return judged.error();
     report.frames.push_back(std::move(*judged));
@@ -245,9 +248,9 @@ Result<SuiteReport> parseReport(std::string_view text, const std::filesystem::pa
 }
 
 Result<SuiteReport> readReport(const std::filesystem::path& folder) {
-  const auto text = readFile(folder / kFileName, kMostReportBytes);
+  const auto text = readFile(folder / kReportFileName, kMostReportBytes);
   if (!text.ok()) return text.error();
-  auto report = parseReport(*text, folder / kFileName);
+  auto report = parseReport(*text, folder / kReportFileName);
   if (!report.ok()) return report;
   for (JudgedFrame& judged : report->frames) {
     if (auto read = readPictures(folder, judged); !read) return read.error();

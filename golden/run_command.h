@@ -10,7 +10,7 @@ namespace rocinante {
 struct RunArguments {
   SuiteArguments suite;
   std::string report, junit, json_file;
-  int jobs = 0;  ///< 0: as many as pay
+  int jobs = 1;  ///< 0: by the number of frames and processors
 };
 
 /// Adds the sub-command `run` to `app`; parsing fills `arguments`, which must outlive it.

@@ -25,7 +25,7 @@ struct JobOptions {
 /// dies leaves the frame that it was at as incomparable, and the others do its work.
 Result<std::vector<JudgedFrame>> judgeAll(SuiteSession& session, const JobOptions& options);
 
-/// As many jobs as pay for so many frames on this machine.
+/// One job for each processor, but none for fewer than a dozen frames.
 int usefulJobs(std::size_t frames, unsigned processors);
 
 }  // namespace rocinante

@@ -14,12 +14,14 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr char kKey[] = "llvmpipe 4x4 1x";
+constexpr char kTinyKey[] = "llvmpipe 4x4 1x";
 
-Picture plain(std::uint8_t level) { return {4, 4, std::vector<std::uint8_t>(4 * 4 * 4, level)}; }
+Picture tinyPicture(std::uint8_t level) {
+  return {4, 4, std::vector<std::uint8_t>(4 * 4 * 4, level)};
+}
 
 AcceptedPicture entryOf(const Picture& picture) {
-  return {kKey, {}, pictureXxh3(picture), "inputs", "session", "ada", "2026-02-03", "why"};
+  return {kTinyKey, {}, pictureXxh3(picture), "inputs", "session", "ada", "2026-02-03", "why"};
 }
 
 class ApprovalTest : public testing::Test {
@@ -50,128 +52,132 @@ class ApprovalTest : public testing::Test {
 
   test::TemporaryFolder root_;
   GoldenFolder folder_{root_ / "goldens", {}};
-  std::string pick_ = goldenFileName("pick", kKey);
+  std::string pick_ = goldenFileName("pick", kTinyKey);
 };
 
 TEST_F(ApprovalTest, WritesPictureAndManifestAndLeavesNothingElse) {
-  approve("pick", plain(10));
+  approve("pick", tinyPicture(10));
   EXPECT_EQ(files(), (std::vector<std::string>{"manifest.json", pick_}));
-  approve("pick", plain(20));
+  approve("pick", tinyPicture(20));
   EXPECT_EQ(files(), (std::vector<std::string>{"manifest.json", pick_}));
   const Manifest now = manifest();
-  EXPECT_EQ(*folder_.read(*now.find("pick", kKey).front()), plain(20));
+  EXPECT_EQ(*folder_.read(*now.find("pick", kTinyKey).front()), tinyPicture(20));
 }
 
 TEST_F(ApprovalTest, WhatIsStagedAloneChangesNothing) {
-  approve("pick", plain(10));
+  approve("pick", tinyPicture(10));
   const auto before = files();
   {
     Approval approval(folder_, manifest());
-    ASSERT_TRUE(approval.stage("pick", entryOf(plain(30)), plain(30), nullptr, false).ok());
-    EXPECT_EQ(*folder_.read(*manifest().find("pick", kKey).front()), plain(10));
+    ASSERT_TRUE(
+        approval.stage("pick", entryOf(tinyPicture(30)), tinyPicture(30), nullptr, false).ok());
+    EXPECT_EQ(*folder_.read(*manifest().find("pick", kTinyKey).front()), tinyPicture(10));
   }
   EXPECT_EQ(files(), before);
 }
 
 TEST_F(ApprovalTest, SeveralPicturesOfACaseHaveFilesOfTheirOwn) {
-  approve("pick", plain(10));
-  approve("pick", plain(20), true);
+  approve("pick", tinyPicture(10));
+  approve("pick", tinyPicture(20), true);
   const Manifest now = manifest();
-  ASSERT_EQ(now.find("pick", kKey).size(), 2U);
-  for (const AcceptedPicture* one : now.find("pick", kKey)) EXPECT_TRUE(folder_.read(*one).ok());
+  ASSERT_EQ(now.find("pick", kTinyKey).size(), 2U);
+  for (const AcceptedPicture* one : now.find("pick", kTinyKey))
+    EXPECT_TRUE(folder_.read(*one).ok());
   // One in place of both: the other's file goes.
-  approve("pick", plain(30));
+  approve("pick", tinyPicture(30));
   EXPECT_EQ(files(), (std::vector<std::string>{"manifest.json", pick_}));
 }
 
 TEST_F(ApprovalTest, WhatAnotherApprovedMeanwhileIsKept) {
-  approve("pick", plain(10));
+  approve("pick", tinyPicture(10));
   Approval slow(folder_, manifest());
-  ASSERT_TRUE(slow.stage("pick", entryOf(plain(20)), plain(20), nullptr, false).ok());
-  ASSERT_TRUE(slow.stage("place", entryOf(plain(21)), plain(21), nullptr, false).ok());
-  approve("pick", plain(30));
-  approve("other", plain(40));
+  ASSERT_TRUE(slow.stage("pick", entryOf(tinyPicture(20)), tinyPicture(20), nullptr, false).ok());
+  ASSERT_TRUE(slow.stage("place", entryOf(tinyPicture(21)), tinyPicture(21), nullptr, false).ok());
+  approve("pick", tinyPicture(30));
+  approve("other", tinyPicture(40));
   const auto left = slow.commit();
   ASSERT_TRUE(left.ok());
   EXPECT_EQ(*left, std::vector<std::string>{"pick"});
   const Manifest now = manifest();
-  EXPECT_EQ(*folder_.read(*now.find("pick", kKey).front()), plain(30));
-  EXPECT_EQ(*folder_.read(*now.find("place", kKey).front()), plain(21));
-  EXPECT_EQ(*folder_.read(*now.find("other", kKey).front()), plain(40));
+  EXPECT_EQ(*folder_.read(*now.find("pick", kTinyKey).front()), tinyPicture(30));
+  EXPECT_EQ(*folder_.read(*now.find("place", kTinyKey).front()), tinyPicture(21));
+  EXPECT_EQ(*folder_.read(*now.find("other", kTinyKey).front()), tinyPicture(40));
 }
 
 TEST_F(ApprovalTest, KilledAfterTheManifestTheNewPictureCounts) {
-  approve("pick", plain(10));
+  approve("pick", tinyPicture(10));
   // As it is between the manifest and the last rename.
   Manifest after = manifest();
-  AcceptedPicture accepted = entryOf(plain(20));
+  AcceptedPicture accepted = entryOf(tinyPicture(20));
   accepted.picture = pick_;
   after.accept("pick", accepted);
-  ASSERT_TRUE(writePng(folder_.arrivingFile(pick_), plain(20)).ok());
+  ASSERT_TRUE(writePng(folder_.arrivingFile(pick_), tinyPicture(20)).ok());
   ASSERT_TRUE(after.write(folder_.goldens()).ok());
-  EXPECT_EQ(*folder_.read(accepted), plain(20));
+  EXPECT_EQ(*folder_.read(accepted), tinyPicture(20));
   // Whoever approves next finishes it.
-  approve("place", plain(1));
+  approve("place", tinyPicture(1));
   EXPECT_EQ(files(),
-            (std::vector<std::string>{"manifest.json", pick_, goldenFileName("place", kKey)}));
-  EXPECT_EQ(*folder_.read(accepted), plain(20));
+            (std::vector<std::string>{"manifest.json", pick_, goldenFileName("place", kTinyKey)}));
+  EXPECT_EQ(*folder_.read(accepted), tinyPicture(20));
 }
 
 TEST_F(ApprovalTest, KilledBeforeTheManifestTheOldPictureCounts) {
-  approve("pick", plain(10));
-  ASSERT_TRUE(writePng(folder_.arrivingFile(pick_), plain(20)).ok());
-  EXPECT_EQ(*folder_.read(*manifest().find("pick", kKey).front()), plain(10));
-  approve("place", plain(1));
-  EXPECT_EQ(*folder_.read(*manifest().find("pick", kKey).front()), plain(10));
+  approve("pick", tinyPicture(10));
+  ASSERT_TRUE(writePng(folder_.arrivingFile(pick_), tinyPicture(20)).ok());
+  EXPECT_EQ(*folder_.read(*manifest().find("pick", kTinyKey).front()), tinyPicture(10));
+  approve("place", tinyPicture(1));
+  EXPECT_EQ(*folder_.read(*manifest().find("pick", kTinyKey).front()), tinyPicture(10));
   EXPECT_FALSE(std::filesystem::exists(folder_.arrivingFile(pick_)));
 }
 
 TEST_F(ApprovalTest, ABrokenManifestIsNotWrittenOver) {
-  approve("pick", plain(10));
+  approve("pick", tinyPicture(10));
   const Manifest seen = manifest();
   ASSERT_TRUE(writeFileWhole(root_ / "goldens/manifest.json", bytesOf("{"), true).ok());
   Approval approval(folder_, seen);
-  ASSERT_TRUE(approval.stage("pick", entryOf(plain(20)), plain(20), nullptr, false).ok());
+  ASSERT_TRUE(
+      approval.stage("pick", entryOf(tinyPicture(20)), tinyPicture(20), nullptr, false).ok());
   EXPECT_FALSE(approval.commit().ok());
   EXPECT_EQ(*readFile(root_ / "goldens/manifest.json"), "{");
 }
 
 TEST_F(ApprovalTest, AStoreHoldsPicturesByTheirHash) {
   folder_ = GoldenFolder(root_ / "goldens", root_ / "store");
-  approve("pick", plain(10));
-  approve("place", plain(10));
-  approve("pick", plain(20));
+  approve("pick", tinyPicture(10));
+  approve("place", tinyPicture(10));
+  approve("pick", tinyPicture(20));
   EXPECT_EQ(files(), std::vector<std::string>{"manifest.json"});
-  EXPECT_TRUE(std::filesystem::exists(root_ / "store" / (pictureXxh3(plain(10)) + ".png")));
+  EXPECT_TRUE(std::filesystem::exists(root_ / "store" / (pictureXxh3(tinyPicture(10)) + ".png")));
   const Manifest now = manifest();
-  EXPECT_EQ(*folder_.read(*now.find("pick", kKey).front()), plain(20));
-  EXPECT_EQ(*folder_.read(*now.find("place", kKey).front()), plain(10));
+  EXPECT_EQ(*folder_.read(*now.find("pick", kTinyKey).front()), tinyPicture(20));
+  EXPECT_EQ(*folder_.read(*now.find("place", kTinyKey).front()), tinyPicture(10));
   // What lies under a hash must be what the hash says.
-  ASSERT_TRUE(writePng(root_ / "store" / (pictureXxh3(plain(20)) + ".png"), plain(21)).ok());
-  EXPECT_FALSE(folder_.read(*now.find("pick", kKey).front()).ok());
+  ASSERT_TRUE(
+      writePng(root_ / "store" / (pictureXxh3(tinyPicture(20)) + ".png"), tinyPicture(21)).ok());
+  EXPECT_FALSE(folder_.read(*now.find("pick", kTinyKey).front()).ok());
 }
 
 TEST_F(ApprovalTest, APointerOfLfsIsToldAsWhatItIs) {
-  approve("pick", plain(10));
+  approve("pick", tinyPicture(10));
   const std::string pointer =
       "version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 12345\n";
   ASSERT_TRUE(writeFileWhole(root_ / "goldens" / pick_, bytesOf(pointer), true).ok());
-  const auto read = folder_.read(*manifest().find("pick", kKey).front());
+  const auto read = folder_.read(*manifest().find("pick", kTinyKey).front());
   ASSERT_FALSE(read.ok());
   EXPECT_THAT(read.error().text(), HasSubstr("is a Git LFS pointer and not the picture; `git lfs "
                                              "pull` fetches it"));
 }
 
 TEST_F(ApprovalTest, ACorruptGoldenIsNamed) {
-  approve("pick", plain(10));
+  approve("pick", tinyPicture(10));
   const std::filesystem::path file = root_ / "goldens" / pick_;
   const std::string whole = *readFile(file);
   for (std::size_t length = 0; length < whole.size(); ++length) {
     std::ofstream(file, std::ios::binary) << whole.substr(0, length);
-    const auto read = folder_.read(*manifest().find("pick", kKey).front());
+    const auto read = folder_.read(*manifest().find("pick", kTinyKey).front());
     // Only what no pixel depends on may be missing.
     if (read.ok()) {
-      EXPECT_EQ(*read, plain(10)) << length;
+      EXPECT_EQ(*read, tinyPicture(10)) << length;
     } else {
       EXPECT_THAT(read.error().text(), HasSubstr(pick_)) << length;
     }

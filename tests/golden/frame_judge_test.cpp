@@ -12,10 +12,10 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr char kKey[] = "llvmpipe 32x32 1x";
+constexpr char kJudgedKey[] = "llvmpipe 32x32 1x";
 constexpr char kOtherKey[] = "older 32x32 1x";
 
-Picture plain(std::uint8_t level, int side = 32) {
+Picture evenPicture(std::uint8_t level, int side = 32) {
   Picture picture{side, side, std::vector<std::uint8_t>(static_cast<std::size_t>(side * side) * 4)};
   for (std::size_t i = 0; i < picture.rgba.size(); ++i) {
     picture.rgba[i] = i % 4 == 3 ? 255 : level;
@@ -37,7 +37,8 @@ class FrameJudgeTest : public testing::Test {
     case_.line = 7;
   }
 
-  AcceptedPicture accept(const Picture& picture, const char* key = kKey, bool beside = false) {
+  AcceptedPicture accept(const Picture& picture, const char* key = kJudgedKey,
+                         bool beside = false) {
     static int count = 0;
     AcceptedPicture accepted{key,
                              "pick" + std::to_string(++count) + ".png",
@@ -57,7 +58,7 @@ class FrameJudgeTest : public testing::Test {
     judged.frame = {"pick", &case_, LogTime{}, ""};
     judged.tolerance = case_.tolerance;
     judged.limit_from = case_.limit_from;
-    judged.key = kKey;
+    judged.key = kJudgedKey;
     judged.pixels = pictureXxh3(drawn);
     judged.drawn = drawn;
     judgeDrawn(manifest_, folder_, areas, judged);
@@ -72,20 +73,20 @@ class FrameJudgeTest : public testing::Test {
 };
 
 TEST_F(FrameJudgeTest, WithoutAnyGoldenItIsMissing) {
-  EXPECT_EQ(judge(plain(10)).verdict, FrameVerdict::missing);
+  EXPECT_EQ(judge(evenPicture(10)).verdict, FrameVerdict::missing);
 }
 
 TEST_F(FrameJudgeTest, AnEqualHashReadsNoPicture) {
-  const AcceptedPicture accepted = accept(plain(10));
+  const AcceptedPicture accepted = accept(evenPicture(10));
   std::filesystem::remove(folder_.goldens() / accepted.picture);
-  const JudgedFrame judged = judge(plain(10));
+  const JudgedFrame judged = judge(evenPicture(10));
   EXPECT_EQ(judged.verdict, FrameVerdict::same);
   EXPECT_EQ(judged.rule, "equal pixel hash");
 }
 
 TEST_F(FrameJudgeTest, OnePixelOfOneStepIsDifferentInTheExactTier) {
-  accept(plain(10));
-  Picture drawn = plain(10);
+  accept(evenPicture(10));
+  Picture drawn = evenPicture(10);
   setPixel(drawn, 31, 31, 11);
   const JudgedFrame judged = judge(drawn);
   EXPECT_EQ(judged.verdict, FrameVerdict::different);
@@ -93,60 +94,60 @@ TEST_F(FrameJudgeTest, OnePixelOfOneStepIsDifferentInTheExactTier) {
 }
 
 TEST_F(FrameJudgeTest, TheRuleNamesWhereItsLimitWasSaid) {
-  accept(plain(10));
+  accept(evenPicture(10));
   case_.tolerance = {"arm", false, 1.0, 4};
   case_.limit_from = "[tolerance.arm], s.toml:9";
-  EXPECT_EQ(judge(plain(11)).rule,
+  EXPECT_EQ(judge(evenPicture(11)).rule,
             "worst tile's mean 1.00 <= 1.00 and 0 <= 4 pixels over 32 (arm), limit from "
             "[tolerance.arm], s.toml:9");
-  EXPECT_EQ(judge(plain(12)).rule,
+  EXPECT_EQ(judge(evenPicture(12)).rule,
             "worst tile's mean 2.00 > 1.00 (arm), limit from [tolerance.arm], s.toml:9");
 }
 
 TEST_F(FrameJudgeTest, AnotherShapeIsIncomparable) {
-  accept(plain(10, 16));
-  const JudgedFrame judged = judge(plain(10));
+  accept(evenPicture(10, 16));
+  const JudgedFrame judged = judge(evenPicture(10));
   EXPECT_EQ(judged.verdict, FrameVerdict::incomparable);
   EXPECT_THAT(judged.rule, HasSubstr("32x32"));
 }
 
 TEST_F(FrameJudgeTest, AnotherRenderersGoldenJudgesOnlyWithATolerance) {
-  accept(plain(10), kOtherKey);
-  const JudgedFrame exact = judge(plain(10));
+  accept(evenPicture(10), kOtherKey);
+  const JudgedFrame exact = judge(evenPicture(10));
   EXPECT_EQ(exact.verdict, FrameVerdict::incomparable);
-  EXPECT_THAT(exact.rule, HasSubstr(kKey));
+  EXPECT_THAT(exact.rule, HasSubstr(kJudgedKey));
   case_.tolerance = Tolerance::cpu();
-  EXPECT_EQ(judge(plain(11)).verdict, FrameVerdict::same);
-  EXPECT_EQ(judge(plain(60)).verdict, FrameVerdict::different);
+  EXPECT_EQ(judge(evenPicture(11)).verdict, FrameVerdict::same);
+  EXPECT_EQ(judge(evenPicture(60)).verdict, FrameVerdict::different);
 }
 
 TEST_F(FrameJudgeTest, OfSeveralAcceptedPicturesOneIsEnoughAndTheNearestIsTold) {
-  accept(plain(10));
-  Picture near = plain(50);
+  accept(evenPicture(10));
+  Picture near = evenPicture(50);
   setPixel(near, 3, 4, 90);
-  const AcceptedPicture second = accept(near, kKey, true);
-  EXPECT_EQ(judge(plain(10)).verdict, FrameVerdict::same);
+  const AcceptedPicture second = accept(near, kJudgedKey, true);
+  EXPECT_EQ(judge(evenPicture(10)).verdict, FrameVerdict::same);
   EXPECT_EQ(judge(near).verdict, FrameVerdict::same);
-  const JudgedFrame judged = judge(plain(50));
+  const JudgedFrame judged = judge(evenPicture(50));
   EXPECT_EQ(judged.verdict, FrameVerdict::different);
   EXPECT_EQ(judged.golden, second);
   EXPECT_EQ(judged.comparison.differing, 1);
 }
 
 TEST_F(FrameJudgeTest, APictureThatNobodyAcceptedJudgesNothing) {
-  const AcceptedPicture accepted = accept(plain(10));
-  ASSERT_TRUE(writePng(folder_.goldens() / accepted.picture, plain(20)).ok());
+  const AcceptedPicture accepted = accept(evenPicture(10));
+  ASSERT_TRUE(writePng(folder_.goldens() / accepted.picture, evenPicture(20)).ok());
   case_.tolerance = Tolerance::loose();
-  const JudgedFrame judged = judge(plain(20));
+  const JudgedFrame judged = judge(evenPicture(20));
   EXPECT_EQ(judged.verdict, FrameVerdict::incomparable);
   EXPECT_THAT(judged.rule, HasSubstr("is not the picture that the manifest accepted"));
 }
 
 TEST_F(FrameJudgeTest, MasksHideTheirPixelsAndNoOthers) {
-  accept(plain(10));
+  accept(evenPicture(10));
   case_.mask = {{PixelRectangle{0, 0, 8, 8}, "", 0}};
   const CaseAreas areas = findAreas(case_, nullptr);
-  Picture drawn = plain(10);
+  Picture drawn = evenPicture(10);
   setPixel(drawn, 7, 7, 99);
   EXPECT_EQ(judge(drawn, &areas).verdict, FrameVerdict::same);
   setPixel(drawn, 8, 7, 99);
@@ -158,10 +159,10 @@ TEST_F(FrameJudgeTest, MasksHideTheirPixelsAndNoOthers) {
 }
 
 TEST_F(FrameJudgeTest, MasksThatHideEverythingJudgeNothing) {
-  accept(plain(10));
+  accept(evenPicture(10));
   case_.mask = {{PixelRectangle{0, 0, 32, 32}, "", 0}};
   const CaseAreas areas = findAreas(case_, nullptr);
-  EXPECT_EQ(judge(plain(90), &areas).verdict, FrameVerdict::incomparable);
+  EXPECT_EQ(judge(evenPicture(90), &areas).verdict, FrameVerdict::incomparable);
 }
 
 /// The arm fills columns `left` to `left` + 4 of every row.
@@ -179,13 +180,13 @@ SceneIdentity armAt(int left) {
 
 TEST_F(FrameJudgeTest, APartThatMovedIsMaskedWhereItStoodToo) {
   case_.mask = {{{}, "arm/link6", 0}};
-  Picture then = plain(10);
+  Picture then = evenPicture(10);
   for (int y = 0; y < 32; ++y) setPixel(then, 5, y, 200);
   AcceptedPicture accepted = accept(then);
   const SceneIdentity old_identity = armAt(4);
   const Picture old_areas = areasPicture(case_, findAreas(case_, &old_identity));
   ASSERT_TRUE(writePng(folder_.goldens() / "areas.png", old_areas).ok());
-  Picture now = plain(10);
+  Picture now = evenPicture(10);
   for (int y = 0; y < 32; ++y) setPixel(now, 21, y, 200);
   const SceneIdentity identity = armAt(20);
   const CaseAreas areas = findAreas(case_, &identity);
@@ -201,19 +202,19 @@ TEST_F(FrameJudgeTest, JudgeOnlyLooksWhereThePartIsAndWhereItWas) {
   const SceneIdentity old_identity = armAt(4);
   const Picture old_areas = areasPicture(case_, findAreas(case_, &old_identity));
   ASSERT_TRUE(writePng(folder_.goldens() / "areas.png", old_areas).ok());
-  AcceptedPicture accepted = accept(plain(10));
+  AcceptedPicture accepted = accept(evenPicture(10));
   accepted.areas = "areas.png";
   accepted.areas_pixels = pictureXxh3(old_areas);
   manifest_.accept("pick", accepted);
   const SceneIdentity identity = armAt(20);
   const CaseAreas areas = findAreas(case_, &identity);
-  Picture elsewhere = plain(10);
+  Picture elsewhere = evenPicture(10);
   setPixel(elsewhere, 14, 3, 99);
   EXPECT_EQ(judge(elsewhere, &areas).verdict, FrameVerdict::same);
-  Picture now = plain(10);
+  Picture now = evenPicture(10);
   setPixel(now, 21, 3, 99);
   EXPECT_EQ(judge(now, &areas).verdict, FrameVerdict::different);
-  Picture then = plain(10);
+  Picture then = evenPicture(10);
   setPixel(then, 5, 3, 99);
   EXPECT_EQ(judge(then, &areas).verdict, FrameVerdict::different);
 }
@@ -234,33 +235,33 @@ TEST(PathNames, TakesDevicesLinksLayersAndDrawings) {
 }
 
 TEST_F(FrameJudgeTest, AnExpectedDifferenceIsFineAndItsAbsenceIsNot) {
-  accept(plain(10));
+  accept(evenPicture(10));
   case_.expect_different = true;
   case_.reason = "new gripper";
-  const JudgedFrame differs = judge(plain(60));
+  const JudgedFrame differs = judge(evenPicture(60));
   EXPECT_EQ(differs.verdict, FrameVerdict::expected);
   EXPECT_THAT(differs.rule, HasSubstr("expected: new gripper"));
   EXPECT_TRUE(isFine(differs.verdict));
-  const JudgedFrame same = judge(plain(10));
+  const JudgedFrame same = judge(evenPicture(10));
   EXPECT_EQ(same.verdict, FrameVerdict::unexpected);
   EXPECT_FALSE(isFine(same.verdict));
   EXPECT_EQ(same.rule, "equal pixel hash, though line 7 expects a difference: new gripper");
 }
 
 TEST(Stability, ThreeEqualDrawingsAreStable) {
-  EXPECT_FALSE(findInstability(plain(1), plain(1), plain(1)));
+  EXPECT_FALSE(findInstability(evenPicture(1), evenPicture(1), evenPicture(1)));
 }
 
 TEST(Stability, SaysWhichDrawingDiffersAndWhere) {
-  Picture other = plain(1);
+  Picture other = evenPicture(1);
   setPixel(other, 3, 5, 9);
   setPixel(other, 4, 6, 9);
-  const auto after = findInstability(plain(1), other, plain(1));
+  const auto after = findInstability(evenPicture(1), other, evenPicture(1));
   ASSERT_TRUE(after);
   EXPECT_EQ(instabilityRule(*after, nullptr),
             "drawn again, 2 pixels differ at 3,5,2x2; after another frame, not in a fresh context; "
             "likely cause: state that another frame left behind");
-  const auto fresh = findInstability(plain(1), plain(1), other);
+  const auto fresh = findInstability(evenPicture(1), evenPicture(1), other);
   ASSERT_TRUE(fresh);
   EXPECT_THAT(
       instabilityRule(*fresh, nullptr),
@@ -273,9 +274,9 @@ TEST(Stability, BlamesSurfacesThatMeetWhereThePixelsLie) {
   for (int y = 0; y < 32; ++y) {
     for (int x = 8; x < 32; ++x) identity.frame.ids[static_cast<std::size_t>(y * 32 + x)] = 2;
   }
-  Picture other = plain(1);
+  Picture other = evenPicture(1);
   for (int y = 4; y < 20; ++y) setPixel(other, 8, y, 77);
-  const auto found = findInstability(plain(1), other, other);
+  const auto found = findInstability(evenPicture(1), other, other);
   ASSERT_TRUE(found);
   EXPECT_EQ(instabilityRule(*found, &identity),
             "drawn again, 16 pixels differ at 8,4,1x16, 16 of them where arm/link6 and table/top "
@@ -284,8 +285,8 @@ TEST(Stability, BlamesSurfacesThatMeetWhereThePixelsLie) {
 }
 
 TEST_F(FrameJudgeTest, PassesBetweenProcessesWhole) {
-  accept(plain(10));
-  Picture drawn = plain(10);
+  accept(evenPicture(10));
+  Picture drawn = evenPicture(10);
   setPixel(drawn, 3, 3, 99);
   case_.mask = {{PixelRectangle{20, 20, 4, 4}, "", 0}};
   const CaseAreas areas = findAreas(case_, nullptr);

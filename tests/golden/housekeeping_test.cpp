@@ -17,7 +17,9 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-Picture plain(std::uint8_t level) { return {4, 4, std::vector<std::uint8_t>(4 * 4 * 4, level)}; }
+Picture smallPicture(std::uint8_t level) {
+  return {4, 4, std::vector<std::uint8_t>(4 * 4 * 4, level)};
+}
 
 AcceptedPicture entry(const std::string& file, const Picture& picture) {
   return {"k 4x4 1x", file, pictureXxh3(picture), "inputs", "session", "ada", "today", "why"};
@@ -37,11 +39,11 @@ TEST(FolderFaults, TellsWhatIsStaleMissingStrayAndLeftOver) {
   const test::TemporaryFolder root;
   const GoldenFolder folder(root.path(), {});
   Manifest manifest;
-  manifest.accept("kept", entry("kept.png", plain(1)));
-  manifest.accept("gone", entry("gone.png", plain(2)));
-  manifest.accept("old", entry("old.png", plain(3)));
-  ASSERT_TRUE(writePng(root / "kept.png", plain(9)).ok());
-  ASSERT_TRUE(writePng(root / "old.png", plain(3)).ok());
+  manifest.accept("kept", entry("kept.png", smallPicture(1)));
+  manifest.accept("gone", entry("gone.png", smallPicture(2)));
+  manifest.accept("old", entry("old.png", smallPicture(3)));
+  ASSERT_TRUE(writePng(root / "kept.png", smallPicture(9)).ok());
+  ASSERT_TRUE(writePng(root / "old.png", smallPicture(3)).ok());
   std::ofstream(root / "spare.png") << "x";
   std::ofstream(root / ".staged-1-1.png") << "x";
   std::ofstream(root / "notes.txt") << "x";
@@ -85,16 +87,16 @@ TEST(SuiteNotes, TellsMasksThatHideNothingAnywhere) {
 TEST(ManifestChanges, TellsReplacedNewAndRemoved) {
   Manifest then;
   Manifest now;
-  then.accept("kept", entry("kept.png", plain(1)));
-  now.accept("kept", entry("kept.png", plain(1)));
-  then.accept("replaced", entry("replaced.png", plain(2)));
-  now.accept("replaced", entry("replaced.png", plain(3)));
-  then.accept("removed", entry("removed.png", plain(4)));
-  now.accept("new", entry("new.png", plain(5)));
-  now.accept("../up", entry("up.png", plain(6)));
+  then.accept("kept", entry("kept.png", smallPicture(1)));
+  now.accept("kept", entry("kept.png", smallPicture(1)));
+  then.accept("replaced", entry("replaced.png", smallPicture(2)));
+  now.accept("replaced", entry("replaced.png", smallPicture(3)));
+  then.accept("removed", entry("removed.png", smallPicture(4)));
+  now.accept("new", entry("new.png", smallPicture(5)));
+  now.accept("../up", entry("up.png", smallPicture(6)));
   const auto read = [](const AcceptedPicture& accepted) -> Result<Picture> {
     for (std::uint8_t level = 1; level < 6; ++level) {
-      if (accepted.pixels == pictureXxh3(plain(level))) return plain(level);
+      if (accepted.pixels == pictureXxh3(smallPicture(level))) return smallPicture(level);
     }
     return Error{ErrorKind::not_found, "there is none", accepted.picture};
   };
