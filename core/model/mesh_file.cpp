@@ -19,7 +19,7 @@ namespace rocinante {
 namespace {
 
 /// The file's ending in lower case: ".obj".
-std::string endingOf(const std::filesystem::path& path) {
+std::string endingOfMesh(const std::filesystem::path& path) {
   std::string ending = path.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(), [](char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
@@ -100,7 +100,7 @@ void judgeTriangles(const Mesh& mesh, FaultList& faults) {
 
 Result<Mesh> readByEnding(ByteView bytes, const std::filesystem::path& path,
                           const MeshReadOptions& options, FaultList& mesh_faults) {
-  const std::string ending = endingOf(path);
+  const std::string ending = endingOfMesh(path);
   if (ending == ".obj") return readObj(bytes, path, options, mesh_faults);
   if (ending == ".stl" || ending == ".stlb") return readStl(bytes, path, options, mesh_faults);
   if (saysItsUnit(path)) return readScene(bytes, path, options, mesh_faults);
@@ -113,12 +113,12 @@ Result<Mesh> readByEnding(ByteView bytes, const std::filesystem::path& path,
 }  // namespace
 
 bool saysItsUnit(const std::filesystem::path& path) {
-  const std::string ending = endingOf(path);
+  const std::string ending = endingOfMesh(path);
   return ending == ".dae" || ending == ".gltf" || ending == ".glb";
 }
 
 bool isMeshFile(const std::filesystem::path& path) {
-  const std::string ending = endingOf(path);
+  const std::string ending = endingOfMesh(path);
   return ending == ".obj" || ending == ".stl" || ending == ".stlb" || saysItsUnit(path);
 }
 

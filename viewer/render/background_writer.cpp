@@ -8,10 +8,10 @@ namespace {
 
 constexpr std::size_t kMostWaiting = 8;
 /// More than cores, because a file's way to the disk is waiting.
-constexpr std::size_t kThreads = 4;
+constexpr std::size_t kWriterThreads = 4;
 
 /// A library's exception must not end the program from this thread.
-Status done(const std::function<Status()>& task) {
+Status outcomeOf(const std::function<Status()>& task) {
   try {
     return task();
   } catch (const std::exception& fault) {
@@ -22,7 +22,7 @@ Status done(const std::function<Status()>& task) {
 }  // namespace
 
 BackgroundWriter::BackgroundWriter() {
-  for (std::size_t i = 0; i < kThreads; ++i) threads_.emplace_back([this] { work(); });
+  for (std::size_t i = 0; i < kWriterThreads; ++i) threads_.emplace_back([this] { work(); });
 }
 
 BackgroundWriter::~BackgroundWriter() {
@@ -61,7 +61,7 @@ void BackgroundWriter::work() {
     changed_.notify_all();
     if (!failure_) {
       lock.unlock();
-      const Status status = done(task);
+      const Status status = outcomeOf(task);
       lock.lock();
       if (!status && !failure_) failure_ = status.error();
     }

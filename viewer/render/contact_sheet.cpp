@@ -9,18 +9,18 @@
 namespace rocinante {
 namespace {
 
-constexpr int kGap = 12;
-constexpr std::int64_t kMaxPixels = std::int64_t{1} << 27;
-constexpr std::uint32_t kPaper = 0xF4F5F6FF;
-constexpr std::uint32_t kInk = 0x20242AFF;
+constexpr int kSheetGap = 12;
+constexpr std::int64_t kSheetMaxPixels = std::int64_t{1} << 27;
+constexpr std::uint32_t kSheetPaper = 0xF4F5F6FF;
+constexpr std::uint32_t kSheetInk = 0x20242AFF;
 
-void fill(Picture& picture, std::uint32_t rgba) {
+void fillSheet(Picture& picture, std::uint32_t rgba) {
   for (std::size_t i = 0; i < picture.rgba.size(); ++i) {
     picture.rgba[i] = static_cast<std::uint8_t>(rgba >> (24 - 8 * (i % 4)));
   }
 }
 
-void copyInto(Picture& sheet, const Picture& frame, int left, int top) {
+void copyOnto(Picture& sheet, const Picture& frame, int left, int top) {
   const auto row_bytes = static_cast<std::ptrdiff_t>(frame.width) * 4;
   for (int y = 0; y < frame.height; ++y) {
     const auto source = frame.rgba.begin() + row_bytes * y;
@@ -57,14 +57,14 @@ Result<ContactSheet> ContactSheet::create(std::size_t frames, int width, int hei
     return Error{ErrorKind::bad_argument, "a contact sheet needs at least one moment", {}};
   }
   const auto count = static_cast<std::int64_t>(frames);
-  if (count > kMaxPixels) return tooLarge(fmt::format("{} frames", frames));
+  if (count > kSheetMaxPixels) return tooLarge(fmt::format("{} frames", frames));
   std::int64_t columns = 1;
   while (columns * columns < count) ++columns;
   const std::int64_t rows = (count + columns - 1) / columns;
-  const std::int64_t sheet_width = columns * (std::int64_t{width} + kGap) + kGap;
+  const std::int64_t sheet_width = columns * (std::int64_t{width} + kSheetGap) + kSheetGap;
   const std::int64_t sheet_height =
-      rows * (std::int64_t{height} + atlas.linePixels() + kGap) + kGap;
-  if (sheet_width * sheet_height > kMaxPixels) {
+      rows * (std::int64_t{height} + atlas.linePixels() + kSheetGap) + kSheetGap;
+  if (sheet_width * sheet_height > kSheetMaxPixels) {
     return tooLarge(fmt::format("{}x{} pixels", sheet_width, sheet_height));
   }
 
@@ -75,7 +75,7 @@ Result<ContactSheet> ContactSheet::create(std::size_t frames, int width, int hei
   sheet.sheet_.width = static_cast<int>(sheet_width);
   sheet.sheet_.height = static_cast<int>(sheet_height);
   sheet.sheet_.rgba.resize(static_cast<std::size_t>(sheet_width * sheet_height) * 4);
-  fill(sheet.sheet_, kPaper);
+  fillSheet(sheet.sheet_, kSheetPaper);
   return sheet;
 }
 
@@ -83,13 +83,13 @@ void ContactSheet::put(std::size_t place, const Picture& frame, const std::strin
   assert(frame.width == frame_width_ && frame.height == frame_height_);
   const int column = static_cast<int>(place) % columns_;
   const int row = static_cast<int>(place) / columns_;
-  const int left = kGap + column * (frame_width_ + kGap);
-  const int top = kGap + row * (frame_height_ + atlas_->linePixels() + kGap);
-  copyInto(sheet_, frame, left, top);
+  const int left = kSheetGap + column * (frame_width_ + kSheetGap);
+  const int top = kSheetGap + row * (frame_height_ + atlas_->linePixels() + kSheetGap);
+  copyOnto(sheet_, frame, left, top);
   const std::string shown = cutToFit(caption, frame.width, *atlas_);
   const TextSize size = atlas_->measure(shown);
   atlas_->drawOn(sheet_, left + (frame.width - size.width) / 2, top + frame.height + 2, shown,
-                 kInk);
+                 kSheetInk);
 }
 
 }  // namespace rocinante

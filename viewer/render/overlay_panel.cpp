@@ -10,11 +10,12 @@
 namespace rocinante {
 namespace {
 
-constexpr int kMarginPx = 8, kPaddingPx = 8, kColumnGapPx = 18;
-constexpr std::uint32_t kPanelPlate = 0x14181CC8, kPanelInk = 0xE8ECF0FF, kHeadingInk = 0xFFD27FFF;
+constexpr int kPanelMarginPx = 8, kPanelPaddingPx = 8, kColumnGapPx = 18;
+constexpr std::uint32_t kPanelPlate = 0x14181CC8, kPanelInk = 0xE8ECF0FF,
+                        kPanelHeadingInk = 0xFFD27FFF;
 
 /// -0.000 is 0.000: a picture must not tell the two zeros apart.
-std::string fixed(double value, int decimals) {
+std::string fixedText(double value, int decimals) {
   if (!std::isfinite(value)) return "not a number";
   std::string text = fmt::format("{:.{}f}", value, decimals);
   if (text.starts_with('-') && text.find_first_not_of("-0.") == std::string::npos) text.erase(0, 1);
@@ -25,9 +26,9 @@ std::string valueText(JointType type, std::size_t component, double value) {
   constexpr double kDegreesPerRadian = 180 / kPi;
   const bool turns = type == JointType::revolute || type == JointType::continuous ||
                      (type == JointType::planar && component == 2);
-  if (turns) return fixed(value * kDegreesPerRadian, 2) + "°";
+  if (turns) return fixedText(value * kDegreesPerRadian, 2) + "°";
   const bool slides = type == JointType::prismatic || component < 3;
-  return slides ? fixed(value, 4) + " m" : fixed(value, 4);
+  return slides ? fixedText(value, 4) + " m" : fixedText(value, 4);
 }
 
 void addJoints(const PosedDevice& device, const SessionState& state, std::vector<PanelRow>& rows) {
@@ -82,7 +83,7 @@ std::vector<PanelRow> panelRows(const std::string& time, const PosedScene& scene
 
 void drawPanel(Picture& picture, const std::vector<PanelRow>& rows, const TextAtlas& atlas) {
   const int line = atlas.linePixels();
-  const int room = (picture.height - 2 * (kMarginPx + kPaddingPx)) / line;
+  const int room = (picture.height - 2 * (kPanelMarginPx + kPanelPaddingPx)) / line;
   if (room < 1) return;
   std::vector<PanelRow> shown = rows;
   if (shown.size() > static_cast<std::size_t>(room)) {
@@ -96,12 +97,12 @@ void drawPanel(Picture& picture, const std::vector<PanelRow>& rows, const TextAt
     names = std::max(names, atlas.measure(row.name).width);
     values = std::max(values, value);
   }
-  const int left = kMarginPx + kPaddingPx, right = left + names + values;
-  int y = kMarginPx + kPaddingPx;
-  blendPlate(picture, kMarginPx, kMarginPx, right + kPaddingPx,
-             y + static_cast<int>(shown.size()) * line + kPaddingPx);
+  const int left = kPanelMarginPx + kPanelPaddingPx, right = left + names + values;
+  int y = kPanelMarginPx + kPanelPaddingPx;
+  blendPlate(picture, kPanelMarginPx, kPanelMarginPx, right + kPanelPaddingPx,
+             y + static_cast<int>(shown.size()) * line + kPanelPaddingPx);
   for (const PanelRow& row : shown) {
-    atlas.drawOn(picture, left, y, row.name, row.heading ? kHeadingInk : kPanelInk);
+    atlas.drawOn(picture, left, y, row.name, row.heading ? kPanelHeadingInk : kPanelInk);
     if (!row.value.empty()) {
       atlas.drawOn(picture, right - atlas.measure(row.value).width, y, row.value, kPanelInk);
     }

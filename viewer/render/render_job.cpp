@@ -21,7 +21,7 @@
 namespace rocinante {
 namespace {
 
-constexpr int kSheetTextPx = 18;
+constexpr int kCaptionPx = 18;
 
 Error badJob(std::string what) { return Error{ErrorKind::bad_argument, std::move(what), {}}; }
 
@@ -261,7 +261,7 @@ class RenderRun {
   FrameRequest request_;
   const RenderFiles files_;
   FrameMaker& maker_;
-  const TextAtlas atlas_{kSheetTextPx};
+  const TextAtlas atlas_{kCaptionPx};
   std::optional<ContactSheet> sheet_;
   std::vector<VideoFile> videos_;
   std::vector<RenderedFrame> frames_;

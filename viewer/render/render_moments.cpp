@@ -15,20 +15,20 @@ namespace rocinante {
 namespace {
 
 constexpr std::size_t kMaxFrames = 1'000'000;
-constexpr std::int64_t kNanoseconds = 1'000'000'000;
+constexpr std::int64_t kSecondNs = 1'000'000'000;
 constexpr std::uint64_t kMaxTimesFileBytes = std::uint64_t{64} << 20U;
 
 Error badMoment(std::string what, std::string where = {}) {
   return {ErrorKind::bad_argument, std::move(what), std::move(where)};
 }
 
-struct Span {
+struct LogPart {
   LogTime from, until;  // until exclusive
 };
 
 /// What of the log is asked for.
-Result<Span> spanOf(const MomentChoice& choice, const Timeline& session) {
-  Span span{session.start(), session.end() + Nanoseconds(1)};
+Result<LogPart> spanOf(const MomentChoice& choice, const Timeline& session) {
+  LogPart span{session.start(), session.end() + Nanoseconds(1)};
   if (!choice.from.empty()) {
     const auto from = parseSessionTime(choice.from, session.origin(), session.end());
     if (!from) return from.error();
@@ -80,7 +80,7 @@ Status addTimesOfFile(const std::filesystem::path& file, const Timeline& session
 }
 
 /// Moments `offset(i)` from the origin that lie in the span, i up to `most`; `offset` never falls.
-void addGrid(const std::function<Nanoseconds(std::int64_t)>& offset, const Span& span,
+void addGrid(const std::function<Nanoseconds(std::int64_t)>& offset, const LogPart& span,
              LogTime origin, std::int64_t most, std::vector<RenderMoment>& moments) {
   // The first that is not before the span; never before the origin.
   std::int64_t low = 0;
@@ -99,7 +99,7 @@ void addGrid(const std::function<Nanoseconds(std::int64_t)>& offset, const Span&
   }
 }
 
-Status addEvents(const MomentChoice& choice, const Span& span, Timeline& session,
+Status addEvents(const MomentChoice& choice, const LogPart& span, Timeline& session,
                  std::vector<RenderMoment>& moments) {
   const auto events = session.events();
   if (!events) return events.error();
@@ -177,10 +177,10 @@ Result<std::vector<RenderMoment>> renderMoments(const MomentChoice& choice, Time
     if (!rate) return rate.error();
     const auto offset = [&](std::int64_t i) {
       const std::int64_t product = i * rate->seconds;
-      return Nanoseconds(product / rate->count * kNanoseconds +
-                         product % rate->count * kNanoseconds / rate->count);
+      return Nanoseconds(product / rate->count * kSecondNs +
+                         product % rate->count * kSecondNs / rate->count);
     };
-    addGrid(offset, *span, session.origin(), kLongest / kNanoseconds / rate->seconds, moments);
+    addGrid(offset, *span, session.origin(), kLongest / kSecondNs / rate->seconds, moments);
   }
   if (choice.all_events || !choice.events.empty()) {
     if (Status added = addEvents(choice, *span, session, moments); !added) return added.error();

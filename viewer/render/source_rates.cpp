@@ -5,9 +5,9 @@
 namespace rocinante {
 namespace {
 
-constexpr Nanoseconds kWindow = std::chrono::seconds(1);
+constexpr Nanoseconds kRateWindow = std::chrono::seconds(1);
 
-std::string nameOf(const LogChannel& channel) {
+std::string sourceOf(const LogChannel& channel) {
   const auto source = channel.metadata.find("source");
   const bool named = source != channel.metadata.end() && !source->second.empty();
   return named ? source->second : channel.topic;
@@ -16,12 +16,12 @@ std::string nameOf(const LogChannel& channel) {
 }  // namespace
 
 Status SourceRates::readOn(LogTime time) {
-  const bool can_go_on = reached_ && *reached_ <= time && *reached_ >= time - kWindow;
+  const bool can_go_on = reached_ && *reached_ <= time && *reached_ >= time - kRateWindow;
   if (!can_go_on) {
     window_.clear();
     next_.reset();
     at_end_ = false;
-    if (Status put = reader_.seek(time - kWindow + Nanoseconds(1)); !put) return put;
+    if (Status put = reader_.seek(time - kRateWindow + Nanoseconds(1)); !put) return put;
   }
   reached_ = time;
   while (true) {
@@ -35,7 +35,7 @@ Status SourceRates::readOn(LogTime time) {
     if (next_->channel->captured()) window_.push_back(*next_);
     next_.reset();
   }
-  while (!window_.empty() && window_.front().time <= time - kWindow) window_.pop_front();
+  while (!window_.empty() && window_.front().time <= time - kRateWindow) window_.pop_front();
   return {};
 }
 
@@ -46,9 +46,9 @@ Result<std::map<std::string, std::uint64_t>> SourceRates::at(LogTime time) {
   }
   std::map<std::string, std::uint64_t> rates;
   for (const LogChannel& channel : reader_.channels()) {
-    if (channel.captured()) rates.emplace(nameOf(channel), 0);
+    if (channel.captured()) rates.emplace(sourceOf(channel), 0);
   }
-  for (const Counted& one : window_) ++rates[nameOf(*one.channel)];
+  for (const Counted& one : window_) ++rates[sourceOf(*one.channel)];
   return rates;
 }
 
