@@ -2,7 +2,7 @@
 // turn by turn in one context, and beside osgviewer where it is installed (Debian's openscenegraph)
 // with the same scene, camera and size. CPU is that of all threads, so that a busy machine counts
 // little; frames a second and the first frame mean something on an idle machine alone.
-// usage: render_bench [--quick] [--yard FILE.obj]
+// usage: render_bench [--quick] [--links] [--yard FILE.obj]      --links: those rows alone
 #include <fmt/format.h>
 #include <sys/resource.h>
 
@@ -272,9 +272,11 @@ void benchFirstFrame(const std::string& name, const std::filesystem::path& obj,
 
 int main(int argc, char** argv) {
   Settings settings;
+  bool links_alone = false;
   for (int i = 1; i < argc; ++i) {
     const std::string_view word = argv[i];
     if (word == "--quick") settings.rounds = 3;
+    links_alone = links_alone || word == "--links";
     if (word == "--yard" && i + 1 < argc) settings.yard = argv[++i];
   }
   if (settings.yard.empty()) {
@@ -282,6 +284,10 @@ int main(int argc, char** argv) {
         std::filesystem::path(ROCINANTE_SHARED_DIR) / "data/env/waste_yard/waste_yard.obj";
   }
   pinRendererEnvironment("sse4.1");
+  if (links_alone) {
+    benchLinks(*need(makeOsmesaContext()), settings);
+    return 0;
+  }
   const test::TemporaryFolder folder;
   const auto hills = need(writeHills(folder.path()));
   // Before threads of a context may run beside.

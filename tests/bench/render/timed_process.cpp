@@ -63,9 +63,10 @@ VirtualDisplay::VirtualDisplay() {
     ::_exit(127);
   }
   ::close(told[1]);
-  char text[16]{};
-  // It says its number when it is ready for clients.
-  if (::read(told[0], text, sizeof text - 1) > 0) name_ = ":" + std::to_string(std::atoi(text));
+  // It says its number, then a line's end, when it is ready for clients.
+  std::string number;
+  for (char digit = 0; ::read(told[0], &digit, 1) == 1 && digit != '\n';) number += digit;
+  if (!number.empty()) name_ = ":" + number;
   ::close(told[0]);
 }
 
