@@ -119,8 +119,7 @@ TEST_F(FineByModule, SixteenBitsAndEightBits) {
   const auto deep = read("a.pgm", "P5\n2 1\n65535\n" + std::string("\x12\x34\0\1", 4));
   ASSERT_TRUE(deep.ok()) << deep.error().text();
   EXPECT_EQ(deep->encoding, (PictureEncoding{1, 16, false}));
-  EXPECT_THAT(deep->samples,
-              ElementsAre(0x1234, 0x1234, 0x1234, 65535, 1, 1, 1, 65535));
+  EXPECT_THAT(deep->samples, ElementsAre(0x1234, 0x1234, 0x1234, 65535, 1, 1, 1, 65535));
   const auto flat = read("b.pgm", "P5\n2 1\n255\n" + std::string("\x12\x34", 2));
   ASSERT_TRUE(flat.ok()) << flat.error().text();
   EXPECT_EQ(flat->encoding, (PictureEncoding{1, 8, false}));
