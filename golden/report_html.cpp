@@ -17,7 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// Small enough that five hundred of them stay a few megabytes.
-constexpr int kListPicturePixels = 160;
+constexpr int kListPicturePixels = 112;
 
 std::string base64(ByteView bytes) {
   std::string text(sodium_base64_ENCODED_LEN(bytes.size(), sodium_base64_VARIANT_ORIGINAL), '\0');
