@@ -13,6 +13,10 @@ select gantry
 orbit 60 -20
 zoom 1
 hide layer/labels
+key E
+click 712 330
+style shadows on
+detail 0
 frame 2
 screenshot window.png
 quit
