@@ -30,7 +30,8 @@ fov = 45
             "test.cell.toml:9:27: error: pose has an unknown key `rpy_degrees` (its keys are "
             "quaternion, rpy, rpy_deg, xyz) [cell.unknown-key]\n"
             "test.cell.toml:14:1: error: [[camera]] has an unknown key `fov` (its keys "
-            "are eye, follow, fov_deg, name, on, ortho_height_m, target, up) [cell.unknown-key]\n");
+            "are eye, follow, fov_deg, look_at, name, on, ortho_height_m, target, up) "
+            "[cell.unknown-key]\n");
 }
 
 struct CellFaultCase {
