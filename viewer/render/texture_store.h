@@ -28,8 +28,8 @@ class TextureStore {
 
   /// 0 when that picture could not be read.
   GLuint name(std::size_t number) const { return names_[number]; }
-  /// Until endPlainFiltering() texture unit 0 reads with the cheapest filter that uses mipmaps: only
-  /// textures of this store may be bound there.
+  /// Until endPlainFiltering() texture unit 0 reads with the cheapest filter that uses mipmaps:
+  /// only textures of this store may be bound there.
   void beginPlainFiltering() const;
   void endPlainFiltering() const;
   /// Non-zero by number: some pixel is not opaque.
