@@ -144,6 +144,10 @@ std::string answerText(const BisectAnswer& answer) {
   const auto seconds = [](Nanoseconds moment) { return secondsText(moment, 3) + " s"; };
   std::string text;
   if (!answer.first) {
+    if (answer.frames == 0) {
+      return fmt::format("no difference: the states are equal at all of {} moments\n",
+                         answer.moments);
+    }
     return fmt::format("no difference at the {} moments that were drawn, of {}\n", answer.frames,
                        answer.moments);
   }
