@@ -1,0 +1,13 @@
+# What another class of processor draws differs in single pixels: never the same bits, always the same picture
+# to the tier that is made for it. Threads change nothing at all.
+draw() { rocinante render "$SRC/examples/demo/demo.cell.toml" "$SRC/examples/demo/session.mcap" --at 7.88 --size 320x240 "$@"; }
+for camera in overview arm gantry top; do
+  draw --camera "$camera" -o "$camera.here.png"
+  draw --camera "$camera" --caps sse2 -o "$camera.there.png"
+  rocinante golden compare "$camera.here.png" "$camera.there.png" --quiet | sed 's/:.*//' || true
+  rocinante golden compare "$camera.here.png" "$camera.there.png" --quiet --tier cpu | sed 's/:.*//'
+  LP_NUM_THREADS=1 draw --camera "$camera" -o "$camera.one.png"
+  LP_NUM_THREADS=4 draw --camera "$camera" -o "$camera.four.png"
+  rocinante golden compare "$camera.here.png" "$camera.one.png" --quiet | sed 's/:.*//'
+  rocinante golden compare "$camera.here.png" "$camera.four.png" --quiet | sed 's/:.*//'
+done
