@@ -75,6 +75,7 @@ Status Approval::stage(const std::string& case_name, AcceptedPicture accepted,
   if (auto made = makeFolder(folder_.goldens()); !made) return made;
   auto picture_file = writeStaged(picture);
   if (!picture_file.ok()) return picture_file.error();
+  accepted.cell = cell_;
   Staged staged{case_name, std::move(accepted), beside, std::move(*picture_file), {}};
   if (areas != nullptr) {
     auto areas_file = writeStaged(*areas);
@@ -158,6 +159,8 @@ Result<std::vector<std::string>> Approval::commit() {
     if (!staged.accepted.areas.empty()) arriving.push_back(staged.accepted.areas);
     after.accept(staged.case_name, staged.accepted, staged.beside);
   }
+  if (!cell_.empty()) after.cells[cell_] = cell_files_;
+  after.dropUnusedCells();
   if (moved && !arriving.empty()) moved = after.write(folder_.goldens());
   if (!moved) {
     for (const std::string& name : arriving) removeFile(folder_.arrivingFile(name));

@@ -29,8 +29,14 @@ class Approval {
   /// True when this very picture is accepted for this key already, and lies there.
   bool isAccepted(const std::string& case_name, const AcceptedPicture& accepted) const;
 
-  /// `accepted` has everything but file names. `areas` may be null. `beside`: accepted pictures of
-  /// its key stay. On an error nothing is staged.
+  /// Of what the pictures that are staged from now on were drawn: commit() writes it down too.
+  void describeCell(FileHashes files) {
+    cell_ = cellKey(files);
+    cell_files_ = std::move(files);
+  }
+
+  /// `accepted` has everything but file names and cell. `areas` may be null. `beside`: accepted
+  /// pictures of its key stay. On an error nothing is staged.
   Status stage(const std::string& case_name, AcceptedPicture accepted, const Picture& picture,
                const Picture* areas, bool beside);
   std::size_t staged() const { return staged_.size(); }
@@ -55,6 +61,8 @@ class Approval {
   GoldenFolder folder_;
   Manifest seen_;
   std::vector<Staged> staged_;
+  std::string cell_;
+  FileHashes cell_files_;
   std::size_t files_ = 0;
 };
 

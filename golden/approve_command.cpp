@@ -11,6 +11,7 @@
 #include "core/atomic_file.h"
 #include "golden/approval.h"
 #include "golden/approval_list.h"
+#include "golden/why/frame_explainer.h"
 
 namespace rocinante {
 namespace {
@@ -77,14 +78,18 @@ Result<Answer> ask(const JudgedFrame& judged) {
 /// Approves the frames of one session.
 class Approver {
  public:
-  Approver(SuiteSession& session, const ApproveArguments& arguments,
+  Approver(SuiteSession& session, const SuiteOptions& options, const ApproveArguments& arguments,
            std::optional<ApprovalList> list)
       : session_(session),
         arguments_(arguments),
         list_(std::move(list)),
         approval_(session.folder(), session.manifest()),
         by_(userName()),
-        at_(nowText()) {}
+        at_(nowText()) {
+    if (auto files = hashSessionFiles(session, options); files.ok()) {
+      approval_.describeCell(std::move(*files));
+    }
+  }
 
   Result<Counts> run() {
     for (const SuiteFrame& frame : session_.frames()) {
@@ -223,7 +228,7 @@ Result<cli::Exit> runApproveCommand(const ApproveArguments& arguments) {
       ++unknown;
     }
   }
-  auto counts = Approver(*session, arguments, std::move(*list)).run();
+  auto counts = Approver(*session, *options, arguments, std::move(*list)).run();
   if (!counts.ok()) return counts.error();
   const std::size_t refused = counts->refused + unknown;
   fmt::print("{} approved, {} refused; goldens in {}\n", counts->approved + counts->unchanged,

@@ -47,7 +47,7 @@ class WireWriter {
       std::is_same_v<std::remove_const_t<Accepted>, AcceptedPicture> {
     for (auto* text : {&accepted.key, &accepted.picture, &accepted.pixels, &accepted.inputs,
                        &accepted.session, &accepted.accepted_by, &accepted.accepted_at,
-                       &accepted.reason, &accepted.areas, &accepted.areas_pixels}) {
+                       &accepted.reason, &accepted.areas, &accepted.areas_pixels, &accepted.cell}) {
       wire.item(*text);
     }
   }

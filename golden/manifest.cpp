@@ -37,11 +37,11 @@ bool isPictureName(const std::string& name) {
 
 Result<AcceptedPicture> acceptedOf(const Json& entry, const std::string& name,
                                    const std::filesystem::path& file) {
-  AcceptedPicture accepted{textIn(entry, "key"),         textIn(entry, "picture"),
-                           textIn(entry, "pixels"),      textIn(entry, "inputs"),
-                           textIn(entry, "session"),     textIn(entry, "accepted_by"),
-                           textIn(entry, "accepted_at"), textIn(entry, "reason"),
-                           textIn(entry, "areas"),       textIn(entry, "areas_pixels")};
+  AcceptedPicture accepted{
+      textIn(entry, "key"),          textIn(entry, "picture"), textIn(entry, "pixels"),
+      textIn(entry, "inputs"),       textIn(entry, "session"), textIn(entry, "accepted_by"),
+      textIn(entry, "accepted_at"),  textIn(entry, "reason"),  textIn(entry, "areas"),
+      textIn(entry, "areas_pixels"), textIn(entry, "cell")};
   if (accepted.key.empty() || accepted.pixels.empty() || !isPictureName(accepted.picture) ||
       (!accepted.areas.empty() && !isPictureName(accepted.areas))) {
     return broken(file, fmt::format("a picture of case `{}` lacks its key, its pixel hash or a "
@@ -49,6 +49,21 @@ Result<AcceptedPicture> acceptedOf(const Json& entry, const std::string& name,
                                     plainText(name)));
   }
   return accepted;
+}
+
+/// What is no hash of a file is left out: it explains failures, and judges nothing.
+std::map<std::string, FileHashes> cellsOf(const Json& root) {
+  std::map<std::string, FileHashes> cells;
+  const auto found = root.find("cells");
+  if (found == root.end() || !found->is_object()) return cells;
+  for (const auto& [key, files] : found->items()) {
+    if (!files.is_object()) continue;
+    FileHashes& hashes = cells[key];
+    for (const auto& [name, hash] : files.items()) {
+      if (hash.is_string()) hashes[name] = hash.get<std::string>();
+    }
+  }
+  return cells;
 }
 
 }  // namespace
@@ -73,6 +88,7 @@ Result<Manifest> Manifest::parse(std::string_view text, const std::filesystem::p
   if (cases == root.end() || !cases->is_object()) return broken(file, "it has no `cases`");
 
   Manifest manifest;
+  manifest.cells = cellsOf(root);
   std::set<std::string> files;
   for (const auto& [name, pictures] : cases->items()) {
     if (!pictures.is_array()) {
@@ -109,11 +125,13 @@ Status Manifest::write(const std::filesystem::path& folder) const {
                {"accepted_by", accepted.accepted_by},
                {"accepted_at", accepted.accepted_at},
                {"reason", accepted.reason}};
+      if (!accepted.cell.empty()) entry["cell"] = accepted.cell;
       if (accepted.areas.empty()) continue;
       entry["areas"] = accepted.areas;
       entry["areas_pixels"] = accepted.areas_pixels;
     }
   }
+  for (const auto& [key, hashes] : cells) root["cells"][key] = hashes;
   const std::string text = root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
   return writeFileWhole(folder / kFileName, bytesOf(text), true);
 }
@@ -162,6 +180,25 @@ std::set<std::string> Manifest::files() const {
     }
   }
   return files;
+}
+
+const FileHashes* Manifest::cellOf(const AcceptedPicture& accepted) const {
+  const auto found = cells.find(accepted.cell);
+  return found == cells.end() ? nullptr : &found->second;
+}
+
+void Manifest::dropUnusedCells() {
+  std::set<std::string> used;
+  for (const auto& [name, pictures] : cases) {
+    for (const AcceptedPicture& accepted : pictures) used.insert(accepted.cell);
+  }
+  std::erase_if(cells, [&](const auto& cell) { return !used.contains(cell.first); });
+}
+
+std::string cellKey(const FileHashes& files) {
+  std::string text;
+  for (const auto& [name, hash] : files) text += name + "\n" + hash + "\n";
+  return hexOf(xxh3(bytesOf(text)));
 }
 
 std::string shapeText(int width, int height, int samples) {

@@ -21,13 +21,20 @@ struct AcceptedPicture {
   std::string accepted_by, accepted_at, reason;
   /// Where the case's masks lay (areasPicture): its file and pixel hash; empty without masks.
   std::string areas{}, areas_pixels{};
+  std::string cell{};  ///< key into Manifest::cells; empty: its files are not known
   bool operator==(const AcceptedPicture&) const = default;
 };
+
+/// The files that a cell is made of: name below the cell's folder to SHA-256.
+using FileHashes = std::map<std::string, std::string>;
 
 /// goldens/manifest.json: what was accepted, for which case and key (docs/golden-suites.md).
 /// Only `approve` writes it.
 struct Manifest {
   std::map<std::string, std::vector<AcceptedPicture>> cases;
+  /// What accepted pictures were drawn of, by a hash of the list: a failure then names the mesh,
+  /// material or texture that changed.
+  std::map<std::string, FileHashes> cells;
 
   /// Empty when the folder has none. Names of pictures that lead out of the folder, or are no
   /// plain PNG's, and pictures that two cases name, are refused.
@@ -40,11 +47,18 @@ struct Manifest {
   std::vector<const AcceptedPicture*> find(std::string_view case_name, std::string_view key) const;
   /// Any picture of the case with this size and these samples, for a tolerance that allows it.
   const AcceptedPicture* findAnyOfShape(std::string_view case_name, std::string_view shape) const;
+  /// The files of the cell that a picture was accepted of; null when they are not known.
+  const FileHashes* cellOf(const AcceptedPicture& accepted) const;
   /// Puts `accepted` in place of the pictures of its case and key, or beside them.
   void accept(const std::string& case_name, AcceptedPicture accepted, bool beside = false);
   /// The names of all files that it uses: pictures and areas.
   std::set<std::string> files() const;
+  /// Forgets cells that no picture names.
+  void dropUnusedCells();
 };
+
+/// The key of a list of files in Manifest::cells.
+std::string cellKey(const FileHashes& files);
 
 /// "640x480 4x": the end of a key.
 std::string shapeText(int width, int height, int samples);

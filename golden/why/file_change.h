@@ -1,17 +1,14 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <string>
 #include <vector>
 
 #include "core/model/cell.h"
 #include "core/result.h"
+#include "golden/manifest.h"
 
 namespace rocinante {
-
-/// Files that a cell is made of: name below the cell's folder to SHA-256.
-using FileHashes = std::map<std::string, std::string>;
 
 /// Of whatever a program is given as a cell: a file with all that it names, or what a log carries.
 Result<FileHashes> hashCellFiles(const std::filesystem::path& cell, const CellOptions& options);

@@ -7,6 +7,15 @@
 
 namespace rocinante {
 
+Result<FileHashes> hashSessionFiles(const SuiteSession& session, const SuiteOptions& options) {
+  CellOptions cell_options;
+  if (!isLog(session.suite().cell)) {
+    cell_options.search = options.search;
+    cell_options.search_environment = options.search_environment;
+  }
+  return hashCellFiles(session.suite().cell, cell_options);
+}
+
 FrameExplainer::FrameExplainer(SuiteSession& session, std::filesystem::path suite_file,
                                SuiteOptions options)
     : now_(session), suite_file_(std::move(suite_file)), options_(std::move(options)) {
@@ -74,18 +83,17 @@ Result<FrameExplainer::Found> FrameExplainer::findGolden(const JudgedFrame& judg
 }
 
 std::vector<std::string> FrameExplainer::changedFiles(Candidate& candidate) {
-  const auto hashesOf = [](const SuiteSession& session, const SuiteOptions& options) {
-    CellOptions cell_options;
-    if (!isLog(session.suite().cell)) {
-      cell_options.search = options.search;
-      cell_options.search_environment = options.search_environment;
-    }
-    return hashCellFiles(session.suite().cell, cell_options);
-  };
-  const auto before = hashesOf(*candidate.session, candidate.options);
-  const auto today = hashesOf(now_, options_);
-  // A cell with errors is drawn as far as it goes, and has no list of files.
+  const auto before = hashSessionFiles(*candidate.session, candidate.options);
+  const auto today = hashSessionFiles(now_, options_);
   if (!before.ok() || !today.ok()) return {};
+  return fileChanges(*before, *today);
+}
+
+std::vector<std::string> FrameExplainer::changedSinceAccepted(const AcceptedPicture& golden) {
+  const FileHashes* const before = now_.manifest().cellOf(golden);
+  if (before == nullptr) return {};
+  const auto today = hashSessionFiles(now_, options_);
+  if (!today.ok()) return {};
   return fileChanges(*before, *today);
 }
 
@@ -106,6 +114,7 @@ Result<std::shared_ptr<const FrameWhy>> FrameExplainer::explain(const JudgedFram
   if (golden->candidate == nullptr) {
     auto why = explainByGuess(*judged.accepted, *judged.drawn, today);
     if (!why.ok()) return why.error();
+    why->files = changedSinceAccepted(*judged.golden);
     return std::make_shared<const FrameWhy>(std::move(*why));
   }
   const auto golden_drawer = golden->candidate->session->drawer();

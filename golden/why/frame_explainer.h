@@ -11,6 +11,10 @@
 
 namespace rocinante {
 
+/// The files of the cell that a session draws; an error where it has faults: a cell with errors is
+/// drawn as far as it goes, and has no list of files.
+Result<FileHashes> hashSessionFiles(const SuiteSession& session, const SuiteOptions& options);
+
 /// Says why frames of a suite are not their goldens. The golden's own cell and session are looked
 /// for in what the suite names where --cell or --log stand in its place, and in the cell that the
 /// log carries; they count when they draw the accepted pixels again. One thread, as its session.
@@ -39,6 +43,7 @@ class FrameExplainer {
   SuiteSession* opened(Candidate& candidate);
   Result<Found> findGolden(const JudgedFrame& judged);
   std::vector<std::string> changedFiles(Candidate& candidate);
+  std::vector<std::string> changedSinceAccepted(const AcceptedPicture& golden);
 
   SuiteSession& now_;
   std::filesystem::path suite_file_;

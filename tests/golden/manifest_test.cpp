@@ -1,5 +1,6 @@
 #include "golden/manifest.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "core/atomic_file.h"
@@ -65,6 +66,39 @@ TEST(Manifest, RemembersWhereMasksLay) {
   const auto read = Manifest::read(folder.path());
   ASSERT_TRUE(read.ok());
   EXPECT_EQ(read->cases, manifest.cases);
+}
+
+TEST(Manifest, RemembersTheFilesOfTheCellThatPicturesWereAcceptedOf) {
+  const test::TemporaryFolder folder;
+  const FileHashes files{{"arm.obj", "aa"}, {"arm.toml", "bb"}};
+  Manifest manifest;
+  AcceptedPicture drawn = accepted("a 640x480 4x", "aa");
+  drawn.cell = cellKey(files);
+  manifest.cells[drawn.cell] = files;
+  manifest.cells["nobody's"] = {{"old.obj", "cc"}};
+  manifest.accept("pick", drawn);
+  manifest.dropUnusedCells();
+  ASSERT_TRUE(manifest.write(folder.path()).ok());
+
+  const auto read = Manifest::read(folder.path());
+  ASSERT_TRUE(read.ok());
+  EXPECT_EQ(read->cases, manifest.cases);
+  EXPECT_EQ(read->cells, (std::map<std::string, FileHashes>{{drawn.cell, files}}));
+  const FileHashes* const found = read->cellOf(*read->find("pick", "a 640x480 4x").front());
+  ASSERT_NE(found, nullptr);
+  EXPECT_EQ(*found, files);
+  EXPECT_EQ(read->cellOf(accepted("a 640x480 4x", "of a folder without cells")), nullptr);
+  EXPECT_NE(cellKey(files), cellKey({{"arm.obj", "ab"}, {"arm.toml", "bb"}}));
+}
+
+TEST(Manifest, CellsThatAreNoneExplainNothingAndJudgeAsBefore) {
+  for (const std::string_view cells :
+       {"[]", "7", R"({"k": []})", R"({"k": {"arm.obj": 7}})", R"({"": {}})"}) {
+    const auto manifest = Manifest::parse(
+        fmt::format(R"({{"format": 1, "cases": {{}}, "cells": {}}})", cells), "manifest.json");
+    ASSERT_TRUE(manifest.ok()) << cells;
+    for (const auto& [key, files] : manifest->cells) EXPECT_TRUE(files.empty()) << cells;
+  }
 }
 
 TEST(Manifest, AnotherRenderersGoldenIsFoundByItsShape) {

@@ -1,5 +1,6 @@
 # Two recordings of one scenario: the same, or where they part; and the first moment that shows it.
-session=$SRC/examples/demo/session.mcap cell=$SRC/examples/demo/demo.cell.toml
+cp "$SRC/examples/demo/session.mcap" .
+session=session.mcap cell=$SRC/examples/demo/demo.cell.toml
 rocinante golden session "$session" "$session" "$cell" --no-pictures
 rocinante log cut "$session" --until 10s -o first.mcap >made.txt
 rocinante golden session "$session" first.mcap "$cell" --no-pictures || echo "exit $?"
