@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 #include <tinyxml2.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "core/check/baseline.h"
 #include "core/check/rule_list.h"
@@ -58,12 +60,36 @@ CheckReport hostileReport() {
   return report;
 }
 
+/// The elements and attributes of the schema that Jenkins' xUnit plugin holds files to.
+void expectJunitElement(const tinyxml2::XMLElement& element) {
+  static const std::map<std::string, std::set<std::string>> kAttributes = {
+      {"testsuites", {"name", "time", "tests", "failures", "disabled", "errors"}},
+      {"testsuite",
+       {"name", "tests", "failures", "errors", "time", "disabled", "skipped", "timestamp",
+        "hostname", "id", "package"}},
+      {"testcase", {"name", "assertions", "time", "classname", "status"}},
+      {"failure", {"type", "message"}},
+      {"error", {"type", "message"}},
+      {"skipped", {"type", "message"}},
+      {"system-out", {}}};
+  const auto known = kAttributes.find(element.Name());
+  ASSERT_NE(known, kAttributes.end()) << element.Name();
+  for (const auto* each = element.FirstAttribute(); each != nullptr; each = each->Next()) {
+    EXPECT_TRUE(known->second.contains(each->Name())) << element.Name() << " " << each->Name();
+  }
+  for (const auto* each = element.FirstChildElement(); each != nullptr;
+       each = each->NextSiblingElement()) {
+    expectJunitElement(*each);
+  }
+}
+
 TEST(CheckJunit, IsWhatJenkinsReadsHoweverHostileTheSession) {
   tinyxml2::XMLDocument document;
   const std::string text = checkJunit(hostileReport());
   ASSERT_EQ(document.Parse(text.c_str()), tinyxml2::XML_SUCCESS) << document.ErrorStr();
   const auto* suites = document.RootElement();
   ASSERT_STREQ(suites->Name(), "testsuites");
+  expectJunitElement(*suites);
   const auto* suite = suites->FirstChildElement("testsuite");
   ASSERT_NE(suite, nullptr);
   EXPECT_NE(suite->Attribute("name"), nullptr);
