@@ -7,7 +7,7 @@
 
 #include "core/check/finding.h"
 #include "core/model/fault_list.h"
-#include "core/model/name_hint.h"
+#include "core/name_hint.h"
 
 namespace rocinante {
 namespace {

@@ -5,9 +5,9 @@
 #include "core/model/cell_reader.h"
 #include "core/model/fault_list.h"
 #include "core/model/inline_model.h"
-#include "core/model/name_hint.h"
 #include "core/model/sdf_reader.h"
 #include "core/model/urdf_reader.h"
+#include "core/name_hint.h"
 
 namespace rocinante {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "core/model/cell.h"
-#include "core/model/name_hint.h"
 #include "core/model/toml_table.h"
+#include "core/name_hint.h"
 
 namespace rocinante {
 namespace {

@@ -6,7 +6,7 @@
 #include "core/math/transform.h"
 #include "core/model/cell_reader.h"
 #include "core/model/fault_list.h"
-#include "core/model/name_hint.h"
+#include "core/name_hint.h"
 
 namespace rocinante {
 namespace {

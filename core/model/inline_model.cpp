@@ -10,7 +10,7 @@
 #include "core/model/fault_list.h"
 #include "core/model/glob.h"
 #include "core/model/model_draft.h"
-#include "core/model/name_hint.h"
+#include "core/name_hint.h"
 
 namespace rocinante {
 namespace {

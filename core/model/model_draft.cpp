@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "core/model/fault_list.h"
-#include "core/model/name_hint.h"
+#include "core/name_hint.h"
 
 namespace rocinante {
 namespace {

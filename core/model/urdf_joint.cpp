@@ -5,8 +5,8 @@
 
 #include "core/math/transform.h"
 #include "core/model/fault_list.h"
-#include "core/model/name_hint.h"
 #include "core/model/urdf_parts.h"
+#include "core/name_hint.h"
 
 namespace rocinante {
 namespace {

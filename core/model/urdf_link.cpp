@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "core/model/fault_list.h"
-#include "core/model/name_hint.h"
 #include "core/model/urdf_parts.h"
+#include "core/name_hint.h"
 
 namespace rocinante {
 namespace {

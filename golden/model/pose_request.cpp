@@ -7,7 +7,7 @@
 
 #include "core/cli/text_table.h"
 #include "core/math/trigonometry.h"
-#include "core/model/name_hint.h"
+#include "core/name_hint.h"
 #include "core/plain_text.h"
 #include "core/session/timeline.h"
 

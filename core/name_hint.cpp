@@ -1,4 +1,4 @@
-#include "core/model/name_hint.h"
+#include "core/name_hint.h"
 
 #include <algorithm>
 
