@@ -6,10 +6,10 @@
 
 #include "core/math/vector.h"
 #include "core/model/posed_scene.h"
+#include "core/model/view_path.h"
 #include "core/result.h"
 #include "viewer/render/frame_extras.h"
 #include "viewer/render/render_style.h"
-#include "viewer/render/view_path.h"
 
 namespace rocinante {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/duration_text.h"
-#include "viewer/render/view_path.h"
+#include "core/model/view_path.h"
 
 namespace rocinante {
 namespace {

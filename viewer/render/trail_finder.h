@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "core/model/posed_scene.h"
+#include "core/model/view_path.h"
 #include "core/session/timeline.h"
 #include "viewer/render/frame_extras.h"
 #include "viewer/render/render_style.h"
-#include "viewer/render/view_path.h"
 
 namespace rocinante {
 

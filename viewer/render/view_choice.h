@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/model/posed_scene.h"
+#include "core/model/view_path.h"
 #include "core/result.h"
-#include "viewer/render/view_path.h"
 
 namespace rocinante {
 

@@ -1,4 +1,4 @@
-#include "viewer/render/view_path.h"
+#include "core/model/view_path.h"
 
 #include <optional>
 
