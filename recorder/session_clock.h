@@ -20,8 +20,8 @@ struct ClockStep {
 };
 
 /// The session's own steady time line: the wall time of the first look, plus the steady time since.
-/// Whatever the wall clock does later bends nothing (docs/log-format.md, "Time"). Pure: looks come
-/// from outside.
+/// Whatever the wall clock does later bends nothing (docs/log-format.md, "Time and order"). Pure:
+/// looks come from outside.
 class SessionClock {
  public:
   explicit SessionClock(const ClockReading& first);
