@@ -179,6 +179,7 @@ Result<Cell> readCell(ByteView bytes, const fs::path& path, const CellOptions& o
   meshes.readWith(options.parallel, options.progress);
   CellNames names(files);
   CellModels models(files.inOrder().front()->folder, names, meshes);
+  LayerReader layers(cell, names);
   DeviceReader devices(cell, models, names);
   for (const CellFile* file : files.inOrder()) {
     meshes.addFile(file->path);
@@ -188,14 +189,16 @@ Result<Cell> readCell(ByteView bytes, const fs::path& path, const CellOptions& o
     for (TomlTable& table : file->root->tables("model", "[[model]]")) {
       models.readModel(table, file->folder);
     }
-    readLayers(*file->root, names, cell);
+    layers.read(*file->root);
   }
   for (const CellFile* file : files.inOrder()) devices.read(*file->root, file->folder);
   devices.finish();
   for (const CellFile* file : files.inOrder()) {
     readCameras(*file->root, names, cell);
     readSources(*file->root, names, cell);
+    readLights(*file->root, names, cell);
   }
+  layers.finish();
   for (const CellFile* file : files.inOrder()) readInsets(*file->root, cell);
   CellMaterials materials;
   // What is read later stands over what was read before.
@@ -205,6 +208,7 @@ Result<Cell> readCell(ByteView bytes, const fs::path& path, const CellOptions& o
     readScene(*file.root, cell);
     materials.read(*file.root, file.folder, meshes);
   }
+  finishLights(cell);
   if (options.geometry) materials.apply(cell);
   files.finish();
   cell.files.assign(meshes.files().begin(), meshes.files().end());

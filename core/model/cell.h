@@ -24,8 +24,9 @@ struct CellDevice {
   std::string name;
   std::string model;  ///< key into Cell::models
   Pose pose;
-  std::string layer;      ///< empty: none
-  bool optional = false;  ///< waits for `add`
+  std::string layer;              ///< empty: none
+  std::vector<std::string> tags;  ///< further layers that it is in
+  bool optional = false;          ///< waits for `add`
   /// Carried from the start: `pose` is in the space of this device's link (empty: its root).
   std::string on_device, on_link;
   std::optional<glm::vec4> color;  ///< in place of its materials' own
@@ -59,9 +60,40 @@ struct CellInset {
   bool operator==(const CellInset&) const = default;
 };
 
+/// Which geometry of a link is drawn.
+enum class CollisionLook : std::uint8_t {
+  off,   ///< its visuals
+  only,  ///< its collision geometry
+  over,  ///< both, the collision geometry translucent
+};
+
+/// How the cell has a layer drawn. What is empty is as without it.
+struct LayerLook {
+  std::optional<bool> wireframe;
+  std::optional<float> opacity;            ///< 0 to 1, times the surfaces' own
+  std::optional<CollisionLook> collision;  ///< means nothing of parts
+  bool operator==(const LayerLook&) const = default;
+
+  /// What `nearer` says stands over this.
+  void add(const LayerLook& nearer) {
+    if (nearer.wireframe) wireframe = nearer.wireframe;
+    if (nearer.opacity) opacity = nearer.opacity;
+    if (nearer.collision) collision = nearer.collision;
+  }
+};
+
+/// What a layer holds besides devices that name it: a device, a link, or parts of their meshes.
+struct LayerMember {
+  std::string device;  ///< empty: every device
+  std::string link;    ///< empty: all links
+  std::string group;   ///< a pattern (core/model/glob.h) of MeshPart::group; empty: whole links
+};
+
 struct CellLayer {
   std::string name;
   bool visible = true;
+  std::vector<LayerMember> members{};
+  LayerLook look{};
 };
 
 /// What `check` expects of a source.
@@ -73,10 +105,20 @@ struct CellSource {
   std::map<std::string, std::string> ghost_of;  ///< device drawn as a ghost of another
 };
 
+/// A light so far away that it has a direction alone.
+struct CellLight {
+  Vec3 direction{0, 0, 1};            ///< towards it, of any length but zero; world space
+  glm::vec3 color{1.0F, 1.0F, 1.0F};  ///< display values
+  double strength = 1;                ///< 1: as bright as the light that is there without any
+};
+
 struct CellScene {
   glm::vec3 background_top{0.60F, 0.68F, 0.76F};
   glm::vec3 background_bottom{0.86F, 0.88F, 0.90F};
-  glm::vec3 light_direction{0.4F, -0.5F, 0.8F};  ///< towards the light, world space
+  /// Towards the key light, the one that casts shadows; world space. That of the first of `lights`
+  /// where there are some.
+  glm::vec3 light_direction{0.4F, -0.5F, 0.8F};
+  std::vector<CellLight> lights;  ///< in place of key light and fill; empty: those two
   bool grid = true;
   double grid_size_m = 10;  ///< half its width
   double grid_step_m = 1;

@@ -85,12 +85,46 @@ class DeviceReader {
   std::vector<std::pair<TomlTable, std::string>> carried_;  // tables that say `on`, and the device
 };
 
+/// Reads the layers of a cell's files, before their devices; then checks what they hold.
+class LayerReader {
+ public:
+  LayerReader(Cell& cell, CellNames& names) : cell_(cell), names_(names) {}
+
+  void read(TomlTable& root);
+  /// When devices and sources of all files were read: leaves out what there is not.
+  void finish();
+
+ private:
+  struct Holding {
+    TomlTable table;
+    std::size_t layer = 0;            // into Cell::layers
+    std::vector<const TomlNode*> at;  // by member
+  };
+  void readMembers(TomlTable& table, CellLayer& layer, std::vector<const TomlNode*>& at);
+  bool isThere(const TomlTable& table, Place place, const LayerMember& member) const;
+
+  Cell& cell_;
+  CellNames& names_;
+  std::vector<Holding> holdings_;
+  std::size_t members_ = 0;  // of all layers
+};
+
+/// Layers need no [[layer]]; where a cell has some, another name at the table's `key` is likely a
+/// slip.
+void checkLayer(const TomlTable& table, std::string_view key, const Cell& cell,
+                const std::string& layer);
+/// "did you mean ...?" of a device that the cell has not, while more faults are listed.
+std::string deviceHint(const TomlTable& table, const Cell& cell, std::string_view name);
+
 /// Reads the other sections of one file of a cell into `cell`, and checks what they name. Of
 /// [scene] what is given stands over what was read before.
 void readCameras(TomlTable& root, CellNames& names, Cell& cell);
 /// When the cameras of all files were read.
 void readInsets(TomlTable& root, Cell& cell);
-void readLayers(TomlTable& root, CellNames& names, Cell& cell);
+/// Before [scene].
+void readLights(TomlTable& root, CellNames& names, Cell& cell);
+/// When all files were read: the key light is the first that there is.
+void finishLights(Cell& cell);
 void readSources(TomlTable& root, CellNames& names, Cell& cell);
 void readScene(TomlTable& root, Cell& cell);
 

@@ -11,13 +11,6 @@
 namespace rocinante {
 namespace {
 
-std::string deviceHint(const TomlTable& table, const Cell& cell, std::string_view name) {
-  if (!table.faults().lists("cell.unknown-device")) return {};
-  std::vector<std::string_view> names;
-  for (const CellDevice& device : cell.devices) names.push_back(device.name);
-  return didYouMean(name, names);
-}
-
 struct Target {
   std::string device, link;
 };
@@ -62,19 +55,6 @@ void checkTarget(const TomlTable& table, std::string_view key, const Cell& cell,
       didYouMean(link_name, links));
   device_name.clear();
   link_name.clear();
-}
-
-// Layers need no [[layer]]; where a cell has some, another name is likely a slip.
-void checkLayer(const TomlTable& table, const Cell& cell, const std::string& layer) {
-  if (layer.empty() || cell.layers.empty()) return;
-  std::vector<std::string_view> names;
-  for (const CellLayer& known : cell.layers) {
-    if (known.name == layer) return;
-    names.push_back(known.name);
-  }
-  table.faults().warning("cell.unknown-layer", table.place("layer"),
-                         fmt::format("no [[layer]] is named {}", quotedInFault(layer)),
-                         didYouMean(layer, names));
 }
 
 // "arm" of "robots/arm.urdf", and of a [[model]] its name.
@@ -185,6 +165,13 @@ std::optional<CellCamera> readCamera(TomlTable& table, CellNames& names) {
 
 }  // namespace
 
+std::string deviceHint(const TomlTable& table, const Cell& cell, std::string_view name) {
+  if (!table.faults().lists("cell.unknown-device")) return {};
+  std::vector<std::string_view> names;
+  for (const CellDevice& device : cell.devices) names.push_back(device.name);
+  return didYouMean(name, names);
+}
+
 void DeviceReader::read(TomlTable& root, const std::filesystem::path& folder) {
   for (TomlTable& table : root.tables("device", "[[device]]")) {
     CellDevice device;
@@ -199,7 +186,9 @@ void DeviceReader::read(TomlTable& root, const std::filesystem::path& folder) {
       pose->finish();
     }
     device.layer = table.text("layer").value_or("");
-    checkLayer(table, cell_, device.layer);
+    checkLayer(table, "layer", cell_, device.layer);
+    device.tags = table.texts("tags");
+    for (const std::string& tag : device.tags) checkLayer(table, "tags", cell_, tag);
     device.optional = table.flag("optional").value_or(false);
     device.color = table.color("color");
     const Target on = readTarget(table, "on");
@@ -232,15 +221,6 @@ void readCameras(TomlTable& root, CellNames& names, Cell& cell) {
     checkTarget(table, "follow", cell, camera->follow_device, camera->follow_link);
     checkTarget(table, "look_at", cell, camera->look_device, camera->look_link);
     cell.cameras.push_back(std::move(*camera));
-  }
-}
-
-void readLayers(TomlTable& root, CellNames& names, Cell& cell) {
-  for (TomlTable& table : root.tables("layer", "[[layer]]")) {
-    const auto name = names.take(table);
-    const bool visible = table.flag("visible").value_or(true);
-    table.finish();
-    if (name) cell.layers.push_back({*name, visible});
   }
 }
 
@@ -286,6 +266,11 @@ void readScene(TomlTable& root, Cell& cell) {
       cell.scene.light_direction = glm::vec3(*light);
     } else {
       table->error("cell.no-direction", "light", "`light` has no direction");
+    }
+    if (!cell.scene.lights.empty()) {
+      table->faults().warning("cell.useless-light", table->place("light"),
+                              "`light` of [scene] lights nothing: the cell has [[light]]s",
+                              "the first [[light]] is the key light");
     }
   }
   cell.scene.grid = table->flag("grid").value_or(cell.scene.grid);

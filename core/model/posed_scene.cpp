@@ -1,9 +1,11 @@
 #include "core/model/posed_scene.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
 #include "core/math/transform.h"
+#include "core/model/device_dress.h"
 #include "core/model/mesh_builder.h"
 
 namespace rocinante {
@@ -11,27 +13,15 @@ namespace {
 
 constexpr std::uint32_t kGhostColor = 0x66A3FF59;
 
-// What packets say about one path, if anything.
-template <class T>
-const T* said(const std::map<Path, Item<T>>& items, bool is_layer, const std::string& first,
-              const std::string& second = {}) {
-  const auto found = items.find(Path{is_layer, first, second});
-  return found == items.end() ? nullptr : &found->second.value;
-}
-
-bool shown(const Visibility* visibility, bool by_default) {
-  if (visibility == nullptr || visibility->kind == Visibility::Kind::by_default) return by_default;
-  return visibility->kind == Visibility::Kind::shown;
-}
-
 // A device that is there, before its place in the world is known.
 struct Standing {
   PosedDevice device;
   Pose pose;
-  std::string carrier, carrier_link;   // empty carrier: the world
-  std::optional<std::uint32_t> color;  // the cell's own
-  std::vector<Mat4> links;             // in the device's space; those of `known` where it has some
-  ScenePoses::Known* known = nullptr;  // null: nothing is kept
+  std::string carrier, carrier_link;    // empty carrier: the world
+  std::optional<std::uint32_t> color;   // the cell's own
+  const CellDevice* of_cell = nullptr;  // itself, or what it is a ghost of; null: neither
+  std::vector<Mat4> links;              // in the device's space; those of `known` where it has some
+  ScenePoses::Known* known = nullptr;   // null: nothing is kept
   bool links_moved = true;
 
   const std::vector<Mat4>& linksInDevice() const { return known != nullptr ? known->links : links; }
@@ -45,8 +35,9 @@ bool sameBits(const std::vector<T>& a, const std::vector<T>& b) {
 
 class ScenePoser {
  public:
-  ScenePoser(const Cell& cell, const SessionState& state, ScenePoses::KnownDevices* known)
-      : cell_(cell), state_(state), known_(known) {}
+  ScenePoser(const Cell& cell, const LayerIndex& layers, const SessionState& state,
+             ScenePoses::KnownDevices* known)
+      : cell_(cell), layers_(layers), state_(state), known_(known) {}
 
   std::size_t moved() const { return moved_; }
 
@@ -55,8 +46,10 @@ class ScenePoser {
     addSessionDevices();
     addGhosts();
     placeAll();
+    const DeviceDress dress(layers_, state_);
     for (Standing& standing : standing_) {
-      dress(standing);
+      dress.dress(standing.device, standing.color, standing.of_cell);
+      noteLooks(standing.device);
       scene_.devices.push_back(std::move(standing.device));
     }
     addDrawings();
@@ -129,6 +122,7 @@ class ScenePoser {
       if (model == nullptr) continue;
       Standing& standing = stand(device.name, *model, state);
       standing.device.layer = device.layer;
+      standing.of_cell = &device;
       if (device.color) standing.color = packedColor(*device.color);
       if (!state || !state->pose) {
         standing.pose = device.pose;
@@ -160,6 +154,7 @@ class ScenePoser {
         Standing& standing = stand(ghost, *model, state);
         standing.device.ghost = true;
         standing.device.layer = device->layer;
+        standing.of_cell = device;
         standing.color = kGhostColor;
         if (state->pose) continue;
         const DeviceState* real = stateOf(original);
@@ -238,49 +233,13 @@ class ScenePoser {
     ++moved_;
   }
 
-  // Visibility and colours: packets outrank the cell; a link outranks its device, which outranks
-  // its layer, in colour; all three must be shown for a link to be seen.
-  void dress(Standing& standing) const {
-    PosedDevice& device = standing.device;
-    bool layer_shown = true;
-    std::optional<std::uint32_t> color = standing.color;
-    if (!device.layer.empty()) {
-      for (const CellLayer& layer : cell_.layers) {
-        if (layer.name == device.layer) layer_shown = layer.visible;
-      }
-      layer_shown = shown(said(state_.visibility(), true, "layer", device.layer), layer_shown);
-      if (const ColorValue* value = said(state_.colors(), true, "layer", device.layer)) {
-        color = value->rgba ? value->rgba : standing.color;
-      }
-    }
-    device.visible = layer_shown && shown(said(state_.visibility(), false, device.name), true);
-    if (const ColorValue* value = said(state_.colors(), false, device.name)) {
-      color = value->rgba ? value->rgba : standing.color;
-    }
-    device.link_visible.assign(device.model->links.size(), device.visible);
-    device.link_color.assign(device.model->links.size(), color);
-    dressLinks(standing);
-  }
-
-  // Only what was said about links of this device: a range of the ordered paths.
-  void dressLinks(Standing& standing) const {
-    PosedDevice& device = standing.device;
-    const Path begin{false, device.name, {}};
-    for (auto it = state_.visibility().upper_bound(begin);
-         it != state_.visibility().end() && !it->first.is_layer && it->first.first == device.name;
-         ++it) {
-      const auto link = device.model->findLink(it->first.second);
-      if (!link) continue;
-      device.link_visible[*link] = device.visible && shown(&it->second.value, true);
-    }
-    for (auto it = state_.colors().upper_bound(begin);
-         it != state_.colors().end() && !it->first.is_layer && it->first.first == device.name;
-         ++it) {
-      const auto link = device.model->findLink(it->first.second);
-      if (!link) continue;
-      const ColorValue& value = it->second.value;
-      device.link_color[*link] = value.rgba ? value.rgba : standing.color;
-    }
+  void noteLooks(const PosedDevice& device) {
+    if (device.link_look.empty()) return;
+    scene_.has_looks = true;
+    scene_.has_collision =
+        scene_.has_collision || std::ranges::any_of(device.link_look, [](const LayerLook& look) {
+          return look.collision.value_or(CollisionLook::off) != CollisionLook::off;
+        });
   }
 
   Mat4 spaceOf(const Path& carrier) const {
@@ -326,6 +285,7 @@ class ScenePoser {
   }
 
   const Cell& cell_;
+  const LayerIndex& layers_;
   const SessionState& state_;
   ScenePoses::KnownDevices* known_;
   std::size_t moved_ = 0;
@@ -356,11 +316,11 @@ JointVector jointsOf(const Model& model, const DeviceState* state) {
 }
 
 PosedScene poseScene(const Cell& cell, const SessionState& state) {
-  return ScenePoser(cell, state, nullptr).pose();
+  return ScenePoser(cell, LayerIndex(cell), state, nullptr).pose();
 }
 
 PosedScene ScenePoses::pose(const SessionState& state) {
-  ScenePoser poser(*cell_, state, &known_);
+  ScenePoser poser(*cell_, layers_, state, &known_);
   PosedScene scene = poser.pose();
   moved_ = poser.moved();
   // A session may name ever new devices: those that are gone are forgotten.

@@ -8,9 +8,28 @@
 #include <vector>
 
 #include "core/model/cell.h"
+#include "core/model/layer_index.h"
 #include "core/packet/session_state.h"
 
 namespace rocinante {
+
+/// That a layer holds a device, a link or parts of it, besides PosedDevice::layer, in this state.
+struct PosedShare {
+  std::string_view layer;           ///< borrowed from the cell
+  std::optional<std::size_t> link;  ///< empty: all links
+  std::string_view group;           ///< a pattern of MeshPart::group; empty: whole links
+  bool visible = true;              ///< the layer is shown
+  bool says_color = false;          ///< packets do: `color` then stands
+  bool recolors = false;            ///< and it is not `default`
+  std::optional<std::uint32_t> color;
+  LayerLook look;
+
+  bool ofParts() const { return !group.empty(); }
+  /// Whether it holds that whole link.
+  bool holds(std::size_t of_link) const { return !ofParts() && (!link || *link == of_link); }
+  /// Whether it holds parts, that one among them.
+  bool holdsPart(std::size_t of_link, std::string_view part_group) const;
+};
 
 /// A device of the cell, or one that `add` brought, with every link where the state puts it.
 struct PosedDevice {
@@ -24,6 +43,18 @@ struct PosedDevice {
   std::string layer;
   bool visible = true;  ///< the device and its layer are shown; single links may still be hidden
   bool ghost = false;   ///< another source's device, drawn as a ghost (CellSource::ghost_of)
+  std::vector<PosedShare> shares;    ///< further layers: its tags, then as the cell lists them
+  bool has_parts = false;            ///< some of them hold parts: those are asked for one by one
+  std::vector<LayerLook> link_look;  ///< by link; empty: none has any
+  /// By link, where layers have looks: packets set its colour, which outranks opacities of layers.
+  std::vector<bool> link_recolored;
+
+  /// Whether the layer holds the link, be it with all of the device.
+  bool inLayer(std::string_view wanted, std::size_t link) const;
+  /// Of a part of a link, by its group: what is said of the link, but for layers that hold parts.
+  bool partVisible(std::size_t link, std::string_view group) const;
+  std::optional<std::uint32_t> partColor(std::size_t link, std::string_view group) const;
+  LayerLook partLook(std::size_t link, std::string_view group) const;
 };
 
 /// A drawing with its carrier resolved.
@@ -55,6 +86,8 @@ struct PosedScene {
   std::optional<Mat4> find(std::string_view device, std::string_view link) const;
 
   std::map<std::string, std::size_t, std::less<>> device_by_name;  ///< into devices
+  bool has_looks = false;      ///< a layer has a look of its own for one of the devices
+  bool has_collision = false;  ///< which is, that its collision geometry is drawn
 };
 
 /// Puts the cell into the state. Unknown devices and joints are left out (check tells of them);
@@ -69,7 +102,7 @@ PosedScene poseScene(const Cell& cell, const SessionState& state);
 /// its life, which must outlive it. One thread.
 class ScenePoses {
  public:
-  explicit ScenePoses(const Cell& cell) : cell_(&cell) {}
+  explicit ScenePoses(const Cell& cell) : cell_(&cell), layers_(cell) {}
   PosedScene pose(const SessionState& state);
   /// Devices that the last pose() put elsewhere than the one before, new ones among them.
   std::size_t moved() const { return moved_; }
@@ -86,6 +119,7 @@ class ScenePoses {
 
  private:
   const Cell* cell_;
+  LayerIndex layers_;
   KnownDevices known_;
   std::size_t moved_ = 0;
 };

@@ -1,5 +1,6 @@
 #include "core/model/view_path.h"
 
+#include <algorithm>
 #include <optional>
 
 #include "core/model/glob.h"
@@ -68,14 +69,22 @@ Result<ViewPath> parseViewPath(std::string_view text) {
 
 bool ViewPath::namesLink(const PosedDevice& device, std::size_t link) const {
   if (has_group) return false;
-  if (path.is_layer) return device.layer == path.second;
+  if (path.is_layer) return device.inLayer(path.second, link);
   if (!all_devices && path.first != device.name) return false;
   return path.second.empty() || device.model->links[link].name == path.second;
 }
 
+bool ViewPath::namesPartByLayer(const PosedDevice& device, std::size_t link,
+                                std::string_view part_group) const {
+  if (!path.is_layer || !device.has_parts) return false;
+  return std::ranges::any_of(device.shares, [&](const PosedShare& share) {
+    return share.layer == path.second && share.holdsPart(link, part_group);
+  });
+}
+
 bool ViewPath::namesPart(const PosedDevice& device, std::size_t link,
                          std::string_view part_group) const {
-  if (!has_group) return namesLink(device, link);
+  if (!has_group) return namesLink(device, link) || namesPartByLayer(device, link, part_group);
   if (!all_devices && path.first != device.name) return false;
   if (!path.second.empty() && device.model->links[link].name != path.second) return false;
   return globMatches(group, part_group);

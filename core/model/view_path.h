@@ -21,10 +21,14 @@ struct ViewPath {
 
   bool operator==(const ViewPath&) const = default;
 
-  /// Whether the link is named, be it alone, by its device or by its layer; parts apart.
+  /// Whether the link is named, be it alone, by its device or by a layer; parts apart.
   bool namesLink(const PosedDevice& device, std::size_t link) const;
   /// Whether a part of that link is named.
   bool namesPart(const PosedDevice& device, std::size_t link, std::string_view part_group) const;
+
+ private:
+  bool namesPartByLayer(const PosedDevice& device, std::size_t link,
+                        std::string_view part_group) const;
 };
 
 /// bad_argument for what is no PATH.

@@ -63,7 +63,7 @@ void forEachVisual(const PosedScene& scene, const SceneCatalog& catalog, const V
       const auto& drawn = geometry == DrawnGeometry::visuals ? link.visuals : link.collisions;
       if (drawn.empty()) continue;
       if (reaches != nullptr && !mayBeSeen(*camera, linkSphere(device, l, (*reaches)[l]))) continue;
-      if (!(choice.choosesParts() || choice.linkVisible(device, l))) continue;
+      if (!(choice.choosesParts(device) || choice.linkVisible(device, l))) continue;
       if (looks.anyCollision() && !looks.draws(geometry, device, l)) continue;
       for (const Visual& visual : drawn) {
         const auto mesh = catalog.meshNumber(visual.mesh.get());
@@ -121,7 +121,7 @@ DrawList makeDrawList(const PosedScene& scene, const SceneCatalog& catalog,
           const CatalogPart& known = mesh.parts[part];
           const MeshPart& run = mesh.mesh->parts[part];
           if (run.index_count == 0) return;
-          if (choice.choosesParts() && !choice.partVisible(device, l, run.group)) return;
+          if (choice.choosesParts(device) && !choice.partVisible(device, l, run.group)) return;
           const Vec3 center = transformPoint(world, known.center);
           const PartSphere sphere{center, known.radius * scale, scale};
           if (!camera.sees(center, sphere.radius_m)) return;
@@ -141,13 +141,15 @@ DrawList makeDrawList(const PosedScene& scene, const SceneCatalog& catalog,
                               ? &mesh.mesh->materials[run.material]
                               : &kPlain;
           item.diffuse = item.material->diffuse;
-          item.tinted = !mesh.mesh->colors.empty() && !visual.material && !device.link_color[l];
+          const auto color =
+              device.has_parts ? device.partColor(l, run.group) : device.link_color[l];
+          item.tinted = !mesh.mesh->colors.empty() && !visual.material && !color;
           if (const auto texture = catalog.textureNumber(*item.material)) {
             item.texture = static_cast<std::int32_t>(*texture);
           }
-          if (device.link_color[l]) {
+          if (color) {
             // A colour that was set stands in place of the materials' own, picture included.
-            item.diffuse = colorOf(*device.link_color[l]);
+            item.diffuse = colorOf(*color);
             item.texture = -1;
           }
           PartLook look;
@@ -192,7 +194,8 @@ std::vector<Vec3> visibleCorners(const PosedScene& scene, const SceneCatalog& ca
           const CatalogPart& known = mesh.parts[part];
           const MeshPart& run = mesh.mesh->parts[part];
           if (run.index_count == 0) return;
-          if (choice.choosesParts() && !choice.partVisible(scene.devices[d], l, run.group)) return;
+          const PosedDevice& device = scene.devices[d];
+          if (choice.choosesParts(device) && !choice.partVisible(device, l, run.group)) return;
           for (unsigned corner = 0; corner < 8; ++corner) {
             const Vec3 sign((corner & 1U) != 0 ? 1 : -1, (corner & 2U) != 0 ? 1 : -1,
                             (corner & 4U) != 0 ? 1 : -1);

@@ -32,7 +32,8 @@ bool anyNames(const std::vector<ViewPath>& paths, const PosedDevice& device, std
 
 }  // namespace
 
-Result<LinkLooks> LinkLooks::make(const RenderStyle& style, const FrameExtras* extras) {
+Result<LinkLooks> LinkLooks::make(const RenderStyle& style, const FrameExtras* extras,
+                                  const PosedScene* scene) {
   LinkLooks looks;
   for (const auto& [texts, paths] : {std::pair(&style.outlined, &looks.outlined_),
                                      {&style.wireframe, &looks.wireframe_},
@@ -49,15 +50,26 @@ Result<LinkLooks> LinkLooks::make(const RenderStyle& style, const FrameExtras* e
   }
   looks.clear_ghosts_ = style.ghosts == GhostStyle::clear;
   if (style.limits && extras != nullptr && !extras->limits.empty()) looks.limits_ = &extras->limits;
-  looks.any_ = looks.clear_ghosts_ || looks.limits_ != nullptr || looks.anyCollision() ||
-               !looks.wireframe_.empty() || !looks.transparent_.empty();
+  if (style.layer_looks && scene != nullptr) {
+    looks.of_layers_ = scene->has_looks;
+    looks.collision_of_layers_ = scene->has_collision;
+  }
+  looks.any_ = looks.of_layers_ || looks.clear_ghosts_ || looks.limits_ != nullptr ||
+               looks.anyCollision() || !looks.wireframe_.empty() || !looks.transparent_.empty();
   return looks;
 }
 
+CollisionLook LinkLooks::collisionOf(const PosedDevice& device, std::size_t link) const {
+  if (anyNames(collision_, device, link)) return CollisionLook::only;
+  if (anyNames(collision_over_, device, link)) return CollisionLook::over;
+  if (!collision_of_layers_ || device.link_look.empty()) return CollisionLook::off;
+  return device.link_look[link].collision.value_or(CollisionLook::off);
+}
+
 bool LinkLooks::draws(DrawnGeometry geometry, const PosedDevice& device, std::size_t link) const {
-  const bool in_place = anyNames(collision_, device, link);
-  if (geometry == DrawnGeometry::visuals) return !in_place;
-  return in_place || anyNames(collision_over_, device, link);
+  const CollisionLook collision = collisionOf(device, link);
+  return geometry == DrawnGeometry::visuals ? collision != CollisionLook::only
+                                            : collision != CollisionLook::off;
 }
 
 PartLook LinkLooks::lookOf(DrawnGeometry geometry, const PosedScene& scene, std::size_t device,
@@ -66,13 +78,18 @@ PartLook LinkLooks::lookOf(DrawnGeometry geometry, const PosedScene& scene, std:
   PartLook look;
   look.ghost = clear_ghosts_ && posed.ghost;
   look.wireframe = anyNames(wireframe_, posed, link, group);
+  if (of_layers_) {
+    const LayerLook by_layers = posed.partLook(link, group);
+    look.wireframe = look.wireframe || by_layers.wireframe.value_or(false);
+    look.opacity = by_layers.opacity.value_or(1.0F);
+  }
   for (const Opacity& one : transparent_) {
     // The later one stands, as in a list of overrides.
     if (one.path.namesPart(posed, link, group)) look.opacity = one.opacity;
   }
   if (geometry == DrawnGeometry::collisions) {
     look.tone = kCollision;
-    if (!anyNames(collision_, posed, link)) look.tone->a = kOverOpacity;
+    if (collisionOf(posed, link) == CollisionLook::over) look.tone->a = kOverOpacity;
   }
   if (limits_ != nullptr && device < limits_->size() && link < (*limits_)[device].size()) {
     const LimitLevel level = (*limits_)[device][link];

@@ -24,17 +24,21 @@ struct PartLook {
   std::optional<glm::vec4> tone;  ///< in place of its materials and its picture
 };
 
-/// What a style says of the links of a scene. A plain value; borrows the extras.
+/// What a style, and below it the cell's layers, say of the links of a scene. A plain value;
+/// borrows the extras.
 class LinkLooks {
  public:
   /// Nothing out of the ordinary.
   LinkLooks() = default;
-  /// bad_argument for a PATH that is none.
-  static Result<LinkLooks> make(const RenderStyle& style, const FrameExtras* extras);
+  /// bad_argument for a PATH that is none. `scene`: for what its cell's layers say; null: nothing.
+  static Result<LinkLooks> make(const RenderStyle& style, const FrameExtras* extras,
+                                const PosedScene* scene = nullptr);
 
   /// False when every part is drawn as its materials say.
   bool any() const { return any_; }
-  bool anyCollision() const { return !collision_.empty() || !collision_over_.empty(); }
+  bool anyCollision() const {
+    return !collision_.empty() || !collision_over_.empty() || collision_of_layers_;
+  }
   bool anyOutlined() const { return !outlined_.empty(); }
 
   /// Whether this geometry of the link is drawn at all.
@@ -49,7 +53,11 @@ class LinkLooks {
     ViewPath path;
     float opacity = 1;
   };
+  CollisionLook collisionOf(const PosedDevice& device, std::size_t link) const;
+
   bool any_ = false;
+  bool of_layers_ = false;  // what the cell has layers drawn like
+  bool collision_of_layers_ = false;
   bool clear_ghosts_ = false;
   std::vector<ViewPath> outlined_, wireframe_, collision_, collision_over_;
   std::vector<Opacity> transparent_;

@@ -22,6 +22,7 @@ constexpr std::array kKeys{
     StyleKey{"ghosts", "plain|clear", "clear: ghosts in one tone, behind the actual device"},
     StyleKey{"limits", "on|off", "links near a joint's limit amber, beyond it red"},
     StyleKey{"scale-bar", "on|off", "a scale, true at the camera's target"},
+    StyleKey{"layer-looks", "on|off", "off: layers as if the cell said nothing of their looks"},
     StyleKey{"outlined", "PATH[#GROUP]", "a line around it, also where it is hidden", true},
     StyleKey{"wireframe", "PATH[#GROUP]", "its triangles' edges in place of surfaces", true},
     StyleKey{"transparent", "PATH[#GROUP][@OPACITY]", "seen through; opacity 0.3", true},
@@ -169,6 +170,8 @@ Status setStyle(RenderStyle& style, std::string_view key_text, std::string_view 
     fit = chooseSwitch(style.limits, value);
   } else if (name == "scale-bar") {
     fit = chooseSwitch(style.scale_bar, value);
+  } else if (name == "layer-looks") {
+    fit = chooseSwitch(style.layer_looks, value);
   }
   if (!fit) return badValue(*key, value);
   return {};
@@ -193,6 +196,7 @@ std::vector<std::pair<std::string, std::string>> styleWords(const RenderStyle& s
   if (style.ghosts != plain.ghosts) say("ghosts", "clear");
   if (style.limits) say("limits", "on");
   if (style.scale_bar) say("scale-bar", "on");
+  if (!style.layer_looks) say("layer-looks", "off");
   for (const std::string& path : style.outlined) say("outlined", path);
   for (const std::string& path : style.wireframe) say("wireframe", path);
   for (const TransparentStyle& one : style.transparent) {

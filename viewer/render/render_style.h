@@ -56,6 +56,8 @@ struct RenderStyle {
   GhostStyle ghosts = GhostStyle::plain;
   bool limits = false;     ///< links whose joint is near a limit amber, beyond it red
   bool scale_bar = false;  ///< true at the camera's target
+  /// What the cell has its layers drawn like (LayerLook), below what is said here.
+  bool layer_looks = true;
   std::vector<std::string> outlined;
   std::vector<std::string> wireframe;
   std::vector<TransparentStyle> transparent;

@@ -27,17 +27,43 @@ Result<ViewChoice> ViewChoice::make(const std::vector<std::string>& hide,
   return choice;
 }
 
-bool ViewChoice::linkVisible(const PosedDevice& device, std::size_t link) const {
-  if (!visible_.empty()) {
-    const std::string& link_name = device.model->links[link].name;
-    for (const Path& path :
-         {Path{false, device.name, link_name}, Path{false, {}, link_name},
-          Path{false, device.name, {}}, Path{true, "layer", device.layer}, Path{}}) {
-      const auto found = visible_.find(path);
-      if (found != visible_.end()) return found->second;
-    }
+std::optional<bool> ViewChoice::chosen(const Path& path) const {
+  const auto found = visible_.find(path);
+  return found == visible_.end() ? std::nullopt : std::optional(found->second);
+}
+
+template <class Holds>
+std::optional<bool> ViewChoice::chosenByLayers(const PosedDevice& device,
+                                               const Holds& holds) const {
+  std::optional<bool> visible;
+  for (const PosedShare& share : device.shares) {
+    if (!holds(share)) continue;
+    const auto by_layer = chosen(Path{true, "layer", std::string(share.layer)});
+    if (by_layer) visible = *by_layer && visible.value_or(true);
   }
-  return device.visible && device.link_visible[link];
+  return visible;
+}
+
+std::optional<bool> ViewChoice::chosen(const PosedDevice& device, std::size_t link) const {
+  if (visible_.empty()) return std::nullopt;
+  const std::string& link_name = device.model->links[link].name;
+  if (const auto own = chosen(Path{false, device.name, link_name})) return own;
+  if (const auto so_called = chosen(Path{false, {}, link_name})) return so_called;
+  const auto by_layers = chosenByLayers(
+      device, [&](const PosedShare& share) { return share.link && share.holds(link); });
+  if (by_layers) return by_layers;
+  if (const auto whole = chosen(Path{false, device.name, {}})) return whole;
+  auto by_layer = chosenByLayers(
+      device, [](const PosedShare& share) { return !share.link && !share.ofParts(); });
+  if (const auto its_own = chosen(Path{true, "layer", device.layer})) {
+    by_layer = *its_own && by_layer.value_or(true);
+  }
+  if (by_layer) return by_layer;
+  return chosen(Path{});
+}
+
+bool ViewChoice::linkVisible(const PosedDevice& device, std::size_t link) const {
+  return chosen(device, link).value_or(device.visible && device.link_visible[link]);
 }
 
 bool ViewChoice::partVisible(const PosedDevice& device, std::size_t link,
@@ -45,7 +71,11 @@ bool ViewChoice::partVisible(const PosedDevice& device, std::size_t link,
   for (const PartChoice& part : parts_) {
     if (part.path.namesPart(device, link, group)) return part.visible;
   }
-  return linkVisible(device, link);
+  if (!device.has_parts) return linkVisible(device, link);
+  const auto by_layers =
+      chosenByLayers(device, [&](const PosedShare& share) { return share.holdsPart(link, group); });
+  if (by_layers) return *by_layers;
+  return chosen(device, link).value_or(device.visible && device.partVisible(link, group));
 }
 
 bool ViewChoice::layerVisible(std::string_view layer) const {

@@ -88,7 +88,7 @@ std::optional<Picked> pick(const PosedScene& scene, const ViewChoice& choice,
     if (device.model == nullptr) continue;
     for (std::size_t l = 0; l < device.model->links.size(); ++l) {
       const Link& link = device.model->links[l];
-      if (link.visuals.empty() || !(choice.choosesParts() || choice.linkVisible(device, l))) {
+      if (link.visuals.empty() || !(choice.choosesParts(device) || choice.linkVisible(device, l))) {
         continue;
       }
       for (const Visual& visual : link.visuals) {
@@ -101,7 +101,7 @@ std::optional<Picked> pick(const PosedScene& scene, const ViewChoice& choice,
           const MeshPart& run = visual.mesh->parts[part];
           const bool used = visual.mesh_parts.empty() ||
                             std::ranges::find(visual.mesh_parts, part) != visual.mesh_parts.end();
-          if (!used || (choice.choosesParts() && !choice.partVisible(device, l, run.group))) {
+          if (!used || (choice.choosesParts(device) && !choice.partVisible(device, l, run.group))) {
             continue;
           }
           const double distance = distanceTo(local, *visual.mesh, run);

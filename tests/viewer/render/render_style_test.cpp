@@ -22,9 +22,9 @@ TEST(RenderStyle, SaysNothingByDefault) {
 TEST(RenderStyle, ComesBackFromItsOwnWords) {
   const RenderStyle style =
       styleSaid({"shading=plain", "shadows", "edges=only", "labels=apart", "ghosts=clear",
-                 "limits=on", "scale-bar", "outlined=arm", "outlined=gantry/x", "wireframe=*",
-                 "transparent=hall@0.25", "collision=arm", "collision-over=layer/robots",
-                 "trail=arm/tool0@2.5s", "trail=gantry@250ms"});
+                 "limits=on", "scale-bar", "layer-looks=off", "outlined=arm", "outlined=gantry/x",
+                 "wireframe=*", "transparent=hall@0.25", "collision=arm",
+                 "collision-over=layer/robots", "trail=arm/tool0@2.5s", "trail=gantry@250ms"});
   RenderStyle again;
   for (const auto& [key, value] : styleWords(style)) {
     ASSERT_TRUE(setStyle(again, key, value).has_value()) << key << "=" << value;
@@ -41,7 +41,7 @@ TEST(RenderStyle, HasEveryKeyInItsWords) {
     const std::string values(key.values);
     const bool path = values.rfind("PATH", 0) == 0;
     bool any = false;
-    for (const char* value : {"arm/tool", "plain", "on", "apart", "clear"}) {
+    for (const char* value : {"arm/tool", "plain", "on", "apart", "clear", "off"}) {
       RenderStyle one;
       if (setStyle(one, key.key, value) && !(one == style)) {
         any = true;
