@@ -61,13 +61,21 @@ class ScenePass::Items {
         standard_(surfaces.shadows != nullptr && pass.shadowed_ ? *pass.shadowed_
                                                                 : pass.standard_) {}
 
-  /// Everything but the drawing.
-  void set(const DrawItem& item) {
+  /// Whether one sees through its picture here and there.
+  bool hasHoles(const DrawItem& item) const {
+    const auto texture = static_cast<std::size_t>(item.texture);
+    return item.texture >= 0 && textures_.name(texture) != 0 &&
+           textures_.translucent()[texture] != 0;
+  }
+
+  /// Everything but the drawing. `depth_alone`: no colour, and no depth in a picture's holes.
+  void set(const DrawItem& item, bool depth_alone = false) {
     const GLuint texture =
         item.texture >= 0 ? textures_.name(static_cast<std::size_t>(item.texture)) : 0;
-    const Program& program = !plain_        ? standard_
-                             : texture == 0 ? pass_.plain_
-                                            : pass_.plain_mapped_;
+    const Program& program = depth_alone && hasHoles(item) ? pass_.holes_
+                             : !plain_                     ? standard_
+                             : texture == 0                ? pass_.plain_
+                                                           : pass_.plain_mapped_;
     if (&program != program_) use(program);
     if (mesh_.changesTo(item.mesh)) meshes_.bind(item.mesh);
     if (world_.changesTo(item.world)) setWorld(item.world);
@@ -221,14 +229,19 @@ Result<ScenePass> ScenePass::create(const GlTable& gl) {
   if (!plain) return plain.error();
   auto plain_mapped = link(gl, "plain scene with pictures", kPlainVertex, kPlainMappedFragment);
   if (!plain_mapped) return plain_mapped.error();
-  return ScenePass(gl, std::move(*standard), std::move(*plain), std::move(*plain_mapped));
+  auto holes = link(gl, "depth of pictures with holes", kSceneVertex, kHolesFragment);
+  if (!holes) return holes.error();
+  return ScenePass(gl, std::move(*standard), std::move(*plain), std::move(*plain_mapped),
+                   std::move(*holes));
 }
 
-ScenePass::ScenePass(const GlTable& gl, Program standard, Program plain, Program plain_mapped)
+ScenePass::ScenePass(const GlTable& gl, Program standard, Program plain, Program plain_mapped,
+                     Program holes)
     : gl_(gl),
       standard_(std::move(standard)),
       plain_(std::move(plain)),
-      plain_mapped_(std::move(plain_mapped)) {}
+      plain_mapped_(std::move(plain_mapped)),
+      holes_(std::move(holes)) {}
 
 Status ScenePass::prepare(const SurfaceLook& surfaces) {
   if (surfaces.shadows == nullptr || shadowed_) return {};
@@ -252,7 +265,7 @@ void ScenePass::drawOpaque(const DrawList& list, const SceneCatalog& catalog,
   }
   if (surfaces.depth_only) {
     for (const DrawItem& item : list.translucent) {
-      items.set(item);
+      items.set(item, true);
       items.draw(item);
     }
     gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
@@ -269,14 +282,17 @@ void ScenePass::drawTranslucent(const DrawList& list, const SceneCatalog& catalo
   gl_.Enable(GL_BLEND);
   Items items(*this, catalog, meshes, textures, camera, look, surfaces);
   for (const DrawItem& item : list.translucent) {
-    items.set(item);
+    items.set(item, true);
     // Depth first, so that of each part only the nearest surface shows: its back sides would come
-    // and go with the order of its triangles.
+    // and go with the order of its triangles. The second time holes must not write it either.
     gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     items.draw(item);
     gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
+    items.set(item);
+    gl_.DepthMask(items.hasHoles(item) ? GL_FALSE : GL_TRUE);
     items.draw(item);
   }
+  gl_.DepthMask(GL_TRUE);
   gl_.Disable(GL_POLYGON_OFFSET_FILL);
   gl_.Disable(GL_BLEND);
 }

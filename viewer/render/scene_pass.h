@@ -44,12 +44,14 @@ class ScenePass {
     GLint view_direction = -1, key_direction = -1, fill_direction = -1;
   };
   class Items;  // one run of items: what GL was last told
-  ScenePass(const GlTable& gl, Program standard, Program plain, Program plain_mapped);
+  ScenePass(const GlTable& gl, Program standard, Program plain, Program plain_mapped,
+            Program holes);
   static Result<Program> link(const GlTable& gl, std::string_view name, std::string_view vertex,
                               std::string_view fragment);
 
   const GlTable& gl_;
   Program standard_, plain_, plain_mapped_;
+  Program holes_;                    // depth alone, of a picture that is not opaque everywhere
   std::optional<Program> shadowed_;  // standard, with shadows: prepare()
 };
 

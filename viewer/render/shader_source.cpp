@@ -90,6 +90,16 @@ void main() {
 }
 )";
 
+const std::string_view kHolesFragment = R"(#version 330 core
+in vec2 map_place;
+uniform sampler2D map;
+out vec4 color;
+void main() {
+  if (texture(map, map_place).a < 0.1) discard;
+  color = vec4(0.0);
+}
+)";
+
 const std::string_view kBackgroundVertex = R"(#version 330 core
 out float height;
 void main() {

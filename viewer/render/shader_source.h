@@ -10,6 +10,9 @@ namespace rocinante::shader {
 // light is added up in between. No sRGB formats: drivers round them by CPU.
 extern const std::string_view kSceneVertex;
 extern const std::string_view kSceneFragment;
+/// Of kSceneVertex, for depth alone: nothing where the picture is hardly there. Apart, because a
+/// shader that may discard tests depth late.
+extern const std::string_view kHolesFragment;
 extern const std::string_view kBackgroundVertex;
 extern const std::string_view kBackgroundFragment;
 extern const std::string_view kGridVertex;
