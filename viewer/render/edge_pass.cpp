@@ -96,8 +96,7 @@ void EdgePass::setItem(const DrawItem& item, const Camera& camera) const {
 }
 
 void EdgePass::draw(const std::vector<DrawItem>& items, const SceneCatalog& catalog,
-                    const Camera& camera, EdgeChoice choice,
-                    const std::optional<glm::vec4>& color) {
+                    const Camera& camera, EdgeChoice choice, const ColorOf& color_of) {
   if (items.empty()) return;
   gl_.Enable(GL_DEPTH_TEST);
   gl_.Enable(GL_BLEND);
@@ -125,7 +124,7 @@ void EdgePass::draw(const std::vector<DrawItem>& items, const SceneCatalog& cata
     if (count == 0) continue;
     gl_.BindTexture(GL_TEXTURE_2D, edges.texture);
     setItem(item, camera);
-    const glm::vec4 shade = color.value_or(glm::vec4(glm::vec3(item.diffuse), item.diffuse.a));
+    const glm::vec4 shade = color_of(item);
     gl_.Uniform4f(uniforms_.color, shade.r, shade.g, shade.b, shade.a);
     gl_.Uniform1i(uniforms_.first_edge, static_cast<GLint>(part.first));
     gl_.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(count * 6));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <vector>
 
@@ -28,9 +29,11 @@ class EdgePass {
   EdgePass(EdgePass&& other) noexcept;
   EdgePass& operator=(EdgePass&&) = delete;
 
-  /// One colour for all, or, where `color` is empty, each item's own diffuse one.
+  using ColorOf = std::function<glm::vec4(const DrawItem&)>;
+
+  /// Blended by the opacity of its colours.
   void draw(const std::vector<DrawItem>& items, const SceneCatalog& catalog, const Camera& camera,
-            EdgeChoice choice, const std::optional<glm::vec4>& color);
+            EdgeChoice choice, const ColorOf& color_of);
 
  private:
   struct Edges {

@@ -7,13 +7,6 @@
 #include "viewer/render/shader_source.h"
 
 namespace rocinante {
-namespace {
-
-/// Twice a surface's slope across a pixel, and what rounding of nearly equal poses makes.
-constexpr float kBehindRanks = -20;
-
-}  // namespace
-
 Result<GhostPass> GhostPass::create(const GlTable& gl) {
   auto program = ShaderProgram::link(gl, "ghost", shader::kSceneVertex, shader::kGhostFragment);
   if (!program) return program.error();

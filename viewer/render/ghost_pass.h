@@ -14,6 +14,10 @@ namespace rocinante {
 /// whenever it is used or destroyed.
 class GhostPass {
  public:
+  /// Behind by twice a surface's slope across a pixel, and what rounding of nearly equal poses
+  /// makes (setDepthLift).
+  static constexpr float kBehindRanks = -20;
+
   static Result<GhostPass> create(const GlTable& gl);
 
   void draw(const std::vector<DrawItem>& items, const SceneCatalog& catalog,

@@ -124,6 +124,7 @@ void IdentityPass::begin(const PixelRectangle& part, int frame_height) const {
   setViewport(gl_, part, frame_height);
   gl_.Disable(GL_CULL_FACE);
   gl_.Disable(GL_BLEND);
+  gl_.BlendFunc(GL_ONE, GL_ZERO);  // for passes that would blend
   gl_.Disable(GL_POLYGON_OFFSET_FILL);
   gl_.ActiveTexture(GL_TEXTURE0);
   gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -135,17 +136,22 @@ void IdentityPass::begin(const PixelRectangle& part, int frame_height) const {
   gl_.DepthFunc(GL_GEQUAL);
 }
 
-void IdentityPass::drawItem(const DrawItem& item, const SceneCatalog& catalog,
-                            const MeshBuffers& meshes, const TextureStore& textures,
-                            const Camera& camera, std::uint32_t number) const {
-  surface_.use();
-  const glm::mat4 clip_from_model(camera.clipFromRelative() * camera.relative(item.world));
-  gl_.UniformMatrix4fv(clip_from_model_, 1, GL_FALSE, glm::value_ptr(clip_from_model));
+glm::vec4 IdentityPass::colorOf(std::uint32_t number) {
   // A byte over 255 in a float comes back as that byte: 8-bit components round to the nearest.
   const auto component = [&](unsigned shift) {
     return static_cast<float>(number >> shift & 255U) / 255.0F;
   };
-  gl_.Uniform4f(number_, component(0), component(8), component(16), component(24));
+  return {component(0), component(8), component(16), component(24)};
+}
+
+void IdentityPass::drawItem(const DrawItem& item, float depth_ranks, const DrawnSet& set,
+                            const TextureStore& textures, const Camera& camera,
+                            std::uint32_t number) const {
+  surface_.use();
+  const glm::mat4 clip_from_model(camera.clipFromRelative() * camera.relative(item.world));
+  gl_.UniformMatrix4fv(clip_from_model_, 1, GL_FALSE, glm::value_ptr(clip_from_model));
+  const glm::vec4 color = colorOf(number);
+  gl_.Uniform4f(number_, color.r, color.g, color.b, color.a);
   const auto texture = static_cast<std::size_t>(std::max(item.texture, 0));
   const bool has_holes =
       item.texture >= 0 && textures.name(texture) != 0 && textures.translucent()[texture] != 0;
@@ -156,12 +162,12 @@ void IdentityPass::drawItem(const DrawItem& item, const SceneCatalog& catalog,
     gl_.Uniform2f(map_scale_, material.map_scale.x, material.map_scale.y);
     gl_.Uniform2f(map_offset_, material.map_offset.x, material.map_offset.y);
   }
-  if (item.coplanar_rank > 0) {
+  if (depth_ranks != 0) {
     gl_.Enable(GL_POLYGON_OFFSET_FILL);
-    setDepthLift(gl_, static_cast<float>(item.coplanar_rank));
+    setDepthLift(gl_, depth_ranks);
   }
-  meshes.bind(item.mesh);
-  drawTriangles(gl_, item, catalog);
+  set.meshes->bind(item.mesh);
+  drawTriangles(gl_, item, *set.catalog);
   gl_.Disable(GL_POLYGON_OFFSET_FILL);
 }
 

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "viewer/render/camera.h"
-#include "viewer/render/draw_list.h"
+#include "viewer/render/drawn_set.h"
 #include "viewer/render/frame_buffer.h"
-#include "viewer/render/mesh_buffers.h"
+#include "viewer/render/ghost_pass.h"
 #include "viewer/render/overlay.h"
 #include "viewer/render/shader_program.h"
 #include "viewer/render/texture_store.h"
@@ -26,17 +26,22 @@ class IdentityPass {
 
   /// Clears a part of the framebuffer to 0, and draws there alone until the next call.
   void begin(const PixelRectangle& part, int frame_height) const;
-  /// `number_of(item)` for each; the nearest surface has a pixel, translucent or not.
+  /// `number_of(item)` for each that is drawn as a surface; the nearest has a pixel, translucent or
+  /// not. In the order of the frame, which decides where depths are equal.
   template <class NumberOf>
-  void drawGeometry(const DrawList& list, const SceneCatalog& catalog, const MeshBuffers& meshes,
-                    const TextureStore& textures, const Camera& camera,
+  void drawSurfaces(const DrawnSet& set, const TextureStore& textures, const Camera& camera,
                     const NumberOf& number_of) const {
-    for (const auto* items : {&list.opaque, &list.translucent, &list.wireframe, &list.ghosts}) {
+    const DrawList& list = *set.list;
+    for (const auto* items : {&list.opaque, &list.ghosts, &list.translucent}) {
       for (const DrawItem& item : *items) {
-        drawItem(item, catalog, meshes, textures, camera, number_of(item));
+        const float ranks = items == &list.ghosts ? GhostPass::kBehindRanks
+                                                  : static_cast<float>(item.coplanar_rank);
+        drawItem(item, ranks, set, textures, camera, number_of(item));
       }
     }
   }
+  /// A number as a colour for other passes: drawn unblended, it is read back exactly.
+  static glm::vec4 colorOf(std::uint32_t number);
   /// Numbers by vertex; 0 leaves what is there. `in_scene`: tested against depth.
   void drawOverlay(const Overlay& overlay, const std::vector<std::uint32_t>& numbers,
                    bool in_scene) const;
@@ -50,7 +55,7 @@ class IdentityPass {
 
  private:
   IdentityPass(const GlTable& gl, ShaderProgram surface, ShaderProgram flat);
-  void drawItem(const DrawItem& item, const SceneCatalog& catalog, const MeshBuffers& meshes,
+  void drawItem(const DrawItem& item, float depth_ranks, const DrawnSet& set,
                 const TextureStore& textures, const Camera& camera, std::uint32_t number) const;
 
   const GlTable& gl_;

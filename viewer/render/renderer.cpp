@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 
 #include "core/math/transform.h"
@@ -107,6 +108,9 @@ struct Renderer::Impl {
   Overlay onTopOf(const SceneFrame& frame, const Camera& camera, const CameraView& view) const;
   void drawInsetFrames(const SceneFrame& frame, const FrameBuffer& target) const;
   Status prepareIdentity(const FrameBuffer& target);
+  /// Numbers of what drawView() shows of the geometry, into a part that identity_pass began.
+  Status drawNumbers(const SceneFrame& frame, const LinkLooks& looks, const Camera& camera,
+                     const std::function<std::uint32_t(const DrawItem&)>& number_of);
   Status glStatus() const;
 };
 
@@ -178,10 +182,12 @@ Status Renderer::Impl::drawEdges(std::span<const DrawnSet> sets, const RenderSty
   for (const DrawnSet& set : sets) {
     if (style.edges != EdgeStyle::none) {
       for (const auto* items : {&set.list->opaque, &set.list->translucent}) {
-        (*edges)->draw(*items, *set.catalog, camera, EdgeChoice::features, kEdgeColor);
+        (*edges)->draw(*items, *set.catalog, camera, EdgeChoice::features,
+                       [](const DrawItem&) { return kEdgeColor; });
       }
     }
-    (*edges)->draw(set.list->wireframe, *set.catalog, camera, EdgeChoice::all, std::nullopt);
+    (*edges)->draw(set.list->wireframe, *set.catalog, camera, EdgeChoice::all,
+                   [](const DrawItem& item) { return item.diffuse; });
   }
   return {};
 }
@@ -359,6 +365,27 @@ Status Renderer::Impl::prepareIdentity(const FrameBuffer& target) {
   return {};
 }
 
+Status Renderer::Impl::drawNumbers(const SceneFrame& frame, const LinkLooks& looks,
+                                   const Camera& camera,
+                                   const std::function<std::uint32_t(const DrawItem&)>& number_of) {
+  const DrawList list = listOf(frame, camera, looks);
+  std::vector<DrawnSet> sets{{&list, &catalog, &meshes}};
+  DrawList collisions;
+  if (looks.anyCollision()) {
+    collisions = collisionListOf(frame, camera, looks);
+    sets.push_back({&collisions, &collision->catalog, &collision->meshes});
+  }
+  for (const DrawnSet& set : sets) identity_pass->drawSurfaces(set, textures, camera, number_of);
+  for (const DrawnSet& set : sets) {
+    if (set.list->wireframe.empty()) continue;
+    const auto edges = look_passes.edges();
+    if (!edges) return edges.error();
+    (*edges)->draw(set.list->wireframe, *set.catalog, camera, EdgeChoice::all,
+                   [&](const DrawItem& item) { return IdentityPass::colorOf(number_of(item)); });
+  }
+  return {};
+}
+
 Result<IdentityFrame> Renderer::identity(const SceneFrame& frame, const FrameBuffer& target) {
   Impl& my = *impl_;
   if (Status ready = my.prepareIdentity(target); !ready) return ready.error();
@@ -368,16 +395,10 @@ Result<IdentityFrame> Renderer::identity(const SceneFrame& frame, const FrameBuf
   const auto number_of = [&](const DrawItem& item) {
     return numbers.ofLink(item.device, item.link);
   };
-  const auto drawView = [&](const CameraView& view, const PixelRectangle& part) {
+  const auto drawView = [&](const CameraView& view, const PixelRectangle& part) -> Status {
     const Camera camera = my.cameraOf(frame, view, part.width, part.height);
     my.identity_pass->begin(part, target.height());
-    my.identity_pass->drawGeometry(my.listOf(frame, camera, *looks), my.catalog, my.meshes,
-                                   my.textures, camera, number_of);
-    if (looks->anyCollision()) {
-      my.identity_pass->drawGeometry(my.collisionListOf(frame, camera, *looks),
-                                     my.collision->catalog, my.collision->meshes, my.textures,
-                                     camera, number_of);
-    }
+    if (Status drawn = my.drawNumbers(frame, *looks, camera, number_of); !drawn) return drawn;
     Overlay in_scene(camera);
     addLinesAndPoints(in_scene, frame.scene->drawings, *frame.choice);
     my.identity_pass->drawOverlay(in_scene, numbers.ofVertices(in_scene), true);
@@ -385,9 +406,13 @@ Result<IdentityFrame> Renderer::identity(const SceneFrame& frame, const FrameBuf
     addLabels(on_top, frame.scene->drawings, *frame.choice, camera, my.atlas,
               styleOf(frame).labels);
     my.identity_pass->drawOverlay(on_top, numbers.ofVertices(on_top), false);
+    return {};
   };
-  drawView(frame.camera, {0, 0, target.width(), target.height()});
-  for (const FrameInset& inset : frame.insets) drawView(inset.camera, inset.part);
+  Status drawn = drawView(frame.camera, {0, 0, target.width(), target.height()});
+  for (const FrameInset& inset : frame.insets) {
+    if (drawn) drawn = drawView(inset.camera, inset.part);
+  }
+  if (!drawn) return drawn.error();
   my.identity_pass->end();
   if (Status fine = my.glStatus(); !fine) return fine.error();
   return numbers.frame(IdentityPass::readNumbers(target), target.width(), target.height());
@@ -397,11 +422,11 @@ Result<DepthFrame> Renderer::depth(const SceneFrame& frame, const FrameBuffer& t
   Impl& my = *impl_;
   if (Status ready = my.prepareIdentity(target); !ready) return ready.error();
   const Camera camera = my.cameraOf(frame, frame.camera, target.width(), target.height());
-  my.identity_pass->begin({0, 0, target.width(), target.height()}, target.height());
   const auto looks = my.looksOf(frame);
   if (!looks) return looks.error();
-  my.identity_pass->drawGeometry(my.listOf(frame, camera, *looks), my.catalog, my.meshes,
-                                 my.textures, camera, [](const DrawItem&) { return 1U; });
+  my.identity_pass->begin({0, 0, target.width(), target.height()}, target.height());
+  Status drawn = my.drawNumbers(frame, *looks, camera, [](const DrawItem&) { return 1U; });
+  if (!drawn) return drawn.error();
   DepthFrame depth{target.width(), target.height(), my.identity_pass->readDepth(target, camera)};
   my.identity_pass->end();
   if (Status fine = my.glStatus(); !fine) return fine.error();

@@ -73,6 +73,22 @@ class Studio {
     return target_->read();
   }
 
+  /// Whose each pixel of such a frame is ("name", empty: nobody's), and whether depth agrees.
+  std::vector<std::string> owners(const std::vector<std::string>& words) {
+    const RenderStyle style = styled(words);
+    const ViewChoice choice;
+    const SceneFrame frame{&scene_, frontView(), &choice, &style};
+    const auto ids = renderer_->identity(frame, *target_);
+    const auto depth = renderer_->depth(frame, *target_);
+    EXPECT_TRUE(ids.has_value() && depth.has_value());
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < ids->ids.size(); ++i) {
+      EXPECT_EQ(std::isfinite(depth->metres[i]), ids->ids[i] != 0) << i;
+      names.push_back(ids->ids[i] == 0 ? "" : ids->names[ids->ids[i] - 1].device);
+    }
+    return names;
+  }
+
   PosedScene& scene() { return scene_; }
 
  private:
@@ -245,6 +261,44 @@ TEST(Looks, WireframeShowsWhatIsBehindAndTransparentBoth) {
             studio.drawn({}, frontView(), {"layer/gnomon", "front"}).rgba);
 }
 
+/// Two squares one behind the other in one part, with a picture that is clear on one side: on the
+/// left of the first, on the right of the second.
+Mesh fencesWithHoles(double first_y, double second_y) {
+  Picture picture{16, 16, {}};
+  for (int i = 0; i < 16 * 16; ++i) {
+    const std::uint8_t alpha = i % 16 < 8 ? 0 : 255;
+    picture.rgba.insert(picture.rgba.end(), {255, 255, 255, alpha});
+  }
+  Mesh mesh = squareMesh(4);
+  const Mesh one = mesh;
+  for (Vertex vertex : one.vertices) {
+    vertex.position.y += static_cast<float>(second_y);
+    vertex.texture.x = 1 - vertex.texture.x;
+    mesh.vertices.push_back(vertex);
+  }
+  for (std::size_t i = 0; i < 4; ++i) mesh.vertices[i].position.y += static_cast<float>(first_y);
+  for (const std::uint32_t index : one.indices) mesh.indices.push_back(index + 4);
+  mesh.parts[0].index_count = 12;
+  mesh.materials[0].diffuse_map = "fence.png";
+  mesh.materials[0].diffuse_bytes = std::make_shared<const Bytes>(encodePng(picture));
+  mesh.bounds = {};
+  for (const Vertex& vertex : mesh.vertices) mesh.bounds.add(Vec3(vertex.position));
+  return mesh;
+}
+
+TEST(Looks, ThroughTheHolesOfAPictureOneSeesTheSamePartBehindIt) {
+  for (const bool nearer_first : {true, false}) {
+    TestCell cell;
+    cell.add("fence", fencesWithHoles(nearer_first ? 0 : 1, nearer_first ? 1 : 0), {0, 0, 0});
+    Studio studio(cell);
+    for (const char* shading : {"shading=standard", "shading=plain"}) {
+      const Picture drawn = studio.drawn({shading});
+      EXPECT_GT(at(drawn, 60, 80).sum(), 300) << nearer_first << shading;
+      EXPECT_GT(at(drawn, 100, 80).sum(), 300) << nearer_first << shading;
+    }
+  }
+}
+
 TEST(Looks, CollisionGeometryStandsInPlaceOfVisualsOrOverThem) {
   TestCell cell;
   cell.add("box", boxMesh({2, 2, 2}), {0, 0, 0}, colored(0, 0, 1));
@@ -263,6 +317,40 @@ TEST(Looks, CollisionGeometryStandsInPlaceOfVisualsOrOverThem) {
   EXPECT_GT(at(both, 52, 80).r, 20);
   EXPECT_GT(at(both, 80, 80).b, 40);
   EXPECT_EQ(studio.drawn({"collision=nobody"}).rgba, plain.rgba);
+}
+
+TEST(Looks, IdentityAndDepthAreOfWhatTheFrameShows) {
+  TestCell cell;
+  cell.add("box", boxMesh({2, 2, 2}), {0, 0, 0}).add("wall", squareMesh(8), {0, 3, 0});
+  auto model = std::make_shared<Model>(*cell.cell().models.at("box"));
+  Visual hull;
+  hull.mesh = std::make_shared<const Mesh>(boxMesh({4, 4, 1}));
+  model->links[0].collisions.push_back(hull);
+  cell.cell().models["box"] = model;
+  Studio studio(cell);
+  const auto ownerAt = [](const std::vector<std::string>& owners, int x, int y) {
+    return owners[static_cast<std::size_t>(y * 160 + x)];
+  };
+  // The box covers pixels 64 to 96 each way, its hull 48 to 112 across and 72 to 88 down.
+  const auto plain = studio.owners({});
+  EXPECT_EQ(ownerAt(plain, 80, 66), "box");
+  EXPECT_EQ(ownerAt(plain, 50, 80), "wall");
+  EXPECT_EQ(ownerAt(plain, 5, 80), "");
+  const auto hulls = studio.owners({"collision=box"});
+  EXPECT_EQ(ownerAt(hulls, 80, 66), "wall");
+  EXPECT_EQ(ownerAt(hulls, 50, 80), "box");
+  const auto both = studio.owners({"collision-over=box"});
+  EXPECT_EQ(ownerAt(both, 80, 66), "box");
+  EXPECT_EQ(ownerAt(both, 50, 80), "box");
+  // Through a wireframe one sees what is behind it.
+  const auto wires = studio.owners({"wireframe=box"});
+  EXPECT_EQ(ownerAt(wires, 70, 76), "wall");
+  EXPECT_EQ(ownerAt(wires, 64, 76), "box");
+  EXPECT_EQ(studio.owners({"wireframe=wall", "collision=box"}),
+            studio.owners({"collision=box", "wireframe=wall"}));
+  EXPECT_EQ(studio.owners({"edges"}), plain);
+  EXPECT_EQ(studio.owners({"edges=only"}), plain);
+  EXPECT_EQ(studio.owners({"transparent=*@0.2"}), plain);
 }
 
 TEST(Looks, LinksNearAndPastTheirLimitsAreAmberAndRed) {
