@@ -142,4 +142,11 @@ std::string withShadows(std::string_view source, bool looks_up) {
   return text;
 }
 
+std::string withLights(std::string_view source, std::size_t count) {
+  std::string text(kVersion);
+  if (count > 0) text += "#define LIGHTS " + std::to_string(count) + "\n";
+  text += source.substr(kVersion.size());
+  return text;
+}
+
 }  // namespace rocinante::shader

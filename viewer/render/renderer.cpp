@@ -150,7 +150,7 @@ Status Renderer::Impl::glStatus() const {
 }
 
 Result<LinkLooks> Renderer::Impl::looksOf(const SceneFrame& frame) {
-  auto made = LinkLooks::make(styleOf(frame), frame.extras);
+  auto made = LinkLooks::make(styleOf(frame), frame.extras, frame.scene);
   if (made && made->anyCollision() && !collision) collision.emplace(gl, cell);
   return made;
 }
@@ -250,7 +250,7 @@ Result<DrawCounts> Renderer::Impl::drawView(const SceneFrame& frame, const LinkL
   surfaces.shadows = shadows ? &*shadows : nullptr;
   surfaces.depth_ranks = style.edges != EdgeStyle::none ? EdgePass::kSurfaceRanks : 0;
   surfaces.depth_only = style.edges == EdgeStyle::only;
-  if (Status ready = passes->scene.prepare(surfaces); !ready) return ready.error();
+  if (Status ready = passes->scene.prepare(surfaces, look); !ready) return ready.error();
 
   passes->begin(part, frame_height);
   passes->background.draw(look);

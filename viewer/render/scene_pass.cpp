@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstring>
 #include <glm/gtc/type_ptr.hpp>
@@ -15,6 +16,9 @@
 
 namespace rocinante {
 namespace {
+
+/// A white light of strength 1 is as bright as the key light of kSceneFragment at its brightest.
+constexpr double kWhiteLight = 0.54;
 
 /// Inverse transpose, but for a factor: enough for normals, which are made unit length later.
 glm::mat3 normalMatrix(const Mat4& m) {
@@ -58,8 +62,8 @@ class ScenePass::Items {
         look_(look),
         surfaces_(surfaces),
         plain_(surfaces.shading == Shading::plain),
-        standard_(surfaces.shadows != nullptr && pass.shadowed_ ? *pass.shadowed_
-                                                                : pass.standard_) {}
+        variant_(variantOf(surfaces, look)),
+        standard_(pass.standardIn(variant_)) {}
 
   /// Whether one sees through its picture here and there.
   bool hasHoles(const DrawItem& item) const {
@@ -95,8 +99,9 @@ class ScenePass::Items {
     has_map_ = {};
     has_tint_ = {};
     program.shader.use();
-    if (pass_.shadowed_ && &program == &*pass_.shadowed_) {
-      bindShadows(gl_, program.shader, *surfaces_.shadows);
+    if (&program == &standard_) {
+      if (variant_.shadows) bindShadows(gl_, program.shader, *surfaces_.shadows);
+      for (std::size_t i = 0; i < variant_.lights; ++i) setLight(program.shader, i);
     }
     gl_.Uniform1i(program.orthographic, camera_.orthographic() ? 1 : 0);
     const glm::vec3 forward(camera_.forward());
@@ -110,6 +115,20 @@ class ScenePass::Items {
     const double length = lengthOf(wanted);
     const glm::vec3 unit(length > 0 ? wanted / length : Vec3(0, 0, 1));
     gl_.Uniform3f(place, unit.x, unit.y, unit.z);
+  }
+
+  void setLight(const ShaderProgram& shader, std::size_t number) const {
+    const CellLight& light = look_.lights[number];
+    const std::string place = "[" + std::to_string(number) + "]";
+    setDirection(shader.uniform(("light_direction" + place).c_str()), light.direction);
+    glm::vec3 color;
+    for (int i = 0; i < 3; ++i) {
+      // As lightOf() of kSceneFragment.
+      const double shown = light.color[i];
+      const double linear = shown * (shown * (shown * 0.305306011 + 0.682171111) + 0.012522878);
+      color[i] = static_cast<float>(linear * light.strength * kWhiteLight);
+    }
+    gl_.Uniform3f(shader.uniform(("light_color" + place).c_str()), color.r, color.g, color.b);
   }
 
   void setWorld(const Mat4& world) const {
@@ -185,6 +204,7 @@ class ScenePass::Items {
   const CellScene& look_;
   const SurfaceLook& surfaces_;
   bool plain_;
+  Variant variant_;
   const Program& standard_;
   const Program* program_ = nullptr;
   // Of the program.
@@ -243,12 +263,26 @@ ScenePass::ScenePass(const GlTable& gl, Program standard, Program plain, Program
       plain_mapped_(std::move(plain_mapped)),
       holes_(std::move(holes)) {}
 
-Status ScenePass::prepare(const SurfaceLook& surfaces) {
-  if (surfaces.shadows == nullptr || shadowed_) return {};
-  auto linked = link(gl_, "scene with shadows", shader::kSceneVertex,
-                     shader::withShadows(shader::kSceneFragment, true));
+ScenePass::Variant ScenePass::variantOf(const SurfaceLook& surfaces, const CellScene& look) {
+  if (surfaces.shading == Shading::plain) return {};
+  return {surfaces.shadows != nullptr, look.lights.size()};
+}
+
+const ScenePass::Program& ScenePass::standardIn(const Variant& variant) const {
+  if (variant == Variant()) return standard_;
+  const auto found = variants_.find(variant);
+  assert(found != variants_.end());
+  return found->second;
+}
+
+Status ScenePass::prepare(const SurfaceLook& surfaces, const CellScene& look) {
+  const Variant variant = variantOf(surfaces, look);
+  if (variant == Variant() || variants_.contains(variant)) return {};
+  std::string fragment = shader::withLights(shader::kSceneFragment, variant.lights);
+  if (variant.shadows) fragment = shader::withShadows(fragment, true);
+  auto linked = link(gl_, "scene with looks", shader::kSceneVertex, fragment);
   if (!linked) return linked.error();
-  shadowed_.emplace(std::move(*linked));
+  variants_.emplace(variant, std::move(*linked));
   return {};
 }
 

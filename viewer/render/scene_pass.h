@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstddef>
+#include <map>
+
 #include "core/model/cell.h"
 #include "viewer/render/camera.h"
 #include "viewer/render/draw_list.h"
@@ -26,8 +29,8 @@ class ScenePass {
  public:
   static Result<ScenePass> create(const GlTable& gl);
 
-  /// Compiles what such surfaces need, when it is first asked for.
-  Status prepare(const SurfaceLook& surfaces);
+  /// Compiles what such surfaces in the light of `look` need, when it is first asked for.
+  Status prepare(const SurfaceLook& surfaces, const CellScene& look);
   void drawOpaque(const DrawList& list, const SceneCatalog& catalog, const MeshBuffers& meshes,
                   const TextureStore& textures, const Camera& camera, const CellScene& look,
                   const SurfaceLook& surfaces = {}) const;
@@ -43,6 +46,15 @@ class ScenePass {
     GLint shininess = -1, has_map = -1, has_tint = -1, orthographic = -1;
     GLint view_direction = -1, key_direction = -1, fill_direction = -1;
   };
+  /// The standard shading with shadows, and with so many lights of the cell's own.
+  struct Variant {
+    bool shadows = false;
+    std::size_t lights = 0;
+    auto operator<=>(const Variant&) const = default;
+  };
+  static Variant variantOf(const SurfaceLook& surfaces, const CellScene& look);
+  /// prepare() must have made it.
+  const Program& standardIn(const Variant& variant) const;
   class Items;  // one run of items: what GL was last told
   ScenePass(const GlTable& gl, Program standard, Program plain, Program plain_mapped,
             Program holes);
@@ -51,8 +63,8 @@ class ScenePass {
 
   const GlTable& gl_;
   Program standard_, plain_, plain_mapped_;
-  Program holes_;                    // depth alone, of a picture that is not opaque everywhere
-  std::optional<Program> shadowed_;  // standard, with shadows: prepare()
+  Program holes_;                        // depth alone, of a picture that is not opaque everywhere
+  std::map<Variant, Program> variants_;  // of standard: prepare()
 };
 
 }  // namespace rocinante

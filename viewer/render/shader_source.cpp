@@ -41,6 +41,10 @@ uniform vec3 view_direction;  // of an orthographic camera
 uniform vec3 key_direction;   // towards the light
 uniform vec3 fill_direction;
 uniform sampler2D map;
+#ifdef LIGHTS
+uniform vec3 light_direction[LIGHTS];  // towards them; of the first the same as key_direction
+uniform vec3 light_color[LIGHTS];
+#endif
 out vec4 color;
 
 // Polynomials close to the sRGB curve (within 1/255), from arithmetic and roots alone.
@@ -78,6 +82,18 @@ void main() {
   // From a texel and a half above the surface: it must not lie in its own shadow.
   if (key > 0.0) key *= litAt(from_eye + n * (texel_m * 1.5));
 #endif
+#ifdef LIGHTS
+  vec3 light = base.rgb * ambient;
+  for (int i = 0; i < LIGHTS; ++i) {
+    float part = i == 0 ? key : max(dot(n, light_direction[i]), 0.0);
+    light += base.rgb * light_color[i] * part;
+    vec3 half_way = light_direction[i] + to_eye;
+    float facing = dot(n, half_way) * (1.0 / sqrt(max(dot(half_way, half_way), 1e-6)));
+    if (shininess > 0.0 && facing > 0.0 && part > 0.0) {
+      light += lightOf(specular) * light_color[i] * pow(facing, shininess);
+    }
+  }
+#else
   float fill = max(dot(n, fill_direction), 0.0);
   vec3 light = base.rgb * (ambient + vec3(0.54, 0.52, 0.49) * key + vec3(0.20, 0.21, 0.22) * fill);
   if (shininess > 0.0) {
@@ -85,6 +101,7 @@ void main() {
     float facing = dot(n, half_way) * (1.0 / sqrt(max(dot(half_way, half_way), 1e-6)));
     if (facing > 0.0 && key > 0.0) light += lightOf(specular) * pow(facing, shininess) * 0.5;
   }
+#endif
   light += lightOf(emission);
   color = vec4(shownOf(min(light, vec3(1.0))), base.a);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -32,5 +33,7 @@ extern const std::string_view kShadowLookup;
 /// The scene's or the grid's source with SHADOWS defined, and kShadowLookup in it when it is the
 /// stage that looks into the map. A variant, not a branch: shadows that are off cost nothing.
 std::string withShadows(std::string_view source, bool looks_up);
+/// The scene's source with so many lights of the cell's own; none: as it is.
+std::string withLights(std::string_view source, std::size_t count);
 
 }  // namespace rocinante::shader
