@@ -67,7 +67,8 @@ Result<std::string> readFile(const std::filesystem::path& path, std::uint64_t ma
   }
 }
 
-Status writeFileWhole(const std::filesystem::path& path, ByteView bytes, bool overwrite) {
+Status writeFileWhole(const std::filesystem::path& path, ByteView bytes, bool overwrite,
+                      Sync sync) {
   std::error_code ignored;
   if (!overwrite && std::filesystem::exists(path, ignored)) {
     return Error{ErrorKind::refused, "the file exists; --force overwrites it", path.string()};
@@ -76,7 +77,7 @@ Status writeFileWhole(const std::filesystem::path& path, ByteView bytes, bool ov
   Descriptor file{::open(beside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644)};
   if (file.number < 0) return systemError("cannot create", path);
   Status written = writeAll(file.number, bytes, path);
-  if (written && ::fsync(file.number) != 0 && errno != EINVAL) {
+  if (written && sync == Sync::now && ::fsync(file.number) != 0 && errno != EINVAL) {
     written = systemError("cannot write", path);
   }
   if (::close(std::exchange(file.number, -1)) != 0 && written) {
@@ -87,6 +88,13 @@ Status writeFileWhole(const std::filesystem::path& path, ByteView bytes, bool ov
   }
   if (!written) ::unlink(beside.c_str());
   return written;
+}
+
+Status syncFileSystem(const std::filesystem::path& folder) {
+  const Descriptor opened{::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)};
+  if (opened.number < 0) return systemError("cannot open", folder);
+  if (::syncfs(opened.number) != 0) return systemError("cannot write", folder);
+  return {};
 }
 
 }  // namespace rocinante

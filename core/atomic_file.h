@@ -12,8 +12,17 @@ namespace rocinante {
 Result<std::string> readFile(const std::filesystem::path& path,
                              std::uint64_t max_bytes = std::uint64_t{1} << 31);
 
+/// When the bytes are on the disk: once writeFileWhole() returns, or, of many small files that can
+/// be made again, once syncFileSystem() does. Until then the file is whole for whoever reads it,
+/// also when the program was killed, but perhaps not after a power cut.
+enum class Sync { now, later };
+
 /// Writes beside `path`, syncs and renames: the file appears whole or not at all. refused when it
 /// exists and `overwrite` is false.
-Status writeFileWhole(const std::filesystem::path& path, ByteView bytes, bool overwrite);
+Status writeFileWhole(const std::filesystem::path& path, ByteView bytes, bool overwrite,
+                      Sync sync = Sync::now);
+
+/// Waits until all that was written on the file system of `folder` is on the disk.
+Status syncFileSystem(const std::filesystem::path& folder);
 
 }  // namespace rocinante

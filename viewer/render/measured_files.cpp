@@ -6,8 +6,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "core/atomic_file.h"
-
 namespace rocinante {
 namespace {
 
@@ -28,11 +26,11 @@ Json headOf(const std::filesystem::path& path, int width, int height, const Meas
 }
 
 Status writeBoth(const std::filesystem::path& path, const Bytes& png, const Json& json,
-                 bool overwrite) {
+                 bool overwrite, Sync sync) {
   if (png.empty()) return Error{ErrorKind::refused, "no memory to encode", path.string()};
-  if (Status written = writeFileWhole(path, png, overwrite); !written) return written;
+  if (Status written = writeFileWhole(path, png, overwrite, sync); !written) return written;
   const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-  return writeFileWhole(legendPath(path), bytesOf(text), overwrite);
+  return writeFileWhole(legendPath(path), bytesOf(text), overwrite, sync);
 }
 
 }  // namespace
@@ -43,7 +41,7 @@ std::filesystem::path legendPath(const std::filesystem::path& picture) {
 }
 
 Status writeIdentity(const std::filesystem::path& path, const IdentityFrame& frame,
-                     const MeasuredFrame& of, bool overwrite) {
+                     const MeasuredFrame& of, bool overwrite, Sync sync) {
   Json json = headOf(path, frame.width, frame.height, of);
   const auto colors = identityColors(frame.names);
   const auto extents = extentsOf(frame);
@@ -59,7 +57,7 @@ Status writeIdentity(const std::filesystem::path& path, const IdentityFrame& fra
     one["box"] = {extent.left, extent.top, extent.right, extent.bottom};
     json["names"].push_back(std::move(one));
   }
-  return writeBoth(path, encodePng(identityPicture(frame)), json, overwrite);
+  return writeBoth(path, encodePng(identityPicture(frame)), json, overwrite, sync);
 }
 
 DepthUnits depthUnits(const DepthFrame& frame) {
@@ -83,7 +81,7 @@ DepthUnits depthUnits(const DepthFrame& frame) {
 }
 
 Status writeDepth(const std::filesystem::path& path, const DepthFrame& frame,
-                  const MeasuredFrame& of, bool overwrite) {
+                  const MeasuredFrame& of, bool overwrite, Sync sync) {
   const DepthUnits depth = depthUnits(frame);
   Json json = headOf(path, frame.width, frame.height, of);
   json["metres_per_unit"] = depth.metres_per_unit;
@@ -101,7 +99,8 @@ Status writeDepth(const std::filesystem::path& path, const DepthFrame& frame,
     json["nearest_m"] = nearest;
     json["farthest_m"] = farthest;
   }
-  return writeBoth(path, encodeGreyPng(frame.width, frame.height, depth.units), json, overwrite);
+  return writeBoth(path, encodeGreyPng(frame.width, frame.height, depth.units), json, overwrite,
+                   sync);
 }
 
 }  // namespace rocinante

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 
+#include "core/atomic_file.h"
 #include "viewer/render/identity_frame.h"
 
 namespace rocinante {
@@ -18,11 +19,11 @@ struct MeasuredFrame {
 /// .json in place of its ending: docs/programs/render.md, "Identity". Both appear whole or not at
 /// all, and are replaced only with `overwrite`. Any thread.
 Status writeIdentity(const std::filesystem::path& path, const IdentityFrame& frame,
-                     const MeasuredFrame& of, bool overwrite);
+                     const MeasuredFrame& of, bool overwrite, Sync sync);
 
 /// The same of depth: a PNG of one 16-bit component, whose unit the JSON says.
 Status writeDepth(const std::filesystem::path& path, const DepthFrame& frame,
-                  const MeasuredFrame& of, bool overwrite);
+                  const MeasuredFrame& of, bool overwrite, Sync sync);
 
 /// Where the JSON of such a file stands.
 std::filesystem::path legendPath(const std::filesystem::path& picture);

@@ -22,6 +22,9 @@ namespace rocinante {
 namespace {
 
 constexpr int kCaptionPx = 18;
+/// More pictures than this wait together for the disk, at the end: one by one, small ones waited
+/// longer than their drawing took.
+constexpr std::size_t kMostSyncedAlone = 16;
 
 Error badJob(std::string what) { return Error{ErrorKind::bad_argument, std::move(what), {}}; }
 
@@ -192,6 +195,7 @@ class RenderRun {
 
   Status finish() {
     if (Status written = writer_.finish(); !written) return written;
+    if (Status synced = syncPictures(); !synced) return synced;
     for (VideoFile& video : videos_) {
       if (Status finished = video.finish(); !finished) return finished;
     }
@@ -202,6 +206,19 @@ class RenderRun {
   std::vector<RenderedFrame> takeFrames() { return std::move(frames_); }
 
  private:
+  Status syncPictures() const {
+    if (sync_ == Sync::now) return {};
+    std::set<std::filesystem::path> folders;
+    for (const auto& file : {job_.output, job_.identity, job_.depth}) {
+      if (!file.empty()) folders.insert(file.has_parent_path() ? file.parent_path() : ".");
+    }
+    if (!job_.frames.empty()) folders.insert(job_.frames);
+    for (const auto& folder : folders) {
+      if (Status synced = syncFileSystem(folder); !synced) return synced;
+    }
+    return {};
+  }
+
   Status drawPicture(std::size_t moment, std::size_t camera, std::size_t place) {
     auto drawn = maker_.frame(request_);
     if (!drawn) return drawn.error();
@@ -230,7 +247,9 @@ class RenderRun {
         return Error{ErrorKind::refused, "no memory to encode", wanted.front().string()};
       }
       for (const auto& file : wanted) {
-        if (Status written = writeFileWhole(file, png, job_.overwrite); !written) return written;
+        if (Status written = writeFileWhole(file, png, job_.overwrite, sync_); !written) {
+          return written;
+        }
       }
       return {};
     });
@@ -244,7 +263,7 @@ class RenderRun {
       frame.identity = files_.ofMoment(job_.identity, moment, camera);
       auto shared = std::make_shared<const IdentityFrame>(std::move(*identity));
       Status added = writer_.add([=, this, file = frame.identity] {
-        return writeIdentity(file, *shared, of, job_.overwrite);
+        return writeIdentity(file, *shared, of, job_.overwrite, sync_);
       });
       if (!added) return added;
     }
@@ -253,8 +272,9 @@ class RenderRun {
     if (!depth) return depth.error();
     frame.depth = files_.ofMoment(job_.depth, moment, camera);
     auto shared = std::make_shared<const DepthFrame>(std::move(*depth));
-    return writer_.add(
-        [=, this, file = frame.depth] { return writeDepth(file, *shared, of, job_.overwrite); });
+    return writer_.add([=, this, file = frame.depth] {
+      return writeDepth(file, *shared, of, job_.overwrite, sync_);
+    });
   }
 
   const RenderJob& job_;
@@ -265,6 +285,7 @@ class RenderRun {
   std::optional<ContactSheet> sheet_;
   std::vector<VideoFile> videos_;
   std::vector<RenderedFrame> frames_;
+  const Sync sync_ = frames_.size() > kMostSyncedAlone ? Sync::later : Sync::now;
   BackgroundWriter writer_;  // last: its tasks use all of the above
 };
 

@@ -42,6 +42,17 @@ TEST(WriteFileWhole, AMissingFolderIsNamedAndNothingIsLeft) {
   EXPECT_EQ(filesIn(folder.path()), 0U);
 }
 
+TEST(WriteFileWhole, ManyFilesAreWholeBeforeTheyAreSyncedTogether) {
+  const test::TemporaryFolder folder;
+  for (const char* name : {"a", "b"}) {
+    ASSERT_TRUE(writeFileWhole(folder / name, bytesOf("whole"), false, Sync::later).ok());
+    EXPECT_EQ(readFile(folder / name).value(), "whole");
+  }
+  EXPECT_EQ(filesIn(folder.path()), 2U);
+  EXPECT_TRUE(syncFileSystem(folder.path()).ok());
+  EXPECT_EQ(syncFileSystem(folder / "none").error().kind, ErrorKind::not_found);
+}
+
 TEST(ReadFile, RefusesWhatIsTooLargeBeforeReadingIt) {
   const test::TemporaryFolder folder;
   ASSERT_TRUE(writeFileWhole(folder / "a", bytesOf("0123456789"), false).ok());
