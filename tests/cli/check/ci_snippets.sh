@@ -1,4 +1,4 @@
-# The snippets of docs/ci.md: their YAML parses, their commands run, their CTest tests pass; and all
+# The snippets of docs/ci.md that check: their YAML parses, their commands run, their CTest tests pass; and all
 # of them fail when the model changes under the session.
 cat >cell.toml <<'TOML'
 format = 1
@@ -39,6 +39,8 @@ def run(command):
     code = subprocess.run(["bash", "-euc", command], stdout=subprocess.DEVNULL).returncode
     print(code, command.split(" --")[0], sorted(f for f in os.listdir(".") if f.startswith("check.")))
 for kind, block in blocks:
+    if "rocinante check" not in block and kind != "cmake":
+        continue
     if kind == "sh" and sys.argv[1] == "first":
         run(block.strip())
     elif kind == "yaml":
