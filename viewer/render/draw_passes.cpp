@@ -17,13 +17,11 @@ Result<DrawPasses> DrawPasses::create(const GlTable& gl, const TextAtlas& atlas)
                     std::move(*overlay)};
 }
 
-void DrawPasses::begin(const PixelRectangle& part, int frame_height) const {
-  setViewport(gl, part, frame_height);
-  gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+void DrawPasses::begin(const CellScene& look, const PixelRectangle& part, int frame_height) {
+  background.draw(look, part, frame_height);
   gl.DepthMask(GL_TRUE);
-  gl.ClearColor(0, 0, 0, 1);
   gl.ClearDepth(0);
-  gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  gl.Clear(GL_DEPTH_BUFFER_BIT);
   beginOnTop(part, frame_height);
 }
 

@@ -18,8 +18,9 @@ struct DrawPasses {
     return gl.ClipControl != nullptr ? ClipDepth::zero_to_one : ClipDepth::minus_one_to_one;
   }
 
-  /// Clears a part of the framebuffer; all passes draw there alone until the next call.
-  void begin(const PixelRectangle& part, int frame_height) const;
+  /// Gives a part of the framebuffer its background and clears its depths; all passes draw there
+  /// alone until the next call.
+  void begin(const CellScene& look, const PixelRectangle& part, int frame_height);
   /// Before the overlay pass alone, over pixels that are there already: clears nothing.
   void beginOnTop(const PixelRectangle& part, int frame_height) const;
   /// Leaves GL's state as a guest expects it: no depth test, no blending, nothing bound.

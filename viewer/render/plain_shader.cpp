@@ -15,7 +15,7 @@ uniform vec4 diffuse;
 uniform vec3 emission;
 uniform bool has_tint;
 uniform vec3 key_direction;  // towards the light
-out vec4 shade;
+out vec3 shade;
 out vec2 map_place;
 void main() {
   gl_Position = clip_from_model * vec4(position, 1.0);
@@ -26,22 +26,24 @@ void main() {
   if (length2 > 0.0) key = min(abs(dot(n, key_direction)) * (1.0 / sqrt(length2)), 1.0);
   vec3 base = diffuse.rgb;
   if (has_tint) base *= point_color;
-  shade = vec4(base * (0.45 + 0.55 * key) + emission, diffuse.a);
+  shade = base * (0.45 + 0.55 * key) + emission;
 }
 )";
 
 const std::string_view kPlainFragment = R"(#version 330 core
-in vec4 shade;
+in vec3 shade;
+uniform vec4 diffuse;
 out vec4 color;
-void main() { color = shade; }
+void main() { color = vec4(shade, diffuse.a); }
 )";
 
 const std::string_view kPlainMappedFragment = R"(#version 330 core
-in vec4 shade;
+in vec3 shade;
 in vec2 map_place;
+uniform vec4 diffuse;
 uniform sampler2D map;
 out vec4 color;
-void main() { color = shade * texture(map, map_place); }
+void main() { color = vec4(shade, diffuse.a) * texture(map, map_place); }
 )";
 
 }  // namespace rocinante::shader

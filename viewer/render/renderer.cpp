@@ -252,8 +252,7 @@ Result<DrawCounts> Renderer::Impl::drawView(const SceneFrame& frame, const LinkL
   surfaces.depth_only = style.edges == EdgeStyle::only;
   if (Status ready = passes->scene.prepare(surfaces, look); !ready) return ready.error();
 
-  passes->begin(part, frame_height);
-  passes->background.draw(look);
+  passes->begin(look, part, frame_height);
   if (frame.detail.plain_filtering) textures.beginPlainFiltering();
   for (const DrawnSet& set : sets) {
     passes->scene.drawOpaque(*set.list, *set.catalog, *set.meshes, textures, camera, look,

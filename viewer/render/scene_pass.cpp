@@ -291,7 +291,9 @@ void ScenePass::drawOpaque(const DrawList& list, const SceneCatalog& catalog,
                            const Camera& camera, const CellScene& look,
                            const SurfaceLook& surfaces) const {
   gl_.Enable(GL_DEPTH_TEST);
-  if (surfaces.depth_only) gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  const GLboolean shown = surfaces.depth_only ? GL_FALSE : GL_TRUE;
+  // With alpha, which is 1 here: a software renderer then need not read what it writes over.
+  gl_.ColorMask(shown, shown, shown, shown);
   Items items(*this, catalog, meshes, textures, camera, look, surfaces);
   for (const DrawItem& item : list.opaque) {
     items.set(item);
@@ -302,8 +304,8 @@ void ScenePass::drawOpaque(const DrawList& list, const SceneCatalog& catalog,
       items.set(item, true);
       items.draw(item);
     }
-    gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
   }
+  gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
   gl_.Disable(GL_POLYGON_OFFSET_FILL);
 }
 

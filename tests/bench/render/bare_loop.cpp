@@ -38,7 +38,7 @@ struct BareLoop::Scene {
   std::vector<Places> places;
 };
 
-BareLoop::BareLoop(const GlTable& gl, std::shared_ptr<const Scene> scene)
+BareLoop::BareLoop(const GlTable& gl, std::shared_ptr<Scene> scene)
     : gl_(gl), scene_(std::move(scene)) {}
 
 Result<BareLoop> BareLoop::create(const GlTable& gl, const Cell& cell, const PosedScene& scene,
@@ -180,15 +180,12 @@ void BareLoop::drawRuns(const Command& command) const {
 
 void BareLoop::draw(const FrameBuffer& target) const {
   target.bind();
+  scene_->background.draw(scene_->look, {0, 0, target.width(), target.height()}, target.height());
   gl_.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-  gl_.Disable(GL_BLEND);
-  gl_.ClearColor(0, 0, 0, 1);
   gl_.ClearDepth(0);
-  gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
+  gl_.Clear(GL_DEPTH_BUFFER_BIT);
   gl_.DepthFunc(GL_GEQUAL);
   gl_.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-  scene_->background.draw(scene_->look);
   gl_.Enable(GL_DEPTH_TEST);
   for (const Command& command : commands_) {
     set(command);

@@ -45,13 +45,13 @@ class BareLoop {
     std::uint32_t rank = 0;
     std::vector<Run> runs;
   };
-  BareLoop(const GlTable& gl, std::shared_ptr<const Scene> scene);
+  BareLoop(const GlTable& gl, std::shared_ptr<Scene> scene);
   void set(const Command& command) const;
   void drawRuns(const Command& command) const;
   void useProgram(std::size_t number) const;
 
   const GlTable& gl_;
-  std::shared_ptr<const Scene> scene_;
+  std::shared_ptr<Scene> scene_;
   std::vector<Command> commands_;
   glm::vec3 key_{}, fill_{}, forward_{};
   bool orthographic_ = false;
