@@ -59,8 +59,12 @@ bool needsIdentity(const SuiteCase& made) {
          std::ranges::any_of(made.judge_only, names_path);
 }
 
-bool pathNames(std::string_view path, const IdentityName& name, std::string_view layer) {
-  if (path.starts_with("layer/")) return !layer.empty() && globMatches(path.substr(6), layer);
+bool pathNames(std::string_view path, const IdentityName& name,
+               const std::vector<std::string>& layers) {
+  if (path.starts_with("layer/")) {
+    return std::ranges::any_of(
+        layers, [&](const std::string& layer) { return globMatches(path.substr(6), layer); });
+  }
   return globMatches(path, name.device + "/" + name.link) ||
          (path.find('/') == std::string_view::npos && globMatches(path, name.device));
 }

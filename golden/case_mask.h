@@ -13,7 +13,8 @@ namespace rocinante {
 /// Whose pixels a frame shows, and of which layer each name is.
 struct SceneIdentity {
   IdentityFrame frame;
-  std::vector<std::string> layers;  ///< by frame.names; of drawings "lines", "points", "labels"
+  /// By frame.names: those that hold it whole; of drawings "lines", "points", "labels".
+  std::vector<std::vector<std::string>> layers;
 };
 
 /// True when the case's areas name PATHs, so that an identity frame is needed to find them.
@@ -21,7 +22,8 @@ bool needsIdentity(const SuiteCase& made);
 
 /// True when the glob `path` describes this name: DEVICE, DEVICE/LINK, layer/NAME or
 /// drawing/SOURCE/ID.
-bool pathNames(std::string_view path, const IdentityName& name, std::string_view layer);
+bool pathNames(std::string_view path, const IdentityName& name,
+               const std::vector<std::string>& layers);
 
 /// Where the areas of a case lie in one picture.
 struct CaseAreas {

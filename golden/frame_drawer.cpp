@@ -13,18 +13,32 @@ std::string_view layerOfDrawing(StatementKind kind) {
                                          : "lines";
 }
 
-/// The layer of each name of an identity frame, as the scene at that moment has them.
-std::vector<std::string> layersOf(const IdentityFrame& frame, const PosedScene& scene) {
+/// The layers that hold a link whole; of a device that is gone, none.
+std::vector<std::string> layersOfLink(const PosedScene& scene, const IdentityName& name) {
+  const PosedDevice* const device = scene.findDevice(name.device);
+  if (device == nullptr) return {};
   std::vector<std::string> layers;
+  if (!device->layer.empty()) layers.push_back(device->layer);
+  const auto link = device->model->findLink(name.link);
+  for (const PosedShare& share : device->shares) {
+    if (link && share.holds(*link)) layers.emplace_back(share.layer);
+  }
+  return layers;
+}
+
+/// The layers of each name of an identity frame, as the scene at that moment has them.
+std::vector<std::vector<std::string>> layersOf(const IdentityFrame& frame,
+                                               const PosedScene& scene) {
+  std::vector<std::vector<std::string>> layers;
   for (const IdentityName& name : frame.names) {
-    std::string& layer = layers.emplace_back();
+    std::vector<std::string>& of_name = layers.emplace_back();
     if (name.device != "drawing") {
-      if (const PosedDevice* device = scene.findDevice(name.device)) layer = device->layer;
+      of_name = layersOfLink(scene, name);
       continue;
     }
     for (const PosedDrawing& drawing : scene.drawings) {
       if (drawing.drawing == nullptr || drawing.source + "/" + drawing.id != name.link) continue;
-      layer = layerOfDrawing(drawing.drawing->kind);
+      of_name.emplace_back(layerOfDrawing(drawing.drawing->kind));
       break;
     }
   }

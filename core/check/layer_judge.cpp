@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "core/model/layer_index.h"
+
 namespace rocinante {
 namespace {
 
@@ -10,12 +12,7 @@ constexpr std::size_t kMostNames = 200;
 
 }  // namespace
 
-LayerJudge::LayerJudge(const Cell& cell) {
-  for (const CellLayer& layer : cell.layers) layers_.insert(layer.name);
-  for (const CellDevice& device : cell.devices) {
-    if (!device.layer.empty()) layers_.insert(device.layer);
-  }
-}
+LayerJudge::LayerJudge(const Cell& cell) : layers_(layerNames(cell)) {}
 
 void LayerJudge::judge(std::string_view layer, const PacketPlace& place) {
   if (layers_.contains(layer)) return;

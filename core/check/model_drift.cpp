@@ -40,6 +40,7 @@ class CellDrift {
         compareModels(was.get(), is->second.get(), name);
       }
     }
+    compareLayers();
     compareCameras();
     return std::move(findings_);
   }
@@ -70,6 +71,12 @@ class CellDrift {
       drift.add("drift.layer", fmt::format("device {} is on layer `{}` in place of `{}`: what the "
                                            "log shows or hides by layer would differ",
                                            was.name, is->layer, was.layer));
+    }
+    if (was.tags != is->tags) {
+      drift.add("drift.layer",
+                fmt::format("device {} has other tags than it had: what the log shows or hides by "
+                            "layer would differ",
+                            was.name));
     }
     if (was.color != is->color) {
       drift.add("drift.material", fmt::format("the cell colours device {} otherwise", was.name));
@@ -108,6 +115,17 @@ class CellDrift {
     DriftList drift(findings_, who);
     const auto renamed_links = addJointDrift(*was, *is, drift);
     look_.add(*was, *is, renamed_links, drift);
+  }
+
+  void compareLayers() {
+    for (const CellLayer& was : recorded_.layers) {
+      for (const CellLayer& is : given_.layers) {
+        if (is.name != was.name || is.members == was.members) continue;
+        DriftList(findings_, was.name)
+            .add("drift.layer",
+                 fmt::format("layer {} holds other links or parts than it did", was.name));
+      }
+    }
   }
 
   void compareCameras() {

@@ -56,6 +56,7 @@ constexpr auto kRules = std::to_array<Rule>({
     {"cell.unusable-model", kError, "a model is too broken to be used"},
     {"cell.unused-group", kWarning, "a group of the OBJ belongs to no link"},
     {"cell.unused-material", kWarning, "a [[material]] changes nothing of the cell"},
+    {"cell.useless-light", kWarning, "the light of [scene] where the cell has [[light]]s"},
     {"cell.useless-limits", kError, "limits where a joint of that type takes none"},
     {"cell.useless-unit", kError, "a unit or up axis for a file that says its own"},
     {"cell.wrong-kind", kError, "a value of the cell is of another kind than its key wants"},

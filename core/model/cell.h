@@ -87,6 +87,7 @@ struct LayerMember {
   std::string device;  ///< empty: every device
   std::string link;    ///< empty: all links
   std::string group;   ///< a pattern (core/model/glob.h) of MeshPart::group; empty: whole links
+  bool operator==(const LayerMember&) const = default;
 };
 
 struct CellLayer {

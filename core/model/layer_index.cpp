@@ -4,6 +4,16 @@
 
 namespace rocinante {
 
+std::set<std::string, std::less<>> layerNames(const Cell& cell) {
+  std::set<std::string, std::less<>> names;
+  for (const CellLayer& layer : cell.layers) names.insert(layer.name);
+  for (const CellDevice& device : cell.devices) {
+    if (!device.layer.empty()) names.insert(device.layer);
+    names.insert(device.tags.begin(), device.tags.end());
+  }
+  return names;
+}
+
 LayerIndex::LayerIndex(const Cell& cell) : cell_(&cell) {
   for (std::size_t l = 0; l < cell.layers.size(); ++l) {
     const CellLayer& layer = cell.layers[l];

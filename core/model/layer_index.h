@@ -2,12 +2,17 @@
 
 #include <cstddef>
 #include <map>
+#include <set>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/model/cell.h"
 
 namespace rocinante {
+
+/// The names of all layers of a cell: those that it lists, and `layer` and `tags` of its devices.
+std::set<std::string, std::less<>> layerNames(const Cell& cell);
 
 /// That a layer holds a device, or some of its links or parts. Borrows from the cell.
 struct LayerShare {

@@ -169,7 +169,7 @@ TEST_F(FrameJudgeTest, MasksThatHideEverythingJudgeNothing) {
 SceneIdentity armAt(int left) {
   SceneIdentity identity;
   identity.frame = {32, 32, std::vector<std::uint32_t>(32 * 32), {{"arm", "link6"}}};
-  identity.layers = {"robots"};
+  identity.layers = {std::vector<std::string>{"robots"}};
   for (int y = 0; y < 32; ++y) {
     for (int x = left; x < left + 4; ++x) {
       identity.frame.ids[static_cast<std::size_t>(y * 32 + x)] = 1;
@@ -222,16 +222,16 @@ TEST_F(FrameJudgeTest, JudgeOnlyLooksWhereThePartIsAndWhereItWas) {
 TEST(PathNames, TakesDevicesLinksLayersAndDrawings) {
   const IdentityName link{"arm", "link6"};
   for (const char* path : {"arm", "arm/link6", "arm/*", "a*", "layer/robots", "layer/*"}) {
-    EXPECT_TRUE(pathNames(path, link, "robots")) << path;
+    EXPECT_TRUE(pathNames(path, link, {"cells", "robots"})) << path;
   }
   for (const char* path : {"ar", "arm/link", "link6", "layer/robot", "drawing/*", "layer/"}) {
-    EXPECT_FALSE(pathNames(path, link, "robots")) << path;
+    EXPECT_FALSE(pathNames(path, link, {"cells", "robots"})) << path;
   }
-  EXPECT_FALSE(pathNames("layer/*", link, ""));  // in no layer
+  EXPECT_FALSE(pathNames("layer/*", link, {}));  // in no layer
   const IdentityName label{"drawing", "planner/goal"};
-  EXPECT_TRUE(pathNames("drawing/planner/*", label, "labels"));
-  EXPECT_TRUE(pathNames("layer/labels", label, "labels"));
-  EXPECT_FALSE(pathNames("layer/lines", label, "labels"));
+  EXPECT_TRUE(pathNames("drawing/planner/*", label, {"labels"}));
+  EXPECT_TRUE(pathNames("layer/labels", label, {"labels"}));
+  EXPECT_FALSE(pathNames("layer/lines", label, {"labels"}));
 }
 
 TEST_F(FrameJudgeTest, AnExpectedDifferenceIsFineAndItsAbsenceIsNot) {

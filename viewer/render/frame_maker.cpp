@@ -9,6 +9,7 @@
 #include "viewer/render/camera_choice.h"
 #include "viewer/render/fitted_cameras.h"
 #include "viewer/render/inset_layout.h"
+#include "viewer/render/layer_choice.h"
 #include "viewer/render/limit_levels.h"
 #include "viewer/render/overlay_panel.h"
 #include "viewer/render/renderer.h"
@@ -67,6 +68,7 @@ struct FrameMaker::Impl {
 
   Cell cell;
   ScenePoses poses;
+  KnownLayers layers{knownLayers(cell)};
   std::optional<Timeline> session;
   SessionState nothing_said;
   std::unique_ptr<RenderContext> context;
@@ -123,6 +125,10 @@ Result<FoundFrame> FrameMaker::Impl::find(const FrameRequest& request) {
   if (Status current = context->makeCurrent(); !current) return current.error();
   FoundFrame found;
   found.style = &request.style;
+  for (Status known : {checkLayers(layers, request.hide), checkLayers(layers, request.show),
+                       checkLayers(layers, request.style)}) {
+    if (!known) return known.error();
+  }
   auto choice = ViewChoice::make(request.hide, request.show);
   if (!choice) return choice.error();
   found.choice = std::move(*choice);

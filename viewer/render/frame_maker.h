@@ -46,7 +46,7 @@ class FrameMaker {
   FrameMaker& operator=(FrameMaker&&) noexcept;
 
   /// bad_argument for a time outside the log or a size or samples that cannot be drawn; not_found
-  /// for an unknown camera. The same of identity() and depth().
+  /// for an unknown camera or layer. The same of identity() and depth().
   Result<Picture> frame(const FrameRequest& request);
   /// Whose its pixels are, insets included; the request's samples and panel mean nothing.
   Result<IdentityFrame> identity(const FrameRequest& request);

@@ -14,6 +14,7 @@
 #include "viewer/render/background_writer.h"
 #include "viewer/render/contact_sheet.h"
 #include "viewer/render/inset_layout.h"
+#include "viewer/render/layer_choice.h"
 #include "viewer/render/measured_files.h"
 #include "viewer/render/render_files.h"
 #include "viewer/render/video_file.h"
@@ -89,31 +90,6 @@ std::vector<std::string> warningsOf(const FrameMaker& maker) {
     warnings.push_back(maker.cell().shown(warning));
   }
   return warnings;
-}
-
-/// Only these layers: all devices and the built-in layers are hidden, and these shown.
-Status chooseLayers(const std::vector<std::string>& layers, const Cell& cell, FrameRequest& look) {
-  if (layers.empty()) return {};
-  const std::set<std::string> built_in{"gnomon", "grid", "labels", "lines", "points"};
-  std::set<std::string> known = built_in;
-  for (const CellLayer& layer : cell.layers) known.insert(layer.name);
-  for (const CellDevice& device : cell.devices) {
-    if (!device.layer.empty()) known.insert(device.layer);
-  }
-  std::set<std::string> hidden = built_in;
-  look.hide.emplace_back("*");
-  for (const std::string& layer : layers) {
-    if (!known.contains(layer)) {
-      std::string all;
-      for (const std::string& name : known) all += (all.empty() ? "" : ", ") + name;
-      return Error{
-          ErrorKind::not_found, "no layer is called `" + layer + "`: there are " + all, {}};
-    }
-    hidden.erase(layer);
-    if (!built_in.contains(layer)) look.show.push_back("layer/" + layer);
-  }
-  for (const std::string& layer : hidden) look.hide.push_back("layer/" + layer);
-  return {};
 }
 
 Status chooseInsets(const RenderJob& job, FrameRequest& look) {
@@ -339,7 +315,7 @@ Result<RenderReport> render(const RenderJob& given,
   options.progress = job.load_progress;
   auto cell = loadCellOrLog(job.cell, options);
   if (!cell) return cell.error();
-  if (Status chosen = chooseLayers(job.layers, *cell, look); !chosen) return chosen.error();
+  if (!job.layers.empty()) chooseLayers(job.layers, look.hide, look.show);
   auto maker = FrameMaker::open(std::move(*cell), std::move(session), job.profile);
   if (!maker) return maker.error();
   if (Status made = makeFolders(files); !made) return made.error();
