@@ -86,6 +86,11 @@ std::string cellText(const CellDevice& device, const Model& model, const std::st
   text += fmt::format("name = {}\nmodel = {}\n", tomlText(device.name), tomlText(name));
   if (!(device.pose == Pose{})) text += fmt::format("pose = {}\n", poseText(device.pose));
   if (!device.layer.empty()) text += fmt::format("layer = {}\n", tomlText(device.layer));
+  if (!device.tags.empty()) {
+    std::vector<std::string> tags;
+    for (const std::string& tag : device.tags) tags.push_back(tomlText(tag));
+    text += fmt::format("tags = [{}]\n", fmt::join(tags, ", "));
+  }
   if (device.color) text += fmt::format("color = \"{}\"\n", colorText(*device.color));
   text += fmt::format("\n[[model]]\nname = {}\nobj = {}\nunit = \"m\"\nup = \"z\"\n",
                       tomlText(name), tomlText(obj_file));

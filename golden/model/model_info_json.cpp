@@ -78,6 +78,7 @@ Json deviceJson(const InfoDevice& entry) {
   if (!device.on_link.empty()) on += "/" + device.on_link;
   out["on"] = on.empty() ? Json(nullptr) : Json(on);
   out["layer"] = device.layer.empty() ? Json(nullptr) : Json(device.layer);
+  out["tags"] = device.tags;
   out["optional"] = device.optional;
   return out;
 }
