@@ -38,6 +38,8 @@ joint = {{ name = "j", type = "revolute", axis = [1, 0, 0], {odd} = 1, mimic = {
 {odd} = 1
 [[layer]]
 {odd} = 1
+[[light]]
+{odd} = 1
 [[material]]
 {odd} = 1
 [[source]]
@@ -55,7 +57,7 @@ expected = {'the cell': schema, '[[device]]': tables['device'], 'pose': tables['
             '[[model]]': tables['model'], '[[model.link]]': tables['link'], 'joint': tables['joint'],
             'mimic': tables['joint']['properties']['mimic'], '[[camera]]': tables['camera'],
             '[[inset]]': tables['inset'],
-            '[[layer]]': tables['layer'], '[[material]]': tables['material'],
+            '[[layer]]': tables['layer'], '[[light]]': tables['light'], '[[material]]': tables['material'],
             '[[source]]': tables['source'], '[scene]': tables['scene']}
 for table, of in expected.items():
     if keys.get(table) != set(of['properties']):
@@ -76,7 +78,9 @@ for wrong in ['', 'format = 2', head + 'serach = []', head + '[[device]]\nname =
               head + '[[model]]\nname = "a"', head + '[[model]]\nname = "a"\nobj = "a.obj"\nurdf = "a.urdf"',
               head + '[[camera]]\nname = "c"\neye = [0, 0]\ntarget = [0, 0, 0]', head + '[[material]]\nlink = "a"', head + '[[inset]]\ncamera = "map"\ncorner = "left"',
               head + '[[inset]]\ncamera = "map"\nsize = [2, 2]', head + '[[inset]]\nsize_px = [64, 64]',
-              head + '[[source]]\nname = "s"\nrate_hz = [-1, 2]', head + '[rules]\n"packet.bad-name" = "loud"']:
+              head + '[[source]]\nname = "s"\nrate_hz = [-1, 2]', head + '[rules]\n"packet.bad-name" = "loud"',
+              head + '[[layer]]\nname = "l"\nopacity = 2', head + '[[layer]]\nname = "l"\ncollision = "in"', head + '[[light]]\nname = "l"',
+              head + '[[light]]\nname = "l"\ndirection = [0, 0, 1]\nstrength = -1']:
     open('wrong.cell.toml', 'w').write(wrong)
     status = subprocess.run(['rocinante', 'model', 'tree', 'wrong.cell.toml', '--strict'], capture_output=True).returncode
     if status == 0 or validator.is_valid(tomllib.loads(wrong)):
