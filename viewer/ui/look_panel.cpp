@@ -105,6 +105,11 @@ void drawLookTab(ViewModel& model) {
     style.labels = apart ? LabelStyle::apart : LabelStyle::beside;
   }
   ImGui::Checkbox("outline what is selected", &model.outline_selected);
+  if (std::ranges::any_of(model.cell().layers,
+                          [](const CellLayer& layer) { return layer.look != LayerLook(); })) {
+    ImGui::Checkbox("looks of layers", &style.layer_looks);
+    explain("lines, see-through and collision geometry as the cell has its layers");
+  }
   for (const char* layer : {"grid", "labels", "lines", "points", "gnomon"}) {
     const std::string path = std::string("layer/") + layer;
     bool visible = model.choice().layerVisible(layer);
