@@ -15,7 +15,6 @@
 #include "tests/support/temporary_folder.h"
 #include "viewer/detail/governor.h"
 #include "viewer/render/renderer.h"
-#include "viewer/ui/scaled_view.h"
 
 namespace {
 
@@ -117,10 +116,8 @@ class Drawer {
     frame.scene = &scene_;
     frame.camera = circling(frame_++);
     frame.choice = &choice_;
-    frame.detail = detail.level;
-    const auto drawn = renderer_.draw(frame, view_.scene());
+    const auto drawn = view_.draw(renderer_, frame);
     if (!drawn.ok()) std::abort();
-    view_.finishScene();
     renderer_.gl().Finish();
     return {milliseconds(CLOCK_MONOTONIC) - wall, milliseconds(CLOCK_PROCESS_CPUTIME_ID) - cpu,
             drawn->triangles};

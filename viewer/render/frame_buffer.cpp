@@ -185,10 +185,20 @@ Picture FrameBuffer::read() const {
 }
 
 void FrameBuffer::stretchTo(const FrameBuffer& target) const {
+  stretchPartTo({0, 0, width_, height_}, target, {0, 0, target.width_, target.height_});
+}
+
+void FrameBuffer::stretchPartTo(const PixelRectangle& part, const FrameBuffer& target,
+                                const PixelRectangle& target_part) const {
   gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, resolved());
   gl_->BindFramebuffer(GL_DRAW_FRAMEBUFFER, target.resolved());
-  gl_->BlitFramebuffer(0, 0, width_, height_, 0, 0, target.width_, target.height_,
-                       GL_COLOR_BUFFER_BIT, GL_LINEAR);
+  // A copy is cut by the scissor too.
+  gl_->Disable(GL_SCISSOR_TEST);
+  const int bottom = height_ - part.y - part.height;
+  const int target_bottom = target.height_ - target_part.y - target_part.height;
+  gl_->BlitFramebuffer(part.x, bottom, part.x + part.width, bottom + part.height, target_part.x,
+                       target_bottom, target_part.x + target_part.width,
+                       target_bottom + target_part.height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
 }
 
 void FrameBuffer::blitTo(GLuint target) const {

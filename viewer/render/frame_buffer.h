@@ -3,6 +3,7 @@
 #include "core/result.h"
 #include "viewer/picture/picture.h"
 #include "viewer/render/gl_table.h"
+#include "viewer/render/viewport.h"
 
 namespace rocinante {
 
@@ -37,6 +38,9 @@ class FrameBuffer {
   /// Fills all of `target`, which has one sample a pixel, with the resolved pixels, interpolated
   /// where its size is another.
   void stretchTo(const FrameBuffer& target) const;
+  /// The same of a part of each; drawing to `target` goes on then.
+  void stretchPartTo(const PixelRectangle& part, const FrameBuffer& target,
+                     const PixelRectangle& target_part) const;
 
  private:
   explicit FrameBuffer(const GlTable& gl) : gl_(&gl) {}

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <thread>
 
 #include "core/duration_text.h"
 #include "core/model/posed_scene.h"
@@ -13,6 +14,7 @@
 #include "viewer/render/limit_levels.h"
 #include "viewer/render/overlay_panel.h"
 #include "viewer/render/renderer.h"
+#include "viewer/render/scaled_view.h"
 #include "viewer/render/source_rates.h"
 #include "viewer/render/trail_finder.h"
 
@@ -37,10 +39,12 @@ struct FoundFrame {
   std::vector<FrameInset> insets;
   const RenderStyle* style = nullptr;
   FrameExtras extras;
+  const DetailRung* rung = nullptr;
 
   SceneFrame shown() const {
     SceneFrame frame{&scene, camera, &choice, style, &extras};
     frame.insets = insets;
+    frame.detail = rung->level;
     return frame;
   }
 };
@@ -48,7 +52,8 @@ struct FoundFrame {
 }  // namespace
 
 struct FrameMaker::Impl {
-  explicit Impl(Cell the_cell) : cell(std::move(the_cell)), poses(cell) {}
+  Impl(Cell the_cell, Profile the_profile)
+      : cell(std::move(the_cell)), poses(cell), profile(the_profile) {}
   ~Impl() {
     // Deleting GL objects needs their context.
     if (context && !context->makeCurrent()) return;
@@ -64,11 +69,13 @@ struct FrameMaker::Impl {
   Status placeCameras(const FrameRequest& request, FoundFrame& found);
   Result<FoundFrame> find(const FrameRequest& request);
   Status addPanel(LogTime time, const FoundFrame& found, Picture& picture);
-  Status prepareTarget(std::optional<FrameBuffer>& buffer, int width, int height, int samples);
+  Result<const DetailRung*> prepareRung(int detail);
+  Status prepareNumbers(const FrameRequest& request);
 
   Cell cell;
   ScenePoses poses;
   KnownLayers layers{knownLayers(cell)};
+  Profile profile;
   std::optional<Timeline> session;
   SessionState nothing_said;
   std::unique_ptr<RenderContext> context;
@@ -76,7 +83,7 @@ struct FrameMaker::Impl {
   std::optional<FittedCameras> fitted;
   std::optional<TrailFinder> trails;
   std::optional<SourceRates> rates;  // made when they are first asked for
-  std::optional<FrameBuffer> target;
+  ScaledView view;
   std::optional<FrameBuffer> number_target;  // one sample a pixel
 };
 
@@ -125,6 +132,9 @@ Result<FoundFrame> FrameMaker::Impl::find(const FrameRequest& request) {
   if (Status current = context->makeCurrent(); !current) return current.error();
   FoundFrame found;
   found.style = &request.style;
+  const auto rung = prepareRung(request.detail);
+  if (!rung) return rung.error();
+  found.rung = *rung;
   for (Status known : {checkLayers(layers, request.hide), checkLayers(layers, request.show),
                        checkLayers(layers, request.style)}) {
     if (!known) return known.error();
@@ -173,15 +183,30 @@ Status FrameMaker::Impl::addPanel(LogTime time, const FoundFrame& found, Picture
   return {};
 }
 
-Status FrameMaker::Impl::prepareTarget(std::optional<FrameBuffer>& buffer, int width, int height,
-                                       int samples) {
-  if (buffer && buffer->width() == width && buffer->height() == height &&
-      buffer->samples() == samples) {
+Result<const DetailRung*> FrameMaker::Impl::prepareRung(int detail) {
+  if (detail < 0 || detail > kCoarsestRung) {
+    return Error{ErrorKind::bad_argument,
+                 fmt::format("a level of detail is 0 (everything) to {}", kCoarsestRung),
+                 {}};
+  }
+  const DetailRung& rung = kDetailRungs[static_cast<std::size_t>(detail)];
+  if (rung.level.geometry_error_px > 0) {
+    // A reproducible picture depends on no file but its own: meshes are made anew.
+    const DetailCache cache = profile == Profile::fast ? DetailCache::ofUser() : DetailCache();
+    renderer->prepareDetail(cache, static_cast<int>(std::thread::hardware_concurrency()));
+    renderer->takeReadyDetail(true);
+  }
+  return &rung;
+}
+
+Status FrameMaker::Impl::prepareNumbers(const FrameRequest& request) {
+  if (number_target && number_target->width() == request.width &&
+      number_target->height() == request.height) {
     return {};
   }
-  auto made = FrameBuffer::create(renderer->gl(), width, height, samples);
+  auto made = FrameBuffer::create(renderer->gl(), request.width, request.height, 1);
   if (!made) return made.error();
-  buffer = std::move(*made);
+  number_target = std::move(*made);
   return {};
 }
 
@@ -191,7 +216,7 @@ FrameMaker::FrameMaker(FrameMaker&&) noexcept = default;
 FrameMaker& FrameMaker::operator=(FrameMaker&&) noexcept = default;
 
 Result<FrameMaker> FrameMaker::open(Cell cell, std::optional<Timeline> session, Profile profile) {
-  auto impl = std::make_unique<Impl>(std::move(cell));
+  auto impl = std::make_unique<Impl>(std::move(cell), profile);
   impl->session = std::move(session);
   auto context = makeContext(profile);
   if (!context) return context.error();
@@ -210,12 +235,12 @@ Result<Picture> FrameMaker::frame(const FrameRequest& request) {
   Impl& my = *impl_;
   const auto found = my.find(request);
   if (!found) return found.error();
-  Status ready = my.prepareTarget(my.target, request.width, request.height, request.samples);
+  Status ready = my.view.prepare(my.renderer->gl(), request.width, request.height, request.samples,
+                                 *found->rung);
   if (!ready) return ready.error();
-  const auto drawn = my.renderer->draw(found->shown(), *my.target);
+  const auto drawn = my.view.draw(*my.renderer, found->shown());
   if (!drawn) return drawn.error();
-  my.target->resolve();
-  Picture picture = my.target->read();
+  Picture picture = my.view.picture().read();
   if (request.panel) {
     if (Status added = my.addPanel(request.time, *found, picture); !added) return added.error();
   }
@@ -226,7 +251,7 @@ Result<IdentityFrame> FrameMaker::identity(const FrameRequest& request) {
   Impl& my = *impl_;
   const auto found = my.find(request);
   if (!found) return found.error();
-  Status ready = my.prepareTarget(my.number_target, request.width, request.height, 1);
+  Status ready = my.prepareNumbers(request);
   if (!ready) return ready.error();
   return my.renderer->identity(found->shown(), *my.number_target);
 }
@@ -235,7 +260,7 @@ Result<DepthFrame> FrameMaker::depth(const FrameRequest& request) {
   Impl& my = *impl_;
   const auto found = my.find(request);
   if (!found) return found.error();
-  Status ready = my.prepareTarget(my.number_target, request.width, request.height, 1);
+  Status ready = my.prepareNumbers(request);
   if (!ready) return ready.error();
   return my.renderer->depth(found->shown(), *my.number_target);
 }

@@ -24,6 +24,7 @@ struct FrameRequest {
   int width = 640;
   int height = 480;
   int samples = 4;                ///< MSAA; llvmpipe has 1 and 4
+  int detail = 0;                 ///< a rung of kDetailRungs: how much is drawn; 0 is everything
   std::vector<std::string> hide;  ///< PATHs: outrank packets and the cell (see ViewChoice)
   std::vector<std::string> show;
   RenderStyle style;
@@ -48,7 +49,8 @@ class FrameMaker {
   /// bad_argument for a time outside the log or a size or samples that cannot be drawn; not_found
   /// for an unknown camera or layer. The same of identity() and depth().
   Result<Picture> frame(const FrameRequest& request);
-  /// Whose its pixels are, insets included; the request's samples and panel mean nothing.
+  /// Whose its pixels are, insets included; the request's samples and panel mean nothing, and of
+  /// its detail geometry alone counts.
   Result<IdentityFrame> identity(const FrameRequest& request);
   /// How far they are; of the main view alone.
   Result<DepthFrame> depth(const FrameRequest& request);

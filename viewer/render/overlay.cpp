@@ -291,7 +291,7 @@ void Overlay::addScreenText(const TextAtlas& atlas, int x, int y, std::uint32_t 
   }
 }
 
-void Overlay::addGnomon(const TextAtlas& atlas) {
+void Overlay::addGnomon(const TextAtlas& atlas, int raised_px) {
   constexpr double kLength = 26;
   constexpr double kInset = 42;
   if (camera_.width() < 200 || camera_.height() < 150) return;
@@ -309,7 +309,7 @@ void Overlay::addGnomon(const TextAtlas& atlas) {
   // The farthest first.
   std::stable_sort(arrows.begin(), arrows.end(),
                    [](const Arrow& a, const Arrow& b) { return a.depth > b.depth; });
-  const Vec2 origin(kInset, camera_.height() - kInset);
+  const Vec2 origin(kInset, camera_.height() - kInset - raised_px);
   for (const Arrow& one : arrows) {
     addScreenLine(origin, origin + Vec2(one.x, one.y), one.rgba, 2.5);
     const TextSize size = atlas.measure(one.letter);
@@ -320,7 +320,7 @@ void Overlay::addGnomon(const TextAtlas& atlas) {
   }
 }
 
-void Overlay::addScaleBar(const TextAtlas& atlas, const ScaleBar& bar) {
+void Overlay::addScaleBar(const TextAtlas& atlas, const ScaleBar& bar, int raised_px) {
   constexpr double kInset = 12;
   constexpr double kTick = 7;
   constexpr std::uint32_t kBarInk = 0xF2F4F6FF;
@@ -329,7 +329,7 @@ void Overlay::addScaleBar(const TextAtlas& atlas, const ScaleBar& bar) {
   const double length = std::floor(bar.pixels + 0.5);
   const double inner = std::max(length, static_cast<double>(size.width));
   const double right = camera_.width() - kInset;
-  const double bottom = camera_.height() - kInset;
+  const double bottom = camera_.height() - kInset - raised_px;
   const double left = right - inner - 16;
   const double top = bottom - size.height - kTick - 12;
   if (camera_.width() < 200 || camera_.height() < 150) return;

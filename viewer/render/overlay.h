@@ -59,10 +59,11 @@ class Overlay {
   void addScreenRectangle(Vec2 top_left, Vec2 bottom_right, std::uint32_t rgba);
   void addScreenText(const TextAtlas& atlas, int x, int y, std::uint32_t rgba,
                      std::string_view text);
-  /// Arrows of the world's axes in the bottom left corner, when there is room.
-  void addGnomon(const TextAtlas& atlas);
-  /// In the bottom right corner, when there is room.
-  void addScaleBar(const TextAtlas& atlas, const ScaleBar& bar);
+  /// Arrows of the world's axes in the bottom left corner, when there is room; so many pixels
+  /// higher.
+  void addGnomon(const TextAtlas& atlas, int raised_px = 0);
+  /// In the bottom right corner, when there is room; so many pixels higher.
+  void addScaleBar(const TextAtlas& atlas, const ScaleBar& bar, int raised_px = 0);
 
   /// Vertices from here on belong to this owner, whatever the caller numbers; at first to 0.
   void setOwner(std::uint32_t owner);

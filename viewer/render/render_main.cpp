@@ -8,6 +8,7 @@
 #include "core/cli/program.h"
 #include "core/cli/progress_line.h"
 #include "core/cli/worker_threads.h"
+#include "viewer/detail/detail_level.h"
 #include "viewer/render/render_job.h"
 
 namespace {
@@ -142,6 +143,10 @@ int main(int argc, char** argv) {
   app.add_flag("--overlay", job.look.panel, "Time, devices, joint values and rates in a corner");
   app.add_option("--size", size, "Pixels")->capture_default_str();
   app.add_option("--samples", job.look.samples, "A pixel: 1 or 4")->capture_default_str();
+  app.add_option("--detail", job.look.detail,
+                 "How much is drawn: 0 (everything) to 9, as `rocinante view` does it")
+      ->check(CLI::Range(0, kCoarsestRung))
+      ->capture_default_str();
   app.add_option("--hide", job.look.hide,
                  "PATH not to draw: DEVICE, DEVICE/LINK, layer/NAME; repeatable")
       ->allow_extra_args(false);

@@ -195,13 +195,14 @@ Status Renderer::Impl::drawEdges(std::span<const DrawnSet> sets, const RenderSty
 Overlay Renderer::Impl::onTopOf(const SceneFrame& frame, const Camera& camera,
                                 const CameraView& view) const {
   const RenderStyle& style = styleOf(frame);
+  const int raised_px = &view == &frame.camera ? frame.raised_px : 0;
   Overlay on_top(camera);
   addLabels(on_top, frame.scene->drawings, *frame.choice, camera, atlas, style.labels);
   on_top.setOwner(0);
-  if (frame.choice->layerVisible("gnomon")) on_top.addGnomon(atlas);
+  if (frame.choice->layerVisible("gnomon")) on_top.addGnomon(atlas, raised_px);
   if (style.scale_bar) {
     const auto bar = scaleBar(camera.metersPerPixel(camera.depthOf(view.target)), kScaleBarPx);
-    if (bar) on_top.addScaleBar(atlas, *bar);
+    if (bar) on_top.addScaleBar(atlas, *bar, raised_px);
   }
   return on_top;
 }
@@ -323,12 +324,21 @@ Result<DrawCounts> Renderer::draw(const SceneFrame& frame, const FrameBuffer& ta
   return counts;
 }
 
-Status Renderer::drawOnTop(const SceneFrame& frame, const FrameBuffer& target) {
+Status Renderer::drawOnTop(const SceneFrame& frame, const FrameBuffer& target,
+                           const std::function<void(std::size_t)>& refill_inset) {
   const Impl& my = *impl_;
   target.resolve();
-  my.passes->beginOnTop({0, 0, target.width(), target.height()}, target.height());
-  const Camera camera = my.cameraOf(frame, frame.camera, target.width(), target.height());
-  my.passes->overlay.drawOnTop(my.onTopOf(frame, camera, frame.camera));
+  const auto drawView = [&](const CameraView& view, const PixelRectangle& part) {
+    my.passes->beginOnTop(part, target.height());
+    const Camera camera = my.cameraOf(frame, view, part.width, part.height);
+    my.passes->overlay.drawOnTop(my.onTopOf(frame, camera, view));
+  };
+  drawView(frame.camera, {0, 0, target.width(), target.height()});
+  for (std::size_t i = 0; i < frame.insets.size(); ++i) {
+    if (refill_inset) refill_inset(i);
+    drawView(frame.insets[i].camera, frame.insets[i].part);
+  }
+  my.drawInsetFrames(frame, target);
   my.passes->end();
   return my.glStatus();
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -41,6 +42,8 @@ struct SceneFrame {
   const FrameExtras* extras = nullptr;   ///< what limits and trails of `style` need; null: neither
   std::span<const FrameInset> insets{};  ///< later ones over earlier ones
   DetailLevel detail{};                  ///< the default draws everything
+  /// Gnomon and scale bar of the main view stand so much higher: over a window's time bar.
+  int raised_px = 0;
   /// Labels, gnomon, scale bar and the frames of insets with the scene; else by drawOnTop().
   bool on_top = true;
 };
@@ -72,9 +75,10 @@ class Renderer {
   Result<DrawCounts> draw(const SceneFrame& frame, const FrameBuffer& target);
 
   /// What lies over the scene, crisp, for a frame that was drawn without it and then stretched to
-  /// `target`, whose resolved pixels are drawn to. Of the main view: with insets, which cover what
-  /// lies behind them, a frame is drawn whole.
-  Status drawOnTop(const SceneFrame& frame, const FrameBuffer& target);
+  /// `target`, whose resolved pixels are drawn to. `refill_inset`, which may be empty, puts the
+  /// stretched pixels of an inset back over what of the main view lies there.
+  Status drawOnTop(const SceneFrame& frame, const FrameBuffer& target,
+                   const std::function<void(std::size_t)>& refill_inset = {});
 
   /// Begins to make coarser meshes, in threads of their own, for frames whose detail asks for them.
   void prepareDetail(const DetailCache& cache, int threads);

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "viewer/ui/joint_rows.h"
 #include "viewer/ui/panel_parts.h"
@@ -16,19 +17,20 @@ void drawLimitBar(const JointRow& row) {
   const auto part = row.part();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const float height = ImGui::GetTextLineHeight();
-  ImGui::Dummy(ImVec2(kBarWidth, height));
+  const float width = px(kBarWidth);
+  ImGui::Dummy(ImVec2(width, height));
   if (!part) return;
   ImDrawList* const list = ImGui::GetWindowDrawList();
   const float middle = corner.y + height / 2;
-  list->AddRectFilled(ImVec2(corner.x, middle - 3), ImVec2(corner.x + kBarWidth, middle + 3),
+  list->AddRectFilled(ImVec2(corner.x, middle - px(3)), ImVec2(corner.x + width, middle + px(3)),
                       IM_COL32(70, 82, 94, 255), 3);
   const bool near = *part < 0.05 || *part > 0.95;
   const ImU32 color = row.outside() ? IM_COL32(255, 90, 70, 255)
                       : near        ? IM_COL32(255, 190, 70, 255)
                                     : IM_COL32(150, 220, 160, 255);
-  const float at = corner.x + static_cast<float>(std::clamp(*part, 0.0, 1.0)) * kBarWidth;
-  list->AddRectFilled(ImVec2(at - 2, corner.y + 1), ImVec2(at + 2, corner.y + height - 1), color,
-                      2);
+  const float at = corner.x + static_cast<float>(std::clamp(*part, 0.0, 1.0)) * width;
+  list->AddRectFilled(ImVec2(at - px(2), corner.y + 1), ImVec2(at + px(2), corner.y + height - 1),
+                      color, 2);
 }
 
 void drawRow(const JointRow& row) {
@@ -62,7 +64,8 @@ void drawRow(const JointRow& row) {
   drawLimitBar(row);
 }
 
-void drawJoints(const ViewModel& model, const PosedDevice& device, const DeviceState* state) {
+void drawJoints(const ViewModel& model, const PosedDevice& device, const DeviceState* state,
+                float bottom) {
   std::vector<JointRow> rows = jointRows(*device.model, state, model.selected.link);
   // A link that does not move by itself: those of the device.
   if (rows.empty()) rows = jointRows(*device.model, state, "");
@@ -70,14 +73,16 @@ void drawJoints(const ViewModel& model, const PosedDevice& device, const DeviceS
     ImGui::TextDisabled("no joint");
     return;
   }
-  const float tallest = ImGui::GetIO().DisplaySize.y * 0.42F;
+  // As much as is left of the panel, which ends above the time line.
+  const float pitch = ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y;
+  const float left = bottom - ImGui::GetCursorScreenPos().y - ImGui::GetStyle().WindowPadding.y;
   const float height =
-      std::min(tallest, static_cast<float>(rows.size()) * (ImGui::GetTextLineHeight() + 4) + 4);
+      std::min(std::max(left, 2 * pitch), static_cast<float>(rows.size()) * pitch + px(4));
   ImGui::BeginChild("joints", ImVec2(0, height));
   if (ImGui::BeginTable("values", 3)) {
     ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch);
-    ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthFixed, 76);
-    ImGui::TableSetupColumn("limits", ImGuiTableColumnFlags_WidthFixed, kBarWidth);
+    ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthFixed, px(76));
+    ImGui::TableSetupColumn("limits", ImGuiTableColumnFlags_WidthFixed, px(kBarWidth));
     for (const JointRow& row : rows) drawRow(row);
     ImGui::EndTable();
   }
@@ -87,7 +92,9 @@ void drawJoints(const ViewModel& model, const PosedDevice& device, const DeviceS
 void drawPlace(const ViewModel& model, const PosedDevice& device, const DeviceState* state) {
   const auto at = model.scene().find(device.name, model.selected.link);
   if (at) {
-    ImGui::Text("at %.4f %.4f %.4f m", (*at)[3].x, (*at)[3].y, (*at)[3].z);
+    // What rounds to zero has no sign.
+    const auto shown = [](double length_m) { return std::abs(length_m) < 5e-5 ? 0.0 : length_m; };
+    ImGui::Text("at %.4f %.4f %.4f m", shown((*at)[3].x), shown((*at)[3].y), shown((*at)[3].z));
     explain("where its space begins, in the world");
   }
   if (state != nullptr && state->pose && !state->pose->value.carrier.first.empty()) {
@@ -112,12 +119,14 @@ void drawBareValues(const DeviceState& state) {
 }  // namespace
 
 float drawDevicePanel(ViewModel& model, float top) {
-  if (model.selected.device.empty()) return top;
   const ImGuiIO& io = ImGui::GetIO();
-  ImGui::SetNextWindowPos(ImVec2(io.DisplaySize.x - kPanelMargin, top), ImGuiCond_Always,
+  const float bottom =
+      io.DisplaySize.y - px(model.transport() != nullptr ? kTimeBarHeight : kPanelMargin);
+  if (model.selected.device.empty() || bottom - top < px(kLeastDeviceHeight)) return top;
+  ImGui::SetNextWindowPos(ImVec2(io.DisplaySize.x - px(kPanelMargin), top), ImGuiCond_Always,
                           ImVec2(1, 0));
-  ImGui::SetNextWindowSizeConstraints(ImVec2(kDevicePanelWidth, 0),
-                                      ImVec2(kDevicePanelWidth, io.DisplaySize.y - top - 70));
+  ImGui::SetNextWindowSizeConstraints(ImVec2(px(kDevicePanelWidth), 0),
+                                      ImVec2(px(kDevicePanelWidth), bottom - top));
   ImGui::Begin("device", nullptr, kPanelFlags | ImGuiWindowFlags_NoTitleBar);
   ImGui::TextUnformatted(model.selected.device.c_str());
   if (!model.selected.link.empty()) {
@@ -130,7 +139,7 @@ float drawDevicePanel(ViewModel& model, float top) {
   if (state == nullptr) ImGui::TextDisabled("nothing said yet");
   if (device != nullptr && device->model != nullptr) {
     drawPlace(model, *device, state);
-    drawJoints(model, *device, state);
+    drawJoints(model, *device, state, bottom);
   } else if (state != nullptr) {
     drawBareValues(*state);
   }

@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
+#include <vector>
 
 #include "viewer/ui/panel_parts.h"
 
 namespace rocinante {
 namespace {
 
-const ImVec2 kGraphSize(208, 44);
+constexpr float kGraphWidth = 208;
+constexpr float kGraphHeight = 44;
 
 struct Stage {
   const char* name;
@@ -21,6 +24,23 @@ constexpr std::array kStages{
     Stage{"draw", &FrameTimes::draw, IM_COL32(255, 168, 64, 255)},
     Stage{"ui", &FrameTimes::ui, IM_COL32(200, 150, 230, 255)},
 };
+
+/// Of several sources those that lost something, the most first.
+void drawSources(const LiveSnapshot& live) {
+  constexpr std::size_t kMost = 4;
+  const auto& counts = live.state.counts();
+  if (counts.size() < 2) return;
+  ImGui::Text("%zu sources", counts.size());
+  std::vector<std::pair<std::uint64_t, const std::string*>> lossy;
+  for (const auto& [name, one] : counts) {
+    if (one.gap > 0) lossy.emplace_back(one.gap, &name);
+  }
+  std::ranges::stable_sort(lossy, std::greater(), [](const auto& one) { return one.first; });
+  for (std::size_t i = 0; i < std::min(lossy.size(), kMost); ++i) {
+    ImGui::TextDisabled("  %s: %llu lost", lossy[i].second->c_str(),
+                        static_cast<unsigned long long>(lossy[i].first));
+  }
+}
 
 void drawLive(const ViewModel& model) {
   for (const Endpoint& endpoint : model.feed().endpoints()) {
@@ -38,8 +58,9 @@ void drawLive(const ViewModel& model) {
   ImGui::TextColored(color, "lost: %llu by this machine, %llu before",
                      static_cast<unsigned long long>(live->dropped),
                      static_cast<unsigned long long>(live->gaps));
+  drawSources(*live);
   if (live->undecoded > 0) {
-    ImGui::Text("%llu are no packets", static_cast<unsigned long long>(live->undecoded));
+    ImGui::Text("not packets: %llu", static_cast<unsigned long long>(live->undecoded));
   }
 }
 
@@ -51,6 +72,16 @@ void drawSession(const ViewModel& model) {
         std::filesystem::path(session->log().name()).filename().string().c_str());
     ImGui::Text("%llu datagrams",
                 static_cast<unsigned long long>(session->log().summary().messages));
+    const ImVec4 fault(1, 0.55F, 0.45F, 1);
+    if (const std::size_t places = session->log().damage().size(); places > 0) {
+      ImGui::TextColored(fault, "damaged in %zu place%s", places, places == 1 ? "" : "s");
+      explain("rocinante log doctor says where, and what it cost");
+    }
+    if (model.recordedLosses() > 0) {
+      ImGui::TextColored(fault, "%llu lost while recording",
+                         static_cast<unsigned long long>(model.recordedLosses()));
+      explain("counted by the recorder; rocinante log info says when");
+    }
   } else {
     ImGui::TextDisabled("the cell at rest");
   }
@@ -59,19 +90,20 @@ void drawSession(const ViewModel& model) {
 /// One column a frame, its stages stacked; a line where the target is.
 void drawGraph(const ViewerStatus& status) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  ImGui::Dummy(kGraphSize);
+  const ImVec2 graph(px(kGraphWidth), px(kGraphHeight));
+  ImGui::Dummy(graph);
   ImDrawList* const list = ImGui::GetWindowDrawList();
-  list->AddRectFilled(corner, ImVec2(corner.x + kGraphSize.x, corner.y + kGraphSize.y),
+  list->AddRectFilled(corner, ImVec2(corner.x + graph.x, corner.y + graph.y),
                       IM_COL32(20, 24, 28, 200), 3);
   const double target_ms = 1000 / status.target_fps;
   double highest = target_ms * 1.5;
   for (std::size_t i = 0; i < status.times.count(); ++i) {
     highest = std::max(highest, std::min(status.times[i].total(), target_ms * 6));
   }
-  const float bottom = corner.y + kGraphSize.y;
-  const float column = kGraphSize.x / static_cast<float>(FrameHistory::kFrames);
+  const float bottom = corner.y + graph.y;
+  const float column = graph.x / static_cast<float>(FrameHistory::kFrames);
   const auto height = [&](double ms) {
-    return static_cast<float>(std::min(ms / highest, 1.0)) * kGraphSize.y;
+    return static_cast<float>(std::min(ms / highest, 1.0)) * graph.y;
   };
   for (std::size_t i = 0; i < status.times.count(); ++i) {
     const float x =
@@ -85,13 +117,19 @@ void drawGraph(const ViewerStatus& status) {
     }
   }
   const float line = bottom - height(target_ms);
-  list->AddLine(ImVec2(corner.x, line), ImVec2(corner.x + kGraphSize.x, line),
+  list->AddLine(ImVec2(corner.x, line), ImVec2(corner.x + graph.x, line),
                 IM_COL32(255, 255, 255, 110));
+}
+
+/// What a frame costs, and how many a second that makes.
+void drawFrameTime(const ViewerStatus& status) {
+  const double total = status.times.mean().total();
+  ImGui::Text("%.1f ms, %.*f frames/s", total, total > 100 ? 1 : 0, 1000 / std::max(total, 0.01));
 }
 
 void drawTimes(const ViewerStatus& status) {
   const FrameTimes& mean = status.times.mean();
-  ImGui::Text("%.1f ms a frame", mean.total());
+  drawFrameTime(status);
   drawGraph(status);
   for (const Stage& stage : kStages) {
     ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(stage.color), "%s %.1f", stage.name,
@@ -108,7 +146,7 @@ void drawRung(const ViewerStatus& status, ViewerWishes& wishes) {
   if (rung.level.geometry_error_px > 0) {
     what += fmt::format(", {:g} px off", rung.level.geometry_error_px);
   }
-  ImGui::SetNextItemWidth(92);
+  ImGui::SetNextItemWidth(px(92));
   const std::string shown = status.rung_fixed || !status.may_govern
                                 ? fmt::format("detail {}", status.rung)
                                 : fmt::format("auto: {}", status.rung);
@@ -125,27 +163,49 @@ void drawRung(const ViewerStatus& status, ViewerWishes& wishes) {
   if (status.may_govern && !status.rung_fixed) {
     ImGui::SameLine();
     auto fps = static_cast<int>(status.target_fps + 0.5);
-    ImGui::SetNextItemWidth(108);
-    if (ImGui::SliderInt("##fps", &fps, 5, 120, "for %d /s")) wishes.target_fps = fps;
-    explain("frames a second to hold");
+    ImGui::SetNextItemWidth(px(108));
+    if (ImGui::DragInt("##fps", &fps, 0.5F, 5, 120, "for %d /s", ImGuiSliderFlags_AlwaysClamp)) {
+      wishes.target_fps = fps;
+    }
+    explain("frames a second to hold: drag, or double click and type");
   }
   ImGui::TextDisabled(
       "%s%s", what.c_str(),
       rung.level.geometry_error_px > 0 && !status.coarse_ready ? "; making coarser meshes" : "");
 }
 
+/// A line: where there is no room for more.
+void drawBrief(const ViewModel& model, const ViewerStatus& status) {
+  const LiveSnapshot* live = model.live();
+  if (live != nullptr) ImGui::Text("%.0f packets/s", live->rate_hz);
+  if (live != nullptr && live->dropped + live->gaps > 0) {
+    ImGui::TextColored(ImVec4(1, 0.55F, 0.45F, 1), "%llu lost",
+                       static_cast<unsigned long long>(live->dropped + live->gaps));
+  }
+  if (status.tells_times && status.times.count() > 0) {
+    ImGui::Text("%.0f ms", status.times.mean().total());
+  } else if (live == nullptr) {
+    ImGui::Text("detail %d", status.rung);
+  }
+}
+
 }  // namespace
 
-float drawFigures(const ViewModel& model, const ViewerStatus& status, ViewerWishes& wishes) {
+float drawFigures(const ViewModel& model, const ViewerStatus& status, bool brief,
+                  ViewerWishes& wishes) {
   const ImGuiIO& io = ImGui::GetIO();
-  ImGui::SetNextWindowPos(ImVec2(io.DisplaySize.x - kPanelMargin, kPanelMargin), ImGuiCond_Always,
-                          ImVec2(1, 0));
+  ImGui::SetNextWindowPos(ImVec2(io.DisplaySize.x - px(kPanelMargin), px(kPanelMargin)),
+                          ImGuiCond_Always, ImVec2(1, 0));
   ImGui::Begin("figures", nullptr, kPanelFlags | ImGuiWindowFlags_NoTitleBar);
-  drawSession(model);
-  ImGui::Text("%llu triangles", static_cast<unsigned long long>(status.triangles));
-  if (status.tells_times && status.times.count() > 0) drawTimes(status);
-  drawRung(status, wishes);
-  ImGui::TextDisabled("%s", status.renderer.c_str());
+  if (brief) {
+    drawBrief(model, status);
+  } else {
+    drawSession(model);
+    ImGui::Text("%llu triangles", static_cast<unsigned long long>(status.triangles));
+    if (status.tells_times && status.times.count() > 0) drawTimes(status);
+    drawRung(status, wishes);
+    ImGui::TextDisabled("%s", status.renderer.c_str());
+  }
   const float end = ImGui::GetWindowPos().y + ImGui::GetWindowSize().y;
   ImGui::End();
   return end;

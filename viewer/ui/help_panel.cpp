@@ -10,16 +10,16 @@ struct HelpLine {
 
 constexpr HelpLine kMouse[] = {{"left drag", "turn about the target"},
                                {"middle or right drag, Shift left", "pan"},
-                               {"wheel", "nearer, farther"},
+                               {"wheel", "nearer, farther, where the mouse is"},
                                {"click", "select what is there"},
                                {"double click", "turn about that point"}};
 constexpr HelpLine kTime[] = {{"Space", "play, pause"},
                               {"left, right", "a second; Shift: a tenth"},
-                              {", .", "event before, after"},
+                              {", .", "event before, after; Shift: packet"},
                               {"Home, End", "start, end of the log"},
                               {"M", "a mark at this moment"}};
-constexpr HelpLine kLook[] = {{"1 to 9", "cameras"},
-                              {"F", "show everything"},
+constexpr HelpLine kLook[] = {{"1 to 9, 0", "cameras, the view at the start"},
+                              {"F", "show everything; Shift: what is selected"},
                               {"I", "insets on, off"},
                               {"E", "edges off, on, only"},
                               {"D", "shadows"},
@@ -48,19 +48,24 @@ void drawLines(const char* title, const HelpLine (&lines)[kCount], float left, f
 }  // namespace
 
 void drawHelp(ViewModel& model) {
-  const ImGuiIO& io = ImGui::GetIO();
-  ImGui::SetNextWindowPos(ImVec2(io.DisplaySize.x / 2, io.DisplaySize.y / 2), ImGuiCond_Always,
-                          ImVec2(0.5F, 0.5F));
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos(ImVec2(size.x / 2, size.y / 2), ImGuiCond_Always, ImVec2(0.5F, 0.5F));
+  ImGui::SetNextWindowSizeConstraints(ImVec2(0, 0),
+                                      ImVec2(size.x - px(kPanelMargin), size.y - px(kPanelMargin)));
   ImGui::SetNextWindowFocus();
   ImGui::SetNextWindowBgAlpha(0.96F);
-  ImGui::Begin("Mouse and keyboard", &model.help_shown, kPanelFlags);
-  const float left = ImGui::GetCursorPosX();
+  ImGui::Begin("Mouse and keyboard", &model.help_shown,
+               kPanelFlags | ImGuiWindowFlags_HorizontalScrollbar);
+  const float left = ImGui::GetStyle().WindowPadding.x;
   const float top = ImGui::GetCursorPosY();
-  drawLines("Mouse", kMouse, left, 240);
-  drawLines("Time", kTime, left, 240);
-  ImGui::SetCursorPosY(top);
-  drawLines("Picture", kLook, left + 440, 84);
-  drawLines("Program", kProgram, left + 440, 84);
+  drawLines("Mouse", kMouse, left, px(240));
+  drawLines("Time", kTime, left, px(240));
+  // Side by side where there is room, else one below the other.
+  const bool wide = size.x >= px(940);
+  const float beside = wide ? left + px(500) : left;
+  if (wide) ImGui::SetCursorPosY(top);
+  drawLines("Picture", kLook, beside, px(wide ? 84 : 240));
+  drawLines("Program", kProgram, beside, px(wide ? 84 : 240));
   ImGui::End();
 }
 

@@ -145,6 +145,11 @@ Result<ImguiPainter> ImguiPainter::create(const GlTable& gl) {
   return ImguiPainter(std::move(impl));
 }
 
+void ImguiPainter::refreshFont() {
+  impl_->gl.DeleteTextures(1, &impl_->texture);
+  impl_->makeFontTexture();
+}
+
 void ImguiPainter::draw(const ImDrawData& data, int width, int height) {
   if (data.DisplaySize.x <= 0 || data.DisplaySize.y <= 0) return;
   impl_->setState(data, width, height);

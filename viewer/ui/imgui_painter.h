@@ -21,6 +21,9 @@ class ImguiPainter {
   ImguiPainter(ImguiPainter&&) noexcept;
   ImguiPainter& operator=(ImguiPainter&&) noexcept;
 
+  /// Uploads the font texture again, after other fonts were added.
+  void refreshFont();
+
   /// Pixels of the bound framebuffer, which is `height` high, y up in GL.
   void draw(const ImDrawData& data, int width, int height);
 

@@ -3,26 +3,18 @@
 #include <imgui.h>
 #include <imgui_impl_glfw.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "viewer/render/embedded_font.h"
 #include "viewer/ui/panels.h"
 
 namespace rocinante {
-namespace {
-
-constexpr float kFontPixels = 15;
-
-}  // namespace
 
 InterfaceContext::InterfaceContext(GLFWwindow* window) : window_(window) {
   ImGui::CreateContext();
-  ImGuiIO& io = ImGui::GetIO();
-  io.IniFilename = nullptr;
-  const ByteView font = embeddedFont();
-  ImFontConfig config;
-  config.FontDataOwnedByAtlas = false;
-  io.Fonts->AddFontFromMemoryTTF(const_cast<std::byte*>(font.data()), static_cast<int>(font.size()),
-                                 kFontPixels, &config);
-  stylePanels();
+  ImGui::GetIO().IniFilename = nullptr;
+  useScale(1);
   if (window_ != nullptr) ImGui_ImplGlfw_InitForOpenGL(window_, true);
 }
 
@@ -31,14 +23,39 @@ InterfaceContext::~InterfaceContext() {
   ImGui::DestroyContext();
 }
 
+bool InterfaceContext::useScale(float scale) {
+  // In quarters: a screen's own figure may be anything, and glyphs are made anew for each.
+  scale = std::round(std::clamp(scale, 1.0F, 4.0F) * 4) / 4;
+  if (scale == scale_) return false;
+  scale_ = scale;
+  ImGuiIO& io = ImGui::GetIO();
+  io.Fonts->Clear();
+  const ByteView font = embeddedFont();
+  ImFontConfig config;
+  config.FontDataOwnedByAtlas = false;
+  io.Fonts->AddFontFromMemoryTTF(const_cast<std::byte*>(font.data()), static_cast<int>(font.size()),
+                                 kFontPixels * scale, &config);
+  ImGui::GetStyle() = ImGuiStyle();
+  stylePanels();
+  ImGui::GetStyle().ScaleAllSizes(scale);
+  return true;
+}
+
 void InterfaceContext::beginFrame(int width, int height) {
+  ImGuiIO& io = ImGui::GetIO();
+  const ImVec2 pixels(static_cast<float>(width), static_cast<float>(height));
   if (window_ != nullptr) {
     ImGui_ImplGlfw_NewFrame();
+    // The backend speaks of the window's units.
+    if (io.DisplaySize.x > 0 && io.DisplaySize.y > 0 && ImGui::IsMousePosValid(&io.MousePos)) {
+      io.MousePos.x *= pixels.x / io.DisplaySize.x;
+      io.MousePos.y *= pixels.y / io.DisplaySize.y;
+    }
   } else {
-    ImGuiIO& io = ImGui::GetIO();
-    io.DisplaySize = ImVec2(static_cast<float>(width), static_cast<float>(height));
     io.DeltaTime = 1.0F / 60.0F;
   }
+  io.DisplaySize = pixels;
+  io.DisplayFramebufferScale = ImVec2(1, 1);
   ImGui::NewFrame();
 }
 

@@ -4,7 +4,11 @@ struct GLFWwindow;
 
 namespace rocinante {
 
-/// Dear ImGui's context, with the font whose bytes are fixed at build time. One at a time.
+/// Height of the interface's text at scale 1.
+constexpr float kFontPixels = 15;
+
+/// Dear ImGui's context, with the font whose bytes are fixed at build time. It counts in pixels of
+/// the framebuffer, mouse included, also where a window's own units are larger. One at a time.
 class InterfaceContext {
  public:
   /// `window` null: under a script, no mouse and no keyboard, sixty frames a second.
@@ -13,10 +17,14 @@ class InterfaceContext {
   InterfaceContext(const InterfaceContext&) = delete;
   InterfaceContext& operator=(const InterfaceContext&) = delete;
 
+  /// Text and spacing for a screen of that scale, 1 to 4; true when they became others: the glyphs
+  /// must then be uploaded anew. Between frames.
+  bool useScale(float scale);
   void beginFrame(int width, int height);
 
  private:
   GLFWwindow* window_;
+  float scale_ = 0;
 };
 
 }  // namespace rocinante

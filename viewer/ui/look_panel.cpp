@@ -85,21 +85,21 @@ void drawLookTab(ViewModel& model) {
     if (ImGui::RadioButton(kEdges[i], &edges, i)) style.edges = static_cast<EdgeStyle>(i);
   }
   ImGui::Checkbox("shadows", &style.shadows);
-  ImGui::SameLine(140);
+  ImGui::SameLine(px(140));
   bool plain = style.shading == Shading::plain;
   if (ImGui::Checkbox("plain light", &plain)) {
     style.shading = plain ? Shading::plain : Shading::standard;
   }
   ImGui::Checkbox("joint limits", &style.limits);
   explain("links near a limit amber, beyond it red");
-  ImGui::SameLine(140);
+  ImGui::SameLine(px(140));
   ImGui::Checkbox("scale bar", &style.scale_bar);
   bool clear = style.ghosts == GhostStyle::clear;
   if (ImGui::Checkbox("clear ghosts", &clear)) {
     style.ghosts = clear ? GhostStyle::clear : GhostStyle::plain;
   }
   explain("ghosts in one tone with bright rims, behind the actual device");
-  ImGui::SameLine(140);
+  ImGui::SameLine(px(140));
   bool apart = style.labels == LabelStyle::apart;
   if (ImGui::Checkbox("labels apart", &apart)) {
     style.labels = apart ? LabelStyle::apart : LabelStyle::beside;

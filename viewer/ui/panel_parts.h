@@ -2,14 +2,16 @@
 
 #include <imgui.h>
 
+#include "viewer/ui/interface_context.h"
+#include "viewer/ui/panel_layout.h"
 #include "viewer/ui/panels.h"
 
 /// The panels that drawPanels() is made of. Only viewer/ui includes this.
 namespace rocinante {
 
-constexpr float kPanelMargin = 10;
-constexpr float kScenePanelWidth = 292;
-constexpr float kDevicePanelWidth = 300;
+/// A length of the interface in pixels of this screen: all of ours are given for scale 1.
+inline float px(float length) { return length * ImGui::GetFontSize() / kFontPixels; }
+
 constexpr ImGuiWindowFlags kPanelFlags =
     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing;
@@ -19,9 +21,10 @@ void drawSceneTab(ViewModel& model, ViewerWishes& wishes);
 void drawLookTab(ViewModel& model);
 void drawEventsTab(ViewModel& model, SteadyTime now, ViewerWishes& wishes);
 
-/// The figures in the top right corner; answers where they end.
-float drawFigures(const ViewModel& model, const ViewerStatus& status, ViewerWishes& wishes);
-/// Values of the selected device's joints, below `top`; answers where they end.
+/// The figures in the top right corner, all or the most needed; answers where they end.
+float drawFigures(const ViewModel& model, const ViewerStatus& status, bool brief,
+                  ViewerWishes& wishes);
+/// Values of the selected device's joints, below `top` where there is room; answers where they end.
 float drawDevicePanel(ViewModel& model, float top);
 /// The time line at the bottom, with its events.
 void drawTimeBar(ViewModel& model, Transport& transport, SteadyTime now);

@@ -30,6 +30,8 @@ struct ViewerStatus {
 /// What the person asked the program for in this frame.
 struct ViewerWishes {
   bool fit = false;
+  bool fit_selected = false;
+  bool reset = false;  ///< the camera stands as it did at the start
   bool evidence = false;
   bool close = false;
   std::optional<std::string> mark;

@@ -1,12 +1,25 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <optional>
+#include <string_view>
+#include <vector>
 
 #include "core/packet/packet_text.h"
 #include "viewer/ui/panel_parts.h"
 
 namespace rocinante {
 namespace {
+
+/// Whether the word is somewhere in the text, whatever the case of its letters.
+bool containsWord(std::string_view text, std::string_view word) {
+  const auto same = [](char a, char b) {
+    return std::tolower(static_cast<unsigned char>(a)) ==
+           std::tolower(static_cast<unsigned char>(b));
+  };
+  return !std::ranges::search(text, word, same).empty() || word.empty();
+}
 
 /// A check box for what is seen now. Who chose otherwise than packets and cell sees that, and can
 /// give it back.
@@ -28,7 +41,7 @@ void drawVisibility(ViewModel& model, const std::string& path, bool by_default, 
 
 void drawCameraRow(ViewModel& model, ViewerWishes& wishes) {
   const std::string& current = model.cameraName();
-  ImGui::SetNextItemWidth(-52);
+  ImGui::SetNextItemWidth(px(-52));
   if (ImGui::BeginCombo("##camera", current.empty() ? "free" : current.c_str())) {
     for (const std::string& name : model.cameraNames()) {
       if (ImGui::Selectable(name.c_str(), name == current)) model.useCamera(name);
@@ -38,7 +51,7 @@ void drawCameraRow(ViewModel& model, ViewerWishes& wishes) {
   explain("the camera: 1 to 9, or drag the picture");
   ImGui::SameLine();
   if (ImGui::Button("Fit", ImVec2(-1, 0))) wishes.fit = true;
-  explain("show everything (F)");
+  explain("show everything (F); what is selected: Shift and F");
 }
 
 void drawInsets(ViewModel& model) {
@@ -48,7 +61,7 @@ void drawInsets(ViewModel& model) {
     ImGui::PushID(static_cast<int>(i));
     ImGui::Checkbox("##shown", &choice.shown);
     ImGui::SameLine();
-    ImGui::SetNextItemWidth(-34);
+    ImGui::SetNextItemWidth(px(-34));
     if (ImGui::BeginCombo("##camera", choice.inset.camera.c_str())) {
       std::vector<std::string> names = model.cameraNames();
       names.insert(names.end(), {"map", "fit"});
@@ -89,45 +102,90 @@ void drawLayers(ViewModel& model) {
   }
 }
 
-void drawLinks(ViewModel& model, const PosedDevice& device) {
-  for (std::size_t i = 0; i < device.model->links.size(); ++i) {
-    const Link& link = device.model->links[i];
-    if (link.visuals.empty()) continue;
-    ImGui::PushID(static_cast<int>(i));
-    const Selection here{device.name, link.name};
-    drawVisibility(model, here.path(), device.link_visible[i], "##visible");
-    ImGui::SameLine();
-    const bool selected = model.selected == here;
-    if (ImGui::Selectable(link.name.c_str(), selected)) {
-      model.selected = selected ? Selection{device.name, ""} : here;
+/// A line of the list: a device, or a link of one that is open.
+struct DeviceRow {
+  const PosedDevice* device = nullptr;
+  std::optional<std::size_t> link;
+};
+
+bool isJointed(const PosedDevice& device) {
+  return device.model != nullptr && device.model->links.size() > 1;
+}
+
+std::vector<DeviceRow> deviceRows(const ViewModel& model) {
+  std::vector<DeviceRow> rows;
+  for (const PosedDevice& device : model.scene().devices) {
+    if (!containsWord(device.name, model.device_filter.data())) continue;
+    rows.push_back({&device, {}});
+    if (!isJointed(device) || !model.open_devices.contains(device.name)) continue;
+    for (std::size_t i = 0; i < device.model->links.size(); ++i) {
+      if (!device.model->links[i].visuals.empty()) rows.push_back({&device, i});
     }
-    ImGui::PopID();
+  }
+  return rows;
+}
+
+void drawLinkRow(ViewModel& model, const PosedDevice& device, std::size_t number) {
+  const Link& link = device.model->links[number];
+  const Selection here{device.name, link.name};
+  ImGui::Indent();
+  drawVisibility(model, here.path(), device.link_visible[number], "##visible");
+  ImGui::SameLine();
+  const bool selected = model.selected == here;
+  if (ImGui::Selectable(link.name.c_str(), selected)) {
+    model.selected = selected ? Selection{device.name, ""} : here;
+  }
+  ImGui::Unindent();
+}
+
+void drawDeviceRow(ViewModel& model, const PosedDevice& device) {
+  const Selection here{device.name, ""};
+  drawVisibility(model, here.path(), device.visible, "##visible");
+  ImGui::SameLine();
+  ImGuiTreeNodeFlags flags = ImGuiTreeNodeFlags_OpenOnArrow | ImGuiTreeNodeFlags_SpanAvailWidth |
+                             ImGuiTreeNodeFlags_NoTreePushOnOpen;
+  if (model.selected == here) flags |= ImGuiTreeNodeFlags_Selected;
+  if (!isJointed(device)) flags |= ImGuiTreeNodeFlags_Leaf;
+  ImGui::SetNextItemOpen(model.open_devices.contains(device.name));
+  const bool open = ImGui::TreeNodeEx("device", flags, "%s", device.name.c_str());
+  if (ImGui::IsItemToggledOpen()) {
+    if (open) {
+      model.open_devices.insert(device.name);
+    } else {
+      model.open_devices.erase(device.name);
+    }
+  } else if (ImGui::IsItemClicked()) {
+    model.selected = model.selected == here ? Selection{} : here;
   }
 }
 
 void drawDevices(ViewModel& model) {
   if (!ImGui::CollapsingHeader("Devices", ImGuiTreeNodeFlags_DefaultOpen)) return;
-  const float rows = static_cast<float>(std::min<std::size_t>(model.scene().devices.size(), 9));
-  const float height = std::max(3.0F, rows) * ImGui::GetFrameHeightWithSpacing();
-  ImGui::BeginChild("devices", ImVec2(0, height));
-  for (const PosedDevice& device : model.scene().devices) {
-    ImGui::PushID(device.name.c_str());
-    const Selection here{device.name, ""};
-    drawVisibility(model, here.path(), device.visible, "##visible");
-    ImGui::SameLine();
-    ImGuiTreeNodeFlags flags = ImGuiTreeNodeFlags_OpenOnArrow | ImGuiTreeNodeFlags_SpanAvailWidth;
-    if (model.selected == here) flags |= ImGuiTreeNodeFlags_Selected;
-    const bool jointed = device.model != nullptr && device.model->links.size() > 1;
-    if (!jointed) flags |= ImGuiTreeNodeFlags_Leaf;
-    const bool open = ImGui::TreeNodeEx("device", flags, "%s", device.name.c_str());
-    if (ImGui::IsItemClicked() && !ImGui::IsItemToggledOpen()) {
-      model.selected = model.selected == here ? Selection{} : here;
+  if (model.scene().devices.size() > 12) {
+    ImGui::SetNextItemWidth(-1);
+    ImGui::InputTextWithHint("##find", "find a device", model.device_filter.data(),
+                             model.device_filter.size());
+  }
+  const std::vector<DeviceRow> rows = deviceRows(model);
+  const float pitch = ImGui::GetFrameHeightWithSpacing();
+  ImGui::BeginChild("devices", ImVec2(0, pitch * static_cast<float>(std::clamp<std::size_t>(
+                                                     model.scene().devices.size(), 3, 9))));
+  // Of thousands only those that are seen are made.
+  ImGuiListClipper clipper;
+  clipper.Begin(static_cast<int>(rows.size()), pitch);
+  while (clipper.Step()) {
+    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+      const DeviceRow& row = rows[static_cast<std::size_t>(i)];
+      ImGui::PushID(row.device->name.c_str());
+      if (row.link) {
+        ImGui::PushID(static_cast<int>(*row.link));
+        drawLinkRow(model, *row.device, *row.link);
+        ImGui::PopID();
+      } else {
+        drawDeviceRow(model, *row.device);
+      }
+      ImGui::PopID();
     }
-    if (open) {
-      if (jointed) drawLinks(model, device);
-      ImGui::TreePop();
-    }
-    ImGui::PopID();
   }
   ImGui::EndChild();
 }
@@ -160,7 +218,7 @@ void drawEventsTab(ViewModel& model, SteadyTime now, ViewerWishes& wishes) {
   }
   ImGui::EndChild();
   auto& text = model.mark_text;
-  ImGui::SetNextItemWidth(-60);
+  ImGui::SetNextItemWidth(px(-60));
   const bool entered = ImGui::InputTextWithHint("##mark", "a mark at this moment", text.data(),
                                                 text.size(), ImGuiInputTextFlags_EnterReturnsTrue);
   ImGui::SameLine();

@@ -6,18 +6,23 @@
 
 #include "core/duration_text.h"
 #include "viewer/ui/panel_parts.h"
+#include "viewer/ui/time_ruler.h"
 
 namespace rocinante {
 namespace {
 
-constexpr float kTrackHeight = 22;
+constexpr float kTrackHeight = 30;
+constexpr float kRulerText = 11;
 constexpr std::array kSpeeds{"0.1", "0.25", "0.5", "1", "2", "4", "10"};
 
-void drawButtons(const ViewModel& model, Transport& transport, SteadyTime now) {
-  if (ImGui::Button(transport.playing() ? "Pause" : "Play", ImVec2(64, 0))) transport.toggle(now);
+/// In a narrow window the least needed is left out, so that the line keeps a length.
+void drawButtons(const ViewModel& model, Transport& transport, SteadyTime now, float room) {
+  if (ImGui::Button(transport.playing() ? "Pause" : "Play", ImVec2(px(64), 0)))
+    transport.toggle(now);
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("Space");
+  if (room < px(360)) return;
   ImGui::SameLine();
-  ImGui::SetNextItemWidth(72);
+  ImGui::SetNextItemWidth(px(72));
   if (ImGui::BeginCombo("##speed", fmt::format("{}x", transport.speedText()).c_str())) {
     for (const char* speed : kSpeeds) {
       if (ImGui::Selectable(fmt::format("{}x", speed).c_str(), transport.speedText() == speed)) {
@@ -26,6 +31,7 @@ void drawButtons(const ViewModel& model, Transport& transport, SteadyTime now) {
     }
     ImGui::EndCombo();
   }
+  if (room < px(560)) return;
   ImGui::SameLine();
   const auto jump = [&](bool forward) {
     if (const Event* event = model.eventBeside(transport.position(now), forward)) {
@@ -44,10 +50,15 @@ void drawButtons(const ViewModel& model, Transport& transport, SteadyTime now) {
   if (ImGui::Checkbox("loop", &looping)) transport.setLooping(looping);
 }
 
+/// From the session's origin, to the millisecond.
+std::string shownSeconds(Nanoseconds since_origin) {
+  return secondsText(std::chrono::floor<std::chrono::milliseconds>(since_origin), 3);
+}
+
 /// The event whose tick lies within reach of the mouse.
 const Event* eventNear(const ViewModel& model, float mouse_x, const auto& x_of) {
   const Event* nearest = nullptr;
-  float best = 5;
+  float best = px(5);
   for (const Event& event : model.events()) {
     const float distance = std::abs(x_of(event.time) - mouse_x);
     if (distance < best) {
@@ -58,43 +69,82 @@ const Event* eventNear(const ViewModel& model, float mouse_x, const auto& x_of) 
   return nearest;
 }
 
-void drawTrack(ViewModel& model, Transport& transport, SteadyTime now) {
-  const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const float width = std::max(40.0F, ImGui::GetContentRegionAvail().x);
-  ImGui::InvisibleButton("track", ImVec2(width, kTrackHeight));
-  const double span =
-      std::max(1.0, static_cast<double>((transport.end() - transport.start()).count()));
-  const auto x_of = [&](LogTime moment) {
-    const double part = static_cast<double>((moment - transport.start()).count()) / span;
-    return corner.x + static_cast<float>(std::clamp(part, 0.0, 1.0)) * width;
-  };
-  const ImGuiIO& io = ImGui::GetIO();
-  if (ImGui::IsItemActive()) {
-    const double part = std::clamp((io.MousePos.x - corner.x) / width, 0.0F, 1.0F);
-    transport.seek(transport.start() + Nanoseconds(static_cast<std::int64_t>(part * span)), now);
-  }
+/// Where moments of the session stand on the line.
+struct Track {
+  ImVec2 corner;
+  float width = 0;
+  LogTime start;
+  Nanoseconds span;
 
-  ImDrawList* list = ImGui::GetWindowDrawList();
-  const float middle = corner.y + kTrackHeight / 2;
-  const float at = x_of(transport.position(now));
-  list->AddRectFilled(ImVec2(corner.x, middle - 3), ImVec2(corner.x + width, middle + 3),
-                      IM_COL32(70, 82, 94, 255), 3);
-  list->AddRectFilled(ImVec2(corner.x, middle - 3), ImVec2(at, middle + 3),
-                      IM_COL32(255, 168, 64, 255), 3);
+  float xOf(LogTime moment) const {
+    const double part =
+        static_cast<double>((moment - start).count()) / static_cast<double>(span.count());
+    return corner.x + static_cast<float>(std::clamp(part, 0.0, 1.0)) * width;
+  }
+  LogTime momentAt(float x) const {
+    const double part = std::clamp(static_cast<double>((x - corner.x) / width), 0.0, 1.0);
+    return start + Nanoseconds(static_cast<std::int64_t>(part * static_cast<double>(span.count())));
+  }
+  float middle() const { return corner.y + px(8); }
+};
+
+void drawRuler(const Track& track, LogTime origin) {
+  ImDrawList* const list = ImGui::GetWindowDrawList();
+  constexpr float kLabelRoom = 64;
+  const Nanoseconds step = rulerStep(track.span, track.width, px(kLabelRoom));
+  // From the first multiple of the step since the origin that lies on the line.
+  Nanoseconds at = (track.start - origin) / step * step;
+  if (at < track.start - origin) at += step;
+  const float top = track.middle() + px(5);
+  const ImU32 ink = IM_COL32(150, 160, 170, 255);
+  const float text_px = px(kRulerText);
+  for (; origin + at <= track.start + track.span; at += step) {
+    const float x = track.xOf(origin + at);
+    list->AddLine(ImVec2(x, top), ImVec2(x, top + px(4)), ink);
+    const std::string label = rulerLabel(at, step);
+    const float width = ImGui::GetFont()->CalcTextSizeA(text_px, 1e6F, 0, label.c_str()).x;
+    const float left =
+        std::clamp(x - width / 2, track.corner.x, track.corner.x + track.width - width);
+    list->AddText(ImGui::GetFont(), text_px, ImVec2(left, top + px(4)), ink, label.c_str());
+  }
+}
+
+void drawTrack(ViewModel& model, Transport& transport, SteadyTime now) {
+  Track track;
+  track.corner = ImGui::GetCursorScreenPos();
+  track.width = std::max(px(40), ImGui::GetContentRegionAvail().x);
+  track.start = transport.start();
+  track.span = std::max(Nanoseconds(1), transport.end() - transport.start());
+  ImGui::InvisibleButton("track", ImVec2(track.width, px(kTrackHeight)));
+  const ImGuiIO& io = ImGui::GetIO();
+  if (ImGui::IsItemActive()) transport.seek(track.momentAt(io.MousePos.x), now);
+
+  drawRuler(track, model.origin());
+  ImDrawList* const list = ImGui::GetWindowDrawList();
+  const float middle = track.middle();
+  const float half = px(3);
+  const float at = track.xOf(transport.position(now));
+  list->AddRectFilled(ImVec2(track.corner.x, middle - half),
+                      ImVec2(track.corner.x + track.width, middle + half),
+                      IM_COL32(70, 82, 94, 255), half);
+  list->AddRectFilled(ImVec2(track.corner.x, middle - half), ImVec2(at, middle + half),
+                      IM_COL32(255, 168, 64, 255), half);
   for (const Event& event : model.events()) {
-    const float x = x_of(event.time);
+    const float x = track.xOf(event.time);
     // A mark of a person has no source.
     const ImU32 color =
         event.source.empty() ? IM_COL32(150, 230, 140, 255) : IM_COL32(120, 200, 255, 255);
-    list->AddRectFilled(ImVec2(x - 1, corner.y + 2), ImVec2(x + 1, corner.y + kTrackHeight - 2),
+    list->AddRectFilled(ImVec2(x - px(1), middle - px(7)), ImVec2(x + px(1), middle + px(7)),
                         color);
   }
-  list->AddCircleFilled(ImVec2(at, middle), 7, IM_COL32(255, 255, 255, 255), 20);
-  if (ImGui::IsItemHovered()) {
-    if (const Event* event = eventNear(model, io.MousePos.x, x_of)) {
-      ImGui::SetTooltip("%s%s%s", event->source.c_str(), event->source.empty() ? "" : ": ",
-                        event->text.c_str());
-    }
+  list->AddCircleFilled(ImVec2(at, middle), px(7), IM_COL32(255, 255, 255, 255), 20);
+  if (!ImGui::IsItemHovered()) return;
+  const auto x_of = [&](LogTime moment) { return track.xOf(moment); };
+  if (const Event* event = eventNear(model, io.MousePos.x, x_of)) {
+    ImGui::SetTooltip("%s%s%s", event->source.c_str(), event->source.empty() ? "" : ": ",
+                      event->text.c_str());
+  } else {
+    ImGui::SetTooltip("%s s", shownSeconds(track.momentAt(io.MousePos.x) - model.origin()).c_str());
   }
 }
 
@@ -102,22 +152,32 @@ void drawTrack(ViewModel& model, Transport& transport, SteadyTime now) {
 
 void drawTimeBar(ViewModel& model, Transport& transport, SteadyTime now) {
   const ImGuiIO& io = ImGui::GetIO();
-  ImGui::SetNextWindowPos(ImVec2(kPanelMargin, io.DisplaySize.y - kPanelMargin), ImGuiCond_Always,
+  const float margin = px(kPanelMargin);
+  const float room = io.DisplaySize.x - 2 * margin;
+  ImGui::SetNextWindowPos(ImVec2(margin, io.DisplaySize.y - margin), ImGuiCond_Always,
                           ImVec2(0, 1));
-  ImGui::SetNextWindowSize(ImVec2(io.DisplaySize.x - 2 * kPanelMargin, 0));
+  ImGui::SetNextWindowSize(ImVec2(room, px(kTimeBarHeight) - 2 * margin));
   ImGui::Begin("time", nullptr,
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
-  drawButtons(model, transport, now);
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
+                   ImGuiWindowFlags_NoScrollbar);
+  drawButtons(model, transport, now, room);
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
-  const LogTime at = transport.position(now);
-  // From the session's origin, to the millisecond.
-  const auto shown = [&](LogTime moment) {
-    return secondsText(std::chrono::floor<std::chrono::milliseconds>(moment - model.origin()), 3);
-  };
-  ImGui::Text("%s / %s s", shown(at).c_str(), shown(transport.end()).c_str());
-  ImGui::SameLine();
+  const std::string at = shownSeconds(transport.position(now) - model.origin());
+  if (room >= px(460)) {
+    const std::string end = shownSeconds(transport.end() - model.origin());
+    // As wide as it will ever be: the line beside it must not move while the figures grow.
+    const float left = ImGui::GetCursorPosX();
+    ImGui::Text("%s / %s s", at.c_str(), end.c_str());
+    ImGui::SameLine();
+    const float widest =
+        ImGui::CalcTextSize((end + " / " + end + " s").c_str()).x + ImGui::GetStyle().ItemSpacing.x;
+    ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), left + widest));
+  } else if (room >= px(220)) {
+    ImGui::Text("%s", at.c_str());
+    ImGui::SameLine();
+  }
   drawTrack(model, transport, now);
   ImGui::End();
 }

@@ -50,6 +50,10 @@ CameraView Turntable::view() const {
   return view;
 }
 
+double Turntable::heightM() const {
+  return ortho_height_m_.value_or(heightAt(distance_m_, fov_deg_));
+}
+
 void Turntable::orbit(double dx_px, double dy_px, int height_px) {
   const double radians_per_px = kPi / std::max(1, height_px);
   azimuth_rad_ -= dx_px * radians_per_px;
@@ -63,8 +67,7 @@ void Turntable::pan(double dx_px, double dy_px, int height_px) {
   const Vec3 forward = -direction();
   const Vec3 right = glm::normalize(glm::cross(forward, Vec3(0, 0, 1)));
   const Vec3 up = glm::cross(right, forward);
-  const double height_m = ortho_height_m_.value_or(heightAt(distance_m_, fov_deg_));
-  const double meters_per_px = height_m / std::max(1, height_px);
+  const double meters_per_px = heightM() / std::max(1, height_px);
   target_ += right * (-dx_px * meters_per_px) + up * (dy_px * meters_per_px);
 }
 
@@ -80,6 +83,15 @@ void Turntable::zoom(double steps) {
   } else {
     distance_m_ = std::clamp(distance_m_ * factor, kMinDistance, kMaxDistance);
   }
+}
+
+void Turntable::zoomAt(double steps, double right_px, double down_px, int height_px) {
+  const double before_m = heightM();
+  zoom(steps);
+  const double kept = heightM() / before_m;
+  // The pixels that the point would move away from the middle are panned back.
+  const double grown = 1 / kept - 1;
+  pan(-right_px * grown, -down_px * grown, height_px);
 }
 
 void Turntable::fit(const std::vector<Vec3>& points, int width_px, int height_px) {

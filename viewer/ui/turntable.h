@@ -23,6 +23,9 @@ class Turntable {
   void pan(double dx_px, double dy_px, int height_px);
   /// One step nearer (positive) is a tenth of the distance.
   void zoom(double steps);
+  /// The same, and what is `right_px` and `down_px` from the picture's middle stays where it is in
+  /// the picture, at the target's distance.
+  void zoomAt(double steps, double right_px, double down_px, int height_px);
   /// From now on it turns about `point`, seen from the same direction and as near as before.
   void aimAt(const Vec3& point) { target_ = point; }
   /// Shows all `points` from the present direction. Nothing when there are none.
@@ -30,6 +33,7 @@ class Turntable {
 
  private:
   Vec3 direction() const;  ///< from the target to the eye, unit length
+  double heightM() const;  ///< of what is seen at the target's distance
 
   Vec3 target_{0, 0, 0};
   double distance_m_ = 5;

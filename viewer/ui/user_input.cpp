@@ -15,7 +15,7 @@ using namespace std::chrono_literals;
 /// A press that moves less than this is a click, not a drag.
 constexpr float kClickReach = 4;
 
-std::optional<PictureClick> applyMouse(ViewModel& model, int height_px) {
+std::optional<PictureClick> applyMouse(ViewModel& model, int width_px, int height_px) {
   const ImGuiIO& io = ImGui::GetIO();
   if (io.WantCaptureMouse) return std::nullopt;
   const ImVec2 moved = io.MouseDelta;
@@ -32,7 +32,10 @@ std::optional<PictureClick> applyMouse(ViewModel& model, int height_px) {
       model.holdCamera().orbit(moved.x, moved.y, height_px);
     }
   }
-  if (io.MouseWheel != 0) model.holdCamera().zoom(io.MouseWheel);
+  if (io.MouseWheel != 0) {
+    model.holdCamera().zoomAt(io.MouseWheel, io.MousePos.x - width_px / 2.0,
+                              io.MousePos.y - height_px / 2.0, height_px);
+  }
   if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
     return PictureClick{io.MousePos.x, io.MousePos.y, true};
   }
@@ -43,7 +46,17 @@ std::optional<PictureClick> applyMouse(ViewModel& model, int height_px) {
   return std::nullopt;
 }
 
-void applyTransportKey(const ViewModel& model, Transport& transport, const KeyPress& press,
+void stepByPacket(ViewModel& model, Transport& transport, bool after, SteadyTime now) {
+  transport.pause(now);
+  const auto moment = model.packetBeside(after);
+  if (!moment.ok()) {
+    model.complaint = moment.error().text();
+  } else if (*moment) {
+    transport.seek(**moment, now);
+  }
+}
+
+void applyTransportKey(ViewModel& model, Transport& transport, const KeyPress& press,
                        SteadyTime now) {
   const Nanoseconds step = press.shift ? Nanoseconds(100ms) : Nanoseconds(1s);
   const auto jump = [&](bool after) {
@@ -57,9 +70,9 @@ void applyTransportKey(const ViewModel& model, Transport& transport, const KeyPr
     case GLFW_KEY_RIGHT:
       return transport.step(step, now);
     case GLFW_KEY_COMMA:
-      return jump(false);
+      return press.shift ? stepByPacket(model, transport, false, now) : jump(false);
     case GLFW_KEY_PERIOD:
-      return jump(true);
+      return press.shift ? stepByPacket(model, transport, true, now) : jump(true);
     case GLFW_KEY_SPACE:
       if (!press.repeated) transport.toggle(now);
       return;
@@ -136,7 +149,10 @@ void applyKey(ViewModel& model, const KeyPress& press, SteadyTime now, ViewerWis
   if (press.repeated) return;
   switch (press.key) {
     case GLFW_KEY_F:
-      wishes.fit = true;
+      (press.shift ? wishes.fit_selected : wishes.fit) = true;
+      return;
+    case GLFW_KEY_0:
+      wishes.reset = true;
       return;
     case GLFW_KEY_S:
       wishes.evidence = true;
@@ -191,9 +207,9 @@ std::optional<KeyPress> parseKey(std::string_view text) {
   return press;
 }
 
-std::optional<PictureClick> applyUserInput(ViewModel& model, SteadyTime now, int height_px,
-                                           ViewerWishes& wishes, Window& window) {
-  const auto click = applyMouse(model, height_px);
+std::optional<PictureClick> applyUserInput(ViewModel& model, SteadyTime now, int width_px,
+                                           int height_px, ViewerWishes& wishes, Window& window) {
+  const auto click = applyMouse(model, width_px, height_px);
   const std::vector<KeyPress> presses = window.takeKeyPresses();
   const ImGuiIO& io = ImGui::GetIO();
   if (io.WantTextInput) return click;

@@ -24,7 +24,7 @@ std::optional<KeyPress> parseKey(std::string_view text);
 
 /// Mouse and keyboard of this frame, as Dear ImGui has them and has not used them itself. Answers a
 /// click on the picture.
-std::optional<PictureClick> applyUserInput(ViewModel& model, SteadyTime now, int height_px,
-                                           ViewerWishes& wishes, Window& window);
+std::optional<PictureClick> applyUserInput(ViewModel& model, SteadyTime now, int width_px,
+                                           int height_px, ViewerWishes& wishes, Window& window);
 
 }  // namespace rocinante

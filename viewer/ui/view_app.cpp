@@ -10,12 +10,12 @@
 #include "core/cli/program.h"
 #include "viewer/detail/governor.h"
 #include "viewer/render/fitted_cameras.h"
+#include "viewer/render/scaled_view.h"
 #include "viewer/ui/evidence_desk.h"
 #include "viewer/ui/imgui_painter.h"
 #include "viewer/ui/interface_context.h"
 #include "viewer/ui/panels.h"
 #include "viewer/ui/pick.h"
-#include "viewer/ui/scaled_view.h"
 #include "viewer/ui/script_runner.h"
 #include "viewer/ui/user_input.h"
 #include "viewer/ui/view_insets.h"
@@ -59,6 +59,7 @@ class ViewApp {
     return scripted() ? scripted_now_ : SteadyTime(std::chrono::steady_clock::now());
   }
   std::vector<Vec3> visibleCorners() const;
+  std::vector<Vec3> selectedCorners() const;
   Status prepareView();
   void prepareDetail();
   void useRung(int rung);
@@ -88,7 +89,8 @@ class ViewApp {
 };
 
 Result<std::unique_ptr<ViewApp>> ViewApp::open(ViewModel& model, const ViewOptions& options) {
-  auto window = Window::open("Rocinante: " + model.cell().file, options.width, options.height);
+  auto window = Window::open("Rocinante: " + model.cell().file, options.width, options.height,
+                             options.script.empty());
   if (!window.ok()) return window.error();
   auto renderer = Renderer::create(**window, model.cell(), options.profile);
   if (!renderer.ok()) return renderer.error();
@@ -119,6 +121,15 @@ std::vector<Vec3> ViewApp::visibleCorners() const {
   return {bounds.min, bounds.max};
 }
 
+std::vector<Vec3> ViewApp::selectedCorners() const {
+  if (model_.selected.device.empty()) return visibleCorners();
+  const auto alone = ViewChoice::make({"*"}, {model_.selected.path()});
+  if (!alone.ok()) return {};
+  const Bounds bounds = renderer_.visibleBounds(model_.scene(), *alone);
+  if (bounds.empty()) return {};
+  return {bounds.min, bounds.max};
+}
+
 /// Coarser meshes are begun when they are first wanted, or, where the governor may want them, at
 /// once. A level that was asked for by number is drawn as it says from the first frame on.
 void ViewApp::prepareDetail() {
@@ -138,33 +149,24 @@ Status ViewApp::prepareView() {
   if (width != width_ || height != height_) governor_.forget();
   width_ = width;
   height_ = height;
+  if (!scripted() && interface_.useScale(window_->contentScale())) painter_->refreshFont();
   prepareDetail();
   return view_.prepare(renderer_.gl(), width, height, options_.samples,
                        kDetailRungs[static_cast<std::size_t>(status_.rung)]);
 }
 
 Result<DrawCounts> ViewApp::drawScene() {
-  const DetailRung& rung = kDetailRungs[static_cast<std::size_t>(status_.rung)];
   const RenderStyle style = model_.frameStyle();
   insets_ = frameInsets(model_, fitted_, width_, height_, covered_);
-  const std::vector<FrameInset> scaled = scaledInsets(insets_, rung.resolution);
   SceneFrame frame;
   frame.scene = &model_.scene();
   frame.camera = model_.cameraView();
   frame.choice = &model_.choice();
   frame.style = &style;
   frame.extras = &model_.extras();
-  frame.insets = scaled;
-  frame.detail = rung.level;
-  // At another resolution text is drawn after stretching, so that it stays crisp.
-  frame.on_top = rung.resolution >= 1 || !scaled.empty();
-  auto drawn = renderer_.draw(frame, view_.scene());
-  if (!drawn.ok()) return drawn;
-  view_.finishScene();
-  if (!frame.on_top) {
-    if (auto crisp = renderer_.drawOnTop(frame, view_.window()); !crisp) return crisp.error();
-  }
-  return drawn;
+  frame.insets = insets_;
+  frame.raised_px = covered_.bottom;
+  return view_.draw(renderer_, frame);
 }
 
 Status ViewApp::drawFrame(double app_ms) {
@@ -175,7 +177,7 @@ Status ViewApp::drawFrame(double app_ms) {
   ViewerWishes wishes;
   covered_ = drawPanels(model_, status_, now(), wishes);
   std::optional<PictureClick> click;
-  if (!scripted()) click = applyUserInput(model_, now(), height_, wishes, *window_);
+  if (!scripted()) click = applyUserInput(model_, now(), width_, height_, wishes, *window_);
   ImGui::Render();
   if (click) clickAt(*click);
   grantWishes(wishes);
@@ -186,6 +188,13 @@ Status ViewApp::drawFrame(double app_ms) {
   if (!drawn.ok()) return drawn.error();
   if (!scripted()) renderer_.gl().Finish();
   times.draw = millisecondsSince(scene_began);
+  const auto part = [&](const StageTime& stage) {
+    const double ms = std::min(static_cast<double>(stage.wall_ns) / 1e6, times.draw);
+    times.draw -= ms;
+    return ms;
+  };
+  times.app += part(drawn->times.app);
+  times.cull = part(drawn->times.cull);
 
   const SteadyTime ui_began = std::chrono::steady_clock::now();
   painter_->draw(*ImGui::GetDrawData(), width_, height_);
@@ -227,7 +236,11 @@ void ViewApp::clickAt(const PictureClick& click) {
 
 void ViewApp::grantWishes(const ViewerWishes& wishes) {
   if (wishes.close) window_->requestClose();
-  if (wishes.fit) model_.fit(visibleCorners(), width_, height_);
+  if (wishes.reset) model_.resetCamera();
+  if (wishes.fit || (wishes.reset && model_.cameraName().empty())) {
+    model_.fit(visibleCorners(), width_, height_);
+  }
+  if (wishes.fit_selected) model_.fit(selectedCorners(), width_, height_);
   if (wishes.mark) {
     const auto marked = model_.addMark(*wishes.mark);
     evidence_.say(marked ? fmt::format("marked: {}", *wishes.mark) : marked.error().text(), !marked,
@@ -297,12 +310,12 @@ Status ViewApp::run() {
     }
     if (auto drawn = drawFrame(app_ms); !drawn) return drawn;
     if (scripted()) {
-      if (auto kept = script_.afterFrame([this] { return view_.window().read(); }); !kept) {
+      if (auto kept = script_.afterFrame([this] { return view_.picture().read(); }); !kept) {
         return kept;
       }
       scripted_now_ += kScriptedFrame;
     }
-    view_.window().blitTo(0);
+    view_.picture().blitTo(0);
     window_->swap();
     waitForNews(*changed);
   }

@@ -61,16 +61,6 @@ std::vector<FrameInset> frameInsets(const ViewModel& model, FittedCameras& fitte
   return shown;
 }
 
-std::vector<FrameInset> scaledInsets(std::vector<FrameInset> insets, double factor) {
-  const auto scaled = [factor](int pixels) { return static_cast<int>(pixels * factor + 0.5); };
-  for (FrameInset& inset : insets) {
-    PixelRectangle& part = inset.part;
-    part = {scaled(part.x), scaled(part.y), std::max(1, scaled(part.width)),
-            std::max(1, scaled(part.height))};
-  }
-  return insets;
-}
-
 std::vector<std::string> insetWords(const ViewModel& model) {
   std::vector<std::string> words;
   for (const CellInset& inset : shownInsets(model)) {

@@ -19,9 +19,6 @@ struct CoveredEdges {
 std::vector<FrameInset> frameInsets(const ViewModel& model, FittedCameras& fitted, int width,
                                     int height, const CoveredEdges& covered);
 
-/// The same for a frame of another resolution.
-std::vector<FrameInset> scaledInsets(std::vector<FrameInset> insets, double factor);
-
 /// "CAMERA:CORNER" of each inset that is shown, as `rocinante render --inset` takes them.
 std::vector<std::string> insetWords(const ViewModel& model);
 

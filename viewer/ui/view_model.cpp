@@ -30,10 +30,13 @@ Result<ViewModel> ViewModel::make(Cell cell, std::optional<Timeline> session,
     if (!events.ok()) return events.error();
     model.events_ = **events;
     model.transport_.emplace(session->start(), session->end());
+    for (const LossSpan& span : session->log().losses()) {
+      model.recorded_losses_ += span.counts.kernel + span.counts.queue + span.counts.disk;
+    }
     model.session_ = std::move(session);
   }
   for (const CellInset& inset : model.cell_->insets) model.insets.push_back({inset, true});
-  if (!model.cell_->cameras.empty()) model.useCamera(model.cell_->cameras.front().name);
+  model.resetCamera();
   return model;
 }
 
@@ -121,6 +124,23 @@ Status ViewModel::addMark(const std::string& text) {
   return {};
 }
 
+Result<std::optional<LogTime>> ViewModel::packetBeside(bool after) {
+  if (!session_) return std::optional<LogTime>();
+  if (!walker_) {
+    auto opened = LogReader::open(session_->log().name());
+    if (!opened.ok()) return opened.error();
+    walker_ = std::move(*opened);
+  }
+  const LogTime from = after ? shownTime() + Nanoseconds(1) : shownTime();
+  if (auto there = walker_->seek(from); !there) return there.error();
+  while (true) {
+    const auto message = after ? walker_->next() : walker_->previous();
+    if (!message.ok()) return message.error();
+    if (!*message) return std::optional<LogTime>();
+    if ((*message)->channel->captured()) return std::optional<LogTime>((*message)->log_time);
+  }
+}
+
 const Event* ViewModel::eventBeside(LogTime moment, bool after) const {
   if (after) {
     const auto next = std::ranges::upper_bound(events_, moment, {}, &Event::time);
@@ -156,6 +176,11 @@ CameraView ViewModel::cameraView() {
 }
 
 void ViewModel::useCamera(const std::string& name) { camera_name_ = name; }
+
+void ViewModel::resetCamera() {
+  turntable_ = Turntable();
+  camera_name_ = cell_->cameras.empty() ? std::string() : cell_->cameras.front().name;
+}
 
 Turntable& ViewModel::holdCamera() {
   if (!camera_name_.empty()) {

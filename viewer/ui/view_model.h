@@ -58,6 +58,10 @@ class ViewModel {
   const std::vector<Event>& events() const { return events_; }
   /// The nearest event after or before a moment; null when there is none.
   const Event* eventBeside(LogTime moment, bool after) const;
+  /// When the captured datagram after or before the moment shown came; empty when there is none.
+  Result<std::optional<LogTime>> packetBeside(bool after);
+  /// Datagrams that the recorder counted as lost.
+  std::uint64_t recordedLosses() const { return recorded_losses_; }
   /// Puts a mark beside the log at the moment shown; it is then among events().
   Status addMark(const std::string& text);
   /// Null when not live, or when nothing has come yet.
@@ -76,6 +80,8 @@ class ViewModel {
   CameraView cameraView();
   const std::string& cameraName() const { return camera_name_; }  ///< empty: the turntable
   void useCamera(const std::string& name);
+  /// The cell's first camera, or without one the turntable as it was at the start: not fitted yet.
+  void resetCamera();
   /// The turntable, standing where the present camera stands.
   Turntable& holdCamera();
   /// Shows `points`, all that is visible, from the present direction.
@@ -105,8 +111,10 @@ class ViewModel {
   bool outline_selected = true;
   bool panels_shown = true;
   bool help_shown = false;
-  std::array<char, 256> mark_text{};  ///< being typed; NUL-terminated
-  std::string complaint;              ///< one sentence to show; empty: none
+  std::array<char, 256> mark_text{};     ///< being typed; NUL-terminated
+  std::array<char, 64> device_filter{};  ///< part of the names that are listed; NUL-terminated
+  std::set<std::string> open_devices;    ///< whose links are listed
+  std::string complaint;                 ///< one sentence to show; empty: none
 
  private:
   ViewModel() = default;
@@ -119,6 +127,8 @@ class ViewModel {
   std::unique_ptr<LiveSnapshot> live_;
   std::optional<SteadyTime> live_since_, last_arrival_;
   std::optional<Transport> transport_;
+  std::optional<LogReader> walker_;  // over datagrams; made when it is first asked for
+  std::uint64_t recorded_losses_ = 0;
   std::optional<LogTime> shown_;
   SessionState nothing_said_;
   const SessionState* state_ = &nothing_said_;

@@ -19,7 +19,8 @@ Error windowError(const std::string& what) {
 
 }  // namespace
 
-Result<std::unique_ptr<Window>> Window::open(const std::string& title, int width, int height) {
+Result<std::unique_ptr<Window>> Window::open(const std::string& title, int width, int height,
+                                             bool scaled) {
   glfwSetErrorCallback(onGlfwError);
   if (glfwInit() != GLFW_TRUE) return windowError("there is no display to open a window on");
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
@@ -30,6 +31,7 @@ Result<std::unique_ptr<Window>> Window::open(const std::string& title, int width
   glfwWindowHint(GLFW_SAMPLES, 0);
   glfwWindowHint(GLFW_DEPTH_BITS, 0);
   glfwWindowHint(GLFW_STENCIL_BITS, 0);
+  glfwWindowHint(GLFW_SCALE_TO_MONITOR, scaled ? GLFW_TRUE : GLFW_FALSE);
   GLFWwindow* window = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
   if (window == nullptr) {
     const Error error = windowError("cannot open a window with OpenGL 3.3");
@@ -79,6 +81,13 @@ int Window::framebufferHeight() const {
   int height = 0;
   glfwGetFramebufferSize(window_, &width, &height);
   return height;
+}
+
+float Window::contentScale() const {
+  float across = 1;
+  float down = 1;
+  glfwGetWindowContentScale(window_, &across, &down);
+  return down;
 }
 
 bool Window::closeRequested() const { return glfwWindowShouldClose(window_) == GLFW_TRUE; }

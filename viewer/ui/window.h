@@ -23,7 +23,9 @@ struct KeyPress {
 class Window final : public RenderContext {
  public:
   /// refused with GLFW's own words when there is no display or no such context.
-  static Result<std::unique_ptr<Window>> open(const std::string& title, int width, int height);
+  /// `scaled`: the size is meant for a screen of scale 1, and grows with this screen's.
+  static Result<std::unique_ptr<Window>> open(const std::string& title, int width, int height,
+                                              bool scaled);
 
   ~Window() override;
 
@@ -35,6 +37,8 @@ class Window final : public RenderContext {
   /// Pixels of the framebuffer, which may be more than the window's own units.
   int framebufferWidth() const;
   int framebufferHeight() const;
+  /// How much larger than usual the screen's text should be: 2 where pixels are half as large.
+  float contentScale() const;
   bool closeRequested() const;
   void requestClose();
   /// Shows what was drawn into framebuffer 0. Waits for the display when `paced`.

@@ -74,6 +74,39 @@ TEST(Turntable, ZoomingInAndOutComesBack) {
   EXPECT_GT(lengthOf(camera.view().eye), 0);
 }
 
+/// Where a point of the target's plane is seen, from the picture's middle, in pixels.
+std::pair<double, double> seenAt(const CameraView& view, const Vec3& point, int height_px) {
+  const Vec3 forward = glm::normalize(view.target - view.eye);
+  const Vec3 right = glm::normalize(glm::cross(forward, Vec3(0, 0, 1)));
+  const Vec3 up = glm::cross(right, forward);
+  const Vec3 offset = point - view.eye;
+  const double half_m = view.ortho_height_m ? *view.ortho_height_m / 2
+                                            : glm::dot(offset, forward) *
+                                                  std::tan(view.fov_deg * 3.14159265358979 / 360);
+  const double px_per_m = height_px / 2.0 / half_m;
+  return {glm::dot(offset, right) * px_per_m, -glm::dot(offset, up) * px_per_m};
+}
+
+TEST(Turntable, ZoomingKeepsWhatIsUnderTheMouse) {
+  for (const bool ortho : {false, true}) {
+    CameraView start = viewFrom({5, -4, 3}, {0.5, 0.25, 1});
+    if (ortho) start.ortho_height_m = 4;
+    for (const double steps : {1.0, 7.5, -3.0}) {
+      Turntable camera(start);
+      // The point under (200, -120): pan it to the middle, and take the target.
+      Turntable there(start);
+      there.pan(-200, 120, 720);
+      const Vec3 point = there.view().target;
+      camera.zoomAt(steps, 200, -120, 720);
+      const auto [right, down] = seenAt(camera.view(), point, 720);
+      EXPECT_NEAR(right, 200, 1e-6);
+      EXPECT_NEAR(down, -120, 1e-6);
+      expectNear(glm::normalize(camera.view().eye - camera.view().target),
+                 glm::normalize(start.eye - start.target), 1e-9);
+    }
+  }
+}
+
 TEST(Turntable, FittingShowsThePointsAndKeepsTheDirection) {
   Turntable camera(viewFrom({5, 0, 0}, {0, 0, 0}));
   camera.fit({{-1, -1, -1}, {3, 1, 1}}, 1280, 720);

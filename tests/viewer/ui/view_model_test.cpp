@@ -138,5 +138,33 @@ TEST_F(ViewedSession, KeysWishForWhatTheProgramDoes) {
   EXPECT_FALSE(parseKey("").has_value());
 }
 
+TEST_F(ViewedSession, ShiftStepsFromDatagramToDatagram) {
+  Transport& transport = *model_->transport();
+  const auto at = [&] { return transport.position(SteadyTime{}) - transport.start(); };
+  const auto stepTo = [&](const char* key) {
+    press(key);
+    EXPECT_TRUE(model_->update(SteadyTime{}).ok());
+    return at();
+  };
+  EXPECT_EQ(stepTo("shift+."), 1000ms);
+  EXPECT_EQ(stepTo("shift+."), 2000ms);
+  EXPECT_EQ(stepTo("shift+."), 2000ms);
+  seek(1999ms);
+  EXPECT_EQ(stepTo("shift+,"), 1000ms);
+  EXPECT_EQ(stepTo("shift+,"), 0ms);
+  EXPECT_EQ(stepTo("shift+,"), 0ms);
+  EXPECT_FALSE(transport.playing());
+}
+
+TEST_F(ViewedSession, ZeroGoesBackToTheFirstView) {
+  model_->holdCamera().orbit(100, 30, 720);
+  EXPECT_TRUE(model_->cameraName().empty());
+  EXPECT_TRUE(press("0").reset);
+  model_->resetCamera();
+  EXPECT_EQ(model_->cameraName(), "over");
+  EXPECT_TRUE(press("shift+F").fit_selected);
+  EXPECT_FALSE(press("shift+F").fit);
+}
+
 }  // namespace
 }  // namespace rocinante
