@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "core/cli/program.h"
+#include "core/cli/terminal.h"
 #include "core/duration_text.h"
 #include "recorder/record_arguments.h"
 #include "recorder/record_path.h"
@@ -44,22 +45,22 @@ class Terminal {
 
 /// On a terminal the line that stands below all others, written over and over.
 void clearStatusLine() {
-  if (::isatty(STDERR_FILENO) == 1) fmt::print(stderr, "\r\x1b[K");
+  if (::isatty(STDERR_FILENO) == 1) cli::tell("\r\x1b[K");
 }
 
 void tellReady(const RecordOptions& options, const std::vector<std::string>& endpoints,
                const std::string& log) {
   if (options.ring) {
-    fmt::print(stderr, "recording {} into memory, the last {} s, for {}\n",
-               fmt::join(endpoints, " "), secondsText(options.ring->span),
-               log.empty() ? std::string(kDefaultRecordName) : log);
+    cli::tell(fmt::format("recording {} into memory, the last {} s, for {}\n",
+                          fmt::join(endpoints, " "), secondsText(options.ring->span),
+                          log.empty() ? std::string(kDefaultRecordName) : log));
   } else {
-    fmt::print(stderr, "recording {} to {}\n", fmt::join(endpoints, " "), log);
+    cli::tell(fmt::format("recording {} to {}\n", fmt::join(endpoints, " "), log));
   }
   if (options.start_on.empty()) return;
   std::vector<std::string> waits;
   for (const Condition& each : options.start_on) waits.push_back(each.text());
-  fmt::print(stderr, "waiting for {}\n", fmt::join(waits, " or "));
+  cli::tell(fmt::format("waiting for {}\n", fmt::join(waits, " or ")));
 }
 
 RecordEvents eventsFor(const RecordArguments& arguments, const RecordOptions& options,
@@ -77,7 +78,7 @@ RecordEvents eventsFor(const RecordArguments& arguments, const RecordOptions& op
     if (note.is_trouble) {
       cli::warn(note.text);
     } else {
-      fmt::print(stderr, "{}\n", note.text);
+      cli::tell(note.text + "\n");
     }
   };
   if (arguments.quiet) return events;
@@ -92,10 +93,10 @@ RecordEvents eventsFor(const RecordArguments& arguments, const RecordOptions& op
     if (status_period && now.elapsed - told >= *status_period) {
       told = now.elapsed;
       clearStatusLine();
-      fmt::print(stderr, "{}\n", text);
+      cli::tell(text + "\n");
     }
     // To the line's beginning, and what a longer line left behind is cleared.
-    if (on_terminal) fmt::print(stderr, "\r{}\x1b[K", text);
+    if (on_terminal) cli::tell(cli::statusLine(text));
     std::fflush(stderr);
   };
   return events;
@@ -139,14 +140,16 @@ int main(int argc, char** argv) {
     cli::catchStopSignals();
     cli::countSignal(SIGHUP);
     cli::countSignal(SIGUSR1);
+    // Whoever reads only the first lines (`| head`) must not end the recording.
+    ::signal(SIGPIPE, SIG_IGN);
     const Result<RecordSummary> summary =
         record(*options, eventsFor(arguments, *options, *status_period));
     if (!summary) return summary.error();
     if (!arguments.quiet) clearStatusLine();
     if (arguments.json) {
-      fmt::print("{}\n", summaryJson(*summary));
+      cli::say(summaryJson(*summary) + "\n");
     } else if (!arguments.quiet) {
-      fmt::print("{}\n", summaryText(*summary));
+      cli::say(summaryText(*summary) + "\n");
     }
     return judge(arguments, *summary);
   });

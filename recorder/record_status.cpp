@@ -18,12 +18,13 @@ double perSecond(std::uint64_t now, std::uint64_t before, Nanoseconds span) {
                                : 0;
 }
 
-/// "43 s", "12 min", "5.2 h", "12 days": what a person wants to know of it.
+/// "43 s", "12 min", "5.2 h", "12 days", "over a year": what a person wants to know of it.
 std::string roughly(double span_s) {
   if (span_s < 120) return fmt::format("{:.0f} s", span_s);
   if (span_s < 7'200) return fmt::format("{:.0f} min", span_s / 60);
   if (span_s < 172'800) return fmt::format("{:.1f} h", span_s / 3'600);
-  return fmt::format("{:.0f} days", span_s / 86'400);
+  if (span_s < 365 * 86'400.0) return fmt::format("{:.0f} days", span_s / 86'400);
+  return "over a year";
 }
 
 }  // namespace

@@ -14,6 +14,9 @@
 #include <exception>
 #include <iostream>
 
+#include "core/cli/help_formatter.h"
+#include "core/cli/standard_streams.h"
+#include "core/cli/usage_fault.h"
 #include "core/version.h"
 
 namespace rocinante::cli {
@@ -57,25 +60,24 @@ void onCountedSignal(int signal_number) {
 
 int run(CLI::App& app, int argc, char** argv, std::string_view examples,
         const std::function<Result<Exit>()>& body) {
+  fillClosedStandardStreams();
   program_name = app.get_name();
   app.set_version_flag("--version", version());
-  app.get_formatter()->column_width(34);
-  app.footer("\nExamples:\n" + std::string(examples) +
-             "\nExit codes: 0 done, same or compatible; 1 the answer is no, or something was not "
-             "kept;\n2 could not run, or nothing was judged.");
+  setHelp(app, examples);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& fault) {
     // --help and --version come this way too, with code 0.
     if (fault.get_exit_code() == 0) return app.exit(fault, std::cout, std::cerr);
-    warn(std::string(fault.what()) + " (see " + program_name + " --help)");
+    warn(usageFault(app, fault));
     return static_cast<int>(Exit::could_not_run);
   }
   try {
     const Result<Exit> outcome = body();
     if (!outcome) {
       warn(outcome.error().text());
-      return static_cast<int>(Exit::could_not_run);
+      // What could not be told was found all the same.
+      return static_cast<int>(std::ferror(stdout) != 0 ? Exit::no : Exit::could_not_run);
     }
     // A full disk or a closed pipe must not look like success.
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
@@ -112,10 +114,11 @@ std::uint32_t signalCount(int signal_number) {
 
 bool stopRequested() { return stop_requested.load(); }
 
-void warn(std::string_view text) {
-  std::string line = program_name + ": " + std::string(text) + "\n";
-  std::fwrite(line.data(), 1, line.size(), stderr);
-}
+void warn(std::string_view text) { tell(program_name + ": " + std::string(text) + "\n"); }
+
+void say(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stdout); }
+
+void tell(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
 
 bool colorsOnStandardError() {
   const char* no_color = std::getenv("NO_COLOR");

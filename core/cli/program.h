@@ -41,6 +41,12 @@ std::uint32_t signalCount(int signal_number);
 /// One line on stderr: "rocinante-NAME: TEXT".
 void warn(std::string_view text);
 
+/// To standard output and to standard error as they are. Never throws, as fmt::print() does: work
+/// that goes on must not end because nobody can be told. run() reports what standard output
+/// refused.
+void say(std::string_view text);
+void tell(std::string_view text);
+
 /// True when standard error is a terminal, NO_COLOR is unset and TERM is not "dumb".
 bool colorsOnStandardError();
 

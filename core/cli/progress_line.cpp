@@ -6,6 +6,9 @@
 #include <cstdio>
 #include <utility>
 
+#include "core/cli/program.h"
+#include "core/cli/terminal.h"
+
 namespace rocinante::cli {
 
 using Clock = std::chrono::steady_clock;
@@ -26,7 +29,7 @@ void ProgressLine::show(double part) {
   if (!on_ || Clock::now() < next_) return;
   next_ = Clock::now() + std::chrono::milliseconds(100);
   shown_ = true;
-  fmt::print(stderr, "\r{} {:3.0f} %", doing_, part * 100);
+  tell(statusLine(fmt::format("{} {:3.0f} %", doing_, part * 100)));
 }
 
 }  // namespace rocinante::cli

@@ -1,7 +1,8 @@
 // `rocinante VERB ...` runs `rocinante-VERB ...`: from the folder of this program when it is
-// there, else from PATH. Links nothing of ours but the version.
+// there, else from PATH. Links nothing of ours but the base.
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdio>
@@ -11,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/name_hint.h"
 #include "core/version.h"
 
 namespace {
@@ -22,14 +24,15 @@ struct Verb {
 
 constexpr std::array kVerbs{
     Verb{"record", "capture live datagrams to a log"},
+    Verb{"spy", "what arrives, and why nothing moves"},
     Verb{"play", "re-emit a log as UDP, at any speed"},
     Verb{"source", "send kinematic state: from a CSV file or the demo's motion"},
-    Verb{"log", "look into a log: info, cat"},
+    Verb{"log", "look into logs, mend them, and make logs out of logs"},
     Verb{"model", "what is in a model: info, tree, fk, convert"},
     Verb{"check", "does this session still fit this model?"},
     Verb{"render", "draw frames of a cell and a log without a window"},
     Verb{"view", "the interactive viewer"},
-    Verb{"golden", "compare rendered frames with accepted pictures"},
+    Verb{"golden", "visual regression: frames against accepted pictures"},
 };
 
 std::filesystem::path folderOfThisProgram() {
@@ -44,9 +47,21 @@ void printHelp() {
   std::printf("\n`rocinante VERB --help` tells more of each.\n");
 }
 
+std::string hintAt(std::string_view verb) {
+  std::vector<std::string_view> known;
+  for (const Verb& each : kVerbs) known.emplace_back(each.name);
+  const std::string hint = rocinante::didYouMean(verb, known);
+  return hint.empty() ? hint : "; " + hint;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::string help_option = "--help";
+  if (argc > 2 && std::string_view(argv[1]) == "help") {  // `help VERB` is `VERB --help`
+    std::copy(argv + 2, argv + argc, argv + 1);
+    argv[argc - 1] = help_option.data();
+  }
   const std::string_view verb = argc > 1 ? argv[1] : "";
   if (verb.empty()) {
     std::fprintf(stderr, "rocinante: which verb? (see rocinante --help)\n");
@@ -77,8 +92,8 @@ int main(int argc, char** argv) {
   ::execv(beside.c_str(), argv + 1);
   if (errno == ENOENT) ::execvp(program.c_str(), argv + 1);
   if (errno == ENOENT) {
-    std::fprintf(stderr, "rocinante: there is no verb `%.*s` (see rocinante --help)\n",
-                 static_cast<int>(verb.size()), verb.data());
+    std::fprintf(stderr, "rocinante: there is no verb `%.*s`%s (see rocinante --help)\n",
+                 static_cast<int>(verb.size()), verb.data(), hintAt(verb).c_str());
   } else {
     std::fprintf(stderr, "rocinante: cannot run %s: %s\n", program.c_str(), std::strerror(errno));
   }

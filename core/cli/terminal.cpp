@@ -41,4 +41,9 @@ OutputTerminal outputTerminal() {
   return terminal;
 }
 
+std::string statusLine(std::string_view text) {
+  // Erased first: at the end of a line that was cut, the last character would go.
+  return "\r\033[K\033[?7l" + std::string(text) + "\033[?7h";
+}
+
 }  // namespace rocinante::cli

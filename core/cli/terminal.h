@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
+#include <string_view>
 
 namespace rocinante::cli {
 
@@ -12,5 +14,9 @@ struct OutputTerminal {
   std::size_t columns = 0;  ///< of the terminal; 0: none, or not known
 };
 OutputTerminal outputTerminal();
+
+/// `text` as the one line that a terminal shows again and again: in place of the one before, and
+/// cut by the terminal itself where it is too narrow, however it is resized.
+std::string statusLine(std::string_view text);
 
 }  // namespace rocinante::cli

@@ -135,7 +135,7 @@ Result<SpyReport> watch(const Sources& sources, std::optional<Nanoseconds> durat
   } else {
     std::vector<std::string> names;
     for (const auto& each : sources) names.push_back(boundText(*each));
-    fmt::print(stderr, "listening at {}\n", fmt::join(names, " "));
+    cli::tell(fmt::format("listening at {}\n", fmt::join(names, " ")));
   }
   const auto start = std::chrono::steady_clock::now();
   auto shown = start - kRefresh;
@@ -187,7 +187,7 @@ Result<cli::Exit> run(const Arguments& arguments) {
   const Result<SpyReport> report = watch(*sources, duration, live);
   if (!report) return report.error();
   const std::string text = arguments.json ? spyJson(*report, true) + "\n" : spyText(*report, 0, 0);
-  fmt::print("{}", text);
+  cli::say(text);
   // Nothing that can be read is nothing judged.
   return report->packets > 0 ? cli::Exit::done : cli::Exit::could_not_run;
 }

@@ -1,0 +1,85 @@
+#include "core/cli/usage_fault.h"
+
+#include <CLI/CLI.hpp>
+#include <string_view>
+#include <vector>
+
+#include "core/name_hint.h"
+
+namespace rocinante::cli {
+namespace {
+
+/// The subcommand whose arguments were being read, or the program itself.
+const CLI::App& innermost(const CLI::App& app) {
+  const std::vector<CLI::App*> chosen = app.get_subcommands();
+  return chosen.empty() ? app : innermost(*chosen.back());
+}
+
+std::string commandOf(const CLI::App& app) {
+  const CLI::App* const parent = app.get_parent();
+  return parent == nullptr ? app.get_name() : commandOf(*parent) + " " + app.get_name();
+}
+
+std::vector<std::string> optionNames(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
+std::vector<std::string> subcommandNames(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* subcommand : app.get_subcommands({}))
+    names.push_back(subcommand->get_name());
+  return names;
+}
+
+/// "; did you mean `--duration`?", also for a beginning that only one name has; or empty.
+std::string hint(std::string_view name, const std::vector<std::string>& known) {
+  const std::string close = didYouMean(name, {known.begin(), known.end()});
+  if (!close.empty()) return "; " + close;
+  std::vector<std::string_view> longer;
+  for (const std::string& each : known) {
+    if (std::string_view(each).starts_with(name)) longer.push_back(each);
+  }
+  if (longer.size() != 1) return {};
+  return "; did you mean `" + std::string(longer.front()) + "`?";
+}
+
+std::string unexpected(const CLI::App& app, const std::string& argument) {
+  const bool option = argument.size() > 1 && argument.starts_with('-');
+  if (option) {
+    const std::string name = argument.substr(0, argument.find('='));
+    return "there is no option " + name + hint(name, optionNames(app));
+  }
+  const std::vector<std::string> subcommands = subcommandNames(app);
+  if (!subcommands.empty() && app.get_subcommands().empty()) {
+    return "there is no subcommand `" + argument + "`" + hint(argument, subcommands);
+  }
+  return "nothing takes the argument `" + argument + "`";
+}
+
+}  // namespace
+
+std::string usageFault(const CLI::App& app, const CLI::ParseError& fault) {
+  const CLI::App& innermost_app = innermost(app);
+  const std::string where = " (see " + commandOf(innermost_app) + " --help)";
+  const auto kind = static_cast<CLI::ExitCodes>(fault.get_exit_code());
+  std::vector<std::string> left = innermost_app.remaining();
+  if (left.empty()) left = app.remaining(true);
+  // What is missing is often there, under a name that is not known: then that is the fault.
+  const bool about_names =
+      kind == CLI::ExitCodes::ExtrasError || kind == CLI::ExitCodes::RequiredError;
+  if (about_names && !left.empty()) return unexpected(innermost_app, left.front()) + where;
+  const std::string_view said = fault.what();
+  constexpr std::string_view kMissing = ": 1 required ";
+  if (const std::size_t at = said.find(kMissing); at != said.npos && said.ends_with(" missing")) {
+    std::string_view value = said.substr(at + kMissing.size());
+    value.remove_suffix(std::string_view(" missing").size());
+    return std::string(said.substr(0, at)) + " needs its " + std::string(value) + where;
+  }
+  return std::string(said) + where;
+}
+
+}  // namespace rocinante::cli
