@@ -8,6 +8,7 @@
 #include <set>
 
 #include "core/hash.h"
+#include "core/log/foreign_file.h"
 #include "core/log/last_message.h"
 #include "core/log/log_index.h"
 #include "core/log/log_profile.h"
@@ -61,9 +62,7 @@ struct LogReader::Impl {
   Status build() {
     const ByteView magic = mcap::magic();
     if (file.size() < magic.size() || !std::ranges::equal(file.first(magic.size()), magic)) {
-      return Error{ErrorKind::damaged,
-                   file.empty() ? "the file is empty" : "the file does not begin as a log does",
-                   name};
+      return Error{ErrorKind::damaged, notALog(file), name};
     }
     std::vector<DamageSpan> summary_damage;
     if (std::optional<LogIndex> found = indexFromSummary(file, summary_damage)) {

@@ -2,6 +2,7 @@
 
 #include "core/session/marks.h"
 #include "core/session/timeline.h"
+#include "recorder/copy/nothing_chosen.h"
 
 namespace rocinante {
 namespace {
@@ -47,7 +48,8 @@ Result<CopyReport> makeLog(std::vector<CopySource>& sources, const MakeOptions& 
       copyLogs(sources, output->takeSink(), piece, reason, make.progress, make.attachments);
   if (!report) return output->named(report.error());
   if (report->counts.messages == 0 && !may_be_empty) {
-    return Error{ErrorKind::not_found, "no message was chosen", sources.front().reader().name()};
+    const CopySource& first = sources.front();
+    return nothingChosen(first.reader(), first.options().selection, first.options().range);
   }
   if (Status named = output->commit(); !named) return named.error();
   return report;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/log/foreign_file.h"
 #include "core/log/mapped_file.h"
 #include "core/plain_text.h"
 #include "recorder/doctor/data_walk.h"
@@ -30,7 +31,7 @@ Result<DoctorReport> examineBytes(ByteView file, std::string name,
                                   const std::function<void(double)>& progress) {
   const ByteView magic = mcap::magic();
   if (file.size() < magic.size() || !std::ranges::equal(file.first(magic.size()), magic)) {
-    return Error{ErrorKind::damaged, "the file does not begin as an MCAP file does", name};
+    return Error{ErrorKind::damaged, notALog(file), name};
   }
   DoctorReport report;
   report.name = std::move(name);

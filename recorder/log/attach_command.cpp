@@ -95,8 +95,9 @@ LogCommand addAttachCommand(CLI::App& program) {
       ->allow_extra_args(false);
   app->add_flag("--search-env", my->search.search_environment,
                 "also in ROCINANTE_PATH, AMENT_PREFIX_PATH, ROS_PACKAGE_PATH");
-  app->add_option("--name", my->name, "attach the one FILE under this name");
-  app->add_option("--media-type", my->media_type, "of the one FILE; default by its ending");
+  app->add_option("--name", my->name, "attach the one FILE under this name")->type_name("NAME");
+  app->add_option("--media-type", my->media_type, "of the one FILE; default by its ending")
+      ->type_name("TYPE");
   app->add_flag("--replace", my->replace, "in place of what the log has under the same name");
   addCopyArguments(*app, my->copy);
   return {app, [my] { return runAttach(*my); }};

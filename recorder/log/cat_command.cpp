@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "recorder/copy/nothing_chosen.h"
 #include "recorder/log/command_support.h"
 #include "recorder/log/log_cat.h"
 #include "recorder/log/log_commands.h"
@@ -30,17 +31,19 @@ Result<cli::Exit> runCat(CatCommandOptions& options) {
     if (!shown) return shown.error();
     first = false;
     count += *shown;
+    if (count == 0 && options.logs.size() == 1) {
+      const SelectionOptions& selection = options.cat.selection;
+      const Result<TimeRange> range = rangeOf(selection, reader->summary(), {});
+      return range ? nothingChosen(*reader, selection, *range) : range.error();
+    }
     for (const DamageSpan& span : reader->damage()) {
       cli::warn(fmt::format("{} ({}, byte {})", span.cause, log, span.from));
       exit = cli::Exit::no;
     }
   }
-  if (count == 0) {
-    return Error{
-        ErrorKind::not_found, "no message was chosen",
-        options.cat.name_log ? fmt::format("{} logs", options.logs.size()) : options.logs.front()};
-  }
-  return exit;
+  if (count > 0) return exit;
+  return Error{ErrorKind::not_found, "no message was chosen",
+               fmt::format("{} logs", options.logs.size())};
 }
 
 }  // namespace
@@ -49,15 +52,20 @@ LogCommand addCatCommand(CLI::App& program) {
   auto options = std::make_shared<CatCommandOptions>();
   CLI::App* const app = program.add_subcommand("cat", "the messages of a log, one a line");
   app->add_option("LOG", options->logs, "logs to print, one after another")->required();
-  app->add_option("--from", options->cat.from, "begin at this session time (12.5s, -1s, RFC 3339)");
-  app->add_option("--until", options->cat.until, "end before this session time");
-  app->add_option("--channel", options->cat.channels,
+  app->add_option("--from", options->cat.selection.from,
+                  "begin at this session time (12.5s, -1s, RFC 3339)")
+      ->type_name("TIME");
+  app->add_option("--until", options->cat.selection.until, "end before this session time")
+      ->type_name("TIME");
+  app->add_option("--channel", options->cat.selection.channels,
                   "only topics that match this pattern, as a shell's; may be repeated")
+      ->type_name("PATTERN")
       ->allow_extra_args(false);
-  app->add_option("--device", options->cat.devices,
+  app->add_option("--device", options->cat.selection.devices,
                   "only packets about a device that matches this pattern; may be repeated")
+      ->type_name("PATTERN")
       ->allow_extra_args(false);
-  app->add_option("--format", options->format, "text, json (one object a line) or csv")
+  app->add_option("--format", options->format, "json: one object a line")
       ->check(CLI::IsMember({"text", "json", "csv"}))
       ->capture_default_str();
   return {app, [options] { return runCat(*options); }};

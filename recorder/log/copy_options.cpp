@@ -30,7 +30,7 @@ Status readCompression(std::string_view text, LogWriterOptions& options) {
 }  // namespace
 
 void addCopyArguments(CLI::App& app, CopyArguments& arguments) {
-  app.add_option("-o,--output", arguments.output, "the log to make")->required();
+  app.add_option("-o,--output", arguments.output, "the log to make")->type_name("OUT")->required();
   app.add_flag("--force", arguments.force, "replace an existing output");
   app.add_option("--compression", arguments.compression, "zstd, zstd:LEVEL (1 to 22) or none")
       ->type_name("KIND")
@@ -40,27 +40,31 @@ void addCopyArguments(CLI::App& app, CopyArguments& arguments) {
 
 void addTimeArguments(CLI::App& app, SelectionOptions& selection) {
   CLI::Option* const from =
-      app.add_option("--from", selection.from, "begin at this session time (12.5s, -1s, RFC 3339)");
+      app.add_option("--from", selection.from, "begin at this session time (12.5s, -1s, RFC 3339)")
+          ->type_name("TIME");
   CLI::Option* const until =
-      app.add_option("--until", selection.until, "end before this session time");
-  app.add_option("--from-event", selection.from_event, "begin at the first event of this text")
+      app.add_option("--until", selection.until, "end before this session time")->type_name("TIME");
+  app.add_option("--from-event", selection.from_event,
+                 "begin at the first event whose text matches; instead of --from")
+      ->type_name("PATTERN")
       ->excludes(from);
   app.add_option("--until-event", selection.until_event,
-                 "end before the next event of this text; texts are patterns, as a shell's")
+                 "end before the first such event after that; instead of --until")
+      ->type_name("PATTERN")
       ->excludes(until);
 }
 
 void addChoiceArguments(CLI::App& app, SelectionOptions& selection) {
   const auto add = [&app](const char* name, std::vector<std::string>& patterns,
                           const char* description) {
-    app.add_option(name, patterns, description)->allow_extra_args(false);
+    app.add_option(name, patterns, description)->type_name("PATTERN")->allow_extra_args(false);
   };
   add("--channel", selection.channels,
-      "only topics that match this pattern, as a shell's; may be repeated, like those below");
-  add("--not-channel", selection.not_channels, "no topics that match this pattern");
-  add("--source", selection.sources, "only packets of such a SOURCE");
-  add("--device", selection.devices, "only packets that say something about such a device");
-  add("--encoding", selection.encodings, "only messages of this encoding: rk1, octets");
+      "only topics that match, as a shell's patterns do; may be repeated, like those below");
+  add("--not-channel", selection.not_channels, "no topics that match");
+  add("--source", selection.sources, "only packets of a SOURCE that matches");
+  add("--device", selection.devices, "only packets that say something about a device that matches");
+  add("--encoding", selection.encodings, "only messages of this encoding: rk1 or octets");
 }
 
 CopyProgress stoppableProgress(const std::string& doing) {

@@ -54,8 +54,8 @@ LogCommand addDiffCommand(CLI::App& program) {
   CLI::App* const app =
       program.add_subcommand("diff", "where two logs part: messages, their times, their states");
   app->add_option("A", options->a, "a log")->required();
-  app->add_option("B", options->b, "another")->required();
-  app->add_option("--by", options->by, "payload, time, state, or all of them")
+  app->add_option("B", options->b, "another log")->required();
+  app->add_option("--by", options->by, "what to compare")
       ->check(CLI::IsMember({"payload", "time", "state", "all"}))
       ->capture_default_str();
   app->add_flag("--json", options->json, "for scripts");

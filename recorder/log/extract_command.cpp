@@ -116,7 +116,8 @@ LogCommand addExtractCommand(CLI::App& program) {
   app->add_flag("--all", my->all, "every attachment, into a folder");
   app->add_flag("--cell", my->cell, "the cell that the log carries, into a folder");
   app->add_flag("--list", my->list, "say what is attached");
-  app->add_option("-o,--output", my->output, "a file, a folder for --all and --cell, or - ")
+  app->add_option("-o,--output", my->output,
+                  "a file, a folder for --all and --cell, or -: standard output")
       ->type_name("PATH");
   app->add_flag("--force", my->force, "replace what is there");
   app->add_flag("--json", my->json, "--list for scripts");

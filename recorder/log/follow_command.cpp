@@ -57,12 +57,13 @@ LogCommand addFollowCommand(CLI::App& program) {
   auto options = std::make_shared<FollowCommandOptions>();
   CLI::App* const app = program.add_subcommand(
       "follow", "the messages of a log that is being recorded, as they come");
-  app->add_option("LOG", options->log, "the log")->required();
+  app->add_option("LOG", options->log, "the log, which may still grow")->required();
   app->add_flag("--from-start", options->from_start, "with those that stand there already");
   app->add_option("--channel", options->follow.channels,
                   "only topics that match this pattern, as a shell's; may be repeated")
+      ->type_name("PATTERN")
       ->allow_extra_args(false);
-  app->add_option("--format", options->format, "text, json (one object a line) or csv")
+  app->add_option("--format", options->format, "json: one object a line")
       ->check(CLI::IsMember({"text", "json", "csv"}))
       ->capture_default_str();
   return {app, [options] { return runFollow(*options); }};

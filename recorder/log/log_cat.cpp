@@ -7,28 +7,12 @@
 #include "core/log/log_profile.h"
 #include "core/session/marks.h"
 #include "core/session/timeline.h"
-#include "recorder/copy/log_selection.h"
 
 namespace rocinante {
 namespace {
 
 /// Output is handed over in pieces of about this size.
 constexpr std::size_t kPieceBytes = 1U << 16U;
-
-Result<TimeRange> chosenRange(const CatOptions& options, const LogSummary& summary) {
-  TimeRange range;
-  if (!options.from.empty()) {
-    Result<LogTime> from = parseSessionTime(options.from, summary.origin, summary.end);
-    if (!from) return from.error();
-    range.from = *from;
-  }
-  if (!options.until.empty()) {
-    Result<LogTime> until = parseSessionTime(options.until, summary.origin, summary.end);
-    if (!until) return until.error();
-    range.until = *until;
-  }
-  return range;
-}
 
 bool matches(const std::vector<std::string>& patterns, const std::string& topic) {
   return std::ranges::any_of(patterns, [&](const std::string& pattern) {
@@ -41,8 +25,9 @@ std::vector<bool> wantedChannels(const CatOptions& options, const LogReader& rea
   std::vector<bool> wanted;
   for (const LogChannel& channel : reader.channels()) {
     if (wanted.size() <= channel.id) wanted.resize(channel.id + 1U, false);
-    wanted[channel.id] =
-        options.channels.empty() ? channel.captured() : matches(options.channels, channel.topic);
+    wanted[channel.id] = options.selection.channels.empty()
+                             ? channel.captured()
+                             : matches(options.selection.channels, channel.topic);
   }
   return wanted;
 }
@@ -52,8 +37,8 @@ class MarkMessages {
  public:
   static Result<MarkMessages> of(const LogReader& reader, const CatOptions& options) {
     MarkMessages messages;
-    if (!options.devices.empty()) return messages;
-    if (!matches(options.channels, std::string(profile::kMarkTopic))) return messages;
+    if (!options.selection.devices.empty()) return messages;
+    if (!matches(options.selection.channels, std::string(profile::kMarkTopic))) return messages;
     Result<std::vector<Event>> marks = readMarks(reader.name());
     if (!marks) return marks.error();
     messages.marks_ = std::move(*marks);
@@ -89,13 +74,13 @@ class MarkMessages {
 
 Result<std::uint64_t> catLog(LogReader& reader, const CatOptions& options, bool with_header,
                              const TextSink& out) {
-  const Result<TimeRange> range = chosenRange(options, reader.summary());
+  const Result<TimeRange> range = rangeOf(options.selection, reader.summary(), {});
   if (!range) return range.error();
   const std::vector<bool> wanted = wantedChannels(options, reader);
   std::optional<Selection> devices;
-  if (!options.devices.empty()) {
+  if (!options.selection.devices.empty()) {
     SelectionOptions by_device;
-    by_device.devices = options.devices;
+    by_device.devices = options.selection.devices;
     devices.emplace(by_device, reader.channels());
   }
   Result<MarkMessages> marks = MarkMessages::of(reader, options);

@@ -7,16 +7,14 @@
 
 #include "core/log/log_reader.h"
 #include "core/result.h"
+#include "recorder/copy/log_selection.h"
 #include "recorder/log/message_printer.h"
 
 namespace rocinante {
 
 struct CatOptions {
-  std::string from;                   ///< a session time (docs/programs/log.md); empty: the start
-  std::string until;                  ///< not included; empty: with the last message
-  std::vector<std::string> channels;  ///< patterns of topics, as a shell's; empty: captured ones
-  /// Patterns of devices: only packets that say something about one of them; empty: any message.
-  std::vector<std::string> devices;
+  /// Of it from, until, channels (none: the captured ones) and devices.
+  SelectionOptions selection;
   CatFormat format = CatFormat::text;
   bool name_log = false;  ///< several logs are given: say with each message whose it is
 };

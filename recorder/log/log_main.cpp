@@ -19,6 +19,7 @@ constexpr const char* kExamples =
     "  rocinante log filter session.mcap -o arm.mcap --source arm\n"
     "  rocinante log merge left.mcap right.mcap -o both.mcap\n"
     "  rocinante log split session.mcap -o pieces/ --time 60s\n"
+    "  rocinante log shift right.mcap -o right-on-time.mcap --by +0.25s\n"
     "  rocinante log recover killed.mcap -o whole.mcap\n"
     "  rocinante log attach session.mcap --cell demo.cell.toml -o carries_its_cell.mcap\n"
     "  rocinante log extract session.mcap --cell -o demo/\n";
@@ -27,7 +28,8 @@ constexpr const char* kExamples =
 
 int main(int argc, char** argv) {
   using namespace rocinante;
-  CLI::App app("Looks into logs.", "rocinante-log");
+  CLI::App app("Looks into logs, and makes logs out of logs. A log that is there is never changed.",
+               "rocinante-log");
   app.require_subcommand(1);
   const std::vector<LogCommand> commands{
       addInfoCommand(app),    addCatCommand(app),    addStateCommand(app),   addDiffCommand(app),

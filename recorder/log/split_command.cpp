@@ -72,17 +72,27 @@ LogCommand addSplitCommand(CLI::App& program) {
   CLI::App* const app =
       program.add_subcommand("split", "a log in pieces, each of which stands alone");
   app->add_option("LOG", arguments->log, "the log; it is not changed")->required();
-  CLI::Option_group* const where = app->add_option_group("where");
-  where->add_option("--size", arguments->size, "pieces of about this size: 100MB, 64MiB");
-  where->add_option("--time", arguments->time, "pieces of this length, from the session's origin");
-  where->add_option("--event", arguments->split.event, "a piece from each event of this text on");
+  CLI::Option_group* const where =
+      app->add_option_group("where", "Where it is parted (one of these)");
+  where->add_option("--size", arguments->size, "pieces of about this size (100MB, 64MiB)")
+      ->type_name("SIZE");
+  where
+      ->add_option("--time", arguments->time,
+                   "pieces of this length (60s), counted from the session's origin")
+      ->type_name("TIME");
+  where
+      ->add_option("--event", arguments->split.event,
+                   "a new piece from each event whose text matches")
+      ->type_name("PATTERN");
   where->require_option(1);
   app->add_flag("--attach-once", arguments->split.attach_once,
                 "attachments go into the first piece alone");
   addCopyArguments(*app, arguments->copy);
   app->get_option("--output")
       ->description(
-          "a folder, or the pieces' name: %n is the number (without: before the extension)");
+          "a folder, or the pieces' name, in which %n is the number (without %n it goes before the "
+          "extension)")
+      ->type_name("NAME");
   return {app, [arguments] { return runSplit(*arguments); }};
 }
 

@@ -20,6 +20,9 @@ struct StateCommandOptions {
 Result<cli::Exit> runState(const StateCommandOptions& options) {
   Result<Timeline> session = Timeline::open(options.log);
   if (!session) return session.error();
+  if (session->log().summary().messages == 0) {
+    return Error{ErrorKind::not_found, "the log has no messages", options.log};
+  }
   const Result<LogTime> moment = parseSessionTime(options.at, session->origin(), session->end());
   if (!moment) return moment.error();
   if (*moment < session->start() || *moment > session->end()) {
@@ -55,8 +58,9 @@ LogCommand addStateCommand(CLI::App& program) {
   CLI::App* const app = program.add_subcommand("state", "the folded state at a moment");
   app->add_option("LOG", options->log, "the log to look into")->required();
   app->add_option("--at", options->at, "the moment: a session time (12.5s, -1s, RFC 3339)")
+      ->type_name("TIME")
       ->required();
-  app->add_flag("--json", options->json, "one JSON object");
+  app->add_flag("--json", options->json, "for scripts");
   return {app, [options] { return runState(*options); }};
 }
 

@@ -1,0 +1,47 @@
+#include "core/log/foreign_file.h"
+
+#include <array>
+#include <string_view>
+
+namespace rocinante {
+namespace {
+
+using namespace std::string_view_literals;
+
+struct Kind {
+  std::string_view begins;
+  std::string_view what;
+};
+
+constexpr std::string_view kCapture =
+    "it is a network capture: `rocinante record pcap://./FILE` makes a log of it";
+constexpr std::string_view kCompressed = "it is compressed: expand it first";
+
+constexpr std::array kKinds{
+    Kind{"\xd4\xc3\xb2\xa1"sv, kCapture},
+    Kind{"\xa1\xb2\xc3\xd4"sv, kCapture},
+    Kind{"\x4d\x3c\xb2\xa1"sv, kCapture},  // with nanoseconds
+    Kind{"\xa1\xb2\x3c\x4d"sv, kCapture},
+    Kind{"\x0a\x0d\x0d\x0a"sv, kCapture},  // pcapng
+    Kind{"\x1f\x8b"sv, kCompressed},
+    Kind{"\x28\xb5\x2f\xfd"sv, kCompressed},
+    Kind{"\xfd\x37zXZ"sv, kCompressed},
+    Kind{"PK\x03\x04"sv, kCompressed},
+    Kind{"#ROSBAG V"sv, "it is a ROS bag: the `mcap` tool converts it"},
+    Kind{"SQLite format 3"sv,
+         "it is a SQLite file, as ROS 2 bags are: the `mcap` tool converts those"},
+};
+
+}  // namespace
+
+std::string notALog(ByteView file) {
+  if (file.empty()) return "the file is empty";
+  const std::string_view text = textOf(file);
+  std::string sentence = "the file does not begin as a log does";
+  for (const Kind& kind : kKinds) {
+    if (text.starts_with(kind.begins)) return sentence.append("; ").append(kind.what);
+  }
+  return sentence;
+}
+
+}  // namespace rocinante
