@@ -85,7 +85,7 @@ void forEachPart(const Visual& visual, const CatalogMesh& mesh, const Each& each
 }
 
 /// By state, what is equal in the order of the scene. Sorts small keys, since items are large.
-void sortByState(std::vector<DrawItem>& items) {
+void sortByState(std::vector<DrawItem>& items, std::vector<DrawItem>& spare) {
   using Key = std::tuple<std::uint32_t, std::int32_t, std::uint32_t, std::uint32_t>;
   std::vector<Key> keys;
   keys.reserve(items.size());
@@ -95,20 +95,35 @@ void sortByState(std::vector<DrawItem>& items) {
   }
   if (std::is_sorted(keys.begin(), keys.end())) return;
   std::sort(keys.begin(), keys.end());
-  std::vector<DrawItem> sorted;
-  sorted.reserve(items.size());
-  for (const Key& key : keys) sorted.push_back(items[std::get<3>(key)]);
-  items = std::move(sorted);
+  spare.clear();
+  spare.reserve(items.size());
+  for (const Key& key : keys) spare.push_back(items[std::get<3>(key)]);
+  std::swap(items, spare);
 }
 
 }  // namespace
+
+void DrawList::clear() {
+  for (auto* items : {&opaque, &translucent, &wireframe, &ghosts}) items->clear();
+  triangles = 0;
+}
 
 DrawList makeDrawList(const PosedScene& scene, const SceneCatalog& catalog,
                       const ViewChoice& choice, const Camera& camera,
                       const std::vector<std::uint8_t>& translucent_textures, const LinkLooks& looks,
                       DrawnGeometry geometry, const DetailLevel& detail, Culling culling) {
-  static const Material kPlain;
   DrawList list;
+  makeDrawList(list, scene, catalog, choice, camera, translucent_textures, looks, geometry, detail,
+               culling);
+  return list;
+}
+
+void makeDrawList(DrawList& list, const PosedScene& scene, const SceneCatalog& catalog,
+                  const ViewChoice& choice, const Camera& camera,
+                  const std::vector<std::uint8_t>& translucent_textures, const LinkLooks& looks,
+                  DrawnGeometry geometry, const DetailLevel& detail, Culling culling) {
+  static const Material kPlain;
+  list.clear();
   forEachVisual(
       scene, catalog, choice, looks, geometry, culling == Culling::by_device ? &camera : nullptr,
       [&](const Visual& visual, std::uint32_t d, std::uint32_t l, std::uint32_t mesh_number) {
@@ -175,11 +190,10 @@ DrawList makeDrawList(const PosedScene& scene, const SceneCatalog& catalog,
               .push_back(item);
         });
       });
-  sortByState(list.opaque);
+  sortByState(list.opaque, list.spare);
   // Stable: what is equal stays in the order of the scene.
   std::stable_sort(list.translucent.begin(), list.translucent.end(),
                    [](const DrawItem& a, const DrawItem& b) { return a.distance > b.distance; });
-  return list;
 }
 
 std::vector<Vec3> visibleCorners(const PosedScene& scene, const SceneCatalog& catalog,

@@ -38,6 +38,10 @@ struct DrawList {
   std::vector<DrawItem> wireframe;    ///< drawn as lines alone
   std::vector<DrawItem> ghosts;       ///< GhostStyle::clear
   std::uint64_t triangles = 0;
+  std::vector<DrawItem> spare;  ///< memory that sorting uses again
+
+  /// Nothing is drawn; the memory stays.
+  void clear();
 };
 
 /// How what cannot be seen is found; the list is the same.
@@ -54,6 +58,13 @@ DrawList makeDrawList(const PosedScene& scene, const SceneCatalog& catalog,
                       const std::vector<std::uint8_t>& translucent_textures,
                       const LinkLooks& looks = {}, DrawnGeometry geometry = DrawnGeometry::visuals,
                       const DetailLevel& detail = {}, Culling culling = Culling::by_device);
+
+/// The same in place of what `list` held, in its memory.
+void makeDrawList(DrawList& list, const PosedScene& scene, const SceneCatalog& catalog,
+                  const ViewChoice& choice, const Camera& camera,
+                  const std::vector<std::uint8_t>& translucent_textures,
+                  const LinkLooks& looks = {}, DrawnGeometry geometry = DrawnGeometry::visuals,
+                  const DetailLevel& detail = {}, Culling culling = Culling::by_device);
 
 /// Corners of the boxes around everything visible, world space: what a fitted view must show.
 std::vector<Vec3> visibleCorners(const PosedScene& scene, const SceneCatalog& catalog,

@@ -83,6 +83,7 @@ struct Renderer::Impl {
   std::optional<DrawPasses> passes;
   std::optional<DetailBuilder> detail_builder;  // borrows the catalog
   std::optional<CollisionGeometry> collision;   // made when it is first asked for
+  DrawList view_list;                           // of the view at hand: memory that frames use again
   LookPasses look_passes{gl};
   std::optional<IdentityPass> identity_pass;  // made when it is first asked for
   std::string inputs_text;
@@ -220,7 +221,9 @@ Result<DrawCounts> Renderer::Impl::drawView(const SceneFrame& frame, const LinkL
 
   clock.endStage(counts.times.app);
   // Cull: what of it can be seen, in which order.
-  const DrawList list = listOf(frame, camera, looks);
+  makeDrawList(view_list, *frame.scene, catalog, choice, camera, textures.translucent(), looks,
+               DrawnGeometry::visuals, frame.detail);
+  const DrawList& list = view_list;
   std::vector<DrawnSet> sets{{&list, &catalog, &meshes}};
   DrawList collisions;
   if (looks.anyCollision()) {
@@ -253,8 +256,9 @@ Result<DrawCounts> Renderer::Impl::drawView(const SceneFrame& frame, const LinkL
   surfaces.depth_only = style.edges == EdgeStyle::only;
   if (Status ready = passes->scene.prepare(surfaces, look); !ready) return ready.error();
 
+  const bool plain_filtering = frame.detail.plain_filtering || style.shading == Shading::plain;
   passes->begin(look, part, frame_height);
-  if (frame.detail.plain_filtering) textures.beginPlainFiltering();
+  if (plain_filtering) textures.beginPlainFiltering();
   for (const DrawnSet& set : sets) {
     passes->scene.drawOpaque(*set.list, *set.catalog, *set.meshes, textures, camera, look,
                              surfaces);
@@ -273,7 +277,7 @@ Result<DrawCounts> Renderer::Impl::drawView(const SceneFrame& frame, const LinkL
     (*ghosts)->draw(list.ghosts, catalog, meshes, camera);
   }
   if (!surfaces.depth_only) {
-    if (frame.detail.plain_filtering) textures.beginPlainFiltering();
+    if (plain_filtering) textures.beginPlainFiltering();
     for (const DrawnSet& set : sets) {
       passes->scene.drawTranslucent(*set.list, *set.catalog, *set.meshes, textures, camera, look,
                                     surfaces);

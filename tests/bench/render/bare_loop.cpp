@@ -187,6 +187,7 @@ void BareLoop::draw(const FrameBuffer& target) const {
   gl_.DepthFunc(GL_GEQUAL);
   gl_.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   gl_.Enable(GL_DEPTH_TEST);
+  if (commands_.front().program != 0) scene_->textures.beginPlainFiltering();
   for (const Command& command : commands_) {
     set(command);
     if (command.translucent) {
@@ -197,6 +198,7 @@ void BareLoop::draw(const FrameBuffer& target) const {
     }
     drawRuns(command);
   }
+  scene_->textures.endPlainFiltering();
   gl_.Disable(GL_POLYGON_OFFSET_FILL);
   gl_.Disable(GL_BLEND);
   gl_.Disable(GL_DEPTH_TEST);
