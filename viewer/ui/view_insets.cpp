@@ -31,7 +31,9 @@ std::vector<CellInset> shownInsets(const ViewModel& model) {
 
 PixelRectangle movedOff(PixelRectangle part, InsetCorner corner, int width, int height,
                         const CoveredEdges& covered) {
-  if (isLeft(corner)) part.x += covered.left;
+  // Where they would meet those on the right, the panel lies over them instead.
+  const bool meets = 2 * (part.x + part.width) + covered.left > width;
+  if (isLeft(corner) && !meets) part.x += covered.left;
   if (!isTop(corner)) part.y -= covered.bottom;
   if (corner == InsetCorner::top_right) part.y += covered.right_top;
   part.x = std::clamp(part.x, 0, std::max(0, width - part.width));
