@@ -6,6 +6,7 @@
 
 #include "core/bundle/attached_cell.h"
 #include "core/log/log_reader.h"
+#include "golden/why/bisect.h"
 #include "golden/why/explain_pictures.h"
 
 namespace rocinante {
@@ -16,6 +17,9 @@ constexpr std::size_t kMostWorst = 6;
 constexpr std::size_t kMostEvents = 24;
 constexpr int kBetween = 3;
 constexpr int kSmallPicturePixels = 320;
+/// So many moments of the other session are looked at within the slack.
+constexpr std::size_t kMostInSlack = 256;
+constexpr const char* kWorst = "worst-";
 
 std::string frameNameOf(const std::string& text) {
   std::string name;
@@ -61,7 +65,7 @@ std::vector<std::pair<std::string, LogTime>> momentsToDraw(const SessionComparis
   });
   worst.resize(std::min(worst.size(), kMostWorst));
   for (const Deviation& item : worst) {
-    moments.add("worst-" + frameNameOf(item.item), item.largest_at);
+    moments.add(kWorst + frameNameOf(item.item), item.largest_at);
   }
   const auto& events = comparison.events.matched;
   const std::size_t count = std::min(events.size(), kMostEvents);
@@ -88,8 +92,45 @@ Result<FrameMaker> makerOf(const std::filesystem::path& cell, const CellOptions&
   return FrameMaker::open(std::move(*loaded), std::move(*session), Profile::reproducible);
 }
 
+/// When b is looked at beside a moment of a. Packets come a little earlier or later, so while
+/// things move, pictures of one moment differ where the sessions do not.
+class SlackMoments {
+ public:
+  SlackMoments(const SessionQuestion& question, FrameMaker& a, FrameMaker& b)
+      : question_(question), a_(a), b_(b) {}
+
+  /// Of the moments of b within the slack around `in_b` the one at which its state is nearest to
+  /// that of a at `in_a`.
+  Result<LogTime> nearest(LogTime in_a, LogTime in_b) {
+    Timeline& b = *b_.session();
+    if (changes_.empty()) {
+      auto changes = changesOf(question_.b);
+      if (!changes.ok()) return changes.error();
+      changes_ = std::move(*changes);
+    }
+    const Nanoseconds moment = in_b - b.origin();
+    const auto from = std::ranges::lower_bound(changes_, moment - question_.limits.slack);
+    const auto until = std::ranges::upper_bound(changes_, moment + question_.limits.slack);
+    const auto count = static_cast<std::size_t>(until - from);
+    std::vector<LogTime> candidates{in_b};
+    const std::size_t taken = std::min(count, kMostInSlack);
+    for (std::size_t i = 0; i < taken; ++i) {
+      candidates.push_back(b.origin() + from[static_cast<std::ptrdiff_t>(i * count / taken)]);
+    }
+    std::ranges::sort(candidates);
+    return nearestMoment(a_.cell(), *a_.session(), in_a, b, in_b, candidates, question_.limits);
+  }
+
+ private:
+  const SessionQuestion& question_;
+  FrameMaker& a_;
+  FrameMaker& b_;
+  std::vector<Nanoseconds> changes_;
+};
+
 Result<JudgedFrame> judgeMoment(FrameMaker& maker_a, FrameMaker& maker_b, LogTime time_a,
-                                LogTime time_b, const SessionQuestion& question) {
+                                LogTime time_b, const SessionQuestion& question,
+                                SlackMoments* slack_moments) {
   FrameRequest request;
   request.camera = question.camera;
   request.width = question.width;
@@ -103,6 +144,14 @@ Result<JudgedFrame> judgeMoment(FrameMaker& maker_a, FrameMaker& maker_b, LogTim
   if (!golden.ok()) return golden.error();
   auto frame = maker_b.frame(request_b);
   if (!frame.ok()) return frame.error();
+  if (slack_moments != nullptr &&
+      compare(*frame, *golden, question.tolerance).verdict != Verdict::same) {
+    const auto nearest = slack_moments->nearest(time_a, request_b.time);
+    if (!nearest.ok()) return nearest.error();
+    request_b.time = *nearest;
+    frame = maker_b.frame(request_b);
+    if (!frame.ok()) return frame.error();
+  }
   JudgedFrame judged;
   judged.frame.time = time_a;
   judged.frame.camera = question.camera;
@@ -169,9 +218,13 @@ Result<SessionComparison> judgeSessions(const std::filesystem::path& cell,
   report.log = question.b.string();
   report.renderer = maker_a->key().text();
   if (!question.pictures) return comparison;
+  SlackMoments slack_moments(question, *maker_a, *maker_b);
   for (const auto& [name, moment] : momentsToDraw(comparison)) {
     tell("picture " + name);
-    auto judged = judgeMoment(*maker_a, *maker_b, moment, comparison.events.inB(moment), question);
+    // The worst moments are beyond the slack, and shown as they are.
+    SlackMoments* slack = name.starts_with(kWorst) ? nullptr : &slack_moments;
+    auto judged =
+        judgeMoment(*maker_a, *maker_b, moment, comparison.events.inB(moment), question, slack);
     if (!judged.ok()) return judged.error();
     judged->frame.name = name;
     judged->frame.case_name = name;

@@ -148,22 +148,32 @@ double distanceFrom(double value, const std::vector<double>& others, std::size_t
   return value >= lowest && value <= highest ? 0 : least;
 }
 
+double limitOf(const ItemSeries& series, const SessionLimits& limits) {
+  if (series.kind == ItemKind::fact) return 0;
+  return series.unit == "rad" ? limits.radians : limits.metres;
+}
+
+/// How many samples the slack is. As many are taken behind the last one that is judged, where what
+/// came a little later in one session stands.
+std::size_t reachOf(const SessionLimits& limits, const SessionDeviation& found) {
+  const auto reach = (limits.slack + found.step - Nanoseconds(1)) / found.step;
+  return std::min(static_cast<std::size_t>(reach), found.samples);
+}
+
 class DeviationFinder {
  public:
   DeviationFinder(const SessionLimits& limits, SessionDeviation& found)
       : limits_(limits), found_(found) {
-    reach_ = static_cast<std::size_t>((limits.slack + found.step - Nanoseconds(1)) / found.step);
+    reach_ = reachOf(limits, found);
   }
 
   void judge(const std::string& item, const ItemSeries& series) {
-    const double limit = series.kind == ItemKind::fact ? 0
-                         : series.unit == "rad"        ? limits_.radians
-                                                       : limits_.metres;
+    const double limit = limitOf(series, limits_);
     Deviation deviation{item, series.unit, 0.0, {}, {}};
     bool is_beyond = false;
     for (std::size_t i = 0; i < found_.samples; ++i) {
       const std::size_t first = i < reach_ ? 0 : i - reach_;
-      const std::size_t last = std::min(found_.samples - 1, i + reach_);
+      const std::size_t last = i + reach_;
       const double apart = std::max(distanceFrom(series.a[i], series.b, first, last, series.kind),
                                     distanceFrom(series.b[i], series.a, first, last, series.kind));
       const LogTime moment = found_.from + found_.step * static_cast<std::int64_t>(i);
@@ -227,9 +237,10 @@ Result<SessionDeviation> compareSessions(const Cell& cell, Timeline& a, Timeline
   found.samples = static_cast<std::size_t>(span / found.step) + 1;
 
   SeriesByItem series;
-  SampleWriter into_a(series, found.samples, &ItemSeries::a);
-  SampleWriter into_b(series, found.samples, &ItemSeries::b);
-  for (std::size_t i = 0; i < found.samples; ++i) {
+  const std::size_t taken = found.samples + reachOf(limits, found);
+  SampleWriter into_a(series, taken, &ItemSeries::a);
+  SampleWriter into_b(series, taken, &ItemSeries::b);
+  for (std::size_t i = 0; i < taken; ++i) {
     const LogTime moment = found.from + found.step * static_cast<std::int64_t>(i);
     const auto state_a = a.stateAt(moment);
     if (!state_a.ok()) return state_a.error();
@@ -243,6 +254,49 @@ Result<SessionDeviation> compareSessions(const Cell& cell, Timeline& a, Timeline
   for (const auto& [item, its] : series) finder.judge(item, its);
   std::ranges::stable_sort(found.beyond, {}, &Deviation::first_at);
   return found;
+}
+
+Result<LogTime> nearestMoment(const Cell& cell, Timeline& a, LogTime in_a, Timeline& b,
+                              LogTime in_b, const std::vector<LogTime>& candidates,
+                              const SessionLimits& limits) {
+  SeriesByItem series;
+  const auto state_a = a.stateAt(in_a);
+  if (!state_a.ok()) return state_a.error();
+  SampleWriter(series, candidates.size(), &ItemSeries::a).write(cell, **state_a, 0);
+  SampleWriter into_b(series, candidates.size(), &ItemSeries::b);
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const auto state_b = b.stateAt(candidates[i]);
+    if (!state_b.ok()) return state_b.error();
+    into_b.write(cell, **state_b, i);
+  }
+  struct Apart {
+    std::size_t facts = 0;  ///< and things that only one of them has
+    double most = 0;
+    Nanoseconds away{0};
+    auto operator<=>(const Apart&) const = default;
+  };
+  std::vector<Apart> apart(candidates.size());
+  for (const auto& [item, its] : series) {
+    const double limit = std::max(limitOf(its, limits), 1e-12);
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      const double away = std::abs(its.a.front() - its.b[i]);
+      if (std::isnan(its.a.front()) && std::isnan(its.b[i])) continue;
+      if (its.kind == ItemKind::fact ? away != 0 : std::isnan(away)) {
+        ++apart[i].facts;
+      } else if (its.kind == ItemKind::measure) {
+        apart[i].most = std::max(apart[i].most, away / limit);
+      }
+    }
+  }
+  LogTime best = in_b;
+  std::optional<Apart> least;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    apart[i].away = std::chrono::abs(candidates[i] - in_b);
+    if (least && (apart[i] <=> *least) >= 0) continue;
+    least = apart[i];
+    best = candidates[i];
+  }
+  return best;
 }
 
 }  // namespace rocinante

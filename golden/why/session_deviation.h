@@ -44,4 +44,11 @@ Result<SessionDeviation> compareSessions(const Cell& cell, Timeline& a, Timeline
                                          const EventAlignment& alignment,
                                          const SessionLimits& limits);
 
+/// Which of `candidates`, times of b, finds b in the state most like that of a at `in_a`: the
+/// fewest facts that differ, then the smallest deviation in parts of its limit, then the nearest to
+/// `in_b`.
+Result<LogTime> nearestMoment(const Cell& cell, Timeline& a, LogTime in_a, Timeline& b,
+                              LogTime in_b, const std::vector<LogTime>& candidates,
+                              const SessionLimits& limits);
+
 }  // namespace rocinante

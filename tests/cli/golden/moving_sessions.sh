@@ -1,0 +1,33 @@
+# Two recordings of one motion never hold the same moment; their pictures are those of the same state all the same.
+cat >arm.urdf <<'URDF'
+<robot name="arm">
+  <link name="base"/>
+  <link name="bar"><visual><origin xyz="0.5 0 0"/><geometry><box size="1 0.2 0.2"/></geometry></visual></link>
+  <joint name="turn" type="continuous"><parent link="base"/><child link="bar"/><axis xyz="0 0 1"/></joint>
+</robot>
+URDF
+cat >cell.toml <<'TOML'
+format = 1
+[[device]]
+model = "arm.urdf"
+[[camera]]
+name = "above"
+eye = [0, -2, 3]
+target = [0, 0, 0]
+TOML
+python3 -c 'print("t,turn"); [print(f"{0.02 * i:.2f},{0.1 * i:.1f}") for i in range(16)]' >there.csv
+python3 -c 'print("t,turn"); [print(f"{0.02 * i:.2f},{-0.1 * i:.1f}") for i in range(16)]' >back.csv
+recorded() {
+  rocinante record 127.0.0.1:0 -o "$1.mcap" --cell cell.toml --max-packets 17 >/dev/null 2>said &
+  until grep -qs '^recording' said; do kill -0 $!; sleep 0.05; done
+  port=$(sed -n 's/^recording.*:\([0-9]*\) to .*/\1/p' said)
+  rocinante source --csv "$2.csv" --device arm --restate 0 --quiet --to "127.0.0.1:$port" >/dev/null 2>&1
+  wait $!
+}
+recorded a there
+recorded b there
+recorded c back
+judged() { rocinante golden session "$@" --size 96x72 --slack 1s | sed -nE 's/^(pictures .*|same|different)$/\1/p'; }
+judged a.mcap b.mcap
+judged b.mcap a.mcap
+judged a.mcap c.mcap | tail -n 1
