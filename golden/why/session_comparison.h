@@ -22,7 +22,7 @@ struct SessionQuestion {
 };
 
 /// Two recordings of one scenario, compared by events, by state and by pictures
-/// (docs/golden-suites.md, "Whole sessions"). a is what was accepted.
+/// (docs/programs/golden.md, "session"). a is what was accepted.
 struct SessionComparison {
   EventAlignment events;
   LogTime origin_a{}, origin_b{};

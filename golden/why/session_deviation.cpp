@@ -242,10 +242,10 @@ Result<SessionDeviation> compareSessions(const Cell& cell, Timeline& a, Timeline
   SampleWriter into_b(series, taken, &ItemSeries::b);
   for (std::size_t i = 0; i < taken; ++i) {
     const LogTime moment = found.from + found.step * static_cast<std::int64_t>(i);
-    const auto state_a = a.stateAt(moment);
+    const auto state_a = a.stateAt(std::min(moment, a.end()));
     if (!state_a.ok()) return state_a.error();
     into_a.write(cell, **state_a, i);
-    const auto state_b = b.stateAt(alignment.inB(moment));
+    const auto state_b = b.stateAt(std::min(alignment.inB(moment), b.end()));
     if (!state_b.ok()) return state_b.error();
     into_b.write(cell, **state_b, i);
   }
