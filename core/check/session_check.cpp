@@ -68,10 +68,12 @@ DeviceJudge& SessionCheck::newDevice(std::string_view name) {
 }
 
 Decoder* SessionCheck::decoderFor(std::string_view encoding) {
+  if (Decoder* const* const known = decoder_cache_.find(encoding)) return *known;
   auto found = decoders_.find(encoding);
   if (found == decoders_.end()) {
     found = decoders_.emplace(std::string(encoding), makeDecoder(encoding)).first;
   }
+  decoder_cache_.remember(found->first, found->second.get());
   return found->second.get();
 }
 
@@ -197,9 +199,8 @@ void SessionCheck::judgeJoints(const Statement& statement, const SourceJudge& so
                                DeviceJudge& device, const PacketPlace& place) {
   // An order may have been forgotten since it was given: by `remove`, or a restatement without it.
   const bool ordered = device.hasOrderOf(source.number()) && [&] {
-    const auto said = state_.devices().find(statement.name);
-    return said != state_.devices().end() && !said->second.orders.empty() &&
-           said->second.orders.contains(source.name());
+    const DeviceState* const said = state_.findDevice(statement.name);
+    return said != nullptr && said->orders.contains(source.name());
   }();
   device.judgeJoints(statement.numbers, ordered, place);
 }

@@ -89,6 +89,7 @@ class SessionCheck {
   ByName<Source> sources_;
   std::vector<std::string> source_names_;  ///< by number
   ByName<DeviceJudge> devices_;
+  NameCache<Decoder*> decoder_cache_;
   NameCache<Source*> source_cache_;
   NameCache<DeviceJudge*> device_cache_;
   LayerJudge layers_;

@@ -82,7 +82,7 @@ Item<T> StateFolder::itemOf(T value) const {
 
 template <class T>
 void StateFolder::claim(Item<T>& item) const {
-  if (item.owner != header_.source) item.owner = header_.source;
+  if (!sameName(item.owner, header_.source)) item.owner = header_.source;
   item.said.packet = state_.packets_;
 }
 
@@ -127,14 +127,19 @@ void StateFolder::foldJointsByName(Device& device, std::span<const std::string> 
     count(PacketFault::order_mismatch);
     return;
   }
+  // Joints are numbered more often than not: one stands behind the other in the map too.
+  NamedJoints& joints = device.second.named_joints;
+  auto next = joints.begin();
   for (std::size_t i = 0; i < names.size(); ++i) {
-    if (!setNamedJoint(device.second, names[i], values[i])) break;
+    if (next == joints.end() || !sameName(next->first, names[i])) next = joints.find(names[i]);
+    if (!setNamedJoint(device.second, next, names[i], values[i])) break;
+    if (next != joints.end()) ++next;
   }
   device.second.last_write = time_;
 }
 
-bool StateFolder::setNamedJoint(DeviceState& device, std::string_view name, double value) {
-  const auto found = device.named_joints.find(name);
+bool StateFolder::setNamedJoint(DeviceState& device, NamedJoints::iterator found,
+                                std::string_view name, double value) {
   const std::uint64_t weight = kItemWeight + header_.source.size();
   if (found != device.named_joints.end()) {
     if (!makeRoom(weightOf(found->second), weight)) return false;
@@ -177,7 +182,9 @@ void StateFolder::foldJoint(const Statement& statement) {
   Device* const device = deviceFor(statement.name);
   if (device == nullptr) return;
   for (std::size_t i = 0; i < statement.names.size(); ++i) {
-    if (!setNamedJoint(device->second, statement.names[i], statement.numbers[i])) break;
+    const std::string_view name = statement.names[i];
+    const auto found = device->second.named_joints.find(name);
+    if (!setNamedJoint(device->second, found, name, statement.numbers[i])) break;
     device->second.last_write = time_;
   }
   forgetIfEmpty(statement.name);

@@ -163,6 +163,14 @@ class SessionState {
   using Drawings = std::map<std::pair<std::string, std::string>, Drawing>;
 
   const Devices& devices() const { return devices_; }
+  /// What was said about one device; null when nothing was. Quick for one that was written lately.
+  const DeviceState* findDevice(std::string_view name) const {
+    if (Devices::value_type* const* const known = device_cache_.find(name)) {
+      return &(*known)->second;
+    }
+    const auto found = devices_.find(name);
+    return found == devices_.end() ? nullptr : &found->second;
+  }
   const std::map<Path, Item<Visibility>>& visibility() const { return visibility_; }
   const std::map<Path, Item<ColorValue>>& colors() const { return colors_; }
   const Drawings& drawings() const { return drawings_; }

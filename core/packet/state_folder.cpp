@@ -76,7 +76,7 @@ bool StateFolder::findSource() {
 bool StateFolder::admit() {
   const bool own = header_.by.empty();
   if (header_.reset) forgetSequence();
-  const bool other_run = source_->run != header_.run;
+  const bool other_run = !sameName(source_->run, header_.run);
   const bool again = own && header_.sequence && source_->highest_sequence &&
                      isRestart(*header_.sequence, *source_->highest_sequence);
   if (other_run || again) {

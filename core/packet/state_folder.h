@@ -19,6 +19,7 @@ class StateFolder {
 
  private:
   using Device = SessionState::Devices::value_type;
+  using NamedJoints = decltype(DeviceState::named_joints);
 
   // state_folder.cpp: the header's part.
   bool findSource();
@@ -45,7 +46,9 @@ class StateFolder {
   void foldEvent(const Statement& statement);
   void foldView(const Statement& statement);
   void foldSeen(const Statement& statement);
-  bool setNamedJoint(DeviceState& device, std::string_view name, double value);
+  /// `found`: where `name` stands among the device's, or their end.
+  bool setNamedJoint(DeviceState& device, NamedJoints::iterator found, std::string_view name,
+                     double value);
 
   /// The device that a statement writes about, made when it is new; null when there is no room.
   Device* deviceFor(std::string_view name);

@@ -22,6 +22,9 @@ constexpr std::array<bool, 256> kNameBytes = [] {
 
 std::uint32_t byteOf(char character) { return static_cast<unsigned char>(character); }
 
+/// isNameByte(), where the compiler may put it in place: an exported function it may not.
+bool isPlain(char byte) { return kNameBytes[byteOf(byte)]; }
+
 bool isControl(char byte) { return byteOf(byte) < 0x20 || byteOf(byte) == 0x7F; }
 
 bool isUtf8(std::string_view text) {
@@ -35,7 +38,7 @@ bool isUtf8(std::string_view text) {
 
 }  // namespace
 
-bool isNameByte(char byte) { return kNameBytes[byteOf(byte)]; }
+bool isNameByte(char byte) { return isPlain(byte); }
 
 // Unicode 15, table 3-7: no overlong forms, no surrogates, nothing past U+10FFFF.
 std::size_t utf8Length(std::string_view text) {
@@ -66,7 +69,7 @@ std::size_t utf8Length(std::string_view text) {
 
 std::optional<std::string_view> decodeName(std::string_view raw, TextArena& arena) {
   std::size_t plain = 0;
-  while (plain < raw.size() && isNameByte(raw[plain])) ++plain;
+  while (plain < raw.size() && isPlain(raw[plain])) ++plain;
   if (plain == raw.size()) {
     if (raw.empty() || raw.size() > limits::kNameBytes) return std::nullopt;
     return raw;
