@@ -57,7 +57,7 @@ Status showPictures(const JudgedFrame& judged) {
       judged.accepted->height != judged.drawn->height) {
     return {};
   }
-  return write("difference", differencePicture(*judged.drawn, *judged.accepted));
+  return write("difference", differencePicture(judged.compared(), *judged.accepted));
 }
 
 Result<Answer> ask(const JudgedFrame& judged) {
@@ -91,22 +91,32 @@ class Approver {
     }
   }
 
+  /// A frame that may not be approved is counted; what cannot be written down ends it all, and
+  /// nothing is approved then.
   Result<Counts> run() {
-    for (const SuiteFrame& frame : session_.frames()) {
-      if (cli::stopRequested() || quit_) break;
+    const std::size_t frames = session_.frames().size();
+    const bool shows_progress =
+        !arguments_.interactive && frames > 8 && ::isatty(STDERR_FILENO) == 1;
+    for (std::size_t i = 0; i < frames && !quit_; ++i) {
+      const SuiteFrame& frame = session_.frames()[i];
       if (list_ && !list_->contains(frame.name)) continue;
+      if (shows_progress) fmt::print(stderr, "\r{}/{} ", i, frames);
       const Status done = approveOne(frame);
+      if (cli::stopRequested()) return interrupted();
+      if (unwritten_) return *unwritten_;
       if (done) continue;
       cli::warn(done.error().text());
       ++counts_.refused;
     }
-    const std::size_t staged = approval_.staged();
+    if (shows_progress) fmt::print(stderr, "\r              \r");
     const auto left_alone = approval_.commit();
     if (!left_alone.ok()) return left_alone.error();
     for (const std::string& name : *left_alone) {
       cli::warn("somebody else approved it in the meantime: left alone (case " + name + ")");
+      std::erase(told_, name);
     }
-    counts_.approved += staged - left_alone->size();
+    for (const std::string& name : told_) fmt::print("approved {}\n", name);
+    counts_.approved -= left_alone->size();
     counts_.refused += left_alone->size();
     return counts_;
   }
@@ -138,7 +148,7 @@ class Approver {
     // Nothing changed: who accepted it first stays.
     if (approval_.isAccepted(frame.name, accepted)) {
       ++counts_.unchanged;
-      if (!arguments_.interactive) fmt::print("approved {}\n", frame.name);
+      if (!arguments_.interactive) told_.push_back(frame.name);
       return {};
     }
     if (list_ && list_->find(frame.name)->second != accepted.pixels) {
@@ -157,20 +167,24 @@ class Approver {
     if (auto staged = approval_.stage(frame.name, std::move(accepted), *drawn,
                                       areas_picture ? &*areas_picture : nullptr, arguments_.also);
         !staged) {
-      return staged;
+      unwritten_ = staged.error();
+      return {};
     }
-    fmt::print("approved {}\n", frame.name);
+    told_.push_back(frame.name);
+    ++counts_.approved;
     return {};
+  }
+
+  Error interrupted() const {
+    return {ErrorKind::refused, "interrupted: nothing was approved",
+            session_.suite().file.string()};
   }
 
   Result<Answer> askAbout(const SuiteFrame& frame) {
     auto judged = session_.judge(frame);
     if (!judged.ok()) return judged.error();
     // Within its tolerance, but not the accepted pixels.
-    if (!judged->drawn) {
-      ++counts_.unchanged;
-      return Answer::no;
-    }
+    if (!judged->drawn) return Answer::no;
     return ask(*judged);
   }
 
@@ -180,6 +194,8 @@ class Approver {
   Approval approval_;
   std::string by_, at_;
   Counts counts_;
+  std::vector<std::string> told_;  ///< names of frames that are accepted when all is written
+  std::optional<Error> unwritten_;
   bool quit_ = false;
 };
 

@@ -81,7 +81,7 @@ void printAnswer(const FilesComparison& files, const std::optional<PictureFigure
 
 CLI::App* addCompareCommand(CLI::App& app, CompareArguments& arguments) {
   CLI::App* command = app.add_subcommand("compare", "compare two pictures");
-  command->add_option("A", arguments.frame, "a picture")->required();
+  command->add_option("A", arguments.frame, "a picture; - is standard input")->required();
   command->add_option("B", arguments.golden, "the picture to compare it with")->required();
   command->add_option("--tier", arguments.tier, "exact, cpu or loose")->capture_default_str();
   command
@@ -104,7 +104,14 @@ Result<cli::Exit> runCompareCommand(const CompareArguments& arguments) {
     if (!rectangle.ok()) return rectangle.error();
     masks.push_back(*rectangle);
   }
-  const FilesComparison files = compareFiles(arguments.frame, arguments.golden, *tolerance, masks);
+  if (arguments.frame == "-" && arguments.golden == "-") {
+    return Error{ErrorKind::bad_argument, "standard input is one picture, not two", {}};
+  }
+  const auto fileOf = [](const std::filesystem::path& path) {
+    return path == "-" ? std::filesystem::path("/dev/stdin") : path;
+  };
+  const FilesComparison files =
+      compareFiles(fileOf(arguments.frame), fileOf(arguments.golden), *tolerance, masks);
   // A script that reads the answer wants one in every case.
   if (files.unreadable && !arguments.json) return *files.unreadable;
   std::optional<PictureFigures> figures;

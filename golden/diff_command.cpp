@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <map>
 
 #include "core/plain_text.h"
 #include "golden/compare_command.h"
@@ -56,34 +57,65 @@ Result<std::vector<JudgedFrame>> changesIn(const GitRevision& revision, const Go
       [&](const AcceptedPicture& one) { return folder.read(one); }, since);
 }
 
-/// Of the suite, or of every manifest of goldens in the repository.
-Result<std::vector<JudgedFrame>> allChanges(const DiffArguments& arguments) {
-  if (!arguments.suite.empty()) {
-    const auto suite = readSuite(arguments.suite);
-    if (!suite.ok()) return suite.error();
-    const auto revision = GitRevision::open(arguments.suite.parent_path(), arguments.revision);
-    if (!revision.ok()) return revision.error();
-    return changesIn(*revision, GoldenFolder(suite->goldens, suite->store), arguments.revision);
-  }
-  const auto revision = GitRevision::open(".", arguments.revision);
-  if (!revision.ok()) return revision.error();
-  const auto files = revision->filesNamed("manifest.json");
+/// Whether a manifest.json is one of goldens, now or then: other programs name files so too.
+bool isOfGoldens(const GitRevision& revision, const std::filesystem::path& goldens) {
+  const auto then = manifestThen(revision, goldens);
+  if (then.ok() && !then->cases.empty()) return true;
+  const auto now = Manifest::read(goldens);
+  return now.ok() && !now->cases.empty();
+}
+
+/// The stores that suites of the repository name, by their folders of goldens.
+Result<std::map<std::filesystem::path, std::filesystem::path>> storesIn(
+    const GitRevision& revision) {
+  const auto files = revision.filesThatEndWith(".toml");
   if (!files.ok()) return files.error();
+  std::map<std::filesystem::path, std::filesystem::path> stores;
+  for (const std::filesystem::path& file : *files) {
+    // What is no suite names none.
+    const auto suite = readSuite(revision.root() / file);
+    if (!suite.ok() || suite->store.empty()) continue;
+    stores.emplace(std::filesystem::absolute(suite->goldens).lexically_normal(), suite->store);
+  }
+  return stores;
+}
+
+Result<std::vector<JudgedFrame>> changesInRepository(const std::string& since) {
+  const auto revision = GitRevision::open(".", since);
+  if (!revision.ok()) return revision.error();
+  const auto files = revision->filesThatEndWith("manifest.json");
+  if (!files.ok()) return files.error();
+  const auto stores = storesIn(*revision);
+  if (!stores.ok()) return stores.error();
   std::vector<JudgedFrame> all;
   for (const std::filesystem::path& file : *files) {
-    const std::filesystem::path folder = revision->root() / file.parent_path();
-    auto changes = changesIn(*revision, GoldenFolder(folder, {}), arguments.revision);
-    // Other programs name files so too.
-    if (!changes.ok()) continue;
+    const std::filesystem::path folder =
+        (revision->root() / file.parent_path() / "").lexically_normal().parent_path();
+    if (file.filename() != "manifest.json" || !isOfGoldens(*revision, folder)) continue;
+    const auto store = stores->find(folder);
+    auto changes = changesIn(
+        *revision,
+        GoldenFolder(folder, store == stores->end() ? std::filesystem::path() : store->second),
+        since);
+    if (!changes.ok()) return changes.error();
     for (JudgedFrame& judged : *changes) {
       // Of which suite, in a name that may be a file's.
       std::string place = file.parent_path().generic_string();
       std::ranges::replace(place, '/', '.');
-      judged.frame.name = place + "." + judged.frame.name;
+      if (!place.empty()) judged.frame.name = safeName(place + "." + judged.frame.name);
       all.push_back(std::move(judged));
     }
   }
   return all;
+}
+
+Result<std::vector<JudgedFrame>> allChanges(const DiffArguments& arguments) {
+  if (arguments.suite.empty()) return changesInRepository(arguments.revision);
+  const auto suite = readSuite(arguments.suite);
+  if (!suite.ok()) return suite.error();
+  const auto revision = GitRevision::open(arguments.suite.parent_path(), arguments.revision);
+  if (!revision.ok()) return revision.error();
+  return changesIn(*revision, GoldenFolder(suite->goldens, suite->store), arguments.revision);
 }
 
 }  // namespace
@@ -104,6 +136,12 @@ Result<cli::Exit> runDiffCommand(const DiffArguments& arguments) {
   auto frames = allChanges(arguments);
   if (!frames.ok()) return frames.error();
   const std::size_t goldens = frames->size();
+  if (goldens == 0) {
+    return Error{ErrorKind::not_found,
+                 fmt::format("there are no goldens, neither now nor at {}: nothing to compare",
+                             plainText(arguments.revision)),
+                 arguments.suite.string()};
+  }
   std::erase_if(*frames,
                 [](const JudgedFrame& judged) { return judged.verdict == FrameVerdict::same; });
   SuiteReport report;

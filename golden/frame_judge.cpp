@@ -22,7 +22,7 @@ FrameVerdict frameVerdict(Verdict verdict) {
 /// With what the case's masks hide, now or when the golden was accepted, left out.
 Comparison compareUnmasked(const GoldenFolder& folder, const CaseAreas* areas,
                            const AcceptedPicture& golden, const Picture& accepted,
-                           JudgedFrame& judged) {
+                           JudgedFrame& judged, std::optional<Picture>& unmasked) {
   if (areas == nullptr) return compare(*judged.drawn, accepted, judged.tolerance);
   std::optional<Picture> accepted_areas;
   if (!golden.areas.empty()) {
@@ -32,6 +32,9 @@ Comparison compareUnmasked(const GoldenFolder& folder, const CaseAreas* areas,
   const PictureMask mask =
       maskOf(*judged.frame.suite_case, *areas, accepted_areas ? &*accepted_areas : nullptr);
   judged.masks = mask.parts();
+  if (accepted.width == mask.width() && accepted.height == mask.height()) {
+    unmasked = mask.applied(*judged.drawn, accepted);
+  }
   return compare(*judged.drawn, accepted, judged.tolerance, &mask);
 }
 
@@ -48,7 +51,8 @@ void judgeAgainst(const std::vector<const AcceptedPicture*>& goldens, const Gold
       }
       continue;
     }
-    Comparison found = compareUnmasked(folder, areas, *golden, *accepted, judged);
+    std::optional<Picture> unmasked;
+    Comparison found = compareUnmasked(folder, areas, *golden, *accepted, judged, unmasked);
     const FrameVerdict verdict = frameVerdict(found.verdict);
     // Of several accepted pictures the nearest one is told.
     const bool nearer =
@@ -63,6 +67,7 @@ void judgeAgainst(const std::vector<const AcceptedPicture*>& goldens, const Gold
     judged.comparison = std::move(found);
     judged.golden = *golden;
     judged.accepted = std::move(*accepted);
+    judged.unmasked = std::move(unmasked);
     if (verdict == FrameVerdict::same) return;
   }
 }
@@ -72,6 +77,7 @@ void judgeAgainst(const std::vector<const AcceptedPicture*>& goldens, const Gold
 void judgeDrawn(const Manifest& manifest, const GoldenFolder& folder, const CaseAreas* areas,
                 JudgedFrame& judged) {
   const SuiteCase& made = *judged.frame.suite_case;
+  judged.own_masks = made.mask.size();
   if (areas != nullptr) judged.masks = maskOf(made, *areas, nullptr).parts();
   std::vector<const AcceptedPicture*> goldens = manifest.find(judged.frame.name, judged.key);
   for (const AcceptedPicture* golden : goldens) {

@@ -22,13 +22,13 @@ Result<std::string> git(const std::filesystem::path& folder, std::vector<std::st
                folder.string()};
 }
 
-void addNamed(const std::string& listed, const std::string& name,
-              std::set<std::filesystem::path>& found) {
+void addEnding(const std::string& listed, std::string_view ending,
+               std::set<std::filesystem::path>& found) {
   std::size_t begin = 0;
   for (std::size_t end = 0; (end = listed.find('\0', begin)) != std::string::npos;
        begin = end + 1) {
-    const std::filesystem::path path = listed.substr(begin, end - begin);
-    if (path.filename() == name) found.insert(path);
+    const std::string_view path = std::string_view(listed).substr(begin, end - begin);
+    if (path.ends_with(ending)) found.emplace(path);
   }
 }
 
@@ -64,14 +64,15 @@ Result<std::string> GitRevision::file(const std::filesystem::path& file) const {
                fmt::format("commit {} has no such file", commit_.substr(0, 12)), file.string()};
 }
 
-Result<std::vector<std::filesystem::path>> GitRevision::filesNamed(const std::string& name) const {
+Result<std::vector<std::filesystem::path>> GitRevision::filesThatEndWith(
+    std::string_view ending) const {
   std::set<std::filesystem::path> found;
   const auto then = git(root_, {"ls-tree", "-r", "-z", "--name-only", "--full-tree", commit_});
   if (!then.ok()) return then.error();
-  addNamed(*then, name, found);
+  addEnding(*then, ending, found);
   const auto now = git(root_, {"ls-files", "-z", "--cached", "--others", "--exclude-standard"});
   if (!now.ok()) return now.error();
-  addNamed(*now, name, found);
+  addEnding(*now, ending, found);
   return std::vector<std::filesystem::path>(found.begin(), found.end());
 }
 

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/result.h"
@@ -23,9 +24,9 @@ class GitRevision {
   /// elsewhere is fetched by its filter). not_found when it has none. Names outside the repository
   /// are refused.
   Result<std::string> file(const std::filesystem::path& file) const;
-  /// Files named `name` in any folder, of the commit or of the working tree now, below the root,
-  /// sorted.
-  Result<std::vector<std::filesystem::path>> filesNamed(const std::string& name) const;
+  /// Files whose names end with `ending` in any folder, of the commit or of the working tree now,
+  /// below the root, sorted.
+  Result<std::vector<std::filesystem::path>> filesThatEndWith(std::string_view ending) const;
 
  private:
   GitRevision(std::filesystem::path root, std::string commit)

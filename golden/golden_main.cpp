@@ -1,5 +1,6 @@
 // rocinante-golden: visual regression (docs/programs/golden.md).
 #include <CLI/CLI.hpp>
+#include <csignal>
 
 #include "core/cli/program.h"
 #include "golden/add_command.h"
@@ -54,6 +55,8 @@ int goldenMain(int argc, char** argv) {
 
   return cli::run(app, argc, argv, kExamples, [&]() -> Result<cli::Exit> {
     cli::catchStopSignals();
+    // A limit on the size of files is then an answer of write(), like a full disk.
+    std::signal(SIGXFSZ, SIG_IGN);
     if (run->parsed()) return runRunCommand(run_arguments);
     if (approve->parsed()) return runApproveCommand(approve_arguments);
     if (list->parsed()) return runListCommand(list_arguments);

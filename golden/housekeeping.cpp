@@ -46,9 +46,7 @@ void addLooseLimits(std::span<const JudgedFrame> judged, std::vector<std::string
 void addIdleMasks(std::span<const JudgedFrame> judged, std::vector<std::string>& notes) {
   std::map<std::pair<std::string, std::string>, std::int64_t> hidden;  // by case and mask
   for (const JudgedFrame& one : judged) {
-    if (one.frame.suite_case == nullptr) continue;
-    // Only its own: what the golden's masks hide comes after them.
-    const std::size_t own = std::min(one.masks.size(), one.frame.suite_case->mask.size());
+    const std::size_t own = std::min(one.masks.size(), one.own_masks);
     for (std::size_t i = 0; i < own; ++i) {
       hidden[{one.frame.case_name, one.masks[i].name}] += one.masks[i].pixels;
     }
@@ -65,7 +63,8 @@ void addStrayFiles(const std::filesystem::path& folder, const std::set<std::stri
   std::error_code ignored;
   for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
     const std::string name = entry.path().filename().string();
-    if (name.starts_with(".") && (name.ends_with(".png.new") || name.starts_with(".staged-"))) {
+    if (name.starts_with(".staged-") || name.starts_with("manifest.json.part") ||
+        (name.starts_with(".") && name.ends_with(".png.new"))) {
       faults.push_back(fmt::format("file {} was left by an approve that was interrupted",
                                    plainText(entry.path().string())));
     } else if (name.ends_with(".png") && !known.contains(name)) {

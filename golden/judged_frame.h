@@ -30,6 +30,7 @@ struct SuiteFrame {
   std::string case_name{};
   std::string camera{};  ///< empty: as render chooses
   std::vector<std::string> tags{};
+  std::size_t place = 0;  ///< among all frames of the suite
 };
 
 enum class FrameVerdict : std::uint8_t {
@@ -54,15 +55,23 @@ struct JudgedFrame {
   std::string limit_from;   ///< "the default", "s.toml:12", "[tolerance.arm] of s.toml:4"
   std::string expectation;  ///< why the case is expected to differ; empty when it is not
   Comparison comparison;
-  std::vector<PictureMask::Part> masks;   ///< of the case, and how many pixels each hides
+  /// How many pixels each mask hides: first the case's own, then what the golden's hid besides.
+  std::vector<PictureMask::Part> masks;
+  std::size_t own_masks = 0;
   std::string key;                        ///< renderer, size, samples
   std::string pixels;                     ///< hash of what was drawn
   std::string inputs;                     ///< hash of what it was drawn from
   std::string session;                    ///< content_sha256 of the log
   std::optional<AcceptedPicture> golden;  ///< the nearest accepted one
   std::optional<Picture> drawn, accepted;
+  std::optional<Picture> unmasked;      ///< drawn, with the golden's pixels where masks hide
   std::optional<Picture> thumbnail;     ///< of a frame that is fine: small, for the report
   std::shared_ptr<const FrameWhy> why;  ///< who and what differs, where that was asked for
+  /// What draws and what accepts this frame, where its report puts several suites together.
+  std::string run_command{}, approve_command{};
+
+  /// What was held against `accepted`: requires that something was drawn.
+  const Picture& compared() const { return unmasked ? *unmasked : *drawn; }
   double render_ms = 0, judge_ms = 0;
 };
 

@@ -88,6 +88,7 @@ class WireWriter {
     wire.item(judged.golden);
     wire.item(judged.drawn);
     wire.item(judged.accepted);
+    wire.item(judged.unmasked);
     wire.item(judged.thumbnail);
     wire.item(judged.render_ms);
     wire.item(judged.judge_ms);

@@ -205,10 +205,11 @@ std::string shapeText(int width, int height, int samples) {
   return fmt::format("{}x{} {}x", width, height, samples);
 }
 
+std::string keyDigits(std::string_view key) { return hexOf(xxh3(bytesOf(key))).substr(0, 8); }
+
 std::string goldenFileName(std::string_view case_name, std::string_view key, int turn) {
-  const std::string key_digits = hexOf(xxh3(bytesOf(key))).substr(0, 8);
-  return turn == 1 ? fmt::format("{}.{}.png", case_name, key_digits)
-                   : fmt::format("{}.{}.{}.png", case_name, key_digits, turn);
+  return turn == 1 ? fmt::format("{}.{}.png", case_name, keyDigits(key))
+                   : fmt::format("{}.{}.{}.png", case_name, keyDigits(key), turn);
 }
 
 }  // namespace rocinante

@@ -62,6 +62,8 @@ std::string cellKey(const FileHashes& files);
 
 /// "640x480 4x": the end of a key.
 std::string shapeText(int width, int height, int samples);
+/// Eight digits of a key's hash: what stands for it in names of files.
+std::string keyDigits(std::string_view key);
 /// The golden's file name: the case and eight digits of the key's hash, so that keys never clash.
 /// `turn` tells several pictures of one key apart: the first has none.
 std::string goldenFileName(std::string_view case_name, std::string_view key, int turn = 1);

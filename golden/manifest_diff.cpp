@@ -37,16 +37,6 @@ const AcceptedPicture& unlike(const Pictures& pictures, const Pictures& others) 
   return found == pictures.end() ? *pictures.front() : **found;
 }
 
-/// A name that may stand in a file's: a manifest is anybody's text, and reports write files.
-std::string safeName(const std::string& name) {
-  std::string safe = name.substr(0, 200);
-  for (char& c : safe) {
-    if (!isFileText({&c, 1})) c = '_';
-  }
-  if (safe.empty() || safe.front() == '.') safe.insert(0, "_");
-  return safe;
-}
-
 std::string acceptedText(const AcceptedPicture& accepted) {
   return fmt::format("accepted by {} on {}: {}", plainText(accepted.accepted_by),
                      plainText(accepted.accepted_at), plainText(accepted.reason));
@@ -64,15 +54,32 @@ std::optional<Picture> readOrTell(const ReadAccepted& read, const AcceptedPictur
 
 }  // namespace
 
+std::string safeName(const std::string& name) {
+  std::string safe = name.substr(0, 200);
+  for (char& c : safe) {
+    if (!isFileText({&c, 1})) c = '_';
+  }
+  if (safe.empty() || safe.front() == '.') safe.insert(0, "_");
+  return safe;
+}
+
 std::vector<JudgedFrame> manifestChanges(const Manifest& then, const ReadAccepted& read_then,
                                          const Manifest& now, const ReadAccepted& read_now,
                                          const std::string& since) {
   std::vector<JudgedFrame> frames;
-  for (const auto& [name, key] : casesAndKeys(then, now)) {
+  const auto cases = casesAndKeys(then, now);
+  std::set<std::string> once, several;
+  for (const auto& [name, key] : cases) {
+    if (!once.insert(name).second) several.insert(name);
+  }
+  for (const auto& [name, key] : cases) {
     const Pictures old = then.find(name, key);
     const Pictures current = now.find(name, key);
     JudgedFrame& judged = frames.emplace_back();
-    judged.frame.name = judged.frame.case_name = safeName(name);
+    judged.frame.case_name = safeName(name);
+    // Goldens of two renderers are two frames.
+    judged.frame.name = judged.frame.case_name;
+    if (several.contains(name)) judged.frame.name += "." + keyDigits(key);
     judged.key = key;
     judged.limit_from = "the comparison of revisions";
     if (!old.empty()) judged.golden = unlike(old, current);

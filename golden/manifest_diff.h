@@ -21,4 +21,7 @@ std::vector<JudgedFrame> manifestChanges(const Manifest& then, const ReadAccepte
                                          const Manifest& now, const ReadAccepted& read_now,
                                          const std::string& since);
 
+/// A name that may stand in a file's: a manifest is anybody's text, and reports write files.
+std::string safeName(const std::string& name);
+
 }  // namespace rocinante

@@ -24,6 +24,7 @@ Json whyJsonOf(const FrameWhy& why) {
                  {"kind", nameOf(change.kind)},
                  {"text", changeText(change, why.blame.differing)}};
     if (change.moved_px) link["moved_px"] = *change.moved_px;
+    if (change.kind == ChangeKind::color) link["color_shift"] = change.color_shift;
     links.push_back(std::move(link));
   }
   Json state = Json::array();
@@ -47,14 +48,27 @@ Json frameJson(const JudgedFrame& judged) {
       {"pixels", judged.pixels},
       {"inputs", judged.inputs},
       {"tolerance", judged.tolerance.name},
+      {"differing", found.differing},
       {"max", found.max},
+      {"worst", {{"x", found.worst_x}, {"y", found.worst_y}}},
       {"worst_tile_mean", found.worst_tile_mean},
+      {"worst_tile_over", found.worst_tile_over},
       {"pixels_over",
        {{"1", found.over_1}, {"2", found.over_2}, {"8", found.over_8}, {"32", found.over_32}}},
       {"render_ms", judged.render_ms},
       {"judge_ms", judged.judge_ms},
       {"case", judged.frame.case_name},
+      {"place", judged.frame.place},
       {"limit_from", judged.limit_from}};
+  if (!judged.tolerance.exact) {
+    frame["limits"] = {{"tile_mean", judged.tolerance.tile_mean},
+                       {"tile_over", judged.tolerance.tile_over}};
+  }
+  for (std::size_t i = 0; i < judged.masks.size(); ++i) {
+    const PictureMask::Part& mask = judged.masks[i];
+    frame["masks"].push_back(
+        {{"mask", mask.name}, {"pixels", mask.pixels}, {"own", i < judged.own_masks}});
+  }
   if (!judged.frame.camera.empty()) frame["camera"] = judged.frame.camera;
   if (!judged.frame.tags.empty()) frame["tags"] = judged.frame.tags;
   if (!judged.expectation.empty()) frame["expectation"] = judged.expectation;
@@ -70,19 +84,6 @@ Json frameJson(const JudgedFrame& judged) {
   }
   if (judged.why) frame["why"] = whyJsonOf(*judged.why);
   return frame;
-}
-
-Status writePictures(const JudgedFrame& judged, const std::filesystem::path& folder) {
-  if (isFine(judged.verdict) || !judged.drawn) return {};
-  const std::string stem = (folder / judged.frame.name).string();
-  if (auto status = writePng(stem + ".frame.png", *judged.drawn); !status) return status;
-  if (!judged.accepted) return {};
-  if (auto status = writePng(stem + ".golden.png", *judged.accepted); !status) return status;
-  if (judged.accepted->width != judged.drawn->width ||
-      judged.accepted->height != judged.drawn->height) {
-    return {};
-  }
-  return writePng(stem + ".difference.png", differencePicture(*judged.drawn, *judged.accepted));
 }
 
 }  // namespace
@@ -123,6 +124,12 @@ std::string reportJson(const SuiteReport& report) {
   root["made_at"] = report.made_at;
   root["run_command"] = report.run_command;
   root["approve_command"] = report.approve_command;
+  const auto add = [&](const char* key, const std::string& command) {
+    if (!command.empty()) root[key] = command;
+  };
+  add("run_one_command", report.run_one_command);
+  add("approve_one_command", report.approve_one_command);
+  add("approve_from_command", report.approve_from_command);
   if (report.shards > 1) root["shard"] = {{"number", report.shard}, {"of", report.shards}};
   root["notes"] = report.notes;
   root["frames"] = Json::array();
@@ -159,18 +166,6 @@ std::string reportJunit(const SuiteReport& report) {
       "<testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" time=\"{:.3f}\">\n{}"
       "</testsuite>\n",
       xmlText(report.suite), report.frames.size(), failures, errors, seconds, cases);
-}
-
-Status writeReport(const SuiteReport& report, const std::filesystem::path& folder) {
-  std::error_code fault;
-  std::filesystem::create_directories(folder, fault);
-  if (fault) {
-    return Error{ErrorKind::unreadable, "cannot create: " + fault.message(), folder.string()};
-  }
-  for (const JudgedFrame& judged : report.frames) {
-    if (auto status = writePictures(judged, folder); !status) return status;
-  }
-  return writeFileWhole(folder / "index.html", bytesOf(reportHtml(report)), true);
 }
 
 }  // namespace rocinante

@@ -52,8 +52,10 @@ std::string reportJunit(const SuiteReport& report);
 /// One self-contained page: no network, pictures inside. docs/golden-report.md.
 std::string reportHtml(const SuiteReport& report);
 
-/// Writes folder/index.html and, for each frame that is not fine, NAME.frame.png, NAME.golden.png
-/// and NAME.difference.png. The folder is made.
+/// Writes folder/index.html, report.json, page-pictures.json and, for each frame that is not fine,
+/// NAME.frame.png, NAME.golden.png and NAME.difference.png. The folder is made. All of it is
+/// written aside first: on an error the folder's old report stands, whole. Pictures of the old
+/// one that the new one does not have go.
 Status writeReport(const SuiteReport& report, const std::filesystem::path& folder);
 
 }  // namespace rocinante

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <sodium/utils.h>
 
 #include <map>
 #include <nlohmann/json.hpp>
@@ -7,6 +6,7 @@
 #include "core/duration_text.h"
 #include "core/hash.h"
 #include "core/plain_text.h"
+#include "golden/page_pictures.h"
 #include "golden/report.h"
 #include "golden/report_page.h"
 #include "golden/why/frame_why.h"
@@ -16,17 +16,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Small enough that five hundred of them stay a few megabytes.
-constexpr int kListPicturePixels = 112;
-
-std::string base64(ByteView bytes) {
-  std::string text(sodium_base64_ENCODED_LEN(bytes.size(), sodium_base64_VARIANT_ORIGINAL), '\0');
-  sodium_bin2base64(text.data(), text.size(), reinterpret_cast<const unsigned char*>(bytes.data()),
-                    bytes.size(), sodium_base64_VARIANT_ORIGINAL);
-  text.resize(std::char_traits<char>::length(text.c_str()));
-  return text;
-}
-
 /// The pictures of the page: each lies in it once, whoever shows it.
 class PagePictures {
  public:
@@ -35,7 +24,7 @@ class PagePictures {
     const auto [found, is_new] = number_.try_emplace(pictureXxh3(picture), number_.size());
     if (is_new) {
       html_ += fmt::format("<script type=\"text/plain\" id=\"picture-{}\">{}</script>\n",
-                           found->second, base64(encodePng(picture)));
+                           found->second, base64Text(encodePng(picture)));
     }
     return found->second;
   }
@@ -52,11 +41,11 @@ Json picturesJson(const JudgedFrame& judged, PagePictures& pictures) {
                          : judged.drawn    ? &*judged.drawn
                          : judged.accepted ? &*judged.accepted
                                            : nullptr;
-  if (small != nullptr)
-    json["thumbnail"] = pictures.add(reducedPicture(*small, kListPicturePixels));
+  if (small != nullptr) json["thumbnail"] = pictures.add(listPicture(*small));
   if (isFine(judged.verdict) && !judged.why) return json;
   if (judged.drawn) json["frame"] = pictures.add(*judged.drawn);
   if (judged.accepted) json["golden"] = pictures.add(*judged.accepted);
+  if (judged.unmasked) json["compared"] = pictures.add(*judged.unmasked);
   if (judged.why && !judged.why->blame.mask.rgba.empty()) {
     json["mask"] = pictures.add(judged.why->blame.mask);
   }
@@ -87,6 +76,11 @@ Json factsJson(const JudgedFrame& judged) {
     if (!value.empty()) facts.push_back({name, value});
   };
   add("expectation", judged.expectation);
+  std::string masks;
+  for (const PictureMask::Part& mask : judged.masks) {
+    masks += fmt::format("{}{}: {} pixels", masks.empty() ? "" : "; ", mask.name, mask.pixels);
+  }
+  add("masked", masks);
   if (!judged.golden) return facts;
   const AcceptedPicture& golden = *judged.golden;
   add("golden", fmt::format("{}, accepted by {} on {}: {}", golden.picture, golden.accepted_by,
@@ -149,12 +143,12 @@ Json pageFrameJson(const SuiteReport& report, const JudgedFrame& judged, PagePic
                        {"tile_over", found.worst_tile_over}};
   }
   if (judged.why) json["why"] = whyJson(*judged.why);
-  if (!report.run_one_command.empty()) {
-    json["run"] = report.run_one_command + " " + quotedName(frame.name);
-  }
-  if (!report.approve_one_command.empty()) {
-    json["approve"] = report.approve_one_command + " " + quotedName(frame.name);
-  }
+  const auto add = [&](const char* key, const std::string& own, const std::string& of_all) {
+    const std::string& command = own.empty() ? of_all : own;
+    if (!command.empty()) json[key] = command + " " + quotedName(frame.name);
+  };
+  add("run", judged.run_command, report.run_one_command);
+  add("approve", judged.approve_command, report.approve_one_command);
   return json;
 }
 
@@ -239,6 +233,7 @@ std::string reportHtml(const SuiteReport& report) {
       {"title", report.suite},
       {"counts", counts},
       {"environment", environmentJson(report)},
+      {"notes", report.notes},
       {"show_first", shownFirst(report)},
       {"approve_from",
        report.approve_from_command.empty() ? Json(nullptr) : Json(report.approve_from_command)},

@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "core/atomic_file.h"
+#include "core/plain_text.h"
 
 namespace rocinante {
 
@@ -23,14 +24,11 @@ Status writeReportFiles(const SuiteReport& report, const ReportFiles& files) {
     }
   }
   if (files.folder.empty()) return {};
-  if (auto written = writeReport(report, files.folder); !written) return written;
-  // What `report` puts reports together from.
-  return writeFileWhole(std::filesystem::path(files.folder) / "report.json",
-                        bytesOf(reportJson(report)), true);
+  return writeReport(report, files.folder);
 }
 
 void printReportSummary(const SuiteReport& report) {
-  for (const std::string& note : report.notes) fmt::print("note: {}\n", note);
+  for (const std::string& note : report.notes) fmt::print("note: {}\n", plainText(note));
   fmt::print("{} frames: {} same, {} different, {} missing, {} unstable, {} incomparable",
              report.frames.size(), report.count(FrameVerdict::same),
              report.count(FrameVerdict::different), report.count(FrameVerdict::missing),

@@ -20,7 +20,7 @@ namespace {
 void printFrame(const JudgedFrame& judged) {
   fmt::print("{:<13} {}: {}\n", nameOf(judged.verdict), judged.frame.name, judged.rule);
   if (judged.verdict != FrameVerdict::different || !judged.drawn || !judged.accepted) return;
-  for (const std::string& line : differenceMap(*judged.drawn, *judged.accepted)) {
+  for (const std::string& line : differenceMap(judged.compared(), *judged.accepted)) {
     fmt::print("    |{}|\n", line);
   }
 }

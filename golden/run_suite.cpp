@@ -22,6 +22,7 @@ void keepWhatReportsNeed(JudgedFrame& judged) {
   if (!isFine(judged.verdict) || judged.verdict == FrameVerdict::expected || !judged.drawn) return;
   judged.thumbnail = reducedPicture(*std::exchange(judged.drawn, std::nullopt), kThumbnailPixels);
   judged.accepted.reset();
+  judged.unmasked.reset();
 }
 
 }  // namespace

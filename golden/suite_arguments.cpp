@@ -58,6 +58,7 @@ Result<SuiteOptions> suiteOptions(const SuiteArguments& arguments) {
   }
   options.search = arguments.search;
   options.search_environment = arguments.search_environment;
+  options.drawers = arguments.drawers;
   options.parallel = cli::workerThreads();
   options.now_ms = steadyMs;
   return options;

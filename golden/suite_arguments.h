@@ -17,6 +17,7 @@ struct SuiteArguments {
   std::vector<std::string> only, tags, not_tags;
   std::vector<std::filesystem::path> search;
   bool search_environment = false;
+  MakeDrawer drawers{};  ///< a test's; empty: the cell's and log's own
 };
 
 /// Adds SUITE and its options to a subcommand; parsing fills `arguments`, which must outlive it.

@@ -139,6 +139,7 @@ class Gatherer {
     judged.tolerance = judged.frame.suite_case->tolerance;
     judged.limit_from = judged.frame.suite_case->limit_from;
     judged.session = session_.sessionHash();
+    judged.own_masks = judged.frame.suite_case->mask.size();
     if (judged.frame.suite_case->expect_different) {
       judged.expectation = judged.frame.suite_case->reason;
     }
@@ -174,6 +175,10 @@ class JobRunner {
     for (Job& job : jobs_) {
       if (job.pipe >= 0) ::close(job.pipe);
       if (job.pid <= 0) continue;
+      if (job.finished) {
+        ::waitpid(job.pid, nullptr, WNOHANG);
+        continue;
+      }
       ::kill(job.pid, SIGKILL);
       howItEnded(job.pid);
     }
@@ -275,6 +280,8 @@ class JobRunner {
     }
     job.received.erase(job.received.begin(),
                        job.received.begin() + static_cast<std::ptrdiff_t>(used));
+    // Not its end: Mesa's threads of the lowest priority may take seconds to die on a busy machine.
+    if (job.finished) ::close(std::exchange(job.pipe, -1));
     return {};
   }
 

@@ -165,6 +165,7 @@ Result<std::vector<SuiteFrame>> planFrames(const Suite& suite, Timeline* session
         frame.case_name = made.name;
         frame.camera = camera;
         frame.tags = made.tags;
+        frame.place = frames.size();
         if (session != nullptr) refuseMomentOutside(*session, frame);
         const auto [other, is_new] = lines.emplace(frame.name, made.line);
         if (!is_new) {

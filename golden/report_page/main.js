@@ -12,6 +12,12 @@
     make("li", {}, make("span", { className: "verdict " + verdict, textContent: grouped(count) }), " " + verdict)));
   pairs(find("environment-list"), report.environment.map((entry) => [entry.name, entry.value, entry.command]));
 
+  if (report.notes.length > 0) {
+    find("notes").hidden = false;
+    find("notes").firstChild.textContent = report.notes.length === 1 ? "1 note on the suite" : `${report.notes.length} notes on the suite`;
+    find("notes").lastChild.append(...report.notes.map((note) => make("li", { textContent: note })));
+  }
+
   const stage = new Stage(store, (text, row) => {
     find("readout").textContent = row ? `${text}  ${why.nameOf(row)}` : text;
     why.mark(row || why.pinned);

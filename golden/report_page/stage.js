@@ -38,10 +38,11 @@ class Stage {
   async show(frame) {
     const call = this.call = Symbol("the last one asked for wins");
     const ids = frame.pictures;
-    const [golden, drawn, mask, thumbnail] = await Promise.all(
-      [ids.golden, ids.frame, ids.mask, ids.thumbnail].map((id) => this.store.get(id)));
+    const [golden, drawn, mask, compared, thumbnail] = await Promise.all(
+      [ids.golden, ids.frame, ids.mask, ids.compared, ids.thumbnail].map((id) => this.store.get(id)));
     if (this.call !== call) return false;
-    this.shown = { frame: drawn, golden, mask, thumbnail };
+    // Where masks hide pixels, what was compared is not all that was drawn.
+    this.shown = { frame: drawn, golden, mask, compared: compared ?? drawn, thumbnail };
     this.lit = null;
     this.transform.fitted = true;
     this.arrange();
@@ -95,14 +96,14 @@ class Stage {
 
   differenceOf() {
     const shown = this.shown;
-    shown.differences ??= pixelDifferences(shown.frame, shown.golden);
+    shown.differences ??= pixelDifferences(shown.compared, shown.golden);
     shown.difference ??= { image: differenceImage(shown.frame, shown.differences) };
     return shown.difference;
   }
 
   heatOf() {
     const shown = this.shown;
-    shown.differences ??= pixelDifferences(shown.frame, shown.golden);
+    shown.differences ??= pixelDifferences(shown.compared, shown.golden);
     shown.heat ??= heatImage(shown.frame, shown.differences);
     return shown.heat;
   }

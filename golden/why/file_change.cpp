@@ -4,6 +4,7 @@
 
 #include "core/bundle/attached_cell.h"
 #include "core/hash.h"
+#include "core/plain_text.h"
 
 namespace rocinante {
 namespace {
@@ -39,10 +40,12 @@ std::vector<std::string> fileChanges(const FileHashes& golden, const FileHashes&
   FileHashes all = golden;
   all.insert(frame.begin(), frame.end());
   std::vector<std::string> lines;
-  for (const auto& [name, ignored] : all) {
-    const auto before = golden.find(name);
-    const auto now = frame.find(name);
-    const std::string role(roleOf(name));
+  for (const auto& [file, ignored] : all) {
+    const auto before = golden.find(file);
+    const auto now = frame.find(file);
+    const std::string role(roleOf(file));
+    // A manifest is anybody's text.
+    const std::string name = plainText(file);
     if (before == golden.end()) {
       lines.push_back(name + ": the " + role + " is new");
     } else if (now == frame.end()) {

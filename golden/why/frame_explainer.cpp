@@ -82,26 +82,35 @@ Result<FrameExplainer::Found> FrameExplainer::findGolden(const JudgedFrame& judg
   return best;
 }
 
+const FileHashes& FrameExplainer::filesToday() {
+  // Once: meshes are large, and many frames fail together.
+  if (!files_today_) {
+    auto files = hashSessionFiles(now_, options_);
+    files_today_ = files.ok() ? std::move(*files) : FileHashes();
+  }
+  return *files_today_;
+}
+
 std::vector<std::string> FrameExplainer::changedFiles(Candidate& candidate) {
-  const auto before = hashSessionFiles(*candidate.session, candidate.options);
-  const auto today = hashSessionFiles(now_, options_);
-  if (!before.ok() || !today.ok()) return {};
-  return fileChanges(*before, *today);
+  if (!candidate.files) {
+    auto files = hashSessionFiles(*candidate.session, candidate.options);
+    candidate.files = files.ok() ? std::move(*files) : FileHashes();
+  }
+  if (candidate.files->empty() || filesToday().empty()) return {};
+  return fileChanges(*candidate.files, filesToday());
 }
 
 std::vector<std::string> FrameExplainer::changedSinceAccepted(const AcceptedPicture& golden) {
   const FileHashes* const before = now_.manifest().cellOf(golden);
-  if (before == nullptr) return {};
-  const auto today = hashSessionFiles(now_, options_);
-  if (!today.ok()) return {};
-  return fileChanges(*before, *today);
+  if (before == nullptr || filesToday().empty()) return {};
+  return fileChanges(*before, filesToday());
 }
 
 Result<std::shared_ptr<const FrameWhy>> FrameExplainer::explain(const JudgedFrame& judged) {
   std::shared_ptr<const FrameWhy> nothing;
   if (!judged.drawn || !judged.accepted || !judged.golden || !judged.frame.time) return nothing;
   if (judged.drawn->width != judged.accepted->width ||
-      judged.drawn->height != judged.accepted->height || *judged.drawn == *judged.accepted) {
+      judged.drawn->height != judged.accepted->height || judged.compared() == *judged.accepted) {
     return nothing;
   }
   const auto drawer = now_.drawer();
@@ -112,7 +121,7 @@ Result<std::shared_ptr<const FrameWhy>> FrameExplainer::explain(const JudgedFram
   const auto golden = findGolden(judged);
   if (!golden.ok()) return golden.error();
   if (golden->candidate == nullptr) {
-    auto why = explainByGuess(*judged.accepted, *judged.drawn, today);
+    auto why = explainByGuess(*judged.accepted, judged.compared(), today);
     if (!why.ok()) return why.error();
     why->files = changedSinceAccepted(*judged.golden);
     return std::make_shared<const FrameWhy>(std::move(*why));
@@ -120,7 +129,7 @@ Result<std::shared_ptr<const FrameWhy>> FrameExplainer::explain(const JudgedFram
   const auto golden_drawer = golden->candidate->session->drawer();
   if (!golden_drawer.ok()) return golden_drawer.error();
   auto why = explainBoth(*judged.accepted, {*(*golden_drawer)->maker(), golden->request},
-                         *judged.drawn, today);
+                         judged.compared(), today);
   if (!why.ok()) return why.error();
   why->basis = golden->basis;
   why->files = changedFiles(*golden->candidate);

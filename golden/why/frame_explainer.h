@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/result.h"
@@ -32,6 +33,7 @@ class FrameExplainer {
     SuiteOptions options;
     std::unique_ptr<SuiteSession> session;  ///< opened when first needed
     bool is_unusable = false;
+    std::optional<FileHashes> files;  ///< of its cell, once asked for; empty where it has faults
   };
   struct Found {
     Candidate* candidate = nullptr;
@@ -44,12 +46,14 @@ class FrameExplainer {
   Result<Found> findGolden(const JudgedFrame& judged);
   std::vector<std::string> changedFiles(Candidate& candidate);
   std::vector<std::string> changedSinceAccepted(const AcceptedPicture& golden);
+  const FileHashes& filesToday();
 
   SuiteSession& now_;
   std::filesystem::path suite_file_;
   SuiteOptions options_;
   bool looked_ = false;
   std::vector<Candidate> candidates_;
+  std::optional<FileHashes> files_today_;  ///< empty where the cell has faults
 };
 
 /// Explains those that failed, where there is something to explain; at most `most` of them, since

@@ -72,13 +72,11 @@ TEST(SuiteNotes, TellsLimitsFourTimesLooserThanNeeded) {
 }
 
 TEST(SuiteNotes, TellsMasksThatHideNothingAnywhere) {
-  SuiteCase made;
-  made.mask = {{{}, "arm", 0}, {{}, "gone", 0}};
   std::vector<JudgedFrame> judged(2);
   for (JudgedFrame& one : judged) {
-    one.frame.suite_case = &made;
     one.frame.case_name = "pick";
-    one.masks = {{"arm", 0}, {"gone", 0}};
+    one.masks = {{"arm", 0}, {"gone", 0}, {"the golden's own", 0}};
+    one.own_masks = 2;
   }
   judged[1].masks[0].pixels = 5;
   EXPECT_THAT(suiteNotes(judged), ElementsAre("mask gone of case pick hides nothing"));
@@ -154,6 +152,41 @@ TEST(ParseReport, ReadsWhatReportJsonWrites) {
   const auto read = parseReport(text, "report.json");
   ASSERT_TRUE(read.ok()) << read.error().text();
   EXPECT_EQ(reportJson(*read), text);
+}
+
+TEST(ParseReport, KeepsLimitsMasksFiguresAndCommands) {
+  SuiteReport report = shard(1, 1, "a");
+  report.run_one_command = "rocinante golden run s.toml --only";
+  report.approve_from_command = "rocinante golden approve s.toml --from LIST";
+  JudgedFrame& judged = report.frames[0];
+  judged.frame.place = 7;
+  judged.tolerance = {"lax", false, 3.5, 9};
+  judged.masks = {{"arm", 12}, {"the golden's own", 3}};
+  judged.own_masks = 1;
+  judged.comparison.differing = 40;
+  judged.comparison.worst_x = 5;
+  judged.comparison.worst_tile_over = 2;
+  const std::string text = reportJson(report);
+  const auto read = parseReport(text, "report.json");
+  ASSERT_TRUE(read.ok()) << read.error().text();
+  EXPECT_EQ(reportJson(*read), text);
+  EXPECT_FALSE(read->frames[0].tolerance.exact);
+  EXPECT_EQ(read->frames[0].own_masks, 1U);
+}
+
+TEST(MergeReports, GivesFramesOfSeveralSuitesTheirOwnCommands) {
+  std::vector<SuiteReport> parts{shard(1, 1, "a"), shard(1, 1, "b")};
+  parts[1].suite = "t.toml";
+  for (SuiteReport& part : parts) {
+    part.run_one_command = "rocinante golden run " + part.suite + " --only";
+    part.approve_from_command = "rocinante golden approve " + part.suite + " --from LIST";
+    part.notes = {"a note of " + part.suite};
+  }
+  const auto merged = mergeReports(parts);
+  ASSERT_TRUE(merged.ok()) << merged.error().text();
+  EXPECT_EQ(merged->frames[1].run_command, "rocinante golden run t.toml --only");
+  EXPECT_EQ(merged->approve_from_command, "");  // a list is one suite's
+  EXPECT_EQ(merged->notes.size(), 2U);
 }
 
 TEST(ParseReport, RefusesNamesThatLeadElsewhere) {

@@ -8,6 +8,7 @@
 namespace rocinante {
 namespace {
 
+constexpr std::uint64_t kMostPipedBytes = std::uint64_t{1} << 30U;
 constexpr std::string_view kPngSignature = "\x89PNG\r\n\x1A\n";
 
 /// Whether the file is a PNG; what it is, its bytes say and not its name.
@@ -20,6 +21,9 @@ Result<bool> isPng(const std::filesystem::path& path) {
   if (std::filesystem::is_directory(status)) {
     return Error{ErrorKind::unreadable, "is a folder, not a picture", path.string()};
   }
+  if (std::filesystem::is_character_file(status) || std::filesystem::is_block_file(status)) {
+    return Error{ErrorKind::unreadable, "is a device, not a picture", path.string()};
+  }
   std::ifstream file(path, std::ios::binary);
   char first[kPngSignature.size()] = {};
   if (!file.read(first, sizeof first)) {
@@ -28,9 +32,27 @@ Result<bool> isPng(const std::filesystem::path& path) {
   return std::string_view(first, sizeof first) == kPngSignature;
 }
 
+/// A pipe can be read but once.
+bool isPipe(const std::filesystem::path& path) {
+  std::error_code ignored;
+  return std::filesystem::is_fifo(path, ignored);
+}
+
+/// What comes through a pipe, if it is a PNG: the module reads files only.
+Result<std::string> pngFromPipe(const std::filesystem::path& path) {
+  auto content = readFile(path, kMostPipedBytes);
+  if (!content.ok() || content->starts_with(kPngSignature)) return content;
+  return Error{ErrorKind::unsupported, "through a pipe only PNG is read", path.string()};
+}
+
 }  // namespace
 
 Result<Picture> readPicture(const std::filesystem::path& path, std::int64_t max_pixels) {
+  if (isPipe(path)) {
+    const Result<std::string> content = pngFromPipe(path);
+    if (!content.ok()) return content.error();
+    return decodePng(bytesOf(*content), path.string(), max_pixels);
+  }
   const Result<bool> png = isPng(path);
   if (!png.ok()) return png.error();
   return *png ? readPng(path, max_pixels) : readByModule(path, max_pixels);
@@ -42,10 +64,13 @@ Result<Picture> decodePicture(ByteView bytes, const std::string& name, std::int6
 }
 
 Result<FinePicture> readFinePicture(const std::filesystem::path& path, std::int64_t max_pixels) {
-  const Result<bool> png = isPng(path);
-  if (!png.ok()) return png.error();
-  if (!*png) return readFineByModule(path, max_pixels);
-  const Result<std::string> content = readFile(path);
+  const bool is_pipe = isPipe(path);
+  if (!is_pipe) {
+    const Result<bool> png = isPng(path);
+    if (!png.ok()) return png.error();
+    if (!*png) return readFineByModule(path, max_pixels);
+  }
+  const Result<std::string> content = is_pipe ? pngFromPipe(path) : readFile(path);
   if (!content.ok()) return content.error();
   return decodeFinePng(bytesOf(*content), path.string(), max_pixels);
 }

@@ -1,4 +1,5 @@
-# A full disk and a read-only folder are named, and nothing that was accepted is lost.
+# A full disk, a read-only folder and a limit on files are named, and nothing that was accepted or reported is lost;
+# nor by a kill at any moment.
 export ROCINANTE_USER=ada
 unshare -m true 2>/dev/null || { echo "skipped: no mount namespace to fill a disk in"; exit 77; }
 box() {
@@ -33,9 +34,56 @@ approve -m second
 rm goldens/ballast
 diff -r before goldens && echo "nothing lost"
 try run suite.toml --report out | sed 's/[0-9]* differing/N differing/'
+ls -A out
+# An old report stands until the new one is whole.
+mkdir reports
+mount -t tmpfs -o size=400k tmpfs reports
+try run suite.toml --report reports | tail -1
+cp -r reports kept
+head -c 1M /dev/zero >reports/ballast 2>/dev/null
+box 3
+try run suite.toml --report reports --only b | sed 's/[0-9]* differing/N differing/; s#(.*)#(FILE)#'
+rm reports/ballast
+diff -r kept reports && echo "the old report stands"
+mount -o remount,ro reports
+try run suite.toml --report reports --only b | sed 's/[0-9]* differing/N differing/'
+(ulimit -f 8; try run suite.toml --report limited --only b | sed 's/[0-9]* differing/N differing/; s#(.*)#(FILE)#'; ls -A limited)
+# No room for the manifest: the pictures were written, and go again.
+room=$(($(df --output=avail -B1 goldens | tail -1) - 12288))
+head -c "$room" /dev/zero >goldens/ballast
+approve -m second --only a | tail -1
+rm goldens/ballast
+diff -r before goldens && echo "nothing lost"
 mount -o remount,ro goldens
 approve -m third
 diff -r before goldens && echo "nothing lost"
 INSIDE
 { declare -f box; cat inside.sh; } >all.sh
 unshare -m bash all.sh
+# Killed anywhere, each golden is the old one or the new one, whole.
+cat >suite.toml <<'TOML'
+format = 1
+cell = "box.urdf"
+goldens = "killed"
+[defaults]
+size = [64, 48]
+samples = 1
+[[case]]
+name = "a"
+[[case]]
+name = "b"
+hide = ["layer/grid"]
+TOML
+box 1
+rocinante golden approve suite.toml -m first >/dev/null
+for i in 1 2 3 4 5 6 7 8; do
+  box 1.$i
+  timeout -s KILL 0.$((i % 4 + 1))$i rocinante golden approve suite.toml -m "killed $i" >/dev/null 2>&1 || true
+  rocinante golden list suite.toml --verify >listed.txt || grep -v 'left by an approve\|amiss' listed.txt | grep 'golden .* is\|cannot' || true
+done 2>/dev/null
+# The next approval clears what they left.
+box 2
+rocinante golden approve suite.toml -m last | tail -1
+rm -f killed/.staged-* killed/manifest.json.part*
+rocinante golden list suite.toml --verify | tail -1
+ls -A killed | sed 's/\.[0-9a-f]\{8\}\./.HASH./'
