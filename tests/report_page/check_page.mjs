@@ -39,6 +39,33 @@ await check("verdicts, words and tags filter", async () => {
   await page.getByLabel("same", { exact: true }).uncheck();
   await page.locator("#case").focus();
 });
+await check("notes on the suite are told", async () => {
+  await page.locator("#notes summary").click();
+  assert.match(await text("#notes"), /mask 500,500,1x1 of case third hides nothing/);
+  await page.locator("#notes summary").click();
+  await page.locator("#case").focus();
+});
+await check("what a mask hides is no difference", async () => {
+  await page.keyboard.press("j");
+  await shown("second");
+  await page.keyboard.press("4");
+  // How many coloured pixels the difference has in each half.
+  const [left, right] = await page.evaluate(() => {
+    const canvas = document.querySelector("#stage canvas");
+    const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+    const halves = [0, 0];
+    for (let p = 0; p < data.length; p += 4) {
+      if (data[p] === 255 && data[p + 2] < 60) ++halves[(p / 4) % canvas.width < canvas.width / 2 ? 0 : 1];
+    }
+    return halves;
+  });
+  assert.equal(left, 0);
+  assert.ok(right > 100, "the other half differs");
+  assert.match(await text("#facts-list"), /masked\s+0,0,80x120: 9600 pixels/);
+  await page.keyboard.press("1");
+  await page.keyboard.press("k");
+  await shown("first");
+});
 await check("j and k go from frame to frame", async () => {
   await page.keyboard.press("j");
   await shown("second");
