@@ -267,7 +267,9 @@ void readScene(TomlTable& root, Cell& cell) {
     } else {
       table->error("cell.no-direction", "light", "`light` has no direction");
     }
-    if (!cell.scene.lights.empty()) {
+    // An included file does not know of lights that stand in place of its own.
+    const bool knows = root.has("light") || table->faults().file() == cell.file;
+    if (!cell.scene.lights.empty() && knows) {
       table->faults().warning("cell.useless-light", table->place("light"),
                               "`light` of [scene] lights nothing: the cell has [[light]]s",
                               "the first [[light]] is the key light");
