@@ -51,7 +51,8 @@ class WholeFile {
       return Error{ErrorKind::unreadable, "is no regular file", path.string()};
     }
     if (static_cast<std::uint64_t>(facts.st_size) > kLargestBytes) {
-      return Error{ErrorKind::unsupported, "is larger than the 4 GiB that are read", path.string()};
+      return Error{ErrorKind::unsupported, "the file is larger than the 4 GiB that are read",
+                   path.string()};
     }
     // Never of zero bytes, which mmap refuses.
     capacity_ = static_cast<std::size_t>(facts.st_size) + 1;

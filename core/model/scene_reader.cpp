@@ -427,9 +427,10 @@ Result<Mesh> importScene(ByteView bytes, const fs::path& path, const std::string
 Result<Mesh> readScene(ByteView bytes, const fs::path& path, const MeshReadOptions& options,
                        FaultList& faults) {
   if (bytes.size() > kMostSceneBytes) {
-    return Error{ErrorKind::unsupported,
-                 fmt::format("is larger than the {} MiB that are read", kMostSceneBytes >> 20),
-                 path.string()};
+    return Error{
+        ErrorKind::unsupported,
+        fmt::format("the file is larger than the {} MiB that are read", kMostSceneBytes >> 20),
+        path.string()};
   }
   const bool is_gltf = isGltf(path);
   const bool binary = textOf(bytes).starts_with("glTF");

@@ -10,6 +10,7 @@
 #define TOML_ASSERT(expr) static_assert(true)
 #define TOML_EXCEPTIONS 0
 #define TOML_ENABLE_FORMATTERS 0
+#define TOML_MAX_NESTED_VALUES 64
 // clang-format off: the order matters. The library's tables of Unicode call unreachable what an
 // accented letter outside a string reaches; there the answer is no.
 #include <toml++/impl/preprocessor.h>
@@ -28,7 +29,53 @@ Place placeOf(const toml::source_region& region) {
   return {static_cast<int>(region.begin.line), static_cast<int>(region.begin.column)};
 }
 
-// The library bounds the depth of what it parses.
+/// Each dot of a key opens a table, and the library, which bounds the depth of values alone, goes
+/// down through all of them by recursion: so much at once is no cell.
+constexpr std::size_t kMostKeyDots = 16;
+
+/// Behind the string that begins at `at`.
+std::size_t endOfString(std::string_view text, std::size_t at) {
+  const char quote = text[at];
+  const std::string three(3, quote);
+  const bool is_long = text.substr(at, 3) == three;
+  for (at += is_long ? 3 : 1; at < text.size(); ++at) {
+    if (text[at] == '\\' && quote == '"') {
+      ++at;
+    } else if (is_long ? text.substr(at, 3) == three : text[at] == quote || text[at] == '\n') {
+      return at + (is_long ? 3 : text[at] == quote ? 1 : 0);
+    }
+  }
+  return text.size();
+}
+
+/// The line of the first key with more dots than that; 0: there is none.
+std::size_t lineOfTooDeepKey(std::string_view text) {
+  const auto is_of_key = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c < 0 ||
+           c == '_' || c == '-' || c == ' ' || c == '\t';
+  };
+  std::size_t dots = 0;
+  for (std::size_t at = 0; at < text.size();) {
+    const char c = text[at];
+    if (c == '"' || c == '\'') {
+      at = endOfString(text, at);
+      continue;
+    }
+    if (c == '#') at = std::min(text.find('\n', at), text.size() - 1);
+    if (c == '.') {
+      if (++dots > kMostKeyDots) {
+        return 1 + static_cast<std::size_t>(std::count(
+                       text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+      }
+    } else if (!is_of_key(c)) {
+      dots = 0;
+    }
+    ++at;
+  }
+  return 0;
+}
+
+// Neither the library nor lineOfTooDeepKey() lets more than a thousand levels through.
 TomlNode nodeOf(const toml::node& from) {
   TomlNode node;
   node.place = placeOf(from.source());
@@ -87,6 +134,10 @@ std::string_view nameOf(TomlNode::Kind kind) {
 }
 
 Result<TomlNode> parseToml(std::string_view text, const std::string& file) {
+  if (const std::size_t line = lineOfTooDeepKey(text); line > 0) {
+    return Error{ErrorKind::damaged, fmt::format("a key has more than {} parts", kMostKeyDots + 1),
+                 fmt::format("{}:{}", file, line)};
+  }
   const toml::parse_result parsed = toml::parse(text);
   if (!parsed) {
     const Place place = placeOf(parsed.error().source());

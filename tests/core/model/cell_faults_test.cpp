@@ -134,6 +134,24 @@ TEST_F(CellFaults, EachKindOfFaultSaysWhereAndWhat) {
   }
 }
 
+TEST_F(CellFaults, KeysNestedSoDeepThatReadingThemWouldOverrunTheStackAreRefused) {
+  std::string deep = "a";
+  for (int i = 0; i < 100'000; ++i) deep += " . 'b.c'";
+  const std::string refused = "REFUSED: a key has more than 17 parts (test.cell.toml:3)";
+  EXPECT_EQ(faultsOf("format = 1\n# a.b\n[x-" + deep + "]\n"), refused);
+  EXPECT_EQ(faultsOf("format = 1\n\nx-" + deep + " = 1\n"), refused);
+  EXPECT_EQ(faultsOf("format = 1\n\nx-a = { " + deep + " = 1 }\n"), refused);
+  // Dots in numbers, strings and comments are no keys.
+  std::string dots, numbers;
+  for (int i = 0; i < 100; ++i) {
+    dots += "a.";
+    numbers += " 1.5,";
+  }
+  EXPECT_EQ(faultsOf("format = 1 # " + dots + "\nx-a = \"\\\"" + dots + "\"\nx-b = [" + numbers +
+                     "]\nx-c = '''\n'" + dots + "'''\nx-d = \"\"\"\n" + dots + "\"\"\"\n"),
+            "");
+}
+
 TEST_F(CellFaults, LinksOverGroupsAreHeldToTheFile) {
   const std::string head =
       "format = 1\n[[model]]\nname = 'g'\nobj = 'gantry.obj'\nunit = 'm'\nup = 'z'\n";
