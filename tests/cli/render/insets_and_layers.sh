@@ -7,6 +7,7 @@ format = 1
 [[device]]
 model = "box.urdf"
 layer = "things"
+tags = ["moving"]
 [[camera]]
 name = "side"
 eye = [0, -4, 1]
@@ -23,6 +24,8 @@ test "$with" != "$without" && echo "the cell's insets are drawn"
 test "$(hash --inset map)" = "$with" && echo "and may be said"
 test "$(hash --inset map:top-left)" != "$with" && echo "elsewhere"
 test "$(hash --layers things)" = "$(hash --hide layer/grid --hide layer/gnomon --hide layer/labels --hide layer/lines --hide layer/points)" && echo "only that layer"
+test "$(hash --layers moving)" = "$(hash --layers things)" && echo "a tag is a layer"
+test "$(hash --transparent layer/moving)" != "$with" && echo "with looks"
 test "$(hash --overlay)" != "$with" && echo "a panel"
 test "$(hash --shading plain)" != "$with" && echo "plain"
 sort -u said
@@ -31,6 +34,7 @@ try --inset later
 try --inset :top-left
 try --no-insets --inset map
 try --layers thing
+try --wireframe layer/thing
 try --edges=thick
 try --trail box@never
 try --samples 2
