@@ -265,6 +265,12 @@ Result<DepthFrame> FrameMaker::depth(const FrameRequest& request) {
   return my.renderer->depth(found->shown(), *my.number_target);
 }
 
+Result<CameraView> FrameMaker::camera(const FrameRequest& request) {
+  const auto found = impl_->find(request);
+  if (!found) return found.error();
+  return found->camera;
+}
+
 const RendererKey& FrameMaker::key() const { return impl_->renderer->key(); }
 const std::string& FrameMaker::inputsHash() const { return impl_->renderer->inputsHash(); }
 const std::vector<std::string>& FrameMaker::warnings() const { return impl_->renderer->warnings(); }

@@ -9,6 +9,7 @@
 #include "core/model/cell.h"
 #include "core/session/timeline.h"
 #include "viewer/picture/picture.h"
+#include "viewer/render/camera.h"
 #include "viewer/render/identity_frame.h"
 #include "viewer/render/render_style.h"
 #include "viewer/render/renderer_key.h"
@@ -54,6 +55,8 @@ class FrameMaker {
   Result<IdentityFrame> identity(const FrameRequest& request);
   /// How far they are; of the main view alone.
   Result<DepthFrame> depth(const FrameRequest& request);
+  /// Where it is seen from.
+  Result<CameraView> camera(const FrameRequest& request);
 
   const RendererKey& key() const;
   /// XXH3 of decoded textures, glyphs and vertex buffers: tells "the inputs differ" from "the

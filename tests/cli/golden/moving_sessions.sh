@@ -18,7 +18,8 @@ TOML
 python3 -c 'print("t,turn"); [print(f"{0.02 * i:.2f},{0.1 * i:.1f}") for i in range(16)]' >there.csv
 python3 -c 'print("t,turn"); [print(f"{0.02 * i:.2f},{-0.1 * i:.1f}") for i in range(16)]' >back.csv
 recorded() {
-  rocinante record 127.0.0.1:0 -o "$1.mcap" --cell cell.toml --max-packets 17 >/dev/null 2>said &
+  rm -f said  # of the one before
+  rocinante record 127.0.0.1:0 -o "$1.mcap" --cell cell.toml --max-packets 17 --duration 20s >/dev/null 2>said &
   until grep -qs '^recording' said; do kill -0 $!; sleep 0.05; done
   port=$(sed -n 's/^recording.*:\([0-9]*\) to .*/\1/p' said)
   rocinante source --csv "$2.csv" --device arm --restate 0 --quiet --to "127.0.0.1:$port" >/dev/null 2>&1
@@ -31,3 +32,4 @@ judged() { rocinante golden session "$@" --size 96x72 --slack 1s | sed -nE 's/^(
 judged a.mcap b.mcap
 judged b.mcap a.mcap
 judged a.mcap c.mcap | tail -n 1
+judged a.mcap b.mcap arm.urdf
