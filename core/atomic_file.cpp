@@ -43,12 +43,13 @@ Result<std::string> readFile(const std::filesystem::path& path, std::uint64_t ma
   struct stat facts {};
   if (::fstat(file.number, &facts) != 0) return systemError("cannot read", path);
   if (S_ISDIR(facts.st_mode)) {
-    return Error{ErrorKind::unreadable, "is a folder, not a file", path.string()};
+    return Error{ErrorKind::unreadable, "this is a folder, not a file", path.string()};
   }
   if (static_cast<std::uint64_t>(facts.st_size) > max_bytes) {
-    return Error{ErrorKind::unsupported,
-                 "is larger than the " + std::to_string(max_bytes) + " bytes that are read",
-                 path.string()};
+    return Error{
+        ErrorKind::unsupported,
+        "the file is larger than the " + std::to_string(max_bytes) + " bytes that are read",
+        path.string()};
   }
   std::string content;
   content.reserve(static_cast<std::size_t>(facts.st_size));
@@ -62,17 +63,31 @@ Result<std::string> readFile(const std::filesystem::path& path, std::uint64_t ma
     if (got == 0) return content;
     content.append(buffer, static_cast<std::size_t>(got));
     if (content.size() > max_bytes) {
-      return Error{ErrorKind::unsupported, "grew too large while it was read", path.string()};
+      return Error{ErrorKind::unsupported, "the file grew too large while it was read",
+                   path.string()};
     }
   }
 }
 
+Status mayWriteFile(const std::filesystem::path& path, bool overwrite) {
+  std::error_code ignored;
+  const std::filesystem::file_status there = std::filesystem::status(path, ignored);
+  if (std::filesystem::exists(there)) {
+    if (!std::filesystem::is_regular_file(there)) {
+      return Error{ErrorKind::refused, "is no file, and is not replaced by one", path.string()};
+    }
+    if (!overwrite) {
+      return Error{ErrorKind::refused, "the file exists; --force overwrites it", path.string()};
+    }
+  }
+  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) return systemError("cannot create", path);
+  return {};
+}
+
 Status writeFileWhole(const std::filesystem::path& path, ByteView bytes, bool overwrite,
                       Sync sync) {
-  std::error_code ignored;
-  if (!overwrite && std::filesystem::exists(path, ignored)) {
-    return Error{ErrorKind::refused, "the file exists; --force overwrites it", path.string()};
-  }
+  if (Status may = mayWriteFile(path, overwrite); !may) return may;
   const std::filesystem::path beside = path.string() + ".part" + std::to_string(::getpid());
   Descriptor file{::open(beside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644)};
   if (file.number < 0) return systemError("cannot create", path);

@@ -18,9 +18,12 @@ Result<std::string> readFile(const std::filesystem::path& path,
 enum class Sync { now, later };
 
 /// Writes beside `path`, syncs and renames: the file appears whole or not at all. refused when it
-/// exists and `overwrite` is false.
+/// exists and `overwrite` is false, or is no plain file (a device would be gone).
 Status writeFileWhole(const std::filesystem::path& path, ByteView bytes, bool overwrite,
                       Sync sync = Sync::now);
+
+/// Whether writeFileWhole() could begin: asked before work whose result it will hold.
+Status mayWriteFile(const std::filesystem::path& path, bool overwrite);
 
 /// Waits until all that was written on the file system of `folder` is on the disk.
 Status syncFileSystem(const std::filesystem::path& folder);

@@ -90,11 +90,12 @@ std::vector<std::string> LogMerge::damage() const {
   std::vector<std::string> sentences;
   for (const Input& input : inputs_) {
     for (const DamageSpan& span : input.reader.damage()) {
-      const std::string place = input.reader.name() + ", bytes " + std::to_string(span.from) +
-                                " to " + std::to_string(span.to);
+      const std::string place = span.to > span.from ? "bytes " + std::to_string(span.from) +
+                                                          " to " + std::to_string(span.to)
+                                                    : "byte " + std::to_string(span.from);
       const std::string cost =
           span.messages_lost ? ": " + std::to_string(*span.messages_lost) + " messages lost" : "";
-      sentences.push_back(span.cause + cost + " (" + place + ")");
+      sentences.push_back(span.cause + cost + " (" + input.reader.name() + ", " + place + ")");
     }
   }
   return sentences;

@@ -50,11 +50,13 @@ Status checkSpan(TapeFinder& finder, const LogMerge& logs, const PlayedSpan& spa
     any = *found;
   }
   if (any) return {};
-  return Error{ErrorKind::not_found,
-               "nothing to play: no captured message from " +
-                   secondsText(span.from - logs.origin()) + " s until " +
-                   secondsText(span.until - logs.origin()) + " s",
-               namesOf(options.logs)};
+  std::string sentence = "nothing to play: no captured message";
+  if (logs.start() <= logs.end()) {
+    sentence += " from " + secondsText(span.from - logs.origin()) + " s until " +
+                secondsText(span.until - logs.origin()) + " s";
+  }
+  if (const auto damage = finder.damage(); !damage.empty()) sentence += "; " + damage.front();
+  return Error{ErrorKind::not_found, sentence, namesOf(options.logs)};
 }
 
 Result<std::optional<PlayedSpan>> loopOf(TapeFinder& finder, const LogMerge& logs,

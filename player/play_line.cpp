@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdio>
 
+#include "core/cli/terminal.h"
 #include "core/duration_text.h"
 #include "player/transport.h"
 
@@ -55,9 +56,8 @@ std::string PlayLine::text(const PlayStatus& status, LogTime origin, LogTime end
 void PlayLine::drawUntilStopped() {
   std::unique_lock lock(mutex_);
   while (!stopping_.wait_for(lock, std::chrono::milliseconds(200), [this] { return stop_; })) {
-    std::string line = "\r";
-    line += text(status_, origin_, end_, std::chrono::steady_clock::now());
-    line += "\033[K";
+    const std::string line =
+        cli::statusLine(text(status_, origin_, end_, std::chrono::steady_clock::now()));
     std::fwrite(line.data(), 1, line.size(), stderr);
   }
   std::fputs("\r\033[K", stderr);

@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <cstdio>
-#include <filesystem>
 
 #include "core/atomic_file.h"
 #include "core/cli/program.h"
@@ -227,8 +226,8 @@ Result<cli::Exit> run(Arguments& my) {
   const bool to_stdout = my.json || my.report == "-";
   const bool to_file = !my.report.empty() && my.report != "-";
   // Asked before playing: an hour later is too late to learn it.
-  if (to_file && !my.force && std::filesystem::exists(my.report)) {
-    return Error{ErrorKind::refused, "the report file exists; --force overwrites it", my.report};
+  if (to_file) {
+    if (const Status may = mayWriteFile(my.report, my.force); !may) return may.error();
   }
   my.options.progress = !my.quiet && ::isatty(STDERR_FILENO) == 1;
   const Result<PlayReport> report = playWithControl(my);
@@ -236,17 +235,18 @@ Result<cli::Exit> run(Arguments& my) {
 
   for (const std::string& damage : report->damage) cli::warn(damage);
   if (!report->keptUp() && !my.quiet) cli::warn(behindText(*report));
+  bool is_kept = true;
   if (to_file) {
-    const std::string json = jsonText(*report);
-    if (const Status written = writeFileWhole(my.report, bytesOf(json), my.force); !written) {
-      return written.error();
-    }
+    const Status written = writeFileWhole(my.report, bytesOf(jsonText(*report)), my.force);
+    if (!written) cli::warn(written.error().text());
+    is_kept = written.ok();
   }
   const std::string said =
       to_stdout ? jsonText(*report) : (my.quiet ? std::string() : summaryText(*report));
   std::fwrite(said.data(), 1, said.size(), stdout);
   if (report->failure) cli::warn(report->failure->text());
-  return report->damage.empty() && !report->failure ? cli::Exit::done : cli::Exit::no;
+  const bool is_whole = report->damage.empty() && !report->failure && is_kept;
+  return is_whole ? cli::Exit::done : cli::Exit::no;
 }
 
 }  // namespace

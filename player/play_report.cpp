@@ -129,7 +129,8 @@ std::string summaryText(const PlayReport& report) {
       fmt::format("sent {} datagrams ({} bytes) to {} in {} s, {:.1f}/s", report.sent, report.bytes,
                   report.to, secondsText(report.duration, 3), report.achievedRateHz());
   if (report.restatements > 0) {
-    text += fmt::format(", and {} restatements", report.restatements);
+    text += fmt::format(", and {} restatement{}", report.restatements,
+                        report.restatements == 1 ? "" : "s");
   }
   text += "\n";
   if (report.speed && report.sent > 0) {

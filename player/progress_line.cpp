@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdio>
 
+#include "core/cli/terminal.h"
 #include "core/duration_text.h"
 
 namespace rocinante {
@@ -36,9 +37,9 @@ void ProgressLine::drawUntilStopped() {
   std::unique_lock lock(mutex_);
   while (!stopping_.wait_for(lock, std::chrono::milliseconds(200), [this] { return stop_; })) {
     const Nanoseconds position(position_ns_.load(std::memory_order_relaxed));
-    const std::string line = fmt::format(
-        "\r{} of {} s, {} datagrams\033[K", secondsText(position / kTenth * kTenth, 1),
-        secondsText((end_ - origin_) / kTenth * kTenth, 1), sent_.load(std::memory_order_relaxed));
+    const std::string line = cli::statusLine(fmt::format(
+        "{} of {} s, {} datagrams", secondsText(position / kTenth * kTenth, 1),
+        secondsText((end_ - origin_) / kTenth * kTenth, 1), sent_.load(std::memory_order_relaxed)));
     std::fwrite(line.data(), 1, line.size(), stderr);
   }
   std::fputs("\r\033[K", stderr);

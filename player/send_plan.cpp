@@ -12,6 +12,7 @@ Result<PlayReport> sendPlan(DatagramStream& stream, const SendPlan& plan,
   Result<UdpEdge> edge =
       UdpEdge::open({{plan.to, 0, false}}, plan.speed ? plan.realtime : Realtime::off, stop);
   if (!edge) return edge.error();
+  if (plan.began) plan.began();
   PlayJournal journal(plan.from, plan.until);
   Result<SendEnd> end = SendEnd::finished;
   {

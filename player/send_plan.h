@@ -29,6 +29,7 @@ struct SendPlan {
   LogTime last{};                      ///< the end that the progress line shows
   Realtime realtime = Realtime::automatic;
   bool progress = false;
+  std::function<void()> began;  ///< called once the socket is there; may be empty
 };
 
 /// Opens the socket, makes the calling thread the pacing one, sends `stream` and fills all of the

@@ -43,7 +43,7 @@ Result<PlayReport> send(DatagramStream& stream, const std::string& names, SendPl
   const LogTime end = endOf(plan.first, options.duration);
   plan.last = std::min(plan.last, end);
   CutStream cut(stream, end);
-  surroundings.told("sending " + names + " to " + options.to.text());
+  plan.began = [&] { surroundings.told("sending " + names + " to " + options.to.text()); };
   return sendPlan(cut, plan, surroundings.stop);
 }
 

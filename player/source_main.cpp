@@ -102,7 +102,7 @@ Status readOptions(Arguments& my, bool loop_given) {
     const auto duration = parseDuration(my.duration);
     if (!duration) return duration.error();
     if (duration->count() <= 0) {
-      return Error{ErrorKind::bad_argument, "--duration must be above zero", my.duration};
+      return Error{ErrorKind::bad_argument, "--duration must be more than nothing", my.duration};
     }
     my.options.duration = *duration;
   }

@@ -72,7 +72,9 @@ class HelpFormatter final : public CLI::Formatter {
 
   std::string make_option_desc(const CLI::Option* option) const override {
     std::string text = option->get_description();
-    if (isChoice(option->get_type_name()) && !option->get_default_str().empty()) {
+    const bool shows_choice =
+        option->get_option_text().empty() && isChoice(option->get_type_name());
+    if (shows_choice && !option->get_default_str().empty()) {
       text += (text.empty() ? "default " : "; default ") + option->get_default_str();
     }
     return text;

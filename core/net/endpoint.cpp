@@ -11,6 +11,7 @@
 
 #include "core/net/endpoint_text.h"
 #include "core/net/system_socket.h"
+#include "core/plain_text.h"
 
 namespace rocinante {
 namespace {
@@ -104,7 +105,13 @@ Result<SocketAddress> parseHostPort(std::string_view host_port, std::string_view
     host = host_port.substr(0, colon);
     port_text = colon == host_port.npos ? std::string_view() : host_port.substr(colon);
   }
-  if (port_text.empty()) return bad(text, "an endpoint needs a port, as in HOST:19960");
+  if (port_text.empty()) {
+    const std::string_view end = host.substr(std::min(host.rfind('.'), host.size()));
+    if (end == ".pcap" || end == ".pcapng") {
+      return bad(text, "a capture file is given as pcap://./FILE");
+    }
+    return bad(text, "an endpoint needs a port, as in HOST:19960");
+  }
   if (port_text[0] != ':') return bad(text, "after the address comes a colon and the port");
   const auto port = decimal<std::uint16_t>(port_text.substr(1));
   if (!port) return bad(text, "a port is a whole number from 0 to 65535");
@@ -113,6 +120,9 @@ Result<SocketAddress> parseHostPort(std::string_view host_port, std::string_view
     if (host.find(':') == host.npos) return bad(text, "brackets are for IPv6 addresses");
     auto address = SocketAddress::parse(host, *port);
     if (!address) return bad(text, address.error().what);
+    if (address->isLinkLocal() && address->scope_id == 0) {
+      return bad(text, "a link-local address is of one interface, as in [fe80::1%eth0]:19960");
+    }
     return address;
   }
   if (host.empty()) return SocketAddress{.port = *port};
@@ -182,10 +192,9 @@ Status moveZoneToInterface(Endpoint& endpoint, std::string_view text) {
 }  // namespace
 
 std::string printableEndpoint(std::string_view text) {
-  std::string shown(text.substr(0, 100));
-  std::replace_if(
-      shown.begin(), shown.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-  return shown;
+  // A byte may become four characters, \xNN.
+  std::string shown = plainText(text.substr(0, 100));
+  return shown.size() <= 100 ? shown : plainText(text.substr(0, 25));
 }
 
 Error badEndpoint(std::string_view text, std::string_view reason) {

@@ -73,6 +73,16 @@ bool holdsSocket(const std::filesystem::path& process, const std::vector<std::st
   return false;
 }
 
+/// "rocinante-record": the kernel keeps 15 characters of a name; the rest is in the program's own.
+std::string processName(const std::filesystem::path& process) {
+  std::string name = readSmallFile(process / "comm");
+  while (!name.empty() && name.back() == '\n') name.pop_back();
+  std::error_code ignored;
+  const std::string program =
+      std::filesystem::read_symlink(process / "exe", ignored).filename().string();
+  return !name.empty() && program.starts_with(name) ? program : name;
+}
+
 }  // namespace
 
 std::vector<std::uint64_t> excludingSocketInodes(std::string_view table,
@@ -108,9 +118,7 @@ std::optional<PortHolder> portHolder(const SocketAddress& address) {
   for (; processes != std::filesystem::directory_iterator(); processes.increment(ignored)) {
     const auto pid = numberOf<int>(processes->path().filename().string(), 10);
     if (!pid || !holdsSocket(processes->path(), links)) continue;
-    std::string name = readSmallFile(processes->path() / "comm");
-    while (!name.empty() && name.back() == '\n') name.pop_back();
-    return PortHolder{name, *pid};
+    return PortHolder{processName(processes->path()), *pid};
   }
   return std::nullopt;
 }

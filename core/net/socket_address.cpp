@@ -46,14 +46,17 @@ Result<SocketAddress> SocketAddress::parse(std::string_view host, std::uint16_t 
     return badAddress(host, "this is no IPv6 address");
   }
   if (percent == host.npos) return parsed;
-  const bool link_local = parsed.address[0] == 0xFE && (parsed.address[1] & 0xC0) == 0x80;
-  if (!link_local && !parsed.isMulticast()) {
+  if (!parsed.isLinkLocal() && !parsed.isMulticast()) {
     return badAddress(host, "only a link-local IPv6 address takes a zone");
   }
   const std::optional<std::uint32_t> zone = zoneIndex(std::string(host.substr(percent + 1)));
   if (!zone) return badAddress(host, "the zone after % names no network interface here");
   parsed.scope_id = *zone;
   return parsed;
+}
+
+bool SocketAddress::isLinkLocal() const {
+  return is_ipv6 && address[0] == 0xFE && (address[1] & 0xC0) == 0x80;
 }
 
 bool SocketAddress::isMulticast() const {

@@ -65,7 +65,7 @@ TEST(ReadFile, RefusesWhatIsTooLargeBeforeReadingIt) {
 TEST(ReadFile, AFolderAndAMissingFileAreTold) {
   const test::TemporaryFolder folder;
   EXPECT_EQ(readFile(folder.path()).error().text(),
-            "is a folder, not a file (" + folder.path().string() + ")");
+            "this is a folder, not a file (" + folder.path().string() + ")");
   EXPECT_EQ(readFile(folder / "none").error().kind, ErrorKind::not_found);
 }
 
