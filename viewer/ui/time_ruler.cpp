@@ -11,6 +11,8 @@ namespace {
 
 constexpr std::int64_t kSecond = 1'000'000'000;
 constexpr std::int64_t kMinute = 60 * kSecond;
+constexpr std::int64_t kHour = 60 * kMinute;
+constexpr std::int64_t kDay = 24 * kHour;
 
 }  // namespace
 
@@ -18,19 +20,17 @@ Nanoseconds rulerStep(Nanoseconds span, double width_px, double label_px) {
   const double least = static_cast<double>(std::max<std::int64_t>(span.count(), 1)) * label_px /
                        std::max(width_px, 1.0);
   const auto enough = [least](std::int64_t step) { return static_cast<double>(step) >= least; };
-  for (std::int64_t power = 1; power < kMinute; power *= 10) {
+  for (std::int64_t power = 1; power < kSecond; power *= 10) {
     for (const std::int64_t factor : {1, 2, 5}) {
-      if (factor * power < kMinute && enough(factor * power)) return Nanoseconds(factor * power);
+      if (enough(factor * power)) return Nanoseconds(factor * power);
     }
   }
-  for (const std::int64_t unit : {kMinute, 60 * kMinute}) {
+  for (const std::int64_t unit : {kSecond, kMinute, kHour}) {
     for (const std::int64_t factor : {1, 2, 5, 10, 15, 30}) {
-      if (factor * unit < 24 * 60 * kMinute && enough(factor * unit)) {
-        return Nanoseconds(factor * unit);
-      }
+      if (factor * unit < kDay && enough(factor * unit)) return Nanoseconds(factor * unit);
     }
   }
-  std::int64_t days = 24 * 60 * kMinute;
+  std::int64_t days = kDay;
   while (!enough(days) && days < std::numeric_limits<std::int64_t>::max() / 2) days *= 2;
   return Nanoseconds(days);
 }

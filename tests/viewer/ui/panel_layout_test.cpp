@@ -16,6 +16,7 @@ TEST(PanelLayout, ALargeWindowHasThemAll) {
 TEST(PanelLayout, WhatIsLeftOutComesBackAsTheWindowGrows) {
   EXPECT_EQ(panelLayout(320, 240, true, true).figures, Figures::brief);
   EXPECT_FALSE(panelLayout(320, 240, true, true).scene);
+  EXPECT_FALSE(panelLayout(320, 240, true, true).device);
   EXPECT_EQ(panelLayout(100, 80, true, true).figures, Figures::none);
   // What was selected is worth more than a graph.
   EXPECT_EQ(panelLayout(900, 420, true, false).figures, Figures::full);
@@ -28,8 +29,12 @@ TEST(PanelLayout, PanelsSideBySideHaveRoom) {
     for (float height = 64; height < 1400; height += 31) {
       const PanelLayout layout = panelLayout(width, height, true, true);
       const float beside = layout.scene ? kScenePanelWidth + kPanelMargin : 0;
-      if (layout.device) ASSERT_LE(beside + kDevicePanelWidth + 2 * kPanelMargin, width);
-      if (layout.figures == Figures::full) ASSERT_LE(beside + 280, width);
+      if (layout.device) {
+        ASSERT_LE(beside + kDevicePanelWidth + 2 * kPanelMargin, width);
+      }
+      if (layout.figures == Figures::full) {
+        ASSERT_LE(beside + 280, width);
+      }
     }
   }
 }
