@@ -61,6 +61,9 @@ Status PieceSequence::seam(LogTime time) {
   const auto ours = [&](const std::filesystem::path& path) {
     return (piece_->file().path == path && piece_->file().isThere()) || shelf_.holds(path);
   };
+  // Before the next is made, which may take a while with a large cell: a kill meanwhile takes
+  // nothing that was given to this one. And what the disk refuses of it can still be told in it.
+  if (Status flushed = piece_->flushAll(); !flushed) return flushed;
   Result<MadePiece> made = options_.make_next(time, ours);
   if (!made) {
     retry_at_ = time + kRetry;
@@ -73,13 +76,6 @@ Status PieceSequence::seam(LogTime time) {
     return {};
   }
   auto next = std::make_unique<PieceLog>(std::move(*made), options_.keyframes);
-  // Now, so that what the disk refuses of it can still be told in it.
-  if (Status flushed = piece_->flushAll(); !flushed) {
-    (void)next->close(kReason);
-    std::error_code ignored;
-    if (next->file().isThere()) std::filesystem::remove(next->file().path, ignored);
-    return flushed;
-  }
   Status begun = next->begin(piece_->state(), time, origin_);
   std::swap(piece_, next);
   shelf_.put(std::move(next), kReason);
