@@ -13,5 +13,5 @@ render --detail 8 -o render.png
 printf 'panels off\nframe 2\nscreenshot window.png\nquit\n' >script.txt
 xvfb-run -a -s '-screen 0 1280x1024x24' rocinante view "$demo/demo.cell.toml" "$demo/session.mcap" \
   --at 12.5s --size 320x240 --profile reproducible --detail 8 --script script.txt
-rocinante golden compare window.png render.png
+cmp window.png render.png && echo "level 8: as in the window"
 render --detail 10 --hash
