@@ -8,7 +8,7 @@
 namespace rocinante {
 namespace {
 
-int hexDigit(char c) {
+int pathHexDigit(char c) {
   if (c >= '0' && c <= '9') return c - '0';
   if (c >= 'a' && c <= 'f') return c - 'a' + 10;
   if (c >= 'A' && c <= 'F') return c - 'A' + 10;
@@ -23,8 +23,8 @@ std::optional<std::string> decoded(std::string_view text) {
       continue;
     }
     if (i + 2 >= text.size()) return std::nullopt;
-    const int high = hexDigit(text[i + 1]);
-    const int low = hexDigit(text[i + 2]);
+    const int high = pathHexDigit(text[i + 1]);
+    const int low = pathHexDigit(text[i + 2]);
     if (high < 0 || low < 0) return std::nullopt;
     name += static_cast<char>(high * 16 + low);
     i += 2;
