@@ -141,7 +141,11 @@ Result<TomlNode> parseToml(std::string_view text, const std::string& file) {
   const toml::parse_result parsed = toml::parse(text);
   if (!parsed) {
     const Place place = placeOf(parsed.error().source());
-    return Error{ErrorKind::damaged, std::string(parsed.error().description()),
+    std::string what(parsed.error().description());
+    if (what.find("TOML_MAX_NESTED_VALUES") != what.npos) {
+      what = fmt::format("values are nested deeper than {}", TOML_MAX_NESTED_VALUES);
+    }
+    return Error{ErrorKind::damaged, std::move(what),
                  fmt::format("{}:{}:{}", file, place.line, place.column)};
   }
   return nodeOf(parsed.table());

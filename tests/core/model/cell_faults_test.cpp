@@ -141,6 +141,8 @@ TEST_F(CellFaults, KeysNestedSoDeepThatReadingThemWouldOverrunTheStackAreRefused
   EXPECT_EQ(faultsOf("format = 1\n# a.b\n[x-" + deep + "]\n"), refused);
   EXPECT_EQ(faultsOf("format = 1\n\nx-" + deep + " = 1\n"), refused);
   EXPECT_EQ(faultsOf("format = 1\n\nx-a = { " + deep + " = 1 }\n"), refused);
+  EXPECT_EQ(faultsOf("format = 1\nx-a = " + std::string(100, '[')),
+            "REFUSED: values are nested deeper than 64 (test.cell.toml:2:71)");
   // Dots in numbers, strings and comments are no keys.
   std::string dots, numbers;
   for (int i = 0; i < 100; ++i) {
