@@ -15,7 +15,7 @@ int pathHexDigit(char c) {
   return -1;
 }
 
-std::optional<std::string> decoded(std::string_view text) {
+std::optional<std::string> decodedName(std::string_view text) {
   std::string name;
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (text[i] != '%') {
@@ -46,18 +46,18 @@ Result<ViewPath> parseViewPath(std::string_view text) {
   ViewPath wanted;
   std::string_view names = text;
   if (const std::size_t hash = text.find('#'); hash != std::string_view::npos) {
-    const auto group = decoded(text.substr(hash + 1));
+    const auto group = decodedName(text.substr(hash + 1));
     if (!group) return bad();
     wanted.group = *group;
     wanted.has_group = true;
     names = text.substr(0, hash);
   }
   const std::size_t slash = names.find('/');
-  const auto first = decoded(names.substr(0, slash));
+  const auto first = decodedName(names.substr(0, slash));
   if (!first) return bad();
   std::optional<std::string> second;
   if (slash != std::string_view::npos) {
-    second = decoded(names.substr(slash + 1));
+    second = decodedName(names.substr(slash + 1));
     if (!second) return bad();
   }
   const bool is_layer = *first == "layer";
