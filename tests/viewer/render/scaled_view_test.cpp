@@ -3,6 +3,7 @@
 
 #include "tests/viewer/render/test_maker.h"
 #include "viewer/detail/detail_level.h"
+#include "viewer/render/viewport.h"
 
 namespace rocinante {
 namespace {
@@ -10,7 +11,10 @@ namespace {
 using DetailFrames = test::MakerTest;
 
 FrameRequest requestOn(int detail) {
-  FrameRequest request = test::MakerTest::requestAt(4300);
+  FrameRequest request;
+  request.time = test::sessionTime(4300);
+  request.width = 160;
+  request.height = 120;
   request.camera = "front";
   request.detail = detail;
   return request;
@@ -65,18 +69,21 @@ TEST_F(DetailFrames, InsetsKeepTheirCrispFramesAndCoverWhatLiesBehindThem) {
   inset.border_px = 3;
   inset.border_rgba = 0xFF8000FF;
   FrameRequest request = requestOn(0);
+  // Large enough for a gnomon.
+  request.width = 240;
+  request.height = 180;
   request.hide = {"layer/grid"};
   request.insets = std::vector{inset};
   const Picture full = frameOf(maker, request);
   request.detail = kCoarsestRung;
   const Picture coarse = frameOf(maker, request);
   // Its border, from 4 pixels off the corner, is what it was to the pixel.
-  EXPECT_EQ(equalPixels(full, coarse, {4, 66, 60, 3}), 60 * 3);
-  EXPECT_EQ(equalPixels(full, coarse, {4, 66, 3, 50}), 3 * 50);
+  EXPECT_EQ(equalPixels(full, coarse, {4, 126, 60, 3}), 60 * 3);
+  EXPECT_EQ(equalPixels(full, coarse, {4, 126, 3, 50}), 3 * 50);
   // And the main view's gnomon, which would stand there, is not seen through it.
   request.hide = {"layer/grid", "layer/gnomon"};
   const Picture bare = frameOf(maker, request);
-  EXPECT_EQ(equalPixels(coarse, bare, {4, 66, 60, 50}), 60 * 50);
+  EXPECT_EQ(equalPixels(coarse, bare, {4, 126, 60, 50}), 60 * 50);
 }
 
 }  // namespace
