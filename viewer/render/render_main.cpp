@@ -89,6 +89,28 @@ void addLooks(CLI::App& app, Looks& looks) {
   }
 }
 
+/// "--shadows on" as "--shadows=on". A file of such a name can be said as "./on".
+std::vector<std::string> withJoinedSwitches(int argc, char** argv) {
+  std::vector<std::string> words;
+  const StyleKey* last_switch = nullptr;
+  for (int i = 0; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (last_switch != nullptr && !word.empty() && word.find('|') == std::string::npos &&
+        ("|" + std::string(last_switch->values) + "|").find("|" + word + "|") !=
+            std::string::npos) {
+      words.back() += "=" + word;
+      last_switch = nullptr;
+      continue;
+    }
+    last_switch = nullptr;
+    for (const StyleKey& key : styleKeys()) {
+      if (key.values.starts_with("on|") && word == "--" + std::string(key.key)) last_switch = &key;
+    }
+    words.push_back(word);
+  }
+  return words;
+}
+
 Status setLooks(const Looks& looks, RenderStyle& style) {
   for (const auto& [key, values] : looks) {
     for (const std::string& value : values) {
@@ -171,43 +193,48 @@ int main(int argc, char** argv) {
   app.add_flag("--force", job.overwrite, "Replace existing files");
   app.add_flag("--json", json, "Print a report as JSON");
 
-  return cli::run(app, argc, argv, kExamples, [&]() -> Result<cli::Exit> {
-    // Mesa reads its environment when the first context is made.
-    job.profile = profile == "fast" ? Profile::fast : Profile::reproducible;
-    if (job.profile == Profile::reproducible) pinRendererEnvironment(caps);
-    const auto pixels = parseSize(size);
-    if (!pixels) return pixels.error();
-    std::tie(job.look.width, job.look.height) = *pixels;
-    if (Status set = setLooks(looks, job.look.style); !set) return set.error();
-    job.show_insets = !without_insets;
-    job.hashes = hash || json;
-    if (job.output.empty() && job.sheet.empty() && job.frames.empty() && job.video.empty() &&
-        job.identity.empty() && job.depth.empty() && !job.hashes) {
-      return Error{ErrorKind::bad_argument,
-                   "nothing to make: -o FILE, --sheet FILE, --frames DIR, --video FILE, "
-                   "--identity FILE, --depth FILE, --hash or --json",
-                   {}};
-    }
-    if (!job.show_insets && !job.insets.empty()) {
-      return Error{ErrorKind::bad_argument, "--inset and --no-insets exclude each other", {}};
-    }
-    job.parallel = cli::workerThreads();
-    job.load_progress = cli::loadProgress(job.cell.string());
-    cli::catchStopSignals();
-    std::optional<cli::ProgressLine> line;
-    const auto report = render(job, [&](std::size_t done, std::size_t of) {
-      if (!line) line.emplace("drawing");
-      line->show(static_cast<double>(done) / static_cast<double>(of));
-      return !cli::stopRequested();
-    });
-    line.reset();
-    if (!report) return report.error();
-    printWarnings(*report);
-    if (json) {
-      printJson(*report);
-    } else if (hash) {
-      printHashes(*report, job.cameras.size() > 1);
-    }
-    return cli::Exit::done;
-  });
+  std::vector<std::string> words = withJoinedSwitches(argc, argv);
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  return cli::run(
+      app, static_cast<int>(words.size()), arguments.data(), kExamples, [&]() -> Result<cli::Exit> {
+        // Mesa reads its environment when the first context is made.
+        job.profile = profile == "fast" ? Profile::fast : Profile::reproducible;
+        if (job.profile == Profile::reproducible) pinRendererEnvironment(caps);
+        const auto pixels = parseSize(size);
+        if (!pixels) return pixels.error();
+        std::tie(job.look.width, job.look.height) = *pixels;
+        if (Status set = setLooks(looks, job.look.style); !set) return set.error();
+        job.show_insets = !without_insets;
+        job.hashes = hash || json;
+        if (job.output.empty() && job.sheet.empty() && job.frames.empty() && job.video.empty() &&
+            job.identity.empty() && job.depth.empty() && !job.hashes) {
+          return Error{ErrorKind::bad_argument,
+                       "nothing to make: -o FILE, --sheet FILE, --frames DIR, --video FILE, "
+                       "--identity FILE, --depth FILE, --hash or --json",
+                       {}};
+        }
+        if (!job.show_insets && !job.insets.empty()) {
+          return Error{ErrorKind::bad_argument, "--inset and --no-insets exclude each other", {}};
+        }
+        job.parallel = cli::workerThreads();
+        job.load_progress = cli::loadProgress(job.cell.string());
+        cli::catchStopSignals();
+        std::optional<cli::ProgressLine> line;
+        const auto report = render(job, [&](std::size_t done, std::size_t of) {
+          if (!line) line.emplace("drawing");
+          line->show(static_cast<double>(done) / static_cast<double>(of));
+          return !cli::stopRequested();
+        });
+        line.reset();
+        if (!report) return report.error();
+        printWarnings(*report);
+        if (json) {
+          printJson(*report);
+        } else if (hash) {
+          printHashes(*report, job.cameras.size() > 1);
+        }
+        return cli::Exit::done;
+      });
 }

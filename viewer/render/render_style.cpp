@@ -134,24 +134,15 @@ std::string shortest(double number) {
   return fault == std::errc() ? std::string(text.data(), end) : std::string();
 }
 
-}  // namespace
-
-std::span<const StyleKey> styleKeys() { return kKeys; }
-
-Status setStyle(RenderStyle& style, std::string_view key_text, std::string_view value) {
-  const StyleKey* key = keyNamed(key_text);
-  if (key == nullptr) {
-    std::string all;
-    for (const StyleKey& one : kKeys) all += (all.empty() ? "" : ", ") + std::string(one.key);
-    return badStyle("`" + std::string(key_text) + "` is no look; there are: " + all);
-  }
-  const std::string_view name = key->key;
+/// Sets or adds one value, whatever stands beside it.
+Status setOne(RenderStyle& style, const StyleKey& key, std::string_view value) {
+  const std::string_view name = key.key;
   if (name == "outlined") return addPath(style.outlined, value);
   if (name == "wireframe") return addPath(style.wireframe, value);
-  if (name == "collision") return addLink(style.collision, *key, value);
-  if (name == "collision-over") return addLink(style.collision_over, *key, value);
-  if (name == "transparent") return addTransparent(style, *key, value);
-  if (name == "trail") return addTrail(style, *key, value);
+  if (name == "collision") return addLink(style.collision, key, value);
+  if (name == "collision-over") return addLink(style.collision_over, key, value);
+  if (name == "transparent") return addTransparent(style, key, value);
+  if (name == "trail") return addTrail(style, key, value);
 
   bool fit = false;
   if (name == "shading") {
@@ -173,8 +164,31 @@ Status setStyle(RenderStyle& style, std::string_view key_text, std::string_view 
   } else if (name == "layer-looks") {
     fit = chooseSwitch(style.layer_looks, value);
   }
-  if (!fit) return badValue(*key, value);
+  if (!fit) return badValue(key, value);
   return {};
+}
+
+}  // namespace
+
+std::span<const StyleKey> styleKeys() { return kKeys; }
+
+Status setStyle(RenderStyle& style, std::string_view key_text, std::string_view value) {
+  const StyleKey* key = keyNamed(key_text);
+  if (key == nullptr) {
+    std::string all;
+    for (const StyleKey& one : kKeys) all += (all.empty() ? "" : ", ") + std::string(one.key);
+    return badStyle("`" + std::string(key_text) + "` is no look; there are: " + all);
+  }
+  const bool shadows = style.shadows;
+  const Shading shading = style.shading;
+  Status set = setOne(style, *key, value);
+  const bool changed = style.shadows != shadows || style.shading != shading;
+  if (changed && style.shadows && style.shading == Shading::plain) {
+    style.shadows = shadows;
+    style.shading = shading;
+    return badStyle("the plain shading draws no shadows: leave one of the two looks out");
+  }
+  return set;
 }
 
 Status setStyle(RenderStyle& style, std::string_view word) {
@@ -190,7 +204,7 @@ std::vector<std::pair<std::string, std::string>> styleWords(const RenderStyle& s
     words.emplace_back(key, std::move(value));
   };
   if (style.shading != plain.shading) say("shading", "plain");
-  if (style.shadows) say("shadows", "on");
+  if (style.shadows && style.shading == Shading::standard) say("shadows", "on");
   if (style.edges != plain.edges) say("edges", style.edges == EdgeStyle::only ? "only" : "on");
   if (style.labels != plain.labels) say("labels", "apart");
   if (style.ghosts != plain.ghosts) say("ghosts", "clear");

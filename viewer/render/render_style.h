@@ -80,8 +80,8 @@ struct StyleKey {
 std::span<const StyleKey> styleKeys();
 
 /// Sets or, where the key repeats, adds one value. `-` and `_` in a key are the same; `on` and
-/// `true`, `off` and `false` too. bad_argument for an unknown key or a value that it does not take;
-/// the style is then unchanged.
+/// `true`, `off` and `false` too. bad_argument for an unknown key, a value that it does not take,
+/// and shadows with the plain shading, which has none; the style is then unchanged.
 Status setStyle(RenderStyle& style, std::string_view key, std::string_view value);
 
 /// The same of one word, "KEY=VALUE", or "KEY" alone for "KEY=on".

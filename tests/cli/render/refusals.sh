@@ -14,6 +14,7 @@ try box.urdf --hash --camera lid
 try box.urdf --hash --hide layer
 try box.urdf -o box.jpg
 try box.urdf --hash --profile pretty
+try box.urdf --shadows on --hash --shading plain
 rocinante-render box.urdf -o box.png --size 64x48
 try box.urdf -o box.png --size 64x48
 try box.urdf -o box.png --size 64x48 --force

@@ -21,10 +21,10 @@ TEST(RenderStyle, SaysNothingByDefault) {
 
 TEST(RenderStyle, ComesBackFromItsOwnWords) {
   const RenderStyle style =
-      styleSaid({"shading=plain", "shadows", "edges=only", "labels=apart", "ghosts=clear",
-                 "limits=on", "scale-bar", "layer-looks=off", "outlined=arm", "outlined=gantry/x",
-                 "wireframe=*", "transparent=hall@0.25", "collision=arm",
-                 "collision-over=layer/robots", "trail=arm/tool0@2.5s", "trail=gantry@250ms"});
+      styleSaid({"shading=plain", "edges=only", "labels=apart", "ghosts=clear", "limits=on",
+                 "scale-bar", "layer-looks=off", "outlined=arm", "outlined=gantry/x", "wireframe=*",
+                 "transparent=hall@0.25", "collision=arm", "collision-over=layer/robots",
+                 "trail=arm/tool0@2.5s", "trail=gantry@250ms"});
   RenderStyle again;
   for (const auto& [key, value] : styleWords(style)) {
     ASSERT_TRUE(setStyle(again, key, value).has_value()) << key << "=" << value;
@@ -66,7 +66,7 @@ TEST(RenderStyle, RefusesWhatItDoesNotKnowAndStaysAsItWas) {
        {"shadow", "shadows=yes", "edges=thick", "outlined=", "outlined=layer", "wireframe=a%2",
         "transparent=arm@1.5", "transparent=arm@nan", "transparent=arm@", "trail=arm@0",
         "trail=arm@-1s", "trail=arm@25h", "trail=layer/robots", "trail=*", "trail=arm#hand",
-        "collision=arm#hand", "=", ""}) {
+        "collision=arm#hand", "shading=plain", "=", ""}) {
     RenderStyle style = styleSaid({"shadows", "trail=arm"});
     const RenderStyle before = style;
     EXPECT_FALSE(setStyle(style, word).has_value()) << word;
