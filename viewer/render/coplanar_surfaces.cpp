@@ -20,37 +20,13 @@ struct FlatTriangle {
   std::uint32_t part = 0;
   std::uint32_t number = 0;  ///< of the triangle in the mesh
   bool reversed = false;     ///< looks against the plane's normal
-  std::array<Vec2, 3> corners;
+  FlatCorners corners;
   Vec2 min{1e300, 1e300}, max{-1e300, -1e300};
 };
 
 /// A plane, rounded. Both of its sides are one plane.
 using PlaneKey = std::tuple<std::int64_t, std::int64_t, std::int64_t, std::int64_t>;
 using Planes = std::map<PlaneKey, std::vector<FlatTriangle>>;
-
-/// Whether the insides overlap by more than `slack`: no edge of either separates them.
-bool overlap(const FlatTriangle& a, const FlatTriangle& b, double slack) {
-  for (const FlatTriangle* triangle : {&a, &b}) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Vec2 edge = triangle->corners[(i + 1) % 3] - triangle->corners[i];
-      const double length = std::sqrt(edge.x * edge.x + edge.y * edge.y);
-      if (length <= slack) return false;
-      const Vec2 across(-edge.y / length, edge.x / length);
-      const auto extent = [&](const FlatTriangle& t) {
-        std::pair<double, double> span{1e300, -1e300};
-        for (const Vec2& corner : t.corners) {
-          const double at = corner.x * across.x + corner.y * across.y;
-          span = {std::min(span.first, at), std::max(span.second, at)};
-        }
-        return span;
-      };
-      const auto [a_min, a_max] = extent(a);
-      const auto [b_min, b_max] = extent(b);
-      if (a_max <= b_min + slack || b_max <= a_min + slack) return false;
-    }
-  }
-  return true;
-}
 
 /// Sorts the triangles by plane and adds up the parts' areas.
 Planes planesOf(const Mesh& mesh, double slack, std::vector<double>& area) {
@@ -100,8 +76,9 @@ Planes planesOf(const Mesh& mesh, double slack, std::vector<double>& area) {
 
 using PartPair = std::pair<std::uint32_t, std::uint32_t>;  // lower number first
 
-void findOverlaps(std::vector<FlatTriangle>& triangles, double slack, std::size_t& tests,
-                  std::set<PartPair>& same_way, CoplanarSurfaces& surfaces) {
+void findOverlaps(std::vector<FlatTriangle>& triangles, const std::vector<std::uint32_t>& bodies,
+                  double slack, std::size_t& tests, std::set<PartPair>& same_way,
+                  CoplanarSurfaces& surfaces) {
   // A sweep along x: only triangles whose spans meet are looked at.
   std::stable_sort(triangles.begin(), triangles.end(),
                    [](const FlatTriangle& a, const FlatTriangle& b) { return a.min.x < b.min.x; });
@@ -111,8 +88,10 @@ void findOverlaps(std::vector<FlatTriangle>& triangles, double slack, std::size_
       const FlatTriangle& b = triangles[j];
       if (b.min.x + slack >= a.max.x || ++tests > kMaxTests) break;
       const bool boxes_meet = a.min.y + slack < b.max.y && b.min.y + slack < a.max.y;
-      if (a.part == b.part || !boxes_meet || !overlap(a, b, slack)) continue;
+      if (a.part == b.part || !boxes_meet || !trianglesOverlap(a.corners, b.corners, slack))
+        continue;
       if (a.reversed != b.reversed) {
+        if (!bodies.empty() && bodies[a.part] != bodies[b.part]) continue;
         surfaces.one_sided[a.number] = surfaces.one_sided[b.number] = 1;
         surfaces.any_one_sided = true;
       } else {
@@ -145,7 +124,31 @@ void rankParts(const std::vector<double>& area, const std::set<PartPair>& same_w
 
 }  // namespace
 
-CoplanarSurfaces coplanarSurfaces(const Mesh& mesh) {
+// No edge of either separates them.
+bool trianglesOverlap(const FlatCorners& a, const FlatCorners& b, double slack) {
+  for (const FlatCorners* triangle : {&a, &b}) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec2 edge = (*triangle)[(i + 1) % 3] - (*triangle)[i];
+      const double length = std::sqrt(edge.x * edge.x + edge.y * edge.y);
+      if (length <= slack) return false;
+      const Vec2 across(-edge.y / length, edge.x / length);
+      const auto extent = [&](const FlatCorners& corners) {
+        std::pair<double, double> span{1e300, -1e300};
+        for (const Vec2& corner : corners) {
+          const double at = corner.x * across.x + corner.y * across.y;
+          span = {std::min(span.first, at), std::max(span.second, at)};
+        }
+        return span;
+      };
+      const auto [a_min, a_max] = extent(a);
+      const auto [b_min, b_max] = extent(b);
+      if (a_max <= b_min + slack || b_max <= a_min + slack) return false;
+    }
+  }
+  return true;
+}
+
+CoplanarSurfaces coplanarSurfaces(const Mesh& mesh, const std::vector<std::uint32_t>& bodies) {
   CoplanarSurfaces surfaces;
   surfaces.ranks.assign(mesh.parts.size(), 0);
   surfaces.one_sided.assign(mesh.triangleCount(), 0);
@@ -159,7 +162,7 @@ CoplanarSurfaces coplanarSurfaces(const Mesh& mesh) {
   std::set<PartPair> same_way;
   std::size_t tests = 0;
   for (auto& [key, triangles] : planes) {
-    findOverlaps(triangles, slack, tests, same_way, surfaces);
+    findOverlaps(triangles, bodies, slack, tests, same_way, surfaces);
   }
   if (!same_way.empty()) rankParts(area, same_way, surfaces.ranks);
   return surfaces;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -22,8 +23,16 @@ struct CoplanarSurfaces {
   bool any_one_sided = false;
 };
 
+using FlatCorners = std::array<Vec2, 3>;
+
+/// Whether the insides of two triangles in one plane overlap by more than `slack`.
+bool trianglesOverlap(const FlatCorners& a, const FlatCorners& b, double slack);
+
 /// Pure. Costs about a sort of the triangles; gives up looking (and finds nothing more) after some
 /// millions of overlapping boxes, so that no file can hold it up.
-CoplanarSurfaces coplanarSurfaces(const Mesh& mesh);
+///
+/// `bodies`, by part: of parts with different numbers, which may move apart, no triangle is seen
+/// from one side alone. Empty: all are one body.
+CoplanarSurfaces coplanarSurfaces(const Mesh& mesh, const std::vector<std::uint32_t>& bodies = {});
 
 }  // namespace rocinante

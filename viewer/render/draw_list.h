@@ -21,6 +21,7 @@ struct DrawItem {
   bool tinted = false;        ///< by the colours at its points (Mesh::colors)
   std::int32_t texture = -1;  ///< into SceneCatalog::textures; -1: none
   std::uint32_t coplanar_rank = 0;
+  float lift_units = 0;                ///< of depth, besides the rank's (liftCoplanarItems)
   const CoarsePart* coarse = nullptr;  ///< drawn in the part's place; null: the part itself
   const Material* material = nullptr;
   glm::vec4 diffuse{};    ///< display values and opacity, after colours that were set

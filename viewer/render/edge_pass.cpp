@@ -114,8 +114,8 @@ void EdgePass::draw(const std::vector<DrawItem>& items, const SceneCatalog& cata
   const glm::dvec4 axis(camera.forward(), 0);
   const double depth_a_metre =
       -(glm::dmat4(camera.clipFromRelative()) * axis).z * (zero_to_one ? 1 : 0.5);
-  gl_.Uniform2f(
-      uniforms_.lift, camera.orthographic() ? 0 : static_cast<float>(kLift),
+  const glm::vec2 lift(
+      camera.orthographic() ? 0 : static_cast<float>(kLift),
       camera.orthographic() ? static_cast<float>(depth_a_metre * camera.metersPerPixel(0)) : 0);
   for (const DrawItem& item : items) {
     const Edges& edges = edgesOf(*catalog.meshes()[item.mesh].mesh);
@@ -126,6 +126,10 @@ void EdgePass::draw(const std::vector<DrawItem>& items, const SceneCatalog& cata
     setItem(item, camera);
     const glm::vec4 shade = color_of(item);
     gl_.Uniform4f(uniforms_.color, shade.r, shade.g, shade.b, shade.a);
+    // With the surface that they are on; a unit is at most so much of a depth.
+    const float more = item.lift_units * (camera.orthographic() ? 0x1p-24F : 0x1p-23F);
+    gl_.Uniform2f(uniforms_.lift, lift.x + (camera.orthographic() ? 0 : more),
+                  lift.y + (camera.orthographic() ? more : 0));
     gl_.Uniform1i(uniforms_.first_edge, static_cast<GLint>(part.first));
     gl_.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(count * 6));
   }

@@ -164,7 +164,7 @@ void IdentityPass::drawItem(const DrawItem& item, float depth_ranks, const Drawn
   }
   if (depth_ranks != 0) {
     gl_.Enable(GL_POLYGON_OFFSET_FILL);
-    setDepthLift(gl_, depth_ranks);
+    setDepthLift(gl_, depth_ranks, item.lift_units);
   }
   set.meshes->bind(item.mesh);
   drawTriangles(gl_, item, *set.catalog);

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "core/math/transform.h"
+#include "viewer/render/coplanar_items.h"
 #include "viewer/render/draw_list.h"
 #include "viewer/render/draw_passes.h"
 #include "viewer/render/identity_numbers.h"
@@ -98,6 +99,9 @@ struct Renderer::Impl {
     return makeDrawList(*frame.scene, collision->catalog, *frame.choice, camera, {}, looks,
                         DrawnGeometry::collisions);
   }
+  /// All that a view shows of the geometry, in these two lists, coplanar surfaces lifted.
+  std::vector<DrawnSet> setsOf(const SceneFrame& frame, const LinkLooks& looks,
+                               const Camera& camera, DrawList& list, DrawList& collisions) const;
   /// What the style says of the scene's links; then `collision` is there where it is needed.
   Result<LinkLooks> looksOf(const SceneFrame& frame);
   /// One view into a part of what is bound.
@@ -154,6 +158,22 @@ Result<LinkLooks> Renderer::Impl::looksOf(const SceneFrame& frame) {
   auto made = LinkLooks::make(styleOf(frame), frame.extras, frame.scene);
   if (made && made->anyCollision() && !collision) collision.emplace(gl, cell);
   return made;
+}
+
+std::vector<DrawnSet> Renderer::Impl::setsOf(const SceneFrame& frame, const LinkLooks& looks,
+                                             const Camera& camera, DrawList& list,
+                                             DrawList& collisions) const {
+  makeDrawList(list, *frame.scene, catalog, *frame.choice, camera, textures.translucent(), looks,
+               DrawnGeometry::visuals, frame.detail);
+  std::vector<DrawnSet> sets{{&list, &catalog, &meshes}};
+  std::vector<LiftedList> lifted{{&list, &catalog}};
+  if (looks.anyCollision()) {
+    collisions = collisionListOf(frame, camera, looks);
+    sets.push_back({&collisions, &collision->catalog, &collision->meshes});
+    lifted.push_back({&collisions, &collision->catalog});
+  }
+  liftCoplanarItems(lifted, *frame.scene, camera);
+  return sets;
 }
 
 Result<ShadowLookup> Renderer::Impl::drawShadows(const SceneFrame& frame, const LinkLooks& looks,
@@ -221,15 +241,9 @@ Result<DrawCounts> Renderer::Impl::drawView(const SceneFrame& frame, const LinkL
 
   clock.endStage(counts.times.app);
   // Cull: what of it can be seen, in which order.
-  makeDrawList(view_list, *frame.scene, catalog, choice, camera, textures.translucent(), looks,
-               DrawnGeometry::visuals, frame.detail);
-  const DrawList& list = view_list;
-  std::vector<DrawnSet> sets{{&list, &catalog, &meshes}};
   DrawList collisions;
-  if (looks.anyCollision()) {
-    collisions = collisionListOf(frame, camera, looks);
-    sets.push_back({&collisions, &collision->catalog, &collision->meshes});
-  }
+  const std::vector<DrawnSet> sets = setsOf(frame, looks, camera, view_list, collisions);
+  const DrawList& list = view_list;
   Overlay in_scene(camera);
   addLinesAndPoints(in_scene, frame.scene->drawings, choice);
   if (frame.extras != nullptr) addTrails(in_scene, frame.extras->trails);
@@ -381,13 +395,8 @@ Status Renderer::Impl::prepareIdentity(const FrameBuffer& target) {
 Status Renderer::Impl::drawNumbers(const SceneFrame& frame, const LinkLooks& looks,
                                    const Camera& camera,
                                    const std::function<std::uint32_t(const DrawItem&)>& number_of) {
-  const DrawList list = listOf(frame, camera, looks);
-  std::vector<DrawnSet> sets{{&list, &catalog, &meshes}};
-  DrawList collisions;
-  if (looks.anyCollision()) {
-    collisions = collisionListOf(frame, camera, looks);
-    sets.push_back({&collisions, &collision->catalog, &collision->meshes});
-  }
+  DrawList list, collisions;
+  const std::vector<DrawnSet> sets = setsOf(frame, looks, camera, list, collisions);
   for (const DrawnSet& set : sets) identity_pass->drawSurfaces(set, textures, camera, number_of);
   for (const DrawnSet& set : sets) {
     if (set.list->wireframe.empty()) continue;

@@ -10,6 +10,26 @@
 namespace rocinante {
 namespace {
 
+/// By part of each mesh: the number of the link that it moves with.
+std::map<const Mesh*, std::vector<std::uint32_t>> bodiesOf(const Model& model,
+                                                           DrawnGeometry geometry) {
+  std::map<const Mesh*, std::vector<std::uint32_t>> bodies;
+  std::uint32_t number = 0;
+  for (const Link& link : model.links) {
+    const auto& drawn = geometry == DrawnGeometry::visuals ? link.visuals : link.collisions;
+    for (const Visual& visual : drawn) {
+      if (!visual.mesh || visual.mesh_parts.empty()) continue;
+      std::vector<std::uint32_t>& of_mesh = bodies[visual.mesh.get()];
+      of_mesh.resize(visual.mesh->parts.size());
+      for (const std::size_t part : visual.mesh_parts) {
+        if (part < of_mesh.size()) of_mesh[part] = number;
+      }
+    }
+    ++number;
+  }
+  return bodies;
+}
+
 /// How many of the part's indices now stand at its end.
 std::uint32_t putOneSidedLast(const MeshPart& part, const std::vector<std::uint8_t>& one_sided,
                               std::vector<std::uint32_t>& indices) {
@@ -44,6 +64,7 @@ SceneCatalog::SceneCatalog(const Cell& cell, DrawnGeometry geometry) {
 }
 
 void SceneCatalog::addModel(const Model& model, DrawnGeometry geometry) {
+  std::map<const Mesh*, std::vector<std::uint32_t>> bodies = bodiesOf(model, geometry);
   LinkReaches& reaches = reaches_[&model];
   reaches.clear();
   for (const Link& link : model.links) {
@@ -52,7 +73,7 @@ void SceneCatalog::addModel(const Model& model, DrawnGeometry geometry) {
     for (const Visual& visual : drawn) {
       if (visual.material) addTexture(*visual.material);
       if (!visual.mesh) continue;
-      addMesh(visual.mesh.get());
+      addMesh(visual.mesh.get(), bodies[visual.mesh.get()]);
       const CatalogMesh& mesh = meshes_[*meshNumber(visual.mesh.get())];
       const Mat4 in_link = matrixOf(visual.origin) * scaleMatrix(visual.scale);
       for (const CatalogPart& part : mesh.parts) {
@@ -73,13 +94,13 @@ void SceneCatalog::addTexture(const Material& material) {
   }
 }
 
-void SceneCatalog::addMesh(const Mesh* mesh) {
+void SceneCatalog::addMesh(const Mesh* mesh, const std::vector<std::uint32_t>& bodies) {
   const auto number = static_cast<std::uint32_t>(meshes_.size());
   if (!mesh_numbers_.emplace(mesh, number).second) return;
   for (const Material& material : mesh->materials) addTexture(material);
 
   CatalogMesh entry{mesh, {}, {}};
-  const CoplanarSurfaces surfaces = coplanarSurfaces(*mesh);
+  const CoplanarSurfaces surfaces = coplanarSurfaces(*mesh, bodies);
   if (surfaces.any_one_sided) entry.reordered = mesh->indices;
   for (std::size_t i = 0; i < mesh->parts.size(); ++i) {
     const MeshPart& part = mesh->parts[i];
@@ -89,6 +110,7 @@ void SceneCatalog::addMesh(const Mesh* mesh) {
     }
     CatalogPart known;
     known.coplanar_rank = surfaces.ranks[i];
+    known.faces = flatFaces(*mesh, part);
     if (surfaces.any_one_sided) {
       known.one_sided_count = putOneSidedLast(part, surfaces.one_sided, entry.reordered);
     }

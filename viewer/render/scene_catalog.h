@@ -9,6 +9,7 @@
 #include "core/model/cell.h"
 #include "viewer/detail/mesh_detail.h"
 #include "viewer/render/cull_sphere.h"
+#include "viewer/render/flat_faces.h"
 #include "viewer/render/link_looks.h"
 
 namespace rocinante {
@@ -19,6 +20,7 @@ struct CatalogPart {
   Vec3 half{};    ///< half their size
   double radius = 0;
   std::uint32_t coplanar_rank = 0;  ///< see CoplanarSurfaces
+  PartFaces faces;
   /// Of the part's indices, the last so many are triangles seen from their front alone.
   std::uint32_t one_sided_count = 0;
   /// From fine to coarse; their indices stand behind the mesh's own (MeshBuffers::setDetail).
@@ -66,7 +68,7 @@ class SceneCatalog {
  private:
   void addModel(const Model& model, DrawnGeometry geometry);
   void addTexture(const Material& material);
-  void addMesh(const Mesh* mesh);
+  void addMesh(const Mesh* mesh, const std::vector<std::uint32_t>& bodies);
 
   std::vector<CatalogMesh> meshes_;
   std::map<const Mesh*, std::uint32_t> mesh_numbers_;  // looked up, never walked through

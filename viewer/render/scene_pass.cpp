@@ -85,7 +85,7 @@ class ScenePass::Items {
     if (world_.changesTo(item.world)) setWorld(item.world);
     setMaterial(item, texture);
     if (texture != 0 && texture_.changesTo(texture)) gl_.BindTexture(GL_TEXTURE_2D, texture);
-    if (rank_.changesTo(item.coplanar_rank)) setLift(item.coplanar_rank);
+    if (lift_.changesTo({item.coplanar_rank, item.lift_units})) setLift(item);
   }
 
   void draw(const DrawItem& item) const { drawTriangles(gl_, item, catalog_); }
@@ -169,14 +169,14 @@ class ScenePass::Items {
     gl_.Uniform1f(program.shininess, specular != glm::vec3(0.0F) ? exponent : 0.0F);
   }
 
-  void setLift(std::uint32_t rank) const {
-    const float ranks = static_cast<float>(rank) + surfaces_.depth_ranks;
-    if (ranks == 0) {
+  void setLift(const DrawItem& item) const {
+    const float ranks = static_cast<float>(item.coplanar_rank) + surfaces_.depth_ranks;
+    if (ranks == 0 && item.lift_units == 0) {
       gl_.Disable(GL_POLYGON_OFFSET_FILL);
       return;
     }
     gl_.Enable(GL_POLYGON_OFFSET_FILL);
-    setDepthLift(gl_, ranks);
+    setDepthLift(gl_, ranks, item.lift_units);
   }
 
   /// What is set when it changes; the first value always counts as a change.
@@ -213,7 +213,8 @@ class ScenePass::Items {
   Latest<glm::vec4> diffuse_;
   Latest<int> has_map_, has_tint_;
   // Of the context.
-  Latest<std::uint32_t> mesh_, rank_;
+  Latest<std::uint32_t> mesh_;
+  Latest<std::pair<std::uint32_t, float>> lift_;
   Latest<GLuint> texture_;
 };
 

@@ -81,6 +81,12 @@ TEST(CoplanarSurfaces, AFaceAndItsBackAreEachSeenFromTheirFront) {
   EXPECT_TRUE(surfaces.any_one_sided);
 }
 
+TEST(CoplanarSurfaces, ADoorThatLeavesItsFrameIsSeenFromBothSides) {
+  const Mesh mesh = meshOf({{{0, 0, 0}, 4}, {{0, 0, 0}, 2, true}});
+  EXPECT_TRUE(coplanarSurfaces(mesh, {7, 7}).any_one_sided);
+  EXPECT_FALSE(coplanarSurfaces(mesh, {1, 2}).any_one_sided);
+}
+
 TEST(CoplanarSurfaces, RanksAreBounded) {
   std::vector<Square> stack;
   for (int i = 0; i < 40; ++i) stack.push_back({{0, 0, 0}, 10.0 - i * 0.1});
