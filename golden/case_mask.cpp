@@ -11,7 +11,7 @@ std::size_t pixelCount(const SuiteCase& made) {
   return static_cast<std::size_t>(made.width) * static_cast<std::size_t>(made.height);
 }
 
-PixelSet rectanglePixels(const SuiteCase& made, const PixelRectangle& rectangle) {
+PixelSet rectanglePixels(const SuiteCase& made, const MaskRectangle& rectangle) {
   PixelSet set(pixelCount(made));
   const int right = std::min(made.width, rectangle.x + rectangle.width);
   const int bottom = std::min(made.height, rectangle.y + rectangle.height);
@@ -26,7 +26,7 @@ PixelSet rectanglePixels(const SuiteCase& made, const PixelRectangle& rectangle)
 
 PixelSet pixelsOf(const SuiteCase& made, const PictureArea& area, const SceneIdentity* identity) {
   if (area.rectangle) {
-    const PixelRectangle& given = *area.rectangle;
+    const MaskRectangle& given = *area.rectangle;
     const int left = std::max(0, given.x - area.grow_px);
     const int top = std::max(0, given.y - area.grow_px);
     return rectanglePixels(made, {left, top, given.x + given.width + area.grow_px - left,

@@ -98,9 +98,9 @@ CLI::App* addCompareCommand(CLI::App& app, CompareArguments& arguments) {
 Result<cli::Exit> runCompareCommand(const CompareArguments& arguments) {
   const auto tolerance = Tolerance::named(arguments.tier);
   if (!tolerance.ok()) return tolerance.error();
-  std::vector<PixelRectangle> masks;
+  std::vector<MaskRectangle> masks;
   for (const std::string& text : arguments.masks) {
-    const auto rectangle = PixelRectangle::parse(text);
+    const auto rectangle = MaskRectangle::parse(text);
     if (!rectangle.ok()) return rectangle.error();
     masks.push_back(*rectangle);
   }

@@ -18,7 +18,7 @@ Result<FinePicture> readOrSayWhy(const std::filesystem::path& path) {
 }
 
 /// Everything but the files: both are read.
-void judge(const Tolerance& tolerance, const std::vector<PixelRectangle>& rectangles,
+void judge(const Tolerance& tolerance, const std::vector<MaskRectangle>& rectangles,
            FilesComparison& result) {
   const FinePicture& frame = *result.frame;
   const FinePicture& golden = *result.golden;
@@ -30,7 +30,7 @@ void judge(const Tolerance& tolerance, const std::vector<PixelRectangle>& rectan
   std::optional<PictureMask> mask;
   if (!rectangles.empty()) {
     mask.emplace(golden.picture.width, golden.picture.height);
-    for (const PixelRectangle& rectangle : rectangles) mask->hide(rectangle, rectangle.text());
+    for (const MaskRectangle& rectangle : rectangles) mask->hide(rectangle, rectangle.text());
     result.masks = mask->parts();
     for (const PictureMask::Part& part : result.masks) {
       if (part.pixels == 0) result.notes.push_back(fmt::format("mask {} hides nothing", part.name));
@@ -46,7 +46,7 @@ void judge(const Tolerance& tolerance, const std::vector<PixelRectangle>& rectan
 
 FilesComparison compareFiles(const std::filesystem::path& frame,
                              const std::filesystem::path& golden, const Tolerance& tolerance,
-                             const std::vector<PixelRectangle>& masks) {
+                             const std::vector<MaskRectangle>& masks) {
   FilesComparison result;
   // Decoding is nearly all of the time.
   Result<FinePicture> second = FinePicture{};

@@ -31,6 +31,6 @@ struct FilesComparison {
 /// second.
 FilesComparison compareFiles(const std::filesystem::path& frame,
                              const std::filesystem::path& golden, const Tolerance& tolerance,
-                             const std::vector<PixelRectangle>& masks = {});
+                             const std::vector<MaskRectangle>& masks = {});
 
 }  // namespace rocinante

@@ -6,7 +6,7 @@
 #include <charconv>
 
 namespace rocinante {
-Result<PixelRectangle> PixelRectangle::parse(std::string_view text) {
+Result<MaskRectangle> MaskRectangle::parse(std::string_view text) {
   const auto bad = [&] {
     return Error{ErrorKind::bad_argument, "a mask is X,Y,WIDTHxHEIGHT in pixels",
                  std::string(text)};
@@ -24,10 +24,10 @@ Result<PixelRectangle> PixelRectangle::parse(std::string_view text) {
     ++at;
   }
   if (at != end) return bad();
-  return PixelRectangle{numbers[0], numbers[1], numbers[2], numbers[3]};
+  return MaskRectangle{numbers[0], numbers[1], numbers[2], numbers[3]};
 }
 
-std::string PixelRectangle::text() const {
+std::string MaskRectangle::text() const {
   return std::to_string(x) + "," + std::to_string(y) + "," + std::to_string(width) + "x" +
          std::to_string(height);
 }
@@ -64,7 +64,7 @@ PictureMask::PictureMask(int width, int height)
   assert(width > 0 && height > 0);
 }
 
-void PictureMask::hide(const PixelRectangle& rectangle, std::string name) {
+void PictureMask::hide(const MaskRectangle& rectangle, std::string name) {
   // In 64 bits: a rectangle may begin and reach as far as it likes.
   const auto inside = [](std::int64_t value, int limit) {
     return static_cast<int>(std::clamp<std::int64_t>(value, 0, limit));

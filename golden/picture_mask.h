@@ -12,12 +12,12 @@
 namespace rocinante {
 
 /// Pixels of a picture, from (x, y) to the right and down; origin top left.
-struct PixelRectangle {
+struct MaskRectangle {
   int x = 0, y = 0, width = 0, height = 0;
-  bool operator==(const PixelRectangle&) const = default;
+  bool operator==(const MaskRectangle&) const = default;
 
   /// "X,Y,WIDTHxHEIGHT": what `golden compare --mask` takes.
-  static Result<PixelRectangle> parse(std::string_view text);
+  static Result<MaskRectangle> parse(std::string_view text);
   std::string text() const;
 };
 
@@ -43,7 +43,7 @@ class PictureMask {
   PictureMask(int width, int height);
 
   /// Hides what of the rectangle lies in the picture.
-  void hide(const PixelRectangle& rectangle, std::string name);
+  void hide(const MaskRectangle& rectangle, std::string name);
   /// Hides a set of width * height pixels.
   void hide(const PixelSet& pixels, std::string name);
   /// Hides everything but a set: only what every mask leaves is judged.

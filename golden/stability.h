@@ -13,7 +13,7 @@ namespace rocinante {
 /// A frame that is not the same each time it is drawn.
 struct Instability {
   std::int64_t pixels = 0;        ///< that differ between any two of the drawings
-  PixelRectangle where;           ///< around them
+  MaskRectangle where;            ///< around them
   bool after_another = false;     ///< it differs when another frame was drawn in between
   bool in_fresh_context = false;  ///< it differs in a context of its own
   PixelSet unstable;              ///< those pixels

@@ -27,7 +27,7 @@ struct CaseMoment {
 
 /// A part of a picture.
 struct PictureArea {
-  std::optional<PixelRectangle> rectangle;
+  std::optional<MaskRectangle> rectangle;
   /// Without a rectangle, the pixels of this PATH: DEVICE, DEVICE/LINK, layer/NAME or
   /// drawing/SOURCE/ID, as a glob.
   std::string path;

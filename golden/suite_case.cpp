@@ -79,7 +79,7 @@ void readArea(SuiteTable& owner, const TomlNode& node, std::string_view key,
     if (const TomlNode* rectangle = table.node("rectangle")) {
       const auto sides = wholeNumbers<4>(*rectangle, 0, kMaxPictureSide);
       if (sides && (*sides)[2] > 0 && (*sides)[3] > 0) {
-        area.rectangle = PixelRectangle{(*sides)[0], (*sides)[1], (*sides)[2], (*sides)[3]};
+        area.rectangle = MaskRectangle{(*sides)[0], (*sides)[1], (*sides)[2], (*sides)[3]};
       } else {
         table.complain(*rectangle, "`rectangle` is [x, y, width, height] in pixels");
       }

@@ -198,7 +198,7 @@ TEST(CompareMasked, WhatAMaskHidesIsNotJudged) {
   Picture frame = golden;
   pixelAt(frame, 10, 5)[0] = 200;
   PictureMask mask(40, 30);
-  mask.hide(PixelRectangle{10, 5, 1, 1}, "label");
+  mask.hide(MaskRectangle{10, 5, 1, 1}, "label");
   const Comparison found = compare(frame, golden, Tolerance::exactly(), &mask);
   EXPECT_EQ(found.verdict, Verdict::same);
   EXPECT_EQ(found.masked, 1);
@@ -212,7 +212,7 @@ TEST(CompareMasked, WhatAMaskHidesIsNotJudged) {
 TEST(CompareMasked, NothingLeftToJudgeIsIncomparable) {
   const Picture golden = greyPicture(40, 30);
   PictureMask mask(40, 30);
-  mask.hide(PixelRectangle{0, 0, 40, 30}, "all");
+  mask.hide(MaskRectangle{0, 0, 40, 30}, "all");
   const Comparison found = compare(golden, golden, Tolerance::loose(), &mask);
   EXPECT_EQ(found.verdict, Verdict::incomparable);
   EXPECT_EQ(found.rule, "the masks hide every pixel: nothing would be judged");
@@ -243,7 +243,7 @@ TEST(CompareFine, SixteenBitsThatDifferBelowTheEighthAreNotExactlyTheSame) {
   EXPECT_EQ(compareFine(frame, golden, Tolerance::cpu()).verdict, Verdict::same);
   EXPECT_EQ(compareFine(frame, golden, Tolerance::cpu()).rule, "equal pixels at 8 bits (cpu)");
   PictureMask mask(20, 20);
-  mask.hide(PixelRectangle{0, 1, 1, 1}, "corner");
+  mask.hide(MaskRectangle{0, 1, 1, 1}, "corner");
   EXPECT_EQ(compareFine(frame, golden, Tolerance::exactly(), &mask).verdict, Verdict::same);
   EXPECT_EQ(compareFine(golden, golden, Tolerance::exactly()).verdict, Verdict::same);
 }

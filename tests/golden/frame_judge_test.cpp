@@ -145,7 +145,7 @@ TEST_F(FrameJudgeTest, APictureThatNobodyAcceptedJudgesNothing) {
 
 TEST_F(FrameJudgeTest, MasksHideTheirPixelsAndNoOthers) {
   accept(evenPicture(10));
-  case_.mask = {{PixelRectangle{0, 0, 8, 8}, "", 0}};
+  case_.mask = {{MaskRectangle{0, 0, 8, 8}, "", 0}};
   const CaseAreas areas = findAreas(case_, nullptr);
   Picture drawn = evenPicture(10);
   setPixel(drawn, 7, 7, 99);
@@ -160,7 +160,7 @@ TEST_F(FrameJudgeTest, MasksHideTheirPixelsAndNoOthers) {
 
 TEST_F(FrameJudgeTest, MasksThatHideEverythingJudgeNothing) {
   accept(evenPicture(10));
-  case_.mask = {{PixelRectangle{0, 0, 32, 32}, "", 0}};
+  case_.mask = {{MaskRectangle{0, 0, 32, 32}, "", 0}};
   const CaseAreas areas = findAreas(case_, nullptr);
   EXPECT_EQ(judge(evenPicture(90), &areas).verdict, FrameVerdict::incomparable);
 }
@@ -288,7 +288,7 @@ TEST_F(FrameJudgeTest, PassesBetweenProcessesWhole) {
   accept(evenPicture(10));
   Picture drawn = evenPicture(10);
   setPixel(drawn, 3, 3, 99);
-  case_.mask = {{PixelRectangle{20, 20, 4, 4}, "", 0}};
+  case_.mask = {{MaskRectangle{20, 20, 4, 4}, "", 0}};
   const CaseAreas areas = findAreas(case_, nullptr);
   const JudgedFrame sent = judge(drawn, &areas);
   const Bytes bytes = wireBytes(sent);

@@ -7,18 +7,18 @@
 namespace rocinante {
 namespace {
 
-TEST(PixelRectangle, IsReadFromTextAndWrittenAgain) {
-  const auto rectangle = PixelRectangle::parse("10,20,30x40");
+TEST(MaskRectangle, IsReadFromTextAndWrittenAgain) {
+  const auto rectangle = MaskRectangle::parse("10,20,30x40");
   ASSERT_TRUE(rectangle.ok());
-  EXPECT_EQ(*rectangle, (PixelRectangle{10, 20, 30, 40}));
+  EXPECT_EQ(*rectangle, (MaskRectangle{10, 20, 30, 40}));
   EXPECT_EQ(rectangle->text(), "10,20,30x40");
 }
 
-TEST(PixelRectangle, RefusesAnythingElse) {
+TEST(MaskRectangle, RefusesAnythingElse) {
   for (const char* text : {"", "1", "1,2", "1,2,3", "1,2,3,4", "1,2,3x", "1,2,3x4 ", " 1,2,3x4",
                            "-1,2,3x4", "1,2,0x4", "1,2,3x0", "1,2,3x-4", "1,2,3x4x5", "a,b,cxd",
                            "1,2,3x99999999999", "1.5,2,3x4", "1,2,3X4", "+1,2,3x4"}) {
-    const auto rectangle = PixelRectangle::parse(text);
+    const auto rectangle = MaskRectangle::parse(text);
     ASSERT_FALSE(rectangle.ok()) << text;
     EXPECT_EQ(rectangle.error().what, "a mask is X,Y,WIDTHxHEIGHT in pixels");
   }
@@ -26,7 +26,7 @@ TEST(PixelRectangle, RefusesAnythingElse) {
 
 TEST(PictureMask, HidesExactlyTheRectangle) {
   PictureMask mask(8, 6);
-  mask.hide(PixelRectangle{2, 1, 3, 2}, "gauge");
+  mask.hide(MaskRectangle{2, 1, 3, 2}, "gauge");
   std::string shown;
   for (int y = 0; y < 6; ++y) {
     for (int x = 0; x < 8; ++x) shown += mask.hides(x, y) ? '#' : '.';
@@ -44,9 +44,9 @@ TEST(PictureMask, HidesExactlyTheRectangle) {
 
 TEST(PictureMask, CutsARectangleAtThePictureAndCountsAUselessOne) {
   PictureMask mask(8, 6);
-  mask.hide(PixelRectangle{6, 4, 2'147'483'647, 2'147'483'647}, "corner");
-  mask.hide(PixelRectangle{8, 0, 4, 4}, "beside");
-  mask.hide(PixelRectangle{-5, -5, 6, 6}, "before");
+  mask.hide(MaskRectangle{6, 4, 2'147'483'647, 2'147'483'647}, "corner");
+  mask.hide(MaskRectangle{8, 0, 4, 4}, "beside");
+  mask.hide(MaskRectangle{-5, -5, 6, 6}, "before");
   ASSERT_EQ(mask.parts().size(), 3U);
   EXPECT_EQ(mask.parts()[0].pixels, 4);
   EXPECT_EQ(mask.parts()[1].name, "beside");
@@ -56,12 +56,12 @@ TEST(PictureMask, CutsARectangleAtThePictureAndCountsAUselessOne) {
 
 TEST(PictureMask, OverlappingMasksCountEachAndTogetherOnce) {
   PictureMask mask(8, 6);
-  mask.hide(PixelRectangle{0, 0, 4, 4}, "a");
-  mask.hide(PixelRectangle{2, 2, 4, 4}, "b");
+  mask.hide(MaskRectangle{0, 0, 4, 4}, "a");
+  mask.hide(MaskRectangle{2, 2, 4, 4}, "b");
   EXPECT_EQ(mask.parts()[0].pixels, 16);
   EXPECT_EQ(mask.parts()[1].pixels, 16);
   EXPECT_EQ(mask.hiddenPixels(), 28);
-  mask.hide(PixelRectangle{0, 0, 8, 6}, "all");
+  mask.hide(MaskRectangle{0, 0, 8, 6}, "all");
   EXPECT_TRUE(mask.hidesEverything());
 }
 
@@ -115,7 +115,7 @@ TEST(PictureMask, AppliedTakesTheGoldensPixelsWhereItHides) {
   const Picture golden = greyPicture(4, 2, 10);
   const Picture frame = greyPicture(4, 2, 20);
   PictureMask mask(4, 2);
-  mask.hide(PixelRectangle{1, 0, 2, 1}, "middle");
+  mask.hide(MaskRectangle{1, 0, 2, 1}, "middle");
   Picture judged = mask.applied(frame, golden);
   EXPECT_EQ(pixelAt(judged, 0, 0)[0], 20);
   EXPECT_EQ(pixelAt(judged, 1, 0)[0], 10);

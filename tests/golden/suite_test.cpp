@@ -101,7 +101,7 @@ tags = []
   EXPECT_EQ(again.style.trails.size(), 2U);
   EXPECT_EQ(again.mask, (std::vector<PictureArea>{{{}, "layer/labels", 0},
                                                   {{}, "arm/link6", 2},
-                                                  {PixelRectangle{0, 0, 64, 20}, "", 0}}));
+                                                  {MaskRectangle{0, 0, 64, 20}, "", 0}}));
   EXPECT_EQ(again.judge_only.size(), 1U);
   EXPECT_TRUE(again.expect_different);
   EXPECT_EQ(again.tolerance.name, "arm");
