@@ -22,7 +22,7 @@ struct SocketAddress {
 
   bool isMulticast() const;
   bool isAny() const;
-  bool isLinkLocal() const;  ///< of IPv6: the same address may stand on every interface
+  bool isLinkLocal() const;      ///< of IPv6: the same address may stand on every interface
   std::string hostText() const;  ///< "127.0.0.1", "fe80::1%eth0"
   std::string text() const;      ///< "127.0.0.1:19960", "[::1]:19960"
   bool operator==(const SocketAddress&) const = default;
