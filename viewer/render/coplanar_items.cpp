@@ -20,7 +20,7 @@ constexpr std::size_t kMostTriangles = 20'000;
 /// Planes so near to each other are one: a twentieth of a millimetre, a thousandth of a small face,
 /// or what floats of a large one may be off by.
 constexpr double kNear_m = 5e-5;
-constexpr double kNearPart = 1e-3;
+constexpr double kNearShare = 1e-3;
 constexpr double kRounding = 1e-6;
 
 /// An item with the box around it, world space.
@@ -69,7 +69,7 @@ bool boxesMeet(const Vec3& a, const Vec3& a_half, const Vec3& b, const Vec3& b_h
 double nearness(const WorldFace& above, const WorldFace& below) {
   const double small = 2 * std::min(lengthOf(above.half), lengthOf(below.half));
   const double large = 2 * std::max(lengthOf(above.half), lengthOf(below.half));
-  const double near = std::max(std::min(kNear_m, kNearPart * small), kRounding * large);
+  const double near = std::max(std::min(kNear_m, kNearShare * small), kRounding * large);
   if (!boxesMeet(above.center, above.half, below.center, below.half, near)) return 0;
   // Side by side is not one on the other: along at least two axes they share more than that.
   int shared = 0;
@@ -219,6 +219,12 @@ std::vector<Candidate> candidatesOf(std::span<const LiftedList> lists) {
 void liftCoplanarItems(std::span<const LiftedList> lists, const PosedScene& scene,
                        const Camera& camera) {
   std::vector<Candidate> candidates = candidatesOf(lists);
+  // The usual crowd: ten thousand parts that look alike.
+  if (std::all_of(candidates.begin(), candidates.end(), [&](const Candidate& one) {
+        return lookAlike(*one.item, *candidates.front().item);
+      })) {
+    return;
+  }
   // A sweep along x: only boxes whose spans meet are looked at.
   const auto left = [](const Candidate& one) { return one.center.x - one.half.x; };
   candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
