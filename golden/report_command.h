@@ -6,13 +6,14 @@
 
 #include "core/cli/program.h"
 #include "core/result.h"
+#include "golden/report_output.h"
 
 namespace rocinante {
 
 /// What `rocinante golden report` was asked for (docs/programs/golden.md).
 struct ReportArguments {
   std::vector<std::filesystem::path> folders;
-  std::string report, junit, json_file;
+  ReportFiles files;
 };
 
 /// Adds the sub-command `report` to `app`; parsing fills `arguments`, which must outlive it.

@@ -2,12 +2,21 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <iostream>
 
 #include "core/atomic_file.h"
 #include "core/plain_text.h"
 
 namespace rocinante {
+
+void addReportFiles(CLI::App& command, ReportFiles& files) {
+  command.add_option("--report", files.folder, "folder for index.html and the pictures");
+  command.add_option("--junit", files.junit, "write JUnit XML");
+  command.add_option("--json", files.json_file, "write the verdicts as JSON; - is standard output")
+      ->expected(0, 1)
+      ->default_str("-");
+}
 
 Status writeReportFiles(const SuiteReport& report, const ReportFiles& files) {
   if (!files.junit.empty()) {

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "core/cli/program.h"
 #include "core/result.h"
 #include "golden/report.h"
 
@@ -13,6 +14,9 @@ struct ReportFiles {
   std::string junit;      ///< a file
   std::string json_file;  ///< a file, or `-` for standard output
 };
+
+/// Adds --report, --junit and --json to a subcommand; parsing fills `files`, which must outlive it.
+void addReportFiles(CLI::App& command, ReportFiles& files);
 
 Status writeReportFiles(const SuiteReport& report, const ReportFiles& files);
 

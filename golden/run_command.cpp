@@ -102,13 +102,7 @@ CLI::App* addRunCommand(CLI::App& app, RunArguments& arguments) {
       ->add_option("-j,--jobs", arguments.jobs, "processes that draw; 0: by frames and processors")
       ->check(CLI::Range(0, 64))
       ->capture_default_str();
-  command->add_option("--report", arguments.report, "folder for index.html and the pictures");
-  command->add_option("--junit", arguments.junit, "write JUnit XML");
-  command
-      ->add_option("--json", arguments.json_file,
-                   "write the verdicts as JSON; - is standard output")
-      ->expected(0, 1)
-      ->default_str("-");
+  addReportFiles(*command, arguments.files);
   return command;
 }
 
@@ -118,7 +112,7 @@ Result<cli::Exit> runRunCommand(const RunArguments& arguments) {
   auto session = SuiteSession::open(arguments.suite.suite, *options);
   if (!session.ok()) return session.error();
   warnOfModelFaults(session->cell());
-  const bool quiet = arguments.json_file == "-";
+  const bool quiet = arguments.files.json_file == "-";
   SuiteReport report = reportOf(*session, arguments.suite);
   auto judged = judgeFrames(*session, arguments.jobs, quiet);
   if (!judged.ok()) return judged.error();
@@ -130,13 +124,11 @@ Result<cli::Exit> runRunCommand(const RunArguments& arguments) {
     return explained.error();
   }
   if (!quiet) printWhy(report.frames);
-  if (auto written =
-          writeReportFiles(report, {arguments.report, arguments.junit, arguments.json_file});
-      !written)
-    return written.error();
+  if (auto written = writeReportFiles(report, arguments.files); !written) return written.error();
   if (!quiet) {
     printReportSummary(report);
-    if (!arguments.report.empty()) fmt::print("report: {}/index.html\n", arguments.report);
+    if (!arguments.files.folder.empty())
+      fmt::print("report: {}/index.html\n", arguments.files.folder);
   }
   return exitOf(report.verdict());
 }

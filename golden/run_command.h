@@ -2,6 +2,7 @@
 
 #include "core/cli/program.h"
 #include "core/result.h"
+#include "golden/report_output.h"
 #include "golden/suite_arguments.h"
 
 namespace rocinante {
@@ -9,7 +10,7 @@ namespace rocinante {
 /// What `rocinante golden run` was asked for (docs/programs/golden.md).
 struct RunArguments {
   SuiteArguments suite;
-  std::string report, junit, json_file;
+  ReportFiles files;
   int jobs = 1;  ///< 0: by the number of frames and processors
 };
 

@@ -84,9 +84,9 @@ class UnstableFrameTest : public testing::Test {
           "format = 1\ncell = \"boxes.urdf\"\n[[case]]\nname = \"pair\"\nsize = [64, 48]\n"
           "samples = 1\nhide = [\"layer/grid\", \"layer/gnomon\"]\n");
     arguments_.suite.suite = folder_ / "suite.toml";
-    arguments_.report = (folder_ / "report").string();
-    arguments_.junit = (folder_ / "junit.xml").string();
-    arguments_.json_file = (folder_ / "verdicts.json").string();
+    arguments_.files.folder = (folder_ / "report").string();
+    arguments_.files.junit = (folder_ / "junit.xml").string();
+    arguments_.files.json_file = (folder_ / "verdicts.json").string();
     arguments_.suite.drawers = [this]() -> Result<std::unique_ptr<FrameDrawer>> {
       auto cell = loadCell(folder_ / "boxes.urdf", {});
       if (!cell.ok()) return cell.error();

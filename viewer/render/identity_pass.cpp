@@ -85,22 +85,8 @@ IdentityPass::IdentityPass(const GlTable& gl, ShaderProgram surface, ShaderProgr
       map_scale_(surface_.uniform("map_scale")),
       map_offset_(surface_.uniform("map_offset")),
       has_holes_(surface_.uniform("has_holes")),
-      number_(surface_.uniform("number")) {
-  gl_.GenVertexArrays(1, &array_);
-  gl_.BindVertexArray(array_);
-  gl_.GenBuffers(1, &vertices_);
-  gl_.BindBuffer(GL_ARRAY_BUFFER, vertices_);
-  for (GLuint place = 0; place < 4; ++place) gl_.EnableVertexAttribArray(place);
-  const auto offset = [](std::size_t bytes) { return reinterpret_cast<const void*>(bytes); };
-  constexpr GLsizei kStride = sizeof(OverlayVertex);
-  gl_.VertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, kStride, offset(offsetof(OverlayVertex, clip)));
-  gl_.VertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, kStride,
-                          offset(offsetof(OverlayVertex, texture)));
-  gl_.VertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, kStride,
-                          offset(offsetof(OverlayVertex, abgr)));
-  gl_.VertexAttribIPointer(3, 1, GL_UNSIGNED_INT, kStride, offset(offsetof(OverlayVertex, kind)));
-  gl_.BindVertexArray(0);
-}
+      number_(surface_.uniform("number")),
+      buffer_(gl) {}
 
 IdentityPass::IdentityPass(IdentityPass&& other) noexcept
     : gl_(other.gl_),
@@ -111,13 +97,7 @@ IdentityPass::IdentityPass(IdentityPass&& other) noexcept
       map_offset_(other.map_offset_),
       has_holes_(other.has_holes_),
       number_(other.number_),
-      array_(std::exchange(other.array_, 0)),
-      vertices_(std::exchange(other.vertices_, 0)) {}
-
-IdentityPass::~IdentityPass() {
-  gl_.DeleteVertexArrays(1, &array_);
-  gl_.DeleteBuffers(1, &vertices_);
-}
+      buffer_(std::move(other.buffer_)) {}
 
 void IdentityPass::begin(const PixelRectangle& part, int frame_height) const {
   if (gl_.ClipControl != nullptr) gl_.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
@@ -184,11 +164,7 @@ void IdentityPass::drawOverlay(const Overlay& overlay, const std::vector<std::ui
   if (vertices.empty()) return;
   if (!in_scene) gl_.Disable(GL_DEPTH_TEST);
   flat_.use();
-  gl_.BindVertexArray(array_);
-  gl_.BindBuffer(GL_ARRAY_BUFFER, vertices_);
-  gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(OverlayVertex)),
-                 vertices.data(), GL_STREAM_DRAW);
-  gl_.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(vertices.size()));
+  buffer_.draw(vertices);
   gl_.Enable(GL_DEPTH_TEST);
 }
 

@@ -8,6 +8,7 @@
 #include "viewer/render/frame_buffer.h"
 #include "viewer/render/ghost_pass.h"
 #include "viewer/render/overlay.h"
+#include "viewer/render/overlay_buffer.h"
 #include "viewer/render/shader_program.h"
 #include "viewer/render/texture_store.h"
 #include "viewer/render/viewport.h"
@@ -20,7 +21,6 @@ namespace rocinante {
 class IdentityPass {
  public:
   static Result<IdentityPass> create(const GlTable& gl);
-  ~IdentityPass();
   IdentityPass(IdentityPass&& other) noexcept;
   IdentityPass& operator=(IdentityPass&&) = delete;
 
@@ -61,7 +61,7 @@ class IdentityPass {
   const GlTable& gl_;
   ShaderProgram surface_, flat_;
   GLint clip_from_model_, map_scale_, map_offset_, has_holes_, number_;
-  GLuint array_ = 0, vertices_ = 0;
+  OverlayBuffer buffer_;
 };
 
 }  // namespace rocinante

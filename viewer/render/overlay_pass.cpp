@@ -1,6 +1,5 @@
 #include "viewer/render/overlay_pass.h"
 
-#include <cstddef>
 #include <utility>
 
 #include "viewer/render/shader_source.h"
@@ -15,22 +14,7 @@ Result<OverlayPass> OverlayPass::create(const GlTable& gl, const TextAtlas& atla
 }
 
 OverlayPass::OverlayPass(const GlTable& gl, ShaderProgram program, const TextAtlas& atlas)
-    : gl_(gl), program_(std::move(program)) {
-  gl_.GenVertexArrays(1, &array_);
-  gl_.BindVertexArray(array_);
-  gl_.GenBuffers(1, &vertices_);
-  gl_.BindBuffer(GL_ARRAY_BUFFER, vertices_);
-  for (GLuint place = 0; place < 4; ++place) gl_.EnableVertexAttribArray(place);
-  const auto offset = [](std::size_t bytes) { return reinterpret_cast<const void*>(bytes); };
-  constexpr GLsizei kStride = sizeof(OverlayVertex);
-  gl_.VertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, kStride, offset(offsetof(OverlayVertex, clip)));
-  gl_.VertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, kStride,
-                          offset(offsetof(OverlayVertex, texture)));
-  gl_.VertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, kStride,
-                          offset(offsetof(OverlayVertex, abgr)));
-  gl_.VertexAttribIPointer(3, 1, GL_UNSIGNED_INT, kStride, offset(offsetof(OverlayVertex, kind)));
-  gl_.BindVertexArray(0);
-
+    : gl_(gl), program_(std::move(program)), buffer_(gl) {
   gl_.GenTextures(1, &atlas_texture_);
   gl_.BindTexture(GL_TEXTURE_2D, atlas_texture_);
   gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
@@ -45,26 +29,16 @@ OverlayPass::OverlayPass(const GlTable& gl, ShaderProgram program, const TextAtl
 OverlayPass::OverlayPass(OverlayPass&& other) noexcept
     : gl_(other.gl_),
       program_(std::move(other.program_)),
-      array_(std::exchange(other.array_, 0)),
-      vertices_(std::exchange(other.vertices_, 0)),
+      buffer_(std::move(other.buffer_)),
       atlas_texture_(std::exchange(other.atlas_texture_, 0)) {}
 
-OverlayPass::~OverlayPass() {
-  gl_.DeleteVertexArrays(1, &array_);
-  gl_.DeleteBuffers(1, &vertices_);
-  gl_.DeleteTextures(1, &atlas_texture_);
-}
+OverlayPass::~OverlayPass() { gl_.DeleteTextures(1, &atlas_texture_); }
 
 void OverlayPass::drawVertices(const Overlay& overlay) const {
-  const auto& vertices = overlay.vertices();
   program_.use();
   gl_.BindTexture(GL_TEXTURE_2D, atlas_texture_);
-  gl_.BindVertexArray(array_);
-  gl_.BindBuffer(GL_ARRAY_BUFFER, vertices_);
-  gl_.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(OverlayVertex)),
-                 vertices.data(), GL_STREAM_DRAW);
   gl_.Enable(GL_BLEND);
-  gl_.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(vertices.size()));
+  buffer_.draw(overlay.vertices());
   gl_.Disable(GL_BLEND);
 }
 

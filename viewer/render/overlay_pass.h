@@ -1,6 +1,7 @@
 #pragma once
 
 #include "viewer/render/overlay.h"
+#include "viewer/render/overlay_buffer.h"
 #include "viewer/render/shader_program.h"
 
 namespace rocinante {
@@ -25,7 +26,8 @@ class OverlayPass {
 
   const GlTable& gl_;
   ShaderProgram program_;
-  GLuint array_ = 0, vertices_ = 0, atlas_texture_ = 0;
+  OverlayBuffer buffer_;
+  GLuint atlas_texture_ = 0;
 };
 
 }  // namespace rocinante
