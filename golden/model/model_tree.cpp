@@ -54,7 +54,8 @@ std::string treeText(const Model& model, bool ascii) {
     if (!model.links[i].parent_joint) waiting.push_back({i, 0, true, ""});
   }
   // The root stands first, whatever other links hang on nothing.
-  std::ranges::stable_partition(waiting, [&](const Waiting& w) { return w.link != model.root; });
+  std::stable_partition(waiting.begin(), waiting.end(),
+                        [&](const Waiting& w) { return w.link != model.root; });
   while (!waiting.empty()) {
     const Waiting at = std::move(waiting.back());
     waiting.pop_back();

@@ -152,15 +152,17 @@ void ChunkRules::index(const mcap::Record& record) {
   }
   if (!readable_) return;
   std::ranges::sort(index.records);
-  const auto mine = std::ranges::equal_range(entries_, index.channel_id, {}, &Entry::channel);
-  const bool same = std::ranges::equal(index.records, mine, [](const auto& said, const Entry& is) {
-    return said.first == is.time && said.second == is.offset;
-  });
+  const auto first = std::ranges::lower_bound(entries_, index.channel_id, {}, &Entry::channel);
+  const auto last = std::ranges::upper_bound(entries_, index.channel_id, {}, &Entry::channel);
+  const bool same = std::equal(index.records.begin(), index.records.end(), first, last,
+                               [](const auto& said, const Entry& is) {
+                                 return said.first == is.time && said.second == is.offset;
+                               });
   if (same) return;
   report_.add("index-entries", record.offset,
               fmt::format("the MessageIndex of channel {} does not tell its {} messages in the "
                           "chunk",
-                          index.channel_id, std::ranges::size(mine)));
+                          index.channel_id, last - first));
 }
 
 void ChunkRules::end() {
