@@ -90,7 +90,9 @@ void recordFor(Nanoseconds span, RecordOptions options) {
               static_cast<unsigned long long>(source.sent()), static_cast<double>(at_first) * 1e-6,
               static_cast<double>(later) * 1e-6);
   if (kJudgesMemory) {
-    EXPECT_LT(later, at_first + (2U << 20U));
+    // A piece that is being closed takes some MB for a moment, which a look may hit or miss; a leak
+    // of 35 bytes a packet would be more.
+    EXPECT_LT(later, at_first + (6U << 20U));
   }
 }
 
