@@ -15,6 +15,7 @@
 #include "tests/support/temporary_folder.h"
 #include "viewer/detail/governor.h"
 #include "viewer/render/renderer.h"
+#include "viewer/render/scaled_view.h"
 
 namespace {
 
