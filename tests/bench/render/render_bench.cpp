@@ -187,6 +187,11 @@ void benchScene(RenderContext& context, const std::string& name, const std::file
         gl, settings.rounds, settings.frames,
         {[&] { plain.draw(target); }, [&] { counts = stage.draw(target, Shading::plain); },
          [&] { standard.draw(target); }, [&] { counts = stage.draw(target, Shading::standard); }});
+    // Frame after frame of one kind, as osgviewer draws them: turn by turn each way finds the
+    // caches full of the other's copy of the scene.
+    const auto alone = [&](Shading shading) {
+      return measured(gl, 3, 40, {[&] { stage.draw(target, shading); }}).front().cpu();
+    };
     const auto peer = peerCpu(obj, stage.camera(), width, height, folder, display);
     const auto row = [&](const char* what) {
       return fmt::format("{} {}x{}, {}", name, width, height, what);
@@ -205,14 +210,14 @@ void benchScene(RenderContext& context, const std::string& name, const std::file
              fmt::format(">= {:.0f}", least_frames), frames_s >= least_frames);
     printRow(row("standard: frames/s"), fmt::format("{:.1f}", 1000 / costs[3].wall()), "", {});
     if (peer) {
-      const double ours = costs[1].cpu();
+      const double ours = alone(Shading::plain);
       printRow(row("plain: CPU ms a frame, osgviewer's"),
                fmt::format("{:.2f} / {:.2f} = {:.2f}", ours, *peer, ours / *peer), "<= 0.85",
                ours <= 0.85 * *peer);
-      printRow(
-          row("standard: the same"),
-          fmt::format("{:.2f} / {:.2f} = {:.2f}", costs[3].cpu(), *peer, costs[3].cpu() / *peer),
-          "", {});
+      const double standard_cpu = alone(Shading::standard);
+      printRow(row("standard: the same"),
+               fmt::format("{:.2f} / {:.2f} = {:.2f}", standard_cpu, *peer, standard_cpu / *peer),
+               "", {});
     } else {
       printRow(row("beside osgviewer"), "it is not here", "<= 0.85", {});
     }
