@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <malloc.h>
 
 #include <cstdlib>
 
@@ -62,6 +63,9 @@ constexpr bool kJudgesMemory = true;
 /// Records for so long; the anonymous memory takes no more in the second half than in the first, in
 /// which every piece has grown to its end and every buffer to its size.
 void recordFor(Nanoseconds span, RecordOptions options) {
+  // On a busy machine threads wait for each other, and malloc then opens a second arena, at any
+  // time: 3 MB that are the allocator's and not the recorder's.
+  ::mallopt(M_ARENA_MAX, 1);
   test::CaptureRig rig(std::move(options));
   test::FakeClocks clocks;
   SteadySource source(clocks);
@@ -76,7 +80,7 @@ void recordFor(Nanoseconds span, RecordOptions options) {
     rig.writer->write(rig.queue.take(0ns), rig.queue);
     rig.writer->flush(SteadyTime(1h + kStep * step));
     (void)rig.notes.take();
-    if (step % 100 != 0) continue;
+    // Every step: closing a piece takes some memory for a moment, which fewer looks hit or miss.
     std::uint64_t& most = step < steps / 2 ? at_first : later;
     most = std::max(most, test::anonymousBytes());
   }
@@ -90,9 +94,7 @@ void recordFor(Nanoseconds span, RecordOptions options) {
               static_cast<unsigned long long>(source.sent()), static_cast<double>(at_first) * 1e-6,
               static_cast<double>(later) * 1e-6);
   if (kJudgesMemory) {
-    // A piece that is being closed takes some MB for a moment, which a look may hit or miss; a leak
-    // of 35 bytes a packet would be more.
-    EXPECT_LT(later, at_first + (6U << 20U));
+    EXPECT_LT(later, at_first + (2U << 20U));
   }
 }
 
