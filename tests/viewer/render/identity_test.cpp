@@ -69,35 +69,63 @@ TEST_F(IdentityTest, EachLinkIsWhereProjectingItsBoxSays) {
 
 TEST_F(IdentityTest, ExactlyThePixelsThatHidingAThingChangesAreItsOwn) {
   FrameMaker maker = open(test::kCameras);
+  struct Thing {
+    std::string device, link, hidden_by;
+    std::vector<std::string> out_of_the_way;  // a label's plate lets through what is behind it
+  };
+  const std::vector<Thing> things{{"arm", "hand", "arm", {}},
+                                  {"drawing", "robot/plan", "layer/lines", {"layer/labels"}},
+                                  {"drawing", "robot/here", "layer/labels", {}}};
   FrameRequest request = requestAt(4200);
   request.camera = "flat";
   request.samples = 1;
-  const IdentityFrame frame = identityOf(maker, request);
-  const Picture with = frameOf(maker, request);
-  const std::map<std::string, std::string> hidden_by{
-      {"hand", "arm"}, {"robot/plan", "layer/lines"}, {"robot/here", "layer/labels"}};
-  ASSERT_EQ(frame.names.size(), hidden_by.size());
-  for (std::size_t i = 0; i < frame.names.size(); ++i) {
-    const IdentityName name = frame.names[i];
-    SCOPED_TRACE(name.device + " " + name.link);
+  ASSERT_EQ(identityOf(maker, request).names.size(), things.size());
+  for (const Thing& thing : things) {
+    SCOPED_TRACE(thing.device + " " + thing.link);
+    request.hide = thing.out_of_the_way;
+    const IdentityFrame frame = identityOf(maker, request);
+    const Picture with = frameOf(maker, request);
     FrameRequest without = request;
-    without.hide = {hidden_by.at(name.link)};
+    without.hide.push_back(thing.hidden_by);
     const Picture other = frameOf(maker, without);
-    std::size_t differ = 0, own = 0, both = 0;
+    const auto isOwn = [&](int x, int y) {
+      if (x < 0 || y < 0 || x >= frame.width || y >= frame.height) return false;
+      const std::uint32_t id = frame.ids[static_cast<std::size_t>(y * frame.width + x)];
+      return id != 0 && frame.names[id - 1].device == thing.device &&
+             frame.names[id - 1].link == thing.link;
+    };
+    const auto touchesOwn = [&](int x, int y) {
+      for (const int down : {-1, 0, 1}) {
+        for (const int right : {-1, 0, 1}) {
+          if (isOwn(x + right, y + down)) return true;
+        }
+      }
+      return false;
+    };
+    std::size_t differ = 0, own = 0, both = 0, far = 0;
     for (std::size_t pixel = 0; pixel < frame.ids.size(); ++pixel) {
+      const int x = static_cast<int>(pixel) % frame.width;
+      const int y = static_cast<int>(pixel) / frame.width;
       const bool changed =
           !std::equal(with.rgba.begin() + static_cast<std::ptrdiff_t>(pixel * 4),
                       with.rgba.begin() + static_cast<std::ptrdiff_t>(pixel * 4 + 4),
                       other.rgba.begin() + static_cast<std::ptrdiff_t>(pixel * 4));
-      const bool owned = frame.ids[pixel] == i + 1;
+      const bool owned = isOwn(x, y);
+      far += changed && !touchesOwn(x, y) ? 1 : 0;
       differ += changed ? 1 : 0;
       own += owned ? 1 : 0;
       both += changed && owned ? 1 : 0;
     }
     EXPECT_GT(own, 20U);
     EXPECT_EQ(both, own) << differ << " differ";
-    // Discs fade out over pixels that are less than half theirs; a plate lets a line through.
-    EXPECT_GE(own * 100, differ * 90) << differ << " differ";
+    // Lines and dots fade out over pixels that are less than half theirs: a rim, and nothing else.
+    EXPECT_EQ(far, 0U);
+    if (thing.device != "drawing") {
+      EXPECT_EQ(differ, own);
+    }
+    if (thing.link != "robot/plan") {
+      EXPECT_GE(own * 100, differ * 95) << differ << " differ";
+    }
   }
 }
 
