@@ -12,6 +12,10 @@ target_compile_options(rocinante_build INTERFACE -Wall -Wextra -Wpedantic -Wshad
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
   $<$<BOOL:${ROCINANTE_WERROR}>:-Werror>)
 
+# A library that a program calls nothing of is not loaded with it: half of the time to start one that
+# does little.
+target_link_options(rocinante_build INTERFACE LINKER:--as-needed)
+
 find_program(ROCINANTE_CCACHE ccache)
 if(ROCINANTE_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   # Precompiled headers (of the tests) are cached too, given these allowances.

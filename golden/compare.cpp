@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
-#include <span>
 
 #include "golden/picture_mask.h"
 #include "golden/pixel_difference.h"
@@ -14,34 +12,16 @@
 namespace rocinante {
 namespace {
 
-/// How many pixels have each difference, 0 to 255.
-using Histogram = std::array<std::int64_t, 256>;
-
-Histogram histogramOf(std::span<const std::uint8_t> differences) {
-  Histogram counts{};
-  std::size_t i = 0;
-  for (; i + 8 <= differences.size(); i += 8) {
-    std::uint64_t eight = 0;
-    std::memcpy(&eight, differences.data() + i, sizeof eight);
-    if (eight == 0) {  // most of a picture is equal
-      counts[0] += 8;
-      continue;
-    }
-    for (std::size_t j = 0; j < 8; ++j) ++counts[differences[i + j]];
-  }
-  for (; i < differences.size(); ++i) ++counts[differences[i]];
-  return counts;
-}
-
-std::int64_t countOver(const Histogram& counts, std::size_t limit) {
+std::int64_t countOver(const LevelCounts& counts, std::size_t limit) {
   std::int64_t sum = 0;
   for (std::size_t level = limit + 1; level < counts.size(); ++level) sum += counts[level];
   return sum;
 }
 
-void measure(const Picture& frame, const Picture& golden, Comparison& found) {
-  const std::vector<std::uint8_t> differences = pixelDifferences(frame, golden);
-  const Histogram counts = histogramOf(differences);
+/// All figures of two pictures of one shape that are not the same.
+void measure(const Picture& frame, const Picture& golden, const PixelDifferences& found_levels,
+             Comparison& found) {
+  const auto& [differences, counts] = found_levels;
   found.differing = countOver(counts, 0);
   found.over_1 = countOver(counts, 1);
   found.over_2 = countOver(counts, 2);
@@ -155,12 +135,13 @@ Comparison compare(const Picture& frame, const Picture& golden, const Tolerance&
     found.masked = masked;
     return found;
   }
-  if (frame.rgba == golden.rgba) {
+  const PixelDifferences differences = pixelDifferences(frame, golden);
+  if (countOver(differences.counts, 0) == 0) {
     found.verdict = Verdict::same;
     found.rule = "equal pixels";
     return found;
   }
-  measure(frame, golden, found);
+  measure(frame, golden, differences, found);
   decide(tolerance, found);
   return found;
 }

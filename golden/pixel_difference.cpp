@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 #include <cstdlib>
+#include <cstring>
+#include <thread>
 
 #ifdef __SSE2__
 #include <emmintrin.h>
@@ -96,6 +98,34 @@ void sumQuarters(std::span<const std::uint8_t> differences, int width, int top,
   }
 }
 
+/// From here on a second thread costs less than it saves.
+constexpr std::size_t kLargePicture = 1'000'000;
+
+void countLevels(std::span<const std::uint8_t> levels, LevelCounts& counts) {
+  std::size_t i = 0;
+  for (; i + 8 <= levels.size(); i += 8) {
+    std::uint64_t eight = 0;
+    std::memcpy(&eight, levels.data() + i, sizeof eight);
+    if (eight == 0) {  // most of a picture is equal
+      counts[0] += 8;
+      continue;
+    }
+    for (std::size_t j = 0; j < 8; ++j) ++counts[levels[i + j]];
+  }
+  for (; i < levels.size(); ++i) ++counts[levels[i]];
+}
+
+/// Pixels [first, end) of `found.levels`, counted in `counts`.
+void findDifferences(const Picture& a, const Picture& b, std::size_t first, std::size_t end,
+                     PixelDifferences& found, LevelCounts& counts) {
+  constexpr std::size_t kPiece = 4096;  // still in the cache when its levels are counted
+  for (std::size_t at = first; at < end; at += kPiece) {
+    const std::span<std::uint8_t> levels(found.levels.data() + at, std::min(kPiece, end - at));
+    differenceRow(a.rgba.data() + at * 4, b.rgba.data() + at * 4, levels);
+    countLevels(levels, counts);
+  }
+}
+
 }  // namespace
 
 int pixelDifference(const std::uint8_t* a, const std::uint8_t* b) {
@@ -130,11 +160,19 @@ void differenceRow(const std::uint8_t* a, const std::uint8_t* b, std::span<std::
   differenceRowPlain(a + done * 4, b + done * 4, out.subspan(done));
 }
 
-std::vector<std::uint8_t> pixelDifferences(const Picture& a, const Picture& b) {
+PixelDifferences pixelDifferences(const Picture& a, const Picture& b) {
   assert(a.rgba.size() == b.rgba.size());
-  std::vector<std::uint8_t> differences(a.rgba.size() / 4);
-  differenceRow(a.rgba.data(), b.rgba.data(), differences);
-  return differences;
+  const std::size_t pixels = a.rgba.size() / 4;
+  PixelDifferences found{.levels = std::vector<std::uint8_t>(pixels)};
+  const std::size_t half = pixels < kLargePicture ? pixels : pixels / 2;
+  LevelCounts lower{};
+  std::jthread other;
+  if (half < pixels)
+    other = std::jthread([&] { findDifferences(a, b, half, pixels, found, lower); });
+  findDifferences(a, b, 0, half, found, found.counts);
+  if (other.joinable()) other.join();
+  for (std::size_t level = 0; level < lower.size(); ++level) found.counts[level] += lower[level];
+  return found;
 }
 
 WorstTile worstTile(std::span<const std::uint8_t> differences, int width, int height) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -17,8 +18,17 @@ void differenceRow(const std::uint8_t* a, const std::uint8_t* b, std::span<std::
 /// The same one pixel at a time: what the fast one is tested against, and used off x86-64.
 void differenceRowPlain(const std::uint8_t* a, const std::uint8_t* b, std::span<std::uint8_t> out);
 
-/// The difference of every pixel of two pictures of one shape, rows top to bottom.
-std::vector<std::uint8_t> pixelDifferences(const Picture& a, const Picture& b);
+/// How many pixels have each difference.
+using LevelCounts = std::array<std::int64_t, 256>;
+
+struct PixelDifferences {
+  std::vector<std::uint8_t> levels;  ///< one a pixel, rows top to bottom
+  LevelCounts counts{};
+};
+
+/// The difference of every pixel of two pictures of one shape. Of large pictures a second thread
+/// looks at one half; it has ended when this returns.
+PixelDifferences pixelDifferences(const Picture& a, const Picture& b);
 
 /// The worst of all 16x16 tiles of a picture of differences (docs/golden-suites.md, "Tolerances").
 struct WorstTile {

@@ -7,8 +7,10 @@
 #include <isa-l/igzip_lib.h>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cstring>
+#include <initializer_list>
 #include <limits>
 #include <memory>
 #include <string_view>
@@ -80,109 +82,156 @@ class Inflater {
   std::unique_ptr<inflate_state> state_;
 };
 
-__m128i widened(std::uint32_t pixel) {
-  return _mm_unpacklo_epi8(_mm_cvtsi32_si128(static_cast<int>(pixel)), _mm_setzero_si128());
-}
-
-std::uint32_t narrowed(__m128i pixel) {
-  return static_cast<std::uint32_t>(_mm_cvtsi128_si32(_mm_packus_epi16(pixel, pixel)));
-}
-
-__m128i magnitude(__m128i value) {
-  return _mm_max_epi16(value, _mm_sub_epi16(_mm_setzero_si128(), value));
-}
+/// How many rows are unfiltered side by side. A pixel needs the one to its left, so a row by itself
+/// waits for each of its pixels; four rows, each a pixel behind the one above, wait together.
+constexpr std::size_t kRowsAtOnce = 4;
 
 __m128i chosen(__m128i condition, __m128i yes, __m128i no) {
   return _mm_or_si128(_mm_and_si128(condition, yes), _mm_andnot_si128(condition, no));
 }
 
-/// The neighbour that lies nearest to left + above - corner; left before above before corner.
+/// The neighbour that lies nearest to left + above - corner; left before above before corner. In
+/// bytes: where the corner lies outside of the other two it is never the nearest, and between them
+/// its distance is the difference of theirs.
 __m128i paeth(__m128i left, __m128i above, __m128i corner) {
-  const __m128i to_left = _mm_sub_epi16(above, corner);
-  const __m128i to_above = _mm_sub_epi16(left, corner);
-  const __m128i far_left = magnitude(to_left);
-  const __m128i far_above = magnitude(to_above);
-  const __m128i far_corner = magnitude(_mm_add_epi16(to_left, to_above));
-  const __m128i least = _mm_min_epi16(far_corner, _mm_min_epi16(far_left, far_above));
-  return chosen(_mm_cmpeq_epi16(least, far_left), left,
-                chosen(_mm_cmpeq_epi16(least, far_above), above, corner));
+  const __m128i above_higher = _mm_subs_epu8(above, corner);
+  const __m128i above_lower = _mm_subs_epu8(corner, above);
+  const __m128i left_higher = _mm_subs_epu8(left, corner);
+  const __m128i left_lower = _mm_subs_epu8(corner, left);
+  const __m128i far_left = _mm_or_si128(above_higher, above_lower);
+  const __m128i far_above = _mm_or_si128(left_higher, left_lower);
+  const __m128i between = _mm_cmpeq_epi8(
+      _mm_or_si128(_mm_min_epu8(above_higher, left_higher), _mm_min_epu8(above_lower, left_lower)),
+      _mm_setzero_si128());
+  const __m128i far_corner =
+      _mm_or_si128(_mm_subs_epu8(far_left, far_above), _mm_subs_epu8(far_above, far_left));
+  const __m128i nearer = _mm_min_epu8(far_left, far_above);
+  const __m128i is_corner =
+      _mm_andnot_si128(_mm_cmpeq_epi8(_mm_min_epu8(nearer, far_corner), nearer), between);
+  const __m128i side = chosen(_mm_cmpeq_epi8(nearer, far_left), left, above);
+  return chosen(is_corner, corner, side);
 }
 
+/// The first byte of a filtered row.
 enum Filter : std::uint8_t { none, sub, up, average, paeth_filter };
 
-/// One row of `raw` without its filter byte to `out`; `above` is the row before it, or zeros. Four
-/// bytes are read for each pixel: one beyond the row when there are three components.
-template <int kComponents, int kFilter>
-void unfilterRow(const std::uint8_t* raw, const std::uint8_t* above, std::size_t width,
-                 std::uint8_t* out) {
-  constexpr std::uint32_t kOpaque = kComponents == 3 ? 0xFF000000U : 0U;
-  const __m128i low_bytes = _mm_set1_epi16(0xFF);
-  __m128i left = _mm_setzero_si128();
-  __m128i corner = _mm_setzero_si128();
-  for (std::size_t x = 0; x < width; ++x) {
-    std::uint32_t pixel = 0;
-    std::uint32_t above_pixel = 0;
-    std::memcpy(&pixel, raw + x * kComponents, 4);
-    std::memcpy(&above_pixel, above + x * 4, 4);
-    const __m128i over = widened(above_pixel);
-    __m128i value = widened(pixel);
-    if constexpr (kFilter == sub) value = _mm_add_epi16(value, left);
-    if constexpr (kFilter == up) value = _mm_add_epi16(value, over);
-    if constexpr (kFilter == average) {
-      value = _mm_add_epi16(value, _mm_srli_epi16(_mm_add_epi16(left, over), 1));
-    }
-    if constexpr (kFilter == paeth_filter) value = _mm_add_epi16(value, paeth(left, over, corner));
-    left = _mm_and_si128(value, low_bytes);
-    corner = over;
-    const std::uint32_t done = narrowed(left) | kOpaque;
-    std::memcpy(out + x * 4, &done, 4);
-  }
-}
+/// Four rows being unfiltered from left to right, each a pixel behind the one above it: one pixel
+/// of each, the uppermost in the lowest four bytes.
+class FourPixels {
+ public:
+  explicit FourPixels(const std::array<std::uint8_t, kRowsAtOnce>& filters)
+      : use_left_(where(filters, {sub, average, paeth_filter})),
+        use_above_(where(filters, {up, average, paeth_filter})),
+        use_corner_(where(filters, {paeth_filter})),
+        use_average_(where(filters, {average})) {}
 
-/// One row with its filter byte in front; false when there is no such filter.
-template <int kComponents>
-bool unfilterRow(const std::uint8_t* raw, const std::uint8_t* above, std::size_t width,
-                 std::uint8_t* rgba) {
-  switch (raw[0]) {
-    case none:
-      unfilterRow<kComponents, none>(raw + 1, above, width, rgba);
-      return true;
-    case sub:
-      unfilterRow<kComponents, sub>(raw + 1, above, width, rgba);
-      return true;
-    case up:
-      unfilterRow<kComponents, up>(raw + 1, above, width, rgba);
-      return true;
-    case average:
-      unfilterRow<kComponents, average>(raw + 1, above, width, rgba);
-      return true;
-    case paeth_filter:
-      unfilterRow<kComponents, paeth_filter>(raw + 1, above, width, rgba);
-      return true;
-    default:
-      return false;
+  /// The next pixel of each row. `over` is what stands above the first row's; what stands above the
+  /// others' are the pixels made last.
+  template <bool kAverages>
+  __m128i next(__m128i filtered, std::uint32_t over) {
+    const __m128i above =
+        _mm_or_si128(_mm_slli_si128(made_, 4), _mm_cvtsi32_si128(static_cast<int>(over)));
+    // Paeth's rule gives `left` where above and corner count as zero, and `above` where left and
+    // corner do: every filter but the average is Paeth's with some neighbours left out.
+    __m128i guess = paeth(_mm_and_si128(made_, use_left_), _mm_and_si128(above, use_above_),
+                          _mm_and_si128(corner_, use_corner_));
+    if constexpr (kAverages) {
+      const __m128i half_up = _mm_and_si128(_mm_xor_si128(made_, above), _mm_set1_epi8(1));
+      const __m128i average_down = _mm_sub_epi8(_mm_avg_epu8(made_, above), half_up);
+      guess = chosen(use_average_, average_down, guess);
+    }
+    corner_ = above;
+    made_ = _mm_add_epi8(filtered, guess);
+    return made_;
   }
+
+ private:
+  /// All bits of the rows that have one of these filters.
+  static __m128i where(const std::array<std::uint8_t, kRowsAtOnce>& filters,
+                       std::initializer_list<Filter> ones) {
+    const auto bits = [&](std::size_t row) {
+      return std::ranges::count(ones, filters[row]) > 0 ? -1 : 0;
+    };
+    return _mm_set_epi32(bits(3), bits(2), bits(1), bits(0));
+  }
+
+  __m128i use_left_, use_above_, use_corner_, use_average_;
+  __m128i made_ = _mm_setzero_si128();    ///< the pixels made last
+  __m128i corner_ = _mm_setzero_si128();  ///< what stood above them
+};
+
+/// Four rows of one picture: where they come from, and where they go.
+struct FourRows {
+  std::array<const std::uint8_t*, kRowsAtOnce> raw{};  ///< each with its filter byte
+  const std::uint8_t* above = nullptr;                 ///< RGBA, or zeros
+  std::array<std::uint8_t*, kRowsAtOnce> rgba{};
+};
+
+/// Four bytes are read for each pixel: one beyond the row when there are three components.
+template <int kComponents, bool kAverages>
+void unfilter(const FourRows& rows, std::size_t width) {
+  constexpr std::uint32_t kOpaque = kComponents == 3 ? 0xFF000000U : 0U;
+  FourPixels pixels({rows.raw[0][0], rows.raw[1][0], rows.raw[2][0], rows.raw[3][0]});
+  // Row r makes its pixel x in step x + r; outside of the row its pixels are zeros, as the first
+  // pixel's neighbours are.
+  const auto step = [&]<bool kInside>(std::size_t at) {
+    const auto isInside = [&](std::size_t row) { return kInside || at - row < width; };
+    const auto filtered = [&](std::size_t row) {
+      std::uint32_t pixel = 0;
+      if (isInside(row)) std::memcpy(&pixel, rows.raw[row] + 1 + (at - row) * kComponents, 4);
+      return _mm_cvtsi32_si128(static_cast<int>(pixel));
+    };
+    std::uint32_t over = 0;
+    if (isInside(0)) std::memcpy(&over, rows.above + at * 4, 4);
+    const __m128i upper = _mm_unpacklo_epi32(filtered(0), filtered(1));
+    const __m128i lower = _mm_unpacklo_epi32(filtered(2), filtered(3));
+    const __m128i made = pixels.next<kAverages>(_mm_unpacklo_epi64(upper, lower), over);
+    const auto keep = [&](std::size_t row, __m128i in_lowest) {
+      const auto pixel = static_cast<std::uint32_t>(_mm_cvtsi128_si32(in_lowest)) | kOpaque;
+      if (isInside(row)) std::memcpy(rows.rgba[row] + (at - row) * 4, &pixel, 4);
+    };
+    keep(0, made);
+    keep(1, _mm_srli_si128(made, 4));
+    keep(2, _mm_srli_si128(made, 8));
+    keep(3, _mm_srli_si128(made, 12));
+  };
+  constexpr std::size_t kBehind = kRowsAtOnce - 1;
+  const std::size_t steps = width + kBehind;
+  std::size_t at = 0;
+  while (at < std::min(kBehind, steps)) step.template operator()<false>(at++);
+  while (at < width) step.template operator()<true>(at++);
+  while (at < steps) step.template operator()<false>(at++);
 }
 
 template <int kComponents>
 bool decodeRows(Inflater& inflater, std::size_t width, std::size_t height, std::uint8_t* rgba) {
   const std::size_t row_bytes = width * kComponents + 1;
   // Some rows at a time, which stay in the cache until they are unfiltered.
-  const std::size_t rows_at_once = std::max<std::size_t>(1, kPieceBytes / row_bytes);
+  const std::size_t rows_at_once =
+      kRowsAtOnce * std::max<std::size_t>(1, kPieceBytes / (row_bytes * kRowsAtOnce));
   // One byte more: the last pixel of RGB is read as four.
   std::vector<std::uint8_t> piece(std::min(rows_at_once, height) * row_bytes + 1);
-  const std::vector<std::uint8_t> before_first(width * 4);
-  const std::uint8_t* above = before_first.data();
+  // What stands before the first row, and in for the rows that the last four may lack.
+  const std::vector<std::uint8_t> zeros(width * 4 + 1);
+  std::vector<std::uint8_t> nowhere(width * 4);
+  FourRows four{.above = zeros.data()};
   for (std::size_t y = 0; y < height;) {
     const std::size_t rows = std::min(rows_at_once, height - y);
     if (!inflater.next(piece.data(), rows * row_bytes)) return false;
-    for (std::size_t row = 0; row < rows; ++row, ++y) {
-      if (!unfilterRow<kComponents>(piece.data() + row * row_bytes, above, width, rgba)) {
-        return false;
+    for (std::size_t first = 0; first < rows; first += kRowsAtOnce) {
+      bool averages = false;
+      for (std::size_t i = 0; i < kRowsAtOnce; ++i) {
+        const bool exists = first + i < rows;
+        four.raw[i] = exists ? piece.data() + (first + i) * row_bytes : zeros.data();
+        four.rgba[i] = exists ? rgba + (y + first + i) * width * 4 : nowhere.data();
+        if (four.raw[i][0] > paeth_filter) return false;
+        averages = averages || four.raw[i][0] == average;
       }
-      above = rgba;
-      rgba += width * 4;
+      averages ? unfilter<kComponents, true>(four, width)
+               : unfilter<kComponents, false>(four, width);
+      four.above = four.rgba.back();
     }
+    y += rows;
   }
   return inflater.atEnd();
 }

@@ -1,4 +1,5 @@
 #include <spng.h>
+#include <sys/mman.h>
 
 #include <algorithm>
 #include <cassert>
@@ -61,6 +62,15 @@ int componentsOf(spng_ctx* context, const spng_ihdr& header) {
   return (has_color ? 3 : 1) + (has_alpha ? 1 : 0);
 }
 
+/// Lets the kernel give large memory that is still untouched in pages of 2 MiB: a fault for each 4
+/// KiB takes a tenth of the time that a large picture does. Advice: refused, it changes nothing.
+void adviseHugePages(void* memory, std::size_t bytes) {
+  constexpr std::size_t kHugePage = std::size_t{2} << 20U;
+  std::size_t space = bytes;
+  if (std::align(kHugePage, kHugePage, memory, space) == nullptr) return;
+  ::madvise(memory, space - space % kHugePage, MADV_HUGEPAGE);
+}
+
 /// 16-bit RGBA, in the machine's order, as it stands and with the lower eight bits dropped.
 void takeSixteenBits(const std::vector<std::uint16_t>& rgba, FinePicture& fine) {
   fine.samples.assign(rgba.begin(), rgba.end());
@@ -100,6 +110,8 @@ Result<FinePicture> decode(ByteView bytes, const std::string& name, std::int64_t
   }
   FinePicture fine;
   fine.picture = {static_cast<int>(header.width), static_cast<int>(header.height), {}};
+  fine.picture.rgba.reserve(pixels * 4);
+  adviseHugePages(fine.picture.rgba.data(), pixels * 4);
   fine.picture.rgba.resize(pixels * 4);
   const bool plain = header.bit_depth == 8 && header.interlace_method == 0 &&
                      (header.color_type == SPNG_COLOR_TYPE_TRUECOLOR ||
