@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cstdlib>
 #include <cstring>
+#include <system_error>
 #include <thread>
 
 #ifdef __SSE2__
@@ -164,11 +165,16 @@ PixelDifferences pixelDifferences(const Picture& a, const Picture& b) {
   assert(a.rgba.size() == b.rgba.size());
   const std::size_t pixels = a.rgba.size() / 4;
   PixelDifferences found{.levels = std::vector<std::uint8_t>(pixels)};
-  const std::size_t half = pixels < kLargePicture ? pixels : pixels / 2;
+  std::size_t half = pixels < kLargePicture ? pixels : pixels / 2;
   LevelCounts lower{};
   std::jthread other;
-  if (half < pixels)
-    other = std::jthread([&] { findDifferences(a, b, half, pixels, found, lower); });
+  if (half < pixels) {
+    try {
+      other = std::jthread([&, half] { findDifferences(a, b, half, pixels, found, lower); });
+    } catch (const std::system_error&) {  // no thread is to be had
+      half = pixels;
+    }
+  }
   findDifferences(a, b, 0, half, found, found.counts);
   if (other.joinable()) other.join();
   for (std::size_t level = 0; level < lower.size(); ++level) found.counts[level] += lower[level];

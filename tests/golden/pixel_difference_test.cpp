@@ -55,6 +55,25 @@ WorstTile slowWorstTile(const std::vector<std::uint8_t>& differences, int width,
   return worst;
 }
 
+TEST(PixelDifferences, OfALargePictureAreThoseOfItsPixels) {
+  // Large enough for a second thread; a width that eight pixels do not divide.
+  constexpr int kWidth = 1237;
+  constexpr int kHeight = 811;
+  const std::size_t pixels = std::size_t{kWidth} * kHeight;
+  Picture a{kWidth, kHeight, std::vector<std::uint8_t>(pixels * 4, 100)};
+  Picture b = a;
+  std::vector<std::uint8_t> expected(pixels);
+  LevelCounts counts{};
+  for (std::size_t i = 0; i < pixels; ++i) {
+    if (i % 977 == 0 || i + 3 > pixels) expected[i] = static_cast<std::uint8_t>(1 + i % 99);
+    b.rgba[i * 4 + i % 4] = static_cast<std::uint8_t>(100 - expected[i]);
+    ++counts[expected[i]];
+  }
+  const PixelDifferences found = pixelDifferences(a, b);
+  EXPECT_EQ(found.levels, expected);
+  EXPECT_EQ(found.counts, counts);
+}
+
 TEST(WorstTile, IsTheSlowOneAtEverySize) {
   std::uint32_t seed = 1;
   for (int width = 1; width <= 50; ++width) {
