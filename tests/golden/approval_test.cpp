@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <fstream>
 
@@ -130,6 +132,34 @@ TEST_F(ApprovalTest, KilledBeforeTheManifestTheOldPictureCounts) {
   EXPECT_FALSE(std::filesystem::exists(folder_.arrivingFile(pick_)));
 }
 
+TEST_F(ApprovalTest, WhatAKilledOneLeftIsClearedAndWhatALivingOneUsesIsNot) {
+  approve("pick", tinyPicture(10));
+  const auto before = files();
+  Approval living(folder_, manifest());
+  ASSERT_TRUE(
+      living.stage("place", entryOf(tinyPicture(20)), tinyPicture(20), nullptr, false).ok());
+  ASSERT_EQ(files().size(), before.size() + 1);  // its staging folder
+  const ::pid_t killed = ::fork();
+  if (killed == 0) {
+    Approval dying(folder_, manifest());
+    const bool staged =
+        dying.stage("pick", entryOf(tinyPicture(30)), tinyPicture(30), nullptr, false).ok();
+    ::_exit(staged ? 0 : 1);  // nothing is tidied up
+  }
+  int status = -1;
+  ASSERT_EQ(::waitpid(killed, &status, 0), killed);
+  ASSERT_EQ(status, 0);
+  std::ofstream(root_ / "goldens/manifest.json.part12") << "{";
+  ASSERT_EQ(files().size(), before.size() + 3);
+  // Also when there is nothing to approve.
+  ASSERT_TRUE(Approval(folder_, manifest()).commit().ok());
+  EXPECT_EQ(files().size(), before.size() + 1);
+  ASSERT_TRUE(living.commit().ok());
+  EXPECT_EQ(files(),
+            (std::vector<std::string>{"manifest.json", pick_, goldenFileName("place", kTinyKey)}));
+  EXPECT_EQ(*folder_.read(*manifest().find("place", kTinyKey).front()), tinyPicture(20));
+}
+
 TEST_F(ApprovalTest, ABrokenManifestIsNotWrittenOver) {
   approve("pick", tinyPicture(10));
   const Manifest seen = manifest();
@@ -151,6 +181,8 @@ TEST_F(ApprovalTest, AStoreHoldsPicturesByTheirHash) {
   const Manifest now = manifest();
   EXPECT_EQ(*folder_.read(*now.find("pick", kTinyKey).front()), tinyPicture(20));
   EXPECT_EQ(*folder_.read(*now.find("place", kTinyKey).front()), tinyPicture(10));
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(root_ / "store"), {}), 2)
+      << "nothing staged stays there";
   // What lies under a hash must be what the hash says.
   ASSERT_TRUE(
       writePng(root_ / "store" / (pictureXxh3(tinyPicture(20)) + ".png"), tinyPicture(21)).ok());

@@ -268,22 +268,19 @@ TEST(Flip, IsThePapersOnEdgesAndPoints) {
   expectThePapers(a, b, kFlipPixelsPerDegree);
 }
 
-TEST(Flip, IsTheSameWhereverBlocksMeet) {
-  // 300 wide: three blocks a row. What differs lies on their seams and corners.
+/// `changed` pixels of a picture of three blocks a row and two rows of blocks, judged there and in
+/// a larger picture that holds it at (5, 3): the seams between the blocks lie elsewhere.
+void expectNoSeams(const std::vector<std::pair<int, int>>& changed) {
   const Picture a = noisePicture(300, 140, 4);
   Picture b = a;
-  for (const int x : {120, 127, 128, 133, 255, 256, 299}) {
-    for (const int y : {0, 127, 128, 139}) pixelAt(b, x, y)[1] ^= 0x80U;
-  }
+  for (const auto& [x, y] : changed) pixelAt(b, x, y)[1] ^= 0x80U;
   const Flip found = flipDifference(a, b);
-  // The same picture moved by (5, 3) into another one has other seams.
-  const auto moved = [](const Picture& from) {
+  const auto moved = [](Picture from) {
     Picture to = greyPicture(310, 150, 0);
     for (int y = 0; y < 150; ++y) {
       for (int x = 0; x < 310; ++x) {
-        Picture& source = const_cast<Picture&>(from);
         const std::uint8_t* pixel =
-            pixelAt(source, std::clamp(x - 5, 0, 299), std::clamp(y - 3, 0, 139));
+            pixelAt(from, std::clamp(x - 5, 0, 299), std::clamp(y - 3, 0, 139));
         std::copy_n(pixel, 4, pixelAt(to, x, y));
       }
     }
@@ -296,6 +293,20 @@ TEST(Flip, IsTheSameWhereverBlocksMeet) {
                   shifted.map[static_cast<std::size_t>((y + 3) * 310 + x + 5)], 1e-5)
           << x << " " << y;
     }
+  }
+}
+
+TEST(Flip, IsTheSameWhereverBlocksMeet) {
+  std::vector<std::pair<int, int>> corners;
+  for (const int x : {120, 127, 128, 133, 255, 256, 299}) {
+    for (const int y : {0, 127, 128, 139}) corners.emplace_back(x, y);
+  }
+  expectNoSeams(corners);
+}
+
+TEST(Flip, ADifferenceIsSeenInTheBlocksBesideItsOwn) {
+  for (const auto& [x, y] : {std::pair(127, 60), {128, 60}, {60, 127}, {60, 128}}) {
+    expectNoSeams({{x, y}});
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "golden/manifest_diff.h"
 #include "golden/merged_report.h"
+#include "golden/staging_folder.h"
 #include "golden/suite_append.h"
 #include "tests/support/temporary_folder.h"
 
@@ -45,7 +46,9 @@ TEST(FolderFaults, TellsWhatIsStaleMissingStrayAndLeftOver) {
   ASSERT_TRUE(writePng(root / "kept.png", smallPicture(9)).ok());
   ASSERT_TRUE(writePng(root / "old.png", smallPicture(3)).ok());
   std::ofstream(root / "spare.png") << "x";
-  std::ofstream(root / ".staged-1-1.png") << "x";
+  std::filesystem::create_directory(root / ".staged-killed");
+  const auto in_use = StagingFolder::make(root.path());
+  ASSERT_TRUE(in_use.ok());
   std::ofstream(root / "notes.txt") << "x";
   std::vector<SuiteFrame> frames(2);
   frames[0].name = "kept";
@@ -53,9 +56,8 @@ TEST(FolderFaults, TellsWhatIsStaleMissingStrayAndLeftOver) {
   const std::string at = root.path().string() + "/";
   EXPECT_THAT(
       folderFaults(manifest, folder, frames, false),
-      ElementsAre("file " + at +
-                      ".staged-1-1.png was left by an approve that was "
-                      "interrupted",
+      ElementsAre(at + ".staged-killed was left by an approve that was interrupted; the next one "
+                       "clears it",
                   "file " + at + "spare.png is no golden", "golden " + at + "gone.png is missing",
                   "golden " + at + "old.png is stale: the suite has no frame old"));
   EXPECT_THAT(folderFaults(manifest, folder, frames, true),

@@ -1,12 +1,15 @@
 // What comes from outside of a running player: lines, addresses, keys, sockets.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <poll.h>
 #include <sys/socket.h>
 #include <sys/un.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <fstream>
 #include <random>
+#include <thread>
 
 #include "core/net/system_socket.h"
 #include "core/net/udp_socket.h"
@@ -148,6 +151,32 @@ void answerUntilQuit(CommandSlot& slot) {
     slot.answer("ok " + std::string(*line));
     if (over) return;
   }
+}
+
+TEST(CommandSlot, WakesTheSenderNoMoreOnceTheCommandIsAnswered) {
+  const auto slot = CommandSlot::make().value();
+  constexpr int kRounds = 300;
+  std::atomic<int> heard{0};
+  std::thread hearer([&] {
+    for (int round = 0; round < kRounds; ++round) {
+      EXPECT_EQ(slot->ask("status"), "ok");
+      heard.store(round + 1);
+      heard.notify_one();
+    }
+  });
+  int woken = 0;
+  for (int round = 0; round < kRounds; ++round) {
+    // Looking all the time, it sees a command before its wake is raised.
+    while (!slot->asked()) {
+    }
+    slot->answer("ok");
+    heard.wait(round);
+    if (slot->asked()) continue;  // the next one is here already
+    pollfd wake{slot->wake(), POLLIN, 0};
+    if (::poll(&wake, 1, 0) == 1 && !slot->asked()) ++woken;
+  }
+  hearer.join();
+  EXPECT_EQ(woken, 0);
 }
 
 class UnixClient {

@@ -20,7 +20,7 @@ hide = ["layer/grid"]
 TOML
 cat >inside.sh <<'INSIDE'
 try() { rocinante golden "$@" --jobs 1 2>&1 | sed '/^    /d; /^why/d'; echo "exit ${PIPESTATUS[0]}"; }
-approve() { rocinante golden approve suite.toml "$@" 2>&1 | sed 's/staged-[0-9]*/staged-PID/'; echo "exit ${PIPESTATUS[0]}"; }
+approve() { rocinante golden approve suite.toml "$@" 2>&1 | sed 's/staged-[[:alnum:]]*/staged-NAME/'; echo "exit ${PIPESTATUS[0]}"; }
 mkdir goldens out
 mount -t tmpfs -o size=64k tmpfs goldens
 mount -t tmpfs -o size=8k tmpfs out
@@ -84,6 +84,5 @@ done 2>/dev/null
 # The next approval clears what they left.
 box 2
 rocinante golden approve suite.toml -m last | tail -1
-rm -f killed/.staged-* killed/manifest.json.part*
 rocinante golden list suite.toml --verify | tail -1
 ls -A killed | sed 's/\.[0-9a-f]\{8\}\./.HASH./'
