@@ -1,7 +1,6 @@
 #include "golden/approval.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <set>
@@ -46,16 +45,6 @@ std::string areasName(const std::string& picture) {
 
 }  // namespace
 
-Approval::~Approval() { removeStaged(); }
-
-void Approval::removeStaged() {
-  for (const Staged& staged : staged_) {
-    removeFile(staged.picture_file);
-    if (!staged.areas_file.empty()) removeFile(staged.areas_file);
-  }
-  staged_.clear();
-}
-
 bool Approval::isAccepted(const std::string& case_name, const AcceptedPicture& accepted) const {
   return std::ranges::any_of(seen_.find(case_name, accepted.key), [&](const AcceptedPicture* old) {
     return old->pixels == accepted.pixels && old->areas_pixels == accepted.areas_pixels &&
@@ -64,8 +53,13 @@ bool Approval::isAccepted(const std::string& case_name, const AcceptedPicture& a
 }
 
 Result<std::filesystem::path> Approval::writeStaged(const Picture& picture) {
-  std::filesystem::path file =
-      folder_.goldens() / fmt::format(".staged-{}-{}.png", ::getpid(), ++files_);
+  if (!staging_) {
+    // Beside where they shall lie, since nothing is renamed across file systems.
+    auto made = StagingFolder::make(folder_.hasStore() ? folder_.store() : folder_.goldens());
+    if (!made.ok()) return made.error();
+    staging_.emplace(std::move(*made));
+  }
+  std::filesystem::path file = staging_->path() / fmt::format("{}.png", ++files_);
   if (auto written = writePng(file, picture); !written) return written.error();
   return file;
 }
@@ -73,6 +67,9 @@ Result<std::filesystem::path> Approval::writeStaged(const Picture& picture) {
 Status Approval::stage(const std::string& case_name, AcceptedPicture accepted,
                        const Picture& picture, const Picture* areas, bool beside) {
   if (auto made = makeFolder(folder_.goldens()); !made) return made;
+  if (folder_.hasStore()) {
+    if (auto made = makeFolder(folder_.store()); !made) return made;
+  }
   auto picture_file = writeStaged(picture);
   if (!picture_file.ok()) return picture_file.error();
   accepted.cell = cell_;
@@ -132,15 +129,18 @@ Status Approval::moveToArriving(const Staged& staged) const {
 
 Result<std::vector<std::string>> Approval::commit() {
   std::vector<std::string> left_alone;
-  if (staged_.empty()) return left_alone;
-  if (folder_.hasStore()) {
-    if (auto made = makeFolder(folder_.store()); !made) return made.error();
+  if (staged_.empty()) {
+    // Nobody waits for this.
+    const auto lock = FolderLock::tryTake(folder_.goldens());
+    const auto now = Manifest::read(folder_.goldens());
+    if (lock && now.ok()) cleanFolders(*now);
+    return left_alone;
   }
   const auto lock = FolderLock::take(folder_.goldens());
   if (!lock.ok()) return lock.error();
   auto now = Manifest::read(folder_.goldens());
   if (!now.ok()) return now.error();
-  finishArrivals(folder_, *now);
+  cleanFolders(*now);
 
   const std::set<std::string> files_before = now->files();
   std::vector<std::string> arriving;
@@ -172,8 +172,25 @@ Result<std::vector<std::string>> Approval::commit() {
     if (!files_after.contains(name)) removeFile(folder_.goldens() / name);
   }
   seen_ = std::move(after);
-  removeStaged();
+  staged_.clear();
+  staging_.reset();
   return left_alone;
+}
+
+void Approval::cleanFolders(const Manifest& now) const {
+  finishArrivals(folder_, now);
+  removeAbandonedStaging(folder_.goldens());
+  // Only who holds the lock writes a manifest.
+  std::error_code ignored;
+  std::vector<std::filesystem::path> parts;
+  for (const auto& entry : std::filesystem::directory_iterator(folder_.goldens(), ignored)) {
+    if (isManifestPart(entry.path())) parts.push_back(entry.path());
+  }
+  for (const auto& part : parts) removeFile(part);
+  if (!folder_.hasStore()) return;
+  if (const auto lock = FolderLock::tryTake(folder_.store())) {
+    removeAbandonedStaging(folder_.store());
+  }
 }
 
 void finishArrivals(const GoldenFolder& folder, const Manifest& manifest) {

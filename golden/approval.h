@@ -1,12 +1,14 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/result.h"
 #include "golden/golden_folder.h"
 #include "golden/manifest.h"
+#include "golden/staging_folder.h"
 #include "viewer/picture/picture.h"
 
 namespace rocinante {
@@ -17,12 +19,11 @@ namespace rocinante {
 /// stage() writes a picture where nobody reads it. commit() locks the folder, reads the manifest
 /// anew, moves what is staged to `.NAME.new`, writes the manifest (from here on it counts: see
 /// GoldenFolder::read) and gives the pictures their names. Killed at any point, either the old
-/// goldens hold or the new ones do.
+/// goldens hold or the new ones do; what is left behind then, the next commit() takes away.
 class Approval {
  public:
   Approval(GoldenFolder folder, Manifest seen)
       : folder_(std::move(folder)), seen_(std::move(seen)) {}
-  ~Approval();
   Approval(const Approval&) = delete;
   Approval& operator=(const Approval&) = delete;
 
@@ -42,7 +43,7 @@ class Approval {
   std::size_t staged() const { return staged_.size(); }
 
   /// The frames that somebody else approved in the meantime, and that were left alone. On an error
-  /// nothing is approved.
+  /// nothing is approved. Also with nothing staged it clears what was left by who was killed.
   Result<std::vector<std::string>> commit();
 
  private:
@@ -54,12 +55,13 @@ class Approval {
   };
 
   Result<std::filesystem::path> writeStaged(const Picture& picture);
-  void removeStaged();
+  void cleanFolders(const Manifest& now) const;
   Status nameFiles(const Manifest& now, Staged& staged) const;
   Status moveToArriving(const Staged& staged) const;
 
   GoldenFolder folder_;
   Manifest seen_;
+  std::optional<StagingFolder> staging_;  ///< where they lie: with a store, in the store
   std::vector<Staged> staged_;
   std::string cell_;
   FileHashes cell_files_;

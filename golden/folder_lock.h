@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "core/result.h"
 
@@ -12,6 +13,8 @@ class FolderLock {
  public:
   /// Waits until whoever holds it is done. refused when the folder cannot be locked.
   static Result<FolderLock> take(const std::filesystem::path& folder);
+  /// Waits for nobody: empty when somebody holds it, or it cannot be locked.
+  static std::optional<FolderLock> tryTake(const std::filesystem::path& folder);
 
   ~FolderLock();
   FolderLock(FolderLock&& other) noexcept;

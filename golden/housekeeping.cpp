@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/plain_text.h"
+#include "golden/staging_folder.h"
 
 namespace rocinante {
 namespace {
@@ -58,15 +59,21 @@ void addIdleMasks(std::span<const JudgedFrame> judged, std::vector<std::string>&
   }
 }
 
+bool isLeftOver(const std::filesystem::path& file) {
+  const std::string name = file.filename().string();
+  return (name.starts_with(".") && name.ends_with(".png.new")) || isManifestPart(file) ||
+         isAbandonedStaging(file);
+}
+
 void addStrayFiles(const std::filesystem::path& folder, const std::set<std::string>& known,
                    std::vector<std::string>& faults) {
   std::error_code ignored;
   for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
     const std::string name = entry.path().filename().string();
-    if (name.starts_with(".staged-") || name.starts_with("manifest.json.part") ||
-        (name.starts_with(".") && name.ends_with(".png.new"))) {
-      faults.push_back(fmt::format("file {} was left by an approve that was interrupted",
-                                   plainText(entry.path().string())));
+    if (isLeftOver(entry.path())) {
+      faults.push_back(
+          fmt::format("{} was left by an approve that was interrupted; the next one clears it",
+                      plainText(entry.path().string())));
     } else if (name.ends_with(".png") && !known.contains(name)) {
       faults.push_back(fmt::format("file {} is no golden", plainText(entry.path().string())));
     }

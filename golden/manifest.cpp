@@ -195,6 +195,10 @@ void Manifest::dropUnusedCells() {
   std::erase_if(cells, [&](const auto& cell) { return !used.contains(cell.first); });
 }
 
+bool isManifestPart(const std::filesystem::path& file) {
+  return file.filename().string().starts_with(std::string(kFileName) + ".part");
+}
+
 std::string cellKey(const FileHashes& files) {
   std::string text;
   for (const auto& [name, hash] : files) text += name + "\n" + hash + "\n";

@@ -57,6 +57,9 @@ struct Manifest {
   void dropUnusedCells();
 };
 
+/// True for what writing a manifest leaves when it is killed.
+bool isManifestPart(const std::filesystem::path& file);
+
 /// The key of a list of files in Manifest::cells.
 std::string cellKey(const FileHashes& files);
 
