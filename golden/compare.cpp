@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/count_text.h"
 #include "golden/picture_mask.h"
 #include "golden/pixel_difference.h"
 
@@ -46,7 +47,7 @@ void measure(const Picture& frame, const Picture& golden, const PixelDifferences
 void decide(const Tolerance& tolerance, Comparison& found) {
   if (tolerance.exact) {
     found.verdict = Verdict::different;
-    found.rule = fmt::format("{} differing pixels (exact)", found.differing);
+    found.rule = countText(found.differing, "differing pixel") + " (exact)";
     return;
   }
   if (found.worst_tile_mean > tolerance.tile_mean) {
@@ -57,8 +58,9 @@ void decide(const Tolerance& tolerance, Comparison& found) {
   }
   if (found.worst_tile_over > tolerance.tile_over) {
     found.verdict = Verdict::different;
-    found.rule = fmt::format("{} pixels of a tile over 32 > {} ({})", found.worst_tile_over,
-                             tolerance.tile_over, tolerance.name);
+    found.rule =
+        fmt::format("{} of a tile over 32 > {} ({})", countText(found.worst_tile_over, "pixel"),
+                    tolerance.tile_over, tolerance.name);
     return;
   }
   found.verdict = Verdict::same;
@@ -170,8 +172,9 @@ Comparison compareFine(const FinePicture& frame, const FinePicture& golden,
   measureFine(frame, golden, mask, found);
   if (tolerance.exact && found.fine_differing > 0) {
     found.verdict = Verdict::different;
-    found.rule = fmt::format("{} differing samples of {}, {} pixels at 8 bits (exact)",
-                             found.fine_differing, frame.encoding.depthText(), found.differing);
+    found.rule = fmt::format("{} of {}, {} at 8 bits (exact)",
+                             countText(found.fine_differing, "differing sample"),
+                             frame.encoding.depthText(), countText(found.differing, "pixel"));
   } else if (found.fine_differing > 0 && found.differing == 0) {
     found.rule = fmt::format("equal pixels at 8 bits ({})", tolerance.name);
   }

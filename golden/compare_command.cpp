@@ -6,6 +6,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "core/count_text.h"
 #include "golden/compare_files.h"
 #include "golden/comparison_text.h"
 #include "golden/picture_figures.h"
@@ -69,7 +70,7 @@ void printAnswer(const FilesComparison& files, const std::optional<PictureFigure
   fmt::print("{}: {}\n", nameOf(found.verdict), found.rule);
   for (const std::string& note : files.notes) fmt::print("note: {}\n", note);
   if (!figures) return;
-  if (found.masked > 0) fmt::print("masked: {} pixels\n", found.masked);
+  if (found.masked > 0) fmt::print("masked: {}\n", countText(found.masked, "pixel"));
   if (found.fine_differing > 0) {
     fmt::print("differing samples: {} of {}, by at most {:g}\n", found.fine_differing,
                files.frame->samples.size(), found.fine_max);

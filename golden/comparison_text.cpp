@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "core/count_text.h"
+
 namespace rocinante {
 
 std::string differenceText(const Comparison& found, const PictureFigures& figures,
@@ -19,9 +21,9 @@ std::string differenceText(const Comparison& found, const PictureFigures& figure
   text += fmt::format("largest difference: {} at ({}, {}): rgba {} against {}\n", found.max,
                       found.worst_x, found.worst_y, fmt::join(found.worst_frame, " "),
                       fmt::join(found.worst_golden, " "));
-  text += fmt::format(
-      "worst 16x16 tile: mean {:.2f} at ({}, {}); at most {} pixels of a tile over 32\n",
-      found.worst_tile_mean, found.worst_tile_x, found.worst_tile_y, found.worst_tile_over);
+  text += fmt::format("worst 16x16 tile: mean {:.2f} at ({}, {}); at most {} of a tile over 32\n",
+                      found.worst_tile_mean, found.worst_tile_x, found.worst_tile_y,
+                      countText(found.worst_tile_over, "pixel"));
   text += fmt::format(
       "RMSE {:.4f}, PSNR {}, SSIM {}, FLIP {:.6f} (largest {:.4f})\n", figures.rmse,
       figures.psnr ? fmt::format("{:.2f} dB", *figures.psnr) : "infinite",

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 
+#include "core/count_text.h"
 #include "core/plain_text.h"
 #include "golden/compare_command.h"
 #include "golden/git_revision.h"
@@ -154,7 +155,7 @@ Result<cli::Exit> runDiffCommand(const DiffArguments& arguments) {
     for (const JudgedFrame& judged : report.frames) {
       fmt::print("{:<13} {}: {}\n", nameOf(judged.verdict), judged.frame.name, judged.rule);
     }
-    fmt::print("{} of {} goldens changed since {}\n", report.frames.size(), goldens,
+    fmt::print("{} of {} changed since {}\n", report.frames.size(), countText(goldens, "golden"),
                plainText(arguments.revision));
   }
   if (auto written = writeReportFiles(report, {arguments.report, {}, arguments.json_file});

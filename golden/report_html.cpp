@@ -3,6 +3,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "core/count_text.h"
 #include "core/duration_text.h"
 #include "core/hash.h"
 #include "core/plain_text.h"
@@ -78,7 +79,8 @@ Json factsJson(const JudgedFrame& judged) {
   add("expectation", judged.expectation);
   std::string masks;
   for (const PictureMask::Part& mask : judged.masks) {
-    masks += fmt::format("{}{}: {} pixels", masks.empty() ? "" : "; ", mask.name, mask.pixels);
+    masks += fmt::format("{}{}: {}", masks.empty() ? "" : "; ", mask.name,
+                         countText(mask.pixels, "pixel"));
   }
   add("masked", masks);
   if (!judged.golden) return facts;
@@ -98,8 +100,8 @@ std::string toleranceText(const JudgedFrame& judged) {
   const Tolerance& tolerance = judged.tolerance;
   std::string text = tolerance.name;
   if (!tolerance.exact) {
-    text += fmt::format(": tile mean {:.2f}, {} pixels of a tile over 32", tolerance.tile_mean,
-                        tolerance.tile_over);
+    text += fmt::format(": tile mean {:.2f}, {} of a tile over 32", tolerance.tile_mean,
+                        countText(tolerance.tile_over, "pixel"));
   }
   return judged.limit_from.empty() ? text : text + ", from " + judged.limit_from;
 }
@@ -180,8 +182,8 @@ Json shownFirst(const SuiteReport& report) {
 
 /// For a reader that runs no scripts: what is wrong, as text.
 std::string plainHtml(const SuiteReport& report) {
-  std::string html =
-      fmt::format("<p>{}: {} frames.</p>\n<ul>\n", nameOf(report.verdict()), report.frames.size());
+  std::string html = fmt::format("<p>{}: {}.</p>\n<ul>\n", nameOf(report.verdict()),
+                                 countText(report.frames.size(), "frame"));
   for (const JudgedFrame& judged : report.frames) {
     if (isFine(judged.verdict)) continue;
     html += fmt::format("<li>{}: <b>{}</b>, {}</li>\n", xmlText(judged.frame.name),

@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "core/atomic_file.h"
+#include "core/count_text.h"
 #include "core/plain_text.h"
 
 namespace rocinante {
@@ -38,8 +39,8 @@ Status writeReportFiles(const SuiteReport& report, const ReportFiles& files) {
 
 void printReportSummary(const SuiteReport& report) {
   for (const std::string& note : report.notes) fmt::print("note: {}\n", plainText(note));
-  fmt::print("{} frames: {} same, {} different, {} missing, {} unstable, {} incomparable",
-             report.frames.size(), report.count(FrameVerdict::same),
+  fmt::print("{}: {} same, {} different, {} missing, {} unstable, {} incomparable",
+             countText(report.frames.size(), "frame"), report.count(FrameVerdict::same),
              report.count(FrameVerdict::different), report.count(FrameVerdict::missing),
              report.count(FrameVerdict::unstable), report.count(FrameVerdict::incomparable));
   for (const FrameVerdict verdict : {FrameVerdict::expected, FrameVerdict::unexpected}) {

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <set>
 
+#include "core/count_text.h"
 #include "core/duration_text.h"
 #include "core/model/glob.h"
 #include "core/plain_text.h"
@@ -203,10 +204,11 @@ Result<std::vector<SuiteFrame>> selectFrames(std::vector<SuiteFrame> frames,
     return turns[frame.suite_case] % selection.shards != selection.shard - 1;
   });
   if (frames.empty()) {
-    return Error{ErrorKind::bad_argument,
-                 fmt::format("shard {}/{} is empty: there are {} cases, so ask for no more shards",
-                             selection.shard, selection.shards, turns.size()),
-                 suite.file.string()};
+    return Error{
+        ErrorKind::bad_argument,
+        fmt::format("shard {}/{} is empty: --shard deals {} out, so ask for no more shards",
+                    selection.shard, selection.shards, countText(turns.size(), "case")),
+        suite.file.string()};
   }
   return frames;
 }

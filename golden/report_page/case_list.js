@@ -28,7 +28,7 @@ class CaseList {
     this.visible = this.frames.map((_, index) => index).filter((index) => passes(this.frames[index]));
     const visible = new Set(this.visible);
     this.items.forEach((item, index) => { item.hidden = !visible.has(index); });
-    find("shown").textContent = `${this.visible.length} of ${this.frames.length} frames shown`;
+    find("shown").textContent = `${this.visible.length} of ${this.frames.length} ${this.frames.length === 1 ? "frame" : "frames"} shown`;
   }
 
   mark(index) {

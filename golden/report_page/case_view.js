@@ -18,9 +18,9 @@ function pairs(list, entries) {
 function figuresText(figures) {
   if (!figures) return "";
   const over = figures.over;
-  return `${grouped(figures.differing)} pixels differ; over 1/2/8/32: ${over.map(grouped).join("/")}; ` +
+  return `${grouped(figures.differing)} differing ${figures.differing === 1 ? "pixel" : "pixels"}; over 1/2/8/32: ${over.map(grouped).join("/")}; ` +
     `largest ${figures.max} at (${figures.x}, ${figures.y}); worst tile: mean ${figures.tile_mean.toFixed(2)}, ` +
-    `${figures.tile_over} pixels over 32`;
+    `${figures.tile_over} ${figures.tile_over === 1 ? "pixel" : "pixels"} over 32`;
 }
 
 function showCase(frame) {

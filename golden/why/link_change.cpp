@@ -73,8 +73,9 @@ std::string whatText(const LinkChange& change) {
 }
 
 std::string changeText(const LinkChange& change, std::int64_t differing) {
-  return fmt::format("{}: {} of {} differing pixels, {}", nameText(change.name),
-                     groupedDigits(change.pixels), groupedDigits(differing), whatText(change));
+  return fmt::format("{}: {} of {} differing pixel{}, {}", nameText(change.name),
+                     groupedDigits(change.pixels), groupedDigits(differing),
+                     differing == 1 ? "" : "s", whatText(change));
 }
 
 }  // namespace rocinante

@@ -47,7 +47,7 @@ TEST(CompareWithGolden, OneLevelInOnePixelFailsTheExactTierAlone) {
   pixelAt(frame, 39, 29)[3] += 1;  // alpha counts as much as a colour
   const Comparison exact = compare(frame, golden, Tolerance::exactly());
   EXPECT_EQ(exact.verdict, Verdict::different);
-  EXPECT_EQ(exact.rule, "1 differing pixels (exact)");
+  EXPECT_EQ(exact.rule, "1 differing pixel (exact)");
   EXPECT_EQ(exact.differing, 1);
   EXPECT_EQ(exact.over_1, 0);
   EXPECT_EQ(exact.max, 1);
@@ -238,7 +238,7 @@ TEST(CompareFine, SixteenBitsThatDifferBelowTheEighthAreNotExactlyTheSame) {
   frame.samples[4 * 20 + 2] = 25'701;
   const Comparison exact = compareFine(frame, golden, Tolerance::exactly());
   EXPECT_EQ(exact.verdict, Verdict::different);
-  EXPECT_EQ(exact.rule, "1 differing samples of 16 bits a component, 0 pixels at 8 bits (exact)");
+  EXPECT_EQ(exact.rule, "1 differing sample of 16 bits a component, 0 pixels at 8 bits (exact)");
   EXPECT_EQ(exact.fine_max, 1);
   EXPECT_EQ(compareFine(frame, golden, Tolerance::cpu()).verdict, Verdict::same);
   EXPECT_EQ(compareFine(frame, golden, Tolerance::cpu()).rule, "equal pixels at 8 bits (cpu)");

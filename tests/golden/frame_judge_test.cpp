@@ -90,7 +90,7 @@ TEST_F(FrameJudgeTest, OnePixelOfOneStepIsDifferentInTheExactTier) {
   setPixel(drawn, 31, 31, 11);
   const JudgedFrame judged = judge(drawn);
   EXPECT_EQ(judged.verdict, FrameVerdict::different);
-  EXPECT_EQ(judged.rule, "1 differing pixels (exact), limit from the default");
+  EXPECT_EQ(judged.rule, "1 differing pixel (exact), limit from the default");
 }
 
 TEST_F(FrameJudgeTest, TheRuleNamesWhereItsLimitWasSaid) {

@@ -57,7 +57,7 @@ TEST_F(GoldenCheck, ADifferentFrameFailsWithFiguresAMapAndFiles) {
   pixelAt(frame, 3, 4)[1] = 120;
   const GoldenAnswer answer = check(frame);
   EXPECT_FALSE(answer.passes);
-  EXPECT_THAT(answer.text, HasSubstr("different: 1 differing pixels (exact)\n"));
+  EXPECT_THAT(answer.text, HasSubstr("different: 1 differing pixel (exact)\n"));
   EXPECT_THAT(answer.text, HasSubstr("largest difference: 100 at (3, 4)"));
   EXPECT_THAT(answer.text, HasSubstr("|   #"));
   EXPECT_THAT(answer.text, HasSubstr("gauge.frame.png"));
@@ -191,7 +191,7 @@ TEST_F(GoldenCheck, TheMatcherJudgesPicturesAndViews) {
   EXPECT_EQ(::testing::PrintToString(viewOf(picture)), "a picture of 30x20 pixels");
   ::testing::StringMatchResultListener listener;
   EXPECT_FALSE(::testing::ExplainMatchResult(MatchesGolden("gauge"), viewOf(other), &listener));
-  EXPECT_THAT(listener.str(), HasSubstr("different: 1 differing pixels (exact)"));
+  EXPECT_THAT(listener.str(), HasSubstr("different: 1 differing pixel (exact)"));
 }
 
 }  // namespace
