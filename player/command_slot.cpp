@@ -16,9 +16,10 @@ void raise(int descriptor) {
   [[maybe_unused]] const auto written = ::write(descriptor, &one, sizeof one);
 }
 
-void lower(int descriptor) {
-  std::uint64_t count = 0;
-  [[maybe_unused]] const auto read = ::read(descriptor, &count, sizeof count);
+/// Answers how often it had been raised.
+std::int64_t lower(int descriptor) {
+  std::int64_t count = 0;
+  return ::read(descriptor, &count, sizeof count) == sizeof count ? count : 0;
 }
 
 }  // namespace
@@ -55,9 +56,19 @@ std::string CommandSlot::ask(std::string line) {
 }
 
 std::optional<std::string_view> CommandSlot::asked() {
+  // A command may be seen before its wake is raised: one left standing would let nobody sleep.
+  // First the wakes, then the command: one that is taken early belongs to a command seen below.
+  takeWakes();
   if (state_.load(std::memory_order_acquire) != kAsked) return std::nullopt;
-  if (!std::exchange(seen_, true)) lower(wake_);
+  if (!std::exchange(seen_, true)) {
+    ++wakes_owed_;
+    takeWakes();
+  }
   return line_;
+}
+
+void CommandSlot::takeWakes() {
+  if (wakes_owed_ > 0) wakes_owed_ -= lower(wake_);
 }
 
 void CommandSlot::answer(std::string line) {

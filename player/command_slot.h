@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -41,12 +42,16 @@ class CommandSlot final : public CommandSource {
 
  private:
   CommandSlot(int wake, int told) : wake_(wake), told_(told) {}
+  void takeWakes();
 
   static constexpr int kIdle = 0, kAsked = 1, kAnswered = 2, kClosed = 3;
 
   int wake_, told_;
   std::atomic<int> state_{kIdle};
-  bool seen_ = false;  ///< the sender's own
+  // The sender's own:
+  bool seen_ = false;
+  std::int64_t wakes_owed_ = 0;  ///< of commands seen, wakes that were not taken yet
+
   std::string line_, answer_;
   std::mutex mutex_;
   std::vector<std::string> told_lines_;
