@@ -2,6 +2,16 @@
 
 say() { printf '== %s\n' "$*"; }
 
+# shown LOG PATTERN: keeps what it reads in LOG; a terminal shows how far it is, by what matches.
+shown() {
+  local line
+  while IFS= read -r line; do
+    printf '%s\n' "$line"
+    if [ -t 2 ] && [[ $line =~ $2 ]]; then printf '\r\033[K   %s' "${BASH_REMATCH[0]}" >&2; fi
+  done >"$1"
+  if [ -t 2 ]; then printf '\r\033[K' >&2; fi
+}
+
 # build_preset PRESET [TARGET...]: configures and builds, quietly unless it fails.
 build_preset() {
   local preset=$1
@@ -11,8 +21,8 @@ build_preset() {
   say "build: $preset"
   local targets=()
   [ $# -gt 0 ] && targets=(--target "$@")
-  if ! { cmake --preset "$preset" && cmake --build --preset "$preset" "${targets[@]}"; } \
-    >"$log" 2>&1; then
+  if ! { cmake --preset "$preset" && cmake --build --preset "$preset" "${targets[@]}"; } 2>&1 |
+    shown "$log" '^\[[0-9]+/[0-9]+\]'; then
     grep -E -A 12 'error|FAILED' "$log" | head -n 60 >&2 || true
     echo "build: $preset failed; all that it said is in $log" >&2
     return 2
