@@ -8,6 +8,7 @@ namespace {
 // Longer names and longer lists are not worth the time of a hint.
 constexpr std::size_t kLongestName = 64;
 constexpr std::size_t kMostNames = 5000;
+constexpr std::size_t kMostListed = 12;
 
 char folded(char c) {
   if (c >= 'A' && c <= 'Z') return static_cast<char>(c - 'A' + 'a');
@@ -49,6 +50,19 @@ std::string didYouMean(std::string_view name, const std::vector<std::string_view
   }
   if (closest.empty()) return {};
   return "did you mean `" + std::string(closest) + "`?";
+}
+
+std::string whatThereIs(std::string_view name, const std::vector<std::string_view>& known) {
+  std::string hint = didYouMean(name, known);
+  if (!hint.empty()) return hint;
+  if (known.empty()) return "there is none";
+  if (known.size() == 1) return "there is only " + std::string(known.front());
+  hint = "there are ";
+  for (std::size_t i = 0; i < std::min(known.size(), kMostListed); ++i) {
+    hint += (i > 0 ? ", " : "") + std::string(known[i]);
+  }
+  if (known.size() > kMostListed) hint += " ... (" + std::to_string(known.size()) + " in all)";
+  return hint;
 }
 
 }  // namespace rocinante

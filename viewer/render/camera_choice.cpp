@@ -5,6 +5,9 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <vector>
+
+#include "core/name_hint.h"
 
 namespace rocinante {
 namespace {
@@ -97,13 +100,10 @@ CameraView viewOf(const PosedCamera& camera) {
 Result<CameraView> chooseCamera(const std::string& name, const PosedScene& scene) {
   if (const PosedCamera* camera = scene.findCamera(name)) return viewOf(*camera);
   if (name.starts_with('@')) return parseViewpoint(name);
-  std::string names;
-  for (const PosedCamera& camera : scene.cameras)
-    names += (names.empty() ? "" : ", ") + camera.name;
-  return Error{ErrorKind::not_found,
-               "no camera is called `" + name +
-                   "`: " + (names.empty() ? "there is none" : "there are " + names),
-               {}};
+  std::vector<std::string_view> names;
+  for (const PosedCamera& camera : scene.cameras) names.emplace_back(camera.name);
+  return Error{
+      ErrorKind::not_found, "no camera is called `" + name + "`: " + whatThereIs(name, names), {}};
 }
 
 }  // namespace rocinante

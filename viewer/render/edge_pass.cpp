@@ -1,23 +1,26 @@
 #include "viewer/render/edge_pass.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/gtc/matrix_inverse.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <utility>
 
+#include "viewer/render/cull_sphere.h"
 #include "viewer/render/shader_source.h"
 
 namespace rocinante {
 namespace {
 
-/// Edges in a row of the texture that holds them, three texels each.
+/// Edges in a row of the texture that holds them, so many texels each.
 constexpr int kEdgesInRow = 1024;
 constexpr int kMaxRows = 8192;
+constexpr int kTexels = 4;
 
 }  // namespace
 
 Result<EdgePass> EdgePass::create(const GlTable& gl) {
-  auto program = ShaderProgram::link(gl, "edge", shader::kEdgeVertex, shader::kFlatFragment);
+  auto program = ShaderProgram::link(gl, "edge", shader::kEdgeVertex, shader::kEdgeFragment);
   if (!program) return program.error();
   return EdgePass(gl, std::move(*program));
 }
@@ -34,6 +37,7 @@ EdgePass::EdgePass(const GlTable& gl, ShaderProgram program)
   uniforms_.near = program_.uniform("near");
   uniforms_.lift = program_.uniform("lift");
   uniforms_.low = program_.uniform("low");
+  uniforms_.unit_px = program_.uniform("unit_px");
 }
 
 EdgePass::EdgePass(EdgePass&& other) noexcept
@@ -61,18 +65,20 @@ const EdgePass::Edges& EdgePass::edgesOf(const Mesh& mesh) {
     part.all = static_cast<std::uint32_t>(std::min<std::size_t>(part.all, left));
     part.features = std::min(part.features, part.all);
   }
-  std::vector<glm::vec4> texels(room * 3);
+  std::vector<glm::vec4> texels(room * kTexels);
   for (std::size_t i = 0; i < std::min(found.edges.size(), room); ++i) {
     const MeshEdge& edge = found.edges[i];
-    texels[i * 3] = glm::vec4(edge.a, edge.first_normal.x);
-    texels[i * 3 + 1] = glm::vec4(edge.b, edge.first_normal.y);
-    texels[i * 3 + 2] = glm::vec4(edge.second_normal, edge.first_normal.z);
+    glm::vec4* const to = texels.data() + i * kTexels;
+    to[0] = glm::vec4(edge.a, edge.first_normal.x);
+    to[1] = glm::vec4(edge.b, edge.first_normal.y);
+    to[2] = glm::vec4(edge.second_normal, edge.first_normal.z);
+    to[3] = glm::vec4(edge.face_width, 0, 0, 0);
   }
   place->second.parts = std::move(found.parts);
   if (rows == 0) return place->second;
   gl_.GenTextures(1, &place->second.texture);
   gl_.BindTexture(GL_TEXTURE_2D, place->second.texture);
-  gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, kEdgesInRow * 3, rows, 0, GL_RGBA, GL_FLOAT,
+  gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, kEdgesInRow * kTexels, rows, 0, GL_RGBA, GL_FLOAT,
                  texels.data());
   gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
   gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
@@ -96,15 +102,17 @@ void EdgePass::setItem(const DrawItem& item, const Camera& camera) const {
 }
 
 void EdgePass::draw(const std::vector<DrawItem>& items, const SceneCatalog& catalog,
-                    const Camera& camera, EdgeChoice choice, const ColorOf& color_of) {
+                    const Camera& camera, double scale, EdgeChoice choice,
+                    const ColorOf& color_of) {
   if (items.empty()) return;
   gl_.Enable(GL_DEPTH_TEST);
   gl_.Enable(GL_BLEND);
   gl_.BindVertexArray(empty_array_);
   program_.use();
   const bool zero_to_one = gl_.ClipControl != nullptr;
-  gl_.Uniform2f(uniforms_.viewport, static_cast<float>(camera.width()),
-                static_cast<float>(camera.height()));
+  // The shader has widths in pixels of scale 1.
+  gl_.Uniform2f(uniforms_.viewport, static_cast<float>(camera.width() / scale),
+                static_cast<float>(camera.height() / scale));
   gl_.Uniform1f(uniforms_.near, camera.orthographic() ? 0.5F : static_cast<float>(camera.near()));
   gl_.Uniform1f(uniforms_.low, zero_to_one ? 0 : 1);
   gl_.Uniform1i(uniforms_.every_edge, choice == EdgeChoice::all ? 1 : 0);
@@ -117,6 +125,8 @@ void EdgePass::draw(const std::vector<DrawItem>& items, const SceneCatalog& cata
   const glm::vec2 lift(
       camera.orthographic() ? 0 : static_cast<float>(kLift),
       camera.orthographic() ? static_cast<float>(depth_a_metre * camera.metersPerPixel(0)) : 0);
+  // At a depth of one metre; without perspective at any.
+  const double metre_px = 1 / (camera.metersPerPixel(1) * scale);
   for (const DrawItem& item : items) {
     const Edges& edges = edgesOf(*catalog.meshes()[item.mesh].mesh);
     const PartEdges& part = edges.parts[item.part];
@@ -124,6 +134,9 @@ void EdgePass::draw(const std::vector<DrawItem>& items, const SceneCatalog& cata
     if (count == 0) continue;
     gl_.BindTexture(GL_TEXTURE_2D, edges.texture);
     setItem(item, camera);
+    // Of a matrix that scales evenly the bound is the root of three times its scale.
+    gl_.Uniform1f(uniforms_.unit_px,
+                  static_cast<float>(scaleBound(item.world) / std::sqrt(3.0) * metre_px));
     const glm::vec4 shade = color_of(item);
     gl_.Uniform4f(uniforms_.color, shade.r, shade.g, shade.b, shade.a);
     // With the surface that they are on; a unit is at most so much of a depth.

@@ -31,9 +31,9 @@ class EdgePass {
 
   using ColorOf = std::function<glm::vec4(const DrawItem&)>;
 
-  /// Blended by the opacity of its colours.
+  /// Blended by the opacity of its colours; `scale` times the width.
   void draw(const std::vector<DrawItem>& items, const SceneCatalog& catalog, const Camera& camera,
-            EdgeChoice choice, const ColorOf& color_of);
+            double scale, EdgeChoice choice, const ColorOf& color_of);
 
  private:
   struct Edges {
@@ -49,7 +49,7 @@ class EdgePass {
   GLuint empty_array_ = 0;
   std::map<const Mesh*, Edges> edges_;  // looked up, never walked through but to delete
   struct Uniforms {
-    GLint clip_from_model, eye, first_edge, every_edge, color, viewport, near, lift, low;
+    GLint clip_from_model, eye, first_edge, every_edge, color, viewport, near, lift, low, unit_px;
   } uniforms_{};
 };
 

@@ -10,7 +10,7 @@
 #include "viewer/render/camera_choice.h"
 #include "viewer/render/fitted_cameras.h"
 #include "viewer/render/inset_layout.h"
-#include "viewer/render/layer_choice.h"
+#include "viewer/render/known_names.h"
 #include "viewer/render/limit_levels.h"
 #include "viewer/render/overlay_panel.h"
 #include "viewer/render/renderer.h"
@@ -40,11 +40,13 @@ struct FoundFrame {
   const RenderStyle* style = nullptr;
   FrameExtras extras;
   const DetailRung* rung = nullptr;
+  double scale = 1;
 
   SceneFrame shown() const {
     SceneFrame frame{&scene, camera, &choice, style, &extras};
     frame.insets = insets;
     frame.detail = rung->level;
+    frame.scale = scale;
     return frame;
   }
 };
@@ -66,6 +68,7 @@ struct FrameMaker::Impl {
   }
   Result<CameraView> cameraNamed(const std::string& name, const FrameRequest& request,
                                  const FoundFrame& found, int width, int height);
+  bool asksFit(const FrameRequest& request) const;
   Status placeCameras(const FrameRequest& request, FoundFrame& found);
   Result<FoundFrame> find(const FrameRequest& request);
   Status addPanel(LogTime time, const FoundFrame& found, Picture& picture);
@@ -74,13 +77,14 @@ struct FrameMaker::Impl {
 
   Cell cell;
   ScenePoses poses;
-  KnownLayers layers{knownLayers(cell)};
+  KnownNames names{cell};
   Profile profile;
   std::optional<Timeline> session;
   SessionState nothing_said;
   std::unique_ptr<RenderContext> context;
   std::optional<Renderer> renderer;
   std::optional<FittedCameras> fitted;
+  Impl* fit_of = this;  // whose `fitted` is asked
   std::optional<TrailFinder> trails;
   std::optional<SourceRates> rates;  // made when they are first asked for
   ScaledView view;
@@ -107,7 +111,14 @@ Result<CameraView> FrameMaker::Impl::cameraNamed(const std::string& name,
   const bool built_in =
       FittedCameras::knows(wanted) && (name.empty() || found.scene.findCamera(wanted) == nullptr);
   if (!built_in) return chooseCamera(wanted, found.scene);
-  return fitted->view(wanted, found.choice, request.hide, request.show, width, height);
+  return fit_of->fitted->view(wanted, found.choice, request.hide, request.show, width, height);
+}
+
+bool FrameMaker::Impl::asksFit(const FrameRequest& request) const {
+  const std::vector<CellInset>& insets = request.insets ? *request.insets : cell.insets;
+  return FittedCameras::knows(request.camera) || (request.camera.empty() && cell.cameras.empty()) ||
+         std::ranges::any_of(
+             insets, [](const CellInset& inset) { return FittedCameras::knows(inset.camera); });
 }
 
 Status FrameMaker::Impl::placeCameras(const FrameRequest& request, FoundFrame& found) {
@@ -115,7 +126,8 @@ Status FrameMaker::Impl::placeCameras(const FrameRequest& request, FoundFrame& f
   if (!camera) return camera.error();
   found.camera = *camera;
   const std::vector<CellInset>& insets = request.insets ? *request.insets : cell.insets;
-  const std::vector<PixelRectangle> parts = placeInsets(insets, request.width, request.height);
+  const std::vector<PixelRectangle> parts =
+      placeInsets(insets, request.width, request.height, request.scale);
   for (std::size_t i = 0; i < insets.size(); ++i) {
     const CellInset& inset = insets[i];
     camera = cameraNamed(inset.camera, request, found, parts[i].width, parts[i].height);
@@ -129,27 +141,29 @@ Status FrameMaker::Impl::placeCameras(const FrameRequest& request, FoundFrame& f
 
 Result<FoundFrame> FrameMaker::Impl::find(const FrameRequest& request) {
   if (Status inside = checkTime(request.time); !inside) return inside.error();
+  if (!(request.scale >= kLeastScale && request.scale <= kLargestScale)) {
+    return Error{ErrorKind::bad_argument,
+                 fmt::format("a scale is {} to {}", kLeastScale, kLargestScale),
+                 {}};
+  }
   if (Status current = context->makeCurrent(); !current) return current.error();
   FoundFrame found;
   found.style = &request.style;
+  found.scale = request.scale;
   const auto rung = prepareRung(request.detail);
   if (!rung) return rung.error();
   found.rung = *rung;
-  for (Status known : {checkLayers(layers, request.hide), checkLayers(layers, request.show),
-                       checkLayers(layers, request.style)}) {
+  for (Status known :
+       {names.check(request.hide), names.check(request.show), names.check(request.style)}) {
     if (!known) return known.error();
   }
   auto choice = ViewChoice::make(request.hide, request.show);
   if (!choice) return choice.error();
   found.choice = std::move(*choice);
   // Before the state at the time asked for, which is valid until the next question only.
-  const std::vector<CellInset>& insets = request.insets ? *request.insets : cell.insets;
-  const bool fits =
-      FittedCameras::knows(request.camera) || (request.camera.empty() && cell.cameras.empty()) ||
-      std::any_of(insets.begin(), insets.end(),
-                  [](const CellInset& inset) { return FittedCameras::knows(inset.camera); });
-  if (fits) {
-    if (Status ready = fitted->prepare(session ? &*session : nullptr); !ready) return ready.error();
+  if (asksFit(request)) {
+    Timeline* const fitted_to = fit_of->session ? &*fit_of->session : nullptr;
+    if (Status ready = fit_of->fitted->prepare(fitted_to); !ready) return ready.error();
   }
   if (session && !request.style.trails.empty()) {
     auto trails_found = trails->find(request.style.trails, *session, request.time);
@@ -179,7 +193,8 @@ Status FrameMaker::Impl::addPanel(LogTime time, const FoundFrame& found, Picture
     counted = std::move(*now);
     shown = secondsText(time - session->origin(), 3) + " s";
   }
-  drawPanel(picture, panelRows(shown, found.scene, *found.state, counted), renderer->text());
+  drawPanel(picture, panelRows(shown, found.scene, *found.state, counted),
+            renderer->text(found.scale), found.scale);
   return {};
 }
 
@@ -218,6 +233,7 @@ FrameMaker& FrameMaker::operator=(FrameMaker&&) noexcept = default;
 Result<FrameMaker> FrameMaker::open(Cell cell, std::optional<Timeline> session, Profile profile) {
   auto impl = std::make_unique<Impl>(std::move(cell), profile);
   impl->session = std::move(session);
+  if (impl->session) impl->names.useLog(impl->session->log().name());
   auto context = makeContext(profile);
   if (!context) return context.error();
   impl->context = std::move(*context);
@@ -270,6 +286,9 @@ Result<CameraView> FrameMaker::camera(const FrameRequest& request) {
   if (!found) return found.error();
   return found->camera;
 }
+
+bool FrameMaker::asksFit(const FrameRequest& request) const { return impl_->asksFit(request); }
+void FrameMaker::fitLike(FrameMaker& other) { impl_->fit_of = other.impl_.get(); }
 
 const RendererKey& FrameMaker::key() const { return impl_->renderer->key(); }
 const std::string& FrameMaker::inputsHash() const { return impl_->renderer->inputsHash(); }

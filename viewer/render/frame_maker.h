@@ -16,6 +16,9 @@
 
 namespace rocinante {
 
+/// Of FrameRequest::scale.
+inline constexpr double kLeastScale = 0.5, kLargestScale = 4;
+
 /// What to draw besides time and place.
 struct FrameRequest {
   LogTime time{};
@@ -24,6 +27,7 @@ struct FrameRequest {
   std::string camera;
   int width = 640;
   int height = 480;
+  double scale = 1;               ///< of what has its size in pixels: 0.5 to 4
   int samples = 4;                ///< MSAA; llvmpipe has 1 and 4
   int detail = 0;                 ///< a rung of kDetailRungs: how much is drawn; 0 is everything
   std::vector<std::string> hide;  ///< PATHs: outrank packets and the cell (see ViewChoice)
@@ -48,7 +52,7 @@ class FrameMaker {
   FrameMaker& operator=(FrameMaker&&) noexcept;
 
   /// bad_argument for a time outside the log or a size or samples that cannot be drawn; not_found
-  /// for an unknown camera or layer. The same of identity() and depth().
+  /// for an unknown camera or what PATHs name (KnownNames). The same of identity() and depth().
   Result<Picture> frame(const FrameRequest& request);
   /// Whose its pixels are, insets included; the request's samples and panel mean nothing, and of
   /// its detail geometry alone counts.
@@ -57,6 +61,12 @@ class FrameMaker {
   Result<DepthFrame> depth(const FrameRequest& request);
   /// Where it is seen from.
   Result<CameraView> camera(const FrameRequest& request);
+
+  /// Whether "fit" or "map" draws any of it.
+  bool asksFit(const FrameRequest& request) const;
+  /// From here on "fit" and "map" are fitted to what `other` draws, insets' too: pictures of two
+  /// sessions are comparable when one camera draws both. `other` must outlive this.
+  void fitLike(FrameMaker& other);
 
   const RendererKey& key() const;
   /// XXH3 of decoded textures, glyphs and vertex buffers: tells "the inputs differ" from "the

@@ -40,7 +40,8 @@ GridPass::~GridPass() {
   gl_.DeleteBuffers(1, &vertices_);
 }
 
-Status GridPass::draw(const Camera& camera, const CellScene& look, const ShadowLookup* shadows) {
+Status GridPass::draw(const Camera& camera, const CellScene& look, double scale,
+                      const ShadowLookup* shadows) {
   if (!(look.grid_size_m > 0) || !(look.grid_step_m > 0)) return {};
   // A light from below casts nothing on the ground.
   const bool dark = shadows != nullptr && look.light_direction.z > 0;
@@ -65,6 +66,7 @@ Status GridPass::draw(const Camera& camera, const CellScene& look, const ShadowL
   gl_.Uniform3f(program.uniform("center_from_eye"), center.x, center.y, center.z);
   gl_.Uniform1f(program.uniform("half_size"), static_cast<float>(look.grid_size_m));
   gl_.Uniform1f(program.uniform("grid_step"), static_cast<float>(look.grid_step_m));
+  gl_.Uniform1f(program.uniform("scale"), static_cast<float>(scale));
   gl_.BindVertexArray(array_);
   gl_.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
   gl_.Disable(GL_POLYGON_OFFSET_FILL);

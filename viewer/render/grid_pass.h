@@ -20,7 +20,8 @@ class GridPass {
 
   /// Nothing when the cell's grid has no size or no step.
   /// With `shadows` they fall on the ground that it covers.
-  Status draw(const Camera& camera, const CellScene& look, const ShadowLookup* shadows = nullptr);
+  Status draw(const Camera& camera, const CellScene& look, double scale,
+              const ShadowLookup* shadows);
 
  private:
   GridPass(const GlTable& gl, ShaderProgram program);

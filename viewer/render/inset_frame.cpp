@@ -8,12 +8,14 @@ void addInsetFrame(Overlay& overlay, const FrameInset& inset, const TextAtlas& a
   constexpr std::uint32_t kTitlePlate = 0x14181CC8;
   constexpr std::uint32_t kTitleInk = 0xF2F4F6FF;
   constexpr int kPadding = 6;
-  const double left = inset.part.x, top = inset.part.y;
-  const double right = left + inset.part.width, bottom = top + inset.part.height;
-  const double wide =
-      std::min<double>(inset.border_px, std::min(inset.part.width, inset.part.height) / 2);
+  const double unit = overlay.scale();
+  const double left = inset.part.x / unit, top = inset.part.y / unit;
+  const double right = (inset.part.x + inset.part.width) / unit;
+  const double bottom = (inset.part.y + inset.part.height) / unit;
+  const double least_half = std::min(inset.part.width, inset.part.height) / 2 / unit;
+  const double wide = std::min<double>(inset.border_px, least_half);
   if (!inset.title.empty()) {
-    const TextSize size = atlas.measure(inset.title);
+    const TextSize size = overlay.measure(atlas, inset.title);
     const Vec2 corner(left + wide, top + wide);
     overlay.addScreenRectangle(corner, corner + Vec2(size.width + 2 * kPadding, size.height + 2),
                                kTitlePlate);

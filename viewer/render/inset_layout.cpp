@@ -12,23 +12,24 @@ namespace {
 constexpr int kLeastSidePx = 16;
 
 /// A side in pixels. A hair is added before the rest is cut off: 0.3 of 640 is 192, and not 191.
-int sideOf(double given, bool in_pixels, int picture) {
-  const double side = in_pixels ? given : given * picture + 1e-6;
+int sideOf(double given, bool in_pixels, int picture, double scale) {
+  const double side = in_pixels ? given * scale : given * picture + 1e-6;
   return static_cast<int>(std::floor(std::clamp(side, 0.0, 65536.0)));
 }
 
 }  // namespace
 
-std::vector<PixelRectangle> placeInsets(const std::vector<CellInset>& insets, int width,
-                                        int height) {
+std::vector<PixelRectangle> placeInsets(const std::vector<CellInset>& insets, int width, int height,
+                                        double scale) {
   std::array<int, 4> used{};  // by corner: pixels from the upper or lower edge that are taken
   std::vector<PixelRectangle> placed;
   for (const CellInset& inset : insets) {
     int& taken = used[static_cast<std::size_t>(inset.corner)];
+    const int margin = static_cast<int>(std::floor(inset.margin_px * scale + 0.5));
     PixelRectangle part;
-    part.width = std::min(sideOf(inset.width, inset.in_pixels, width), width - 2 * inset.margin_px);
-    part.height = std::min(sideOf(inset.height, inset.in_pixels, height),
-                           height - taken - 2 * inset.margin_px);
+    part.width = std::min(sideOf(inset.width, inset.in_pixels, width, scale), width - 2 * margin);
+    part.height =
+        std::min(sideOf(inset.height, inset.in_pixels, height, scale), height - taken - 2 * margin);
     if (part.width < kLeastSidePx || part.height < kLeastSidePx) {
       placed.emplace_back();
       continue;
@@ -37,8 +38,8 @@ std::vector<PixelRectangle> placeInsets(const std::vector<CellInset>& insets, in
         inset.corner == InsetCorner::top_left || inset.corner == InsetCorner::bottom_left;
     const bool top =
         inset.corner == InsetCorner::top_left || inset.corner == InsetCorner::top_right;
-    const int from_edge = taken + inset.margin_px;
-    part.x = left ? inset.margin_px : width - inset.margin_px - part.width;
+    const int from_edge = taken + margin;
+    part.x = left ? margin : width - margin - part.width;
     part.y = top ? from_edge : height - from_edge - part.height;
     taken = from_edge + part.height;
     placed.push_back(part);

@@ -5,8 +5,6 @@
 #include <vector>
 
 #include "core/model/cell.h"
-#include "core/result.h"
-#include "viewer/render/render_style.h"
 
 namespace rocinante {
 
@@ -18,10 +16,5 @@ KnownLayers knownLayers(const Cell& cell);
 /// Only these layers: hides every device and the built-in layers, and shows these.
 void chooseLayers(const std::vector<std::string>& layers, std::vector<std::string>& hide,
                   std::vector<std::string>& show);
-
-/// not_found for a `layer/NAME` that is none of `known`: only the cell can bring a layer, so it is
-/// a slip. What is no PATH at all is left to those who use it.
-Status checkLayers(const KnownLayers& known, const std::vector<std::string>& paths);
-Status checkLayers(const KnownLayers& known, const RenderStyle& style);
 
 }  // namespace rocinante

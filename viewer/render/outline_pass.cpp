@@ -1,7 +1,6 @@
 #include "viewer/render/outline_pass.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/gtc/type_ptr.hpp>
 #include <utility>
@@ -14,10 +13,22 @@ namespace rocinante {
 namespace {
 
 constexpr glm::vec4 kLineColor{1.0F, 0.58F, 0.05F, 1};
-/// How far from what is covered the line reaches.
-constexpr int kReachPx = 2;
-/// By the square of the distance: three pixels less the distance, at most a whole one.
-constexpr std::array<std::uint8_t, 10> kCover{0, 255, 255, 255, 255, 195, 195, 195, 44, 0};
+constexpr double kLineWidthPx = 2.5;
+
+/// Pixels that the line reaches along a row, or across them.
+int outlineReach(double scale) { return static_cast<int>(std::ceil(kLineWidthPx * scale - 0.5)); }
+
+/// By the square of the distance: its width and half a pixel less the distance, at most a whole
+/// one.
+std::vector<std::uint8_t> coverBySquare(int reach, double scale) {
+  std::vector<std::uint8_t> cover;
+  for (int square = 0; square <= 2 * (reach + 1) * (reach + 1); ++square) {
+    const double left = kLineWidthPx * scale + 0.5 - std::sqrt(square);
+    cover.push_back(static_cast<std::uint8_t>(std::clamp(left, 0.0, 1.0) * 255 + 0.5));
+  }
+  cover[0] = 0;
+  return cover;
+}
 
 /// In pixels from the bottom left: what the items can cover.
 struct CoveredBox {
@@ -48,20 +59,22 @@ int boundedPixel(double place, int most) {
 
 }  // namespace
 
-std::vector<std::uint8_t> outlineOf(const std::vector<std::uint8_t>& covered, int width,
-                                    int height) {
+std::vector<std::uint8_t> outlineOf(const std::vector<std::uint8_t>& covered, int width, int height,
+                                    double scale) {
+  const int reach = outlineReach(scale);
+  const std::vector<std::uint8_t> cover_by_square = coverBySquare(reach, scale);
   const auto w = static_cast<std::size_t>(width);
   const auto h = static_cast<std::size_t>(height);
-  // First along each row: the square of the distance to what is covered, 9 where it is far.
-  constexpr std::uint8_t kFar = 9;
-  std::vector<std::uint8_t> along(covered.size(), kFar);
+  // First along each row: the square of the distance to what is covered, or this where it is far.
+  const auto far = static_cast<std::uint8_t>((reach + 1) * (reach + 1));
+  std::vector<std::uint8_t> along(covered.size(), far);
   for (std::size_t y = 0; y < h; ++y) {
     const std::uint8_t* from = &covered[y * w];
     std::uint8_t* to = &along[y * w];
     for (std::size_t x = 0; x < w; ++x) {
       if (from[x] == 0) continue;
       to[x] = 0;
-      for (std::size_t off = 1; off <= kReachPx; ++off) {
+      for (std::size_t off = 1; off <= static_cast<std::size_t>(reach); ++off) {
         const auto square = static_cast<std::uint8_t>(off * off);
         if (x >= off) to[x - off] = std::min(to[x - off], square);
         if (x + off < w) to[x + off] = std::min(to[x + off], square);
@@ -72,8 +85,8 @@ std::vector<std::uint8_t> outlineOf(const std::vector<std::uint8_t>& covered, in
   std::vector<std::uint8_t> cover(covered.size(), 0);
   std::vector<std::uint8_t> nearest(w);
   for (std::size_t y = 0; y < h; ++y) {
-    std::fill(nearest.begin(), nearest.end(), kFar);
-    for (int off = -kReachPx; off <= kReachPx; ++off) {
+    std::fill(nearest.begin(), nearest.end(), far);
+    for (int off = -reach; off <= reach; ++off) {
       const int row = static_cast<int>(y) + off;
       if (row < 0 || row >= height) continue;
       const std::uint8_t* from = &along[static_cast<std::size_t>(row) * w];
@@ -82,7 +95,7 @@ std::vector<std::uint8_t> outlineOf(const std::vector<std::uint8_t>& covered, in
         nearest[x] = std::min(nearest[x], static_cast<std::uint8_t>(from[x] + square));
       }
     }
-    for (std::size_t x = 0; x < w; ++x) cover[y * w + x] = kCover[nearest[x]];
+    for (std::size_t x = 0; x < w; ++x) cover[y * w + x] = cover_by_square[nearest[x]];
   }
   return cover;
 }
@@ -137,7 +150,7 @@ Status OutlinePass::resize(int width, int height) {
   return {};
 }
 
-Status OutlinePass::find(std::span<const DrawnSet> sets, const Camera& camera) {
+Status OutlinePass::find(std::span<const DrawnSet> sets, const Camera& camera, double scale) {
   found_ = false;
   GLint bound = 0;
   gl_.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
@@ -169,17 +182,18 @@ Status OutlinePass::find(std::span<const DrawnSet> sets, const Camera& camera) {
         }
       }
     }
-    left_ = boundedPixel(box.left - kReachPx - 1, width_);
-    right_ = boundedPixel(box.right + kReachPx + 2, width_);
-    bottom_ = boundedPixel(box.bottom - kReachPx - 1, height_);
-    top_ = boundedPixel(box.top + kReachPx + 2, height_);
-    if (found_) makeLine();
+    const int reach = outlineReach(scale);
+    left_ = boundedPixel(box.left - reach - 1, width_);
+    right_ = boundedPixel(box.right + reach + 2, width_);
+    bottom_ = boundedPixel(box.bottom - reach - 1, height_);
+    top_ = boundedPixel(box.top + reach + 2, height_);
+    if (found_) makeLine(scale);
   }
   gl_.BindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(bound));
   return ready;
 }
 
-void OutlinePass::makeLine() {
+void OutlinePass::makeLine(double scale) {
   const int width = right_ - left_;
   const int height = top_ - bottom_;
   found_ = width > 0 && height > 0;
@@ -189,7 +203,7 @@ void OutlinePass::makeLine() {
   gl_.PixelStorei(GL_PACK_ALIGNMENT, 1);
   gl_.ReadPixels(left_, bottom_, width, height, GL_RED, GL_UNSIGNED_BYTE, covered.data());
   gl_.PixelStorei(GL_PACK_ALIGNMENT, 4);
-  const std::vector<std::uint8_t> cover = outlineOf(covered, width, height);
+  const std::vector<std::uint8_t> cover = outlineOf(covered, width, height, scale);
   if (cover_ == 0) gl_.GenTextures(1, &cover_);
   gl_.BindTexture(GL_TEXTURE_2D, cover_);
   gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 1);

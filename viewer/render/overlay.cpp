@@ -26,6 +26,12 @@ double boundedWidth(double px) {
 
 }  // namespace
 
+TextSize Overlay::measure(const TextAtlas& atlas, std::string_view text) const {
+  const TextSize size = atlas.measure(text);
+  return {static_cast<int>(std::ceil(size.width / scale_)),
+          static_cast<int>(std::ceil(size.height / scale_))};
+}
+
 void Overlay::setOwner(std::uint32_t owner) { owned_from_.emplace_back(vertices_.size(), owner); }
 
 std::vector<std::uint32_t> Overlay::owners() const {
@@ -39,15 +45,13 @@ std::vector<std::uint32_t> Overlay::owners() const {
 }
 
 Overlay::ScreenPoint Overlay::toScreen(const Vec4& clip) const {
-  return {(clip.x / clip.w + 1) / 2 * camera_.width(), (1 - clip.y / clip.w) / 2 * camera_.height(),
-          clip.z, clip.w};
+  return {(clip.x / clip.w + 1) / 2 * width_, (1 - clip.y / clip.w) / 2 * height_, clip.z, clip.w};
 }
 
 OverlayVertex Overlay::vertexAt(const ScreenPoint& at, double x, double y, std::uint32_t rgba,
                                 OverlayKind kind) const {
   OverlayVertex vertex;
-  vertex.clip = glm::vec4((x / camera_.width() * 2 - 1) * at.w,
-                          (1 - y / camera_.height() * 2) * at.w, at.z, at.w);
+  vertex.clip = glm::vec4((x / width_ * 2 - 1) * at.w, (1 - y / height_ * 2) * at.w, at.z, at.w);
   vertex.abgr = swapped(rgba);
   vertex.kind = kind;
   return vertex;
@@ -208,9 +212,8 @@ std::optional<Vec2> Overlay::labelAnchor(const Vec3& world) const {
   const Vec4 clip = camera_.clipOf(world);
   if (clip.w < camera_.near() && !camera_.orthographic()) return std::nullopt;
   const ScreenPoint anchor = toScreen(clip);
-  const double w = camera_.width();
-  const double h = camera_.height();
-  if (!(anchor.x >= 0 && anchor.y >= 0 && anchor.x < w && anchor.y < h)) return std::nullopt;
+  const bool inside = anchor.x >= 0 && anchor.y >= 0 && anchor.x < width_ && anchor.y < height_;
+  if (!inside) return std::nullopt;
   return Vec2(anchor.x, anchor.y);
 }
 
@@ -220,13 +223,14 @@ void Overlay::addLabel(const TextAtlas& atlas, const Vec3& world, std::uint32_t 
   if (!anchor) return;
 
   constexpr int kPadding = 4;
-  const TextSize size = atlas.measure(text);
+  const TextSize size = measure(atlas, text);
   // Up and to the right of its point, but inside of the picture where it fits.
   const int wanted_x = static_cast<int>(std::floor(anchor->x)) + 10;
   const int wanted_y = static_cast<int>(std::floor(anchor->y)) - 10 - size.height;
-  const int x = std::max(std::min(wanted_x, camera_.width() - size.width - 2 * kPadding), kPadding);
-  const int y =
-      std::max(std::min(wanted_y, camera_.height() - size.height - 2 * kPadding), kPadding);
+  const int right = static_cast<int>(width_) - size.width - 2 * kPadding;
+  const int bottom = static_cast<int>(height_) - size.height - 2 * kPadding;
+  const int x = std::max(std::min(wanted_x, right), kPadding);
+  const int y = std::max(std::min(wanted_y, bottom), kPadding);
   const ScreenPoint dot{anchor->x, anchor->y, 0, 1};
   addScreenLine(*anchor, {static_cast<double>(x), static_cast<double>(y + size.height)},
                 kLabelPlate, 1.5);
@@ -278,10 +282,13 @@ void Overlay::addScreenRectangle(Vec2 top_left, Vec2 bottom_right, std::uint32_t
 void Overlay::addScreenText(const TextAtlas& atlas, int x, int y, std::uint32_t rgba,
                             std::string_view text) {
   const ScreenPoint front{0, 0, 0, 1};
+  // On whole pixels of the picture, so that it is sharp.
+  const double left = std::floor(x * scale_ + 0.5);
+  const double top = std::floor(y * scale_ + 0.5);
   for (const GlyphQuad& glyph : atlas.layout(text)) {
     const auto corner = [&](int dx, int dy) {
-      OverlayVertex vertex =
-          vertexAt(front, x + glyph.x + dx, y + glyph.y + dy, rgba, OverlayKind::text);
+      OverlayVertex vertex = vertexAt(front, (left + glyph.x + dx) / scale_,
+                                      (top + glyph.y + dy) / scale_, rgba, OverlayKind::text);
       vertex.texture = {static_cast<float>(glyph.atlas_x + dx),
                         static_cast<float>(glyph.atlas_y + dy)};
       return vertex;
@@ -294,7 +301,7 @@ void Overlay::addScreenText(const TextAtlas& atlas, int x, int y, std::uint32_t 
 void Overlay::addGnomon(const TextAtlas& atlas, int raised_px) {
   constexpr double kLength = 26;
   constexpr double kInset = 42;
-  if (camera_.width() < 200 || camera_.height() < 150) return;
+  if (width_ < 200 || height_ < 150) return;
   struct Arrow {
     double x, y, depth;
     std::uint32_t rgba;
@@ -309,10 +316,10 @@ void Overlay::addGnomon(const TextAtlas& atlas, int raised_px) {
   // The farthest first.
   std::stable_sort(arrows.begin(), arrows.end(),
                    [](const Arrow& a, const Arrow& b) { return a.depth > b.depth; });
-  const Vec2 origin(kInset, camera_.height() - kInset - raised_px);
+  const Vec2 origin(kInset, height_ - kInset - raised_px);
   for (const Arrow& one : arrows) {
     addScreenLine(origin, origin + Vec2(one.x, one.y), one.rgba, 2.5);
-    const TextSize size = atlas.measure(one.letter);
+    const TextSize size = measure(atlas, one.letter);
     const Vec2 end = origin + Vec2(one.x, one.y) * 1.32;
     addScreenText(atlas, static_cast<int>(std::floor(end.x - size.width / 2.0 + 0.5)),
                   static_cast<int>(std::floor(end.y - size.height / 2.0 + 0.5)), one.rgba,
@@ -324,15 +331,15 @@ void Overlay::addScaleBar(const TextAtlas& atlas, const ScaleBar& bar, int raise
   constexpr double kInset = 12;
   constexpr double kTick = 7;
   constexpr std::uint32_t kBarInk = 0xF2F4F6FF;
-  const TextSize size = atlas.measure(bar.text);
+  const TextSize size = measure(atlas, bar.text);
   // Whole pixels, so that its ends are sharp.
   const double length = std::floor(bar.pixels + 0.5);
   const double inner = std::max(length, static_cast<double>(size.width));
-  const double right = camera_.width() - kInset;
-  const double bottom = camera_.height() - kInset - raised_px;
+  const double right = width_ - kInset;
+  const double bottom = height_ - kInset - raised_px;
   const double left = right - inner - 16;
   const double top = bottom - size.height - kTick - 12;
-  if (camera_.width() < 200 || camera_.height() < 150) return;
+  if (width_ < 200 || height_ < 150) return;
   addScreenRectangle({left, top}, {right, bottom}, kLabelPlate);
   const double bar_left = std::floor(right - 8 - inner / 2 - length / 2);
   const double bar_bottom = bottom - 6;

@@ -32,9 +32,21 @@ struct RibbonPoint {
 };
 
 /// Builds triangles for what has its size in pixels: lines, points, text. Plain values, no GL.
+/// Pixels here are those of a screen of scale 1: with `scale` 2 each is two of the picture wide,
+/// and atlases must have been made for that scale.
 class Overlay {
  public:
-  explicit Overlay(const Camera& camera) : camera_(camera) {}
+  explicit Overlay(const Camera& camera, double scale = 1)
+      : camera_(camera),
+        scale_(scale),
+        width_(camera.width() / scale),
+        height_(camera.height() / scale) {}
+
+  double width() const { return width_; }
+  double height() const { return height_; }
+  double scale() const { return scale_; }
+  /// What it will take of the picture, rounded up.
+  TextSize measure(const TextAtlas& atlas, std::string_view text) const;
 
   /// World points joined by a line of `width_px`, depth-tested, a hair nearer than it is so that a
   /// line on a surface shows.
@@ -89,6 +101,7 @@ class Overlay {
   Vec4 liftedClip(const Vec3& world) const;
 
   const Camera& camera_;
+  double scale_, width_, height_;
   std::vector<OverlayVertex> vertices_;
   std::vector<std::pair<std::size_t, std::uint32_t>> owned_from_;  // first vertex, owner
 };

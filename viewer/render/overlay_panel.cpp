@@ -81,9 +81,12 @@ std::vector<PanelRow> panelRows(const std::string& time, const PosedScene& scene
   return rows;
 }
 
-void drawPanel(Picture& picture, const std::vector<PanelRow>& rows, const TextAtlas& atlas) {
+void drawPanel(Picture& picture, const std::vector<PanelRow>& rows, const TextAtlas& atlas,
+               double scale) {
+  const auto scaled = [&](int px) { return static_cast<int>(px * scale + 0.5); };
+  const int margin = scaled(kPanelMarginPx), padding = scaled(kPanelPaddingPx);
   const int line = atlas.linePixels();
-  const int room = (picture.height - 2 * (kPanelMarginPx + kPanelPaddingPx)) / line;
+  const int room = (picture.height - 2 * (margin + padding)) / line;
   if (room < 1) return;
   std::vector<PanelRow> shown = rows;
   if (shown.size() > static_cast<std::size_t>(room)) {
@@ -93,14 +96,14 @@ void drawPanel(Picture& picture, const std::vector<PanelRow>& rows, const TextAt
   }
   int names = 0, values = 0;
   for (const PanelRow& row : shown) {
-    const int value = row.value.empty() ? 0 : atlas.measure(row.value).width + kColumnGapPx;
+    const int value = row.value.empty() ? 0 : atlas.measure(row.value).width + scaled(kColumnGapPx);
     names = std::max(names, atlas.measure(row.name).width);
     values = std::max(values, value);
   }
-  const int left = kPanelMarginPx + kPanelPaddingPx, right = left + names + values;
-  int y = kPanelMarginPx + kPanelPaddingPx;
-  blendPlate(picture, kPanelMarginPx, kPanelMarginPx, right + kPanelPaddingPx,
-             y + static_cast<int>(shown.size()) * line + kPanelPaddingPx);
+  const int left = margin + padding, right = left + names + values;
+  int y = margin + padding;
+  blendPlate(picture, margin, margin, right + padding,
+             y + static_cast<int>(shown.size()) * line + padding);
   for (const PanelRow& row : shown) {
     atlas.drawOn(picture, left, y, row.name, row.heading ? kPanelHeadingInk : kPanelInk);
     if (!row.value.empty()) {

@@ -26,6 +26,7 @@ std::vector<PanelRow> panelRows(const std::string& time, const PosedScene& scene
 
 /// Draws them on a plate in the picture's upper left; rows that find no room are counted on the
 /// last one.
-void drawPanel(Picture& picture, const std::vector<PanelRow>& rows, const TextAtlas& atlas);
+void drawPanel(Picture& picture, const std::vector<PanelRow>& rows, const TextAtlas& atlas,
+               double scale = 1);
 
 }  // namespace rocinante

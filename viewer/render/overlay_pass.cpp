@@ -16,6 +16,12 @@ Result<OverlayPass> OverlayPass::create(const GlTable& gl, const TextAtlas& atla
 OverlayPass::OverlayPass(const GlTable& gl, ShaderProgram program, const TextAtlas& atlas)
     : gl_(gl), program_(std::move(program)), buffer_(gl) {
   gl_.GenTextures(1, &atlas_texture_);
+  useText(atlas);
+}
+
+void OverlayPass::useText(const TextAtlas& atlas) {
+  if (atlas.linePixels() == line_px_) return;
+  line_px_ = atlas.linePixels();
   gl_.BindTexture(GL_TEXTURE_2D, atlas_texture_);
   gl_.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   gl_.TexImage2D(GL_TEXTURE_2D, 0, GL_R8, atlas.width(), atlas.height(), 0, GL_RED,
@@ -30,7 +36,8 @@ OverlayPass::OverlayPass(OverlayPass&& other) noexcept
     : gl_(other.gl_),
       program_(std::move(other.program_)),
       buffer_(std::move(other.buffer_)),
-      atlas_texture_(std::exchange(other.atlas_texture_, 0)) {}
+      atlas_texture_(std::exchange(other.atlas_texture_, 0)),
+      line_px_(other.line_px_) {}
 
 OverlayPass::~OverlayPass() { gl_.DeleteTextures(1, &atlas_texture_); }
 

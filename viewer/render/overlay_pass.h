@@ -15,6 +15,8 @@ class OverlayPass {
   OverlayPass(OverlayPass&& other) noexcept;
   OverlayPass& operator=(OverlayPass&&) = delete;
 
+  /// Text from here on is of this atlas.
+  void useText(const TextAtlas& atlas);
   /// Depth-tested, in the scene.
   void drawInScene(const Overlay& overlay) const;
   /// Over everything.
@@ -28,6 +30,7 @@ class OverlayPass {
   ShaderProgram program_;
   OverlayBuffer buffer_;
   GLuint atlas_texture_ = 0;
+  int line_px_ = 0;  ///< of the atlas in the texture
 };
 
 }  // namespace rocinante

@@ -257,7 +257,7 @@ class RenderRun {
   FrameRequest request_;
   const RenderFiles files_;
   FrameMaker& maker_;
-  const TextAtlas atlas_{kCaptionPx};
+  const TextAtlas atlas_{static_cast<int>(kCaptionPx * request_.scale + 0.5)};
   std::optional<ContactSheet> sheet_;
   std::vector<VideoFile> videos_;
   std::vector<RenderedFrame> frames_;

@@ -164,6 +164,10 @@ int main(int argc, char** argv) {
   app.add_flag("--no-insets", without_insets, "Without the cell's insets");
   app.add_flag("--overlay", job.look.panel, "Time, devices, joint values and rates in a corner");
   app.add_option("--size", size, "Pixels")->capture_default_str();
+  app.add_option("--scale", job.look.scale,
+                 "Of text, lines and all that has its size in pixels: 2 for twice as many pixels")
+      ->check(CLI::Range(kLeastScale, kLargestScale))
+      ->capture_default_str();
   app.add_option("--samples", job.look.samples, "A pixel: 1 or 4")->capture_default_str();
   app.add_option("--detail", job.look.detail,
                  "How much is drawn: 0 (everything) to 9, as `rocinante view` does it")

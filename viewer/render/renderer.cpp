@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <optional>
 
 #include "core/math/transform.h"
@@ -82,13 +83,15 @@ struct Renderer::Impl {
   MeshBuffers meshes;
   TextureStore textures;
   std::optional<DrawPasses> passes;
-  std::optional<DetailBuilder> detail_builder;  // borrows the catalog
-  std::optional<CollisionGeometry> collision;   // made when it is first asked for
-  DrawList view_list;                           // of the view at hand: memory that frames use again
+  std::optional<DetailBuilder> detail_builder;     // borrows the catalog
+  std::optional<CollisionGeometry> collision;      // made when it is first asked for
+  mutable std::map<int, TextAtlas> other_atlases;  // of other scales than 1, by line in pixels
+  DrawList view_list;  // of the view at hand: memory that frames use again
   LookPasses look_passes{gl};
   std::optional<IdentityPass> identity_pass;  // made when it is first asked for
   std::string inputs_text;
 
+  const TextAtlas& atlasOf(double scale) const;
   Camera cameraOf(const SceneFrame& frame, const CameraView& view, int width, int height) const;
   DrawList listOf(const SceneFrame& frame, const Camera& camera, const LinkLooks& looks) const {
     return makeDrawList(*frame.scene, catalog, *frame.choice, camera, textures.translucent(), looks,
@@ -109,7 +112,7 @@ struct Renderer::Impl {
                               const CameraView& view, const PixelRectangle& part, int frame_height);
   Result<ShadowLookup> drawShadows(const SceneFrame& frame, const LinkLooks& looks,
                                    const Camera& camera);
-  Status drawEdges(std::span<const DrawnSet> sets, const RenderStyle& style, const Camera& camera);
+  Status drawEdges(std::span<const DrawnSet> sets, const SceneFrame& frame, const Camera& camera);
   Overlay onTopOf(const SceneFrame& frame, const Camera& camera, const CameraView& view) const;
   void drawInsetFrames(const SceneFrame& frame, const FrameBuffer& target) const;
   Status prepareIdentity(const FrameBuffer& target);
@@ -136,6 +139,12 @@ Result<Renderer> Renderer::create(RenderContext& context, const Cell& cell, Prof
   if (!passes) return passes.error();
   impl->passes.emplace(std::move(*passes));
   return Renderer(std::move(impl));
+}
+
+const TextAtlas& Renderer::Impl::atlasOf(double scale) const {
+  const int line_px = static_cast<int>(std::floor(kTextPixels * scale + 0.5));
+  if (line_px == kTextPixels) return atlas;
+  return other_atlases.try_emplace(line_px, line_px).first->second;
 }
 
 Camera Renderer::Impl::cameraOf(const SceneFrame& frame, const CameraView& view, int width,
@@ -193,8 +202,9 @@ Result<ShadowLookup> Renderer::Impl::drawShadows(const SceneFrame& frame, const 
   return (*map)->draw(sets, light, fit, camera);
 }
 
-Status Renderer::Impl::drawEdges(std::span<const DrawnSet> sets, const RenderStyle& style,
+Status Renderer::Impl::drawEdges(std::span<const DrawnSet> sets, const SceneFrame& frame,
                                  const Camera& camera) {
+  const RenderStyle& style = styleOf(frame);
   bool any = style.edges != EdgeStyle::none;
   for (const DrawnSet& set : sets) any = any || !set.list->wireframe.empty();
   if (!any) return {};
@@ -203,11 +213,11 @@ Status Renderer::Impl::drawEdges(std::span<const DrawnSet> sets, const RenderSty
   for (const DrawnSet& set : sets) {
     if (style.edges != EdgeStyle::none) {
       for (const auto* items : {&set.list->opaque, &set.list->translucent}) {
-        (*edges)->draw(*items, *set.catalog, camera, EdgeChoice::features,
+        (*edges)->draw(*items, *set.catalog, camera, frame.scale, EdgeChoice::features,
                        [](const DrawItem&) { return kEdgeColor; });
       }
     }
-    (*edges)->draw(set.list->wireframe, *set.catalog, camera, EdgeChoice::all,
+    (*edges)->draw(set.list->wireframe, *set.catalog, camera, frame.scale, EdgeChoice::all,
                    [](const DrawItem& item) { return item.diffuse; });
   }
   return {};
@@ -216,14 +226,17 @@ Status Renderer::Impl::drawEdges(std::span<const DrawnSet> sets, const RenderSty
 Overlay Renderer::Impl::onTopOf(const SceneFrame& frame, const Camera& camera,
                                 const CameraView& view) const {
   const RenderStyle& style = styleOf(frame);
-  const int raised_px = &view == &frame.camera ? frame.raised_px : 0;
-  Overlay on_top(camera);
-  addLabels(on_top, frame.scene->drawings, *frame.choice, camera, atlas, style.labels);
+  const int raised_px =
+      &view == &frame.camera ? static_cast<int>(frame.raised_px / frame.scale) : 0;
+  const TextAtlas& glyphs = atlasOf(frame.scale);
+  Overlay on_top(camera, frame.scale);
+  addLabels(on_top, frame.scene->drawings, *frame.choice, camera, glyphs, style.labels);
   on_top.setOwner(0);
-  if (frame.choice->layerVisible("gnomon")) on_top.addGnomon(atlas, raised_px);
+  if (frame.choice->layerVisible("gnomon")) on_top.addGnomon(glyphs, raised_px);
   if (style.scale_bar) {
-    const auto bar = scaleBar(camera.metersPerPixel(camera.depthOf(view.target)), kScaleBarPx);
-    if (bar) on_top.addScaleBar(atlas, *bar, raised_px);
+    const double metres_per_pixel = camera.metersPerPixel(camera.depthOf(view.target));
+    const auto bar = scaleBar(metres_per_pixel * frame.scale, kScaleBarPx);
+    if (bar) on_top.addScaleBar(glyphs, *bar, raised_px);
   }
   return on_top;
 }
@@ -244,7 +257,7 @@ Result<DrawCounts> Renderer::Impl::drawView(const SceneFrame& frame, const LinkL
   DrawList collisions;
   const std::vector<DrawnSet> sets = setsOf(frame, looks, camera, view_list, collisions);
   const DrawList& list = view_list;
-  Overlay in_scene(camera);
+  Overlay in_scene(camera, frame.scale);
   addLinesAndPoints(in_scene, frame.scene->drawings, choice);
   if (frame.extras != nullptr) addTrails(in_scene, frame.extras->trails);
 
@@ -261,12 +274,14 @@ Result<DrawCounts> Renderer::Impl::drawView(const SceneFrame& frame, const LinkL
     const auto made = look_passes.outlines();
     if (!made) return made.error();
     outlines = *made;
-    if (Status found = outlines->find(sets, camera); !found) return found.error();
+    if (Status found = outlines->find(sets, camera, frame.scale); !found) return found.error();
   }
   SurfaceLook surfaces;
   surfaces.shading = style.shading;
   surfaces.shadows = shadows ? &*shadows : nullptr;
-  surfaces.depth_ranks = style.edges != EdgeStyle::none ? EdgePass::kSurfaceRanks : 0;
+  surfaces.depth_ranks = style.edges != EdgeStyle::none
+                             ? EdgePass::kSurfaceRanks * static_cast<float>(frame.scale)
+                             : 0;
   surfaces.depth_only = style.edges == EdgeStyle::only;
   if (Status ready = passes->scene.prepare(surfaces, look); !ready) return ready.error();
 
@@ -278,9 +293,9 @@ Result<DrawCounts> Renderer::Impl::drawView(const SceneFrame& frame, const LinkL
                              surfaces);
   }
   textures.endPlainFiltering();
-  if (Status lines = drawEdges(sets, style, camera); !lines) return lines.error();
+  if (Status lines = drawEdges(sets, frame, camera); !lines) return lines.error();
   if (look.grid && choice.layerVisible("grid")) {
-    const Status grid = passes->grid.draw(camera, look, surfaces.shadows);
+    const Status grid = passes->grid.draw(camera, look, frame.scale, surfaces.shadows);
     if (!grid) return grid.error();
   }
   // Before what is translucent, so that a planner's line shows through a ghost.
@@ -315,8 +330,8 @@ void Renderer::Impl::drawInsetFrames(const SceneFrame& frame, const FrameBuffer&
     // Seen in pixels of the whole picture, cut off at the inset's edges.
     setViewport(gl, inset.part, target.height());
     gl.Viewport(0, 0, target.width(), target.height());
-    Overlay overlay(whole);
-    addInsetFrame(overlay, inset, atlas);
+    Overlay overlay(whole, frame.scale);
+    addInsetFrame(overlay, inset, atlasOf(frame.scale));
     passes->overlay.drawOnTop(overlay);
   }
 }
@@ -325,6 +340,7 @@ Result<DrawCounts> Renderer::draw(const SceneFrame& frame, const FrameBuffer& ta
   Impl& my = *impl_;
   const auto looks = my.looksOf(frame);
   if (!looks) return looks.error();
+  my.passes->overlay.useText(my.atlasOf(frame.scale));
   target.bind();
   const PixelRectangle whole{0, 0, target.width(), target.height()};
   auto counts = my.drawView(frame, *looks, frame.camera, whole, target.height());
@@ -344,7 +360,8 @@ Result<DrawCounts> Renderer::draw(const SceneFrame& frame, const FrameBuffer& ta
 
 Status Renderer::drawOnTop(const SceneFrame& frame, const FrameBuffer& target,
                            const std::function<void(std::size_t)>& refill_inset) {
-  const Impl& my = *impl_;
+  Impl& my = *impl_;
+  my.passes->overlay.useText(my.atlasOf(frame.scale));
   target.resolve();
   const auto drawView = [&](const CameraView& view, const PixelRectangle& part) {
     my.passes->beginOnTop(part, target.height());
@@ -402,7 +419,7 @@ Status Renderer::Impl::drawNumbers(const SceneFrame& frame, const LinkLooks& loo
     if (set.list->wireframe.empty()) continue;
     const auto edges = look_passes.edges();
     if (!edges) return edges.error();
-    (*edges)->draw(set.list->wireframe, *set.catalog, camera, EdgeChoice::all,
+    (*edges)->draw(set.list->wireframe, *set.catalog, camera, frame.scale, EdgeChoice::all,
                    [&](const DrawItem& item) { return IdentityPass::colorOf(number_of(item)); });
   }
   return {};
@@ -421,11 +438,11 @@ Result<IdentityFrame> Renderer::identity(const SceneFrame& frame, const FrameBuf
     const Camera camera = my.cameraOf(frame, view, part.width, part.height);
     my.identity_pass->begin(part, target.height());
     if (Status drawn = my.drawNumbers(frame, *looks, camera, number_of); !drawn) return drawn;
-    Overlay in_scene(camera);
+    Overlay in_scene(camera, frame.scale);
     addLinesAndPoints(in_scene, frame.scene->drawings, *frame.choice);
     my.identity_pass->drawOverlay(in_scene, numbers.ofVertices(in_scene), true);
-    Overlay on_top(camera);
-    addLabels(on_top, frame.scene->drawings, *frame.choice, camera, my.atlas,
+    Overlay on_top(camera, frame.scale);
+    addLabels(on_top, frame.scene->drawings, *frame.choice, camera, my.atlasOf(frame.scale),
               styleOf(frame).labels);
     my.identity_pass->drawOverlay(on_top, numbers.ofVertices(on_top), false);
     return {};
@@ -472,7 +489,7 @@ Bounds Renderer::visibleBounds(const PosedScene& scene, const ViewChoice& choice
 
 const GlTable& Renderer::gl() const { return impl_->gl; }
 const RendererKey& Renderer::key() const { return impl_->key; }
-const TextAtlas& Renderer::text() const { return impl_->atlas; }
+const TextAtlas& Renderer::text(double scale) const { return impl_->atlasOf(scale); }
 const std::string& Renderer::inputsHash() const { return impl_->inputs_text; }
 const std::vector<std::string>& Renderer::warnings() const { return impl_->textures.warnings(); }
 

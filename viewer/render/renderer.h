@@ -42,6 +42,9 @@ struct SceneFrame {
   const FrameExtras* extras = nullptr;   ///< what limits and trails of `style` need; null: neither
   std::span<const FrameInset> insets{};  ///< later ones over earlier ones
   DetailLevel detail{};                  ///< the default draws everything
+  /// Times the size in pixels of text, lines, points, gnomon, scale bar and inset frames: 0.5 to 4,
+  /// for pictures of more pixels on as much paper or screen.
+  double scale = 1;
   /// Gnomon and scale bar of the main view stand so much higher: over a window's time bar.
   int raised_px = 0;
   /// Labels, gnomon, scale bar and the frames of insets with the scene; else by drawOnTop().
@@ -103,7 +106,8 @@ class Renderer {
 
   const GlTable& gl() const;
   const RendererKey& key() const;
-  const TextAtlas& text() const;
+  /// The glyphs of a picture of that scale.
+  const TextAtlas& text(double scale) const;
   /// XXH3 of vertex buffers, decoded textures and glyphs.
   const std::string& inputsHash() const;
   /// Textures that could not be read.

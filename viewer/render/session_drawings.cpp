@@ -42,7 +42,7 @@ struct PlacedLabel {
 };
 
 /// `labels`: the farthest first.
-void addLabelsApart(Overlay& overlay, const std::vector<PlacedLabel>& labels, const Camera& camera,
+void addLabelsApart(Overlay& overlay, const std::vector<PlacedLabel>& labels,
                     const TextAtlas& atlas) {
   std::vector<const PlacedLabel*> seen;
   std::vector<LabelAnchor> anchors;
@@ -50,11 +50,11 @@ void addLabelsApart(Overlay& overlay, const std::vector<PlacedLabel>& labels, co
     const auto anchor = overlay.labelAnchor(label->world);
     if (!anchor) continue;
     seen.push_back(&*label);
-    anchors.push_back({anchor->x, anchor->y, atlas.measure(label->drawing->text)});
+    anchors.push_back({anchor->x, anchor->y, overlay.measure(atlas, label->drawing->text)});
   }
   // The corners where gnomon and scale bar stand.
-  const int w = camera.width();
-  const int h = camera.height();
+  const int w = static_cast<int>(overlay.width());
+  const int h = static_cast<int>(overlay.height());
   const std::vector<ScreenBox> taken{{0, h - 84, 84, h}, {w - 200, h - 50, w, h}};
   const auto plates = layOutLabels(anchors, taken, w, h);
   // Dots before plates, so that none stands on a text.
@@ -131,7 +131,7 @@ void addLabels(Overlay& overlay, const std::vector<PosedDrawing>& drawings,
   std::stable_sort(labels.begin(), labels.end(),
                    [](const PlacedLabel& a, const PlacedLabel& b) { return a.depth > b.depth; });
   if (style == LabelStyle::apart) {
-    addLabelsApart(overlay, labels, camera, atlas);
+    addLabelsApart(overlay, labels, atlas);
     return;
   }
   for (const PlacedLabel& label : labels) {

@@ -159,6 +159,7 @@ in vec3 from_eye;
 #endif
 uniform float grid_step;
 uniform float half_size;
+uniform float scale;
 out vec4 color;
 
 // How much of a pixel the lines of one step cover: `wide` pixels each, fading out where they stand
@@ -167,14 +168,14 @@ float covered(float apart, float wide) {
   vec2 place = ground / apart;
   vec2 pixel = vec2(sqrt(dFdx(place.x) * dFdx(place.x) + dFdy(place.x) * dFdy(place.x)),
                     sqrt(dFdx(place.y) * dFdx(place.y) + dFdy(place.y) * dFdy(place.y)));
-  pixel = max(pixel, vec2(1e-6));
+  pixel = max(pixel, vec2(1e-6)) * scale;
   vec2 away = abs(fract(place - 0.5) - 0.5) / pixel;
   vec2 line = clamp(vec2(wide * 0.5 + 0.5) - away, 0.0, 1.0);
   line *= clamp(vec2(1.4) - pixel * 4.0, 0.0, 1.0);
   return max(line.x, line.y);
 }
 float axis(float place) {
-  float pixel = max(sqrt(dFdx(place) * dFdx(place) + dFdy(place) * dFdy(place)), 1e-6);
+  float pixel = max(sqrt(dFdx(place) * dFdx(place) + dFdy(place) * dFdy(place)), 1e-6) * scale;
   return clamp(1.5 - abs(place) / pixel, 0.0, 1.0);
 }
 

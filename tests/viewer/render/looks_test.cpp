@@ -242,6 +242,12 @@ TEST(Looks, TheLineAroundAThingIsTwoAndAHalfPixelsWide) {
   EXPECT_EQ(row(2), (std::vector<int>{0, 0, 255, 255, 0, 255, 255, 0, 0}));
   EXPECT_EQ(row(3), row(1));
   EXPECT_EQ(row(4), row(0));
+
+  std::vector<std::uint8_t> large(21 * 21, 0);
+  large[10 * 21 + 10] = 255;
+  const auto twice = outlineOf(large, 21, 21, 2);
+  for (std::size_t off = 1; off <= 5; ++off) EXPECT_EQ(twice[10 * 21 + 10 + off], 255) << off;
+  EXPECT_EQ(twice[10 * 21 + 16], 0);
 }
 
 TEST(Looks, WireframeShowsWhatIsBehindAndTransparentBoth) {

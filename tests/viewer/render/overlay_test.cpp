@@ -73,6 +73,34 @@ TEST(Overlay, SizesAreBounded) {
   EXPECT_LE(heightOf(overlay), 258);
 }
 
+TEST(Overlay, AtScaleTwoAPictureOfTwiceThePixelsIsLaidOutAlike) {
+  const auto verticesAt = [](int scale) {
+    CameraView view;
+    view.eye = {3, -10, 4};
+    const Camera camera(view, 400 * scale, 300 * scale, ClipDepth::zero_to_one, 64);
+    Overlay overlay(camera, scale);
+    overlay.addLine({{-1, 0, 0}, {1, 2, 0}, {1, 2, 3}}, 0xFF0000FF, 4);
+    overlay.addPoint({0, 1, 1}, 0xFF0000FF, 5);
+    overlay.addRibbon({{{0, 0, 0}, 0xFF, 3}, {{1, 0, 0}, 0xFF, 3}, {{1, 1, 0}, 0xFF, 3}});
+    overlay.addGnomon(TextAtlas(16 * scale));
+    overlay.addScaleBar(TextAtlas(16 * scale), {1, 150, "1 m"});
+    std::vector<glm::vec4> corners;
+    for (const OverlayVertex& vertex : overlay.vertices()) {
+      // Glyphs stand on whole pixels.
+      if (vertex.kind != OverlayKind::text) corners.push_back(vertex.clip / vertex.clip.w);
+    }
+    return corners;
+  };
+  const auto once = verticesAt(1);
+  const auto twice = verticesAt(2);
+  ASSERT_EQ(once.size(), twice.size());
+  for (std::size_t i = 0; i < once.size(); ++i) {
+    // A text's width is rounded up to whole pixels: one of them.
+    EXPECT_NEAR(once[i].x, twice[i].x, 2.0 / 400) << i;
+    EXPECT_NEAR(once[i].y, twice[i].y, 2.0 / 300) << i;
+  }
+}
+
 TEST(Overlay, ALabelStaysInsideThePictureWhereItFits) {
   const Camera camera = frontCamera(true);
   const TextAtlas atlas(16);
