@@ -49,6 +49,7 @@ std::vector<std::string> evidenceArguments(const EvidenceRequest& request) {
   words.push_back("--camera=" +
                   (request.camera.empty() ? viewpointText(request.view) : request.camera));
   add("--size", fmt::format("{}x{}", request.width, request.height));
+  if (request.scale != 1) add("--scale", fmt::format("{}", request.scale));
   add("--samples", fmt::format("{}", request.samples));
   for (const std::string& path : request.hide) add("--hide", path);
   for (const std::string& path : request.show) add("--show", path);

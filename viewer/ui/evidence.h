@@ -21,6 +21,7 @@ struct EvidenceRequest {
   std::string camera;               ///< by name; empty: `view`
   CameraView view;
   int width = 0, height = 0, samples = 4;
+  double scale = 1;
   std::vector<std::string> hide, show, insets;
   RenderStyle style;
   std::vector<std::filesystem::path> search;

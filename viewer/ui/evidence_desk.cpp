@@ -19,7 +19,7 @@ std::string sinceOrigin(const ViewModel& model) {
 
 }  // namespace
 
-Result<EvidenceRequest> EvidenceDesk::requestOf(ViewModel& model, int width, int height) const {
+Result<EvidenceRequest> EvidenceDesk::requestOf(ViewModel& model, const WindowSize& size) const {
   if (model.isLive()) {
     return Error{ErrorKind::bad_argument,
                  "an evidence picture is made of a log: record the session, then view that",
@@ -31,8 +31,9 @@ Result<EvidenceRequest> EvidenceDesk::requestOf(ViewModel& model, int width, int
   if (model.session() != nullptr) request.at = sinceOrigin(model);
   request.camera = model.cameraName();
   request.view = model.cameraView();
-  request.width = width;
-  request.height = height;
+  request.width = size.width;
+  request.height = size.height;
+  request.scale = size.scale;
   // What llvmpipe, which makes it, has.
   request.samples = options_.samples > 1 ? 4 : 1;
   request.hide = model.hiddenPaths();
@@ -44,9 +45,9 @@ Result<EvidenceRequest> EvidenceDesk::requestOf(ViewModel& model, int width, int
   return request;
 }
 
-void EvidenceDesk::ask(ViewModel& model, int width, int height, SteadyTime now) {
+void EvidenceDesk::ask(ViewModel& model, const WindowSize& size, SteadyTime now) {
   if (running_) return say("a picture is still being made", true, now);
-  auto request = requestOf(model, width, height);
+  auto request = requestOf(model, size);
   if (!request.ok()) return say(request.error().text(), true, now);
   std::error_code ignored;
   const std::string stem = (options_.log.empty() ? options_.cell : options_.log).stem().string();
@@ -59,8 +60,8 @@ void EvidenceDesk::ask(ViewModel& model, int width, int height, SteadyTime now) 
   say("rocinante render makes the picture ...", false, now);
 }
 
-Status EvidenceDesk::make(ViewModel& model, int width, int height, const fs::path& file) {
-  auto request = requestOf(model, width, height);
+Status EvidenceDesk::make(ViewModel& model, const WindowSize& size, const fs::path& file) {
+  auto request = requestOf(model, size);
   if (!request.ok()) return request.error();
   request->output = file;
   auto run = EvidenceRun::start(*request);

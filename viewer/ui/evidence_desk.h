@@ -10,6 +10,12 @@
 
 namespace rocinante {
 
+/// Of the picture, in pixels, and how large its text is.
+struct WindowSize {
+  int width = 0, height = 0;
+  double scale = 1;
+};
+
 /// Takes orders for evidence pictures of what the window shows, one at a time, and says what became
 /// of them. Main thread; borrows the options.
 class EvidenceDesk {
@@ -17,9 +23,9 @@ class EvidenceDesk {
   explicit EvidenceDesk(const ViewOptions& options) : options_(options) {}
 
   /// Begins a picture in the working folder; a second one while the first is at work is refused.
-  void ask(ViewModel& model, int width, int height, SteadyTime now);
+  void ask(ViewModel& model, const WindowSize& size, SteadyTime now);
   /// The same into `file`, and waits for it.
-  Status make(ViewModel& model, int width, int height, const std::filesystem::path& file);
+  Status make(ViewModel& model, const WindowSize& size, const std::filesystem::path& file);
   /// Looks whether the picture at work is done.
   void look(SteadyTime now);
 
@@ -29,7 +35,7 @@ class EvidenceDesk {
   bool noticeIsFault() const { return notice_is_fault_; }
 
  private:
-  Result<EvidenceRequest> requestOf(ViewModel& model, int width, int height) const;
+  Result<EvidenceRequest> requestOf(ViewModel& model, const WindowSize& size) const;
 
   const ViewOptions& options_;
   std::optional<EvidenceRun> running_;

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <functional>
 #include <vector>
 
+#include "core/count_text.h"
 #include "viewer/ui/panel_parts.h"
 
 namespace rocinante {
@@ -12,6 +12,7 @@ namespace {
 
 constexpr float kGraphWidth = 208;
 constexpr float kGraphHeight = 44;
+const ImVec4 kAmissColor{1, 0.55F, 0.45F, 1};
 
 struct Stage {
   const char* name;
@@ -25,24 +26,18 @@ constexpr std::array kStages{
     Stage{"ui", &FrameTimes::ui, IM_COL32(200, 150, 230, 255)},
 };
 
-/// Of several sources those that lost something, the most first.
-void drawSources(const LiveSnapshot& live) {
-  constexpr std::size_t kMost = 4;
-  const auto& counts = live.state.counts();
-  if (counts.size() < 2) return;
-  ImGui::Text("%zu sources", counts.size());
-  std::vector<std::pair<std::uint64_t, const std::string*>> lossy;
-  for (const auto& [name, one] : counts) {
-    if (one.gap > 0) lossy.emplace_back(one.gap, &name);
-  }
-  std::ranges::stable_sort(lossy, std::greater(), [](const auto& one) { return one.first; });
-  for (std::size_t i = 0; i < std::min(lossy.size(), kMost); ++i) {
-    ImGui::TextDisabled("  %s: %llu lost", lossy[i].second->c_str(),
-                        static_cast<unsigned long long>(lossy[i].first));
-  }
+/// How many sources speak; the tab of the panel on the left has them one by one.
+void drawSourceCount(const ViewModel& model, SteadyTime now) {
+  const std::vector<SourceRow> rows = model.sourceRows(now);
+  if (rows.empty()) return;
+  ImGui::TextUnformatted(countText(rows.size(), "source").c_str());
+  const auto silent = std::ranges::count_if(rows, &SourceRow::is_silent);
+  if (silent == 0) return;
+  ImGui::SameLine(0, 0);
+  ImGui::TextColored(kAmissColor, ", %td silent", silent);
 }
 
-void drawLive(const ViewModel& model) {
+void drawLive(const ViewModel& model, SteadyTime now) {
   for (const Endpoint& endpoint : model.feed().endpoints()) {
     ImGui::TextUnformatted(endpoint.text().c_str());
   }
@@ -52,33 +47,31 @@ void drawLive(const ViewModel& model) {
     return;
   }
   ImGui::Text("%.0f packets/s", live->rate_hz);
-  ImGui::Text("%llu datagrams", static_cast<unsigned long long>(live->datagrams));
+  ImGui::TextUnformatted(countText(live->datagrams, "datagram").c_str());
   const std::uint64_t lost = live->dropped + live->gaps;
-  const ImVec4 color = lost == 0 ? ImVec4(0.55F, 0.85F, 0.62F, 1) : ImVec4(1, 0.55F, 0.45F, 1);
+  const ImVec4 color = lost == 0 ? ImVec4(0.55F, 0.85F, 0.62F, 1) : kAmissColor;
   ImGui::TextColored(color, "lost: %llu by this machine, %llu before",
                      static_cast<unsigned long long>(live->dropped),
                      static_cast<unsigned long long>(live->gaps));
-  drawSources(*live);
+  drawSourceCount(model, now);
   if (live->undecoded > 0) {
     ImGui::Text("not packets: %llu", static_cast<unsigned long long>(live->undecoded));
   }
 }
 
-void drawSession(const ViewModel& model) {
+void drawSession(const ViewModel& model, SteadyTime now) {
   if (model.isLive()) {
-    drawLive(model);
+    drawLive(model, now);
   } else if (const Timeline* session = model.session()) {
     ImGui::TextUnformatted(
         std::filesystem::path(session->log().name()).filename().string().c_str());
-    ImGui::Text("%llu datagrams",
-                static_cast<unsigned long long>(session->log().summary().messages));
-    const ImVec4 fault(1, 0.55F, 0.45F, 1);
+    ImGui::TextUnformatted(countText(session->log().summary().messages, "datagram").c_str());
     if (const std::size_t places = session->log().damage().size(); places > 0) {
-      ImGui::TextColored(fault, "damaged in %zu place%s", places, places == 1 ? "" : "s");
+      ImGui::TextColored(kAmissColor, "damaged in %s", countText(places, "place").c_str());
       explain("rocinante log doctor says where, and what it cost");
     }
     if (model.recordedLosses() > 0) {
-      ImGui::TextColored(fault, "%llu lost while recording",
+      ImGui::TextColored(kAmissColor, "%llu lost while recording",
                          static_cast<unsigned long long>(model.recordedLosses()));
       explain("counted by the recorder; rocinante log info says when");
     }
@@ -179,7 +172,7 @@ void drawBrief(const ViewModel& model, const ViewerStatus& status) {
   const LiveSnapshot* live = model.live();
   if (live != nullptr) ImGui::Text("%.0f packets/s", live->rate_hz);
   if (live != nullptr && live->dropped + live->gaps > 0) {
-    ImGui::TextColored(ImVec4(1, 0.55F, 0.45F, 1), "%llu lost",
+    ImGui::TextColored(kAmissColor, "%llu lost",
                        static_cast<unsigned long long>(live->dropped + live->gaps));
   }
   if (status.tells_times && status.times.count() > 0) {
@@ -191,7 +184,7 @@ void drawBrief(const ViewModel& model, const ViewerStatus& status) {
 
 }  // namespace
 
-float drawFigures(const ViewModel& model, const ViewerStatus& status, bool brief,
+float drawFigures(const ViewModel& model, const ViewerStatus& status, SteadyTime now, bool brief,
                   ViewerWishes& wishes) {
   const ImGuiIO& io = ImGui::GetIO();
   ImGui::SetNextWindowPos(ImVec2(io.DisplaySize.x - px(kPanelMargin), px(kPanelMargin)),
@@ -200,8 +193,8 @@ float drawFigures(const ViewModel& model, const ViewerStatus& status, bool brief
   if (brief) {
     drawBrief(model, status);
   } else {
-    drawSession(model);
-    ImGui::Text("%llu triangles", static_cast<unsigned long long>(status.triangles));
+    drawSession(model, now);
+    ImGui::TextUnformatted(countText(status.triangles, "triangle").c_str());
     if (status.tells_times && status.times.count() > 0) drawTimes(status);
     drawRung(status, wishes);
     ImGui::TextDisabled("%s", status.renderer.c_str());

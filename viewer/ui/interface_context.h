@@ -20,6 +20,7 @@ class InterfaceContext {
   /// Text and spacing for a screen of that scale, 1 to 4; true when they became others: the glyphs
   /// must then be uploaded anew. Between frames.
   bool useScale(float scale);
+  float scale() const { return scale_; }
   void beginFrame(int width, int height);
 
  private:

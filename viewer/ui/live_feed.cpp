@@ -102,6 +102,7 @@ void LiveFeed::Impl::run() {
   const auto decoder = makeDecoder("rk1");
   LiveSnapshot current;
   RateMeter meter;
+  SourceWatch watch;
   std::vector<pollfd> polls(sources.size());
   bool news = true;
   double told_rate = 0;
@@ -114,7 +115,9 @@ void LiveFeed::Impl::run() {
     ::poll(polls.data(), polls.size(), kPollMs);
     const std::uint64_t count = drain(*decoder, current);
     current.datagrams += count;
-    meter.add(steadyNow(), count);
+    const SteadyTime now = steadyNow();
+    meter.add(now, count);
+    news = watch.look(now, current.state.counts()) || news;
     current.rate_hz = meter.perSecond();
     current.dropped = 0;
     for (const auto& source : sources) current.dropped += source->dropped();
@@ -123,6 +126,8 @@ void LiveFeed::Impl::run() {
     current.gaps = 0;
     for (const auto& [source, counts] : current.state.counts()) current.gaps += counts.gap;
     auto copy = std::make_unique<LiveSnapshot>(current);
+    copy->sources = watch.sources();
+    copy->taken = now;
     LiveSnapshot* expected = nullptr;
     if (mailbox.compare_exchange_strong(expected, copy.get(), std::memory_order_acq_rel)) {
       static_cast<void>(copy.release());

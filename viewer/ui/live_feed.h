@@ -8,6 +8,7 @@
 #include "core/net/endpoint.h"
 #include "core/packet/session_state.h"
 #include "core/result.h"
+#include "viewer/ui/source_watch.h"
 
 namespace rocinante {
 
@@ -21,6 +22,8 @@ struct LiveSnapshot {
   std::uint64_t dropped = 0;     ///< by the kernel: its buffer was full
   std::uint64_t gaps = 0;        ///< sequence numbers never seen, all sources
   double rate_hz = 0;            ///< datagrams in the last second
+  std::vector<LiveSource> sources;
+  SteadyTime taken{};  ///< when it was handed over
 };
 
 /// Listens in a thread of its own, so that packets never slow a frame and a frame never loses a

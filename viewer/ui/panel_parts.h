@@ -19,16 +19,20 @@ constexpr ImGuiWindowFlags kPanelFlags =
 // Tabs of the panel on the left.
 void drawSceneTab(ViewModel& model, ViewerWishes& wishes);
 void drawLookTab(ViewModel& model);
+void drawSourcesTab(ViewModel& model, SteadyTime now);
 void drawEventsTab(ViewModel& model, SteadyTime now, ViewerWishes& wishes);
 
 /// The figures in the top right corner, all or the most needed; answers where they end.
-float drawFigures(const ViewModel& model, const ViewerStatus& status, bool brief,
+float drawFigures(const ViewModel& model, const ViewerStatus& status, SteadyTime now, bool brief,
                   ViewerWishes& wishes);
 /// Values of the selected device's joints, below `top` where there is room; answers where they end.
 float drawDevicePanel(ViewModel& model, float top);
 /// The time line at the bottom, with its events.
 void drawTimeBar(ViewModel& model, Transport& transport, SteadyTime now);
 void drawHelp(ViewModel& model);
+
+/// Whether the word is somewhere in the text, whatever the case of its letters.
+bool containsWord(std::string_view text, std::string_view word);
 
 /// A tool tip for what was drawn last.
 inline void explain(const char* text) {

@@ -24,6 +24,10 @@ void drawScenePanel(ViewModel& model, SteadyTime now, ViewerWishes& wishes) {
       drawLookTab(model);
       ImGui::EndTabItem();
     }
+    if (model.isLive() && ImGui::BeginTabItem("Sources")) {
+      drawSourcesTab(model, now);
+      ImGui::EndTabItem();
+    }
     if (model.transport() != nullptr && ImGui::BeginTabItem("Events")) {
       drawEventsTab(model, now, wishes);
       ImGui::EndTabItem();
@@ -133,7 +137,7 @@ CoveredEdges drawPanels(ViewModel& model, const ViewerStatus& status, SteadyTime
     float right_end = 0;
     if (layout.figures != PanelLayout::Figures::none) {
       const bool brief = layout.figures == PanelLayout::Figures::brief;
-      right_end = drawFigures(model, status, brief, wishes);
+      right_end = drawFigures(model, status, now, brief, wishes);
       middle.right = size.x - px(brief ? 150 : 270);
     }
     if (layout.device) right_end = drawDevicePanel(model, right_end + px(kPanelMargin));

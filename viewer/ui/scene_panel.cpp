@@ -10,9 +10,6 @@
 #include "viewer/ui/panel_parts.h"
 
 namespace rocinante {
-namespace {
-
-/// Whether the word is somewhere in the text, whatever the case of its letters.
 bool containsWord(std::string_view text, std::string_view word) {
   const auto same = [](char a, char b) {
     return std::tolower(static_cast<unsigned char>(a)) ==
@@ -20,6 +17,8 @@ bool containsWord(std::string_view text, std::string_view word) {
   };
   return !std::ranges::search(text, word, same).empty() || word.empty();
 }
+
+namespace {
 
 /// A check box for what is seen now. Who chose otherwise than packets and cell sees that, and can
 /// give it back.

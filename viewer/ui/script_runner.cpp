@@ -31,9 +31,9 @@ Status ScriptRunner::applyLook(const ViewCommand& command, const ScriptStage& st
   const std::string& first = command.words.front();
   if (command.name == "style") {
     RenderStyle style = model.style();
-    if (auto set = setStyle(style, first, command.words[1]); !set) {
-      return faultAt(command, set.error().text());
-    }
+    Status set = setStyle(style, first, command.words[1]);
+    if (set) set = model.names().check(style);
+    if (!set) return faultAt(command, set.error().text());
     model.setStyle(style);
   } else if (command.name == "panels") {
     model.panels_shown = first != "off";
@@ -41,6 +41,8 @@ Status ScriptRunner::applyLook(const ViewCommand& command, const ScriptStage& st
     model.help_shown = first != "off";
   } else if (command.name == "insets") {
     for (InsetChoice& inset : model.insets) inset.shown = first != "off";
+  } else if (auto known = model.names().check({first}); !known) {
+    return faultAt(command, known.error().text());
   } else if (command.name == "select") {
     const std::size_t slash = first.find('/');
     model.selected.device = first.substr(0, slash);

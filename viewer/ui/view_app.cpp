@@ -69,6 +69,7 @@ class ViewApp {
   void clickAt(const PictureClick& click);
   Status runScript();
   void waitForNews(bool changed);
+  WindowSize size() const { return {width_, height_, interface_.scale()}; }
 
   ViewModel& model_;
   const ViewOptions& options_;
@@ -149,7 +150,9 @@ Status ViewApp::prepareView() {
   if (width != width_ || height != height_) governor_.forget();
   width_ = width;
   height_ = height;
-  if (!scripted() && interface_.useScale(window_->contentScale())) painter_->refreshFont();
+  const float screen_scale = scripted() ? 1 : window_->contentScale();
+  const float scale = options_.scale ? static_cast<float>(*options_.scale) : screen_scale;
+  if (interface_.useScale(scale)) painter_->refreshFont();
   prepareDetail();
   return view_.prepare(renderer_.gl(), width, height, options_.samples,
                        kDetailRungs[static_cast<std::size_t>(status_.rung)]);
@@ -157,7 +160,7 @@ Status ViewApp::prepareView() {
 
 Result<DrawCounts> ViewApp::drawScene() {
   const RenderStyle style = model_.frameStyle();
-  insets_ = frameInsets(model_, fitted_, width_, height_, covered_);
+  insets_ = frameInsets(model_, fitted_, width_, height_, interface_.scale(), covered_);
   SceneFrame frame;
   frame.scene = &model_.scene();
   frame.camera = model_.cameraView();
@@ -166,6 +169,7 @@ Result<DrawCounts> ViewApp::drawScene() {
   frame.extras = &model_.extras();
   frame.insets = insets_;
   frame.raised_px = covered_.bottom;
+  frame.scale = interface_.scale();
   return view_.draw(renderer_, frame);
 }
 
@@ -255,7 +259,7 @@ void ViewApp::grantWishes(const ViewerWishes& wishes) {
     useRung(status_.rung_fixed ? *wishes.rung : governor_.rung());
     governor_.forget();
   }
-  if (wishes.evidence) evidence_.ask(model_, width_, height_, now());
+  if (wishes.evidence) evidence_.ask(model_, size(), now());
   evidence_.look(now());
   status_.notice = evidence_.notice();
   status_.notice_is_fault = evidence_.noticeIsFault();
@@ -277,16 +281,15 @@ void ViewApp::waitForNews(bool changed) {
 }
 
 Status ViewApp::runScript() {
-  ScriptStage stage{model_,
-                    now(),
-                    width_,
-                    height_,
-                    [this] { return visibleCorners(); },
-                    [this](const PictureClick& click) { clickAt(click); },
-                    [this](const ViewerWishes& wishes) { grantWishes(wishes); },
-                    [this](const std::filesystem::path& file) {
-                      return evidence_.make(model_, width_, height_, file);
-                    }};
+  ScriptStage stage{
+      model_,
+      now(),
+      width_,
+      height_,
+      [this] { return visibleCorners(); },
+      [this](const PictureClick& click) { clickAt(click); },
+      [this](const ViewerWishes& wishes) { grantWishes(wishes); },
+      [this](const std::filesystem::path& file) { return evidence_.make(model_, size(), file); }};
   return script_.beforeFrame(stage);
 }
 

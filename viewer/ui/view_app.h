@@ -16,6 +16,9 @@ struct ViewOptions {
   int width = 1280;
   int height = 720;
   int samples = 4;
+  /// Of text and panels, and of what of the picture has its size in pixels: 1 to 4; empty: as the
+  /// screen asks for it, and 1 under a script.
+  std::optional<double> scale;
   Profile profile = Profile::fast;
   /// A rung of kDetailRungs to stay on; empty: in the fast profile what holds `target_fps`, else
   /// everything.

@@ -44,9 +44,9 @@ PixelRectangle movedOff(PixelRectangle part, InsetCorner corner, int width, int 
 }  // namespace
 
 std::vector<FrameInset> frameInsets(const ViewModel& model, FittedCameras& fitted, int width,
-                                    int height, const CoveredEdges& covered) {
+                                    int height, double scale, const CoveredEdges& covered) {
   const std::vector<CellInset> insets = shownInsets(model);
-  const std::vector<PixelRectangle> parts = placeInsets(insets, width, height);
+  const std::vector<PixelRectangle> parts = placeInsets(insets, width, height, scale);
   std::vector<FrameInset> shown;
   for (std::size_t i = 0; i < insets.size(); ++i) {
     if (parts[i].width == 0 || parts[i].height == 0) continue;

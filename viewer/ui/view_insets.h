@@ -17,7 +17,7 @@ struct CoveredEdges {
 /// The insets that are shown, where they stand in a window of that size: as in a picture, but moved
 /// away from what panels cover. One whose camera is not there is left out. `fitted` is prepared.
 std::vector<FrameInset> frameInsets(const ViewModel& model, FittedCameras& fitted, int width,
-                                    int height, const CoveredEdges& covered);
+                                    int height, double scale, const CoveredEdges& covered);
 
 /// "CAMERA:CORNER" of each inset that is shown, as `rocinante render --inset` takes them.
 std::vector<std::string> insetWords(const ViewModel& model);

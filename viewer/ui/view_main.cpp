@@ -32,6 +32,7 @@ struct Arguments {
   std::vector<std::filesystem::path> search;
   bool is_live = false, search_environment = true;
   int samples = 4;
+  std::optional<double> scale;
 };
 
 Result<std::optional<LiveFeed>> openFeed(const Arguments& arguments) {
@@ -58,6 +59,7 @@ Result<ViewOptions> viewOptions(const Arguments& arguments) {
                  "--size " + arguments.size};
   }
   options.samples = arguments.samples;
+  options.scale = arguments.scale;
   options.target_fps = arguments.target_fps;
   options.cell = arguments.cell;
   options.log = arguments.log;
@@ -127,8 +129,18 @@ Result<Exit> view(const Arguments& arguments) {
   for (const std::string& word : arguments.styles) {
     if (auto set = setStyle(style, word); !set) return set.error();
   }
+  if (auto known = model->names().check(style); !known) return known.error();
   model->setStyle(style);
-  if (!arguments.camera.empty()) model->useCamera(arguments.camera);
+  for (const auto* paths : {&arguments.hide, &arguments.show}) {
+    for (const std::string& path : *paths) {
+      const std::string doubt = model->names().doubtAbout(path);
+      if (!doubt.empty()) cli::warn(doubt);
+    }
+  }
+  if (!arguments.camera.empty()) {
+    if (auto known = model->names().checkCamera(arguments.camera); !known) return known.error();
+    model->useCamera(arguments.camera);
+  }
   if (!arguments.at.empty()) {
     Transport* transport = model->transport();
     if (transport == nullptr) {
@@ -167,6 +179,9 @@ int viewMain(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--style", arguments.styles,
                  "a look, KEY or KEY=VALUE, as `rocinante render` takes them; repeatable");
+  app.add_option("--scale", arguments.scale,
+                 "of text, panels and lines, 1 to 4; without, as the screen asks for it")
+      ->check(CLI::Range(1.0, 4.0));
   app.add_option("--samples", arguments.samples, "multisampling: 1, 2, 4 or 8")
       ->check(CLI::IsMember({1, 2, 4, 8}))
       ->capture_default_str();

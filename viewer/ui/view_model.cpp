@@ -21,6 +21,12 @@ Result<ViewModel> ViewModel::make(Cell cell, std::optional<Timeline> session,
   ViewModel model;
   model.cell_ = std::make_unique<Cell>(std::move(cell));
   model.poses_.emplace(*model.cell_);
+  model.names_.emplace(*model.cell_);
+  if (session) model.names_->useLog(session->log().name());
+  if (feed) model.names_->expectOthers();
+  for (Status known : {model.names_->check(hide), model.names_->check(show)}) {
+    if (!known) return known.error();
+  }
   model.hidden_.insert(hide.begin(), hide.end());
   model.shown_paths_.insert(show.begin(), show.end());
   if (auto chosen = model.updateChoice(); !chosen) return chosen.error();
@@ -76,6 +82,7 @@ Result<bool> ViewModel::update(SteadyTime now) {
     if (auto snapshot = feed_->take()) {
       if (snapshot->datagrams > (live_ ? live_->datagrams : 0)) last_arrival_ = now;
       live_ = std::move(snapshot);
+      live_at_ = now;
       state_ = &live_->state;
       moment = live_->time;
       changed = true;
@@ -111,6 +118,13 @@ std::optional<LiveReason> ViewModel::liveReason(SteadyTime now) const {
     if (any_known) facts.unknown_device.clear();
   }
   return rocinante::liveReason(facts);
+}
+
+std::vector<SourceRow> ViewModel::sourceRows(SteadyTime now) const {
+  if (!live_) return rocinante::sourceRows({}, *cell_, {});
+  // The feed's clock is not the one of a script: only differences count.
+  const Nanoseconds since = live_at_ ? now - *live_at_ : Nanoseconds(0);
+  return rocinante::sourceRows(live_->sources, *cell_, live_->taken + since);
 }
 
 Status ViewModel::addMark(const std::string& text) {

@@ -11,11 +11,13 @@
 #include "core/model/posed_scene.h"
 #include "core/session/timeline.h"
 #include "viewer/render/frame_extras.h"
+#include "viewer/render/known_names.h"
 #include "viewer/render/render_style.h"
 #include "viewer/render/trail_finder.h"
 #include "viewer/render/view_choice.h"
 #include "viewer/ui/live_feed.h"
 #include "viewer/ui/live_reason.h"
+#include "viewer/ui/source_rows.h"
 #include "viewer/ui/transport.h"
 #include "viewer/ui/turntable.h"
 
@@ -41,11 +43,14 @@ struct Selection {
 class ViewModel {
  public:
   /// The cell alone, a recorded session, or a live one: at most one of `session` and `feed`.
+  /// not_found for a PATH that names nothing (KnownNames).
   static Result<ViewModel> make(Cell cell, std::optional<Timeline> session,
                                 std::optional<LiveFeed> feed, std::vector<std::string> hide,
                                 std::vector<std::string> show);
 
   const Cell& cell() const { return *cell_; }
+  /// What PATHs and cameras' names can mean here.
+  KnownNames& names() { return *names_; }
   const SessionState& state() const { return *state_; }
   const PosedScene& scene() const { return scene_; }
   const ViewChoice& choice() const { return choice_; }
@@ -66,6 +71,8 @@ class ViewModel {
   Status addMark(const std::string& text);
   /// Null when not live, or when nothing has come yet.
   const LiveSnapshot* live() const { return live_.get(); }
+  /// The sources of a live session and those that the cell expects; valid until update().
+  std::vector<SourceRow> sourceRows(SteadyTime now) const;
   bool isLive() const { return feed_.has_value(); }
   const LiveFeed& feed() const { return *feed_; }
   /// Why nothing moves in a live session; empty otherwise.
@@ -113,6 +120,7 @@ class ViewModel {
   bool help_shown = false;
   std::array<char, 256> mark_text{};     ///< being typed; NUL-terminated
   std::array<char, 64> device_filter{};  ///< part of the names that are listed; NUL-terminated
+  std::array<char, 64> source_filter{};  ///< the same of sources
   std::set<std::string> open_devices;    ///< whose links are listed
   std::string complaint;                 ///< one sentence to show; empty: none
 
@@ -121,11 +129,12 @@ class ViewModel {
   Status updateChoice();
   Status findState(LogTime moment);
 
-  std::unique_ptr<Cell> cell_;  // does not move: the renderer borrows it
+  std::unique_ptr<Cell> cell_;       // does not move: the renderer borrows it
+  std::optional<KnownNames> names_;  // of *cell_
   std::optional<Timeline> session_;
   std::optional<LiveFeed> feed_;
   std::unique_ptr<LiveSnapshot> live_;
-  std::optional<SteadyTime> live_since_, last_arrival_;
+  std::optional<SteadyTime> live_since_, last_arrival_, live_at_;
   std::optional<Transport> transport_;
   std::optional<LogReader> walker_;  // over datagrams; made when it is first asked for
   std::uint64_t recorded_losses_ = 0;

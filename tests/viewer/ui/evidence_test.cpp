@@ -26,6 +26,7 @@ TEST(EvidenceArguments, SayAllThatThePictureIsAFunctionOf) {
   request.view.eye = {0.1, -4, 3};
   request.view.target = {0, 0, 0.5};
   request.hide = {"layer/labels"};
+  request.scale = 1.5;
   request.insets = {"map:top-left"};
   request.style.shadows = true;
   request.style.edges = EdgeStyle::only;
@@ -33,7 +34,8 @@ TEST(EvidenceArguments, SayAllThatThePictureIsAFunctionOf) {
   request.search_environment = true;
   EXPECT_EQ(shellLine("rocinante-render", evidenceArguments(request)),
             "rocinante-render cell.toml session.mcap --at 7.880000000 "
-            "--camera=@0.1,-4,3/0,0,0.5/fov=45 --size 1280x720 --samples 4 --hide layer/labels "
+            "--camera=@0.1,-4,3/0,0,0.5/fov=45 --size 1280x720 --scale 1.5 --samples 4 "
+            "--hide layer/labels "
             "--inset map:top-left --shadows=on --edges=only --search models --search-env "
             "-o out.png");
 }
