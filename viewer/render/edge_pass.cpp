@@ -37,6 +37,7 @@ EdgePass::EdgePass(const GlTable& gl, ShaderProgram program)
   uniforms_.near = program_.uniform("near");
   uniforms_.lift = program_.uniform("lift");
   uniforms_.low = program_.uniform("low");
+  uniforms_.alone = program_.uniform("alone");
   uniforms_.unit_px = program_.uniform("unit_px");
 }
 
@@ -116,6 +117,7 @@ void EdgePass::draw(const std::vector<DrawItem>& items, const SceneCatalog& cata
   gl_.Uniform1f(uniforms_.near, camera.orthographic() ? 0.5F : static_cast<float>(camera.near()));
   gl_.Uniform1f(uniforms_.low, zero_to_one ? 0 : 1);
   gl_.Uniform1i(uniforms_.every_edge, choice == EdgeChoice::all ? 1 : 0);
+  gl_.Uniform1i(uniforms_.alone, choice == EdgeChoice::features_alone ? 1 : 0);
   // Nearer by a ten-thousandth of the distance. An orthographic camera has none: by as much of the
   // depth there is as a pixel is wide.
   constexpr double kLift = 1e-4;

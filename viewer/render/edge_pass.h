@@ -12,8 +12,9 @@
 namespace rocinante {
 
 enum class EdgeChoice {
-  features,  ///< borders, creases, and outlines as seen from the camera
-  all,       ///< every edge of every triangle
+  features,        ///< borders, creases, and outlines as seen from the camera
+  features_alone,  ///< those, where surfaces are not seen: fading less with distance
+  all,             ///< every edge of every triangle
 };
 
 /// Draws edges of meshes as lines of one width in pixels, depth-tested, into whatever framebuffer
@@ -49,7 +50,8 @@ class EdgePass {
   GLuint empty_array_ = 0;
   std::map<const Mesh*, Edges> edges_;  // looked up, never walked through but to delete
   struct Uniforms {
-    GLint clip_from_model, eye, first_edge, every_edge, color, viewport, near, lift, low, unit_px;
+    GLint clip_from_model, eye, first_edge, every_edge, color, viewport, near, lift, low, unit_px,
+        alone;
   } uniforms_{};
 };
 

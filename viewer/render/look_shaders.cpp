@@ -47,16 +47,20 @@ uniform mat4 clip_from_model;
 uniform vec4 eye;  // in the model: its place (w = 1), or the direction towards it (w = 0)
 uniform int first_edge;
 uniform bool every_edge;
+uniform bool alone;
 uniform vec2 viewport;
 uniform float near;  // the least w that can be seen
 uniform vec2 lift;   // towards the eye: a part of the distance, and a depth
 uniform float low;   // clip depth runs from -low to 1
+uniform float unit_px;  // pixels of a unit of the model where w is 1
 uniform sampler2D edges;
-const float kWidth = 1.25;  // pixels
+const float kWidth = 1.25;     // pixels
+const float kFullWidth = 5.0;  // of a face, in pixels: lines along narrower ones fade
+out float weight;
 void main() {
   int edge = first_edge + gl_VertexID / 6;
   int corner = gl_VertexID % 6;
-  ivec2 place = ivec2(edge % 1024 * 3, edge / 1024);
+  ivec2 place = ivec2(edge % 1024 * 4, edge / 1024);
   vec4 one = texelFetch(edges, place, 0);
   vec4 two = texelFetch(edges, place + ivec2(1, 0), 0);
   vec4 three = texelFetch(edges, place + ivec2(2, 0), 0);
@@ -66,6 +70,7 @@ void main() {
   vec4 a = clip_from_model * vec4(one.xyz, 1.0);
   vec4 b = clip_from_model * vec4(two.xyz, 1.0);
   gl_Position = vec4(2.0, 2.0, 2.0, 1.0);  // nowhere in the picture
+  weight = 1.0;
   // Both normals are zero where the edge is always drawn.
   if (!every_edge && first * second > 0.0) return;
   if (a.w < near && b.w < near) return;
@@ -77,12 +82,26 @@ void main() {
   bool at_a = corner == 0 || corner == 1 || corner == 3;
   float side = corner == 0 || corner == 2 || corner == 4 ? 1.0 : -1.0;
   vec4 end = at_a ? a : b;
+  if (!every_edge) {
+    // Lines stand the denser the narrower faces are: by this alone as much of them shows in all
+    // however far they are, by its square ever less, so that surfaces keep their shade.
+    float face_px = texelFetch(edges, place + ivec2(3, 0), 0).x * unit_px / end.w;
+    weight = clamp(face_px / kFullWidth, 0.0, 1.0);
+    if (!alone) weight *= weight;
+  }
   // Half a width across, and a little beyond its ends, so that lines which meet close.
   vec2 away = vec2(-way.y, way.x) * side + way * (at_a ? -0.6 : 0.6);
   end.xy += away * kWidth / viewport * end.w;
   end.z = (end.z + low * end.w) * (1.0 + lift.x) - low * end.w + lift.y * end.w;
   gl_Position = end;
 }
+)";
+
+const std::string_view kEdgeFragment = R"(#version 330 core
+in float weight;
+uniform vec4 flat_color;
+out vec4 color;
+void main() { color = vec4(flat_color.rgb, flat_color.a * weight); }
 )";
 
 const std::string_view kGhostFragment = R"(#version 330 core

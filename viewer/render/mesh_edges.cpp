@@ -31,7 +31,56 @@ enum class EdgeKind : std::uint8_t { feature, flat };
 struct FoundEdge {
   std::uint32_t part;
   EdgeKind kind;
+  std::array<std::uint32_t, 2> triangles;
   MeshEdge edge;
+};
+
+/// Triangles with nothing but smooth edges between them, summed up in double.
+struct Face {
+  double area = 0, border = 0;
+  std::array<double, 3> moment{};
+  std::array<double, 6> second{};  // xx, yy, zz, xy, yz, zx
+
+  void add(const std::array<glm::dvec3, 3>& corners) {
+    const glm::dvec3 u = corners[1] - corners[0];
+    const glm::dvec3 v = corners[2] - corners[0];
+    const glm::dvec3 n(u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x);
+    const double part = std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z) / 2;
+    const glm::dvec3 sum = corners[0] + corners[1] + corners[2];
+    area += part;
+    for (int i = 0; i < 3; ++i) {
+      const int k = (i + 1) % 3;
+      double square = sum[i] * sum[i];
+      double product = sum[i] * sum[k];
+      for (const glm::dvec3& corner : corners) {
+        square += corner[i] * corner[i];
+        product += corner[i] * corner[k];
+      }
+      const auto at = static_cast<std::size_t>(i);
+      moment[at] += part / 3 * sum[i];
+      second[at] += part / 12 * square;
+      second[at + 3] += part / 12 * product;
+    }
+  }
+
+  /// The lesser of two guesses: area by border, right for what is flat, of which a ring's is the
+  /// ring's own; and by how far the area spreads across its length, right for a closed tube.
+  float width() const {
+    if (!(area > 0)) return 0;
+    std::array<double, 6> spread{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t k = (i + 1) % 3;
+      spread[i] = second[i] / area - moment[i] / area * (moment[i] / area);
+      spread[i + 3] = second[i + 3] / area - moment[i] / area * (moment[k] / area);
+    }
+    double minors = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      minors += spread[i] * spread[(i + 1) % 3] - spread[i + 3] * spread[i + 3];
+    }
+    const double trace = spread[0] + spread[1] + spread[2];
+    const double across = trace > 0 && minors > 0 ? 2 * std::sqrt(minors / trace) : 0;
+    return static_cast<float>(border > 0 ? std::min(2 * area / border, across) : across);
+  }
 };
 
 class EdgeFinder {
@@ -47,6 +96,7 @@ class EdgeFinder {
       addEdge(begin, end);
       begin = end;
     }
+    measureFaces();
     return sorted();
   }
 
@@ -111,6 +161,8 @@ class EdgeFinder {
 
   void collectSides() {
     sides_.reserve(triangles_.size() * 3);
+    joined_.resize(triangles_.size());
+    for (std::uint32_t t = 0; t < joined_.size(); ++t) joined_[t] = t;
     for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
       const Triangle& triangle = triangles_[t];
       for (std::size_t k = 0; k < 3; ++k) {
@@ -130,6 +182,7 @@ class EdgeFinder {
     FoundEdge found;
     found.part = triangles_[first.triangle].part;
     found.kind = EdgeKind::feature;
+    found.triangles = {first.triangle, sides_[end - 1].triangle};
     found.edge.a = corners_.positions()[first.low];
     found.edge.b = corners_.positions()[first.high];
     if (end - begin == 2) {
@@ -144,8 +197,50 @@ class EdgeFinder {
         found.edge.first_normal = one;
         found.edge.second_normal = other;
       }
+      if (cosine > kCreaseCosine) joined_[faceOf(found.triangles[0])] = faceOf(found.triangles[1]);
     }
     found_.push_back(found);
+  }
+
+  /// The triangle that stands for all of its face.
+  std::uint32_t faceOf(std::uint32_t triangle) {
+    while (joined_[triangle] != triangle) {
+      joined_[triangle] = joined_[joined_[triangle]];
+      triangle = joined_[triangle];
+    }
+    return triangle;
+  }
+
+  void measureFaces() {
+    std::vector<std::uint32_t> number(triangles_.size(), 0);
+    std::vector<Face> faces;
+    for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
+      const std::uint32_t stands = faceOf(t);
+      if (number[stands] == 0) {
+        faces.emplace_back();
+        number[stands] = static_cast<std::uint32_t>(faces.size());
+      }
+      // Seen from a corner of its own: squares of large places would lose small faces.
+      const glm::dvec3 origin(corners_.positions()[triangles_[stands].corners[0]]);
+      std::array<glm::dvec3, 3> corners;
+      for (std::size_t k = 0; k < 3; ++k) {
+        corners[k] = glm::dvec3(corners_.positions()[triangles_[t].corners[k]]) - origin;
+      }
+      faces[number[stands] - 1].add(corners);
+    }
+    const auto face = [&](std::uint32_t t) -> Face& { return faces[number[faceOf(t)] - 1]; };
+    for (const FoundEdge& found : found_) {
+      const glm::dvec3 way = glm::dvec3(found.edge.b) - glm::dvec3(found.edge.a);
+      const auto& [one, other] = found.triangles;
+      if (one != other && faceOf(one) == faceOf(other)) continue;
+      const double length = std::sqrt(way.x * way.x + way.y * way.y + way.z * way.z);
+      face(one).border += length;
+      if (one != other) face(other).border += length;
+    }
+    for (FoundEdge& found : found_) {
+      const auto& [one, other] = found.triangles;
+      found.edge.face_width = std::max(face(one).width(), face(other).width());
+    }
   }
 
   MeshEdges sorted() {
@@ -170,6 +265,7 @@ class EdgeFinder {
   std::vector<Triangle> triangles_;
   std::vector<Side> sides_;
   std::vector<FoundEdge> found_;
+  std::vector<std::uint32_t> joined_;  // by triangle: towards the one that stands for its face
 };
 
 }  // namespace

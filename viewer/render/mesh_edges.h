@@ -14,6 +14,9 @@ struct MeshEdge {
   /// is an outline where one faces the eye and the other does not. Both zero: it is always drawn,
   /// being a border (one triangle), a crease, or where more than two meet.
   glm::vec3 first_normal{}, second_normal{};
+  /// About how wide the wider of the faces is that meet here, as far as its borders and creases:
+  /// of a bar its thickness, however long it is and however it is cut into triangles.
+  float face_width = 0;
 };
 
 /// The edges of one part, those that lines are drawn along first.

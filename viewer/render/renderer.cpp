@@ -212,8 +212,10 @@ Status Renderer::Impl::drawEdges(std::span<const DrawnSet> sets, const SceneFram
   if (!edges) return edges.error();
   for (const DrawnSet& set : sets) {
     if (style.edges != EdgeStyle::none) {
+      const auto choice =
+          style.edges == EdgeStyle::only ? EdgeChoice::features_alone : EdgeChoice::features;
       for (const auto* items : {&set.list->opaque, &set.list->translucent}) {
-        (*edges)->draw(*items, *set.catalog, camera, frame.scale, EdgeChoice::features,
+        (*edges)->draw(*items, *set.catalog, camera, frame.scale, choice,
                        [](const DrawItem&) { return kEdgeColor; });
       }
     }

@@ -25,6 +25,7 @@ extern const std::string_view kOverlayFragment;
 extern const std::string_view kFlatVertex;
 extern const std::string_view kFlatFragment;
 extern const std::string_view kEdgeVertex;
+extern const std::string_view kEdgeFragment;
 extern const std::string_view kGhostFragment;
 extern const std::string_view kOutlineVertex;
 extern const std::string_view kOutlineFragment;

@@ -76,6 +76,34 @@ TEST(MeshEdges, GroupsHaveEdgesOfTheirOwnAndMaterialsShareThem) {
   EXPECT_EQ(edges.parts[0].features + edges.parts[1].features, 4U);
 }
 
+TEST(MeshEdges, KnowHowWideTheirFacesAre) {
+  // A bar of 2 m with sides of 0.1 and 0.2 m: each edge has a side of about 0.2 m beside it, but
+  // those along its ends' shorter borders, which have the narrow sides.
+  for (const MeshEdge& edge : meshEdges(boxMesh({0.1, 0.2, 2})).edges) {
+    EXPECT_GT(edge.face_width, 0.05F);
+    EXPECT_LT(edge.face_width, 0.2F);
+  }
+  // Cut into a hundred strips, which are one face.
+  Mesh strips;
+  for (int i = 0; i <= 100; ++i) {
+    for (const float y : {0.0F, 1.0F}) {
+      Vertex vertex;
+      vertex.position = {static_cast<float>(i) * 0.01F, y, 0};
+      strips.vertices.push_back(vertex);
+    }
+  }
+  for (std::uint32_t i = 0; i < 200; i += 2) {
+    strips.indices.insert(strips.indices.end(), {i, i + 2, i + 3, i, i + 3, i + 1});
+  }
+  strips.parts.push_back({"", 0, 0, 600});
+  for (const MeshEdge& edge : meshEdges(strips).edges) EXPECT_NEAR(edge.face_width, 0.5F, 1e-3F);
+  // A pipe, whose edges are its outlines and two rings.
+  for (const MeshEdge& edge : meshEdges(cylinderMesh(0.05, 4)).edges) {
+    EXPECT_GT(edge.face_width, 0.04F);
+    EXPECT_LT(edge.face_width, 0.15F);
+  }
+}
+
 TEST(MeshEdges, SliversAndNothingAtAllAreNoTrouble) {
   Mesh mesh = hinge(0, false);
   mesh.vertices[3].position = {0, 0.5F, 0};  // on the shared side
