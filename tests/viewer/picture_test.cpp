@@ -5,6 +5,7 @@
 
 #include <fstream>
 
+#include "core/atomic_file.h"
 #include "tests/support/picture_bytes.h"
 #include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"
@@ -183,6 +184,13 @@ TEST_F(OtherPictures, KeepStraightAlpha) {
   EXPECT_THAT(read("a.tga", targa), ElementsAre(200, 20, 30, 128, 1, 2, 3, 255));
 }
 
+TEST_F(OtherPictures, OfGifsKeepTheirColours) {
+  // Two colours, red and blue, a pixel of each: codes 4 (clear), 0, 1, 5 (end) of three bits.
+  std::string gif = "GIF89a" + bytes({2, 0, 1, 0, 0x80, 0, 0, 255, 0, 0, 0, 0, 255});
+  gif += "," + bytes({0, 0, 0, 0, 2, 0, 1, 0, 0, 2, 2, 0x44, 0x0A, 0}) + ";";
+  EXPECT_THAT(read("a.gif", gif), ElementsAre(255, 0, 0, 255, 0, 0, 255, 255));
+}
+
 TEST_F(OtherPictures, AreToldByTheirBytesNotByTheirName) {
   EXPECT_THAT(read("a.jpg", test::pngFile(1, 1, 8, 0, bytes({0, 9}))), ElementsAre(9, 9, 9, 255));
 }
@@ -203,6 +211,18 @@ TEST_F(OtherPictures, JpegTexturesDecodeToTheSameBytesEverywhere) {
   ASSERT_TRUE(tray.ok()) << tray.error().text();
   EXPECT_EQ(pictureSha256(*tray),
             "636ea8960b10e7d54ddc59415e6fef027a29491db827e4b998161c47da26b511");
+}
+
+TEST_F(OtherPictures, OfWhichAPartIsMissingAreRefused) {
+  ROCINANTE_NEEDS_SHARED_DATA("robots/kuka_iiwa/objects/tray.jpg");
+  const auto tray = readFile(test::sharedData("robots/kuka_iiwa/objects/tray.jpg"));
+  ASSERT_TRUE(tray.ok());
+  const std::string half = tray->substr(0, tray->size() / 2);
+  std::ofstream(folder_ / "half.jpg", std::ios::binary) << half;
+  EXPECT_THAT(readPicture(folder_ / "half.jpg").error().text(), HasSubstr("is cut short"));
+  EXPECT_EQ(decodePicture(bytesOf(half), "half").error().kind, ErrorKind::damaged);
+  const Result<Picture> longer = decodePicture(bytesOf(*tray + "what a camera appends"), "tray");
+  EXPECT_TRUE(longer.ok()) << longer.error().text();
 }
 
 #endif

@@ -2,15 +2,20 @@
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -36,14 +41,20 @@ struct Channels {
   int red, green, blue, alpha;
 };
 
+/// The library's GIF reader names a channel that is past the last.
+int alphaOf(const OIIO::ImageSpec& spec) {
+  return std::min(spec.alpha_channel, spec.nchannels - 1);
+}
+
 Channels channelsOf(const OIIO::ImageSpec& spec) {
-  const bool grey = spec.nchannels - (spec.alpha_channel >= 0 ? 1 : 0) < 3;
+  const int alpha = alphaOf(spec);
+  const bool grey = spec.nchannels - (alpha >= 0 ? 1 : 0) < 3;
   int colors[3] = {0, 0, 0};
   for (int channel = 0, found = 0; channel < spec.nchannels && found < (grey ? 1 : 3); ++channel) {
-    if (channel != spec.alpha_channel) colors[found++] = channel;
+    if (channel != alpha) colors[found++] = channel;
   }
   if (grey) colors[1] = colors[2] = colors[0];
-  return {colors[0], colors[1], colors[2], spec.alpha_channel};
+  return {colors[0], colors[1], colors[2], alpha};
 }
 
 /// A component as 8 bits. `alpha` divides it where the file holds it multiplied.
@@ -89,6 +100,22 @@ float* samplesOf(const std::vector<T>& content, std::size_t per_pixel, const Cha
   return samples;
 }
 
+/// The library fills what is missing of a JPEG with grey and says nothing. In a whole one the mark
+/// of its end comes after that of its last scan.
+bool jpegIsCut(const char* path, const void* bytes, size_t size) {
+  std::string content;
+  if (bytes == nullptr) {
+    std::ifstream file(path, std::ios::binary);
+    content.assign(std::istreambuf_iterator<char>(file), {});
+  }
+  const std::string_view jpeg = bytes == nullptr
+                                    ? std::string_view(content)
+                                    : std::string_view(static_cast<const char*>(bytes), size);
+  const std::size_t end = jpeg.rfind("\xFF\xD9");
+  const std::size_t scan = jpeg.rfind("\xFF\xDA");
+  return end == jpeg.npos || (scan != jpeg.npos && end < scan);
+}
+
 template <class T>
 bool readAs(OIIO::ImageInput& input, OIIO::TypeDesc type, bool with_samples,
             RocinantePictureOut& out) {
@@ -125,14 +152,52 @@ bool readAs(OIIO::ImageInput& input, OIIO::TypeDesc type, bool with_samples,
   return true;
 }
 
+/// Bytes under a name that can be opened: the library's JPEG reader takes nothing else.
+class MemoryFile {
+ public:
+  MemoryFile(const void* bytes, size_t size) : file_(memfd_create("picture", MFD_CLOEXEC)) {
+    const auto* next = static_cast<const char*>(bytes);
+    while (size > 0) {
+      const ssize_t written = ::write(file_, next, size);
+      if (written <= 0) break;
+      next += written;
+      size -= static_cast<size_t>(written);
+    }
+  }
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+  ~MemoryFile() {
+    if (file_ >= 0) ::close(file_);
+  }
+  std::string path() const { return "/proc/self/fd/" + std::to_string(file_); }
+
+ private:
+  int file_;
+};
+
+std::unique_ptr<OIIO::ImageInput> openJpeg(const void* bytes, size_t size) {
+  const MemoryFile file(bytes, size);
+  auto input = OIIO::ImageInput::create("jpg");
+  OIIO::ImageSpec spec;
+  if (input && !input->open(file.path(), spec)) input.reset();
+  return input;
+}
+
 void read(const char* path, const void* bytes, size_t size, int64_t max_pixels, bool with_samples,
           RocinantePictureOut& out) {
   OIIO::ImageSpec wanted;
   wanted.attribute("oiio:UnassociatedAlpha", 1);
   OIIO::Filesystem::IOMemReader memory(const_cast<void*>(bytes), size);  // it never writes
+  const bool is_jpeg =
+      size > 2 && std::string_view(static_cast<const char*>(bytes), 3) == "\xFF\xD8\xFF";
   const std::unique_ptr<OIIO::ImageInput> input =
-      OIIO::ImageInput::open(path, &wanted, bytes == nullptr ? nullptr : &memory);
-  if (!input) return answer(out, no_picture, "is no picture: " + firstLine(OIIO::geterror()));
+      is_jpeg ? openJpeg(bytes, size)
+              : OIIO::ImageInput::open(path, &wanted, bytes == nullptr ? nullptr : &memory);
+  if (!input) {
+    return answer(
+        out, no_picture,
+        is_jpeg ? "is no JPEG that can be read" : "is no picture: " + firstLine(OIIO::geterror()));
+  }
   const OIIO::ImageSpec& spec = input->spec();
   if (spec.width <= 0 || spec.height <= 0 || spec.depth > 1 || spec.nchannels < 1) {
     return answer(out, no_picture, "is no flat picture");
@@ -150,7 +215,7 @@ void read(const char* path, const void* bytes, size_t size, int64_t max_pixels, 
   out.width = spec.width;
   out.height = spec.height;
   out.components = spec.nchannels;
-  out.has_alpha = spec.alpha_channel >= 0 ? 1 : 0;
+  out.has_alpha = alphaOf(spec) >= 0 ? 1 : 0;
   out.bits = static_cast<int32_t>(spec.format.size() * 8);
   out.floating = spec.format.is_floating_point() ? 1 : 0;
   out.pictures = 1;
@@ -163,6 +228,9 @@ void read(const char* path, const void* bytes, size_t size, int64_t max_pixels, 
     done = readAs<uint16_t>(*input, OIIO::TypeDesc::UINT16, with_samples, out);
   }
   if (!done) return answer(out, damaged, "cannot be decoded: " + firstLine(input->geterror()));
+  if (std::strcmp(input->format_name(), "jpeg") == 0 && jpegIsCut(path, bytes, size)) {
+    return answer(out, damaged, "is cut short");
+  }
   if (with_samples && input->seek_subimage(1, 0)) out.pictures = 2;
   answer(out, read_whole, "");
 }

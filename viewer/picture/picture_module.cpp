@@ -133,11 +133,9 @@ Result<FinePicture> readFineByModule(const fs::path& path, std::int64_t max_pixe
 }
 
 Result<Picture> decodeByModule(ByteView bytes, const std::string& name, std::int64_t max_pixels) {
-  // The module goes by endings; what else than JPEG stands in mesh files it tells by the bytes.
-  const bool is_jpeg = textOf(bytes).starts_with("\xFF\xD8\xFF");
+  // The library goes by endings first, then by the bytes.
   ModuleAnswer answer;
-  const Status read =
-      askModule(is_jpeg ? "picture.jpg" : "picture.png", bytes, name, max_pixels, false, answer);
+  const Status read = askModule("picture.png", bytes, name, max_pixels, false, answer);
   if (!read.ok()) return read.error();
   return answer.picture();
 }
