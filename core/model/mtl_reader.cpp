@@ -55,6 +55,7 @@ class MtlReader {
       keepMaterial();
       material_ = Material{};
       material_.name = scan_.restOfLine();
+      opacity_said_ = false;
       begun_ = true;
       begun_line_ = line_;
       return;
@@ -82,10 +83,13 @@ class MtlReader {
     } else if (keyword == "d" || keyword == "Tr") {
       if (scan_.skipBlanks() && scan_.take('-')) scan_.word();  // d -halo
       if (readNumber(keyword, value)) {
+        // Some exporters write the opacity into Tr too: where both stand, d is meant.
+        if (keyword == "Tr" && opacity_said_) return;
+        opacity_said_ = opacity_said_ || keyword == "d";
         const double opacity = keyword == "d" ? value : 1.0 - value;
         material_.diffuse.a = static_cast<float>(std::clamp(opacity, 0.0, 1.0));
       }
-    } else if (keyword == "map_Kd") {
+    } else if (keyword == "map_Kd" || keyword == "map_kd") {
       readTexture();
     } else {
       add(Severity::note, "mtl.unknown-keyword", quotedInFault(keyword) + " is not known here");
@@ -121,7 +125,10 @@ class MtlReader {
       scan_ = ahead;
       readTextureOption(*option);
     }
-    const std::string name = scan_.restOfLine();
+    std::string name = scan_.restOfLine();
+    if (name.size() > 2 && name.front() == '"' && name.back() == '"') {
+      name = name.substr(1, name.size() - 2);
+    }
     if (name.empty()) {
       add(Severity::warning, "mtl.missing-texture", "map_Kd names no file");
       return;
@@ -162,6 +169,10 @@ class MtlReader {
   void keepMaterial() {
     if (!begun_) return;
     begun_ = false;
+    // Exporters write a black Kd beside a picture, which it would make black.
+    if (!material_.diffuse_map.empty() && glm::vec3(material_.diffuse) == glm::vec3(0)) {
+      material_.diffuse = glm::vec4(1, 1, 1, material_.diffuse.a);
+    }
     if (!names_.insert(material_.name).second) {
       faults_.add(
           Severity::warning, "mtl.duplicate-material", {begun_line_},
@@ -183,6 +194,7 @@ class MtlReader {
   std::set<std::string> names_;
   Material material_;
   bool begun_ = false;
+  bool opacity_said_ = false;  // by d
   int begun_line_ = 0;
   int line_ = 0;
 };

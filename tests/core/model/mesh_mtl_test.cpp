@@ -130,6 +130,21 @@ TEST_F(MtlReader, NamesMaterialsThatNoLibraryDefines) {
   EXPECT_EQ(none.mesh.materials[0].name, "DefaultMaterial");
 }
 
+TEST_F(MtlReader, ReadsWhatExportersOfTheWildMean) {
+  write("meshes/my picture.png", "x");
+  write("meshes/a.mtl",
+        "newmtl both\nd 0.75\nTr 0.75\nnewmtl other order\nTr 1\nd 1\n"
+        "newmtl black\nKd 0 0 0\nd 0.5\nmap_kd \"my picture.png\"\nnewmtl soot\nKd 0 0 0\n");
+  const ReadMesh mesh = read("mtllib a.mtl\nusemtl both");
+  EXPECT_THAT(mesh.faults, IsEmpty());
+  ASSERT_EQ(mesh.mesh.materials.size(), 4U);
+  EXPECT_EQ(mesh.mesh.materials[0].diffuse.a, 0.75F) << "where both stand, d is meant";
+  EXPECT_EQ(mesh.mesh.materials[1].diffuse.a, 1.0F);
+  EXPECT_EQ(mesh.mesh.materials[2].diffuse_map, folder_ / "meshes/my picture.png");
+  EXPECT_EQ(mesh.mesh.materials[2].diffuse, glm::vec4(1, 1, 1, 0.5F));
+  EXPECT_EQ(mesh.mesh.materials[3].diffuse, glm::vec4(0, 0, 0, 1));
+}
+
 TEST_F(MtlReader, GoesOnAfterBadLines) {
   write("meshes/a.mtl",
         "Kd 1 1 1\nnewmtl a\nKd red\nKd 0 1\nKd nan 0 0\nd\nNs x\nshiny 3\nmap_Kd -s x y.png\n"
