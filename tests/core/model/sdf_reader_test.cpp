@@ -112,6 +112,12 @@ TEST(SdfReader, WhatIsNoSdfIsRefusedWithItsReason) {
   for (int i = 0; i < 100000; ++i) deep += "<a>";
   EXPECT_EQ(ReadSdf(deep).faultText(),
             "arm.sdf: error: the XML is nested deeper than 100 elements [sdf.invalid]\n");
+  // libsdformat makes some hundred of these a second.
+  std::string many = "<sdf version='1.7'>";
+  for (int i = 0; i < 10000; ++i) many += "<model name='m'><link name='l'/></model>";
+  EXPECT_EQ(ReadSdf(many + "</sdf>").faultText(),
+            "arm.sdf: error: the file is too large: libsdformat would take more than half a minute "
+            "for its elements (one file a model is read much faster) [sdf.invalid]\n");
 }
 
 TEST(SdfReader, TheKukaWithItsGripperIsTheArmOfItsUrdf) {
