@@ -214,8 +214,10 @@ CLI::App* addApproveCommand(CLI::App& app, ApproveArguments& arguments) {
   CLI::App* command = app.add_subcommand("approve", "accept what is drawn now as goldens");
   addSuiteOptions(*command, arguments.suite);
   command->add_option("-m,--message", arguments.message, "why; kept in the manifest")->required();
-  command->add_option("--from", arguments.from,
-                      "only the frames of this list, and only with its pixels (the report's copy)");
+  command
+      ->add_option("--from", arguments.from,
+                   "only the frames of this list, and only with its pixels (the report's copy)")
+      ->type_name("LIST");
   command->add_flag("--also", arguments.also, "beside the pictures that are accepted already");
   command->add_flag("-i,--interactive", arguments.interactive, "ask about one after the other");
   return command;

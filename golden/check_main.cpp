@@ -137,8 +137,7 @@ Result<cli::Exit> run(CheckArguments& my) {
     return cli::Exit::done;
   }
   if (my.cell.empty()) {
-    return Error{ErrorKind::bad_argument, "a cell is required (see rocinante-check --help)",
-                 "cell"};
+    return Error{ErrorKind::bad_argument, "CELL is required (see rocinante-check --help)", {}};
   }
   // A log that carries its cell is judged alone.
   if (my.log.empty() && my.live.empty() && isLog(my.cell)) my.log = my.cell;

@@ -9,8 +9,8 @@ namespace rocinante {
 
 void declareCheck(CLI::App& app, CheckArguments& my) {
   auto* cell =
-      app.add_option("cell", my.cell, "a cell, a model file, or a log that carries its cell");
-  auto* log = app.add_option("log", my.log, "a recorded session");
+      app.add_option("CELL", my.cell, "a cell, a model file, or a log that carries its cell");
+  auto* log = app.add_option("LOG", my.log, "a recorded session");
   auto* live = app.add_option("--live", my.live, "judge what arrives here: udp://HOST:PORT");
   live->excludes(log)->needs(cell);
   app.add_option("--duration", my.duration, "how long to listen")

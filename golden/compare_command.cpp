@@ -88,6 +88,7 @@ CLI::App* addCompareCommand(CLI::App& app, CompareArguments& arguments) {
   command
       ->add_option("--mask", arguments.masks,
                    "X,Y,WIDTHxHEIGHT: leave these pixels out; repeatable")
+      ->type_name("RECT")
       ->allow_extra_args(false);
   command->add_option("--difference", arguments.difference, "write a picture of what differs");
   command->add_flag("--force", arguments.force, "replace the file of --difference");

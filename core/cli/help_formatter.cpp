@@ -81,6 +81,51 @@ class HelpFormatter final : public CLI::Formatter {
   }
 };
 
+struct ValueWord {
+  std::string_view option, word;
+};
+
+/// What an option takes whose program names no word for it: one word for one thing, everywhere.
+constexpr ValueWord kValueWords[] = {
+    {"after", "TIME"},      {"at", "TIME"},
+    {"at-file", "FILE"},    {"baseline", "FILE"},
+    {"camera", "NAME"},     {"case", "NAME"},
+    {"cell", "CELL"},       {"depth", "FILE"},
+    {"detail", "LEVEL"},    {"device", "NAME"},
+    {"difference", "FILE"}, {"duration", "TIME"},
+    {"events", "PATTERN"},  {"every", "TIME"},
+    {"fps", "N"},           {"frames", "DIR"},
+    {"from", "TIME"},       {"hide", "PATH"},
+    {"identity", "FILE"},   {"joint", "NAME=VALUE"},
+    {"joints", "VALUES"},   {"json", "FILE"},
+    {"junit", "FILE"},      {"layer", "NAME"},
+    {"live", "EP"},         {"log", "LOG"},
+    {"mask", "PATH"},       {"not-tag", "TAG"},
+    {"only", "PATTERN"},    {"other-cell", "CELL"},
+    {"other-log", "LOG"},   {"other-render", "PROGRAM"},
+    {"output", "FILE"},     {"pose", "VALUES"},
+    {"report", "DIR"},      {"rule-pages", "URL"},
+    {"script", "FILE"},     {"search", "DIR"},
+    {"sheet", "FILE"},      {"show", "PATH"},
+    {"size", "WxH"},        {"slack", "TIME"},
+    {"step", "TIME"},       {"style", "KEY[=VALUE]"},
+    {"tag", "TAG"},         {"tier", "TIER"},
+    {"tolerance", "TIER"},  {"until", "TIME"},
+    {"video", "FILE"},
+};
+
+void nameValues(CLI::App& app) {
+  for (CLI::Option* option : app.get_options({})) {
+    // CLI11's word for any text.
+    if (option->get_type_name() != "TEXT" || !option->nonpositional()) continue;
+    for (const ValueWord& each : kValueWords) {
+      if (option->check_lname(std::string(each.option))) {
+        option->type_name(std::string(each.word));
+      }
+    }
+  }
+}
+
 /// The lines of `examples` that show the subcommand `name`.
 std::string examplesOf(std::string_view examples, const std::string& name) {
   std::string chosen;
@@ -101,9 +146,11 @@ void setHelp(CLI::App& app, std::string_view examples) {
   const auto formatter = std::make_shared<HelpFormatter>();
   app.formatter(formatter);
   app.footer("\nExamples:\n" + std::string(examples) + kExitCodes);
+  nameValues(app);
   for (CLI::App* subcommand : app.get_subcommands({})) {
     if (subcommand->get_name().empty()) continue;  // a group of options
     subcommand->formatter(formatter);
+    nameValues(*subcommand);
     const std::string shown = examplesOf(examples, subcommand->get_name());
     subcommand->footer((shown.empty() ? "" : "\nExamples:\n" + shown) + kExitCodes);
   }

@@ -47,6 +47,11 @@ void printHelp() {
   std::printf("\n`rocinante VERB --help` tells more of each.\n");
 }
 
+bool isKnown(std::string_view verb) {
+  return std::any_of(kVerbs.begin(), kVerbs.end(),
+                     [verb](const Verb& each) { return each.name == verb; });
+}
+
 std::string hintAt(std::string_view verb) {
   std::vector<std::string_view> known;
   for (const Verb& each : kVerbs) known.emplace_back(each.name);
@@ -91,7 +96,10 @@ int main(int argc, char** argv) {
   const auto beside = folderOfThisProgram() / program;
   ::execv(beside.c_str(), argv + 1);
   if (errno == ENOENT) ::execvp(program.c_str(), argv + 1);
-  if (errno == ENOENT) {
+  if (errno == ENOENT && isKnown(verb)) {
+    // Built without it, as a recorder's machine without a display is.
+    std::fprintf(stderr, "rocinante: %s is not installed here\n", program.c_str());
+  } else if (errno == ENOENT) {
     std::fprintf(stderr, "rocinante: there is no verb `%.*s`%s (see rocinante --help)\n",
                  static_cast<int>(verb.size()), verb.data(), hintAt(verb).c_str());
   } else {

@@ -72,6 +72,10 @@ std::string usageFault(const CLI::App& app, const CLI::ParseError& fault) {
   const bool about_names =
       kind == CLI::ExitCodes::ExtrasError || kind == CLI::ExitCodes::RequiredError;
   if (about_names && !left.empty()) return unexpected(innermost_app, left.front()) + where;
+  const bool lacks_subcommand = kind == CLI::ExitCodes::RequiredError &&
+                                !subcommandNames(innermost_app).empty() &&
+                                innermost_app.get_subcommands().empty();
+  if (lacks_subcommand) return "which subcommand?" + where;
   const std::string_view said = fault.what();
   constexpr std::string_view kMissing = ": 1 required ";
   if (const std::size_t at = said.find(kMissing); at != said.npos && said.ends_with(" missing")) {
