@@ -67,6 +67,7 @@ void addNumber(std::string& text, const std::optional<double>& number) {
 JointVector zeroJoints(const Model& model) {
   JointVector zero;
   zero.first_value.reserve(model.joints.size());
+  zero.values.reserve(model.joints.size());
   for (const Joint& joint : model.joints) {
     zero.first_value.push_back(zero.values.size());
     zero.values.resize(zero.values.size() + valueCount(joint.type), 0.0);

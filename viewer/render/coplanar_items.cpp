@@ -197,6 +197,21 @@ float unitsOf(double metres, const DrawItem& item, const Camera& camera) {
   return static_cast<float>(std::min(depth, 1e-2) * kUnits);
 }
 
+/// The usual crowd: ten thousand parts that look alike.
+bool allLookAlike(std::span<const LiftedList> lists) {
+  const DrawItem* first = nullptr;
+  for (const LiftedList& one : lists) {
+    for (const auto* items : {&one.list->opaque, &one.list->translucent}) {
+      for (const DrawItem& item : *items) {
+        if (one.catalog->meshes()[item.mesh].parts[item.part].faces.faces.empty()) continue;
+        if (first == nullptr) first = &item;
+        if (!lookAlike(item, *first)) return false;
+      }
+    }
+  }
+  return true;
+}
+
 std::vector<Candidate> candidatesOf(std::span<const LiftedList> lists) {
   std::vector<Candidate> candidates;
   for (const LiftedList& one : lists) {
@@ -218,13 +233,8 @@ std::vector<Candidate> candidatesOf(std::span<const LiftedList> lists) {
 
 void liftCoplanarItems(std::span<const LiftedList> lists, const PosedScene& scene,
                        const Camera& camera) {
+  if (allLookAlike(lists)) return;
   std::vector<Candidate> candidates = candidatesOf(lists);
-  // The usual crowd: ten thousand parts that look alike.
-  if (std::all_of(candidates.begin(), candidates.end(), [&](const Candidate& one) {
-        return lookAlike(*one.item, *candidates.front().item);
-      })) {
-    return;
-  }
   // A sweep along x: only boxes whose spans meet are looked at.
   const auto left = [](const Candidate& one) { return one.center.x - one.half.x; };
   candidates.erase(std::remove_if(candidates.begin(), candidates.end(),

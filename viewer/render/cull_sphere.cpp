@@ -14,10 +14,10 @@ double sizeOf(const Vec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v
 }  // namespace
 
 double scaleBound(const Mat4& m) {
-  const double x = lengthOf(Vec3(m[0]));
-  const double y = lengthOf(Vec3(m[1]));
-  const double z = lengthOf(Vec3(m[2]));
-  return std::sqrt(x * x + y * y + z * z);
+  const Vec3 x(m[0]);
+  const Vec3 y(m[1]);
+  const Vec3 z(m[2]);
+  return std::sqrt(dotOf(x, x) + dotOf(y, y) + dotOf(z, z));
 }
 
 CullSphere linkSphere(const PosedDevice& device, std::size_t link, double reach) {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
+#include <utility>
 
 #include "core/math/transform.h"
 #include "viewer/render/cull_sphere.h"
@@ -24,7 +24,11 @@ bool mirrors(const Mat4& m) {
 }
 
 Mat4 visualWorld(const Mat4& link_world, const Visual& visual) {
-  return link_world * matrixOf(visual.origin) * scaleMatrix(visual.scale);
+  // Most visuals of a large crowd stand where their link does; a product with 1 changes nothing.
+  const bool moved =
+      visual.origin.position != Vec3(0) || visual.origin.orientation != Quat(1, 0, 0, 0);
+  const Mat4 at = moved ? link_world * matrixOf(visual.origin) : link_world;
+  return visual.scale != Vec3(1) ? at * scaleMatrix(visual.scale) : at;
 }
 
 glm::vec4 colorOf(std::uint32_t rgba) {
@@ -58,12 +62,14 @@ void forEachVisual(const PosedScene& scene, const SceneCatalog& catalog, const V
     if (device.model == nullptr) continue;
     const LinkReaches* const reaches = camera == nullptr ? nullptr : catalog.reaches(*device.model);
     if (reaches != nullptr && !mayBeSeen(*camera, deviceSphere(device, *reaches))) continue;
+    const bool asks_parts = choice.choosesParts(device);
+    const auto whole = choice.chosenWhole(device);
     for (std::uint32_t l = 0; l < device.model->links.size(); ++l) {
       const Link& link = device.model->links[l];
       const auto& drawn = geometry == DrawnGeometry::visuals ? link.visuals : link.collisions;
       if (drawn.empty()) continue;
       if (reaches != nullptr && !mayBeSeen(*camera, linkSphere(device, l, (*reaches)[l]))) continue;
-      if (!(choice.choosesParts(device) || choice.linkVisible(device, l))) continue;
+      if (!(asks_parts || choice.linkVisible(device, l, whole))) continue;
       if (looks.anyCollision() && !looks.draws(geometry, device, l)) continue;
       for (const Visual& visual : drawn) {
         const auto mesh = catalog.meshNumber(visual.mesh.get());
@@ -84,24 +90,54 @@ void forEachPart(const Visual& visual, const CatalogMesh& mesh, const Each& each
   }
 }
 
+/// Numbers for looks, by their first appearance. The last one stands for all that come too late.
+class LookNumbers {
+ public:
+  static constexpr std::uint32_t kMost = 64;
+
+  std::uint32_t of(const DrawItem& item) {
+    if (latest_ < looks_.size() && sameLook(*looks_[latest_], item)) return latest_;
+    for (latest_ = 0; latest_ < looks_.size(); ++latest_) {
+      if (sameLook(*looks_[latest_], item)) return latest_;
+    }
+    if (latest_ < kMost) looks_.push_back(&item);
+    return latest_;
+  }
+
+ private:
+  std::vector<const DrawItem*> looks_;
+  std::uint32_t latest_ = 0;
+};
+
 /// By state, what is equal in the order of the scene. Sorts small keys, since items are large.
 void sortByState(std::vector<DrawItem>& items, std::vector<DrawItem>& spare) {
-  using Key = std::tuple<std::uint32_t, std::int32_t, std::uint32_t, std::uint32_t>;
+  // Rank and texture (none first), then mesh and place.
+  using Key = std::pair<std::uint64_t, std::uint64_t>;
   std::vector<Key> keys;
   keys.reserve(items.size());
+  LookNumbers looks;
   for (const DrawItem& item : items) {
-    keys.emplace_back(item.coplanar_rank, item.texture, item.mesh,
-                      static_cast<std::uint32_t>(keys.size()));
+    const std::uint32_t group = item.batched ? ~LookNumbers::kMost + looks.of(item) : item.mesh;
+    const auto texture = static_cast<std::uint32_t>(item.texture + 1);
+    keys.emplace_back(std::uint64_t{item.coplanar_rank} << 32U | texture,
+                      std::uint64_t{group} << 32U | keys.size());
   }
   if (std::is_sorted(keys.begin(), keys.end())) return;
   std::sort(keys.begin(), keys.end());
   spare.clear();
   spare.reserve(items.size());
-  for (const Key& key : keys) spare.push_back(items[std::get<3>(key)]);
+  for (const Key& key : keys) spare.push_back(items[key.second & 0xFFFFFFFFU]);
   std::swap(items, spare);
 }
 
 }  // namespace
+
+bool sameLook(const DrawItem& a, const DrawItem& b) {
+  return a.diffuse == b.diffuse &&
+         (a.material == b.material || (a.material->specular == b.material->specular &&
+                                       a.material->emission == b.material->emission &&
+                                       a.material->shininess == b.material->shininess));
+}
 
 void DrawList::clear() {
   for (auto* items : {&opaque, &translucent, &wireframe, &ghosts}) items->clear();
@@ -177,6 +213,7 @@ void makeDrawList(DrawList& list, const PosedScene& scene, const SceneCatalog& c
                              static_cast<std::size_t>(item.texture) < translucent_textures.size() &&
                              translucent_textures[static_cast<std::size_t>(item.texture)] != 0;
           item.translucent = item.diffuse.a < kOpaqueAlpha || holes;
+          item.batched = item.texture < 0 && item.coarse == nullptr && mesh.isSmall();
           item.distance =
               camera.orthographic() ? camera.depthOf(center) : lengthOf(center - camera.eye());
           // No number would have no place in an order.

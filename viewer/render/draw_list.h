@@ -30,11 +30,17 @@ struct DrawItem {
   bool mirrored = false;  ///< `world` turns the front of triangles to their back
   bool translucent = false;
   bool outlined = false;  ///< RenderStyle::outlined
+  bool batched = false;   ///< may be drawn as one with others like it (ItemBatch)
 };
+
+/// Whether two items without textures look the same, wherever they are.
+bool sameLook(const DrawItem& a, const DrawItem& b);
 
 /// What one frame draws of the geometry, in the order in which it is drawn.
 struct DrawList {
-  std::vector<DrawItem> opaque;       ///< by state, so that few things change between draws
+  /// By state, so that few things change between draws; what is batched comes last, by look and
+  /// then as the scene has it, so that what lies side by side is drawn after one another.
+  std::vector<DrawItem> opaque;
   std::vector<DrawItem> translucent;  ///< from back to front
   std::vector<DrawItem> wireframe;    ///< drawn as lines alone
   std::vector<DrawItem> ghosts;       ///< GhostStyle::clear

@@ -30,6 +30,22 @@ void main() {
 }
 )";
 
+const std::string_view kBatchedPlainVertex = R"(#version 330 core
+layout(location = 0) in vec4 clip;
+layout(location = 2) in vec3 normal;
+uniform vec4 diffuse;
+uniform vec3 emission;
+uniform vec3 key_direction;  // towards the light
+out vec3 shade;
+void main() {
+  gl_Position = clip;
+  float length2 = dot(normal, normal);
+  float key = 1.0;
+  if (length2 > 0.0) key = min(abs(dot(normal, key_direction)) * (1.0 / sqrt(length2)), 1.0);
+  shade = diffuse.rgb * (0.45 + 0.55 * key) + emission;
+}
+)";
+
 const std::string_view kPlainFragment = R"(#version 330 core
 in vec3 shade;
 uniform vec4 diffuse;

@@ -9,6 +9,8 @@ namespace rocinante::shader {
 // are lit alike, so that it does not matter which way it turns. GLSL 3.30, the inputs of
 // kSceneVertex.
 extern const std::string_view kPlainVertex;
+/// In place of kPlainVertex for what ItemBatch draws.
+extern const std::string_view kBatchedPlainVertex;
 /// Of surfaces without a picture, and with one.
 extern const std::string_view kPlainFragment;
 extern const std::string_view kPlainMappedFragment;

@@ -34,6 +34,12 @@ struct CatalogMesh {
   /// The mesh's indices with each part's one-sided triangles last; empty when that changes nothing.
   std::vector<std::uint32_t> reordered;
 
+  /// Whether its vertices are so few that they are sooner moved than GL is told of them: ItemBatch.
+  bool isSmall() const {
+    constexpr std::size_t kFewVertices = 32;  // a box has 24
+    return mesh->vertices.size() <= kFewVertices && mesh->parts.size() == 1 && mesh->colors.empty();
+  }
+
   const std::vector<std::uint32_t>& indices() const {
     return reordered.empty() ? mesh->indices : reordered;
   }

@@ -1,16 +1,16 @@
 #include "viewer/render/scene_pass.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
-#include <cmath>
 #include <cstring>
 #include <glm/gtc/type_ptr.hpp>
+#include <span>
 #include <utility>
 
 #include "core/math/transform.h"
 #include "viewer/render/depth_lift.h"
 #include "viewer/render/draw_triangles.h"
+#include "viewer/render/item_matrices.h"
 #include "viewer/render/plain_shader.h"
 #include "viewer/render/shader_source.h"
 
@@ -19,25 +19,6 @@ namespace {
 
 /// A white light of strength 1 is as bright as the key light of kSceneFragment at its brightest.
 constexpr double kWhiteLight = 0.54;
-
-/// Inverse transpose, but for a factor: enough for normals, which are made unit length later.
-glm::mat3 normalMatrix(const Mat4& m) {
-  const Vec3 x(m[0]);
-  const Vec3 y(m[1]);
-  const Vec3 z(m[2]);
-  const auto cross = [](const Vec3& a, const Vec3& b) {
-    return Vec3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
-  };
-  const std::array columns{cross(y, z), cross(z, x), cross(x, y)};
-  // Scaled to about one, because a float cannot hold the squares of very small scales.
-  double largest = 0;
-  for (const Vec3& column : columns) {
-    for (int i = 0; i < 3; ++i) largest = std::max(largest, std::abs(column[i]));
-  }
-  const double scale = largest > 0 ? 1 / largest : 1;
-  return {glm::vec3(columns[0] * scale), glm::vec3(columns[1] * scale),
-          glm::vec3(columns[2] * scale)};
-}
 
 /// Bit by bit: what is not a number equals itself, so that it is not set again and again.
 template <class T>
@@ -56,6 +37,7 @@ class ScenePass::Items {
       : pass_(pass),
         gl_(pass.gl_),
         catalog_(catalog),
+        triangles_(pass.gl_, catalog),
         meshes_(meshes),
         textures_(textures),
         camera_(camera),
@@ -88,7 +70,24 @@ class ScenePass::Items {
     if (lift_.changesTo({item.coplanar_rank, item.lift_units})) setLift(item);
   }
 
-  void draw(const DrawItem& item) const { drawTriangles(gl_, item, catalog_); }
+  void draw(const DrawItem& item) { triangles_.draw(item); }
+
+  /// As many of the first items as can be drawn as one are; tells how many.
+  std::size_t drawBatch(std::span<const DrawItem> items) {
+    if (variant_ != Variant() || items.size() < ItemBatch::kLeastItems) return 0;
+    if (!items.front().batched) return 0;
+    const std::size_t count = ItemBatch::reach(items, catalog_);
+    if (count < ItemBatch::kLeastItems) return 0;
+    const DrawItem& first = items.front();
+    const Program& program = plain_ ? pass_.batched_plain_ : pass_.batched_;
+    if (&program != program_) use(program);
+    setMaterial(first, 0);
+    if (lift_.changesTo({first.coplanar_rank, first.lift_units})) setLift(first);
+    triangles_.cullFor(first);
+    pass_.batch_.draw(items.first(count), catalog_, camera_);
+    mesh_ = {};
+    return count;
+  }
 
  private:
   void use(const Program& program) {
@@ -132,15 +131,15 @@ class ScenePass::Items {
   }
 
   void setWorld(const Mat4& world) const {
-    const Mat4 relative = camera_.relative(world);
-    const glm::mat4 clip_from_model(camera_.clipFromRelative() * relative);
-    const glm::mat4 relative_from_model(relative);
-    const glm::mat3 normal_from_model = normalMatrix(relative);
-    gl_.UniformMatrix4fv(program_->clip_from_model, 1, GL_FALSE, glm::value_ptr(clip_from_model));
-    gl_.UniformMatrix4fv(program_->relative_from_model, 1, GL_FALSE,
-                         glm::value_ptr(relative_from_model));
+    const ItemMatrices matrices(world, camera_);
+    gl_.UniformMatrix4fv(program_->clip_from_model, 1, GL_FALSE,
+                         glm::value_ptr(matrices.clip_from_model));
+    if (program_->relative_from_model >= 0) {  // not in plain shading
+      gl_.UniformMatrix4fv(program_->relative_from_model, 1, GL_FALSE,
+                           glm::value_ptr(matrices.relative_from_model));
+    }
     gl_.UniformMatrix3fv(program_->normal_from_model, 1, GL_FALSE,
-                         glm::value_ptr(normal_from_model));
+                         glm::value_ptr(matrices.normal_from_model));
   }
 
   void setMaterial(const DrawItem& item, GLuint texture) {
@@ -198,6 +197,7 @@ class ScenePass::Items {
   const ScenePass& pass_;
   const GlTable& gl_;
   const SceneCatalog& catalog_;
+  TriangleDrawer triangles_;
   const MeshBuffers& meshes_;
   const TextureStore& textures_;
   const Camera& camera_;
@@ -250,19 +250,26 @@ Result<ScenePass> ScenePass::create(const GlTable& gl) {
   if (!plain) return plain.error();
   auto plain_mapped = link(gl, "plain scene with pictures", kPlainVertex, kPlainMappedFragment);
   if (!plain_mapped) return plain_mapped.error();
+  auto batched = link(gl, "small items", kBatchedVertex, kSceneFragment);
+  if (!batched) return batched.error();
+  auto batched_plain = link(gl, "small items, plain", kBatchedPlainVertex, kPlainFragment);
+  if (!batched_plain) return batched_plain.error();
   auto holes = link(gl, "depth of pictures with holes", kSceneVertex, kHolesFragment);
   if (!holes) return holes.error();
   return ScenePass(gl, std::move(*standard), std::move(*plain), std::move(*plain_mapped),
-                   std::move(*holes));
+                   std::move(*holes), std::move(*batched), std::move(*batched_plain));
 }
 
 ScenePass::ScenePass(const GlTable& gl, Program standard, Program plain, Program plain_mapped,
-                     Program holes)
+                     Program holes, Program batched, Program batched_plain)
     : gl_(gl),
       standard_(std::move(standard)),
       plain_(std::move(plain)),
       plain_mapped_(std::move(plain_mapped)),
-      holes_(std::move(holes)) {}
+      holes_(std::move(holes)),
+      batched_(std::move(batched)),
+      batched_plain_(std::move(batched_plain)),
+      batch_(gl) {}
 
 ScenePass::Variant ScenePass::variantOf(const SurfaceLook& surfaces, const CellScene& look) {
   if (surfaces.shading == Shading::plain) return {};
@@ -296,9 +303,14 @@ void ScenePass::drawOpaque(const DrawList& list, const SceneCatalog& catalog,
   // With alpha, which is 1 here: a software renderer then need not read what it writes over.
   gl_.ColorMask(shown, shown, shown, shown);
   Items items(*this, catalog, meshes, textures, camera, look, surfaces);
-  for (const DrawItem& item : list.opaque) {
-    items.set(item);
-    items.draw(item);
+  const std::span opaque(list.opaque);
+  for (std::size_t i = 0; i < opaque.size();) {
+    const std::size_t batched = items.drawBatch(opaque.subspan(i));
+    i += batched;
+    if (batched > 0) continue;
+    items.set(opaque[i]);
+    items.draw(opaque[i]);
+    ++i;
   }
   if (surfaces.depth_only) {
     for (const DrawItem& item : list.translucent) {

@@ -6,6 +6,7 @@
 #include "core/model/cell.h"
 #include "viewer/render/camera.h"
 #include "viewer/render/draw_list.h"
+#include "viewer/render/item_batch.h"
 #include "viewer/render/mesh_buffers.h"
 #include "viewer/render/render_style.h"
 #include "viewer/render/shader_program.h"
@@ -56,14 +57,16 @@ class ScenePass {
   /// prepare() must have made it.
   const Program& standardIn(const Variant& variant) const;
   class Items;  // one run of items: what GL was last told
-  ScenePass(const GlTable& gl, Program standard, Program plain, Program plain_mapped,
-            Program holes);
+  ScenePass(const GlTable& gl, Program standard, Program plain, Program plain_mapped, Program holes,
+            Program batched, Program batched_plain);
   static Result<Program> link(const GlTable& gl, std::string_view name, std::string_view vertex,
                               std::string_view fragment);
 
   const GlTable& gl_;
   Program standard_, plain_, plain_mapped_;
   Program holes_;                        // depth alone, of a picture that is not opaque everywhere
+  Program batched_, batched_plain_;      // of standard and plain, for what batch_ draws
+  mutable ItemBatch batch_;              // memory that every frame uses again
   std::map<Variant, Program> variants_;  // of standard: prepare()
 };
 

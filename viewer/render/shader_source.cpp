@@ -25,6 +25,23 @@ void main() {
 }
 )";
 
+const std::string_view kBatchedVertex = R"(#version 330 core
+layout(location = 0) in vec4 clip;
+layout(location = 1) in vec3 relative;
+layout(location = 2) in vec3 normal;
+out vec3 from_eye;
+out vec3 world_normal;
+out vec2 map_place;
+out vec3 tint;
+void main() {
+  gl_Position = clip;
+  from_eye = relative;
+  world_normal = normal;
+  map_place = vec2(0.0);
+  tint = vec3(1.0);
+}
+)";
+
 const std::string_view kSceneFragment = R"(#version 330 core
 in vec3 from_eye;
 in vec3 world_normal;

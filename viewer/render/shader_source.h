@@ -11,6 +11,8 @@ namespace rocinante::shader {
 // light is added up in between. No sRGB formats: drivers round them by CPU.
 extern const std::string_view kSceneVertex;
 extern const std::string_view kSceneFragment;
+/// In place of kSceneVertex for what ItemBatch draws: points and normals are moved already.
+extern const std::string_view kBatchedVertex;
 /// Of kSceneVertex, for depth alone: nothing where the picture is hardly there. Apart, because a
 /// shader that may discard tests depth late.
 extern const std::string_view kHolesFragment;

@@ -17,6 +17,8 @@ Result<ViewChoice> ViewChoice::make(const std::vector<std::string>& hide,
         choice.parts_.push_back({*path, visible, nearness});
       } else {
         choice.visible_[path->path] = visible;
+        choice.names_links_ =
+            choice.names_links_ || (!path->path.is_layer && !path->path.second.empty());
       }
     }
   }
@@ -44,14 +46,21 @@ std::optional<bool> ViewChoice::chosenByLayers(const PosedDevice& device,
   return visible;
 }
 
-std::optional<bool> ViewChoice::chosen(const PosedDevice& device, std::size_t link) const {
+std::optional<bool> ViewChoice::chosen(const PosedDevice& device, std::size_t link,
+                                       std::optional<bool> whole) const {
   if (visible_.empty()) return std::nullopt;
-  const std::string& link_name = device.model->links[link].name;
-  if (const auto own = chosen(Path{false, device.name, link_name})) return own;
-  if (const auto so_called = chosen(Path{false, {}, link_name})) return so_called;
+  if (names_links_) {
+    const std::string& link_name = device.model->links[link].name;
+    if (const auto own = chosen(Path{false, device.name, link_name})) return own;
+    if (const auto so_called = chosen(Path{false, {}, link_name})) return so_called;
+  }
   const auto by_layers = chosenByLayers(
       device, [&](const PosedShare& share) { return share.link && share.holds(link); });
-  if (by_layers) return by_layers;
+  return by_layers ? by_layers : whole;
+}
+
+std::optional<bool> ViewChoice::chosenWhole(const PosedDevice& device) const {
+  if (visible_.empty()) return std::nullopt;
   if (const auto whole = chosen(Path{false, device.name, {}})) return whole;
   auto by_layer = chosenByLayers(
       device, [](const PosedShare& share) { return !share.link && !share.ofParts(); });
@@ -60,10 +69,6 @@ std::optional<bool> ViewChoice::chosen(const PosedDevice& device, std::size_t li
   }
   if (by_layer) return by_layer;
   return chosen(Path{});
-}
-
-bool ViewChoice::linkVisible(const PosedDevice& device, std::size_t link) const {
-  return chosen(device, link).value_or(device.visible && device.link_visible[link]);
 }
 
 bool ViewChoice::partVisible(const PosedDevice& device, std::size_t link,
@@ -75,7 +80,8 @@ bool ViewChoice::partVisible(const PosedDevice& device, std::size_t link,
   const auto by_layers =
       chosenByLayers(device, [&](const PosedShare& share) { return share.holdsPart(link, group); });
   if (by_layers) return *by_layers;
-  return chosen(device, link).value_or(device.visible && device.partVisible(link, group));
+  return chosen(device, link, chosenWhole(device))
+      .value_or(device.visible && device.partVisible(link, group));
 }
 
 bool ViewChoice::layerVisible(std::string_view layer) const {

@@ -26,7 +26,15 @@ class ViewChoice {
                                  const std::vector<std::string>& show);
 
   /// Of a link, but for parts that were chosen by themselves.
-  bool linkVisible(const PosedDevice& device, std::size_t link) const;
+  bool linkVisible(const PosedDevice& device, std::size_t link) const {
+    return linkVisible(device, link, chosenWhole(device));
+  }
+  /// What was chosen for all links of a device alike; empty: nothing.
+  std::optional<bool> chosenWhole(const PosedDevice& device) const;
+  /// linkVisible() for link after link of one device, whose chosenWhole() is at hand.
+  bool linkVisible(const PosedDevice& device, std::size_t link, std::optional<bool> whole) const {
+    return chosen(device, link, whole).value_or(device.visible && device.link_visible[link]);
+  }
   /// Whether parts of that device must be asked for one by one.
   bool choosesParts(const PosedDevice& device) const { return !parts_.empty() || device.has_parts; }
   bool partVisible(const PosedDevice& device, std::size_t link, std::string_view group) const;
@@ -41,12 +49,14 @@ class ViewChoice {
   };
 
   std::optional<bool> chosen(const Path& path) const;
-  std::optional<bool> chosen(const PosedDevice& device, std::size_t link) const;
+  std::optional<bool> chosen(const PosedDevice& device, std::size_t link,
+                             std::optional<bool> whole) const;
   /// By those layers of the device that `holds` is true of.
   template <class Holds>
   std::optional<bool> chosenByLayers(const PosedDevice& device, const Holds& holds) const;
 
   std::map<Path, bool> visible_;   ///< an empty `first`: every device
+  bool names_links_ = false;       ///< one of them is of a link
   std::vector<PartChoice> parts_;  ///< the nearest first, among equals what is hidden
 };
 

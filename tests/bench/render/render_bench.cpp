@@ -120,6 +120,7 @@ class Stage {
   BareLoop bare(int width, int height, Shading shading) {
     return need(BareLoop::create(renderer_.gl(), cell_, scene_, camera_, width, height, shading));
   }
+  void lookFrom(const CameraView& camera) { camera_ = camera; }
 
  private:
   Cell cell_;
@@ -230,6 +231,7 @@ void benchLinks(RenderContext& context, const Settings& settings) {
   std::vector<SessionState> states;
   for (int moment = 0; moment < 4; ++moment) states.push_back(fieldMoment(kLinks, moment));
   Stage merged(context, mergedField(field.cell(), states[0]));
+  merged.lookFrom(field.camera());
   const GlTable& gl = field.renderer().gl();
   const FrameBuffer target = need(FrameBuffer::create(gl, 1280, 720, 1));
   for (const Shading shading : {Shading::plain, Shading::standard}) {

@@ -100,12 +100,20 @@ TEST(Culling, ByDeviceGivesTheListOfByPart) {
 }
 
 TEST(Culling, TenThousandDevicesAreSortedByStateInTheOrderOfTheScene) {
+  // Two that are small and look alike, one that is small and looks otherwise, and two that are not
+  // small.
+  Mesh large = squareMesh(0.1);
+  large.vertices.resize(100, large.vertices.front());
   TestCell cell;
-  cell.add("first", squareMesh(0.1), {0, 0, 0}).add("second", squareMesh(0.1), {1, 0, 0});
-  const CellDevice sample[] = {cell.cell().devices[0], cell.cell().devices[1]};
+  const Material red = colored(1, 0, 0);
+  cell.add("a", squareMesh(0.1), {0, 0, 0}, red).add("b", squareMesh(0.1), {0, 0, 0}, red);
+  cell.add("c", squareMesh(0.1), {0, 0, 0}, colored(0, 0, 1));
+  cell.add("d", large, {0, 0, 0}).add("e", large, {0, 0, 0});
+  constexpr std::size_t kGroups[] = {2, 2, 3, 0, 1};  // in which they are drawn
+  const std::vector<CellDevice> samples = cell.cell().devices;
   cell.cell().devices.clear();
   for (int i = 0; i < 10'000; ++i) {
-    CellDevice device = sample[i % 2];
+    CellDevice device = samples[static_cast<std::size_t>(i) % samples.size()];
     device.name = "d" + std::to_string(i);
     device.pose.position = {i % 100 - 50.0, i / 100 * 1.0, 0};
     cell.cell().devices.push_back(device);
@@ -118,9 +126,11 @@ TEST(Culling, TenThousandDevicesAreSortedByStateInTheOrderOfTheScene) {
   const Camera camera(view, 640, 480, ClipDepth::zero_to_one, 0);
   const DrawList list = makeDrawList(scene, catalog, *ViewChoice::make({}, {}), camera, {});
   ASSERT_EQ(list.opaque.size(), 10'000U);
+  const auto place = [&](const DrawItem& item) {
+    return std::pair(kGroups[item.device % samples.size()], item.device);
+  };
   for (std::size_t i = 0; i + 1 < list.opaque.size(); ++i) {
-    EXPECT_LT(std::tie(list.opaque[i].mesh, list.opaque[i].device),
-              std::tie(list.opaque[i + 1].mesh, list.opaque[i + 1].device));
+    EXPECT_LT(place(list.opaque[i]), place(list.opaque[i + 1]));
   }
 }
 
