@@ -44,9 +44,8 @@ struct TapeRun {
 /// - where the log holds what others restated, which is folded and never played: whoever hears the
 ///   player has only this;
 /// - after each part of a source's own restatement, while one is unfinished that had begun before
-/// the
-///   last restatement of ours: a receiver has only its rest and cannot tell what it forgets. At
-///   most 64 times.
+///   the last of ours: a receiver has only its rest and cannot tell what it forgets. At most 64
+///   times.
 /// The restatement of the state at `from` itself is left to the caller.
 class TapeStream final : public DatagramStream {
  public:

@@ -2,14 +2,12 @@
 
 #include <signal.h>
 #include <time.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <array>
 #include <atomic>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <iostream>
@@ -119,12 +117,5 @@ void warn(std::string_view text) { tell(program_name + ": " + std::string(text) 
 void say(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stdout); }
 
 void tell(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
-
-bool colorsOnStandardError() {
-  const char* no_color = std::getenv("NO_COLOR");
-  const char* terminal = std::getenv("TERM");
-  return ::isatty(STDERR_FILENO) == 1 && (no_color == nullptr || *no_color == '\0') &&
-         terminal != nullptr && std::strcmp(terminal, "dumb") != 0;
-}
 
 }  // namespace rocinante::cli

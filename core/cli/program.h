@@ -47,7 +47,4 @@ void warn(std::string_view text);
 void say(std::string_view text);
 void tell(std::string_view text);
 
-/// True when standard error is a terminal, NO_COLOR is unset and TERM is not "dumb".
-bool colorsOnStandardError();
-
 }  // namespace rocinante::cli

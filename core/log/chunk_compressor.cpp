@@ -16,7 +16,6 @@ constexpr std::size_t kLeastToCompress = 1024;
 
 struct ChunkCompressor::Context {
   ZSTD_CCtx* zstd = ZSTD_createCCtx();
-  Bytes made;
   Context() = default;
   Context(const Context&) = delete;
   Context& operator=(const Context&) = delete;
@@ -29,12 +28,6 @@ ChunkCompressor::ChunkCompressor(int zstd_level) : context_(std::make_unique<Con
 ChunkCompressor::~ChunkCompressor() = default;
 ChunkCompressor::ChunkCompressor(ChunkCompressor&&) noexcept = default;
 ChunkCompressor& ChunkCompressor::operator=(ChunkCompressor&&) noexcept = default;
-
-ChunkCompressor::Compressed ChunkCompressor::compress(ByteView records) {
-  context_->made.clear();
-  if (!compressInto(records, context_->made)) return {"", records};
-  return {"zstd", context_->made};
-}
 
 bool ChunkCompressor::compressInto(ByteView records, Bytes& out) {
   if (records.size() < kLeastToCompress) return false;

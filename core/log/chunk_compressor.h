@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <string_view>
 
 #include "core/bytes.h"
 #include "core/result.h"
@@ -15,12 +14,6 @@ class ChunkCompressor {
   ~ChunkCompressor();
   ChunkCompressor(ChunkCompressor&&) noexcept;
   ChunkCompressor& operator=(ChunkCompressor&&) noexcept;
-
-  struct Compressed {
-    std::string_view compression;  ///< "zstd", or "" where it did not pay
-    ByteView records;              ///< borrowed, until the next call
-  };
-  Compressed compress(ByteView records);
 
   /// Appends the records to `out` as a zstd frame; false, and `out` as it was, where that does not
   /// pay.

@@ -42,7 +42,6 @@ class Writer {
   Status flush();
   /// Closes the open chunk, if it holds anything.
   Status closeChunk();
-  bool chunkOpen() const { return !chunk_.empty(); }
   /// Messages wait in memory.
   bool unflushed() const { return chunk_.unflushed(); }
 

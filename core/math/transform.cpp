@@ -25,21 +25,6 @@ Quat quaternionFromRpy(const Vec3& rpy_rad) {
           cr * cp * sy - sr * sp * cy};
 }
 
-Vec3 rpyFromQuaternion(const Quat& q) {
-  const double sine_pitch = std::clamp(2.0 * (q.w * q.y - q.z * q.x), -1.0, 1.0);
-  // Within 1e-12 of straight up or down, roll and yaw turn about one axis: all of it is yaw.
-  if (std::fabs(sine_pitch) > 1.0 - 1e-12) {
-    const double pitch = sine_pitch < 0 ? -0.5 * kPi : 0.5 * kPi;
-    return {0.0, pitch,
-            arcTangent2(2.0 * (q.w * q.z - q.x * q.y), 1.0 - 2.0 * (q.x * q.x + q.z * q.z))};
-  }
-  const double roll =
-      arcTangent2(2.0 * (q.w * q.x + q.y * q.z), 1.0 - 2.0 * (q.x * q.x + q.y * q.y));
-  const double yaw =
-      arcTangent2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z));
-  return {roll, arcSine(sine_pitch), yaw};
-}
-
 Quat quaternionAbout(const Vec3& unit_axis, double angle_rad) {
   const auto [s, c] = sineCosine(angle_rad * 0.5);
   return {c, unit_axis.x * s, unit_axis.y * s, unit_axis.z * s};

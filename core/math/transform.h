@@ -11,8 +11,6 @@ namespace rocinante {
 
 /// Unit quaternion of fixed-axis roll, pitch, yaw as URDF has them: Rz(yaw) * Ry(pitch) * Rx(roll).
 Quat quaternionFromRpy(const Vec3& rpy_rad);
-/// Roll, pitch, yaw of a unit quaternion, pitch in [-pi/2, pi/2]; at its ends roll is 0.
-Vec3 rpyFromQuaternion(const Quat& rotation);
 /// Turn by `angle_rad` about a unit axis.
 Quat quaternionAbout(const Vec3& unit_axis, double angle_rad);
 /// Scaled to unit length; empty when it is zero or not finite.

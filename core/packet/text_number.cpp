@@ -153,8 +153,7 @@ std::optional<std::int64_t> readSeconds(std::string_view text) {
     const std::string_view decimals = text.substr(point + 1);
     const auto digits = readUnsigned(decimals);
     if (!digits || decimals.size() > 9) return std::nullopt;
-    fraction = *digits;
-    fraction *= decimals.empty() ? 0 : kPowers[9 - decimals.size()];
+    fraction = *digits * kPowers[9 - decimals.size()];
   }
   constexpr auto kMost = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
   if (!seconds || *seconds > (kMost - fraction) / kNanoseconds) return std::nullopt;

@@ -68,7 +68,6 @@ std::optional<mcap::Channel> Definitions::addChannel(const mcap::Record& record,
     checkText(report_, offset, channel.message_encoding);
     const std::size_t before = 4 + 4 + channel.topic.size() + 4 + channel.message_encoding.size();
     checkStringMap(report_, offset, record.content.subspan(before));
-    schema_of_[channel.id] = channel.schema_id;
     if (channel.schema_id != 0 && !hasSchema(channel.schema_id)) {
       report_.add("channel-schema", offset,
                   fmt::format("channel {} names schema {}, which was not defined before",

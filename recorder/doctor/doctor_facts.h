@@ -40,7 +40,6 @@ class Definitions {
   bool hasChannel(std::uint16_t id) const { return channels_.contains(id); }
   std::size_t channels() const { return channels_.size(); }
   std::size_t schemas() const { return schemas_.size(); }
-  const std::map<std::uint16_t, std::uint16_t>& schemaByChannel() const { return schema_of_; }
   bool hasSchema(std::uint16_t id) const { return schemas_.contains(id); }
 
  private:
@@ -52,7 +51,6 @@ class Definitions {
   /// By what they say, so that a file of very long definitions takes no memory.
   std::map<std::uint16_t, Digest> channels_;
   std::map<std::uint16_t, Digest> schemas_;
-  std::map<std::uint16_t, std::uint16_t> schema_of_;
   Bytes scratch_;
 };
 

@@ -28,7 +28,6 @@ class Governor {
   explicit Governor(const Settings& settings) : settings_(settings) {}
 
   int rung() const { return rung_; }
-  double targetMs() const { return settings_.target_ms; }
   /// Typical cost of the last frames on this rung; 0 before there are any.
   double typicalMs() const;
 

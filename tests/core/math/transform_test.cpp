@@ -38,20 +38,6 @@ TEST(Transform, RollPitchYawTurnAboutTheFixedAxesInThatOrder) {
   EXPECT_LT(distanceBetween(rotationMatrix(quaternionFromRpy(rpy)), written_out), 1e-15);
 }
 
-TEST(Transform, RpyOfAQuaternionGivesTheSameRotationBack) {
-  std::mt19937_64 random(3);
-  for (int i = 0; i < 1000; ++i) {
-    const Quat rotation = randomRotation(random);
-    const Quat again = quaternionFromRpy(rpyFromQuaternion(rotation));
-    EXPECT_LT(distanceBetween(rotationMatrix(rotation), rotationMatrix(again)), 1e-12);
-  }
-  for (const double pitch : {kPi / 2, -kPi / 2}) {
-    const Quat straight = quaternionFromRpy({0.4, pitch, 1.0});
-    const Quat again = quaternionFromRpy(rpyFromQuaternion(straight));
-    EXPECT_LT(distanceBetween(rotationMatrix(straight), rotationMatrix(again)), 1e-7);
-  }
-}
-
 TEST(Transform, AMatrixGivesItsPoseBack) {
   std::mt19937_64 random(4);
   for (int i = 0; i < 1000; ++i) {
