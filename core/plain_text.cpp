@@ -120,4 +120,11 @@ std::string xmlText(std::string_view text) {
   return escaped;
 }
 
+std::string placeIn(std::string_view text, std::size_t number) {
+  const std::string_view before = text.substr(0, number > 0 ? number - 1 : 0);
+  const auto lines = std::count(before.begin(), before.end(), '\n');
+  const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 is 0
+  return ":" + std::to_string(lines + 1) + ":" + std::to_string(before.size() - line_start + 1);
+}
+
 }  // namespace rocinante

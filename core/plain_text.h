@@ -23,4 +23,7 @@ std::string plainLine(ByteView datagram, std::uint32_t number);
 /// &#10;, and everything else as plainText, since XML cannot hold control characters at all.
 std::string xmlText(std::string_view text);
 
+/// ":LINE:COLUMN" of byte `number` of a text, all from 1: what stands behind a file's name.
+std::string placeIn(std::string_view text, std::size_t number);
+
 }  // namespace rocinante

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <set>
 #include <utility>
 
 namespace rocinante {
@@ -72,6 +74,27 @@ void judgeAgainst(const std::vector<const AcceptedPicture*>& goldens, const Gold
   }
 }
 
+/// What there is instead of a golden of the key that is wanted, and what to do.
+std::string otherKeysRule(const std::vector<AcceptedPicture>& goldens, const std::string& wanted) {
+  const auto rendererOf = [](std::string_view key) { return key.substr(0, key.find(' ')); };
+  std::set<std::string> renderers;
+  std::set<std::string> shapes;
+  for (const AcceptedPicture& golden : goldens) {
+    const std::string_view renderer = rendererOf(golden.key);
+    renderers.emplace(renderer);
+    if (renderer == rendererOf(wanted))
+      shapes.insert(golden.key.substr(std::min(golden.key.size(), renderer.size() + 1)));
+  }
+  if (!shapes.empty()) {
+    return fmt::format("no golden of this size and samples; wanted: {}, there is {}: approve it",
+                       wanted, fmt::join(shapes, ", "));
+  }
+  return fmt::format(
+      "no golden of this renderer; wanted: {}, there is {}: run where that one draws, approve here "
+      "too (both are kept), or name a tolerance",
+      wanted, fmt::join(renderers, ", "));
+}
+
 }  // namespace
 
 void judgeDrawn(const Manifest& manifest, const GoldenFolder& folder, const CaseAreas* areas,
@@ -101,9 +124,7 @@ void judgeDrawn(const Manifest& manifest, const GoldenFolder& folder, const Case
     if (near != nullptr) goldens.push_back(near);
   }
   if (goldens.empty()) {
-    judged.rule = fmt::format(
-        "no golden for this renderer; wanted: {} (approve one here, or name a tolerance)",
-        judged.key);
+    judged.rule = otherKeysRule(pictures->second, judged.key);
     return;
   }
   judgeAgainst(goldens, folder, areas, judged);

@@ -9,6 +9,7 @@
 #include "core/atomic_file.h"
 #include "core/hash.h"
 #include "core/plain_text.h"
+#include "golden/merge_conflict.h"
 #include "golden/suite_case.h"
 
 namespace rocinante {
@@ -66,6 +67,33 @@ std::map<std::string, FileHashes> cellsOf(const Json& root) {
   return cells;
 }
 
+/// As JSON, in which no case stands twice: of two, one would be forgotten.
+Result<Json> parseOnce(std::string_view text, const std::filesystem::path& file) {
+  std::string of_root;
+  std::string twice;
+  std::set<std::string> names;
+  const auto look = [&](int depth, Json::parse_event_t event, Json& key) {
+    if (event != Json::parse_event_t::key) return true;
+    const auto name = key.get<std::string>();
+    if (depth == 1) of_root = name;
+    if (depth == 2 && of_root == "cases" && !names.insert(name).second) twice = name;
+    return true;
+  };
+  Json root;
+  try {
+    root = Json::parse(text, look);
+  } catch (const Json::parse_error& fault) {
+    return mergeConflictIn(text, file.string(), "the manifest of goldens",
+                           "take one side of the folder (`git checkout --ours` or `--theirs`, "
+                           "pictures too), then approve what is drawn")
+        .value_or(broken(file.string() + placeIn(text, fault.byte), "it is no JSON"));
+  }
+  if (!twice.empty()) {
+    return broken(file, fmt::format("case `{}` stands there twice", plainText(twice)));
+  }
+  return root;
+}
+
 }  // namespace
 
 Result<Manifest> Manifest::read(const std::filesystem::path& folder) {
@@ -78,8 +106,10 @@ Result<Manifest> Manifest::read(const std::filesystem::path& folder) {
 }
 
 Result<Manifest> Manifest::parse(std::string_view text, const std::filesystem::path& file) {
-  const Json root = Json::parse(text, nullptr, false);
-  if (root.is_discarded() || !root.is_object()) return broken(file, "it is not a JSON object");
+  const auto parsed = parseOnce(text, file);
+  if (!parsed.ok()) return parsed.error();
+  const Json& root = *parsed;
+  if (!root.is_object()) return broken(file, "it is not a JSON object");
   if (root.value("format", Json()) != 1) {
     return Error{ErrorKind::unsupported, "the manifest of goldens has a format other than 1",
                  file.string()};

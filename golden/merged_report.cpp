@@ -82,7 +82,12 @@ Result<SuiteReport> mergeReports(std::vector<SuiteReport> parts) {
       for (JudgedFrame& judged : part->frames) {
         if (!names.insert(judged.frame.name).second) {
           return Error{ErrorKind::refused,
-                       fmt::format("two reports have a frame {}", judged.frame.name), suite};
+                       is_one_suite
+                           ? fmt::format("two reports have a frame {}", judged.frame.name)
+                           : fmt::format("two suites have a frame {}: one page has each name once, "
+                                         "so rename one or report them apart",
+                                         judged.frame.name),
+                       suite};
         }
         if (!is_one_suite) {
           judged.run_command = part->run_one_command;

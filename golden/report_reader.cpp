@@ -256,6 +256,9 @@ Result<SuiteReport> parseReport(std::string_view text, const std::filesystem::pa
 
 Result<SuiteReport> readReport(const std::filesystem::path& folder) {
   const auto text = readFile(folder / kReportFileName, kMostReportBytes);
+  if (!text.ok() && text.error().kind == ErrorKind::not_found) {
+    return Error{ErrorKind::not_found, "holds no report of `golden run`", folder.string()};
+  }
   if (!text.ok()) return text.error();
   auto report = parseReport(*text, folder / kReportFileName);
   if (!report.ok()) return report;

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/atomic_file.h"
+#include "golden/merge_conflict.h"
 #include "golden/suite_case.h"
 #include "golden/suite_table.h"
 
@@ -68,7 +69,10 @@ std::string PictureArea::text() const { return rectangle ? rectangle->text() : p
 Result<Suite> parseSuite(std::string_view text, const std::filesystem::path& path) {
   const std::string file = path.string();
   const auto root_node = parseToml(text, file);
-  if (!root_node.ok()) return root_node.error();
+  if (!root_node.ok()) {
+    return mergeConflictIn(text, file, "the suite", "keep what shall be of both sides")
+        .value_or(root_node.error());
+  }
 
   std::optional<Error> fault;
   SuiteTable root(*root_node, file, fault);

@@ -266,7 +266,7 @@ void readCase(SuiteTable& table, const Suite& suite, SuiteCase& made) {
                   "tolerance", "expect", "reason", "tags"});
   made.name = table.text("name").value_or("");
   if (!isCaseName(made.name)) {
-    table.complainHere("a case has a `name` of letters, digits, `_`, `-` and `.`");
+    table.complainHere("a case has a `name` of at most 100 letters, digits, `_`, `-` and `.`");
   }
   readMoment(table, made);
   readCaseLook(table, suite, made);

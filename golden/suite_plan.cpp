@@ -204,11 +204,11 @@ Result<std::vector<SuiteFrame>> selectFrames(std::vector<SuiteFrame> frames,
     return turns[frame.suite_case] % selection.shards != selection.shard - 1;
   });
   if (frames.empty()) {
-    return Error{
-        ErrorKind::bad_argument,
-        fmt::format("shard {}/{} is empty: --shard deals {} out, so ask for no more shards",
-                    selection.shard, selection.shards, countText(turns.size(), "case")),
-        suite.file.string()};
+    return Error{ErrorKind::bad_argument,
+                 fmt::format("shard {}/{} is empty: with {}, ask for at most {}", selection.shard,
+                             selection.shards, countText(turns.size(), "case"),
+                             countText(turns.size(), "shard")),
+                 suite.file.string()};
   }
   return frames;
 }

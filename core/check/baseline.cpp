@@ -86,14 +86,6 @@ Error damaged(const std::string& name, std::string what) {
   return {ErrorKind::damaged, std::move(what), name};
 }
 
-/// The line and column of a byte, all from 1.
-std::string placeIn(std::string_view text, std::size_t byte) {
-  const std::string_view before = text.substr(0, std::min(byte > 0 ? byte - 1 : 0, text.size()));
-  const auto lines = std::count(before.begin(), before.end(), '\n');
-  const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 is 0
-  return fmt::format(":{}:{}", lines + 1, before.size() - line_start + 1);
-}
-
 }  // namespace
 
 std::string BaselineKey::text() const {

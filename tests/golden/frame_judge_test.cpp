@@ -115,10 +115,19 @@ TEST_F(FrameJudgeTest, AnotherRenderersGoldenJudgesOnlyWithATolerance) {
   accept(evenPicture(10), kOtherKey);
   const JudgedFrame exact = judge(evenPicture(10));
   EXPECT_EQ(exact.verdict, FrameVerdict::incomparable);
-  EXPECT_THAT(exact.rule, HasSubstr(kJudgedKey));
+  EXPECT_EQ(exact.rule,
+            "no golden of this renderer; wanted: llvmpipe 32x32 1x, there is older: run where "
+            "that one draws, approve here too (both are kept), or name a tolerance");
   case_.tolerance = Tolerance::cpu();
   EXPECT_EQ(judge(evenPicture(11)).verdict, FrameVerdict::same);
   EXPECT_EQ(judge(evenPicture(60)).verdict, FrameVerdict::different);
+}
+
+TEST_F(FrameJudgeTest, AGoldenOfAnotherSizeIsNotAnotherRenderers) {
+  accept(evenPicture(10), "llvmpipe 16x16 1x");
+  EXPECT_EQ(judge(evenPicture(10)).rule,
+            "no golden of this size and samples; wanted: llvmpipe 32x32 1x, there is 16x16 1x: "
+            "approve it");
 }
 
 TEST_F(FrameJudgeTest, OfSeveralAcceptedPicturesOneIsEnoughAndTheNearestIsTold) {

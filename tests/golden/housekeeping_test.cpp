@@ -189,6 +189,10 @@ TEST(MergeReports, GivesFramesOfSeveralSuitesTheirOwnCommands) {
   EXPECT_EQ(merged->frames[1].run_command, "rocinante golden run t.toml --only");
   EXPECT_EQ(merged->approve_from_command, "");  // a list is one suite's
   EXPECT_EQ(merged->notes.size(), 2U);
+  parts[1].frames[0].frame.name = "a";
+  EXPECT_EQ(mergeFault(parts),
+            "two suites have a frame a: one page has each name once, so rename one or report them "
+            "apart");
 }
 
 TEST(ParseReport, RefusesNamesThatLeadElsewhere) {

@@ -115,7 +115,7 @@ TEST(Manifest, ABrokenOneIsToldWithItsFile) {
     const auto manifest = Manifest::read(folder.path());
     return manifest.ok() ? std::string("none") : manifest.error().what;
   };
-  EXPECT_EQ(faultOf("{"), "the manifest of goldens is broken: it is not a JSON object");
+  EXPECT_EQ(faultOf("{"), "the manifest of goldens is broken: it is no JSON");
   EXPECT_EQ(faultOf("{\"format\": 2}"), "the manifest of goldens has a format other than 1");
   EXPECT_EQ(faultOf("{\"format\": 1}"), "the manifest of goldens is broken: it has no `cases`");
   EXPECT_EQ(faultOf("{\"format\":1,\"cases\":{\"a\":[{\"key\":\"k\",\"pixels\":\"p\","
@@ -132,6 +132,25 @@ TEST(Manifest, ABrokenOneIsToldWithItsFile) {
                               "a/b.png", "\\u001b[2J.png", "caf\\u00e9.png"}) {
     EXPECT_NE(named(hostile), "none") << hostile;
   }
+}
+
+TEST(Manifest, WhatAMergeLeftIsToldWithItsLine) {
+  const auto faultOf = [](std::string_view text) {
+    const auto manifest = Manifest::parse(text, "goldens/manifest.json");
+    return manifest.ok() ? std::string("none") : manifest.error().text();
+  };
+  EXPECT_EQ(faultOf("{\n  \"format\": 1,\n<<<<<<< HEAD\n  \"cases\": {}\n=======\n>>>>>>> b\n}\n"),
+            "the manifest of goldens holds a conflict of a git merge: take one side of the folder "
+            "(`git checkout --ours` or `--theirs`, pictures too), then approve what is drawn "
+            "(goldens/manifest.json:3:1)");
+  EXPECT_EQ(faultOf("{\"format\": 1,\n \"cases\": {},\n}"),
+            "the manifest of goldens is broken: it is no JSON (goldens/manifest.json:3:1)");
+  // Of two of one name, one would be forgotten.
+  EXPECT_EQ(faultOf("{\"format\":1,\"cases\":{\"a\":[],\"b\":[],\"a\":[]}}"),
+            "the manifest of goldens is broken: case `a` stands there twice "
+            "(goldens/manifest.json)");
+  EXPECT_EQ(faultOf("{\"format\":1,\"cases\":{\"cases\":[]},\"cells\":{\"a\":{},\"a\":{}}}"),
+            "none");
 }
 
 TEST(Manifest, TwoGoldensInOneFileAreRefused) {

@@ -73,7 +73,7 @@ TEST(SuitePlan, ShardsTogetherAreTheWholeAndShareNothing) {
     EXPECT_THAT(all, testing::UnorderedElementsAreArray(selected(suite, {}))) << shards;
   }
   EXPECT_THAT(selected(suite, {.shard = 6, .shards = 6}),
-              ElementsAre("shard 6/6 is empty: there are 5 cases, so ask for no more shards "
+              ElementsAre("shard 6/6 is empty: with 5 cases, ask for at most 5 shards "
                           "(s.toml)"));
 }
 

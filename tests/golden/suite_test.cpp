@@ -144,7 +144,7 @@ TEST(ParseSuite, EveryFaultNamesItsPlace) {
             "(s.toml:5:13)");
   EXPECT_EQ(faultOf(named + "[[case]]\nname = \"a\"\n"), "two cases are named `a` (s.toml:5:1)");
   EXPECT_EQ(faultOf(head + "[[case]]\nname = \"../up\"\n"),
-            "a case has a `name` of letters, digits, `_`, `-` and `.` (s.toml:3:1)");
+            "a case has a `name` of at most 100 letters, digits, `_`, `-` and `.` (s.toml:3:1)");
   EXPECT_EQ(faultOf(named + "after = \"1s\"\n"),
             "`after` goes with `event` or `events` (s.toml:5:9)");
   EXPECT_EQ(faultOf(named + "occurrence = 0\nevent = \"e\"\n"),
