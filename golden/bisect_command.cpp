@@ -1,41 +1,47 @@
 #include "golden/bisect_command.h"
 
 #include <fmt/format.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "core/bundle/attached_cell.h"
+#include "core/count_text.h"
 #include "core/duration_text.h"
+#include "core/plain_text.h"
+#include "golden/child_output.h"
+#include "golden/suite_arguments.h"
 #include "golden/why/bisect.h"
 #include "viewer/render/frame_maker.h"
+#include "viewer/render/render_job.h"
 
 namespace rocinante {
 namespace {
 
-/// A maker that outlives the function which draws with it.
-Result<DrawnHash> drawnByUs(const std::filesystem::path& cell, const std::filesystem::path& log,
-                            const CellOptions& options, const FrameRequest& asked) {
+/// Shared, since it outlives the function which draws with it.
+Result<std::shared_ptr<FrameMaker>> makerOf(const std::filesystem::path& cell,
+                                            const std::filesystem::path& log,
+                                            const CellOptions& options) {
   auto loaded = loadCellOrLog(cell, options);
   if (!loaded.ok()) return loaded.error();
   auto session = Timeline::open(log);
   if (!session.ok()) return session.error();
   auto opened = FrameMaker::open(std::move(*loaded), std::move(*session), Profile::reproducible);
   if (!opened.ok()) return opened.error();
-  auto maker = std::make_shared<FrameMaker>(std::move(*opened));
-  return DrawnHash([maker, asked](Nanoseconds moment) -> Result<std::string> {
+  return std::make_shared<FrameMaker>(std::move(*opened));
+}
+
+DrawnHash drawnByUs(std::shared_ptr<FrameMaker> maker, const FrameRequest& asked) {
+  return [maker = std::move(maker), asked](Nanoseconds moment) -> Result<std::string> {
     FrameRequest request = asked;
     request.time = maker->session()->origin() + moment;
     const auto frame = maker->frame(request);
     if (!frame.ok()) return frame.error();
     return pictureSha256(*frame);
-  });
+  };
 }
 
 /// The first 64 hexadecimal digits in a row that a program prints.
@@ -47,37 +53,6 @@ std::string hashIn(const std::string& text) {
     if (digits == 64) return text.substr(i - 63, 64);
   }
   return {};
-}
-
-/// Runs a program without a shell and gives what it wrote to standard output.
-Result<std::string> outputOf(const std::vector<std::string>& words) {
-  std::array<int, 2> ends{};
-  if (::pipe(ends.data()) != 0) return Error{ErrorKind::refused, "no pipe is to be had", words[0]};
-  const ::pid_t child = ::fork();
-  if (child < 0) return Error{ErrorKind::refused, "no process is to be had", words[0]};
-  if (child == 0) {
-    ::dup2(ends[1], STDOUT_FILENO);
-    ::close(ends[0]);
-    ::close(ends[1]);
-    std::vector<char*> arguments;
-    for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
-    arguments.push_back(nullptr);
-    ::execvp(arguments[0], arguments.data());
-    ::_exit(127);
-  }
-  ::close(ends[1]);
-  std::string text;
-  std::array<char, 4096> buffer{};
-  for (::ssize_t got = 0; (got = ::read(ends[0], buffer.data(), buffer.size())) > 0;) {
-    if (text.size() < 65536) text.append(buffer.data(), static_cast<std::size_t>(got));
-  }
-  ::close(ends[0]);
-  int status = 0;
-  ::waitpid(child, &status, 0);
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
-    return Error{ErrorKind::unreadable, "it could not draw the frame", words[0]};
-  }
-  return text;
 }
 
 /// Another build of rocinante-render.
@@ -97,9 +72,15 @@ DrawnHash drawnBy(const std::string& program, const std::filesystem::path& cell,
     if (!arguments.camera.empty()) words.insert(words.end(), {"--camera", arguments.camera});
     for (const auto& root : arguments.search)
       words.insert(words.end(), {"--search", root.string()});
-    const auto text = outputOf(words);
-    if (!text.ok()) return text.error();
-    std::string hash = hashIn(*text);
+    const auto ran = childOutput(words);
+    if (!ran.ok()) return ran.error();
+    if (ran->exit_code != 0) {
+      return Error{ErrorKind::unreadable,
+                   fmt::format("it ended with exit code {}: {}", ran->exit_code,
+                               plainText(ran->err.substr(0, ran->err.find('\n')))),
+                   program};
+    }
+    std::string hash = hashIn(ran->out);
     if (hash.empty()) return Error{ErrorKind::unsupported, "it printed no --hash", program};
     return hash;
   };
@@ -145,11 +126,11 @@ std::string answerText(const BisectAnswer& answer) {
   std::string text;
   if (!answer.first) {
     if (answer.frames == 0) {
-      return fmt::format("no difference: the states are equal at all of {} moments\n",
-                         answer.moments);
+      return fmt::format("no difference: the states are equal at all of {}\n",
+                         countText(answer.moments, "moment"));
     }
-    return fmt::format("no difference at the {} moments that were drawn, of {}\n", answer.frames,
-                       answer.moments);
+    return fmt::format("no difference: {} of {} drawn, with the same pictures\n", answer.frames,
+                       countText(answer.moments, "moment"));
   }
   text = fmt::format("the pictures part at {}\n", seconds(*answer.first));
   if (answer.last_alike) {
@@ -159,7 +140,7 @@ std::string answerText(const BisectAnswer& answer) {
   text += answer.is_first_since_probe
               ? fmt::format("every moment since {} was looked at\n", seconds(answer.searched_from))
               : "found by halving: there may be an earlier one\n";
-  text += fmt::format("{} of {} moments drawn\n", answer.frames, answer.moments);
+  text += fmt::format("{} of {} drawn\n", answer.frames, countText(answer.moments, "moment"));
   return text;
 }
 
@@ -192,11 +173,9 @@ Result<BisectQuestion> bisectQuestion(const BisectArguments& arguments) {
   FrameRequest request;
   request.camera = arguments.camera;
   request.samples = arguments.samples;
-  if (std::sscanf(arguments.size.c_str(), "%dx%d", &request.width, &request.height) != 2 ||
-      request.width < 1 || request.height < 1 || request.width > 8192 || request.height > 8192) {
-    return Error{ErrorKind::bad_argument, "--size is WIDTHxHEIGHT, each from 1 to 8192",
-                 arguments.size};
-  }
+  const auto size = parseSize(arguments.size);
+  if (!size.ok()) return size.error();
+  std::tie(request.width, request.height) = *size;
   BisectQuestion question;
   question.most_frames = arguments.most_frames;
   auto moments = momentsOfBoth(arguments);
@@ -218,29 +197,25 @@ Result<BisectQuestion> bisectQuestion(const BisectArguments& arguments) {
   if (!arguments.other_log.empty()) {
     auto other = Timeline::open(other_log);
     if (!other.ok()) return other.error();
-    // Of one cell and one build equal states are equal pictures, and nothing need be drawn: but for
-    // a camera that is fitted to all that a session will show.
-    CellOptions without_meshes = options;
-    without_meshes.geometry = false;
-    const auto kinematics = loadCellOrLog(cell, without_meshes);
-    if (!kinematics.ok()) return kinematics.error();
-    const bool has_camera = !arguments.camera.empty() || !kinematics->cameras.empty();
-    if (has_camera && arguments.other_cell.empty() && arguments.other_render.empty()) {
+    // Of one cell and one build equal states are equal pictures, and nothing need be drawn.
+    if (arguments.other_cell.empty() && arguments.other_render.empty()) {
       const auto part = statesPart(*session, *other, question.moments);
       if (!part.ok()) return part.error();
       question.alike_before = *part ? **part : question.moments.back() + Nanoseconds(1);
     }
   }
-  auto a = drawnByUs(cell, arguments.log, options, request);
+  auto a = makerOf(cell, arguments.log, options);
   if (!a.ok()) return a.error();
-  question.a = std::move(*a);
+  question.a = drawnByUs(*a, request);
   if (!arguments.other_render.empty()) {
     question.b = drawnBy(arguments.other_render, other_cell, other_log, arguments);
     return question;
   }
-  auto b = drawnByUs(other_cell, other_log, options, request);
+  auto b = makerOf(other_cell, other_log, options);
   if (!b.ok()) return b.error();
-  question.b = std::move(*b);
+  // `question.a` keeps it.
+  (*b)->fitLike(**a);
+  question.b = drawnByUs(std::move(*b), request);
   return question;
 }
 
@@ -265,9 +240,7 @@ CLI::App* addBisectCommand(CLI::App& app, BisectArguments& arguments) {
       ->add_option("--most-frames", arguments.most_frames,
                    "draw at most so many moments one by one; more are halved")
       ->capture_default_str();
-  command->add_option("--search", arguments.search, "root for model files; repeatable");
-  command->add_flag("--search-env", arguments.search_environment,
-                    "search ROCINANTE_PATH, AMENT_PREFIX_PATH and ROS_PACKAGE_PATH too");
+  addSearchOptions(*command, arguments.search, arguments.search_environment);
   command->add_flag("--json", arguments.json, "answer as JSON");
   return command;
 }

@@ -4,27 +4,16 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <iostream>
+#include <tuple>
 
 #include "core/duration_text.h"
 #include "golden/suite_arguments.h"
 #include "golden/why/session_comparison.h"
+#include "viewer/render/render_job.h"
 
 namespace rocinante {
 namespace {
-
-/// "640x480".
-bool readSize(std::string_view text, int& width, int& height) {
-  const std::size_t cross = text.find('x');
-  if (cross == text.npos) return false;
-  const auto read = [](std::string_view digits, int& value) {
-    const auto [end, fault] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    return fault == std::errc() && end == digits.data() + digits.size() && value >= 1 &&
-           value <= 8192;
-  };
-  return read(text.substr(0, cross), width) && read(text.substr(cross + 1), height);
-}
 
 Result<SessionQuestion> questionOf(const SessionArguments& arguments) {
   SessionQuestion question;
@@ -46,10 +35,9 @@ Result<SessionQuestion> questionOf(const SessionArguments& arguments) {
   const auto tolerance = Tolerance::named(arguments.tier);
   if (!tolerance.ok()) return tolerance.error();
   question.tolerance = *tolerance;
-  if (!readSize(arguments.size, question.width, question.height)) {
-    return Error{ErrorKind::bad_argument, "--size is WIDTHxHEIGHT, each from 1 to 8192",
-                 arguments.size};
-  }
+  const auto size = parseSize(arguments.size);
+  if (!size.ok()) return size.error();
+  std::tie(question.width, question.height) = *size;
   return question;
 }
 
@@ -77,9 +65,7 @@ CLI::App* addSessionCommand(CLI::App& app, SessionArguments& arguments) {
   command->add_option("--size", arguments.size, "of the pictures")->capture_default_str();
   command->add_flag("--no-pictures", arguments.no_pictures, "compare events and states alone");
   command->add_option("--report", arguments.report, "folder for index.html and the pictures");
-  command->add_option("--search", arguments.search, "root for model files; repeatable");
-  command->add_flag("--search-env", arguments.search_environment,
-                    "search ROCINANTE_PATH, AMENT_PREFIX_PATH and ROS_PACKAGE_PATH too");
+  addSearchOptions(*command, arguments.search, arguments.search_environment);
   command->add_flag("--json", arguments.json, "answer as JSON");
   return command;
 }

@@ -38,9 +38,13 @@ void addSuiteOptions(CLI::App& app, SuiteArguments& arguments) {
       ->allow_extra_args(false);
   app.add_option("--shard", arguments.shard, "the I-th of N parts of the cases")
       ->option_text("I/N");
-  app.add_option("--search", arguments.search, "root for model files; repeatable")
-      ->allow_extra_args(false);
-  app.add_flag("--search-env", arguments.search_environment,
+  addSearchOptions(app, arguments.search, arguments.search_environment);
+}
+
+void addSearchOptions(CLI::App& app, std::vector<std::filesystem::path>& search,
+                      bool& search_environment) {
+  app.add_option("--search", search, "root for model files; repeatable")->allow_extra_args(false);
+  app.add_flag("--search-env", search_environment,
                "search ROCINANTE_PATH, AMENT_PREFIX_PATH and ROS_PACKAGE_PATH too");
 }
 

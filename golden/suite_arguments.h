@@ -22,6 +22,9 @@ struct SuiteArguments {
 
 /// Adds SUITE and its options to a subcommand; parsing fills `arguments`, which must outlive it.
 void addSuiteOptions(CLI::App& app, SuiteArguments& arguments);
+/// --search and --search-env; both must outlive `app`.
+void addSearchOptions(CLI::App& app, std::vector<std::filesystem::path>& search,
+                      bool& search_environment);
 /// bad_argument for a shard that is none.
 Result<SuiteOptions> suiteOptions(const SuiteArguments& arguments);
 /// "rocinante golden VERB SUITE ..." with these arguments, as a shell takes it.

@@ -6,9 +6,9 @@
 
 #include "core/bundle/attached_cell.h"
 #include "core/log/log_reader.h"
+#include "core/plain_text.h"
 #include "golden/why/bisect.h"
 #include "golden/why/explain_pictures.h"
-#include "viewer/render/camera_choice.h"
 
 namespace rocinante {
 namespace {
@@ -129,27 +129,11 @@ class SlackMoments {
   std::vector<Nanoseconds> changes_;
 };
 
-/// The camera of every picture. One that is fitted to a session would stand elsewhere in the other.
-Result<std::string> cameraOfBoth(FrameMaker& a, const SessionQuestion& question, LogTime moment) {
-  const bool is_fitted = question.camera.empty()
-                             ? a.cell().cameras.empty()
-                             : question.camera == "fit" || question.camera == "map";
-  if (!is_fitted) return question.camera;
-  FrameRequest request;
-  request.camera = question.camera;
-  request.width = question.width;
-  request.height = question.height;
-  request.time = moment;
-  const auto view = a.camera(request);
-  if (!view.ok()) return view.error();
-  return viewpointText(*view);
-}
-
 Result<JudgedFrame> judgeMoment(FrameMaker& maker_a, FrameMaker& maker_b, LogTime time_a,
                                 LogTime time_b, const SessionQuestion& question,
-                                const std::string& camera, SlackMoments* slack_moments) {
+                                SlackMoments* slack_moments) {
   FrameRequest request;
-  request.camera = camera;
+  request.camera = question.camera;
   request.width = question.width;
   request.height = question.height;
   request.samples = question.samples;
@@ -236,14 +220,19 @@ Result<SessionComparison> judgeSessions(const std::filesystem::path& cell,
   report.renderer = maker_a->key().text();
   if (!question.pictures) return comparison;
   SlackMoments slack_moments(question, *maker_a, *maker_b);
-  const auto camera = cameraOfBoth(*maker_a, question, comparison.state.from);
-  if (!camera.ok()) return camera.error();
+  maker_b->fitLike(*maker_a);
+  FrameRequest asked;
+  asked.camera = question.camera;
+  if (maker_a->asksFit(asked)) {
+    report.notes.push_back("`fit` and `map` are fitted to " + plainText(question.a.string()) +
+                           " in both");
+  }
   for (const auto& [name, moment] : momentsToDraw(comparison)) {
     tell("picture " + name);
     // The worst moments are beyond the slack, and shown as they are.
     SlackMoments* slack = name.starts_with(kWorst) ? nullptr : &slack_moments;
-    auto judged = judgeMoment(*maker_a, *maker_b, moment, comparison.events.inB(moment), question,
-                              *camera, slack);
+    auto judged =
+        judgeMoment(*maker_a, *maker_b, moment, comparison.events.inB(moment), question, slack);
     if (!judged.ok()) return judged.error();
     judged->frame.name = name;
     judged->frame.case_name = name;

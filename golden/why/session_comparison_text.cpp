@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/count_text.h"
 #include "core/duration_text.h"
 #include "core/plain_text.h"
 #include "golden/why/frame_why.h"
@@ -62,8 +63,9 @@ void addEvents(const SessionComparison& comparison, std::string& out) {
 void addState(const SessionComparison& comparison, std::string& out) {
   const SessionDeviation& state = comparison.state;
   const auto at = [&](LogTime moment) { return secondsText(moment - comparison.origin_a, 3); };
-  out += fmt::format("state     {} items at {} moments, from {} to {} s, every {} s\n", state.items,
-                     state.samples, at(state.from), at(state.until), secondsText(state.step));
+  out += fmt::format("state     {} at {}, from {} to {} s, every {} s\n",
+                     countText(state.items, "item"), countText(state.samples, "moment"),
+                     at(state.from), at(state.until), secondsText(state.step));
   if (state.beyond.empty()) {
     out += "  all within their limits";
     if (state.largest_within && state.largest_within->largest.value_or(0) > 0) {
@@ -73,8 +75,9 @@ void addState(const SessionComparison& comparison, std::string& out) {
     out += "\n";
     return;
   }
-  out += fmt::format("  they part at {} s: {} of the items are beyond their limit\n",
-                     at(state.beyond.front().first_at), state.beyond.size());
+  out += fmt::format("  they part at {} s: {} beyond {}\n", at(state.beyond.front().first_at),
+                     countText(state.beyond.size(), "item"),
+                     state.beyond.size() == 1 ? "its limit" : "their limits");
   for (std::size_t i = 0; i < std::min(state.beyond.size(), kMostLines); ++i) {
     const Deviation& item = state.beyond[i];
     out += fmt::format("  {}: {}, from {} s on", plainText(item.item), amountText(item),
@@ -97,6 +100,7 @@ std::string sessionText(const SessionComparison& comparison) {
     out += fmt::format("pictures  {} of {} differ\n", pictures.count(FrameVerdict::different),
                        pictures.frames.size());
   }
+  for (const std::string& note : pictures.notes) out += "  note: " + note + "\n";
   for (const JudgedFrame& judged : pictures.frames) {
     if (judged.verdict == FrameVerdict::same) continue;
     out += fmt::format("  {} at {} s: {}\n", judged.frame.name,

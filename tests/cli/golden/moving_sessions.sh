@@ -33,3 +33,14 @@ judged a.mcap b.mcap
 judged b.mcap a.mcap
 judged a.mcap c.mcap | tail -n 1
 judged a.mcap b.mcap arm.urdf
+# A session's extent moves what is fitted to it, main view and inset: both are drawn as the first has it.
+cat >fitted.toml <<'TOML'
+format = 1
+[[device]]
+model = "arm.urdf"
+[[inset]]
+camera = "map"
+TOML
+rocinante log cut c.mcap --until 0.15s -o half.mcap >/dev/null 2>&1
+rocinante golden session c.mcap half.mcap fitted.toml --size 96x72 --tier exact --slack 0s | sed -n '/^pictures/,$p'
+rocinante golden bisect c.mcap fitted.toml --size 96x72 --other-log half.mcap | sed 's/of [0-9]* moments/of N moments/'
