@@ -19,14 +19,14 @@ class Pane {
     context.setTransform(1, 0, 0, 1, 0, 0);
     context.clearRect(0, 0, width, height);
     const { left, top } = transform.corner();
-    for (const { image, from = 0, until = 1 } of layers) {
+    for (const { image, from = 0, until = 1, is_reduced = false } of layers) {
       if (!image) continue;
       context.save();
       context.beginPath();
       context.rect(from * width, 0, (until - from) * width, height);
       context.clip();
-      // Pixels are what is judged: enlarged they stay squares.
-      context.imageSmoothingEnabled = transform.scale * ratio < 1;
+      // Pixels are what is judged: enlarged they stay squares. Those of a reduced picture are nobody's.
+      context.imageSmoothingEnabled = is_reduced || transform.scale * ratio < 1;
       context.imageSmoothingQuality = "high";
       context.drawImage(image, Math.round(width / 2 + left * ratio), Math.round(height / 2 + top * ratio),
         Math.round(image.width * transform.scale * ratio), Math.round(image.height * transform.scale * ratio));

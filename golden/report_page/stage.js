@@ -72,7 +72,7 @@ class Stage {
     if (mode === "side") {
       if (golden) add("golden, as accepted", () => [{ image: golden.image }]);
       if (frame) add("frame, as drawn now", () => [{ image: frame.image }]);
-      if (!golden && !frame && thumbnail) add("frame, reduced", () => [{ image: thumbnail.image }]);
+      if (!golden && !frame && thumbnail) add("frame, kept small since it is the same", () => [{ image: thumbnail.image, is_reduced: true }]);
     } else if (mode === "slider") {
       add("golden to the left, frame to the right", () => [
         { image: golden.image, until: this.divider }, { image: frame.image, from: this.divider }]);
