@@ -132,45 +132,45 @@ int main(int argc, char** argv) {
   bool hash = false;
   bool json = false;
   Looks looks;
-  app.add_option("cell", job.cell,
-                 "A .cell.toml, a bare .urdf or .obj, or a log that carries its cell")
+  app.add_option("CELL", job.cell,
+                 "a .cell.toml, a bare .urdf or .obj, or a log that carries its cell")
       ->required();
-  app.add_option("log", job.log, "The session; without one, the cell at rest");
+  app.add_option("LOG", job.log, "the session; without one, the cell at rest");
   app.add_option("--at", job.moments.at,
-                 "A moment: 12.5, 1m02.5s, -1s from the end, or RFC 3339; repeatable")
+                 "a moment: 12.5, 1m02.5s, -1s from the end, or RFC 3339; repeatable")
       ->allow_extra_args(false);
-  app.add_option("--every", job.moments.every, "Every so often, from the log's start to its end");
-  app.add_option("--at-file", job.moments.at_file, "More moments, one a line; # begins a comment");
-  app.add_flag("--events", job.moments.all_events, "Every event and mark of the log");
-  app.add_option("--event", job.moments.events, "Those whose text is so (* and ?); repeatable")
+  app.add_option("--every", job.moments.every, "every so often, from the log's start to its end");
+  app.add_option("--at-file", job.moments.at_file, "more moments, one a line; # begins a comment");
+  app.add_flag("--events", job.moments.all_events, "every event and mark of the log");
+  app.add_option("--event", job.moments.events, "those whose text is so (* and ?); repeatable")
       ->option_text("PATTERN")
       ->allow_extra_args(false);
-  app.add_option("--from", job.moments.from, "Of --every, --events and --fps: from there on");
-  app.add_option("--until", job.moments.until, "And up to there, exclusive");
-  app.add_option("-o,--output", job.output, "One frame, as PNG");
-  app.add_option("--sheet", job.sheet, "All moments on one PNG, their times below");
-  app.add_option("--frames", job.frames, "A folder for frame-00001.png and on");
-  app.add_option("--video", job.video, "All moments as .mp4, .mkv, .mov or .webm, by ffmpeg");
-  app.add_option("--fps", job.moments.rate, "Of --video: pictures a second, 25 or 30000/1001");
-  app.add_option("--identity", job.identity, "Devices and links as colours: a PNG, a JSON legend");
-  app.add_option("--depth", job.depth, "Metres along the view: a 16-bit PNG, its unit in JSON");
+  app.add_option("--from", job.moments.from, "of --every, --events and --fps: from there on");
+  app.add_option("--until", job.moments.until, "and up to there, exclusive");
+  app.add_option("-o,--output", job.output, "one frame, as PNG");
+  app.add_option("--sheet", job.sheet, "all moments on one PNG, their times below");
+  app.add_option("--frames", job.frames, "a folder for frame-00001.png and on");
+  app.add_option("--video", job.video, "all moments as .mp4, .mkv, .mov or .webm, by ffmpeg");
+  app.add_option("--fps", job.moments.rate, "of --video: pictures a second, 25 or 30000/1001");
+  app.add_option("--identity", job.identity, "devices and links as colours: a PNG, a JSON legend");
+  app.add_option("--depth", job.depth, "metres along the view: a 16-bit PNG, its unit in JSON");
   app.add_option("--camera", job.cameras,
-                 "Of the cell, a `view` of the session, map or fit; repeatable")
+                 "of the cell, a `view` of the session, map or fit; repeatable")
       ->option_text("NAME")
       ->allow_extra_args(false);
-  app.add_option("--inset", job.insets, "A window over the view in place of the cell's; repeatable")
+  app.add_option("--inset", job.insets, "a window over the view in place of the cell's; repeatable")
       ->option_text("CAMERA[:CORNER]")
       ->allow_extra_args(false);
-  app.add_flag("--no-insets", without_insets, "Without the cell's insets");
-  app.add_flag("--overlay", job.look.panel, "Time, devices, joint values and rates in a corner");
-  app.add_option("--size", size, "Pixels")->capture_default_str();
+  app.add_flag("--no-insets", without_insets, "without the cell's insets");
+  app.add_flag("--overlay", job.look.panel, "time, devices, joint values and rates in a corner");
+  app.add_option("--size", size, "in pixels")->capture_default_str();
   app.add_option("--scale", job.look.scale,
-                 "Of text, lines and all that has its size in pixels: 2 for twice as many pixels")
+                 "of text, lines and all that has its size in pixels: 2 for twice as many pixels")
       ->check(CLI::Range(kLeastScale, kLargestScale))
       ->capture_default_str();
-  app.add_option("--samples", job.look.samples, "A pixel: 1 or 4")->capture_default_str();
+  app.add_option("--samples", job.look.samples, "for each pixel: 1 or 4")->capture_default_str();
   app.add_option("--detail", job.look.detail,
-                 "How much is drawn: 0 (everything) to 9, as `rocinante view` does it")
+                 "how much is drawn: 0 (everything) to 9, as `rocinante view` does it")
       ->check(CLI::Range(0, kCoarsestRung))
       ->capture_default_str();
   app.add_option("--hide", job.look.hide,
@@ -178,7 +178,7 @@ int main(int argc, char** argv) {
       ->allow_extra_args(false);
   app.add_option("--show", job.look.show, "PATH to draw whatever packets say; repeatable")
       ->allow_extra_args(false);
-  app.add_option("--layers", job.layers, "Only these layers, with commas between")
+  app.add_option("--layers", job.layers, "only these layers, with commas between")
       ->option_text("NAME,...")
       ->delimiter(',')
       ->allow_extra_args(false);
@@ -186,16 +186,16 @@ int main(int argc, char** argv) {
   app.add_option("--profile", profile, "reproducible: the same bits everywhere; fast: any GPU")
       ->check(CLI::IsMember({"reproducible", "fast"}))
       ->capture_default_str();
-  app.add_option("--caps", caps, "What the reproducible profile pins the processor to")
+  app.add_option("--caps", caps, "what the reproducible profile pins the processor to")
       ->check(CLI::IsMember({"sse4.1", "sse2"}))
       ->capture_default_str();
-  app.add_option("--search", job.search, "A folder in which models are looked for; repeatable")
+  app.add_option("--search", job.search, "a folder in which models are looked for; repeatable")
       ->allow_extra_args(false);
   app.add_flag("--search-env", job.search_environment,
-               "Also in ROCINANTE_PATH, AMENT_PREFIX_PATH, ROS_PACKAGE_PATH");
-  app.add_flag("--hash", hash, "Print the SHA-256 of the RGBA rows, top to bottom, a line a frame");
-  app.add_flag("--force", job.overwrite, "Replace existing files");
-  app.add_flag("--json", json, "Print a report as JSON");
+               "also in ROCINANTE_PATH, AMENT_PREFIX_PATH, ROS_PACKAGE_PATH");
+  app.add_flag("--hash", hash, "print the SHA-256 of the RGBA rows, top to bottom, a line a frame");
+  app.add_flag("--force", job.overwrite, "replace existing files");
+  app.add_flag("--json", json, "print a report as JSON");
 
   std::vector<std::string> words = withJoinedSwitches(argc, argv);
   std::vector<char*> arguments;
