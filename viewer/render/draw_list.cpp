@@ -7,6 +7,7 @@
 #include "core/math/transform.h"
 #include "viewer/render/cull_sphere.h"
 #include "viewer/render/scene_detail.h"
+#include "viewer/render/translucent_order.h"
 
 namespace rocinante {
 namespace {
@@ -228,9 +229,7 @@ void makeDrawList(DrawList& list, const PosedScene& scene, const SceneCatalog& c
         });
       });
   sortByState(list.opaque, list.spare);
-  // Stable: what is equal stays in the order of the scene.
-  std::stable_sort(list.translucent.begin(), list.translucent.end(),
-                   [](const DrawItem& a, const DrawItem& b) { return a.distance > b.distance; });
+  sortFromBackToFront(list.translucent, catalog, camera);
 }
 
 std::vector<Vec3> visibleCorners(const PosedScene& scene, const SceneCatalog& catalog,

@@ -10,6 +10,7 @@
 
 #include "core/math/transform.h"
 #include "viewer/render/coplanar_items.h"
+#include "viewer/render/depth_reach.h"
 #include "viewer/render/draw_list.h"
 #include "viewer/render/draw_passes.h"
 #include "viewer/render/identity_numbers.h"
@@ -24,25 +25,25 @@ namespace {
 
 constexpr int kTextPixels = 16;
 
-/// How far before and behind the eye an orthographic camera must reach. A power of two, so that
-/// small movements do not change anyone's depth.
-double reachOf(const Vec3& eye, const std::vector<Vec3>& corners, double grid_m) {
-  double farthest = grid_m;
-  for (const Vec3& corner : corners) {
-    const Vec3 offset = corner - eye;
-    farthest = std::max(farthest,
-                        std::sqrt(offset.x * offset.x + offset.y * offset.y + offset.z * offset.z));
-  }
-  const double from_origin = std::sqrt(eye.x * eye.x + eye.y * eye.y + eye.z * eye.z);
-  farthest = std::max(farthest, from_origin + grid_m * 1.5);
-  double reach = 1;
-  while (reach < farthest && reach < 1e12) reach *= 2;
-  return reach;
-}
-
 /// Lines of edges, and what stands in for a scale bar's longest length.
 constexpr glm::vec4 kEdgeColor{0.09F, 0.11F, 0.14F, 0.9F};
 constexpr double kScaleBarPx = 180;
+
+/// How many of the items, from back to front, lie farther than all ghosts.
+std::size_t countBehind(std::span<const DrawItem> items, std::span<const DrawItem> ghosts) {
+  double farthest = ghosts.empty() ? HUGE_VAL : -HUGE_VAL;
+  for (const DrawItem& ghost : ghosts) farthest = std::max(farthest, ghost.distance);
+  const auto first = std::find_if(items.begin(), items.end(), [&](const DrawItem& item) {
+    return !(item.distance > farthest);
+  });
+  return static_cast<std::size_t>(first - items.begin());
+}
+
+/// Without perspective nothing is too near or too far: what lies past the reach of depths (lines,
+/// the grid) is before or behind all else.
+void setClamp(const GlTable& gl, bool clamp) {
+  clamp ? gl.Enable(GL_DEPTH_CLAMP) : gl.Disable(GL_DEPTH_CLAMP);
+}
 
 const RenderStyle& styleOf(const SceneFrame& frame) {
   static const RenderStyle kDefault;
@@ -149,11 +150,10 @@ const TextAtlas& Renderer::Impl::atlasOf(double scale) const {
 
 Camera Renderer::Impl::cameraOf(const SceneFrame& frame, const CameraView& view, int width,
                                 int height) const {
-  double reach = 0;
-  if (view.ortho_height_m) {
-    reach = reachOf(view.eye, visibleCorners(*frame.scene, catalog, *frame.choice),
-                    cell.scene.grid_size_m);
-  }
+  const Camera camera(view, width, height, passes->clipDepth(), 1);
+  if (!camera.orthographic()) return camera;
+  const double reach = depthReach(camera, visibleCorners(*frame.scene, catalog, *frame.choice),
+                                  cell.scene.grid_size_m);
   return Camera(view, width, height, passes->clipDepth(), reach);
 }
 
@@ -289,6 +289,7 @@ Result<DrawCounts> Renderer::Impl::drawView(const SceneFrame& frame, const LinkL
 
   const bool plain_filtering = frame.detail.plain_filtering || style.shading == Shading::plain;
   passes->begin(look, part, frame_height);
+  setClamp(gl, camera.orthographic());
   if (plain_filtering) textures.beginPlainFiltering();
   for (const DrawnSet& set : sets) {
     passes->scene.drawOpaque(*set.list, *set.catalog, *set.meshes, textures, camera, look,
@@ -302,19 +303,25 @@ Result<DrawCounts> Renderer::Impl::drawView(const SceneFrame& frame, const LinkL
   }
   // Before what is translucent, so that a planner's line shows through a ghost.
   passes->overlay.drawInScene(in_scene);
+  const auto drawTranslucent = [&](bool behind_ghosts) {
+    if (surfaces.depth_only) return;
+    if (plain_filtering) textures.beginPlainFiltering();
+    for (const DrawnSet& set : sets) {
+      const std::span<const DrawItem> items = set.list->translucent;
+      const std::size_t behind = countBehind(items, list.ghosts);
+      passes->scene.drawTranslucent(behind_ghosts ? items.first(behind) : items.subspan(behind),
+                                    *set.catalog, *set.meshes, textures, camera, look, surfaces);
+    }
+    textures.endPlainFiltering();
+  };
   if (!list.ghosts.empty()) {
     const auto ghosts = look_passes.ghosts();
     if (!ghosts) return ghosts.error();
+    drawTranslucent(true);
     (*ghosts)->draw(list.ghosts, catalog, meshes, camera);
   }
-  if (!surfaces.depth_only) {
-    if (plain_filtering) textures.beginPlainFiltering();
-    for (const DrawnSet& set : sets) {
-      passes->scene.drawTranslucent(*set.list, *set.catalog, *set.meshes, textures, camera, look,
-                                    surfaces);
-    }
-    textures.endPlainFiltering();
-  }
+  drawTranslucent(false);
+  setClamp(gl, false);
   if (outlines != nullptr) outlines->draw();
   if (frame.on_top) passes->overlay.drawOnTop(onTopOf(frame, camera, view));
   for (const DrawnSet& set : sets) {
@@ -439,6 +446,7 @@ Result<IdentityFrame> Renderer::identity(const SceneFrame& frame, const FrameBuf
   const auto drawView = [&](const CameraView& view, const PixelRectangle& part) -> Status {
     const Camera camera = my.cameraOf(frame, view, part.width, part.height);
     my.identity_pass->begin(part, target.height());
+    setClamp(my.gl, camera.orthographic());
     if (Status drawn = my.drawNumbers(frame, *looks, camera, number_of); !drawn) return drawn;
     Overlay in_scene(camera, frame.scale);
     addLinesAndPoints(in_scene, frame.scene->drawings, *frame.choice);
@@ -454,6 +462,7 @@ Result<IdentityFrame> Renderer::identity(const SceneFrame& frame, const FrameBuf
     if (drawn) drawn = drawView(inset.camera, inset.part);
   }
   if (!drawn) return drawn.error();
+  setClamp(my.gl, false);
   my.identity_pass->end();
   if (Status fine = my.glStatus(); !fine) return fine.error();
   return numbers.frame(IdentityPass::readNumbers(target), target.width(), target.height());
@@ -466,9 +475,11 @@ Result<DepthFrame> Renderer::depth(const SceneFrame& frame, const FrameBuffer& t
   const auto looks = my.looksOf(frame);
   if (!looks) return looks.error();
   my.identity_pass->begin({0, 0, target.width(), target.height()}, target.height());
+  setClamp(my.gl, camera.orthographic());
   Status drawn = my.drawNumbers(frame, *looks, camera, [](const DrawItem&) { return 1U; });
   if (!drawn) return drawn.error();
   DepthFrame depth{target.width(), target.height(), my.identity_pass->readDepth(target, camera)};
+  setClamp(my.gl, false);
   my.identity_pass->end();
   if (Status fine = my.glStatus(); !fine) return fine.error();
   return depth;

@@ -322,15 +322,15 @@ void ScenePass::drawOpaque(const DrawList& list, const SceneCatalog& catalog,
   gl_.Disable(GL_POLYGON_OFFSET_FILL);
 }
 
-void ScenePass::drawTranslucent(const DrawList& list, const SceneCatalog& catalog,
+void ScenePass::drawTranslucent(std::span<const DrawItem> translucent, const SceneCatalog& catalog,
                                 const MeshBuffers& meshes, const TextureStore& textures,
                                 const Camera& camera, const CellScene& look,
                                 const SurfaceLook& surfaces) const {
-  if (list.translucent.empty()) return;
+  if (translucent.empty()) return;
   gl_.Enable(GL_DEPTH_TEST);
   gl_.Enable(GL_BLEND);
   Items items(*this, catalog, meshes, textures, camera, look, surfaces);
-  for (const DrawItem& item : list.translucent) {
+  for (const DrawItem& item : translucent) {
     items.set(item, true);
     // Depth first, so that of each part only the nearest surface shows: its back sides would come
     // and go with the order of its triangles. The second time holes must not write it either.

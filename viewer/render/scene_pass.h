@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <map>
+#include <span>
 
 #include "core/model/cell.h"
 #include "viewer/render/camera.h"
@@ -35,8 +36,10 @@ class ScenePass {
   void drawOpaque(const DrawList& list, const SceneCatalog& catalog, const MeshBuffers& meshes,
                   const TextureStore& textures, const Camera& camera, const CellScene& look,
                   const SurfaceLook& surfaces = {}) const;
-  void drawTranslucent(const DrawList& list, const SceneCatalog& catalog, const MeshBuffers& meshes,
-                       const TextureStore& textures, const Camera& camera, const CellScene& look,
+  /// Items of DrawList::translucent, from back to front.
+  void drawTranslucent(std::span<const DrawItem> items, const SceneCatalog& catalog,
+                       const MeshBuffers& meshes, const TextureStore& textures,
+                       const Camera& camera, const CellScene& look,
                        const SurfaceLook& surfaces = {}) const;
 
  private:

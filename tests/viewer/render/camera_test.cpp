@@ -7,6 +7,7 @@
 
 #include "core/math/transform.h"
 #include "core/math/trigonometry.h"
+#include "viewer/render/depth_reach.h"
 
 namespace rocinante {
 namespace {
@@ -111,6 +112,30 @@ TEST(Camera, SeesWhatIsInThePictureAndNotWhatIsBehind) {
   }
   view.ortho_height_m.reset();
   EXPECT_FALSE(Camera(view, 400, 300, ClipDepth::zero_to_one, 0).sees({-5, 0, 0}, 1));
+}
+
+TEST(DepthReach, IsOfWhatThePictureShowsAndNotOfTheSiteAround) {
+  // A site of two kilometres, flat, and a part of a centimetre on it.
+  std::vector<Vec3> corners;
+  for (const Vec3& half : {Vec3(1000, 1000, 0), Vec3(0.005, 0.005, 0.005)}) {
+    for (unsigned k = 0; k < 8; ++k) {
+      corners.emplace_back((k & 1U) != 0 ? half.x : -half.x, (k & 2U) != 0 ? half.y : -half.y,
+                           (k & 4U) != 0 ? half.z : -half.z);
+    }
+  }
+  CameraView view;
+  view.target = {0, 0, 0};
+  view.ortho_height_m = 0.05;
+  const auto reach = [&](const Vec3& eye) {
+    view.eye = eye;
+    return depthReach(Camera(view, 400, 300, ClipDepth::zero_to_one, 1), corners, 10);
+  };
+  EXPECT_EQ(reach({0, 0, 0.3}), 1) << "from above";
+  EXPECT_EQ(reach({1, 1, 1}), 2) << "aslant";
+  EXPECT_EQ(reach({0, -1, 0}), 1024) << "along the ground, of which all is in the picture";
+  EXPECT_EQ(reach({0, 0, -5000}), 8192);
+  corners.erase(corners.begin(), corners.begin() + 8);
+  EXPECT_EQ(reach({0, 0, 0.3}), 16) << "to the grid";
 }
 
 TEST(FittedView, ShowsEveryPointWithAMarginAndFillsThePicture) {

@@ -50,6 +50,21 @@ TEST(DrawList, TranslucentThingsComeFromBackToFront) {
   EXPECT_EQ(list.opaque, (Names{"solid"}));
 }
 
+TEST(DrawList, ATranslucentBoxComesAfterWhatItHoldsUnlessTheEyeIsInside) {
+  const auto glass = colored(0.5F, 0.7F, 1, 0.3F);
+  TestCell cell;
+  cell.add("hall", boxMesh({6, 6, 6}), {0, 0, 0}, glass)
+      .add("cabin", boxMesh({4, 4, 4}), {0, 0, 0}, glass)
+      .add("far", boxMesh({1, 1, 1}), {0, 1, 0}, glass)
+      .add("near", boxMesh({1, 1, 1}), {0, -1.4, 0}, glass)
+      .add("beside", boxMesh({1, 1, 1}), {3.5, -1, 0}, glass);
+  EXPECT_EQ(listOf(cell).translucent, (Names{"far", "beside", "near", "cabin", "hall"}));
+  TestCell around;
+  around.add("hall", boxMesh({30, 30, 30}), {0, 1, 0}, glass)
+      .add("near", boxMesh({1, 1, 1}), {0, 0, 0}, glass);
+  EXPECT_EQ(listOf(around).translucent, (Names{"hall", "near"}));
+}
+
 TEST(DrawList, EquallyFarTranslucentThingsKeepTheOrderOfTheCell) {
   TestCell cell;
   cell.add("b", squareMesh(1), {1, 0, 0}, colored(1, 0, 0, 0.5F))

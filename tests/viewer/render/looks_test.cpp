@@ -246,7 +246,8 @@ TEST(Looks, TheLineAroundAThingIsTwoAndAHalfPixelsWide) {
   std::vector<std::uint8_t> large(21 * 21, 0);
   large[10 * 21 + 10] = 255;
   const auto twice = outlineOf(large, 21, 21, 2);
-  for (std::size_t off = 1; off <= 5; ++off) EXPECT_EQ(twice[10 * 21 + 10 + off], 255) << off;
+  for (std::size_t off = 1; off <= 4; ++off) EXPECT_EQ(twice[10 * 21 + 10 + off], 255) << off;
+  EXPECT_EQ(twice[10 * 21 + 15], 128);
   EXPECT_EQ(twice[10 * 21 + 16], 0);
 }
 
@@ -391,6 +392,50 @@ TEST(Looks, AClearGhostNeverFightsWithWhatItIsAGhostOf) {
   }
   studio.scene().devices[1].link_world[0][3].x = 3.0;
   EXPECT_GT(differingPixels(studio.drawn({"ghosts=clear"}, view), actual), 1500);
+}
+
+TEST(Looks, WhatIsTranslucentFarBehindAClearGhostShowsThroughIt) {
+  TestCell cell;
+  cell.add("plan", boxMesh({3, 3, 3}), {0, 0, 0}, colored(0.4F, 0.6F, 1, 0.35F))
+      .add("cover", squareMesh(6), {0, 4, 0}, colored(0.9F, 0.1F, 0.1F, 0.8F));
+  Studio studio(cell);
+  studio.scene().devices[0].ghost = true;
+  const Rgb through = at(studio.drawn({"ghosts=clear"}), 80, 80);
+  const Rgb alone =
+      at(studio.drawn({"ghosts=clear"}, frontView(), {"layer/gnomon", "cover"}), 80, 80);
+  EXPECT_GT(through.r, alone.r + 40);
+}
+
+TEST(Looks, EdgesOfFacesNarrowerThanAFewPixelsFade) {
+  TestCell cell;
+  for (int i = -20; i < 20; ++i) {
+    cell.add("bar" + std::to_string(i), boxMesh({0.1, 0.1, 8}), {i * 0.2, 0, 0},
+             colored(0.9F, 0.1F, 0.1F));
+  }
+  Studio studio(cell);
+  const auto redness = [&](const std::vector<std::string>& words, double height_m) {
+    CameraView view = frontView();
+    view.ortho_height_m = height_m;
+    const Picture picture = studio.drawn(words, view);
+    int sum = 0;
+    for (int x = 60; x < 100; ++x) sum += at(picture, x, 80).r;
+    return sum;
+  };
+  EXPECT_GT(redness({"edges"}, 20), redness({}, 20) * 95 / 100);
+  EXPECT_LT(redness({"edges"}, 1.5), redness({}, 1.5) * 95 / 100) << "near they are as ever";
+}
+
+TEST(Looks, ACloseViewWithoutPerspectiveHasFineDepthsInALargeSite) {
+  TestCell cell;
+  cell.add("tag", squareMesh(0.5), {0, -0.0002, 0}, colored(0.9F, 0.1F, 0.1F))
+      .add("plate", squareMesh(0.8), {0, 0, 0}, colored(0.1F, 0.9F, 0.1F))
+      .add("wall", squareMesh(2000), {0, 3, 0}, colored(0.2F, 0.2F, 0.2F));
+  Studio studio(cell);
+  CameraView view = frontView();
+  view.ortho_height_m = 1;
+  const Picture close = studio.drawn({}, view);
+  EXPECT_GT(at(close, 80, 80).r, at(close, 80, 80).g) << "a fifth of a millimetre before the plate";
+  EXPECT_LT(at(close, 80, 80 + 50).r, at(close, 80, 80 + 50).g);
 }
 
 TEST(Looks, ATrailIsDrawnInTheSceneAndFadesTowardsItsOldEnd) {

@@ -96,10 +96,10 @@ TEST(MeshEdges, KnowHowWideTheirFacesAre) {
     strips.indices.insert(strips.indices.end(), {i, i + 2, i + 3, i, i + 3, i + 1});
   }
   strips.parts.push_back({"", 0, 0, 600});
-  for (const MeshEdge& edge : meshEdges(strips).edges) EXPECT_NEAR(edge.face_width, 0.5F, 1e-3F);
+  for (const MeshEdge& edge : meshEdges(strips).edges) EXPECT_NEAR(edge.face_width, 0.41F, 0.01F);
   // A pipe, whose edges are its outlines and two rings.
   for (const MeshEdge& edge : meshEdges(cylinderMesh(0.05, 4)).edges) {
-    EXPECT_GT(edge.face_width, 0.04F);
+    EXPECT_GT(edge.face_width, 0.03F);
     EXPECT_LT(edge.face_width, 0.15F);
   }
 }
