@@ -15,7 +15,7 @@ bool finite(const Vec3& a) {
 }
 
 double halfHeightOf(double fov_deg) {
-  const double bounded = std::isfinite(fov_deg) ? std::clamp(fov_deg, 0.1, 170.0) : 45.0;
+  const double bounded = std::isfinite(fov_deg) ? std::clamp(fov_deg, 0.01, 179.0) : 45.0;
   return tangent(radiansOf(bounded) / 2);
 }
 

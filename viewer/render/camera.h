@@ -10,7 +10,7 @@ namespace rocinante {
 /// Where a picture is taken from: world space, metres.
 struct CameraView {
   Vec3 eye{4, -4, 3}, target{0, 0, 0}, up{0, 0, 1};
-  double fov_deg = 45;                   ///< vertical; from 0.1 to 170
+  double fov_deg = 45;                   ///< vertical; from 0.01 to 179
   std::optional<double> ortho_height_m;  ///< orthographic: metres from top to bottom
 };
 

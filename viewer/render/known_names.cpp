@@ -226,7 +226,15 @@ Status KnownNames::checkCamera(const std::string& name) {
   if (views_.contains(name)) return {};
   std::vector<std::string_view> known(views_.begin(), views_.end());
   for (const CellCamera& camera : cell_.cameras) known.emplace_back(camera.name);
-  return unknownName("no camera is called `" + name + "`", name, std::move(known));
+  Error unknown = unknownName("no camera is called `" + name + "`", name, std::move(known));
+  // A camera that cannot stand is not in the cell.
+  const auto fault = std::ranges::find_if(cell_.faults, [](const ModelFault& one) {
+    return one.severity == Severity::error && one.rule.starts_with("cell.");
+  });
+  if (fault != cell_.faults.end()) {
+    unknown.what += "; the cell has an error: " + cell_.shown(fault->print());
+  }
+  return unknown;
 }
 
 std::string KnownNames::doubtAbout(const std::string& text) const {

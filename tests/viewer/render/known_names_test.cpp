@@ -102,6 +102,16 @@ TEST_F(NamesOfAPicture, WhatTheLogAddsIsKnownAtEachOfItsMoments) {
             "no camera is called `sied`: did you mean `side`?");
 }
 
+TEST_F(NamesOfAPicture, ACameraThatCannotStandIsNamedWithItsFault) {
+  std::ofstream(folder_ / "bad.toml") << "format = 1\n[[camera]]\nname = \"here\"\n"
+                                         "eye = [1, 1, 1]\ntarget = [1, 1, 1]\n";
+  const auto bad = loadCell(folder_ / "bad.toml", {});
+  ASSERT_TRUE(bad.ok()) << bad.error().text();
+  EXPECT_EQ(KnownNames(*bad).checkCamera("here").error().text(),
+            "no camera is called `here`: there is none; the cell has an error: bad.toml:5:10: "
+            "error: `eye` and `target` are the same point [cell.no-direction]");
+}
+
 TEST_F(NamesOfAPicture, InALiveSessionDevicesMayComeButNotLinksOfNoModel) {
   names_->expectOthers();
   EXPECT_EQ(said("amr"), "");
