@@ -15,6 +15,7 @@
 #include "golden/report.h"
 #include "golden/report_output.h"
 #include "golden/suite_arguments.h"
+#include "viewer/picture/lfs_pointer.h"
 
 namespace rocinante {
 namespace {

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include "core/atomic_file.h"
+#include "viewer/picture/lfs_pointer.h"
 
 namespace rocinante {
 namespace {
 
 constexpr std::uint64_t kMostPictureBytes = std::uint64_t{1} << 30U;
-constexpr std::string_view kLfsBegin = "version https://git-lfs.github.com/spec/v1";
 
 Result<Picture> readOne(const std::filesystem::path& file, const std::string& pixels) {
   const auto bytes = readFile(file, kMostPictureBytes);
@@ -43,11 +43,6 @@ Result<Picture> readOne(const std::filesystem::path& file, const std::string& pi
 }
 
 }  // namespace
-
-bool isLfsPointer(ByteView bytes) {
-  return bytes.size() < 1024 && bytes.size() >= kLfsBegin.size() &&
-         std::ranges::equal(bytes.first(kLfsBegin.size()), bytesOf(kLfsBegin));
-}
 
 std::filesystem::path GoldenFolder::fileOf(const std::string& picture,
                                            const std::string& pixels) const {

@@ -42,7 +42,4 @@ class GoldenFolder {
   std::filesystem::path goldens_, store_;
 };
 
-/// True for the text file that Git LFS leaves where a picture should be.
-bool isLfsPointer(ByteView bytes);
-
 }  // namespace rocinante

@@ -81,7 +81,15 @@ TEST(FinePicture, FoldersAndFilesThatCannotBeReadGetASentence) {
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.error().what, "is no picture that can be read");
   std::ofstream(folder / "empty.png");
-  EXPECT_FALSE(readFinePicture(folder / "empty.png").ok());
+  const auto empty = readFinePicture(folder / "empty.png");
+  ASSERT_FALSE(empty.ok());
+  EXPECT_EQ(empty.error().what, "is an empty file");
+  std::ofstream(folder / "pointer.png")
+      << "version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 12345\n";
+  const auto pointer = readFinePicture(folder / "pointer.png");
+  ASSERT_FALSE(pointer.ok());
+  EXPECT_EQ(pointer.error().what,
+            "is a Git LFS pointer and not the picture; `git lfs pull` fetches it");
 }
 
 #ifdef ROCINANTE_HAS_OPENIMAGEIO

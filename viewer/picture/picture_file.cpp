@@ -2,6 +2,7 @@
 
 #include "core/atomic_file.h"
 #include "viewer/picture/fine_picture.h"
+#include "viewer/picture/lfs_pointer.h"
 #include "viewer/picture/picture.h"
 #include "viewer/picture/picture_module.h"
 
@@ -25,11 +26,21 @@ Result<bool> isPng(const std::filesystem::path& path) {
     return Error{ErrorKind::unreadable, "is a device, not a picture", path.string()};
   }
   std::ifstream file(path, std::ios::binary);
-  char first[kPngSignature.size()] = {};
-  if (!file.read(first, sizeof first)) {
+  char bytes[1024] = {};
+  file.read(bytes, sizeof bytes);
+  const std::string_view first(bytes, static_cast<std::size_t>(file.gcount()));
+  if (first.empty() && file.eof()) {
+    return Error{ErrorKind::unreadable, "is an empty file", path.string()};
+  }
+  if (first.size() < kPngSignature.size()) {
     return Error{ErrorKind::unreadable, "is no picture that can be read", path.string()};
   }
-  return std::string_view(first, sizeof first) == kPngSignature;
+  if (isLfsPointer(bytesOf(first))) {
+    return Error{ErrorKind::unsupported,
+                 "is a Git LFS pointer and not the picture; `git lfs pull` fetches it",
+                 path.string()};
+  }
+  return first.starts_with(kPngSignature);
 }
 
 /// A pipe can be read but once.
