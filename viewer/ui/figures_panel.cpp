@@ -4,7 +4,9 @@
 #include <filesystem>
 #include <vector>
 
+#include "core/cli/text_table.h"
 #include "core/count_text.h"
+#include "core/plain_text.h"
 #include "viewer/ui/panel_parts.h"
 
 namespace rocinante {
@@ -12,6 +14,8 @@ namespace {
 
 constexpr float kGraphWidth = 208;
 constexpr float kGraphHeight = 44;
+/// So wide that figures may grow without moving the panel's edge.
+constexpr float kFiguresWidth = 244;
 const ImVec4 kAmissColor{1, 0.55F, 0.45F, 1};
 
 struct Stage {
@@ -47,7 +51,7 @@ void drawLive(const ViewModel& model, SteadyTime now) {
     return;
   }
   ImGui::Text("%.0f packets/s", live->rate_hz);
-  ImGui::TextUnformatted(countText(live->datagrams, "datagram").c_str());
+  ImGui::TextUnformatted(cli::counted(live->datagrams, "datagram").c_str());
   const std::uint64_t lost = live->dropped + live->gaps;
   const ImVec4 color = lost == 0 ? ImVec4(0.55F, 0.85F, 0.62F, 1) : kAmissColor;
   ImGui::TextColored(color, "lost: %llu by this machine, %llu before",
@@ -55,7 +59,9 @@ void drawLive(const ViewModel& model, SteadyTime now) {
                      static_cast<unsigned long long>(live->gaps));
   drawSourceCount(model, now);
   if (live->undecoded > 0) {
-    ImGui::Text("not packets: %llu", static_cast<unsigned long long>(live->undecoded));
+    ImGui::TextColored(kAmissColor, "%s",
+                       ("not packets: " + cli::grouped(live->undecoded)).c_str());
+    explain(("the first begins " + live->undecoded_sample).c_str());
   }
 }
 
@@ -65,7 +71,7 @@ void drawSession(const ViewModel& model, SteadyTime now) {
   } else if (const Timeline* session = model.session()) {
     ImGui::TextUnformatted(
         std::filesystem::path(session->log().name()).filename().string().c_str());
-    ImGui::TextUnformatted(countText(session->log().summary().messages, "datagram").c_str());
+    ImGui::TextUnformatted(cli::counted(session->log().summary().messages, "datagram").c_str());
     if (const std::size_t places = session->log().damage().size(); places > 0) {
       ImGui::TextColored(kAmissColor, "damaged in %s", countText(places, "place").c_str());
       explain("rocinante log doctor says where, and what it cost");
@@ -78,6 +84,26 @@ void drawSession(const ViewModel& model, SteadyTime now) {
   } else {
     ImGui::TextDisabled("the cell at rest");
   }
+}
+
+/// What moves nothing because the cell has no place for it.
+void drawMisfits(const ViewModel& model) {
+  constexpr std::size_t kMostNamed = 8;
+  const std::vector<Misfit>& misfits = model.misfits();
+  if (misfits.empty()) return;
+  ImGui::TextColored(kAmissColor, "%s",
+                     (countText(misfits.size(), "device") +
+                      (misfits.size() == 1 ? " does not fit the cell" : " do not fit the cell"))
+                         .c_str());
+  if (!ImGui::IsItemHovered()) return;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(misfits.size(), kMostNamed); ++i) {
+    text += (i > 0 ? "\n" : "") + plainText(misfits[i].device) + " " + plainText(misfits[i].what);
+  }
+  if (misfits.size() > kMostNamed) {
+    text += fmt::format("\n... and {} more", misfits.size() - kMostNamed);
+  }
+  ImGui::SetTooltip("%s\nrocinante check tells all of it", text.c_str());
 }
 
 /// One column a frame, its stages stacked; a line where the target is.
@@ -189,12 +215,16 @@ float drawFigures(const ViewModel& model, const ViewerStatus& status, SteadyTime
   const ImGuiIO& io = ImGui::GetIO();
   ImGui::SetNextWindowPos(ImVec2(io.DisplaySize.x - px(kPanelMargin), px(kPanelMargin)),
                           ImGuiCond_Always, ImVec2(1, 0));
+  if (!brief) {
+    ImGui::SetNextWindowSizeConstraints(ImVec2(px(kFiguresWidth), 0), io.DisplaySize);
+  }
   ImGui::Begin("figures", nullptr, kPanelFlags | ImGuiWindowFlags_NoTitleBar);
   if (brief) {
     drawBrief(model, status);
   } else {
     drawSession(model, now);
-    ImGui::TextUnformatted(countText(status.triangles, "triangle").c_str());
+    drawMisfits(model);
+    ImGui::TextUnformatted(cli::counted(status.triangles, "triangle").c_str());
     if (status.tells_times && status.times.count() > 0) drawTimes(status);
     drawRung(status, wishes);
     ImGui::TextDisabled("%s", status.renderer.c_str());

@@ -14,6 +14,8 @@ namespace rocinante {
 InterfaceContext::InterfaceContext(GLFWwindow* window) : window_(window) {
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;
+  // ImguiPainter can: else a panel of more than 65,535 corners would end the program.
+  ImGui::GetIO().BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
   useScale(1);
   if (window_ != nullptr) ImGui_ImplGlfw_InitForOpenGL(window_, true);
 }

@@ -32,6 +32,8 @@ void drawScenePanel(ViewModel& model, SteadyTime now, ViewerWishes& wishes) {
       drawEventsTab(model, now, wishes);
       ImGui::EndTabItem();
     }
+    if (ImGui::TabItemButton("?", ImGuiTabItemFlags_Trailing)) model.help_shown = !model.help_shown;
+    explain("mouse and keyboard (F1)");
     ImGui::EndTabBar();
   }
   ImGui::End();

@@ -189,6 +189,27 @@ void drawDevices(ViewModel& model) {
   ImGui::EndChild();
 }
 
+/// The events whose text or source holds what is looked for; all of them where nothing is.
+std::vector<std::size_t> listedEvents(const ViewModel& model) {
+  std::vector<std::size_t> listed;
+  const std::string_view wanted = model.event_filter.data();
+  for (std::size_t i = 0; !wanted.empty() && i < model.events().size(); ++i) {
+    const Event& event = model.events()[i];
+    if (containsWord(event.text, wanted) || containsWord(event.source, wanted)) listed.push_back(i);
+  }
+  return listed;
+}
+
+void drawEventRow(const ViewModel& model, const Event& event, Transport& transport,
+                  SteadyTime now) {
+  const std::string line = fmt::format(
+      "{:9.3f}  {}{}{}", std::chrono::duration<double>(event.time - model.origin()).count(),
+      event.source, event.source.empty() ? "" : ": ", event.text);
+  const bool here = event.time == transport.position(now);
+  if (ImGui::Selectable(line.c_str(), here)) transport.seek(event.time, now);
+  explain(line.c_str());
+}
+
 }  // namespace
 
 void drawSceneTab(ViewModel& model, ViewerWishes& wishes) {
@@ -202,18 +223,26 @@ void drawEventsTab(ViewModel& model, SteadyTime now, ViewerWishes& wishes) {
   Transport& transport = *model.transport();
   const std::vector<Event>& events = model.events();
   if (events.empty()) ImGui::TextDisabled("no event in this session");
-  const float rows = static_cast<float>(std::clamp<std::size_t>(events.size(), 1, 14));
-  ImGui::BeginChild("events", ImVec2(0, rows * ImGui::GetTextLineHeightWithSpacing() + 4));
-  for (std::size_t i = 0; i < events.size(); ++i) {
-    const Event& event = events[i];
-    ImGui::PushID(static_cast<int>(i));
-    const std::string line = fmt::format(
-        "{:9.3f}  {}{}{}", std::chrono::duration<double>(event.time - model.origin()).count(),
-        event.source, event.source.empty() ? "" : ": ", event.text);
-    const bool here = event.time == transport.position(now);
-    if (ImGui::Selectable(line.c_str(), here)) transport.seek(event.time, now);
-    explain(line.c_str());
-    ImGui::PopID();
+  constexpr std::size_t kMostEventRows = 14;
+  if (events.size() > kMostEventRows) {
+    ImGui::SetNextItemWidth(-1);
+    ImGui::InputTextWithHint("##find event", "find an event", model.event_filter.data(),
+                             model.event_filter.size());
+  }
+  const bool all = model.event_filter[0] == 0;
+  const std::vector<std::size_t> listed = listedEvents(model);
+  const float pitch = ImGui::GetTextLineHeightWithSpacing();
+  const auto rows = static_cast<float>(std::clamp<std::size_t>(events.size(), 1, kMostEventRows));
+  ImGui::BeginChild("events", ImVec2(0, rows * pitch + 4));
+  ImGuiListClipper clipper;
+  clipper.Begin(static_cast<int>(all ? events.size() : listed.size()), pitch);
+  while (clipper.Step()) {
+    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+      const auto place = static_cast<std::size_t>(i);
+      ImGui::PushID(i);
+      drawEventRow(model, events[all ? place : listed[place]], transport, now);
+      ImGui::PopID();
+    }
   }
   ImGui::EndChild();
   auto& text = model.mark_text;

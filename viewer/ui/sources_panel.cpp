@@ -13,6 +13,7 @@ namespace {
 const ImVec4 kAmiss{1, 0.6F, 0.4F, 1};
 constexpr std::size_t kMostWithoutSearch = 12;
 constexpr std::size_t kMostRowsShown = 16;
+constexpr std::uint64_t kManyRestarts = 10;
 
 /// As wide as it ever is, so that columns stand still while figures change.
 void drawRight(const std::string& text, const ImVec4& color) {
@@ -45,6 +46,7 @@ void explainRow(const SourceRow& row) {
                         live.lost);
     if (live.late > 0) text += fmt::format("\n{} late or twice", live.late);
     if (live.restarts > 0) text += "\nbegan anew " + countText(live.restarts, "time");
+    if (live.restarts > kManyRestarts) text += ": do two senders use this name?";
     if (live.faulty_lines > 0) {
       text += "\n" + countText(live.faulty_lines, "faulty line") + ": rocinante spy shows them";
     }
@@ -61,7 +63,8 @@ void drawSourceRow(const SourceRow& row) {
   const ImVec4 dim = ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled);
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
-  const bool faulty = row.live != nullptr && row.live->faulty_lines > 0;
+  const bool faulty =
+      row.live != nullptr && (row.live->faulty_lines > 0 || row.live->restarts > kManyRestarts);
   ImGui::PushStyleColor(ImGuiCol_Text, row.is_silent ? dim : plain);
   ImGui::Selectable(row.name.c_str(), false, ImGuiSelectableFlags_SpanAllColumns);
   ImGui::PopStyleColor();

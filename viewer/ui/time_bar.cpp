@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 #include "core/duration_text.h"
 #include "viewer/ui/panel_parts.h"
@@ -109,6 +110,25 @@ void drawRuler(const Track& track, LogTime origin) {
   }
 }
 
+/// Of a hundred thousand events no more than there is room for side by side.
+void drawTicks(const Track& track, const std::vector<Event>& events) {
+  ImDrawList* const list = ImGui::GetWindowDrawList();
+  const float middle = track.middle();
+  // A mark of a person has no source.
+  for (const bool marks : {false, true}) {
+    const ImU32 color = marks ? IM_COL32(150, 230, 140, 255) : IM_COL32(120, 200, 255, 255);
+    float free_from = -1e6F;
+    for (const Event& event : events) {
+      if (event.source.empty() != marks) continue;
+      const float x = track.xOf(event.time);
+      if (x < free_from) continue;
+      free_from = x + px(2);
+      list->AddRectFilled(ImVec2(x - px(1), middle - px(7)), ImVec2(x + px(1), middle + px(7)),
+                          color);
+    }
+  }
+}
+
 void drawTrack(ViewModel& model, Transport& transport, SteadyTime now) {
   Track track;
   track.corner = ImGui::GetCursorScreenPos();
@@ -129,14 +149,7 @@ void drawTrack(ViewModel& model, Transport& transport, SteadyTime now) {
                       IM_COL32(70, 82, 94, 255), half);
   list->AddRectFilled(ImVec2(track.corner.x, middle - half), ImVec2(at, middle + half),
                       IM_COL32(255, 168, 64, 255), half);
-  for (const Event& event : model.events()) {
-    const float x = track.xOf(event.time);
-    // A mark of a person has no source.
-    const ImU32 color =
-        event.source.empty() ? IM_COL32(150, 230, 140, 255) : IM_COL32(120, 200, 255, 255);
-    list->AddRectFilled(ImVec2(x - px(1), middle - px(7)), ImVec2(x + px(1), middle + px(7)),
-                        color);
-  }
+  drawTicks(track, model.events());
   list->AddCircleFilled(ImVec2(at, middle), px(7), IM_COL32(255, 255, 255, 255), 20);
   if (!ImGui::IsItemHovered()) return;
   const auto x_of = [&](LogTime moment) { return track.xOf(moment); };

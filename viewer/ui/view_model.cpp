@@ -95,6 +95,11 @@ Result<bool> ViewModel::update(SteadyTime now) {
     scene_ = poses_->pose(*state_);
     extras_.limits =
         style_.limits ? limitLevels(scene_, *state_) : std::vector<std::vector<LimitLevel>>();
+    // Asking thousands of devices for each frame would cost as much as posing them.
+    if (!feed_ || !misfits_at_ || now - *misfits_at_ >= std::chrono::milliseconds(500)) {
+      misfits_ = rocinante::misfits(*cell_, scene_, *state_);
+      misfits_at_ = now;
+    }
   }
   return changed;
 }

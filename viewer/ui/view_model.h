@@ -17,6 +17,7 @@
 #include "viewer/render/view_choice.h"
 #include "viewer/ui/live_feed.h"
 #include "viewer/ui/live_reason.h"
+#include "viewer/ui/misfits.h"
 #include "viewer/ui/source_rows.h"
 #include "viewer/ui/transport.h"
 #include "viewer/ui/turntable.h"
@@ -77,6 +78,8 @@ class ViewModel {
   const LiveFeed& feed() const { return *feed_; }
   /// Why nothing moves in a live session; empty otherwise.
   std::optional<LiveReason> liveReason(SteadyTime now) const;
+  /// What was said that the cell has no place for; of a live session not older than half a second.
+  const std::vector<Misfit>& misfits() const { return misfits_; }
   Timeline* session() { return session_ ? &*session_ : nullptr; }
   const Timeline* session() const { return session_ ? &*session_ : nullptr; }
 
@@ -121,6 +124,7 @@ class ViewModel {
   std::array<char, 256> mark_text{};     ///< being typed; NUL-terminated
   std::array<char, 64> device_filter{};  ///< part of the names that are listed; NUL-terminated
   std::array<char, 64> source_filter{};  ///< the same of sources
+  std::array<char, 64> event_filter{};   ///< of events
   std::set<std::string> open_devices;    ///< whose links are listed
   std::string complaint;                 ///< one sentence to show; empty: none
 
@@ -147,6 +151,8 @@ class ViewModel {
   bool style_changed_ = false;
   std::optional<TrailFinder> trail_finder_;
   FrameExtras extras_;
+  std::vector<Misfit> misfits_;
+  std::optional<SteadyTime> misfits_at_;
   std::vector<Event> events_;
   std::set<std::string> hidden_, shown_paths_;
   ViewChoice choice_;

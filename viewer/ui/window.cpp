@@ -1,5 +1,10 @@
 #include "viewer/ui/window.h"
 
+#include <dlfcn.h>
+#include <unistd.h>
+
+#include <cstring>
+
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
@@ -9,6 +14,27 @@ namespace {
 std::string last_glfw_error;
 
 void onGlfwError(int /*code*/, const char* text) { last_glfw_error = text; }
+
+/// Xlib ends the program when its server is gone, whatever anybody answers here.
+int onServerGone(void* /*display*/) {
+  constexpr char kWhat[] =
+      "rocinante-view: the display is gone: its server ended, or the way there is cut\n";
+  (void)!::write(STDERR_FILENO, kWhat, std::strlen(kWhat));
+  ::_exit(2);
+}
+
+/// In place of Xlib's own, whose exit code 1 is an answer here. GLFW has loaded it when it is
+/// there.
+void nameLossOfServer() {
+  void* const xlib = ::dlopen("libX11.so.6", RTLD_LAZY | RTLD_NOLOAD);
+  if (xlib == nullptr) return;
+  using Handler = int (*)(void*);
+  using SetHandler = Handler (*)(Handler);
+  if (auto* const set = reinterpret_cast<SetHandler>(::dlsym(xlib, "XSetIOErrorHandler"))) {
+    set(onServerGone);
+  }
+  ::dlclose(xlib);
+}
 
 Error windowError(const std::string& what) {
   return {ErrorKind::refused,
@@ -23,6 +49,7 @@ Result<std::unique_ptr<Window>> Window::open(const std::string& title, int width
                                              bool scaled) {
   glfwSetErrorCallback(onGlfwError);
   if (glfwInit() != GLFW_TRUE) return windowError("there is no display to open a window on");
+  nameLossOfServer();
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);

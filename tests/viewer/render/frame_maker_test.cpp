@@ -105,10 +105,10 @@ TEST_F(FrameMakerTest, ViewsOfTheSessionAreCamerasOnceTheyWereSaid) {
 TEST_F(FrameMakerTest, AnUnknownCameraIsAnsweredWithThoseThereAre) {
   FrameMaker maker = open(kCameras);
   FrameRequest request = requestAt(0);
-  request.camera = "tip";
+  request.camera = "elsewhere";
   const auto frame = maker.frame(request);
   ASSERT_FALSE(frame.has_value());
-  EXPECT_EQ(frame.error().what, "no camera is called `tip`: there are top, riding, flat, front");
+  EXPECT_EQ(frame.error().what, "no camera is called `elsewhere`: there are top, riding, flat, front");
 }
 
 TEST_F(FrameMakerTest, TheInputsHashFollowsTheGeometryAlone) {
