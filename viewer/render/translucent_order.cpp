@@ -13,7 +13,7 @@ namespace rocinante {
 namespace {
 
 constexpr std::size_t kMostItems = 2000;
-constexpr double kSlack = 1e-6;
+constexpr double kInsideSlack = 1e-6;
 
 struct Box {
   const DrawItem* item = nullptr;
@@ -28,11 +28,11 @@ struct Container {
   bool possible = false;
 };
 
-bool inside(const CatalogPart& part, const Vec3& at) {
+bool isInside(const CatalogPart& part, const Vec3& at) {
   const Vec3 off = at - part.center;
   for (int axis = 0; axis < 3; ++axis) {
     // Written so that what is no number is inside of nothing.
-    if (!(std::abs(off[axis]) <= part.half[axis] * (1 + kSlack))) return false;
+    if (!(std::abs(off[axis]) <= part.half[axis] * (1 + kInsideSlack))) return false;
   }
   return true;
 }
@@ -44,7 +44,7 @@ Container containerOf(const Box& box, const Camera& camera) {
   if (!(std::abs(glm::determinant(glm::dmat3(world))) > 0)) return {};
   const Container made{glm::affineInverse(world), true};
   const bool eye_inside = !camera.orthographic() &&
-                          inside(*box.part, transformPoint(made.own_from_world, camera.eye()));
+                          isInside(*box.part, transformPoint(made.own_from_world, camera.eye()));
   return eye_inside ? Container{} : made;
 }
 
@@ -56,7 +56,7 @@ bool holds(const Box& outer, const Container& container, const Box& inner) {
   for (unsigned k = 0; k < 8; ++k) {
     const Vec3 sign((k & 1U) != 0 ? 1 : -1, (k & 2U) != 0 ? 1 : -1, (k & 4U) != 0 ? 1 : -1);
     const Vec3 corner = inner.part->center + sign * inner.part->half;
-    if (!inside(*outer.part, transformPoint(own, corner))) return false;
+    if (!isInside(*outer.part, transformPoint(own, corner))) return false;
   }
   return true;
 }
