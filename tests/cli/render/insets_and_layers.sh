@@ -38,3 +38,6 @@ try --wireframe layer/thing
 try --edges=thick
 try --trail box@never
 try --samples 2
+try --hide bxo
+try --show box/lid
+try --scale 0
