@@ -154,6 +154,7 @@ std::string sessionJson(const SessionComparison& comparison) {
        state.beyond.empty() ? Json(nullptr) : Json(nanoseconds(state.beyond.front().first_at))},
       {"beyond", beyond}};
   root["pictures"] = Json::parse(reportJson(comparison.pictures))["frames"];
+  root["notes"] = comparison.pictures.notes;
   return root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
