@@ -8,6 +8,7 @@
 
 #include "core/cli/program.h"
 #include "core/cli/terminal.h"
+#include "core/count_text.h"
 #include "core/duration_text.h"
 #include "recorder/record_arguments.h"
 #include "recorder/record_path.h"
@@ -112,11 +113,11 @@ cli::Exit judge(const RecordArguments& arguments, const RecordSummary& summary) 
   // They were told when they came.
   if (!summary.warnings.empty()) exit = cli::Exit::no;
   if (summary.packets < arguments.min_packets) {
-    no(fmt::format("recorded {} packets, fewer than --min-packets {}", summary.packets,
+    no(fmt::format("recorded {}, fewer than --min-packets {}", countText(summary.packets, "packet"),
                    arguments.min_packets));
   }
   if (arguments.max_loss && summary.lost() > *arguments.max_loss) {
-    no(fmt::format("lost {} packets, more than --max-loss {}", summary.lost(),
+    no(fmt::format("lost {}, more than --max-loss {}", countText(summary.lost(), "packet"),
                    *arguments.max_loss));
   }
   return exit;

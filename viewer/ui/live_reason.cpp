@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "core/count_text.h"
 #include "core/duration_text.h"
 
 namespace rocinante {
@@ -44,10 +45,11 @@ std::optional<LiveReason> liveReason(const LiveFacts& facts) {
                       hintFor(facts.endpoints.front())};
   }
   if (facts.undecoded == facts.datagrams) {
-    return LiveReason{fmt::format("{} datagrams came, and none is a packet{}{}", facts.datagrams,
-                                  facts.undecoded_sample.empty() ? "" : "; the first begins ",
-                                  facts.undecoded_sample),
-                      "packet text begins with: RK1 SOURCE SEQUENCE TIME"};
+    return LiveReason{
+        fmt::format("{} came, and none is a packet{}{}", countText(facts.datagrams, "datagram"),
+                    facts.undecoded_sample.empty() ? "" : "; the first begins ",
+                    facts.undecoded_sample),
+        "packet text begins with: RK1 SOURCE SEQUENCE TIME"};
   }
   if (facts.silent >= kPatience) {
     return LiveReason{fmt::format("nothing has come for the last {}", wholeSeconds(facts.silent)),
