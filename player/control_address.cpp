@@ -4,10 +4,10 @@
 #include <netinet/in.h>
 #include <sys/un.h>
 
-#include <charconv>
 #include <cstring>
 #include <string>
 
+#include "core/net/address_filter.h"
 #include "core/net/system_socket.h"
 
 namespace rocinante {
@@ -34,38 +34,9 @@ Result<ControlAddress> ControlAddress::parse(std::string_view text) {
   return parsed;
 }
 
-Result<AddressBlock> AddressBlock::parse(std::string_view text) {
-  const std::size_t slash = text.find('/');
-  const Result<SocketAddress> address = SocketAddress::parse(text.substr(0, slash), 0);
-  if (!address) return address.error();
-  AddressBlock block{*address, address->is_ipv6 ? 128 : 32};
-  if (slash == text.npos) return block;
-  const std::string_view digits = text.substr(slash + 1);
-  int bits = -1;
-  const auto [stop, fault] = std::from_chars(digits.data(), digits.data() + digits.size(), bits);
-  if (fault != std::errc() || stop != digits.data() + digits.size() || bits < 0 ||
-      bits > block.bits) {
-    return Error{ErrorKind::bad_argument, "a block of addresses is ADDRESS/BITS, as in 10.0.0.0/8",
-                 std::string(text)};
-  }
-  block.bits = bits;
-  return block;
-}
-
-bool AddressBlock::holds(const SocketAddress& other) const {
-  if (other.is_ipv6 != address.is_ipv6) return false;
-  for (int bit = 0; bit < bits; ++bit) {
-    const auto byte = static_cast<std::size_t>(bit / 8);
-    const int mask = 0x80 >> (bit % 8);
-    if (((address.address[byte] ^ other.address[byte]) & mask) != 0) return false;
-  }
-  return true;
-}
-
 bool isOwnAddress(const SocketAddress& address) {
-  static const AddressBlock kLoopback4 = *AddressBlock::parse("127.0.0.0/8");
-  static const AddressBlock kLoopback6 = *AddressBlock::parse("::1");
-  if (kLoopback4.holds(address) || kLoopback6.holds(address)) return true;
+  static const AddressFilter kLoopback = AddressFilter::of({"127.0.0.0/8", "::1"}).value();
+  if (kLoopback.allows(address)) return true;
   ifaddrs* all = nullptr;
   if (::getifaddrs(&all) != 0) return false;
   bool found = false;

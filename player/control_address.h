@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <string_view>
-#include <vector>
 
 #include "core/net/endpoint.h"
 #include "core/result.h"
@@ -15,15 +14,6 @@ struct ControlAddress {
   Endpoint endpoint;
 
   static Result<ControlAddress> parse(std::string_view text);
-};
-
-/// A block of addresses, ADDRESS/BITS; an address alone is a block of one.
-struct AddressBlock {
-  SocketAddress address;
-  int bits = 0;
-
-  static Result<AddressBlock> parse(std::string_view text);
-  bool holds(const SocketAddress& other) const;
 };
 
 /// True of this machine's own addresses: loopback, and those of its interfaces.

@@ -2,8 +2,8 @@
 
 #include <memory>
 #include <string>
-#include <vector>
 
+#include "core/net/address_filter.h"
 #include "core/result.h"
 #include "player/control_address.h"
 #include "player/control_input.h"
@@ -18,8 +18,7 @@ struct ControlSocket {
   std::unique_ptr<ControlInput> input;
   std::string where;
 
-  static Result<ControlSocket> open(const ControlAddress& address,
-                                    std::vector<AddressBlock> allowed);
+  static Result<ControlSocket> open(const ControlAddress& address, AddressFilter allowed);
 };
 
 }  // namespace rocinante

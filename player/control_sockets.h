@@ -5,7 +5,7 @@
 namespace rocinante {
 
 /// The two kinds of ControlSocket::open.
-Result<ControlSocket> openUdpControl(const Endpoint& endpoint, std::vector<AddressBlock> allowed);
+Result<ControlSocket> openUdpControl(const Endpoint& endpoint, AddressFilter allowed);
 Result<ControlSocket> openUnixControl(const std::filesystem::path& path);
 
 }  // namespace rocinante

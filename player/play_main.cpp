@@ -180,13 +180,9 @@ Status openControl(Arguments& my, Inputs& inputs) {
   if (!my.control.empty()) {
     const auto address = ControlAddress::parse(my.control);
     if (!address) return address.error();
-    std::vector<AddressBlock> allowed;
-    for (const std::string& text : my.control_allow) {
-      const auto block = AddressBlock::parse(text);
-      if (!block) return block.error();
-      allowed.push_back(*block);
-    }
-    auto control = ControlSocket::open(*address, std::move(allowed));
+    Result<AddressFilter> allowed = AddressFilter::of(my.control_allow);
+    if (!allowed) return allowed.error();
+    auto control = ControlSocket::open(*address, std::move(*allowed));
     if (!control) return control.error();
     inputs.push_back(std::move(control->input));
     // In lockstep the end of the log is the end of the work.

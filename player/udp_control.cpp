@@ -21,7 +21,7 @@ constexpr int kMostDatagrams = 64;
 
 class UdpControl final : public ControlInput {
  public:
-  UdpControl(SystemSocket socket, std::vector<AddressBlock> allowed)
+  UdpControl(SystemSocket socket, AddressFilter allowed)
       : socket_(std::move(socket)), allowed_(std::move(allowed)) {}
 
   void addDescriptors(std::vector<pollfd>& descriptors) const override {
@@ -65,8 +65,8 @@ class UdpControl final : public ControlInput {
   };
 
   bool mayControl(const SocketAddress& from) const {
-    return isOwnAddress(from) || std::any_of(allowed_.begin(), allowed_.end(),
-                                             [&](const auto& block) { return block.holds(from); });
+    // Empty, it would allow everybody.
+    return isOwnAddress(from) || (!allowed_.empty() && allowed_.allows(from));
   }
 
   std::string answer(std::string_view text, const Ask& ask) {
@@ -90,7 +90,7 @@ class UdpControl final : public ControlInput {
   }
 
   SystemSocket socket_;
-  std::vector<AddressBlock> allowed_;
+  AddressFilter allowed_;
   std::array<char, 65'536> buffer_{};
   std::optional<Peer> peer_;
   std::string untold_;
@@ -99,7 +99,7 @@ class UdpControl final : public ControlInput {
 
 }  // namespace
 
-Result<ControlSocket> openUdpControl(const Endpoint& endpoint, std::vector<AddressBlock> allowed) {
+Result<ControlSocket> openUdpControl(const Endpoint& endpoint, AddressFilter allowed) {
   Result<SystemSocket> socket = SystemSocket::open(endpoint);
   if (!socket) return socket.error();
   sockaddr_storage system{};
@@ -121,8 +121,7 @@ Result<ControlSocket> openUdpControl(const Endpoint& endpoint, std::vector<Addre
   return control;
 }
 
-Result<ControlSocket> ControlSocket::open(const ControlAddress& address,
-                                          std::vector<AddressBlock> allowed) {
+Result<ControlSocket> ControlSocket::open(const ControlAddress& address, AddressFilter allowed) {
   if (!address.path.empty()) return openUnixControl(address.path);
   return openUdpControl(address.endpoint, std::move(allowed));
 }
