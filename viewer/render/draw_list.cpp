@@ -1,6 +1,7 @@
 #include "viewer/render/draw_list.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -98,15 +99,30 @@ class LookNumbers {
 
   std::uint32_t of(const DrawItem& item) {
     if (latest_ < looks_.size() && sameLook(*looks_[latest_], item)) return latest_;
+    const std::uint32_t hash = hashOf(item);
     for (latest_ = 0; latest_ < looks_.size(); ++latest_) {
-      if (sameLook(*looks_[latest_], item)) return latest_;
+      if (hashes_[latest_] == hash && sameLook(*looks_[latest_], item)) return latest_;
     }
-    if (latest_ < kMost) looks_.push_back(&item);
+    if (latest_ < kMost) {
+      looks_.push_back(&item);
+      hashes_.push_back(hash);
+    }
     return latest_;
   }
 
  private:
+  /// Of the colour: items of one colour that shine otherwise are few.
+  static std::uint32_t hashOf(const DrawItem& item) {
+    std::uint32_t hash = 0;
+    for (int i = 0; i < 4; ++i) {
+      hash = (hash ^ std::bit_cast<std::uint32_t>(item.diffuse[i])) * 0x9E3779B1U;
+      hash ^= hash >> 15U;
+    }
+    return hash;
+  }
+
   std::vector<const DrawItem*> looks_;
+  std::vector<std::uint32_t> hashes_;
   std::uint32_t latest_ = 0;
 };
 
