@@ -23,7 +23,7 @@ Error noMemory(int width, int height, int samples) {
 
 /// What a frame takes at most: colour and depth of each sample, what they are resolved to, and the
 /// picture that is read from it.
-std::uint64_t bytesOf(int width, int height, int samples) {
+std::uint64_t memoryOf(int width, int height, int samples) {
   const auto pixels = static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
   return pixels * (static_cast<std::uint64_t>(samples) * 8 + 8);
 }
@@ -72,7 +72,7 @@ Result<FrameBuffer> FrameBuffer::create(const GlTable& gl, int width, int height
 
   // Ordinary sizes are not worth the question.
   constexpr std::uint64_t kLarge = std::uint64_t{1} << 30;
-  const std::uint64_t bytes = bytesOf(width, height, samples);
+  const std::uint64_t bytes = memoryOf(width, height, samples);
   if (bytes > kLarge && bytes > availableBytes()) return noMemory(width, height, samples);
 
   FrameBuffer frame(gl);
