@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kMost = 64;
 constexpr int kFruitlessCalls = 64;
 
-Nanoseconds fromSystem(const timespec& time) {
+Nanoseconds nanosecondsIn(const timespec& time) {
   return std::chrono::seconds(time.tv_sec) + Nanoseconds(time.tv_nsec);
 }
 
@@ -28,7 +28,7 @@ Nanoseconds steadyMinusWall() {
   ::clock_gettime(CLOCK_MONOTONIC, &before);
   ::clock_gettime(CLOCK_REALTIME, &wall);
   ::clock_gettime(CLOCK_MONOTONIC, &after);
-  return (fromSystem(before) + fromSystem(after)) / 2 - fromSystem(wall);
+  return (nanosecondsIn(before) + nanosecondsIn(after)) / 2 - nanosecondsIn(wall);
 }
 
 /// When a datagram left, and its number among those of its socket.
@@ -56,7 +56,7 @@ std::optional<Stamp> stampIn(msghdr& message) {
       std::memcpy(&stamps, CMSG_DATA(control), sizeof stamps);
       // The first of the three is the software stamp.
       has_time = stamps.ts[0].tv_sec != 0;
-      stamp.wall = fromSystem(stamps.ts[0]);
+      stamp.wall = nanosecondsIn(stamps.ts[0]);
     }
   }
   if (!has_number || !has_time) return std::nullopt;
