@@ -7,7 +7,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr SteadyTime kStart{Nanoseconds(1'000'000'000'000)};
+constexpr SteadyTime kFirstLook{Nanoseconds(1'000'000'000'000)};
 
 using Counts = std::map<std::string, SourceCounts, std::less<>>;
 
@@ -16,12 +16,12 @@ TEST(SourceWatch, TurnsCountsIntoRatesOfTheLastSecond) {
   Counts counts;
   for (int tenth = 0; tenth <= 30; ++tenth) {
     counts["arm"].packets += 5;
-    watch.look(kStart + tenth * 100ms, counts);
+    watch.look(kFirstLook + tenth * 100ms, counts);
   }
   ASSERT_EQ(watch.sources().size(), 1U);
   EXPECT_NEAR(watch.sources()[0].rate_hz, 50, 0.5);
   EXPECT_EQ(watch.sources()[0].packets, 155U);
-  EXPECT_FALSE(watch.look(kStart + 3050ms, counts)) << "a tenth has not passed";
+  EXPECT_FALSE(watch.look(kFirstLook + 3050ms, counts)) << "a tenth has not passed";
 }
 
 TEST(SourceWatch, ASourceThatStopsKeepsItsCountsAndWhenItWasHeard) {
@@ -29,20 +29,20 @@ TEST(SourceWatch, ASourceThatStopsKeepsItsCountsAndWhenItWasHeard) {
   Counts counts;
   counts["arm"].packets = 7;
   counts["arm"].gap = 2;
-  EXPECT_TRUE(watch.look(kStart, counts));
-  for (int tenth = 1; tenth <= 40; ++tenth) watch.look(kStart + tenth * 100ms, counts);
+  EXPECT_TRUE(watch.look(kFirstLook, counts));
+  for (int tenth = 1; tenth <= 40; ++tenth) watch.look(kFirstLook + tenth * 100ms, counts);
   ASSERT_EQ(watch.sources().size(), 1U);
   EXPECT_EQ(watch.sources()[0].rate_hz, 0);
   EXPECT_EQ(watch.sources()[0].lost, 2U);
-  EXPECT_EQ(watch.sources()[0].heard, kStart);
-  EXPECT_FALSE(watch.look(kStart + 5s, counts)) << "nothing became another";
+  EXPECT_EQ(watch.sources()[0].heard, kFirstLook);
+  EXPECT_FALSE(watch.look(kFirstLook + 5s, counts)) << "nothing became another";
 }
 
 TEST(SourceWatch, OneThatOnlyOthersSpokeForIsNone) {
   SourceWatch watch;
   Counts counts;
   counts["arm"].by_others = 3;
-  watch.look(kStart, counts);
+  watch.look(kFirstLook, counts);
   EXPECT_TRUE(watch.sources().empty());
 }
 
@@ -52,10 +52,10 @@ TEST(SourceRows, TellWhoIsSilentWhoNeverSpokeAndWhoIsOffItsRate) {
   cell.sources.push_back({"patient", {}, SourceLimits{30.0, {}, {}, {}}, {}, {}});
   cell.sources.push_back({"planner", {}, {}, {}, {}});
   std::vector<LiveSource> live(3);
-  live[0] = {"arm", 20, kStart - 100ms};
-  live[1] = {"patient", 0, kStart - 10s};
-  live[2] = {"stranger", 0, kStart - 10s};
-  const auto rows = sourceRows(live, cell, kStart);
+  live[0] = {"arm", 20, kFirstLook - 100ms};
+  live[1] = {"patient", 0, kFirstLook - 10s};
+  live[2] = {"stranger", 0, kFirstLook - 10s};
+  const auto rows = sourceRows(live, cell, kFirstLook);
   ASSERT_EQ(rows.size(), 4U);
   EXPECT_EQ(rows[0].name, "arm");
   EXPECT_TRUE(rows[0].off_rate);
