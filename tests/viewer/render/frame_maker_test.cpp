@@ -108,7 +108,8 @@ TEST_F(FrameMakerTest, AnUnknownCameraIsAnsweredWithThoseThereAre) {
   request.camera = "elsewhere";
   const auto frame = maker.frame(request);
   ASSERT_FALSE(frame.has_value());
-  EXPECT_EQ(frame.error().what, "no camera is called `elsewhere`: there are top, riding, flat, front");
+  EXPECT_EQ(frame.error().what,
+            "no camera is called `elsewhere`: there are top, riding, flat, front");
 }
 
 TEST_F(FrameMakerTest, TheInputsHashFollowsTheGeometryAlone) {
