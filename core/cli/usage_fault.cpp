@@ -30,8 +30,10 @@ std::vector<std::string> optionNames(const CLI::App& app) {
 
 std::vector<std::string> subcommandNames(const CLI::App& app) {
   std::vector<std::string> names;
-  for (const CLI::App* subcommand : app.get_subcommands({}))
-    names.push_back(subcommand->get_name());
+  for (const CLI::App* subcommand : app.get_subcommands({})) {
+    // Without a name it is a group of options.
+    if (!subcommand->get_name().empty()) names.push_back(subcommand->get_name());
+  }
   return names;
 }
 
