@@ -4,26 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <map>
-#include <optional>
 
 #include "core/math/transform.h"
 #include "viewer/render/coplanar_items.h"
 #include "viewer/render/depth_reach.h"
-#include "viewer/render/draw_list.h"
-#include "viewer/render/draw_passes.h"
-#include "viewer/render/identity_numbers.h"
-#include "viewer/render/identity_pass.h"
-#include "viewer/render/inputs_hash.h"
 #include "viewer/render/inset_frame.h"
-#include "viewer/render/look_passes.h"
+#include "viewer/render/renderer_impl.h"
 #include "viewer/render/session_drawings.h"
 
 namespace rocinante {
 namespace {
-
-constexpr int kTextPixels = 16;
 
 /// Lines of edges, and what stands in for a scale bar's longest length.
 constexpr glm::vec4 kEdgeColor{0.09F, 0.11F, 0.14F, 0.9F};
@@ -39,89 +29,7 @@ std::size_t countBehind(std::span<const DrawItem> items, std::span<const DrawIte
   return static_cast<std::size_t>(first - items.begin());
 }
 
-/// Without perspective nothing is too near or too far: what lies past the reach of depths (lines,
-/// the grid) is before or behind all else.
-void setClamp(const GlTable& gl, bool clamp) {
-  clamp ? gl.Enable(GL_DEPTH_CLAMP) : gl.Disable(GL_DEPTH_CLAMP);
-}
-
-const RenderStyle& styleOf(const SceneFrame& frame) {
-  static const RenderStyle kDefault;
-  return frame.style != nullptr ? *frame.style : kDefault;
-}
-
 }  // namespace
-
-struct Renderer::Impl {
-  Impl(const GlTable& table, const Cell& the_cell, Profile profile)
-      : gl(table),
-        key(rendererKey(gl)),
-        cell(the_cell),
-        catalog(cell),
-        atlas(kTextPixels),
-        meshes(gl, catalog, inputs),
-        textures(gl, catalog.textures(), profile, inputs) {
-    inputs.add(std::as_bytes(std::span(atlas.coverage())));
-    inputs_text = inputs.text();
-  }
-
-  /// Collision geometry, uploaded when it is first asked for. No part of the inputs hash: a frame
-  /// without it does not depend on it.
-  struct CollisionGeometry {
-    CollisionGeometry(const GlTable& gl, const Cell& cell)
-        : catalog(cell, DrawnGeometry::collisions), meshes(gl, catalog, unused_inputs) {}
-    SceneCatalog catalog;
-    InputsHash unused_inputs;
-    MeshBuffers meshes;
-  };
-
-  GlTable gl;
-  RendererKey key;
-  const Cell& cell;
-  SceneCatalog catalog;
-  TextAtlas atlas;
-  InputsHash inputs;
-  MeshBuffers meshes;
-  TextureStore textures;
-  std::optional<DrawPasses> passes;
-  std::optional<DetailBuilder> detail_builder;     // borrows the catalog
-  std::optional<CollisionGeometry> collision;      // made when it is first asked for
-  mutable std::map<int, TextAtlas> other_atlases;  // of other scales than 1, by line in pixels
-  DrawList view_list;  // of the view at hand: memory that frames use again
-  LookPasses look_passes{gl};
-  std::optional<IdentityPass> identity_pass;  // made when it is first asked for
-  std::string inputs_text;
-
-  const TextAtlas& atlasOf(double scale) const;
-  Camera cameraOf(const SceneFrame& frame, const CameraView& view, int width, int height) const;
-  DrawList listOf(const SceneFrame& frame, const Camera& camera, const LinkLooks& looks) const {
-    return makeDrawList(*frame.scene, catalog, *frame.choice, camera, textures.translucent(), looks,
-                        DrawnGeometry::visuals, frame.detail);
-  }
-  DrawList collisionListOf(const SceneFrame& frame, const Camera& camera,
-                           const LinkLooks& looks) const {
-    return makeDrawList(*frame.scene, collision->catalog, *frame.choice, camera, {}, looks,
-                        DrawnGeometry::collisions);
-  }
-  /// All that a view shows of the geometry, in these two lists, coplanar surfaces lifted.
-  std::vector<DrawnSet> setsOf(const SceneFrame& frame, const LinkLooks& looks,
-                               const Camera& camera, DrawList& list, DrawList& collisions) const;
-  /// What the style says of the scene's links; then `collision` is there where it is needed.
-  Result<LinkLooks> looksOf(const SceneFrame& frame);
-  /// One view into a part of what is bound.
-  Result<DrawCounts> drawView(const SceneFrame& frame, const LinkLooks& looks,
-                              const CameraView& view, const PixelRectangle& part, int frame_height);
-  Result<ShadowLookup> drawShadows(const SceneFrame& frame, const LinkLooks& looks,
-                                   const Camera& camera);
-  Status drawEdges(std::span<const DrawnSet> sets, const SceneFrame& frame, const Camera& camera);
-  Overlay onTopOf(const SceneFrame& frame, const Camera& camera, const CameraView& view) const;
-  void drawInsetFrames(const SceneFrame& frame, const FrameBuffer& target) const;
-  Status prepareIdentity(const FrameBuffer& target);
-  /// Numbers of what drawView() shows of the geometry, into a part that identity_pass began.
-  Status drawNumbers(const SceneFrame& frame, const LinkLooks& looks, const Camera& camera,
-                     const std::function<std::uint32_t(const DrawItem&)>& number_of);
-  Status glStatus() const;
-};
 
 Renderer::Renderer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 Renderer::~Renderer() = default;
@@ -406,83 +314,6 @@ bool Renderer::takeReadyDetail(bool wait_for_all) {
 
 bool Renderer::detailReady() const {
   return impl_->detail_builder && impl_->detail_builder->finished();
-}
-
-Status Renderer::Impl::prepareIdentity(const FrameBuffer& target) {
-  if (!identity_pass) {
-    auto made = IdentityPass::create(gl);
-    if (!made) return made.error();
-    identity_pass.emplace(std::move(*made));
-  }
-  target.bind();
-  return {};
-}
-
-Status Renderer::Impl::drawNumbers(const SceneFrame& frame, const LinkLooks& looks,
-                                   const Camera& camera,
-                                   const std::function<std::uint32_t(const DrawItem&)>& number_of) {
-  DrawList list, collisions;
-  const std::vector<DrawnSet> sets = setsOf(frame, looks, camera, list, collisions);
-  for (const DrawnSet& set : sets) identity_pass->drawSurfaces(set, textures, camera, number_of);
-  for (const DrawnSet& set : sets) {
-    if (set.list->wireframe.empty()) continue;
-    const auto edges = look_passes.edges();
-    if (!edges) return edges.error();
-    (*edges)->draw(set.list->wireframe, *set.catalog, camera, frame.scale, EdgeChoice::all,
-                   [&](const DrawItem& item) { return IdentityPass::colorOf(number_of(item)); });
-  }
-  return {};
-}
-
-Result<IdentityFrame> Renderer::identity(const SceneFrame& frame, const FrameBuffer& target) {
-  Impl& my = *impl_;
-  if (Status ready = my.prepareIdentity(target); !ready) return ready.error();
-  const IdentityNumbers numbers(*frame.scene);
-  const auto looks = my.looksOf(frame);
-  if (!looks) return looks.error();
-  const auto number_of = [&](const DrawItem& item) {
-    return numbers.ofLink(item.device, item.link);
-  };
-  const auto drawView = [&](const CameraView& view, const PixelRectangle& part) -> Status {
-    const Camera camera = my.cameraOf(frame, view, part.width, part.height);
-    my.identity_pass->begin(part, target.height());
-    setClamp(my.gl, camera.orthographic());
-    if (Status drawn = my.drawNumbers(frame, *looks, camera, number_of); !drawn) return drawn;
-    Overlay in_scene(camera, frame.scale);
-    addLinesAndPoints(in_scene, frame.scene->drawings, *frame.choice);
-    my.identity_pass->drawOverlay(in_scene, numbers.ofVertices(in_scene), true);
-    Overlay on_top(camera, frame.scale);
-    addLabels(on_top, frame.scene->drawings, *frame.choice, camera, my.atlasOf(frame.scale),
-              styleOf(frame).labels);
-    my.identity_pass->drawOverlay(on_top, numbers.ofVertices(on_top), false);
-    return {};
-  };
-  Status drawn = drawView(frame.camera, {0, 0, target.width(), target.height()});
-  for (const FrameInset& inset : frame.insets) {
-    if (drawn) drawn = drawView(inset.camera, inset.part);
-  }
-  if (!drawn) return drawn.error();
-  setClamp(my.gl, false);
-  my.identity_pass->end();
-  if (Status fine = my.glStatus(); !fine) return fine.error();
-  return numbers.frame(IdentityPass::readNumbers(target), target.width(), target.height());
-}
-
-Result<DepthFrame> Renderer::depth(const SceneFrame& frame, const FrameBuffer& target) {
-  Impl& my = *impl_;
-  if (Status ready = my.prepareIdentity(target); !ready) return ready.error();
-  const Camera camera = my.cameraOf(frame, frame.camera, target.width(), target.height());
-  const auto looks = my.looksOf(frame);
-  if (!looks) return looks.error();
-  my.identity_pass->begin({0, 0, target.width(), target.height()}, target.height());
-  setClamp(my.gl, camera.orthographic());
-  Status drawn = my.drawNumbers(frame, *looks, camera, [](const DrawItem&) { return 1U; });
-  if (!drawn) return drawn.error();
-  DepthFrame depth{target.width(), target.height(), my.identity_pass->readDepth(target, camera)};
-  setClamp(my.gl, false);
-  my.identity_pass->end();
-  if (Status fine = my.glStatus(); !fine) return fine.error();
-  return depth;
 }
 
 CameraView Renderer::fittedCamera(const PosedScene& scene, const ViewChoice& choice, int width,
