@@ -21,7 +21,8 @@ std::string after(const std::string& text, std::string_view word) {
 }
 
 bool isRendererVariable(std::string_view name) {
-  constexpr std::array<std::string_view, 4> kPrefixes{"LP_", "GALLIUM_", "MESA_", "LIBGL_"};
+  constexpr std::array<std::string_view, 9> kPrefixes{
+      "LP_", "GALLIUM_", "GALLIVM_", "DRAW_", "MESA_", "LIBGL_", "NIR_", "TGSI_", "ST_DEBUG"};
   if (name == "LP_NUM_THREADS") return false;
   for (const std::string_view prefix : kPrefixes) {
     if (name.starts_with(prefix)) return true;

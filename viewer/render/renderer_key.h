@@ -12,9 +12,9 @@ namespace rocinante {
 enum class Profile { fast, reproducible };
 
 /// Sets the environment that makes Mesa draw the same bits everywhere (docs/rendering.md): pins
-/// what must be, clears every other LP_*, GALLIUM_*, MESA_* and LIBGL_* but LP_NUM_THREADS. Call it
-/// first thing in main, before any thread or context; reproducible profile only. `caps` is sse4.1,
-/// or sse2 for machines older than 2008.
+/// what must be, and clears every other variable by which Mesa's renderers, compilers and state
+/// tracker are told something, but LP_NUM_THREADS. Call it first thing in main, before any thread or
+/// context; reproducible profile only. `caps` is sse4.1, or sse2 for machines older than 2008.
 void pinRendererEnvironment(const std::string& caps = "sse4.1");
 
 /// Which renderer made a frame: goldens are kept per key.

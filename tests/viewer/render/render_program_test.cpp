@@ -59,6 +59,10 @@ TEST(RenderProgram, AHostileEnvironmentChangesNoPixel) {
       {{"LP_NATIVE_VECTOR_WIDTH", "256"}},
       {{"GALLIUM_DRIVER", "softpipe"}, {"LIBGL_ALWAYS_SOFTWARE", "0"}},
       {{"GALLIUM_OVERRIDE_CPU_CAPS", "nosse"}, {"LP_PERF", "no_mipmap,no_linear,no_tex"}},
+      {{"GALLIVM_PERF", "brilinear,rho_approx,no_quad_lod,no_aos_sampling,nopt"}},
+      {{"DRAW_USE_LLVM", "0"}},  // these two end in a crash or in wire frames where they are heard
+      {{"ST_DEBUG", "wf"}},
+      {{"TGSI_PRINT_SANITY", "1"}, {"NIR_DEBUG", "print"}},
       {{"MESA_GL_VERSION_OVERRIDE", "2.1"}, {"MESA_EXTENSION_OVERRIDE", "-GL_ARB_clip_control"}},
       {{"LC_ALL", "de_DE.UTF-8"}, {"LANG", "de_DE.UTF-8"}, {"TZ", "Asia/Kathmandu"}},
       {{"LP_NUM_THREADS", "0"}},
@@ -70,6 +74,25 @@ TEST(RenderProgram, AHostileEnvironmentChangesNoPixel) {
     const Environment environment(variables);
     EXPECT_EQ(hashesOf(arguments), plain);
   }
+}
+
+// OSMesa reads none; the same of the window is tests/cli/view/drirc_changes_nothing.sh.
+TEST(RenderProgram, ADrircChangesNoPixel) {
+  const test::TemporaryFolder folder;
+  test::writeText(folder / "arm.urdf", test::kArmUrdf);
+  test::writeArmSession(folder / "arm.mcap");
+  const std::vector<std::string> arguments{folder / "arm.urdf", folder / "arm.mcap", "--hash",
+                                           "--at", "4.25"};
+  const std::string plain = hashesOf(arguments);
+  test::writeText(folder / ".drirc", R"(<driconf><device><application name="all">
+<option name="force_integer_tex_nearest" value="true"/>
+<option name="force_glsl_version" value="110"/>
+<option name="pp_celshade" value="1"/>
+</application></device></driconf>)");
+  const Environment environment({{"HOME", folder.path().string()},
+                                 {"force_integer_tex_nearest", "true"},
+                                 {"force_glsl_version", "110"}});
+  EXPECT_EQ(hashesOf(arguments), plain);
 }
 
 TEST(RenderProgram, TwentyRunsGiveOneHash) {

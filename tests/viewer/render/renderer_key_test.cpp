@@ -37,8 +37,12 @@ TEST(PinRendererEnvironment, PinsClearsAndKeepsTheThreadCount) {
   ::setenv("GALLIUM_DRIVER", "softpipe", 1);
   ::setenv("MESA_GL_VERSION_OVERRIDE", "2.1", 1);
   ::setenv("LIBGL_ALWAYS_INDIRECT", "1", 1);
+  const char* const more[] = {"GALLIVM_PERF",      "GALLIVM_DEBUG", "DRAW_USE_LLVM", "DRAW_FSE",
+                              "TGSI_PRINT_SANITY", "NIR_DEBUG",     "ST_DEBUG"};
+  for (const char* name : more) ::setenv(name, "1", 1);
   ::setenv("LP_NUM_THREADS", "2", 1);
   ::setenv("MESALIKE", "mine", 1);
+  ::setenv("DRAWER", "mine too", 1);
   pinRendererEnvironment("sse2");
   EXPECT_STREQ(::getenv("GALLIUM_OVERRIDE_CPU_CAPS"), "sse2");
   EXPECT_STREQ(::getenv("GALLIUM_DRIVER"), "llvmpipe");
@@ -47,10 +51,13 @@ TEST(PinRendererEnvironment, PinsClearsAndKeepsTheThreadCount) {
   EXPECT_EQ(::getenv("LP_DEBUG"), nullptr);
   EXPECT_EQ(::getenv("MESA_GL_VERSION_OVERRIDE"), nullptr);
   EXPECT_EQ(::getenv("LIBGL_ALWAYS_INDIRECT"), nullptr);
+  for (const char* name : more) EXPECT_EQ(::getenv(name), nullptr) << name;
   EXPECT_STREQ(::getenv("LP_NUM_THREADS"), "2");
   EXPECT_STREQ(::getenv("MESALIKE"), "mine");
+  EXPECT_STREQ(::getenv("DRAWER"), "mine too");
   ::unsetenv("LP_NUM_THREADS");
   ::unsetenv("MESALIKE");
+  ::unsetenv("DRAWER");
   pinRendererEnvironment();
 }
 
