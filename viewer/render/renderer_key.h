@@ -13,8 +13,8 @@ enum class Profile { fast, reproducible };
 
 /// Sets the environment that makes Mesa draw the same bits everywhere (docs/rendering.md): pins
 /// what must be, and clears every other variable by which Mesa's renderers, compilers and state
-/// tracker are told something, but LP_NUM_THREADS. Call it first thing in main, before any thread or
-/// context; reproducible profile only. `caps` is sse4.1, or sse2 for machines older than 2008.
+/// tracker are told something, but LP_NUM_THREADS. Call it first thing in main, before any thread
+/// or context; reproducible profile only. `caps` is sse4.1, or sse2 for machines older than 2008.
 void pinRendererEnvironment(const std::string& caps = "sse4.1");
 
 /// Which renderer made a frame: goldens are kept per key.
