@@ -1,5 +1,4 @@
-# A full disk, a read-only folder and a limit on files are named, and nothing that was accepted or reported is lost;
-# nor by a kill at any moment.
+# A full disk, a read-only folder and a limit on files are named, and nothing that was accepted or reported is lost.
 export ROCINANTE_USER=ada
 unshare -m true 2>/dev/null || { echo "skipped: no mount namespace to fill a disk in"; exit 77; }
 box() {
@@ -19,8 +18,8 @@ name = "b"
 hide = ["layer/grid"]
 TOML
 cat >inside.sh <<'INSIDE'
-try() { rocinante golden "$@" --jobs 1 2>&1 | sed '/^    /d; /^why/d'; echo "exit ${PIPESTATUS[0]}"; }
-approve() { rocinante golden approve suite.toml "$@" 2>&1 | sed 's/staged-[[:alnum:]]*/staged-NAME/'; echo "exit ${PIPESTATUS[0]}"; }
+try() { rocinante golden "$@" --jobs 1 2>&1 | sed '/^    /d; /^why/d' && echo "exit 0" || echo "exit $?"; }
+approve() { rocinante golden approve suite.toml "$@" 2>&1 | sed 's/staged-[[:alnum:]]*/staged-NAME/' && echo "exit 0" || echo "exit $?"; }
 mkdir goldens out
 mount -t tmpfs -o size=64k tmpfs goldens
 mount -t tmpfs -o size=8k tmpfs out
@@ -29,7 +28,7 @@ approve -m first
 cp -r goldens before
 box 2
 # No room for the new pictures: the old ones stay, and so does the manifest.
-head -c 1M /dev/zero >goldens/ballast 2>/dev/null
+head -c 1M /dev/zero >goldens/ballast 2>/dev/null || true
 approve -m second
 rm goldens/ballast
 diff -r before goldens && echo "nothing lost"
@@ -40,7 +39,7 @@ mkdir reports
 mount -t tmpfs -o size=400k tmpfs reports
 try run suite.toml --report reports | tail -1
 cp -r reports kept
-head -c 1M /dev/zero >reports/ballast 2>/dev/null
+head -c 1M /dev/zero >reports/ballast 2>/dev/null || true
 box 3
 try run suite.toml --report reports --only b | sed 's/[0-9]* differing/N differing/; s#(.*)#(FILE)#'
 rm reports/ballast
@@ -59,30 +58,4 @@ approve -m third
 diff -r before goldens && echo "nothing lost"
 INSIDE
 { declare -f box; cat inside.sh; } >all.sh
-unshare -m bash all.sh
-# Killed anywhere, each golden is the old one or the new one, whole.
-cat >suite.toml <<'TOML'
-format = 1
-cell = "box.urdf"
-goldens = "killed"
-[defaults]
-size = [64, 48]
-samples = 1
-[[case]]
-name = "a"
-[[case]]
-name = "b"
-hide = ["layer/grid"]
-TOML
-box 1
-rocinante golden approve suite.toml -m first >/dev/null
-for i in 1 2 3 4 5 6 7 8; do
-  box 1.$i
-  timeout -s KILL 0.$((i % 4 + 1))$i rocinante golden approve suite.toml -m "killed $i" >/dev/null 2>&1 || true
-  rocinante golden list suite.toml --verify >listed.txt || grep -v 'left by an approve\|amiss' listed.txt | grep 'golden .* is\|cannot' || true
-done 2>/dev/null
-# The next approval clears what they left.
-box 2
-rocinante golden approve suite.toml -m last | tail -1
-rocinante golden list suite.toml --verify | tail -1
-ls -A killed | sed 's/\.[0-9a-f]\{8\}\./.HASH./'
+unshare -m bash -eu -o pipefail all.sh
