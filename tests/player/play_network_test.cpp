@@ -75,19 +75,22 @@ TEST(PlayNetwork, KeptPortsAreThoseOfTheOriginalSenders) {
 
 TEST(PlayNetwork, AStopOfTheProcessBecomesNoBurst) {
   const test::TemporaryFolder folder;
-  const auto log = writeSession(folder / "log", 1, 60, 20ms);
+  const auto log = writeSession(folder / "log", 1, 60, 40ms);
+  UdpReceiver receiver = UdpReceiver::open(at("127.0.0.1:0")).value();
   Program player = Program::start(
-      "rocinante-play", {log.string(), "--to", "127.0.0.1:9", "--restate", "off", "--report", "-"});
-  player.waitForLine("playing ");
-  std::this_thread::sleep_for(200ms);
+      "rocinante-play",
+      {log.string(), "--to", receiver.boundAddress().text(), "--restate", "off", "--report", "-"});
+  // Stopped when it has begun, and more than two seconds are to come.
+  pollfd first{receiver.fileDescriptor(), POLLIN, 0};
+  ASSERT_EQ(::poll(&first, 1, 30'000), 1);
   player.signal(SIGSTOP);
-  std::this_thread::sleep_for(3s);
+  std::this_thread::sleep_for(3s);  // what the stop lasts
   player.signal(SIGCONT);
   const auto result = player.finish();
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const auto report = nlohmann::json::parse(result.out);
   EXPECT_EQ(report["sent"], 60);
-  EXPECT_GE(report["duration_s"].get<double>(), 3.5);
+  EXPECT_GE(report["duration_s"].get<double>(), 4.5);
   // What was made up for would be three seconds late.
   EXPECT_LT(report["late_us"]["p90"].get<double>(), 1e6);
 }

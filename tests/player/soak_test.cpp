@@ -44,16 +44,20 @@ std::filesystem::path writeSession(const std::filesystem::path& path) {
   return test::writeLog(path, messages);
 }
 
+/// With nothing beside it: how much memory there is, how late packets are and whether any is lost
+/// depend on what else a machine does.
+bool isNightly() { return std::getenv("ROCINANTE_NIGHTLY") != nullptr; }
+
 struct Memory {
   std::uint64_t early = 0, late = 0;
 
   void expectConstant(const char* whose) const {
     std::printf("%s: %.1f MiB at first, %.1f MiB at last\n", whose,
                 static_cast<double>(early) / (1 << 20), static_cast<double>(late) / (1 << 20));
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
     EXPECT_GT(early, 0U);
-    EXPECT_LT(late, early + (4U << 20U));
-#endif
+    if (isNightly()) {
+      EXPECT_LT(late, early + (4U << 20U));
+    }
   }
 };
 
@@ -85,7 +89,8 @@ TEST(PlaySoak, ARecorderKeepsAllThatAPlayerSendsInConstantMemoryAndWithoutDrift)
   recorded.late = test::anonymousBytes(recorder.pid());
   const auto result = player.finish(60s);
   EXPECT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_EQ(recorder.stop().exit_code, 0);
+  const auto kept = recorder.stop();
+  EXPECT_EQ(kept.exit_code, 0) << kept.err;
   played.expectConstant("player");
   recorded.expectConstant("recorder");
 
@@ -95,7 +100,14 @@ TEST(PlaySoak, ARecorderKeepsAllThatAPlayerSendsInConstantMemoryAndWithoutDrift)
   const std::int64_t restated = report["restatements"];
   EXPECT_EQ(sent, turns * 5 * kRate);
   const LogReader reader = LogReader::open(log).value();
-  EXPECT_EQ(static_cast<std::int64_t>(reader.summary().messages), sent);
+  std::int64_t dropped = 0;
+  for (const LossSpan& loss : reader.losses()) {
+    dropped += static_cast<std::int64_t>(loss.counts.kernel + loss.counts.queue);
+  }
+  // What was lost is counted, restatements with it.
+  const auto recorded_messages = static_cast<std::int64_t>(reader.summary().messages);
+  EXPECT_LE(recorded_messages, sent);
+  EXPECT_GE(recorded_messages + dropped, sent);
   const double drift_us = report["drift_us"];
   std::printf(
       "sent %ld and %ld restatements, recorded %lu; late p50 %d p99 %d max %d us, drift "
@@ -103,8 +115,10 @@ TEST(PlaySoak, ARecorderKeepsAllThatAPlayerSendsInConstantMemoryAndWithoutDrift)
       sent, restated, reader.summary().messages, report["late_us"]["p50"].get<int>(),
       report["late_us"]["p99"].get<int>(), report["late_us"]["max"].get<int>(), drift_us,
       report["scheduling"].get<std::string>().c_str());
-  // Without real-time rights, on a machine that is busy with other tests.
-  EXPECT_LT(std::abs(drift_us), 10'000);
+  if (isNightly()) {
+    EXPECT_EQ(recorded_messages, sent);
+    EXPECT_LT(std::abs(drift_us), 10'000);
+  }
 }
 
 }  // namespace

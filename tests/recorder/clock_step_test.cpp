@@ -9,6 +9,7 @@
 #include "core/log/log_reader.h"
 #include "core/net/udp_socket.h"
 #include "tests/support/programs.h"
+#include "tests/support/udp_queue.h"
 
 // The true program, whose wall clock is set while it records (clock_shim.cpp).
 namespace rocinante {
@@ -36,7 +37,8 @@ TEST(ClockStep, SettingTheClockBendsNothingAndIsTold) {
   ::unsetenv("LD_PRELOAD");
   const std::string line = program.waitForLine("recording ");
   const std::string endpoint = line.substr(10, line.find(' ', 10) - 10);
-  auto sender = UdpSender::open(Endpoint::parse(endpoint).value()).value();
+  const Endpoint bound = Endpoint::parse(endpoint).value();
+  auto sender = UdpSender::open(bound).value();
 
   const auto before = std::chrono::steady_clock::now();
   const auto send = [&] {
@@ -45,10 +47,26 @@ TEST(ClockStep, SettingTheClockBendsNothingAndIsTold) {
       ::usleep(2'000);
     }
   };
+  // How many steps of the clock stand in the log by now.
+  const auto stepsTold = [&] {
+    std::size_t told = 0;
+    auto log = LogReader::open(folder / "log.mcap");
+    if (!log) return told;
+    for (auto message = log->next(); message && *message; message = log->next()) {
+      told += (*message)->channel->topic == "/rocinante/clock" ? 1 : 0;
+    }
+    return told;
+  };
   send();
+  ASSERT_TRUE(test::waitUntilTaken(bound.address.port));
+  std::size_t set_so_far = 0;
   for (const Nanoseconds set : {Nanoseconds(1h), Nanoseconds(-24h)}) {
     *offset = *offset + set.count();
     send();
+    // Before the clock is set again.
+    const auto give_up = std::chrono::steady_clock::now() + 30s;
+    ++set_so_far;
+    while (stepsTold() < set_so_far && std::chrono::steady_clock::now() < give_up) ::usleep(10'000);
   }
   const auto took = std::chrono::steady_clock::now() - before;
   const auto result = program.stop();

@@ -8,6 +8,7 @@
 #include "core/log/log_reader.h"
 #include "core/net/udp_socket.h"
 #include "tests/support/programs.h"
+#include "tests/support/udp_queue.h"
 
 // The true program on a true disk that fills up.
 namespace rocinante {
@@ -47,7 +48,8 @@ void fillUp(const std::string& compression, std::size_t payload_bytes, int burst
   std::istringstream line(program.waitForLine("recording "));
   std::string endpoint;
   line >> endpoint >> endpoint;
-  UdpSender sender = std::move(UdpSender::open(Endpoint::parse(endpoint).value()).value());
+  const Endpoint bound = Endpoint::parse(endpoint).value();
+  UdpSender sender = std::move(UdpSender::open(bound).value());
   std::mt19937_64 random(5);
   std::vector<std::string> payloads(static_cast<std::size_t>(burst));
   std::uint64_t sent = 0;
@@ -62,6 +64,8 @@ void fillUp(const std::string& compression, std::size_t payload_bytes, int burst
     if (!sender.send(views)) break;
     sent += views.size();
     std::this_thread::sleep_for(milliseconds(1));
+    // Nothing piles up before a recorder that does not get to run.
+    ASSERT_TRUE(test::waitUntilTaken(bound.address.port));
   }
   const test::ProgramResult result = program.finish();
   EXPECT_EQ(result.exit_code, 1);

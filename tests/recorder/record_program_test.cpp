@@ -11,6 +11,7 @@
 #include "core/log/log_reader.h"
 #include "core/net/udp_socket.h"
 #include "tests/support/programs.h"
+#include "tests/support/udp_queue.h"
 
 // The true program, over true sockets on loopback.
 namespace rocinante {
@@ -114,16 +115,17 @@ std::vector<std::string> datagrams(std::size_t count) {
   return made;
 }
 
-void sendAll(UdpSender& sender, const std::vector<std::string>& payloads) {
+/// Each batch is taken before the next is sent: a machine that may not force its buffers holds some
+/// 250 datagrams, and a busy one lets a recorder wait.
+void sendAll(UdpSender& sender, std::uint16_t port, const std::vector<std::string>& payloads) {
   std::vector<ByteView> views;
   for (const std::string& each : payloads) views.push_back(bytesOf(each));
-  // A little at a time: a machine that may not force its buffers holds some 250 datagrams.
   for (std::size_t begin = 0; begin < views.size(); begin += 50) {
     const auto some =
         std::span(views).subspan(begin, std::min<std::size_t>(50, views.size() - begin));
     const Status sent = sender.send(some);
     ASSERT_TRUE(sent.ok()) << sent.error().text();
-    ::usleep(1'000);
+    ASSERT_TRUE(test::waitUntilTaken(port));
   }
 }
 
@@ -132,7 +134,7 @@ void expectEveryDatagram(const std::string& endpoint) {
   ASSERT_EQ(recording.bound.size(), 1U);
   const std::vector<std::string> sent = datagrams(20'000);
   UdpSender sender = recording.sender();
-  sendAll(sender, sent);
+  sendAll(sender, recording.bound[0].address.port, sent);
   const Json summary = recording.finish();
   EXPECT_EQ(summary["packets"], sent.size());
   EXPECT_EQ(summary["losses"], Json({{"kernel", 0}, {"queue", 0}, {"disk", 0}, {"truncated", 0}}));
@@ -162,7 +164,9 @@ TEST(RecordProgram, KeepsTwoEndpointsInOneOrderOfTime) {
     const std::string payload = std::to_string(i) + " ";
     ASSERT_TRUE((i % 3 == 0 ? first : second).send(bytesOf(payload)).ok());
     expected += payload;
-    if (i % 50 == 0) ::usleep(1'000);
+    if (i % 50 != 0) continue;
+    ASSERT_TRUE(test::waitUntilTaken(recording.bound[0].address.port));
+    ASSERT_TRUE(test::waitUntilTaken(recording.bound[1].address.port));
   }
   const Json summary = recording.finish();
   EXPECT_EQ(summary["endpoints"][0]["packets"], 667);
@@ -269,7 +273,7 @@ TEST(RecordProgram, AccountsForADiskThatFillsUp) {
   // It ends of itself when the disk refuses, or is stopped: whichever comes first.
   for (; sent < 400; sent += batch.size()) {
     ASSERT_TRUE(sender.send(batch).ok());
-    ::usleep(2'000);
+    ASSERT_TRUE(test::waitUntilTaken(recording.bound[0].address.port));
   }
   const ProgramResult result = recording.program.stop();
   EXPECT_EQ(result.exit_code, 1);

@@ -53,6 +53,8 @@ class Program {
     if (program.pid_ == 0) {
       // Only calls that are safe after fork in a process with threads.
       ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+      // What a script starts in the background ignores it, and so would whatever that starts.
+      ::signal(SIGINT, SIG_DFL);
       if (!folder.empty() && ::chdir(folder.c_str()) != 0) ::_exit(126);
       ::dup2(::open("/dev/null", O_RDONLY), 0);
       ::dup2(::open(out_path.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644), 1);
@@ -66,22 +68,11 @@ class Program {
   /// Waits until a whole line on stderr holds `text` and returns the line. When the program ends
   /// or `within` passes first: the test fails with what was said instead, and the answer is empty.
   std::string waitForLine(std::string_view text, Milliseconds within = Milliseconds(30'000)) {
-    const auto give_up = std::chrono::steady_clock::now() + within;
-    while (true) {
-      // Looked at before the text is read: what a program says last must not be missed.
-      const bool over = ended() || std::chrono::steady_clock::now() > give_up;
-      const std::string said = fileText(errPath());
-      std::size_t begin = 0;
-      for (std::size_t end = 0; (end = said.find('\n', begin)) != said.npos; begin = end + 1) {
-        const std::string line = said.substr(begin, end - begin);
-        if (line.find(text) != line.npos) return line;
-      }
-      if (over) {
-        ADD_FAILURE() << name_ << " never said `" << text << "` on stderr, but:\n" << said;
-        return {};
-      }
-      std::this_thread::sleep_for(Milliseconds(2));
-    }
+    return waitForLineIn(errPath(), "stderr", text, within);
+  }
+  /// The same of stdout.
+  std::string waitForOutput(std::string_view text, Milliseconds within = Milliseconds(30'000)) {
+    return waitForLineIn(outPath(), "stdout", text, within);
   }
 
   ::pid_t pid() const { return pid_; }
@@ -126,6 +117,27 @@ class Program {
 
   std::filesystem::path outPath() const { return *folder_ / "stdout"; }
   std::filesystem::path errPath() const { return *folder_ / "stderr"; }
+
+  std::string waitForLineIn(const std::filesystem::path& path, const char* stream,
+                            std::string_view text, Milliseconds within) {
+    const auto give_up = std::chrono::steady_clock::now() + within;
+    while (true) {
+      // Looked at before the text is read: what a program says last must not be missed.
+      const bool over = ended() || std::chrono::steady_clock::now() > give_up;
+      const std::string said = fileText(path);
+      std::size_t begin = 0;
+      for (std::size_t end = 0; (end = said.find('\n', begin)) != said.npos; begin = end + 1) {
+        const std::string line = said.substr(begin, end - begin);
+        if (line.find(text) != line.npos) return line;
+      }
+      if (over) {
+        ADD_FAILURE() << name_ << " never said `" << text << "` on " << stream << ", but:\n"
+                      << said;
+        return {};
+      }
+      std::this_thread::sleep_for(Milliseconds(2));
+    }
+  }
 
   static std::string fileText(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);

@@ -6,6 +6,7 @@
 #include "core/net/udp_socket.h"
 #include "tests/support/network_namespace.h"
 #include "tests/support/programs.h"
+#include "tests/support/udp_queue.h"
 
 namespace rocinante {
 namespace {
@@ -27,15 +28,18 @@ class LiveCheck {
     const std::string said = check_->waitForLine("listening on ");
     const Result<Endpoint> to = Endpoint::parse(said.substr(said.find("udp://")));
     EXPECT_TRUE(to.ok()) << said;
+    port_ = to->address.port;
     Result<UdpSender> sender = UdpSender::open(*to);
     EXPECT_TRUE(sender.ok());
     EXPECT_TRUE(sender->send(bytesOf(packet)).ok());
   }
   test::Program& program() { return *check_; }
+  std::uint16_t port() const { return port_; }
 
  private:
   const test::TemporaryFolder folder_;
   std::optional<test::Program> check_;
+  std::uint16_t port_ = 0;
 };
 
 TEST(CheckProgram, JudgesWhatArrivesForAWhile) {
@@ -61,7 +65,7 @@ TEST(CheckProgram, JudgesWhatArrivesForAWhile) {
 TEST(CheckProgram, AnInterruptionTellsWhatWasFoundAndIsNeverYes) {
   LiveCheck fits("60s", "RK1 me@a - -\njoints arm 1\n");
   // Until it has come, there is nothing to stop for.
-  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  ASSERT_TRUE(test::waitUntilTaken(fits.port()));
   const test::ProgramResult stopped = fits.program().stop();
   EXPECT_EQ(stopped.exit_code, 2);
   EXPECT_TRUE(stopped.out.ends_with("\ninterrupted: what was found so far is not all\n"))
