@@ -16,8 +16,8 @@ for i in 1 2 3; do
   printf 'RK1 me@a %s -\npose box 0 0 %s 0 0 0 1\n' "$i" "$i" >packet
   cat packet >"/dev/udp/127.0.0.1/$port"  # in one write: one datagram
 done
-# Longer than --sync, so that what was said stands in the file.
-sleep 0.5
+# Killed when what was said stands in the file.
+until [ "$(rocinante log cat log.mcap 2>/dev/null | grep -c 'me@a\|RK1 me')" = 3 ]; do kill -0 $recorder; sleep 0.05; done
 # The shell tells of a killed child whenever it notices: on an error stream that goes nowhere.
 { kill -KILL $recorder; wait $recorder || true; } 2>/dev/null
 rocinante check box.cell.toml log.mcap | sed 's/over [0-9.]* s/over SPAN/'

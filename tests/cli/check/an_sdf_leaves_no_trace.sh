@@ -4,7 +4,8 @@ cat >arm.sdf <<'SDF'
 <joint name='turn' type='continuous'><parent>base</parent><child>hand</child><axis><xyz>0 0 1</xyz></axis></joint>
 </model></sdf>
 SDF
-if rocinante check arm.sdf 2>&1 | grep -q 'without its module'; then
+rocinante check arm.sdf >said 2>&1 || true
+if grep -q 'without its module' said; then
   echo "skipped: built without ROCINANTE_SDF"
   exit 77
 fi

@@ -20,7 +20,7 @@ rocinante check cell.toml --format json | python3 -c '
 import json, sys
 report = json.load(sys.stdin)
 for f in report["findings"]:
-    print(report["verdict"], f["rule"], f["severity"], f["file"], f["line"], f["count"], f["first_s"])'
+    print(report["verdict"], f["rule"], f["severity"], f["file"], f["line"], f["count"], f["first_s"])' || echo "exit $?"
 rocinante check cell.toml -o junit=check.xml -o sarif=check.sarif -o text=check.txt --quiet || echo "exit $?"
 cat check.txt
 python3 - <<'PY'

@@ -4,7 +4,6 @@ recorder=$!
 until grep -qs '^recording' said; do kill -0 $recorder; sleep 0.05; done
 port=$(sed 's/.*:\([0-9]*\) to .*/\1/' said)
 rocinante source --demo all --duration 6s --to "127.0.0.1:$port" --quiet
-sleep 0.2
 kill -INT $recorder
 wait $recorder
 rocinante check "$SRC/examples/demo/demo.cell.toml" live.mcap | tail -n 1

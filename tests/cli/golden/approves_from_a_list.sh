@@ -15,14 +15,14 @@ name = "a"
 name = "b"
 hide = ["layer/grid"]
 TOML
-rocinante golden run suite.toml --jobs 1 --json >seen.json || true
+rocinante golden run suite.toml --jobs 1 --json >seen.json || echo "exit $?"
 python3 -c '
 import json
 for frame in json.load(open("seen.json"))["frames"]:
     print(frame["name"], frame["pixels"], sep="\t")' >list.txt
 head -1 list.txt >one.txt
 rocinante golden approve suite.toml --from one.txt -m 'seen'
-rocinante golden list suite.toml | awk '{print $1, $4, $6}' || true
+rocinante golden list suite.toml | awk '{print $1, $4, $6}' || echo "exit $?"
 # What is drawn now is not what was seen.
 sed 's/size="1 1 1"/size="1 1 2"/' -i box.urdf
 rocinante golden approve suite.toml --from list.txt -m 'seen' || echo "exit $?"

@@ -12,12 +12,11 @@ suite() {
 }
 box 1
 suite kept replaced removed
-rocinante golden diff HEAD suite.toml 2>&1 | sed 's/(.*)/(FOLDER)/; s/says: .*/says so (FOLDER)/' || true
+rocinante golden diff HEAD suite.toml 2>&1 | sed 's/(.*)/(FOLDER)/; s/says: .*/says so (FOLDER)/' || echo "exit $?"
 git init -q . && git config user.email ada@example.org && git config user.name ada
 rocinante golden approve suite.toml -m first >/dev/null
 git add . && git commit -q -m goldens && git tag accepted
-rocinante golden diff accepted suite.toml
-echo "exit $?"
+rocinante golden diff accepted suite.toml && echo "exit 0"
 suite kept replaced added
 box 2
 rocinante golden approve suite.toml --only replaced --only added -m 'a higher box' >/dev/null
@@ -29,9 +28,9 @@ for accepted in manifest["cases"].pop("removed"):
 json.dump(manifest, open("goldens/manifest.json", "w"))
 PYTHON
 times() { sed 's/[0-9]* differing/N differing/; s/on 2[0-9TZ:-]*/on DAY/'; }
-rocinante golden diff accepted suite.toml --report out | times || true
+rocinante golden diff accepted suite.toml --report out | times || echo "exit $?"
 ls out
-(mkdir -p elsewhere && cd elsewhere && rocinante golden diff accepted | times) || true
-rocinante golden diff --json - accepted suite.toml | grep -c '"name"' || true
-rocinante golden diff no-such suite.toml 2>&1 | sed 's/(.*)/(FOLDER)/' || true
-rocinante golden diff -- --upload-pack=x suite.toml 2>&1 | sed 's/(.*)/(FOLDER)/' || true
+(mkdir -p elsewhere && cd elsewhere && rocinante golden diff accepted | times) || echo "exit $?"
+rocinante golden diff --json - accepted suite.toml | grep -c '"name"' || echo "exit $?"
+rocinante golden diff no-such suite.toml 2>&1 | sed 's/(.*)/(FOLDER)/' || echo "exit $?"
+rocinante golden diff -- --upload-pack=x suite.toml 2>&1 | sed 's/(.*)/(FOLDER)/' || echo "exit $?"

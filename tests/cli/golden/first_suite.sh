@@ -6,6 +6,6 @@ awk '/first_suite.sh runs this block/ {found = 1} found && /^```/ {if (inside) e
 export ROCINANTE_USER=me
 while read -r line; do
   case $line in *" add "*) line="$line --size 48x36 --samples 1" ;; esac
-  bash -euc "$line" || echo "exit $?"
+  bash -eu -o pipefail -c "$line" || echo "exit $?"
 done <block.sh
 ls report/index.html

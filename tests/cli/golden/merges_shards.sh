@@ -35,7 +35,7 @@ box 0 0.8
 rocinante golden approve suite.toml -m first --only fine --only moved --only masked --only lax | tail -1
 box 0.1 0.7
 rocinante golden run suite.toml --report whole --json whole.json >whole.txt || echo "exit $?"
-for i in 1 2; do rocinante golden run suite.toml --shard $i/2 --report part-$i >/dev/null || true; done
+for i in 1 2; do rocinante golden run suite.toml --shard $i/2 --report part-$i >/dev/null || echo "exit $?"; done
 rocinante golden report part-2 part-1 --report merged --json merged.json >merged.txt || echo "exit $?"
 grep -E '^[0-9]|note' merged.txt
 cat >same.py <<'PYTHON'
@@ -69,5 +69,5 @@ cp part-2/new.frame.png part-1/moved.frame.png
 rocinante golden report part-1 part-2 --report merged 2>&1 || echo "exit $?"
 mv kept.png part-1/moved.frame.png
 rm part-2/page-pictures.json
-rocinante golden report part-2 part-1 --json 2>&1 | grep -c verdict || true
+rocinante golden report part-2 part-1 --json 2>&1 | grep -c verdict || echo "exit $?"
 ls -A part-2

@@ -19,7 +19,7 @@ python3 -c 'print("t,turn"); [print(f"{0.02 * i:.2f},{0.1 * i:.1f}") for i in ra
 python3 -c 'print("t,turn"); [print(f"{0.02 * i:.2f},{-0.1 * i:.1f}") for i in range(16)]' >back.csv
 recorded() {
   rm -f said  # of the one before
-  rocinante record 127.0.0.1:0 -o "$1.mcap" --cell cell.toml --max-packets 17 --duration 20s >/dev/null 2>said &
+  rocinante record 127.0.0.1:0 -o "$1.mcap" --cell cell.toml --max-packets 17 --duration 90s >/dev/null 2>said &
   until grep -qs '^recording' said; do kill -0 $!; sleep 0.05; done
   port=$(sed -n 's/^recording.*:\([0-9]*\) to .*/\1/p' said)
   rocinante source --csv "$2.csv" --device arm --restate 0 --quiet --to "127.0.0.1:$port" >/dev/null 2>&1
@@ -28,10 +28,10 @@ recorded() {
 recorded a there
 recorded b there
 recorded c back
-judged() { rocinante golden session "$@" --size 96x72 --slack 1s | sed -nE 's/^(pictures .*|same|different)$/\1/p'; }
+judged() { rocinante golden session "$@" --size 96x72 --slack 1s | sed -nE 's/^(pictures .*|same|different)$/\1/p' || echo "exit $?"; }
 judged a.mcap b.mcap
 judged b.mcap a.mcap
-judged a.mcap c.mcap | tail -n 1
+judged a.mcap c.mcap | tail -n 2
 judged a.mcap b.mcap arm.urdf
 # A session's extent moves what is fitted to it, main view and inset: both are drawn as the first has it.
 cat >fitted.toml <<'TOML'

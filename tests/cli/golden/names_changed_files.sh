@@ -14,7 +14,7 @@ cell = "plate.urdf"
 name = "at-rest"
 size = [160, 120]
 TOML
-why() { rocinante golden run suite.toml --report report | grep ': the ' || true; }
+why() { rocinante golden run suite.toml --report report | sed '/: the /!d' && echo "exit 0" || echo "exit $?"; }
 rocinante golden approve suite.toml -m first
 why
 echo "a corner is moved:"

@@ -42,8 +42,8 @@ TOML
 # What is estimated of why is another case's business.
 run() {
   rocinante golden run suite.toml --jobs 1 "$@" |
-    sed '/^    /d; /^why/d; s/llvmpipe-[^ ]*/KEY/; s/\.[0-9a-f]\{8\}\.png/.HASH.png/; s/[0-9]* differing/N differing/; s/mean [0-9.]* /mean M /; s/and [0-9]* <=/and N <=/'
-  echo "exit ${PIPESTATUS[0]}"
+    sed '/^    /d; /^why/d; s/llvmpipe-[^ ]*/KEY/; s/\.[0-9a-f]\{8\}\.png/.HASH.png/; s/[0-9]* differing/N differing/; s/mean [0-9.]* /mean M /; s/and [0-9]* <=/and N <=/' &&
+    echo "exit 0" || echo "exit $?"
 }
 rocinante golden approve suite.toml -m first | tail -1
 run
@@ -66,5 +66,5 @@ cp goldens/line-drawing.*.png "$golden"
 rm goldens/idle.*.png
 box 1
 echo spare >goldens/spare.png
-rocinante golden list suite.toml --verify 2>&1 | sed '/^  /d; s/\.[0-9a-f]\{8\}\.png/.HASH.png/' || true
+rocinante golden list suite.toml --verify 2>&1 | sed '/^  /d; s/\.[0-9a-f]\{8\}\.png/.HASH.png/' || echo "exit $?"
 rocinante golden run suite.toml --only idle | tail -1

@@ -5,4 +5,6 @@ rocinante log follow session.mcap --from-start --channel '/udp/*/planner' --chan
 rocinante log follow session.mcap --from-start --format json >followed.json
 rocinante log cat session.mcap --format json >cat.json
 cmp followed.json cat.json
-rocinante log follow session.mcap --from-start --format csv | cmp - <(rocinante log cat session.mcap --format csv)
+rocinante log follow session.mcap --from-start --format csv >followed.csv
+rocinante log cat session.mcap --format csv >cat.csv
+cmp followed.csv cat.csv

@@ -3,14 +3,16 @@ log=$SRC/tests/data/logs/version-1.mcap
 head -c 1500 "$log" > session.mcap
 rocinante-log follow session.mcap --from-start --channel '*' --format json > followed.json &
 follower=$!
-tail -c +1501 "$log" | head -c 1000 >> session.mcap
+head -c 2500 "$log" | tail -c 1000 >> session.mcap
 tail -c +2501 "$log" >> session.mcap
 wait $follower
-rocinante log cat session.mcap --channel '*' --format json | cmp - followed.json
+rocinante log cat session.mcap --channel '*' --format json > stored.json
+cmp stored.json followed.json
 head -c 1500 "$log" > killed.mcap
 rocinante-log follow killed.mcap --from-start > text &
 follower=$!
-for _ in $(seq 500); do [ -s text ] && break; sleep 0.02; done
+# All that a whole chunk and the open one hold.
+until [ "$(wc -l <text)" = 13 ]; do kill -0 $follower; sleep 0.02; done
 kill -INT $follower
 wait $follower
 echo "messages: $(wc -l < text)"

@@ -11,7 +11,6 @@ wait $recorder
 rocinante play log.mcap --to 127.0.0.1:"$port" --speed 0.01 --json >report 2>said &
 player=$!
 until grep -qs '^playing' said; do sleep 0.02; done
-sleep 0.2
 kill -INT $player
 status=0
 wait $player || status=$?

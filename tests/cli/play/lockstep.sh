@@ -42,7 +42,7 @@ echo "$step"
 printf 'ack 4\n' >&3
 end
 
-begin --ack-timeout 200ms
+begin --ack-timeout 3s
 printf 'status\n' >&3
 end
 

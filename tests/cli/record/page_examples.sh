@@ -24,6 +24,6 @@ for command in commands:
 print("all are taken" if ran >= 6 else f"only {ran} examples")
 PY
 ip=$(command -v ip)
-unshare -n bash -euc "$ip link set lo up
+unshare -n bash -eu -o pipefail -c "$ip link set lo up
 $ip link add eth1 type veth peer name robot1 && $ip addr add 192.168.7.1/24 dev eth1 && $ip link set eth1 up && $ip link set robot1 up
 python3 run.py"

@@ -18,4 +18,4 @@ wait $recorder
 sed -e "s/:$port into/:PORT into/" -e 's/: [0-9.]* s to/: T s to/' -e 's/([^()]*B)/(SIZE)/' said
 sed -e 's/in [0-9.]* s/in T s/' -e 's/([^()]*B)/(SIZE)/' said.out
 rocinante log doctor crash-001.mcap | sed 's/, [0-9]* bytes/, N bytes/'
-rocinante log info crash-001.mcap --json | grep '"messages"' | head -n 1
+rocinante log info crash-001.mcap --json | grep '^  "messages"'

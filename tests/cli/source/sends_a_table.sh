@@ -9,5 +9,5 @@ rocinante source --csv table.csv --device arm --columns shoulder,elbow --run r1 
   --to 127.0.0.1:"$port" --json --quiet >report
 kill -INT $recorder
 wait $recorder
-rocinante log cat log.mcap --format json | sed -n 's/.*"text": *"\(RK1[^"]*\)".*/\1/p' || true
+rocinante log cat log.mcap --format json | sed -n 's/.*"text": *"\(RK1[^"]*\)".*/\1/p'
 grep -e '"source"' -e '"run"' -e '"sent"' -e '"bytes"' -e '"restatements"' -e stream report

@@ -1,1 +1,1 @@
-rocinante spy --help | head -3
+rocinante spy --help | sed -n 1,3p
