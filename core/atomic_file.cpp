@@ -6,6 +6,9 @@
 
 #include <cerrno>
 #include <cstring>
+#include <utility>
+
+#include "core/file_lock.h"
 
 namespace rocinante {
 namespace {
@@ -32,6 +35,14 @@ Status writeAll(int file, ByteView bytes, const std::filesystem::path& path) {
     }
     bytes = bytes.subspan(static_cast<std::size_t>(written));
   }
+  return {};
+}
+
+/// Held meanwhile: no recorder begins to write what is replaced.
+Status renameOver(const std::filesystem::path& beside, const std::filesystem::path& path) {
+  const Result<HeldFile> held = HeldFile::at(path, HeldFile::For::replacing);
+  if (!held) return held.error();
+  if (::rename(beside.c_str(), path.c_str()) != 0) return systemError("cannot create", path);
   return {};
 }
 
@@ -79,6 +90,7 @@ Status mayWriteFile(const std::filesystem::path& path, bool overwrite) {
     if (!overwrite) {
       return Error{ErrorKind::refused, "the file exists; --force overwrites it", path.string()};
     }
+    if (Status may = mayReplace(path); !may) return may;
   }
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
   if (::access(folder.c_str(), W_OK | X_OK) != 0) return systemError("cannot create", path);
@@ -98,9 +110,7 @@ Status writeFileWhole(const std::filesystem::path& path, ByteView bytes, bool ov
   if (::close(std::exchange(file.number, -1)) != 0 && written) {
     written = systemError("cannot write", path);
   }
-  if (written && ::rename(beside.c_str(), path.c_str()) != 0) {
-    written = systemError("cannot create", path);
-  }
+  if (written) written = renameOver(beside, path);
   if (!written) ::unlink(beside.c_str());
   return written;
 }

@@ -18,7 +18,8 @@ Result<std::string> readFile(const std::filesystem::path& path,
 enum class Sync { now, later };
 
 /// Writes beside `path`, syncs and renames: the file appears whole or not at all. refused when it
-/// exists and `overwrite` is false, or is no plain file (a device would be gone).
+/// exists and `overwrite` is false, is no plain file (a device would be gone), or is a log that
+/// another process is writing (core/file_lock.h).
 Status writeFileWhole(const std::filesystem::path& path, ByteView bytes, bool overwrite,
                       Sync sync = Sync::now);
 

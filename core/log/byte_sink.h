@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -35,17 +34,17 @@ class ByteSink {
   /// Lets the system begin to bring these bytes to the disk, and does not wait for it.
   virtual Status startWriteback(std::uint64_t offset, std::uint64_t size_bytes);
 
+  /// damaged when what was appended does not stand in a file with a name any more: another program
+  /// deleted, replaced or cut it. Appending goes on all the same, and close() answers it too.
+  virtual Status check() { return {}; }
+
   /// Waits until everything is on the disk (fdatasync), then closes. Called once, last.
   virtual Status close() = 0;
 
   virtual const std::string& name() const = 0;  ///< for messages to people
 };
 
-/// A new file, or an existing one emptied when `overwrite` is true. refused when it exists and
-/// `overwrite` is false; unreadable when the system will not make it.
-Result<std::unique_ptr<ByteSink>> makeFileSink(const std::filesystem::path& path, bool overwrite);
-
-/// The same, in memory: `out` grows and must outlive the sink.
+/// In memory: `out` grows and must outlive the sink. For a file: NewLogFile.
 std::unique_ptr<ByteSink> makeMemorySink(Bytes& out);
 
 }  // namespace rocinante

@@ -1,6 +1,7 @@
 #include "core/log/file_sink.h"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <optional>
 #include <utility>
 
 namespace rocinante {
@@ -46,6 +48,7 @@ class FileSink final : public ByteSink {
       : file_(file), name_(std::move(name)), calls_(std::move(calls)) {
     struct stat status {};
     regular_ = ::fstat(file, &status) == 0 && S_ISREG(status.st_mode);
+    linked_ = regular_ && status.st_nlink > 0;
     reserves_ = regular_;
   }
   ~FileSink() override {
@@ -55,6 +58,8 @@ class FileSink final : public ByteSink {
   FileSink& operator=(const FileSink&) = delete;
 
   Status append(ByteView bytes) override {
+    // Before it grows: behind what was cut off, the file has its length again.
+    (void)check();
     while (!bytes.empty()) {
       const Result<std::size_t> written = regular_ ? writeAt(end_, bytes) : writeNext(bytes);
       if (!written) return written.error();
@@ -113,8 +118,27 @@ class FileSink final : public ByteSink {
     return systemError("cannot hand the log to the disk", errno, name_);
   }
 
+  Status check() override {
+    struct stat status {};
+    if (!disturbance_ && regular_ && ::fstat(file_, &status) == 0) {
+      if (linked_ && status.st_nlink == 0) {
+        disturb(
+            "another program deleted or replaced this log while it was written: nothing of it is "
+            "left");
+      } else if (static_cast<std::uint64_t>(status.st_size) != end_) {
+        disturb(
+            fmt::format("another program changed this log while it was written: it has {} bytes "
+                        "where {} were written",
+                        status.st_size, end_));
+      }
+    }
+    if (disturbance_) return *disturbance_;
+    return {};
+  }
+
   Status close() override {
     Status outcome;
+    Status undisturbed = check();
     if (allocated_ahead_) outcome = setSize(end_);
     // EINVAL: a pipe or a device, which has nothing to sync.
     if (uninterrupted([&] { return calls_.fdatasync(file_); }) != 0 && errno != EINVAL && outcome) {
@@ -124,12 +148,16 @@ class FileSink final : public ByteSink {
     if (calls_.close(std::exchange(file_, -1)) != 0 && errno != EINTR && outcome) {
       outcome = systemError("cannot close the log", errno, name_);
     }
-    return outcome;
+    return undisturbed ? outcome : undisturbed;
   }
 
   const std::string& name() const override { return name_; }
 
  private:
+  void disturb(std::string what) {
+    disturbance_ = Error{ErrorKind::damaged, std::move(what), name_};
+  }
+
   Error cannotWrite(int number) const {
     return systemError("cannot write to the log", number, name_);
   }
@@ -159,6 +187,8 @@ class FileSink final : public ByteSink {
   std::string name_;
   FileCalls calls_;
   bool regular_ = false;
+  bool linked_ = false;  ///< it had a name; some file systems count no links
+  std::optional<Error> disturbance_;
   bool reserves_ = false;
   std::uint64_t end_ = 0;
   std::uint64_t reserved_until_ = 0;  ///< blocks are there up to this
@@ -168,22 +198,12 @@ class FileSink final : public ByteSink {
 }  // namespace
 
 FileCalls FileCalls::system() {
-  return {::write, ::pwrite, ::ftruncate, ::fallocate, ::sync_file_range, ::fdatasync, ::close};
+  return {::write,           ::pwrite,    ::ftruncate, ::fallocate,
+          ::sync_file_range, ::fdatasync, ::close,     lockFile};
 }
 
 std::unique_ptr<ByteSink> makeFileSinkOn(int file, std::string name, FileCalls calls) {
   return std::make_unique<FileSink>(file, std::move(name), std::move(calls));
-}
-
-Result<std::unique_ptr<ByteSink>> makeFileSink(const std::filesystem::path& path, bool overwrite) {
-  const int flags = O_WRONLY | O_CREAT | O_CLOEXEC | (overwrite ? O_TRUNC : O_EXCL);
-  const int file = uninterrupted([&] { return ::open(path.c_str(), flags, 0666); });
-  if (file >= 0) return makeFileSinkOn(file, path.string());
-  if (errno == EEXIST) {
-    return Error{ErrorKind::refused, "the file exists already and is not overwritten",
-                 path.string()};
-  }
-  return systemError("cannot make the log", errno, path.string());
 }
 
 }  // namespace rocinante

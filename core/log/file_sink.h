@@ -2,8 +2,10 @@
 
 #include <sys/types.h>
 
+#include <filesystem>
 #include <functional>
 
+#include "core/file_lock.h"
 #include "core/log/byte_sink.h"
 
 namespace rocinante {
@@ -18,6 +20,7 @@ struct FileCalls {
   std::function<int(int, off_t, off_t, unsigned)> sync_file_range;
   std::function<int(int)> fdatasync;
   std::function<int(int)> close;
+  std::function<Result<Lock>(int, const std::filesystem::path&)> lock;  ///< lockFile()
 
   static FileCalls system();
 };

@@ -32,6 +32,7 @@ class GrowingFile {
   Status overwrite(std::uint64_t offset, ByteView bytes);
   /// From `offset` to the end nothing changes any more: the disk may have it.
   Status settle(std::uint64_t offset);
+  Status check() { return sink_->check(); }
   Status close() { return sink_->close(); }
 
  private:

@@ -9,6 +9,7 @@
 #include "core/log/loss_message.h"
 #include "core/log/mcap_chunk.h"
 #include "core/log/mcap_writer.h"
+#include "core/log/new_log_file.h"
 #include "core/version.h"
 
 namespace rocinante {
@@ -33,14 +34,6 @@ mcap::WriterOptions writerOptions(const LogWriterOptions& options, std::size_t s
     mcap_options.zstd_level = options.zstd_level;
   }
   return mcap_options;
-}
-
-/// A file that was made and could not be begun is no log.
-void removeEmpty(const std::filesystem::path& path) {
-  std::error_code ignored;
-  if (std::filesystem::is_regular_file(path, ignored) && std::filesystem::is_empty(path, ignored)) {
-    std::filesystem::remove(path, ignored);
-  }
 }
 
 }  // namespace
@@ -71,6 +64,7 @@ struct LogWriter::Impl {
   std::map<ChannelId, std::uint64_t> refused_after;  ///< never given to `writer`
   std::map<ChannelId, std::uint64_t> refused;        ///< those and what `writer` lost
   bool closed = false;
+  bool locked = true;
 
   /// Keeps the first failure: what follows from it is no news.
   Status keep(Status status) {
@@ -116,10 +110,12 @@ struct LogWriter::Impl {
 
 Result<LogWriter> LogWriter::create(const std::filesystem::path& path,
                                     const LogWriterOptions& options, std::string session_id) {
-  Result<std::unique_ptr<ByteSink>> sink = makeFileSink(path, options.overwrite);
-  if (!sink) return sink.error();
-  Result<LogWriter> writer = createOn(std::move(*sink), options, std::move(session_id));
-  if (!writer) removeEmpty(path);
+  Result<NewLogFile> file = NewLogFile::make(path, options.overwrite);
+  if (!file) return file.error();
+  Result<LogWriter> writer = createOn(file->takeSink(), options, std::move(session_id));
+  if (!writer) return writer;
+  if (Status published = file->publish(); !published) return published.error();
+  writer->impl_->locked = file->locked();
   return writer;
 }
 
@@ -222,6 +218,15 @@ Status LogWriter::flushIfDue(SteadyTime now) {
   if (!log.writer.unflushed() || now - log.waiting_since < log.sync / 2) return {};
   return log.keep(log.writer.flush());
 }
+
+Status LogWriter::flush() { return impl_->keep(impl_->writer.flush()); }
+
+Status LogWriter::check() {
+  if (impl_->closed) return {};
+  return impl_->writer.check();
+}
+
+bool LogWriter::locked() const { return impl_->locked; }
 
 Status LogWriter::close(std::string reason) {
   Impl& log = *impl_;

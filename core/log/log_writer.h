@@ -20,7 +20,7 @@ struct LogWriterOptions {
   /// Kept free on the disk for losses that are told after it has refused; room for the summary and
   /// rocinante.end is kept beside it.
   std::uint64_t closing_room_bytes = 16U << 10U;
-  bool overwrite = false;  ///< else an existing file is refused
+  bool overwrite = false;  ///< a new file replaces an existing one, which is refused otherwise
 };
 
 /// Writes a log (docs/log-format.md). Messages should come in time order: one that is late is kept
@@ -29,8 +29,9 @@ struct LogWriterOptions {
 /// net.
 class LogWriter {
  public:
-  /// refused when the file exists and `overwrite` is false; unreadable when it cannot be made, or
-  /// the disk has no room for a log without messages. No empty file is left behind then.
+  /// refused when the file exists and `overwrite` is false, or another process is writing it;
+  /// unreadable when it cannot be made, or the disk has no room for a log without messages. No
+  /// empty file is left behind then, and an older one stays. See NewLogFile.
   static Result<LogWriter> create(const std::filesystem::path& path,
                                   const LogWriterOptions& options, std::string session_id);
   /// The same on any sink.
@@ -62,6 +63,15 @@ class LogWriter {
   /// each `sync`, also when idle. The log's only clock: a message counts as given at the call
   /// before it. A chunk goes on after that, until it is full.
   Status flushIfDue(SteadyTime now);
+
+  /// The same now, whatever waits for how long: what the disk refuses of it can still be told.
+  Status flush();
+
+  /// damaged when another program deleted, replaced or cut the file since it was made; close()
+  /// looks too. What is written after that is written all the same.
+  Status check();
+  /// False where the file system has no locks: nothing stops a second program from writing here.
+  bool locked() const;
 
   /// Writes the summary and rocinante.end with `reason`, flushes to the disk, closes the file.
   /// After a refused write it answers that first error, even when the file could still be finished.

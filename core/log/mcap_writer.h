@@ -40,6 +40,8 @@ class Writer {
   /// Brings the messages of the open chunk into the file and leaves it open there; closes it where
   /// the file can only grow. When it fails, the chunk is closed with what stands in the file.
   Status flush();
+  /// See ByteSink::check().
+  Status check() { return file_.check(); }
   /// Closes the open chunk, if it holds anything.
   Status closeChunk();
   /// Messages wait in memory.

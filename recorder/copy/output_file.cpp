@@ -9,6 +9,8 @@
 #include <cstring>
 #include <utility>
 
+#include "core/log/new_log_file.h"
+
 namespace rocinante {
 namespace {
 
@@ -31,6 +33,11 @@ void syncFolderOf(const fs::path& path) {
 }  // namespace
 
 Status checkOutput(const fs::path& path, bool overwrite, std::span<const fs::path> inputs) {
+  if (path == "-") {
+    return Error{ErrorKind::bad_argument,
+                 "a log is written to a file, not to standard output: name one (./- for this name)",
+                 path.string()};
+  }
   struct stat there {};
   if (::stat(path.c_str(), &there) != 0) return {};
   for (const fs::path& input : inputs) {
@@ -44,7 +51,7 @@ Status checkOutput(const fs::path& path, bool overwrite, std::span<const fs::pat
     return Error{ErrorKind::refused, "is no file, and is not replaced by one", path.string()};
   }
   if (!overwrite) return alreadyThere(path);
-  return {};
+  return mayReplace(path);
 }
 
 Result<OutputFile> OutputFile::create(fs::path path, bool overwrite,
@@ -54,14 +61,15 @@ Result<OutputFile> OutputFile::create(fs::path path, bool overwrite,
   output.path_ = std::move(path);
   output.overwrite_ = overwrite;
   const fs::path beside = output.path_.string() + ".part" + std::to_string(::getpid());
-  Result<std::unique_ptr<ByteSink>> sink = makeFileSink(beside, false);
-  if (!sink) {
-    Error error = sink.error();
+  Result<NewLogFile> file = NewLogFile::make(beside, false);
+  if (!file) {
+    Error error = file.error();
     error.where = output.path_.string();
     return error;
   }
   output.beside_ = beside;
-  output.sink_ = std::move(*sink);
+  output.sink_ = file->takeSink();
+  if (Status stays = file->publish(); !stays) return stays.error();
   return output;
 }
 
@@ -82,6 +90,8 @@ OutputFile& OutputFile::operator=(OutputFile&& other) noexcept {
 
 Status OutputFile::commit() {
   int renamed = -1;
+  const Result<HeldFile> held = HeldFile::at(path_, HeldFile::For::replacing);
+  if (!held) return held.error();
   if (overwrite_) {
     renamed = ::rename(beside_.c_str(), path_.c_str());
   } else {

@@ -115,6 +115,43 @@ TEST(LogWriter, RefusesAnExistingFileUnlessToldToOverwrite) {
   EXPECT_TRUE(reader->summary().complete);
 }
 
+TEST(LogWriter, OneThatCannotBeBegunLeavesTheOlderLogAlone) {
+  const TemporaryFolder folder;
+  const std::string old(200, 'x');
+  ASSERT_TRUE(writeFileWhole(folder / "a.mcap", bytesOf(old), false).ok());
+  struct rlimit before {};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+  struct rlimit limit = before;
+  limit.rlim_cur = 100;
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &limit), 0);
+  LogWriterOptions options;
+  options.overwrite = true;
+  const Result<LogWriter> writer = LogWriter::create(folder / "a.mcap", options, "s");
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
+  EXPECT_FALSE(writer.ok());
+  EXPECT_EQ(*readFile(folder / "a.mcap"), old);
+}
+
+TEST(LogWriter, FlushedNowItIsFlushedInItsTimeAfterwards) {
+  Bytes file;
+  LogWriter writer = makeWriter(file);
+  const ChannelId channel = *writer.addChannel("/udp/1/a", "octets", {});
+  const SteadyTime start{std::chrono::hours(1)};
+  const auto put = [&](int at_ms) {
+    const LogTime time{std::chrono::milliseconds(at_ms)};
+    ASSERT_TRUE(writer.write(channel, 0, time, 0, bytesOf("message")).ok());
+  };
+  ASSERT_TRUE(writer.flushIfDue(start).ok());
+  put(1);
+  std::uint64_t bytes = writer.bytesWritten();
+  ASSERT_TRUE(writer.flush().ok());
+  EXPECT_GT(writer.bytesWritten(), bytes);
+  bytes = writer.bytesWritten();
+  put(2);
+  ASSERT_TRUE(writer.flushIfDue(start + std::chrono::milliseconds(60)).ok());
+  EXPECT_GT(writer.bytesWritten(), bytes);
+}
+
 TEST(LogWriter, IntoAReadOnlyFolderFailsWithTheSystemsReason) {
   const TemporaryFolder folder;
   ASSERT_EQ(::chmod(folder.path().c_str(), 0555), 0);

@@ -1,0 +1,128 @@
+#include "core/log/new_log_file.h"
+
+#include <fcntl.h>
+#include <stdio.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <string>
+#include <utility>
+
+namespace rocinante {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Each turn, another program made or removed the file at the same moment.
+constexpr int kMostTurns = 100;
+
+Error cannotMake(int number, const fs::path& path) {
+  return Error{ErrorKind::unreadable, std::string("cannot make the log: ") + std::strerror(number),
+               path.string()};
+}
+
+Error existsAlready(const fs::path& path) {
+  return Error{ErrorKind::refused, "the file exists already and is not overwritten", path.string()};
+}
+
+int openUninterrupted(const fs::path& path, int flags) {
+  int file = -1;
+  do {
+    file = ::open(path.c_str(), flags | O_CLOEXEC, 0666);
+  } while (file < 0 && errno == EINTR);
+  return file;
+}
+
+/// Where a link leads: the log goes there, and the link stays.
+fs::path target(const fs::path& path) {
+  std::error_code error;
+  if (!fs::is_symlink(path, error)) return path;
+  const fs::path leads = fs::canonical(path, error);
+  return error ? path : leads;
+}
+
+}  // namespace
+
+NewLogFile::NewLogFile(NewLogFile&& other) noexcept
+    : path_(std::move(other.path_)),
+      made_(std::exchange(other.made_, {})),
+      old_(std::move(other.old_)),
+      sink_(std::move(other.sink_)),
+      locked_(other.locked_) {}
+
+NewLogFile::~NewLogFile() {
+  if (!made_.empty()) ::unlink(made_.c_str());
+}
+
+Result<NewLogFile> NewLogFile::makeFree(const fs::path& path, FileCalls& calls) {
+  const int file = openUninterrupted(path, O_WRONLY | O_CREAT | O_EXCL);
+  if (file < 0) return errno == EEXIST ? existsAlready(path) : cannotMake(errno, path);
+  NewLogFile made;
+  made.path_ = path;
+  made.sink_ = makeFileSinkOn(file, path.string(), calls);
+  const Result<Lock> locked = calls.lock(file, path);
+  if (!locked) return locked.error();
+  made.locked_ = *locked == Lock::taken;
+  // Another program that may overwrite can have replaced it before it was locked.
+  if (made.locked_ && !isOpenFile(path, file)) return existsAlready(path);
+  made.made_ = path;
+  return made;
+}
+
+Result<NewLogFile> NewLogFile::makeInPlaceOf(const fs::path& path, HeldFile old,
+                                             FileCalls& calls) {
+  const fs::path beside = path.string() + ".part" + std::to_string(::getpid());
+  const int file = openUninterrupted(beside, O_WRONLY | O_CREAT | O_EXCL);
+  if (file < 0) return cannotMake(errno, path);
+  NewLogFile made;
+  made.path_ = path;
+  made.made_ = beside;
+  made.old_ = std::make_unique<HeldFile>(std::move(old));
+  made.sink_ = makeFileSinkOn(file, path.string(), calls);
+  const Result<Lock> locked = calls.lock(file, path);
+  if (!locked) return locked.error();
+  made.locked_ = *locked == Lock::taken;
+  return made;
+}
+
+Result<NewLogFile> NewLogFile::openAsItIs(const fs::path& path, FileCalls& calls) {
+  const int file = openUninterrupted(path, O_WRONLY);
+  if (file < 0) return cannotMake(errno, path);
+  NewLogFile made;
+  made.path_ = path;
+  made.sink_ = makeFileSinkOn(file, path.string(), calls);
+  return made;
+}
+
+Result<NewLogFile> NewLogFile::make(const fs::path& path, bool overwrite, FileCalls calls) {
+  if (!overwrite) return makeFree(path, calls);
+  const fs::path place = target(path);
+  for (int turn = 0; turn < kMostTurns; ++turn) {
+    Result<HeldFile> old = HeldFile::at(place, HeldFile::For::writing);
+    if (!old) return old.error();
+    struct stat facts {};
+    if (::stat(place.c_str(), &facts) == 0) {
+      if (::faccessat(AT_FDCWD, place.c_str(), W_OK, AT_EACCESS) != 0) {
+        return cannotMake(errno, place);
+      }
+      if (!S_ISREG(facts.st_mode)) return openAsItIs(place, calls);
+    }
+    if (old->holds()) return makeInPlaceOf(place, std::move(*old), calls);
+    Result<NewLogFile> made = makeFree(place, calls);
+    // In between another program made one.
+    if (made || made.error().kind != ErrorKind::refused) return made;
+    if (turn + 1 == kMostTurns) return made;
+  }
+  return existsAlready(path);
+}
+
+Status NewLogFile::publish() {
+  if (old_ && ::rename(made_.c_str(), path_.c_str()) != 0) return cannotMake(errno, path_);
+  made_.clear();
+  old_.reset();
+  return {};
+}
+
+}  // namespace rocinante
