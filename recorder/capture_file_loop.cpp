@@ -7,9 +7,18 @@
 
 namespace rocinante {
 
+namespace {
+
+/// Far from where nanoseconds of 64 bits end, so that a little can be added to it.
+constexpr Nanoseconds kLatest = std::chrono::seconds(9'200'000'000);
+
+}  // namespace
+
 LogTime CaptureTime::at(WallTime stamp) {
-  // A log has no times before 1970.
-  const LogTime seen(std::max(stamp.time_since_epoch(), Nanoseconds(0)) + shift_);
+  // A log has no times before 1970, nor beyond kLatest, which a clock that is set back over and
+  // over would reach.
+  const Nanoseconds since = std::clamp(stamp.time_since_epoch(), Nanoseconds(0), kLatest);
+  const LogTime seen(std::min(since, kLatest - shift_) + shift_);
   if (!reached_) reached_ = seen;
   if (seen + kDisorder < *reached_) {
     step_ = ClockStep{*reached_, seen - *reached_};

@@ -47,6 +47,17 @@ TEST(CaptureTime, NothingIsBefore1970) {
   EXPECT_EQ(time.at(WallTime(-5s)), LogTime(0s));
 }
 
+TEST(CaptureTime, StampsBeyondWhatNanosecondsCountAreAtTheLastMomentThereIs) {
+  CaptureTime time;
+  const LogTime last = time.at(WallTime::max());
+  EXPECT_GT(last + 1h, last);
+  // Set back, and to the end again, over and over: nothing adds up to more.
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(time.at(stamp(0s)), last);
+    EXPECT_EQ(time.at(WallTime::max()), last);
+  }
+}
+
 TEST(CaptureTime, NeverGoesBackWhateverTheStamps) {
   std::mt19937_64 random(4);
   CaptureTime time;
