@@ -29,7 +29,8 @@ Error heldByAnother(int file, const std::filesystem::path& path) {
   std::ifstream table("/proc/locks");
   const std::string text{std::istreambuf_iterator<char>(table), {}};
   if (::fstat(file, &facts) == 0) {
-    if (const auto pid = lockHolder(text, facts.st_ino)) who += " (pid " + std::to_string(*pid) + ")";
+    if (const auto pid = lockHolder(text, facts.st_ino))
+      who += " (pid " + std::to_string(*pid) + ")";
   }
   return Error{ErrorKind::refused,
                who + " is writing this file; choose another name, or end that program first",

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -25,6 +26,9 @@ struct RecordOptions {
   LogWriterOptions writing;
   /// Attached before anything is recorded; null: none.
   std::shared_ptr<const CellBundle> cell;
+  /// Gives `cell` in its place, on the caller's thread, while the endpoints are heard already: what
+  /// comes meanwhile waits in the queue. Empty: `cell` holds.
+  std::function<Result<std::shared_ptr<const CellBundle>>()> load_cell;
   bool attach_once = false;  ///< to the first log alone
   /// How long to wait for network interfaces that do not exist yet; empty: one is refused at once.
   std::optional<Nanoseconds> wait_interface;
@@ -77,11 +81,18 @@ struct RecordSummary {
   /// deleted.
   std::vector<std::string> warnings;
 
+  /// Everything that was recorded stands in the files.
+  bool complete() const {
+    return !trouble && std::ranges::none_of(files.pieces,
+                                            [](const PieceFacts& each) { return !!each.trouble; });
+  }
   std::uint64_t lost() const { return losses.kernel + losses.queue + losses.disk; }
 };
 
 /// What a recording asks of the program around it. All are called on the caller's thread.
 struct RecordEvents {
+  /// The endpoints are bound and heard, and a cell is read before anything is written.
+  std::function<void(const std::vector<std::string>&)> listening = [](const auto&) {};
   /// Everything is bound and open; the endpoints with the ports that were bound, and the log.
   std::function<void(const std::vector<std::string>&, const std::string&)> ready =
       [](const auto&, const auto&) {};
@@ -96,9 +107,9 @@ struct RecordEvents {
   std::function<std::uint32_t()> triggers_requested = [] { return 0U; };
 };
 
-/// Binds the endpoints, makes the log and records until a limit or a stop. Starts two threads: one
-/// receives, one writes; with pieces a third, which closes and deletes them. Fails when nothing
-/// could be recorded; what goes wrong later is in the summary.
+/// Binds the endpoints, listens, loads the cell, makes the log and records until a limit or a stop.
+/// Starts two threads: one receives, one writes; with pieces a third, which closes and deletes
+/// them. Fails when nothing could be recorded; what goes wrong later is in the summary.
 Result<RecordSummary> record(const RecordOptions& options, const RecordEvents& events);
 
 /// The same from sources already open, into a log already made, which stays the only one.

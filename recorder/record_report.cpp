@@ -54,6 +54,7 @@ Json pieceJson(const PieceFacts& piece) {
     object["end"] = rfc3339Text(WallTime(piece.end->time_since_epoch()));
   }
   if (piece.refused > 0) object["refused"] = piece.refused;
+  if (piece.trouble) object["trouble"] = *piece.trouble;
   if (piece.triggered) {
     object["triggered"] = rfc3339Text(WallTime(piece.triggered->time_since_epoch()));
     object["why"] = piece.why;
@@ -127,7 +128,7 @@ std::string summaryJson(const RecordSummary& summary) {
   object["channels"] = summary.channels;
   object["duration_s"] = secondsOf(summary.duration);
   addCounts(object["losses"], summary.losses);
-  object["complete"] = !summary.trouble;
+  object["complete"] = summary.complete();
   object["reason"] = summary.reason;
   object["late"] = summary.late;
   object["endpoints"] = Json::array();

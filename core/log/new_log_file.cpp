@@ -71,8 +71,7 @@ Result<NewLogFile> NewLogFile::makeFree(const fs::path& path, FileCalls& calls) 
   return made;
 }
 
-Result<NewLogFile> NewLogFile::makeInPlaceOf(const fs::path& path, HeldFile old,
-                                             FileCalls& calls) {
+Result<NewLogFile> NewLogFile::makeInPlaceOf(const fs::path& path, HeldFile old, FileCalls& calls) {
   const fs::path beside = path.string() + ".part" + std::to_string(::getpid());
   const int file = openUninterrupted(beside, O_WRONLY | O_CREAT | O_EXCL);
   if (file < 0) return cannotMake(errno, path);

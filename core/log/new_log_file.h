@@ -11,7 +11,8 @@ namespace rocinante {
 
 /// A file that a log is about to be written to. It is locked (core/file_lock.h) as long as its sink
 /// is open, so that two programs never write one log. A file that stands there already is replaced
-/// by publish() and not touched before: whoever reads it keeps it. Every file of a log is made here.
+/// by publish() and not touched before: whoever reads it keeps it. Every file of a log is made
+/// here.
 class NewLogFile {
  public:
   /// refused when a file exists at `path` and `overwrite` is false, or when another process is
@@ -40,9 +41,9 @@ class NewLogFile {
                                           FileCalls& calls);
   static Result<NewLogFile> openAsItIs(const std::filesystem::path& path, FileCalls& calls);
 
-  std::filesystem::path path_;       ///< the log's
-  std::filesystem::path made_;       ///< the file's until it is published; empty: nothing to remove
-  std::unique_ptr<HeldFile> old_;    ///< the file that it will replace
+  std::filesystem::path path_;     ///< the log's
+  std::filesystem::path made_;     ///< the file's until it is published; empty: nothing to remove
+  std::unique_ptr<HeldFile> old_;  ///< the file that it will replace
   std::unique_ptr<ByteSink> sink_;
   bool locked_ = true;
 };

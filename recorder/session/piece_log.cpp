@@ -8,7 +8,8 @@
 namespace rocinante {
 namespace {
 
-constexpr Nanoseconds kLongerThanAnySync = std::chrono::hours(24 * 365);
+/// How often the file is looked at, which another program may delete.
+constexpr Nanoseconds kLookPeriod = std::chrono::seconds(1);
 
 }  // namespace
 
@@ -55,14 +56,27 @@ Status PieceLog::writeStep(const ClockStep& step) {
                         bytesOf(text));
 }
 
+Status PieceLog::close(const std::string& reason) {
+  Status closed = session_.log().close(reason);
+  if (closed || closed.error().kind != ErrorKind::damaged) return closed;
+  if (!disturbance_) disturbance_ = closed.error();
+  return {};
+}
+
 Status PieceLog::flush(SteadyTime now) {
-  flushed_ = now;
+  if (!disturbance_ && now - looked_ >= kLookPeriod) {
+    looked_ = now;
+    if (Status still_there = session_.log().check(); !still_there) {
+      disturbance_ = still_there.error();
+    }
+  }
   return session_.log().flushIfDue(now);
 }
 
-Status PieceLog::flushAll() { return session_.log().flushIfDue(flushed_ + kLongerThanAnySync); }
-
-Status PieceLog::close(const std::string& reason) { return session_.log().close(reason); }
+std::optional<Error> PieceLog::newDisturbance() {
+  if (!disturbance_ || std::exchange(disturbance_told_, true)) return std::nullopt;
+  return disturbance_;
+}
 
 PieceFacts PieceLog::facts() const {
   PieceFacts facts;
@@ -75,6 +89,7 @@ PieceFacts PieceLog::facts() const {
   facts.bytes = bytes();
   facts.start = start_;
   facts.end = end_;
+  if (disturbance_) facts.trouble = disturbance_->text();
   return facts;
 }
 

@@ -27,8 +27,12 @@ class PieceLog {
   Status writeLoss(const LossSpan& span) { return session_.log().writeLoss(span); }
   Status writeStep(const ClockStep& step);
   Status flush(SteadyTime now);
-  Status flushAll();
+  Status flushAll() { return session_.log().flush(); }
+  /// A file that another program disturbed is no error here: newDisturbance().
   Status close(const std::string& reason);
+  /// What another program did to the file, once, after flush(), which looks every second, or
+  /// close() has found it.
+  std::optional<Error> newDisturbance();
 
   const SessionState& state() const { return session_.state(); }
   std::uint64_t bytes() const { return session_.log().bytesWritten(); }
@@ -44,7 +48,9 @@ class PieceLog {
  private:
   SessionWriter session_;
   PieceFile file_;
-  SteadyTime flushed_{};
+  SteadyTime looked_{};
+  std::optional<Error> disturbance_;
+  bool disturbance_told_ = false;
   std::vector<std::optional<ChannelId>> channels_;  ///< by flow
   std::optional<ChannelId> clock_channel_;
   std::uint32_t steps_ = 0;

@@ -1,5 +1,9 @@
 #include "recorder/session/piece_maker.h"
 
+#include <fmt/format.h>
+
+#include <utility>
+
 namespace rocinante {
 
 Error PieceMaker::failed(Error error) {
@@ -17,6 +21,12 @@ Result<MadePiece> PieceMaker::make(LogTime start, const PieceNamer::Ours& ours) 
   if (!log) {
     if (made_folder) std::filesystem::remove(folder, ignored);
     return failed(log.error());
+  }
+  if (!log->locked() && options_.notes != nullptr && !std::exchange(lockless_told_, true)) {
+    options_.notes->say(
+        fmt::format("the file system of {} has no locks: nothing stops a second program from "
+                    "writing the same file",
+                    path->string()));
   }
   const PieceFile file = PieceFile::at(*path);
   if (options_.cell && !(options_.attach_once && attached_)) {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/bundle/cell_bundle.h"
+#include "recorder/session/note_box.h"
 #include "recorder/session/piece_log.h"
 #include "recorder/session/piece_namer.h"
 
@@ -19,6 +20,7 @@ class PieceMaker {
     std::string session_id;
     std::shared_ptr<const CellBundle> cell;  ///< attached to each; null: none
     bool attach_once = false;                ///< to the first alone
+    NoteBox* notes = nullptr;                ///< null: nobody listens
   };
 
   explicit PieceMaker(Options options) : options_(std::move(options)), namer_(options_.naming) {}
@@ -33,6 +35,7 @@ class PieceMaker {
   Options options_;
   PieceNamer namer_;
   bool attached_ = false;
+  bool lockless_told_ = false;
 };
 
 }  // namespace rocinante

@@ -1,5 +1,6 @@
 #include "recorder/session/piece_namer.h"
 
+#include "core/file_lock.h"
 #include "recorder/record_path.h"
 
 namespace rocinante {
@@ -19,7 +20,7 @@ Result<std::filesystem::path> PieceNamer::next(LogTime start, const Ours& ours) 
     // The first name is refused by who makes the file, with its own sentence.
     std::error_code ignored;
     return named_ == 1 || !std::filesystem::exists(path, ignored) ||
-           (options_.overwrite && !ours(path));
+           (options_.overwrite && !ours(path) && mayReplace(path));
   };
   const bool alone = named_ == 1 && !options_.several;
   if (!changing.number && (changing.time || alone)) {

@@ -28,7 +28,8 @@ class PieceNamer {
   /// The name of the next piece, which begins at `start`. That of the first is as the user wants
   /// it; a later one that is taken, by a stranger's file or by one for which `ours` is true, gives
   /// way to the next number that is free: a recording does not end because of a name. `overwrite`
-  /// lets a stranger's file go, never one of ours. refused when no number is free.
+  /// lets a stranger's file go, never one of ours nor one that another process is writing. refused
+  /// when no number is free.
   Result<std::filesystem::path> next(LogTime start, const Ours& ours);
 
   /// The last name was not used after all: its number is the next one's.

@@ -109,8 +109,13 @@ void PieceSequence::noteSize() {
   full_ = bytes + largest_step_ > options_.split.size_bytes && bytes >= 2 * opening_bytes_;
 }
 
+void PieceSequence::tellDisturbance() {
+  if (const auto disturbed = piece_->newDisturbance()) notes_.warn(disturbed->text());
+}
+
 Status PieceSequence::flush(LogTime, SteadyTime now) {
   Status flushed = piece_->flush(now);
+  tellDisturbance();
   shelf_.keepLimits(piece_->bytes());
   Status settled = shelf_.settle();
   return flushed ? settled : flushed;
@@ -118,6 +123,7 @@ Status PieceSequence::flush(LogTime, SteadyTime now) {
 
 Status PieceSequence::close(const std::string& reason) {
   Status closed = piece_->close(reason);
+  tellDisturbance();
   // Its end counts too.
   shelf_.keepLimits(piece_->bytes());
   Status settled = shelf_.finish();

@@ -57,6 +57,7 @@ class PieceSequence final : public CaptureSink {
  private:
   bool wanted(LogTime time) const;
   void noteSize();
+  void tellDisturbance();
 
   Options options_;
   NoteBox& notes_;

@@ -38,6 +38,8 @@ Status PieceShelf::settle(std::vector<PieceCloser::Done> done) {
     if (each.piece) {
       each.piece->addRefused(refused_);
       retention_.settle(each.facts);
+      if (const auto disturbed = each.piece->newDisturbance()) notes_.warn(disturbed->text());
+      if (each.facts.trouble) continue;
       if (each.status) {
         notes_.say(fmt::format("{} is written ({})", path, size));
       } else if (outcome) {

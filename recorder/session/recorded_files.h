@@ -32,6 +32,8 @@ struct PieceFacts {
   std::uint64_t refused = 0;  ///< by the disk
   std::uint64_t bytes = 0;
   std::optional<LogTime> start, end;  ///< of its datagrams
+  /// Another program deleted, replaced or cut the file while it was written.
+  std::optional<std::string> trouble;
   /// Of a ring's file: how often it was asked for, why at first, and when.
   std::uint64_t triggers = 0;
   std::string why;

@@ -223,6 +223,9 @@ Status RingRecording::flush(LogTime reached, SteadyTime now) {
       closeFile("refused");
     }
   }
+  if (file_) {
+    if (const auto disturbed = file_->newDisturbance()) notes_.warn(disturbed->text());
+  }
   if (file_) shelf_.keepLimits(file_->bytes());
   if (Status settled = shelf_.settle(); !settled) notes_.warn(settled.error().text());
   return {};

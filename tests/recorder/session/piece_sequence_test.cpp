@@ -356,6 +356,57 @@ TEST(PieceSequence, WhereTheNextPieceCannotBeMadeTheOldOneGoesOn) {
   EXPECT_NE(warnings[0].find("goes on: cannot make the log"), std::string::npos) << warnings[0];
 }
 
+TEST(PieceSequence, TheOldPieceThatGoesOnIsFlushedInItsTime) {
+  RecordOptions options;
+  options.split.time = 100ms;
+  const test::TemporaryFolder folder;
+  options.log = folder / "gone" / "log.mcap";
+  CaptureRig rig(options);
+  rig.arrive(0ms, "one");
+  rig.write(50ms);
+  fs::rename(folder / "gone", folder / "away");
+  std::ofstream(folder / "gone") << "no folder";
+  // The seam that is due here fails behind a flush.
+  rig.arrive(150ms, "two");
+  rig.write(160ms);
+  const std::uint64_t before = rig.writer->logBytes();
+  rig.arrive(170ms, "three");
+  rig.write(200ms);
+  rig.write(300ms);
+  EXPECT_GT(rig.writer->logBytes(), before);
+  (void)rig.close();
+}
+
+TEST(PieceSequence, APieceThatIsDeletedWhileItIsWrittenIsToldOnce) {
+  for (const bool at_the_end : {false, true}) {
+    RecordOptions options;
+    options.split.time = 1s;
+    CaptureRig rig(options);
+    rig.arrive(0ms, "one");
+    rig.write(500ms);
+    rig.arrive(1'500ms, "two");
+    rig.write(2s);
+    fs::remove(rig.folder / "log-002.mcap");
+    if (!at_the_end) {
+      rig.arrive(2'500ms, "three");
+      rig.write(4s);
+      rig.write(6s);
+    }
+    const RecordedFiles files = rig.close();
+    EXPECT_FALSE(rig.writer->trouble()) << rig.writer->trouble()->text();
+    ASSERT_GE(files.pieces.size(), 2U);
+    for (const PieceFacts& each : files.pieces) {
+      const bool deleted = each.file.path.filename() == "log-002.mcap";
+      EXPECT_EQ(each.trouble.has_value(), deleted) << each.file.path;
+    }
+    std::size_t told = 0;
+    for (const NoteBox::Note& note : rig.notes.take()) {
+      if (note.is_trouble) ++told;
+    }
+    EXPECT_EQ(told, 1U);
+  }
+}
+
 TEST(PieceSequence, TheCellGoesIntoEachPieceOrOnce) {
   auto cell = std::make_shared<CellBundle>();
   cell->manifest.main = "a.cell.toml";
