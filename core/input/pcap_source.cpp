@@ -26,7 +26,7 @@ constexpr int kSnapBytes = 262'144;
 // The kernel gives frames in blocks, when they are full or so old.
 constexpr int kBlockAgeMs = 5;
 constexpr Nanoseconds kHeldBack = std::chrono::milliseconds(15);
-// Later than the year 2255 nothing was captured. A stamp of pcapng has 64 bits in units of its own,
+// Nothing was captured before 1970, nor later than the year 2255. A stamp of pcapng has 64 bits in units of its own,
 // and reaches beyond what nanoseconds count.
 constexpr std::int64_t kMostSeconds = 9'000'000'000;
 // Frames that are no UDP must not look like silence, nor keep the caller from its other sources.
@@ -244,7 +244,7 @@ class PcapSource final : public DatagramSource {
 
   void takeFrame(const pcap_pkthdr& header, const unsigned char* frame) {
     // With the precision asked for, tv_usec holds nanoseconds.
-    const auto seconds = std::clamp<std::int64_t>(header.ts.tv_sec, -kMostSeconds, kMostSeconds);
+    const auto seconds = std::clamp<std::int64_t>(header.ts.tv_sec, 0, kMostSeconds);
     const WallTime time(std::chrono::seconds(seconds) + Nanoseconds(header.ts.tv_usec));
     const auto seen =
         reader_->read({reinterpret_cast<const std::byte*>(frame), header.caplen}, time);
