@@ -63,9 +63,10 @@ class SpanDecoder {
  public:
   /// Where `mapped` is given it has the same bytes, and the spans are read from it and not looked
   /// at in memory: so they may vanish, or change, without harm to what was given out. Both must
-  /// outlive this.
-  explicit SpanDecoder(ByteView file, const MappedFile* mapped = nullptr)
-      : file_(file), mapped_(mapped) {}
+  /// outlive this. `channels`, by id, tells what is a message of the session; it may be null.
+  explicit SpanDecoder(ByteView file, const MappedFile* mapped = nullptr,
+                       const std::vector<const LogChannel*>* channels = nullptr)
+      : file_(file), mapped_(mapped), channels_(channels) {}
 
   /// Fills `out`, whose memory is used again. What is broken is in `out.damage`, and left out.
   void decode(const MessageSpan& span, SpanMessages& out);
@@ -75,7 +76,8 @@ class SpanDecoder {
   /// header; the chunk's own checksum has the last word.
   mcap::Chunk chunkInFile(const MessageSpan& span, std::vector<DamageSpan>& damage) const;
 
-  /// How many messages the MessageIndex records behind a chunk speak of, if there are any.
+  /// How many messages the MessageIndex records behind a chunk speak of, if there are any: without
+  /// keyframes, losses and what else the recorder adds, where the channels are known.
   std::optional<std::uint64_t> indexedMessages(const MessageSpan& span) const;
 
   /// The channel's MessageIndex behind a chunk, if it is there.
@@ -89,6 +91,7 @@ class SpanDecoder {
 
   ByteView file_;
   const MappedFile* mapped_;
+  const std::vector<const LogChannel*>* channels_;
   mcap::Scratch compressed_;
   mcap::ChunkExpander expander_;
 };

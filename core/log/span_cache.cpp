@@ -21,7 +21,7 @@ SpanCache::SpanCache(ByteView file, const MappedFile* mapped, const std::vector<
     : spans_(spans),
       channels_(channels),
       damage_(damage),
-      decoder_(file, mapped),
+      decoder_(file, mapped, &channels),
       reported_(spans.size(), false) {}
 
 std::shared_ptr<const SpanMessages> SpanCache::get(std::uint32_t span) {

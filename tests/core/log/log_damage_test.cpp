@@ -312,6 +312,25 @@ TEST(LogDamage, OfACutCompressedChunkEveryMessageThatCanBeDecodedComesBack) {
   EXPECT_EQ(last_count, 4000U);
 }
 
+TEST(LogDamage, WhatTheRecorderAddedItselfIsNotCountedAsLost) {
+  Bytes file;
+  {
+    LogWriterOptions options;
+    options.compression = LogWriterOptions::Compression::none;
+    LogWriter writer = *LogWriter::createOn(makeMemorySink(file), options, "s");
+    const ChannelId keyframes = *writer.addChannel("/rocinante/keyframe", "rk1", {});
+    const ChannelId arm = *writer.addChannel("/udp/1/arm", "rk1", {});
+    ASSERT_TRUE(writer.write(keyframes, 0, LogTime{}, 0, bytesOf("keyframe")).ok());
+    ASSERT_TRUE(writer.write(arm, 0, LogTime{}, 0, bytesOf("the one")).ok());
+    ASSERT_TRUE(writer.close("end").ok());
+  }
+  file[textOf(file).find("the one")] = std::byte{'T'};
+  LogReader reader = openLog(file);
+  EXPECT_TRUE(captured(reader).empty());
+  ASSERT_EQ(reader.damage().size(), 1U);
+  EXPECT_EQ(reader.damage()[0].messages_lost, 1U);
+}
+
 TEST(LogDamage, AChunkThatFailsItsChecksumIsSkippedAndCounted) {
   SmallLog log = smallLog(LogWriterOptions::Compression::none);
   // The payload of the first message: "joints arm 0 0.25".
