@@ -34,16 +34,16 @@ constexpr const char* kRefused = "refused";
 constexpr std::size_t kMostWarnings = 100;
 constexpr Nanoseconds kNarrowLook = std::chrono::microseconds(2);
 
-SteadyTime steadyNow() { return std::chrono::steady_clock::now(); }
+SteadyTime steadyClockNow() { return std::chrono::steady_clock::now(); }
 
 /// The narrowest of a few looks: one that was interrupted tells the offset badly.
 ClockReading lookAtClocks() {
   ClockReading best{};
   for (int attempt = 0; attempt < 4; ++attempt) {
     ClockReading reading;
-    reading.before = steadyNow();
+    reading.before = steadyClockNow();
     reading.wall = std::chrono::time_point_cast<Nanoseconds>(std::chrono::system_clock::now());
-    reading.after = steadyNow();
+    reading.after = steadyClockNow();
     const bool narrower = reading.after - reading.before < best.after - best.before;
     if (attempt == 0 || narrower) best = reading;
     if (best.after - best.before <= kNarrowLook) break;
@@ -118,7 +118,7 @@ void writeUntilFinished(CaptureWriter& writer, HandOver& queue, Shared& shared) 
       triggers = asked;
       writer.trigger("signal");
     }
-    writer.flush(steadyNow());
+    writer.flush(steadyClockNow());
     shared.packets.store(writer.packets(), std::memory_order_relaxed);
     shared.lost.store(writer.lost(), std::memory_order_relaxed);
     shared.log_bytes.store(writer.logBytes(), std::memory_order_relaxed);
@@ -151,7 +151,7 @@ class Control {
     std::optional<SteadyTime> begun;
     SteadyTime told = start;
     for (;;) {
-      const SteadyTime now = steadyNow();
+      const SteadyTime now = steadyClockNow();
       passOn();
       if (!begun && (options_.start_on.empty() || shared_.started.load())) {
         begun = options_.start_on.empty() ? start : now;
@@ -237,46 +237,90 @@ Nanoseconds spanOf(const RecordedFiles& files, LogTime begins) {
   return ends - begins;
 }
 
-RecordSummary recordInto(std::unique_ptr<CaptureSink> sink, const std::string& name,
-                         const std::vector<DatagramSource*>& sources, TeeSet& tees,
-                         const RecordOptions& options, const RecordEvents& events, NoteBox& notes,
-                         std::optional<LogTime> file_begins) {
-  std::vector<ListenedEndpoint> listened;
-  std::vector<std::string> names;
-  for (const DatagramSource* source : sources) {
-    listened.push_back({source->endpoint(), source->boundAddress()});
-    names.push_back(boundText(*source));
+/// The receiving half of a recording: listens from its first moment to its last.
+class Reception {
+ public:
+  Reception(const std::vector<DatagramSource*>& sources, TeeSet& tees, const RecordOptions& options,
+            NoteBox& notes, std::optional<LogTime> file_begins)
+      : sources_(sources),
+        tees_(tees),
+        queue_(options.queue_blocks),
+        loop_(sources, lookAtClocks, queue_, callbacks(notes)),
+        start_(steadyClockNow()),
+        begins_(file_begins.value_or(loop_.clock().now())),
+        thread_(quietThread("receive", [this, from_file = file_begins.has_value()] {
+          received_ = from_file ? readUntilEnded(*sources_[0], queue_, shared_)
+                                : receiveUntilStopped(loop_, shared_);
+        })) {}
+  ~Reception() { (void)stop(); }
+  Reception(const Reception&) = delete;
+  Reception& operator=(const Reception&) = delete;
+
+  /// Ends it, once; fails where a socket did.
+  Status stop() {
+    shared_.stop.store(true);
+    if (thread_.joinable()) thread_.join();
+    return received_;
   }
-  Shared shared;
-  HandOver queue(options.queue_blocks);
-  ReceiveLoop::Callbacks callbacks;
-  callbacks.note = [&](const std::string& note) { notes.say(note); };
-  if (!tees.empty()) callbacks.tee = [&](auto batch) { tees.forward(batch); };
-  ReceiveLoop loop(sources, lookAtClocks, queue, std::move(callbacks));
-  const SteadyTime start = steadyNow();
+
+  std::vector<std::string> names() const {
+    std::vector<std::string> names;
+    for (const DatagramSource* source : sources_) names.push_back(boundText(*source));
+    return names;
+  }
+  const std::vector<DatagramSource*>& sources() const { return sources_; }
+  TeeSet& tees() { return tees_; }
+  HandOver& queue() { return queue_; }
+  Shared& shared() { return shared_; }
+  const ReceiveLoop& loop() const { return loop_; }
+  SteadyTime start() const { return start_; }
+  LogTime begins() const { return begins_; }
+
+ private:
+  ReceiveLoop::Callbacks callbacks(NoteBox& notes) {
+    ReceiveLoop::Callbacks callbacks;
+    callbacks.note = [&notes](const std::string& note) { notes.say(note); };
+    if (!tees_.empty()) callbacks.tee = [this](auto batch) { tees_.forward(batch); };
+    return callbacks;
+  }
+
+  const std::vector<DatagramSource*>& sources_;
+  TeeSet& tees_;
+  Shared shared_;
+  HandOver queue_;
+  ReceiveLoop loop_;
+  SteadyTime start_;
+  LogTime begins_;
+  Status received_;
+  std::thread thread_;  ///< last: it uses what stands above
+};
+
+RecordSummary recordInto(std::unique_ptr<CaptureSink> sink, const std::string& name,
+                         Reception& reception, const RecordOptions& options,
+                         const RecordEvents& events, NoteBox& notes, bool from_file) {
+  std::vector<ListenedEndpoint> listened;
+  for (const DatagramSource* source : reception.sources()) {
+    listened.push_back({source->endpoint(), source->boundAddress()});
+  }
+  Shared& shared = reception.shared();
+  HandOver& queue = reception.queue();
   CaptureLimits limits;
   limits.max_packets = options.max_packets;
   limits.start_on = options.start_on;
   limits.stop_on = options.stop_on;
   limits.duration = options.duration;
   if (options.duration && options.start_on.empty()) {
-    limits.until = file_begins.value_or(loop.clock().now()) + *options.duration;
+    limits.until = reception.begins() + *options.duration;
   }
   CaptureWriter writer(std::move(sink), std::move(listened), std::move(limits));
 
-  Status received;
-  std::thread receiving = quietThread("receive", [&] {
-    received = file_begins ? readUntilEnded(*sources[0], queue, shared)
-                           : receiveUntilStopped(loop, shared);
-  });
   std::thread writing = quietThread("write", [&] { writeUntilFinished(writer, queue, shared); });
-  events.ready(names, name);
+  events.ready(reception.names(), name);
   Control control(options, events, notes, queue, shared);
-  std::string reason = control.waitForEnd(start);
-  const Nanoseconds duration = steadyNow() - start;
-  shared.stop.store(true);
-  receiving.join();
-  tees.close();
+  std::string reason = control.waitForEnd(reception.start());
+  const Nanoseconds duration = steadyClockNow() - reception.start();
+  const Status received = reception.stop();
+  reception.tees().close();
   writing.join();
   if (reason == "limit") reason = writer.endReason();
   if (!received) reason = kRefused;
@@ -286,11 +330,11 @@ RecordSummary recordInto(std::unique_ptr<CaptureSink> sink, const std::string& n
   RecordSummary summary = summaryOf(writer, received);
   const bool bounded = options.duration && options.start_on.empty();
   summary.duration = bounded ? std::min(duration, *options.duration) : duration;
-  if (file_begins) summary.duration = spanOf(summary.files, *file_begins);
+  if (from_file) summary.duration = spanOf(summary.files, reception.begins());
   summary.reason = summary.trouble ? kRefused : reason;
   summary.warnings = control.takeWarnings();
-  summary.inputs = inputAccounts(sources, loop);
-  summary.tees = tees.accounts();
+  summary.inputs = inputAccounts(reception.sources(), reception.loop());
+  summary.tees = reception.tees().accounts();
   return summary;
 }
 
@@ -300,8 +344,9 @@ RecordSummary recordFrom(const std::vector<DatagramSource*>& sources, LogWriter 
                          const RecordOptions& options, const RecordEvents& events) {
   NoteBox notes;
   TeeSet tees;
-  return recordInto(sinkOf(std::move(log), options, notes), options.log.string(), sources, tees,
-                    options, events, notes, std::nullopt);
+  Reception reception(sources, tees, options, notes, std::nullopt);
+  return recordInto(sinkOf(std::move(log), options, notes), options.log.string(), reception,
+                    options, events, notes, /*from_file=*/false);
 }
 
 Result<RecordSummary> record(const RecordOptions& options, const RecordEvents& events) {
@@ -341,11 +386,19 @@ Result<RecordSummary> record(const RecordOptions& options, const RecordEvents& e
     file_begins = *begins;
   }
   NoteBox notes;
-  Result<RecordSink> made = makeSink(
-      options, file_begins.value_or(LogTime(lookAtClocks().wall.time_since_epoch())), notes);
+  const LogTime named_at = file_begins.value_or(LogTime(lookAtClocks().wall.time_since_epoch()));
+  Reception reception(sources, *tees, options, notes, file_begins);
+  RecordOptions whole = options;
+  if (options.load_cell) {
+    events.listening(reception.names());
+    auto cell = options.load_cell();
+    if (!cell) return cell.error();
+    whole.cell = std::move(*cell);
+  }
+  Result<RecordSink> made = makeSink(whole, named_at, notes);
   if (!made) return made.error();
-  return recordInto(std::move(made->sink), made->name, sources, *tees, options, events, notes,
-                    file_begins);
+  return recordInto(std::move(made->sink), made->name, reception, whole, events, notes,
+                    file_begins.has_value());
 }
 
 }  // namespace rocinante

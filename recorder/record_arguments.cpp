@@ -29,16 +29,11 @@ Status readCompression(std::string_view text, LogWriterOptions& options) {
                std::string(text)};
 }
 
-/// The cell with all its files: before a socket is bound, so that a recording never begins without
-/// what it was to carry.
-Status readCell(const RecordArguments& arguments, RecordOptions& options) {
+/// The cell with all its files.
+Result<std::shared_ptr<const CellBundle>> loadCell(const RecordArguments& arguments) {
   CellOptions search;
   search.search = arguments.search;
   search.search_environment = arguments.search_environment;
-  if (arguments.cell.empty()) {
-    if (search.search.empty() && !search.search_environment) return {};
-    return Error{ErrorKind::bad_argument, "--search and --search-env go with --cell", {}};
-  }
   search.parallel = cli::workerThreads();
   if (!arguments.quiet) search.progress = cli::loadProgress(arguments.cell);
   auto cell = collectCellOrLog(arguments.cell, search);
@@ -46,8 +41,7 @@ Status readCell(const RecordArguments& arguments, RecordOptions& options) {
   if (!arguments.quiet) {
     for (const std::string& warning : bundleWarnings(*cell)) cli::warn(warning);
   }
-  options.cell = std::make_shared<const CellBundle>(std::move(*cell));
-  return {};
+  return std::make_shared<const CellBundle>(std::move(*cell));
 }
 
 }  // namespace
@@ -145,11 +139,20 @@ Result<RecordOptions> readRecordArguments(const RecordArguments& arguments) {
   if (!done) return done.error();
   options.writing.overwrite = arguments.force;
   options.max_packets = arguments.max_packets;
+  if (arguments.output == "-") {
+    return Error{ErrorKind::bad_argument,
+                 "a log is written to a file, not to standard output: name one (./- for this name)",
+                 "-o -"};
+  }
   const auto path = recordPath(arguments.output, WallTime{});
   if (!path) return path.error();
   options.log = arguments.output;
   if (Status read = readSessionArguments(arguments.session, options); !read) return read.error();
-  if (Status read = readCell(arguments, options); !read) return read.error();
+  if (!arguments.cell.empty()) {
+    options.load_cell = [&arguments] { return loadCell(arguments); };
+  } else if (!arguments.search.empty() || arguments.search_environment) {
+    return Error{ErrorKind::bad_argument, "--search and --search-env go with --cell", {}};
+  }
   return options;
 }
 

@@ -43,7 +43,8 @@ void addRecordArguments(CLI::App& app, RecordArguments& arguments);
 /// How often a line of its own says how the recording stands; empty: never.
 Result<std::optional<Nanoseconds>> readStatusPeriod(const RecordArguments& arguments);
 
-/// What they ask for. Reads the cell, if there is one, with all its files; binds and makes nothing.
+/// What they ask for. Reads no file, binds and makes nothing. `arguments` must outlive it: the cell
+/// is loaded later.
 Result<RecordOptions> readRecordArguments(const RecordArguments& arguments);
 
 }  // namespace rocinante
