@@ -11,6 +11,7 @@
 #include "core/input/open_source.h"
 #include "core/net/interface_wait.h"
 #include "recorder/capture_file_loop.h"
+#include "recorder/prompt_thread.h"
 #include "recorder/quiet_thread.h"
 #include "recorder/receive_loop.h"
 #include "recorder/record_sink.h"
@@ -249,6 +250,7 @@ class Reception {
         start_(steadyClockNow()),
         begins_(file_begins.value_or(loop_.clock().now())),
         thread_(quietThread("receive", [this, from_file = file_begins.has_value()] {
+          askToRunPromptly();
           received_ = from_file ? readUntilEnded(*sources_[0], queue_, shared_)
                                 : receiveUntilStopped(loop_, shared_);
         })) {}
@@ -314,7 +316,10 @@ RecordSummary recordInto(std::unique_ptr<CaptureSink> sink, const std::string& n
   }
   CaptureWriter writer(std::move(sink), std::move(listened), std::move(limits));
 
-  std::thread writing = quietThread("write", [&] { writeUntilFinished(writer, queue, shared); });
+  std::thread writing = quietThread("write", [&] {
+    askToRunPromptly();
+    writeUntilFinished(writer, queue, shared);
+  });
   events.ready(reception.names(), name);
   Control control(options, events, notes, queue, shared);
   std::string reason = control.waitForEnd(reception.start());

@@ -26,8 +26,8 @@ constexpr int kSnapBytes = 262'144;
 // The kernel gives frames in blocks, when they are full or so old.
 constexpr int kBlockAgeMs = 5;
 constexpr Nanoseconds kHeldBack = std::chrono::milliseconds(15);
-// Nothing was captured before 1970, nor later than the year 2255. A stamp of pcapng has 64 bits in units of its own,
-// and reaches beyond what nanoseconds count.
+// Nothing was captured before 1970, nor later than the year 2255. A stamp of pcapng has 64 bits in
+// units of its own, and reaches beyond what nanoseconds count.
 constexpr std::int64_t kMostSeconds = 9'000'000'000;
 // Frames that are no UDP must not look like silence, nor keep the caller from its other sources.
 constexpr int kTurns = 64;

@@ -147,9 +147,9 @@ std::optional<std::uint64_t> SpanDecoder::indexedMessages(const MessageSpan& spa
     if (record->opcode != Opcode::message_index) break;
     const std::optional<mcap::IndexEntries> index = mcap::indexEntries(record->content);
     if (!index) break;
-    const LogChannel* const channel =
-        channels_ != nullptr && index->channel < channels_->size() ? (*channels_)[index->channel]
-                                                                   : nullptr;
+    const LogChannel* const channel = channels_ != nullptr && index->channel < channels_->size()
+                                          ? (*channels_)[index->channel]
+                                          : nullptr;
     const bool of_session = channel == nullptr || channel->captured();
     count = count.value_or(0) + (of_session ? index->size() : 0);
     position = record->end();
