@@ -88,8 +88,8 @@ TEST(RecordedFile, NoToolReplacesItWhileItIsWritten) {
   OneRecording live;
   live.send(5);
   live.waitUntilWritten();
-  const std::vector<std::string> cut{"cut",    whole.log.string(),    "--from", "0s",
-                                     "-o", live.log.string(), "--force"};
+  const std::vector<std::string> cut{"cut", whole.log.string(), "--from", "0s",
+                                     "-o",  live.log.string(),  "--force"};
   std::vector<std::vector<std::string>> tools{cut};
   for (const char* tool : {"recover", "merge"}) {
     tools.push_back({tool, whole.log.string(), "-o", live.log.string(), "--force"});
