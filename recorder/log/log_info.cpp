@@ -21,6 +21,7 @@ class Collector {
     for (const LogChannel& channel : reader.channels()) {
       if (by_channel_.size() <= channel.id) by_channel_.resize(channel.id + 1U);
       PerChannel& mine = by_channel_[channel.id];
+      mine.activity = Activity(summary_.start, summary_.end);
       mine.info.channel = channel;
       if (channel.folded()) mine.decoder = decoderFor(channel.encoding);
     }
@@ -35,7 +36,7 @@ class Collector {
       info.gap_from = info.last;
     }
     info.last = message.log_time;
-    ++info.activity[partOf(message.log_time)];
+    mine.activity.add(message.log_time);
     hash_.add(message);
     if (message.channel->topic == "/rocinante/keyframe") ++info_.keyframes;
     if (message.channel->topic == profile::kMarkTopic) {
@@ -72,6 +73,7 @@ class Collector {
     for (const auto& [source, counts] : state_.counts()) info_.source_gap += counts.gap;
     for (PerChannel& mine : by_channel_) {
       if (mine.info.channel.topic.empty() && mine.info.messages == 0) continue;  // id not in use
+      mine.info.activity = mine.activity.parts();
       auto& where = mine.info.channel.captured() ? info_.channels : info_.own_channels;
       where.push_back(std::move(mine.info));
     }
@@ -80,6 +82,7 @@ class Collector {
  private:
   struct PerChannel {
     ChannelInfo info;
+    Activity activity{LogTime{}, LogTime{}};
     Decoder* decoder = nullptr;
   };
 
@@ -91,13 +94,6 @@ class Collector {
     auto found = decoders_.find(encoding);
     if (found == decoders_.end()) found = decoders_.emplace(encoding, makeDecoder(encoding)).first;
     return found->second.get();
-  }
-
-  std::size_t partOf(LogTime time) const {
-    const double span = static_cast<double>((summary_.end - summary_.start).count());
-    if (span <= 0 || time <= summary_.start) return 0;
-    const double done = static_cast<double>((time - summary_.start).count()) / span;
-    return std::min(static_cast<std::size_t>(done * kActivityParts), kActivityParts - 1);
   }
 
   LogInfo& info_;

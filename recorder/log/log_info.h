@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -9,11 +8,10 @@
 #include "core/log/log_reader.h"
 #include "core/packet/session_state.h"
 #include "core/result.h"
+#include "recorder/log/activity.h"
 
 namespace rocinante {
 
-/// Equal parts of the session's time over which a channel's messages are counted.
-inline constexpr std::size_t kActivityParts = 24;
 /// So many events are kept one by one.
 inline constexpr std::size_t kMostEvents = 1000;
 
@@ -22,7 +20,7 @@ struct ChannelInfo {
   std::uint64_t messages = 0;
   LogTime first{};
   LogTime last{};
-  std::array<std::uint64_t, kActivityParts> activity{};
+  Activity::Parts activity{};
   Nanoseconds longest_gap{0};  ///< between one message and the next
   LogTime gap_from{};          ///< the message before it
 

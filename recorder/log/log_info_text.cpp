@@ -17,23 +17,6 @@ using cli::grouped;
 
 constexpr std::size_t kShownEvents = 20;
 
-/// Eight heights; a dot where nothing came, so that a silence is seen.
-std::string sparkline(const ChannelInfo& info) {
-  static constexpr std::string_view kHeights[] = {"▁", "▂", "▃", "▄", "▅", "▆", "▇", "█"};
-  const std::uint64_t most = std::ranges::max(info.activity);
-  std::string line;
-  for (const std::uint64_t count : info.activity) {
-    if (count == 0) {
-      line += "·";
-    } else {
-      const auto height = static_cast<std::size_t>((static_cast<double>(count) * 8 - 1) /
-                                                   static_cast<double>(most));
-      line += kHeights[std::min<std::size_t>(height, 7)];
-    }
-  }
-  return line;
-}
-
 std::string shownMetadata(const LogChannel& channel, const char* key) {
   const auto found = channel.metadata.find(key);
   return found == channel.metadata.end() || found->second.empty() ? "-" : plainText(found->second);
@@ -55,7 +38,7 @@ void addChannels(std::string& out, const LogInfo& info) {
                           shownMetadata(channel.channel, "source"),
                           shownMetadata(channel.channel, "remote"), grouped(channel.messages),
                           fmt::format("{:.1f}", channel.rateHz()), gapText(channel),
-                          sparkline(channel)});
+                          activityStrip(channel.activity)});
   };
   std::ranges::for_each(info.channels, add);
   std::ranges::for_each(info.own_channels, add);
