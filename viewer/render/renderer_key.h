@@ -7,8 +7,8 @@
 
 namespace rocinante {
 
-/// reproducible: the same bits on every x86-64 machine (docs/rendering.md). fast: the driver as it
-/// is.
+/// reproducible: the same bits on every x86-64 processor with SSSE3 and one version of Mesa and
+/// LLVM (docs/rendering.md). fast: the driver as it is.
 enum class Profile { fast, reproducible };
 
 /// Sets the environment that makes Mesa draw the same bits everywhere (docs/rendering.md): pins
