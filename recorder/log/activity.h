@@ -14,8 +14,8 @@ inline constexpr std::size_t kActivityParts = 24;
 
 /// How fast messages came, by part of the session. Between two messages less than two parts apart
 /// the stream flows: one message, spread evenly over the time between them. So a steady rate is the
-/// same in every part, wherever parts begin between its messages; counting messages would give 7 and
-/// 8 by turns. A message with no such neighbour counts as one in its own part. Plain values.
+/// same in every part, wherever parts begin between its messages; counting messages would give 7
+/// and 8 by turns. A message with no such neighbour counts as one in its own part. Plain values.
 class Activity {
  public:
   /// By part: messages a part's length while the stream flowed; 0 where nothing came.
@@ -39,7 +39,7 @@ class Activity {
   LogTime start_;
   double part_ns_;
   std::array<Part, kActivityParts> parts_{};
-  std::optional<double> last_;     // place of the last message, in parts
+  std::optional<double> last_;  // place of the last message, in parts
   bool last_has_neighbour_ = false;
 };
 
