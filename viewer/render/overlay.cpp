@@ -302,17 +302,25 @@ void Overlay::addGnomon(const TextAtlas& atlas, int raised_px) {
   constexpr double kLength = 26;
   constexpr double kInset = 42;
   if (width_ < 200 || height_ < 150) return;
+  // A letter stands on a plate of its own: in its arrow's colour it would be lost on wood or sky.
+  constexpr double kPlatePx = 17;
+  constexpr std::uint32_t kPlate = 0x14181CE6;
   struct Arrow {
     double x, y, depth;
-    std::uint32_t rgba;
+    std::uint32_t rgba, letter_rgba;
     const char* letter;
   };
-  const auto arrow = [&](int axis, std::uint32_t rgba, const char* letter) {
-    return Arrow{camera_.right()[axis] * kLength, -camera_.up()[axis] * kLength,
-                 camera_.forward()[axis], rgba, letter};
+  const auto arrow = [&](int axis, std::uint32_t rgba, std::uint32_t letter_rgba,
+                         const char* letter) {
+    return Arrow{camera_.right()[axis] * kLength,
+                 -camera_.up()[axis] * kLength,
+                 camera_.forward()[axis],
+                 rgba,
+                 letter_rgba,
+                 letter};
   };
-  std::array arrows{arrow(0, 0xD8453BFF, "x"), arrow(1, 0x4BA046FF, "y"),
-                    arrow(2, 0x3F78D0FF, "z")};
+  std::array arrows{arrow(0, 0xD8453BFF, 0xFF9C94FF, "x"), arrow(1, 0x4BA046FF, 0x9BE695FF, "y"),
+                    arrow(2, 0x3F78D0FF, 0xA9C9FFFF, "z")};
   // The farthest first.
   std::stable_sort(arrows.begin(), arrows.end(),
                    [](const Arrow& a, const Arrow& b) { return a.depth > b.depth; });
@@ -321,8 +329,9 @@ void Overlay::addGnomon(const TextAtlas& atlas, int raised_px) {
     addScreenLine(origin, origin + Vec2(one.x, one.y), one.rgba, 2.5);
     const TextSize size = measure(atlas, one.letter);
     const Vec2 end = origin + Vec2(one.x, one.y) * 1.32;
+    addDisc({end.x, end.y, 0, 1}, kPlate, kPlatePx);
     addScreenText(atlas, static_cast<int>(std::floor(end.x - size.width / 2.0 + 0.5)),
-                  static_cast<int>(std::floor(end.y - size.height / 2.0 + 0.5)), one.rgba,
+                  static_cast<int>(std::floor(end.y - size.height / 2.0 + 0.5)), one.letter_rgba,
                   one.letter);
   }
 }
