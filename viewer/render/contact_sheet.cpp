@@ -6,6 +6,8 @@
 #include <cassert>
 #include <cstdint>
 
+#include "viewer/render/frame_maker.h"
+
 namespace rocinante {
 namespace {
 
@@ -44,6 +46,11 @@ std::string cutToFit(std::string text, int width, const TextAtlas& atlas) {
 }
 
 }  // namespace
+
+double tileScale(int width, int height, double scale) {
+  const double part = std::min({width / 640.0, height / 480.0, 1.0});
+  return std::max(scale * part, std::min(scale, kLeastScale));
+}
 
 Result<ContactSheet> ContactSheet::create(std::size_t frames, int width, int height,
                                           const TextAtlas& atlas) {

@@ -8,6 +8,11 @@
 
 namespace rocinante {
 
+/// The scale of a sheet's frames of that size, of what is asked for `scale`: text, plates and lines
+/// take the part of a tile that they take of a picture of 640x480, but are at least half as large
+/// as there (FrameRequest::scale). Pure.
+double tileScale(int width, int height, double scale);
+
 /// Many frames of one size on one picture, left to right and top to bottom, in about as many
 /// columns as rows, with a line of text under each, cut off where it is
 /// wider than the frame.

@@ -195,13 +195,36 @@ class RenderRun {
     return {};
   }
 
+  /// A tile of the sheet has its own scale: drawn anew where the picture itself has another.
+  Status drawTile(std::size_t moment, std::size_t camera, std::size_t place,
+                  const Picture* picture) {
+    std::optional<Picture> tile;
+    if (picture == nullptr) {
+      FrameRequest request = request_;
+      request.scale = tileScale(request_.width, request_.height, request_.scale);
+      auto drawn = maker_.frame(request);
+      if (!drawn) return drawn.error();
+      tile = std::move(*drawn);
+    }
+    const std::string& named = files_.cameras.size() > 1 ? files_.cameras[camera] : std::string();
+    sheet_->put(place, tile ? *tile : *picture, captionOf(files_.moments[moment], named));
+    return {};
+  }
+
   Status drawPicture(std::size_t moment, std::size_t camera, std::size_t place) {
+    const bool same_scale =
+        tileScale(request_.width, request_.height, request_.scale) == request_.scale;
+    const bool beside_sheet =
+        job_.hashes || !job_.output.empty() || !job_.frames.empty() || !job_.video.empty();
+    if (sheet_ && !same_scale) {
+      if (Status put = drawTile(moment, camera, place, nullptr); !put) return put;
+      if (!beside_sheet) return {};
+    }
     auto drawn = maker_.frame(request_);
     if (!drawn) return drawn.error();
     const auto picture = std::make_shared<const Picture>(std::move(*drawn));
-    if (sheet_) {
-      const std::string& named = files_.cameras.size() > 1 ? files_.cameras[camera] : std::string();
-      sheet_->put(place, *picture, captionOf(files_.moments[moment], named));
+    if (sheet_ && same_scale) {
+      if (Status put = drawTile(moment, camera, place, picture.get()); !put) return put;
     }
     if (!videos_.empty()) {
       if (Status added = videos_[camera].add(*picture); !added) return added;

@@ -37,6 +37,16 @@ TEST(ContactSheet, LaysFramesOutInRowsWithTheirTimesBelow) {
   EXPECT_GT(ink, 5);
 }
 
+TEST(ContactSheet, WhatHasItsSizeInPixelsShrinksWithTheTile) {
+  EXPECT_EQ(tileScale(640, 480, 1), 1);
+  EXPECT_EQ(tileScale(1920, 1080, 1), 1) << "never larger than asked for";
+  EXPECT_EQ(tileScale(480, 480, 1), 0.75);
+  EXPECT_EQ(tileScale(640, 360, 2), 1.5);
+  EXPECT_EQ(tileScale(160, 90, 1), 0.5) << "as small as text can be read";
+  EXPECT_EQ(tileScale(160, 90, 0.5), 0.5);
+  EXPECT_EQ(tileScale(160, 90, 4), 0.75);
+}
+
 TEST(ContactSheet, RefusesNoneAndTooMany) {
   const TextAtlas atlas(18);
   EXPECT_FALSE(ContactSheet::create(0, 60, 40, atlas).has_value());
