@@ -12,6 +12,7 @@ struct CameraView {
   Vec3 eye{4, -4, 3}, target{0, 0, 0}, up{0, 0, 1};
   double fov_deg = 45;                   ///< vertical; from 0.01 to 179
   std::optional<double> ortho_height_m;  ///< orthographic: metres from top to bottom
+  bool operator==(const CameraView&) const = default;
 };
 
 /// What GL takes as depth in clip space.

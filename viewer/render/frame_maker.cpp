@@ -125,7 +125,12 @@ Status FrameMaker::Impl::placeCameras(const FrameRequest& request, FoundFrame& f
   auto camera = cameraNamed(request.camera, request, found, request.width, request.height);
   if (!camera) return camera.error();
   found.camera = *camera;
-  const std::vector<CellInset>& insets = request.insets ? *request.insets : cell.insets;
+  std::string main_name = request.camera;
+  if (main_name.empty()) main_name = cell.cameras.empty() ? "fit" : cell.cameras.front().name;
+  std::vector<CellInset> insets = request.insets ? *request.insets : cell.insets;
+  std::erase_if(insets, [&](const CellInset& inset) {
+    return repeatsMainView(inset, main_name, found.camera, found.scene);
+  });
   const std::vector<PixelRectangle> parts =
       placeInsets(insets, request.width, request.height, request.scale);
   for (std::size_t i = 0; i < insets.size(); ++i) {

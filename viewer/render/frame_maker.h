@@ -33,7 +33,8 @@ struct FrameRequest {
   std::vector<std::string> hide;  ///< PATHs: outrank packets and the cell (see ViewChoice)
   std::vector<std::string> show;
   RenderStyle style;
-  /// Empty: the cell's, but for those whose camera is not there. Given ones must be there.
+  /// Empty: the cell's, but for those whose camera is not there. Given ones must be there. One that
+  /// repeats the main camera is left out.
   std::optional<std::vector<CellInset>> insets;
   bool panel = false;  ///< in a corner: time, devices, joint values, rates (overlay_panel.h)
 };

@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "viewer/render/camera_choice.h"
+
 namespace rocinante {
 namespace {
 
@@ -17,34 +19,77 @@ int sideOf(double given, bool in_pixels, int picture, double scale) {
   return static_cast<int>(std::floor(std::clamp(side, 0.0, 65536.0)));
 }
 
+bool isLeft(InsetCorner corner) {
+  return corner == InsetCorner::top_left || corner == InsetCorner::bottom_left;
+}
+
+bool isTop(InsetCorner corner) {
+  return corner == InsetCorner::top_left || corner == InsetCorner::top_right;
+}
+
+int marginOf(const CellInset& inset, double scale) {
+  return static_cast<int>(std::floor(inset.margin_px * scale + 0.5));
+}
+
+/// Where insets of the right edge may stand.
+PixelRectangle roomAtRight(const std::vector<CellInset>& insets, int width, int height,
+                           double scale, const CoveredEdges& covered) {
+  const int below = height - covered.bottom - covered.right_top;
+  int wanted = 0;
+  for (const CellInset& inset : insets) {
+    if (isLeft(inset.corner)) continue;
+    wanted += sideOf(inset.height, inset.in_pixels, height, scale) + 2 * marginOf(inset, scale);
+  }
+  if (wanted <= below || covered.right == 0) {
+    return {covered.left, covered.right_top, width - covered.left, below};
+  }
+  return {covered.left, 0, width - covered.left - covered.right, height - covered.bottom};
+}
+
 }  // namespace
 
 std::vector<PixelRectangle> placeInsets(const std::vector<CellInset>& insets, int width, int height,
-                                        double scale) {
+                                        double scale, const CoveredEdges& covered) {
   std::array<int, 4> used{};  // by corner: pixels from the upper or lower edge that are taken
+  const PixelRectangle left_room{covered.left, 0, width - covered.left, height - covered.bottom};
+  const PixelRectangle right_room = roomAtRight(insets, width, height, scale, covered);
+  const bool both_sides = std::ranges::any_of(insets, isLeft, &CellInset::corner) &&
+                          !std::ranges::all_of(insets, isLeft, &CellInset::corner);
+  const bool any_covered = covered.left > 0 || covered.bottom > 0 || covered.right_top > 0;
   std::vector<PixelRectangle> placed;
   for (const CellInset& inset : insets) {
+    const bool left = isLeft(inset.corner);
+    const bool top = isTop(inset.corner);
+    const PixelRectangle& room = left ? left_room : right_room;
     int& taken = used[static_cast<std::size_t>(inset.corner)];
-    const int margin = static_cast<int>(std::floor(inset.margin_px * scale + 0.5));
+    const int margin = marginOf(inset, scale);
     PixelRectangle part;
-    part.width = std::min(sideOf(inset.width, inset.in_pixels, width, scale), width - 2 * margin);
-    part.height =
-        std::min(sideOf(inset.height, inset.in_pixels, height, scale), height - taken - 2 * margin);
+    part.width =
+        std::min(sideOf(inset.width, inset.in_pixels, width, scale), room.width - 2 * margin);
+    part.height = std::min(sideOf(inset.height, inset.in_pixels, height, scale),
+                           room.height - taken - 2 * margin);
+    if (any_covered && both_sides) {
+      const int free = std::min(left_room.width, right_room.x + right_room.width - covered.left);
+      part.width = std::min(part.width, free / 2 - 2 * margin);
+    }
     if (part.width < kLeastSidePx || part.height < kLeastSidePx) {
       placed.emplace_back();
       continue;
     }
-    const bool left =
-        inset.corner == InsetCorner::top_left || inset.corner == InsetCorner::bottom_left;
-    const bool top =
-        inset.corner == InsetCorner::top_left || inset.corner == InsetCorner::top_right;
     const int from_edge = taken + margin;
-    part.x = left ? margin : width - margin - part.width;
-    part.y = top ? from_edge : height - from_edge - part.height;
+    part.x = left ? room.x + margin : room.x + room.width - margin - part.width;
+    part.y = top ? room.y + from_edge : room.y + room.height - from_edge - part.height;
     taken = from_edge + part.height;
     placed.push_back(part);
   }
   return placed;
+}
+
+bool repeatsMainView(const CellInset& inset, std::string_view main_name, const CameraView& main,
+                     const PosedScene& scene) {
+  if (inset.camera == main_name) return true;
+  const auto view = chooseCamera(inset.camera, scene);
+  return view.ok() && *view == main;
 }
 
 Result<CellInset> parseInset(std::string_view text) {

@@ -142,7 +142,15 @@ CoveredEdges drawPanels(ViewModel& model, const ViewerStatus& status, SteadyTime
       right_end = drawFigures(model, status, now, brief, wishes);
       middle.right = size.x - px(brief ? 150 : 270);
     }
-    if (layout.device) right_end = drawDevicePanel(model, right_end + px(kPanelMargin));
+    covered.right = static_cast<int>(size.x - middle.right);
+    if (layout.device) {
+      const float end = drawDevicePanel(model, right_end + px(kPanelMargin));
+      if (end > right_end + px(kPanelMargin)) {
+        right_end = end;
+        covered.right =
+            std::max(covered.right, static_cast<int>(px(kDevicePanelWidth + kPanelMargin)));
+      }
+    }
     if (Transport* transport = model.transport()) {
       drawTimeBar(model, *transport, now);
       covered.bottom = static_cast<int>(px(kTimeBarHeight - kPanelMargin));
