@@ -49,7 +49,8 @@ enum class InsetCorner : std::uint8_t { top_right, top_left, bottom_right, botto
 
 /// A window with a camera of its own, drawn over the main view (docs/cell-format.md, "Insets").
 struct CellInset {
-  std::string camera;  ///< of the cell, a `view` of the session, or built in: "map", "fit"
+  std::string camera;  ///< of the cell, a `view` of the session, or built in: "map", "fit",
+                       ///< "fit:DEVICE"
   InsetCorner corner = InsetCorner::top_right;
   double width = 0.3, height = 0.3;  ///< parts of the picture's; pixels when `in_pixels`
   bool in_pixels = false;

@@ -63,13 +63,20 @@ void readPixels(TomlTable& table, std::string_view key, int most, int& value) {
 }
 
 void checkCamera(const TomlTable& table, const Cell& cell, const std::string& camera) {
+  constexpr std::string_view kFit = "fit:";
   if (camera == "map" || camera == "fit" || cell.findCamera(camera) != nullptr) return;
+  const bool of_device = camera.starts_with(kFit);
+  if (of_device && cell.findDevice(camera.substr(kFit.size())) != nullptr) return;
+  std::vector<std::string> of_devices;
+  for (const CellDevice& device : cell.devices) of_devices.push_back("fit:" + device.name);
   std::vector<std::string_view> names{"map", "fit"};
   for (const CellCamera& one : cell.cameras) names.push_back(one.name);
+  if (of_device) names.insert(names.end(), of_devices.begin(), of_devices.end());
   std::string hint = didYouMean(camera, names);
   if (hint.empty()) hint = "a `view` that a source sends outranks a [[camera]] of its name";
   table.faults().warning("cell.unknown-camera", table.place("camera"),
-                         fmt::format("no [[camera]] is named {}", quotedInFault(camera)),
+                         (of_device ? "no [[device]] has the camera " : "no [[camera]] is named ") +
+                             quotedInFault(camera),
                          std::move(hint));
 }
 

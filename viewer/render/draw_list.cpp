@@ -249,11 +249,12 @@ void makeDrawList(DrawList& list, const PosedScene& scene, const SceneCatalog& c
 }
 
 std::vector<Vec3> visibleCorners(const PosedScene& scene, const SceneCatalog& catalog,
-                                 const ViewChoice& choice) {
+                                 const ViewChoice& choice, const DeviceNames* devices) {
   std::vector<Vec3> corners;
   forEachVisual(
       scene, catalog, choice, LinkLooks(), DrawnGeometry::visuals, nullptr,
       [&](const Visual& visual, std::uint32_t d, std::uint32_t l, std::uint32_t mesh_number) {
+        if (devices != nullptr && !devices->contains(scene.devices[d].name)) return;
         const CatalogMesh& mesh = catalog.meshes()[mesh_number];
         const Mat4 world = visualWorld(scene.devices[d].link_world[l], visual);
         forEachPart(visual, mesh, [&](std::uint32_t part) {

@@ -7,6 +7,7 @@
 #include "viewer/detail/detail_level.h"
 #include "viewer/render/camera.h"
 #include "viewer/render/link_looks.h"
+#include "viewer/render/movable_devices.h"
 #include "viewer/render/scene_catalog.h"
 #include "viewer/render/view_choice.h"
 
@@ -74,7 +75,8 @@ void makeDrawList(DrawList& list, const PosedScene& scene, const SceneCatalog& c
                   const DetailLevel& detail = {}, Culling culling = Culling::by_device);
 
 /// Corners of the boxes around everything visible, world space: what a fitted view must show.
+/// `devices`: of these alone; null: of all.
 std::vector<Vec3> visibleCorners(const PosedScene& scene, const SceneCatalog& catalog,
-                                 const ViewChoice& choice);
+                                 const ViewChoice& choice, const DeviceNames* devices = nullptr);
 
 }  // namespace rocinante

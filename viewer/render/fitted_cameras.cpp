@@ -25,26 +25,55 @@ Status FittedCameras::prepare(Timeline* session) {
     scenes.push_back(poseScene(cell_, *state));
     scenes.back().drawings.clear();
   }
+  at_rest_ = poseScene(cell_, nothing_said);
+  for (const PosedScene& scene : scenes) addMovableDevices(cell_, at_rest_, scene, movable_);
   scenes_ = std::move(scenes);
   return {};
 }
 
-CameraView FittedCameras::view(std::string_view name, const ViewChoice& choice,
-                               const std::vector<std::string>& hide,
-                               const std::vector<std::string>& show, int width, int height) {
+std::vector<Vec3> FittedCameras::pointsOf(const ViewChoice& choice,
+                                          const DeviceNames* devices) const {
+  std::vector<Vec3> points;
+  for (const PosedScene& scene : scenes_) {
+    const std::vector<Vec3> some = renderer_.visiblePoints(scene, choice, devices);
+    points.insert(points.end(), some.begin(), some.end());
+  }
+  return points;
+}
+
+Result<CameraView> FittedCameras::view(std::string_view name, const ViewChoice& choice,
+                                       const std::vector<std::string>& hide,
+                                       const std::vector<std::string>& show, int width,
+                                       int height) {
   Asked asked(std::string(name), hide, show, width, height);
   const auto known = answered_.find(asked);
   if (known != answered_.end()) return known->second;
+  const std::string device(deviceOf(name));
   std::vector<Vec3> points;
-  for (const PosedScene& scene : scenes_) {
-    const std::vector<Vec3> some = renderer_.visiblePoints(scene, choice);
-    points.insert(points.end(), some.begin(), some.end());
+  if (!device.empty()) {
+    const DeviceNames one{device};
+    points = pointsOf(choice, &one);
+    if (points.empty()) {
+      return Error{ErrorKind::not_found,
+                   "camera `" + std::string(name) + "` sees nothing: no part of " + device +
+                       " is shown at any of the moments that the camera is fitted to",
+                   {}};
+    }
+  } else if (name == "fit") {
+    points = pointsOf(choice, &movable_);
   }
+  if (points.empty()) points = pointsOf(choice, nullptr);
   const CameraView view =
       name == "map" ? mapView(points, width, height) : fittedView(points, width, height);
   if (answered_.size() == kMostAnswers) answered_.clear();
   answered_.emplace(std::move(asked), view);
   return view;
+}
+
+DeviceNames FittedCameras::movable(const PosedScene& scene) const {
+  DeviceNames names = movable_;
+  addMovableDevices(cell_, at_rest_, scene, names);
+  return names;
 }
 
 }  // namespace rocinante

@@ -7,35 +7,53 @@
 #include <vector>
 
 #include "core/session/timeline.h"
+#include "viewer/render/movable_devices.h"
 #include "viewer/render/renderer.h"
 
 namespace rocinante {
 
-/// The cameras that every cell has: "fit", a three-quarter view, and "map", straight down. A fitted
-/// view must hold what moves in the session and be the same at all its times: it is fitted to nine
-/// moments, spread evenly from the first to the last. One thread; borrows cell and renderer.
+/// The cameras that every cell has: "fit", a three-quarter view of the devices that can move (of
+/// everything where none is seen), "fit:DEVICE", the same of one device, and "map", everything from
+/// straight above. A fitted view must hold what moves in the session and be the same at all its
+/// times: it is fitted to nine moments, spread evenly from the first to the last. One thread;
+/// borrows cell and renderer.
 class FittedCameras {
  public:
   FittedCameras(const Cell& cell, const Renderer& renderer) : cell_(cell), renderer_(renderer) {}
 
-  static bool knows(std::string_view name) { return name == "fit" || name == "map"; }
+  static bool knows(std::string_view name) {
+    return name == "fit" || name == "map" || name.starts_with(kOfDevice);
+  }
+  /// DEVICE of "fit:DEVICE"; empty for other names.
+  static std::string_view deviceOf(std::string_view name) {
+    return name.starts_with(kOfDevice) ? name.substr(kOfDevice.size()) : std::string_view();
+  }
 
   /// Finds the nine moments, once. Asks `session` (null: the cell at rest) for states: one that was
   /// borrowed from it before is not valid any more.
   Status prepare(Timeline* session);
 
-  /// After prepare(). `hide` and `show` are what `choice` was made from.
-  CameraView view(std::string_view name, const ViewChoice& choice,
-                  const std::vector<std::string>& hide, const std::vector<std::string>& show,
-                  int width, int height);
+  /// After prepare(). `hide` and `show` are what `choice` was made from. not_found when nothing of
+  /// the one device is visible at any of the moments.
+  Result<CameraView> view(std::string_view name, const ViewChoice& choice,
+                          const std::vector<std::string>& hide,
+                          const std::vector<std::string>& show, int width, int height);
+
+  /// After prepare(): the devices that can move at one of the moments, or in `scene`.
+  DeviceNames movable(const PosedScene& scene) const;
 
  private:
+  static constexpr std::string_view kOfDevice = "fit:";
   using Asked =
       std::tuple<std::string, std::vector<std::string>, std::vector<std::string>, int, int>;
 
+  std::vector<Vec3> pointsOf(const ViewChoice& choice, const DeviceNames* devices) const;
+
   const Cell& cell_;
   const Renderer& renderer_;
+  PosedScene at_rest_;
   std::vector<PosedScene> scenes_;  // without drawings: they outlive their states
+  DeviceNames movable_;
   std::map<Asked, CameraView> answered_;
 };
 

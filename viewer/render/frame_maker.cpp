@@ -111,6 +111,9 @@ Result<CameraView> FrameMaker::Impl::cameraNamed(const std::string& name,
   const bool built_in =
       FittedCameras::knows(wanted) && (name.empty() || found.scene.findCamera(wanted) == nullptr);
   if (!built_in) return chooseCamera(wanted, found.scene);
+  if (const std::string_view device = FittedCameras::deviceOf(wanted); !device.empty()) {
+    if (Status known = names.checkDevice(std::string(device)); !known) return known.error();
+  }
   return fit_of->fitted->view(wanted, found.choice, request.hide, request.show, width, height);
 }
 

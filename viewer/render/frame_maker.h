@@ -22,7 +22,8 @@ inline constexpr double kLeastScale = 0.5, kLargestScale = 4;
 /// What to draw besides time and place.
 struct FrameRequest {
   LogTime time{};
-  /// Of the cell, a `view` of the session, or "map" or "fit" (docs/cell-format.md, "Built in").
+  /// Of the cell, a `view` of the session, or "map", "fit" or "fit:DEVICE" (docs/cell-format.md,
+  /// "Built in").
   /// Empty: the cell's first, or "fit".
   std::string camera;
   int width = 640;

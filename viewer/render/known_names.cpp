@@ -190,10 +190,18 @@ Status KnownNames::checkOne(const std::string& text) {
     if (Status read = readLog(); !read) return read;
     return checkOne(text);
   }
-  if (models) return fit;
+  return models ? fit : checkDevice(path->path.first);
+}
+
+Status KnownNames::checkDevice(const std::string& device) {
+  if (modelsOf(device)) return {};
+  if (!log_.empty() && !log_read_) {
+    if (Status read = readLog(); !read) return read;
+    return checkDevice(device);
+  }
   return Error{ErrorKind::not_found,
                std::string("no device of the cell") + (log_.empty() ? "" : " or the log") +
-                   " is called `" + path->path.first + "`: " + deviceHint(path->path.first),
+                   " is called `" + device + "`: " + deviceHint(device),
                {}};
 }
 

@@ -31,6 +31,8 @@ class KnownNames {
   /// is left to those who use it.
   Status check(const std::vector<std::string>& paths);
   Status check(const RenderStyle& style);
+  /// not_found for a device that no picture can have.
+  Status checkDevice(const std::string& device);
   /// The same for a camera, besides those that are built in and viewpoints in numbers.
   Status checkCamera(const std::string& name);
   /// The device that `path` names, when it is none of the cell's and only expectOthers() let it

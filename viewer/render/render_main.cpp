@@ -155,7 +155,7 @@ int main(int argc, char** argv) {
   app.add_option("--identity", job.identity, "devices and links as colours: a PNG, a JSON legend");
   app.add_option("--depth", job.depth, "metres along the view: a 16-bit PNG, its unit in JSON");
   app.add_option("--camera", job.cameras,
-                 "of the cell, a `view` of the session, map or fit; repeatable")
+                 "of the cell, a `view` of the session, map, fit or fit:DEVICE; repeatable")
       ->option_text("NAME")
       ->allow_extra_args(false);
   app.add_option("--inset", job.insets, "a window over the view in place of the cell's; repeatable")

@@ -321,13 +321,15 @@ CameraView Renderer::fittedCamera(const PosedScene& scene, const ViewChoice& cho
   return fittedView(visibleCorners(scene, impl_->catalog, choice), width, height);
 }
 
-std::vector<Vec3> Renderer::visiblePoints(const PosedScene& scene, const ViewChoice& choice) const {
-  return visibleCorners(scene, impl_->catalog, choice);
+std::vector<Vec3> Renderer::visiblePoints(const PosedScene& scene, const ViewChoice& choice,
+                                          const DeviceNames* devices) const {
+  return visibleCorners(scene, impl_->catalog, choice, devices);
 }
 
-Bounds Renderer::visibleBounds(const PosedScene& scene, const ViewChoice& choice) const {
+Bounds Renderer::visibleBounds(const PosedScene& scene, const ViewChoice& choice,
+                               const DeviceNames* devices) const {
   Bounds bounds;
-  for (const Vec3& corner : visibleCorners(scene, impl_->catalog, choice)) bounds.add(corner);
+  for (const Vec3& corner : visiblePoints(scene, choice, devices)) bounds.add(corner);
   return bounds;
 }
 

@@ -15,6 +15,7 @@
 #include "viewer/render/frame_extras.h"
 #include "viewer/render/identity_frame.h"
 #include "viewer/render/render_context.h"
+#include "viewer/render/movable_devices.h"
 #include "viewer/render/render_style.h"
 #include "viewer/render/renderer_key.h"
 #include "viewer/render/stage_times.h"
@@ -100,9 +101,12 @@ class Renderer {
   CameraView fittedCamera(const PosedScene& scene, const ViewChoice& choice, int width,
                           int height) const;
   /// Corners of the boxes around everything visible in `scene`: what a fitted view must show.
-  std::vector<Vec3> visiblePoints(const PosedScene& scene, const ViewChoice& choice) const;
-  /// The world box around all that is visible in `scene`; empty when nothing is.
-  Bounds visibleBounds(const PosedScene& scene, const ViewChoice& choice) const;
+  /// `devices`: of these alone; null: of all.
+  std::vector<Vec3> visiblePoints(const PosedScene& scene, const ViewChoice& choice,
+                                  const DeviceNames* devices = nullptr) const;
+  /// The world box around all of that; empty when nothing is visible.
+  Bounds visibleBounds(const PosedScene& scene, const ViewChoice& choice,
+                       const DeviceNames* devices = nullptr) const;
 
   const GlTable& gl() const;
   const RendererKey& key() const;
