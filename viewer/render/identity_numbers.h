@@ -24,9 +24,9 @@ class IdentityNumbers {
   /// The frame of these numbers: those that are in it, numbered anew without gaps.
   IdentityFrame frame(std::vector<std::uint32_t> numbers, int width, int height) const;
 
- private:
   IdentityName nameOf(std::uint32_t number) const;
 
+ private:
   const PosedScene& scene_;
   std::vector<std::uint32_t> first_of_device_;
   std::uint32_t first_drawing_ = 1;

@@ -210,4 +210,29 @@ std::vector<float> IdentityPass::readDepth(const FrameBuffer& drawn, const Camer
   return metres;
 }
 
+std::vector<NumberedPixel> IdentityPass::readPart(const PixelRectangle& part, int frame_height,
+                                                  const Camera& camera) const {
+  const auto count = static_cast<std::size_t>(part.width) * static_cast<std::size_t>(part.height);
+  std::vector<std::uint8_t> bytes(count * 4);
+  std::vector<float> stored(count);
+  const int bottom = frame_height - part.y - part.height;
+  gl_.PixelStorei(GL_PACK_ALIGNMENT, 4);
+  gl_.ReadPixels(part.x, bottom, part.width, part.height, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
+  gl_.ReadPixels(part.x, bottom, part.width, part.height, GL_DEPTH_COMPONENT, GL_FLOAT,
+                 stored.data());
+  std::vector<NumberedPixel> pixels;
+  for (int y = part.height - 1; y >= 0; --y) {
+    for (int x = 0; x < part.width; ++x) {
+      const auto place = static_cast<std::size_t>(y * part.width + x);
+      NumberedPixel pixel{part.x + x, part.y + part.height - 1 - y, 0,
+                          camera.depthAt(stored[place])};
+      for (std::size_t byte = 4; byte-- > 0;) {
+        pixel.number = pixel.number << 8U | bytes[place * 4 + byte];
+      }
+      pixels.push_back(pixel);
+    }
+  }
+  return pixels;
+}
+
 }  // namespace rocinante

@@ -15,6 +15,13 @@
 
 namespace rocinante {
 
+/// What was drawn at a pixel, from the top left of the frame.
+struct NumberedPixel {
+  int x = 0, y = 0;
+  std::uint32_t number = 0;  ///< 0: nothing
+  double depth_m = 0;        ///< along the view; infinity where nothing was drawn
+};
+
 /// Draws numbers in place of colours: a pixel's four bytes are a number, exactly. With what a frame
 /// draws (its draw list, its overlays), so that the two agree. Draws into the framebuffer that is
 /// bound, which must have one sample a pixel; its context must be current.
@@ -52,6 +59,9 @@ class IdentityPass {
   static std::vector<std::uint32_t> readNumbers(const FrameBuffer& drawn);
   /// Metres along the view of what was drawn, top row first; infinity where nothing was.
   std::vector<float> readDepth(const FrameBuffer& drawn, const Camera& camera) const;
+  /// A few pixels of the bound frame, of that height, top row first.
+  std::vector<NumberedPixel> readPart(const PixelRectangle& part, int frame_height,
+                                      const Camera& camera) const;
 
  private:
   IdentityPass(const GlTable& gl, ShaderProgram surface, ShaderProgram flat);

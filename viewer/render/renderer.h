@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,8 +15,8 @@
 #include "viewer/render/frame_buffer.h"
 #include "viewer/render/frame_extras.h"
 #include "viewer/render/identity_frame.h"
-#include "viewer/render/render_context.h"
 #include "viewer/render/movable_devices.h"
+#include "viewer/render/render_context.h"
 #include "viewer/render/render_style.h"
 #include "viewer/render/renderer_key.h"
 #include "viewer/render/stage_times.h"
@@ -50,6 +51,12 @@ struct SceneFrame {
   int raised_px = 0;
   /// Labels, gnomon, scale bar and the frames of insets with the scene; else by drawOnTop().
   bool on_top = true;
+};
+
+/// What of a device a pixel of a frame shows.
+struct PickedLink {
+  IdentityName name;  ///< device and link
+  Vec3 point{};       ///< of its surface, in the world
 };
 
 struct DrawCounts {
@@ -96,6 +103,11 @@ class Renderer {
   Result<IdentityFrame> identity(const SceneFrame& frame, const FrameBuffer& target);
   /// How far each is, in the main view.
   Result<DepthFrame> depth(const SceneFrame& frame, const FrameBuffer& target);
+  /// The link that such a frame of that size shows at pixel (x, y) from the top left: what
+  /// identity() has there, without the session's drawings. Where nothing is, what is nearest within
+  /// two pixels, so that lines can be hit; else empty. Of several insets the last one there counts.
+  Result<std::optional<PickedLink>> pick(const SceneFrame& frame, int width, int height, double x,
+                                         double y);
 
   /// A three-quarter view of all that is visible in `scene`.
   CameraView fittedCamera(const PosedScene& scene, const ViewChoice& choice, int width,

@@ -59,6 +59,7 @@ struct Renderer::Impl {
   DrawList view_list;  // of the view at hand: memory that frames use again
   LookPasses look_passes{gl};
   std::optional<IdentityPass> identity_pass;  // made when it is first asked for
+  std::optional<FrameBuffer> pick_target;     // as large as the picture clicked on
   std::string inputs_text;
 
   const TextAtlas& atlasOf(double scale) const;

@@ -1,9 +1,26 @@
 // Frames of numbers in place of colours: whose each pixel is, and how far away.
+#include <algorithm>
+#include <cmath>
+
 #include "viewer/render/identity_numbers.h"
 #include "viewer/render/renderer_impl.h"
 #include "viewer/render/session_drawings.h"
 
 namespace rocinante {
+namespace {
+
+/// A click counts for what is so many pixels beside it.
+constexpr int kPickReach = 2;
+
+/// The world point at a depth below the middle of a pixel.
+Vec3 pointAt(const Camera& camera, int x, int y, double depth_m) {
+  const double metres = camera.metersPerPixel(depth_m);
+  const double right = (x + 0.5 - camera.width() * 0.5) * metres;
+  const double up = (camera.height() * 0.5 - (y + 0.5)) * metres;
+  return camera.eye() + camera.forward() * depth_m + camera.right() * right + camera.up() * up;
+}
+
+}  // namespace
 
 Status Renderer::Impl::prepareIdentity(const FrameBuffer& target) {
   if (!identity_pass) {
@@ -63,6 +80,59 @@ Result<IdentityFrame> Renderer::identity(const SceneFrame& frame, const FrameBuf
   my.identity_pass->end();
   if (Status fine = my.glStatus(); !fine) return fine.error();
   return numbers.frame(IdentityPass::readNumbers(target), target.width(), target.height());
+}
+
+Result<std::optional<PickedLink>> Renderer::pick(const SceneFrame& frame, int width, int height,
+                                                 double x, double y) {
+  Impl& my = *impl_;
+  CameraView view = frame.camera;
+  PixelRectangle part{0, 0, width, height};
+  for (const FrameInset& inset : frame.insets) {
+    const PixelRectangle& at = inset.part;
+    if (!(x >= at.x && y >= at.y && x < at.x + at.width && y < at.y + at.height)) continue;
+    part = at;
+    view = inset.camera;
+  }
+  const int clicked_x = static_cast<int>(std::floor(x));
+  const int clicked_y = static_cast<int>(std::floor(y));
+  const int left = std::max(clicked_x - kPickReach, part.x);
+  const int top = std::max(clicked_y - kPickReach, part.y);
+  const int right = std::min(clicked_x + kPickReach + 1, part.x + part.width);
+  const int bottom = std::min(clicked_y + kPickReach + 1, part.y + part.height);
+  if (left >= right || top >= bottom) return std::optional<PickedLink>();
+
+  if (!my.pick_target || my.pick_target->width() != width || my.pick_target->height() != height) {
+    auto made = FrameBuffer::create(my.gl, width, height, 1);
+    if (!made) return made.error();
+    my.pick_target = std::move(*made);
+  }
+  if (Status ready = my.prepareIdentity(*my.pick_target); !ready) return ready.error();
+  const Camera camera = my.cameraOf(frame, view, part.width, part.height);
+  const auto looks = my.looksOf(frame);
+  if (!looks) return looks.error();
+  const IdentityNumbers numbers(*frame.scene);
+  // Drawn as identity() draws it, but for the pixels that nobody asks for.
+  my.identity_pass->begin(part, height);
+  my.gl.Scissor(left, height - bottom, right - left, bottom - top);
+  setClamp(my.gl, camera.orthographic());
+  Status drawn = my.drawNumbers(frame, *looks, camera, [&](const DrawItem& item) {
+    return numbers.ofLink(item.device, item.link);
+  });
+  if (!drawn) return drawn.error();
+  std::optional<PickedLink> nearest;
+  int best = 2 * (kPickReach + 1) * (kPickReach + 1);
+  const PixelRectangle asked{left, top, right - left, bottom - top};
+  for (const NumberedPixel& pixel : my.identity_pass->readPart(asked, height, camera)) {
+    const int dx = pixel.x - clicked_x, dy = pixel.y - clicked_y;
+    if (pixel.number == 0 || dx * dx + dy * dy >= best) continue;
+    best = dx * dx + dy * dy;
+    nearest = PickedLink{numbers.nameOf(pixel.number),
+                         pointAt(camera, pixel.x - part.x, pixel.y - part.y, pixel.depth_m)};
+  }
+  setClamp(my.gl, false);
+  my.identity_pass->end();
+  if (Status fine = my.glStatus(); !fine) return fine.error();
+  return nearest;
 }
 
 Result<DepthFrame> Renderer::depth(const SceneFrame& frame, const FrameBuffer& target) {

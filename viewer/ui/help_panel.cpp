@@ -19,7 +19,7 @@ constexpr HelpLine kTime[] = {{"Space", "play, pause"},
                               {"Home, End", "start, end of the log"},
                               {"M", "a mark at this moment"}};
 constexpr HelpLine kLook[] = {{"1 to 9, 0", "cameras, the view at the start"},
-                              {"F", "show everything; Shift: what is selected"},
+                              {"F", "show what can move; Shift: what is selected"},
                               {"I", "insets on, off"},
                               {"E", "edges off, on, only"},
                               {"D", "shadows"},

@@ -78,7 +78,7 @@ Status ScriptRunner::applyPerson(const ViewCommand& command, const ScriptStage& 
   }
   const auto y = number(command, 1);
   if (!y.ok()) return y.error();
-  if (command.name == "click") stage.click({*x, *y, false});
+  if (command.name == "click") return stage.click({*x, *y, false});
   if (command.name == "pan") model.holdCamera().pan(*x, *y, stage.height);
   if (command.name == "orbit") model.holdCamera().orbit(*x, *y, stage.height);
   return {};
@@ -113,7 +113,7 @@ Status ScriptRunner::apply(const ViewCommand& command, const ScriptStage& stage)
     return model.complaint.empty() ? Status{} : Status{faultAt(command, model.complaint)};
   }
   if (command.name == "fit") {
-    model.fit(stage.visible_corners(), stage.width, stage.height);
+    model.fit(stage.fitted_corners(), stage.width, stage.height);
     return {};
   }
   if (command.name == "detail") {

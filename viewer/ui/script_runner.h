@@ -19,8 +19,8 @@ struct ScriptStage {
   ViewModel& model;
   SteadyTime now;
   int width, height;
-  std::function<std::vector<Vec3>()> visible_corners;
-  std::function<void(const PictureClick&)> click;
+  std::function<std::vector<Vec3>()> fitted_corners;
+  std::function<Status(const PictureClick&)> click;
   std::function<void(const ViewerWishes&)> grant;
   std::function<Status(const std::filesystem::path&)> make_evidence;
 };

@@ -15,7 +15,6 @@
 #include "viewer/ui/imgui_painter.h"
 #include "viewer/ui/interface_context.h"
 #include "viewer/ui/panels.h"
-#include "viewer/ui/pick.h"
 #include "viewer/ui/script_runner.h"
 #include "viewer/ui/user_input.h"
 #include "viewer/ui/view_insets.h"
@@ -58,15 +57,16 @@ class ViewApp {
   SteadyTime now() const {
     return scripted() ? scripted_now_ : SteadyTime(std::chrono::steady_clock::now());
   }
-  std::vector<Vec3> visibleCorners() const;
+  std::vector<Vec3> fittedCorners() const;
   std::vector<Vec3> selectedCorners() const;
   Status prepareView();
   void prepareDetail();
   void useRung(int rung);
+  SceneFrame shownFrame(const RenderStyle& style);
   Result<DrawCounts> drawScene();
   Status drawFrame(double app_ms);
   void grantWishes(const ViewerWishes& wishes);
-  void clickAt(const PictureClick& click);
+  Status clickAt(const PictureClick& click);
   Status runScript();
   void waitForNews(bool changed);
   WindowSize size() const { return {width_, height_, interface_.scale()}; }
@@ -116,14 +116,17 @@ Result<std::unique_ptr<ViewApp>> ViewApp::open(ViewModel& model, const ViewOptio
   return app;
 }
 
-std::vector<Vec3> ViewApp::visibleCorners() const {
-  const Bounds bounds = renderer_.visibleBounds(model_.scene(), model_.choice());
+/// What `fit` frames, of the moment shown.
+std::vector<Vec3> ViewApp::fittedCorners() const {
+  const DeviceNames movable = fitted_.movable(model_.scene());
+  Bounds bounds = renderer_.visibleBounds(model_.scene(), model_.choice(), &movable);
+  if (bounds.empty()) bounds = renderer_.visibleBounds(model_.scene(), model_.choice());
   if (bounds.empty()) return {};
   return {bounds.min, bounds.max};
 }
 
 std::vector<Vec3> ViewApp::selectedCorners() const {
-  if (model_.selected.device.empty()) return visibleCorners();
+  if (model_.selected.device.empty()) return fittedCorners();
   const auto alone = ViewChoice::make({"*"}, {model_.selected.path()});
   if (!alone.ok()) return {};
   const Bounds bounds = renderer_.visibleBounds(model_.scene(), *alone);
@@ -158,9 +161,7 @@ Status ViewApp::prepareView() {
                        kDetailRungs[static_cast<std::size_t>(status_.rung)]);
 }
 
-Result<DrawCounts> ViewApp::drawScene() {
-  const RenderStyle style = model_.frameStyle();
-  insets_ = frameInsets(model_, fitted_, width_, height_, interface_.scale(), covered_);
+SceneFrame ViewApp::shownFrame(const RenderStyle& style) {
   SceneFrame frame;
   frame.scene = &model_.scene();
   frame.camera = model_.cameraView();
@@ -170,7 +171,13 @@ Result<DrawCounts> ViewApp::drawScene() {
   frame.insets = insets_;
   frame.raised_px = covered_.bottom;
   frame.scale = interface_.scale();
-  return view_.draw(renderer_, frame);
+  return frame;
+}
+
+Result<DrawCounts> ViewApp::drawScene() {
+  const RenderStyle style = model_.frameStyle();
+  insets_ = frameInsets(model_, fitted_, width_, height_, interface_.scale(), covered_);
+  return view_.draw(renderer_, shownFrame(style));
 }
 
 Status ViewApp::drawFrame(double app_ms) {
@@ -183,7 +190,9 @@ Status ViewApp::drawFrame(double app_ms) {
   std::optional<PictureClick> click;
   if (!scripted()) click = applyUserInput(model_, now(), width_, height_, wishes, *window_);
   ImGui::Render();
-  if (click) clickAt(*click);
+  if (click) {
+    if (auto clicked = clickAt(*click); !clicked) return clicked;
+  }
   grantWishes(wishes);
   times.ui = millisecondsSince(began);
 
@@ -212,37 +221,30 @@ Status ViewApp::drawFrame(double app_ms) {
   return {};
 }
 
-void ViewApp::clickAt(const PictureClick& click) {
-  // The inset on top has the click; its camera sees from there.
-  CameraView view = model_.cameraView();
-  PixelRectangle part{0, 0, width_, height_};
-  for (const FrameInset& inset : insets_) {
-    const PixelRectangle& at = inset.part;
-    if (click.x >= at.x && click.y >= at.y && click.x < at.x + at.width &&
-        click.y < at.y + at.height) {
-      part = at;
-      view = inset.camera;
-    }
-  }
-  const Camera camera(view, part.width, part.height, ClipDepth::zero_to_one, 1);
-  const auto met =
-      pick(model_.scene(), model_.choice(), sightLine(camera, click.x - part.x, click.y - part.y));
-  if (!met) {
+Status ViewApp::clickAt(const PictureClick& click) {
+  // On the frame that was clicked: its insets, looks and choices.
+  const RenderStyle style = model_.frameStyle();
+  const auto met = renderer_.pick(shownFrame(style), width_, height_, click.x, click.y);
+  if (!met) return met.error();
+  if (!*met) {
     if (!click.twice) model_.selected = {};
-    return;
+    return {};
   }
-  const PosedDevice& device = model_.scene().devices[met->device];
-  const std::vector<Link>& links = device.model->links;
+  const IdentityName& name = (*met)->name;
+  const PosedDevice* device = model_.scene().findDevice(name.device);
   // Of what has one link only, the device is meant.
-  model_.selected = {device.name, links.size() > 1 ? links[met->link].name : std::string()};
-  if (click.twice) model_.holdCamera().aimAt(met->point);
+  const bool jointed =
+      device != nullptr && device->model != nullptr && device->model->links.size() > 1;
+  model_.selected = {name.device, jointed ? name.link : std::string()};
+  if (click.twice) model_.holdCamera().aimAt((*met)->point);
+  return {};
 }
 
 void ViewApp::grantWishes(const ViewerWishes& wishes) {
   if (wishes.close) window_->requestClose();
   if (wishes.reset) model_.resetCamera();
   if (wishes.fit || (wishes.reset && model_.cameraName().empty())) {
-    model_.fit(visibleCorners(), width_, height_);
+    model_.fit(fittedCorners(), width_, height_);
   }
   if (wishes.fit_selected) model_.fit(selectedCorners(), width_, height_);
   if (wishes.mark) {
@@ -286,8 +288,8 @@ Status ViewApp::runScript() {
       now(),
       width_,
       height_,
-      [this] { return visibleCorners(); },
-      [this](const PictureClick& click) { clickAt(click); },
+      [this] { return fittedCorners(); },
+      [this](const PictureClick& click) { return clickAt(click); },
       [this](const ViewerWishes& wishes) { grantWishes(wishes); },
       [this](const std::filesystem::path& file) { return evidence_.make(model_, size(), file); }};
   return script_.beforeFrame(stage);
@@ -296,7 +298,7 @@ Status ViewApp::runScript() {
 Status ViewApp::run() {
   if (model_.cameraName().empty()) {
     if (auto updated = model_.update(now()); !updated.ok()) return updated.error();
-    model_.fit(visibleCorners(), options_.width, options_.height);
+    model_.fit(fittedCorners(), options_.width, options_.height);
   }
   while (!window_->closeRequested() && !cli::stopRequested()) {
     const SteadyTime began = std::chrono::steady_clock::now();

@@ -88,6 +88,21 @@ class Studio {
     return names;
   }
 
+  /// What a click on such a frame of 160x160 pixels meets.
+  std::optional<PickedLink> picked(double x, double y, const std::vector<std::string>& words = {},
+                                   const CameraView& view = frontView(),
+                                   const std::vector<std::string>& hide = {},
+                                   const std::vector<FrameInset>& insets = {}) {
+    const RenderStyle style = styled(words);
+    const auto choice = ViewChoice::make(hide, {});
+    EXPECT_TRUE(choice.has_value());
+    SceneFrame frame{&scene_, view, &*choice, &style};
+    frame.insets = insets;
+    auto met = renderer_->pick(frame, 160, 160, x, y);
+    EXPECT_TRUE(met.has_value()) << (met ? "" : met.error().text());
+    return met ? *met : std::nullopt;
+  }
+
   PosedScene& scene() { return scene_; }
 
  private:
