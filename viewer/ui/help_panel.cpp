@@ -27,7 +27,7 @@ constexpr HelpLine kLook[] = {{"1 to 9, 0", "cameras, the view at the start"},
                               {"W, T, C", "wireframe, see-through, collision"},
                               {"R", "trail of what is selected"},
                               {"H", "hide it; Shift: show all again"},
-                              {"Esc", "select nothing"}};
+                              {"Esc", "close a list; select nothing"}};
 constexpr HelpLine kProgram[] = {{"S", "evidence picture by rocinante render"},
                                  {"Tab", "panels on, off"},
                                  {"? or F1", "this help"},

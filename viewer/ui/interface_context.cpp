@@ -11,13 +11,13 @@
 
 namespace rocinante {
 
-InterfaceContext::InterfaceContext(GLFWwindow* window) : window_(window) {
+InterfaceContext::InterfaceContext(Window* window) : window_(window) {
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;
   // ImguiPainter can: else a panel of more than 65,535 corners would end the program.
   ImGui::GetIO().BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
   useScale(1);
-  if (window_ != nullptr) ImGui_ImplGlfw_InitForOpenGL(window_, true);
+  if (window_ != nullptr) ImGui_ImplGlfw_InitForOpenGL(window_->handle(), true);
 }
 
 InterfaceContext::~InterfaceContext() {
@@ -48,6 +48,14 @@ void InterfaceContext::beginFrame(int width, int height) {
   const ImVec2 pixels(static_cast<float>(width), static_cast<float>(height));
   if (window_ != nullptr) {
     ImGui_ImplGlfw_NewFrame();
+    // The backend looks where mouse and buttons are by now: of a click between two frames, which
+    // the pointer has left, it would tell the wrong place, and the release a frame late.
+    const bool outside = !ImGui::IsMousePosValid(&io.MousePos) && !window_->input().pending();
+    const InputState& seen = window_->input().nextFrame();
+    std::ranges::copy(seen.down, io.MouseDown);
+    if (!outside || seen.anyDown()) {
+      io.MousePos = ImVec2(static_cast<float>(seen.x), static_cast<float>(seen.y));
+    }
     // The backend speaks of the window's units.
     if (io.DisplaySize.x > 0 && io.DisplaySize.y > 0 && ImGui::IsMousePosValid(&io.MousePos)) {
       io.MousePos.x *= pixels.x / io.DisplaySize.x;

@@ -1,6 +1,6 @@
 #pragma once
 
-struct GLFWwindow;
+#include "viewer/ui/window.h"
 
 namespace rocinante {
 
@@ -12,7 +12,7 @@ constexpr float kFontPixels = 15;
 class InterfaceContext {
  public:
   /// `window` null: under a script, no mouse and no keyboard, sixty frames a second.
-  explicit InterfaceContext(GLFWwindow* window);
+  explicit InterfaceContext(Window* window);
   ~InterfaceContext();
   InterfaceContext(const InterfaceContext&) = delete;
   InterfaceContext& operator=(const InterfaceContext&) = delete;
@@ -24,7 +24,7 @@ class InterfaceContext {
   void beginFrame(int width, int height);
 
  private:
-  GLFWwindow* window_;
+  Window* window_;
   float scale_ = 0;
 };
 

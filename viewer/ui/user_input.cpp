@@ -3,6 +3,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <array>
@@ -18,7 +19,11 @@ constexpr float kClickReach = 4;
 std::optional<PictureClick> applyMouse(ViewModel& model, int width_px, int height_px) {
   const ImGuiIO& io = ImGui::GetIO();
   if (io.WantCaptureMouse) return std::nullopt;
-  const ImVec2 moved = io.MouseDelta;
+  // A press after a jump of the pointer is no drag from where it was before.
+  ImVec2 moved = io.MouseDelta;
+  for (const bool clicked : io.MouseClicked) {
+    if (clicked) moved = ImVec2(0, 0);
+  }
   const bool panning = ImGui::IsMouseDown(ImGuiMouseButton_Middle) ||
                        ImGui::IsMouseDown(ImGuiMouseButton_Right) ||
                        (ImGui::IsMouseDown(ImGuiMouseButton_Left) && io.KeyShift);
@@ -210,10 +215,20 @@ std::optional<KeyPress> parseKey(std::string_view text) {
 std::optional<PictureClick> applyUserInput(ViewModel& model, SteadyTime now, int width_px,
                                            int height_px, ViewerWishes& wishes, Window& window) {
   const auto click = applyMouse(model, width_px, height_px);
-  const std::vector<KeyPress> presses = window.takeKeyPresses();
+  const std::vector<KeyPress> presses = window.input().thisFrame().keys;
   const ImGuiIO& io = ImGui::GetIO();
   if (io.WantTextInput) return click;
-  for (const KeyPress& press : presses) applyKey(model, press, now, wishes);
+  bool list_open =
+      ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+  for (const KeyPress& press : presses) {
+    if (list_open && press.key == GLFW_KEY_ESCAPE) {
+      // It closes the list alone.
+      ImGui::ClosePopupToLevel(0, true);
+      list_open = false;
+      continue;
+    }
+    applyKey(model, press, now, wishes);
+  }
   // By its character, which lies on different keys.
   for (const ImWchar character : io.InputQueueCharacters) {
     if (character == '?') model.help_shown = !model.help_shown;

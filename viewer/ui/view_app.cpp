@@ -46,7 +46,7 @@ class ViewApp {
       : model_(model),
         options_(options),
         window_(std::move(window)),
-        interface_(options.script.empty() ? window_->handle() : nullptr),
+        interface_(options.script.empty() ? window_.get() : nullptr),
         renderer_(std::move(renderer)),
         fitted_(model.cell(), renderer_),
         governor_({1000 / options.target_fps, kCoarsestRung}),
@@ -82,6 +82,7 @@ class ViewApp {
   Governor governor_;
   EvidenceDesk evidence_;
   ScriptRunner script_;
+  SettlingFrames settling_;
   SteadyTime scripted_now_{};
   ViewerStatus status_;
   CoveredEdges covered_;
@@ -274,7 +275,8 @@ void ViewApp::waitForNews(bool changed) {
   }
   const Transport* transport = model_.transport();
   const bool moving = changed || (transport != nullptr && transport->playing());
-  if (moving) {
+  settling_.drawn(window_->takeNews() || window_->input().pending());
+  if (moving || !settling_.settled()) {
     glfwPollEvents();
   } else {
     // Nothing moves: look at the mouse and the network now and then, and leave the machine alone.

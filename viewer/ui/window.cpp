@@ -74,12 +74,42 @@ Result<std::unique_ptr<Window>> Window::open(const std::string& title, int width
 Window::Window(GLFWwindow* window) : window_(window) {
   glfwSetWindowUserPointer(window_, this);
   glfwSetKeyCallback(window_, onKey);
+  glfwSetCursorPosCallback(window_, onMove);
+  glfwSetMouseButtonCallback(window_, onButton);
+  glfwSetScrollCallback(window_, onWheel);
+  glfwGetCursorPos(window_, &mouse_x_, &mouse_y_);
+}
+
+Window& Window::of(GLFWwindow* window) {
+  return *static_cast<Window*>(glfwGetWindowUserPointer(window));
 }
 
 void Window::onKey(GLFWwindow* window, int key, int /*scancode*/, int action, int modifiers) {
+  Window& self = of(window);
+  self.news_ = true;
   if (action == GLFW_RELEASE) return;
-  auto* const self = static_cast<Window*>(glfwGetWindowUserPointer(window));
-  self->key_presses_.push_back({key, (modifiers & GLFW_MOD_SHIFT) != 0, action == GLFW_REPEAT});
+  const KeyPress pressed{key, (modifiers & GLFW_MOD_SHIFT) != 0, action == GLFW_REPEAT};
+  self.input_.add({InputEvent::Kind::key, 0, 0, 0, pressed});
+}
+
+void Window::onMove(GLFWwindow* window, double x, double y) {
+  Window& self = of(window);
+  self.news_ = true;
+  self.mouse_x_ = x;
+  self.mouse_y_ = y;
+  self.input_.add({InputEvent::Kind::move, 0, x, y, {}});
+}
+
+// Where the pointer was then, and not where it is by now, which GLFW would answer.
+void Window::onButton(GLFWwindow* window, int button, int action, int /*modifiers*/) {
+  Window& self = of(window);
+  self.news_ = true;
+  const auto kind = action == GLFW_PRESS ? InputEvent::Kind::press : InputEvent::Kind::release;
+  self.input_.add({kind, static_cast<std::size_t>(button), self.mouse_x_, self.mouse_y_, {}});
+}
+
+void Window::onWheel(GLFWwindow* window, double /*across*/, double /*down*/) {
+  of(window).news_ = true;
 }
 
 Window::~Window() {

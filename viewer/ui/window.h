@@ -7,17 +7,11 @@
 
 #include "core/result.h"
 #include "viewer/render/render_context.h"
+#include "viewer/ui/input_queue.h"
 
 struct GLFWwindow;
 
 namespace rocinante {
-
-/// A key that went down, or that repeats while it is held.
-struct KeyPress {
-  int key = 0;  ///< GLFW's number
-  bool shift = false;
-  bool repeated = false;
-};
 
 /// A window with a GL 3.3 core context, by GLFW. Main thread only. One at a time.
 class Window final : public RenderContext {
@@ -44,16 +38,24 @@ class Window final : public RenderContext {
   /// Shows what was drawn into framebuffer 0. Waits for the display when `paced`.
   void swap();
   void setPaced(bool paced);
-  /// The keys pressed since the last call, in order: also those let go again before anybody looked,
-  /// which asking for a key's state in every frame would miss when a frame takes long.
-  std::vector<KeyPress> takeKeyPresses() { return std::exchange(key_presses_, {}); }
+  /// What mouse and keys did, for frames to take one by one: also keys let go again before anybody
+  /// looked, which asking for a key's state in every frame would miss when a frame takes long.
+  InputQueue& input() { return input_; }
+  /// Whether a person did anything since the last call.
+  bool takeNews() { return std::exchange(news_, false); }
 
  private:
   explicit Window(GLFWwindow* window);
+  static Window& of(GLFWwindow* window);
   static void onKey(GLFWwindow* window, int key, int scancode, int action, int modifiers);
+  static void onMove(GLFWwindow* window, double x, double y);
+  static void onButton(GLFWwindow* window, int button, int action, int modifiers);
+  static void onWheel(GLFWwindow* window, double across, double down);
 
   GLFWwindow* window_;
-  std::vector<KeyPress> key_presses_;
+  InputQueue input_;
+  double mouse_x_ = 0, mouse_y_ = 0;  // of the last event, in the window's own units
+  bool news_ = false;
 };
 
 }  // namespace rocinante
