@@ -12,8 +12,7 @@
 namespace rocinante {
 namespace {
 
-constexpr float kGraphWidth = 208;
-constexpr float kGraphHeight = 44;
+constexpr float kGraphHeight = 72;
 /// So wide that figures may grow without moving the panel's edge.
 constexpr float kFiguresWidth = 244;
 const ImVec4 kAmissColor{1, 0.55F, 0.45F, 1};
@@ -109,7 +108,7 @@ void drawMisfits(const ViewModel& model) {
 /// One column a frame, its stages stacked; a line where the target is.
 void drawGraph(const ViewerStatus& status) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const ImVec2 graph(px(kGraphWidth), px(kGraphHeight));
+  const ImVec2 graph(ImGui::GetContentRegionAvail().x, px(kGraphHeight));
   ImGui::Dummy(graph);
   ImDrawList* const list = ImGui::GetWindowDrawList();
   list->AddRectFilled(corner, ImVec2(corner.x + graph.x, corner.y + graph.y),
@@ -146,6 +145,12 @@ void drawFrameTime(const ViewerStatus& status) {
   ImGui::Text("%.1f ms, %.*f frames/s", total, total > 100 ? 1 : 0, 1000 / std::max(total, 0.01));
 }
 
+/// "detail 3" or, where the governor chooses it, "auto: 3".
+std::string rungText(const ViewerStatus& status) {
+  return status.rung_fixed || !status.may_govern ? fmt::format("detail {}", status.rung)
+                                                 : fmt::format("auto: {}", status.rung);
+}
+
 void drawTimes(const ViewerStatus& status) {
   const FrameTimes& mean = status.times.mean();
   drawFrameTime(status);
@@ -166,10 +171,7 @@ void drawRung(const ViewerStatus& status, ViewerWishes& wishes) {
     what += fmt::format(", {:g} px off", rung.level.geometry_error_px);
   }
   ImGui::SetNextItemWidth(px(92));
-  const std::string shown = status.rung_fixed || !status.may_govern
-                                ? fmt::format("detail {}", status.rung)
-                                : fmt::format("auto: {}", status.rung);
-  if (ImGui::BeginCombo("##rung", shown.c_str())) {
+  if (ImGui::BeginCombo("##rung", rungText(status).c_str())) {
     if (status.may_govern && ImGui::Selectable("auto", !status.rung_fixed)) wishes.rung = -1;
     for (int i = 0; i <= kCoarsestRung; ++i) {
       if (ImGui::Selectable(fmt::format("{}", i).c_str(), status.rung_fixed && status.rung == i)) {
@@ -210,8 +212,15 @@ void drawBrief(const ViewModel& model, const ViewerStatus& status) {
 
 }  // namespace
 
-float drawFigures(const ViewModel& model, const ViewerStatus& status, SteadyTime now, bool brief,
-                  ViewerWishes& wishes) {
+void drawFrameTab(const ViewerStatus& status, ViewerWishes& wishes) {
+  drawRung(status, wishes);
+  ImGui::TextUnformatted(cli::counted(status.triangles, "triangle").c_str());
+  ImGui::TextUnformatted(cli::counted(status.draws, "draw call").c_str());
+  if (status.tells_times && status.times.count() > 0) drawTimes(status);
+  ImGui::TextDisabled("%s", status.renderer.c_str());
+}
+
+float drawFigures(const ViewModel& model, const ViewerStatus& status, SteadyTime now, bool brief) {
   const ImGuiIO& io = ImGui::GetIO();
   ImGui::SetNextWindowPos(ImVec2(io.DisplaySize.x - px(kPanelMargin), px(kPanelMargin)),
                           ImGuiCond_Always, ImVec2(1, 0));
@@ -224,10 +233,12 @@ float drawFigures(const ViewModel& model, const ViewerStatus& status, SteadyTime
   } else {
     drawSession(model, now);
     drawMisfits(model);
-    ImGui::TextUnformatted(cli::counted(status.triangles, "triangle").c_str());
-    if (status.tells_times && status.times.count() > 0) drawTimes(status);
-    drawRung(status, wishes);
-    ImGui::TextDisabled("%s", status.renderer.c_str());
+    std::string frame = rungText(status);
+    if (status.tells_times && status.times.count() > 0) {
+      frame += fmt::format(", {:.0f} ms a frame", status.times.mean().total());
+    }
+    ImGui::TextDisabled("%s", frame.c_str());
+    explain("more in the tab Frame");
   }
   const float end = ImGui::GetWindowPos().y + ImGui::GetWindowSize().y;
   ImGui::End();

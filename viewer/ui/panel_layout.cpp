@@ -1,12 +1,20 @@
 #include "viewer/ui/panel_layout.h"
 
+#include <algorithm>
+
 namespace rocinante {
+
+float listHeight(std::size_t rows, float row_height, float room) {
+  constexpr float kLeastRows = 3;
+  const float wanted = static_cast<float>(rows) * row_height;
+  return std::max(std::min(wanted, room), kLeastRows * row_height);
+}
 
 PanelLayout panelLayout(float width, float height, bool has_time, bool any_selected) {
   const float usable = height - kPanelMargin - (has_time ? kTimeBarHeight : kPanelMargin);
   constexpr float kBriefWidth = 130;
   constexpr float kFullWidth = 280;
-  constexpr float kFullHeight = 250;
+  constexpr float kFullHeight = 130;
   PanelLayout layout;
   layout.scene = width >= kScenePanelWidth + kBriefWidth + 4 * kPanelMargin && usable >= 150;
   const float beside = layout.scene ? kScenePanelWidth + kPanelMargin : 0;

@@ -17,14 +17,18 @@ constexpr ImGuiWindowFlags kPanelFlags =
     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing;
 
 // Tabs of the panel on the left.
-void drawSceneTab(ViewModel& model, ViewerWishes& wishes);
+/// `bottom`: how far down the window its panel may reach, in pixels.
+void drawSceneTab(ViewModel& model, float bottom, ViewerWishes& wishes);
 void drawLookTab(ViewModel& model);
 void drawSourcesTab(ViewModel& model, SteadyTime now);
 void drawEventsTab(ViewModel& model, SteadyTime now, ViewerWishes& wishes);
 
-/// The figures in the top right corner, all or the most needed; answers where they end.
-float drawFigures(const ViewModel& model, const ViewerStatus& status, SteadyTime now, bool brief,
-                  ViewerWishes& wishes);
+/// How much is drawn and what a frame costs, stage by stage.
+void drawFrameTab(const ViewerStatus& status, ViewerWishes& wishes);
+
+/// What is said of the session in the top right corner, all or the most needed; answers where it
+/// ends.
+float drawFigures(const ViewModel& model, const ViewerStatus& status, SteadyTime now, bool brief);
 /// Values of the selected device's joints, below `top` where there is room; answers where they end.
 float drawDevicePanel(ViewModel& model, float top);
 /// The time line at the bottom, with its events.

@@ -7,7 +7,8 @@
 namespace rocinante {
 namespace {
 
-void drawScenePanel(ViewModel& model, SteadyTime now, ViewerWishes& wishes) {
+void drawScenePanel(ViewModel& model, const ViewerStatus& status, SteadyTime now,
+                    ViewerWishes& wishes) {
   const ImGuiIO& io = ImGui::GetIO();
   const float below = px(model.transport() != nullptr ? kTimeBarHeight : kPanelMargin);
   const float tallest = std::max(px(120), io.DisplaySize.y - px(kPanelMargin) - below);
@@ -17,7 +18,7 @@ void drawScenePanel(ViewModel& model, SteadyTime now, ViewerWishes& wishes) {
   ImGui::Begin("Scene", nullptr, kPanelFlags | ImGuiWindowFlags_NoTitleBar);
   if (ImGui::BeginTabBar("tabs")) {
     if (ImGui::BeginTabItem("Scene")) {
-      drawSceneTab(model, wishes);
+      drawSceneTab(model, px(kPanelMargin) + tallest, wishes);
       ImGui::EndTabItem();
     }
     if (ImGui::BeginTabItem("Look")) {
@@ -30,6 +31,10 @@ void drawScenePanel(ViewModel& model, SteadyTime now, ViewerWishes& wishes) {
     }
     if (model.transport() != nullptr && ImGui::BeginTabItem("Events")) {
       drawEventsTab(model, now, wishes);
+      ImGui::EndTabItem();
+    }
+    if (ImGui::BeginTabItem("Frame")) {
+      drawFrameTab(status, wishes);
       ImGui::EndTabItem();
     }
     if (ImGui::TabItemButton("?", ImGuiTabItemFlags_Trailing)) model.help_shown = !model.help_shown;
@@ -133,13 +138,13 @@ CoveredEdges drawPanels(ViewModel& model, const ViewerStatus& status, SteadyTime
     const PanelLayout layout = panelLayout(
         size.x / unit, size.y / unit, model.transport() != nullptr, !model.selected.device.empty());
     if (layout.scene) {
-      drawScenePanel(model, now, wishes);
+      drawScenePanel(model, status, now, wishes);
       middle.left = px(kScenePanelWidth + kPanelMargin);
     }
     float right_end = 0;
     if (layout.figures != PanelLayout::Figures::none) {
       const bool brief = layout.figures == PanelLayout::Figures::brief;
-      right_end = drawFigures(model, status, now, brief, wishes);
+      right_end = drawFigures(model, status, now, brief);
       middle.right = size.x - px(brief ? 150 : 270);
     }
     covered.right = static_cast<int>(size.x - middle.right);

@@ -50,7 +50,7 @@ void drawCameraRow(ViewModel& model, ViewerWishes& wishes) {
   explain("the camera: 1 to 9, or drag the picture");
   ImGui::SameLine();
   if (ImGui::Button("Fit", ImVec2(-1, 0))) wishes.fit = true;
-  explain("show everything (F); what is selected: Shift and F");
+  explain("what can move, else everything (F); what is selected: Shift and F");
 }
 
 void drawInsets(ViewModel& model) {
@@ -158,7 +158,7 @@ void drawDeviceRow(ViewModel& model, const PosedDevice& device) {
   }
 }
 
-void drawDevices(ViewModel& model) {
+void drawDevices(ViewModel& model, float bottom) {
   if (!ImGui::CollapsingHeader("Devices", ImGuiTreeNodeFlags_DefaultOpen)) return;
   if (model.scene().devices.size() > 12) {
     ImGui::SetNextItemWidth(-1);
@@ -167,8 +167,8 @@ void drawDevices(ViewModel& model) {
   }
   const std::vector<DeviceRow> rows = deviceRows(model);
   const float pitch = ImGui::GetFrameHeightWithSpacing();
-  ImGui::BeginChild("devices", ImVec2(0, pitch * static_cast<float>(std::clamp<std::size_t>(
-                                                     model.scene().devices.size(), 3, 9))));
+  const float room = bottom - ImGui::GetCursorScreenPos().y - ImGui::GetStyle().WindowPadding.y;
+  ImGui::BeginChild("devices", ImVec2(0, listHeight(rows.size(), pitch, room)));
   // Of thousands only those that are seen are made.
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(rows.size()), pitch);
@@ -212,11 +212,11 @@ void drawEventRow(const ViewModel& model, const Event& event, Transport& transpo
 
 }  // namespace
 
-void drawSceneTab(ViewModel& model, ViewerWishes& wishes) {
+void drawSceneTab(ViewModel& model, float bottom, ViewerWishes& wishes) {
   drawCameraRow(model, wishes);
   drawInsets(model);
   drawLayers(model);
-  drawDevices(model);
+  drawDevices(model, bottom);
 }
 
 void drawEventsTab(ViewModel& model, SteadyTime now, ViewerWishes& wishes) {

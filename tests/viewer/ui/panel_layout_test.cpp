@@ -18,10 +18,17 @@ TEST(PanelLayout, WhatIsLeftOutComesBackAsTheWindowGrows) {
   EXPECT_FALSE(panelLayout(320, 240, true, true).scene);
   EXPECT_FALSE(panelLayout(320, 240, true, true).device);
   EXPECT_EQ(panelLayout(100, 80, true, true).figures, Figures::none);
-  // What was selected is worth more than a graph.
-  EXPECT_EQ(panelLayout(900, 420, true, false).figures, Figures::full);
-  EXPECT_EQ(panelLayout(900, 420, true, true).figures, Figures::brief);
-  EXPECT_TRUE(panelLayout(900, 420, true, true).device);
+  // What was selected is worth more than figures.
+  EXPECT_EQ(panelLayout(900, 380, true, false).figures, Figures::full);
+  EXPECT_EQ(panelLayout(900, 380, true, true).figures, Figures::brief);
+  EXPECT_TRUE(panelLayout(900, 380, true, true).device);
+}
+
+TEST(PanelLayout, AListTakesTheHeightThatItsRowsNeedAndThatIsThere) {
+  EXPECT_EQ(listHeight(5, 20, 1000), 100);
+  EXPECT_EQ(listHeight(40, 20, 500), 500);
+  EXPECT_EQ(listHeight(1, 20, 500), 60);
+  EXPECT_EQ(listHeight(40, 20, -10), 60);
 }
 
 TEST(PanelLayout, PanelsSideBySideHaveRoom) {
