@@ -31,13 +31,13 @@ int marginOf(const CellInset& inset, double scale) {
   return static_cast<int>(std::floor(inset.margin_px * scale + 0.5));
 }
 
-/// Where insets of the right edge may stand.
-PixelRectangle roomAtRight(const std::vector<CellInset>& insets, int width, int height,
+/// Where insets of a corner at the right may stand: those at the bottom first stay at the edge.
+PixelRectangle roomAtRight(bool top, const std::vector<CellInset>& insets, int width, int height,
                            double scale, const CoveredEdges& covered) {
   const int below = height - covered.bottom - covered.right_top;
   int wanted = 0;
   for (const CellInset& inset : insets) {
-    if (isLeft(inset.corner)) continue;
+    if (isLeft(inset.corner) || (isTop(inset.corner) && !top)) continue;
     wanted += sideOf(inset.height, inset.in_pixels, height, scale) + 2 * marginOf(inset, scale);
   }
   if (wanted <= below || covered.right == 0) {
@@ -52,7 +52,8 @@ std::vector<PixelRectangle> placeInsets(const std::vector<CellInset>& insets, in
                                         double scale, const CoveredEdges& covered) {
   std::array<int, 4> used{};  // by corner: pixels from the upper or lower edge that are taken
   const PixelRectangle left_room{covered.left, 0, width - covered.left, height - covered.bottom};
-  const PixelRectangle right_room = roomAtRight(insets, width, height, scale, covered);
+  const PixelRectangle top_right = roomAtRight(true, insets, width, height, scale, covered);
+  const PixelRectangle bottom_right = roomAtRight(false, insets, width, height, scale, covered);
   const bool both_sides = std::ranges::any_of(insets, isLeft, &CellInset::corner) &&
                           !std::ranges::all_of(insets, isLeft, &CellInset::corner);
   const bool any_covered = covered.left > 0 || covered.bottom > 0 || covered.right_top > 0;
@@ -60,7 +61,7 @@ std::vector<PixelRectangle> placeInsets(const std::vector<CellInset>& insets, in
   for (const CellInset& inset : insets) {
     const bool left = isLeft(inset.corner);
     const bool top = isTop(inset.corner);
-    const PixelRectangle& room = left ? left_room : right_room;
+    const PixelRectangle& room = left ? left_room : top ? top_right : bottom_right;
     int& taken = used[static_cast<std::size_t>(inset.corner)];
     const int margin = marginOf(inset, scale);
     PixelRectangle part;
@@ -69,7 +70,7 @@ std::vector<PixelRectangle> placeInsets(const std::vector<CellInset>& insets, in
     part.height = std::min(sideOf(inset.height, inset.in_pixels, height, scale),
                            room.height - taken - 2 * margin);
     if (any_covered && both_sides) {
-      const int free = std::min(left_room.width, right_room.x + right_room.width - covered.left);
+      const int free = std::min(top_right.width, bottom_right.width);
       part.width = std::min(part.width, free / 2 - 2 * margin);
     }
     if (part.width < kLeastSidePx || part.height < kLeastSidePx) {

@@ -20,8 +20,8 @@ struct CoveredEdges {
 
 /// Where the insets of a picture stand, by inset, as docs/cell-format.md, section "Insets", says;
 /// an empty rectangle for one that finds no room. Beside what is covered: at the right below it
-/// where all that stand there have room, else to its left; made smaller where that is not enough,
-/// and so that those of the left and the right do not meet. Pure.
+/// where they have room, those at the bottom first, else to its left; made smaller where that is
+/// not enough, and so that those of the left and the right do not meet. Pure.
 std::vector<PixelRectangle> placeInsets(const std::vector<CellInset>& insets, int width, int height,
                                         double scale = 1, const CoveredEdges& covered = {});
 

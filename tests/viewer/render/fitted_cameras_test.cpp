@@ -100,13 +100,14 @@ TEST_F(FitTest, ADeviceThatIsNotThereOrNotSeenIsRefused) {
 
 TEST_F(FitTest, WhatCanMoveIsSaidByTheModelTheCellOrThePackets) {
   const auto file = folder_ / "yard.cell.toml";
-  const std::string cell = std::string("format = 1\n") + kHall +
-                           "[[device]]\nname = \"arm\"\nmodel = \"arm.urdf\"\n"
-                           "[[device]]\nname = \"tool\"\nmodel = \"pallet.urdf\"\non = \"arm/hand\"\n"
-                           "[[device]]\nname = \"cap\"\nmodel = \"pallet.urdf\"\non = \"tool\"\n"
-                           "[[device]]\nname = \"pallet\"\nmodel = \"pallet.urdf\"\n"
-                           "pose = { xyz = [1, 2, 0] }\n"
-                           "[[device]]\nname = \"cart\"\nmodel = \"pallet.urdf\"\n";
+  const std::string cell =
+      std::string("format = 1\n") + kHall +
+      "[[device]]\nname = \"arm\"\nmodel = \"arm.urdf\"\n"
+      "[[device]]\nname = \"tool\"\nmodel = \"pallet.urdf\"\non = \"arm/hand\"\n"
+      "[[device]]\nname = \"cap\"\nmodel = \"pallet.urdf\"\non = \"tool\"\n"
+      "[[device]]\nname = \"pallet\"\nmodel = \"pallet.urdf\"\n"
+      "pose = { xyz = [1, 2, 0] }\n"
+      "[[device]]\nname = \"cart\"\nmodel = \"pallet.urdf\"\n";
   test::writeText(file, cell);
   EXPECT_EQ(movable(file, "joints arm 0\n"), (DeviceNames{"arm", "cap", "tool"}));
   // A simulator that repeats where the cell has a building moves no building.
@@ -145,7 +146,8 @@ TEST_F(FitTest, AnInsetThatRepeatsTheMainViewLeavesItselfOut) {
   EXPECT_EQ(framed("map", {"map"}).rgba, framed("map", {}).rgba);
   // By what it sees.
   EXPECT_EQ(framed("top again", {"top"}).rgba, framed("top again", {}).rgba);
-  EXPECT_EQ(framed("@0,0,6/0,0,0/up=0,1,0", {"top"}).rgba, framed("@0,0,6/0,0,0/up=0,1,0", {}).rgba);
+  EXPECT_EQ(framed("@0,0,6/0,0,0/up=0,1,0", {"top"}).rgba,
+            framed("@0,0,6/0,0,0/up=0,1,0", {}).rgba);
   EXPECT_NE(framed("front", {"top"}).rgba, framed("front", {}).rgba);
 }
 
@@ -159,8 +161,7 @@ CellInset insetIn(InsetCorner corner, double width = 0.3, double height = 0.3) {
 }
 
 bool overlap(const PixelRectangle& a, const PixelRectangle& b) {
-  return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height &&
-         b.y < a.y + a.height;
+  return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
 }
 
 TEST(InsetRoom, NoPanelOfTheWindowLiesOverAnInset) {
@@ -209,6 +210,12 @@ TEST(InsetRoom, AtTheRightInsetsStandBelowThePanelOrElseBesideIt) {
   EXPECT_EQ(placeInsets(one, 1280, 720, 1, covered).front(), (PixelRectangle{884, 142, 384, 216}));
   covered.right_top = 600;
   EXPECT_EQ(placeInsets(one, 1280, 720, 1, covered).front(), (PixelRectangle{630, 12, 384, 216}));
+  // One at the bottom stays at the edge while it has room there.
+  covered.right_top = 300;
+  const std::vector<CellInset> two{insetIn(InsetCorner::top_right),
+                                   insetIn(InsetCorner::bottom_right)};
+  EXPECT_EQ(placeInsets(two, 1280, 720, 1, covered).front(), (PixelRectangle{630, 12, 384, 216}));
+  EXPECT_EQ(placeInsets(two, 1280, 720, 1, covered).back(), (PixelRectangle{884, 432, 384, 216}));
   // Without panels as in a picture.
   EXPECT_EQ(placeInsets(one, 1280, 720, 1, {}).front(), placeInsets(one, 1280, 720).front());
 }

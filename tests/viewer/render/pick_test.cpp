@@ -82,8 +82,8 @@ TEST(Pick, LooksAndCollisionGeometryAreMetAsTheyAreDrawn) {
   cell.cell().models["box"] = model;
   Studio studio(cell);
   const auto at = [&](const char* look, double x, double y) {
-    return deviceOf(studio.picked(x, y, look == nullptr ? std::vector<std::string>{}
-                                                        : std::vector<std::string>{look}));
+    return deviceOf(studio.picked(
+        x, y, look == nullptr ? std::vector<std::string>{} : std::vector<std::string>{look}));
   };
   // The box covers pixels 64 to 96 each way, its hull 48 to 112 across and 72 to 88 down.
   EXPECT_EQ(at(nullptr, 80, 66), "box");
