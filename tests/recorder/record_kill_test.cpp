@@ -44,12 +44,16 @@ class StallWatch {
  private:
   void watch() {
     constexpr Nanoseconds kSleep = milliseconds(1);
-    while (!stop_) {
-      const SteadyTime before = steadyNow();
+    // Without a gap from when it was made: waiting to run for the first time is a stall too.
+    SteadyTime before = made_;
+    do {
       std::this_thread::sleep_for(kSleep);
-      longest_ = std::max<Nanoseconds>(longest_, steadyNow() - before - kSleep);
-    }
+      const SteadyTime now = steadyNow();
+      longest_ = std::max<Nanoseconds>(longest_, now - before - kSleep);
+      before = now;
+    } while (!stop_);
   }
+  SteadyTime made_ = steadyNow();
   std::atomic<bool> stop_{false};
   std::atomic<Nanoseconds> longest_{Nanoseconds(0)};
   std::thread thread_;
