@@ -54,6 +54,9 @@ struct LogReader::Impl {
   std::vector<const LogChannel*> channel_by_id;
   LogSummary summary;
   std::optional<std::vector<LossSpan>> losses;  ///< found when first asked for
+  std::vector<UnreadableRange> unreadable;
+  std::size_t ranged = 0;          ///< of the damages: so many are in `unreadable`, if they belong
+  std::optional<bool> is_ordered;  ///< areInOrder(), found when there is damage
   std::vector<LogTime> earliest_from;  ///< of all messages from a span on; found when first asked
   std::optional<SpanCache> cache;
   std::optional<SpanMerge> merge;
@@ -141,6 +144,7 @@ struct LogReader::Impl {
     }
     findStart(spans);
     findEnd(spans);
+    if (summary.start > summary.end) summary.start = summary.end = LogTime{};  // none is there
   }
 
   const MessageSpan& spanAt(std::uint32_t i) const { return index.spans[i]; }
@@ -150,10 +154,15 @@ struct LogReader::Impl {
     summary.start = LogTime::max();
     for (const std::uint32_t span : spans) {
       if (spanAt(span).start_time >= summary.start) return;
-      for (const SpanMessages::Place& place : cache->get(span)->places) {
+      const std::shared_ptr<const SpanMessages> messages = cache->get(span);
+      for (const SpanMessages::Place& place : messages->places) {
         if (!captured(place.channel)) continue;
         summary.start = std::min(summary.start, LogTime(Nanoseconds(place.time_ns)));
         break;  // they are in order of time
+      }
+      // Of one that cannot be read, what its index says.
+      if (messages->places.empty() && !messages->damage.empty()) {
+        summary.start = std::min(summary.start, spanAt(span).start_time);
       }
     }
   }
@@ -165,6 +174,9 @@ struct LogReader::Impl {
       if (spanAt(span).end_time <= summary.end) return;
       const std::shared_ptr<const SpanMessages> messages = cache->get(span);
       const std::vector<SpanMessages::Place>& places = messages->places;
+      if (places.empty() && !messages->damage.empty()) {
+        summary.end = std::max(summary.end, spanAt(span).end_time);
+      }
       for (std::size_t i = places.size(); i-- > 0;) {
         if (!captured(places[i].channel)) continue;
         summary.end = std::max(summary.end, LogTime(Nanoseconds(places[i].time_ns)));
@@ -176,6 +188,18 @@ struct LogReader::Impl {
   bool captured(ChannelId id) const {
     return id < channel_by_id.size() && channel_by_id[id] != nullptr &&
            channel_by_id[id]->captured();
+  }
+
+  void findUnreadable() {
+    if (ranged == index.damage.size()) return;
+    if (!is_ordered) is_ordered = areInOrder(index.spans);
+    for (; ranged < index.damage.size(); ++ranged) {
+      std::optional<UnreadableRange> range =
+          unreadableRange(index.damage[ranged], index.spans, *is_ordered, file.size());
+      if (!range) continue;
+      range->damage = ranged;
+      unreadable.push_back(*range);
+    }
   }
 
   void findLosses() {
@@ -269,6 +293,10 @@ const std::vector<LossSpan>& LogReader::losses() const {
   return *impl_->losses;
 }
 const std::vector<DamageSpan>& LogReader::damage() const { return impl_->index.damage; }
+const std::vector<UnreadableRange>& LogReader::unreadable() const {
+  impl_->findUnreadable();
+  return impl_->unreadable;
+}
 const std::string& LogReader::name() const { return impl_->name; }
 
 LogStorage LogReader::storage() const {

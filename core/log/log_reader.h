@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/log/log_types.h"
+#include "core/log/unreadable_range.h"
 #include "core/result.h"
 
 namespace rocinante {
@@ -58,6 +59,9 @@ class LogReader {
   const std::vector<LossSpan>& losses() const;
   /// What was found broken so far; grows as reading goes on.
   const std::vector<DamageSpan>& damage() const;
+  /// Where the messages lie that it cost; of what was found so far too. A chunk that was read once
+  /// is known: whoever reads a part of the log knows all that cannot be read there.
+  const std::vector<UnreadableRange>& unreadable() const;
 
   /// Goes to the first message with log_time >= `moment`: the next that next() returns.
   Status seek(LogTime moment);

@@ -73,6 +73,7 @@ struct DamageSpan {
   std::uint64_t to = 0;
   std::string cause;
   std::optional<std::uint64_t> messages_lost;  ///< empty when it cannot be known
+  bool out_of_order = false;  ///< messages there are read, but not when it is their turn
 };
 
 struct LogAttachment {

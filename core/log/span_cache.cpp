@@ -22,7 +22,8 @@ SpanCache::SpanCache(ByteView file, const MappedFile* mapped, const std::vector<
       channels_(channels),
       damage_(damage),
       decoder_(file, mapped, &channels),
-      reported_(spans.size(), false) {}
+      reported_(spans.size(), false),
+      faulty_(spans.size(), false) {}
 
 std::shared_ptr<const SpanMessages> SpanCache::get(std::uint32_t span) {
   const auto found = std::ranges::find(kept_, span, &Kept::span);
@@ -69,8 +70,16 @@ void SpanCache::report(std::uint32_t span, SpanMessages& messages) {
   const std::size_t orphans = std::erase_if(messages.places, [&](const SpanMessages::Place& place) {
     return place.channel >= channels_.size() || channels_[place.channel] == nullptr;
   });
-  if (reported_[span]) return;
+  if (reported_[span]) {
+    // It was read before: only the file can have changed since, or the disk failed.
+    if (!messages.damage.empty() && !faulty_[span]) {
+      faulty_[span] = true;
+      std::ranges::copy(messages.damage, std::back_inserter(damage_));
+    }
+    return;
+  }
   reported_[span] = true;
+  faulty_[span] = !messages.damage.empty();
   std::ranges::copy(messages.damage, std::back_inserter(damage_));
   if (orphans > 0) {
     damage_.push_back({where.offset, where.end,
@@ -100,7 +109,7 @@ void SpanCache::report(std::uint32_t span, SpanMessages& messages) {
       messages.places.back().time_ns > where.end_time.time_since_epoch().count()) {
     damage_.push_back({where.offset, where.end,
                        "a chunk holds messages outside the times that its index gives",
-                       std::uint64_t{0}});
+                       std::uint64_t{0}, true});
   }
 }
 

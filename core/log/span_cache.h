@@ -41,7 +41,8 @@ class SpanCache {
   const std::vector<const LogChannel*>& channels_;
   std::vector<DamageSpan>& damage_;
   SpanDecoder decoder_;
-  std::vector<bool> reported_;  ///< by span: its damage is listed
+  std::vector<bool> reported_;  ///< by span: it was read, and its damage is listed
+  std::vector<bool> faulty_;    ///< by span: it had some
   std::vector<Kept> kept_;      ///< the last used last
 };
 

@@ -1,0 +1,81 @@
+#include "core/log/unreadable_range.h"
+
+#include <algorithm>
+
+namespace rocinante {
+namespace {
+
+/// The upper half of LogMessage::file_offset.
+constexpr unsigned kSpanShift = 32;
+
+LogPlace beginOf(std::size_t span, LogTime time) {
+  return {time, std::uint64_t{span} << kSpanShift};
+}
+
+LogPlace endOf(std::size_t span, LogTime time) {
+  return {time, (std::uint64_t{span} << kSpanShift) | std::numeric_limits<std::uint32_t>::max()};
+}
+
+/// No message: times of 0 mean nothing.
+bool holdsNothing(const MessageSpan& span) {
+  return span.start_time == LogTime{} && span.end_time == LogTime{} && span.channels.empty();
+}
+
+/// What stands between the spans before `next` and those from it on.
+UnreadableRange before(std::size_t next, const std::vector<MessageSpan>& spans) {
+  UnreadableRange range;
+  for (std::size_t i = next; i-- > 0;) {
+    if (holdsNothing(spans[i])) continue;
+    range.first = endOf(i, spans[i].end_time);
+    break;
+  }
+  for (std::size_t i = next; i < spans.size(); ++i) {
+    if (holdsNothing(spans[i])) continue;
+    range.last = beginOf(i, spans[i].start_time);
+    break;
+  }
+  return range;
+}
+
+}  // namespace
+
+bool areInOrder(const std::vector<MessageSpan>& spans) {
+  LogTime latest = LogTime::min();
+  for (const MessageSpan& span : spans) {
+    if (holdsNothing(span)) continue;
+    if (span.start_time < latest) return false;
+    latest = span.end_time;
+  }
+  return true;
+}
+
+std::optional<UnreadableRange> unreadableRange(const DamageSpan& damage,
+                                               const std::vector<MessageSpan>& spans, bool in_order,
+                                               std::uint64_t file_bytes) {
+  if (damage.messages_lost == std::uint64_t{0} && !damage.out_of_order) return std::nullopt;
+  if (damage.to == file_bytes && !damage.messages_lost) {
+    UnreadableRange range;
+    for (const MessageSpan& span : spans) {
+      if (!holdsNothing(span)) range.first.time = std::max(range.first.time, span.end_time);
+    }
+    if (range.first.time != LogTime::min() && range.first.time != LogTime::max()) {
+      range.first.time += Nanoseconds(1);
+    }
+    return range;
+  }
+  const auto behind = std::ranges::upper_bound(spans, damage.from, {}, &MessageSpan::offset);
+  const auto next = static_cast<std::size_t>(behind - spans.begin());
+  if (next > 0) {
+    const MessageSpan& own = spans[next - 1];
+    // Of one that was cut everything before the cut is read.
+    if (damage.from < std::max(own.end, own.index_end) && !own.cut) {
+      UnreadableRange range;
+      range.first = beginOf(next - 1, own.start_time);
+      range.last = endOf(next - 1, own.end_time);
+      return range;
+    }
+  }
+  return in_order ? before(next, spans) : UnreadableRange{};
+}
+
+}  // namespace rocinante
