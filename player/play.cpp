@@ -155,6 +155,9 @@ Result<PlayReport> play(const PlayOptions& options, const SendSurroundings& surr
   journal.writeTo(report, end && *end == SendEnd::finished);
   for (const auto& log : options.logs) report.inputs.push_back(log.string());
   report.damage = logs->damage();
+  if (!finder->stateDamage().empty()) {
+    report.damage.push_back("a state that was sent may be older: " + finder->stateDamage().text());
+  }
   return report;
 }
 

@@ -48,7 +48,8 @@ Result<SessionState> TapeFinder::nearestBefore(TapePlace place, TapePlace& from)
   if (timeline_) {
     // The timeline folds whole moments; what is as early as the place itself is folded by place.
     from = TapePlace::at(place.time);
-    Result<const SessionState*> state = timeline_->stateAt(place.time - Nanoseconds(1));
+    Result<const SessionState*> state =
+        timeline_->stateAt(place.time - Nanoseconds(1), &state_damage_);
     if (!state) return state.error();
     return **state;
   }

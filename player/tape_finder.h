@@ -40,6 +40,8 @@ class TapeFinder {
   Result<const std::vector<LogTime>*> eventTimes();
 
   std::vector<std::string> damage() const { return merge_.damage(); }
+  /// What the states that were asked for may lack because a log is damaged; known of a single log.
+  const StateDamage& stateDamage() const { return state_damage_; }
 
  private:
   TapeFinder(std::vector<std::filesystem::path> paths, ChannelChoice choice, LogMerge merge)
@@ -53,6 +55,7 @@ class TapeFinder {
   LogMerge merge_;
   MessageFolder folder_;
   std::optional<Timeline> timeline_;  ///< of a single log that is played whole
+  StateDamage state_damage_;
   std::set<std::string> sources_;
   std::optional<std::vector<LogTime>> event_times_;
 

@@ -1,9 +1,12 @@
 #include "core/session/timeline.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 #include <map>
 
+#include "core/duration_text.h"
 #include "core/log/log_profile.h"
 #include "core/packet/decoder.h"
 #include "core/session/keyframe_finder.h"
@@ -96,6 +99,17 @@ struct Timeline::Impl {
     return {};
   }
 
+  Status reach(LogTime moment) {
+    if (reached <= endOf(moment) && reached != kStartOfLog) {
+      const Result<bool> near = foldTo(moment, kNearMessages, nullptr);
+      if (!near) return near.error();
+      if (*near) return {};
+    }
+    if (Status begun = approach(moment); !begun) return begun;
+    if (Result<bool> folded = foldTo(moment, kAll, nullptr); !folded) return folded.error();
+    return {};
+  }
+
   /// Folds on up to and with `moment`, at most so many messages: false when that was not enough.
   /// Events go to `sink`, if there is one.
   Result<bool> foldTo(LogTime moment, std::uint64_t most, std::vector<Event>* sink) {
@@ -173,23 +187,43 @@ LogTime Timeline::origin() const { return impl_->reader.summary().origin; }
 LogTime Timeline::start() const { return impl_->reader.summary().start; }
 LogTime Timeline::end() const { return impl_->reader.summary().end; }
 
-Result<const SessionState*> Timeline::stateAt(LogTime moment) {
+Result<const SessionState*> Timeline::stateAt(LogTime moment, StateDamage* damage) {
   Impl& line = *impl_;
-  if (line.reached <= endOf(moment) && line.reached != kStartOfLog) {
-    const Result<bool> near = line.foldTo(moment, kNearMessages, nullptr);
-    if (!near) return near.error();
-    if (*near) return &line.state;
+  if (Status reached = line.reach(moment); !reached) return reached.error();
+  if (line.reader.unreadable().empty()) return &line.state;
+  StateDamage found;
+  addDamageBetween(line.reader, line.base, moment, found);
+  if (found.empty()) return &line.state;
+  if (damage == nullptr) {
+    return Error{ErrorKind::damaged,
+                 fmt::format("the state at {} s is not known: {}",
+                             secondsText(moment - origin(), 3), found.what()),
+                 found.where()};
   }
-  if (Status begun = line.approach(moment); !begun) return begun.error();
-  if (Result<bool> folded = line.foldTo(moment, kAll, nullptr); !folded) return folded.error();
+  damage->add(found);
   return &line.state;
+}
+
+Status Timeline::addDamage(LogTime from, LogTime until, StateDamage& damage) {
+  if (Result<const SessionState*> begun = stateAt(from, &damage); !begun) return begun.error();
+  Impl& line = *impl_;
+  const LogPlace base = line.base;
+  line.goBehindReached();
+  if (Status put = line.reader.seek(from); !put) return put.error();
+  while (true) {
+    const Result<std::optional<LogMessage>> message = line.reader.next();
+    if (!message) return message.error();
+    if (!*message || (*message)->log_time > until) break;
+  }
+  addDamageBetween(line.reader, base, until, damage);
+  return {};
 }
 
 const std::vector<KeyframeFault>& Timeline::keyframeFaults() const {
   return impl_->finder.faults();
 }
 
-Result<const std::vector<Event>*> Timeline::events() {
+Result<const std::vector<Event>*> Timeline::events(StateDamage* damage) {
   Impl& line = *impl_;
   if (!line.events) {
     std::vector<Event> found;
@@ -205,6 +239,14 @@ Result<const std::vector<Event>*> Timeline::events() {
                        [](const Event& a, const Event& b) { return a.time < b.time; });
     line.events = std::move(found);
   }
+  if (line.reader.unreadable().empty()) return &*line.events;
+  StateDamage hiding;
+  addDamageBetween(line.reader, kStartOfLog, end(), hiding);
+  if (hiding.empty()) return &*line.events;
+  if (damage == nullptr) {
+    return Error{ErrorKind::damaged, "an event may be missing: " + hiding.what(), hiding.where()};
+  }
+  damage->add(hiding);
   return &*line.events;
 }
 

@@ -72,6 +72,10 @@ Status CopySource::findPreceding(const CopyProgress& progress) {
                             : precedingBySelection(reader_, selection_, opening, from, progress);
   if (!found) return found.error();
   preceding_ = std::move(*found);
+  if (!preceding_->damage.empty()) {
+    notes_.push_back("the state that the piece begins with may be older: " +
+                     preceding_->damage.text());
+  }
   if (preceding_->restatement_cut) {
     notes_.push_back("a restatement that is unfinished where the piece begins is cut off");
   }

@@ -11,6 +11,7 @@
 #include "core/log/log_reader.h"
 #include "core/packet/session_state.h"
 #include "core/result.h"
+#include "core/session/state_damage.h"
 #include "recorder/copy/log_selection.h"
 
 namespace rocinante {
@@ -28,6 +29,8 @@ struct Preceding {
   std::optional<LogPlace> lead;
   /// The restatements overlap without an end: one of them is taken as abandoned.
   bool restatement_cut = false;
+  /// What the state lacks because the log is damaged before the moment.
+  StateDamage damage;
 };
 
 /// The next thing that goes from a log to the output. Times are those of the output.

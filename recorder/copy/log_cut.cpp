@@ -7,8 +7,9 @@ Result<CopyReport> cutLog(const std::filesystem::path& log, const SelectionOptio
   if (Status free = checkOutput(make.output, make.overwrite, {{log}}); !free) return free.error();
   Result<OpenedLog> opened = openForCopy(log);
   if (!opened) return opened.error();
+  StateDamage hiding;
   const Result<std::vector<Event>> events =
-      eventsOf(log, !selection.from_event.empty() || !selection.until_event.empty());
+      eventsOf(log, !selection.from_event.empty() || !selection.until_event.empty(), hiding);
   if (!events) return events.error();
   const Result<TimeRange> range = rangeOf(selection, opened->reader.summary(), *events);
   if (!range) return range.error();
@@ -21,8 +22,13 @@ Result<CopyReport> cutLog(const std::filesystem::path& log, const SelectionOptio
   if (!source) return source.error();
   std::vector<CopySource> sources;
   sources.push_back(std::move(*source));
-  return makeLog(sources, make, {make.log, make.keyframes, *session_id, sources.front().origin()},
-                 reason, false);
+  Result<CopyReport> report =
+      makeLog(sources, make, {make.log, make.keyframes, *session_id, sources.front().origin()},
+              reason, false);
+  if (report && !hiding.empty()) {
+    report->notes.push_back("another event of that text may be missing: " + hiding.text());
+  }
+  return report;
 }
 
 }  // namespace rocinante

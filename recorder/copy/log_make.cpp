@@ -11,11 +11,12 @@ constexpr std::size_t kSessionIdDigits = 32;
 
 }  // namespace
 
-Result<std::vector<Event>> eventsOf(const std::filesystem::path& log, bool needed) {
+Result<std::vector<Event>> eventsOf(const std::filesystem::path& log, bool needed,
+                                    StateDamage& hiding) {
   if (!needed) return std::vector<Event>{};
   Result<Timeline> timeline = Timeline::open(log);
   if (!timeline) return timeline.error();
-  const Result<const std::vector<Event>*> found = timeline->events();
+  const Result<const std::vector<Event>*> found = timeline->events(&hiding);
   if (!found) return found.error();
   return **found;
 }

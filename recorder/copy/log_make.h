@@ -20,8 +20,9 @@ struct MakeOptions {
 };
 
 /// Every event of a log, oldest first, if `needed`: those of its datagrams, and the marks that
-/// people set.
-Result<std::vector<Event>> eventsOf(const std::filesystem::path& log, bool needed);
+/// people set. Damage of the log that may hide one is added to `hiding`.
+Result<std::vector<Event>> eventsOf(const std::filesystem::path& log, bool needed,
+                                    StateDamage& hiding);
 
 /// A log opened to be copied from, with the marks beside it; nothing chosen yet.
 struct OpenedLog {

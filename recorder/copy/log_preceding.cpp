@@ -148,9 +148,9 @@ Result<Preceding> precedingBySelection(LogReader& reader, Selection& selection,
 Result<Preceding> precedingOf(const std::filesystem::path& path, LogTime from) {
   Result<Timeline> timeline = Timeline::open(path);
   if (!timeline) return timeline.error();
-  Result<const SessionState*> state = timeline->stateAt(from - Nanoseconds(1));
-  if (!state) return state.error();
   Preceding preceding;
+  Result<const SessionState*> state = timeline->stateAt(from - Nanoseconds(1), &preceding.damage);
+  if (!state) return state.error();
   preceding.moment = from;
   preceding.state = **state;
   if (!preceding.state.restatementOpen(from)) return preceding;
@@ -172,11 +172,12 @@ Result<Preceding> precedingOf(const std::filesystem::path& path, LogTime from) {
     // What the log begins with is no fold of its messages.
     const bool at_start = base <= beginning;
     if (!at_start) {
-      state = timeline->stateAt(base);
+      state = timeline->stateAt(base, &preceding.damage);
       if (!state) return state.error();
     }
     Result<Preceding> found = foldUpTo(*reader, all, at_start ? opening : SessionState(**state),
                                        at_start ? kBeforeAll : base, from, {});
+    if (found) found->damage = preceding.damage;
     if (!found || !found->restatement_cut) return found;
   }
   preceding.restatement_cut = true;

@@ -291,7 +291,8 @@ Result<SplitReport> splitLog(const std::filesystem::path& log, const SplitOption
   if (Status free = checkOutput(first, make.overwrite, {{log}}); !free) return free.error();
   Result<OpenedLog> opened = openForCopy(log);
   if (!opened) return opened.error();
-  const Result<std::vector<Event>> events = eventsOf(log, !split.event.empty());
+  StateDamage hiding;
+  const Result<std::vector<Event>> events = eventsOf(log, !split.event.empty(), hiding);
   if (!events) return events.error();
   Result<std::string> session_id = sessionIdOf(opened->reader);
   if (!session_id) return session_id.error();
@@ -305,6 +306,9 @@ Result<SplitReport> splitLog(const std::filesystem::path& log, const SplitOption
   Result<SplitReport> report =
       Split(log, split, make, std::move(*source), std::move(*session_id)).run(*events);
   if (report) folder.keep();
+  if (report && !hiding.empty()) {
+    report->whole.notes.push_back("another event of that text may be missing: " + hiding.text());
+  }
   return report;
 }
 

@@ -32,7 +32,8 @@ Result<cli::Exit> runState(const StateCommandOptions& options) {
                              shown(session->start()), shown(session->end())),
                  options.log};
   }
-  const Result<const SessionState*> state = session->stateAt(*moment);
+  StateDamage damage;  // of all that was met is told below
+  const Result<const SessionState*> state = session->stateAt(*moment, &damage);
   if (!state) return state.error();
   const ShownState shown{options.log, session->origin(), *moment, *state};
   if (Status printed = toStandardOutput(options.json ? stateJson(shown) : stateText(shown));

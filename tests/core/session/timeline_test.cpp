@@ -7,7 +7,7 @@
 
 #include "core/packet/decoder.h"
 #include "core/session/keyframe.h"
-#include "tests/core/session/session_support.h"
+#include "tests/core/session/keyframed_log.h"
 
 namespace rocinante::test {
 namespace {
@@ -110,42 +110,6 @@ TEST(Timeline, OfAMissingFileIsNotFound) {
   const Result<Timeline> timeline = Timeline::open("no-such-log.mcap");
   ASSERT_FALSE(timeline.ok());
   EXPECT_EQ(timeline.error().kind, ErrorKind::not_found);
-}
-
-/// A session of random datagrams with keyframes, and filler so that they have room.
-struct KeyframedLog {
-  Bytes file;
-  std::vector<TimedDatagram> datagrams;
-  std::uint64_t keyframes = 0;
-};
-
-KeyframedLog makeKeyframedLog(std::uint64_t seed, std::size_t count,
-                              const SessionState& preceding = {}) {
-  KeyframedLog log;
-  log.datagrams = randomDatagrams(seed, count);
-  LogWriterOptions options;
-  options.chunk_bytes = 8192;
-  KeyframeOptions keyframes;
-  keyframes.packets = 7;
-  keyframes.span = std::chrono::milliseconds(500);
-  SessionWriter session = makeSession(log.file, keyframes, options);
-  EXPECT_TRUE(session.beginWith(preceding, log.datagrams.front().time).ok());
-  const ChannelId spoken = *session.addChannel("/udp/1/x", "rk1", {});
-  const ChannelId restated = *session.addChannel("/rocinante/restated/udp/1/x", "rk1", {});
-  const ChannelId octets = *session.addChannel("/udp/1/127.0.0.1", "octets", {});
-  const std::string filler(900, 'x');
-  std::uint32_t number = 0;
-  for (const TimedDatagram& said : log.datagrams) {
-    const bool is_restated = said.text.find(" by=") != std::string::npos;
-    const ChannelId channel = is_restated ? restated : spoken;
-    EXPECT_TRUE(session.write(channel, number++, said.time, 0, bytesOf(said.text)).ok());
-    for (int i = 0; i < 4; ++i) {
-      EXPECT_TRUE(session.write(octets, number++, said.time, 0, bytesOf(filler)).ok());
-    }
-  }
-  log.keyframes = session.keyframes();
-  EXPECT_TRUE(session.log().close("finished").ok());
-  return log;
 }
 
 /// Asks a timeline for `moments` in their order; each answer must be the fold by hand.
@@ -342,7 +306,11 @@ TEST(Timeline, GoesOnAfterDamageFromTheNextKeyframe) {
   expectTheFold(fresh, log, {last});
   // The same by another way: through the damage.
   Timeline through = Timeline::of(openLog(log.file));
-  for (const TimedDatagram& said : log.datagrams) ASSERT_TRUE(through.stateAt(said.time).ok());
+  StateDamage damage;
+  for (const TimedDatagram& said : log.datagrams) {
+    ASSERT_TRUE(through.stateAt(said.time, &damage).ok());
+  }
+  EXPECT_EQ(damage.parts().size(), 1U);
   EXPECT_FALSE(through.log().damage().empty());
   expectTheFold(through, log, {last});
 }
