@@ -9,16 +9,21 @@ constexpr std::size_t kMostAnswers = 256;
 
 }  // namespace
 
-Status FittedCameras::prepare(Timeline* session) {
-  if (!scenes_.empty()) return {};
+Status FittedCameras::prepare(Timeline* session, StateDamage& damage) {
+  if (!scenes_.empty()) {
+    damage.add(damage_);
+    return {};
+  }
   std::vector<PosedScene> scenes;
+  StateDamage found_damage;
   const SessionState nothing_said;
   const int moments = session != nullptr ? kFitMoments : 1;
   for (int i = 0; i < moments; ++i) {
     const SessionState* state = &nothing_said;
     if (session != nullptr) {
       const Nanoseconds span = session->end() - session->start();
-      const auto found = session->stateAt(session->start() + span / (moments - 1) * i);
+      const auto found =
+          session->stateAt(session->start() + span / (moments - 1) * i, &found_damage);
       if (!found) return found.error();
       state = *found;
     }
@@ -28,6 +33,8 @@ Status FittedCameras::prepare(Timeline* session) {
   at_rest_ = poseScene(cell_, nothing_said);
   for (const PosedScene& scene : scenes) addMovableDevices(cell_, at_rest_, scene, movable_);
   scenes_ = std::move(scenes);
+  damage.add(found_damage);
+  damage_ = std::move(found_damage);
   return {};
 }
 

@@ -30,8 +30,9 @@ class FittedCameras {
   }
 
   /// Finds the nine moments, once. Asks `session` (null: the cell at rest) for states: one that was
-  /// borrowed from it before is not valid any more.
-  Status prepare(Timeline* session);
+  /// borrowed from it before is not valid any more. What they may lack, because the log is damaged,
+  /// is added to `damage` each time.
+  Status prepare(Timeline* session, StateDamage& damage);
 
   /// After prepare(). `hide` and `show` are what `choice` was made from. not_found when nothing of
   /// the one device is visible at any of the moments.
@@ -54,6 +55,7 @@ class FittedCameras {
   PosedScene at_rest_;
   std::vector<PosedScene> scenes_;  // without drawings: they outlive their states
   DeviceNames movable_;
+  StateDamage damage_;              // of those moments
   std::map<Asked, CameraView> answered_;
 };
 

@@ -39,6 +39,7 @@ struct FoundFrame {
   std::vector<FrameInset> insets;
   const RenderStyle* style = nullptr;
   FrameExtras extras;
+  std::map<std::string, std::uint64_t> counted;  // datagrams in the last second, for the panel
   const DetailRung* rung = nullptr;
   double scale = 1;
 
@@ -62,16 +63,18 @@ struct FrameMaker::Impl {
   }
 
   Status checkTime(LogTime time) const;
-  Result<const SessionState*> stateAt(LogTime time) {
+  Result<const SessionState*> stateAt(LogTime time, StateDamage& damage) {
     if (!session) return &nothing_said;
-    return session->stateAt(time);
+    return session->stateAt(time, &damage);
   }
   Result<CameraView> cameraNamed(const std::string& name, const FrameRequest& request,
                                  const FoundFrame& found, int width, int height);
   bool asksFit(const FrameRequest& request) const;
   Status placeCameras(const FrameRequest& request, FoundFrame& found);
-  Result<FoundFrame> find(const FrameRequest& request);
-  Status addPanel(LogTime time, const FoundFrame& found, Picture& picture);
+  Result<FoundFrame> find(const FrameRequest& request, StateDamage* damage);
+  Result<FoundFrame> findDamaged(const FrameRequest& request, StateDamage& damage);
+  void addPanel(LogTime time, const FoundFrame& found, Picture& picture);
+  Status findRates(LogTime time, StateDamage& damage, FoundFrame& found);
   Result<const DetailRung*> prepareRung(int detail);
   Status prepareNumbers(const FrameRequest& request);
 
@@ -147,7 +150,16 @@ Status FrameMaker::Impl::placeCameras(const FrameRequest& request, FoundFrame& f
   return {};
 }
 
-Result<FoundFrame> FrameMaker::Impl::find(const FrameRequest& request) {
+Result<FoundFrame> FrameMaker::Impl::find(const FrameRequest& request, StateDamage* damage) {
+  StateDamage its;
+  auto found = findDamaged(request, its);
+  if (!found || its.empty()) return found;
+  if (damage == nullptr) return Error{ErrorKind::damaged, its.what(), its.where()};
+  damage->add(its);
+  return found;
+}
+
+Result<FoundFrame> FrameMaker::Impl::findDamaged(const FrameRequest& request, StateDamage& damage) {
   if (Status inside = checkTime(request.time); !inside) return inside.error();
   if (!(request.scale >= kLeastScale && request.scale <= kLargestScale)) {
     return Error{ErrorKind::bad_argument,
@@ -171,14 +183,17 @@ Result<FoundFrame> FrameMaker::Impl::find(const FrameRequest& request) {
   // Before the state at the time asked for, which is valid until the next question only.
   if (asksFit(request)) {
     Timeline* const fitted_to = fit_of->session ? &*fit_of->session : nullptr;
-    if (Status ready = fit_of->fitted->prepare(fitted_to); !ready) return ready.error();
+    if (Status ready = fit_of->fitted->prepare(fitted_to, damage); !ready) return ready.error();
   }
   if (session && !request.style.trails.empty()) {
-    auto trails_found = trails->find(request.style.trails, *session, request.time);
+    auto trails_found = trails->find(request.style.trails, *session, request.time, damage);
     if (!trails_found) return trails_found.error();
     found.extras.trails = std::move(*trails_found);
   }
-  const auto state = stateAt(request.time);
+  if (session && request.panel) {
+    if (Status counted = findRates(request.time, damage, found); !counted) return counted.error();
+  }
+  const auto state = stateAt(request.time, damage);
   if (!state) return state.error();
   found.state = *state;
   found.scene = poses.pose(*found.state);
@@ -187,23 +202,22 @@ Result<FoundFrame> FrameMaker::Impl::find(const FrameRequest& request) {
   return found;
 }
 
-Status FrameMaker::Impl::addPanel(LogTime time, const FoundFrame& found, Picture& picture) {
-  std::map<std::string, std::uint64_t> counted;
-  std::string shown;
-  if (session) {
-    if (!rates) {
-      auto reader = LogReader::open(session->log().name());
-      if (!reader) return reader.error();
-      rates.emplace(std::move(*reader));
-    }
-    auto now = rates->at(time);
-    if (!now) return now.error();
-    counted = std::move(*now);
-    shown = secondsText(time - session->origin(), 3) + " s";
+Status FrameMaker::Impl::findRates(LogTime time, StateDamage& damage, FoundFrame& found) {
+  if (!rates) {
+    auto reader = LogReader::open(session->log().name());
+    if (!reader) return reader.error();
+    rates.emplace(std::move(*reader));
   }
-  drawPanel(picture, panelRows(shown, found.scene, *found.state, counted),
-            renderer->text(found.scale), found.scale);
+  auto now = rates->at(time, damage);
+  if (!now) return now.error();
+  found.counted = std::move(*now);
   return {};
+}
+
+void FrameMaker::Impl::addPanel(LogTime time, const FoundFrame& found, Picture& picture) {
+  const std::string shown = session ? secondsText(time - session->origin(), 3) + " s" : "";
+  drawPanel(picture, panelRows(shown, found.scene, *found.state, found.counted),
+            renderer->text(found.scale), found.scale);
 }
 
 Result<const DetailRung*> FrameMaker::Impl::prepareRung(int detail) {
@@ -255,9 +269,9 @@ Result<FrameMaker> FrameMaker::open(Cell cell, std::optional<Timeline> session, 
   return FrameMaker(std::move(impl));
 }
 
-Result<Picture> FrameMaker::frame(const FrameRequest& request) {
+Result<Picture> FrameMaker::frame(const FrameRequest& request, StateDamage* damage) {
   Impl& my = *impl_;
-  const auto found = my.find(request);
+  const auto found = my.find(request, damage);
   if (!found) return found.error();
   Status ready = my.view.prepare(my.renderer->gl(), request.width, request.height, request.samples,
                                  *found->rung);
@@ -265,24 +279,26 @@ Result<Picture> FrameMaker::frame(const FrameRequest& request) {
   const auto drawn = my.view.draw(*my.renderer, found->shown());
   if (!drawn) return drawn.error();
   Picture picture = my.view.picture().read();
-  if (request.panel) {
-    if (Status added = my.addPanel(request.time, *found, picture); !added) return added.error();
-  }
+  if (request.panel) my.addPanel(request.time, *found, picture);
   return picture;
 }
 
-Result<IdentityFrame> FrameMaker::identity(const FrameRequest& request) {
+Result<IdentityFrame> FrameMaker::identity(const FrameRequest& request, StateDamage* damage) {
   Impl& my = *impl_;
-  const auto found = my.find(request);
+  FrameRequest without_panel = request;
+  without_panel.panel = false;
+  const auto found = my.find(without_panel, damage);
   if (!found) return found.error();
   Status ready = my.prepareNumbers(request);
   if (!ready) return ready.error();
   return my.renderer->identity(found->shown(), *my.number_target);
 }
 
-Result<DepthFrame> FrameMaker::depth(const FrameRequest& request) {
+Result<DepthFrame> FrameMaker::depth(const FrameRequest& request, StateDamage* damage) {
   Impl& my = *impl_;
-  const auto found = my.find(request);
+  FrameRequest without_panel = request;
+  without_panel.panel = false;
+  const auto found = my.find(without_panel, damage);
   if (!found) return found.error();
   Status ready = my.prepareNumbers(request);
   if (!ready) return ready.error();
@@ -290,7 +306,7 @@ Result<DepthFrame> FrameMaker::depth(const FrameRequest& request) {
 }
 
 Result<CameraView> FrameMaker::camera(const FrameRequest& request) {
-  const auto found = impl_->find(request);
+  const auto found = impl_->find(request, nullptr);
   if (!found) return found.error();
   return found->camera;
 }

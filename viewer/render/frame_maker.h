@@ -54,13 +54,17 @@ class FrameMaker {
   FrameMaker& operator=(FrameMaker&&) noexcept;
 
   /// bad_argument for a time outside the log or a size or samples that cannot be drawn; not_found
-  /// for an unknown camera or what PATHs name (KnownNames). The same of identity() and depth().
-  Result<Picture> frame(const FrameRequest& request);
+  /// for an unknown camera or what PATHs name (KnownNames). Where the log is damaged so that the
+  /// picture may be older than its time says: an error of kind `damaged`, or with `damage` the
+  /// picture all the same, and what it may lack is added there. That counts every state which the
+  /// picture depends on, those of trails and fitted cameras too, and is the same in whatever order
+  /// frames are asked for. The same of identity(), depth() and camera().
+  Result<Picture> frame(const FrameRequest& request, StateDamage* damage = nullptr);
   /// Whose its pixels are, insets included; the request's samples and panel mean nothing, and of
   /// its detail geometry alone counts.
-  Result<IdentityFrame> identity(const FrameRequest& request);
+  Result<IdentityFrame> identity(const FrameRequest& request, StateDamage* damage = nullptr);
   /// How far they are; of the main view alone.
-  Result<DepthFrame> depth(const FrameRequest& request);
+  Result<DepthFrame> depth(const FrameRequest& request, StateDamage* damage = nullptr);
   /// Where it is seen from.
   Result<CameraView> camera(const FrameRequest& request);
 

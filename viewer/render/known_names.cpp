@@ -104,7 +104,9 @@ Status KnownNames::readLog() {
   // What a cut or split piece begins with stands in its first keyframe.
   auto session = Timeline::open(log_);
   if (!session) return session.error();
-  const auto first = session->stateAt(session->start());
+  // Names alone: whatever is drawn tells of the damage that its state has.
+  StateDamage ignored;
+  const auto first = session->stateAt(session->start(), &ignored);
   if (!first) return first.error();
   for (const auto& [device, state] : (*first)->devices()) {
     if (state.presence) added_[device].insert(state.presence->value.model);

@@ -10,12 +10,14 @@
 
 #include "core/atomic_file.h"
 #include "core/bundle/attached_cell.h"
+#include "core/count_text.h"
 #include "core/duration_text.h"
 #include "viewer/render/background_writer.h"
 #include "viewer/render/contact_sheet.h"
 #include "viewer/render/inset_layout.h"
 #include "viewer/render/layer_choice.h"
 #include "viewer/render/measured_files.h"
+#include "viewer/render/missing_meshes.h"
 #include "viewer/render/render_files.h"
 #include "viewer/render/video_file.h"
 
@@ -72,13 +74,13 @@ Result<FrameRate> videoRate(const MomentChoice& chosen) {
 }
 
 Result<std::vector<RenderMoment>> momentsOf(const RenderJob& job, Timeline* session,
-                                            const FrameRate& rate) {
+                                            const FrameRate& rate, StateDamage& hiding) {
   if (session == nullptr) return std::vector<RenderMoment>{{"rest", {}, {}}};
   MomentChoice chosen = job.moments;
   chosen.rate.clear();
   // A video alone shows each of its pictures' moments.
   if (!chosen.any()) chosen.rate = rate.text();
-  return renderMoments(chosen, *session);
+  return renderMoments(chosen, *session, hiding);
 }
 
 std::vector<std::string> warningsOf(const FrameMaker& maker) {
@@ -90,6 +92,26 @@ std::vector<std::string> warningsOf(const FrameMaker& maker) {
     warnings.push_back(maker.cell().shown(warning));
   }
   return warnings;
+}
+
+/// Says what damage of the log cost the frames.
+void warnOfDamage(const StateDamage& hiding, RenderReport& report) {
+  if (!hiding.empty()) {
+    report.warnings.insert(report.warnings.begin(), "an event may be missing: " + hiding.text());
+  }
+  StateDamage all;
+  std::size_t count = 0;
+  for (const RenderedFrame& frame : report.frames) {
+    all.add(frame.damage);
+    count += frame.damage.empty() ? 0 : 1;
+  }
+  if (count > 0) {
+    report.warnings.insert(
+        report.warnings.begin(),
+        fmt::format("{}; {} of {} may show an older state ({})", all.what(), count,
+                    countText(report.frames.size(), "frame"), all.where()));
+  }
+  if (!hiding.empty() || count > 0) report.is_whole = false;
 }
 
 Status chooseInsets(const RenderJob& job, FrameRequest& look) {
@@ -202,7 +224,7 @@ class RenderRun {
     if (picture == nullptr) {
       FrameRequest request = request_;
       request.scale = tileScale(request_.width, request_.height, request_.scale);
-      auto drawn = maker_.frame(request);
+      auto drawn = maker_.frame(request, &frames_[place].damage);
       if (!drawn) return drawn.error();
       tile = std::move(*drawn);
     }
@@ -220,7 +242,7 @@ class RenderRun {
       if (Status put = drawTile(moment, camera, place, nullptr); !put) return put;
       if (!beside_sheet) return {};
     }
-    auto drawn = maker_.frame(request_);
+    auto drawn = maker_.frame(request_, &frames_[place].damage);
     if (!drawn) return drawn.error();
     const auto picture = std::make_shared<const Picture>(std::move(*drawn));
     if (sheet_ && same_scale) {
@@ -257,7 +279,7 @@ class RenderRun {
   Status drawMeasured(std::size_t moment, std::size_t camera, RenderedFrame& frame) {
     const MeasuredFrame of{frame.time, frame.log_time.time_since_epoch().count(), frame.camera};
     if (!job_.identity.empty()) {
-      auto identity = maker_.identity(request_);
+      auto identity = maker_.identity(request_, &frame.damage);
       if (!identity) return identity.error();
       frame.identity = files_.ofMoment(job_.identity, moment, camera);
       auto shared = std::make_shared<const IdentityFrame>(std::move(*identity));
@@ -267,7 +289,7 @@ class RenderRun {
       if (!added) return added;
     }
     if (job_.depth.empty()) return {};
-    auto depth = maker_.depth(request_);
+    auto depth = maker_.depth(request_, &frame.damage);
     if (!depth) return depth.error();
     frame.depth = files_.ofMoment(job_.depth, moment, camera);
     auto shared = std::make_shared<const DepthFrame>(std::move(*depth));
@@ -321,7 +343,8 @@ Result<RenderReport> render(const RenderJob& given,
     if (!opened) return opened.error();
     session = std::move(*opened);
   }
-  auto moments = momentsOf(job, session ? &*session : nullptr, *rate);
+  StateDamage hiding;
+  auto moments = momentsOf(job, session ? &*session : nullptr, *rate, hiding);
   if (!moments) return moments.error();
   if (!job.output.empty() && moments->size() > 1) {
     return badJob("-o holds one frame; for several there are --sheet FILE and --frames DIR");
@@ -347,6 +370,10 @@ Result<RenderReport> render(const RenderJob& given,
   report.key = maker->key();
   report.inputs = maker->inputsHash();
   report.warnings = warningsOf(*maker);
+  if (std::string incomplete = incompleteText(maker->cell()); !incomplete.empty()) {
+    report.warnings.insert(report.warnings.begin(), std::move(incomplete));
+    report.is_whole = false;
+  }
   std::vector<std::size_t> by_time(files.moments.size());
   std::iota(by_time.begin(), by_time.end(), std::size_t{0});
   std::stable_sort(by_time.begin(), by_time.end(), [&](std::size_t a, std::size_t b) {
@@ -371,6 +398,7 @@ Result<RenderReport> render(const RenderJob& given,
   }
   if (Status finished = run.finish(); !finished) return finished.error();
   report.frames = run.takeFrames();
+  warnOfDamage(hiding, report);
   return report;
 }
 

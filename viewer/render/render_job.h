@@ -45,6 +45,7 @@ struct RenderedFrame {
   std::string sha256;                     ///< of the RGBA rows, top to bottom
   std::filesystem::path file;             ///< empty when none was written
   std::filesystem::path identity, depth;  ///< the same
+  StateDamage damage;                     ///< of the log: what it may lack
 };
 
 struct RenderReport {
@@ -53,13 +54,17 @@ struct RenderReport {
   RendererKey key;
   std::string inputs;  ///< FrameMaker::inputsHash()
   std::vector<std::string> warnings;
+  /// False when damage of the log may be why a frame is older than its time says, or not there, and
+  /// when a mesh is missing.
+  bool is_whole = true;
 };
 
 /// Draws what the job says, in order of time whatever the order asked for, so that the log is read
 /// once. Pictures are encoded and written on another thread meanwhile. Whole files: each appears
 /// complete or not at all, and an existing one is replaced only with `overwrite` (all are looked at
 /// before the first is drawn). `progress(done, of)` after each frame; false stops the job, which is
-/// then an error: frames that were written stay, sheet and video do not appear.
+/// then an error: frames that were written stay, sheet and video do not appear. Of a damaged log
+/// everything is drawn as far as it can be known, and a warning says which frames that concerns.
 Result<RenderReport> render(const RenderJob& job,
                             const std::function<bool(std::size_t, std::size_t)>& progress);
 

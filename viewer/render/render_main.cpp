@@ -56,6 +56,7 @@ void printJson(const RenderReport& report) {
     if (!frame.file.empty()) one["file"] = frame.file.string();
     if (!frame.identity.empty()) one["identity"] = frame.identity.string();
     if (!frame.depth.empty()) one["depth"] = frame.depth.string();
+    if (!frame.damage.empty()) one["damage"] = frame.damage.text();
     json["frames"].push_back(std::move(one));
   }
   if (!report.videos.empty()) json["videos"] = nlohmann::ordered_json::array();
@@ -239,6 +240,6 @@ int main(int argc, char** argv) {
         } else if (hash) {
           printHashes(*report, job.cameras.size() > 1);
         }
-        return cli::Exit::done;
+        return report->is_whole ? cli::Exit::done : cli::Exit::no;
       });
 }

@@ -100,9 +100,12 @@ void addGrid(const std::function<Nanoseconds(std::int64_t)>& offset, const LogPa
 }
 
 Status addEvents(const MomentChoice& choice, const LogPart& span, Timeline& session,
-                 std::vector<RenderMoment>& moments) {
-  const auto events = session.events();
+                 std::vector<RenderMoment>& moments, StateDamage& hiding) {
+  StateDamage damage;
+  const auto events = session.events(&damage);
   if (!events) return events.error();
+  damage = damage.within(span.from - session.origin(), span.until - session.origin());
+  hiding.add(damage);
   for (const Event& event : **events) {
     const bool wanted = choice.all_events || std::any_of(choice.events.begin(), choice.events.end(),
                                                          [&](const std::string& pattern) {
@@ -113,8 +116,10 @@ Status addEvents(const MomentChoice& choice, const LogPart& span, Timeline& sess
     moments.push_back({secondsText(event.time - session.origin(), 3), event.time, event.text});
   }
   if (moments.empty()) {
-    return badMoment(choice.all_events ? "the log has no event there" : "no event is called so",
-                     session.log().name());
+    const std::string none =
+        choice.all_events ? "the log has no event there" : "no event is called so";
+    if (damage.empty()) return badMoment(none, session.log().name());
+    return badMoment(none + "; " + damage.what(), damage.where());
   }
   return {};
 }
@@ -151,7 +156,8 @@ Result<FrameRate> parseFrameRate(const std::string& text) {
   return FrameRate{rate.count / common, rate.seconds / common};
 }
 
-Result<std::vector<RenderMoment>> renderMoments(const MomentChoice& choice, Timeline& session) {
+Result<std::vector<RenderMoment>> renderMoments(const MomentChoice& choice, Timeline& session,
+                                                StateDamage& hiding) {
   const auto span = spanOf(choice, session);
   if (!span) return span.error();
   std::vector<RenderMoment> moments;
@@ -183,7 +189,9 @@ Result<std::vector<RenderMoment>> renderMoments(const MomentChoice& choice, Time
     addGrid(offset, *span, session.origin(), kLongest / kSecondNs / rate->seconds, moments);
   }
   if (choice.all_events || !choice.events.empty()) {
-    if (Status added = addEvents(choice, *span, session, moments); !added) return added.error();
+    if (Status added = addEvents(choice, *span, session, moments, hiding); !added) {
+      return added.error();
+    }
   }
   if (moments.empty()) return badMoment("no moment lies in the log");
   if (moments.size() > kMaxFrames) {

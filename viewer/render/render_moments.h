@@ -43,7 +43,9 @@ struct RenderMoment {
 };
 
 /// In the order asked for. bad_argument for what cannot be read, a time outside the log, or when no
-/// moment is left; more than a million are surely a slip of the hand.
-Result<std::vector<RenderMoment>> renderMoments(const MomentChoice& choice, Timeline& session);
+/// moment is left; more than a million are surely a slip of the hand. Damage of the log that may
+/// hide an event which is asked for is added to `hiding`.
+Result<std::vector<RenderMoment>> renderMoments(const MomentChoice& choice, Timeline& session,
+                                                StateDamage& hiding);
 
 }  // namespace rocinante

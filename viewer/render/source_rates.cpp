@@ -1,6 +1,7 @@
 #include "viewer/render/source_rates.h"
 
 #include <chrono>
+#include <limits>
 
 namespace rocinante {
 namespace {
@@ -39,11 +40,13 @@ Status SourceRates::readOn(LogTime time) {
   return {};
 }
 
-Result<std::map<std::string, std::uint64_t>> SourceRates::at(LogTime time) {
+Result<std::map<std::string, std::uint64_t>> SourceRates::at(LogTime time, StateDamage& damage) {
   if (Status read = readOn(time); !read) {
     reached_.reset();
     return read.error();
   }
+  const LogPlace before{time - kRateWindow, std::numeric_limits<std::uint64_t>::max()};
+  addDamageBetween(reader_, before, time, damage);
   std::map<std::string, std::uint64_t> rates;
   for (const LogChannel& channel : reader_.channels()) {
     if (channel.captured()) rates.emplace(sourceOf(channel), 0);

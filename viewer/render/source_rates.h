@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "core/log/log_reader.h"
+#include "core/session/state_damage.h"
 
 namespace rocinante {
 
@@ -16,7 +16,8 @@ class SourceRates {
   explicit SourceRates(LogReader reader) : reader_(std::move(reader)) {}
 
   /// By source, or by topic where a datagram names none; every one that the log has.
-  Result<std::map<std::string, std::uint64_t>> at(LogTime time);
+  /// Those that damage of the log hides are not counted: it is added to `damage`.
+  Result<std::map<std::string, std::uint64_t>> at(LogTime time, StateDamage& damage);
 
  private:
   struct Counted {

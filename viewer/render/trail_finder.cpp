@@ -25,7 +25,7 @@ std::int64_t floorDivide(std::int64_t a, std::int64_t b) {
 }  // namespace
 
 Result<std::vector<Trail>> TrailFinder::find(const std::vector<TrailStyle>& styles,
-                                             Timeline& session, LogTime time) {
+                                             Timeline& session, LogTime time, StateDamage& damage) {
   // Forgotten whole: they are found again, and the same. Before pointers into them are taken.
   if (known_.size() > kMaxTrailsKnown) known_.clear();
   std::vector<Wanted> wanted;
@@ -45,8 +45,8 @@ Result<std::vector<Trail>> TrailFinder::find(const std::vector<TrailStyle>& styl
     if (one.known->size() > kMaxKnown) one.known->clear();
     wanted.push_back(one);
   }
-  if (Status found = findPlaces(wanted, session); !found) return found.error();
-  const auto now = session.stateAt(time);
+  if (Status found = findPlaces(wanted, session, damage); !found) return found.error();
+  const auto now = session.stateAt(time, &damage);
   if (!now) return now.error();
 
   std::vector<Trail> trails;
@@ -63,7 +63,7 @@ Result<std::vector<Trail>> TrailFinder::find(const std::vector<TrailStyle>& styl
       trail.runs.back().push_back({*place, static_cast<float>(std::clamp(1 - age, 0.0, 1.0))});
     };
     for (std::int64_t k = one.first; k <= one.last; ++k) {
-      add(one.known->at(k), time - (session.origin() + one.step * k));
+      add(one.known->at(k).place, time - (session.origin() + one.step * k));
     }
     add(placeOf(one.path, **now), Nanoseconds(0));
     if (trail.runs.back().empty()) trail.runs.pop_back();
@@ -72,20 +72,26 @@ Result<std::vector<Trail>> TrailFinder::find(const std::vector<TrailStyle>& styl
   return trails;
 }
 
-Status TrailFinder::findPlaces(const std::vector<Wanted>& wanted, Timeline& session) {
+Status TrailFinder::findPlaces(const std::vector<Wanted>& wanted, Timeline& session,
+                               StateDamage& damage) {
   // In the order of time, which is what the session is quickest at.
   std::map<LogTime, std::vector<std::pair<const Wanted*, std::int64_t>>> questions;
   for (const Wanted& one : wanted) {
     for (std::int64_t k = one.first; k <= one.last; ++k) {
-      if (!one.known->contains(k)) {
+      const auto known = one.known->find(k);
+      if (known == one.known->end() || known->second.is_damaged) {
         questions[session.origin() + one.step * k].emplace_back(&one, k);
       }
     }
   }
   for (const auto& [time, samples] : questions) {
-    const auto state = session.stateAt(time);
+    StateDamage its;
+    const auto state = session.stateAt(time, &its);
     if (!state) return state.error();
-    for (const auto& [one, k] : samples) one->known->emplace(k, placeOf(one->path, **state));
+    for (const auto& [one, k] : samples) {
+      (*one->known)[k] = {placeOf(one->path, **state), !its.empty()};
+    }
+    damage.add(its);
   }
   return {};
 }

@@ -27,14 +27,19 @@ class TrailFinder {
   explicit TrailFinder(const Cell& cell) : cell_(cell) {}
 
   /// In the order of `styles`; one that names nothing has no runs. Asks `session` for states: one
-  /// that was borrowed from it before is not valid any more.
+  /// that was borrowed from it before is not valid any more. What places may lack, because the log
+  /// is damaged, is added to `damage`.
   Result<std::vector<Trail>> find(const std::vector<TrailStyle>& styles, Timeline& session,
-                                  LogTime time);
+                                  LogTime time, StateDamage& damage);
 
  private:
   using Place = std::optional<Vec3>;  ///< empty: it is not there, or stands at no finite place
   /// Of one PATH and one step, by sample number.
-  using Known = std::map<std::int64_t, Place>;
+  struct KnownPlace {
+    Place place;
+    bool is_damaged = false;  ///< asked for anew each time, for what it lacks
+  };
+  using Known = std::map<std::int64_t, KnownPlace>;
 
   struct Wanted {
     ViewPath path;
@@ -43,7 +48,7 @@ class TrailFinder {
     std::int64_t first = 0, last = -1;  ///< samples in the window, before `time`
   };
 
-  Status findPlaces(const std::vector<Wanted>& wanted, Timeline& session);
+  Status findPlaces(const std::vector<Wanted>& wanted, Timeline& session, StateDamage& damage);
   Place placeOf(const ViewPath& path, const SessionState& state);
   /// Adds to `part_` what the device stands on, and so on: posing the whole cell for one link
   /// would cost a large one dearly.

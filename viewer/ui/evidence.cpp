@@ -26,14 +26,22 @@ fs::path renderProgram() {
   return fs::exists(beside, ignored) ? beside : fs::path("rocinante-render");
 }
 
-/// The last line, without the program's name before it: what it has to say.
+/// A line without the program's name before it: what it has to say.
+std::string sentenceOf(std::string line) {
+  constexpr std::string_view kName = "rocinante-render: ";
+  if (line.starts_with(kName)) line.erase(0, kName.size());
+  return line;
+}
+
+std::string firstSentence(const std::string& text) {
+  return sentenceOf(text.substr(0, text.find('\n')));
+}
+
 std::string lastSentence(std::string text) {
   while (!text.empty() && text.back() == '\n') text.pop_back();
   const std::size_t line = text.rfind('\n');
   if (line != std::string::npos) text.erase(0, line + 1);
-  constexpr std::string_view kName = "rocinante-render: ";
-  if (text.starts_with(kName)) text.erase(0, kName.size());
-  return text;
+  return sentenceOf(std::move(text));
 }
 
 }  // namespace
@@ -129,21 +137,22 @@ EvidenceRun::~EvidenceRun() {
   if (said_ >= 0) ::close(said_);
 }
 
-std::optional<Result<fs::path>> EvidenceRun::look(bool wait) {
+std::optional<Result<EvidenceMade>> EvidenceRun::look(bool wait) {
   int outcome = 0;
   const pid_t ended = ::waitpid(process_, &outcome, wait ? 0 : WNOHANG);
   if (ended == 0) return std::nullopt;
   process_ = -1;
-  if (ended > 0 && WIFEXITED(outcome) && WEXITSTATUS(outcome) == 0) {
-    return Result<fs::path>(output_);
-  }
+  const int code = ended > 0 && WIFEXITED(outcome) ? WEXITSTATUS(outcome) : -1;
+  if (code == 0) return Result<EvidenceMade>(EvidenceMade{output_, {}});
   // A sentence or two, which a pipe holds.
   std::array<char, 4096> buffer{};
   const ssize_t got = ::read(said_, buffer.data(), buffer.size());
-  std::string why =
-      lastSentence(std::string(buffer.data(), got > 0 ? static_cast<std::size_t>(got) : 0));
+  const std::string said(buffer.data(), got > 0 ? static_cast<std::size_t>(got) : 0);
+  // The picture is there; what may be wrong with it is what was said first.
+  std::string why = code == 1 ? firstSentence(said) : lastSentence(said);
   if (why.empty()) why = "rocinante-render ended without a word";
-  return Result<fs::path>(Error{ErrorKind::refused, std::move(why), {}});
+  if (code == 1) return Result<EvidenceMade>(EvidenceMade{output_, std::move(why)});
+  return Result<EvidenceMade>(Error{ErrorKind::refused, std::move(why), {}});
 }
 
 fs::path freeEvidenceName(const fs::path& folder, const std::string& stem,

@@ -34,6 +34,12 @@ std::vector<std::string> evidenceArguments(const EvidenceRequest& request);
 /// The same as a line for a shell.
 std::string shellLine(const std::string& program, const std::vector<std::string>& arguments);
 
+/// A picture that was made.
+struct EvidenceMade {
+  std::filesystem::path file;
+  std::string doubt;  ///< a sentence on why it may not show what was; empty: nothing says so
+};
+
 /// A rocinante-render at work. It has its own process, so that the window goes on; what it says is
 /// kept. One thread.
 class EvidenceRun {
@@ -46,12 +52,12 @@ class EvidenceRun {
   EvidenceRun& operator=(EvidenceRun&&) = delete;
 
   /// Empty while it runs; then the file, or the sentence with which it refused. Does not wait.
-  std::optional<Result<std::filesystem::path>> poll() { return look(false); }
-  Result<std::filesystem::path> wait() { return *look(true); }
+  std::optional<Result<EvidenceMade>> poll() { return look(false); }
+  Result<EvidenceMade> wait() { return *look(true); }
 
  private:
   EvidenceRun() = default;
-  std::optional<Result<std::filesystem::path>> look(bool wait);
+  std::optional<Result<EvidenceMade>> look(bool wait);
 
   pid_t process_ = -1;
   int said_ = -1;  ///< what it writes on standard error

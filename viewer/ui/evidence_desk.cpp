@@ -68,6 +68,7 @@ Status EvidenceDesk::make(ViewModel& model, const WindowSize& size, const fs::pa
   if (!run.ok()) return run.error();
   const auto made = run->wait();
   if (!made.ok()) return made.error();
+  if (!made->doubt.empty()) model.doubts.push_back(made->file.string() + ": " + made->doubt);
   return {};
 }
 
@@ -76,7 +77,9 @@ void EvidenceDesk::look(SteadyTime now) {
     if (const auto ended = running_->poll()) {
       running_.reset();
       if (ended->ok()) {
-        say("evidence: " + (**ended).string(), false, now);
+        const EvidenceMade& made = **ended;
+        const std::string doubt = made.doubt.empty() ? "" : "; " + made.doubt;
+        say("evidence: " + made.file.string() + doubt, !doubt.empty(), now);
       } else {
         say("no evidence picture: " + ended->error().text(), true, now);
       }

@@ -91,6 +91,10 @@ void drawBanners(const ViewModel& model, const ViewerStatus& status, const Middl
     const float end = drawBanner("reason", middle, at, fault, reason->what, reason->hint);
     if (!nothing_yet) top = end;
   }
+  if (!model.damage().empty()) {
+    top = drawBanner("damage", middle, top, fault, model.damage().what(),
+                     "what is shown may be older than its time says");
+  }
   if (!model.complaint.empty()) {
     top = drawBanner("complaint", middle, top, fault, model.complaint, "");
   }

@@ -77,6 +77,7 @@ class ViewApp {
   InterfaceContext interface_;
   Renderer renderer_;
   FittedCameras fitted_;
+  StateDamage fit_damage_;  ///< until it was told
   ScaledView view_;
   std::optional<ImguiPainter> painter_;
   Governor governor_;
@@ -105,7 +106,8 @@ Result<std::unique_ptr<ViewApp>> ViewApp::open(ViewModel& model, const ViewOptio
   if (!painter.ok()) return painter.error();
   app->painter_ = std::move(*painter);
   // Before the first state is asked for, which is valid until the next question only.
-  if (auto ready = app->fitted_.prepare(model.session()); !ready) return ready.error();
+  if (auto ready = app->fitted_.prepare(model.session(), app->fit_damage_); !ready)
+    return ready.error();
   app->window_->setPaced(!app->scripted());
   ViewerStatus& status = app->status_;
   status.renderer = app->renderer_.key().renderer;
@@ -178,6 +180,13 @@ SceneFrame ViewApp::shownFrame(const RenderStyle& style) {
 Result<DrawCounts> ViewApp::drawScene() {
   const RenderStyle style = model_.frameStyle();
   insets_ = frameInsets(model_, fitted_, width_, height_, interface_.scale(), covered_);
+  const bool shows_fitted = std::ranges::any_of(model_.insets, [](const InsetChoice& choice) {
+    return choice.shown && FittedCameras::knows(choice.inset.camera);
+  });
+  if (shows_fitted && !fit_damage_.empty()) {
+    model_.doubts.push_back("a fitted camera may miss what moved: " + fit_damage_.text());
+    fit_damage_ = {};
+  }
   return view_.draw(renderer_, shownFrame(style));
 }
 

@@ -151,7 +151,12 @@ Result<Exit> view(const Arguments& arguments) {
     transport->seek(*moment, SteadyTime{});
   }
   if (auto shown = runViewer(*model, *options); !shown) return shown.error();
-  return Exit::done;
+  if (!model->seenDamage().empty()) {
+    cli::warn(model->seenDamage().what() + "; what was shown may be older than its time says (" +
+              model->seenDamage().where() + ")");
+  }
+  for (const std::string& doubt : model->doubts) cli::warn(doubt);
+  return model->seenDamage().empty() && model->doubts.empty() ? Exit::done : Exit::no;
 }
 
 int viewMain(int argc, char** argv) {

@@ -32,7 +32,8 @@ Result<ViewModel> ViewModel::make(Cell cell, std::optional<Timeline> session,
   if (auto chosen = model.updateChoice(); !chosen) return chosen.error();
   model.feed_ = std::move(feed);
   if (session) {
-    auto events = session->events();
+    StateDamage hiding;  // all places of damage are counted in the panel
+    auto events = session->events(&hiding);
     if (!events.ok()) return events.error();
     model.events_ = **events;
     model.transport_.emplace(session->start(), session->end());
@@ -56,15 +57,17 @@ Status ViewModel::updateChoice() {
 Status ViewModel::findState(LogTime moment) {
   // Trails first: they ask for states too, and only the last one asked for is valid.
   extras_.trails.clear();
+  damage_ = {};
   if (!style_.trails.empty()) {
     if (!trail_finder_) trail_finder_.emplace(*cell_);
-    auto trails = trail_finder_->find(style_.trails, *session_, moment);
+    auto trails = trail_finder_->find(style_.trails, *session_, moment, damage_);
     if (!trails.ok()) return trails.error();
     extras_.trails = std::move(*trails);
   }
-  const auto state = session_->stateAt(moment);
+  const auto state = session_->stateAt(moment, &damage_);
   if (!state.ok()) return state.error();
   state_ = *state;
+  seen_damage_.add(damage_);
   return {};
 }
 

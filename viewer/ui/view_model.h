@@ -80,6 +80,9 @@ class ViewModel {
   std::optional<LiveReason> liveReason(SteadyTime now) const;
   /// What was said that the cell has no place for; of a live session not older than half a second.
   const std::vector<Misfit>& misfits() const { return misfits_; }
+  /// What the picture may lack because the log is damaged, and what all that were shown did.
+  const StateDamage& damage() const { return damage_; }
+  const StateDamage& seenDamage() const { return seen_damage_; }
   Timeline* session() { return session_ ? &*session_ : nullptr; }
   const Timeline* session() const { return session_ ? &*session_ : nullptr; }
 
@@ -127,6 +130,7 @@ class ViewModel {
   std::array<char, 64> event_filter{};   ///< of events
   std::set<std::string> open_devices;    ///< whose links are listed
   std::string complaint;                 ///< one sentence to show; empty: none
+  std::vector<std::string> doubts;       ///< what files that were made lack: told at the end
 
  private:
   ViewModel() = default;
@@ -142,6 +146,7 @@ class ViewModel {
   std::optional<Transport> transport_;
   std::optional<LogReader> walker_;  // over datagrams; made when it is first asked for
   std::uint64_t recorded_losses_ = 0;
+  StateDamage damage_, seen_damage_;
   std::optional<LogTime> shown_;
   SessionState nothing_said_;
   const SessionState* state_ = &nothing_said_;

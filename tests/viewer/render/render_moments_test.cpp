@@ -26,7 +26,7 @@ class RenderMomentsTest : public testing::Test {
   }
   std::vector<std::int64_t> offsets(const MomentChoice& choice) {
     Timeline line = session();
-    const auto moments = renderMoments(choice, line);
+    const auto moments = renderMoments(choice, line, hiding_);
     EXPECT_TRUE(moments.has_value()) << moments.error().text();
     std::vector<std::int64_t> found;
     for (const RenderMoment& moment : *moments) {
@@ -36,6 +36,7 @@ class RenderMomentsTest : public testing::Test {
   }
 
   test::TemporaryFolder folder_;
+  StateDamage hiding_;
 };
 
 TEST_F(RenderMomentsTest, AFrameRateIsExactAndNeverDrifts) {
@@ -72,18 +73,18 @@ TEST_F(RenderMomentsTest, NothingLeftAndTooMuchAreRefused) {
   Timeline line = session();
   MomentChoice choice;
   choice.every = "1ns";
-  EXPECT_FALSE(renderMoments(choice, line).has_value());
+  EXPECT_FALSE(renderMoments(choice, line, hiding_).has_value());
   choice.every = "9000000000s";
-  EXPECT_EQ(renderMoments(choice, line)->size(), 1U) << "the origin";
+  EXPECT_EQ(renderMoments(choice, line, hiding_)->size(), 1U) << "the origin";
   choice.from = "1s";
-  EXPECT_FALSE(renderMoments(choice, line).has_value());
+  EXPECT_FALSE(renderMoments(choice, line, hiding_).has_value());
   choice.until = "0.5s";
-  EXPECT_FALSE(renderMoments(choice, line).has_value());
+  EXPECT_FALSE(renderMoments(choice, line, hiding_).has_value());
 }
 
 TEST_F(RenderMomentsTest, RatesAreThoseOfTheLastSecondHoweverTheyAreReached) {
   const auto rateAt = [&](SourceRates& rates, std::int64_t milliseconds) {
-    const auto found = rates.at(test::sessionTime(milliseconds));
+    const auto found = rates.at(test::sessionTime(milliseconds), hiding_);
     EXPECT_TRUE(found.has_value());
     return found->at("robot");
   };

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/math/transform.h"
+#include "tests/core/session/seconds_log.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/viewer/render/test_session.h"
 #include "viewer/render/limit_levels.h"
@@ -57,7 +58,9 @@ using Runs = std::vector<std::vector<Trail::Point>>;
 
 Runs trailOf(TrailFinder& finder, Timeline& session, const std::string& path, std::int64_t ms,
              Nanoseconds window = std::chrono::seconds(2)) {
-  const auto trails = finder.find({{path, window}}, session, sessionTime(ms));
+  StateDamage damage;
+  const auto trails = finder.find({{path, window}}, session, sessionTime(ms), damage);
+  EXPECT_TRUE(damage.empty());
   EXPECT_TRUE(trails.has_value()) << (trails ? "" : trails.error().text());
   return trails ? trails->at(0).runs : Runs{};
 }
@@ -147,6 +150,21 @@ TEST(LimitLevels, NearIsTheLastTwentiethOfTheRangeAndBeyondIsPastIt) {
   EXPECT_EQ(limitLevel(limits, std::nan("")), LimitLevel::beyond);
   limits.upper = -1;
   EXPECT_EQ(limitLevel(limits, 5), LimitLevel::inside) << "no range, no limit";
+}
+
+TEST_F(TrailFinderTest, TellsOfDamageInItsWindowAlsoOfPlacesThatItKnows) {
+  test::SecondsLog log({0, 6});
+  log.spoil(3);
+  Timeline session = Timeline::of(test::openLog(log.file));
+  TrailFinder finder(cell_);
+  for (int turn = 0; turn < 2; ++turn) {
+    for (const int seconds : {1, 5, 1}) {
+      StateDamage damage;
+      const TrailStyle style{"arm/hand", std::chrono::seconds(seconds)};
+      ASSERT_TRUE(finder.find({style}, session, test::SecondsLog::moment(8000), damage).ok());
+      EXPECT_EQ(!damage.empty(), seconds == 5) << turn;
+    }
+  }
 }
 
 }  // namespace
