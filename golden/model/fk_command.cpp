@@ -18,12 +18,19 @@ Result<cli::Exit> runFk(const FkOptions& options) {
   const Result<Cell> cell = loadFile(options.file, false);
   if (!cell) return cell.error();
   warnOfFaults(*cell);
-  const auto links = forwardKinematics(*cell, *request);
+  StateDamage damage;
+  const auto links = forwardKinematics(*cell, *request, &damage);
   if (!links) return links.error();
+  std::vector<std::string> warnings;
+  if (!damage.empty()) {
+    warnings.push_back(damage.what() + "; links may stand where they stood before (" +
+                       damage.where() + ")");
+  }
   const std::string text =
-      options.json ? forwardKinematicsJson(*links) : forwardKinematicsText(*links);
+      options.json ? forwardKinematicsJson(*links, warnings) : forwardKinematicsText(*links);
   if (Status written = toStandardOutput(text); !written) return written.error();
-  return cli::Exit::done;
+  for (const std::string& warning : warnings) cli::warn(warning);
+  return warnings.empty() ? cli::Exit::done : cli::Exit::no;
 }
 
 }  // namespace

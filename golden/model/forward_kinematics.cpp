@@ -22,8 +22,9 @@ std::string sixDecimals(double value) {
 
 }  // namespace
 
-Result<std::vector<LinkPose>> forwardKinematics(const Cell& cell, const PoseRequest& request) {
-  const Result<SessionState> state = posedState(cell, request);
+Result<std::vector<LinkPose>> forwardKinematics(const Cell& cell, const PoseRequest& request,
+                                                StateDamage* damage) {
+  const Result<SessionState> state = posedState(cell, request, damage);
   if (!state) return state.error();
   const PosedScene scene = poseScene(cell, *state);
   const bool one = !request.device.empty() || cell.devices.size() == 1;
@@ -58,15 +59,21 @@ std::string forwardKinematicsText(const std::vector<LinkPose>& links) {
   return table.text();
 }
 
-std::string forwardKinematicsJson(const std::vector<LinkPose>& links) {
+std::string forwardKinematicsJson(const std::vector<LinkPose>& links,
+                                  const std::vector<std::string>& warnings) {
   using Json = nlohmann::ordered_json;
   // A line a link: people read it too.
   const auto dumped = [](const Json& json) {
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
   };
-  const bool named_format =
-      std::ranges::any_of(links, [](const LinkPose& link) { return link.link == "format"; });
-  std::string out = named_format ? "{" : "{\n  \"format\": 1";
+  const auto isLink = [&](std::string_view name) {
+    return std::ranges::any_of(links, [&](const LinkPose& link) { return link.link == name; });
+  };
+  std::string out = isLink("format") ? "{" : "{\n  \"format\": 1";
+  if (!warnings.empty() && !isLink("warnings")) {
+    out += out.size() > 1 ? ",\n  " : "\n  ";
+    out += "\"warnings\": " + dumped(warnings);
+  }
   for (const LinkPose& link : links) {
     const Vec3& at = link.pose.position;
     const Quat& turn = link.pose.orientation;

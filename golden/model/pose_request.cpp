@@ -109,7 +109,7 @@ Result<Posed> posedDevice(const Cell& cell, const std::string& name) {
   return Posed{device, model};
 }
 
-Result<SessionState> sessionState(const PoseRequest& request) {
+Result<SessionState> sessionState(const PoseRequest& request, StateDamage* damage) {
   if (request.log.empty()) return SessionState{};
   Result<Timeline> session = Timeline::open(request.log);
   if (!session) return session.error();
@@ -118,15 +118,15 @@ Result<SessionState> sessionState(const PoseRequest& request) {
   if (*moment < session->start() || *moment > session->end()) {
     return refused(fmt::format("the session does not reach to `{}`", plainText(request.at)));
   }
-  const auto state = session->stateAt(*moment);
+  const auto state = session->stateAt(*moment, damage);
   if (!state) return state.error();
   return **state;
 }
 
 }  // namespace
 
-Result<SessionState> posedState(const Cell& cell, const PoseRequest& request) {
-  Result<SessionState> state = sessionState(request);
+Result<SessionState> posedState(const Cell& cell, const PoseRequest& request, StateDamage* damage) {
+  Result<SessionState> state = sessionState(request, damage);
   if (!state) return state.error();
   const bool says = request.joints || !request.named.empty() || request.base;
   if (!says && request.device.empty()) return state;

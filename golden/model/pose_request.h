@@ -9,6 +9,7 @@
 #include "core/model/cell.h"
 #include "core/packet/session_state.h"
 #include "core/result.h"
+#include "core/session/state_damage.h"
 
 namespace rocinante {
 
@@ -25,8 +26,11 @@ struct PoseRequest {
 };
 
 /// The state of `cell` that is asked for. bad_argument when a joint is not there or the number of
-/// values is not what the model takes, naming what it does take.
-Result<SessionState> posedState(const Cell& cell, const PoseRequest& request);
+/// values is not what the model takes, naming what it does take. Where the log is damaged so that
+/// the state may be older than its time says: an error of kind `damaged`, or that state, and what
+/// it may lack is added to `damage`.
+Result<SessionState> posedState(const Cell& cell, const PoseRequest& request,
+                                StateDamage* damage = nullptr);
 
 /// Numbers between spaces or commas; bad_argument naming the first that is none.
 Result<std::vector<double>> parseNumbers(std::string_view text);
