@@ -124,6 +124,9 @@ class Approver {
  private:
   Status approveOne(const SuiteFrame& frame) {
     if (!frame.time) return refusal(frame, frame.why);
+    if (!session_.incomplete().empty()) {
+      return refusal(frame, session_.incomplete() + "; --incomplete approves it all the same");
+    }
     const auto drawer = session_.drawer();
     if (!drawer.ok()) return drawer.error();
     const auto drawn = (*drawer)->frame(session_.request(frame));
@@ -213,6 +216,7 @@ Result<std::optional<ApprovalList>> listOf(const ApproveArguments& arguments) {
 CLI::App* addApproveCommand(CLI::App& app, ApproveArguments& arguments) {
   CLI::App* command = app.add_subcommand("approve", "accept what is drawn now as goldens");
   addSuiteOptions(*command, arguments.suite);
+  addIncompleteOption(*command, arguments.suite);
   command->add_option("-m,--message", arguments.message, "why; kept in the manifest")->required();
   command
       ->add_option("--from", arguments.from,

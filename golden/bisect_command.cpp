@@ -121,6 +121,36 @@ Status limitMoments(const BisectArguments& arguments, const Timeline& session,
                arguments.log.string()};
 }
 
+struct BisectSpan {
+  Nanoseconds from, until;  // since the origin
+};
+
+/// What is looked through: what both logs have, within --from and --until. The moments may begin
+/// later and end sooner, where no message could be read.
+Result<BisectSpan> bisectSpan(const BisectArguments& arguments, const Timeline& session,
+                              const Timeline* other, const std::vector<Nanoseconds>& moments) {
+  BisectSpan span{session.start() - session.origin(), session.end() - session.origin()};
+  if (other != nullptr) {
+    span.from = std::max(span.from, other->start() - other->origin());
+    span.until = std::min(span.until, other->end() - other->origin());
+  }
+  if (!arguments.from.empty()) span.from = moments.front();
+  if (arguments.until.empty()) return span;
+  const auto until = parseSessionTime(arguments.until, session.origin(), session.end());
+  if (!until.ok()) return until.error();
+  span.until = std::max(moments.back(), std::min(span.until, *until - session.origin()));
+  return span;
+}
+
+/// Where messages are missing nobody knows when the pictures part.
+Status checkWhole(Timeline& session, const BisectSpan& span) {
+  StateDamage damage;
+  const LogTime origin = session.origin();
+  Status read = session.addDamage(origin + span.from, origin + span.until, damage);
+  if (!read || damage.empty()) return read;
+  return Error{ErrorKind::damaged, "incomparable: " + damage.what(), damage.where()};
+}
+
 std::string answerText(const BisectAnswer& answer) {
   const auto seconds = [](Nanoseconds moment) { return secondsText(moment, 3) + " s"; };
   std::string text;
@@ -187,22 +217,32 @@ Result<BisectQuestion> bisectQuestion(const BisectArguments& arguments) {
     return limited.error();
   }
   question.alike_before = question.moments.front();
-  const auto events = session->events();
+  std::optional<Timeline> other;
+  if (!arguments.other_log.empty()) {
+    auto opened = Timeline::open(other_log);
+    if (!opened.ok()) return opened.error();
+    other = std::move(*opened);
+  }
+  const auto span = bisectSpan(arguments, *session, other ? &*other : nullptr, question.moments);
+  if (!span.ok()) return span.error();
+  if (Status whole = checkWhole(*session, *span); !whole) return whole.error();
+  if (other) {
+    if (Status whole = checkWhole(*other, *span); !whole) return whole.error();
+  }
+  // They only say where to look first.
+  StateDamage hiding;
+  const auto events = session->events(&hiding);
   if (!events.ok()) return events.error();
   for (const Event& event : **events) question.probes.push_back(event.time - session->origin());
   // And evenly: a session without events is no reason to draw all of it.
   for (std::size_t i = 1; i < 16; ++i) {
     question.probes.push_back(question.moments[question.moments.size() * i / 16]);
   }
-  if (!arguments.other_log.empty()) {
-    auto other = Timeline::open(other_log);
-    if (!other.ok()) return other.error();
-    // Of one cell and one build equal states are equal pictures, and nothing need be drawn.
-    if (arguments.other_cell.empty() && arguments.other_render.empty()) {
-      const auto part = statesPart(*session, *other, question.moments);
-      if (!part.ok()) return part.error();
-      question.alike_before = *part ? **part : question.moments.back() + Nanoseconds(1);
-    }
+  // Of one cell and one build equal states are equal pictures, and nothing need be drawn.
+  if (other && arguments.other_cell.empty() && arguments.other_render.empty()) {
+    const auto part = statesPart(*session, *other, question.moments);
+    if (!part.ok()) return part.error();
+    question.alike_before = *part ? **part : question.moments.back() + Nanoseconds(1);
   }
   auto a = makerOf(cell, arguments.log, options);
   if (!a.ok()) return a.error();

@@ -98,6 +98,7 @@ Result<std::vector<JudgedFrame>> judgeFrames(SuiteSession& session, int jobs, bo
 CLI::App* addRunCommand(CLI::App& app, RunArguments& arguments) {
   CLI::App* command = app.add_subcommand("run", "draw every case and judge it");
   addSuiteOptions(*command, arguments.suite);
+  addIncompleteOption(*command, arguments.suite);
   command
       ->add_option("-j,--jobs", arguments.jobs, "processes that draw; 0: by frames and processors")
       ->check(CLI::Range(0, 64))

@@ -11,6 +11,7 @@
 #include "golden/frame_judge.h"
 #include "golden/stability.h"
 #include "viewer/render/layer_choice.h"
+#include "viewer/render/missing_meshes.h"
 
 namespace rocinante {
 namespace {
@@ -74,6 +75,7 @@ Result<SuiteSession> SuiteSession::open(const std::filesystem::path& suite_file,
   auto cell = loadCellOrLog(the_suite.cell, cell_options);
   if (!cell.ok()) return cell.error();
   made.cell_ = std::move(*cell);
+  if (!options.incomplete) made.incomplete_ = incompleteText(made.cell_);
 
   std::optional<Timeline> session;
   if (the_suite.log) {
@@ -180,6 +182,10 @@ Result<JudgedFrame> SuiteSession::judge(const SuiteFrame& frame) {
   judged.session = session_hash_;
   if (!frame.time) {
     judged.rule = frame.why;
+    return judged;
+  }
+  if (!incomplete_.empty()) {
+    judged.rule = incomplete_;
     return judged;
   }
   const double started = now_ms_();

@@ -24,6 +24,7 @@ struct SuiteOptions {
   FrameSelection selection;
   std::vector<std::filesystem::path> search;
   bool search_environment = false;
+  bool incomplete = false;         ///< judge what there is, though a mesh is missing
   ParallelFor parallel;            ///< for loading the cell; may be empty
   std::function<double()> now_ms;  ///< a steady clock, for the report's timings
   MakeDrawer drawers;              ///< a test's; empty: sceneDrawers()
@@ -40,6 +41,9 @@ class SuiteSession {
   const Manifest& manifest() const { return manifest_; }
   const GoldenFolder& folder() const { return folder_; }
   const Cell& cell() const { return cell_; }
+  /// Why no frame may be judged or approved: a mesh is missing. Empty where none is, or where it
+  /// was said that this does not matter.
+  const std::string& incomplete() const { return incomplete_; }
   /// content_sha256 of the log; empty without one.
   const std::string& sessionHash() const { return session_hash_; }
   /// Of the log; empty without one.
@@ -73,6 +77,7 @@ class SuiteSession {
   Manifest manifest_;
   GoldenFolder folder_;
   Cell cell_;
+  std::string incomplete_;
   std::string session_hash_;
   std::optional<LogTime> origin_;
   std::function<double()> now_ms_;

@@ -93,7 +93,15 @@ Result<cli::Exit> runSessionCommand(const SessionArguments& arguments) {
     }
     if (!arguments.json) fmt::print("report: {}/index.html\n", arguments.report);
   }
-  return comparison->same() ? cli::Exit::done : cli::Exit::no;
+  switch (comparison->verdict()) {
+    case Verdict::same:
+      return cli::Exit::done;
+    case Verdict::different:
+      return cli::Exit::no;
+    case Verdict::incomparable:
+      break;
+  }
+  return cli::Exit::could_not_run;
 }
 
 }  // namespace rocinante

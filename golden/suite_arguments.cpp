@@ -41,6 +41,11 @@ void addSuiteOptions(CLI::App& app, SuiteArguments& arguments) {
   addSearchOptions(app, arguments.search, arguments.search_environment);
 }
 
+void addIncompleteOption(CLI::App& app, SuiteArguments& arguments) {
+  app.add_flag("--incomplete", arguments.incomplete,
+               "take frames as they are although a visual mesh is missing");
+}
+
 void addSearchOptions(CLI::App& app, std::vector<std::filesystem::path>& search,
                       bool& search_environment) {
   app.add_option("--search", search, "root for model files; repeatable")->allow_extra_args(false);
@@ -62,6 +67,7 @@ Result<SuiteOptions> suiteOptions(const SuiteArguments& arguments) {
   }
   options.search = arguments.search;
   options.search_environment = arguments.search_environment;
+  options.incomplete = arguments.incomplete;
   options.drawers = arguments.drawers;
   options.parallel = cli::workerThreads();
   options.now_ms = steadyMs;
@@ -75,6 +81,7 @@ std::string commandText(const char* verb, const SuiteArguments& arguments) {
   };
   add("--cell", arguments.cell);
   add("--log", arguments.log);
+  if (arguments.incomplete) text += " --incomplete";
   for (const std::string& glob : arguments.only) add("--only", glob);
   for (const std::string& tag : arguments.tags) add("--tag", tag);
   for (const std::string& tag : arguments.not_tags) add("--not-tag", tag);

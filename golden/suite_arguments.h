@@ -17,11 +17,14 @@ struct SuiteArguments {
   std::vector<std::string> only, tags, not_tags;
   std::vector<std::filesystem::path> search;
   bool search_environment = false;
+  bool incomplete = false;
   MakeDrawer drawers{};  ///< a test's; empty: the cell's and log's own
 };
 
 /// Adds SUITE and its options to a subcommand; parsing fills `arguments`, which must outlive it.
 void addSuiteOptions(CLI::App& app, SuiteArguments& arguments);
+/// --incomplete, of those that judge or approve.
+void addIncompleteOption(CLI::App& app, SuiteArguments& arguments);
 /// --search and --search-env; both must outlive `app`.
 void addSearchOptions(CLI::App& app, std::vector<std::filesystem::path>& search,
                       bool& search_environment);

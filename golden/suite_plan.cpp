@@ -38,9 +38,18 @@ struct NamedMoment {
   std::string why{};
 };
 
+/// What hides events that would stand where a case looks for them: before the one that it means,
+/// or, when it counts from the end, behind.
+StateDamage hidingOne(const StateDamage& hiding, const CaseMoment& moment, Nanoseconds event) {
+  return moment.occurrence > 0 ? hiding.within(Nanoseconds::min(), event)
+                               : hiding.within(event, Nanoseconds::max());
+}
+
 Result<std::vector<NamedMoment>> momentsAtEvent(const CaseMoment& moment, Timeline& session) {
-  const auto events = session.events();
+  StateDamage hiding;
+  const auto events = session.events(&hiding);
   if (!events) return events.error();
+  const std::string or_hidden = hiding.empty() ? "" : "; " + hiding.text();
   std::vector<LogTime> times;
   for (const Event& event : **events) {
     if (event.text == *moment.event) times.push_back(event.time);
@@ -49,7 +58,7 @@ Result<std::vector<NamedMoment>> momentsAtEvent(const CaseMoment& moment, Timeli
   const int place = moment.occurrence > 0 ? moment.occurrence - 1 : count + moment.occurrence;
   if (count == 0) {
     return std::vector<NamedMoment>{
-        {"", {}, fmt::format("the log has no event \"{}\"", plainText(*moment.event))}};
+        {"", {}, fmt::format("the log has no event \"{}\"", plainText(*moment.event)) + or_hidden}};
   }
   if (place < 0 || place >= count) {
     return std::vector<NamedMoment>{
@@ -57,13 +66,23 @@ Result<std::vector<NamedMoment>> momentsAtEvent(const CaseMoment& moment, Timeli
          {},
          fmt::format("the log has event \"{}\" {} times; `occurrence` "
                      "asks for {}",
-                     plainText(*moment.event), count, moment.occurrence)}};
+                     plainText(*moment.event), count, moment.occurrence) +
+             or_hidden}};
   }
-  return std::vector<NamedMoment>{{"", times[static_cast<std::size_t>(place)] + moment.after}};
+  const LogTime event = times[static_cast<std::size_t>(place)];
+  const StateDamage before = hidingOne(hiding, moment, event - session.origin());
+  if (!before.empty()) {
+    return std::vector<NamedMoment>{{"",
+                                     {},
+                                     fmt::format("another event \"{}\" may be missing: {}",
+                                                 plainText(*moment.event), before.text())}};
+  }
+  return std::vector<NamedMoment>{{"", event + moment.after}};
 }
 
 Result<std::vector<NamedMoment>> momentsAtEvents(const CaseMoment& moment, Timeline& session) {
-  const auto events = session.events();
+  StateDamage hiding;
+  const auto events = session.events(&hiding);
   if (!events) return events.error();
   std::vector<NamedMoment> moments;
   std::map<std::string, int> seen;
@@ -79,6 +98,13 @@ Result<std::vector<NamedMoment>> momentsAtEvents(const CaseMoment& moment, Timel
   if (moments.empty()) {
     moments.push_back(
         {"", {}, fmt::format("no event of the log is \"{}\"", plainText(*moment.events))});
+  }
+  // One that is hidden would also change which turn the others are.
+  if (!hiding.empty()) {
+    for (NamedMoment& each : moments) {
+      each.time.reset();
+      each.why = (each.why.empty() ? "an event may be missing" : each.why) + ": " + hiding.text();
+    }
   }
   return moments;
 }

@@ -129,8 +129,9 @@ class SlackMoments {
   std::vector<Nanoseconds> changes_;
 };
 
+/// `time_b` is set to when b was drawn.
 Result<JudgedFrame> judgeMoment(FrameMaker& maker_a, FrameMaker& maker_b, LogTime time_a,
-                                LogTime time_b, const SessionQuestion& question,
+                                LogTime& time_b, const SessionQuestion& question,
                                 SlackMoments* slack_moments) {
   FrameRequest request;
   request.camera = question.camera;
@@ -141,23 +142,37 @@ Result<JudgedFrame> judgeMoment(FrameMaker& maker_a, FrameMaker& maker_b, LogTim
   FrameRequest request_b = request;
   // Rounding at the very ends must not lead out of the log.
   request_b.time = std::clamp(time_b, maker_b.session()->start(), maker_b.session()->end());
-  auto golden = maker_a.frame(request);
-  if (!golden.ok()) return golden.error();
-  auto frame = maker_b.frame(request_b);
-  if (!frame.ok()) return frame.error();
-  if (slack_moments != nullptr &&
-      compare(*frame, *golden, question.tolerance).verdict != Verdict::same) {
-    const auto nearest = slack_moments->nearest(time_a, request_b.time);
-    if (!nearest.ok()) return nearest.error();
-    request_b.time = *nearest;
-    frame = maker_b.frame(request_b);
-    if (!frame.ok()) return frame.error();
-  }
+  time_b = request_b.time;
   JudgedFrame judged;
   judged.frame.time = time_a;
   judged.frame.camera = question.camera;
   judged.tolerance = question.tolerance;
+  StateDamage damage;
+  auto golden = maker_a.frame(request, &damage);
+  if (!golden.ok()) return golden.error();
+  auto frame = maker_b.frame(request_b, &damage);
+  if (!frame.ok()) return frame.error();
+  if (!damage.empty()) {
+    judged.rule = damage.text();
+    return judged;
+  }
   judged.comparison = compare(*frame, *golden, question.tolerance);
+  if (slack_moments != nullptr && judged.comparison.verdict != Verdict::same) {
+    const auto nearest = slack_moments->nearest(time_a, request_b.time);
+    if (!nearest.ok()) return nearest.error();
+    FrameRequest beside = request_b;
+    beside.time = *nearest;
+    auto frame_beside = maker_b.frame(beside);
+    if (!frame_beside.ok()) return frame_beside.error();
+    Comparison found = compare(*frame_beside, *golden, question.tolerance);
+    // The slack only acquits. Where it does not, the moment itself is shown: beside it what moves
+    // would stand elsewhere, and what is amiss be less so.
+    if (found.verdict == Verdict::same) {
+      judged.comparison = std::move(found);
+      time_b = *nearest;
+      frame = std::move(frame_beside);
+    }
+  }
   judged.rule = judged.comparison.rule;
   judged.pixels = pictureXxh3(*frame);
   judged.verdict =
@@ -176,9 +191,13 @@ Result<JudgedFrame> judgeMoment(FrameMaker& maker_a, FrameMaker& maker_b, LogTim
 
 }  // namespace
 
-bool SessionComparison::same() const {
-  return events.only_a.empty() && events.only_b.empty() && state.beyond.empty() &&
-         pictures.count(FrameVerdict::different) == 0;
+Verdict SessionComparison::verdict() const {
+  if (!damage.empty() || pictures.count(FrameVerdict::incomparable) > 0) {
+    return Verdict::incomparable;
+  }
+  const bool same = events.only_a.empty() && events.only_b.empty() && state.beyond.empty() &&
+                    pictures.count(FrameVerdict::different) == 0;
+  return same ? Verdict::same : Verdict::different;
 }
 
 Result<SessionComparison> judgeSessions(const std::filesystem::path& cell,
@@ -201,15 +220,16 @@ Result<SessionComparison> judgeSessions(const std::filesystem::path& cell,
     }
   }
   tell("events");
-  const auto events_a = a.events();
+  const auto events_a = a.events(&comparison.damage);
   if (!events_a.ok()) return events_a.error();
-  const auto events_b = b.events();
+  const auto events_b = b.events(&comparison.damage);
   if (!events_b.ok()) return events_b.error();
   comparison.origin_a = a.origin();
   comparison.origin_b = b.origin();
   comparison.events = alignEvents(**events_a, **events_b, a.start(), b.start());
   tell("states");
-  auto state = compareSessions(maker_a->cell(), a, b, comparison.events, question.limits);
+  auto state =
+      compareSessions(maker_a->cell(), a, b, comparison.events, question.limits, comparison.damage);
   if (!state.ok()) return state.error();
   comparison.state = std::move(*state);
 
@@ -231,9 +251,10 @@ Result<SessionComparison> judgeSessions(const std::filesystem::path& cell,
     tell("picture " + name);
     // The worst moments are beyond the slack, and shown as they are.
     SlackMoments* slack = name.starts_with(kWorst) ? nullptr : &slack_moments;
-    auto judged =
-        judgeMoment(*maker_a, *maker_b, moment, comparison.events.inB(moment), question, slack);
+    LogTime time_b = comparison.events.inB(moment);
+    auto judged = judgeMoment(*maker_a, *maker_b, moment, time_b, question, slack);
     if (!judged.ok()) return judged.error();
+    comparison.times_b.push_back(time_b);
     judged->frame.name = name;
     judged->frame.case_name = name;
     report.frames.push_back(std::move(*judged));

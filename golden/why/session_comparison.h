@@ -30,9 +30,14 @@ struct SessionComparison {
   /// The moments at which both were drawn, as a suite's frames: names "start", "event-picked",
   /// "worst-arm-elbow" ...; a is the golden.
   SuiteReport pictures;
+  std::vector<LogTime> times_b;  ///< of b, by picture: when it was drawn
+  /// Of either log, in the span that is compared, or where it may hide an event: what differs, and
+  /// what does not, may be by that.
+  StateDamage damage;
 
-  /// No event is missing, nothing is beyond its limit, every picture is the same.
-  bool same() const;
+  /// incomparable where a log is damaged; same when no event is missing, nothing is beyond its
+  /// limit and every picture is the same.
+  Verdict verdict() const;
 };
 
 /// not_found when the two have no time in common. `progress` is told what is being done.

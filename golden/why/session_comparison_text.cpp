@@ -97,25 +97,30 @@ std::string sessionText(const SessionComparison& comparison) {
   addState(comparison, out);
   const SuiteReport& pictures = comparison.pictures;
   if (!pictures.frames.empty()) {
-    out += fmt::format("pictures  {} of {} differ\n", pictures.count(FrameVerdict::different),
-                       pictures.frames.size());
+    const std::size_t unjudged = pictures.count(FrameVerdict::incomparable);
+    out += fmt::format("pictures  {} of {} differ{}\n", pictures.count(FrameVerdict::different),
+                       pictures.frames.size(),
+                       unjudged == 0 ? "" : fmt::format(", {} incomparable", unjudged));
   }
   for (const std::string& note : pictures.notes) out += "  note: " + note + "\n";
-  for (const JudgedFrame& judged : pictures.frames) {
+  for (std::size_t i = 0; i < pictures.frames.size(); ++i) {
+    const JudgedFrame& judged = pictures.frames[i];
     if (judged.verdict == FrameVerdict::same) continue;
-    out += fmt::format("  {} at {} s: {}\n", judged.frame.name,
-                       secondsText(*judged.frame.time - comparison.origin_a, 3), judged.rule);
+    out += fmt::format("  {} at {} s, b at {} s: {}\n", judged.frame.name,
+                       secondsText(*judged.frame.time - comparison.origin_a, 3),
+                       secondsText(comparison.times_b[i] - comparison.origin_b, 3), judged.rule);
     if (!judged.why) continue;
     for (const std::string& line : whyLines(*judged.why, 3)) out += "    " + line + "\n";
   }
-  out += comparison.same() ? "same\n" : "different\n";
+  if (!comparison.damage.empty()) out += comparison.damage.text() + "\n";
+  out += std::string(nameOf(comparison.verdict())) + "\n";
   return out;
 }
 
 std::string sessionJson(const SessionComparison& comparison) {
   Json root;
   root["format"] = 1;
-  root["verdict"] = comparison.same() ? "same" : "different";
+  root["verdict"] = nameOf(comparison.verdict());
   const auto nanoseconds = [](LogTime time) { return time.time_since_epoch().count(); };
   const auto eventsJson = [&](const std::vector<Event>& events) {
     Json list = Json::array();
@@ -154,6 +159,10 @@ std::string sessionJson(const SessionComparison& comparison) {
        state.beyond.empty() ? Json(nullptr) : Json(nanoseconds(state.beyond.front().first_at))},
       {"beyond", beyond}};
   root["pictures"] = Json::parse(reportJson(comparison.pictures))["frames"];
+  for (std::size_t i = 0; i < comparison.times_b.size(); ++i) {
+    root["pictures"][i]["b_log_time_ns"] = nanoseconds(comparison.times_b[i]);
+  }
+  if (!comparison.damage.empty()) root["damage"] = comparison.damage.text();
   root["notes"] = comparison.pictures.notes;
   return root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <tuple>
 
 #include "core/hash.h"
 #include "core/model/posed_scene.h"
@@ -210,7 +211,7 @@ class DeviationFinder {
 
 Result<SessionDeviation> compareSessions(const Cell& cell, Timeline& a, Timeline& b,
                                          const EventAlignment& alignment,
-                                         const SessionLimits& limits) {
+                                         const SessionLimits& limits, StateDamage& damage) {
   SessionDeviation found;
   // Where both are; b's ends in a's time by the same map turned round.
   EventAlignment back;
@@ -227,7 +228,7 @@ Result<SessionDeviation> compareSessions(const Cell& cell, Timeline& a, Timeline
   }
   // Values at one moment, to know how many moments memory is good for.
   SeriesByItem probe;
-  const auto first_state = a.stateAt(found.from + (found.until - found.from) / 2);
+  const auto first_state = a.stateAt(found.from + (found.until - found.from) / 2, &damage);
   if (!first_state.ok()) return first_state.error();
   SampleWriter(probe, 1, &ItemSeries::a).write(cell, **first_state, 0);
   const std::size_t most =
@@ -242,12 +243,19 @@ Result<SessionDeviation> compareSessions(const Cell& cell, Timeline& a, Timeline
   SampleWriter into_b(series, taken, &ItemSeries::b);
   for (std::size_t i = 0; i < taken; ++i) {
     const LogTime moment = found.from + found.step * static_cast<std::int64_t>(i);
-    const auto state_a = a.stateAt(std::min(moment, a.end()));
+    const auto state_a = a.stateAt(std::min(moment, a.end()), &damage);
     if (!state_a.ok()) return state_a.error();
     into_a.write(cell, **state_a, i);
-    const auto state_b = b.stateAt(std::min(alignment.inB(moment), b.end()));
+    const auto state_b = b.stateAt(std::min(alignment.inB(moment), b.end()), &damage);
     if (!state_b.ok()) return state_b.error();
     into_b.write(cell, **state_b, i);
+  }
+  // And of what lies between the samples: a value may have been elsewhere there.
+  for (const auto& [session, from, until] :
+       {std::tuple(&a, found.from, found.until),
+        std::tuple(&b, alignment.inB(found.from), alignment.inB(found.until))}) {
+    if (session->log().unreadable().empty()) continue;
+    if (Status told = session->addDamage(from, until, damage); !told) return told.error();
   }
   found.items = series.size();
   DeviationFinder finder(limits, found);

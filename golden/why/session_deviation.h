@@ -39,10 +39,11 @@ struct SessionDeviation {
   std::optional<Deviation> largest_within;  ///< of the others, relative to its limit
 };
 
-/// Compares the two as functions of aligned time. not_found when they have no time in common.
+/// Compares the two as functions of aligned time. not_found when they have no time in common. What
+/// their states lack, because a log is damaged, is added to `damage`.
 Result<SessionDeviation> compareSessions(const Cell& cell, Timeline& a, Timeline& b,
                                          const EventAlignment& alignment,
-                                         const SessionLimits& limits);
+                                         const SessionLimits& limits, StateDamage& damage);
 
 /// Which of `candidates`, times of b, finds b in the state most like that of a at `in_a`: the
 /// fewest facts that differ, then the smallest deviation in parts of its limit, then the nearest to

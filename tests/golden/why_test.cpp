@@ -230,7 +230,9 @@ class CompareSessions : public testing::Test {
     const auto events_a = a.events();
     const auto events_b = b.events();
     const auto alignment = alignEvents(**events_a, **events_b, a.start(), b.start());
-    auto found = compareSessions(cell_, a, b, alignment, {});
+    StateDamage damage;
+    auto found = compareSessions(cell_, a, b, alignment, {}, damage);
+    EXPECT_TRUE(damage.empty());
     EXPECT_TRUE(found.ok());
     return found.ok() ? *found : SessionDeviation{};
   }
