@@ -75,7 +75,8 @@ class Inflater {
     state_->next_out = &more;
     state_->avail_out = 1;
     return isal_inflate(state_.get()) == ISAL_DECOMP_OK && state_->avail_out == 1 &&
-           state_->block_state == ISAL_BLOCK_FINISH && state_->avail_in == 0;
+           state_->block_state == ISAL_BLOCK_FINISH && state_->avail_in == 0 &&
+           state_->read_in_length == 0;  // whole bytes that were taken ahead
   }
 
  private:

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <spng.h>
 #include <sys/mman.h>
 
@@ -11,6 +12,7 @@
 #include "viewer/picture/fine_picture.h"
 #include "viewer/picture/picture.h"
 #include "viewer/picture/plain_png.h"
+#include "viewer/picture/whole_png.h"
 
 namespace rocinante {
 namespace {
@@ -79,9 +81,42 @@ void takeSixteenBits(const std::vector<std::uint16_t>& rgba, FinePicture& fine) 
   }
 }
 
-/// With `deep`, pictures of 16 bits come with their samples.
+/// Colours that the palette does not have are black to libspng: only a judge minds.
+Status checkPalette(ByteView bytes, const std::string& name) {
+  const Context context(spng_ctx_new(0));
+  spng_set_png_buffer(context.get(), bytes.data(), bytes.size());
+  spng_ihdr header{};
+  spng_plte palette{};
+  std::size_t size = 0;
+  int code = spng_get_ihdr(context.get(), &header);
+  if (code == 0) code = spng_get_plte(context.get(), &palette);
+  if (code == 0) code = spng_decoded_image_size(context.get(), SPNG_FMT_RAW, &size);
+  std::vector<std::uint8_t> places(code == 0 ? size : 0);
+  if (code == 0) {
+    code = spng_decode_image(context.get(), places.data(), places.size(), SPNG_FMT_RAW, 0);
+  }
+  if (code != 0) {
+    return Error{ErrorKind::damaged, std::string("is no sound PNG: ") + spng_strerror(code), name};
+  }
+  // Rows begin with a byte; places smaller than one lie from its highest bits down.
+  const std::size_t depth = header.bit_depth, row_bytes = size / header.height;
+  for (std::size_t i = 0; i < std::size_t{header.width} * header.height; ++i) {
+    const std::size_t x = i % header.width, y = i / header.width;
+    const std::size_t shift = 8 - depth - x * depth % 8;
+    const std::uint32_t place =
+        (std::uint32_t{places[y * row_bytes + x * depth / 8]} >> shift) & ((1U << depth) - 1);
+    if (place < palette.n_entries) continue;
+    return Error{ErrorKind::damaged,
+                 fmt::format("is no sound PNG: pixel ({}, {}) is colour {} of a palette of {}", x,
+                             y, place, palette.n_entries),
+                 name};
+  }
+  return {};
+}
+
+/// To judge, pictures of 16 bits come with their samples, and what decoders pass over is refused.
 Result<FinePicture> decode(ByteView bytes, const std::string& name, std::int64_t max_pixels,
-                           bool deep) {
+                           bool to_judge) {
   const auto refusal = [&](ErrorKind kind, std::string what) {
     return Error{kind, std::move(what), name};
   };
@@ -96,7 +131,7 @@ Result<FinePicture> decode(ByteView bytes, const std::string& name, std::int64_t
   if (const int code = spng_get_ihdr(context.get(), &header); code != 0) return damaged(code);
   constexpr std::uint32_t kLargestSide = std::numeric_limits<int>::max();
   const std::uint64_t pixels = std::uint64_t{header.width} * header.height;
-  deep = deep && header.bit_depth == 16;
+  const bool deep = to_judge && header.bit_depth == 16;
   if (deep) max_pixels = std::min(max_pixels, kMaxDeepPixels);
   if (header.width > kLargestSide || header.height > kLargestSide || max_pixels < 0 ||
       pixels > static_cast<std::uint64_t>(max_pixels)) {
@@ -130,6 +165,12 @@ Result<FinePicture> decode(ByteView bytes, const std::string& name, std::int64_t
   if (code != 0) return damaged(code);
   // On to the end, so that the last checksums are looked at too.
   if (const int end = spng_decode_chunks(context.get()); end != 0) return damaged(end);
+  if (to_judge) {
+    if (Status whole = checkWholePng(bytes, name); !whole) return whole.error();
+    if (header.color_type == SPNG_COLOR_TYPE_INDEXED) {
+      if (Status known = checkPalette(bytes, name); !known) return known.error();
+    }
+  }
   if (deep) takeSixteenBits(wide, fine);
   fine.encoding = {componentsOf(context.get(), header), header.bit_depth == 16 ? 16 : 8, false};
   return fine;

@@ -19,6 +19,16 @@ whole = open("rgba.png", "rb").read()
 open("cut.png", "wb").write(whole[:-20])
 open("wrong_sum.png", "wb").write(whole[:45] + bytes([whole[45] ^ 1]) + whole[46:])
 open("text.png", "w").write("this is a text and no picture at all")
+def seen(name, more=b"", behind=b"", packed=zlib.compress(b"\0\1\2\3"), plte=b"", kind=0):
+    open(name, "wb").write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", 3, 1, 8, kind, 0, 0, 0)) + more
+                           + chunk(b"IDAT", packed) + chunk(b"IEND", b"") + behind)
+seen("still.png")
+seen("animation.png", more=chunk(b"acTL", struct.pack(">II", 2, 0)))
+seen("two.png", behind=open("still.png", "rb").read())
+seen("garbage.png", behind=b"behind the end")
+seen("surplus.png", packed=zlib.compress(b"\0\1\2\3\0\1\2\3"))
+seen("after_stream.png", packed=zlib.compress(b"\0\1\2\3") + b"more")
+seen("no_such_colour.png", more=chunk(b"PLTE", b"abcdefghi"), kind=3)
 PY
 judge() { rocinante golden compare "$@" 2>&1 | sed '/^    |/d' && echo "exit 0" || echo "exit $?"; }
 for other in rgb grey palette; do judge $other.png rgba.png --quiet; done
@@ -29,6 +39,8 @@ judge deeper.png deep.png
 judge deeper.png deep.png --tier cpu --quiet
 judge cropped.png rgba.png --tier loose
 for bad in bomb cut wrong_sum missing; do judge $bad.png rgba.png; judge rgba.png $bad.png --json | grep -E 'verdict|rule|exit'; done
+# The same pixels for whoever only looks, but not all of what the file holds.
+for odd in animation two garbage surplus after_stream no_such_colour; do judge $odd.png still.png --tier loose; judge $odd.png $odd.png; done
 mkdir folder.png
 judge folder.png rgba.png
 judge text.png rgba.png | sed 's/: .* (/: ... (/'
