@@ -45,10 +45,10 @@ std::string packed(const std::string& content) {
 /// the fast decoder away.
 std::string madeOf(const std::string& input, bool more) {
   const auto at = [&](std::size_t i) { return static_cast<std::uint8_t>(input[i]); };
-  const std::string header = bigEndian(at(0)) + bigEndian(at(1)) +
-                             std::string{static_cast<char>(1U << at(2) % 5),
-                                         static_cast<char>(at(3) % 7), '\0', '\0',
-                                         static_cast<char>(at(4) % 2)};
+  const std::string header =
+      bigEndian(at(0)) + bigEndian(at(1)) +
+      std::string{static_cast<char>(1U << at(2) % 5), static_cast<char>(at(3) % 7), '\0', '\0',
+                  static_cast<char>(at(4) % 2)};
   const std::size_t palette = std::min<std::size_t>(at(5), input.size() - 8);
   const std::size_t behind = std::min<std::size_t>(at(6) % 4, input.size() - 8 - palette);
   std::string file = "\x89PNG\r\n\x1A\n" + chunk("IHDR", header);

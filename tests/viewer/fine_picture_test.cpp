@@ -138,6 +138,85 @@ TEST_F(FineByModule, WhatWouldGoUnjudgedIsRefused) {
   const auto depth = read("z.exr", test::exrFile(1, 1, "ABGRZ", {1, 0, 0, 0, 5}));
   ASSERT_FALSE(depth.ok());
   EXPECT_EQ(depth.error().what, "holds 5 components; grey, RGB and alpha are judged");
+  const auto opaque_depth = read("z.exr", test::exrFile(1, 1, "BGRZ", {0, 0, 0, 5}));
+  ASSERT_FALSE(opaque_depth.ok()) << "Z is no alpha";
+  EXPECT_EQ(opaque_depth.error().what, "holds 4 components; grey, RGB and alpha are judged");
+}
+
+/// A TIFF of one pixel, little-endian: `photometric` as TIFF 6.0 numbers it.
+std::string tiffPixel(int photometric, const std::string& samples) {
+  const auto u16 = [](std::size_t value) {
+    return std::string{static_cast<char>(value & 255U), static_cast<char>(value >> 8U)};
+  };
+  const auto entry = [&](std::size_t tag, std::size_t value) {
+    return u16(tag) + u16(3) + u16(1) + u16(0) + u16(value) + u16(0);
+  };
+  const std::size_t count = samples.size(), behind = 8 + 2 + 9 * 12 + 4;
+  std::string bits;
+  for (std::size_t i = 0; i < count; ++i) bits += u16(8);
+  return "II" + u16(42) + u16(8) + u16(0) + u16(9) + entry(256, 1) + entry(257, 1) + u16(258) +
+         u16(3) + u16(count) + u16(0) + u16(behind) + u16(0) + entry(259, 1) +
+         entry(262, static_cast<std::size_t>(photometric)) + entry(273, behind + bits.size()) +
+         entry(277, count) + entry(278, 1) + entry(279, count) + std::string(4, '\0') + bits +
+         samples;
+}
+
+/// A JPEG of 8x8 pixels of one CMYK colour, as Adobe writes it: inks inverted, 228 28 28 248.
+std::string cmykJpeg() {
+  const auto bytes = [](std::initializer_list<int> values) {
+    std::string made;
+    for (const int value : values) made += static_cast<char>(value);
+    return made;
+  };
+  return bytes({0xFF, 0xD8, 0xFF, 0xEE, 0, 14}) + "Adobe" + bytes({0, 100, 0, 0, 0, 0, 0}) +
+         bytes({0xFF, 0xDB, 0, 67, 0}) + std::string(64, '\1') +
+         bytes({0xFF, 0xC0, 0, 20, 8, 0, 8, 0, 8, 4, 1, 0x11, 0, 2, 0x11, 0, 3, 0x11, 0, 4, 0x11}) +
+         bytes({0, 0xFF, 0xC4, 0, 31, 0, 0, 0, 0, 12, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}) +
+         bytes({0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 0xFF, 0xC4, 0, 20, 0x10, 1}) +
+         std::string(16, '\0') +
+         bytes({0xFF, 0xDA, 0, 14, 4, 1, 0, 2, 0, 3, 0, 4, 0, 0, 63, 0}) +
+         // Category 10 and the mean, eightfold, of each component; no detail.
+         bytes({0xAC, 0x81, 0x46, 0xFA, 0x8D, 0xF5, 0x78, 0x0F, 0xFF, 0xD9});
+}
+
+TEST_F(FineByModule, InksAreReadForALookAndNotJudged) {
+  for (const auto& [name, file] : {std::pair<std::string, std::string>{"a.jpg", cmykJpeg()},
+                                   {"a.tif", tiffPixel(5, "\x1B\xE3\xE3\x07")}}) {
+    SCOPED_TRACE(name);
+    const auto judged = read(name, file);
+    ASSERT_FALSE(judged.ok());
+    EXPECT_EQ(judged.error().what, "has CMYK colours; grey and RGB are judged");
+    const auto look = readPicture(folder_ / name);
+    ASSERT_TRUE(look.ok()) << look.error().text();
+    EXPECT_NEAR(look->rgba[0], 222, 1);
+    EXPECT_NEAR(look->rgba[1], 27, 1);
+    EXPECT_NEAR(look->rgba[2], 27, 1);
+  }
+  const auto lab = read("lab.tif", tiffPixel(8, "abc"));
+  ASSERT_FALSE(lab.ok());
+  EXPECT_EQ(lab.error().what, "has CIELAB colours; grey, RGB and CMYK are read");
+  EXPECT_TRUE(read("rgb.tif", tiffPixel(2, "abc")).ok());
+}
+
+TEST_F(FineByModule, PixelsOfAPartOfThePictureAreNotJudged) {
+  std::string file = test::exrFile(2, 1, "BGR", {0, 0, 0, 0, 0, 0});
+  ASSERT_TRUE(read("whole.exr", file).ok());
+  const std::size_t window = file.find("displayWindow");
+  file[window + std::string("displayWindow.box2i.").size() + 4 + 8] = 9;
+  const auto part = read("part.exr", file);
+  ASSERT_FALSE(part.ok());
+  EXPECT_EQ(part.error().what,
+            "has pixels of a part of its picture, or beyond it; only whole ones are judged");
+  EXPECT_TRUE(readPicture(folder_ / "part.exr").ok());
+}
+
+TEST_F(FineByModule, NoMemoryIsMadeForAttributesLongerThanTheirFile) {
+  std::string file = test::exrFile(2, 1, "BGR", {0, 0, 0, 0, 0, 0});
+  const std::size_t size = file.find("lineOrder") + std::string("lineOrder.lineOrder.").size();
+  file.replace(size, 4, "\xFF\xFF\xFF\x7F");
+  const auto long_attribute = read("a.exr", file);
+  ASSERT_FALSE(long_attribute.ok());
+  EXPECT_EQ(long_attribute.error().what, "is cut short") << "said before the library is asked";
 }
 
 #endif

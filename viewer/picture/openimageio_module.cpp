@@ -19,6 +19,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "viewer/picture/exr_guard.h"
 #include "viewer/picture/fine_picture.h"
 #include "viewer/picture/srgb_curve.h"
 
@@ -40,6 +41,25 @@ std::string firstLine(const std::string& text) { return text.substr(0, text.find
 struct Channels {
   int red, green, blue, alpha;
 };
+
+/// Why a picture of such pixels is not read, or judged; empty: it is.
+std::string whyNot(const OIIO::ImageSpec& spec, bool to_judge) {
+  if (spec.deep) return "has several samples in a pixel (deep); only flat pictures are read";
+  // TIFF 6.0: 5 separated inks, 8 to 10 kinds of CIELAB.
+  const int tiff = spec.get_int_attribute("tiff:PhotometricInterpretation", 0);
+  if (tiff >= 8 && tiff <= 10) return "has CIELAB colours; grey, RGB and CMYK are read";
+  if (!to_judge) return "";
+  // Two mixtures of inks may look the same, and numbers are what is judged.
+  if (tiff == 5 || spec.get_string_attribute("jpeg:ColorSpace") == "CMYK" ||
+      spec.get_string_attribute("jpeg:ColorSpace") == "YCbCrK") {
+    return "has CMYK colours; grey and RGB are judged";
+  }
+  const bool whole =
+      spec.full_width == 0 || (spec.x == spec.full_x && spec.y == spec.full_y &&
+                               spec.width == spec.full_width && spec.height == spec.full_height);
+  return whole ? ""
+               : "has pixels of a part of its picture, or beyond it; only whole ones are judged";
+}
 
 /// The library's GIF reader names a channel that is past the last.
 int alphaOf(const OIIO::ImageSpec& spec) {
@@ -116,6 +136,20 @@ bool jpegIsCut(const char* path, const void* bytes, size_t size) {
   return end == jpeg.npos || (scan != jpeg.npos && end < scan);
 }
 
+bool exrIsSound(const char* path, const void* bytes, size_t size) {
+  if (bytes != nullptr) {
+    return rocinante::exrAttributesFit({static_cast<const char*>(bytes), size}, size);
+  }
+  std::string head(rocinante::kExrHeadBytes, '\0');
+  std::ifstream file(path, std::ios::binary);
+  file.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(file.gcount()));
+  file.clear();
+  file.seekg(0, std::ios::end);
+  const std::streamoff end = file.tellg();
+  return rocinante::exrAttributesFit(head, end < 0 ? head.size() : static_cast<std::uint64_t>(end));
+}
+
 template <class T>
 bool readAs(OIIO::ImageInput& input, OIIO::TypeDesc type, bool with_samples,
             RocinantePictureOut& out) {
@@ -188,6 +222,7 @@ void read(const char* path, const void* bytes, size_t size, int64_t max_pixels, 
   OIIO::ImageSpec wanted;
   wanted.attribute("oiio:UnassociatedAlpha", 1);
   OIIO::Filesystem::IOMemReader memory(const_cast<void*>(bytes), size);  // it never writes
+  if (!exrIsSound(path, bytes, size)) return answer(out, damaged, "is cut short");
   const bool is_jpeg =
       size > 2 && std::string_view(static_cast<const char*>(bytes), 3) == "\xFF\xD8\xFF";
   const std::unique_ptr<OIIO::ImageInput> input =
@@ -204,6 +239,9 @@ void read(const char* path, const void* bytes, size_t size, int64_t max_pixels, 
   }
   if (with_samples && spec.format.size() > 1) {
     max_pixels = std::min(max_pixels, rocinante::kMaxDeepPixels);
+  }
+  if (const std::string why = whyNot(spec, with_samples); !why.empty()) {
+    return answer(out, no_picture, why);
   }
   // A picture of thousands of components is none of ours, and would take as much more memory.
   if (int64_t{spec.width} * spec.height > max_pixels || spec.nchannels > 16) {

@@ -85,7 +85,9 @@ Status askModule(const char* file, ByteView bytes, const std::string& name, std:
 /// What would go unjudged in the file; empty: nothing.
 std::string unjudged(const RocinantePictureOut& out) {
   if (out.pictures > 1) return "holds several pictures; only files of one are judged";
-  if (out.components > 4 || out.components - out.has_alpha == 2) {
+  // A fourth one that is no alpha (depth, an ink) would not be looked at.
+  const int colors = out.components - out.has_alpha;
+  if (colors != 1 && colors != 3) {
     return "holds " + std::to_string(out.components) +
            " components; grey, RGB and alpha are judged";
   }

@@ -58,8 +58,8 @@ std::uint64_t filteredBytes(ByteView header) {
   return all;
 }
 
-/// Inflates the pixels, a piece after the other, and keeps their count alone. By zlib: it gives back
-/// what it has not used, to the byte.
+/// Inflates the pixels, a piece after the other, and keeps their count alone. By zlib: it gives
+/// back what it has not used, to the byte.
 class PixelCount {
  public:
   explicit PixelCount(std::uint64_t expected) : expected_(expected), thrown_away_(kAtOnce) {
