@@ -114,14 +114,14 @@ Status concludeWith(const CheckArguments& my, const std::optional<Baseline>& bas
   return {};
 }
 
-cli::Exit exitOf(Verdict verdict) {
+cli::Exit exitOf(CheckVerdict verdict) {
   switch (verdict) {
-    case Verdict::compatible:
+    case CheckVerdict::compatible:
       return cli::Exit::done;
-    case Verdict::incompatible:
+    case CheckVerdict::incompatible:
       return cli::Exit::no;
-    case Verdict::nothing_judged:
-    case Verdict::interrupted:
+    case CheckVerdict::nothing_judged:
+    case CheckVerdict::interrupted:
       break;
   }
   return cli::Exit::could_not_run;

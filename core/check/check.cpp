@@ -39,15 +39,15 @@ CheckReport reportOfCell(const Cell& cell) {
 
 }  // namespace
 
-std::string_view nameOf(Verdict verdict) {
+std::string_view nameOf(CheckVerdict verdict) {
   switch (verdict) {
-    case Verdict::compatible:
+    case CheckVerdict::compatible:
       return "compatible";
-    case Verdict::incompatible:
+    case CheckVerdict::incompatible:
       return "incompatible";
-    case Verdict::nothing_judged:
+    case CheckVerdict::nothing_judged:
       return "nothing_judged";
-    case Verdict::interrupted:
+    case CheckVerdict::interrupted:
       return "interrupted";
   }
   return "";
@@ -78,11 +78,11 @@ void conclude(CheckReport& report) {
   const bool failed = std::any_of(report.findings.begin(), report.findings.end(),
                                   [&](const Finding& f) { return report.isFailure(f); });
   if (report.interrupted) {
-    report.verdict = Verdict::interrupted;
+    report.verdict = CheckVerdict::interrupted;
   } else if (report.has_session && report.packets == 0) {
-    report.verdict = Verdict::nothing_judged;
+    report.verdict = CheckVerdict::nothing_judged;
   } else {
-    report.verdict = failed ? Verdict::incompatible : Verdict::compatible;
+    report.verdict = failed ? CheckVerdict::incompatible : CheckVerdict::compatible;
   }
 }
 

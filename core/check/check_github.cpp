@@ -56,20 +56,26 @@ std::string_view commandOf(Severity severity) {
 }
 
 std::string commandFor(const CheckReport& report, const Finding& finding) {
-  std::string command = fmt::format("::{} ", commandOf(finding.severity));
-  if (!finding.file.empty()) {
-    command += fmt::format("file={},", escapedProperty(finding.file));
-    if (finding.line > 0) command += fmt::format("line={},", finding.line);
-    if (finding.line > 0 && finding.column > 0) command += fmt::format("col={},", finding.column);
-  }
   std::string text = plainText(finding.text);
   if (finding.first) text += "\n" + whenText(report, finding);
   if (!finding.example.empty()) text += "\nsuch as: " + plainText(finding.example);
   if (!finding.hint.empty()) text += "\nhint: " + plainText(finding.hint);
-  return command + fmt::format("title={}::{}\n", escapedProperty(finding.rule), escapedData(text));
+  return githubCommand({commandOf(finding.severity), finding.file, finding.line, finding.column,
+                        finding.rule, text});
 }
 
 }  // namespace
+
+std::string githubCommand(const GithubCommand& command) {
+  std::string line = fmt::format("::{} ", command.level);
+  if (!command.file.empty()) {
+    line += fmt::format("file={},", escapedProperty(command.file));
+    if (command.line > 0) line += fmt::format("line={},", command.line);
+    if (command.line > 0 && command.column > 0) line += fmt::format("col={},", command.column);
+  }
+  return line +
+         fmt::format("title={}::{}\n", escapedProperty(command.title), escapedData(command.text));
+}
 
 std::string checkGithub(const CheckReport& report, std::size_t most_a_rule) {
   std::string text;
@@ -86,7 +92,8 @@ std::string checkGithub(const CheckReport& report, std::size_t most_a_rule) {
   for (const auto& [rule, more] : left_out) {
     text += fmt::format("::notice title={}::and {} more\n", escapedProperty(rule), more);
   }
-  if (report.verdict == Verdict::nothing_judged || report.verdict == Verdict::interrupted) {
+  if (report.verdict == CheckVerdict::nothing_judged ||
+      report.verdict == CheckVerdict::interrupted) {
     text += fmt::format("::error title=rocinante check::{}\n",
                         escapedData(verdictText(report.verdict)));
   }

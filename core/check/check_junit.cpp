@@ -68,7 +68,8 @@ std::string checkJunit(const CheckReport& report) {
   // Without it, a session that nobody judged would look like one without faults.
   ++counts.tests;
   cases += "    <testcase classname=\"rocinante.check\" name=\"judged\" time=\"0\"";
-  if (report.verdict == Verdict::nothing_judged || report.verdict == Verdict::interrupted) {
+  if (report.verdict == CheckVerdict::nothing_judged ||
+      report.verdict == CheckVerdict::interrupted) {
     ++counts.errors;
     cases += fmt::format(">\n      <error message=\"{}\" type=\"{}\"/>\n    </testcase>\n",
                          xmlText(verdictText(report.verdict)), nameOf(report.verdict));

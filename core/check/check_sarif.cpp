@@ -17,23 +17,6 @@ using Json = nlohmann::ordered_json;
 /// SARIF's own words.
 std::string levelOf(Severity severity) { return std::string(nameOf(severity)); }
 
-/// A path as a URI reference (RFC 3986): relative as it was written, absolute ones by file:.
-std::string uriOf(std::string_view path) {
-  constexpr std::string_view kUnreserved =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-._~/";
-  constexpr std::string_view kDigits = "0123456789ABCDEF";
-  std::string uri = path.starts_with('/') ? "file://" : "";
-  for (const char c : path) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (kUnreserved.find(c) != kUnreserved.npos) {
-      uri += c;
-    } else {
-      uri += {'%', kDigits[byte >> 4U], kDigits[byte & 15U]};
-    }
-  }
-  return uri;
-}
-
 std::string textOf(std::string_view paragraphs, std::string_view otherwise) {
   return std::string(paragraphs.empty() ? otherwise : paragraphs);
 }
@@ -98,6 +81,22 @@ Json resultJson(const CheckReport& report, const Finding& finding,
 
 }  // namespace
 
+std::string uriOf(std::string_view path) {
+  constexpr std::string_view kUnreserved =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-._~/";
+  constexpr std::string_view kDigits = "0123456789ABCDEF";
+  std::string uri = path.starts_with('/') ? "file://" : "";
+  for (const char c : path) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (kUnreserved.find(c) != kUnreserved.npos) {
+      uri += c;
+    } else {
+      uri += {'%', kDigits[byte >> 4U], kDigits[byte & 15U]};
+    }
+  }
+  return uri;
+}
+
 std::string checkSarif(const CheckReport& report, const std::string& pages) {
   Json run;
   const std::string full_version = version();
@@ -111,7 +110,7 @@ std::string checkSarif(const CheckReport& report, const std::string& pages) {
     driver["rules"].push_back(ruleJson(rule, pages));
   }
   const bool is_whole =
-      report.verdict == Verdict::compatible || report.verdict == Verdict::incompatible;
+      report.verdict == CheckVerdict::compatible || report.verdict == CheckVerdict::incompatible;
   Json invocation;
   invocation["executionSuccessful"] = is_whole;
   if (!is_whole) {

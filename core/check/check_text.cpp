@@ -112,7 +112,7 @@ class ReportText {
       writeAccepted();
     }
     out_.emptyLine();
-    const bool is_good = report_.verdict == Verdict::compatible;
+    const bool is_good = report_.verdict == CheckVerdict::compatible;
     out_.line(0, verdictText(report_.verdict), is_good ? "1;32" : "1;31");
     return out_.take();
   }
@@ -228,15 +228,15 @@ std::string placeText(const Finding& finding) {
   return place;
 }
 
-std::string verdictText(Verdict verdict) {
+std::string verdictText(CheckVerdict verdict) {
   switch (verdict) {
-    case Verdict::compatible:
+    case CheckVerdict::compatible:
       return "compatible";
-    case Verdict::incompatible:
+    case CheckVerdict::incompatible:
       return "incompatible";
-    case Verdict::nothing_judged:
+    case CheckVerdict::nothing_judged:
       return "nothing judged: no packet could be decoded";
-    case Verdict::interrupted:
+    case CheckVerdict::interrupted:
       return "interrupted: what was found so far is not all";
   }
   return "";

@@ -30,13 +30,13 @@ struct Finding {
   bool accepted = false;                ///< by a baseline: shown, and no reason to say no
 };
 
-enum class Verdict : std::uint8_t {
+enum class CheckVerdict : std::uint8_t {
   compatible,
   incompatible,    ///< a finding of severity error, or of what was said to fail
   nothing_judged,  ///< no packet could be decoded: never the same as compatible
   interrupted,     ///< stopped before the end: what was found so far is true, and not all
 };
-std::string_view nameOf(Verdict verdict);
+std::string_view nameOf(CheckVerdict verdict);
 
 /// What `check` found.
 struct CheckReport {
@@ -53,7 +53,7 @@ struct CheckReport {
   bool has_baseline = false;
   bool interrupted = false;
   Severity fail_on = Severity::error;  ///< a finding as severe as that makes it incompatible
-  Verdict verdict = Verdict::nothing_judged;
+  CheckVerdict verdict = CheckVerdict::nothing_judged;
 
   /// Findings that no baseline accepts.
   std::size_t countOf(Severity severity) const;

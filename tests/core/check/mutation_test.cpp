@@ -424,7 +424,7 @@ TEST(Mutations, TheSoundSessionIsSound) {
   const SoundSession sound;
   const CheckReport report = sound.judge();
   EXPECT_TRUE(report.findings.empty()) << texts(report);
-  EXPECT_EQ(report.verdict, Verdict::compatible);
+  EXPECT_EQ(report.verdict, CheckVerdict::compatible);
   EXPECT_GT(report.packets, 700U);
 }
 
@@ -454,9 +454,9 @@ TEST(Mutations, ARuleThatIsOffFindsNothingAndOneThatIsRaisedDecides) {
     session.cell = cell + fmt::format("[rules]\n\"{}\" = \"off\"\n", mutation.rule);
     EXPECT_TRUE(rulesOf(session.judge()).empty());
     session.cell = cell + fmt::format("[rules]\n{} = \"error\"\n", mutation.rule);
-    EXPECT_EQ(session.judge().verdict, Verdict::incompatible);
+    EXPECT_EQ(session.judge().verdict, CheckVerdict::incompatible);
     session.cell = cell + fmt::format("[rules]\n\"{}\" = \"note\"\n", mutation.rule);
-    EXPECT_EQ(session.judge().verdict, Verdict::compatible);
+    EXPECT_EQ(session.judge().verdict, CheckVerdict::compatible);
   }
 }
 

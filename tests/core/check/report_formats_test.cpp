@@ -125,7 +125,7 @@ TEST(CheckJunit, ASessionThatNobodyJudgedIsAnError) {
   report.packets = 1;
   report.interrupted = true;
   conclude(report);
-  EXPECT_EQ(report.verdict, Verdict::interrupted);
+  EXPECT_EQ(report.verdict, CheckVerdict::interrupted);
   EXPECT_THAT(checkJunit(report), HasSubstr("type=\"interrupted\""));
 }
 
@@ -255,7 +255,7 @@ TEST(Baseline, WhatItWritesAcceptsTheSameAndNothingElse) {
   conclude(report);
   EXPECT_EQ(report.countOfAccepted(), 2U);
   EXPECT_EQ(report.countOf(Severity::error), 1U);
-  EXPECT_EQ(report.verdict, Verdict::incompatible);
+  EXPECT_EQ(report.verdict, CheckVerdict::incompatible);
   EXPECT_EQ(report.findings[0].accepted + report.findings[1].accepted, 1);
 }
 

@@ -81,19 +81,19 @@ TEST_F(SessionCheckTest, FindsNothingWrongWithASessionThatFits) {
   say("me@a 3 4", "line path #ffffff in arm/tip 0 0 0 1 1 1\nview top 0 0 1 0 0 0 45 in arm/base");
   const CheckReport found = report();
   EXPECT_THAT(rules(found), IsEmpty());
-  EXPECT_EQ(found.verdict, Verdict::compatible);
+  EXPECT_EQ(found.verdict, CheckVerdict::compatible);
   EXPECT_EQ(found.packets, 4U);
   EXPECT_THAT(found.sources, ElementsAre("me"));
 }
 
 TEST_F(SessionCheckTest, JudgesNothingWithoutADecodablePacket) {
-  EXPECT_EQ(report().verdict, Verdict::nothing_judged);
+  EXPECT_EQ(report().verdict, CheckVerdict::nothing_judged);
   session_->add(now_, "octets", true, bytesOf("whatever"));
   const CheckReport octets = report();
-  EXPECT_EQ(octets.verdict, Verdict::nothing_judged);
+  EXPECT_EQ(octets.verdict, CheckVerdict::nothing_judged);
   EXPECT_THAT(rules(octets), ElementsAre("device.undriven", "packet.unknown-protocol"));
   say("joints arm 0 0 0");
-  EXPECT_EQ(report().verdict, Verdict::compatible);
+  EXPECT_EQ(report().verdict, CheckVerdict::compatible);
 }
 
 TEST_F(SessionCheckTest, CountsUnknownDevicesWithTheirFirstExample) {
@@ -108,7 +108,7 @@ TEST_F(SessionCheckTest, CountsUnknownDevicesWithTheirFirstExample) {
   EXPECT_EQ(finding.packet, 2U);
   EXPECT_EQ(finding.example, "joints rama 1 2 3");
   EXPECT_EQ(*finding.last - *finding.first, std::chrono::milliseconds(1));
-  EXPECT_EQ(found.verdict, Verdict::incompatible);
+  EXPECT_EQ(found.verdict, CheckVerdict::incompatible);
 }
 
 TEST_F(SessionCheckTest, KnowsDevicesThatAnAddBringsLater) {
@@ -182,7 +182,7 @@ TEST_F(SessionCheckTest, NamesADeviceThatNobodyDrives) {
   const CheckReport found = report();
   ASSERT_THAT(rules(found), ElementsAre("device.undriven")) << "an optional one may stand still";
   EXPECT_EQ(found.findings[0].text, "device arm has 3 joint values, and nobody drives it");
-  EXPECT_EQ(found.verdict, Verdict::incompatible);
+  EXPECT_EQ(found.verdict, CheckVerdict::incompatible);
 }
 
 TEST_F(SessionCheckTest, NamesTwoSourcesOnTheSameJointsOnly) {
@@ -195,7 +195,7 @@ TEST_F(SessionCheckTest, NamesTwoSourcesOnTheSameJointsOnly) {
   ASSERT_THAT(rules(found), ElementsAre("packet.two-sources"));
   EXPECT_EQ(found.findings[0].text,
             "the joints of device arm are written by left and by right; the last to write wins");
-  EXPECT_EQ(found.verdict, Verdict::compatible);
+  EXPECT_EQ(found.verdict, CheckVerdict::compatible);
 }
 
 TEST_F(SessionCheckTest, CountsFaultsOfPacketTextByKind) {
@@ -221,7 +221,7 @@ TEST_F(SessionCheckTest, CountsGapsLatePacketsAndRestarts) {
   ASSERT_THAT(rules(found), ElementsAre("source.gap", "source.duplicate", "source.restart"));
   EXPECT_EQ(found.findings[0].count, 4U);
   EXPECT_EQ(found.findings[0].packet, 2U);
-  EXPECT_EQ(found.verdict, Verdict::compatible);
+  EXPECT_EQ(found.verdict, CheckVerdict::compatible);
 }
 
 TEST_F(SessionCheckTest, ReportsLossesAndDamageOfTheLog) {
@@ -245,7 +245,7 @@ TEST_F(SessionCheckTest, StaysBoundedWhenEveryNameIsNew) {
   for (int i = 0; i < 20000; ++i)
     say(fmt::format("joints d{} 0\nshow arm/l{}\nshow layer/y{}", i, i, i));
   EXPECT_LE(report().findings.size(), 11000U);
-  EXPECT_EQ(report().verdict, Verdict::incompatible);
+  EXPECT_EQ(report().verdict, CheckVerdict::incompatible);
 }
 
 TEST_F(SessionCheckTest, ReadsAWholeLogAndTellsTimesFromItsOrigin) {
@@ -305,17 +305,17 @@ TEST_F(SessionCheckTest, APieceIsJudgedWithWhatPrecededItAndKeyframesAreNotCount
   ASSERT_TRUE(found.ok()) << found.error().text();
   EXPECT_THAT(rules(*found), ElementsAre("joint.undriven")) << "the elbow, which no order names";
   EXPECT_EQ(found->packets, 50U);
-  EXPECT_EQ(found->verdict, Verdict::compatible);
+  EXPECT_EQ(found->verdict, CheckVerdict::compatible);
 }
 
 TEST_F(SessionCheckTest, JudgesTheCellAlone) {
-  EXPECT_EQ(checkCell(cell_).verdict, Verdict::compatible);
+  EXPECT_EQ(checkCell(cell_).verdict, CheckVerdict::compatible);
   std::ofstream(folder_ / "bad.cell.toml")
       << "format = 1\n[[device]]\nname = \"arm\"\nmodel = \"gone.urdf\"\n";
   const Result<Cell> bad = loadCell(folder_ / "bad.cell.toml", {});
   ASSERT_TRUE(bad.ok()) << bad.error().text();
   const CheckReport found = checkCell(*bad);
-  EXPECT_EQ(found.verdict, Verdict::incompatible);
+  EXPECT_EQ(found.verdict, CheckVerdict::incompatible);
   EXPECT_GT(found.findings[0].line, 0);
 }
 
