@@ -99,6 +99,20 @@ await check("the slider goes by range and by dragging", async () => {
   await page.mouse.up();
   assert.ok(Number(await page.locator("#slider").inputValue()) > 70);
 });
+await check("the slider's controls can be reached at every width", async () => {
+  const usual = page.viewportSize();
+  for (const width of [1024, 1280, 1920]) {
+    await page.setViewportSize({ width, height: 800 });
+    await page.keyboard.press("2");
+    const covered = await page.evaluate(() => ["slider", "zoom-in", "zoom-fit"].filter((id) => {
+      const box = document.getElementById(id).getBoundingClientRect();
+      return document.elementFromPoint((box.left + box.right) / 2, (box.top + box.bottom) / 2)?.id !== id;
+    }));
+    assert.deepEqual(covered, [], "covered at " + width);
+    assert.ok(await page.evaluate(() => document.documentElement.scrollHeight <= innerHeight), "two scroll bars at " + width);
+  }
+  await page.setViewportSize(usual);
+});
 await check("flicker swaps by itself, by key, and pauses", async () => {
   await page.locator("#case").focus();
   await page.keyboard.press("3");
