@@ -39,6 +39,15 @@ std::vector<AcceptedPicture> acceptedOf(const Manifest& manifest, const std::str
   return pictures;
 }
 
+/// Whether these pixels are accepted for their key, under the same masks.
+bool holds(const Manifest& manifest, const std::string& case_name,
+           const AcceptedPicture& accepted) {
+  return std::ranges::any_of(
+      manifest.find(case_name, accepted.key), [&](const AcceptedPicture* one) {
+        return one->pixels == accepted.pixels && one->areas_pixels == accepted.areas_pixels;
+      });
+}
+
 std::string areasName(const std::string& picture) {
   return picture.substr(0, picture.size() - 4) + ".areas.png";
 }
@@ -147,6 +156,11 @@ Result<std::vector<std::string>> Approval::commit() {
   Manifest after = *now;
   Status moved;
   for (Staged& staged : staged_) {
+    // Whoever came first accepted the same: nothing is left to do.
+    if (holds(*now, staged.case_name, staged.accepted) &&
+        !holds(seen_, staged.case_name, staged.accepted)) {
+      continue;
+    }
     if (acceptedOf(*now, staged.case_name, staged.accepted.key) !=
         acceptedOf(seen_, staged.case_name, staged.accepted.key)) {
       left_alone.push_back(staged.case_name);
@@ -159,7 +173,10 @@ Result<std::vector<std::string>> Approval::commit() {
     if (!staged.accepted.areas.empty()) arriving.push_back(staged.accepted.areas);
     after.accept(staged.case_name, staged.accepted, staged.beside);
   }
-  if (!cell_.empty()) after.cells[cell_] = cell_files_;
+  if (!cell_.empty()) {
+    after.cells[cell_] = cell_files_;
+    after.texts.insert(cell_texts_.begin(), cell_texts_.end());
+  }
   after.dropUnusedCells();
   if (moved && !arriving.empty()) moved = after.write(folder_.goldens());
   if (!moved) {

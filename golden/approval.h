@@ -31,9 +31,10 @@ class Approval {
   bool isAccepted(const std::string& case_name, const AcceptedPicture& accepted) const;
 
   /// Of what the pictures that are staged from now on were drawn: commit() writes it down too.
-  void describeCell(FileHashes files) {
+  void describeCell(FileHashes files, FileTexts texts = {}) {
     cell_ = cellKey(files);
     cell_files_ = std::move(files);
+    cell_texts_ = std::move(texts);
   }
 
   /// `accepted` has everything but file names and cell. `areas` may be null. `beside`: accepted
@@ -65,6 +66,7 @@ class Approval {
   std::vector<Staged> staged_;
   std::string cell_;
   FileHashes cell_files_;
+  FileTexts cell_texts_;
   std::size_t files_ = 0;
 };
 

@@ -86,8 +86,8 @@ class Approver {
         approval_(session.folder(), session.manifest()),
         by_(userName()),
         at_(nowText()) {
-    if (auto files = hashSessionFiles(session, options); files.ok()) {
-      approval_.describeCell(std::move(*files));
+    if (const auto cell = collectSessionCell(session, options); cell.ok()) {
+      approval_.describeCell(hashesOf(*cell), toldTexts(*cell));
     }
   }
 

@@ -31,6 +31,7 @@ struct SuiteFrame {
   std::string camera{};  ///< empty: as render chooses
   std::vector<std::string> tags{};
   std::size_t place = 0;  ///< among all frames of the suite
+  int line = 0;           ///< of its case in the suite's file; 0: not known
 };
 
 enum class FrameVerdict : std::uint8_t {

@@ -67,6 +67,19 @@ std::map<std::string, FileHashes> cellsOf(const Json& root) {
   return cells;
 }
 
+/// A text that is not what its key says is left out: somebody edited it.
+FileTexts keptTexts(const Json& root) {
+  FileTexts texts;
+  const auto found = root.find("texts");
+  if (found == root.end() || !found->is_object()) return texts;
+  for (const auto& [hash, text] : found->items()) {
+    if (!text.is_string()) continue;
+    const auto& content = text.get_ref<const std::string&>();
+    if (fileSha256(bytesOf(content)) == hash) texts[hash] = content;
+  }
+  return texts;
+}
+
 /// As JSON, in which no case stands twice: of two, one would be forgotten.
 Result<Json> parseOnce(std::string_view text, const std::filesystem::path& file) {
   std::string of_root;
@@ -119,6 +132,7 @@ Result<Manifest> Manifest::parse(std::string_view text, const std::filesystem::p
 
   Manifest manifest;
   manifest.cells = cellsOf(root);
+  manifest.texts = keptTexts(root);
   std::set<std::string> files;
   for (const auto& [name, pictures] : cases->items()) {
     if (!pictures.is_array()) {
@@ -162,6 +176,7 @@ Status Manifest::write(const std::filesystem::path& folder) const {
     }
   }
   for (const auto& [key, hashes] : cells) root["cells"][key] = hashes;
+  for (const auto& [hash, content] : texts) root["texts"][hash] = content;
   const std::string text = root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
   return writeFileWhole(folder / kFileName, bytesOf(text), true);
 }
@@ -223,10 +238,21 @@ void Manifest::dropUnusedCells() {
     for (const AcceptedPicture& accepted : pictures) used.insert(accepted.cell);
   }
   std::erase_if(cells, [&](const auto& cell) { return !used.contains(cell.first); });
+  std::set<std::string> hashes;
+  for (const auto& [key, files] : cells) {
+    for (const auto& [name, hash] : files) hashes.insert(hash);
+  }
+  std::erase_if(texts, [&](const auto& text) { return !hashes.contains(text.first); });
 }
 
 bool isManifestPart(const std::filesystem::path& file) {
   return file.filename().string().starts_with(std::string(kFileName) + ".part");
+}
+
+std::string fileSha256(ByteView content) {
+  Sha256 hash;
+  hash.add(content);
+  return hexOf(hash.finish());
 }
 
 std::string cellKey(const FileHashes& files) {

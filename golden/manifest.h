@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/bytes.h"
 #include "core/result.h"
 
 namespace rocinante {
@@ -27,6 +28,8 @@ struct AcceptedPicture {
 
 /// The files that a cell is made of: name below the cell's folder to SHA-256.
 using FileHashes = std::map<std::string, std::string>;
+/// What files say, by their SHA-256.
+using FileTexts = std::map<std::string, std::string>;
 
 /// goldens/manifest.json: what was accepted, for which case and key (docs/golden-suites.md).
 /// Only `approve` writes it.
@@ -35,6 +38,9 @@ struct Manifest {
   /// What accepted pictures were drawn of, by a hash of the list: a failure then names the mesh,
   /// material or texture that changed.
   std::map<std::string, FileHashes> cells;
+  /// Of those files the ones that say kinematics and materials: a failure then tells what changed
+  /// in them. Files of goldens that were accepted before this was kept have none.
+  FileTexts texts;
 
   /// Empty when the folder has none. Names of pictures that lead out of the folder, or are no
   /// plain PNG's, and pictures that two cases name, are refused.
@@ -53,12 +59,15 @@ struct Manifest {
   void accept(const std::string& case_name, AcceptedPicture accepted, bool beside = false);
   /// The names of all files that it uses: pictures and areas.
   std::set<std::string> files() const;
-  /// Forgets cells that no picture names.
+  /// Forgets cells that no picture names, and texts that no cell has.
   void dropUnusedCells();
 };
 
 /// True for what writing a manifest leaves when it is killed.
 bool isManifestPart(const std::filesystem::path& file);
+
+/// SHA-256 in lower-case hexadecimal, as FileHashes has it.
+std::string fileSha256(ByteView content);
 
 /// The key of a list of files in Manifest::cells.
 std::string cellKey(const FileHashes& files);

@@ -23,6 +23,8 @@ Json whyJsonOf(const FrameWhy& why) {
                  {"pixels", change.pixels},
                  {"kind", nameOf(change.kind)},
                  {"text", changeText(change, why.blame.differing)}};
+    if (!change.inset.empty()) link["inset"] = change.inset;
+    if (!change.camera.empty()) link["camera"] = change.camera;
     if (change.moved_px) link["moved_px"] = *change.moved_px;
     if (change.kind == ChangeKind::color) link["color_shift"] = change.color_shift;
     links.push_back(std::move(link));
@@ -69,6 +71,7 @@ Json frameJson(const JudgedFrame& judged) {
     frame["masks"].push_back(
         {{"mask", mask.name}, {"pixels", mask.pixels}, {"own", i < judged.own_masks}});
   }
+  if (judged.frame.line > 0) frame["line"] = judged.frame.line;
   if (!judged.frame.camera.empty()) frame["camera"] = judged.frame.camera;
   if (!judged.frame.tags.empty()) frame["tags"] = judged.frame.tags;
   if (!judged.expectation.empty()) frame["expectation"] = judged.expectation;
@@ -145,8 +148,12 @@ std::string reportJunit(const SuiteReport& report) {
   for (const JudgedFrame& judged : report.frames) {
     const double took = (judged.render_ms + judged.judge_ms) / 1000;
     seconds += took;
-    cases += fmt::format("  <testcase classname=\"{}\" name=\"{}\" time=\"{:.3f}\">\n",
-                         xmlText(report.suite), xmlText(judged.frame.name), took);
+    const std::string place =
+        judged.frame.line > 0
+            ? fmt::format(" file=\"{}\" line=\"{}\"", xmlText(report.suite), judged.frame.line)
+            : "";
+    cases += fmt::format("  <testcase classname=\"{}\" name=\"{}\"{} time=\"{:.3f}\">\n",
+                         xmlText(report.suite), xmlText(judged.frame.name), place, took);
     if (!isFine(judged.verdict)) {
       const bool is_error = judged.verdict == FrameVerdict::incomparable;
       failures += is_error ? 0 : 1;

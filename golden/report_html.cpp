@@ -58,7 +58,7 @@ Json whyJson(const FrameWhy& why) {
   for (std::size_t i = 0; i < std::min(why.blame.changes.size(), Blame::kMostRows); ++i) {
     const LinkChange& change = why.blame.changes[i];
     rows.push_back({{"row", i + 1},
-                    {"name", nameText(change.name)},
+                    {"name", nameText(change)},
                     {"pixels", change.pixels},
                     {"what", whatText(change)}});
   }

@@ -85,10 +85,13 @@ void readWhy(const ReportJson& entry, JudgedFrame& judged) {
     change.name = {fieldOf<std::string>(link, "device"), fieldOf<std::string>(link, "link")};
     change.pixels = fieldOf<std::int64_t>(link, "pixels");
     const std::string kind = fieldOf<std::string>(link, "kind");
-    for (const ChangeKind one : {ChangeKind::moved, ChangeKind::appeared, ChangeKind::vanished,
-                                 ChangeKind::shape, ChangeKind::color, ChangeKind::drawing}) {
+    for (const ChangeKind one :
+         {ChangeKind::moved, ChangeKind::appeared, ChangeKind::vanished, ChangeKind::shape,
+          ChangeKind::color, ChangeKind::drawing, ChangeKind::camera}) {
       if (nameOf(one) == kind) change.kind = one;
     }
+    change.inset = fieldOf<std::string>(link, "inset");
+    change.camera = fieldOf<std::string>(link, "camera");
     change.moved_px = numbersIn<2>(link, "moved_px");
     change.color_shift = numbersIn<3>(link, "color_shift").value_or(std::array<double, 3>{});
   }
@@ -177,6 +180,7 @@ Result<JudgedFrame> frameOf(const ReportJson& entry, const std::string& session,
   judged.frame.camera = fieldOf<std::string>(entry, "camera");
   judged.frame.tags = textsOf(entry, "tags");
   judged.frame.place = fieldOf<std::size_t>(entry, "place");
+  judged.frame.line = fieldOf<int>(entry, "line");
   if (entry.contains("log_time_ns")) {
     judged.frame.time = LogTime(Nanoseconds(fieldOf<std::int64_t>(entry, "log_time_ns")));
   }

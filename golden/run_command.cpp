@@ -19,10 +19,6 @@ namespace {
 
 void printFrame(const JudgedFrame& judged) {
   fmt::print("{:<13} {}: {}\n", nameOf(judged.verdict), judged.frame.name, judged.rule);
-  if (judged.verdict != FrameVerdict::different || !judged.drawn || !judged.accepted) return;
-  for (const std::string& line : differenceMap(judged.compared(), *judged.accepted)) {
-    fmt::print("    |{}|\n", line);
-  }
 }
 
 std::vector<std::string> notesOf(const SuiteSession& session, const FrameSelection& selection,
@@ -68,12 +64,18 @@ SuiteReport reportOf(const SuiteSession& session, const SuiteArguments& argument
   return report;
 }
 
-/// Says why, a few lines a frame that failed.
+/// Says why and where, for each frame that failed: the reasons first, since a map fills a screen.
 void printWhy(const std::vector<JudgedFrame>& frames) {
   for (const JudgedFrame& judged : frames) {
-    if (!judged.why) continue;
-    fmt::print("why {}:\n", judged.frame.name);
-    for (const std::string& line : whyLines(*judged.why)) fmt::print("    {}\n", line);
+    if (judged.why) {
+      fmt::print("why {}:\n", judged.frame.name);
+      for (const std::string& line : whyLines(*judged.why)) fmt::print("    {}\n", line);
+    }
+    if (judged.verdict != FrameVerdict::different || !judged.drawn || !judged.accepted) continue;
+    if (!judged.why) fmt::print("where {}:\n", judged.frame.name);
+    for (const std::string& line : differenceMap(judged.compared(), *judged.accepted)) {
+      fmt::print("    |{}|\n", line);
+    }
   }
 }
 

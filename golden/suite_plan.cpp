@@ -193,6 +193,7 @@ Result<std::vector<SuiteFrame>> planFrames(const Suite& suite, Timeline* session
         frame.camera = camera;
         frame.tags = made.tags;
         frame.place = frames.size();
+        frame.line = made.line;
         if (session != nullptr) refuseMomentOutside(*session, frame);
         const auto [other, is_new] = lines.emplace(frame.name, made.line);
         if (!is_new) {

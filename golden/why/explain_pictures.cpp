@@ -1,5 +1,7 @@
 #include "golden/why/explain_pictures.h"
 
+#include "golden/why/view_blame.h"
+
 namespace rocinante {
 namespace {
 
@@ -25,6 +27,10 @@ Result<FrameWhy> explainBoth(const Picture& golden, const DrawableSide& golden_s
   if (!golden_identity.ok()) return golden_identity.error();
   const auto frame_identity = frame_side.maker.identity(frame_side.request);
   if (!frame_identity.ok()) return frame_identity.error();
+  const auto golden_views = golden_side.maker.views(golden_side.request);
+  if (!golden_views.ok()) return golden_views.error();
+  const auto frame_views = frame_side.maker.views(frame_side.request);
+  if (!frame_views.ok()) return frame_views.error();
   const auto golden_state = stateOf(golden_side);
   if (!golden_state.ok()) return golden_state.error();
   const auto frame_state = stateOf(frame_side);
@@ -33,8 +39,8 @@ Result<FrameWhy> explainBoth(const Picture& golden, const DrawableSide& golden_s
   const Moment frame_moment{frame_side.maker.cell(), *frame_state};
   FrameWhy why;
   why.basis = GoldenBasis::redrawn;
-  why.blame = blameLinks({golden, *golden_identity}, {frame, *frame_identity},
-                         movedLinks(golden_moment, frame_moment));
+  why.blame = blameViews({golden, *golden_identity}, *golden_views, {frame, *frame_identity},
+                         *frame_views, movedLinks(golden_moment, frame_moment));
   why.state = stateChanges(golden_moment, frame_moment, cameraName(frame_side));
   return why;
 }
@@ -43,8 +49,10 @@ Result<FrameWhy> explainByGuess(const Picture& golden, const Picture& frame,
                                 const DrawableSide& frame_side) {
   const auto identity = frame_side.maker.identity(frame_side.request);
   if (!identity.ok()) return identity.error();
+  const auto views = frame_side.maker.views(frame_side.request);
+  if (!views.ok()) return views.error();
   FrameWhy why;
-  why.blame = guessBlame(golden, {frame, *identity});
+  why.blame = guessViews(golden, {frame, *identity}, *views, frame_side.maker.cell());
   return why;
 }
 

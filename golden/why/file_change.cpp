@@ -2,8 +2,6 @@
 
 #include <string_view>
 
-#include "core/bundle/attached_cell.h"
-#include "core/hash.h"
 #include "core/plain_text.h"
 
 namespace rocinante {
@@ -28,12 +26,27 @@ std::string_view roleOf(const std::string& name) {
 
 }  // namespace
 
-Result<FileHashes> hashCellFiles(const std::filesystem::path& cell, const CellOptions& options) {
-  const auto bundle = collectCellOrLog(cell, options);
-  if (!bundle.ok()) return bundle.error();
+FileHashes hashesOf(const CellBundle& bundle) {
   FileHashes hashes;
-  for (const auto& file : bundle->manifest.files) hashes[file.name] = file.sha256;
+  for (const auto& file : bundle.manifest.files) hashes[file.name] = file.sha256;
   return hashes;
+}
+
+bool isToldText(const std::string& name) {
+  const std::string_view role = roleOf(name);
+  return role == "cell" || role == "kinematics" || role == "materials";
+}
+
+FileTexts toldTexts(const CellBundle& bundle) {
+  constexpr std::size_t kMostBytes = std::size_t{1} << 20U;
+  FileTexts texts;
+  for (std::size_t i = 0; i < bundle.contents.size(); ++i) {
+    const auto& file = bundle.manifest.files[i];
+    const Bytes& content = bundle.contents[i];
+    if (!isToldText(file.name) || content.size() > kMostBytes || !isUtf8(content)) continue;
+    texts[file.sha256] = textOf(content);
+  }
+  return texts;
 }
 
 std::vector<std::string> fileChanges(const FileHashes& golden, const FileHashes& frame) {

@@ -4,14 +4,19 @@
 #include <string>
 #include <vector>
 
-#include "core/model/cell.h"
+#include "core/bundle/cell_bundle.h"
 #include "core/result.h"
 #include "golden/manifest.h"
 
 namespace rocinante {
 
-/// Of whatever a program is given as a cell: a file with all that it names, or what a log carries.
-Result<FileHashes> hashCellFiles(const std::filesystem::path& cell, const CellOptions& options);
+/// The hashes of a cell's files.
+FileHashes hashesOf(const CellBundle& bundle);
+/// What its files say of kinematics and materials, of at most 1 MiB each and valid UTF-8: for a
+/// manifest.
+FileTexts toldTexts(const CellBundle& bundle);
+/// True for the name of a file whose text toldTexts() keeps.
+bool isToldText(const std::string& name);
 
 /// "textures/floor.png: the texture has changed", one a file, by name.
 std::vector<std::string> fileChanges(const FileHashes& golden, const FileHashes& frame);

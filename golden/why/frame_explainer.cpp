@@ -4,16 +4,17 @@
 
 #include "core/bundle/attached_cell.h"
 #include "core/log/log_reader.h"
+#include "golden/why/model_change.h"
 
 namespace rocinante {
 
-Result<FileHashes> hashSessionFiles(const SuiteSession& session, const SuiteOptions& options) {
+Result<CellBundle> collectSessionCell(const SuiteSession& session, const SuiteOptions& options) {
   CellOptions cell_options;
   if (!isLog(session.suite().cell)) {
     cell_options.search = options.search;
     cell_options.search_environment = options.search_environment;
   }
-  return hashCellFiles(session.suite().cell, cell_options);
+  return collectCellOrLog(session.suite().cell, cell_options);
 }
 
 FrameExplainer::FrameExplainer(SuiteSession& session, std::filesystem::path suite_file,
@@ -82,28 +83,38 @@ Result<FrameExplainer::Found> FrameExplainer::findGolden(const JudgedFrame& judg
   return best;
 }
 
-const FileHashes& FrameExplainer::filesToday() {
+CellBundle* FrameExplainer::bundleToday() {
   // Once: meshes are large, and many frames fail together.
-  if (!files_today_) {
-    auto files = hashSessionFiles(now_, options_);
-    files_today_ = files.ok() ? std::move(*files) : FileHashes();
+  if (!collected_) {
+    collected_ = true;
+    auto bundle = collectSessionCell(now_, options_);
+    if (bundle.ok()) bundle_today_ = std::move(*bundle);
   }
-  return *files_today_;
+  return bundle_today_ ? &*bundle_today_ : nullptr;
 }
 
-std::vector<std::string> FrameExplainer::changedFiles(Candidate& candidate) {
-  if (!candidate.files) {
-    auto files = hashSessionFiles(*candidate.session, candidate.options);
-    candidate.files = files.ok() ? std::move(*files) : FileHashes();
+const std::vector<std::string>& FrameExplainer::changesSince(Candidate& candidate) {
+  if (!candidate.changes) {
+    candidate.changes = modelChanges(candidate.session->cell(), now_.cell());
+    const auto before = collectSessionCell(*candidate.session, candidate.options);
+    if (before.ok() && bundleToday() != nullptr) {
+      for (std::string& line : fileChanges(hashesOf(*before), hashesOf(*bundleToday()))) {
+        candidate.changes->push_back(std::move(line));
+      }
+    }
   }
-  if (candidate.files->empty() || filesToday().empty()) return {};
-  return fileChanges(*candidate.files, filesToday());
+  return *candidate.changes;
 }
 
-std::vector<std::string> FrameExplainer::changedSinceAccepted(const AcceptedPicture& golden) {
+const std::vector<std::string>& FrameExplainer::changesSince(const AcceptedPicture& golden) {
+  const auto [place, is_new] = changes_.try_emplace(golden.cell);
+  if (!is_new) return place->second;
+  place->second = cellFaults(now_.cell());
   const FileHashes* const before = now_.manifest().cellOf(golden);
-  if (before == nullptr || filesToday().empty()) return {};
-  return fileChanges(*before, filesToday());
+  if (before != nullptr && bundleToday() != nullptr) {
+    place->second = modelChanges(*before, now_.manifest().texts, *bundleToday(), now_.cell());
+  }
+  return place->second;
 }
 
 Result<std::shared_ptr<const FrameWhy>> FrameExplainer::explain(const JudgedFrame& judged) {
@@ -123,7 +134,7 @@ Result<std::shared_ptr<const FrameWhy>> FrameExplainer::explain(const JudgedFram
   if (golden->candidate == nullptr) {
     auto why = explainByGuess(*judged.accepted, judged.compared(), today);
     if (!why.ok()) return why.error();
-    why->files = changedSinceAccepted(*judged.golden);
+    why->files = changesSince(*judged.golden);
     return std::make_shared<const FrameWhy>(std::move(*why));
   }
   const auto golden_drawer = golden->candidate->session->drawer();
@@ -132,7 +143,7 @@ Result<std::shared_ptr<const FrameWhy>> FrameExplainer::explain(const JudgedFram
                          judged.compared(), today);
   if (!why.ok()) return why.error();
   why->basis = golden->basis;
-  why->files = changedFiles(*golden->candidate);
+  why->files = changesSince(*golden->candidate);
   return std::make_shared<const FrameWhy>(std::move(*why));
 }
 

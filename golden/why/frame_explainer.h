@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -12,9 +13,9 @@
 
 namespace rocinante {
 
-/// The files of the cell that a session draws; an error where it has faults: a cell with errors is
-/// drawn as far as it goes, and has no list of files.
-Result<FileHashes> hashSessionFiles(const SuiteSession& session, const SuiteOptions& options);
+/// The cell that a session draws, with its files; an error where it has faults: a cell with errors
+/// is drawn as far as it goes, and has no list of files.
+Result<CellBundle> collectSessionCell(const SuiteSession& session, const SuiteOptions& options);
 
 /// Says why frames of a suite are not their goldens. The golden's own cell and session are looked
 /// for in what the suite names where --cell or --log stand in its place, and in the cell that the
@@ -33,7 +34,7 @@ class FrameExplainer {
     SuiteOptions options;
     std::unique_ptr<SuiteSession> session;  ///< opened when first needed
     bool is_unusable = false;
-    std::optional<FileHashes> files;  ///< of its cell, once asked for; empty where it has faults
+    std::optional<std::vector<std::string>> changes;  ///< of the model since, once asked for
   };
   struct Found {
     Candidate* candidate = nullptr;
@@ -44,16 +45,18 @@ class FrameExplainer {
   void findCandidates();
   SuiteSession* opened(Candidate& candidate);
   Result<Found> findGolden(const JudgedFrame& judged);
-  std::vector<std::string> changedFiles(Candidate& candidate);
-  std::vector<std::string> changedSinceAccepted(const AcceptedPicture& golden);
-  const FileHashes& filesToday();
+  const std::vector<std::string>& changesSince(Candidate& candidate);
+  const std::vector<std::string>& changesSince(const AcceptedPicture& golden);
+  CellBundle* bundleToday();
 
   SuiteSession& now_;
   std::filesystem::path suite_file_;
   SuiteOptions options_;
   bool looked_ = false;
   std::vector<Candidate> candidates_;
-  std::optional<FileHashes> files_today_;  ///< empty where the cell has faults
+  bool collected_ = false;
+  std::optional<CellBundle> bundle_today_;                   ///< empty where the cell has faults
+  std::map<std::string, std::vector<std::string>> changes_;  ///< by a golden's key of its cell
 };
 
 /// Explains those that failed, where there is something to explain; at most `most` of them, since

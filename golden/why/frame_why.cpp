@@ -32,12 +32,14 @@ std::string_view sentenceOf(GoldenBasis basis) {
 
 std::vector<std::string> whyLines(const FrameWhy& why, std::size_t rows) {
   std::vector<std::string> lines;
-  std::vector<std::string> links;
+  std::vector<std::string> links, insets;
   for (const LinkChange& change : why.blame.changes) {
-    links.push_back(changeText(change, why.blame.differing) +
-                    (why.basis == GoldenBasis::guessed ? " (estimated)" : ""));
+    const bool estimated = why.basis == GoldenBasis::guessed && change.kind != ChangeKind::camera;
+    (change.inset.empty() ? links : insets)
+        .push_back(changeText(change, why.blame.differing) + (estimated ? " (estimated)" : ""));
   }
   addLines(links, rows, lines);
+  addLines(insets, rows, lines);
   std::vector<std::string> states;
   for (const StateChange& change : why.state) states.push_back(change.text);
   addLines(states, rows, lines);

@@ -37,6 +37,8 @@ std::string_view nameOf(ChangeKind kind) {
       return "colour";
     case ChangeKind::drawing:
       return "drawing";
+    case ChangeKind::camera:
+      return "camera";
   }
   return "colour";
 }
@@ -45,6 +47,12 @@ std::string nameText(const IdentityName& name) {
   if (name.device.empty()) return "background";
   if (name.device == "drawing") return "drawing " + name.link;
   return name.link.empty() ? name.device : name.device + "/" + name.link;
+}
+
+std::string nameText(const LinkChange& change) {
+  if (change.inset.empty()) return nameText(change.name);
+  const std::string inset = "inset " + change.inset;
+  return change.kind == ChangeKind::camera ? inset : inset + ", " + nameText(change.name);
 }
 
 std::string whatText(const LinkChange& change) {
@@ -64,6 +72,8 @@ std::string whatText(const LinkChange& change) {
       return "another shape";
     case ChangeKind::drawing:
       return "text or drawing";
+    case ChangeKind::camera:
+      return change.camera;
     case ChangeKind::color:
       break;
   }
@@ -73,7 +83,7 @@ std::string whatText(const LinkChange& change) {
 }
 
 std::string changeText(const LinkChange& change, std::int64_t differing) {
-  return fmt::format("{}: {} of {} differing pixel{}, {}", nameText(change.name),
+  return fmt::format("{}: {} of {} differing pixel{}, {}", nameText(change),
                      groupedDigits(change.pixels), groupedDigits(differing),
                      differing == 1 ? "" : "s", whatText(change));
 }

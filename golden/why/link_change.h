@@ -19,7 +19,8 @@ enum class ChangeKind : std::uint8_t {
   vanished,  ///< the frame shows nothing of it
   shape,     ///< its outline is another one, wherever it is laid
   color,     ///< the same outline, other colours
-  drawing    ///< a label, line or points of the session, or the text in it
+  drawing,   ///< a label, line or points of the session, or the text in it
+  camera     ///< of a whole inset: it is seen from elsewhere, or lies elsewhere
 };
 std::string_view nameOf(ChangeKind kind);
 
@@ -31,7 +32,9 @@ struct LinkChange {
   std::int64_t pixels = 0;                        ///< of the differing ones
   std::optional<std::array<double, 2>> moved_px;  ///< from golden to frame: right, down
   std::array<double, 3>
-      color_shift{};  ///< frame minus golden, mean R G B where it differs in place
+      color_shift{};     ///< frame minus golden, mean R G B where it differs in place
+  std::string inset{};   ///< the camera of the inset that shows it; empty: the main view
+  std::string camera{};  ///< of kind `camera`, what became of it: "its camera moved by 20 mm"
 };
 
 /// Differing pixels by link (docs/golden-suites.md, "Why").
@@ -39,7 +42,7 @@ struct Blame {
   static constexpr std::size_t kMostRows = 254;
 
   std::int64_t differing = 0;
-  std::vector<LinkChange> changes;  ///< most pixels first
+  std::vector<LinkChange> changes;  ///< the main view's, most pixels first, then inset by inset
   /// Of the picture's size. Each byte is 1 + a place in `changes`, 255 for one beyond kMostRows, 0
   /// for none: red, to whom a differing pixel is laid; green, whose surface the frame shows there;
   /// blue, whose the golden showed.
@@ -48,6 +51,8 @@ struct Blame {
 
 /// "puma/link4", "drawing planner/goal", "background".
 std::string nameText(const IdentityName& name);
+/// The same of a change: "inset wrist" of a camera, "inset wrist, puma/link4" of what it shows.
+std::string nameText(const LinkChange& change);
 /// "moved by (3.1, -0.4) px", "colour, by (+12, 0, -3)".
 std::string whatText(const LinkChange& change);
 /// "puma/link4: 6,900 of 7,213 differing pixels, moved by (3.1, -0.4) px".

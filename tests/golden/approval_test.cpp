@@ -106,6 +106,23 @@ TEST_F(ApprovalTest, WhatAnotherApprovedMeanwhileIsKept) {
   EXPECT_EQ(*folder_.read(*now.find("other", kTinyKey).front()), tinyPicture(40));
 }
 
+TEST_F(ApprovalTest, TwoThatApproveTheSamePixelsAreBothDone) {
+  approve("pick", tinyPicture(10));
+  Approval first(folder_, manifest()), second(folder_, manifest());
+  for (Approval* approval : {&first, &second}) {
+    ASSERT_TRUE(
+        approval->stage("pick", entryOf(tinyPicture(20)), tinyPicture(20), nullptr, false).ok());
+  }
+  for (Approval* approval : {&first, &second}) {
+    const auto left_alone = approval->commit();
+    ASSERT_TRUE(left_alone.ok()) << left_alone.error().text();
+    EXPECT_TRUE(left_alone->empty());
+  }
+  ASSERT_EQ(manifest().find("pick", kTinyKey).size(), 1U);
+  EXPECT_EQ(*folder_.read(*manifest().find("pick", kTinyKey).front()), tinyPicture(20));
+  EXPECT_EQ(files(), (std::vector<std::string>{"manifest.json", pick_}));
+}
+
 TEST_F(ApprovalTest, KilledAfterTheManifestTheNewPictureCounts) {
   approve("pick", tinyPicture(10));
   // As it is between the manifest and the last rename.

@@ -70,12 +70,14 @@ TEST(Manifest, RemembersWhereMasksLay) {
 
 TEST(Manifest, RemembersTheFilesOfTheCellThatPicturesWereAcceptedOf) {
   const test::TemporaryFolder folder;
-  const FileHashes files{{"arm.obj", "aa"}, {"arm.toml", "bb"}};
+  const std::string text = "format = 1\n";
+  const FileHashes files{{"arm.obj", "aa"}, {"arm.toml", fileSha256(bytesOf(text))}};
   Manifest manifest;
   AcceptedPicture drawn = accepted("a 640x480 4x", "aa");
   drawn.cell = cellKey(files);
   manifest.cells[drawn.cell] = files;
   manifest.cells["nobody's"] = {{"old.obj", "cc"}};
+  manifest.texts = {{files.at("arm.toml"), text}, {fileSha256(bytesOf("old")), "old"}};
   manifest.accept("pick", drawn);
   manifest.dropUnusedCells();
   ASSERT_TRUE(manifest.write(folder.path()).ok());
@@ -84,11 +86,23 @@ TEST(Manifest, RemembersTheFilesOfTheCellThatPicturesWereAcceptedOf) {
   ASSERT_TRUE(read.ok());
   EXPECT_EQ(read->cases, manifest.cases);
   EXPECT_EQ(read->cells, (std::map<std::string, FileHashes>{{drawn.cell, files}}));
+  EXPECT_EQ(read->texts, (FileTexts{{files.at("arm.toml"), text}})) << "of files that count";
   const FileHashes* const found = read->cellOf(*read->find("pick", "a 640x480 4x").front());
   ASSERT_NE(found, nullptr);
   EXPECT_EQ(*found, files);
   EXPECT_EQ(read->cellOf(accepted("a 640x480 4x", "of a folder without cells")), nullptr);
   EXPECT_NE(cellKey(files), cellKey({{"arm.obj", "ab"}, {"arm.toml", "bb"}}));
+}
+
+TEST(Manifest, ATextThatIsNotWhatItsHashSaysIsLeftOut) {
+  const std::string hash = fileSha256(bytesOf("true"));
+  for (const std::string& texts : {fmt::format(R"({{"{}": "false"}})", hash), std::string("[]"),
+                                   fmt::format(R"({{"{}": 7}})", hash)}) {
+    const auto manifest = Manifest::parse(
+        fmt::format(R"({{"format": 1, "cases": {{}}, "texts": {}}})", texts), "manifest.json");
+    ASSERT_TRUE(manifest.ok()) << texts;
+    EXPECT_TRUE(manifest->texts.empty()) << texts;
+  }
 }
 
 TEST(Manifest, CellsThatAreNoneExplainNothingAndJudgeAsBefore) {

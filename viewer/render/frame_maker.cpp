@@ -37,6 +37,7 @@ struct FoundFrame {
   PosedScene scene;                     // borrows from it
   CameraView camera;
   std::vector<FrameInset> insets;
+  std::vector<std::string> inset_cameras;  // by name, as `insets`
   const RenderStyle* style = nullptr;
   FrameExtras extras;
   std::map<std::string, std::uint64_t> counted;  // datagrams in the last second, for the panel
@@ -146,6 +147,7 @@ Status FrameMaker::Impl::placeCameras(const FrameRequest& request, FoundFrame& f
     if (!camera || parts[i].width == 0) continue;
     found.insets.push_back({parts[i], *camera, inset.title.value_or(inset.camera),
                             inset.border_rgba, inset.border_px});
+    found.inset_cameras.push_back(inset.camera);
   }
   return {};
 }
@@ -309,6 +311,18 @@ Result<CameraView> FrameMaker::camera(const FrameRequest& request) {
   const auto found = impl_->find(request, nullptr);
   if (!found) return found.error();
   return found->camera;
+}
+
+Result<std::vector<PicturedView>> FrameMaker::views(const FrameRequest& request) {
+  const auto found = impl_->find(request);
+  if (!found) return found.error();
+  std::vector<PicturedView> views;
+  views.push_back({false, request.camera, {0, 0, request.width, request.height}, found->camera});
+  for (std::size_t i = 0; i < found->insets.size(); ++i) {
+    const FrameInset& inset = found->insets[i];
+    views.push_back({true, found->inset_cameras[i], inset.part, inset.camera});
+  }
+  return views;
 }
 
 bool FrameMaker::asksFit(const FrameRequest& request) const { return impl_->asksFit(request); }

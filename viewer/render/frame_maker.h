@@ -11,6 +11,7 @@
 #include "viewer/picture/picture.h"
 #include "viewer/render/camera.h"
 #include "viewer/render/identity_frame.h"
+#include "viewer/render/pictured_view.h"
 #include "viewer/render/render_style.h"
 #include "viewer/render/renderer_key.h"
 
@@ -67,6 +68,8 @@ class FrameMaker {
   Result<DepthFrame> depth(const FrameRequest& request, StateDamage* damage = nullptr);
   /// Where it is seen from.
   Result<CameraView> camera(const FrameRequest& request);
+  /// The main view, then the insets that are drawn, in their order.
+  Result<std::vector<PicturedView>> views(const FrameRequest& request);
 
   /// Whether "fit" or "map" draws any of it.
   bool asksFit(const FrameRequest& request) const;

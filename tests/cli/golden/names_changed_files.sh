@@ -28,3 +28,6 @@ echo "accepted:"
 rocinante golden approve suite.toml -m 'the plate is painted'
 why
 grep -c '"plate.obj"' goldens/manifest.json
+echo "a mesh that is missing:"
+rm plate.obj
+rocinante golden run suite.toml 2>/dev/null | grep -q 'plate.obj' && echo named
