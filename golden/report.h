@@ -49,6 +49,10 @@ bool canApprove(const JudgedFrame& judged);
 std::string reportJson(const SuiteReport& report);
 /// JUnit XML: one testsuite, one testcase a frame; incomparable ones are errors.
 std::string reportJunit(const SuiteReport& report);
+/// SARIF 2.1.0: a result for each frame that is not fine, at its case's line of the suite.
+std::string reportSarif(const SuiteReport& report);
+/// Workflow commands of GitHub Actions, a line for each frame that is not fine.
+std::string reportGithub(const SuiteReport& report);
 /// One self-contained page: no network, pictures inside. docs/golden-report.md.
 std::string reportHtml(const SuiteReport& report);
 

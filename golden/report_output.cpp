@@ -14,9 +14,14 @@ namespace rocinante {
 void addReportFiles(CLI::App& command, ReportFiles& files) {
   command.add_option("--report", files.folder, "folder for index.html and the pictures");
   command.add_option("--junit", files.junit, "write JUnit XML");
-  command.add_option("--json", files.json_file, "write the verdicts as JSON; - is standard output")
-      ->expected(0, 1)
-      ->default_str("-");
+  command.add_option("--sarif", files.sarif, "write SARIF 2.1.0, for code scanning");
+  CLI::Option* const json =
+      command
+          .add_option("--json", files.json_file, "write the verdicts as JSON; - is standard output")
+          ->expected(0, 1)
+          ->default_str("-");
+  command.add_flag("--github", files.github, "annotate the suite's lines in GitHub Actions")
+      ->excludes(json);
 }
 
 Status writeReportFiles(const SuiteReport& report, const ReportFiles& files) {
@@ -25,6 +30,12 @@ Status writeReportFiles(const SuiteReport& report, const ReportFiles& files) {
       return written;
     }
   }
+  if (!files.sarif.empty()) {
+    if (auto written = writeFileWhole(files.sarif, bytesOf(reportSarif(report)), true); !written) {
+      return written;
+    }
+  }
+  if (files.github) fmt::print("{}", reportGithub(report));
   if (files.json_file == "-") {
     std::cout << reportJson(report);
   } else if (!files.json_file.empty()) {
