@@ -173,8 +173,7 @@ std::string cmykJpeg() {
          bytes({0xFF, 0xC0, 0, 20, 8, 0, 8, 0, 8, 4, 1, 0x11, 0, 2, 0x11, 0, 3, 0x11, 0, 4, 0x11}) +
          bytes({0, 0xFF, 0xC4, 0, 31, 0, 0, 0, 0, 12, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}) +
          bytes({0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 0xFF, 0xC4, 0, 20, 0x10, 1}) +
-         std::string(16, '\0') +
-         bytes({0xFF, 0xDA, 0, 14, 4, 1, 0, 2, 0, 3, 0, 4, 0, 0, 63, 0}) +
+         std::string(16, '\0') + bytes({0xFF, 0xDA, 0, 14, 4, 1, 0, 2, 0, 3, 0, 4, 0, 0, 63, 0}) +
          // Category 10 and the mean, eightfold, of each component; no detail.
          bytes({0xAC, 0x81, 0x46, 0xFA, 0x8D, 0xF5, 0x78, 0x0F, 0xFF, 0xD9});
 }
@@ -217,6 +216,16 @@ TEST_F(FineByModule, NoMemoryIsMadeForAttributesLongerThanTheirFile) {
   const auto long_attribute = read("a.exr", file);
   ASSERT_FALSE(long_attribute.ok());
   EXPECT_EQ(long_attribute.error().what, "is cut short") << "said before the library is asked";
+}
+
+TEST_F(FineByModule, AChannelOfAnUnknownTypeEndsNoProgram) {
+  std::string file = test::exrFile(2, 1, "BGR", {0, 0, 0, 0, 0, 0});
+  const std::size_t first = file.find("chlist") + std::string("chlist.").size() + 4;
+  ASSERT_EQ(file.substr(first, 3), std::string("B\0\2", 3));
+  file[first + 2] = 3;
+  const auto unknown = read("a.exr", file);
+  ASSERT_FALSE(unknown.ok());
+  EXPECT_EQ(unknown.error().what, "cannot be decoded: it has a channel of an unknown type");
 }
 
 #endif

@@ -136,9 +136,9 @@ bool jpegIsCut(const char* path, const void* bytes, size_t size) {
   return end == jpeg.npos || (scan != jpeg.npos && end < scan);
 }
 
-bool exrIsSound(const char* path, const void* bytes, size_t size) {
+std::string_view exrFaultOf(const char* path, const void* bytes, size_t size) {
   if (bytes != nullptr) {
-    return rocinante::exrAttributesFit({static_cast<const char*>(bytes), size}, size);
+    return rocinante::exrFault({static_cast<const char*>(bytes), size}, size);
   }
   std::string head(rocinante::kExrHeadBytes, '\0');
   std::ifstream file(path, std::ios::binary);
@@ -147,7 +147,7 @@ bool exrIsSound(const char* path, const void* bytes, size_t size) {
   file.clear();
   file.seekg(0, std::ios::end);
   const std::streamoff end = file.tellg();
-  return rocinante::exrAttributesFit(head, end < 0 ? head.size() : static_cast<std::uint64_t>(end));
+  return rocinante::exrFault(head, end < 0 ? head.size() : static_cast<std::uint64_t>(end));
 }
 
 template <class T>
@@ -222,7 +222,9 @@ void read(const char* path, const void* bytes, size_t size, int64_t max_pixels, 
   OIIO::ImageSpec wanted;
   wanted.attribute("oiio:UnassociatedAlpha", 1);
   OIIO::Filesystem::IOMemReader memory(const_cast<void*>(bytes), size);  // it never writes
-  if (!exrIsSound(path, bytes, size)) return answer(out, damaged, "is cut short");
+  if (const std::string_view fault = exrFaultOf(path, bytes, size); !fault.empty()) {
+    return answer(out, damaged, std::string(fault));
+  }
   const bool is_jpeg =
       size > 2 && std::string_view(static_cast<const char*>(bytes), 3) == "\xFF\xD8\xFF";
   const std::unique_ptr<OIIO::ImageInput> input =
