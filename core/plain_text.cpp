@@ -30,6 +30,30 @@ std::size_t characterBytes(ByteView bytes, std::size_t at) {
   return overlong || surrogate || beyond ? 0 : length;
 }
 
+char32_t characterAt(ByteView bytes, std::size_t at, std::size_t length) {
+  if (length == 1) return byteAt(bytes, at);
+  char32_t character = byteAt(bytes, at) & (0xFFU >> (length + 1));
+  for (std::size_t i = 1; i < length; ++i) {
+    character = (character << 6U) | (byteAt(bytes, at + i) & 0x3FU);
+  }
+  return character;
+}
+
+/// What a terminal obeys and does not show: controls (C0, DEL, C1), what turns the direction of the
+/// text around it (bidi), ends lines, or takes no room, so that two names look alike. Joiners
+/// (U+200C, U+200D) are a part of writing and stay.
+bool isUnseen(char32_t c) {
+  struct Range {
+    char32_t first, last;
+  };
+  static constexpr Range kUnseen[] = {{0x00, 0x1F},     {0x7F, 0x9F},      {0x061C, 0x061C},
+                                      {0x180E, 0x180E}, {0x200B, 0x200B},  {0x200E, 0x200F},
+                                      {0x2028, 0x202E}, {0x2060, 0x206F},  {0xFEFF, 0xFEFF},
+                                      {0xFFF9, 0xFFFB}, {0xE0000, 0xE0FFF}};
+  return std::ranges::any_of(
+      kUnseen, [c](const Range& range) { return c >= range.first && c <= range.last; });
+}
+
 }  // namespace
 
 bool isUtf8(ByteView bytes) {
@@ -46,10 +70,7 @@ std::string plainText(std::string_view text) {
   std::string out;
   for (std::size_t at = 0; at < bytes.size();) {
     const std::size_t length = characterBytes(bytes, at);
-    const unsigned first = byteAt(bytes, at);
-    // C1 controls (U+0080 to U+009F) are two bytes, and terminals obey them too.
-    const bool c1 = length == 2 && first == 0xC2 && byteAt(bytes, at + 1) < 0xA0;
-    if (length == 0 || first < 0x20 || first == 0x7F || c1) {
+    if (length == 0 || isUnseen(characterAt(bytes, at, length))) {
       for (std::size_t i = 0; i < std::max<std::size_t>(length, 1); ++i) {
         out += fmt::format("\\x{:02x}", byteAt(bytes, at + i));
       }

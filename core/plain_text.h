@@ -11,8 +11,9 @@ namespace rocinante {
 /// True when the bytes are UTF-8 (RFC 3629: no overlong forms, no surrogates).
 bool isUtf8(ByteView bytes);
 
-/// Text of a stranger as a terminal may see it: control characters and what is no UTF-8 as \xNN, so
-/// that a datagram cannot move the cursor or end a line.
+/// Text of a stranger as a terminal may see it: control characters, those that turn the direction
+/// of text or take no room, and what is no UTF-8, as \xNN for each byte, so that a datagram can
+/// neither move the cursor, end a line, nor look like another.
 std::string plainText(std::string_view text);
 
 /// Line `number` (from 1) of a datagram as a report shows it: plainText with tabs as spaces, cut

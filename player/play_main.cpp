@@ -7,6 +7,7 @@
 #include "core/atomic_file.h"
 #include "core/cli/program.h"
 #include "core/duration_text.h"
+#include "core/plain_text.h"
 #include "player/command_slot.h"
 #include "player/control_socket.h"
 #include "player/control_thread.h"
@@ -208,11 +209,14 @@ Result<PlayReport> playWithControl(Arguments& my) {
   if (const Status opened = openControl(my, inputs); !opened) return opened.error();
   PlayControl control;
   if (!inputs.empty()) control = {slot->get(), (*slot)->wake()};
+  // Where a log is opened, or the state of a place is folded, nothing looks for a stop.
+  const cli::StopDeadline deadline("stopped in the middle of reading, so there is no report",
+                                   giveTerminalBack);
   const ControlThread thread(**slot, std::move(inputs));
   SendSurroundings surroundings;
   surroundings.stop = cli::stopRequested;
   surroundings.told = [&my](std::string_view line) {
-    if (!my.quiet) std::fprintf(stderr, "%.*s\n", static_cast<int>(line.size()), line.data());
+    if (!my.quiet) std::fprintf(stderr, "%s\n", plainText(line).c_str());
   };
   return play(my.options, surroundings, control);
 }

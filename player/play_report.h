@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "core/hash.h"
+#include "core/late_histogram.h"
 #include "core/playback_speed.h"
 #include "core/result.h"
 #include "core/time.h"
-#include "player/late_histogram.h"
 #include "player/paced_sender.h"
 
 namespace rocinante {

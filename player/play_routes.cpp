@@ -1,7 +1,5 @@
 #include "player/play_routes.h"
 
-#include <fnmatch.h>
-
 #include <algorithm>
 #include <charconv>
 
@@ -37,17 +35,6 @@ void addOnce(std::vector<std::uint16_t>& numbers, std::uint16_t number) {
 
 }  // namespace
 
-Result<RouteMap> RouteMap::parse(std::string_view text) {
-  const std::size_t equals = text.find('=');
-  if (equals == text.npos || equals == 0) {
-    return Error{ErrorKind::bad_argument, "a map is TOPIC=ENDPOINT, as in /udp/19960/arm=:5000",
-                 std::string(text)};
-  }
-  const Result<Endpoint> to = Endpoint::parse(text.substr(equals + 1));
-  if (!to) return to.error();
-  return RouteMap{std::string(text.substr(0, equals)), *to};
-}
-
 Result<PlayRoutes> makeRoutes(const LogMerge& logs, const Endpoint& to,
                               const std::vector<RouteMap>& maps, bool keep_ports) {
   PlayRoutes routes;
@@ -58,7 +45,7 @@ Result<PlayRoutes> makeRoutes(const LogMerge& logs, const Endpoint& to,
       if (!channel.captured() || !logs.chosen(log, channel.id)) continue;
       Route route{to, keep_ports ? portOf(channel) : std::uint16_t{0}, false};
       for (std::size_t i = 0; i < maps.size(); ++i) {
-        if (::fnmatch(maps[i].pattern.c_str(), channel.topic.c_str(), 0) != 0) continue;
+        if (!maps[i].matches(channel.topic)) continue;
         used[i] = true;
         route.to = maps[i].to;
         break;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/net/endpoint.h"
+#include "core/net/route_map.h"
 #include "core/result.h"
 #include "player/log_merge.h"
 
@@ -18,15 +19,6 @@ struct Route {
   std::uint16_t local_port = 0;  ///< 0: any
   bool restating = false;        ///< the player's own: a receiver can tell it from the session's
   bool operator==(const Route&) const = default;
-};
-
-/// Topics that go elsewhere: a shell's pattern, and where to.
-struct RouteMap {
-  std::string pattern;
-  Endpoint to;
-
-  /// "TOPIC=EP", where TOPIC ends at the first `=`.
-  static Result<RouteMap> parse(std::string_view text);
 };
 
 /// By which socket each datagram leaves. Numbers index `all`.

@@ -2,9 +2,11 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <optional>
 
 #include "core/cli/program.h"
 #include "core/duration_text.h"
+#include "core/plain_text.h"
 #include "player/source.h"
 
 namespace {
@@ -123,14 +125,16 @@ Result<cli::Exit> run(Arguments& my, bool loop_given) {
   SendSurroundings surroundings;
   surroundings.stop = cli::stopRequested;
   surroundings.told = [&my](std::string_view line) {
-    if (!my.quiet) std::fprintf(stderr, "%.*s\n", static_cast<int>(line.size()), line.data());
+    if (!my.quiet) std::fprintf(stderr, "%s\n", plainText(line).c_str());
   };
   std::vector<DemoPart> parts;
   for (const DemoPart part : kDemoParts) {
     if (my.demo == "all" || my.demo == nameOf(part)) parts.push_back(part);
   }
+  std::optional<cli::StopDeadline> deadline("stopped in the middle of reading");
   const Result<PlayReport> report = my.demo.empty() ? sendCsv(my.csv, my.options, surroundings)
                                                     : sendDemo(parts, my.options, surroundings);
+  deadline.reset();
   if (!report) return report.error();
   if (!report->keptUp() && !my.quiet) cli::warn(behindText(*report));
   const std::string said =

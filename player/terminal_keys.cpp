@@ -115,6 +115,8 @@ std::string_view KeyReader::take(char key) {
   return {};
 }
 
+void giveTerminalBack() { restoreMode(); }
+
 std::unique_ptr<TerminalKeys> TerminalKeys::open() {
   // To change the terminal from the background would stop the program.
   if (::isatty(kKeyboard) != 1 || !isForeground()) return nullptr;

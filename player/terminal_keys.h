@@ -20,6 +20,9 @@ class KeyReader {
   std::string sequence_;  ///< the beginning of an escape sequence
 };
 
+/// Makes the terminal what it was before TerminalKeys, if they are open. For signal handlers too.
+void giveTerminalBack();
+
 /// The keyboard of the terminal that the program runs in. While this lives the terminal gives each
 /// key at once and shows none; what it was like before comes back at the end, however that comes:
 /// also by a second Ctrl-C, another signal, or while the program is stopped (Ctrl-Z).

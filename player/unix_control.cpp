@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/net/system_socket.h"
+#include "core/unfinished_path.h"
 #include "player/control_sockets.h"
 #include "player/transport_command.h"
 
@@ -38,7 +39,6 @@ class UnixControl final : public ControlInput {
  public:
   UnixControl(SystemSocket socket, std::filesystem::path path)
       : socket_(std::move(socket)), path_(std::move(path)) {}
-  ~UnixControl() override { ::unlink(path_.c_str()); }
 
   void addDescriptors(std::vector<pollfd>& descriptors) const override {
     // Further ones wait in the kernel's queue.
@@ -96,7 +96,7 @@ class UnixControl final : public ControlInput {
   }
 
   SystemSocket socket_;
-  std::filesystem::path path_;
+  UnfinishedPath path_;
   std::list<Connection> connections_;
   Connection* speaker_ = nullptr;  ///< who spoke last
   std::string untold_;

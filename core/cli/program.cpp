@@ -1,9 +1,12 @@
 #include "core/cli/program.h"
 
 #include <signal.h>
+#include <sys/time.h>
 #include <time.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstdint>
@@ -15,6 +18,8 @@
 #include "core/cli/help_formatter.h"
 #include "core/cli/standard_streams.h"
 #include "core/cli/usage_fault.h"
+#include "core/plain_text.h"
+#include "core/unfinished_path.h"
 #include "core/version.h"
 
 namespace rocinante::cli {
@@ -37,8 +42,28 @@ std::int64_t steadyMilliseconds() {
   return now.tv_sec * 1'000 + now.tv_nsec / 1'000'000;
 }
 
+// Of the StopDeadline that lives.
+constexpr suseconds_t kStopWithinUs = 700'000;
+std::atomic<bool> has_deadline{false};
+std::string deadline_farewell;
+void (*deadline_last)() = nullptr;
+
+void onDeadline(int) {
+  if (!has_deadline.load()) return;
+  if (deadline_last != nullptr) deadline_last();
+  removeUnfinishedPaths();
+  // Nobody hears it, or everybody does: there is no other way to say so here.
+  (void)!::write(STDERR_FILENO, deadline_farewell.data(), deadline_farewell.size());
+  ::_exit(static_cast<int>(Exit::could_not_run));
+}
+
+void startDeadline() {
+  const itimerval within{{0, 0}, {0, kStopWithinUs}};
+  ::setitimer(ITIMER_REAL, &within, nullptr);
+}
+
 void onStopSignal(int signal_number) {
-  stop_requested.store(true);
+  if (!stop_requested.exchange(true) && has_deadline.load()) startDeadline();
   std::int64_t first = 0;
   const std::int64_t now = steadyMilliseconds();
   if (stop_requested_at_ms.compare_exchange_strong(first, now) || now - first < kSameWishMs) return;
@@ -110,9 +135,34 @@ std::uint32_t signalCount(int signal_number) {
   return signal_counts.at(static_cast<std::size_t>(signal_number)).load();
 }
 
+StopDeadline::StopDeadline(std::string_view sentence, void (*last)()) {
+  deadline_farewell = program_name + ": " + std::string(sentence) + "\n";
+  deadline_last = last;
+  struct sigaction action {};
+  action.sa_handler = onDeadline;
+  ::sigaction(SIGALRM, &action, nullptr);
+  has_deadline.store(true);
+  if (stopRequested()) startDeadline();
+}
+
+StopDeadline::~StopDeadline() {
+  has_deadline.store(false);
+  const itimerval never{};
+  ::setitimer(ITIMER_REAL, &never, nullptr);
+}
+
 bool stopRequested() { return stop_requested.load(); }
 
-void warn(std::string_view text) { tell(program_name + ": " + std::string(text) + "\n"); }
+void warn(std::string_view text) {
+  // Names of strangers are in it. A sentence over several lines keeps them.
+  std::string shown = program_name + ": ";
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    shown += plainText(text.substr(at, end - at)) + '\n';
+    at = end + 1;
+  }
+  tell(shown);
+}
 
 void say(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stdout); }
 

@@ -32,13 +32,26 @@ int run(CLI::App& app, int argc, char** argv, std::string_view examples,
 void catchStopSignals();
 bool stopRequested();
 
+/// While it lives, a stop signal is followed within a second: what has not ended 0.7 s after it,
+/// because it is where nothing looks at stopRequested() (a damaged log is searched, a disk is
+/// waited for), is ended. Paths that are unfinished are removed, `sentence` is told, and the exit
+/// code is could_not_run. For work that leaves nothing behind but those; one at a time.
+class StopDeadline {
+ public:
+  /// `last` is called first, in a signal handler.
+  explicit StopDeadline(std::string_view sentence, void (*last)() = nullptr);
+  ~StopDeadline();
+  StopDeadline(const StopDeadline&) = delete;
+  StopDeadline& operator=(const StopDeadline&) = delete;
+};
+
 /// From now on this signal (SIGHUP, SIGUSR1) is counted and ends nothing; one that this process was
 /// started to ignore (nohup) stays ignored. Signals that come together may count as one.
 void countSignal(int signal_number);
 /// How often it came; 0 for one that is not counted.
 std::uint32_t signalCount(int signal_number);
 
-/// One line on stderr: "rocinante-NAME: TEXT".
+/// One line on stderr: "rocinante-NAME: TEXT", as plainText().
 void warn(std::string_view text);
 
 /// To standard output and to standard error as they are. Never throws, as fmt::print() does: work

@@ -68,14 +68,10 @@ Result<OutputFile> OutputFile::create(fs::path path, bool overwrite,
     return error;
   }
   output.beside_ = beside;
+  output.unfinished_ = UnfinishedPath(beside);
   output.sink_ = file->takeSink();
   if (Status stays = file->publish(); !stays) return stays.error();
   return output;
-}
-
-OutputFile::~OutputFile() {
-  sink_.reset();
-  if (!beside_.empty()) ::unlink(beside_.c_str());
 }
 
 OutputFile::OutputFile(OutputFile&& other) noexcept { *this = std::move(other); }
@@ -84,11 +80,13 @@ OutputFile& OutputFile::operator=(OutputFile&& other) noexcept {
   std::swap(path_, other.path_);
   std::swap(beside_, other.beside_);
   std::swap(overwrite_, other.overwrite_);
+  std::swap(unfinished_, other.unfinished_);
   std::swap(sink_, other.sink_);
   return *this;
 }
 
 Status OutputFile::commit() {
+  const EndingHeld until_renamed;
   int renamed = -1;
   const Result<HeldFile> held = HeldFile::at(path_, HeldFile::For::replacing);
   if (!held) return held.error();
@@ -108,7 +106,7 @@ Status OutputFile::commit() {
                  std::string("cannot give the output its name: ") + std::strerror(errno),
                  path_.string()};
   }
-  beside_.clear();
+  unfinished_.keep();
   syncFolderOf(path_);
   return {};
 }

@@ -7,6 +7,7 @@
 
 #include "core/log/byte_sink.h"
 #include "core/result.h"
+#include "core/unfinished_path.h"
 
 namespace rocinante {
 
@@ -24,7 +25,6 @@ class OutputFile {
   static Result<OutputFile> create(std::filesystem::path path, bool overwrite,
                                    std::span<const std::filesystem::path> inputs);
 
-  ~OutputFile();
   OutputFile(OutputFile&& other) noexcept;
   OutputFile& operator=(OutputFile&& other) noexcept;
 
@@ -43,8 +43,9 @@ class OutputFile {
   OutputFile() = default;
 
   std::filesystem::path path_;
-  std::filesystem::path beside_;  ///< empty: nothing to remove any more
+  std::filesystem::path beside_;
   bool overwrite_ = false;
+  UnfinishedPath unfinished_;  ///< beside_; removed when the sink is gone
   std::unique_ptr<ByteSink> sink_;
 };
 

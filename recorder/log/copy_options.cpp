@@ -72,7 +72,7 @@ CopyProgress stoppableProgress(const std::string& doing) {
   return [line](double part) -> Status {
     line->show(part);
     if (!cli::stopRequested()) return {};
-    return Error{ErrorKind::refused, "stopped; nothing was made", {}};
+    return Error{ErrorKind::refused, kStopped, {}};
   };
 }
 
@@ -91,6 +91,7 @@ Result<CopyReport> runCopy(const CopyArguments& arguments, const std::string& do
   if (!make) return make.error();
   cli::catchStopSignals();
   make->progress = stoppableProgress(doing);
+  const cli::StopDeadline deadline(kStopped);
   return work(*make);
 }
 

@@ -32,6 +32,8 @@ void addChoiceArguments(CLI::App& app, SelectionOptions& selection);
 Result<CopyReport> runCopy(const CopyArguments& arguments, const std::string& doing,
                            const std::function<Result<CopyReport>(const MakeOptions&)>& work);
 Result<MakeOptions> readCopyArguments(const CopyArguments& arguments);
+/// What is said when the user has asked to stop.
+inline constexpr const char* kStopped = "stopped; nothing was made";
 /// A line on the terminal, and an error once the user has asked to stop.
 CopyProgress stoppableProgress(const std::string& doing);
 

@@ -33,6 +33,7 @@ Result<cli::Exit> runFollow(FollowCommandOptions& options) {
                           : options.format == "csv" ? CatFormat::csv
                                                     : CatFormat::text;
   cli::catchStopSignals();
+  const cli::StopDeadline deadline("stopped where nobody takes the output");
   Result<LogFollower> follower = LogFollower::open(
       options.log, options.from_start ? LogFollower::From::start : LogFollower::From::now);
   if (!follower) return follower.error();

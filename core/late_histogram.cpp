@@ -1,4 +1,4 @@
-#include "player/late_histogram.h"
+#include "core/late_histogram.h"
 
 #include <algorithm>
 #include <bit>

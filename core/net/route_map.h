@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/net/endpoint.h"
+#include "core/result.h"
+
+namespace rocinante {
+
+/// Topics that go elsewhere when a log is played: a shell's pattern, and where to.
+struct RouteMap {
+  std::string pattern;
+  Endpoint to;
+
+  /// "TOPIC=EP", where TOPIC ends at the first `=`.
+  static Result<RouteMap> parse(std::string_view text);
+
+  bool matches(const std::string& topic) const;
+};
+
+}  // namespace rocinante
