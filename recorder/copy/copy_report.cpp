@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/duration_text.h"
+#include "core/plain_text.h"
 
 namespace rocinante {
 namespace {
@@ -93,8 +94,8 @@ std::string recoverReportJson(const std::string& output, const CopyReport& repor
 }
 
 std::string copyReportText(const std::string& output, const PieceCounts& counts) {
-  if (counts.messages == 0) return fmt::format("{}: no messages\n", output);
-  return fmt::format("{}: {} message{} of {} channel{}, {} s\n", output, counts.messages,
+  if (counts.messages == 0) return fmt::format("{}: no messages\n", plainText(output));
+  return fmt::format("{}: {} message{} of {} channel{}, {} s\n", plainText(output), counts.messages,
                      counts.messages == 1 ? "" : "s", counts.channels,
                      counts.channels == 1 ? "" : "s", secondsText(counts.end - counts.start, 3));
 }

@@ -5,7 +5,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <functional>
 
+#include "core/unfinished_path.h"
 #include "recorder/copy/log_preceding.h"
 
 namespace rocinante {
@@ -16,6 +18,13 @@ constexpr const char* kReason = "rocinante log split";
 /// A chunk holds at most this part of a piece, so that pieces come near their size.
 constexpr std::uint64_t kChunksInPiece = 16;
 constexpr std::uint64_t kLeastChunkBytes = 4096;
+
+/// What a piece of a given size repeats is at most this part of it.
+constexpr std::uint64_t kRepeatedPart = 2;
+/// And of restatements that were under way, this part.
+constexpr std::uint64_t kLeadPart = 4;
+/// Pieces by time or event may repeat as much of restatements as they hold, and this.
+constexpr std::uint64_t kMostLeadBeyond = std::uint64_t{16} << 20U;
 
 /// Where pieces begin, asked item by item.
 class Boundaries {
@@ -98,6 +107,7 @@ class Split {
       return Error{ErrorKind::not_found, "no event matches", split_.event};
     }
     if (Status begun = beginPiece(); !begun) return begun.error();
+    if (Status bounded = boundRepeated(); !bounded) return bounded.error();
     const CopySpan span(sources_);
     CopyMerge merge(sources_);
     LogTime last = LogTime::min();
@@ -119,9 +129,13 @@ class Split {
         last = item.time;
       }
       if (Status added = piece_->add(item); !added) return outputs_.back().named(added.error());
+      copied_bytes_ += item.message.payload.size();
+      open_bytes_ += item.message.payload.size();
+      if (!piece_->state().restatementOpen(item.time)) open_bytes_ = 0;
     }
     if (Status ended = endPiece(); !ended) return ended.error();
     addGaps(sources_, report_.whole);
+    tellCuts();
     if (Status named = commit(); !named) return named.error();
     return std::move(report_);
   }
@@ -150,13 +164,12 @@ class Split {
     preceding.state = piece_->state();
     preceding.moment = moment;
     if (preceding.state.restatementOpen(moment)) {
-      Result<Preceding> found = precedingOf(log_, moment);
+      Result<Preceding> found = precedingWithin(leadRoom(), moment);
       if (!found) return found.error();
-      preceding = std::move(*found);
-      if (preceding.restatement_cut) {
-        report_.whole.notes.push_back(
-            fmt::format("a restatement that is unfinished where piece {} begins is cut off",
-                        outputs_.size() + 1));
+      if (found->restatement_cut) {
+        cut_pieces_.push_back(outputs_.size() + 1);
+      } else {
+        preceding = std::move(*found);
       }
     }
     if (Status ended = endPiece(); !ended) return ended;
@@ -164,28 +177,93 @@ class Split {
     Status added = piece_->begin(preceding.state, preceding.moment);
     if (added && preceding.lead) added = addLead(*preceding.lead, moment);
     if (!added) return outputs_.back().named(added.error());
-    return {};
+    return boundRepeated();
   }
 
-  Status addLead(LogPlace behind, LogTime until) {
+  /// How many bytes of payloads a piece may repeat to finish a restatement. Where restatements
+  /// overlap without an end, each piece would repeat all that stands before it.
+  std::uint64_t leadRoom() const {
+    if (split_.size_bytes > 0) return split_.size_bytes / kLeadPart;
+    const std::uint64_t most = copied_bytes_ + kMostLeadBeyond;
+    return most > lead_bytes_ ? most - lead_bytes_ : 0;
+  }
+
+  Result<Preceding> precedingWithin(std::uint64_t room, LogTime moment) const {
+    Preceding cut;
+    cut.restatement_cut = true;
+    if (open_bytes_ > room) return cut;
+    Result<Preceding> found = precedingOf(log_, moment);
+    if (!found || !found->lead) return found;
+    std::uint64_t bytes = 0;
+    Status read = eachOfLead(*found->lead, moment, [&](const LogMessage& message) -> Status {
+      bytes += message.payload.size();
+      return {};
+    });
+    if (!read) return read.error();
+    if (bytes > room) return cut;
+    return found;
+  }
+
+  /// A piece that repeats more than it adds is refused where that is seen: pieces nearly all the
+  /// same help nobody.
+  Status boundRepeated() const {
+    const bool carries = make_.attachments && piece_->counts().attachments > 0;
+    const std::uint64_t repeated = piece_->bytesSoFar();
+    const bool once = split_.attach_once && carries;
+    if (split_.size_bytes == 0 || once || repeated <= split_.size_bytes / kRepeatedPart) return {};
+    // Rounded up, with room for the parts of chunks, which grow with the size.
+    const std::uint64_t wanted = repeated * (kRepeatedPart + 1) / 1000 + 1;
+    return Error{
+        ErrorKind::refused,
+        fmt::format("a piece repeats what it needs to stand alone, {} bytes where piece {} begins: "
+                    "--size must be at least {}kB{}",
+                    repeated, outputs_.size(), wanted,
+                    carries ? "; --attach-once puts the attachments into the first alone" : ""),
+        log_.string()};
+  }
+
+  /// Gives what is folded behind one place and before a time.
+  Status eachOfLead(LogPlace behind, LogTime until,
+                    const std::function<Status(const LogMessage&)>& take) const {
     Result<LogReader> reader = LogReader::open(log_);
     if (!reader) return reader.error();
     if (Status there = reader->seek(behind.time); !there) return there;
     while (true) {
       const Result<std::optional<LogMessage>> message = reader->next();
       if (!message) return message.error();
-      if (!*message || (*message)->log_time >= until) break;
+      if (!*message || (*message)->log_time >= until) return {};
       if ((*message)->place() <= behind || !(*message)->channel->folded()) continue;
+      if (Status taken = take(**message); !taken) return taken;
+    }
+  }
+
+  Status addLead(LogPlace behind, LogTime until) {
+    Status added = eachOfLead(behind, until, [&](const LogMessage& message) {
       CopyItem item;
       item.kind = CopyItem::Kind::lead;
-      item.time = (*message)->log_time;
-      item.publish_time_ns = (*message)->publish_time_ns;
-      item.message = **message;
-      if (Status added = piece_->add(item); !added) return added;
-    }
-    // Its channels go with the reader.
+      item.time = message.log_time;
+      item.publish_time_ns = message.publish_time_ns;
+      item.message = message;
+      lead_bytes_ += message.payload.size();
+      return piece_->add(item);
+    });
+    // Its channels went with the reader.
     piece_->forgetInputs();
-    return {};
+    return added;
+  }
+
+  /// So many are named one by one.
+  void tellCuts() {
+    constexpr std::size_t kNamed = 10;
+    for (std::size_t i = 0; i < std::min(cut_pieces_.size(), kNamed); ++i) {
+      report_.whole.notes.push_back(fmt::format(
+          "a restatement that is unfinished where piece {} begins is cut off", cut_pieces_[i]));
+    }
+    if (cut_pieces_.size() > kNamed) {
+      report_.whole.notes.push_back(
+          fmt::format("and so are those where {} further pieces begin, up to piece {}",
+                      cut_pieces_.size() - kNamed, cut_pieces_.back()));
+    }
   }
 
   Status endPiece() {
@@ -203,6 +281,7 @@ class Split {
   }
 
   Status commit() {
+    const EndingHeld held;
     for (std::size_t i = 0; i < outputs_.size(); ++i) {
       Status named = outputs_[i].commit();
       if (named) continue;
@@ -220,6 +299,10 @@ class Split {
   std::vector<OutputFile> outputs_;
   std::optional<PieceWriter> piece_;
   SplitReport report_;
+  std::uint64_t copied_bytes_ = 0;       ///< payloads that went into a piece as its own
+  std::uint64_t lead_bytes_ = 0;         ///< and those that were repeated to finish a restatement
+  std::uint64_t open_bytes_ = 0;         ///< payloads since no restatement was open, at least
+  std::vector<std::size_t> cut_pieces_;  ///< at whose beginning a restatement was cut off, from 1
 };
 
 /// A pattern that names a folder: one that is there, or that no file's name looks like.
@@ -232,31 +315,12 @@ bool namesFolder(const std::string& pattern) {
 
 /// The pieces' folder, made when it is not there; taken back, unless something lies in it by then,
 /// when it was not kept.
-class PieceFolder {
- public:
-  Status make(const std::filesystem::path& path) {
-    std::error_code fault;
-    if (std::filesystem::create_directory(path, fault)) {
-      made_ = path;
-    } else if (fault) {
-      return Error{ErrorKind::unreadable, "cannot make the folder: " + fault.message(),
-                   path.string()};
-    }
-    return {};
-  }
-  void keep() { made_.clear(); }
-
-  PieceFolder() = default;
-  PieceFolder(const PieceFolder&) = delete;
-  PieceFolder& operator=(const PieceFolder&) = delete;
-  ~PieceFolder() {
-    std::error_code ignored;
-    if (!made_.empty()) std::filesystem::remove(made_, ignored);
-  }
-
- private:
-  std::filesystem::path made_;
-};
+Result<UnfinishedPath> makeFolder(const std::filesystem::path& path) {
+  std::error_code fault;
+  if (std::filesystem::create_directory(path, fault)) return UnfinishedPath(path);
+  if (!fault) return UnfinishedPath();
+  return Error{ErrorKind::unreadable, "cannot make the folder: " + fault.message(), path.string()};
+}
 
 }  // namespace
 
@@ -299,9 +363,11 @@ Result<SplitReport> splitLog(const std::filesystem::path& log, const SplitOption
   Result<CopySource> source = CopySource::of(std::move(opened->reader), std::move(opened->options),
                                              std::nullopt, make.progress);
   if (!source) return source.error();
-  PieceFolder folder;
+  UnfinishedPath folder;
   if (namesFolder(make.output.string())) {
-    if (Status made = folder.make(first.parent_path()); !made) return made.error();
+    Result<UnfinishedPath> made = makeFolder(first.parent_path());
+    if (!made) return made.error();
+    folder = std::move(*made);
   }
   Result<SplitReport> report =
       Split(log, split, make, std::move(*source), std::move(*session_id)).run(*events);

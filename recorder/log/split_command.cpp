@@ -47,6 +47,7 @@ Result<SplitReport> split(SplitArguments& arguments) {
   }
   cli::catchStopSignals();
   make->progress = stoppableProgress("reading " + arguments.log);
+  const cli::StopDeadline deadline(kStopped);
   return splitLog(arguments.log, arguments.split, *make);
 }
 

@@ -1,14 +1,18 @@
 #include "recorder/copy/log_split.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <array>
 #include <fstream>
+#include <random>
 
 #include "tests/recorder/copy/copy_support.h"
 
 namespace rocinante::test {
 namespace {
 
+using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
@@ -161,6 +165,95 @@ TEST(LogSplit, AllPiecesAppearOrNone) {
   EXPECT_THAT(none.error().text(), HasSubstr("no event matches (never)"));
   EXPECT_FALSE(splitLog(folder / "log.mcap", split, makeAt(folder / "new-folder")).ok());
   EXPECT_FALSE(std::filesystem::exists(folder / "new-folder"));
+}
+
+std::uint64_t bytesIn(const std::filesystem::path& folder) {
+  std::uint64_t bytes = 0;
+  for (const auto& each : std::filesystem::directory_iterator(folder)) bytes += each.file_size();
+  return bytes;
+}
+
+/// Restatements of two sources, a part every 4 ms, none of which is ever complete, of text that
+/// does not compress: what a piece repeats to finish them would be all that stands before it.
+void writeOverlappingRestatements(const std::filesystem::path& path, int parts) {
+  Result<LogWriter> writer = LogWriter::create(path, {}, "s");
+  ASSERT_TRUE(writer.ok());
+  const std::array channels = {*writer->addChannel("/udp/1/a", "rk1", {{"source", "a"}}),
+                               *writer->addChannel("/udp/1/b", "rk1", {{"source", "b"}})};
+  std::mt19937_64 random(1);
+  for (int i = 0; i < parts; ++i) {
+    std::string text = fmt::format("RK1 {}@r {} - restated part=p{}:1/2\njoints puma{}",
+                                   i % 2 == 0 ? 'a' : 'b', i, i, i % 2);
+    for (int joint = 0; joint < 60; ++joint) {
+      text += fmt::format(" {}", static_cast<double>(random() >> 12U));
+    }
+    ASSERT_TRUE(writer
+                    ->write(channels[static_cast<std::size_t>(i % 2)],
+                            static_cast<std::uint32_t>(i), at(kSessionStart + i * 4'000'000LL), 0,
+                            bytesOf(text))
+                    .ok());
+  }
+  ASSERT_TRUE(writer->close("stopped").ok());
+}
+
+TEST(LogSplit, RestatementsThatOverlapWithoutAnEndAreNotRepeatedWithoutAnEnd) {
+  TemporaryFolder folder;
+  writeOverlappingRestatements(folder / "log.mcap", 1500);
+  const std::uint64_t whole = std::filesystem::file_size(folder / "log.mcap");
+  for (const bool by_size : {true, false}) {
+    SCOPED_TRACE(by_size);
+    SplitOptions split;
+    if (by_size) {
+      split.size_bytes = 40'000;
+    } else {
+      split.time = std::chrono::milliseconds(60);
+    }
+    std::filesystem::create_directory(folder / "pieces");
+    const Result<SplitReport> report =
+        splitLog(folder / "log.mcap", split, makeAt(folder / "pieces/"));
+    ASSERT_TRUE(report.ok()) << report.error().text();
+    EXPECT_LT(bytesIn(folder / "pieces"), 3 * whole + (std::uint64_t{16} << 20U));
+    if (by_size) {
+      EXPECT_LT(report->pieces.size(), 2 * whole / split.size_bytes + 3);
+      EXPECT_THAT(report->whole.notes, Contains(HasSubstr("piece 2 begins is cut off")));
+    }
+    EXPECT_LE(report->whole.notes.size(), 11U);
+    std::vector<KeptMessage> together;
+    for (const SplitPiece& piece : report->pieces) {
+      if (by_size) {
+        EXPECT_LT(piece.counts.bytes, split.size_bytes * 5 / 4);
+      }
+      const std::vector<KeptMessage> messages = capturedOf(piece.path);
+      together.insert(together.end(), messages.begin(), messages.end());
+    }
+    EXPECT_EQ(together, capturedOf(folder / "log.mcap"));
+    std::filesystem::remove_all(folder / "pieces");
+  }
+}
+
+TEST(LogSplit, ASizeThatWhatIsRepeatedHardlyFitsIntoIsRefused) {
+  TemporaryFolder folder;
+  {
+    Result<LogWriter> writer = LogWriter::create(folder / "log.mcap", {}, "s");
+    ASSERT_TRUE(writer.ok());
+    const ChannelId channel = *writer->addChannel("/udp/1/a", "rk1", {{"source", "a"}});
+    for (std::uint32_t i = 0; i < 4000; ++i) {
+      // A device more with each: the state grows until nothing else fits.
+      const std::string text =
+          fmt::format("RK1 a@r {} -\njoints device_{} {}\n", i, i * 2654435761U, i * 40503U);
+      ASSERT_TRUE(
+          writer->write(channel, i, at(kSessionStart + i * 1'000'000LL), 0, bytesOf(text)).ok());
+    }
+    ASSERT_TRUE(writer->close("stopped").ok());
+  }
+  SplitOptions split;
+  split.size_bytes = 20'000;
+  const Result<SplitReport> report =
+      splitLog(folder / "log.mcap", split, makeAt(folder / "pieces/"));
+  ASSERT_FALSE(report.ok());
+  EXPECT_EQ(report.error().kind, ErrorKind::refused);
+  EXPECT_THAT(report.error().what, HasSubstr("--size must be at least"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "pieces"));
 }
 
 TEST(LogSplit, PiecesAreNamedByAPatternAFolderOrTheOutput) {
