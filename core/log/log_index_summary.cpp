@@ -232,6 +232,8 @@ bool readIndexed(ByteView file, Summary& summary, std::uint64_t data_end, LogInd
     out.spans.push_back(std::move(indexed.span));
   }
   std::ranges::sort(out.spans, {}, &MessageSpan::offset);
+  mcap::ExpansionBudget budget(file.size());
+  for (MessageSpan& span : out.spans) span.over_budget = !budget.take(span.chunk);
   if (const std::optional<mcap::Record> first = mcap::recordAt(file, mcap::magic().size())) {
     if (first->opcode == Opcode::header) mcap::parse(first->content, out.header);
   }

@@ -22,7 +22,7 @@ constexpr std::uint64_t kLooseRunBytes = 1U << 20U;
 /// Walks over one file. Every step either takes a record or says why it cannot.
 class Walk {
  public:
-  explicit Walk(ByteView file) : file_(file), decoder_(file), probe_(file) {}
+  explicit Walk(ByteView file) : file_(file), decoder_(file), probe_(file), budget_(file.size()) {}
 
   LogIndex run() {
     position_ = mcap::magic().size();
@@ -199,6 +199,7 @@ class Walk {
     if (!chunk_) return;
     MessageSpan span = std::move(*chunk_);
     chunk_.reset();
+    if (!span.cut) span.over_budget = !budget_.take(span.chunk);
     bool trusted = followed && !span.cut && indexesSpan(span.chunk);
     for (const mcap::IndexEntries& index : indexes_) {
       trusted = trusted && index_.channels.contains(index.channel);
@@ -256,7 +257,11 @@ class Walk {
     }
     const LogTime start{Nanoseconds(places.front().time_ns)};
     const LogTime end{Nanoseconds(places.back().time_ns)};
-    if (span.cut) span.chunk.uncompressed_size = scratch_.records.size();
+    // What it holds is known now, and is bounded for each.
+    if (span.cut) {
+      span.chunk.uncompressed_size = scratch_.records.size();
+      span.over_budget = !budget_.take(span.chunk);
+    }
     if (!span.cut && (start != span.start_time || end != span.end_time)) {
       damaged(span.offset, span.offset + kChunkHeadBytes,
               "the header of a chunk gives other times than its messages have", std::uint64_t{0});
@@ -352,16 +357,33 @@ class Walk {
       }
       position_ = next->end();
       if (next->opcode != Opcode::footer) continue;
-      index_.closed =
-          next->content.size() == mcap::kFooterContentBytes &&
-          std::ranges::equal(file_.subspan(static_cast<std::size_t>(position_)), mcap::magic());
+      index_.closed = next->content.size() == mcap::kFooterContentBytes && magicAt(position_);
       break;
     }
+    if (index_.closed) tellTrailing(position_ + mcap::magic().size());
     if (!index_.closed) {
       damaged(record.end(), file_.size(), "the file ends inside its summary", std::uint64_t{0});
     }
     position_ = file_.size();
     return true;
+  }
+
+  bool magicAt(std::uint64_t position) const {
+    const ByteView magic = mcap::magic();
+    const ByteView rest = file_.subspan(static_cast<std::size_t>(position));
+    return rest.size() >= magic.size() && std::ranges::equal(rest.first(magic.size()), magic);
+  }
+
+  /// What stands behind the end of the file as it was closed. Channels of another log may have the
+  /// same numbers, so it is not read as a part of this one.
+  void tellTrailing(std::uint64_t end) {
+    if (end >= file_.size()) return;
+    damaged(end, file_.size(),
+            magicAt(end) ? fmt::format("another log follows the end of this one and is not read; "
+                                       "`tail -c +{}` of the file gives it alone",
+                                       end + 1)
+                         : std::string("bytes follow the end of the log and are not read"),
+            std::nullopt);
   }
 
   /// Goes on at the next byte that begins a believable record.
@@ -382,6 +404,7 @@ class Walk {
   ByteView file_;
   SpanDecoder decoder_;
   RecordProbe probe_;
+  mcap::ExpansionBudget budget_;
   LogIndex index_;
   std::uint64_t position_ = 0;
   mcap::Schema schema_;

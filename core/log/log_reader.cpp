@@ -89,7 +89,11 @@ struct LogReader::Impl {
     const std::string* const reason =
         metadataValue(index.metadata, profile::kEnd, profile::kReasonKey);
     if (reason != nullptr) summary.end_reason = *reason;
-    summary.complete = index.closed && reason != nullptr;
+    summary.profile = index.header.profile;
+    summary.library = index.header.library;
+    summary.closed = index.closed;
+    summary.complete = index.closed && (reason != nullptr || !isOurs());
+    lookAtFormat();
     if (const std::string* id =
             metadataValue(index.metadata, profile::kSession, profile::kSessionIdKey)) {
       summary.session_id = *id;
@@ -117,6 +121,26 @@ struct LogReader::Impl {
     findRange(others);
     summary.origin = origin ? *origin : origin_again ? *origin_again : summary.start;
     if (summary.messages == 0) summary.start = summary.end = summary.origin;
+  }
+
+  bool isOurs() const { return index.header.profile == profile::kName; }
+
+  /// One that we do not know may mean anything by what stands here.
+  void lookAtFormat() {
+    for (const LogMetadata& record : index.metadata) {
+      if (record.name != profile::kSession) continue;
+      const auto format = record.entries.find(std::string(profile::kFormatKey));
+      summary.format = format == record.entries.end() ? std::string() : format->second;
+      if (summary.format == profile::kFormat) return;
+      index.damage.push_back(
+          {0, file.size(),
+           fmt::format("rocinante.session says format \"{}\", and this program reads format {}: "
+                       "what stands here may mean something else; use the program that wrote it "
+                       "or a later one",
+                       summary.format.substr(0, 40), profile::kFormat),
+           std::uint64_t{0}});
+      return;
+    }
   }
 
   /// First and last captured message. Where all messages are captured, the spans know.

@@ -20,7 +20,11 @@ struct LogSummary {
   LogTime start{};   ///< first captured message of this file; origin when there is none
   LogTime end{};     ///< last captured message of this file
   std::uint64_t messages = 0;
-  bool complete = false;   ///< closed by its recorder: the summary and rocinante.end are there
+  std::string profile;     ///< of MCAP: "rocinante" for ours
+  std::string library;     ///< who wrote it
+  std::string format;      ///< that rocinante.session gives; empty where it gives none
+  bool closed = false;     ///< its writer ended it: the Footer and the closing magic are there
+  bool complete = false;   ///< closed, and one of ours has rocinante.end
   std::string end_reason;  ///< of rocinante.end
 };
 

@@ -14,6 +14,10 @@ namespace rocinante {
 
 using ChannelId = std::uint16_t;
 
+/// The last moment that a log can hold. The one behind it is left free, so that the end of every
+/// span, which is behind its last message, is a moment too.
+inline constexpr LogTime kLastLogTime = LogTime::max() - Nanoseconds(1);
+
 /// One one-way stream in a session: (listening endpoint, sender, SOURCE). docs/log-format.md.
 struct LogChannel {
   ChannelId id = 0;

@@ -171,6 +171,9 @@ Status LogWriter::write(ChannelId channel, std::uint32_t sequence, LogTime log_t
   if (log_time.time_since_epoch().count() < 0) {
     return badArgument("a log time lies before 1970", log.name);
   }
+  if (log_time > kLastLogTime) {
+    return badArgument("a log time lies beyond the last, 2^63 - 2 ns", log.name);
+  }
   if (payload.size() > mcap::kMaxChunkBytes / 2) {
     return badArgument(fmt::format("a message of {} bytes is too large", payload.size()), log.name);
   }

@@ -35,7 +35,18 @@ Status mayExpand(const Chunk& chunk) {
   return {};
 }
 
+bool claimsMoreThanZstd(const Chunk& chunk) {
+  return chunk.uncompressed_size > (chunk.records.size() + 1) * kMaxZstdGrowth;
+}
+
 }  // namespace
+
+bool ExpansionBudget::take(const Chunk& chunk) {
+  if (chunk.compression.empty() || !mayExpand(chunk) || claimsMoreThanZstd(chunk)) return true;
+  if (chunk.uncompressed_size > left_) return false;
+  left_ -= chunk.uncompressed_size;
+  return true;
+}
 
 struct ChunkExpander::Contexts {
   ZSTD_DCtx* zstd = ZSTD_createDCtx();
@@ -54,7 +65,7 @@ Result<ByteView> ChunkExpander::expand(const Chunk& chunk, Scratch& scratch) {
   if (Status allowed = mayExpand(chunk); !allowed) return allowed.error();
   ByteView records = chunk.records;
   if (chunk.compression == "zstd") {
-    if (chunk.uncompressed_size > (chunk.records.size() + 1) * kMaxZstdGrowth) {
+    if (claimsMoreThanZstd(chunk)) {
       return damagedChunk(
           fmt::format("the chunk claims {} bytes out of {}, more than zstd can make",
                       chunk.uncompressed_size, chunk.records.size()));

@@ -13,6 +13,25 @@ namespace rocinante::mcap {
 /// No chunk that claims to hold more is expanded: a few bytes of zstd can claim anything.
 inline constexpr std::uint64_t kMaxChunkBytes = std::uint64_t{256} << 20U;
 
+/// How much the compressed chunks of one file may claim together: a file of a few bytes must not
+/// keep a reader busy for minutes. Chunks are asked for in the file's order.
+class ExpansionBudget {
+ public:
+  static constexpr std::uint64_t kFreeBytes = kMaxChunkBytes;
+  /// Text that repeats itself is made some 100 times smaller, a picture of one colour 1,000 times.
+  static constexpr std::uint64_t kMostGrowth = 1000;
+
+  explicit ExpansionBudget(std::uint64_t file_bytes)
+      : left_(kFreeBytes + file_bytes * kMostGrowth) {}
+
+  /// False when the chunk reaches beyond; what it claims is then not counted. Nor is one that is
+  /// not compressed, or is refused by itself.
+  bool take(const Chunk& chunk);
+
+ private:
+  std::uint64_t left_;
+};
+
 /// Memory that grows and is not cleared first.
 class Scratch {
  public:

@@ -18,7 +18,7 @@ namespace {
 /// when it is one message, and is not copied then.
 constexpr std::uint64_t kMostStoredBytes = mcap::kMaxChunkBytes + mcap::kMaxChunkBytes / 64;
 
-constexpr auto kLastFileTime = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+constexpr auto kLastFileTime = static_cast<std::uint64_t>(kLastLogTime.time_since_epoch().count());
 
 }  // namespace
 
@@ -64,6 +64,13 @@ Result<ByteView> SpanDecoder::stored(ByteView bytes, mcap::Scratch& scratch) con
 }
 
 Result<ByteView> SpanDecoder::expand(const MessageSpan& span, SpanMessages& out) {
+  if (span.over_budget) {
+    return Error{ErrorKind::damaged,
+                 fmt::format("the chunk is not expanded: with those before it, it claims more than "
+                             "{} bytes and {} times the file's size",
+                             mcap::ExpansionBudget::kFreeBytes, mcap::ExpansionBudget::kMostGrowth),
+                 {}};
+  }
   if (span.loose) {
     return stored(file_.subspan(static_cast<std::size_t>(span.offset),
                                 static_cast<std::size_t>(span.end - span.offset)),
@@ -109,6 +116,7 @@ void SpanDecoder::decode(const MessageSpan& span, SpanMessages& out) {
 void SpanDecoder::readRecords(const MessageSpan& span, SpanMessages& out) {
   std::uint64_t position = 0;
   std::uint64_t malformed = 0;
+  std::uint64_t too_late = 0;
   while (position < out.records.size()) {
     const std::optional<mcap::Record> record = mcap::recordAt(out.records, position);
     if (!record) {
@@ -122,8 +130,10 @@ void SpanDecoder::readRecords(const MessageSpan& span, SpanMessages& out) {
     }
     if (record->opcode == Opcode::message) {
       mcap::Message message;
-      if (!mcap::parse(record->content, message) || message.log_time > kLastFileTime) {
+      if (!mcap::parse(record->content, message)) {
         ++malformed;
+      } else if (message.log_time > kLastFileTime) {
+        ++too_late;
       } else {
         out.places.push_back({static_cast<std::int64_t>(message.log_time),
                               static_cast<std::uint32_t>(position), message.channel_id});
@@ -136,6 +146,13 @@ void SpanDecoder::readRecords(const MessageSpan& span, SpanMessages& out) {
   if (malformed > 0) {
     out.damage.push_back(
         {span.offset, span.end, fmt::format("{} messages are malformed", malformed), malformed});
+  }
+  if (too_late > 0) {
+    out.damage.push_back({span.offset, span.end,
+                          fmt::format("a log time lies beyond the last, 2^63 - 2 ns, in {} of its "
+                                      "messages",
+                                      too_late),
+                          too_late});
   }
 }
 

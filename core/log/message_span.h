@@ -21,6 +21,7 @@ struct MessageSpan {
   LogTime end_time{};           ///< of its latest
   bool loose = false;           ///< messages outside chunks
   bool cut = false;             ///< its header does not tell its end: its recorder was killed in it
+  bool over_budget = false;     ///< not to be expanded: mcap::ExpansionBudget
   /// `chunk` is what the summary says; the header in the file, which has the checksum, is looked at
   /// when the chunk is used: to look at each when the file is opened would read all of it in.
   bool by_summary = false;

@@ -1,5 +1,11 @@
 #include "recorder/copy/log_make.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/log/log_profile.h"
+#include "core/plain_text.h"
 #include "core/session/marks.h"
 #include "core/session/timeline.h"
 #include "recorder/copy/nothing_chosen.h"
@@ -21,9 +27,23 @@ Result<std::vector<Event>> eventsOf(const std::filesystem::path& log, bool neede
   return **found;
 }
 
+Status knownFormat(const LogReader& reader) {
+  const bool has_session = std::ranges::any_of(reader.metadata(), [](const LogMetadata& record) {
+    return record.name == profile::kSession;
+  });
+  if (!has_session || reader.summary().format == profile::kFormat) return {};
+  return Error{
+      ErrorKind::unsupported,
+      fmt::format("the log has format \"{}\"; only format {} is copied, because a copy says "
+                  "that it has that format",
+                  plainText(reader.summary().format.substr(0, 40)), profile::kFormat),
+      reader.name()};
+}
+
 Result<OpenedLog> openForCopy(const std::filesystem::path& log) {
   Result<LogReader> reader = LogReader::open(log);
   if (!reader) return reader.error();
+  if (Status known = knownFormat(*reader); !known) return known.error();
   Result<std::vector<Event>> marks = readMarks(log);
   if (!marks) return marks.error();
   OpenedLog opened{std::move(*reader), {}};

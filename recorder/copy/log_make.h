@@ -29,7 +29,9 @@ struct OpenedLog {
   LogReader reader;
   CopySource::Options options;
 };
+/// unsupported when the log has a format that we do not know: its copy would claim to have ours.
 Result<OpenedLog> openForCopy(const std::filesystem::path& log);
+Status knownFormat(const LogReader& reader);
 
 /// What names the session of a log that does not say it itself (one made by another program): the
 /// beginning of its content_sha256.

@@ -114,6 +114,7 @@ Result<CopyReport> recoverBytes(ByteView bytes, std::string name, std::vector<Ev
   Result<LogReader> reader = LogReader::openBytes(bytes, name);
   if (!reader) return reader.error();
   const bool complete = reader->summary().complete;
+  const Status known = knownFormat(*reader);
   const bool extras = hasExtras(*reader);
   const std::string end_reason = reader->summary().end_reason;
   const Result<std::string> session_id = recoveredSessionId(*reader);
@@ -129,6 +130,7 @@ Result<CopyReport> recoverBytes(ByteView bytes, std::string name, std::vector<Ev
       copyLogs(sources, std::move(sink), {log, keyframes, *session_id, sources.front().origin()},
                end_reason.empty() ? "rocinante log recover" : end_reason, progress);
   if (!report) return report;
+  if (!known) report->notes.push_back(known.error().what + ": this one may mean something else");
   if (report->counts.messages == 0 && !extras && !complete) {
     return Error{ErrorKind::damaged, "nothing in it can be read", name};
   }

@@ -27,6 +27,14 @@ void ChunkRules::chunk(const mcap::Record& record) {
     report_.add("profile-compression", offset_, "a chunk of ours is compressed with zstd, or not");
     return unreadable();
   }
+  if (!budget_.take(chunk)) {
+    report_.add(
+        "chunk-unread", offset_,
+        fmt::format("it was not expanded: with those before it, it claims more than {} bytes "
+                    "and {} times the file's size",
+                    mcap::ExpansionBudget::kFreeBytes, mcap::ExpansionBudget::kMostGrowth));
+    return unreadable();
+  }
   // Its checksum is looked at apart from its content.
   mcap::Chunk unchecked = chunk;
   unchecked.uncompressed_crc = 0;

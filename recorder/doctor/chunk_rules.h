@@ -15,8 +15,12 @@ class ChunkRules {
  public:
   /// `profile` is null for files that are not ours. All are borrowed.
   ChunkRules(DoctorReport& report, DoctorFacts& facts, Definitions& definitions,
-             ProfileRules* profile)
-      : report_(report), facts_(facts), definitions_(definitions), profile_(profile) {}
+             ProfileRules* profile, std::uint64_t file_bytes)
+      : report_(report),
+        facts_(facts),
+        definitions_(definitions),
+        profile_(profile),
+        budget_(file_bytes) {}
 
   /// A Chunk record at its place in the file.
   void chunk(const mcap::Record& record);
@@ -47,6 +51,7 @@ class ChunkRules {
   DoctorFacts& facts_;
   Definitions& definitions_;
   ProfileRules* profile_;
+  mcap::ExpansionBudget budget_;
   mcap::ChunkExpander expander_;
   mcap::Scratch scratch_;
 

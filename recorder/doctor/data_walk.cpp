@@ -48,7 +48,7 @@ void DataWalk::begin() {
   report_.profile = header.profile;
   facts_.ours = header.profile == profile::kName;
   if (facts_.ours) profile_.emplace(report_);
-  chunks_.emplace(report_, facts_, definitions_, profile_ ? &*profile_ : nullptr);
+  chunks_.emplace(report_, facts_, definitions_, profile_ ? &*profile_ : nullptr, file_.size());
 }
 
 void DataWalk::record(const mcap::Record& record) {

@@ -10,7 +10,8 @@ namespace {
 
 constexpr std::size_t kShownBytes = 160;
 
-std::array<std::uint64_t, 2> digestOf(const LogMessage& message, Bytes& scratch) {
+std::array<std::uint64_t, 2> digestOf(const LogMessage& message, bool with_topic, Bytes& scratch) {
+  if (!with_topic) return std::bit_cast<std::array<std::uint64_t, 2>>(xxh3(message.payload));
   const ByteView topic = bytesOf(message.channel->topic);
   scratch.assign(topic.begin(), topic.end());
   scratch.push_back(std::byte{0});
@@ -20,7 +21,14 @@ std::array<std::uint64_t, 2> digestOf(const LogMessage& message, Bytes& scratch)
 
 }  // namespace
 
-Status MessageMatch::fill(Side& side, std::size_t items) {
+bool MessageMatch::wants(std::size_t side, const LogChannel& channel) const {
+  if (!chosen_) return channel.captured();
+  const std::vector<bool>& chosen = (*chosen_)[side];
+  return channel.id < chosen.size() && chosen[channel.id];
+}
+
+Status MessageMatch::fill(std::size_t number, std::size_t items) {
+  Side& side = sides_[number];
   Bytes scratch;
   while (!side.at_end && side.ahead.size() < items) {
     const Result<std::optional<LogMessage>> message = side.reader.next();
@@ -29,10 +37,10 @@ Status MessageMatch::fill(Side& side, std::size_t items) {
       side.at_end = true;
       break;
     }
-    if (!(*message)->channel->captured()) continue;
+    if (!wants(number, *(*message)->channel)) continue;
     const ByteView payload = (*message)->payload;
     MatchItem item;
-    item.digest = digestOf(**message, scratch);
+    item.digest = digestOf(**message, !chosen_, scratch);
     item.place = {side.count++, (*message)->log_time, (*message)->channel->topic,
                   std::string(textOf(payload.first(std::min(payload.size(), kShownBytes))))};
     side.ahead.push_back(std::move(item));
@@ -41,7 +49,7 @@ Status MessageMatch::fill(Side& side, std::size_t items) {
 }
 
 Result<std::optional<MessageMatch::Step>> MessageMatch::next() {
-  for (Side& side : sides_) {
+  for (std::size_t side = 0; side < sides_.size(); ++side) {
     if (Status filled = fill(side, 1); !filled) return filled.error();
   }
   auto& a = sides_[0].ahead;
@@ -75,7 +83,7 @@ Result<std::optional<MessageMatch::Step>> MessageMatch::next() {
 /// The nearest pair of equal messages ahead, by how many are passed over in all; what lies before
 /// it is alone. Without one, all that was looked at is.
 Status MessageMatch::resynchronise() {
-  for (Side& side : sides_) {
+  for (std::size_t side = 0; side < sides_.size(); ++side) {
     if (Status filled = fill(side, kWindow); !filled) return filled;
   }
   const auto& a = sides_[0].ahead;

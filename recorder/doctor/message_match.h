@@ -5,6 +5,7 @@
 #include <deque>
 #include <optional>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "core/log/log_reader.h"
@@ -15,7 +16,7 @@ namespace rocinante {
 
 /// A captured message, as far as two logs are compared by it.
 struct MatchItem {
-  std::array<std::uint64_t, 2> digest{};  ///< of topic and payload
+  std::array<std::uint64_t, 2> digest{};  ///< of topic and payload, or of the payload alone
   DiffPlace place;
 };
 
@@ -24,6 +25,9 @@ class MessageMatch {
  public:
   /// Both are borrowed, and read from where they stand.
   MessageMatch(LogReader& a, LogReader& b) : sides_{Side{a}, Side{b}} {}
+  /// Those alone that are on the chosen channels of each, by id; their topics are not compared.
+  MessageMatch(LogReader& a, LogReader& b, std::array<std::vector<bool>, 2> chosen)
+      : sides_{Side{a}, Side{b}}, chosen_(std::move(chosen)) {}
 
   /// A message of both, or of one alone.
   struct Step {
@@ -52,10 +56,12 @@ class MessageMatch {
     bool at_end = false;
   };
 
-  Status fill(Side& side, std::size_t items);
+  bool wants(std::size_t side, const LogChannel& channel) const;
+  Status fill(std::size_t side, std::size_t items);
   Status resynchronise();
 
   std::array<Side, 2> sides_;
+  std::optional<std::array<std::vector<bool>, 2>> chosen_;
   /// Messages that only one has, known to come before the logs go on together.
   std::array<std::size_t, 2> alone_{0, 0};
   std::optional<Parting> first_parting_;

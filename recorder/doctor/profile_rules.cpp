@@ -14,7 +14,7 @@
 namespace rocinante {
 namespace {
 
-constexpr auto kLastTime = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+constexpr auto kLastTime = static_cast<std::uint64_t>(kLastLogTime.time_since_epoch().count());
 
 LogTime timeOf(std::uint64_t time) {
   return LogTime(Nanoseconds(static_cast<std::int64_t>(std::min(time, kLastTime))));
@@ -61,9 +61,8 @@ void ProfileRules::channel(const mcap::Channel& channel, std::uint64_t offset) {
   if (as_read.topic == profile::kKeyframeTopic) wanted = profile::kKeyframeEncoding;
   if (as_read.topic == profile::kMarkTopic) wanted = profile::kMarkEncoding;
   if (as_read.topic == kLossTopic) wanted = kLossEncoding;
-  const bool right = as_read.captured() ? as_read.encoding == "rk1" || as_read.encoding == "octets"
-                                        : wanted.empty() || as_read.encoding == wanted;
-  if (!right) {
+  // A copy of another writer's log keeps its encodings; what they mean is not judged.
+  if (!wanted.empty() && as_read.encoding != wanted) {
     report_.add("encoding", offset,
                 fmt::format("channel {}, {}, has the message encoding \"{}\"", channel.id,
                             plainText(as_read.topic), plainText(as_read.encoding)));
@@ -150,8 +149,9 @@ void ProfileRules::message(const mcap::Message& message, std::uint64_t offset) {
   if (found == channels_.end()) return;
   const Known& known = found->second;
   if (message.log_time > kLastTime) {
-    report_.add("time-range", offset,
-                fmt::format("a message has the log time {}, beyond 2^63", message.log_time));
+    report_.add(
+        "time-range", offset,
+        fmt::format("a message has the log time {}; the last is 2^63 - 2", message.log_time));
     return;
   }
   const bool is_keyframe = known.channel.topic == profile::kKeyframeTopic;
@@ -177,7 +177,8 @@ void ProfileRules::captured(const Known& known, const mcap::Message& message,
     report_.add("session-place", offset, "a captured message stands before rocinante.session");
   }
   any_captured_ = true;
-  if (encodingOf(message.data) != known.channel.encoding) {
+  const bool judged = known.channel.encoding == "rk1" || known.channel.encoding == "octets";
+  if (judged && encodingOf(message.data) != known.channel.encoding) {
     report_.add("encoding", offset,
                 fmt::format("message {} on channel {} is {}, and the channel says {}",
                             message.sequence, message.channel_id, encodingOf(message.data),

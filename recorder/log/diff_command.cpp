@@ -1,8 +1,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 
+#include "core/duration_text.h"
 #include "recorder/doctor/log_diff.h"
+#include "recorder/doctor/replay_diff.h"
 #include "recorder/log/command_support.h"
 #include "recorder/log/log_commands.h"
 
@@ -13,6 +16,10 @@ struct DiffOptions {
   std::string a;
   std::string b;
   std::string by = "all";
+  bool replay = false;
+  std::string speed = "1";
+  std::vector<std::string> maps;
+  std::string within;
   bool json = false;
 };
 
@@ -22,7 +29,69 @@ DiffBy byOf(const std::string& text) {
   return text == "state" ? DiffBy::state : DiffBy::all;
 }
 
+Error nothingToCompare(const std::string& log) {
+  return Error{ErrorKind::not_found, "neither log holds a message, so nothing can be compared",
+               log};
+}
+
+/// Tells what is broken in either; true when something is.
+bool tellDamage(const LogReader& a, const LogReader& b) {
+  for (const LogReader* reader : {&a, &b}) {
+    for (const DamageSpan& span : reader->damage()) {
+      cli::warn(fmt::format("{} ({}, byte {})", span.cause, reader->name(), span.from));
+    }
+  }
+  return !a.damage().empty() || !b.damage().empty();
+}
+
+Result<ReplayOptions> readReplay(const DiffOptions& options) {
+  ReplayOptions replay;
+  const Result<PlaybackSpeed> speed = PlaybackSpeed::parse(options.speed);
+  if (!speed) return speed.error();
+  replay.speed = *speed;
+  for (const std::string& text : options.maps) {
+    Result<RouteMap> map = RouteMap::parse(text);
+    if (!map) return map.error();
+    replay.maps.push_back(std::move(*map));
+  }
+  if (options.within.empty()) return replay;
+  const Result<Nanoseconds> within = parseDuration(options.within);
+  if (!within) return within.error();
+  if (*within < Nanoseconds(0)) {
+    return Error{ErrorKind::bad_argument, "--within cannot be negative", options.within};
+  }
+  replay.within = *within;
+  return replay;
+}
+
+Result<cli::Exit> runReplayDiff(const DiffOptions& options) {
+  const Result<ReplayOptions> replay = readReplay(options);
+  if (!replay) return replay.error();
+  Result<LogReader> a = LogReader::open(options.a);
+  if (!a) return a.error();
+  Result<LogReader> b = LogReader::open(options.b);
+  if (!b) return b.error();
+  for (const RouteMap& map : replay->maps) {
+    const bool used = std::ranges::any_of(a->channels(), [&](const LogChannel& channel) {
+      return channel.captured() && map.matches(channel.topic);
+    });
+    if (used) continue;
+    return Error{ErrorKind::bad_argument, "no channel of the log that was played matches the map",
+                 map.pattern};
+  }
+  ProgressLine progress("comparing");
+  const Result<ReplayDiff> diff =
+      diffReplay(*a, *b, *replay, [&](double part) { progress.show(part); });
+  if (!diff) return diff.error();
+  if (diff->messages_a == 0 && diff->messages_b == 0) return nothingToCompare(options.a);
+  const std::string text = options.json ? replayJson(*diff) : replayText(*diff);
+  if (Status written = toStandardOutput(text); !written) return written.error();
+  const bool damaged = tellDamage(*a, *b);
+  return diff->same() && !damaged ? cli::Exit::done : cli::Exit::no;
+}
+
 Result<cli::Exit> runDiff(const DiffOptions& options) {
+  if (options.replay) return runReplayDiff(options);
   Result<LogReader> a = LogReader::open(options.a);
   if (!a) return a.error();
   Result<LogReader> b = LogReader::open(options.b);
@@ -32,18 +101,11 @@ Result<cli::Exit> runDiff(const DiffOptions& options) {
       diffLogs(*a, *b, byOf(options.by), [&](double part) { progress.show(part); });
   if (!diff) return diff.error();
   if (diff->messages_a == 0 && diff->messages_b == 0) {
-    return Error{ErrorKind::not_found, "neither log holds a message, so nothing can be compared",
-                 options.a};
+    return nothingToCompare(options.a);
   }
   const std::string text = options.json ? diffJson(*diff) : diffText(*diff);
   if (Status written = toStandardOutput(text); !written) return written.error();
-  bool damaged = false;
-  for (const LogReader* reader : {&*a, &*b}) {
-    for (const DamageSpan& span : reader->damage()) {
-      cli::warn(fmt::format("{} ({}, byte {})", span.cause, reader->name(), span.from));
-      damaged = true;
-    }
-  }
+  const bool damaged = tellDamage(*a, *b);
   return diff->same() && !damaged ? cli::Exit::done : cli::Exit::no;
 }
 
@@ -55,9 +117,23 @@ LogCommand addDiffCommand(CLI::App& program) {
       program.add_subcommand("diff", "where two logs part: messages, their times, their states");
   app->add_option("A", options->a, "a log")->required();
   app->add_option("B", options->b, "another log")->required();
-  app->add_option("--by", options->by, "what to compare")
-      ->check(CLI::IsMember({"payload", "time", "state", "all"}))
+  CLI::Option* const by = app->add_option("--by", options->by, "what to compare")
+                              ->check(CLI::IsMember({"payload", "time", "state", "all"}))
+                              ->capture_default_str();
+  CLI::Option* const replay = app->add_flag(
+      "--replay", options->replay, "B is a recording of A played: to other ports, at any speed");
+  replay->excludes(by);
+  app->add_option("--speed", options->speed, "what A was played with")
+      ->needs(replay)
+      ->type_name("X")
       ->capture_default_str();
+  app->add_option("--map", options->maps, "what A was played with (PATTERN=EP); repeatable")
+      ->needs(replay)
+      ->allow_extra_args(false)
+      ->type_name("PATTERN=EP");
+  app->add_option("--within", options->within, "differ when a message came further off than this")
+      ->needs(replay)
+      ->type_name("TIME");
   app->add_flag("--json", options->json, "for scripts");
   return {app, [options] { return runDiff(*options); }};
 }

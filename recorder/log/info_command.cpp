@@ -25,7 +25,7 @@ Result<cli::Exit> runInfo(const InfoOptions& options) {
     const std::string text =
         options.json ? logInfoJson(*info, options.logs.size() == 1) : logInfoText(*info);
     if (Status written = toStandardOutput(text); !written) return written.error();
-    if (!info->damage.empty()) exit = cli::Exit::no;
+    if (!info->damage.empty() || !info->summary.complete) exit = cli::Exit::no;
   }
   return exit;
 }

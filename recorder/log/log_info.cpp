@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 
+#include "core/hash.h"
 #include "core/log/content_hash.h"
 #include "core/log/log_profile.h"
 #include "core/packet/decoder.h"
@@ -38,6 +39,7 @@ class Collector {
     info.last = message.log_time;
     mine.activity.add(message.log_time);
     hash_.add(message);
+    if (message.channel->captured()) stream_.add(message.payload);
     if (message.channel->topic == "/rocinante/keyframe") ++info_.keyframes;
     if (message.channel->topic == profile::kMarkTopic) {
       if (auto text = parseMark(message.payload)) {
@@ -70,6 +72,7 @@ class Collector {
 
   void finish() {
     info_.content_sha256 = hash_.finish();
+    info_.stream_sha256 = hexOf(stream_.finish());
     for (const auto& [source, counts] : state_.counts()) info_.source_gap += counts.gap;
     for (PerChannel& mine : by_channel_) {
       if (mine.info.channel.topic.empty() && mine.info.messages == 0) continue;  // id not in use
@@ -101,6 +104,7 @@ class Collector {
   std::vector<PerChannel> by_channel_;
   std::map<std::string, std::unique_ptr<Decoder>> decoders_;
   ContentHash hash_;
+  Sha256 stream_;
   SessionState state_;
 };
 

@@ -49,6 +49,7 @@ struct LogInfo {
   std::vector<LogAttachment> attachments;
   std::vector<DamageSpan> damage;
   std::string content_sha256;
+  std::string stream_sha256;  ///< of the payloads alone, as the player's report has it
 };
 
 /// Reads the whole log, and its marks. An error when those are malformed. `progress` is told now

@@ -100,6 +100,7 @@ std::string logInfoJson(const LogInfo& info, bool indented) {
   out["end_ns"] = nanosecondsOf(summary.end);
   out["duration_s"] = static_cast<double>((summary.end - summary.start).count()) / 1e9;
   out["content_sha256"] = info.content_sha256;
+  out["stream_sha256"] = info.stream_sha256;
   out["channels"] = channelsJson(info.channels);
   out["own_channels"] = channelsJson(info.own_channels);
   out["keyframes"] = info.keyframes;
@@ -107,6 +108,8 @@ std::string logInfoJson(const LogInfo& info, bool indented) {
   out["marks"] = info.marks;
   out["event_list"] = eventsJson(info.first_events);
   out["losses"] = lossesJson(info);
+  out["profile"] = summary.profile;
+  out["library"] = summary.library;
   out["complete"] = summary.complete;
   out["end_reason"] = summary.end_reason;
   out["attachments"] = attachmentsJson(info.attachments);

@@ -5,6 +5,7 @@
 
 #include "core/cli/text_table.h"
 #include "core/duration_text.h"
+#include "core/log/log_profile.h"
 #include "core/size_text.h"
 #include "recorder/log/log_info.h"
 #include "recorder/log/message_text.h"
@@ -73,6 +74,18 @@ void addLosses(std::string& out, const LogInfo& info) {
   out += "\n";
 }
 
+std::string completeText(const LogSummary& summary) {
+  const bool is_ours = summary.profile == profile::kName;
+  if (summary.complete && is_ours) {
+    return fmt::format("yes ({})", plainText(summary.end_reason));
+  }
+  const std::string writer = summary.library.empty() ? "its writer" : plainText(summary.library);
+  if (summary.complete) return fmt::format("yes (closed by {})", writer);
+  if (!summary.closed && is_ours) return "no: it was not closed by its recorder";
+  if (!summary.closed) return fmt::format("no: it was not closed by {}", writer);
+  return "no: it was closed, but rocinante.end is not in it";
+}
+
 void addDamage(std::string& out, const LogInfo& info) {
   if (info.damage.empty()) return;
   out += "\n  damage\n";
@@ -129,10 +142,10 @@ std::string logInfoText(const LogInfo& info) {
   if (!info.attachments.empty()) {
     out += fmt::format("  attached    {}\n", counted(info.attachments.size(), "file"));
   }
-  out += summary.complete ? fmt::format("  complete    yes ({})\n", plainText(summary.end_reason))
-                          : std::string("  complete    no: it was not closed by its recorder\n");
+  out += "  complete    " + completeText(summary) + "\n";
   addLosses(out, info);
   out += "  content     sha256 " + info.content_sha256 + "\n";
+  out += "  stream      sha256 " + info.stream_sha256 + "\n";
   addChannels(out, info);
   addEvents(out, info);
   addDamage(out, info);

@@ -3,6 +3,7 @@
 #include "core/duration_text.h"
 #include "core/packet/item_text.h"
 #include "core/packet/packet_text.h"
+#include "core/plain_text.h"
 #include "recorder/log/log_state.h"
 
 namespace rocinante {
@@ -68,7 +69,7 @@ class StateLines {
   }
 
   void addItem(const std::string& owner, const std::string& statement) {
-    text_ += fmt::format("    {}  ({})\n", statement, encodeName(owner));
+    text_ += fmt::format("    {}  ({})\n", plainText(statement), encodeName(owner));
   }
 
   const ShownState& shown_;
@@ -78,7 +79,8 @@ class StateLines {
 }  // namespace
 
 std::string stateText(const ShownState& shown) {
-  return fmt::format("{} at {} s\n", shown.log, secondsText(shown.moment - shown.origin, 3)) +
+  return fmt::format("{} at {} s\n", plainText(shown.log),
+                     secondsText(shown.moment - shown.origin, 3)) +
          StateLines(shown).text();
 }
 

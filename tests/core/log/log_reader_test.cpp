@@ -1,6 +1,9 @@
 #include "core/log/log_reader.h"
 
 #include <gmock/gmock.h>
+#include <zstd.h>
+
+#include <limits>
 
 #include "core/hash.h"
 #include "core/log/chunk_compressor.h"
@@ -120,7 +123,9 @@ TEST(LogReader, ReadsMessagesThatLieOutsideChunks) {
   EXPECT_THAT(payloads(reader), ElementsAre("one", "two", "three"));
   EXPECT_THAT(reader.damage(), IsEmpty());
   EXPECT_EQ(reader.summary().messages, 3U);
-  EXPECT_FALSE(reader.summary().complete);  // nobody said rocinante.end
+  // Another writer's file is complete where it ends as a whole one does.
+  EXPECT_TRUE(reader.summary().closed);
+  EXPECT_TRUE(reader.summary().complete);
 }
 
 TEST(LogReader, AMessageOnAnUnknownChannelIsDamageAndLeftOut) {
@@ -149,6 +154,65 @@ TEST(LogReader, AChannelDefinedTwiceDifferentlyIsDamageAndTheFirstCounts) {
   EXPECT_EQ(readAll(reader)[0].topic, "/udp/1/a");
   ASSERT_EQ(reader.damage().size(), 1U);
   EXPECT_THAT(reader.damage()[0].cause, HasSubstr("defined again"));
+}
+
+TEST(LogReader, ManyBombsTogetherAreExpandedWithinABudget) {
+  Bytes records;
+  const std::string zeros(std::size_t{60} << 20U, '\0');
+  mcap::Chunk bomb = makeChunk(records, {{10, zeros}});
+  Bytes small(ZSTD_compressBound(records.size()));
+  small.resize(ZSTD_compress(small.data(), small.size(), records.data(), records.size(), 1));
+  bomb.compression = "zstd";
+  bomb.records = small;
+  FileMaker file;
+  constexpr std::size_t kBombs = 12;
+  for (std::size_t i = 0; i < kBombs; ++i) file.add(bomb);
+  Bytes last;
+  const Bytes bytes = file.add(makeChunk(last, {{20, "after them"}})).end();
+  const std::uint64_t fit =
+      (mcap::ExpansionBudget::kFreeBytes + bytes.size() * mcap::ExpansionBudget::kMostGrowth) /
+      records.size();
+  ASSERT_LT(fit, kBombs);
+  LogReader reader = openLog(bytes);
+  // Those that fit are read, and so is what is not compressed.
+  EXPECT_EQ(readAll(reader).size(), fit + 1);
+  std::uint64_t refused = 0;
+  for (const DamageSpan& span : reader.damage()) {
+    if (span.cause.find("is not expanded") != std::string::npos) ++refused;
+  }
+  EXPECT_EQ(refused, kBombs - fit);
+}
+
+TEST(LogReader, TheLastMomentIsOneBeforeTheLastNumber) {
+  Bytes a;
+  const auto last = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max()) - 1;
+  const Bytes file =
+      FileMaker().add(makeChunk(a, {{0, "first"}, {last, "last"}, {last + 1, "beyond"}})).end();
+  LogReader reader = openLog(file);
+  EXPECT_THAT(payloads(reader), ElementsAre("first", "last"));
+  EXPECT_EQ(reader.summary().start, LogTime{});
+  EXPECT_EQ(reader.summary().end, kLastLogTime);
+  ASSERT_EQ(reader.damage().size(), 1U);
+  EXPECT_THAT(reader.damage()[0].cause, HasSubstr("beyond the last"));
+  EXPECT_EQ(reader.damage()[0].messages_lost, 1U);
+}
+
+TEST(LogReader, AFormatThatIsNotKnownIsDamage) {
+  for (const char* format : {"1", "9"}) {
+    Bytes a;
+    const Bytes file =
+        FileMaker("rocinante")
+            .add(mcap::Metadata{"rocinante.session", {{"format", format}, {"session_id", "s"}}})
+            .add(makeChunk(a, {{10, "ten"}}))
+            .end();
+    LogReader reader = openLog(file);
+    EXPECT_THAT(payloads(reader), ElementsAre("ten"));
+    EXPECT_EQ(reader.summary().format, format);
+    EXPECT_EQ(reader.damage().empty(), std::string(format) == "1");
+    // Ours is closed by rocinante.end.
+    EXPECT_TRUE(reader.summary().closed);
+    EXPECT_FALSE(reader.summary().complete);
+  }
 }
 
 TEST(LogReader, AZipBombIsRefusedBeforeItIsExpanded) {
