@@ -34,7 +34,8 @@ Result<ControlAddress> ControlAddress::parse(std::string_view text) {
   return parsed;
 }
 
-bool isOwnAddress(const SocketAddress& address) {
+bool isOwnAddress(const SocketAddress& sender) {
+  const SocketAddress address = withoutMapping(sender);
   static const AddressFilter kLoopback = AddressFilter::of({"127.0.0.0/8", "::1"}).value();
   if (kLoopback.allows(address)) return true;
   ifaddrs* all = nullptr;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -18,7 +19,10 @@ struct ControlSocket {
   std::unique_ptr<ControlInput> input;
   std::string where;
 
-  static Result<ControlSocket> open(const ControlAddress& address, AddressFilter allowed);
+  /// `told` is given a sentence when a stranger is refused for the first time, on the thread that
+  /// serves the socket.
+  static Result<ControlSocket> open(const ControlAddress& address, AddressFilter allowed,
+                                    std::function<void(std::string)> told = {});
 };
 
 }  // namespace rocinante

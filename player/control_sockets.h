@@ -5,7 +5,8 @@
 namespace rocinante {
 
 /// The two kinds of ControlSocket::open.
-Result<ControlSocket> openUdpControl(const Endpoint& endpoint, AddressFilter allowed);
+Result<ControlSocket> openUdpControl(const Endpoint& endpoint, AddressFilter allowed,
+                                     std::function<void(std::string)> told);
 Result<ControlSocket> openUnixControl(const std::filesystem::path& path);
 
 }  // namespace rocinante

@@ -183,7 +183,10 @@ Status openControl(Arguments& my, Inputs& inputs) {
     if (!address) return address.error();
     Result<AddressFilter> allowed = AddressFilter::of(my.control_allow);
     if (!allowed) return allowed.error();
-    auto control = ControlSocket::open(*address, std::move(*allowed));
+    auto control = ControlSocket::open(
+        *address, std::move(*allowed),
+        my.quiet ? std::function<void(std::string)>()
+                 : [](const std::string& sentence) { cli::warn(sentence); });
     if (!control) return control.error();
     inputs.push_back(std::move(control->input));
     // In lockstep the end of the log is the end of the work.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <functional>
 #include <optional>
 #include <utility>
 
@@ -21,8 +22,8 @@ constexpr int kMostDatagrams = 64;
 
 class UdpControl final : public ControlInput {
  public:
-  UdpControl(SystemSocket socket, AddressFilter allowed)
-      : socket_(std::move(socket)), allowed_(std::move(allowed)) {}
+  UdpControl(SystemSocket socket, AddressFilter allowed, std::function<void(std::string)> told)
+      : socket_(std::move(socket)), allowed_(std::move(allowed)), told_(std::move(told)) {}
 
   void addDescriptors(std::vector<pollfd>& descriptors) const override {
     descriptors.push_back({socket_.descriptor(), POLLIN, 0});
@@ -42,7 +43,14 @@ class UdpControl final : public ControlInput {
         if (!untold_.empty()) send(std::exchange(untold_, {}), from, length);
         const std::string answers = answer(text, ask);
         if (!answers.empty()) send(answers, from, length);
-      } else if (const auto now = std::chrono::steady_clock::now(); now >= refuse_again_) {
+        continue;
+      }
+      if (told_) {
+        // Once: a stranger must not fill a terminal.
+        std::exchange(told_, {})("a command from " + withoutMapping(fromSystem(from)).hostText() +
+                                 " was refused: --control-allow lets other machines command");
+      }
+      if (const auto now = std::chrono::steady_clock::now(); now >= refuse_again_) {
         refuse_again_ = now + std::chrono::seconds(1);
         send("error only this machine may control this player (see --control-allow)\n", from,
              length);
@@ -91,6 +99,7 @@ class UdpControl final : public ControlInput {
 
   SystemSocket socket_;
   AddressFilter allowed_;
+  std::function<void(std::string)> told_;  ///< empty once it was told
   std::array<char, 65'536> buffer_{};
   std::optional<Peer> peer_;
   std::string untold_;
@@ -99,7 +108,8 @@ class UdpControl final : public ControlInput {
 
 }  // namespace
 
-Result<ControlSocket> openUdpControl(const Endpoint& endpoint, AddressFilter allowed) {
+Result<ControlSocket> openUdpControl(const Endpoint& endpoint, AddressFilter allowed,
+                                     std::function<void(std::string)> told) {
   Result<SystemSocket> socket = SystemSocket::open(endpoint);
   if (!socket) return socket.error();
   sockaddr_storage system{};
@@ -117,13 +127,15 @@ Result<ControlSocket> openUdpControl(const Endpoint& endpoint, AddressFilter all
   if (!bound) return bound.error();
   ControlSocket control;
   control.where = "udp://" + bound->text();
-  control.input = std::make_unique<UdpControl>(std::move(*socket), std::move(allowed));
+  control.input =
+      std::make_unique<UdpControl>(std::move(*socket), std::move(allowed), std::move(told));
   return control;
 }
 
-Result<ControlSocket> ControlSocket::open(const ControlAddress& address, AddressFilter allowed) {
+Result<ControlSocket> ControlSocket::open(const ControlAddress& address, AddressFilter allowed,
+                                          std::function<void(std::string)> told) {
   if (!address.path.empty()) return openUnixControl(address.path);
-  return openUdpControl(address.endpoint, std::move(allowed));
+  return openUdpControl(address.endpoint, std::move(allowed), std::move(told));
 }
 
 }  // namespace rocinante

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstring>
 #include <optional>
@@ -26,6 +28,17 @@ SocketAddress masked(SocketAddress address, unsigned length) {
 }
 
 }  // namespace
+
+SocketAddress withoutMapping(const SocketAddress& address) {
+  static constexpr std::array<std::uint8_t, 12> kMapped{0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0xFF, 0xFF};
+  if (!address.is_ipv6 || !std::equal(kMapped.begin(), kMapped.end(), address.address.begin())) {
+    return address;
+  }
+  SocketAddress plain;
+  plain.port = address.port;
+  std::copy(address.address.begin() + kMapped.size(), address.address.end(), plain.address.begin());
+  return plain;
+}
 
 AddressFilter::Words AddressFilter::wordsOf(const SocketAddress& address) {
   Words words;
@@ -70,6 +83,8 @@ Result<AddressFilter> AddressFilter::of(const std::vector<std::string>& networks
 
 bool AddressFilter::allows(const SocketAddress& sender) const {
   if (networks_.empty()) return true;
+  const SocketAddress plain = withoutMapping(sender);
+  if (plain.is_ipv6 != sender.is_ipv6 && allows(plain)) return true;
   const Words words = wordsOf(sender);
   for (const Network& each : networks_) {
     if (each.is_ipv6 == sender.is_ipv6 && (words.high & each.mask.high) == each.bits.high &&

@@ -9,6 +9,10 @@
 
 namespace rocinante {
 
+/// ::ffff:10.0.0.7, as which a socket of IPv6 sees a sender of IPv4, as 10.0.0.7; others as they
+/// are.
+SocketAddress withoutMapping(const SocketAddress& address);
+
 /// The networks from which datagrams are taken (`--allow CIDR`). Empty: from everywhere. A plain
 /// value.
 class AddressFilter {

@@ -26,7 +26,9 @@ std::string partingText(const std::optional<DiffPlace>& place, LogTime origin) {
                      secondsText(place->time - origin, 9), plainText(place->topic));
 }
 
-std::string msText(std::uint64_t us) { return fmt::format("{:.3f}", static_cast<double>(us) / 1000); }
+std::string msText(std::uint64_t us) {
+  return fmt::format("{:.3f}", static_cast<double>(us) / 1000);
+}
 
 Json partingJson(const std::optional<DiffPlace>& place) {
   if (!place) return nullptr;
@@ -42,8 +44,8 @@ std::string replayText(const ReplayDiff& diff) {
   std::string out = fmt::format("a  {}\nb  {}\n", plainText(diff.name_a), plainText(diff.name_b));
   cli::TextTable table;
   table.is_number = {false, true, true, true, true, true, true, true};
-  table.rows = {{"source", "in both", "missing", "extra", "out of order", "off by ms p50", "p99",
-                 "max"}};
+  table.rows = {
+      {"source", "in both", "missing", "extra", "out of order", "off by ms p50", "p99", "max"}};
   for (const ReplaySource& source : diff.sources) {
     const bool any = source.same > 0;
     const auto shown = [&](std::uint64_t us) { return any ? msText(us) : std::string("-"); };

@@ -123,8 +123,8 @@ TEST(PlayNetwork, AStopOfTheProcessBecomesNoBurst) {
 }
 
 /// What a player that was started with `options` answers to another host.
-std::string answerToAnotherHost(const std::filesystem::path& log,
-                                std::vector<std::string> options) {
+std::string answerToAnotherHost(const std::filesystem::path& log, std::vector<std::string> options,
+                                const std::string& control = "0.0.0.0:0") {
   int ready[2], go[2], answers[2];
   if (::pipe(ready) != 0 || ::pipe(go) != 0 || ::pipe(answers) != 0) return "no pipe";
   const ::pid_t asker = ::fork();
@@ -138,8 +138,8 @@ std::string answerToAnotherHost(const std::filesystem::path& log,
                               asker)
                       .c_str()) == 0;
   if (is_wired && ::write(go[1], "g", 1) == 1) {
-    options.insert(options.begin(), {log.string(), "--to", "127.0.0.1:9", "--control", "0.0.0.0:0",
-                                     "--start-paused"});
+    options.insert(options.begin(),
+                   {log.string(), "--to", "127.0.0.1:9", "--control", control, "--start-paused"});
     Program player = Program::start("rocinante-play", options);
     const std::string line = player.waitForLine("hearing commands at ");
     const auto port = static_cast<std::uint16_t>(std::atoi(line.c_str() + line.rfind(':') + 1));
@@ -169,6 +169,11 @@ TEST(PlayNetwork, AnotherHostCommandsOnlyWhenItIsAllowedTo) {
               testing::StartsWith("ok t=0.000000000 state=paused"));
   EXPECT_THAT(answerToAnotherHost(log, {"--control-allow", "10.79.0.0/24"}),
               testing::StartsWith("error only this machine"));
+  // A socket of IPv6 hears IPv4 too, and names its senders ::ffff:10.78.0.2.
+  EXPECT_THAT(answerToAnotherHost(log, {}, "[::]:0"),
+              testing::StartsWith("error only this machine"));
+  EXPECT_THAT(answerToAnotherHost(log, {"--control-allow", "10.78.0.0/24"}, "[::]:0"),
+              testing::StartsWith("ok t=0.000000000 state=paused"));
 }
 
 }  // namespace

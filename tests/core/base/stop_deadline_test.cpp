@@ -19,8 +19,8 @@ namespace {
 
 void makeFile(const std::filesystem::path& path) { std::ofstream(path) << "half"; }
 
-/// Runs `work` in a process of its own, sends it SIGTERM once it has said that it is ready, and gives
-/// its exit code, or minus the signal that ended it. `said` is what stood on standard error.
+/// Runs `work` in a process of its own, sends it SIGTERM once it has said that it is ready, and
+/// gives its exit code, or minus the signal that ended it. `said` is what stood on standard error.
 int afterStop(const std::function<void(const std::function<void()>& ready)>& work,
               std::string& said) {
   std::array<int, 2> ready{};

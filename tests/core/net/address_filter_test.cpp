@@ -18,6 +18,14 @@ AddressFilter filterOf(std::initializer_list<std::string_view> networks) {
   return filter;
 }
 
+TEST(AddressFilter, ASenderOfIpv4AtASocketOfIpv6IsTheSameSender) {
+  const AddressFilter filter = filterOf({"10.78.0.0/24"});
+  EXPECT_TRUE(filter.allows(addressOf("::ffff:10.78.0.2")));
+  EXPECT_FALSE(filter.allows(addressOf("::ffff:10.79.0.2")));
+  EXPECT_FALSE(filter.allows(addressOf("::10.78.0.2")));
+  EXPECT_TRUE(filterOf({"::ffff:0:0/96"}).allows(addressOf("::ffff:10.79.0.2")));
+}
+
 TEST(AddressFilter, AnEmptyOneAllowsEverybody) {
   EXPECT_TRUE(AddressFilter().allows(addressOf("10.0.0.1")));
   EXPECT_TRUE(AddressFilter().allows(addressOf("::1")));
