@@ -10,6 +10,12 @@ namespace {
 /// What expanded spans may hold together before those that wait are let go.
 constexpr std::size_t kHeldBytes = std::size_t{48} << 20U;
 
+/// Where chunks that overlap alternate message by message, letting go and expanding again would
+/// take for ever: after so many times that were expanded again, twice as much is held, up to a
+/// limit.
+constexpr std::size_t kExpandedAgain = 8;
+constexpr std::size_t kMostHeldBytes = std::size_t{768} << 20U;
+
 constexpr LogPlace kBeginning{LogTime(Nanoseconds(std::numeric_limits<std::int64_t>::min())), 0};
 
 }  // namespace
@@ -100,7 +106,7 @@ void SpanMerge::letOthersGo() {
   if (open_.size() < 2) return;
   std::size_t held = 0;
   for (const Open& open : open_) held += open.messages ? open.messages->heldBytes() : 0;
-  if (held <= kHeldBytes) return;
+  if (held <= std::max(held_limit_, kHeldBytes)) return;
   for (std::size_t i = 1; i < open_.size(); ++i) open_[i].messages.reset();
 }
 
@@ -108,6 +114,12 @@ void SpanMerge::letOthersGo() {
 /// meanwhile and nothing is there.
 bool SpanMerge::reload(Open& open) {
   open.messages = cache_.get(open.span);
+  held_limit_ = std::max(held_limit_, kHeldBytes);
+  expanded_again_ += open.messages->heldBytes();
+  if (expanded_again_ > kExpandedAgain * held_limit_ && held_limit_ < kMostHeldBytes) {
+    held_limit_ *= 2;
+    expanded_again_ = 0;
+  }
   letOthersGo();
   return open.at < open.messages->places.size();
 }

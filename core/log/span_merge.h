@@ -77,10 +77,12 @@ class SpanMerge {
   bool begun_ = false;  ///< open_ is what lies ahead, going that way from `place_`
   /// Where we stand: messages before it are behind us.
   LogPlace place_;
-  LogPlace from_;              ///< where open_ was begun
-  std::size_t next_span_ = 0;  ///< in the order of the way
-  std::vector<Open> open_;     ///< a heap: the first to come first
-  bool given_ = false;         ///< the first of open_ was given out
+  LogPlace from_;                   ///< where open_ was begun
+  std::size_t next_span_ = 0;       ///< in the order of the way
+  std::vector<Open> open_;          ///< a heap: the first to come first
+  bool given_ = false;              ///< the first of open_ was given out
+  std::size_t held_limit_ = 0;      ///< of expanded spans together; grows where they alternate
+  std::size_t expanded_again_ = 0;  ///< bytes since it last grew
 };
 
 }  // namespace rocinante

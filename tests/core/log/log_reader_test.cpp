@@ -156,6 +156,43 @@ TEST(LogReader, AChannelDefinedTwiceDifferentlyIsDamageAndTheFirstCounts) {
   EXPECT_THAT(reader.damage()[0].cause, HasSubstr("defined again"));
 }
 
+TEST(LogReader, LargeChunksThatAlternateMessageByMessageAreReadInTime) {
+  // More than is held at first, so that each message would mean one expansion: hours of it.
+  constexpr std::size_t kChunks = 6;
+  constexpr std::uint64_t kInEachChunk = 200'000;
+  const std::string payload(32, 'x');
+  FileMaker file;
+  std::vector<Bytes> stored(kChunks);
+  for (std::size_t i = 0; i < kChunks; ++i) {
+    std::vector<std::pair<std::uint64_t, std::string>> messages;
+    messages.reserve(kInEachChunk);
+    for (std::uint64_t k = 0; k < kInEachChunk; ++k)
+      messages.emplace_back(k * kChunks + i, payload);
+    Bytes records;
+    mcap::Chunk chunk = makeChunk(records, messages);
+    stored[i].resize(ZSTD_compressBound(records.size()));
+    stored[i].resize(
+        ZSTD_compress(stored[i].data(), stored[i].size(), records.data(), records.size(), 1));
+    chunk.compression = "zstd";
+    chunk.records = stored[i];
+    file.add(chunk);
+  }
+  const Bytes bytes = file.end();
+  LogReader reader = openLog(bytes);
+  LogTime last{Nanoseconds(-1)};
+  std::uint64_t count = 0;
+  while (true) {
+    const Result<std::optional<LogMessage>> message = reader.next();
+    ASSERT_TRUE(message.ok());
+    if (!*message) break;
+    ASSERT_GT((*message)->log_time, last);
+    last = (*message)->log_time;
+    ++count;
+  }
+  EXPECT_EQ(count, kChunks * kInEachChunk);
+  EXPECT_THAT(reader.damage(), IsEmpty());
+}
+
 TEST(LogReader, ManyBombsTogetherAreExpandedWithinABudget) {
   Bytes records;
   const std::string zeros(std::size_t{60} << 20U, '\0');
