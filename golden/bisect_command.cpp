@@ -9,17 +9,21 @@
 #include <tuple>
 
 #include "core/bundle/attached_cell.h"
+#include "core/cli/search_options.h"
 #include "core/count_text.h"
 #include "core/duration_text.h"
 #include "core/plain_text.h"
 #include "golden/child_output.h"
 #include "golden/suite_arguments.h"
 #include "golden/why/bisect.h"
+#include "golden/why/state_change.h"
 #include "viewer/render/frame_maker.h"
 #include "viewer/render/render_job.h"
 
 namespace rocinante {
 namespace {
+
+constexpr std::size_t kMostChanges = 8;
 
 /// Shared, since it outlives the function which draws with it.
 Result<std::shared_ptr<FrameMaker>> makerOf(const std::filesystem::path& cell,
@@ -70,8 +74,8 @@ DrawnHash drawnBy(const std::string& program, const std::filesystem::path& cell,
                                       std::to_string(arguments.samples),
                                       "--hash"};
     if (!arguments.camera.empty()) words.insert(words.end(), {"--camera", arguments.camera});
-    for (const auto& root : arguments.search)
-      words.insert(words.end(), {"--search", root.string()});
+    const std::vector<std::string> where = cli::searchWords(arguments);
+    words.insert(words.end(), where.begin(), where.end());
     const auto ran = childOutput(words);
     if (!ran.ok()) return ran.error();
     if (ran->exit_code != 0) {
@@ -151,7 +155,33 @@ Status checkWhole(Timeline& session, const BisectSpan& span) {
   return Error{ErrorKind::damaged, "incomparable: " + damage.what(), damage.where()};
 }
 
-std::string answerText(const BisectAnswer& answer) {
+/// What is not the same in the two sessions where their pictures part: joints by name, bases,
+/// drawings, cameras. Empty where only the build differs.
+Result<std::vector<StateChange>> partingItems(const BisectArguments& arguments, Nanoseconds at) {
+  const std::filesystem::path log =
+      arguments.other_log.empty() ? arguments.log : std::filesystem::path(arguments.other_log);
+  const std::filesystem::path cell =
+      arguments.cell.empty() ? arguments.log : std::filesystem::path(arguments.cell);
+  CellOptions options;
+  static_cast<ModelSearch&>(options) = arguments;
+  options.geometry = false;
+  const auto a_cell = loadCellOrLog(cell, options);
+  if (!a_cell.ok()) return a_cell.error();
+  const auto b_cell =
+      loadCellOrLog(arguments.other_cell.empty() ? cell : arguments.other_cell, options);
+  if (!b_cell.ok()) return b_cell.error();
+  auto a = Timeline::open(arguments.log);
+  if (!a.ok()) return a.error();
+  auto b = Timeline::open(log);
+  if (!b.ok()) return b.error();
+  const auto a_state = a->stateAt(a->origin() + at);
+  if (!a_state.ok()) return a_state.error();
+  const auto b_state = b->stateAt(b->origin() + at);
+  if (!b_state.ok()) return b_state.error();
+  return stateChanges({*a_cell, **a_state}, {*b_cell, **b_state}, arguments.camera);
+}
+
+std::string answerText(const BisectAnswer& answer, const std::vector<StateChange>& changes) {
   const auto seconds = [](Nanoseconds moment) { return secondsText(moment, 3) + " s"; };
   std::string text;
   if (!answer.first) {
@@ -171,13 +201,27 @@ std::string answerText(const BisectAnswer& answer) {
               ? fmt::format("every moment since {} was looked at\n", seconds(answer.searched_from))
               : "found by halving: there may be an earlier one\n";
   text += fmt::format("{} of {} drawn\n", answer.frames, countText(answer.moments, "moment"));
+  if (changes.empty()) return text;
+  text += "what differs there:\n";
+  for (std::size_t i = 0; i < std::min(changes.size(), kMostChanges); ++i) {
+    text += "  " + plainText(changes[i].text) + "\n";
+  }
+  if (changes.size() > kMostChanges) {
+    text += fmt::format("  and {} more\n", changes.size() - kMostChanges);
+  }
   return text;
 }
 
-std::string answerJson(const BisectAnswer& answer) {
+std::string answerJson(const BisectAnswer& answer, const std::vector<StateChange>& changes) {
   const auto orNull = [](const std::optional<Nanoseconds>& moment) {
     return moment ? nlohmann::ordered_json(moment->count()) : nlohmann::ordered_json(nullptr);
   };
+  nlohmann::ordered_json parted = nlohmann::ordered_json::array();
+  for (const StateChange& change : changes) {
+    parted.push_back({{"item", change.item}, {"text", change.text}});
+    // Radians or metres.
+    if (change.amount) parted.back()["amount"] = *change.amount;
+  }
   const nlohmann::ordered_json root = {
       {"format", 1},
       {"verdict", answer.first ? "different" : "same"},
@@ -186,7 +230,8 @@ std::string answerJson(const BisectAnswer& answer) {
       {"every_moment_since_ns",
        answer.is_first_since_probe ? orNull(answer.searched_from) : orNull(std::nullopt)},
       {"drawn", answer.frames},
-      {"moments", answer.moments}};
+      {"moments", answer.moments},
+      {"changes", parted}};
   return root.dump(2) + "\n";
 }
 
@@ -198,8 +243,7 @@ Result<BisectQuestion> bisectQuestion(const BisectArguments& arguments) {
   const std::filesystem::path other_cell =
       arguments.other_cell.empty() ? cell : std::filesystem::path(arguments.other_cell);
   CellOptions options;
-  options.search = arguments.search;
-  options.search_environment = arguments.search_environment;
+  static_cast<ModelSearch&>(options) = arguments;
   FrameRequest request;
   request.camera = arguments.camera;
   request.samples = arguments.samples;
@@ -280,7 +324,7 @@ CLI::App* addBisectCommand(CLI::App& app, BisectArguments& arguments) {
       ->add_option("--most-frames", arguments.most_frames,
                    "draw at most so many moments one by one; more are halved")
       ->capture_default_str();
-  addSearchOptions(*command, arguments.search, arguments.search_environment);
+  cli::addSearchOptions(*command, arguments);
   command->add_flag("--json", arguments.json, "answer as JSON");
   return command;
 }
@@ -295,7 +339,13 @@ Result<cli::Exit> runBisectCommand(const BisectArguments& arguments) {
   if (!question.ok()) return question.error();
   const auto answer = bisectPictures(*question);
   if (!answer.ok()) return answer.error();
-  std::cout << (arguments.json ? answerJson(*answer) : answerText(*answer));
+  std::vector<StateChange> changes;
+  if (answer->first) {
+    auto found = partingItems(arguments, *answer->first);
+    if (!found.ok()) return found.error();
+    changes = std::move(*found);
+  }
+  std::cout << (arguments.json ? answerJson(*answer, changes) : answerText(*answer, changes));
   return answer->first ? cli::Exit::no : cli::Exit::done;
 }
 

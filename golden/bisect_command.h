@@ -5,18 +5,18 @@
 #include <vector>
 
 #include "core/cli/program.h"
+#include "core/model_search.h"
 #include "core/result.h"
 
 namespace rocinante {
 
 /// What `rocinante golden bisect` was asked for (docs/programs/golden.md).
-struct BisectArguments {
+struct BisectArguments : ModelSearch {
   std::filesystem::path log;
   std::string cell, other_log, other_cell, other_render, camera, size = "640x480", from, until;
   int samples = 4;
   std::size_t most_frames = 2000;
-  std::vector<std::filesystem::path> search;
-  bool search_environment = false, json = false;
+  bool json = false;
 };
 
 CLI::App* addBisectCommand(CLI::App& app, BisectArguments& arguments);

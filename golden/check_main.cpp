@@ -77,8 +77,7 @@ Result<CheckReport> judge(const CheckArguments& my) {
   const Result<std::vector<CellRule>> rules = readRuleArguments(my);
   if (!rules) return rules.error();
   CellOptions options;
-  options.search.assign(my.search.begin(), my.search.end());
-  options.search_environment = my.search_environment;
+  static_cast<ModelSearch&>(options) = my;
   options.parallel = cli::workerThreads();
   options.progress = cli::loadProgress(my.cell);
   Result<Cell> cell = loadCellOrLog(my.cell, options);

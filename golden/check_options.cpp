@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "core/check/rule_list.h"
+#include "core/cli/search_options.h"
 #include "core/model/cell_rules.h"
 
 namespace rocinante {
@@ -16,10 +17,7 @@ void declareCheck(CLI::App& app, CheckArguments& my) {
   app.add_option("--duration", my.duration, "how long to listen")
       ->needs(live)
       ->capture_default_str();
-  app.add_option("--search", my.search,
-                 "a root for package:// and relative names; may be repeated");
-  app.add_flag("--search-env", my.search_environment,
-               "search ROCINANTE_PATH, AMENT_PREFIX_PATH and ROS_PACKAGE_PATH too");
+  cli::addSearchOptions(app, my);
 
   app.add_option("--rule", my.rules, "RULE=off|note|warning|error, over what the cell says")
       ->type_name("RULE=SEVERITY");

@@ -14,7 +14,7 @@ class App;
 namespace rocinante {
 
 /// The arguments of rocinante-check as they were typed.
-struct CheckArguments {
+struct CheckArguments : ModelSearch {
   std::string cell, log, live;
   std::string duration = "2s";
   std::string format = "text";
@@ -29,8 +29,6 @@ struct CheckArguments {
   bool strict = false;
   std::string baseline;
   bool update_baseline = false;
-  std::vector<std::string> search;
-  bool search_environment = false;
   bool list_rules = false;
   std::string explain;
 

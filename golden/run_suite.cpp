@@ -69,8 +69,7 @@ Result<SuiteSession> SuiteSession::open(const std::filesystem::path& suite_file,
   made.now_ms_ = options.now_ms;
 
   CellOptions cell_options;
-  cell_options.search = options.search;
-  cell_options.search_environment = options.search_environment;
+  static_cast<ModelSearch&>(cell_options) = options;
   cell_options.parallel = options.parallel;
   auto cell = loadCellOrLog(the_suite.cell, cell_options);
   if (!cell.ok()) return cell.error();

@@ -18,12 +18,10 @@
 
 namespace rocinante {
 
-struct SuiteOptions {
+struct SuiteOptions : ModelSearch {
   std::optional<std::filesystem::path> cell;  ///< in place of the suite's
   std::optional<std::filesystem::path> log;
   FrameSelection selection;
-  std::vector<std::filesystem::path> search;
-  bool search_environment = false;
   bool incomplete = false;         ///< judge what there is, though a mesh is missing
   ParallelFor parallel;            ///< for loading the cell; may be empty
   std::function<double()> now_ms;  ///< a steady clock, for the report's timings

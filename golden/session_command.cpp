@@ -7,6 +7,7 @@
 #include <iostream>
 #include <tuple>
 
+#include "core/cli/search_options.h"
 #include "core/duration_text.h"
 #include "golden/suite_arguments.h"
 #include "golden/why/session_comparison.h"
@@ -65,7 +66,7 @@ CLI::App* addSessionCommand(CLI::App& app, SessionArguments& arguments) {
   command->add_option("--size", arguments.size, "of the pictures")->capture_default_str();
   command->add_flag("--no-pictures", arguments.no_pictures, "compare events and states alone");
   command->add_option("--report", arguments.report, "folder for index.html and the pictures");
-  addSearchOptions(*command, arguments.search, arguments.search_environment);
+  cli::addSearchOptions(*command, arguments);
   command->add_flag("--json", arguments.json, "answer as JSON");
   return command;
 }
@@ -74,8 +75,7 @@ Result<cli::Exit> runSessionCommand(const SessionArguments& arguments) {
   const auto question = questionOf(arguments);
   if (!question.ok()) return question.error();
   CellOptions options;
-  options.search = arguments.search;
-  options.search_environment = arguments.search_environment;
+  static_cast<ModelSearch&>(options) = arguments;
   const bool shows_progress = ::isatty(STDERR_FILENO) == 1;
   const auto progress = [&](const std::string& what) {
     if (shows_progress) fmt::print(stderr, "\r\033[K{} ", what);

@@ -5,17 +5,17 @@
 #include <vector>
 
 #include "core/cli/program.h"
+#include "core/model_search.h"
 #include "core/result.h"
 
 namespace rocinante {
 
 /// What `rocinante golden session` was asked for (docs/programs/golden.md).
-struct SessionArguments {
+struct SessionArguments : ModelSearch {
   std::filesystem::path a, b;
   std::string cell, camera, tier = "loose", size = "640x480", report, slack = "50ms", step = "20ms";
   double radians = 1e-3, metres = 1e-3;
-  std::vector<std::filesystem::path> search;
-  bool search_environment = false, no_pictures = false, json = false;
+  bool no_pictures = false, json = false;
 };
 
 CLI::App* addSessionCommand(CLI::App& app, SessionArguments& arguments);

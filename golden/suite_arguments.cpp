@@ -7,7 +7,9 @@
 #include <chrono>
 #include <cstdlib>
 
+#include "core/cli/search_options.h"
 #include "core/cli/worker_threads.h"
+#include "core/count_text.h"
 #include "core/duration_text.h"
 
 namespace rocinante {
@@ -38,19 +40,12 @@ void addSuiteOptions(CLI::App& app, SuiteArguments& arguments) {
       ->allow_extra_args(false);
   app.add_option("--shard", arguments.shard, "the I-th of N parts of the cases")
       ->option_text("I/N");
-  addSearchOptions(app, arguments.search, arguments.search_environment);
+  cli::addSearchOptions(app, arguments);
 }
 
 void addIncompleteOption(CLI::App& app, SuiteArguments& arguments) {
   app.add_flag("--incomplete", arguments.incomplete,
                "take frames as they are although a visual mesh is missing");
-}
-
-void addSearchOptions(CLI::App& app, std::vector<std::filesystem::path>& search,
-                      bool& search_environment) {
-  app.add_option("--search", search, "root for model files; repeatable")->allow_extra_args(false);
-  app.add_flag("--search-env", search_environment,
-               "search ROCINANTE_PATH, AMENT_PREFIX_PATH and ROS_PACKAGE_PATH too");
 }
 
 Result<SuiteOptions> suiteOptions(const SuiteArguments& arguments) {
@@ -65,8 +60,7 @@ Result<SuiteOptions> suiteOptions(const SuiteArguments& arguments) {
     if (!shard.ok()) return shard.error();
     std::tie(options.selection.shard, options.selection.shards) = *shard;
   }
-  options.search = arguments.search;
-  options.search_environment = arguments.search_environment;
+  static_cast<ModelSearch&>(options) = arguments;
   options.incomplete = arguments.incomplete;
   options.drawers = arguments.drawers;
   options.parallel = cli::workerThreads();
@@ -86,8 +80,7 @@ std::string commandText(const char* verb, const SuiteArguments& arguments) {
   for (const std::string& tag : arguments.tags) add("--tag", tag);
   for (const std::string& tag : arguments.not_tags) add("--not-tag", tag);
   add("--shard", arguments.shard);
-  for (const auto& root : arguments.search) add("--search", root.string());
-  if (arguments.search_environment) text += " --search-env";
+  for (const std::string& word : cli::searchWords(arguments)) text += " " + shellWord(word);
   return text;
 }
 
@@ -118,8 +111,8 @@ void warnOfModelFaults(const Cell& cell) {
     if (first == nullptr) first = &fault;
   }
   if (first != nullptr) {
-    cli::warn(fmt::format("the cell has {} errors (rocinante check lists them); the first: {}",
-                          errors, first->print()));
+    cli::warn(fmt::format("the cell has {} (rocinante check lists all); the first: {}",
+                          countText(errors, "error"), first->print()));
   }
 }
 

@@ -11,12 +11,10 @@
 namespace rocinante {
 
 /// What the subcommands that draw a suite's frames were asked for.
-struct SuiteArguments {
+struct SuiteArguments : ModelSearch {
   std::filesystem::path suite;
   std::string cell, log, shard;
   std::vector<std::string> only, tags, not_tags;
-  std::vector<std::filesystem::path> search;
-  bool search_environment = false;
   bool incomplete = false;
   MakeDrawer drawers{};  ///< a test's; empty: the cell's and log's own
 };
@@ -25,9 +23,6 @@ struct SuiteArguments {
 void addSuiteOptions(CLI::App& app, SuiteArguments& arguments);
 /// --incomplete, of those that judge or approve.
 void addIncompleteOption(CLI::App& app, SuiteArguments& arguments);
-/// --search and --search-env; both must outlive `app`.
-void addSearchOptions(CLI::App& app, std::vector<std::filesystem::path>& search,
-                      bool& search_environment);
 /// bad_argument for a shard that is none.
 Result<SuiteOptions> suiteOptions(const SuiteArguments& arguments);
 /// "rocinante golden VERB SUITE ..." with these arguments, as a shell takes it.

@@ -6,6 +6,7 @@
 #include "core/bundle/attached_cell.h"
 #include "core/cli/load_progress.h"
 #include "core/cli/program.h"
+#include "core/cli/search_options.h"
 #include "core/cli/worker_threads.h"
 #include "recorder/record_path.h"
 
@@ -32,8 +33,7 @@ Status readCompression(std::string_view text, LogWriterOptions& options) {
 /// The cell with all its files.
 Result<std::shared_ptr<const CellBundle>> loadCell(const RecordArguments& arguments) {
   CellOptions search;
-  search.search = arguments.search;
-  search.search_environment = arguments.search_environment;
+  static_cast<ModelSearch&>(search) = arguments;
   search.parallel = cli::workerThreads();
   if (!arguments.quiet) search.progress = cli::loadProgress(arguments.cell);
   auto cell = collectCellOrLog(arguments.cell, search);
@@ -71,11 +71,7 @@ void addRecordArguments(CLI::App& app, RecordArguments& arguments) {
   app.add_option("--cell", arguments.cell,
                  "attach this cell and every file it names: the log then replays alone")
       ->type_name("CELL");
-  app.add_option("--search", arguments.search, "a folder in which its models are looked for")
-      ->type_name("DIR")
-      ->allow_extra_args(false);
-  app.add_flag("--search-env", arguments.search_environment,
-               "also in ROCINANTE_PATH, AMENT_PREFIX_PATH, ROS_PACKAGE_PATH");
+  cli::addSearchOptions(app, arguments);
   app.add_option("--duration", arguments.duration, "end after so long (12.5s, 1m30s)")
       ->type_name("TIME");
   app.add_option("--max-packets", arguments.max_packets, "end after exactly N packets")
@@ -150,8 +146,8 @@ Result<RecordOptions> readRecordArguments(const RecordArguments& arguments) {
   if (Status read = readSessionArguments(arguments.session, options); !read) return read.error();
   if (!arguments.cell.empty()) {
     options.load_cell = [&arguments] { return loadCell(arguments); };
-  } else if (!arguments.search.empty() || arguments.search_environment) {
-    return Error{ErrorKind::bad_argument, "--search and --search-env go with --cell", {}};
+  } else if (const std::vector<std::string> words = cli::searchWords(arguments); !words.empty()) {
+    return Error{ErrorKind::bad_argument, words.front() + " goes with --cell", {}};
   }
   return options;
 }

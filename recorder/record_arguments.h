@@ -16,15 +16,13 @@ class App;
 namespace rocinante {
 
 /// What the command line of rocinante-record says, as it stands there.
-struct RecordArguments {
+struct RecordArguments : ModelSearch {
   std::vector<std::string> endpoints;
   std::vector<std::string> allow;
   std::vector<std::string> tees;
   std::string wait_interface;
   std::string output;
   std::string cell;
-  std::vector<std::filesystem::path> search;
-  bool search_environment = false;
   std::string duration;
   std::optional<std::uint64_t> max_packets, max_loss;
   std::uint64_t min_packets = 0;

@@ -115,9 +115,10 @@ Result<std::optional<CellBundle>> readAttachedCell(const LogReader& log) {
 namespace {
 
 Result<CellBundle> readLogsCell(const std::filesystem::path& path, const CellOptions& options) {
-  if (!options.search.empty()) {
+  if (!options.search.empty() || !options.packages.empty()) {
     return Error{ErrorKind::bad_argument,
-                 "a cell inside a log has all its files: --search means nothing to it",
+                 fmt::format("a cell inside a log has all its files: {} means nothing to it",
+                             options.search.empty() ? "--package" : "--search"),
                  path.string()};
   }
   const auto log = LogReader::open(path);

@@ -49,6 +49,7 @@ class ManifestReader {
     for (const Json& each : list("names", kMostBundledNames)) readName(each, manifest);
     readFolders("search", manifest.search);
     readFolders("folders", manifest.folders);
+    readPackages(manifest.packages);
     if (!files_.contains(manifest.main)) fail("its main file is not among its files");
     return manifest;
   }
@@ -130,6 +131,21 @@ class ManifestReader {
     }
   }
 
+  // Absent where each package lies in a folder of its name.
+  void readPackages(std::map<std::string, std::string>& packages) {
+    const auto found = root_.find("packages");
+    if (found == root_.end()) return;
+    if (!found->is_object() || found->size() > kMostBundledFiles) {
+      return fail("its `packages` is no list of folders");
+    }
+    for (const auto& [name, folder] : found->items()) {
+      if (!folder.is_string() || !isFolderName(folder.get_ref<const std::string&>())) {
+        return fail("a folder in it has a name that is not allowed");
+      }
+      packages.emplace(name, folder.get<std::string>());
+    }
+  }
+
   const Json& root_;
   std::set<std::string, std::less<>> files_;
   std::uint64_t total_bytes_ = 0;
@@ -170,6 +186,7 @@ std::string manifestText(const BundleManifest& manifest) {
   }
   root["search"] = manifest.search;
   root["folders"] = manifest.folders;
+  if (!manifest.packages.empty()) root["packages"] = manifest.packages;
   return root.dump(1) + "\n";
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,6 +42,8 @@ struct BundleManifest {
   std::vector<std::string> search;
   /// Folders that the cell names as search roots, whether a file lies there or not.
   std::vector<std::string> folders;
+  /// Folders of packages that are not named as their packages are.
+  std::map<std::string, std::string> packages;
   bool operator==(const BundleManifest&) const = default;
 };
 

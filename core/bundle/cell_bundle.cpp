@@ -221,6 +221,11 @@ Result<CellBundle> collectCell(const fs::path& path, CellOptions options) {
   if (!files.ok()) return files.error();
   if (Status read = readContents(*files, bundle); !read) return read.error();
   if (Status done = noteNames(noted, names, bundle.manifest); !done) return done.error();
+  for (const FileLookup& lookup : noted.lookups) {
+    if (lookup.found.package.empty()) continue;
+    bundle.manifest.packages.emplace(manifestWord(packageOf(lookup.name)),
+                                     names.nameOf(lookup.found.package));
+  }
   for (const ModelFault& fault : cell->faults) {
     if (fault.severity == Severity::warning) bundle.warnings.push_back(fault);
   }

@@ -37,6 +37,14 @@ FileSearch searchFor(const CellOptions& options) {
   return search;
 }
 
+// Packages named by whoever runs the program: before those of a cell, which they outrank.
+Status addPackages(const CellOptions& options, FileSearch& search) {
+  for (const PackageFolder& package : options.packages) {
+    if (Status added = search.addPackage(package); !added.ok()) return added;
+  }
+  return Status{};
+}
+
 // Roots named by whoever runs the program.
 Status addRoots(const CellOptions& options, FileSearch& search) {
   for (const fs::path& root : options.search) {
@@ -83,6 +91,7 @@ void sortFaults(Cell& cell) {
 
 Result<Cell> loadModelFile(const fs::path& path, const CellOptions& options) {
   FileSearch search = searchFor(options);
+  if (Status added = addPackages(options, search); !added.ok()) return added.error();
   if (Status added = search.addRoot(folderOf(path)); !added.ok()) return added.error();
   if (Status added = addRoots(options, search); !added.ok()) return added.error();
   search.setPackagesAbove(folderOf(path));
@@ -170,6 +179,7 @@ Result<Cell> readCell(ByteView bytes, const fs::path& path, const CellOptions& o
   Cell cell;
   cell.file = path.string();
   FileSearch search = searchFor(options);
+  if (Status added = addPackages(options, search); !added.ok()) return added.error();
   CellFiles files(search, cell.faults, !options.answers);
   if (Status read = files.readMain(bytes, path); !read.ok()) return read.error();
   if (Status added = addRoots(options, search); !added.ok()) return added.error();

@@ -158,9 +158,7 @@ struct Cell {
   std::string shown(std::string text) const;
 };
 
-struct CellOptions {
-  std::vector<std::filesystem::path> search;  ///< roots besides the cell's own
-  bool search_environment = false;  ///< ROCINANTE_PATH, AMENT_PREFIX_PATH, ROS_PACKAGE_PATH
+struct CellOptions : ModelSearch {
   bool geometry = true;  ///< false: kinematics only, no mesh is opened (check without GL is fast)
   /// Reads meshes on several threads; empty: one after the other. What is loaded, and which faults
   /// in which order, does not depend on it. `answers` is then called by any of them.

@@ -55,6 +55,36 @@ void addRoots(TomlTable& root, const fs::path& folder, bool are_used, FileSearch
   }
 }
 
+// Folders of packages that a cell names, relative to its folder.
+void addPackages(TomlTable& root, const fs::path& folder, bool are_used, FileSearch& search) {
+  const auto packages = root.table("packages", "[packages]");
+  if (!packages) return;
+  for (const TomlNode::Entry& entry : root.node("packages")->entries) {
+    const TomlNode& value = entry.value;
+    if (entry.key.starts_with("x-")) continue;
+    const bool is_path = value.kind == TomlNode::Kind::text && !value.text.empty() &&
+                         value.text.find('\0') == std::string::npos;
+    if (!is_path) {
+      root.faults().error(
+          "cell.bad-root", value.place,
+          fmt::format("the folder of package {} is empty or no path", quotedInFault(entry.key)));
+      continue;
+    }
+    if (!are_used) continue;
+    const fs::path path = (folder / value.text).lexically_normal();
+    std::error_code ignored;
+    if (fs::weakly_canonical(path, ignored) == path.root_path() && path.has_root_path()) {
+      root.faults().error("cell.bad-root", value.place,
+                          "the whole file system cannot be the folder of a package");
+      continue;
+    }
+    if (const Status added = search.addPackage({entry.key, path}); !added.ok()) {
+      root.faults().error("cell.bad-root", value.place,
+                          fmt::format("{}: {}", added.error().what, quotedPathInFault(value.text)));
+    }
+  }
+}
+
 }  // namespace
 
 CellFile& CellFiles::add(const fs::path& path, TomlNode document) {
@@ -80,6 +110,7 @@ Status CellFiles::readMain(ByteView bytes, const fs::path& path) {
   if (Status format = checkFormat(root, path); !format.ok()) return format;
   if (Status added = search_.addRoot(file.folder); !added.ok()) return added;
   addRoots(root, file.folder, own_roots_, search_);
+  addPackages(root, file.folder, own_roots_, search_);
   return Status{};
 }
 
@@ -102,7 +133,7 @@ void CellFiles::readIncludesOf(std::size_t number, std::size_t depth) {
 
 void CellFiles::readInclude(std::size_t number, const TomlNode& name, std::size_t depth) {
   CellFile& from = *files_[number];
-  const std::string quoted = quotedInFault(name.text);
+  const std::string quoted = quotedPathInFault(name.text);
   const FoundFile found = search_.find(name.text, from.folder);
   if (found.path.empty()) {
     from.faults->error("cell.missing-file", name.place,
@@ -144,6 +175,7 @@ void CellFiles::readInclude(std::size_t number, const TomlNode& name, std::size_
     return refuse(format.error());
   }
   addRoots(*file.root, file.folder, own_roots_, search_);
+  addPackages(*file.root, file.folder, own_roots_, search_);
   readIncludesOf(added, depth);
 }
 

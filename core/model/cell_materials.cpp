@@ -26,10 +26,14 @@ void change(const MaterialChange& by, Material& material) {
   if (by.color) {
     material.diffuse = *by.color;
     // As everywhere, a colour stands in place of the picture.
-    if (!by.texture) material.diffuse_map.clear();
+    if (!by.texture) {
+      material.diffuse_map.clear();
+      material.missing_map.clear();
+    }
   }
   if (by.texture) {
     material.diffuse_map = *by.texture;
+    material.missing_map.clear();
     // A picture is seen as it is where no colour was asked for.
     if (!by.color && !by.texture->empty()) {
       material.diffuse = glm::vec4(1.0F, 1.0F, 1.0F, material.diffuse.a);

@@ -31,9 +31,10 @@ std::shared_ptr<const Model> CellModels::readTreeFile(const std::string& name,
                                                       Place place, FaultList& faults) {
   const FoundFile found = meshes_.search().find(name, folder);
   if (found.path.empty()) {
-    faults.error("cell.missing-file", place,
-                 fmt::format("the model {} is not used: {}", quotedInFault(name), found.problem()),
-                 found.hint());
+    faults.error(
+        "cell.missing-file", place,
+        fmt::format("the model {} is not used: {}", quotedPathInFault(name), found.problem()),
+        found.hint());
     return nullptr;
   }
   const auto known = files_.find(found.path);
@@ -44,7 +45,7 @@ std::shared_ptr<const Model> CellModels::readTreeFile(const std::string& name,
   if (!bytes.ok()) {
     faults.error(
         "cell.unusable-model", place,
-        fmt::format("the model {} is not used: {}", quotedInFault(name), bytes.error().text()));
+        fmt::format("the model {} is not used: {}", quotedPathInFault(name), bytes.error().text()));
   } else {
     meshes_.addFile(found.path);
     const auto readTree = is_sdf ? readSdf : readUrdf;

@@ -7,6 +7,20 @@ namespace {
 
 constexpr std::size_t kListedPerRule = 100;
 constexpr std::size_t kQuotedBytes = 60;
+constexpr std::size_t kLongestFileName = 256;  // with a slash; Linux has none longer
+
+std::string escapedInFault(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x20 || byte == 0x7F) {
+      escaped += fmt::format("\\x{:02x}", byte);
+    } else {
+      escaped += c;
+    }
+  }
+  return escaped;
+}
 
 }  // namespace
 
@@ -34,17 +48,24 @@ FaultList::~FaultList() {
 }
 
 std::string quotedInFault(std::string_view text) {
-  std::string quoted = "`";
-  for (const char c : text.substr(0, kQuotedBytes)) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x20 || byte == 0x7F) {
-      quoted += fmt::format("\\x{:02x}", byte);
-    } else {
-      quoted += c;
-    }
-  }
+  std::string quoted = "`" + escapedInFault(text.substr(0, kQuotedBytes));
   if (text.size() > kQuotedBytes) quoted += "...";
   return quoted + "`";
+}
+
+std::string quotedPathInFault(std::string_view path) {
+  if (path.size() <= kQuotedBytes) return quotedInFault(path);
+  // From a slash on, where one is left: never from the middle of a folder's name.
+  std::string_view end = path.substr(path.size() - kQuotedBytes);
+  const std::size_t slash = end.find_first_of("/\\");
+  if (slash != std::string_view::npos) {
+    end.remove_prefix(slash);
+  } else {
+    const std::size_t file = path.find_last_of("/\\");
+    if (file != std::string_view::npos) end = path.substr(file);
+    end = end.substr(0, kLongestFileName);
+  }
+  return "`..." + escapedInFault(end) + "`";
 }
 
 }  // namespace rocinante

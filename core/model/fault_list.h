@@ -54,5 +54,8 @@ class FaultList {
 
 /// `text` in backquotes for a fault's sentence: control characters escaped, cut when very long.
 std::string quotedInFault(std::string_view text);
+/// The same of a file's name or path: a long one loses its first folders, and keeps the file's own
+/// name.
+std::string quotedPathInFault(std::string_view path);
 
 }  // namespace rocinante

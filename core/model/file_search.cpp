@@ -7,6 +7,8 @@
 #include <fstream>
 #include <string_view>
 
+#include "core/model/package_names.h"
+
 namespace rocinante {
 namespace {
 
@@ -68,12 +70,6 @@ ParsedName parsedName(std::string name) {
   return {name, "", drive || startsWith(name, "/")};
 }
 
-bool isWithin(const fs::path& canonical, const fs::path& root) {
-  const auto [in_root, in_path] =
-      std::mismatch(root.begin(), root.end(), canonical.begin(), canonical.end());
-  return in_root == root.end();
-}
-
 bool isPicture(const fs::path& path) {
   std::string ending = path.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
@@ -81,6 +77,12 @@ bool isPicture(const fs::path& path) {
   static constexpr std::array<std::string_view, 9> kEndings = {
       ".png", ".jpg", ".jpeg", ".tga", ".bmp", ".tif", ".tiff", ".dds", ".exr"};
   return std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end();
+}
+
+FoundFile refusal(FoundFile::Why why) {
+  FoundFile refused;
+  refused.why = why;
+  return refused;
 }
 
 // The places where a name may mean a file, best first.
@@ -121,7 +123,7 @@ std::string FoundFile::problem() const {
     case Why::found_elsewhere:
       return {};
     case Why::missing:
-      return "there is no such file within the search roots";
+      return detail.empty() ? "there is no such file within the search roots" : detail;
     case Why::outside:
       return "it lies outside the search roots";
     case Why::no_file:
@@ -135,6 +137,7 @@ std::string FoundFile::problem() const {
 }
 
 std::string FoundFile::hint() const {
+  if (!advice.empty()) return advice;
   switch (why) {
     case Why::found:
     case Why::found_elsewhere:
@@ -149,6 +152,14 @@ std::string FoundFile::hint() const {
       return "expand the template first: xacro model.xacro > model.urdf";
   }
   return {};
+}
+
+FileSearch::FileSearch() : names_(std::make_shared<PackageNames>()) {}
+
+bool FileSearch::Root::holds(const fs::path& path) const {
+  const auto [in_root, in_path] =
+      std::mismatch(canonical.begin(), canonical.end(), path.begin(), path.end());
+  return in_root == canonical.end();
 }
 
 Status FileSearch::addRoot(const fs::path& root) {
@@ -189,45 +200,49 @@ void FileSearch::addEnvironmentRoots() {
   }
 }
 
-void FileSearch::setPackagesAbove(const fs::path& folder) { packages_above_ = folder; }
-
 FoundFile FileSearch::checkIn(const std::vector<Root>& roots, const fs::path& file) const {
   std::error_code error;
   const fs::path canonical = fs::canonical(file, error);
-  if (error) return {FoundFile::Why::missing, {}, {}};
+  if (error) return {};
   for (const Root& root : roots) {
-    if (!isWithin(canonical, root.canonical)) continue;
-    if (!fs::is_regular_file(canonical, error)) return {FoundFile::Why::no_file, {}, {}};
-    return {FoundFile::Why::found,
-            (root.given / canonical.lexically_relative(root.canonical)).lexically_normal(),
-            root.canonical};
+    if (!root.holds(canonical)) continue;
+    if (!fs::is_regular_file(canonical, error)) return refusal(FoundFile::Why::no_file);
+    FoundFile found;
+    found.why = FoundFile::Why::found;
+    found.path = (root.given / canonical.lexically_relative(root.canonical)).lexically_normal();
+    found.root = root.canonical;
+    found.root_as_given = root.given;
+    return found;
   }
-  return {FoundFile::Why::outside, {}, {}};
+  return refusal(FoundFile::Why::outside);
 }
 
 FoundFile FileSearch::check(const fs::path& file) const { return checkIn(roots_, file); }
 
-FoundFile FileSearch::look(const std::string& name, const fs::path& beside) const {
-  return answers_ ? answers_(name, beside) : lookFor(name, beside);
+FoundFile FileSearch::look(const std::string& name, const fs::path& beside,
+                           const FoundFile* within) const {
+  return answers_ ? answers_(name, beside) : lookFor(name, beside, within);
 }
 
 void FileSearch::note(const FileLookup& lookup) const {
   if (lookups_ != nullptr) lookups_->lookups.push_back(lookup);
 }
 
-FoundFile FileSearch::find(const std::string& name, const fs::path& beside) const {
-  FoundFile found = look(name, beside);
+FoundFile FileSearch::find(const std::string& name, const fs::path& beside,
+                           const FoundFile* within) const {
+  FoundFile found = look(name, beside, within);
   note({beside, name, found});
   return found;
 }
 
-FoundFile FileSearch::lookFor(const std::string& given, const fs::path& beside) const {
+FoundFile FileSearch::lookFor(const std::string& given, const fs::path& beside,
+                              const FoundFile* within) const {
   if (given.empty() || given.size() > 4096 || given.find('\0') != std::string::npos) return {};
   for (const std::string_view scheme : {"http://", "https://", "ftp://"}) {
-    if (startsWith(given, scheme)) return {FoundFile::Why::remote, {}, {}};
+    if (startsWith(given, scheme)) return refusal(FoundFile::Why::remote);
   }
   if (given.find("$(") != std::string::npos || given.find("${") != std::string::npos) {
-    return {FoundFile::Why::expression, {}, {}};
+    return refusal(FoundFile::Why::expression);
   }
 
   std::error_code error;
@@ -236,22 +251,43 @@ FoundFile FileSearch::lookFor(const std::string& given, const fs::path& beside) 
   FoundFile best;
   for (const std::string& name : {given, decodedPercent(given)}) {
     const ParsedName parsed = parsedName(name);
-    std::vector<Root> roots = roots_;
-    if (!parsed.package.empty()) {
-      fs::path above = packages_above_;
-      fs::path folder = above.empty() ? fs::path() : fs::canonical(above, error);
-      for (int up = 0; up < kMostFoldersUp && folder.has_relative_path(); ++up) {
-        if (folder.filename() == parsed.package) roots.push_back({above, folder});
-        above /= "..";
-        folder = folder.parent_path();
-      }
+    const auto package = std::find_if(packages_.begin(), packages_.end(), [&](const Package& each) {
+      return each.name == parsed.package;
+    });
+    if (!parsed.package.empty() && package != packages_.end()) {
+      FoundFile found = lookInPackage(*package, parsed.path);
+      if (found.why == FoundFile::Why::found || name == decodedPercent(given)) return found;
+      continue;
     }
+    std::vector<Root> roots = roots_;
+    if (!parsed.package.empty()) addPackagesAbove(parsed.package, roots);
     std::vector<fs::path> folders;
     for (const Root& root : roots) folders.push_back(root.canonical);
+    // Whoever named a package's folder lets in what is in it.
+    for (const Package& each : packages_) roots.push_back(each.folder);
+    if (within != nullptr && !within->root.empty()) {
+      roots.push_back({within->root_as_given, within->root});
+    }
+    // What is found is the answer; of refusals the first that is not "missing".
+    const auto isAnswer = [&](const fs::path& place, const fs::path& package_folder) {
+      FoundFile found = checkIn(roots, place);
+      found.package = package_folder;
+      const bool is_found = found.why == FoundFile::Why::found;
+      const bool is_better =
+          best.why == FoundFile::Why::missing && found.why != FoundFile::Why::missing;
+      if (is_found || is_better) best = std::move(found);
+      return is_found;
+    };
     for (const fs::path& place : candidatesFor(parsed, from, folders)) {
-      const FoundFile found = checkIn(roots, place);
-      if (found.why == FoundFile::Why::found) return found;
-      if (found.why != FoundFile::Why::missing && best.why == FoundFile::Why::missing) best = found;
+      if (isAnswer(place, {})) return best;
+    }
+    if (!parsed.package.empty()) {
+      for (const fs::path& folder : saidPackages(parsed.package, from, roots)) {
+        if (isAnswer(folder / parsed.path, folder)) return best;
+      }
+      if (best.why == FoundFile::Why::missing && name == given) {
+        explain(parsed.package, parsed.path, from, roots, best);
+      }
     }
     if (!parsed.absolute) continue;
     // Made on another machine: as many of its last parts as lead to a file here.

@@ -31,10 +31,10 @@ std::optional<double> readUnit(TomlTable& table) {
   }
   if (given->kind != TomlNode::Kind::text) {
     const auto metres = table.number("unit");
-    if (metres && *metres > 0.0) return metres;
+    if (metres && *metres > 0.0 && *metres < 1e9) return metres;
     if (metres) {
       table.error("cell.bad-number", "unit",
-                  fmt::format("`unit` of {} must be above 0", table.what()));
+                  fmt::format("`unit` of {} must be above 0 and below 1e9", table.what()));
     }
     return std::nullopt;
   }

@@ -20,6 +20,7 @@ struct Material {
   glm::vec3 emission{0.0F, 0.0F, 0.0F};
   float shininess = 0.0F;             ///< MTL's Ns, 0 to 1000
   std::filesystem::path diffuse_map;  ///< resolved file; empty: none
+  std::string missing_map;            ///< the name of a picture that is not used; then no map
   /// The picture's own bytes (PNG, JPEG ...) when it lies inside the mesh's file; diffuse_map is
   /// then no file but a name for it: "arm.glb#2".
   std::shared_ptr<const Bytes> diffuse_bytes;

@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "core/bytes.h"
+#include "core/model/file_search.h"
 #include "core/model/mesh.h"
 #include "core/model/model_fault.h"
 #include "core/result.h"
@@ -14,9 +15,9 @@ enum class UpAxis : std::uint8_t { y, z };
 
 /// Where a file that another file names may be found; nothing outside the search roots is opened.
 /// `beside` is the folder of the file that names it.
-/// Empty path: not found or not allowed (the callee then adds the fault).
-using ResolveFile = std::function<std::filesystem::path(const std::string& name,
-                                                        const std::filesystem::path& beside)>;
+/// Without a path: not found or not allowed (the callee then adds the fault).
+using ResolveFile =
+    std::function<FoundFile(const std::string& name, const std::filesystem::path& beside)>;
 
 struct MeshReadOptions {
   double unit_m = 1.0;  ///< metres a file's unit is

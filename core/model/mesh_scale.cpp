@@ -67,14 +67,14 @@ void judgeScale(const Model& model, const std::vector<MeshUse>& uses, FaultList&
     if (other != others.end() && other->second > 0 && use.size_m > other->second * kMostOverOther) {
       faults.warning("model.scale", use.place,
                      fmt::format("the {} {} of link {} is {:.3g} m large, and its {} {:.3g} m",
-                                 use.is_collision ? "collision" : "visual", quotedInFault(use.file),
-                                 quotedInFault(use.link), use.size_m,
+                                 use.is_collision ? "collision" : "visual",
+                                 quotedPathInFault(use.file), quotedInFault(use.link), use.size_m,
                                  use.is_collision ? "visual" : "collision", other->second),
                      kHint);
     } else if (!use.is_collision && middle > 0 && use.size_m > middle * kMostOverMiddle) {
       faults.warning("model.scale", use.place,
                      fmt::format("the mesh {} is {:.3g} m large, where the model's are {:.3g} m",
-                                 quotedInFault(use.file), use.size_m, middle),
+                                 quotedPathInFault(use.file), use.size_m, middle),
                      kHint);
     }
   }

@@ -9,22 +9,42 @@
 #include "core/model/fault_list.h"
 
 namespace rocinante {
+namespace {
 
-std::filesystem::path MeshStore::find(const std::string& name, const std::filesystem::path& beside,
-                                      Severity severity, std::string_view rule,
-                                      std::string_view kind, Place place, FaultList& faults) const {
-  const FoundFile found = search_.find(name, beside);
+constexpr std::size_t kMostShapeSizes = 1000;  // 70 KB each at most
+
+Mesh shapeMesh(const ShapeSize& shape) {
+  const auto& [x, y, z] = shape.size;
+  switch (shape.kind) {
+    case ShapeSize::Kind::box:
+      return boxMesh({x, y, z});
+    case ShapeSize::Kind::sphere:
+      return sphereMesh(x);
+    case ShapeSize::Kind::cylinder:
+      return cylinderMesh(x, z);
+    case ShapeSize::Kind::capsule:
+      return capsuleMesh(x, z);
+  }
+  return {};
+}
+
+}  // namespace
+
+FoundFile MeshStore::find(const std::string& name, const std::filesystem::path& beside,
+                          Severity severity, std::string_view rule, std::string_view kind,
+                          Place place, FaultList& faults) const {
+  FoundFile found = search_.find(name, beside);
   if (found.path.empty()) {
     faults.add(severity, rule, place,
-               fmt::format("{} {} is not used: {}", kind, quotedInFault(name), found.problem()),
+               fmt::format("{} {} is not used: {}", kind, quotedPathInFault(name), found.problem()),
                found.hint());
   } else if (found.why == FoundFile::Why::found_elsewhere) {
     faults.warning("model.absolute-path", place,
                    fmt::format("{} {} is an absolute path of another machine; {} is taken", kind,
-                               quotedInFault(name), quotedInFault(found.path.string())),
+                               quotedPathInFault(name), quotedPathInFault(found.path.string())),
                    "name files relative to the model, or by package://");
   }
-  return found.path;
+  return found;
 }
 
 void MeshStore::readWith(ParallelFor parallel, TellLoadProgress tell) {
@@ -32,14 +52,14 @@ void MeshStore::readWith(ParallelFor parallel, TellLoadProgress tell) {
   tell_ = std::move(tell);
 }
 
-MeshStore::Loaded MeshStore::read(const Key& key) const {
+MeshStore::Loaded MeshStore::read(const Key& key, const FoundFile& found) const {
   Loaded loaded;
   MeshReadOptions options;
   options.unit_m = std::get<1>(key);
   options.up = std::get<2>(key);
   options.resolve = [&](const std::string& wanted, const std::filesystem::path& folder) {
-    loaded.lookups.push_back({folder, wanted, search_.look(wanted, folder)});
-    return loaded.lookups.back().found.path;
+    loaded.lookups.push_back({folder, wanted, search_.look(wanted, folder, &found)});
+    return loaded.lookups.back().found;
   };
   Result<Mesh> mesh = readMeshFile(std::get<0>(key), options, loaded.faults);
   if (mesh.ok()) {
@@ -53,9 +73,13 @@ MeshStore::Loaded MeshStore::read(const Key& key) const {
 void MeshStore::readAhead(const std::vector<MeshWanted>& wanted) {
   if (!geometry_ || (!parallel_ && !tell_)) return;
   std::map<Key, Loaded> fresh;
+  std::map<std::filesystem::path, FoundFile> found_by_path;
   for (const MeshWanted& mesh : wanted) {
-    const Key key{search_.look(mesh.name, mesh.beside).path, mesh.unit_m, mesh.up};
-    if (!std::get<0>(key).empty() && !meshes_.contains(key)) fresh.try_emplace(key);
+    const FoundFile found = search_.look(mesh.name, mesh.beside);
+    const Key key{found.path, mesh.unit_m, mesh.up};
+    if (found.path.empty() || meshes_.contains(key)) continue;
+    fresh.try_emplace(key);
+    found_by_path.try_emplace(found.path, found);
   }
   if (fresh.empty()) return;
   // The largest first, so that no thread is left with it in the end.
@@ -77,7 +101,7 @@ void MeshStore::readAhead(const std::vector<MeshWanted>& wanted) {
 
   std::mutex telling;
   const auto readOne = [&](std::size_t i) {
-    *jobs[i].loaded = read(*jobs[i].key);
+    *jobs[i].loaded = read(*jobs[i].key, found_by_path.at(std::get<0>(*jobs[i].key)));
     const std::lock_guard lock(telling);
     ++progress_.files_done;
     progress_.bytes_done += jobs[i].bytes;
@@ -94,16 +118,16 @@ void MeshStore::readAhead(const std::vector<MeshWanted>& wanted) {
 std::shared_ptr<const Mesh> MeshStore::load(const std::string& name,
                                             const std::filesystem::path& beside, double unit_m,
                                             UpAxis up, Place place, FaultList& faults) {
-  const std::filesystem::path path =
+  const FoundFile found =
       find(name, beside, Severity::error, "model.missing-file", "the mesh", place, faults);
-  if (path.empty() || !geometry_) return nullptr;
-  const Key key{path, unit_m, up};
+  if (found.path.empty() || !geometry_) return nullptr;
+  const Key key{found.path, unit_m, up};
   auto entry = meshes_.find(key);
-  if (entry == meshes_.end()) entry = meshes_.emplace(key, read(key)).first;
+  if (entry == meshes_.end()) entry = meshes_.emplace(key, read(key, found)).first;
   Loaded& loaded = entry->second;
   if (!loaded.told) {
     loaded.told = true;
-    addFile(path);
+    addFile(found.path);
     for (const FileLookup& lookup : loaded.lookups) {
       search_.note(lookup);
       if (!lookup.found.path.empty()) addFile(lookup.found.path);
@@ -113,8 +137,9 @@ std::shared_ptr<const Mesh> MeshStore::load(const std::string& name,
     loaded.faults.clear();
   }
   if (!loaded.mesh) {
-    faults.error("model.unusable-mesh", place,
-                 fmt::format("the mesh {} is not used: {}", quotedInFault(name), loaded.problem));
+    faults.error(
+        "model.unusable-mesh", place,
+        fmt::format("the mesh {} is not used: {}", quotedPathInFault(name), loaded.problem));
   }
   return loaded.mesh;
 }
@@ -123,16 +148,33 @@ std::filesystem::path MeshStore::texture(const std::string& name,
                                          const std::filesystem::path& beside, Place place,
                                          FaultList& faults) {
   const std::filesystem::path path =
-      find(name, beside, Severity::warning, "model.missing-texture", "the texture", place, faults);
+      find(name, beside, Severity::warning, "model.missing-texture", "the texture", place, faults)
+          .path;
   if (!path.empty()) addFile(path);
   return path;
 }
 
-std::shared_ptr<const Mesh> MeshStore::shape(const std::string& key,
-                                             const std::function<Mesh()>& make) {
+std::shared_ptr<const Mesh> MeshStore::shape(const ShapeSize& wanted, Vec3& scale, Place place,
+                                             FaultList& faults) {
   if (!geometry_) return nullptr;
-  std::shared_ptr<const Mesh>& mesh = shapes_[key];
-  if (!mesh) mesh = std::make_shared<const Mesh>(make());
+  ShapeSize made = wanted;
+  if (!shapes_.contains(wanted) && shape_counts_[wanted.kind] >= kMostShapeSizes) {
+    if (wanted.kind == ShapeSize::Kind::capsule) {
+      faults.error("model.unusable-mesh", place,
+                   fmt::format("the capsule is not used: there are more than {} of other sizes",
+                               kMostShapeSizes),
+                   "give them fewer sizes, or make each of a cylinder and two spheres");
+      return nullptr;
+    }
+    // What is drawn of the first sizes keeps its very numbers: scaling would round otherwise.
+    made.size = {1, 1, 1};
+    scale = {wanted.size[0], wanted.size[1], wanted.size[2]};
+  }
+  std::shared_ptr<const Mesh>& mesh = shapes_[made];
+  if (!mesh) {
+    mesh = std::make_shared<const Mesh>(shapeMesh(made));
+    ++shape_counts_[made.kind];
+  }
   return mesh;
 }
 

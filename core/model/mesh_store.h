@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <compare>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -22,6 +25,15 @@ struct MeshWanted {
   std::filesystem::path beside;  ///< the folder of the file that names it
   double unit_m = 1.0;
   UpAxis up = UpAxis::z;
+};
+
+/// A shape by its kind and sizes in metres: sides of a box; a radius, thrice, of a sphere; radius,
+/// radius and length of the others.
+struct ShapeSize {
+  enum class Kind : std::uint8_t { box, sphere, cylinder, capsule };
+  Kind kind = Kind::box;
+  std::array<double, 3> size{};
+  auto operator<=>(const ShapeSize&) const = default;
 };
 
 /// The meshes of one cell, each read once and shared. Keeps count of the files that were read.
@@ -49,8 +61,11 @@ class MeshStore {
   std::filesystem::path texture(const std::string& name, const std::filesystem::path& beside,
                                 Place place, FaultList& faults);
 
-  /// A shape that is made, not read; `key` tells it from others.
-  std::shared_ptr<const Mesh> shape(const std::string& key, const std::function<Mesh()>& make);
+  /// A shape that is made, not read; those of one size share a mesh. Past the first 1,000 sizes of
+  /// a kind it is one of size 1, and `scale` becomes what makes it as large; a capsule, which no
+  /// scale makes of another, is then a fault and null.
+  std::shared_ptr<const Mesh> shape(const ShapeSize& wanted, Vec3& scale, Place place,
+                                    FaultList& faults);
 
   void addFile(const std::filesystem::path& path) { files_.insert(path); }
   const std::set<std::filesystem::path>& files() const { return files_; }
@@ -64,10 +79,10 @@ class MeshStore {
     ModelFaults faults;
     std::vector<FileLookup> lookups;
   };
-  Loaded read(const Key& key) const;
-  std::filesystem::path find(const std::string& name, const std::filesystem::path& beside,
-                             Severity severity, std::string_view rule, std::string_view kind,
-                             Place place, FaultList& faults) const;
+  Loaded read(const Key& key, const FoundFile& found) const;
+  FoundFile find(const std::string& name, const std::filesystem::path& beside, Severity severity,
+                 std::string_view rule, std::string_view kind, Place place,
+                 FaultList& faults) const;
 
   const FileSearch& search_;
   bool geometry_;
@@ -75,7 +90,8 @@ class MeshStore {
   TellLoadProgress tell_;
   LoadProgress progress_;
   std::map<Key, Loaded> meshes_;
-  std::map<std::string, std::shared_ptr<const Mesh>> shapes_;
+  std::map<ShapeSize, std::shared_ptr<const Mesh>> shapes_;
+  std::map<ShapeSize::Kind, std::size_t> shape_counts_;
   std::set<std::filesystem::path> files_;
 };
 

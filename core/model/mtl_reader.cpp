@@ -133,14 +133,8 @@ class MtlReader {
       add(Severity::warning, "mtl.missing-texture", "map_Kd names no file");
       return;
     }
-    material_.diffuse_map = textureFile(resolve_, name, path_.parent_path());
-    if (material_.diffuse_map.empty()) {
-      add(Severity::warning, "mtl.missing-texture",
-          "the texture " + quotedInFault(name) + " of material " + quotedInFault(material_.name) +
-              " is not found",
-          "textures are looked for as named, beside the file and in ../materials/textures, inside "
-          "the search roots");
-    }
+    useTexture(resolve_, name, path_.parent_path(), "mtl.missing-texture", {line_}, faults_,
+               material_);
   }
 
   void readTextureOption(const TextureOption& option) {
@@ -206,29 +200,54 @@ void readMtl(std::string_view text, const fs::path& path, const ResolveFile& res
   MtlReader(text, path, resolve, faults, materials).read();
 }
 
-fs::path textureFile(const ResolveFile& resolve, std::string name, const fs::path& beside) {
-  if (fs::path found = resolve(name, beside); !found.empty()) return found;
+FoundFile textureFile(const ResolveFile& resolve, std::string name, const fs::path& beside) {
+  std::vector<std::string> names = {name};
   if (name.find('\\') != std::string::npos) {
     std::replace(name.begin(), name.end(), '\\', '/');
-    if (fs::path found = resolve(name, beside); !found.empty()) return found;
+    names.push_back(name);
   }
   const std::string bare = name.substr(name.rfind('/') + 1);
-  if (bare.empty()) return {};
-  if (fs::path found = resolve(bare, beside); !found.empty()) return found;
-  return resolve("../materials/textures/" + bare, beside);
+  if (!bare.empty()) names.insert(names.end(), {bare, "../materials/textures/" + bare});
+  FoundFile best;
+  for (const std::string& each : names) {
+    FoundFile found = resolve(each, beside);
+    if (!found.path.empty()) return found;
+    if (best.why == FoundFile::Why::missing) best = std::move(found);
+  }
+  return best;
+}
+
+void useTexture(const ResolveFile& resolve, const std::string& name, const fs::path& beside,
+                std::string_view rule, Place place, FaultList& faults, Material& material) {
+  const FoundFile found = textureFile(resolve, name, beside);
+  material.diffuse_map = found.path;
+  material.missing_map = found.path.empty() ? name : std::string();
+  if (!found.path.empty()) return;
+  const bool is_missing = found.why == FoundFile::Why::missing;
+  faults.warning(rule, place,
+                 "the texture " + quotedPathInFault(name) + " of material " +
+                     quotedInFault(material.name) +
+                     (is_missing ? " is not found" : " is not used: " + found.problem()),
+                 is_missing ? "textures are looked for as named, beside the file and in "
+                              "../materials/textures, inside the search roots"
+                            : found.hint());
 }
 
 ResolveFile resolverOf(const MeshReadOptions& options) {
   if (options.resolve) return options.resolve;
-  return [](const std::string& name, const fs::path& beside) -> fs::path {
+  return [](const std::string& name, const fs::path& beside) {
+    FoundFile found;
     const fs::path below = fs::path(name).lexically_normal();
     if (name.empty() || name.find('\0') != std::string::npos || below.is_absolute() ||
         *below.begin() == "..") {
-      return {};
+      return found;
     }
     std::error_code ignored;
-    fs::path found = (beside / below).lexically_normal();
-    return fs::is_regular_file(found, ignored) ? found : fs::path{};
+    const fs::path file = (beside / below).lexically_normal();
+    if (!fs::is_regular_file(file, ignored)) return found;
+    found.why = FoundFile::Why::found;
+    found.path = file;
+    return found;
   };
 }
 

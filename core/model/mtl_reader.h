@@ -17,9 +17,15 @@ void readMtl(std::string_view text, const std::filesystem::path& path, const Res
              FaultList& faults, std::vector<Material>& materials);
 
 /// The picture that a material names: as named, with slashes for backslashes, by its bare name in
-/// the folder `beside`, and in ../materials/textures from there. Empty when it is not found.
-std::filesystem::path textureFile(const ResolveFile& resolve, std::string name,
-                                  const std::filesystem::path& beside);
+/// the folder `beside`, and in ../materials/textures from there.
+FoundFile textureFile(const ResolveFile& resolve, std::string name,
+                      const std::filesystem::path& beside);
+
+/// Gives `material` the picture `name`; without one the material remembers the name, and a warning
+/// of `rule` at `place` says why.
+void useTexture(const ResolveFile& resolve, const std::string& name,
+                const std::filesystem::path& beside, std::string_view rule, Place place,
+                FaultList& faults, Material& material);
 
 /// `options.resolve`, or one that finds only what lies in the folder `beside` or below it.
 ResolveFile resolverOf(const MeshReadOptions& options);

@@ -292,17 +292,17 @@ class ObjReader {
         readLibrary(file);
       } else {
         add(Severity::warning, "obj.missing-mtllib",
-            "the material file " + quotedInFault(name) + " is not found");
+            "the material file " + quotedPathInFault(name) + " is not found");
       }
     }
   }
 
   fs::path find(const std::string& name, const fs::path& beside) const {
     if (name.empty()) return {};
-    if (fs::path found = resolve_(name, beside); !found.empty()) return found;
+    if (fs::path found = resolve_(name, beside).path; !found.empty()) return found;
     // Written on another machine: absolute, perhaps with backslashes.
     const std::string bare = name.substr(name.find_last_of("/\\") + 1);
-    return bare.empty() || bare == name ? fs::path{} : resolve_(bare, beside);
+    return bare.empty() || bare == name ? fs::path{} : resolve_(bare, beside).path;
   }
 
   void readLibrary(const fs::path& file) {

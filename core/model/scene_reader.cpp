@@ -68,13 +68,13 @@ class FoundFiles : public Assimp::IOSystem {
       : name_(std::move(name)), bytes_(bytes), path_(path), resolve_(resolve) {}
 
   bool Exists(const char* name) const override {
-    return name == name_ || !resolve_(name, path_.parent_path()).empty();
+    return name == name_ || !resolve_(name, path_.parent_path()).path.empty();
   }
   char getOsSeparator() const override { return '/'; }
   Assimp::IOStream* Open(const char* name, const char* mode) override {
     if (std::strchr(mode, 'w') != nullptr || std::strchr(mode, 'a') != nullptr) return nullptr;
     if (name == name_) return std::make_unique<MemoryStream>(bytes_).release();
-    const fs::path found = resolve_(name, path_.parent_path());
+    const fs::path found = resolve_(name, path_.parent_path()).path;
     if (found.empty()) {
       refused_ = name;
       return nullptr;
@@ -336,14 +336,8 @@ class SceneReader {
     if (const aiTexture* picture = scene_.GetEmbeddedTexture(name.C_Str())) {
       usePicture(*picture, material);
     } else {
-      material.diffuse_map = textureFile(resolve_, name.C_Str(), path_.parent_path());
-      if (material.diffuse_map.empty()) {
-        faults_.warning("mesh.missing-texture", {},
-                        fmt::format("the texture {} of material {} is not found",
-                                    quotedInFault(name.C_Str()), quotedInFault(material.name)),
-                        "textures are looked for as named, beside the file and in "
-                        "../materials/textures, inside the search roots");
-      }
+      useTexture(resolve_, name.C_Str(), path_.parent_path(), "mesh.missing-texture", {}, faults_,
+                 material);
     }
     int channel = 0;
     given.Get(AI_MATKEY_UVWSRC(aiTextureType_DIFFUSE, 0), channel);

@@ -145,17 +145,19 @@ class SdfReader {
           fmt::format("the {} {} has a size of {}", kind, quotedInFault(given.name), size[i]));
       return;
     }
-    const std::string key = fmt::format("{} {} {} {}", kind, size[0], size[1], size[2]);
+    const auto make = [&](ShapeSize::Kind which, double x, double y, double z) {
+      return meshes_.shape({which, {x, y, z}}, visual.scale, {}, faults_);
+    };
     if (is_mesh) {
       visual.scale = {size[0], size[1], size[2]};
       visual.mesh = meshes_.load(given.uri, folder_, 1.0, UpAxis::z, {}, faults_);
     } else if (kind == "box") {
-      visual.mesh = meshes_.shape(key, [&] { return boxMesh({size[0], size[1], size[2]}); });
+      visual.mesh = make(ShapeSize::Kind::box, size[0], size[1], size[2]);
     } else if (kind == "sphere") {
-      visual.mesh = meshes_.shape(key, [&] { return sphereMesh(size[0]); });
+      visual.mesh = make(ShapeSize::Kind::sphere, size[0], size[0], size[0]);
     } else {
-      const auto make = kind == "cylinder" ? cylinderMesh : capsuleMesh;
-      visual.mesh = meshes_.shape(key, [&] { return make(size[0], size[1]); });
+      visual.mesh = make(kind == "cylinder" ? ShapeSize::Kind::cylinder : ShapeSize::Kind::capsule,
+                         size[0], size[0], size[1]);
     }
     if (given.has_color != 0 && !is_mesh) {
       Material material;

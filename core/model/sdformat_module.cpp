@@ -1,5 +1,7 @@
 #include "core/model/sdformat_module.h"
 
+#include <console_bridge/console.h>
+
 #include <cstdlib>
 #include <exception>
 #include <sdf/Box.hh>
@@ -177,12 +179,33 @@ void keepQuiet() {
   }
 }
 
+/// libsdformat reads a URDF through urdfdom, which writes its own lines to standard error: they
+/// become faults. Restores what was there before.
+class UrdfdomFaults : public console_bridge::OutputHandler {
+ public:
+  explicit UrdfdomFaults(const RocinanteSdfSink& sink) : sink_(sink) {
+    console_bridge::useOutputHandler(this);
+  }
+  ~UrdfdomFaults() override { console_bridge::restorePreviousOutputHandler(); }
+  UrdfdomFaults(const UrdfdomFaults&) = delete;
+  UrdfdomFaults& operator=(const UrdfdomFaults&) = delete;
+
+  void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {
+    const bool is_error = level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR;
+    if (is_error) sink_.fault(sink_.to, 1, 0, text.c_str());
+  }
+
+ private:
+  const RocinanteSdfSink& sink_;
+};
+
 void read(const char* text, const RocinanteSdfSink& sink) {
   static const bool is_quiet = (keepQuiet(), true);
   static_cast<void>(is_quiet);
   sdf::ParserConfig config;
   config.SetFindCallback([](const std::string&) { return std::string(); });
   sdf::Root root;
+  const UrdfdomFaults urdfdom(sink);
   tell(sink, root.LoadSdfString(text, config));
   bool is_first = true;
   const auto use = [&](const sdf::Model& model) {

@@ -15,6 +15,7 @@ bool hasOwnMaterials(const Mesh& mesh) {
   return std::any_of(mesh.materials.begin(), mesh.materials.end(), [](const Material& material) {
     Material plain;
     plain.name = material.name;
+    plain.missing_map = material.missing_map;
     return !material.name.empty() && material != plain;
   });
 }
@@ -53,6 +54,7 @@ std::optional<Material> UrdfLinkReader::readMaterial(const UrdfElement& element)
     if (const auto file = texture->requiredText("filename")) {
       material.diffuse_map =
           meshes_.texture(*file, folder_, texture->place("filename"), element.faults());
+      if (material.diffuse_map.empty()) material.missing_map = *file;
     }
   }
   return material;
@@ -86,27 +88,31 @@ std::optional<double> UrdfLinkReader::size(const UrdfElement& shape, const char*
   const auto value = shape.requiredNumber(attribute);
   if (!value) return std::nullopt;
   if (*value > 0.0 && *value < 1e9) return value;
-  shape.faults().error("urdf.bad-size", shape.place(attribute),
-                       fmt::format("`{}` of <{}> must be above 0", attribute, shape.tag()));
+  shape.faults().error(
+      "urdf.bad-size", shape.place(attribute),
+      fmt::format("`{}` of <{}> must be above 0 and below 1e9", attribute, shape.tag()));
   return std::nullopt;
 }
 
 std::shared_ptr<const Mesh> UrdfLinkReader::readShape(const UrdfElement& shape, Vec3& scale,
                                                       bool& sound) {
   sound = false;
+  const auto make = [&](ShapeSize::Kind kind, double x, double y, double z) {
+    return meshes_.shape({kind, {x, y, z}}, scale, shape.place(), shape.faults());
+  };
   if (shape.tag() == "sphere") {
     const auto radius = size(shape, "radius");
     if (!radius) return nullptr;
     sound = true;
-    return meshes_.shape(fmt::format("sphere {}", *radius), [&] { return sphereMesh(*radius); });
+    return make(ShapeSize::Kind::sphere, *radius, *radius, *radius);
   }
   if (shape.tag() == "cylinder" || shape.tag() == "capsule") {
     const auto radius = size(shape, "radius"), length = size(shape, "length");
     if (!radius || !length) return nullptr;
     sound = true;
-    const auto make = shape.tag() == "cylinder" ? cylinderMesh : capsuleMesh;
-    return meshes_.shape(fmt::format("{} {} {}", shape.tag(), *radius, *length),
-                         [&] { return make(*radius, *length); });
+    const bool is_cylinder = shape.tag() == "cylinder";
+    return make(is_cylinder ? ShapeSize::Kind::cylinder : ShapeSize::Kind::capsule, *radius,
+                *radius, *length);
   }
   if (shape.tag() == "box") {
     if (!shape.has("size")) {
@@ -117,19 +123,21 @@ std::shared_ptr<const Mesh> UrdfLinkReader::readShape(const UrdfElement& shape, 
     if (!sides) return nullptr;
     for (int i = 0; i < 3; ++i) {
       if ((*sides)[i] > 0.0 && (*sides)[i] < 1e9) continue;
-      shape.faults().error("urdf.bad-size", shape.place("size"), "`size` of <box> must be above 0");
+      shape.faults().error("urdf.bad-size", shape.place("size"),
+                           "`size` of <box> must be above 0 and below 1e9");
       return nullptr;
     }
     sound = true;
-    return meshes_.shape(fmt::format("box {} {} {}", sides->x, sides->y, sides->z),
-                         [&] { return boxMesh(*sides); });
+    return make(ShapeSize::Kind::box, sides->x, sides->y, sides->z);
   }
   const auto file = shape.requiredText("filename");
   if (!file) return nullptr;
   scale = shape.vector("scale").value_or(Vec3{1, 1, 1});
-  if (scale.x == 0.0 || scale.y == 0.0 || scale.z == 0.0) {
+  for (int i = 0; i < 3; ++i) {
+    if (scale[i] != 0.0 && std::abs(scale[i]) < 1e9) continue;
     shape.faults().error("urdf.bad-size", shape.place("scale"),
-                         "`scale` of <mesh> must not be 0 in any direction");
+                         scale[i] == 0.0 ? "`scale` of <mesh> must not be 0 in any direction"
+                                         : "`scale` of <mesh> must lie between -1e9 and 1e9");
     return nullptr;
   }
   sound = true;

@@ -5,6 +5,7 @@
 
 #include "core/bundle/attached_cell.h"
 #include "core/cli/load_progress.h"
+#include "core/cli/search_options.h"
 #include "core/cli/worker_threads.h"
 #include "core/math/transform.h"
 #include "core/plain_text.h"
@@ -16,18 +17,14 @@ void addFileOptions(CLI::App& app, ModelFileOptions& options) {
   app.add_option("FILE", options.file,
                  "a model (.urdf, .obj, .stl ...), a *.cell.toml, or a log that carries its cell")
       ->required();
-  app.add_option("--search", options.search,
-                 "a root for package:// and relative names; may be repeated");
-  app.add_flag("--search-env", options.search_environment,
-               "search ROCINANTE_PATH, AMENT_PREFIX_PATH and ROS_PACKAGE_PATH too");
+  cli::addSearchOptions(app, options);
   app.add_flag("--strict", options.strict, "refuse a model with errors in it");
   app.add_option("--device", options.device, "only this device of a cell");
 }
 
 Result<Cell> loadFile(const ModelFileOptions& options, bool geometry) {
   CellOptions how;
-  how.search.assign(options.search.begin(), options.search.end());
-  how.search_environment = options.search_environment;
+  static_cast<ModelSearch&>(how) = options;
   how.geometry = geometry;
   how.strict = options.strict;
   how.parallel = cli::workerThreads();

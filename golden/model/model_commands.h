@@ -28,10 +28,8 @@ ModelCommand addFkCommand(CLI::App& program);
 ModelCommand addConvertCommand(CLI::App& program);
 
 /// The file that every subcommand looks at, and how.
-struct ModelFileOptions {
+struct ModelFileOptions : ModelSearch {
   std::string file;
-  std::vector<std::string> search;
-  bool search_environment = false;
   bool strict = false;
   std::string device;  ///< empty: all of a cell
 };

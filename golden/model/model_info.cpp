@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "core/angle_text.h"
 #include "core/math/transform.h"
 #include "core/model/posed_scene.h"
 #include "golden/model/pose_request.h"
@@ -45,6 +46,7 @@ class Gathering {
   void finish() {
     info_.meshes = meshes_.size();
     for (const auto& [path, bytes] : textures_) info_.textures.push_back({path, bytes});
+    info_.textures_missing.assign(missing_.begin(), missing_.end());
   }
 
  private:
@@ -62,6 +64,7 @@ class Gathering {
   }
 
   void addTexture(const Material& material) {
+    if (!material.missing_map.empty()) missing_.insert(material.missing_map);
     if (material.diffuse_map.empty()) return;
     const auto [entry, is_new] =
         textures_.try_emplace(info_.cell->shown(material.diffuse_map.string()));
@@ -75,6 +78,7 @@ class Gathering {
   std::set<const Model*> models_;
   std::set<const Mesh*> meshes_;
   std::map<std::string, std::optional<std::uint64_t>> textures_;
+  std::set<std::string> missing_;
 };
 
 // The bounds of parts in the world, to the vertex. What stands beside another of its kind, turned
@@ -164,8 +168,8 @@ std::string limitsText(const Joint& joint) {
   if (joint.type == JointType::continuous) return "unlimited";
   if (!turns && joint.type != JointType::prismatic) return {};
   if (!joint.limits || !std::isfinite(joint.limits->lower)) return "unlimited";
-  return fmt::format("{:.6g} to {:.6g} {}", joint.limits->lower, joint.limits->upper,
-                     turns ? "rad" : "m");
+  if (turns) return angleText(joint.limits->lower) + " to " + angleText(joint.limits->upper);
+  return fmt::format("{:.6g} to {:.6g} m", joint.limits->lower, joint.limits->upper);
 }
 
 }  // namespace rocinante

@@ -46,7 +46,9 @@ struct ModelInfo {
   std::uint64_t meshes = 0;          ///< different ones
   std::uint64_t geometry_bytes = 0;  ///< of them in memory, each once
   std::vector<InfoFile> textures;    ///< different ones, by name
-  std::size_t meshes_missing = 0;    ///< times that a visual or collision names one in vain
+  /// Different names of pictures that are not used, because they are missing or may not be opened.
+  std::vector<std::string> textures_missing;
+  std::size_t meshes_missing = 0;  ///< times that a visual or collision names one in vain
   Bounds bounds;
 
   /// Whether names need their device before them to be told apart.
@@ -60,7 +62,7 @@ Result<ModelInfo> modelInfo(const Cell& cell, const std::string& device);
 std::string modelInfoText(const ModelInfo& info);
 std::string modelInfoJson(const ModelInfo& info);
 
-/// "-2.8973 to 2.8973 rad", "unlimited"; empty for joints that have no bounds at all.
+/// "-166.003° to 166.003°", "unlimited"; empty for joints that have no bounds at all.
 std::string limitsText(const Joint& joint);
 
 }  // namespace rocinante

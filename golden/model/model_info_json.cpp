@@ -130,6 +130,7 @@ std::string modelInfoJson(const ModelInfo& info) {
   out["meshes"] = info.meshes;
   out["meshes_missing"] = info.meshes_missing;
   out["textures"] = info.textures.size();
+  out["textures_missing"] = info.textures_missing;
   out["texture_files"] = std::move(textures);
   out["geometry_bytes"] = info.geometry_bytes;
   out["bounds_m"] = boundsJson(info.bounds);

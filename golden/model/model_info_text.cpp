@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/angle_text.h"
 #include "core/cli/text_table.h"
 #include "core/plain_text.h"
 #include "core/size_text.h"
@@ -42,30 +43,37 @@ std::string countsText(const Model& model) {
   return text + fmt::format("; `joints` takes {}", counted(model.positionalCount(), "value"));
 }
 
+bool turns(JointType type) { return type == JointType::revolute || type == JointType::continuous; }
+
 std::string mimicText(const Model& model, const Joint& joint) {
   if (!joint.mimic) return {};
   std::string text = "mimics " + plainText(model.joints[joint.mimic->joint].name);
   if (joint.mimic->multiplier != 1.0) text += fmt::format(" x {:.6g}", joint.mimic->multiplier);
-  if (joint.mimic->offset != 0.0) text += fmt::format(" {:+.6g}", joint.mimic->offset);
+  if (joint.mimic->offset != 0.0) {
+    text += joint.mimic->offset > 0.0 ? " +" : " ";
+    text += turns(joint.type) ? angleText(joint.mimic->offset)
+                              : fmt::format("{:.6g}", joint.mimic->offset);
+  }
   return text;
 }
 
-std::string numberText(const std::optional<double>& value) {
-  return value && std::isfinite(*value) ? fmt::format("{:.6g}", *value) : "-";
+std::string numberText(const Joint& joint, const std::optional<double>& value) {
+  if (!value || !std::isfinite(*value)) return "-";
+  return turns(joint.type) ? angleText(*value) : fmt::format("{:.6g}", *value);
 }
 
 std::string lowestText(const Joint& joint) {
-  return numberText(joint.limits ? std::optional(joint.limits->lower) : std::nullopt);
+  return numberText(joint, joint.limits ? std::optional(joint.limits->lower) : std::nullopt);
 }
 
 std::string highestText(const Joint& joint) {
-  return numberText(joint.limits ? std::optional(joint.limits->upper) : std::nullopt);
+  return numberText(joint, joint.limits ? std::optional(joint.limits->upper) : std::nullopt);
 }
 
 std::string unitOf(JointType type) {
   if (type == JointType::prismatic) return "m";
-  if (type == JointType::revolute || type == JointType::continuous) return "rad";
-  return type == JointType::fixed ? "-" : "m, rad";
+  if (turns(type)) return "°";
+  return type == JointType::planar ? "m, °" : type == JointType::floating ? "m" : "-";
 }
 
 /// The place in a positional `joints`, from 1: "1", "4-6"; "-" when it takes none.
@@ -87,7 +95,7 @@ void addJoints(std::string& out, const std::vector<InfoJoint>& joints) {
     const Joint& joint = model.joints[entry.joint];
     table.rows.push_back({placeText(entry), plainText(joint.name), std::string(nameOf(joint.type)),
                           lowestText(joint), highestText(joint), unitOf(joint.type),
-                          numberText(joint.limits ? joint.limits->velocity : std::nullopt),
+                          numberText(joint, joint.limits ? joint.limits->velocity : std::nullopt),
                           plainText(model.links[joint.parent].name),
                           plainText(model.links[joint.child].name), mimicText(model, joint)});
   }
@@ -133,6 +141,18 @@ void addFaults(std::string& out, const ModelInfo& info) {
   }
 }
 
+std::string meshesText(std::uint64_t count) {
+  return count == 1 ? "1 mesh" : grouped(count) + " meshes";
+}
+
+std::string missingText(const ModelInfo& info) {
+  std::string text = info.meshes_missing == 0 ? "" : meshesText(info.meshes_missing);
+  if (!info.textures_missing.empty()) {
+    text += (text.empty() ? "" : ", ") + counted(info.textures_missing.size(), "texture");
+  }
+  return text.empty() ? "none" : text;
+}
+
 template <class T>
 std::string namesOf(const std::vector<T>& items) {
   std::string names;
@@ -173,14 +193,10 @@ std::string modelInfoText(const ModelInfo& info) {
   }
   out += fmt::format("  size      {}\n", boundsText(info.bounds));
   out += fmt::format("  geometry  {} in {}, {} in memory\n", counted(info.triangles, "triangle"),
-                     info.meshes == 1 ? "1 mesh" : grouped(info.meshes) + " meshes",
-                     sizeText(info.geometry_bytes));
+                     meshesText(info.meshes), sizeText(info.geometry_bytes));
   out += fmt::format("  textures  {}\n",
                      info.textures.empty() ? "none" : grouped(info.textures.size()));
-  out += fmt::format("  missing   {}\n", info.meshes_missing == 0 ? "none"
-                                         : info.meshes_missing == 1
-                                             ? "1 mesh"
-                                             : grouped(info.meshes_missing) + " meshes");
+  out += fmt::format("  missing   {}\n", missingText(info));
   if (!cell.cameras.empty()) out += "  cameras   " + namesOf(cell.cameras) + "\n";
   if (!cell.layers.empty()) out += "  layers    " + namesOf(cell.layers) + "\n";
   out += fmt::format("  faults    {}\n", faultCounts(cell.faults));

@@ -10,10 +10,7 @@ namespace rocinante {
 
 Result<CellBundle> collectSessionCell(const SuiteSession& session, const SuiteOptions& options) {
   CellOptions cell_options;
-  if (!isLog(session.suite().cell)) {
-    cell_options.search = options.search;
-    cell_options.search_environment = options.search_environment;
-  }
+  if (!isLog(session.suite().cell)) static_cast<ModelSearch&>(cell_options) = options;
   return collectCellOrLog(session.suite().cell, cell_options);
 }
 
@@ -43,8 +40,7 @@ void FrameExplainer::findCandidates() {
   attached.options.log.reset();
   attached.options.cell = *suite->log;
   // What a log carries is whole: roots mean nothing to it.
-  attached.options.search.clear();
-  attached.options.search_environment = false;
+  static_cast<ModelSearch&>(attached.options) = {};
   candidates_.push_back(std::move(attached));
 }
 

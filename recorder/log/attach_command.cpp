@@ -7,6 +7,7 @@
 #include "core/bundle/bundle_names.h"
 #include "core/bundle/media_type.h"
 #include "core/cli/load_progress.h"
+#include "core/cli/search_options.h"
 #include "core/cli/worker_threads.h"
 #include "recorder/log/copy_options.h"
 #include "recorder/log/log_attach.h"
@@ -54,9 +55,8 @@ Result<cli::Exit> runAttach(const AttachArguments& my) {
   if (my.files.size() != 1 && !(my.name.empty() && my.media_type.empty())) {
     return refuse("--name and --media-type go with one FILE");
   }
-  if (my.cell.empty() && (!my.search.search.empty() || my.search.search_environment)) {
-    return refuse("--search and --search-env go with --cell");
-  }
+  const std::vector<std::string> where = cli::searchWords(my.search);
+  if (my.cell.empty() && !where.empty()) return refuse(where.front() + " goes with --cell");
   AttachOptions attach;
   attach.replace = my.replace;
   auto files = readFiles(my);
@@ -90,11 +90,7 @@ LogCommand addAttachCommand(CLI::App& program) {
   app->add_option("FILE", my->files, "files to attach, each under its name without folders");
   app->add_option("--cell", my->cell, "attach this cell and every file it names")
       ->type_name("CELL");
-  app->add_option("--search", my->search.search, "a folder in which its models are looked for")
-      ->type_name("DIR")
-      ->allow_extra_args(false);
-  app->add_flag("--search-env", my->search.search_environment,
-                "also in ROCINANTE_PATH, AMENT_PREFIX_PATH, ROS_PACKAGE_PATH");
+  cli::addSearchOptions(*app, my->search);
   app->add_option("--name", my->name, "attach the one FILE under this name")->type_name("NAME");
   app->add_option("--media-type", my->media_type, "of the one FILE; default by its ending")
       ->type_name("TYPE");

@@ -85,6 +85,9 @@ Result<cli::Exit> extractFolder(const LogReader& log, const ExtractArguments& my
   for (const std::string& root : report->search) {
     fmt::print(" --search {}", (my.output / root).string());
   }
+  for (const auto& [name, folder] : report->packages) {
+    fmt::print(" --package {}={}", name, (my.output / folder).string());
+  }
   fmt::print("\n");
   if (!report->stands_alone) {
     cli::warn(

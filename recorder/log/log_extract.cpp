@@ -160,8 +160,12 @@ Result<ExtractReport> extractCell(const LogReader& log, const FolderOutput& to) 
   if (!report.ok()) return report;
   report->main = (*bundle)->manifest.main;
   report->search = (*bundle)->manifest.search;
+  report->packages = (*bundle)->manifest.packages;
 
   CellOptions options;
+  for (const auto& [name, folder] : report->packages) {
+    options.packages.push_back({name, to.path / folder});
+  }
   for (const std::string& root : report->search) options.search.push_back(to.path / root);
   const auto inside = loadBundle(**bundle, "", {});
   const auto outside = loadCell(to.path / report->main, options);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,8 +22,9 @@ struct FolderOutput {
 struct ExtractReport {
   std::size_t files = 0;
   std::uint64_t bytes = 0;
-  std::string main;                 ///< of a cell: its file in the folder
-  std::vector<std::string> search;  ///< of a cell: folders in the folder for --search
+  std::string main;                             ///< of a cell: its file in the folder
+  std::vector<std::string> search;              ///< of a cell: folders in the folder for --search
+  std::map<std::string, std::string> packages;  ///< the same for --package, by its name
   /// Of a cell: false when it does not load from the folder as it does from the log.
   bool stands_alone = true;
 };

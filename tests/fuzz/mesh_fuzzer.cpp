@@ -39,9 +39,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   ModelFaults faults;
   MeshReadOptions options;
   options.up = (data[0] & 4U) != 0 ? UpAxis::y : UpAxis::z;
-  options.resolve = [](const std::string&, const std::filesystem::path&) {
-    return std::filesystem::path();
-  };
+  options.resolve = [](const std::string&, const std::filesystem::path&) { return FoundFile{}; };
   if (data[0] % 3 == 2) {
     std::vector<Material> materials;
     FaultList list(faults, "fuzz.mtl");

@@ -60,9 +60,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const ByteView bytes = std::as_bytes(std::span(data, size)).subspan(1);
   ModelFaults faults;
   MeshReadOptions options;
-  options.resolve = [](const std::string&, const std::filesystem::path&) {
-    return std::filesystem::path();
-  };
+  options.resolve = [](const std::string&, const std::filesystem::path&) { return FoundFile{}; };
   const Bytes wrapped = data[0] % 3 == 2 ? binaryOf(bytes) : Bytes();
   const Result<Mesh> mesh =
       readMeshBytes(data[0] % 3 == 2 ? ByteView(wrapped) : bytes,

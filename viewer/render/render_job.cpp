@@ -355,8 +355,7 @@ Result<RenderReport> render(const RenderJob& given,
   if (Status free = files.check(job.overwrite); !free) return free.error();
 
   CellOptions options;
-  options.search = job.search;
-  options.search_environment = job.search_environment;
+  static_cast<ModelSearch&>(options) = job;
   options.parallel = job.parallel;
   options.progress = job.load_progress;
   auto cell = loadCellOrLog(job.cell, options);

@@ -13,7 +13,7 @@
 namespace rocinante {
 
 /// What `rocinante-render` was asked for, as its arguments say it.
-struct RenderJob {
+struct RenderJob : ModelSearch {
   std::filesystem::path cell;  ///< as loadCellOrLog() takes it
   std::filesystem::path log;   ///< empty: that of `cell` when it is one, else the cell at rest
   MomentChoice moments;        ///< its `rate` is that of the video when other moments are given
@@ -30,8 +30,6 @@ struct RenderJob {
   std::vector<std::string> insets;   ///< as parseInset() takes them, in place of the cell's
   bool show_insets = true;
   Profile profile = Profile::reproducible;
-  std::vector<std::filesystem::path> search;
-  bool search_environment = false;  ///< ROCINANTE_PATH, AMENT_PREFIX_PATH, ROS_PACKAGE_PATH too
   bool overwrite = false;
   ParallelFor parallel;            ///< for loading the cell; may be empty
   TellLoadProgress load_progress;  ///< may be empty

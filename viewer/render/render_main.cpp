@@ -7,6 +7,7 @@
 #include "core/cli/load_progress.h"
 #include "core/cli/program.h"
 #include "core/cli/progress_line.h"
+#include "core/cli/search_options.h"
 #include "core/cli/worker_threads.h"
 #include "viewer/detail/detail_level.h"
 #include "viewer/render/render_job.h"
@@ -190,10 +191,7 @@ int main(int argc, char** argv) {
   app.add_option("--caps", caps, "what the reproducible profile pins the processor to")
       ->check(CLI::IsMember({"sse4.1", "sse2"}))
       ->capture_default_str();
-  app.add_option("--search", job.search, "a folder in which models are looked for; repeatable")
-      ->allow_extra_args(false);
-  app.add_flag("--search-env", job.search_environment,
-               "also in ROCINANTE_PATH, AMENT_PREFIX_PATH, ROS_PACKAGE_PATH");
+  cli::addSearchOptions(app, job);
   app.add_flag("--hash", hash, "print the SHA-256 of the RGBA rows, top to bottom, a line a frame");
   app.add_flag("--force", job.overwrite, "replace existing files");
   app.add_flag("--json", json, "print a report as JSON");
@@ -226,6 +224,7 @@ int main(int argc, char** argv) {
         job.parallel = cli::workerThreads();
         job.load_progress = cli::loadProgress(job.cell.string());
         cli::catchStopSignals();
+        const cli::StopDeadline until_stopped("stopped");
         std::optional<cli::ProgressLine> line;
         const auto report = render(job, [&](std::size_t done, std::size_t of) {
           if (!line) line.emplace("drawing");

@@ -12,7 +12,7 @@
 #include <cstring>
 #include <utility>
 
-#include "viewer/render/camera_choice.h"
+#include "viewer/render/camera_choice.h" #include "core/cli/search_options.h"
 
 namespace rocinante {
 namespace {
@@ -66,8 +66,8 @@ std::vector<std::string> evidenceArguments(const EvidenceRequest& request) {
   for (const auto& [key, value] : styleWords(request.style)) {
     words.push_back("--" + key + "=" + value);
   }
-  for (const fs::path& folder : request.search) add("--search", folder.string());
-  if (request.search_environment) words.push_back("--search-env");
+  const std::vector<std::string> where = cli::searchWords(request);
+  words.insert(words.end(), where.begin(), where.end());
   add("-o", request.output.string());
   return words;
 }

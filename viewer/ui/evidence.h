@@ -15,7 +15,7 @@ namespace rocinante {
 
 /// A picture of what the window shows, to be made by rocinante-render in the reproducible profile,
 /// so that anybody can make the same bytes again.
-struct EvidenceRequest {
+struct EvidenceRequest : ModelSearch {
   std::filesystem::path cell, log;  ///< as the viewer was given them; `log` may be empty
   std::string at;                   ///< RFC 3339, to the nanosecond; empty without a log
   std::string camera;               ///< by name; empty: `view`
@@ -24,8 +24,6 @@ struct EvidenceRequest {
   double scale = 1;
   std::vector<std::string> hide, show, insets;
   RenderStyle style;
-  std::vector<std::filesystem::path> search;
-  bool search_environment = false;
   std::filesystem::path output;
 };
 

@@ -40,8 +40,7 @@ Result<EvidenceRequest> EvidenceDesk::requestOf(ViewModel& model, const WindowSi
   request.show = model.shownPaths();
   request.insets = insetWords(model);
   request.style = model.frameStyle();
-  request.search = options_.search;
-  request.search_environment = options_.search_environment;
+  static_cast<ModelSearch&>(request) = options_.where;
   return request;
 }
 

@@ -26,8 +26,7 @@ struct ViewOptions {
   double target_fps = 30;
   /// What evidence pictures are made of: as the program was given them.
   std::filesystem::path cell, log;
-  std::vector<std::filesystem::path> search;
-  bool search_environment = true;
+  ModelSearch where;
   /// Drives the window in place of a person: time is then frames at 60 a second, whatever the clock
   /// says, and mouse and keyboard are left alone, so that a screenshot comes out the same each
   /// time.

@@ -7,6 +7,7 @@
 #include "core/bundle/attached_cell.h"
 #include "core/cli/load_progress.h"
 #include "core/cli/program.h"
+#include "core/cli/search_options.h"
 #include "core/cli/worker_threads.h"
 #include "viewer/ui/view_app.h"
 
@@ -29,8 +30,8 @@ struct Arguments {
   std::vector<std::string> styles;
   double target_fps = 30;
   std::vector<std::string> hide, show;
-  std::vector<std::filesystem::path> search;
-  bool is_live = false, search_environment = true;
+  ModelSearch where;
+  bool is_live = false;
   int samples = 4;
   std::optional<double> scale;
 };
@@ -63,8 +64,7 @@ Result<ViewOptions> viewOptions(const Arguments& arguments) {
   options.target_fps = arguments.target_fps;
   options.cell = arguments.cell;
   options.log = arguments.log;
-  options.search = arguments.search;
-  options.search_environment = arguments.search_environment;
+  options.where = arguments.where;
   if (arguments.detail != "auto") {
     options.detail = parseDetailRung(arguments.detail);
     if (!options.detail) {
@@ -106,8 +106,7 @@ Result<Exit> view(const Arguments& arguments) {
     return Error{ErrorKind::bad_argument, "a log and --live exclude each other", ""};
   }
   CellOptions cell_options;
-  cell_options.search = arguments.search;
-  cell_options.search_environment = arguments.search_environment;
+  static_cast<ModelSearch&>(cell_options) = arguments.where;
   cell_options.parallel = cli::workerThreads();
   cell_options.progress = cli::loadProgress(arguments.cell.string());
   auto cell = loadCellOrLog(arguments.cell, cell_options);
@@ -192,10 +191,12 @@ int viewMain(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--hide", arguments.hide, "leave out DEVICE, DEVICE/LINK or layer/NAME");
   app.add_option("--show", arguments.show, "put in DEVICE, DEVICE/LINK or layer/NAME");
-  app.add_option("--search", arguments.search, "root for model files; repeatable");
+  arguments.where.search_environment = true;
+  cli::addSearchFolderOptions(app, arguments.where);
   app.add_option("--script", arguments.script, "drive the window from this file, then close it");
   return cli::run(app, argc, argv, kExamples, [&]() -> Result<Exit> {
     cli::catchStopSignals();
+    const cli::StopDeadline until_stopped("stopped");
     arguments.is_live = live->count() > 0;
     if (arguments.log.empty() && !arguments.is_live && isLog(arguments.cell)) {
       arguments.log = arguments.cell;

@@ -99,6 +99,27 @@ TEST_F(CellBundleTest, RootsOfWhoeverAttachesComeAlongWithoutTheirPlace) {
   EXPECT_TRUE(cell.faults.empty());
 }
 
+TEST_F(CellBundleTest, PackagesInFoldersOfOtherNamesComeAlong) {
+  test::writeTank(folder_ / "robots/irb/meshes", "steel.png");
+  test::writeFile(folder_ / "robots/irb/meshes/steel.png", "picture");
+  test::writeFile(folder_ / "robots/cell/arm.urdf",
+                  test::armWith("package://irb_support/meshes/tank.obj"));
+  test::writeFile(folder_ / "robots/cell/a.cell.toml",
+                  "format = 1\npackages = { irb_support = \"../irb\" }\n"
+                  "[[device]]\nmodel = \"arm.urdf\"\n");
+  const CellBundle bundle = collected(folder_ / "robots/cell/a.cell.toml");
+  EXPECT_EQ(bundle.manifest.packages.at("irb_support"), "irb");
+  const Cell cell = loadedAlone(bundle);
+  ASSERT_NE(meshOf(cell), nullptr);
+  EXPECT_FALSE(meshOf(cell)->materials.at(0).diffuse_map.empty());
+
+  CellOptions options;
+  options.packages = {{"irb_support", folder_ / "robots/irb"}};
+  const CellBundle bare = collected(folder_ / "robots/cell/arm.urdf", options);
+  EXPECT_EQ(bare.manifest.packages.at("irb_support"), "irb");
+  EXPECT_NE(meshOf(loadedAlone(bare)), nullptr);
+}
+
 TEST_F(CellBundleTest, EnvironmentRootsMeanNothingAfterwards) {
   test::writeTank(folder_ / "env/pkg", "steel.png");
   test::writeFile(folder_ / "env/pkg/steel.png", "picture");

@@ -80,11 +80,12 @@ TEST_F(MtlReader, AsksTheResolverForEveryName) {
   write("meshes/a.mtl", "newmtl m\nmap_Kd skin.png\n");
   std::vector<std::string> asked;
   MeshReadOptions options;
-  options.resolve = [&](const std::string& name, const fs::path& beside) -> fs::path {
+  options.resolve = [&](const std::string& name, const fs::path& beside) {
     asked.push_back(name);
     EXPECT_EQ(beside, folder_ / "meshes");
-    const fs::path path = (beside / name).lexically_normal();
-    return fs::exists(path) ? path : fs::path();
+    FoundFile found;
+    found.path = (beside / name).lexically_normal();
+    return fs::exists(found.path) ? found : FoundFile{};
   };
   const ReadMesh mesh = read("mtllib a.mtl\nusemtl m", options);
   EXPECT_THAT(mesh.faults, IsEmpty());

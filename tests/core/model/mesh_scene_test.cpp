@@ -274,7 +274,7 @@ TEST(GltfReader, FilesBesideItAreReadByTheSearchAlone) {
   ASSERT_TRUE(search.addRoot(folder / "robot").ok());
   MeshReadOptions options;
   options.resolve = [&](const std::string& name, const std::filesystem::path& beside) {
-    return search.find(name, beside).path;
+    return search.find(name, beside);
   };
   file.images = R"(,"images":[{"uri":"skin.png"}],"textures":[{"source":0}])";
   file.material = R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}})";
@@ -372,7 +372,7 @@ TEST(ColladaReader, TheReactorInInchesStandsAsTallAsInTheYardInMetres) {
   ASSERT_TRUE(search.addRoot(folder).ok());
   MeshReadOptions options;
   options.resolve = [&](const std::string& name, const std::filesystem::path& beside) {
-    return search.find(name, beside).path;
+    return search.find(name, beside);
   };
   ModelFaults faults;
   const auto reactor = readMeshFile(folder / "meshes/reactor.dae", options, faults);

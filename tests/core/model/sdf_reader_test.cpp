@@ -120,6 +120,17 @@ TEST(SdfReader, WhatIsNoSdfIsRefusedWithItsReason) {
             "for its elements (one file a model is read much faster) [sdf.invalid]\n");
 }
 
+TEST(SdfReader, WhatUrdfdomSaysOfAUrdfIsAFaultAndNotALineOnStandardError) {
+  testing::internal::CaptureStderr();
+  const test::TemporaryFolder folder;
+  test::writeFile(folder / "r.sdf", "<robot name='r'/>");
+  const Result<Cell> cell = loadCell(folder / "r.sdf", {});
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  ASSERT_FALSE(cell.ok());
+  EXPECT_NE(cell.error().what.find("No link elements found in urdf file"), std::string::npos)
+      << cell.error().what;
+}
+
 TEST(SdfReader, TheKukaWithItsGripperIsTheArmOfItsUrdf) {
   ROCINANTE_NEEDS_SDF;
   ROCINANTE_NEEDS_SHARED_DATA("robots/kuka_iiwa/kuka_with_gripper.sdf");

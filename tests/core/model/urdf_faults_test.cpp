@@ -117,7 +117,12 @@ TEST(UrdfFaults, EachKindOfFaultSaysWhereAndWhat) {
        "sphere, capsule, mesh) [urdf.no-shape]\n"},
       {"<robot name='r'><link name='a'><visual><geometry><sphere radius='-1'/></geometry></visual>"
        "</link></robot>",
-       "robot.urdf:1:58: error: `radius` of <sphere> must be above 0 [urdf.bad-size]\n"},
+       "robot.urdf:1:58: error: `radius` of <sphere> must be above 0 and below 1e9 "
+       "[urdf.bad-size]\n"},
+      {"<robot name='r'><link name='a'><visual><geometry><mesh filename='a.stl' scale='1 1 1e308'/>"
+       "</geometry></visual></link></robot>",
+       "robot.urdf:1:74: error: `scale` of <mesh> must lie between -1e9 and 1e9 "
+       "[urdf.bad-size]\n"},
       {"<robot name='r'><link name='a'><visual><geometry><sphere radius='nan'/></geometry></visual>"
        "</link></robot>",
        "robot.urdf:1:58: error: `radius` of <sphere> is `nan`, where a number is wanted "

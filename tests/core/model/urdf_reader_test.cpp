@@ -122,6 +122,31 @@ TEST(UrdfReader, MeshesKeepTheirOwnMaterialsAndTheScaleMayMirror) {
   EXPECT_EQ(cell->files.size(), 4U);
 }
 
+TEST(UrdfReader, ShapesOfManySizesAreOneShapeScaled) {
+  std::string text = "<robot name='r'><link name='a'>";
+  for (int i = 0; i < 1002; ++i) {
+    text += "<visual><geometry><sphere radius='" + std::to_string(i + 1) +
+            "e-3'/></geometry></visual><collision><geometry><capsule length='1' radius='" +
+            std::to_string(i + 1) + "e-3'/></geometry></collision>";
+  }
+  const test::ReadUrdf read(text + "</link></robot>");
+  ASSERT_TRUE(read.model);
+  const Link& link = read.model->links[0];
+  ASSERT_EQ(link.visuals.size(), 1002U);
+  // The first thousand have their very sizes; the others share one.
+  EXPECT_EQ(link.visuals[999].scale, Vec3(1, 1, 1));
+  EXPECT_NE(link.visuals[998].mesh, link.visuals[999].mesh);
+  EXPECT_EQ(link.visuals[1000].mesh, link.visuals[1001].mesh);
+  EXPECT_EQ(link.visuals[1001].scale, Vec3(1.002, 1.002, 1.002));
+  EXPECT_EQ(link.visuals[1001].mesh->bounds.max.z, 1.0);
+  // No scale makes one capsule of another.
+  EXPECT_EQ(link.collisions[999].mesh->bounds.max.x, 1.0);
+  EXPECT_EQ(link.collisions[1000].mesh, nullptr);
+  EXPECT_EQ(read.faults.size(), 2U);
+  EXPECT_EQ(read.faults[0].text,
+            "the capsule is not used: there are more than 1000 of other sizes");
+}
+
 TEST(UrdfReader, ReadsMimicsAlongChains) {
   const ReadUrdf read(R"(<robot name="r">
   <link name="a"/><link name="b"/><link name="c"/><link name="d"/>

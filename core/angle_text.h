@@ -1,0 +1,10 @@
+#pragma once
+
+#include <string>
+
+namespace rocinante {
+
+/// An angle as people read it: "23.6°", six significant digits. Files and JSON keep radians.
+std::string angleText(double radians);
+
+}  // namespace rocinante

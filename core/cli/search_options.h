@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/model_search.h"
+
+namespace CLI {
+class App;
+}
+
+namespace rocinante::cli {
+
+/// Adds --search DIR, --package NAME=DIR and --search-env to a program or subcommand that loads
+/// models. `search` must outlive `app`.
+void addSearchOptions(CLI::App& app, ModelSearch& search);
+/// The first two alone: for programs that search the environment anyhow.
+void addSearchFolderOptions(CLI::App& app, ModelSearch& search);
+
+/// The same again as words of a command line.
+std::vector<std::string> searchWords(const ModelSearch& search);
+
+}  // namespace rocinante::cli

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <mutex>
+#include <string>
+#include <vector>
+
+namespace rocinante {
+
+/// What folders say in their package.xml to be called. Looks at each folder once. Any number of
+/// threads at once.
+class PackageNames {
+ public:
+  /// The <name> in the folder's package.xml; empty where there is none that can be read.
+  std::string nameOf(const std::filesystem::path& folder);
+  /// The folders in `folder`, by name; of very many the first 4,096 that the system gives.
+  std::vector<std::filesystem::path> foldersIn(const std::filesystem::path& folder);
+
+ private:
+  std::mutex mutex_;
+  std::map<std::filesystem::path, std::string> names_;
+  std::map<std::filesystem::path, std::vector<std::filesystem::path>> folders_;
+};
+
+}  // namespace rocinante
