@@ -18,6 +18,8 @@ namespace {
 /// Lines of edges, and what stands in for a scale bar's longest length.
 constexpr glm::vec4 kEdgeColor{0.09F, 0.11F, 0.14F, 0.9F};
 constexpr double kScaleBarPx = 180;
+/// Of one view. Software GL takes some 20 s and 1 GB for as many; far more end it without a word.
+constexpr std::uint64_t kMostFrameTriangles = 100'000'000;
 
 /// How many of the items, from back to front, lie farther than all ghosts.
 std::size_t countBehind(std::span<const DrawItem> items, std::span<const DrawItem> ghosts) {
@@ -93,6 +95,17 @@ std::vector<DrawnSet> Renderer::Impl::setsOf(const SceneFrame& frame, const Link
   return sets;
 }
 
+Status Renderer::Impl::checkTriangles(std::span<const DrawnSet> sets) {
+  std::uint64_t triangles = 0;
+  for (const DrawnSet& set : sets) triangles += set.list->triangles;
+  if (triangles <= kMostFrameTriangles) return {};
+  return Error{ErrorKind::unsupported,
+               fmt::format("the frame has {} triangles, and at most {} are drawn: hide what need "
+                           "not be seen, or draw less detail (--hide, --detail)",
+                           triangles, kMostFrameTriangles),
+               {}};
+}
+
 Result<ShadowLookup> Renderer::Impl::drawShadows(const SceneFrame& frame, const LinkLooks& looks,
                                                  const Camera& camera) {
   const auto map = look_passes.shadows();
@@ -166,6 +179,7 @@ Result<DrawCounts> Renderer::Impl::drawView(const SceneFrame& frame, const LinkL
   // Cull: what of it can be seen, in which order.
   DrawList collisions;
   const std::vector<DrawnSet> sets = setsOf(frame, looks, camera, view_list, collisions);
+  if (Status fits = checkTriangles(sets); !fits) return fits.error();
   const DrawList& list = view_list;
   Overlay in_scene(camera, frame.scale);
   addLinesAndPoints(in_scene, frame.scene->drawings, choice);

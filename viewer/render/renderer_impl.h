@@ -78,6 +78,8 @@ struct Renderer::Impl {
                                const Camera& camera, DrawList& list, DrawList& collisions) const;
   /// What the style says of the scene's links; then `collision` is there where it is needed.
   Result<LinkLooks> looksOf(const SceneFrame& frame);
+  /// unsupported when they are more than a frame may have.
+  static Status checkTriangles(std::span<const DrawnSet> sets);
   /// One view into a part of what is bound.
   Result<DrawCounts> drawView(const SceneFrame& frame, const LinkLooks& looks,
                               const CameraView& view, const PixelRectangle& part, int frame_height);

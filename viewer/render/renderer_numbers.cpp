@@ -37,6 +37,7 @@ Status Renderer::Impl::drawNumbers(const SceneFrame& frame, const LinkLooks& loo
                                    const std::function<std::uint32_t(const DrawItem&)>& number_of) {
   DrawList list, collisions;
   const std::vector<DrawnSet> sets = setsOf(frame, looks, camera, list, collisions);
+  if (Status fits = checkTriangles(sets); !fits) return fits;
   for (const DrawnSet& set : sets) identity_pass->drawSurfaces(set, textures, camera, number_of);
   for (const DrawnSet& set : sets) {
     if (set.list->wireframe.empty()) continue;
