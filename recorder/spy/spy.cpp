@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <tuple>
 
 #include "core/hash.h"
+#include "core/packet/item_text.h"
 #include "core/packet/packet_limits.h"
 #include "core/plain_text.h"
 
@@ -15,6 +17,14 @@ namespace {
 constexpr std::size_t kSenders = 4'096;
 constexpr std::size_t kNamesKept = 4;
 constexpr std::size_t kFirstBytes = 16;
+constexpr std::size_t kEvents = 200;
+constexpr std::size_t kShownBytes = 200;
+
+/// A statement or an event that fits a line.
+std::string shownText(std::string_view text) {
+  const std::string plain = plainText(text.substr(0, kShownBytes));
+  return text.size() > kShownBytes ? plain + "..." : plain;
+}
 
 /// The first bytes, so that a person can compare them with what is meant to be sent.
 std::string firstBytes(ByteView payload) {
@@ -141,7 +151,23 @@ void Spy::readPacket(const Packet& packet, ByteView payload, const std::string& 
     }
     readMismatches(packet, payload, sender);
   }
-  (void)state_.takeEvents();  // they would pile up
+  readEvents(arrived);
+}
+
+void Spy::readEvents(LogTime arrived) {
+  for (const rocinante::Event& said : state_.takeEvents()) {
+    const std::pair key(said.source, said.text);
+    auto found = events_.find(key);
+    if (found == events_.end() && events_.size() < kEvents) {
+      found = events_.emplace(key, Event{}).first;
+    }
+    if (found == events_.end()) {
+      ++more_events_;
+      continue;
+    }
+    ++found->second.count;
+    found->second.last = arrived;
+  }
 }
 
 /// A source that starts anew has another port and keeps it; two that share a name take turns.
@@ -273,6 +299,18 @@ SpyReport Spy::report(LogTime now) {
   for (const auto& [name, state] : state_.devices()) {
     report.devices.push_back(deviceReport(name, state, now));
   }
+  for (const auto& [key, drawing] : state_.drawings()) {
+    SpyDrawing& seen = report.drawings.emplace_back();
+    std::tie(seen.source, seen.name) = key;
+    for (std::size_t part = 0; part < drawing.parts.size(); ++part) {
+      if (!drawing.parts[part]) continue;
+      if (seen.parts++ == 0) seen.text = shownText(drawingText(seen.name, drawing, part));
+    }
+  }
+  for (const auto& [key, event] : events_) {
+    report.events.push_back({shownText(key.second), key.first, event.count, now - event.last});
+  }
+  report.more_events = more_events_;
   for (const SpyFault& fault : faults_) {
     if (fault.count > 0) report.faults.push_back(fault);
   }

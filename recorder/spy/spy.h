@@ -52,12 +52,18 @@ class Spy {
     std::optional<std::size_t> values;  ///< a hash of where it stood after the last of them
   };
 
+  struct Event {
+    std::uint64_t count = 0;
+    LogTime last{};
+  };
+
   Sender* senderFor(std::size_t endpoint, const ReceivedDatagram& datagram);
   void readPacket(const Packet& packet, ByteView payload, const std::string& sender,
                   LogTime arrived);
   static void hearSender(Source& source, const std::string& sender);
   void readMismatches(const Packet& packet, ByteView payload, const std::string& sender);
   void readStatement(const Statement& statement, std::string_view source, LogTime arrived);
+  void readEvents(LogTime arrived);
   void readFaults(std::span<const FaultAt> faults, ByteView payload, const std::string& sender);
   SpyDevice deviceReport(const std::string& name, const DeviceState& state, LogTime now);
 
@@ -70,6 +76,8 @@ class Spy {
   std::uint64_t more_senders_ = 0;
   std::map<std::string, Source, std::less<>> sources_;
   std::map<std::string, Device, std::less<>> devices_;
+  std::map<std::pair<std::string, std::string>, Event> events_;  ///< by source and text
+  std::uint64_t more_events_ = 0;
   std::array<SpyFault, kPacketFaultCount> faults_;
   PacketTextDecoder decoder_;
   SessionState state_;

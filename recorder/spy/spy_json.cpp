@@ -96,13 +96,27 @@ std::string spyJson(const SpyReport& report, bool indented) {
   json["datagrams"] = report.datagrams;
   json["packets"] = report.packets;
   json["more_senders"] = report.more_senders;
-  for (const char* key : {"endpoints", "senders", "sources", "devices", "faults", "reasons"}) {
+  json["more_events"] = report.more_events;
+  for (const char* key :
+       {"endpoints", "senders", "sources", "devices", "drawings", "events", "faults", "reasons"}) {
     json[key] = Json::array();
   }
   for (const auto& each : report.endpoints) json["endpoints"].push_back(endpointJson(each));
   for (const auto& each : report.senders) json["senders"].push_back(senderJson(each, report));
   for (const auto& each : report.sources) json["sources"].push_back(sourceJson(each));
   for (const auto& each : report.devices) json["devices"].push_back(deviceJson(each));
+  for (const SpyDrawing& each : report.drawings) {
+    json["drawings"].push_back({{"drawing", each.name},
+                                {"source", each.source},
+                                {"parts", each.parts},
+                                {"statement", each.text}});
+  }
+  for (const SpyEvent& each : report.events) {
+    json["events"].push_back({{"event", each.text},
+                              {"source", each.source},
+                              {"count", each.count},
+                              {"silent_s", secondsOf(each.silent)}});
+  }
   for (const auto& each : report.faults) json["faults"].push_back(faultJson(each));
   for (const SpyReason& each : report.reasons) {
     json["reasons"].push_back({{"reason", each.name}, {"text", each.text}, {"hint", each.hint}});

@@ -70,6 +70,20 @@ struct SpyDevice {
   std::string carrier;  ///< "arm/tool", or empty for the world; safe to print
 };
 
+/// Something that a source draws and has not taken back.
+struct SpyDrawing {
+  std::string name, source;
+  std::size_t parts = 0;  ///< of it that have come
+  std::string text;       ///< the statement that draws the first of them; safe to print, cut
+};
+
+/// What a source said with `event`, however often.
+struct SpyEvent {
+  std::string text, source;  ///< `text` safe to print, cut
+  std::uint64_t count = 0;
+  Nanoseconds silent{};  ///< since the last
+};
+
 /// One kind of fault, with the first line that has it.
 struct SpyFault {
   PacketFault kind{};
@@ -94,11 +108,14 @@ struct SpyReport {
   std::uint64_t datagrams = 0;
   std::uint64_t packets = 0;
   std::vector<SpyEndpoint> endpoints;
-  std::vector<SpySender> senders;  ///< in order of appearance
-  std::uint64_t more_senders = 0;  ///< beyond what is kept
-  std::vector<SpySource> sources;  ///< by name
-  std::vector<SpyDevice> devices;  ///< by name
-  std::vector<SpyFault> faults;    ///< the most frequent first
+  std::vector<SpySender> senders;    ///< in order of appearance
+  std::uint64_t more_senders = 0;    ///< beyond what is kept
+  std::vector<SpySource> sources;    ///< by name
+  std::vector<SpyDevice> devices;    ///< by name
+  std::vector<SpyDrawing> drawings;  ///< by source and name
+  std::vector<SpyEvent> events;      ///< by source and text
+  std::uint64_t more_events = 0;     ///< beyond what is told apart
+  std::vector<SpyFault> faults;      ///< the most frequent first
   std::vector<SpyReason> reasons;
 };
 

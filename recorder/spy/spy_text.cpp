@@ -59,6 +59,8 @@ class Page {
     addSenders();
     addSources();
     addDevices();
+    addDrawings();
+    addEvents();
     addReasons();
     return std::move(out_);
   }
@@ -135,6 +137,31 @@ class Page {
                             secondsCell(each.silent), namesCell(each.sources), valuesCell(each)});
     }
     add(std::move(table), "devices");
+  }
+
+  void addDrawings() {
+    TextTable table;
+    table.is_number = {false, false, true, false};
+    table.rows.push_back({"drawing", "source", "parts", "statement"});
+    for (const SpyDrawing& each : report_.drawings) {
+      table.rows.push_back(
+          {plainText(each.name), plainText(each.source), grouped(each.parts), each.text});
+    }
+    add(std::move(table), "drawings");
+  }
+
+  void addEvents() {
+    TextTable table;
+    table.is_number = {true, true, false, false};
+    table.rows.push_back({"times", "silent", "source", "event"});
+    for (const SpyEvent& each : report_.events) {
+      table.rows.push_back(
+          {grouped(each.count), secondsCell(each.silent), plainText(each.source), each.text});
+    }
+    add(std::move(table), "events");
+    if (report_.more_events > 0) {
+      out_ += line(fmt::format("  ... and {} further ones", grouped(report_.more_events)));
+    }
   }
 
   void addReasons() {

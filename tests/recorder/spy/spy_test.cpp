@@ -50,6 +50,37 @@ TEST_F(SpyTest, SilenceIsToldAfterTwoSeconds) {
   EXPECT_THAT(report.reasons[0].text, HasSubstr("udp://127.0.0.1:19960"));
 }
 
+TEST_F(SpyTest, DrawingsAndEventsAreListed) {
+  hear("RK1 planner 0 -\nline goal #ff0000 0 0 0 1 0 0\nevent \"pick\"\n", milliseconds(10));
+  hear("RK1 planner 1 -\nevent \"pick\"\nevent \"a long way\"\n", milliseconds(20));
+  const SpyReport report = after(milliseconds(520));
+  ASSERT_THAT(report.drawings, SizeIs(1));
+  EXPECT_EQ(report.drawings[0].name, "goal");
+  EXPECT_EQ(report.drawings[0].source, "planner");
+  EXPECT_EQ(report.drawings[0].parts, 1U);
+  EXPECT_THAT(report.drawings[0].text, testing::StartsWith("line goal "));
+  ASSERT_THAT(report.events, SizeIs(2));
+  EXPECT_EQ(report.events[1].text, "pick");
+  EXPECT_EQ(report.events[1].count, 2U);
+  EXPECT_EQ(report.events[1].silent, milliseconds(500));
+  EXPECT_THAT(spyText(report, 0, 0),
+              AllOf(HasSubstr("drawing  source   parts  statement"), HasSubstr("line goal"),
+                    HasSubstr("times  silent  source   event"), HasSubstr("pick")));
+  EXPECT_THAT(spyJson(report, false),
+              AllOf(HasSubstr("\"drawing\":\"goal\""), HasSubstr("\"event\":\"pick\"")));
+  hear("RK1 planner 2 -\nerase goal\n", milliseconds(30));
+  EXPECT_THAT(after(milliseconds(600)).drawings, IsEmpty());
+}
+
+TEST_F(SpyTest, EventsOfAFloodAreCountedAndNotKept) {
+  std::string packet = "RK1 flood 0 -\n";
+  for (int i = 0; i < 250; ++i) packet += fmt::format("event \"e{}\"\n", i);
+  hear(packet, milliseconds(10));
+  const SpyReport report = after(milliseconds(20));
+  EXPECT_THAT(report.events, SizeIs(200));
+  EXPECT_EQ(report.more_events, 50U);
+}
+
 TEST_F(SpyTest, WhoSendsWhatIsNoPacketIsShownItsFirstBytes) {
   hear("RK2 me - -\n", milliseconds(10));
   hear({"\0\xff", 2}, milliseconds(20), 40'001);
