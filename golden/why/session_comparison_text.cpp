@@ -16,9 +16,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMostLines = 20;
+constexpr double kDegreesInRadian = 57.29577951308232;
 
 std::string amountText(const Deviation& item) {
   if (!item.largest) return "not the same";
+  if (item.unit == "rad") return fmt::format("up to {:.4f}°", *item.largest * kDegreesInRadian);
   return fmt::format("up to {:.6f}{}{}", *item.largest, item.unit.empty() ? "" : " ", item.unit);
 }
 

@@ -23,7 +23,9 @@ int decimalsFor(double difference) {
 }
 
 std::string fromToText(double from, double to, std::string_view unit) {
+  if (unit == "rad") return fromToText(from * kDegrees, to * kDegrees, "°");
   const int decimals = decimalsFor(to - from);
+  if (unit == "°") return fmt::format("{:.{}f}° -> {:.{}f}°", from, decimals, to, decimals);
   return fmt::format("{:.{}f} -> {:.{}f}{}{}", from, decimals, to, decimals,
                      unit.empty() ? "" : " ", unit);
 }
@@ -132,7 +134,7 @@ class StateComparison {
     // The trace loses half the digits: a turn below 1e-7 cannot be told from none.
     if (moved > 0 || turned > 1e-7) {
       add(now.name,
-          fmt::format("{}: base moved by {:.{}f} m, turned by {:.2f} deg", now.name, moved,
+          fmt::format("{}: base moved by {:.{}f} m, turned by {:.2f}°", now.name, moved,
                       decimalsFor(moved), turned * kDegrees),
           moved);
     }
@@ -232,7 +234,7 @@ class StateComparison {
     compare("target", before->target, now->target);
     if (before->fov_deg != now->fov_deg) {
       add(item, fmt::format("{}: field of view {}", item,
-                            fromToText(before->fov_deg, now->fov_deg, "deg")));
+                            fromToText(before->fov_deg, now->fov_deg, "°")));
     }
   }
 

@@ -20,7 +20,7 @@ struct Moment {
 /// Something that is not the same in two sessions at one moment.
 struct StateChange {
   std::string item;  ///< "arm/shoulder", "arm", "drawing planner/goal", "camera overview"
-  std::string text;  ///< "arm/shoulder: 0.412 -> 0.421 rad"
+  std::string text;  ///< "arm/shoulder: 23.61° -> 24.12°"
   /// How much a joint or a base moved, in rad or in m; empty for what has no measure.
   std::optional<double> amount;
   bool is_angle = false;
