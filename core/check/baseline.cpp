@@ -48,7 +48,29 @@ std::size_t endOfNumber(std::string_view text, std::size_t at) {
       skipDigits();
     }
   }
+  if (text.substr(std::min(end, text.size())).starts_with("°")) return end;
   return end < text.size() && isNamePart(text[end]) ? at : end;
+}
+
+/// Without what follows a number as its unit of an angle: sentences said radians once, and what was
+/// accepted then stays so.
+std::string withoutAngleUnits(std::string_view text) {
+  std::string plain;
+  for (std::size_t i = 0; i < text.size();) {
+    const bool is_behind_number = !plain.empty() && (plain.back() == '#' || plain.back() == ']');
+    std::size_t unit = 0;
+    for (const std::string_view each :
+         {std::string_view("°"), std::string_view(" rad"), std::string_view(" degrees")}) {
+      if (is_behind_number && text.substr(i).starts_with(each)) unit = each.size();
+    }
+    const std::size_t end = i + unit;
+    if (unit > 0 && (end == text.size() || !isNamePart(text[end]) || text[end] == '/')) {
+      i = end;
+    } else {
+      plain += text[i++];
+    }
+  }
+  return plain;
 }
 
 std::string withoutNumbers(std::string_view text) {
@@ -95,7 +117,7 @@ std::string BaselineKey::text() const {
 BaselineKey baselineKeyOf(const CheckReport& report, const Finding& finding) {
   // As JSON can hold it: names are a sender's bytes.
   return {finding.rule, plainText(finding.subject), plainText(fileOf(report, finding.file)),
-          withoutNumbers(plainText(finding.text))};
+          withoutAngleUnits(withoutNumbers(plainText(finding.text)))};
 }
 
 Result<Baseline> Baseline::read(const std::filesystem::path& path) {
@@ -139,7 +161,7 @@ Result<Baseline> Baseline::parse(ByteView bytes, const std::string& name) {
                                        "text}} with a rule and a text",
                                        number));
     }
-    baseline.accepted_.insert({*rule, *subject, *file, *sentence});
+    baseline.accepted_.insert({*rule, *subject, *file, withoutAngleUnits(*sentence)});
   }
   return baseline;
 }

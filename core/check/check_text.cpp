@@ -110,6 +110,7 @@ class ReportText {
         writeSeverity(severity);
       }
       writeAccepted();
+      writeBaselineHint();
     }
     out_.emptyLine();
     const bool is_good = report_.verdict == CheckVerdict::compatible;
@@ -200,6 +201,12 @@ class ReportText {
       }
       out_.line(2, fmt::format("{} [{}]", finding.text, finding.rule), "2");
     }
+  }
+
+  void writeBaselineHint() {
+    if (!report_.has_baseline || report_.verdict != Verdict::incompatible) return;
+    out_.emptyLine();
+    out_.line(0, "not in the baseline; --update-baseline accepts what is found now", "2");
   }
 
   const CheckReport& report_;

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/count_text.h"
+
 namespace rocinante {
 namespace {
 
@@ -23,6 +25,16 @@ void hitName(Tallies& tallies, std::string_view name, const PacketPlace& place) 
     found = tallies.emplace(std::string(name), Tally()).first;
   }
   found->second.hit(place);
+}
+
+/// "a, b, c", the first twelve.
+std::string listed(const std::vector<std::string>& names) {
+  constexpr std::size_t kMostListed = 12;
+  const std::size_t count = std::min(names.size(), kMostListed);
+  std::string text = fmt::format(
+      "{}", fmt::join(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(count), ", "));
+  if (names.size() > count) text += fmt::format(" and {} more", names.size() - count);
+  return text;
 }
 
 }  // namespace
@@ -101,8 +113,9 @@ void DeviceJudge::judgeJoints(std::span<const double> values, bool ordered,
   const Order& order = known->second;
   if (order.names.size() != values.size()) {
     if (joint_count_.hit(place)) {
-      joint_count_text_ =
-          fmt::format("{} values under an order of {} names", values.size(), order.names.size());
+      joint_count_text_ = fmt::format("{} under an order of {}", countText(values.size(), "value"),
+                                      countText(order.names.size(), "name"));
+      joint_count_hint_ = "its order is: " + listed(order.names);
     }
     return;
   }
@@ -112,11 +125,20 @@ void DeviceJudge::judgeJoints(std::span<const double> values, bool ordered,
   if (!quaternions_.empty()) judgeUnitQuaternions(place);
 }
 
+std::string DeviceJudge::expectedOrder() const {
+  std::vector<std::string> names;
+  for (const Value& value : values_) names.push_back(value.judge.name());
+  return names.empty() ? std::string("the model has no joint that is driven")
+                       : "`joints` takes them in this order: " + listed(names);
+}
+
 void DeviceJudge::judgePositional(std::span<const double> values, const PacketPlace& place) {
   if (model_ == nullptr) return;
   if (values.size() != values_.size() && joint_count_.hit(place)) {
-    joint_count_text_ = fmt::format("{} values, and its model {} takes {}", values.size(),
-                                    model_->name, values_.size());
+    joint_count_text_ =
+        fmt::format("{}, and its model {} takes {}", countText(values.size(), "value"),
+                    model_->name, values_.size());
+    joint_count_hint_ = expectedOrder();
   }
   const std::size_t shared = std::min(values.size(), values_.size());
   for (std::size_t i = 0; i < shared; ++i) judgeValue(i, values[i], place);

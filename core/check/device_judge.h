@@ -28,6 +28,7 @@ struct DeviceOwners {
 struct SessionRoster {
   const std::vector<std::string>& sources;            ///< names by number
   const std::set<std::string, std::less<>>& missing;  ///< sources of the cell that never spoke
+  const std::vector<std::string_view>& devices;       ///< that the cell has
 };
 
 /// Judges what a session says about one device against its model. Findings come at the end, when
@@ -104,6 +105,8 @@ class DeviceJudge {
 
   void useModel(const Model* model);
   void listValues(const Model& model);
+  /// "`joints` takes them in this order: a, b, c".
+  std::string expectedOrder() const;
   void judgePositional(std::span<const double> values, const PacketPlace& place);
   void resolve(Order& order) const;
   void judgeValue(std::size_t value, double number, const PacketPlace& place);
@@ -135,7 +138,7 @@ class DeviceJudge {
   Stranger* stranger_ = nullptr;  ///< of `writer_`
 
   Tally mentioned_, unknown_model_, other_kinematics_, joint_count_, repeated_joint_, not_unit_;
-  std::string unknown_model_name_, joint_count_text_, repeated_joint_name_;
+  std::string unknown_model_name_, joint_count_text_, joint_count_hint_, repeated_joint_name_;
   NameTallies unknown_links_, unknown_joints_, undrivable_joints_;
   NameTallies early_links_, early_joints_;  ///< said before there was a model to judge them
   TwoSources two_drivers_, two_posers_;

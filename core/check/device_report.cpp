@@ -5,6 +5,8 @@
 #include <numbers>
 
 #include "core/check/device_judge.h"
+#include "core/count_text.h"
+#include "core/name_hint.h"
 
 namespace rocinante {
 namespace {
@@ -21,6 +23,9 @@ void DeviceJudge::report(const SessionRoster& roster, std::vector<Finding>& find
         "packet.unknown-device", name_,
         fmt::format("the cell has no device {}, and no `add` brings it", name_)));
     findings.back().hint = "name the device as the cell does, or let the source `add` it";
+    if (const std::string meant = didYouMean(name_, roster.devices); !meant.empty()) {
+      findings.back().hint = meant + " " + findings.back().hint;
+    }
     return;
   }
   if (mentioned_.count > 0 && !presence_.everThere()) {
@@ -54,12 +59,20 @@ void DeviceJudge::reportNames(std::vector<Finding>& findings) const {
   add(presence_.afterRemove(), "packet.after-remove",
       fmt::format("device {} is spoken of after it was removed", name_));
   add(joint_count_, "packet.joint-count",
-      fmt::format("device {} gets {}", name_, joint_count_text_));
+      fmt::format("device {} gets {}", name_, joint_count_text_), joint_count_hint_);
   add(repeated_joint_, "packet.repeated-joint",
       fmt::format("one statement names joint {} of device {} twice", repeated_joint_name_, name_));
+  std::vector<std::string_view> value_names, link_names;
+  if (!unknown_joints_.empty()) {
+    for (const Value& value : values_) value_names.push_back(value.judge.name());
+  }
+  if (!unknown_links_.empty()) {
+    for (const Link& link : model_->links) link_names.push_back(link.name);
+  }
   for (const auto& [joint, tally] : unknown_joints_) {
     add(tally, "packet.unknown-joint",
-        fmt::format("the model {} of device {} has no joint {}", model_->name, name_, joint));
+        fmt::format("the model {} of device {} has no joint {}", model_->name, name_, joint),
+        whatThereIs(joint, value_names));
   }
   for (const auto& [joint, tally] : undrivable_joints_) {
     add(tally, "packet.undrivable-joint",
@@ -68,7 +81,8 @@ void DeviceJudge::reportNames(std::vector<Finding>& findings) const {
                     joint, name_));
   }
   for (const auto& [link, tally] : unknown_links_) {
-    add(tally, "packet.unknown-link", fmt::format("device {} has no link {}", name_, link));
+    add(tally, "packet.unknown-link", fmt::format("device {} has no link {}", name_, link),
+        didYouMean(link, link_names));
   }
   add(not_unit_, "joint.unnormalised",
       fmt::format("a floating joint of device {} has a quaternion off unit length by more than "
@@ -111,9 +125,9 @@ bool DeviceJudge::reportDegrees(std::vector<Finding>& findings) const {
 void DeviceJudge::reportUndriven(const SessionRoster& roster,
                                  std::vector<Finding>& findings) const {
   if (isUndriven()) {
-    findings.push_back(makeFinding(
-        "device.undriven", name_,
-        fmt::format("device {} has {} joint values, and nobody drives it", name_, values_.size())));
+    findings.push_back(makeFinding("device.undriven", name_,
+                                   fmt::format("device {} has {}, and nobody drives it", name_,
+                                               countText(values_.size(), "joint value"))));
     findings.back().hint = "if it is meant to stand still, let its source say so once";
     for (const std::string& owner : owners_.names) {
       if (!roster.missing.contains(owner)) continue;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/angle_text.h"
 #include "core/check/pose_drift.h"
 
 namespace rocinante {
@@ -153,7 +154,7 @@ class JointDrift {
     drift_.add("drift.joint-axis",
                reversed
                    ? fmt::format("the axis of {} is reversed: it would move the other way", name)
-                   : fmt::format("the axis of {} has turned by {:.4g} degrees: its values "
+                   : fmt::format("the axis of {} has turned by {:.4g}°: its values "
                                  "would move it another way",
                                  name, angle_deg));
   }
@@ -162,9 +163,13 @@ class JointDrift {
     if (was.type != is.type) return;  // told already
     const auto text = [](const Joint& joint) {
       if (!joint.limits) return std::string("unlimited");
+      const bool turns = joint.type != JointType::prismatic;
+      const auto value = [turns](double of) {
+        return turns ? angleText(of) : fmt::format("{:.6g} m", of);
+      };
       std::string limits =
-          fmt::format("[{:.6g}, {:.6g}]", joint.limits->lower, joint.limits->upper);
-      if (joint.limits->velocity) limits += fmt::format(" at {:.6g}/s", *joint.limits->velocity);
+          fmt::format("[{}, {}]", value(joint.limits->lower), value(joint.limits->upper));
+      if (joint.limits->velocity) limits += fmt::format(" at {}/s", value(*joint.limits->velocity));
       return limits;
     };
     const bool same =

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/angle_text.h"
+
 namespace rocinante {
 namespace {
 
@@ -28,7 +30,6 @@ JointJudge::JointJudge(const Joint& joint, std::size_t component,
   if (is_planar) name_ += kPlanar[component];
   if (is_floating) name_ += kFloating[component];
   is_angle_ = !is_floating && joint.type != JointType::prismatic && (!is_planar || component == 2);
-  if (!is_angle_) unit_ = "m";
 
   MotionLimits motion;
   motion.wraps = joint.type == JointType::continuous || (is_planar && component == 2);
@@ -80,6 +81,7 @@ void JointJudge::judgeMotion(double value, const PacketPlace& place) {
       if (motion_.distance() <= jump_distance_) return;
       jump_distance_ = motion_.distance();
       jump_s_ = motion_.seconds();
+      jump_twins_ = twinsText();
       return;
     case MotionJudge::Answer::velocity: {
       velocity_.hit(place);
@@ -87,6 +89,7 @@ void JointJudge::judgeMotion(double value, const PacketPlace& place) {
       if (velocity <= worst_velocity_) return;
       worst_velocity_ = velocity;
       velocity_s_ = motion_.seconds();
+      velocity_twins_ = twinsText();
       return;
     }
     case MotionJudge::Answer::acceleration:
@@ -111,21 +114,39 @@ void JointJudge::report(const std::string& device, std::vector<Finding>& finding
   const auto add = [&](const Tally& tally, const char* rule, std::string text) {
     if (tally.count > 0) findings.push_back(tally.finding(rule, device, std::move(text)));
   };
-  add(beyond_, "joint.limit",
-      fmt::format("{}/{} is outside its limits [{:.6g}, {:.6g}] {}; the worst is {:.6g}", device,
-                  name_, lower_, upper_, unit_, worst_));
-  const std::string speed =
-      velocity_limit_ ? fmt::format("its limit is {:.6g} {}/s", *velocity_limit_, unit_)
-                      : fmt::format("its whole range is {:.6g} {}", upper_ - lower_, unit_);
+  const std::string beyond =
+      is_angle_ ? fmt::format("[{}, {}]; the worst is {}", angleText(lower_), angleText(upper_),
+                              angleText(worst_))
+                : fmt::format("[{:.6g}, {:.6g}] m; the worst is {:.6g}", lower_, upper_, worst_);
+  add(beyond_, "joint.limit", fmt::format("{}/{} is outside its limits {}", device, name_, beyond));
+  const std::string speed = velocity_limit_
+                                ? fmt::format("its limit is {}/s", valueText(*velocity_limit_))
+                                : "its whole range is " + valueText(upper_ - lower_);
+  const auto twins = [&](const std::string& packets) {
+    return fmt::format("{}; {}/{} moved between them, and {}", packets, device, name_, speed);
+  };
   add(jump_, "joint.jump",
-      fmt::format("{}/{} jumps by {:.6g} {} within {:.3g} s; {}", device, name_, jump_distance_,
-                  unit_, jump_s_, speed));
+      jump_twins_.empty() ? fmt::format("{}/{} jumps by {} within {:.3g} s; {}", device, name_,
+                                        valueText(jump_distance_), jump_s_, speed)
+                          : twins(jump_twins_));
   add(velocity_, "joint.velocity",
-      fmt::format("{}/{} moves at {:.3g} {}/s for {:.3g} s; {}", device, name_, worst_velocity_,
-                  unit_, velocity_s_, speed));
+      velocity_twins_.empty() ? fmt::format("{}/{} moves at {}/s for {:.3g} s; {}", device, name_,
+                                            valueText(worst_velocity_), velocity_s_, speed)
+                              : twins(velocity_twins_));
   add(acceleration_, "joint.acceleration",
-      fmt::format("{}/{} speeds up or slows down by {:.3g} {}/s^2, above {:.6g}", device, name_,
-                  worst_acceleration_, unit_, acceleration_limit_));
+      fmt::format("{}/{} speeds up or slows down by {}/s^2, above {}/s^2", device, name_,
+                  valueText(worst_acceleration_), valueText(acceleration_limit_)));
+}
+
+std::string JointJudge::twinsText() const {
+  if (!motion_.timesWereNear()) return {};
+  return fmt::format("SEQUENCE {} and {} have nearly the same TIME, {:.3g} ms apart",
+                     motion_.sequenceBefore(), motion_.sequence(), motion_.interval() * 1e3);
+}
+
+std::string JointJudge::valueText(double value) const {
+  if (is_angle_) return angleText(value);
+  return fmt::format("{:.6g} m", value);
 }
 
 }  // namespace rocinante

@@ -40,8 +40,12 @@ class JointJudge {
   void report(const std::string& device, std::vector<Finding>& findings) const;
 
  private:
+  /// Which packets have nearly one TIME, where that made the last fault of motion.
+  std::string twinsText() const;
+  /// A value as people read it: "12.5°", "0.3 m".
+  std::string valueText(double value) const;
+
   std::string name_;
-  const char* unit_ = "rad";
   bool is_angle_ = true, is_written_ = false;
   double lower_ = -std::numeric_limits<double>::infinity();
   double upper_ = std::numeric_limits<double>::infinity();
@@ -54,6 +58,8 @@ class JointJudge {
   Tally beyond_, jump_, velocity_, acceleration_;
   double worst_excess_ = 0, worst_ = 0;
   double jump_distance_ = 0, jump_s_ = 0, worst_velocity_ = 0, velocity_s_ = 0;
+  /// Of the worst, where it is the packets' TIMEs that are too near: which packets.
+  std::string jump_twins_, velocity_twins_;
   double worst_acceleration_ = 0;
 
   void judgeMotion(double value, const PacketPlace& place);

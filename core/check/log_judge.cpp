@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/check/tally.h"
+#include "core/count_text.h"
 
 namespace rocinante {
 
@@ -41,7 +42,8 @@ void LogJudge::report(std::vector<Finding>& findings) const {
   for (const DamageSpan& span : damage_) {
     std::string text =
         fmt::format("bytes {} to {} of the log cannot be used: {}", span.from, span.to, span.cause);
-    if (span.messages_lost) text += fmt::format(" ({} messages lost)", *span.messages_lost);
+    if (span.messages_lost)
+      text += fmt::format(" ({} lost)", countText(*span.messages_lost, "message"));
     findings.push_back(makeFinding("log.damage", "", std::move(text)));
   }
   if (is_incomplete_) {

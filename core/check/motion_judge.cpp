@@ -21,6 +21,9 @@ constexpr double kVelocitySpan_s = 0.05;
 /// A value of which nothing was said for longer was not followed.
 constexpr double kLongestSpan_s = 0.5;
 constexpr double kNoise = 1e-3;
+/// So many intervals say what is usual.
+constexpr std::uint32_t kUsualIntervals = 4;
+constexpr double kNearTimes_s = 1e-3;
 
 }  // namespace
 
@@ -33,6 +36,16 @@ void MotionJudge::begin(double value, const PacketPlace& place) {
   stretch_ = place.stretch;
   up_ = down_ = {};
   span_moved_ = span_s_ = velocity_span_s_ = 0;
+  sent_span_s_ = 0;
+  intervals_ = 0;
+  is_interval_sent_ = false;
+  sequence_ = place.sequence;
+}
+
+bool MotionJudge::timesNearlySame() const {
+  if (!is_interval_sent_ || intervals_ < kUsualIntervals) return false;
+  const double usual_s = (sent_span_s_ - interval_s_) / (intervals_ - 1);
+  return interval_s_ < usual_s / 10 || (interval_s_ < kNearTimes_s && interval_s_ < usual_s / 2);
 }
 
 MotionJudge::Answer MotionJudge::judge(double value, const PacketPlace& place) {
@@ -57,6 +70,13 @@ MotionJudge::Answer MotionJudge::judge(double value, const PacketPlace& place) {
   value_ = value;
   arrived_ = place.time;
   sent_ns_ = place.sent_ns;
+  sequence_before_ = std::exchange(sequence_, place.sequence);
+  is_interval_sent_ = is_sent;
+  interval_s_ = seconds;
+  if (is_sent) {
+    sent_span_s_ += sent_s;
+    ++intervals_;
+  }
 
   const double step = std::abs(moved);
   // Nearly always: no faster than it may be, and it was not before, so that nothing below changes.
@@ -66,6 +86,7 @@ MotionJudge::Answer MotionJudge::judge(double value, const PacketPlace& place) {
   }
   if (step > limits_.speed * (seconds + slack_s) + kResolution &&
       step > kJumpFactor * limits_.speed * seconds) {
+    near_times_ = timesNearlySame();
     begin(value, place);
     distance_ = step;
     seconds_ = seconds;
@@ -76,6 +97,7 @@ MotionJudge::Answer MotionJudge::judge(double value, const PacketPlace& place) {
   const bool is_up = take(up_, moved, seconds, slack_s);
   const bool is_down = take(down_, -moved, seconds, slack_s);
   if (is_up || is_down) {
+    near_times_ = timesNearlySame();
     span_moved_ = span_s_ = velocity_span_s_ = 0;
     return Answer::velocity;
   }

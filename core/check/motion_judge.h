@@ -37,9 +37,18 @@ class MotionJudge {
   double distance() const { return distance_; }
   double seconds() const { return seconds_; }
   double acceleration() const { return worst_acceleration_; }
+  /// Of the last jump or velocity, and the two values that made it: whether their TIMEs are far
+  /// nearer to each other than TIMEs of this source usually are, so that it is the TIME and not the
+  /// value that is wrong; how near, in seconds; how far the value moved between them; and the
+  /// SEQUENCEs that said them.
+  bool timesWereNear() const { return near_times_; }
+  double interval() const { return interval_s_; }
+  std::uint64_t sequenceBefore() const { return sequence_before_; }
+  std::uint64_t sequence() const { return sequence_; }
 
  private:
   Answer judgeAcceleration(double moved, double seconds);
+  bool timesNearlySame() const;
 
   MotionLimits limits_;
   bool is_begun_ = false;
@@ -55,6 +64,11 @@ class MotionJudge {
   /// The span over which the velocity is being measured, and that of the one before it.
   double span_moved_ = 0, span_s_ = 0, velocity_ = 0, velocity_span_s_ = 0;
   double distance_ = 0, seconds_ = 0, worst_acceleration_ = 0;
+  /// TIMEs since begin(), for what is usual.
+  double sent_span_s_ = 0, interval_s_ = 0;
+  std::uint32_t intervals_ = 0;
+  bool is_interval_sent_ = false, near_times_ = false;
+  std::uint64_t sequence_ = 0, sequence_before_ = 0;
 
   bool take(Ahead& ahead, double moved, double seconds, double slack_s);
 };

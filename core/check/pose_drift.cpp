@@ -52,7 +52,7 @@ std::string poseDrift(const Pose& recorded, const Pose& given) {
   std::string text = "has ";
   if (moved) text += "moved by " + lengthText(moved_m);
   if (moved && turned) text += " and ";
-  if (turned) text += fmt::format("turned by {:.4g} degrees", turned_deg);
+  if (turned) text += fmt::format("turned by {:.4g}°", turned_deg);
   return text;
 }
 

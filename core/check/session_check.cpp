@@ -136,6 +136,7 @@ void SessionCheck::add(LogTime time, std::string_view encoding, bool captured, B
   }
   Source& source = sourceNamed(packet->header.source);
   place.line = 1;
+  place.sequence = packet->header.sequence.value_or(0);
   source.judge.take(packet->header, applied, *source.counts, place);
   // A late packet is dropped whole: what it says reaches nobody.
   if (applied == Applied::late) return;
@@ -245,7 +246,9 @@ void SessionCheck::finish(CheckReport& report) const {
   for (const CellSource& source : cell_.sources) {
     if (!sources_.contains(source.name)) missing.insert(source.name);
   }
-  const SessionRoster roster{source_names_, missing};
+  std::vector<std::string_view> devices;
+  for (const CellDevice& device : cell_.devices) devices.push_back(device.name);
+  const SessionRoster roster{source_names_, missing, devices};
   faults_.report(report.findings);
   layers_.report(report.findings);
   for (const auto& [name, device] : devices_) device.report(roster, report.findings);

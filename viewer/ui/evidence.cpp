@@ -12,7 +12,8 @@
 #include <cstring>
 #include <utility>
 
-#include "viewer/render/camera_choice.h" #include "core/cli/search_options.h"
+#include "core/cli/search_options.h"
+#include "viewer/render/camera_choice.h"
 
 namespace rocinante {
 namespace {

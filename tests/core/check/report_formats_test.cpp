@@ -235,7 +235,12 @@ TEST(Baseline, KnowsAFindingAgainWhateverItsNumbers) {
     return baselineKeyOf(CheckReport(), findingOf("joint.limit", Severity::error, text)).sentence;
   };
   EXPECT_EQ(key("j is outside [-2, 1.5e-3] rad; the worst is 90"),
-            "j is outside [#, #] rad; the worst is #");
+            "j is outside [#, #]; the worst is #");
+  EXPECT_EQ(key("j is outside [-2°, 1.5e-3°]; the worst is 90°"),
+            "j is outside [#, #]; the worst is #")
+      << "what was accepted in radians stays accepted in degrees";
+  EXPECT_EQ(key("j moves at 5 rad/s for 0.3 s"), key("j moves at 286.479°/s for 0.3 s"));
+  EXPECT_EQ(key("has turned by 4 degrees"), key("has turned by 4°"));
   // Numbers in names are names.
   EXPECT_EQ(key("arm/joint_1 and arm2 and x.7 and 3d"), "arm/joint_1 and arm2 and x.7 and 3d");
   EXPECT_EQ(key("bytes 700 to 708 of `12`."), "bytes # to # of `#`.");

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 std::set<std::string> rulesInTheSource() {
   const auto isWord = [](char c) { return (c >= 'a' && c <= 'z') || c == '-'; };
   const std::set<std::string, std::less<>> endings = {"toml", "urdf", "json", "html", "xacro",
-                                                      "sdf",  "dae",  "gltf", "glb"};
+                                                      "sdf",  "dae",  "gltf", "glb",  "xml"};
   std::set<std::string> found;
   for (const char* folder : {"core/check", "core/model"}) {
     for (const auto& entry : fs::directory_iterator(fs::path(ROCINANTE_SOURCE_DIR) / folder)) {

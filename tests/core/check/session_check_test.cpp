@@ -142,7 +142,9 @@ TEST_F(SessionCheckTest, NamesWrongJointCountsPositionalAndUnderAnOrder) {
   ASSERT_THAT(rules(found), ElementsAre("packet.joint-count", "packet.joint-count"));
   EXPECT_EQ(found.findings[0].text, "device arm gets 2 values, and its model arm takes 3");
   EXPECT_EQ(found.findings[0].count, 2U);
+  EXPECT_EQ(found.findings[0].hint, "`joints` takes them in this order: shoulder, elbow, slide");
   EXPECT_EQ(found.findings[1].text, "device spare gets 3 values under an order of 2 names");
+  EXPECT_EQ(found.findings[1].hint, "its order is: shoulder, slide");
 }
 
 TEST_F(SessionCheckTest, NamesJointsThatTheModelLacksOrNobodyCanDrive) {
@@ -150,6 +152,32 @@ TEST_F(SessionCheckTest, NamesJointsThatTheModelLacksOrNobodyCanDrive) {
   say("joint arm weld=1 finger=2");
   EXPECT_THAT(rules(report()), ElementsAre("packet.unknown-joint", "packet.unknown-joint",
                                            "packet.undrivable-joint"));
+}
+
+TEST_F(SessionCheckTest, SaysThatTwoPacketsHaveNearlyOneTime) {
+  for (int i = 0; i < 8; ++i) {
+    say(fmt::format("me@a {} {:.4f}", i, 100 + i * 0.1),
+        fmt::format("joints arm {:.2f} 0 0", i * 0.08));
+  }
+  say("me@a 8 100.7005", "joints arm 0.64 0 0");
+  const CheckReport found = report();
+  ASSERT_THAT(rules(found), ElementsAre("joint.jump"));
+  EXPECT_EQ(found.findings[0].text,
+            "SEQUENCE 7 and 8 have nearly the same TIME, 0.5 ms apart; arm/shoulder moved between "
+            "them, and its limit is 57.2958°/s");
+}
+
+TEST_F(SessionCheckTest, HintsAtTheNameThatWasMeant) {
+  say("joints arm 0 0 0\njoint arm sholder=1\nshow arm/tpi\njoints amr 0 0 0");
+  const CheckReport found = report();
+  const auto hintOf = [&](std::string_view rule) {
+    for (const Finding& finding : found.findings) {
+      if (finding.rule == rule) return finding.hint;
+    }
+    return std::string("none");
+  };
+  EXPECT_EQ(hintOf("packet.unknown-joint"), "did you mean `shoulder`?");
+  EXPECT_THAT(hintOf("packet.unknown-device"), testing::StartsWith("did you mean `arm`? "));
 }
 
 TEST_F(SessionCheckTest, NamesTheWorstValueOutsideLimits) {
@@ -161,7 +189,7 @@ TEST_F(SessionCheckTest, NamesTheWorstValueOutsideLimits) {
   // The elbow turns by almost a turn in a millisecond, but it has no limit that forbids it.
   ASSERT_THAT(rules(found), ElementsAre("joint.limit", "joint.limit"));
   EXPECT_EQ(found.findings[0].text,
-            "arm/shoulder is outside its limits [-1, 1.5] rad; the worst is -1.75");
+            "arm/shoulder is outside its limits [-57.2958°, 85.9437°]; the worst is -100.268°");
   EXPECT_EQ(found.findings[0].count, 3U);
   EXPECT_EQ(found.findings[0].packet, 2U);
   EXPECT_EQ(found.findings[1].text,

@@ -121,7 +121,7 @@ TEST(UrdfFaults, EachKindOfFaultSaysWhereAndWhat) {
        "[urdf.bad-size]\n"},
       {"<robot name='r'><link name='a'><visual><geometry><mesh filename='a.stl' scale='1 1 1e308'/>"
        "</geometry></visual></link></robot>",
-       "robot.urdf:1:74: error: `scale` of <mesh> must lie between -1e9 and 1e9 "
+       "robot.urdf:1:73: error: `scale` of <mesh> must lie between -1e9 and 1e9 "
        "[urdf.bad-size]\n"},
       {"<robot name='r'><link name='a'><visual><geometry><sphere radius='nan'/></geometry></visual>"
        "</link></robot>",
