@@ -167,8 +167,9 @@ Result<std::vector<StateChange>> partingItems(const BisectArguments& arguments, 
   options.geometry = false;
   const auto a_cell = loadCellOrLog(cell, options);
   if (!a_cell.ok()) return a_cell.error();
-  const auto b_cell =
-      loadCellOrLog(arguments.other_cell.empty() ? cell : arguments.other_cell, options);
+  const std::filesystem::path other_cell =
+      arguments.other_cell.empty() ? cell : std::filesystem::path(arguments.other_cell);
+  const auto b_cell = loadCellOrLog(other_cell, options);
   if (!b_cell.ok()) return b_cell.error();
   auto a = Timeline::open(arguments.log);
   if (!a.ok()) return a.error();

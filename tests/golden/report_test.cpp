@@ -100,7 +100,7 @@ TEST_F(ReportTest, WhyStandsInEveryFormat) {
   why.basis = GoldenBasis::redrawn;
   why.blame.differing = 256;
   why.blame.changes = {{{"arm", "hand"}, ChangeKind::moved, 200, {{3.1, -0.4}}, {}}};
-  why.state = {{"arm/turn", "arm/turn: 0.412 -> 0.421 rad", 0.009, true}};
+  why.state = {{"arm/turn", "arm/turn: 23.61° -> 24.12°", 0.009, true}};
   why.files = {"arm.obj: the mesh has changed"};
   report_.frames[0].why = std::make_shared<const FrameWhy>(why);
   const char* const line = "arm/hand: 200 of 256 differing pixels, moved by (3.1, -0.4) px";
