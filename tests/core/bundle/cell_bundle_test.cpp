@@ -108,15 +108,15 @@ TEST_F(CellBundleTest, PackagesInFoldersOfOtherNamesComeAlong) {
                   "format = 1\npackages = { irb_support = \"../irb\" }\n"
                   "[[device]]\nmodel = \"arm.urdf\"\n");
   const CellBundle bundle = collected(folder_ / "robots/cell/a.cell.toml");
-  EXPECT_EQ(bundle.manifest.packages.at("irb_support"), "irb");
-  const Cell cell = loadedAlone(bundle);
-  ASSERT_NE(meshOf(cell), nullptr);
-  EXPECT_FALSE(meshOf(cell)->materials.at(0).diffuse_map.empty());
-
   CellOptions options;
   options.packages = {{"irb_support", folder_ / "robots/irb"}};
   const CellBundle bare = collected(folder_ / "robots/cell/arm.urdf", options);
   EXPECT_EQ(bare.manifest.packages.at("irb_support"), "irb");
+  EXPECT_EQ(bundle.manifest.packages.at("irb_support"), "irb");
+  // From here on the original is gone.
+  const Cell cell = loadedAlone(bundle);
+  ASSERT_NE(meshOf(cell), nullptr);
+  EXPECT_FALSE(meshOf(cell)->materials.at(0).diffuse_map.empty());
   EXPECT_NE(meshOf(loadedAlone(bare)), nullptr);
 }
 
