@@ -1,6 +1,7 @@
 #include "golden/add_command.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 

@@ -1,6 +1,7 @@
 #include "golden/comparison_text.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "core/count_text.h"
 

@@ -1,6 +1,7 @@
 #include "golden/frame_judge.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <set>

@@ -1,5 +1,6 @@
 // What DeviceJudge says at the end. One cause is told by one rule: what follows from it is not.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <numbers>

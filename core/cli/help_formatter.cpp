@@ -50,12 +50,15 @@ class HelpFormatter final : public CLI::Formatter {
   }
 
   /// A group of options of which so many are to be given: a section with its description above.
-  std::string make_expanded(const CLI::App* app) const override {
-    if (!app->get_name().empty()) return CLI::Formatter::make_expanded(app);
-    const CLI::Option* const help = app->get_help_ptr();
-    return make_group(app->get_description(), false,
-                      app->get_options([help](const CLI::Option* each) { return each != help; }));
+#if CLI11_VERSION_MAJOR > 2 || CLI11_VERSION_MINOR >= 5
+  std::string make_expanded(const CLI::App* app, CLI::AppFormatMode mode) const override {
+    return app->get_name().empty() ? sectionOf(app) : CLI::Formatter::make_expanded(app, mode);
   }
+#else
+  std::string make_expanded(const CLI::App* app) const override {
+    return app->get_name().empty() ? sectionOf(app) : CLI::Formatter::make_expanded(app);
+  }
+#endif
 
   std::string make_option_opts(const CLI::Option* option) const override {
     if (!option->get_option_text().empty()) return " " + option->get_option_text();
@@ -78,6 +81,13 @@ class HelpFormatter final : public CLI::Formatter {
       text += (text.empty() ? "default " : "; default ") + option->get_default_str();
     }
     return text;
+  }
+
+ private:
+  std::string sectionOf(const CLI::App* group) const {
+    const CLI::Option* const help = group->get_help_ptr();
+    return make_group(group->get_description(), false,
+                      group->get_options([help](const CLI::Option* each) { return each != help; }));
   }
 };
 

@@ -1,6 +1,7 @@
 #include "golden/model/cell_writer.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 

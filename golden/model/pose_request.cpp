@@ -1,6 +1,7 @@
 #include "golden/model/pose_request.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <charconv>
 #include <cmath>

@@ -1,6 +1,7 @@
 #include "recorder/copy/nothing_chosen.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <fnmatch.h>
 
 #include <algorithm>

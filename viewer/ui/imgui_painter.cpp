@@ -84,8 +84,8 @@ void ImguiPainter::Impl::makeFontTexture() {
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
-  ImGui::GetIO().Fonts->SetTexID(
-      reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture)));
+  // A pointer before ImGui 1.91.4, a 64-bit integer since.
+  ImGui::GetIO().Fonts->SetTexID((ImTextureID)(static_cast<std::uintptr_t>(texture)));
 }
 
 void ImguiPainter::Impl::setState(const ImDrawData& data, int width, int height) const {
