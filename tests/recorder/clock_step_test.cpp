@@ -96,7 +96,8 @@ TEST(ClockStep, SettingTheClockBendsNothingAndIsTold) {
     ++set_so_far;
     // Before the clock is set again.
     const auto give_up = std::chrono::steady_clock::now() + 30s;
-    while (stepsIn(folder / "log.mcap") < set_so_far && std::chrono::steady_clock::now() < give_up) {
+    while (stepsIn(folder / "log.mcap") < set_so_far &&
+           std::chrono::steady_clock::now() < give_up) {
       ::usleep(10'000);
     }
   }

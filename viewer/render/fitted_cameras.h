@@ -55,7 +55,7 @@ class FittedCameras {
   PosedScene at_rest_;
   std::vector<PosedScene> scenes_;  // without drawings: they outlive their states
   DeviceNames movable_;
-  StateDamage damage_;              // of those moments
+  StateDamage damage_;  // of those moments
   std::map<Asked, CameraView> answered_;
 };
 
