@@ -204,7 +204,7 @@ class ReportText {
   }
 
   void writeBaselineHint() {
-    if (!report_.has_baseline || report_.verdict != Verdict::incompatible) return;
+    if (!report_.has_baseline || report_.verdict != CheckVerdict::incompatible) return;
     out_.emptyLine();
     out_.line(0, "not in the baseline; --update-baseline accepts what is found now", "2");
   }

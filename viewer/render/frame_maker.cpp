@@ -314,7 +314,7 @@ Result<CameraView> FrameMaker::camera(const FrameRequest& request) {
 }
 
 Result<std::vector<PicturedView>> FrameMaker::views(const FrameRequest& request) {
-  const auto found = impl_->find(request);
+  const auto found = impl_->find(request, nullptr);
   if (!found) return found.error();
   std::vector<PicturedView> views;
   views.push_back({false, request.camera, {0, 0, request.width, request.height}, found->camera});

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/model_search.h"
 #include "core/result.h"
 #include "viewer/render/camera.h"
 #include "viewer/render/render_style.h"
