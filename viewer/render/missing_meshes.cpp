@@ -34,7 +34,13 @@ std::string incompleteText(const Cell& cell) {
     listed += (i == 0 ? "" : ", ") + plainText(names[i]);
   }
   if (names.size() > kMostNamed) listed += fmt::format(" and {} more", names.size() - kMostNamed);
-  return "the picture is incomplete: meshes of " + listed + " are missing or cannot be read";
+  std::string text =
+      "the picture is incomplete: meshes of " + listed + " are missing or cannot be read";
+  const auto first = std::ranges::find_if(cell.faults, [](const ModelFault& fault) {
+    return fault.rule == "model.missing-file" || fault.rule == "model.unusable-mesh";
+  });
+  if (first != cell.faults.end()) text += ", first: " + first->text;
+  return text;
 }
 
 }  // namespace rocinante

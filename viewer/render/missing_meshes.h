@@ -14,7 +14,8 @@ namespace rocinante {
 std::vector<std::string> linksWithoutMesh(const Cell& cell);
 
 /// The same as a sentence: "the picture is incomplete: meshes of arm/forearm and 2 more are missing
-/// or cannot be read"; empty where nothing is missing. The cell's faults name the files.
+/// or cannot be read, first: the mesh `forearm.stl` is not used: ..."; empty where nothing is
+/// missing.
 std::string incompleteText(const Cell& cell);
 
 }  // namespace rocinante

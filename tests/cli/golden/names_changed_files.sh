@@ -30,4 +30,4 @@ why
 grep -c '"plate.obj"' goldens/manifest.json
 echo "a mesh that is missing:"
 rm plate.obj
-rocinante golden run suite.toml 2>/dev/null | grep -q 'plate.obj' && echo named
+rocinante golden run suite.toml 2>/dev/null || echo "exit $?"

@@ -21,7 +21,7 @@ run --github
 grep -c '<testcase' out.xml
 grep -c ruleIndex out.sarif || true
 sed -i 's/1 1 0.1/1 1.2 0.1/' plate.urdf
-run --github | grep '^::' | sed 's/link body of plate[^%]*/link body of plate .../'
+{ run --github || echo "::exit $?"; } | grep '^::' | sed 's/link body of plate[^%]*/link body of plate .../'
 grep -o 'name="[a-z-]*" file="[^"]*" line="[0-9]*"' out.xml
 python3 - <<'PY'
 import json

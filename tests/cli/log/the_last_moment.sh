@@ -17,6 +17,6 @@ for log in both_ends beyond; do
   try rocinante log cut $log.mcap -o $log-cut.mcap --from 0s
   try rocinante log split $log.mcap -o $log-pieces/ --time 1s
   try rocinante log state $log.mcap --at -0s
-  rocinante play $log.mcap --to 127.0.0.1:9 --asap --json 2>play.err | grep -E '"(sent|until_ns)"'
+  { rocinante play $log.mcap --to 127.0.0.1:9 --asap --json 2>play.err || echo "exit $?" >>play.err; } | grep -E '"(sent|until_ns)"'
   grep -v ^playing play.err || true
 done

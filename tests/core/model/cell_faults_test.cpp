@@ -153,8 +153,7 @@ TEST_F(CellFaults, KeysNestedSoDeepThatReadingThemWouldOverrunTheStackAreRefused
                      "]\nx-c = '''\n'" + dots + "'''\nx-d = \"\"\"\n" + dots + "\"\"\"\n"),
             "");
   // Nor are letters there that are not ASCII, behind quotes that end a long string too.
-  EXPECT_EQ(faultsOf("format = 1 # \xC3\xA9\nx-a = [\"\"\"\xC3\xA9\"\"\"\"\"\", '\xC3\xA9']\n"),
-            "");
+  EXPECT_EQ(faultsOf("format = 1 # \xC3\xA9\nx-a = [\"\"\"\xC3\xA9\"\"\"\"\", '\xC3\xA9']\n"), "");
 }
 
 TEST_F(CellFaults, LinksOverGroupsAreHeldToTheFile) {
