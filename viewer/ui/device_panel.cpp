@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/angle_text.h"
 #include "viewer/ui/joint_rows.h"
 #include "viewer/ui/panel_parts.h"
 
@@ -43,16 +44,21 @@ void drawRow(const JointRow& row) {
   }
   std::string tip = row.said ? (row.mimics ? "follows another joint" : "")
                              : "nothing said: the model's own place";
+  const auto shown = [&row](double number) {
+    return row.in_radians ? angleText(number) : fmt::format("{:.4g}", number);
+  };
   if (row.lower && row.upper) {
-    tip +=
-        fmt::format("{}limits {:.4g} to {:.4g}", tip.empty() ? "" : "\n", *row.lower, *row.upper);
+    tip += fmt::format("{}limits {} to {}", tip.empty() ? "" : "\n", shown(*row.lower),
+                       shown(*row.upper));
   }
   if (row.in_radians) {
-    tip += fmt::format("{}{:.2f} degrees", tip.empty() ? "" : "\n", row.value * kDegreesPerRadian);
+    tip +=
+        fmt::format("{}{:.4f} in packets, which have radians", tip.empty() ? "" : "\n", row.value);
   }
   if (!tip.empty()) explain(tip.c_str());
   ImGui::TableNextColumn();
-  const std::string value = fmt::format("{:9.4f}", row.value);
+  const std::string value = row.in_radians ? fmt::format("{:.2f}°", row.value * kDegreesPerRadian)
+                                           : fmt::format("{:.4f}", row.value);
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x -
                        ImGui::CalcTextSize(value.c_str()).x);
   if (row.outside()) {
