@@ -170,7 +170,9 @@ void StateFolder::beginPart() {
     open.began = time_;
     open.first_packet = state_.packets_;
     open.nothing_before = counts_->packets + counts_->by_others == 1;
-    const LogTime until = time_ + limits::kRestatementSpan;
+    // A log may reach the last moment that there can be.
+    const LogTime until =
+        time_ + std::min<Nanoseconds>(limits::kRestatementSpan, LogTime::max() - time_);
     state_.open_until_ = state_.open_.empty() ? until : std::min(state_.open_until_, until);
     found = state_.open_.emplace(std::string(header_.source), std::move(open)).first;
   }
