@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
+#include <cstdint>
 #include <map>
 #include <string_view>
 #include <vector>
@@ -89,6 +91,54 @@ class NodeGraph {
   std::string problem_;
 };
 
+/// The arrays of a COLLADA file and what its accessors read of them: assimp reads that without a
+/// look at what is there.
+class ArrayReads {
+ public:
+  void add(const XmlTag& tag) {
+    if (tag.name.ends_with("_array")) {
+      const std::uint64_t count = numberOf(tag, "count", 0);
+      const auto [array, is_new] = counts_.emplace(attributeOf(tag, "id"), count);
+      if (!is_new) array->second = std::min(array->second, count);
+    } else if (tag.name == "accessor") {
+      std::string_view source = attributeOf(tag, "source");
+      if (source.starts_with('#')) source.remove_prefix(1);
+      reads_.push_back({source, numberOf(tag, "offset", 0), numberOf(tag, "count", 0),
+                        numberOf(tag, "stride", 1)});
+    }
+  }
+
+  std::string problem() const {
+    for (const Read& read : reads_) {
+      const auto array = counts_.find(read.array);
+      if (array == counts_.end() || read.count == 0) continue;  // assimp refuses the first itself
+      const std::uint64_t stride = std::max<std::uint64_t>(read.stride, 1);
+      if (read.offset <= array->second && read.count <= (array->second - read.offset) / stride) {
+        continue;
+      }
+      return fmt::format("an <accessor> reads {} times {} numbers of an array of {}", read.count,
+                         stride, array->second);
+    }
+    return {};
+  }
+
+ private:
+  struct Read {
+    std::string_view array;
+    std::uint64_t offset, count, stride;
+  };
+
+  static std::uint64_t numberOf(const XmlTag& tag, std::string_view key, std::uint64_t otherwise) {
+    const std::string_view text = attributeOf(tag, key);
+    std::uint64_t number = 0;
+    const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
+    return read.ec == std::errc() ? number : otherwise;
+  }
+
+  std::map<std::string_view, std::uint64_t> counts_;
+  std::vector<Read> reads_;
+};
+
 /// Whether the element holds whole numbers and nothing else: assimp reads an index list until its
 /// end, and never gets past a letter.
 bool holdsIndices(std::string_view text, const XmlTag& tag) {
@@ -107,6 +157,7 @@ std::string problemOfCollada(ByteView bytes) {
   }
   XmlTags tags(text);
   NodeGraph graph;
+  ArrayReads arrays;
   std::vector<std::size_t> open;  // by element: the node that it is or lies in
   for (XmlTag tag; tags.next(tag);) {
     if (tag.starts && !tag.ends && (tag.name == "p" || tag.name == "vcount") &&
@@ -114,6 +165,7 @@ std::string problemOfCollada(ByteView bytes) {
       return fmt::format("a <{}> holds what is no index", tag.name);
     }
     if (tag.starts) {
+      arrays.add(tag);
       if (open.size() >= kDeepestXml) {
         return fmt::format("the XML is nested deeper than {} elements", kDeepestXml);
       }
@@ -126,7 +178,8 @@ std::string problemOfCollada(ByteView bytes) {
     }
     if (tag.ends && !open.empty()) open.pop_back();
   }
-  return graph.problem();
+  const std::string array_problem = arrays.problem();
+  return array_problem.empty() ? graph.problem() : array_problem;
 }
 
 char upAxisOfCollada(ByteView bytes) {

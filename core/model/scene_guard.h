@@ -11,7 +11,8 @@ namespace rocinante {
 // program or fill the memory.
 
 /// What makes a COLLADA file unfit: nodes that contain themselves, nesting that would overflow the
-/// stack, a shape that is repeated a million times. A sentence; empty when there is nothing.
+/// stack, a shape that is repeated a million times, numbers read that an array lacks. A sentence;
+/// empty when there is nothing.
 std::string problemOfCollada(ByteView bytes);
 
 /// A glTF file, text or binary, of the same kind without what is not drawn (skins, animations,

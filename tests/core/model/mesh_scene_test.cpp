@@ -146,6 +146,21 @@ TEST(ColladaReader, AListOfIndicesThatIsNoneIsRefusedAtOnce) {
   EXPECT_EQ(mesh.error().what, "a <p> holds what is no index");
 }
 
+TEST(ColladaReader, AnAccessorThatReadsBeyondItsArrayIsRefused) {
+  for (const auto& [from, to] : {std::pair{"count=\"12\"", "couNt=\"12\""},
+                                 {"count=\"12\"", "count=\"11\""},
+                                 {"stride=\"3\"", "stride=\"18446744073709551615\""}}) {
+    std::string text = collada(1, "Z_UP", kWedge);
+    const std::size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    text.replace(at, std::string_view(from).size(), to);
+    ModelFaults faults;
+    const auto mesh = readMeshBytes(bytesOf(text), "a.dae", {}, faults);
+    ASSERT_FALSE(mesh.ok()) << to;
+    EXPECT_TRUE(mesh.error().what.starts_with("an <accessor> reads 4 times")) << mesh.error().what;
+  }
+}
+
 TEST(ColladaReader, WhatAssimpCannotReadIsToldInOneSentence) {
   std::string deep;
   for (int i = 0; i < 100000; ++i) deep += "<node>";
