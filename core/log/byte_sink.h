@@ -44,7 +44,7 @@ class ByteSink {
   virtual const std::string& name() const = 0;  ///< for messages to people
 };
 
-/// In memory: `out` grows and must outlive the sink. For a file: NewLogFile.
+/// In memory: `out` grows and must outlive the sink. For a file: LogWriter::create().
 std::unique_ptr<ByteSink> makeMemorySink(Bytes& out);
 
 }  // namespace rocinante

@@ -9,6 +9,7 @@
 
 #include "core/hash.h"
 #include "core/log/byte_cursor.h"
+#include "core/log/followed_file.h"
 #include "core/log/log_profile.h"
 #include "core/log/open_chunk_stream.h"
 
@@ -74,6 +75,7 @@ struct LogFollower::Impl {
   std::uint64_t spans = 0;  ///< chunks, and messages outside of them, begun so far
 
   mcap::ChunkExpander expander;
+  mcap::ExpansionBudget budget{0};
   mcap::Scratch scratch;
   Bytes stored;  ///< the record that is being read, or a piece of it
   ByteView records;
@@ -82,6 +84,7 @@ struct LogFollower::Impl {
   std::uint64_t chunk_to = 0;
 
   mcap::OpenChunkStream stream;   ///< of an open chunk, when it is compressed
+  std::uint64_t charged = 0;      ///< of what it expanded, to the budget
   std::uint64_t plain_start = 0;  ///< of the records of one that is not
   std::uint32_t plain_crc = 0;
   std::uint64_t expanded_bytes = 0;  ///< of the open chunk that ended last
@@ -231,6 +234,7 @@ struct LogFollower::Impl {
       used = position += front->front_bytes;
       stage = compression.empty() ? Stage::open_plain_chunk : Stage::open_chunk;
       stream.begin();
+      charged = 0;
       plain_start = position;
       plain_crc = 0;
       return true;
@@ -263,6 +267,11 @@ struct LogFollower::Impl {
       damaged("the chunk's lengths do not fit into it");
       return true;
     }
+    budget.grow(chunk_to - chunk_from);
+    if (!budget.take(chunk)) {
+      damaged(mcap::ExpansionBudget::refusal());
+      return true;
+    }
     const Result<ByteView> expanded = expander.expand(chunk, scratch);
     if (!expanded) {
       damaged(expanded.error().what);
@@ -292,6 +301,11 @@ struct LogFollower::Impl {
   /// True when something changed: a message was found, or the chunk ended.
   Result<bool> stepInOpenChunk(Result<std::optional<LogMessage>>& message) {
     while (true) {
+      const std::uint64_t expanded = stream.expandedBytes();
+      if (!budget.take(expanded - charged)) {
+        return damagedAt(chunk_from, mcap::ExpansionBudget::refusal());
+      }
+      charged = expanded;
       const Result<std::optional<mcap::Record>> record = stream.next();
       if (!record) return damagedAt(chunk_from, record.error().what);
       if (*record) {
@@ -310,6 +324,7 @@ struct LogFollower::Impl {
           static_cast<std::size_t>(std::min<std::uint64_t>(until - position, kPieceBytes));
       if (Status got = read(position, count); !got) return got.error();
       const Result<std::size_t> fed = stream.feed(stored);
+      budget.grow(stored.size());
       if (!fed) return damagedAt(chunk_from, fed.error().what);
       used = position += *fed;
     }
@@ -425,6 +440,9 @@ struct LogFollower::Impl {
     mcap::Metadata metadata;
     if (!mcap::parse(record.content, metadata)) return damaged("a metadata record is malformed", 0);
     if (origin || metadata.name != profile::kSession) return;
+    const auto format = metadata.metadata.find(std::string(profile::kFormatKey));
+    const std::string said = format == metadata.metadata.end() ? std::string() : format->second;
+    if (said != profile::kFormat) damaged(profile::otherFormatText(said), 0);
     const auto entry = metadata.metadata.find(std::string(profile::kOriginKey));
     if (entry == metadata.metadata.end()) return;
     std::int64_t nanoseconds = 0;

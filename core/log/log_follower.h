@@ -1,15 +1,17 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "core/log/followed_file.h"
 #include "core/log/log_types.h"
 #include "core/result.h"
 
 namespace rocinante {
+
+class FollowedFile;
 
 /// Reads a log beside its recorder: messages in the file's order, each once, as soon as the whole
 /// of it stands in the file; chunks that are still being written too (docs/log-format.md, "The open

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 /// The names of the MCAP profile `rocinante` (docs/log-format.md).
@@ -33,5 +34,8 @@ inline constexpr std::string_view kCellFolder = "cell/";
 
 /// All eight bytes of a length that is not known yet: that of the chunk which is being written.
 inline constexpr std::uint64_t kOpenEnded = ~std::uint64_t{0};
+
+/// What readers say of a log whose rocinante.session has another format than kFormat.
+std::string otherFormatText(std::string_view format);
 
 }  // namespace rocinante::profile

@@ -133,12 +133,7 @@ struct LogReader::Impl {
       summary.format = format == record.entries.end() ? std::string() : format->second;
       if (summary.format == profile::kFormat) return;
       index.damage.push_back(
-          {0, file.size(),
-           fmt::format("rocinante.session says format \"{}\", and this program reads format {}: "
-                       "what stands here may mean something else; use the program that wrote it "
-                       "or a later one",
-                       summary.format.substr(0, 40), profile::kFormat),
-           std::uint64_t{0}});
+          {0, file.size(), profile::otherFormatText(summary.format), std::uint64_t{0}});
       return;
     }
   }

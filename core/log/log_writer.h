@@ -31,7 +31,7 @@ class LogWriter {
  public:
   /// refused when the file exists and `overwrite` is false, or another process is writing it;
   /// unreadable when it cannot be made, or the disk has no room for a log without messages. No
-  /// empty file is left behind then, and an older one stays. See NewLogFile.
+  /// empty file is left behind then, and an older one stays.
   static Result<LogWriter> create(const std::filesystem::path& path,
                                   const LogWriterOptions& options, std::string session_id);
   /// The same on any sink.

@@ -43,9 +43,20 @@ bool claimsMoreThanZstd(const Chunk& chunk) {
 
 bool ExpansionBudget::take(const Chunk& chunk) {
   if (chunk.compression.empty() || !mayExpand(chunk) || claimsMoreThanZstd(chunk)) return true;
-  if (chunk.uncompressed_size > left_) return false;
-  left_ -= chunk.uncompressed_size;
+  return take(chunk.uncompressed_size);
+}
+
+bool ExpansionBudget::take(std::uint64_t bytes) {
+  if (bytes > left_) return false;
+  left_ -= bytes;
   return true;
+}
+
+std::string ExpansionBudget::refusal() {
+  return fmt::format(
+      "the chunk is not expanded: with those before it, it claims more than {} bytes and {} times "
+      "the file's size",
+      kFreeBytes, kMostGrowth);
 }
 
 struct ChunkExpander::Contexts {

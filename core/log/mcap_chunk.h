@@ -3,6 +3,7 @@
 #include <cstring>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "core/bytes.h"
 #include "core/log/mcap_records.h"
@@ -27,6 +28,12 @@ class ExpansionBudget {
   /// False when the chunk reaches beyond; what it claims is then not counted. Nor is one that is
   /// not compressed, or is refused by itself.
   bool take(const Chunk& chunk);
+  /// The same for bytes that were expanded already.
+  bool take(std::uint64_t bytes);
+  /// The file has become longer.
+  void grow(std::uint64_t file_bytes) { left_ += file_bytes * kMostGrowth; }
+  /// Why a chunk is not expanded.
+  static std::string refusal();
 
  private:
   std::uint64_t left_;

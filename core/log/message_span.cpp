@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/count_text.h"
 #include "core/log/byte_cursor.h"
 #include "core/log/mcap_stream_reader.h"
 
@@ -65,11 +66,7 @@ Result<ByteView> SpanDecoder::stored(ByteView bytes, mcap::Scratch& scratch) con
 
 Result<ByteView> SpanDecoder::expand(const MessageSpan& span, SpanMessages& out) {
   if (span.over_budget) {
-    return Error{ErrorKind::damaged,
-                 fmt::format("the chunk is not expanded: with those before it, it claims more than "
-                             "{} bytes and {} times the file's size",
-                             mcap::ExpansionBudget::kFreeBytes, mcap::ExpansionBudget::kMostGrowth),
-                 {}};
+    return Error{ErrorKind::damaged, mcap::ExpansionBudget::refusal(), {}};
   }
   if (span.loose) {
     return stored(file_.subspan(static_cast<std::size_t>(span.offset),
@@ -145,7 +142,7 @@ void SpanDecoder::readRecords(const MessageSpan& span, SpanMessages& out) {
   }
   if (malformed > 0) {
     out.damage.push_back(
-        {span.offset, span.end, fmt::format("{} messages are malformed", malformed), malformed});
+        {span.offset, span.end, countText(malformed, "malformed message"), malformed});
   }
   if (too_late > 0) {
     out.damage.push_back({span.offset, span.end,

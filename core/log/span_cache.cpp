@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/count_text.h"
 #include "core/log/mcap_stream_reader.h"
 
 namespace rocinante {
@@ -83,7 +84,7 @@ void SpanCache::report(std::uint32_t span, SpanMessages& messages) {
   std::ranges::copy(messages.damage, std::back_inserter(damage_));
   if (orphans > 0) {
     damage_.push_back({where.offset, where.end,
-                       fmt::format("{} messages are on a channel that nothing defines", orphans),
+                       countText(orphans, "message") + " on a channel that nothing defines",
                        std::uint64_t{orphans}});
   }
   for (const ByteView content : messages.channels) {
@@ -99,11 +100,11 @@ void SpanCache::report(std::uint32_t span, SpanMessages& messages) {
   }
   if (messages.places.empty()) return;
   if (where.indexed_messages && messages.damage.empty() && *where.indexed_messages != found) {
-    damage_.push_back({where.offset, where.end,
-                       fmt::format("the message indexes behind a chunk speak of {} messages, and "
-                                   "it holds {}",
-                                   *where.indexed_messages, found),
-                       std::uint64_t{0}});
+    damage_.push_back(
+        {where.offset, where.end,
+         fmt::format("the message indexes behind a chunk speak of {}, and it holds {}",
+                     countText(*where.indexed_messages, "message"), found),
+         std::uint64_t{0}});
   }
   if (messages.places.front().time_ns < where.start_time.time_since_epoch().count() ||
       messages.places.back().time_ns > where.end_time.time_since_epoch().count()) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/log/message_span.h"
+
 namespace rocinante {
 namespace {
 

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/count_text.h"
 #include "core/duration_text.h"
 #include "core/plain_text.h"
 
@@ -95,22 +96,19 @@ std::string recoverReportJson(const std::string& output, const CopyReport& repor
 
 std::string copyReportText(const std::string& output, const PieceCounts& counts) {
   if (counts.messages == 0) return fmt::format("{}: no messages\n", plainText(output));
-  return fmt::format("{}: {} message{} of {} channel{}, {} s\n", plainText(output), counts.messages,
-                     counts.messages == 1 ? "" : "s", counts.channels,
-                     counts.channels == 1 ? "" : "s", secondsText(counts.end - counts.start, 3));
+  return fmt::format("{}: {} of {}, {} s\n", plainText(output),
+                     countText(counts.messages, "message"), countText(counts.channels, "channel"),
+                     secondsText(counts.end - counts.start, 3));
 }
 
 std::string gapText(const CopyGap& gap) {
-  const std::string cost = !gap.span.messages_lost ? ""
-                           : gap.span.messages_lost == std::uint64_t{1}
-                               ? "; 1 message lost"
-                               : fmt::format("; {} messages lost", *gap.span.messages_lost);
-  const bool counted = gap.span.messages_lost && *gap.span.messages_lost > 0;
+  const std::uint64_t lost = gap.span.messages_lost.value_or(0);
+  const std::string cost = lost > 0 ? "; " + countText(lost, "message") + " lost" : "";
   if (gap.span.to == 0) return gap.span.cause;
   const std::string place = gap.span.to > gap.span.from
                                 ? fmt::format("bytes {} to {}", gap.span.from, gap.span.to)
                                 : fmt::format("byte {}", gap.span.from);
-  return fmt::format("{}{} ({}, {})", gap.span.cause, counted ? cost : "", gap.input, place);
+  return fmt::format("{}{} ({}, {})", gap.span.cause, cost, gap.input, place);
 }
 
 }  // namespace rocinante

@@ -5,6 +5,7 @@
 #include <fnmatch.h>
 
 #include <algorithm>
+#include <span>
 
 #include "core/duration_text.h"
 #include "core/plain_text.h"
@@ -31,8 +32,9 @@ std::string topicsOf(const LogReader& log) {
     }
   }
   const std::size_t shown = std::min(topics.size(), kMostTopics);
+  const std::span names(topics);
   std::string text = fmt::format("there {} {}", topics.size() == 1 ? "is" : "are",
-                                 fmt::join(topics.begin(), topics.begin() + shown, ", "));
+                                 fmt::join(names.first(shown), ", "));
   if (shown < topics.size()) text += fmt::format(" and {} more", topics.size() - shown);
   return plainText(text);
 }

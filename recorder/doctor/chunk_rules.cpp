@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/count_text.h"
 #include "core/hash.h"
 #include "core/log/log_profile.h"
 
@@ -168,9 +169,9 @@ void ChunkRules::index(const mcap::Record& record) {
                                });
   if (same) return;
   report_.add("index-entries", record.offset,
-              fmt::format("the MessageIndex of channel {} does not tell its {} messages in the "
-                          "chunk",
-                          index.channel_id, last - first));
+              fmt::format("the MessageIndex of channel {} does not list its {} in the chunk",
+                          index.channel_id,
+                          countText(static_cast<std::uint64_t>(last - first), "message")));
 }
 
 void ChunkRules::end() {

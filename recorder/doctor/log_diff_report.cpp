@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/count_text.h"
 #include "core/duration_text.h"
 #include "core/plain_text.h"
 #include "recorder/doctor/log_diff.h"
@@ -41,11 +42,11 @@ std::string shiftText(Nanoseconds shift) {
 void addPayload(std::string& out, const LogDiff& diff) {
   const PayloadDiff& payload = *diff.payload;
   if (!payload.differs) {
-    out += fmt::format("payload  the same {} messages\n", payload.same);
+    out += fmt::format("payload  the same {}\n", countText(payload.same, "message"));
     return;
   }
-  out += fmt::format("payload  differs: {} messages in both, {} only in a, {} only in b\n",
-                     payload.same, payload.only_a, payload.only_b);
+  out += fmt::format("payload  differs: {} in both, {} only in a, {} only in b\n",
+                     countText(payload.same, "message"), payload.only_a, payload.only_b);
   out += fmt::format("  first, in a: {}\n", placeText(payload.first_a, diff.origin_a));
   out += fmt::format("  first, in b: {}\n", placeText(payload.first_b, diff.origin_b));
 }
@@ -54,11 +55,11 @@ void addTime(std::string& out, const LogDiff& diff) {
   const TimeDiff& time = *diff.time;
   const std::uint64_t both = diff.payload->same;
   if (time.moved == 0) {
-    out += fmt::format("time     the same, of {} messages in both\n", both);
+    out += fmt::format("time     the same, of {} in both\n", countText(both, "message"));
     return;
   }
-  out += fmt::format("time     differs: {} of {} messages in both moved, by {} to {}\n", time.moved,
-                     both, shiftText(time.least), shiftText(time.most));
+  out += fmt::format("time     differs: {} of {} in both moved, by {} to {}\n", time.moved,
+                     countText(both, "message"), shiftText(time.least), shiftText(time.most));
   out += fmt::format("  first, by {}: {}\n", shiftText(time.first_shift),
                      placeText(time.first_a, diff.origin_a));
   out += fmt::format("  largest, by {}: {}\n", shiftText(time.largest_shift),

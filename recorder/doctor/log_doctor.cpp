@@ -14,6 +14,8 @@
 namespace rocinante {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 constexpr std::string_view kNotClosed = "not-closed";
 
 std::string hintFor(const DoctorReport& report) {
@@ -81,7 +83,6 @@ std::string doctorText(const DoctorReport& report) {
 }
 
 std::string doctorJson(const DoctorReport& report, bool indented) {
-  using Json = nlohmann::ordered_json;
   Json out;
   out["format"] = 1;
   out["log"] = report.name;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/count_text.h"
 #include "core/hash.h"
 #include "core/log/byte_cursor.h"
 
@@ -347,7 +348,7 @@ void SummaryRules::complete(std::uint64_t offset) {
   if (any_chunk_index_ && !facts_.ours && facts_.loose_messages > 0) {
     report_.add(
         "loose-message", facts_.first_loose_offset,
-        fmt::format("{} messages lie outside the chunks that are indexed", facts_.loose_messages));
+        countText(facts_.loose_messages, "message") + " outside the chunks that are indexed");
   }
   if (facts_.ours || (any_chunk_index_ && any_channel_)) {
     for (const auto& [channel, count] : facts_.messages) {

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "core/log/followed_file.h"
 #include "core/log/log_follower.h"
 
 namespace {

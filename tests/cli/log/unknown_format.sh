@@ -14,6 +14,7 @@ try() { "$@" >out 2>&1 && status=0 || status=$?; grep -h format out || true; ech
 try rocinante log info log.mcap
 try rocinante log cat log.mcap
 try rocinante log state log.mcap --at 0s
+try rocinante log follow --from-start log.mcap
 try rocinante log doctor log.mcap
 try rocinante play log.mcap --to 127.0.0.1:9 --asap
 try rocinante log cut log.mcap -o part.mcap --from 0s

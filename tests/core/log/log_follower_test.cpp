@@ -7,8 +7,10 @@
 #include <random>
 
 #include "core/hash.h"
+#include "core/log/followed_file.h"
 #include "core/log/log_profile.h"
 #include "core/log/mcap_records.h"
+#include "tests/core/log/file_maker.h"
 #include "tests/core/log/log_support.h"
 #include "tests/support/temporary_folder.h"
 
@@ -308,7 +310,7 @@ TEST_P(LogFollowerOfAGrowingFile, NoticesAHeaderThatIsNotThatOfTheChunk) {
   history.endOpenChunk(1);
   history.finish();
   // Offsets in the header: end of the uncompressed size, checksum, length of the records.
-  for (const std::size_t wrong : {25, 33, GetParam() ? 45 : 41}) {
+  for (const std::size_t wrong : {25U, 33U, GetParam() ? 45U : 41U}) {
     SCOPED_TRACE(wrong);
     Bytes file;
     LogFollower follower = follow(file);
@@ -433,6 +435,53 @@ TEST(LogFollower, BearsAWriteThatTheDiskCutShortAndThatWasTakenBack) {
   EXPECT_EQ(messages, history.messages());
   EXPECT_TRUE(follower.ended());
   EXPECT_TRUE(follower.takeDamage().empty());
+}
+
+TEST(LogFollower, ManyBombsTogetherAreExpandedWithinABudget) {
+  Bytes records;
+  mcap::Chunk bomb = makeChunk(records, {{10, std::string(std::size_t{60} << 20U, '\0')}});
+  Bytes small(ZSTD_compressBound(records.size()));
+  small.resize(ZSTD_compress(small.data(), small.size(), records.data(), records.size(), 1));
+  bomb.compression = "zstd";
+  bomb.records = small;
+  FileMaker file;
+  constexpr std::size_t kBombs = 12;
+  for (std::size_t i = 0; i < kBombs; ++i) file.add(bomb);
+  Bytes last;
+  const Bytes bytes = file.add(makeChunk(last, {{20, "after them"}})).end();
+  LogFollower follower = follow(bytes);
+  std::size_t messages = 0;
+  while (true) {
+    const Result<std::optional<LogMessage>> message = follower.poll();
+    ASSERT_TRUE(message.ok()) << message.error().text();
+    if (!*message) break;
+    ++messages;
+  }
+  std::size_t refused = 0;
+  for (const DamageSpan& span : follower.takeDamage()) {
+    if (span.cause.find("is not expanded") != std::string::npos) ++refused;
+  }
+  EXPECT_GT(refused, 0U);
+  EXPECT_EQ(messages, kBombs - refused + 1);
+}
+
+TEST(LogFollower, SaysThatAFormatIsNotKnown) {
+  for (const char* format : {"1", "9"}) {
+    Bytes a;
+    const Bytes file =
+        FileMaker("rocinante")
+            .add(mcap::Metadata{"rocinante.session", {{"format", format}, {"session_id", "s"}}})
+            .add(makeChunk(a, {{10, "ten"}}))
+            .end();
+    LogFollower follower = follow(file);
+    std::vector<KeptMessage> messages;
+    ASSERT_TRUE(drain(follower, messages));
+    EXPECT_EQ(messages.size(), 1U);
+    const std::vector<DamageSpan> damage = follower.takeDamage();
+    EXPECT_EQ(damage.empty(), std::string(format) == "1");
+    if (damage.empty()) continue;
+    EXPECT_THAT(damage[0].cause, testing::HasSubstr("format \"9\""));
+  }
 }
 
 TEST(LogFollower, RefusesWhatIsNoLog) {

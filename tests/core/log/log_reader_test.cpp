@@ -7,7 +7,9 @@
 
 #include "core/hash.h"
 #include "core/log/chunk_compressor.h"
+#include "core/log/mcap_chunk.h"
 #include "core/log/mcap_writer.h"
+#include "tests/core/log/file_maker.h"
 #include "tests/core/log/log_support.h"
 
 namespace rocinante::test {
@@ -18,55 +20,7 @@ using ::testing::ElementsAreArray;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-/// Files of other writers, record by record.
-class FileMaker {
- public:
-  explicit FileMaker(std::string profile = "") {
-    bytes_.assign(mcap::magic().begin(), mcap::magic().end());
-    add(mcap::Header{std::move(profile), "test"});
-  }
-  template <class T>
-  FileMaker& add(const T& record) {
-    append(bytes_, record);
-    return *this;
-  }
-  FileMaker& addUnknown(std::uint8_t opcode, std::size_t size) {
-    bytes_.push_back(std::byte{opcode});
-    for (std::size_t i = 0; i < 8; ++i)
-      bytes_.push_back(std::byte{i == 0 ? std::uint8_t(size) : std::uint8_t(0)});
-    bytes_.resize(bytes_.size() + size);
-    return *this;
-  }
-  /// DataEnd, Footer without a summary, magic.
-  Bytes end() {
-    add(mcap::DataEnd{}).add(mcap::Footer{});
-    bytes_.insert(bytes_.end(), mcap::magic().begin(), mcap::magic().end());
-    return bytes_;
-  }
-
- private:
-  Bytes bytes_;
-};
-
 mcap::Channel channel(std::uint16_t id, const char* topic) { return {id, 0, topic, "octets", {}}; }
-
-/// An uncompressed chunk of messages (time, payload) on channel 1, which it defines.
-mcap::Chunk makeChunk(Bytes& records,
-                      const std::vector<std::pair<std::uint64_t, std::string>>& messages) {
-  records.clear();
-  append(records, channel(1, "/udp/1/a"));
-  mcap::Chunk chunk;
-  chunk.message_start_time = ~std::uint64_t{0};
-  for (const auto& [time, payload] : messages) {
-    append(records, mcap::Message{1, 0, time, time, bytesOf(payload)});
-    chunk.message_start_time = std::min(chunk.message_start_time, time);
-    chunk.message_end_time = std::max(chunk.message_end_time, time);
-  }
-  chunk.uncompressed_size = records.size();
-  chunk.uncompressed_crc = crc32(records);
-  chunk.records = records;
-  return chunk;
-}
 
 TEST(LogReader, MergesChunksThatOverlapAndComeOutOfOrder) {
   Bytes a, b, c;

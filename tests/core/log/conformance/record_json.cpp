@@ -143,7 +143,7 @@ std::optional<Json> read(ByteView content) {
     std::fputs("a record is malformed\n", stderr);
     std::exit(1);
   }
-  return jsonOf(record);
+  return std::optional<Json>(std::in_place, jsonOf(record));
 }
 
 }  // namespace
