@@ -94,11 +94,14 @@ Result<Handle> openInterface(const Endpoint& endpoint, const PcapOptions& option
                  fmt::format("cannot watch {}: {}", endpoint.interface, fault.data()),
                  endpoint.text()};
   }
-  ::pcap_set_snaplen(handle.get(), kSnapBytes);
-  ::pcap_set_promisc(handle.get(), endpoint.interface == "any" ? 0 : 1);
-  ::pcap_set_timeout(handle.get(), kBlockAgeMs);
-  ::pcap_set_buffer_size(handle.get(), options.buffer_bytes);
-  ::pcap_set_tstamp_precision(handle.get(), PCAP_TSTAMP_PRECISION_NANO);
+  // Kinds without nanoseconds (nflog, dbus) refuse here: their times would be read too small.
+  for (const int set : {::pcap_set_snaplen(handle.get(), kSnapBytes),
+                        ::pcap_set_promisc(handle.get(), endpoint.interface == "any" ? 0 : 1),
+                        ::pcap_set_timeout(handle.get(), kBlockAgeMs),
+                        ::pcap_set_buffer_size(handle.get(), options.buffer_bytes),
+                        ::pcap_set_tstamp_precision(handle.get(), PCAP_TSTAMP_PRECISION_NANO)}) {
+    if (set < 0) return activationError(handle.get(), set, endpoint);
+  }
   const int status = ::pcap_activate(handle.get());
   if (status < 0) return activationError(handle.get(), status, endpoint);
   if (::pcap_setnonblock(handle.get(), 1, fault.data()) != 0) {

@@ -214,6 +214,14 @@ TEST(PcapSource, SaysWhichInterfacesThereAre) {
   EXPECT_THAT(source.error().what, HasSubstr("there is no network interface nowhere0"));
 }
 
+TEST(PcapSource, RefusesAnInterfaceWithoutNanoseconds) {
+  const auto source = openSource(endpointOf("pcap://nflog"));
+  ASSERT_FALSE(source.ok());
+  EXPECT_EQ(source.error().kind, ErrorKind::refused);
+  EXPECT_THAT(source.error().what, HasSubstr("cannot watch nflog: "));
+  EXPECT_THAT(source.error().what, HasSubstr("time stamp precision"));
+}
+
 /// Receives until `count` came or nothing did for two seconds.
 std::vector<Seen> receiveAll(DatagramSource& source, std::size_t count) {
   std::vector<Seen> all;
@@ -244,7 +252,7 @@ TEST(PcapSource, WatchesTrafficThatHasItsReceiver) {
       ASSERT_TRUE(source.ok()) << source.error().text();
       const auto before = std::chrono::system_clock::now();
       std::vector<std::string> payloads;
-      for (const std::size_t size : {0, 1, 100, 1'472, 9'000, 65'507}) {
+      for (const std::size_t size : {0U, 1U, 100U, 1'472U, 9'000U, 65'507U}) {
         payloads.emplace_back(size, static_cast<char>('a' + payloads.size()));
         ASSERT_TRUE(sender.send(bytesOf(payloads.back())).ok());
       }
