@@ -1,6 +1,5 @@
 #include "core/duration_text.h"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <array>
@@ -193,10 +192,18 @@ std::string secondsText(Nanoseconds duration, int decimals) {
 }
 
 std::string rfc3339Text(WallTime time) {
+  // Field by field: what fmt makes of %S has a fraction since its version 10. Nothing finer than a
+  // second is multiplied, so that the first nanoseconds there are have a text too.
+  constexpr std::int64_t kNanosecondsPerSecond = 1'000'000'000;
   const auto seconds = std::chrono::floor<std::chrono::seconds>(time);
-  return fmt::format("{:%Y-%m-%dT%H:%M:%S}.{:09}Z",
-                     std::chrono::time_point_cast<std::chrono::system_clock::duration>(seconds),
-                     (time - seconds).count());
+  const auto day = std::chrono::floor<std::chrono::days>(seconds);
+  const std::chrono::year_month_day date(day);
+  const std::chrono::hh_mm_ss clock(seconds - day);
+  const std::int64_t fraction = time.time_since_epoch().count() % kNanosecondsPerSecond;
+  return fmt::format("{:04}-{:02}-{:02}T{:02}:{:02}:{:02}.{:09}Z", static_cast<int>(date.year()),
+                     static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()),
+                     clock.hours().count(), clock.minutes().count(), clock.seconds().count(),
+                     fraction < 0 ? fraction + kNanosecondsPerSecond : fraction);
 }
 
 }  // namespace rocinante

@@ -39,15 +39,15 @@ Error malformed(std::string_view text) {
 
 std::string sizeText(std::uint64_t bytes) {
   if (bytes < 1'000) return fmt::format("{} B", bytes);
-  constexpr std::array kUnits{"kB", "MB", "GB", "TB", "PB", "EB"};
+  constexpr std::array kPrefixed{"kB", "MB", "GB", "TB", "PB", "EB"};
   double value = static_cast<double>(bytes) / 1'000.0;
   std::size_t unit = 0;
   // 999.95 would show as 1000.0.
-  while (value >= 999.95 && unit + 1 < kUnits.size()) {
+  while (value >= 999.95 && unit + 1 < kPrefixed.size()) {
     value /= 1'000.0;
     ++unit;
   }
-  return fmt::format("{:.1f} {}", value, kUnits[unit]);
+  return fmt::format("{:.1f} {}", value, kPrefixed[unit]);
 }
 
 Result<std::uint64_t> parseSize(std::string_view text) {

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/count_text.h"
 #include "core/duration_text.h"
 
 namespace rocinante {
@@ -125,12 +126,11 @@ std::string jsonText(const PlayReport& report) {
 }
 
 std::string summaryText(const PlayReport& report) {
-  std::string text =
-      fmt::format("sent {} datagrams ({} bytes) to {} in {} s, {:.1f}/s", report.sent, report.bytes,
-                  report.to, secondsText(report.duration, 3), report.achievedRateHz());
+  std::string text = fmt::format("sent {} ({} bytes) to {} in {} s, {:.1f}/s",
+                                 countText(report.sent, "datagram"), report.bytes, report.to,
+                                 secondsText(report.duration, 3), report.achievedRateHz());
   if (report.restatements > 0) {
-    text += fmt::format(", and {} restatement{}", report.restatements,
-                        report.restatements == 1 ? "" : "s");
+    text += ", and " + countText(report.restatements, "restatement");
   }
   text += "\n";
   if (report.speed && report.sent > 0) {

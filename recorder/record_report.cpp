@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/count_text.h"
 #include "core/duration_text.h"
 #include "core/size_text.h"
 
@@ -12,10 +13,6 @@ namespace rocinante {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string counted(std::uint64_t count, std::string_view one) {
-  return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
-}
 
 std::string endpointText(const ListenedEndpoint& listened) {
   Endpoint endpoint = listened.endpoint;
@@ -35,11 +32,11 @@ std::string filesText(const RecordSummary& summary) {
                        pieces.back().file.path.filename().string(), sizeText(summary.log_bytes));
   }
   if (const DeletedPieces& deleted = summary.files.deleted; deleted.count > 0) {
-    text += fmt::format("; deleted {} of {} ({})", counted(deleted.count, "piece"),
-                        counted(deleted.packets, "packet"), sizeText(deleted.bytes));
+    text += fmt::format("; deleted {} of {} ({})", countText(deleted.count, "piece"),
+                        countText(deleted.packets, "packet"), sizeText(deleted.bytes));
   }
   if (summary.packets_before > 0) {
-    text += fmt::format("; {} came before", counted(summary.packets_before, "packet"));
+    text += fmt::format("; {} came before", countText(summary.packets_before, "packet"));
   }
   return text;
 }
@@ -104,8 +101,8 @@ std::string inputText(const RecordSummary& summary) {
 
 std::string summaryText(const RecordSummary& summary) {
   std::string text = fmt::format(
-      "recorded {} on {} in {:.1f} s: {}", counted(summary.packets, "packet"),
-      counted(summary.channels, "channel"), secondsOf(summary.duration), filesText(summary));
+      "recorded {} on {} in {:.1f} s: {}", countText(summary.packets, "packet"),
+      countText(summary.channels, "channel"), secondsOf(summary.duration), filesText(summary));
   for (const EndpointAccount& each : summary.endpoints) {
     const LossCounts& lost = each.losses;
     if (lost == LossCounts{}) continue;

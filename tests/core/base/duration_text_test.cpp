@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <utility>
 
 namespace rocinante {
@@ -71,6 +72,15 @@ TEST(SecondsText, ShowsWhatIsThereAndNoMore) {
   EXPECT_EQ(secondsText(-1ns), "-0.000000001");
   EXPECT_EQ(secondsText(100s), "100");
   EXPECT_EQ(secondsText(Nanoseconds::min()), "-9223372036.854775808");
+}
+
+TEST(Rfc3339Text, HasNineDecimalsAndOneFraction) {
+  const auto text = [](std::int64_t count) { return rfc3339Text(WallTime(Nanoseconds(count))); };
+  EXPECT_EQ(text(1'770'091'506'500'000'000), "2026-02-03T04:05:06.500000000Z");
+  EXPECT_EQ(text(0), "1970-01-01T00:00:00.000000000Z");
+  EXPECT_EQ(text(-1), "1969-12-31T23:59:59.999999999Z");
+  EXPECT_EQ(text(std::numeric_limits<std::int64_t>::max()), "2262-04-11T23:47:16.854775807Z");
+  EXPECT_EQ(text(std::numeric_limits<std::int64_t>::min()), "1677-09-21T00:12:43.145224192Z");
 }
 
 TEST(Rfc3339Text, ReadsBackAsTheSameMoment) {
