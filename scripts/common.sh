@@ -12,7 +12,8 @@ shown() {
   if [ -t 2 ]; then printf '\r\033[K' >&2; fi
 }
 
-# build_preset PRESET [TARGET...]: configures and builds, quietly unless it fails.
+# build_preset PRESET [TARGET...]: configures and builds, quietly unless it fails. With
+# ROCINANTE_WERROR=1 in the environment, as CI and developers have it, a warning fails it.
 build_preset() {
   local preset=$1
   shift
@@ -21,12 +22,16 @@ build_preset() {
   say "build: $preset"
   local targets=()
   [ $# -gt 0 ] && targets=(--target "$@")
-  if ! { cmake --preset "$preset" && cmake --build --preset "$preset" "${targets[@]}"; } 2>&1 |
+  local options=()
+  [ "${ROCINANTE_WERROR:-0}" = 0 ] || options=(-DROCINANTE_WERROR=ON)
+  if ! { cmake --preset "$preset" "${options[@]}" && cmake --build --preset "$preset" "${targets[@]}"; } 2>&1 |
     shown "$log" '^\[[0-9]+/[0-9]+\]'; then
     grep -E -A 12 'error|FAILED' "$log" | head -n 60 >&2 || true
     echo "build: $preset failed; all that it said is in $log" >&2
     return 2
   fi
+  # Not what was switched off.
+  sed -n 's/^-- rocinante: \(.*: built without \)/   \1/p' "$log"
   say "build: $preset in $((SECONDS - started)) s"
 }
 

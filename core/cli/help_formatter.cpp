@@ -3,6 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace rocinante::cli {
 namespace {
@@ -30,37 +32,102 @@ std::string valueWord(std::string_view type) {
   return word == "FLOAT" ? "X" : std::string(word);
 }
 
+/// CLI11's own layout differs from one version to the next (2.5 wraps, indents and shouts), so all
+/// of it is ours: the text, and what the shell completes from it, is the same with each.
 class HelpFormatter final : public CLI::Formatter {
  public:
-  HelpFormatter() { column_width(34); }
+  std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode) const override {
+    std::string text = app->get_description();
+    if (!text.empty()) text += "\n";
+    text += usageOf(app, name);
+    const auto positionals = app->get_options([](const CLI::Option* option) {
+      return !option->get_group().empty() && option->get_positional();
+    });
+    if (!positionals.empty()) text += sectionOf("Positionals", positionals);
+    const std::vector<std::string> groups = app->get_groups();
+    for (const std::string& group : groups) {
+      const auto options = app->get_options([&group](const CLI::Option* option) {
+        return option->get_group() == group && option->nonpositional();
+      });
+      if (group.empty() || options.empty()) continue;
+      text += sectionOf(group, options);
+      if (group != groups.back()) text += "\n";
+    }
+    text += subcommandsOf(app) + "\n";
+    if (!app->get_footer().empty()) text += app->get_footer() + "\n";
+    return text;
+  }
 
-  std::string make_usage(const CLI::App* app, std::string name) const override {
-    std::string usage = CLI::Formatter::make_usage(app, std::move(name));
-    usage.pop_back();  // its line feed
-    const auto is_needed = [](const CLI::Option* option) {
-      return option->nonpositional() && option->get_required();
+ private:
+  using Options = std::vector<const CLI::Option*>;
+
+  static std::string usageOf(const CLI::App* app, const std::string& name) {
+    std::string usage = name.empty() ? "Usage:" : "Usage: " + name;
+    const auto is_named = [](const CLI::Option* option) { return option->nonpositional(); };
+    if (!app->get_options(is_named).empty()) usage += " [OPTIONS]";
+    for (const CLI::Option* option :
+         app->get_options([](const CLI::Option* each) { return each->get_positional(); })) {
+      std::string word = option->get_name(true, false);
+      if (option->get_expected_max() >= CLI::detail::expected_max_vector_size) word += "...";
+      usage += option->get_required() ? " " + word : " [" + word + "]";
+    }
+    const auto has_name = [](const CLI::App* each) {
+      return !each->get_disabled() && !each->get_name().empty();
     };
-    for (const CLI::Option* option : app->get_options(is_needed)) {
-      const bool is_short = !option->get_snames().empty();
-      usage +=
-          is_short ? " -" + option->get_snames().front() : " --" + option->get_lnames().front();
+    if (!app->get_subcommands(has_name).empty()) {
+      usage += app->get_require_subcommand_min() == 0 ? " [SUBCOMMAND]" : " SUBCOMMAND";
+    }
+    for (const CLI::Option* option : app->get_options(is_named)) {
+      if (!option->get_required()) continue;
+      usage += option->get_snames().empty() ? " --" + option->get_lnames().front()
+                                            : " -" + option->get_snames().front();
       usage += " " + valueWord(option->get_type_name());
     }
     return usage + "\n";
   }
 
-  /// A group of options of which so many are to be given: a section with its description above.
-#if CLI11_VERSION_MAJOR > 2 || CLI11_VERSION_MINOR >= 5
-  std::string make_expanded(const CLI::App* app, CLI::AppFormatMode mode) const override {
-    return app->get_name().empty() ? sectionOf(app) : CLI::Formatter::make_expanded(app, mode);
+  /// The name on the left, beside it its lines.
+  static std::string row(const std::string& name, const std::string& lines) {
+    constexpr std::size_t kColumn = 34;
+    std::string text = "  " + name;
+    const bool fits = text.size() < kColumn;
+    if (fits) text.resize(kColumn, ' ');
+    if (!lines.empty()) {
+      const std::string next = "\n" + std::string(kColumn, ' ');
+      text += (fits ? "" : next) + CLI::detail::find_and_replace(lines, "\n", next);
+    }
+    return text + "\n";
   }
-#else
-  std::string make_expanded(const CLI::App* app) const override {
-    return app->get_name().empty() ? sectionOf(app) : CLI::Formatter::make_expanded(app);
-  }
-#endif
 
-  std::string make_option_opts(const CLI::Option* option) const override {
+  static std::string sectionOf(std::string title, const Options& options) {
+    if (title == "OPTIONS") title = "Options";  // since 2.5
+    std::string text = "\n" + title + ":\n";
+    for (const CLI::Option* option : options) {
+      const bool positional = !option->nonpositional();
+      text += row(option->get_name(positional, !positional) + valueOf(option), linesOf(option));
+    }
+    return text;
+  }
+
+  /// Groups of options of which so many are to be given, each below its description; then the
+  /// subcommands.
+  static std::string subcommandsOf(const CLI::App* app) {
+    std::string groups, commands;
+    for (const CLI::App* each : app->get_subcommands({})) {
+      if (each->get_group().empty()) continue;
+      if (!each->get_name().empty()) {
+        commands += row(each->get_display_name(true), each->get_description());
+        continue;
+      }
+      const CLI::Option* const help = each->get_help_ptr();
+      groups += sectionOf(
+          each->get_description(),
+          each->get_options([help](const CLI::Option* option) { return option != help; }));
+    }
+    return groups + (commands.empty() ? "" : "\nSubcommands:\n" + commands);
+  }
+
+  static std::string valueOf(const CLI::Option* option) {
     if (!option->get_option_text().empty()) return " " + option->get_option_text();
     std::string text;
     if (option->get_type_size() != 0 && option->nonpositional()) {
@@ -73,7 +140,7 @@ class HelpFormatter final : public CLI::Formatter {
     return text;
   }
 
-  std::string make_option_desc(const CLI::Option* option) const override {
+  static std::string linesOf(const CLI::Option* option) {
     std::string text = option->get_description();
     const bool shows_choice =
         option->get_option_text().empty() && isChoice(option->get_type_name());
@@ -81,13 +148,6 @@ class HelpFormatter final : public CLI::Formatter {
       text += (text.empty() ? "default " : "; default ") + option->get_default_str();
     }
     return text;
-  }
-
- private:
-  std::string sectionOf(const CLI::App* group) const {
-    const CLI::Option* const help = group->get_help_ptr();
-    return make_group(group->get_description(), false,
-                      group->get_options([help](const CLI::Option* each) { return each != help; }));
   }
 };
 

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/cli/parts_text.h"
 #include "core/name_hint.h"
 #include "core/version.h"
 
@@ -33,6 +34,7 @@ constexpr std::array kVerbs{
     Verb{"render", "draw frames of a cell and a log without a window"},
     Verb{"view", "the interactive viewer"},
     Verb{"golden", "visual regression: frames against accepted pictures"},
+    Verb{"self-test", "what works on this machine, and what to do: also `rocinante --self-test`"},
 };
 
 std::filesystem::path folderOfThisProgram() {
@@ -43,8 +45,9 @@ std::filesystem::path folderOfThisProgram() {
 
 void printHelp() {
   std::printf("usage: rocinante VERB [OPTIONS]\n\n");
-  for (const Verb& verb : kVerbs) std::printf("  %-8s %s\n", verb.name, verb.does);
+  for (const Verb& verb : kVerbs) std::printf("  %-9s %s\n", verb.name, verb.does);
   std::printf("\n`rocinante VERB --help` tells more of each.\n");
+  std::printf("`rocinante --version --parts` lists the optional parts of this build.\n");
 }
 
 bool isKnown(std::string_view verb) {
@@ -67,7 +70,7 @@ int main(int argc, char** argv) {
     std::copy(argv + 2, argv + argc, argv + 1);
     argv[argc - 1] = help_option.data();
   }
-  const std::string_view verb = argc > 1 ? argv[1] : "";
+  std::string_view verb = argc > 1 ? argv[1] : "";
   if (verb.empty()) {
     std::fprintf(stderr, "rocinante: which verb? (see rocinante --help)\n");
     return 2;
@@ -77,9 +80,17 @@ int main(int argc, char** argv) {
     return 0;
   }
   if (verb == "--version") {
+    const bool with_parts = argc > 2 && std::string_view(argv[2]) == "--parts";
+    if (argc > (with_parts ? 3 : 2)) {
+      std::fprintf(stderr, "rocinante: --version takes only --parts, not `%s`\n", argv[argc - 1]);
+      return 2;
+    }
     std::printf("%s\n", rocinante::version());
+    if (with_parts) std::printf("%s", rocinante::partsText(folderOfThisProgram()).c_str());
     return 0;
   }
+  const bool is_self_test = verb == "--self-test";
+  if (is_self_test) verb.remove_prefix(2);
   if (verb.find('/') != std::string_view::npos || verb.starts_with('-')) {
     std::fprintf(stderr, "rocinante: `%s` is no verb (see rocinante --help)\n", argv[1]);
     return 2;
@@ -88,7 +99,8 @@ int main(int argc, char** argv) {
   std::string program = "rocinante-" + std::string(verb);
   // A sub-verb may have a program of its own, which starts faster than the one with all of them.
   const std::string_view sub_verb = argc > 2 ? argv[2] : "";
-  if (!sub_verb.empty() && sub_verb.find_first_of("/-.") == std::string_view::npos) {
+  if (!is_self_test && !sub_verb.empty() &&
+      sub_verb.find_first_of("/-.") == std::string_view::npos) {
     const std::string own_program = program + "-" + argv[2];
     ::execv((folderOfThisProgram() / own_program).c_str(), argv + 2);
   }
@@ -98,7 +110,8 @@ int main(int argc, char** argv) {
   if (errno == ENOENT) ::execvp(program.c_str(), argv + 1);
   if (errno == ENOENT && isKnown(verb)) {
     // Built without it, as a recorder's machine without a display is.
-    std::fprintf(stderr, "rocinante: %s is not installed here\n", program.c_str());
+    std::fprintf(stderr, "rocinante: %s is not installed here%s\n", program.c_str(),
+                 verb == "view" ? ": install the package rocinante-view" : "");
   } else if (errno == ENOENT) {
     std::fprintf(stderr, "rocinante: there is no verb `%.*s`%s (see rocinante --help)\n",
                  static_cast<int>(verb.size()), verb.data(), hintAt(verb).c_str());

@@ -1,6 +1,7 @@
 #include "core/cli/usage_fault.h"
 
 #include <CLI/CLI.hpp>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -62,6 +63,40 @@ std::string unexpected(const CLI::App& app, const std::string& argument) {
   return "nothing takes the argument `" + argument + "`";
 }
 
+/// "0.500000" as "0.5".
+std::string plainNumber(std::string_view text) {
+  if (text.find('.') != text.npos && text.find_first_of("eE") == text.npos) {
+    text.remove_suffix(text.size() - 1 - text.find_last_not_of('0'));
+    if (text.ends_with('.')) text.remove_suffix(1);
+  }
+  return std::string(text);
+}
+
+/// "Value 20 not in range 64 to 65507": CLI11 ends it with [64 - 65507] since its version 2.4.
+std::string oneRangeWording(std::string_view said) {
+  constexpr std::string_view kRange = " not in range ";
+  const std::size_t at = said.find(kRange);
+  if (at == said.npos) return std::string(said);
+  std::string_view range = said.substr(at + kRange.size());
+  std::string_view between = " to ";
+  if (range.starts_with('[') && range.ends_with(']')) {
+    range = range.substr(1, range.size() - 2);
+    between = " - ";
+  }
+  const std::size_t middle = range.find(between);
+  if (middle == range.npos) return std::string(said);
+  return std::string(said.substr(0, at + kRange.size())) + plainNumber(range.substr(0, middle)) +
+         " to " + plainNumber(range.substr(middle + between.size()));
+}
+
+/// "--a is required but 2 were given": what CLI11 before its version 2.4 says with "and".
+std::string oneCountWording(std::string said) {
+  constexpr std::string_view kBut = " is required but ";
+  const std::size_t at = said.find(kBut);
+  if (at != said.npos) said.replace(at, kBut.size(), " is required and ");
+  return said;
+}
+
 }  // namespace
 
 std::string usageFault(const CLI::App& app, const CLI::ParseError& fault) {
@@ -78,14 +113,15 @@ std::string usageFault(const CLI::App& app, const CLI::ParseError& fault) {
                                 !subcommandNames(innermost_app).empty() &&
                                 innermost_app.get_subcommands().empty();
   if (lacks_subcommand) return "which subcommand?" + where;
-  const std::string_view said = fault.what();
+  const std::string words = oneCountWording(fault.what());
+  const std::string_view said = words;
   constexpr std::string_view kMissing = ": 1 required ";
   if (const std::size_t at = said.find(kMissing); at != said.npos && said.ends_with(" missing")) {
     std::string_view value = said.substr(at + kMissing.size());
     value.remove_suffix(std::string_view(" missing").size());
     return std::string(said.substr(0, at)) + " needs its " + std::string(value) + where;
   }
-  return std::string(said) + where;
+  return oneRangeWording(said) + where;
 }
 
 }  // namespace rocinante::cli
