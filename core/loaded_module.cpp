@@ -22,18 +22,23 @@ std::vector<std::filesystem::path> moduleFolders() {
 
 }  // namespace
 
-Result<void*> loadModule(const std::string& file_name) {
-  std::string looked_in;
+std::filesystem::path findModule(const std::string& file_name) {
   for (const std::filesystem::path& folder : moduleFolders()) {
-    const std::filesystem::path file = folder / file_name;
     std::error_code error;
-    if (!std::filesystem::exists(file, error)) {
-      looked_in += (looked_in.empty() ? "" : " or ") + folder.string();
-      continue;
-    }
+    if (std::filesystem::exists(folder / file_name, error)) return folder / file_name;
+  }
+  return {};
+}
+
+Result<void*> loadModule(const std::string& file_name) {
+  if (const std::filesystem::path file = findModule(file_name); !file.empty()) {
     void* library = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (library != nullptr) return library;
     return Error{ErrorKind::refused, std::string("it cannot be loaded: ") + ::dlerror(), {}};
+  }
+  std::string looked_in;
+  for (const std::filesystem::path& folder : moduleFolders()) {
+    looked_in += (looked_in.empty() ? "" : " or ") + folder.string();
   }
   return Error{
       ErrorKind::not_found,

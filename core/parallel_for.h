@@ -7,8 +7,8 @@
 namespace rocinante {
 
 /// Calls `task(i)` once for each i below `count`, in any order and on any threads, and returns when
-/// all have returned. core starts no threads: who has some hands them in (core/cli/worker_threads.h
-/// for programs). Results must not depend on the order.
+/// all have returned. The library starts no threads for this: a caller that has some hands them in.
+/// Results must not depend on the order.
 using ParallelFor =
     std::function<void(std::size_t count, const std::function<void(std::size_t)>& task)>;
 

@@ -22,8 +22,7 @@ inline std::string jointPacket(std::size_t sequence, double rate_hz) {
   for (int joint = 0; joint < 6; ++joint) {
     add(" %.5f", 1.5 * std::sin(time_s * (0.3 + 0.17 * joint) + joint));
   }
-  add("\n");
-  return std::string(text.data(), bytes);
+  return std::string(text.data(), bytes) + "\n";
 }
 
 }  // namespace rocinante::test

@@ -70,8 +70,11 @@ Status askModule(const char* file, ByteView bytes, const std::string& name, std:
                  bool with_samples, ModuleAnswer& answer) {
   const PictureModule& module = pictureModule();
   if (module.read == nullptr) {
-    return Error{ErrorKind::unsupported,
-                 "only PNG is read without the OpenImageIO module; " + module.reason, name};
+    return Error{
+        ErrorKind::unsupported,
+        "only PNG is read without the OpenImageIO module (package rocinante-openimageio); " +
+            module.reason,
+        name};
   }
   answer.free = module.free;
   module.read(file, bytes.data(), bytes.size(), max_pixels, with_samples ? 1 : 0, &answer.out);

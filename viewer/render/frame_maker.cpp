@@ -7,11 +7,13 @@
 
 #include "core/duration_text.h"
 #include "core/model/posed_scene.h"
+#include "core/model/scene_poses.h"
 #include "viewer/render/camera_choice.h"
 #include "viewer/render/fitted_cameras.h"
 #include "viewer/render/inset_layout.h"
 #include "viewer/render/known_names.h"
 #include "viewer/render/limit_levels.h"
+#include "viewer/render/offscreen_context.h"
 #include "viewer/render/overlay_panel.h"
 #include "viewer/render/renderer.h"
 #include "viewer/render/scaled_view.h"
@@ -20,15 +22,6 @@
 
 namespace rocinante {
 namespace {
-
-Result<std::unique_ptr<RenderContext>> makeContext(Profile profile) {
-  if (profile == Profile::reproducible) return makeOsmesaContext();
-  auto egl = makeEglContext();
-  if (egl) return egl;
-  auto osmesa = makeOsmesaContext();
-  if (osmesa) return osmesa;
-  return Error{ErrorKind::refused, egl.error().text() + "; " + osmesa.error().text(), {}};
-}
 
 /// A request when everything that it names was found.
 struct FoundFrame {
@@ -258,7 +251,7 @@ Result<FrameMaker> FrameMaker::open(Cell cell, std::optional<Timeline> session, 
   auto impl = std::make_unique<Impl>(std::move(cell), profile);
   impl->session = std::move(session);
   if (impl->session) impl->names.useLog(impl->session->log().name());
-  auto context = makeContext(profile);
+  auto context = makeOffscreenContext(profile);
   if (!context) return context.error();
   impl->context = std::move(*context);
   auto renderer = Renderer::create(*impl->context, impl->cell, profile);

@@ -45,8 +45,8 @@ struct FrameRequest {
 /// holds the context, the uploaded geometry and the session. One thread.
 class FrameMaker {
  public:
-  /// A context without display: OSMesa; in the fast profile EGL where it works. `session` empty:
-  /// the cell alone, as nothing was ever said, and the time of a request means nothing.
+  /// Makes its context by makeOffscreenContext(). `session` empty: the cell alone, as nothing was
+  /// ever said, and the time of a request means nothing.
   /// Reproducible profile: refused when the renderer is not llvmpipe, pinned.
   static Result<FrameMaker> open(Cell cell, std::optional<Timeline> session, Profile profile);
 

@@ -18,8 +18,7 @@ using KnownModels = std::vector<const Model*>;
 
 std::string hintAmong(std::vector<std::string_view> known, std::string_view name) {
   std::ranges::sort(known);
-  const auto twice = std::ranges::unique(known);
-  known.erase(twice.begin(), twice.end());
+  known.erase(std::unique(known.begin(), known.end()), known.end());
   return whatThereIs(name, known);
 }
 

@@ -25,10 +25,10 @@ Result<OsmesaTable> loadOsmesa() {
   void* library = ::dlopen(kLibrary, RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr) {
     const char* reason = ::dlerror();
-    return Error{ErrorKind::refused,
-                 std::string("drawing without a display needs OSMesa (Debian's libosmesa6): ") +
-                     (reason != nullptr ? reason : "it cannot be loaded"),
-                 {}};
+    return Error{
+        ErrorKind::refused,
+        std::string("OSMesa cannot be loaded: ") + (reason != nullptr ? reason : "nobody says why"),
+        {}};
   }
   OsmesaTable osmesa;
 #define ROCINANTE_OSMESA_FILL(name)                                                        \

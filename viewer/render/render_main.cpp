@@ -10,6 +10,7 @@
 #include "core/cli/search_options.h"
 #include "core/cli/worker_threads.h"
 #include "viewer/detail/detail_level.h"
+#include "viewer/render/context_option.h"
 #include "viewer/render/render_job.h"
 
 namespace {
@@ -128,7 +129,7 @@ int main(int argc, char** argv) {
   CLI::App app("Draws frames of a cell and a session without a window.", "rocinante-render");
   RenderJob job;
   std::string size = "640x480";
-  std::string caps = "sse4.1";
+  std::string caps = pinnableCaps().front();
   std::string profile = "reproducible";
   bool without_insets = false;
   bool hash = false;
@@ -189,8 +190,9 @@ int main(int argc, char** argv) {
       ->check(CLI::IsMember({"reproducible", "fast"}))
       ->capture_default_str();
   app.add_option("--caps", caps, "what the reproducible profile pins the processor to")
-      ->check(CLI::IsMember({"sse4.1", "sse2"}))
+      ->check(CLI::IsMember(pinnableCaps()))
       ->capture_default_str();
+  addContextOption(app);
   cli::addSearchOptions(app, job);
   app.add_flag("--hash", hash, "print the SHA-256 of the RGBA rows, top to bottom, a line a frame");
   app.add_flag("--force", job.overwrite, "replace existing files");

@@ -16,7 +16,9 @@ namespace rocinante {
 namespace {
 
 /// Lines of edges, and what stands in for a scale bar's longest length.
-constexpr glm::vec4 kEdgeColor{0.09F, 0.11F, 0.14F, 0.9F};
+/// Opaque by a whole number of 255ths: of 0.9, which is 229.5 of them, the last bit of an
+/// interpolated 1.0 decides, and versions of Mesa differ in that.
+constexpr glm::vec4 kEdgeColor{0.09F, 0.11F, 0.14F, 230.0F / 255};
 constexpr double kScaleBarPx = 180;
 /// Of one view. Software GL takes some 20 s and 1 GB for as many; far more end it without a word.
 constexpr std::uint64_t kMostFrameTriangles = 100'000'000;

@@ -74,7 +74,7 @@ TEST(MeshDetail, NothingMovesWherePartsMeet) {
   const MeshDetail detail = makeMeshDetail(inputOf(mesh));
   ASSERT_EQ(detail.parts.size(), 3U);
   // Every vertex of the line x = 1/3 is still used by both neighbours, however coarse: no crack.
-  for (const int part : {0, 1}) {
+  for (const std::size_t part : {0U, 1U}) {
     ASSERT_FALSE(detail.parts[part].empty());
     for (const CoarsePart& version : detail.parts[part]) {
       std::set<std::uint32_t> on_line;

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "viewer/render/frame_buffer.h"
+#include "viewer/render/offscreen_context.h"
 #include "viewer/render/render_context.h"
 
 namespace rocinante {
@@ -16,7 +17,7 @@ namespace {
 class Background : public ::testing::TestWithParam<int> {
  protected:
   void SetUp() override {
-    auto context = makeOsmesaContext();
+    auto context = makeOffscreenContext(Profile::reproducible);
     ASSERT_TRUE(context.has_value());
     context_ = std::move(*context);
     auto gl = fillGlTable([&](const char* name) { return context_->procAddress(name); });

@@ -7,6 +7,7 @@
 
 #include "core/math/transform.h"
 #include "tests/viewer/render/test_scene.h"
+#include "viewer/render/offscreen_context.h"
 #include "viewer/render/renderer.h"
 
 namespace rocinante {
@@ -42,7 +43,7 @@ Mesh tiledSquare(double size, int n) {
 class Views {
  public:
   explicit Views(const Cell& cell) {
-    auto context = makeOsmesaContext();
+    auto context = makeOffscreenContext(Profile::reproducible);
     EXPECT_TRUE(context.has_value());
     context_ = std::move(*context);
     auto renderer = Renderer::create(*context_, cell, Profile::reproducible);

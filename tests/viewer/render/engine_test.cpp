@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "tests/viewer/render/test_scene.h"
+#include "viewer/render/offscreen_context.h"
 #include "viewer/render/renderer.h"
 
 namespace rocinante {
@@ -18,7 +19,7 @@ using test::TestCell;
 class Engine : public ::testing::Test {
  protected:
   void open(Cell& cell) {
-    auto context = makeOsmesaContext();
+    auto context = makeOffscreenContext(Profile::reproducible);
     ASSERT_TRUE(context.has_value());
     context_ = std::move(*context);
     auto renderer = Renderer::create(*context_, cell, Profile::reproducible);
@@ -135,7 +136,7 @@ TEST_F(Engine, PlainShadingLightsBothSidesAlike) {
 }
 
 TEST(FrameBuffer, SaysThatMemoryLacks) {
-  auto context = makeOsmesaContext();
+  auto context = makeOffscreenContext(Profile::reproducible);
   auto gl = fillGlTable([&](const char* name) { return (*context)->procAddress(name); });
   ASSERT_TRUE(gl.has_value());
   gl->GetError = []() -> GLenum { return GL_OUT_OF_MEMORY; };

@@ -13,6 +13,7 @@
 #include "viewer/render/draw_passes.h"
 #include "viewer/render/frame_buffer.h"
 #include "viewer/render/inputs_hash.h"
+#include "viewer/render/offscreen_context.h"
 #include "viewer/render/render_context.h"
 #include "viewer/render/text_atlas.h"
 
@@ -71,7 +72,7 @@ std::shared_ptr<const Model> crowd(std::mt19937& random) {
 }
 
 TEST(ItemBatch, HasTheBitsOfItemsDrawnOneByOne) {
-  const auto context = makeOsmesaContext();
+  const auto context = makeOffscreenContext(Profile::reproducible);
   ASSERT_TRUE(context.has_value());
   const auto gl = fillGlTable([&](const char* name) { return (*context)->procAddress(name); });
   ASSERT_TRUE(gl.has_value());

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tests/viewer/render/test_scene.h"
+#include "viewer/render/offscreen_context.h"
 #include "viewer/render/renderer.h"
 
 namespace rocinante {
@@ -53,7 +54,7 @@ void PrintTo(const Shade& color, std::ostream* out) {
 class LayerStudio {
  public:
   explicit LayerStudio(const Cell& cell) : cell_(cell) {
-    auto context = makeOsmesaContext();
+    auto context = makeOffscreenContext(Profile::reproducible);
     EXPECT_TRUE(context.has_value());
     context_ = std::move(*context);
     auto renderer = Renderer::create(*context_, cell, Profile::reproducible);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/viewer/render/looks_studio.h"
+#include "viewer/render/offscreen_context.h"
 #include "viewer/render/outline_pass.h"
 #include "viewer/render/scale_bar.h"
 
@@ -128,7 +129,7 @@ TEST(Lines, ATrailIsDrawnInTheSceneAndFadesTowardsItsOldEnd) {
 TEST(Lines, AScaleBarIsTrueToThePicture) {
   TestCell cell;
   cell.add("plate", squareMesh(2), {0, 0, 0});
-  auto context = makeOsmesaContext();
+  auto context = makeOffscreenContext(Profile::reproducible);
   ASSERT_TRUE(context.has_value());
   const auto renderer = Renderer::create(**context, cell.cell(), Profile::reproducible);
   ASSERT_TRUE(renderer.has_value());

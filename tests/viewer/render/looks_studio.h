@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tests/viewer/render/test_scene.h"
+#include "viewer/render/offscreen_context.h"
 #include "viewer/render/renderer.h"
 
 namespace rocinante::test {
@@ -48,7 +49,7 @@ inline RenderStyle styled(const std::vector<std::string>& words) {
 class Studio {
  public:
   explicit Studio(TestCell& cell, int samples = 1) : cell_(cell), scene_(cell.scene()) {
-    auto context = makeOsmesaContext();
+    auto context = makeOffscreenContext(Profile::reproducible);
     EXPECT_TRUE(context.has_value());
     context_ = std::move(*context);
     auto renderer = Renderer::create(*context_, cell.cell(), Profile::reproducible);

@@ -6,9 +6,11 @@
 #include <charconv>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <map>
 #include <optional>
 
+#include "tests/support/environment.h"
 #include "tests/support/programs.h"
 #include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"
@@ -17,29 +19,7 @@
 namespace rocinante {
 namespace {
 
-/// Sets variables for programs started while it lives.
-class Environment {
- public:
-  explicit Environment(std::map<std::string, std::string> variables) {
-    for (auto& [name, value] : variables) {
-      const char* old = ::getenv(name.c_str());
-      before_[name] = old == nullptr ? std::optional<std::string>() : old;
-      ::setenv(name.c_str(), value.c_str(), 1);
-    }
-  }
-  ~Environment() {
-    for (const auto& [name, value] : before_) {
-      if (value) {
-        ::setenv(name.c_str(), value->c_str(), 1);
-      } else {
-        ::unsetenv(name.c_str());
-      }
-    }
-  }
-
- private:
-  std::map<std::string, std::optional<std::string>> before_;
-};
+using test::Environment;
 
 std::string hashesOf(const std::vector<std::string>& arguments) {
   const test::ProgramResult result = test::runProgram("rocinante-render", arguments);
@@ -74,6 +54,56 @@ TEST(RenderProgram, AHostileEnvironmentChangesNoPixel) {
     const Environment environment(variables);
     EXPECT_EQ(hashesOf(arguments), plain);
   }
+}
+
+// Each of these would choose another driver, another display, or none.
+TEST(RenderProgram, EglDrawsTheBitsOfOsmesaWhateverTheEnvironmentSays) {
+  const test::TemporaryFolder folder;
+  test::writeText(folder / "arm.urdf", test::kArmUrdf);
+  test::writeArmSession(folder / "arm.mcap");
+  std::vector<std::string> arguments{folder / "arm.urdf",
+                                     folder / "arm.mcap",
+                                     "--hash",
+                                     "--at",
+                                     "4.25",
+                                     "--at",
+                                     "-1s",
+                                     "--context",
+                                     "osmesa"};
+  const auto by_osmesa = test::runProgram("rocinante-render", arguments);
+  arguments.back() = "egl";
+  const std::string by_egl = hashesOf(arguments);
+  if (by_osmesa.exit_code == 0) {
+    EXPECT_EQ(by_egl, by_osmesa.out);
+  } else {
+    std::cout << "not compared with OSMesa: " << by_osmesa.err;
+  }
+  const std::vector<std::map<std::string, std::string>> environments{
+      {{"DISPLAY", ":77"}, {"EGL_PLATFORM", "x11"}},
+      {{"LIBGL_DRIVERS_PATH", "/nowhere"}, {"GALLIUM_DRIVER", "softpipe"}},
+      {{"__EGL_VENDOR_LIBRARY_FILENAMES", "/usr/share/glvnd/egl_vendor.d/10_nvidia.json"}},
+      {{"__EGL_VENDOR_LIBRARY_DIRS", "/nowhere"}},
+      {{"MESA_LOADER_DRIVER_OVERRIDE", "zink"}, {"LIBGL_ALWAYS_SOFTWARE", "0"}},
+      {{"DRIRC_CONFIGDIR", "/nowhere"}, {"force_glsl_version", "110"}},
+      {{"HOME", "/nowhere"}, {"LP_NUM_THREADS", "0"}},
+  };
+  for (const auto& variables : environments) {
+    SCOPED_TRACE(variables.begin()->first + "=" + variables.begin()->second);
+    const Environment environment(variables);
+    EXPECT_EQ(hashesOf(arguments), by_egl);
+  }
+}
+
+TEST(RenderProgram, AnUnknownContextIsExitTwo) {
+  const test::TemporaryFolder folder;
+  test::writeText(folder / "arm.urdf", test::kArmUrdf);
+  const Environment environment(
+      std::map<std::string, std::string>{{"ROCINANTE_CONTEXT", "vulkan"}});
+  const auto result = test::runProgram("rocinante-render", {folder / "arm.urdf", "--hash"});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_NE(result.err.find("ROCINANTE_CONTEXT is \"vulkan\", and may be osmesa or egl"),
+            std::string::npos)
+      << result.err;
 }
 
 // OSMesa reads none; the same of the window is tests/cli/view/drirc_changes_nothing.sh.

@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/environment.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/viewer/render/test_scene.h"
 #include "viewer/picture/picture.h"
+#include "viewer/render/offscreen_context.h"
 
 namespace rocinante {
 namespace {
@@ -43,7 +45,7 @@ CameraView frontView() {
 
 Picture drawn(const Cell& cell, const PosedScene& scene, const CameraView& camera, int samples = 4,
               const std::vector<std::string>& hide = {"layer/gnomon"}) {
-  auto context = makeOsmesaContext();
+  auto context = makeOffscreenContext(Profile::reproducible);
   EXPECT_TRUE(context.has_value());
   auto renderer = Renderer::create(**context, cell, Profile::reproducible);
   EXPECT_TRUE(renderer.has_value()) << renderer.error().text();
@@ -146,7 +148,7 @@ TEST(Renderer, AMissingTextureIsAWarningAndItsSurfaceKeepsItsColor) {
   material.diffuse_map = "/nowhere/at/all.png";
   TestCell cell;
   cell.add("picture", squareMesh(8), {0, 0, 0}, material);
-  auto context = makeOsmesaContext();
+  auto context = makeOffscreenContext(Profile::reproducible);
   auto renderer = Renderer::create(**context, cell.cell(), Profile::reproducible);
   ASSERT_EQ(renderer->warnings().size(), 1U);
   EXPECT_NE(renderer->warnings()[0].find("/nowhere/at/all.png"), std::string::npos);
@@ -341,7 +343,7 @@ TEST(Renderer, TheGridLiesBelowWhatStandsOnTheGround) {
 }
 
 TEST(FrameBuffer, RefusesSizesAndSamplesThatCannotBe) {
-  auto context = makeOsmesaContext();
+  auto context = makeOffscreenContext(Profile::reproducible);
   const auto gl = fillGlTable([&](const char* name) { return (*context)->procAddress(name); });
   ASSERT_TRUE(gl.has_value());
   for (const auto& [width, height, samples] : {std::tuple(0, 10, 1),
@@ -365,6 +367,10 @@ TEST(GlTable, NamesTheFirstFunctionThatIsMissing) {
 TEST(EglContext, DrawsTheSameBytesAsOsmesa) {
   auto egl = makeEglContext();
   if (!egl) GTEST_SKIP() << egl.error().text();
+  const test::Environment only_osmesa(
+      std::map<std::string, std::string>{{kContextVariable, "osmesa"}});
+  auto osmesa = makeOffscreenContext(Profile::reproducible);
+  if (!osmesa) GTEST_SKIP() << osmesa.error().text();
   TestCell cell;
   cell.cell().scene.grid = true;
   cell.add("box", boxMesh({2, 2, 2}), {1, 0, 1}, colored(1, 0.5F, 0.2F, 0.7F))
@@ -374,7 +380,7 @@ TEST(EglContext, DrawsTheSameBytesAsOsmesa) {
   CameraView view;
   Picture frames[2];
   for (const bool use_egl : {true, false}) {
-    auto context = use_egl ? std::move(egl) : makeOsmesaContext();
+    auto context = use_egl ? std::move(egl) : std::move(osmesa);
     auto renderer = Renderer::create(**context, cell.cell(), Profile::fast);
     ASSERT_TRUE(renderer.has_value()) << renderer.error().text();
     if (renderer->key().renderer != "llvmpipe") GTEST_SKIP() << "EGL gives a GPU here";
