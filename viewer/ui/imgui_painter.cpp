@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 
 #include "viewer/render/shader_program.h"
@@ -120,8 +121,7 @@ void ImguiPainter::Impl::drawList(const ImDrawList& list, ImVec2 origin, int hei
     const int bottom = static_cast<int>(command.ClipRect.w - origin.y);
     if (right <= left || bottom <= top || command.ElemCount == 0) continue;
     gl.Scissor(left, height - bottom, right - left, bottom - top);
-    gl.BindTexture(GL_TEXTURE_2D,
-                   static_cast<GLuint>(reinterpret_cast<std::uintptr_t>(command.GetTexID())));
+    gl.BindTexture(GL_TEXTURE_2D, (GLuint)(std::uintptr_t)(command.GetTexID()));
     gl.DrawElementsBaseVertex(
         GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount),
         sizeof(ImDrawIdx) == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT,

@@ -4,18 +4,41 @@
 #include <imgui_impl_glfw.h>
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 
 #include "viewer/render/embedded_font.h"
 #include "viewer/ui/panels.h"
 
 namespace rocinante {
+namespace {
+
+/// What the coming frame sees of the mouse, whatever the backend found.
+void tellMouse(ImGuiIO& io, const InputState& seen, ImVec2 at) {
+#if IMGUI_VERSION_NUM >= 18700
+  // Since 1.87 what is told waits in a queue behind what the backend told, and the last word
+  // counts.
+  io.AddMousePosEvent(at.x, at.y);
+  for (int button = 0; button < ImGuiMouseButton_COUNT; ++button) {
+    io.AddMouseButtonEvent(button, seen.down[static_cast<std::size_t>(button)]);
+  }
+#else
+  std::ranges::copy(seen.down, io.MouseDown);
+  io.MousePos = at;
+#endif
+}
+
+}  // namespace
 
 InterfaceContext::InterfaceContext(Window* window) : window_(window) {
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;
   // ImguiPainter can: else a panel of more than 65,535 corners would end the program.
   ImGui::GetIO().BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
+#if IMGUI_VERSION_NUM >= 18700
+  // Spreading changes over frames is our own InputQueue's work.
+  ImGui::GetIO().ConfigInputTrickleEventQueue = false;
+#endif
   useScale(1);
   if (window_ != nullptr) ImGui_ImplGlfw_InitForOpenGL(window_->handle(), true);
 }
@@ -50,17 +73,15 @@ void InterfaceContext::beginFrame(int width, int height) {
     ImGui_ImplGlfw_NewFrame();
     // The backend looks where mouse and buttons are by now: of a click between two frames, which
     // the pointer has left, it would tell the wrong place, and the release a frame late.
-    const bool outside = !ImGui::IsMousePosValid(&io.MousePos) && !window_->input().pending();
+    const bool outside = !window_->followsPointer() && !window_->input().pending();
     const InputState& seen = window_->input().nextFrame();
-    std::ranges::copy(seen.down, io.MouseDown);
-    if (!outside || seen.anyDown()) {
-      io.MousePos = ImVec2(static_cast<float>(seen.x), static_cast<float>(seen.y));
+    ImVec2 at(-FLT_MAX, -FLT_MAX);
+    // GLFW speaks of the window's units.
+    if ((!outside || seen.anyDown()) && io.DisplaySize.x > 0 && io.DisplaySize.y > 0) {
+      at = ImVec2(static_cast<float>(seen.x) * pixels.x / io.DisplaySize.x,
+                  static_cast<float>(seen.y) * pixels.y / io.DisplaySize.y);
     }
-    // The backend speaks of the window's units.
-    if (io.DisplaySize.x > 0 && io.DisplaySize.y > 0 && ImGui::IsMousePosValid(&io.MousePos)) {
-      io.MousePos.x *= pixels.x / io.DisplaySize.x;
-      io.MousePos.y *= pixels.y / io.DisplaySize.y;
-    }
+    tellMouse(io, seen, at);
   } else {
     io.DeltaTime = 1.0F / 60.0F;
   }

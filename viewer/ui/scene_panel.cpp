@@ -15,7 +15,8 @@ bool containsWord(std::string_view text, std::string_view word) {
     return std::tolower(static_cast<unsigned char>(a)) ==
            std::tolower(static_cast<unsigned char>(b));
   };
-  return !std::ranges::search(text, word, same).empty() || word.empty();
+  return word.empty() ||
+         std::search(text.begin(), text.end(), word.begin(), word.end(), same) != text.end();
 }
 
 namespace {

@@ -9,6 +9,7 @@
 
 #include "core/model/cell.h"
 #include "core/model/posed_scene.h"
+#include "core/model/scene_poses.h"
 #include "core/session/timeline.h"
 #include "viewer/render/frame_extras.h"
 #include "viewer/render/known_names.h"

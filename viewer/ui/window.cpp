@@ -3,6 +3,7 @@
 #include <dlfcn.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <cstring>
 
 #define GLFW_INCLUDE_NONE
@@ -48,6 +49,14 @@ Error windowError(const std::string& what) {
 Result<std::unique_ptr<Window>> Window::open(const std::string& title, int width, int height,
                                              bool scaled) {
   glfwSetErrorCallback(onGlfwError);
+#ifdef GLFW_PLATFORM
+  // GLFW 3.4 and later try Wayland first, whose library complains where only an X server is named,
+  // or where there is no folder in which its server could be.
+  if (std::getenv("WAYLAND_DISPLAY") == nullptr &&
+      (std::getenv("DISPLAY") != nullptr || std::getenv("XDG_RUNTIME_DIR") == nullptr)) {
+    glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+  }
+#endif
   if (glfwInit() != GLFW_TRUE) return windowError("there is no display to open a window on");
   nameLossOfServer();
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
@@ -145,6 +154,11 @@ float Window::contentScale() const {
   float down = 1;
   glfwGetWindowContentScale(window_, &across, &down);
   return down;
+}
+
+bool Window::followsPointer() const {
+  return glfwGetWindowAttrib(window_, GLFW_HOVERED) == GLFW_TRUE ||
+         glfwGetWindowAttrib(window_, GLFW_FOCUSED) == GLFW_TRUE;
 }
 
 bool Window::closeRequested() const { return glfwWindowShouldClose(window_) == GLFW_TRUE; }

@@ -33,6 +33,8 @@ class Window final : public RenderContext {
   int framebufferHeight() const;
   /// How much larger than usual the screen's text should be: 2 where pixels are half as large.
   float contentScale() const;
+  /// Whether the pointer is the window's to follow: over it, or the window has the keyboard.
+  bool followsPointer() const;
   bool closeRequested() const;
   void requestClose();
   /// Shows what was drawn into framebuffer 0. Waits for the display when `paced`.
