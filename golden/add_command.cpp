@@ -114,7 +114,7 @@ CLI::App* addAddCommand(CLI::App& app, AddArguments& arguments) {
   list("--show", arguments.show, "PATH to draw; repeatable");
   list("--mask", arguments.mask, "PATH not to judge; repeatable");
   list("--style", arguments.style, "a look, as KEY=VALUE; repeatable");
-  command->add_option("--tolerance", arguments.tolerance, "exact, cpu, loose or a name");
+  command->add_option("--tolerance", arguments.tolerance, "exact, rounding, cpu, loose or a name");
   command->add_option("--expect", arguments.expect, "different, with --reason");
   command->add_option("--reason", arguments.reason, "why it is expected to differ");
   list("--tag", arguments.tags, "repeatable");

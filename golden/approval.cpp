@@ -39,13 +39,14 @@ std::vector<AcceptedPicture> acceptedOf(const Manifest& manifest, const std::str
   return pictures;
 }
 
-/// Whether these pixels are accepted for their key, under the same masks.
-bool holds(const Manifest& manifest, const std::string& case_name,
-           const AcceptedPicture& accepted) {
-  return std::ranges::any_of(
-      manifest.find(case_name, accepted.key), [&](const AcceptedPicture* one) {
-        return one->pixels == accepted.pixels && one->areas_pixels == accepted.areas_pixels;
-      });
+/// These pixels, accepted under the same masks for whichever key.
+std::vector<const AcceptedPicture*> equalsOf(const Manifest& manifest, const std::string& case_name,
+                                             const AcceptedPicture& accepted) {
+  auto found = manifest.findPixels(case_name, accepted.pixels, accepted.key);
+  std::erase_if(found, [&](const AcceptedPicture* one) {
+    return one->areas_pixels != accepted.areas_pixels;
+  });
+  return found;
 }
 
 std::string areasName(const std::string& picture) {
@@ -55,10 +56,8 @@ std::string areasName(const std::string& picture) {
 }  // namespace
 
 bool Approval::isAccepted(const std::string& case_name, const AcceptedPicture& accepted) const {
-  return std::ranges::any_of(seen_.find(case_name, accepted.key), [&](const AcceptedPicture* old) {
-    return old->pixels == accepted.pixels && old->areas_pixels == accepted.areas_pixels &&
-           folder_.has(*old);
-  });
+  return std::ranges::any_of(equalsOf(seen_, case_name, accepted),
+                             [&](const AcceptedPicture* old) { return folder_.has(*old); });
 }
 
 Result<std::filesystem::path> Approval::writeStaged(const Picture& picture) {
@@ -102,11 +101,10 @@ Status Approval::nameFiles(const Manifest& now, Staged& staged) const {
     if (!staged.areas_file.empty()) accepted.areas = accepted.areas_pixels + ".png";
     return {};
   }
+  // What stays keeps its name, under whichever key it was accepted.
   std::set<std::string> taken;
-  if (staged.beside) {
-    for (const AcceptedPicture* old : now.find(staged.case_name, accepted.key)) {
-      taken.insert(old->picture);
-    }
+  for (const AcceptedPicture* old : now.findAll(staged.case_name)) {
+    if (staged.beside || old->key != accepted.key) taken.insert(old->picture);
   }
   int turn = 1;
   while (taken.contains(goldenFileName(staged.case_name, accepted.key, turn))) ++turn;
@@ -157,8 +155,8 @@ Result<std::vector<std::string>> Approval::commit() {
   Status moved;
   for (Staged& staged : staged_) {
     // Whoever came first accepted the same: nothing is left to do.
-    if (holds(*now, staged.case_name, staged.accepted) &&
-        !holds(seen_, staged.case_name, staged.accepted)) {
+    if (!equalsOf(*now, staged.case_name, staged.accepted).empty() &&
+        equalsOf(seen_, staged.case_name, staged.accepted).empty()) {
       continue;
     }
     if (acceptedOf(*now, staged.case_name, staged.accepted.key) !=

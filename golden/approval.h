@@ -27,7 +27,7 @@ class Approval {
   Approval(const Approval&) = delete;
   Approval& operator=(const Approval&) = delete;
 
-  /// True when this very picture is accepted for this key already, and lies there.
+  /// True when this very picture is accepted already, for whichever key, and lies there.
   bool isAccepted(const std::string& case_name, const AcceptedPicture& accepted) const;
 
   /// Of what the pictures that are staged from now on were drawn: commit() writes it down too.

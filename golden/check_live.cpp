@@ -6,6 +6,7 @@
 #include <chrono>
 
 #include "core/check/check.h"
+#include "core/check/session_check.h"
 #include "core/cli/program.h"
 #include "core/input/open_source.h"
 

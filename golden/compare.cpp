@@ -44,11 +44,31 @@ void measure(const Picture& frame, const Picture& golden, const PixelDifferences
   found.worst_tile_over = tile.over;
 }
 
-void decide(const Tolerance& tolerance, Comparison& found) {
+/// `judged` pixels are those that no mask hides.
+void decidePixels(const Tolerance& tolerance, std::int64_t judged, Comparison& found) {
+  if (found.max > tolerance.level) {
+    found.verdict = Verdict::different;
+    found.rule =
+        fmt::format("largest difference {} > {} ({})", found.max, tolerance.level, tolerance.name);
+    return;
+  }
+  const bool is_rare = found.differing * 100 <= tolerance.percent * judged;
+  found.verdict = is_rare ? Verdict::same : Verdict::different;
+  found.rule =
+      fmt::format("{} of {} pixels differ ({} {} %), by at most {} ({})", found.differing, judged,
+                  is_rare ? "<=" : ">", tolerance.percent, found.max, tolerance.name);
+}
+
+void decide(const Tolerance& tolerance, std::int64_t judged, Comparison& found) {
   if (tolerance.exact) {
     found.verdict = Verdict::different;
-    found.rule = countText(found.differing, "differing pixel") + " (exact)";
+    found.rule =
+        countText(static_cast<std::uint64_t>(found.differing), "differing pixel") + " (exact)";
     return;
+  }
+  if (tolerance.limitsPixels()) {
+    decidePixels(tolerance, judged, found);
+    if (found.verdict != Verdict::same) return;
   }
   if (found.worst_tile_mean > tolerance.tile_mean) {
     found.verdict = Verdict::different;
@@ -58,12 +78,13 @@ void decide(const Tolerance& tolerance, Comparison& found) {
   }
   if (found.worst_tile_over > tolerance.tile_over) {
     found.verdict = Verdict::different;
-    found.rule =
-        fmt::format("{} of a tile over 32 > {} ({})", countText(found.worst_tile_over, "pixel"),
-                    tolerance.tile_over, tolerance.name);
+    found.rule = fmt::format("{} of a tile over 32 > {} ({})",
+                             countText(static_cast<std::uint64_t>(found.worst_tile_over), "pixel"),
+                             tolerance.tile_over, tolerance.name);
     return;
   }
   found.verdict = Verdict::same;
+  if (tolerance.limitsPixels()) return;
   found.rule = fmt::format("worst tile's mean {:.2f} <= {:.2f} and {} <= {} pixels over 32 ({})",
                            found.worst_tile_mean, tolerance.tile_mean, found.worst_tile_over,
                            tolerance.tile_over, tolerance.name);
@@ -71,6 +92,19 @@ void decide(const Tolerance& tolerance, Comparison& found) {
 
 std::size_t rgbaBytes(const Picture& picture) {
   return static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height) * 4;
+}
+
+/// Two pictures of one shape; `found.masked` of their pixels were made equal.
+void judgePixels(const Picture& frame, const Picture& golden, const Tolerance& tolerance,
+                 Comparison& found) {
+  const PixelDifferences differences = pixelDifferences(frame, golden);
+  if (countOver(differences.counts, 0) == 0) {
+    found.verdict = Verdict::same;
+    found.rule = "equal pixels";
+    return;
+  }
+  measure(frame, golden, differences, found);
+  decide(tolerance, std::int64_t{frame.width} * frame.height - found.masked, found);
 }
 
 /// Counts what differs beyond 8 bits, outside the mask.
@@ -101,11 +135,20 @@ std::string_view nameOf(Verdict verdict) {
   return "incomparable";
 }
 
+Tolerance Tolerance::rounding() {
+  Tolerance made{"rounding", false, 255, 256};  // any tile: the pixels are limited
+  made.level = 1;
+  made.percent = 2;
+  return made;
+}
+
 Result<Tolerance> Tolerance::named(std::string_view name) {
   if (name == "exact") return exactly();
+  if (name == "rounding") return rounding();
   if (name == "cpu") return cpu();
   if (name == "loose") return loose();
-  return Error{ErrorKind::bad_argument, "a tolerance is exact, cpu or loose", std::string(name)};
+  return Error{ErrorKind::bad_argument, std::string("a tolerance is ") + kTierNames,
+               std::string(name)};
 }
 
 Comparison compare(const Picture& frame, const Picture& golden, const Tolerance& tolerance,
@@ -121,30 +164,21 @@ Comparison compare(const Picture& frame, const Picture& golden, const Tolerance&
     found.rule = "a picture without pixels";
     return found;
   }
-  if (mask != nullptr) {
-    if (mask->width() != frame.width || mask->height() != frame.height) {
-      found.rule = fmt::format("the mask is {}x{}, the frame {}x{}", mask->width(), mask->height(),
-                               frame.width, frame.height);
-      return found;
-    }
-    found.masked = mask->hiddenPixels();
-    if (mask->hidesEverything()) {
-      found.rule = "the masks hide every pixel: nothing would be judged";
-      return found;
-    }
-    const std::int64_t masked = found.masked;
-    found = compare(mask->applied(frame, golden), golden, tolerance);
-    found.masked = masked;
+  if (mask == nullptr) {
+    judgePixels(frame, golden, tolerance, found);
     return found;
   }
-  const PixelDifferences differences = pixelDifferences(frame, golden);
-  if (countOver(differences.counts, 0) == 0) {
-    found.verdict = Verdict::same;
-    found.rule = "equal pixels";
+  if (mask->width() != frame.width || mask->height() != frame.height) {
+    found.rule = fmt::format("the mask is {}x{}, the frame {}x{}", mask->width(), mask->height(),
+                             frame.width, frame.height);
     return found;
   }
-  measure(frame, golden, differences, found);
-  decide(tolerance, found);
+  found.masked = mask->hiddenPixels();
+  if (mask->hidesEverything()) {
+    found.rule = "the masks hide every pixel: nothing would be judged";
+    return found;
+  }
+  judgePixels(mask->applied(frame, golden), golden, tolerance, found);
   return found;
 }
 
@@ -172,9 +206,11 @@ Comparison compareFine(const FinePicture& frame, const FinePicture& golden,
   measureFine(frame, golden, mask, found);
   if (tolerance.exact && found.fine_differing > 0) {
     found.verdict = Verdict::different;
-    found.rule = fmt::format("{} of {}, {} at 8 bits (exact)",
-                             countText(found.fine_differing, "differing sample"),
-                             frame.encoding.depthText(), countText(found.differing, "pixel"));
+    found.rule =
+        fmt::format("{} of {}, {} at 8 bits (exact)",
+                    countText(static_cast<std::uint64_t>(found.fine_differing), "differing sample"),
+                    frame.encoding.depthText(),
+                    countText(static_cast<std::uint64_t>(found.differing), "pixel"));
   } else if (found.fine_differing > 0 && found.differing == 0) {
     found.rule = fmt::format("equal pixels at 8 bits ({})", tolerance.name);
   }

@@ -18,17 +18,28 @@ class PictureMask;
 /// "Tolerances"). Limits are inclusive.
 struct Tolerance {
   std::string name = "exact";
-  bool exact = true;           ///< equal pixels; the limits below are not looked at
+  bool exact = true;           ///< equal pixels; the limits below are ignored
   double tile_mean = 0;        ///< largest mean difference that a 16x16 tile may have, 0 to 255
   std::int64_t tile_over = 0;  ///< how many pixels of a tile may differ by more than 32
+  int level = 255;             ///< largest difference that any pixel may have
+  int percent = 100;           ///< how many of the pixels that are judged may differ at all
 
   static Tolerance exactly() { return {}; }
+  /// The same picture, rounded differently by another version of the renderer: no component off by
+  /// more than 1, at most 2 % of the pixels.
+  static Tolerance rounding();
   /// Another CPU class without the pin.
   static Tolerance cpu() { return {"cpu", false, 4.0, 2}; }
   static Tolerance loose() { return {"loose", false, 6.0, 16}; }
-  /// "exact", "cpu" or "loose".
+  /// "exact", "rounding", "cpu" or "loose".
   static Result<Tolerance> named(std::string_view name);
+
+  /// `rounding` limits pixels, the others tiles.
+  bool limitsPixels() const { return !exact && (level < 255 || percent < 100); }
 };
+
+/// "exact, rounding, cpu or loose": for help and for sentences about a name that is none of them.
+inline constexpr char kTierNames[] = "exact, rounding, cpu or loose";
 
 enum class Verdict : std::uint8_t {
   same,          ///< within the tolerance

@@ -70,7 +70,8 @@ void printAnswer(const FilesComparison& files, const std::optional<PictureFigure
   fmt::print("{}: {}\n", nameOf(found.verdict), found.rule);
   for (const std::string& note : files.notes) fmt::print("note: {}\n", note);
   if (!figures) return;
-  if (found.masked > 0) fmt::print("masked: {}\n", countText(found.masked, "pixel"));
+  if (found.masked > 0)
+    fmt::print("masked: {}\n", countText(static_cast<std::uint64_t>(found.masked), "pixel"));
   if (found.fine_differing > 0) {
     fmt::print("differing samples: {} of {}, by at most {:g}\n", found.fine_differing,
                files.frame->samples.size(), found.fine_max);
@@ -84,7 +85,7 @@ CLI::App* addCompareCommand(CLI::App& app, CompareArguments& arguments) {
   CLI::App* command = app.add_subcommand("compare", "compare two pictures");
   command->add_option("A", arguments.frame, "a picture; - is standard input")->required();
   command->add_option("B", arguments.golden, "the picture to compare it with")->required();
-  command->add_option("--tier", arguments.tier, "exact, cpu or loose")->capture_default_str();
+  command->add_option("--tier", arguments.tier, kTierNames)->capture_default_str();
   command
       ->add_option("--mask", arguments.masks,
                    "X,Y,WIDTHxHEIGHT: leave these pixels out; repeatable")

@@ -24,7 +24,7 @@ std::string differenceText(const Comparison& found, const PictureFigures& figure
                       fmt::join(found.worst_golden, " "));
   text += fmt::format("worst 16x16 tile: mean {:.2f} at ({}, {}); at most {} of a tile over 32\n",
                       found.worst_tile_mean, found.worst_tile_x, found.worst_tile_y,
-                      countText(found.worst_tile_over, "pixel"));
+                      countText(static_cast<std::uint64_t>(found.worst_tile_over), "pixel"));
   text += fmt::format(
       "RMSE {:.4f}, PSNR {}, SSIM {}, FLIP {:.6f} (largest {:.4f})\n", figures.rmse,
       figures.psnr ? fmt::format("{:.2f} dB", *figures.psnr) : "infinite",

@@ -12,6 +12,7 @@
 #include "golden/report_command.h"
 #include "golden/run_command.h"
 #include "golden/session_command.h"
+#include "viewer/render/context_option.h"
 #include "viewer/render/renderer_key.h"
 
 namespace rocinante {
@@ -52,6 +53,9 @@ int goldenMain(int argc, char** argv) {
   CLI::App* bisect = addBisectCommand(app, bisect_arguments);
   SessionArguments session_arguments;
   CLI::App* session = addSessionCommand(app, session_arguments);
+
+  // Those that draw.
+  for (CLI::App* command : {run, approve, diff, bisect, session}) addContextOption(*command);
 
   return cli::run(app, argc, argv, kExamples, [&]() -> Result<cli::Exit> {
     cli::catchStopSignals();

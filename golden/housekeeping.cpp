@@ -25,6 +25,7 @@ void addLooseLimits(std::span<const JudgedFrame> judged, std::vector<std::string
   std::map<std::string, Need> needs;
   for (const JudgedFrame& one : judged) {
     if (one.verdict != FrameVerdict::same || one.tolerance.exact) continue;
+    if (one.tolerance.limitsPixels()) continue;  // nobody chose its limits
     Need& need = needs[one.limit_from];
     need.tolerance = one.tolerance;
     need.tile_mean = std::max(need.tile_mean, one.comparison.worst_tile_mean);

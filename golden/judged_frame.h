@@ -51,8 +51,8 @@ bool isFine(FrameVerdict verdict);
 struct JudgedFrame {
   SuiteFrame frame;
   FrameVerdict verdict = FrameVerdict::incomparable;
-  std::string rule;  ///< the rule and figures that decided
-  Tolerance tolerance;
+  std::string rule;         ///< the rule and figures that decided
+  Tolerance tolerance;      ///< what judged: the case's, or SuiteCase::across_keys
   std::string limit_from;   ///< "the default", "s.toml:12", "[tolerance.arm] of s.toml:4"
   std::string expectation;  ///< why the case is expected to differ; empty when it is not
   Comparison comparison;

@@ -2,6 +2,7 @@
 
 #include <cstring>
 #include <type_traits>
+#include <utility>
 
 namespace rocinante {
 namespace {
@@ -34,6 +35,7 @@ class WireWriter {
   void item(const PictureMask::Part& part) { both(*this, part); }
   void item(const AcceptedPicture& accepted) { both(*this, accepted); }
   void item(const Comparison& found) { both(*this, found); }
+  void item(const Tolerance& tolerance) { both(*this, tolerance); }
 
   /// The fields of a value, for writer and reader alike: one list, so that they cannot part.
   template <class Wire, class Part>
@@ -74,11 +76,22 @@ class WireWriter {
     wire.item(found.fine_differing);
     wire.item(found.fine_max);
   }
+  template <class Wire, class Limits>
+  static void fields(Wire& wire, Limits& tolerance) requires
+      std::is_same_v<std::remove_const_t<Limits>, Tolerance> {
+    wire.item(tolerance.name);
+    wire.item(tolerance.exact);
+    wire.item(tolerance.tile_mean);
+    wire.item(tolerance.tile_over);
+    wire.item(tolerance.level);
+    wire.item(tolerance.percent);
+  }
   template <class Wire, class Judged>
   static void fields(Wire& wire, Judged& judged) requires
       std::is_same_v<std::remove_const_t<Judged>, JudgedFrame> {
     wire.item(judged.verdict);
     wire.item(judged.rule);
+    wire.item(judged.tolerance);
     wire.item(judged.comparison);
     wire.item(judged.masks);
     wire.item(judged.key);
@@ -131,8 +144,10 @@ class WireReader {
   void item(std::optional<T>& value) {
     std::uint8_t there = 0;
     item(there);
-    value.reset();
-    if (there != 0 && sound_) item(value.emplace());
+    // Made apart: in emplace() of what came g++ 14 sees one destroyed that never was made.
+    std::optional<T> read;
+    if (there != 0 && sound_) item(read.emplace());
+    value = std::move(read);
   }
   template <class T>
   void item(std::vector<T>& values) {
@@ -142,6 +157,7 @@ class WireReader {
   void item(PictureMask::Part& part) { WireWriter::fields(*this, part); }
   void item(AcceptedPicture& accepted) { WireWriter::fields(*this, accepted); }
   void item(Comparison& found) { WireWriter::fields(*this, found); }
+  void item(Tolerance& tolerance) { WireWriter::fields(*this, tolerance); }
 
   bool readAll() const { return sound_ && bytes_.empty(); }
 

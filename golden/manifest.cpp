@@ -11,6 +11,7 @@
 #include "core/plain_text.h"
 #include "golden/merge_conflict.h"
 #include "golden/suite_case.h"
+#include "viewer/render/renderer_key.h"
 
 namespace rocinante {
 namespace {
@@ -38,11 +39,17 @@ bool isPictureName(const std::string& name) {
 
 Result<AcceptedPicture> acceptedOf(const Json& entry, const std::string& name,
                                    const std::filesystem::path& file) {
-  AcceptedPicture accepted{
-      textIn(entry, "key"),          textIn(entry, "picture"), textIn(entry, "pixels"),
-      textIn(entry, "inputs"),       textIn(entry, "session"), textIn(entry, "accepted_by"),
-      textIn(entry, "accepted_at"),  textIn(entry, "reason"),  textIn(entry, "areas"),
-      textIn(entry, "areas_pixels"), textIn(entry, "cell")};
+  AcceptedPicture accepted{withoutPackageRevisions(textIn(entry, "key")),
+                           textIn(entry, "picture"),
+                           textIn(entry, "pixels"),
+                           textIn(entry, "inputs"),
+                           textIn(entry, "session"),
+                           textIn(entry, "accepted_by"),
+                           textIn(entry, "accepted_at"),
+                           textIn(entry, "reason"),
+                           textIn(entry, "areas"),
+                           textIn(entry, "areas_pixels"),
+                           textIn(entry, "cell")};
   if (accepted.key.empty() || accepted.pixels.empty() || !isPictureName(accepted.picture) ||
       (!accepted.areas.empty() && !isPictureName(accepted.areas))) {
     return broken(file, fmt::format("a picture of case `{}` lacks its key, its pixel hash or a "
@@ -183,25 +190,26 @@ Status Manifest::write(const std::filesystem::path& folder) const {
 
 std::vector<const AcceptedPicture*> Manifest::find(std::string_view case_name,
                                                    std::string_view key) const {
-  std::vector<const AcceptedPicture*> found;
-  const auto pictures = cases.find(std::string(case_name));
-  if (pictures == cases.end()) return found;
-  for (const AcceptedPicture& accepted : pictures->second) {
-    if (accepted.key == key) found.push_back(&accepted);
-  }
+  std::vector<const AcceptedPicture*> found = findAll(case_name);
+  std::erase_if(found, [&](const AcceptedPicture* one) { return one->key != key; });
   return found;
 }
 
-const AcceptedPicture* Manifest::findAnyOfShape(std::string_view case_name,
-                                                std::string_view shape) const {
+std::vector<const AcceptedPicture*> Manifest::findAll(std::string_view case_name) const {
+  std::vector<const AcceptedPicture*> found;
   const auto pictures = cases.find(std::string(case_name));
-  if (pictures == cases.end()) return nullptr;
-  // A space stands before it, so that 640x480 is not found in 1640x480.
-  const std::string end_of_key = fmt::format(" {}", shape);
-  for (const AcceptedPicture& accepted : pictures->second) {
-    if (accepted.key.ends_with(end_of_key)) return &accepted;
-  }
-  return nullptr;
+  if (pictures == cases.end()) return found;
+  for (const AcceptedPicture& accepted : pictures->second) found.push_back(&accepted);
+  return found;
+}
+
+std::vector<const AcceptedPicture*> Manifest::findPixels(std::string_view case_name,
+                                                         std::string_view pixels,
+                                                         std::string_view key) const {
+  std::vector<const AcceptedPicture*> found = findAll(case_name);
+  std::erase_if(found, [&](const AcceptedPicture* one) { return one->pixels != pixels; });
+  std::ranges::stable_partition(found, [&](const AcceptedPicture* one) { return one->key == key; });
+  return found;
 }
 
 void Manifest::accept(const std::string& case_name, AcceptedPicture accepted, bool beside) {
@@ -259,6 +267,12 @@ std::string cellKey(const FileHashes& files) {
   std::string text;
   for (const auto& [name, hash] : files) text += name + "\n" + hash + "\n";
   return hexOf(xxh3(bytesOf(text)));
+}
+
+std::string_view rendererOf(std::string_view key) { return key.substr(0, key.find(' ')); }
+
+std::string_view shapeOf(std::string_view key) {
+  return key.substr(std::min(key.size(), rendererOf(key).size() + 1));
 }
 
 std::string shapeText(int width, int height, int samples) {

@@ -43,7 +43,8 @@ struct Manifest {
   FileTexts texts;
 
   /// Empty when the folder has none. Names of pictures that lead out of the folder, or are no
-  /// plain PNG's, and pictures that two cases name, are refused.
+  /// plain PNG's, and pictures that two cases name, are refused. Keys lose the package revisions
+  /// that older versions kept in them.
   static Result<Manifest> read(const std::filesystem::path& folder);
   /// The same from the text of manifest.json; `file` is for the sentences.
   static Result<Manifest> parse(std::string_view text, const std::filesystem::path& file);
@@ -51,8 +52,12 @@ struct Manifest {
 
   /// The accepted pictures of a case for one key; several when alternatives were approved.
   std::vector<const AcceptedPicture*> find(std::string_view case_name, std::string_view key) const;
-  /// Any picture of the case with this size and these samples, for a tolerance that allows it.
-  const AcceptedPicture* findAnyOfShape(std::string_view case_name, std::string_view shape) const;
+  /// Those of every key, in the order of the file.
+  std::vector<const AcceptedPicture*> findAll(std::string_view case_name) const;
+  /// Those with these pixels, whatever their key; of `key` first.
+  std::vector<const AcceptedPicture*> findPixels(std::string_view case_name,
+                                                 std::string_view pixels,
+                                                 std::string_view key) const;
   /// The files of the cell that a picture was accepted of; null when they are not known.
   const FileHashes* cellOf(const AcceptedPicture& accepted) const;
   /// Puts `accepted` in place of the pictures of its case and key, or beside them.
@@ -72,6 +77,9 @@ std::string fileSha256(ByteView content);
 /// The key of a list of files in Manifest::cells.
 std::string cellKey(const FileHashes& files);
 
+/// "llvmpipe-mesa22.3.6-llvm15.0.6-x86_64-sse4.1" of a key, and what follows: "640x480 4x".
+std::string_view rendererOf(std::string_view key);
+std::string_view shapeOf(std::string_view key);
 /// "640x480 4x": the end of a key.
 std::string shapeText(int width, int height, int samples);
 /// Eight digits of a key's hash: what stands for it in names of files.

@@ -62,7 +62,9 @@ Json frameJson(const JudgedFrame& judged) {
       {"case", judged.frame.case_name},
       {"place", judged.frame.place},
       {"limit_from", judged.limit_from}};
-  if (!judged.tolerance.exact) {
+  if (judged.tolerance.limitsPixels()) {
+    frame["limits"] = {{"level", judged.tolerance.level}, {"percent", judged.tolerance.percent}};
+  } else if (!judged.tolerance.exact) {
     frame["limits"] = {{"tile_mean", judged.tolerance.tile_mean},
                        {"tile_over", judged.tolerance.tile_over}};
   }
@@ -77,7 +79,8 @@ Json frameJson(const JudgedFrame& judged) {
   if (!judged.expectation.empty()) frame["expectation"] = judged.expectation;
   if (judged.frame.time) frame["log_time_ns"] = judged.frame.time->time_since_epoch().count();
   if (judged.golden) {
-    frame["golden"] = {{"picture", judged.golden->picture},
+    frame["golden"] = {{"key", judged.golden->key},
+                       {"picture", judged.golden->picture},
                        {"pixels", judged.golden->pixels},
                        {"inputs_equal", judged.golden->inputs == judged.inputs},
                        {"session_equal", judged.golden->session == judged.session},
@@ -87,6 +90,21 @@ Json frameJson(const JudgedFrame& judged) {
   }
   if (judged.why) frame["why"] = whyJsonOf(*judged.why);
   return frame;
+}
+
+/// With which key and tier the frame was judged, as properties of its test case.
+std::string judgedBy(const JudgedFrame& judged) {
+  std::string text;
+  const auto add = [&](const char* name, std::string_view value) {
+    if (value.empty()) return;
+    text += fmt::format("      <property name=\"{}\" value=\"{}\"/>\n", name, xmlText(value));
+  };
+  add("key", judged.key);
+  if (judged.golden) {
+    add("golden key", judged.golden->key);
+    add("tier", judged.tolerance.name);
+  }
+  return text.empty() ? text : "    <properties>\n" + text + "    </properties>\n";
 }
 
 }  // namespace
@@ -154,6 +172,7 @@ std::string reportJunit(const SuiteReport& report) {
             : "";
     cases += fmt::format("  <testcase classname=\"{}\" name=\"{}\"{} time=\"{:.3f}\">\n",
                          xmlText(report.suite), xmlText(judged.frame.name), place, took);
+    cases += judgedBy(judged);
     if (!isFine(judged.verdict)) {
       const bool is_error = judged.verdict == FrameVerdict::incomparable;
       failures += is_error ? 0 : 1;

@@ -48,6 +48,10 @@ SarifJson frameResult(const SuiteReport& report, const JudgedFrame& judged) {
   location["physicalLocation"]["region"]["startLine"] = std::max(judged.frame.line, 1);
   location["logicalLocations"] = {{{"name", judged.frame.name}}};
   result["locations"] = {location};
+  if (judged.golden) {
+    result["properties"] = {
+        {"key", judged.key}, {"golden_key", judged.golden->key}, {"tier", judged.tolerance.name}};
+  }
   // Code scanning tells a known alert from a new one by it.
   result["partialFingerprints"]["rocinanteFrame/v1"] =
       hexOf(xxh3(bytesOf(report.suite + "\n" + judged.frame.name)));

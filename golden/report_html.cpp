@@ -80,13 +80,14 @@ Json factsJson(const JudgedFrame& judged) {
   std::string masks;
   for (const PictureMask::Part& mask : judged.masks) {
     masks += fmt::format("{}{}: {}", masks.empty() ? "" : "; ", mask.name,
-                         countText(mask.pixels, "pixel"));
+                         countText(static_cast<std::uint64_t>(mask.pixels), "pixel"));
   }
   add("masked", masks);
   if (!judged.golden) return facts;
   const AcceptedPicture& golden = *judged.golden;
   add("golden", fmt::format("{}, accepted by {} on {}: {}", golden.picture, golden.accepted_by,
                             golden.accepted_at, golden.reason));
+  if (golden.key != judged.key) add("golden of", golden.key);
   if (!isFine(judged.verdict)) {
     add("drawn from", golden.inputs == judged.inputs
                           ? "the same textures, glyphs and geometry as the golden"
@@ -99,9 +100,11 @@ Json factsJson(const JudgedFrame& judged) {
 std::string toleranceText(const JudgedFrame& judged) {
   const Tolerance& tolerance = judged.tolerance;
   std::string text = tolerance.name;
-  if (!tolerance.exact) {
+  if (tolerance.limitsPixels()) {
+    text += fmt::format(": {} of 255 in {} % of the pixels", tolerance.level, tolerance.percent);
+  } else if (!tolerance.exact) {
     text += fmt::format(": tile mean {:.2f}, {} of a tile over 32", tolerance.tile_mean,
-                        countText(tolerance.tile_over, "pixel"));
+                        countText(static_cast<std::uint64_t>(tolerance.tile_over), "pixel"));
   }
   return judged.limit_from.empty() ? text : text + ", from " + judged.limit_from;
 }

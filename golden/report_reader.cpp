@@ -133,6 +133,8 @@ void readLimits(const ReportJson& entry, JudgedFrame& judged) {
   tolerance.exact = limits.empty();
   tolerance.tile_mean = fieldOf<double>(limits, "tile_mean");
   tolerance.tile_over = fieldOf<std::int64_t>(limits, "tile_over");
+  tolerance.level = fieldOf<int>(limits, "level", tolerance.level);
+  tolerance.percent = fieldOf<int>(limits, "percent", tolerance.percent);
   const auto masks = entry.find("masks");
   if (masks == entry.end() || !masks->is_array()) return;
   for (const ReportJson& mask : *masks) {
@@ -148,7 +150,7 @@ void readGolden(const ReportJson& entry, JudgedFrame& judged) {
   const auto found = entry.find("golden");
   if (found == entry.end() || !found->is_object()) return;
   AcceptedPicture& golden = judged.golden.emplace();
-  golden.key = judged.key;
+  golden.key = fieldOf<std::string>(*found, "key", judged.key);  // older reports have none
   golden.picture = fieldOf<std::string>(*found, "picture");
   golden.pixels = fieldOf<std::string>(*found, "pixels");
   golden.accepted_by = fieldOf<std::string>(*found, "accepted_by");

@@ -33,10 +33,9 @@ std::vector<std::string> notesOf(const SuiteSession& session, const FrameSelecti
   return notes;
 }
 
-/// A key says the renderer, then size and samples.
-std::string rendererOf(const std::vector<JudgedFrame>& frames) {
+std::string rendererOfRun(const std::vector<JudgedFrame>& frames) {
   for (const JudgedFrame& judged : frames) {
-    if (!judged.key.empty()) return judged.key.substr(0, judged.key.find(' '));
+    if (!judged.key.empty()) return std::string(rendererOf(judged.key));
   }
   return {};
 }
@@ -71,7 +70,10 @@ void printWhy(const std::vector<JudgedFrame>& frames) {
       fmt::print("why {}:\n", judged.frame.name);
       for (const std::string& line : whyLines(*judged.why)) fmt::print("    {}\n", line);
     }
-    if (judged.verdict != FrameVerdict::different || !judged.drawn || !judged.accepted) continue;
+    const bool has_map =
+        judged.verdict == FrameVerdict::different ||
+        (judged.verdict == FrameVerdict::incomparable && judged.comparison.differing > 0);
+    if (!has_map || !judged.drawn || !judged.accepted) continue;
     if (!judged.why) fmt::print("where {}:\n", judged.frame.name);
     for (const std::string& line : differenceMap(judged.compared(), *judged.accepted)) {
       fmt::print("    |{}|\n", line);
@@ -121,7 +123,7 @@ Result<cli::Exit> runRunCommand(const RunArguments& arguments) {
   if (!judged.ok()) return judged.error();
   report.frames = std::move(*judged);
   report.notes = notesOf(*session, options->selection, report.frames);
-  report.renderer = rendererOf(report.frames);
+  report.renderer = rendererOfRun(report.frames);
   FrameExplainer explainer(*session, arguments.suite.suite, *options);
   if (auto explained = explainFailures(explainer, report.frames); !explained) {
     return explained.error();

@@ -60,7 +60,7 @@ CLI::App* addSessionCommand(CLI::App& app, SessionArguments& arguments) {
       ->capture_default_str();
   command->add_option("--step", arguments.step, "how often the states are compared")
       ->capture_default_str();
-  command->add_option("--tier", arguments.tier, "of the pictures: exact, cpu or loose")
+  command->add_option("--tier", arguments.tier, std::string("of the pictures: ") + kTierNames)
       ->capture_default_str();
   command->add_option("--camera", arguments.camera, "of the cell; by default its first");
   command->add_option("--size", arguments.size, "of the pictures")->capture_default_str();

@@ -51,6 +51,8 @@ struct SuiteCase {
   std::vector<PictureArea> mask;        ///< not judged
   std::vector<PictureArea> judge_only;  ///< empty: everything that no mask covers is judged
   Tolerance tolerance;
+  /// The same for a golden of another key; what the case says itself holds for both.
+  Tolerance across_keys = Tolerance::rounding();
   std::string limit_from = "the default";  ///< where the tolerance was said
   bool expect_different = false;
   std::string reason;  ///< why it is expected to differ

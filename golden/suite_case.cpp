@@ -178,9 +178,10 @@ void readTolerance(SuiteTable& table, const Suite& suite, SuiteCase& made) {
   }
   std::string own_names;
   for (const auto& [own, limits] : suite.tolerances) own_names += fmt::format("\"{}\", ", own);
-  table.complain(*node, fmt::format("`tolerance` is {}\"exact\", \"cpu\", \"loose\" or "
-                                    "{{ tile_mean = ..., tile_over = ... }}",
-                                    own_names));
+  table.complain(*node,
+                 fmt::format("`tolerance` is {}\"exact\", \"rounding\", \"cpu\", \"loose\" or "
+                             "{{ tile_mean = ..., tile_over = ... }}",
+                             own_names));
 }
 
 void readExpectation(SuiteTable& table, SuiteCase& made) {
@@ -250,6 +251,7 @@ void readCaseLook(SuiteTable& table, const Suite& suite, SuiteCase& made) {
   readAreas(table, "mask", made.mask);
   readAreas(table, "judge_only", made.judge_only);
   readTolerance(table, suite, made);
+  if (table.has("tolerance")) made.across_keys = made.tolerance;
 }
 
 void readDefaults(SuiteTable& table, const Suite& suite, SuiteCase& made) {

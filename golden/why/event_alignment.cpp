@@ -6,6 +6,8 @@
 namespace rocinante {
 namespace {
 
+__extension__ using Wide = __int128;
+
 /// The table of longest common runs has a place for each pair.
 constexpr std::size_t kMostPairs = 16'000'000;
 
@@ -69,10 +71,8 @@ LogTime EventAlignment::inB(LogTime in_a) const {
   const MatchedEvent& before = *std::prev(after);
   if (after == matched.end()) return before.b + (in_a - before.a);
   // Hours in nanoseconds times hours in nanoseconds: more than 64 bits hold.
-  const auto part = static_cast<long double>((in_a - before.a).count()) /
-                    static_cast<long double>((after->a - before.a).count());
-  const auto span = static_cast<long double>((after->b - before.b).count());
-  return before.b + Nanoseconds(static_cast<std::int64_t>(part * span));
+  const auto product = Wide{(in_a - before.a).count()} * (after->b - before.b).count();
+  return before.b + Nanoseconds(static_cast<std::int64_t>(product / (after->a - before.a).count()));
 }
 
 EventAlignment alignEvents(const std::vector<Event>& a, const std::vector<Event>& b,

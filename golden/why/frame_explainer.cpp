@@ -4,9 +4,24 @@
 
 #include "core/bundle/attached_cell.h"
 #include "core/log/log_reader.h"
+#include "golden/pixel_difference.h"
 #include "golden/why/model_change.h"
 
 namespace rocinante {
+namespace {
+
+/// `frame` with the golden's pixels where another renderer only rounded differently: they are
+/// spread over the picture and would outvote what changed. As it is where nothing else differs.
+Picture withoutRounding(const Picture& frame, const Picture& golden, int level) {
+  Picture kept = frame;
+  for (std::size_t i = 0; i < kept.rgba.size(); i += 4) {
+    if (pixelDifference(&frame.rgba[i], &golden.rgba[i]) > level) continue;
+    std::copy_n(&golden.rgba[i], 4, &kept.rgba[i]);
+  }
+  return kept == golden ? frame : kept;
+}
+
+}  // namespace
 
 Result<CellBundle> collectSessionCell(const SuiteSession& session, const SuiteOptions& options) {
   CellOptions cell_options;
@@ -124,19 +139,23 @@ Result<std::shared_ptr<const FrameWhy>> FrameExplainer::explain(const JudgedFram
   if (!drawer.ok()) return drawer.error();
   FrameMaker* const maker = (*drawer)->maker();
   if (maker == nullptr) return nothing;
+  const Picture compared =
+      judged.tolerance.limitsPixels()
+          ? withoutRounding(judged.compared(), *judged.accepted, judged.tolerance.level)
+          : judged.compared();
   const DrawableSide today{*maker, now_.request(judged.frame)};
   const auto golden = findGolden(judged);
   if (!golden.ok()) return golden.error();
   if (golden->candidate == nullptr) {
-    auto why = explainByGuess(*judged.accepted, judged.compared(), today);
+    auto why = explainByGuess(*judged.accepted, compared, today);
     if (!why.ok()) return why.error();
     why->files = changesSince(*judged.golden);
     return std::make_shared<const FrameWhy>(std::move(*why));
   }
   const auto golden_drawer = golden->candidate->session->drawer();
   if (!golden_drawer.ok()) return golden_drawer.error();
-  auto why = explainBoth(*judged.accepted, {*(*golden_drawer)->maker(), golden->request},
-                         judged.compared(), today);
+  auto why =
+      explainBoth(*judged.accepted, {*(*golden_drawer)->maker(), golden->request}, compared, today);
   if (!why.ok()) return why.error();
   why->basis = golden->basis;
   why->files = changesSince(*golden->candidate);

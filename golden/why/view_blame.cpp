@@ -1,6 +1,7 @@
 #include "golden/why/view_blame.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>

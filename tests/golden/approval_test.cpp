@@ -123,6 +123,65 @@ TEST_F(ApprovalTest, TwoThatApproveTheSamePixelsAreBothDone) {
   EXPECT_EQ(files(), (std::vector<std::string>{"manifest.json", pick_}));
 }
 
+TEST_F(ApprovalTest, APictureOfAnotherKeyIsAcceptedAlready) {
+  approve("pick", tinyPicture(10));
+  AcceptedPicture other = entryOf(tinyPicture(10));
+  other.key = "newer 4x4 1x";
+  const auto isAccepted = [&](const AcceptedPicture& accepted) {
+    return Approval(folder_, manifest()).isAccepted("pick", accepted);
+  };
+  EXPECT_TRUE(isAccepted(entryOf(tinyPicture(10))));
+  EXPECT_TRUE(isAccepted(other));
+  AcceptedPicture changed = other;
+  changed.pixels = pictureXxh3(tinyPicture(11));
+  EXPECT_FALSE(isAccepted(changed));
+  AcceptedPicture masked = other;
+  masked.areas_pixels = "elsewhere";
+  EXPECT_FALSE(isAccepted(masked));
+  // What is gone can be accepted anew.
+  std::filesystem::remove(folder_.goldens() / pick_);
+  EXPECT_FALSE(isAccepted(other));
+}
+
+TEST_F(ApprovalTest, AGoldenOfAnotherKeyStaysBesideTheNewOne) {
+  approve("pick", tinyPicture(10));
+  AcceptedPicture other = entryOf(tinyPicture(11));
+  other.key = "newer 4x4 1x";
+  Approval approval(folder_, manifest());
+  ASSERT_TRUE(approval.stage("pick", other, tinyPicture(11), nullptr, false).ok());
+  ASSERT_TRUE(approval.commit().ok());
+  EXPECT_EQ(manifest().findAll("pick").size(), 2U);
+  EXPECT_EQ(*folder_.read(*manifest().find("pick", kTinyKey).front()), tinyPicture(10));
+}
+
+TEST_F(ApprovalTest, AGoldenOfAnotherKeyKeepsItsFileThoughTheNamesClash) {
+  // As where somebody wrote another key into the manifest.
+  AcceptedPicture other = entryOf(tinyPicture(10));
+  other.key = "older 4x4 1x";
+  other.picture = pick_;
+  Manifest before;
+  before.accept("pick", other);
+  std::filesystem::create_directories(folder_.goldens());
+  ASSERT_TRUE(writePng(folder_.goldens() / pick_, tinyPicture(10)).ok());
+  ASSERT_TRUE(before.write(folder_.goldens()).ok());
+  approve("pick", tinyPicture(20));
+  EXPECT_EQ(*folder_.read(*manifest().find("pick", "older 4x4 1x").front()), tinyPicture(10));
+  EXPECT_EQ(*folder_.read(*manifest().find("pick", kTinyKey).front()), tinyPicture(20));
+}
+
+TEST_F(ApprovalTest, WhoApprovesTheSamePixelsOfAnotherKeyMeanwhileIsDone) {
+  approve("pick", tinyPicture(10));
+  Approval slow(folder_, manifest());
+  AcceptedPicture other = entryOf(tinyPicture(20));
+  other.key = "newer 4x4 1x";
+  ASSERT_TRUE(slow.stage("pick", other, tinyPicture(20), nullptr, false).ok());
+  approve("pick", tinyPicture(20));
+  const auto left = slow.commit();
+  ASSERT_TRUE(left.ok());
+  EXPECT_TRUE(left->empty());
+  EXPECT_EQ(manifest().findAll("pick").size(), 1U);
+}
+
 TEST_F(ApprovalTest, KilledAfterTheManifestTheNewPictureCounts) {
   approve("pick", tinyPicture(10));
   // As it is between the manifest and the last rename.

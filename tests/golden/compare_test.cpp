@@ -10,7 +10,8 @@ namespace {
 
 TEST(CompareWithGolden, EqualPicturesAreTheSameInEveryTier) {
   const Picture picture = greyPicture(40, 30);
-  for (const Tolerance& tolerance : {Tolerance::exactly(), Tolerance::cpu(), Tolerance::loose()}) {
+  for (const Tolerance& tolerance :
+       {Tolerance::exactly(), Tolerance::rounding(), Tolerance::cpu(), Tolerance::loose()}) {
     const Comparison found = compare(picture, picture, tolerance);
     EXPECT_EQ(found.verdict, Verdict::same);
     EXPECT_EQ(found.rule, "equal pixels");
@@ -21,7 +22,8 @@ TEST(CompareWithGolden, ACroppedFrameNeverPasses) {
   // Debian's idiff passes this one: the rest of the larger picture is black.
   Picture golden = greyPicture(32, 64, 0);
   const Picture frame = greyPicture(64, 64, 0);
-  for (const Tolerance& tolerance : {Tolerance::exactly(), Tolerance::loose()}) {
+  for (const Tolerance& tolerance :
+       {Tolerance::exactly(), Tolerance::rounding(), Tolerance::loose()}) {
     const Comparison found = compare(frame, golden, tolerance);
     EXPECT_EQ(found.verdict, Verdict::incomparable);
     EXPECT_EQ(found.rule, "the frame is 64x64, the golden 32x64");
@@ -193,6 +195,135 @@ TEST(CompareWithGolden, TheLimitsOfTheTiersAreTheDocumentedOnes) {
   }
 }
 
+/// `count` pixels, spread over the picture, differ by one level in one component or another.
+Picture roundedPicture(Picture picture, int count) {
+  const int pixels = picture.width * picture.height;
+  for (int i = 0; i < count; ++i) {
+    const int at = i * (pixels / count);
+    std::uint8_t& sample = picture.rgba[static_cast<std::size_t>(at * 4 + i % 4)];
+    sample = static_cast<std::uint8_t>(i % 3 == 0 ? sample - 1 : sample + 1);
+  }
+  return picture;
+}
+
+TEST(CompareRounding, OneLevelInTwoPercentOfThePixelsIsTheSameAndOnePixelMoreIsNot) {
+  // 1,200 pixels: 24 of them are 2 %.
+  const Picture golden = greyPicture(40, 30);
+  const Comparison at_limit = compare(roundedPicture(golden, 24), golden, Tolerance::rounding());
+  EXPECT_EQ(at_limit.verdict, Verdict::same);
+  EXPECT_EQ(at_limit.rule, "24 of 1200 pixels differ (<= 2 %), by at most 1 (rounding)");
+  const Comparison over = compare(roundedPicture(golden, 25), golden, Tolerance::rounding());
+  EXPECT_EQ(over.verdict, Verdict::different);
+  EXPECT_EQ(over.rule, "25 of 1200 pixels differ (> 2 %), by at most 1 (rounding)");
+}
+
+TEST(CompareRounding, TheShareIsNotRounded) {
+  // 2 % of 1,274 pixels are 25.48, of 1,275 they are 25.5.
+  for (const int width : {1'274, 1'275}) {
+    const Picture golden = greyPicture(width, 1);
+    EXPECT_EQ(compare(roundedPicture(golden, 25), golden, Tolerance::rounding()).verdict,
+              Verdict::same);
+    EXPECT_EQ(compare(roundedPicture(golden, 26), golden, Tolerance::rounding()).verdict,
+              Verdict::different);
+  }
+}
+
+TEST(CompareRounding, TwoLevelsInOneComponentOfOnePixelAreAChange) {
+  const Picture golden = greyPicture(40, 30);
+  for (int component = 0; component < 4; ++component) {
+    for (const int level : {98, 102}) {
+      SCOPED_TRACE(component);
+      Picture frame = golden;
+      pixelAt(frame, 39, 29)[component] = static_cast<std::uint8_t>(level);
+      const Comparison found = compare(frame, golden, Tolerance::rounding());
+      EXPECT_EQ(found.verdict, Verdict::different);
+      EXPECT_EQ(found.rule, "largest difference 2 > 1 (rounding)");
+    }
+  }
+}
+
+TEST(CompareRounding, OneLevelInAllComponentsOfAPixelIsOnePixel) {
+  const Picture golden = greyPicture(50, 1);
+  Picture frame = golden;
+  for (int component = 0; component < 4; ++component) pixelAt(frame, 7, 0)[component] += 1;
+  const Comparison found = compare(frame, golden, Tolerance::rounding());
+  EXPECT_EQ(found.verdict, Verdict::same);
+  EXPECT_EQ(found.differing, 1);
+}
+
+TEST(CompareRounding, AtTheEndsOfTheRangeALevelIsALevel) {
+  for (const auto& [before, after] : {std::pair(0, 1), {1, 0}, {254, 255}, {255, 254}}) {
+    const Picture golden = greyPicture(10, 10, static_cast<std::uint8_t>(before));
+    Picture frame = golden;
+    pixelAt(frame, 3, 3)[0] = static_cast<std::uint8_t>(after);
+    EXPECT_EQ(compare(frame, golden, Tolerance::rounding()).verdict, Verdict::same);
+  }
+  Picture frame = greyPicture(10, 10, 0);
+  pixelAt(frame, 3, 3)[0] = 255;  // 0 - 1 wraps to it
+  EXPECT_EQ(compare(frame, greyPicture(10, 10, 0), Tolerance::rounding()).verdict,
+            Verdict::different);
+}
+
+TEST(CompareRounding, OfFewerThanFiftyPixelsNoneMayDiffer) {
+  for (const int width : {1, 49}) {
+    const Picture golden = greyPicture(width, 1);
+    EXPECT_EQ(compare(golden, golden, Tolerance::rounding()).verdict, Verdict::same);
+    EXPECT_EQ(compare(roundedPicture(golden, 1), golden, Tolerance::rounding()).verdict,
+              Verdict::different);
+  }
+  EXPECT_EQ(
+      compare(roundedPicture(greyPicture(1, 1), 1), greyPicture(1, 1), Tolerance::rounding()).rule,
+      "1 of 1 pixels differ (> 2 %), by at most 1 (rounding)");
+  EXPECT_EQ(
+      compare(roundedPicture(greyPicture(50, 1), 1), greyPicture(50, 1), Tolerance::rounding())
+          .verdict,
+      Verdict::same);
+}
+
+TEST(CompareRounding, AFlatShiftOfOneLevelIsAChange) {
+  // Every pixel one level brighter: no rounding, though nothing is off by more than one.
+  EXPECT_EQ(compare(greyPicture(64, 64, 101), greyPicture(64, 64), Tolerance::rounding()).verdict,
+            Verdict::different);
+}
+
+TEST(CompareRounding, TheShareIsOfThePixelsThatNoMaskHides) {
+  const Picture golden = greyPicture(40, 30);
+  PictureMask mask(40, 30);
+  mask.hide(MaskRectangle{0, 15, 40, 15}, "lower half");  // 600 pixels are left: 12 of them
+  for (const auto& [count, verdict] :
+       {std::pair(12, Verdict::same), std::pair(13, Verdict::different)}) {
+    Picture frame = golden;
+    for (int i = 0; i < count; ++i) pixelAt(frame, 3 * i, 14)[1] += 1;
+    const Comparison found = compare(frame, golden, Tolerance::rounding(), &mask);
+    EXPECT_EQ(found.verdict, verdict);
+    EXPECT_EQ(found.masked, 600);
+    EXPECT_EQ(found.differing, count);
+    for (int x = 0; x < 40; ++x) pixelAt(frame, x, 20)[0] = 255;  // hidden
+    EXPECT_EQ(compare(frame, golden, Tolerance::rounding(), &mask).rule, found.rule);
+  }
+}
+
+TEST(CompareRounding, EachTierHoldsWhatTheOneBeforeItPasses) {
+  const Picture golden = greyPicture(64, 48);
+  const Picture frame = roundedPicture(golden, 60);
+  EXPECT_EQ(compare(frame, golden, Tolerance::exactly()).verdict, Verdict::different);
+  for (const Tolerance& tolerance : {Tolerance::rounding(), Tolerance::cpu(), Tolerance::loose()}) {
+    EXPECT_EQ(compare(frame, golden, tolerance).verdict, Verdict::same) << tolerance.name;
+  }
+}
+
+TEST(CompareRounding, IsFoundByItsName) {
+  for (const char* name : {"exact", "rounding", "cpu", "loose"}) {
+    const auto tolerance = Tolerance::named(name);
+    ASSERT_TRUE(tolerance.ok()) << name;
+    EXPECT_EQ(tolerance->name, name);
+  }
+  EXPECT_EQ(Tolerance::named("rounding")->level, 1);
+  EXPECT_EQ(Tolerance::named("rounding")->percent, 2);
+  EXPECT_EQ(Tolerance::named("round").error().text(),
+            "a tolerance is exact, rounding, cpu or loose (round)");
+}
+
 TEST(CompareMasked, WhatAMaskHidesIsNotJudged) {
   const Picture golden = greyPicture(40, 30);
   Picture frame = golden;
@@ -242,6 +373,8 @@ TEST(CompareFine, SixteenBitsThatDifferBelowTheEighthAreNotExactlyTheSame) {
   EXPECT_EQ(exact.fine_max, 1);
   EXPECT_EQ(compareFine(frame, golden, Tolerance::cpu()).verdict, Verdict::same);
   EXPECT_EQ(compareFine(frame, golden, Tolerance::cpu()).rule, "equal pixels at 8 bits (cpu)");
+  EXPECT_EQ(compareFine(frame, golden, Tolerance::rounding()).rule,
+            "equal pixels at 8 bits (rounding)");
   PictureMask mask(20, 20);
   mask.hide(MaskRectangle{0, 1, 1, 1}, "corner");
   EXPECT_EQ(compareFine(frame, golden, Tolerance::exactly(), &mask).verdict, Verdict::same);

@@ -66,6 +66,12 @@ class FrameJudgeTest : public testing::Test {
     return judged;
   }
 
+  /// As a suite's line says it.
+  void tolerate(const Tolerance& tolerance) {
+    case_.tolerance = case_.across_keys = tolerance;
+    case_.limit_from = "s.toml:9";
+  }
+
   test::TemporaryFolder root_;
   GoldenFolder folder_{root_ / "goldens", {}};
   Manifest manifest_;
@@ -113,18 +119,165 @@ TEST_F(FrameJudgeTest, AnotherShapeIsIncomparable) {
 
 TEST_F(FrameJudgeTest, AnotherRenderersGoldenJudgesOnlyWithATolerance) {
   accept(evenPicture(10), kOtherKey);
-  const JudgedFrame exact = judge(evenPicture(10));
+  const JudgedFrame exact = judge(evenPicture(12));
   EXPECT_EQ(exact.verdict, FrameVerdict::incomparable);
   EXPECT_EQ(exact.rule,
-            "no golden of this renderer; wanted: llvmpipe 32x32 1x, there is older: run where "
-            "that one draws, approve here too (both are kept), or name a tolerance");
-  case_.tolerance = Tolerance::cpu();
+            "no golden of this renderer; wanted: llvmpipe 32x32 1x, there is older: largest "
+            "difference 2 > 1 (rounding), limit from the default; run where that one draws, "
+            "approve here too (both are kept), or name a tolerance");
+  for (const Tolerance& named : {Tolerance::cpu(), Tolerance::rounding()}) {
+    SCOPED_TRACE(named.name);
+    tolerate(named);
+    Picture near = evenPicture(10);
+    setPixel(near, 3, 3, 11);
+    EXPECT_EQ(judge(near).verdict, FrameVerdict::same);
+    EXPECT_THAT(judge(near).rule, HasSubstr(", golden of older, limit from s.toml:9"));
+    EXPECT_EQ(judge(evenPicture(60)).verdict, FrameVerdict::different);
+    EXPECT_THAT(judge(evenPicture(60)).rule, HasSubstr(", golden of older, limit from s.toml:9"));
+  }
+}
+
+TEST_F(FrameJudgeTest, EqualPixelsAreTheSameUnderAnyKey) {
+  const AcceptedPicture accepted = accept(evenPicture(10), kOtherKey);
+  std::filesystem::remove(folder_.goldens() / accepted.picture);  // nothing is decoded
+  tolerate(Tolerance::exactly());
+  const JudgedFrame judged = judge(evenPicture(10));
+  EXPECT_EQ(judged.verdict, FrameVerdict::same);
+  EXPECT_EQ(judged.rule, "equal pixel hash, golden of older");
+  EXPECT_EQ(judged.golden, accepted);
+  EXPECT_EQ(judged.tolerance.name, "exact");
+  // Of its own key too: that one is named.
+  accept(evenPicture(10));
+  EXPECT_EQ(judge(evenPicture(10)).rule, "equal pixel hash");
+}
+
+TEST_F(FrameJudgeTest, EqualPixelsAreTheSameThoughTheOwnKeysGoldenDiffers) {
+  accept(evenPicture(90));
+  accept(evenPicture(10), kOtherKey);
+  EXPECT_EQ(judge(evenPicture(10)).rule, "equal pixel hash, golden of older");
+}
+
+TEST_F(FrameJudgeTest, EqualPixelsOfOtherSamplesAreTheSameAndTheWholeKeyIsNamed) {
+  accept(evenPicture(10), "llvmpipe 32x32 4x");
+  EXPECT_EQ(judge(evenPicture(10)).rule, "equal pixel hash, golden of llvmpipe 32x32 4x");
+  // Compared, other samples are another picture.
+  Picture near = evenPicture(10);
+  setPixel(near, 3, 3, 11);
+  EXPECT_EQ(judge(near).verdict, FrameVerdict::incomparable);
+  EXPECT_EQ(judge(near).rule,
+            "no golden of this size and samples; wanted: llvmpipe 32x32 1x, there is 32x32 4x: "
+            "approve it");
+}
+
+TEST_F(FrameJudgeTest, AcrossKeysRoundingIsTheSameAndNothingBeyond) {
+  accept(evenPicture(10), kOtherKey);
+  Picture drawn = evenPicture(10);
+  for (int i = 0; i < 20; ++i) setPixel(drawn, i, i, 11);  // of 1,024: 2 % are 20.48
+  const JudgedFrame rounded = judge(drawn);
+  EXPECT_EQ(rounded.verdict, FrameVerdict::same);
+  EXPECT_EQ(rounded.rule,
+            "20 of 1024 pixels differ (<= 2 %), by at most 1 (rounding), golden of older, limit "
+            "from the default");
+  EXPECT_EQ(rounded.tolerance.name, "rounding");
+  setPixel(drawn, 0, 31, 9);
+  const JudgedFrame beyond = judge(drawn);
+  EXPECT_EQ(beyond.verdict, FrameVerdict::incomparable);
+  EXPECT_THAT(beyond.rule, HasSubstr("there is older: 21 of 1024 pixels differ (> 2 %), by at "
+                                     "most 1 (rounding), limit from the default; run where"));
+  // Why is found out with these.
+  EXPECT_TRUE(beyond.drawn && beyond.accepted && beyond.golden);
+  EXPECT_EQ(beyond.comparison.differing, 21);
+}
+
+TEST_F(FrameJudgeTest, WithinAKeyOneLevelIsADifferenceWhateverOtherKeysHold) {
+  accept(evenPicture(10));
+  Picture drawn = evenPicture(10);
+  setPixel(drawn, 3, 3, 11);
+  Picture other = drawn;
+  setPixel(other, 4, 4, 11);  // one pixel from what is drawn
+  accept(other, kOtherKey);
+  const JudgedFrame judged = judge(drawn);
+  EXPECT_EQ(judged.verdict, FrameVerdict::different);
+  EXPECT_EQ(judged.rule, "1 differing pixel (exact), limit from the default");
+  EXPECT_EQ(judged.tolerance.name, "exact");
+}
+
+TEST_F(FrameJudgeTest, AWrittenExactWantsEqualPixelsAcrossKeys) {
+  accept(evenPicture(10), kOtherKey);
+  tolerate(Tolerance::exactly());
+  EXPECT_EQ(judge(evenPicture(10)).verdict, FrameVerdict::same);
+  Picture drawn = evenPicture(10);
+  setPixel(drawn, 3, 3, 11);
+  const JudgedFrame judged = judge(drawn);
+  EXPECT_EQ(judged.verdict, FrameVerdict::incomparable);
+  EXPECT_EQ(judged.rule,
+            "no golden of this renderer; wanted: llvmpipe 32x32 1x, there is older: 1 differing "
+            "pixel (exact), limit from s.toml:9; run where that one draws, approve here too (both "
+            "are kept), or name a tolerance");
+}
+
+TEST_F(FrameJudgeTest, OfSeveralKeysTheNearestGoldenIsTold) {
+  Picture drawn = evenPicture(10);
+  for (int i = 0; i < 9; ++i) setPixel(drawn, i, 0, 11);
+  accept(evenPicture(10), "a 32x32 1x");  // nine pixels away
+  Picture nearer = drawn;
+  setPixel(nearer, 0, 0, 10);
+  accept(nearer, "b 32x32 1x");           // one
+  accept(evenPicture(60), "c 32x32 1x");  // another picture
+  EXPECT_EQ(judge(drawn).verdict, FrameVerdict::same);
+  EXPECT_THAT(judge(drawn).rule, HasSubstr("1 of 1024 pixels differ"));
+  EXPECT_THAT(judge(drawn).rule, HasSubstr("golden of b,"));
+  // One that passes goes before one with fewer pixels that does not.
+  Picture spoiled = drawn;
+  setPixel(spoiled, 0, 0, 200);
+  manifest_.accept("pick", accept(spoiled, "b 32x32 1x"));
+  EXPECT_EQ(judge(drawn).verdict, FrameVerdict::same);
+  EXPECT_THAT(judge(drawn).rule, HasSubstr("golden of a,"));
+  // And of those that do not, the nearest.
+  EXPECT_THAT(judge(evenPicture(50)).rule, HasSubstr("there is "));
+  EXPECT_EQ(judge(evenPicture(50)).verdict, FrameVerdict::incomparable);
+}
+
+TEST_F(FrameJudgeTest, AForeignGoldenThatCannotBeReadJudgesNothing) {
+  const AcceptedPicture accepted = accept(evenPicture(10), kOtherKey);
+  std::filesystem::remove(folder_.goldens() / accepted.picture);
+  const JudgedFrame judged = judge(evenPicture(11));
+  EXPECT_EQ(judged.verdict, FrameVerdict::incomparable);
+  EXPECT_THAT(judged.rule, HasSubstr("no golden of this renderer; wanted: llvmpipe 32x32 1x, there "
+                                     "is older: golden "));
+  EXPECT_THAT(judged.rule, HasSubstr("is missing"));
+  // Another one that can be read judges.
+  Picture near = evenPicture(11);
+  setPixel(near, 3, 3, 12);
+  accept(near, "zeta 32x32 1x");
   EXPECT_EQ(judge(evenPicture(11)).verdict, FrameVerdict::same);
-  EXPECT_EQ(judge(evenPicture(60)).verdict, FrameVerdict::different);
+}
+
+TEST_F(FrameJudgeTest, MasksHideAcrossKeysToo) {
+  accept(evenPicture(10), kOtherKey);
+  case_.mask = {{MaskRectangle{0, 0, 32, 31}, "", 0}};  // a row is left: no pixel of it may differ
+  const CaseAreas areas = findAreas(case_, nullptr);
+  Picture drawn = evenPicture(10);
+  for (int x = 0; x < 32; ++x) setPixel(drawn, x, 5, 99);
+  EXPECT_EQ(judge(drawn, &areas).rule, "equal pixels, golden of older");
+  setPixel(drawn, 0, 31, 11);
+  const JudgedFrame judged = judge(drawn, &areas);
+  EXPECT_EQ(judged.verdict, FrameVerdict::incomparable);
+  EXPECT_THAT(judged.rule, HasSubstr("1 of 32 pixels differ (> 2 %)"));
+}
+
+TEST_F(FrameJudgeTest, ACaseThatExpectsADifferenceIsNotMetByRounding) {
+  accept(evenPicture(10), kOtherKey);
+  case_.expect_different = true;
+  case_.reason = "new gripper";
+  Picture drawn = evenPicture(10);
+  setPixel(drawn, 3, 3, 11);
+  EXPECT_EQ(judge(drawn).verdict, FrameVerdict::unexpected);
+  EXPECT_EQ(judge(evenPicture(60)).verdict, FrameVerdict::incomparable);
 }
 
 TEST_F(FrameJudgeTest, AGoldenOfAnotherSizeIsNotAnotherRenderers) {
-  accept(evenPicture(10), "llvmpipe 16x16 1x");
+  accept(evenPicture(10, 16), "llvmpipe 16x16 1x");
   EXPECT_EQ(judge(evenPicture(10)).rule,
             "no golden of this size and samples; wanted: llvmpipe 32x32 1x, there is 16x16 1x: "
             "approve it");
@@ -299,12 +452,15 @@ TEST_F(FrameJudgeTest, PassesBetweenProcessesWhole) {
   setPixel(drawn, 3, 3, 99);
   case_.mask = {{MaskRectangle{20, 20, 4, 4}, "", 0}};
   const CaseAreas areas = findAreas(case_, nullptr);
+  case_.tolerance = {"arm", false, 0.01, 0, 7, 60};
   const JudgedFrame sent = judge(drawn, &areas);
   const Bytes bytes = wireBytes(sent);
   JudgedFrame received;
   ASSERT_TRUE(readWire(bytes, received).ok());
   EXPECT_EQ(received.verdict, sent.verdict);
   EXPECT_EQ(received.rule, sent.rule);
+  EXPECT_EQ(received.tolerance.name, "arm");
+  EXPECT_EQ(received.tolerance.level, 7);
   EXPECT_EQ(received.golden, sent.golden);
   EXPECT_EQ(received.drawn, sent.drawn);
   EXPECT_EQ(received.accepted, sent.accepted);

@@ -71,6 +71,7 @@ TEST(SuiteNotes, TellsLimitsFourTimesLooserThanNeeded) {
   EXPECT_THAT(suiteNotes(std::vector{passed(0.5, 1), passed(1.0, 2)}), IsEmpty());
   EXPECT_THAT(suiteNotes(std::vector{passed(0.5, 3)}), IsEmpty());
   EXPECT_THAT(suiteNotes(std::vector{passed(0, 0, Tolerance::exactly())}), IsEmpty());
+  EXPECT_THAT(suiteNotes(std::vector{passed(0.01, 0, Tolerance::rounding())}), IsEmpty());
 }
 
 TEST(SuiteNotes, TellsMasksThatHideNothingAnywhere) {

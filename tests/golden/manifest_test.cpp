@@ -115,11 +115,46 @@ TEST(Manifest, CellsThatAreNoneExplainNothingAndJudgeAsBefore) {
   }
 }
 
-TEST(Manifest, AnotherRenderersGoldenIsFoundByItsShape) {
+TEST(Manifest, EqualPixelsAreFoundUnderAnyKeyAndThoseOfTheOwnOneFirst) {
   Manifest manifest;
-  manifest.accept("pick", accepted("other 640x480 4x", "x"));
-  EXPECT_NE(manifest.findAnyOfShape("pick", "640x480 4x"), nullptr);
-  EXPECT_EQ(manifest.findAnyOfShape("pick", "40x480 4x"), nullptr);
+  manifest.accept("pick", accepted("a 640x480 4x", "x"));
+  AcceptedPicture own = accepted("b 640x480 4x", "x");
+  own.picture = "own.png";
+  manifest.accept("pick", own);
+  manifest.accept("pick", accepted("c 640x480 4x", "y"));
+  const auto found = manifest.findPixels("pick", "x", "b 640x480 4x");
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(*found[0], own);
+  EXPECT_EQ(found[1]->key, "a 640x480 4x");
+  EXPECT_EQ(manifest.findPixels("pick", "y", "b 640x480 4x").size(), 1U);
+  EXPECT_TRUE(manifest.findPixels("pick", "z", "b 640x480 4x").empty());
+  EXPECT_TRUE(manifest.findPixels("place", "x", "b 640x480 4x").empty());
+  EXPECT_EQ(manifest.findAll("pick").size(), 3U);
+}
+
+TEST(Manifest, AKeyIsARendererAndAShape) {
+  EXPECT_EQ(rendererOf("llvmpipe-x 640x480 4x"), "llvmpipe-x");
+  EXPECT_EQ(shapeOf("llvmpipe-x 640x480 4x"), "640x480 4x");
+  EXPECT_EQ(shapeOf("llvmpipe-x"), "");
+  EXPECT_EQ(shapeOf("llvmpipe-x "), "");
+  EXPECT_EQ(rendererOf(""), "");
+}
+
+TEST(Manifest, AKeyWithAPackagesRevisionIsThatOfItsVersion) {
+  const auto manifest = Manifest::parse(
+      R"({"format": 1, "cases": {"pick": [
+        {"key": "llvmpipe-mesa25.0.7-2-llvm19.1.7-x86_64-sse4.1 8x8 1x", "picture": "a.png",
+         "pixels": "aa"},
+        {"key": "llvmpipe-mesa25.0.7-2+deb13u1-llvm19.1.7-x86_64-sse4.1 8x8 1x",
+         "picture": "b.png", "pixels": "bb"}]}})",
+      "manifest.json");
+  ASSERT_TRUE(manifest.ok()) << manifest.error().text();
+  const std::string key = "llvmpipe-mesa25.0.7-llvm19.1.7-x86_64-sse4.1 8x8 1x";
+  EXPECT_EQ(manifest->find("pick", key).size(), 2U);
+  // What is approved next takes the place of both.
+  Manifest after = *manifest;
+  after.accept("pick", accepted(key, "cc"));
+  EXPECT_EQ(after.files(), std::set<std::string>{"pick.cc.png"});
 }
 
 TEST(Manifest, ABrokenOneIsToldWithItsFile) {

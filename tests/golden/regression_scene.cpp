@@ -47,6 +47,7 @@ std::optional<RegressionAnswer> RegressionBench::answer(const Regression& regres
   if (regression.retouch) regression.retouch(*frame);
   RegressionAnswer answer;
   answer.exact = compare(*frame, golden_, Tolerance::exactly());
+  answer.rounding = compare(*frame, golden_, Tolerance::rounding());
   answer.cpu = compare(*frame, golden_, Tolerance::cpu());
   answer.loose = compare(*frame, golden_, Tolerance::loose());
   if (answer.exact.verdict == Verdict::same) return answer;
@@ -105,6 +106,7 @@ void RegressionTally::add(const Regression& regression, const RegressionAnswer& 
   const bool is_different = answer.exact.verdict == Verdict::different;
   ++all;
   caught += is_different;
+  rounded += is_different && answer.rounding.verdict == Verdict::same;
   const bool is_right = regression.guilty.contains(answer.blamed);
   const bool guessed_right = regression.guilty.contains(answer.blamed_by_guess);
   if (regression.geometric && is_different) {
@@ -112,8 +114,9 @@ void RegressionTally::add(const Regression& regression, const RegressionAnswer& 
     blamed += is_right;
     guessed += guessed_right;
   }
-  fmt::print("{:<30} {:>6} px, tile {:>6.2f}/{:>3}  {}  {} {} {}\n", regression.name,
-             answer.exact.differing, answer.exact.worst_tile_mean, answer.exact.worst_tile_over,
+  fmt::print("{:<30} {:>6} px by {:>3}, tile {:>6.2f}/{:>3}  {}  {} {} {}\n", regression.name,
+             answer.exact.differing, answer.exact.max, answer.exact.worst_tile_mean,
+             answer.exact.worst_tile_over,
              answer.cpu.verdict == Verdict::different ? "cpu: different" : "cpu: same     ",
              regression.guilty.empty() ? " "
              : is_right                ? "+"

@@ -34,7 +34,7 @@ struct Regression {
 
 /// What the judge and the explanation made of it.
 struct RegressionAnswer {
-  Comparison exact, cpu, loose;
+  Comparison exact, rounding, cpu, loose;
   std::string blamed, blamed_by_guess;  ///< the first rows' names
   std::string what;
 };
@@ -69,7 +69,7 @@ std::set<std::string> linksBelow(const Cell& cell, const std::string& device,
 
 /// The rows of the table that was printed, by what they must be.
 struct RegressionTally {
-  int all = 0, caught = 0;
+  int all = 0, caught = 0, rounded = 0;  ///< rounded: the tier `rounding` passes it
   int geometric = 0, blamed = 0, guessed = 0;
   void add(const Regression& regression, const RegressionAnswer& answer);
 };

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/atomic_file.h"
+#include "golden/merged_report.h"
 #include "golden/why/frame_why.h"
 #include "tests/support/temporary_folder.h"
 
@@ -74,6 +75,52 @@ TEST_F(ReportTest, JunitTellsFailuresFromErrors) {
   EXPECT_THAT(xml, HasSubstr("tests=\"3\" failures=\"1\" errors=\"1\""));
   EXPECT_THAT(xml, HasSubstr("<failure message=\"unstable: a rule with &lt;angle&gt; &amp;"));
   EXPECT_THAT(xml, HasSubstr("<error message=\"incomparable:"));
+}
+
+TEST_F(ReportTest, EveryFormatSaysWhichKeyAndTierJudged) {
+  for (const FrameVerdict verdict : {FrameVerdict::same, FrameVerdict::incomparable}) {
+    add(verdict);
+    JudgedFrame& judged = report_.frames.back();
+    judged.key = "newer 8x8 1x";
+    judged.golden.emplace().key = "older <8x8> 1x";
+    judged.tolerance = Tolerance::rounding();
+  }
+  EXPECT_THAT(reportJunit(report_),
+              HasSubstr("    <properties>\n"
+                        "      <property name=\"key\" value=\"newer 8x8 1x\"/>\n"
+                        "      <property name=\"golden key\" value=\"older &lt;8x8&gt; 1x\"/>\n"
+                        "      <property name=\"tier\" value=\"rounding\"/>\n"
+                        "    </properties>\n"
+                        "  </testcase>\n"));
+  const auto root = nlohmann::json::parse(reportJson(report_));
+  EXPECT_EQ(root["frames"][0]["golden"]["key"], "older <8x8> 1x");
+  EXPECT_EQ(root["frames"][0]["tolerance"], "rounding");
+  EXPECT_EQ(root["frames"][0]["limits"], (nlohmann::json{{"level", 1}, {"percent", 2}}));
+  const auto sarif = nlohmann::json::parse(reportSarif(report_));
+  EXPECT_EQ(sarif["runs"][0]["results"][0]["properties"],
+            (nlohmann::json{
+                {"key", "newer 8x8 1x"}, {"golden_key", "older <8x8> 1x"}, {"tier", "rounding"}}));
+  const std::string page = reportHtml(report_);
+  EXPECT_THAT(page, HasSubstr(R"(["golden of","older \u003c8x8> 1x"])"));
+  EXPECT_THAT(page, HasSubstr("rounding: 1 of 255 in 2 % of the pixels"));
+  // What is merged later says the same.
+  const auto read = parseReport(reportJson(report_), "report.json");
+  ASSERT_TRUE(read.ok()) << read.error().text();
+  EXPECT_EQ(read->frames[0].golden->key, "older <8x8> 1x");
+  EXPECT_EQ(read->frames[0].tolerance.name, "rounding");
+  EXPECT_TRUE(read->frames[0].tolerance.limitsPixels());
+  EXPECT_EQ(reportJson(*read), reportJson(report_));
+}
+
+TEST_F(ReportTest, AReportWithoutGoldensKeysMeansTheFramesOwn) {
+  add(FrameVerdict::same);
+  report_.frames.back().key = "newer 8x8 1x";
+  report_.frames.back().golden.emplace().key = "newer 8x8 1x";
+  auto root = nlohmann::json::parse(reportJson(report_));
+  root["frames"][0]["golden"].erase("key");
+  const auto read = parseReport(root.dump(), "report.json");
+  ASSERT_TRUE(read.ok()) << read.error().text();
+  EXPECT_EQ(read->frames[0].golden->key, "newer 8x8 1x");
 }
 
 TEST_F(ReportTest, ThePageEscapesWhatItShowsAndNeedsNoNetwork) {

@@ -57,6 +57,28 @@ tolerance = "cpu"
   EXPECT_EQ(suite->cases[1].tolerance.name, "cpu");
 }
 
+TEST(ParseSuite, WithoutAToleranceRoundingJudgesAcrossKeysAndWhatIsWrittenHoldsThereToo) {
+  const std::string head = "format = 1\ncell = \"c.toml\"\n[tolerance.arm]\ntile_mean = 2.0\n";
+  const auto caseOf = [&](const std::string& defaults, const std::string& keys) {
+    const auto suite =
+        parseSuite(head + "[defaults]\n" + defaults + "[[case]]\nname = \"a\"\n" + keys, "s.toml");
+    EXPECT_TRUE(suite.ok()) << suite.error().text();
+    return suite.ok() ? suite->cases.front() : SuiteCase{};
+  };
+  EXPECT_EQ(caseOf("", "").tolerance.name, "exact");
+  EXPECT_EQ(caseOf("", "").across_keys.name, "rounding");
+  for (const char* name : {"exact", "rounding", "cpu", "loose", "arm"}) {
+    const std::string key = std::string("tolerance = \"") + name + "\"\n";
+    for (const SuiteCase& made : {caseOf("", key), caseOf(key, "")}) {
+      EXPECT_EQ(made.tolerance.name, name);
+      EXPECT_EQ(made.across_keys.name, name);
+    }
+  }
+  const SuiteCase own = caseOf("tolerance = \"exact\"\n", "tolerance = { tile_mean = 1.0 }\n");
+  EXPECT_EQ(own.across_keys.name, "own limits");
+  EXPECT_DOUBLE_EQ(own.across_keys.tile_mean, 1.0);
+}
+
 TEST(ParseSuite, ReadsMomentsLooksMasksAndExpectations) {
   const auto suite = parseSuite(R"(
 format = 1
@@ -140,8 +162,8 @@ TEST(ParseSuite, EveryFaultNamesItsPlace) {
   EXPECT_EQ(faultOf(named + "at = \"1\"\nevent = \"e\"\n"),
             "a case has one of `at`, `event`, `events` and `every` (s.toml:3:1)");
   EXPECT_EQ(faultOf(named + "tolerance = \"lax\"\n"),
-            "`tolerance` is \"exact\", \"cpu\", \"loose\" or { tile_mean = ..., tile_over = ... } "
-            "(s.toml:5:13)");
+            "`tolerance` is \"exact\", \"rounding\", \"cpu\", \"loose\" or { tile_mean = ..., "
+            "tile_over = ... } (s.toml:5:13)");
   EXPECT_EQ(faultOf(named + "[[case]]\nname = \"a\"\n"), "two cases are named `a` (s.toml:5:1)");
   EXPECT_EQ(faultOf(head + "[[case]]\nname = \"../up\"\n"),
             "a case has a `name` of at most 100 letters, digits, `_`, `-` and `.` (s.toml:3:1)");

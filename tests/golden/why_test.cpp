@@ -213,6 +213,17 @@ TEST(AlignEvents, TimesAreStraightBetweenMatchedEvents) {
   EXPECT_EQ(alignment.inB(at(500)), at(1500));  // and behind the last
 }
 
+TEST(AlignEvents, AnHourOfOnePaceKeepsEveryNanosecond) {
+  constexpr std::int64_t kHourMs = 3'600'000;
+  const auto alignment =
+      alignEvents({eventAt(0, "a"), eventAt(kHourMs, "b")},
+                  {eventAt(1000, "a"), eventAt(kHourMs + 1000, "b")}, at(0), at(1000));
+  for (std::int64_t ns = 1; ns < kHourMs * 1'000'000; ns += 35'999'999'999) {
+    const LogTime in_a{Nanoseconds(ns)};
+    ASSERT_EQ(alignment.inB(in_a) - at(1000), in_a - at(0)) << ns;
+  }
+}
+
 TEST(AlignEvents, MissingAndExtraEventsAreTold) {
   const auto alignment =
       alignEvents({eventAt(1, "a"), eventAt(2, "b"), eventAt(3, "c")},

@@ -3,7 +3,7 @@ export ROCINANTE_USER=ada
 cell=$SRC/examples/demo/demo.cell.toml
 cp "$SRC/examples/demo/session.mcap" whole.mcap
 spoil() { python3 "$SRC/tests/cli/spoil_chunks" "$@"; }
-shown() { sed 's/checksum ([0-9a-f]*, stored [0-9a-f]*)/checksum/; s/llvmpipe-[^ ]*/KEY/g; s/, from [0-9.]* to [0-9.]* s, every/, every/'; }
+shown() { sed 's/checksum ([0-9a-f]*, stored [0-9a-f]*)/checksum/; s/llvmpipe-[^ ]*/KEY/g; s/\.[0-9a-f]\{8\}\.png/.HASH.png/; s/, from [0-9.]* to [0-9.]* s, every/, every/'; }
 spoil whole.mcap half.mcap 10 99
 cat >suite.toml <<TOML
 format = 1
