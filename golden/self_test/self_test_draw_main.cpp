@@ -1,0 +1,53 @@
+// rocinante-self-test-draw: the part of `rocinante --self-test` that draws. A program of its own,
+// so that a machine without it can be told about too.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/cli/program.h"
+#include "golden/self_test/drawing_facts.h"
+#include "viewer/render/context_option.h"
+#include "viewer/render/renderer_key.h"
+
+namespace {
+
+constexpr std::string_view kExamples =
+    "  rocinante --self-test                      tells this part with the others\n"
+    "  rocinante self-test draw -o frame.png      keeps the frame that it draws\n";
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using namespace rocinante;
+  CLI::App app("Draws a small frame that is built in, and prints facts as one line of JSON.",
+               "rocinante-self-test-draw");
+  std::vector<std::string> only;
+  std::filesystem::path output;
+  app.add_option("--only", only, "context, key, frame, cache, pictures; default all of them")
+      ->type_name("FACT,...")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  app.add_option("-o,--output", output, "write the frame, as PNG")->type_name("FILE");
+  addContextOption(app);
+  return cli::run(app, argc, argv, kExamples, [&]() -> Result<cli::Exit> {
+    const auto wanted = [&](const char* name) {
+      return only.empty() || std::find(only.begin(), only.end(), name) != only.end();
+    };
+    std::vector<SelfTestFact> facts;
+    Picture drawn;
+    if (wanted("context") || wanted("key") || wanted("frame")) {
+      // Mesa reads its environment when the first context is made.
+      pinRendererEnvironment();
+      facts = drawingFacts(&drawn);
+    }
+    if (wanted("cache")) facts.push_back(cacheFact());
+    if (wanted("pictures")) facts.push_back(picturesFact());
+    cli::say(factsWire(facts) + "\n");
+    if (output.empty()) return cli::Exit::done;
+    if (drawn.rgba.empty()) return Error{ErrorKind::refused, "no frame was drawn", output.string()};
+    if (Status written = writePng(output, drawn); !written) return written.error();
+    return cli::Exit::done;
+  });
+}

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "core/bytes.h"
+#include "core/model/cell.h"
+#include "core/result.h"
+#include "viewer/picture/picture.h"
+#include "viewer/render/frame_maker.h"
+
+namespace rocinante {
+
+/// A small cell that lies in the program: every shape, a translucent one among them, turned and
+/// standing on the ground.
+Result<Cell> testCell();
+/// How it is drawn: with shadows and all samples.
+FrameRequest testFrameRequest();
+
+/// SHA-256 of that frame's rows for the renderers on which it was drawn and looked at.
+struct KnownFrame {
+  std::string_view key;     ///< RendererKey::text()
+  std::string_view sha256;  ///< pictureSha256()
+  std::string_view where;   ///< "Debian 12, OSMesa"
+};
+std::span<const KnownFrame> knownFrames();
+
+/// The frame as the first of the known renderers draws it: frame.png beside this file.
+Result<Picture> referenceFrame();
+
+/// A small JPEG file.
+ByteView testPictureFile();
+
+}  // namespace rocinante
