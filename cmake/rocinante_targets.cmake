@@ -40,23 +40,32 @@ endfunction()
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib)
 
-# rocinante_library(packet SOURCES a.cpp HEADERS a.h LINK rocinante_base PRIVATE_LINK fmt::fmt)
-# makes rocinante_packet, installed as rocinante::packet. Headers are included from the
-# project root ("core/packet/packet.h"), in the tree and by installed users alike.
+# rocinante_library(packet SOURCES a.cpp PUBLIC_HEADERS a.h HEADERS b.h LINK rocinante_base
+#   PRIVATE_LINK fmt::fmt [COMPONENT name])
+# makes rocinante_packet. Headers are included from the project root ("core/packet/packet.h").
+# Public ones are installed (<rocinante/packet.h>), and their library with them, as component `packet`
+# or COMPONENT: rocinante_install.cmake. A library without any is not installed.
 function(rocinante_library name)
-  cmake_parse_arguments(arg "" "" "SOURCES;HEADERS;LINK;PRIVATE_LINK" ${ARGN})
+  cmake_parse_arguments(arg "" "COMPONENT" "SOURCES;HEADERS;PUBLIC_HEADERS;LINK;PRIVATE_LINK" ${ARGN})
   set(target rocinante_${name})
   add_library(${target} STATIC ${arg_SOURCES})
-  add_library(rocinante::${name} ALIAS ${target})
-  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name} POSITION_INDEPENDENT_CODE ON)
-  target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}
-    FILES ${arg_HEADERS})
+  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  target_sources(${target} PRIVATE FILE_SET rocinante_headers TYPE HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}
+    FILES ${arg_PUBLIC_HEADERS} ${arg_HEADERS})
+  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>)
   target_compile_features(${target} PUBLIC cxx_std_20)
+  set(compiled_in ${arg_PRIVATE_LINK})
+  list(FILTER compiled_in INCLUDE REGEX "^nlohmann_json::")
+  list(REMOVE_ITEM arg_PRIVATE_LINK ${compiled_in} _)
   target_link_libraries(${target} PUBLIC ${arg_LINK}
-    PRIVATE $<BUILD_INTERFACE:rocinante_build> ${arg_PRIVATE_LINK})
+    PRIVATE $<BUILD_INTERFACE:rocinante_build> ${arg_PRIVATE_LINK} "$<BUILD_INTERFACE:${compiled_in}>")
   rocinante_unity(${target})
-  install(TARGETS ${target} EXPORT rocinante-targets
-    FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/rocinante)
+  if(arg_PUBLIC_HEADERS)
+    if(NOT arg_COMPONENT)
+      set(arg_COMPONENT ${name})
+    endif()
+    rocinante_export(${target} ${arg_COMPONENT} "${arg_PUBLIC_HEADERS}" "${arg_LINK};${arg_PRIVATE_LINK}")
+  endif()
 endfunction()
 
 # Where modules are installed (core/loaded_module.h), and the way there from the programs.
@@ -76,16 +85,19 @@ function(rocinante_module name)
   set_target_properties(${target} PROPERTIES
     CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
   add_dependencies(${arg_USED_BY} ${target})
-  install(TARGETS ${target} LIBRARY DESTINATION ${ROCINANTE_MODULE_FOLDER})
+  install(TARGETS ${target} LIBRARY DESTINATION ${ROCINANTE_MODULE_FOLDER} COMPONENT ${name})
 endfunction()
 
 # `cmake --build --preset release --target programs`: the programs without the tests.
 add_custom_target(programs)
 
-# rocinante_program(record SOURCES record_main.cpp LINK rocinante_recorder)
-# makes bin/rocinante-record.
+# rocinante_program(record SOURCES record_main.cpp LINK rocinante_recorder [COMPONENT view])
+# makes bin/rocinante-record, of the component `programs` unless it says another.
 function(rocinante_program name)
-  cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(arg "" "COMPONENT" "SOURCES;LINK" ${ARGN})
+  if(NOT arg_COMPONENT)
+    set(arg_COMPONENT programs)
+  endif()
   set(target rocinante-${name})
   add_executable(${target} ${arg_SOURCES})
   target_link_libraries(${target} PRIVATE ${arg_LINK} rocinante_cli rocinante_build)
@@ -93,5 +105,6 @@ function(rocinante_program name)
   # A main only parses arguments, with a library that takes long to optimise.
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1> $<$<CONFIG:Debug>:-Og>)
   add_dependencies(programs ${target})
-  install(TARGETS ${target})
+  install(TARGETS ${target} COMPONENT ${arg_COMPONENT})
+  rocinante_man_pages(${target} ${arg_COMPONENT})
 endfunction()

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "core/check/session_check.h"
 #include "core/session/keyframe.h"
 
 namespace rocinante {

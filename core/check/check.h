@@ -3,7 +3,6 @@
 #include <functional>
 
 #include "core/check/finding.h"
-#include "core/check/session_check.h"
 #include "core/log/log_reader.h"
 #include "core/model/cell.h"
 #include "core/result.h"
@@ -18,8 +17,5 @@ CheckReport checkCell(const Cell& cell);
 /// and the report says that it was interrupted.
 Result<CheckReport> checkLog(const Cell& cell, LogReader& log,
                              const std::function<bool(double)>& progress = {});
-
-/// The same of a session that was judged datagram by datagram.
-CheckReport checkSession(const Cell& cell, const SessionCheck& session);
 
 }  // namespace rocinante

@@ -1,6 +1,7 @@
 #include "core/check/device_judge.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>

@@ -100,4 +100,7 @@ class SessionCheck {
   Tally refused_, relay_gap_;
 };
 
+/// Cell and session, as checkLog() judges them, of a session that was judged datagram by datagram.
+CheckReport checkSession(const Cell& cell, const SessionCheck& session);
+
 }  // namespace rocinante

@@ -11,9 +11,10 @@
 
 #include "core/bytes.h"
 #include "core/model/cell_rules.h"
-#include "core/model/file_search.h"
+#include "core/model/found_file.h"
 #include "core/model/model.h"
 #include "core/model/model_fault.h"
+#include "core/model_search.h"
 #include "core/parallel_for.h"
 #include "core/result.h"
 
@@ -87,7 +88,7 @@ struct LayerLook {
 struct LayerMember {
   std::string device;  ///< empty: every device
   std::string link;    ///< empty: all links
-  std::string group;   ///< a pattern (core/model/glob.h) of MeshPart::group; empty: whole links
+  std::string group;   ///< a pattern (`*`, `?`) of MeshPart::group; empty: whole links
   bool operator==(const LayerMember&) const = default;
 };
 

@@ -126,6 +126,10 @@ void readLights(TomlTable& root, CellNames& names, Cell& cell);
 /// When all files were read: the key light is the first that there is.
 void finishLights(Cell& cell);
 void readSources(TomlTable& root, CellNames& names, Cell& cell);
+/// The keys of SourceLimits of a `[[source]]`.
+SourceLimits readSourceLimits(TomlTable& table);
+/// `[rules]`.
+void readRules(TomlTable& root, Cell& cell);
 void readScene(TomlTable& root, Cell& cell);
 
 }  // namespace rocinante

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/model/cell.h"
+#include "core/model/cell_reader.h"
 #include "core/model/toml_table.h"
 #include "core/name_hint.h"
 

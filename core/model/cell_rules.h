@@ -31,12 +31,4 @@ struct SourceLimits {
   std::optional<double> jitter_ms;     ///< of arrival against the mean period
 };
 
-class TomlTable;
-struct Cell;
-
-/// Reads `[rules]` into `cell`.
-void readRules(TomlTable& root, Cell& cell);
-/// Reads the keys of SourceLimits from a `[[source]]`.
-SourceLimits readSourceLimits(TomlTable& table);
-
 }  // namespace rocinante

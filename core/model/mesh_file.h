@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "core/bytes.h"
-#include "core/model/file_search.h"
+#include "core/model/found_file.h"
 #include "core/model/mesh.h"
 #include "core/model/model_fault.h"
 #include "core/result.h"

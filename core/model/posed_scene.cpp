@@ -6,7 +6,9 @@
 
 #include "core/math/transform.h"
 #include "core/model/device_dress.h"
+#include "core/model/layer_index.h"
 #include "core/model/mesh_builder.h"
+#include "core/model/scene_poses.h"
 
 namespace rocinante {
 namespace {

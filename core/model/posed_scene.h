@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "core/model/cell.h"
-#include "core/model/layer_index.h"
 #include "core/packet/session_state.h"
 
 namespace rocinante {
@@ -90,39 +89,13 @@ struct PosedScene {
   bool has_collision = false;  ///< which is, that its collision geometry is drawn
 };
 
-/// Puts the cell into the state. Unknown devices and joints are left out (check tells of them);
+/// Puts the cell into the state. World space is right-handed, z up, in metres. Pure.
+/// Unknown devices and joints are left out (check tells of them);
 /// a device whose positional values are not as many as its model has stands as if it had none;
 /// limits are not enforced, since a picture is evidence. A carried device whose carrier is missing
 /// or carries it in turn stands in the world. Devices that were removed, and optional ones that
 /// were not added, are not there at all. Defined by docs/cell-format.md, section "What is drawn".
 PosedScene poseScene(const Cell& cell, const SessionState& state);
-
-/// poseScene() for state after state: reckons anew only the links of devices that moved since the
-/// last call, and answers the same bits as poseScene() (tested), whatever came before. One cell for
-/// its life, which must outlive it. One thread.
-class ScenePoses {
- public:
-  explicit ScenePoses(const Cell& cell) : cell_(&cell), layers_(cell) {}
-  PosedScene pose(const SessionState& state);
-  /// Devices that the last pose() put elsewhere than the one before, new ones among them.
-  std::size_t moved() const { return moved_; }
-
-  /// What the links of a device came from, and where that put them.
-  struct Known {
-    const Model* model = nullptr;
-    std::vector<double> joints;
-    std::vector<Mat4> links;  ///< in the device's space
-    Mat4 base{1.0};
-    std::vector<Mat4> link_world;
-  };
-  using KnownDevices = std::map<std::string, Known, std::less<>>;
-
- private:
-  const Cell* cell_;
-  LayerIndex layers_;
-  KnownDevices known_;
-  std::size_t moved_ = 0;
-};
 
 /// All joint values of a device in a state: positional ones, named ones over them, mimics last.
 JointVector jointsOf(const Model& model, const DeviceState* state);

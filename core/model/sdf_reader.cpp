@@ -338,7 +338,8 @@ std::optional<Model> readSdf(ByteView bytes, const std::filesystem::path& path, 
   }
   if (sdfModule().read == nullptr) {
     faults.error("sdf.no-module", {}, "SDF is not read without its module; " + sdfModule().reason,
-                 "build with -DROCINANTE_SDF=ON, or convert the file to URDF");
+                 "install the package rocinante-sdf, build with -DROCINANTE_SDF=ON, or convert the "
+                 "file to URDF");
     return std::nullopt;
   }
   const auto text = withoutIncludes(std::string(textOf(bytes)), faults);

@@ -51,7 +51,7 @@ struct Endpoint {
   static Endpoint standard();
 
   bool isMulticast() const { return address.isMulticast(); }
-  /// Watches traffic that has its receiver: for core/input, not for a socket.
+  /// Watches traffic that has its receiver: UdpReceiver and UdpSender refuse it.
   bool isPcap() const { return scheme == Scheme::pcap; }
   /// The canonical form; parse(text()) gives the same endpoint.
   std::string text() const;

@@ -6,6 +6,7 @@
 #include <sys/time.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -28,11 +29,13 @@ int openNetlink(std::uint32_t groups) {
 /// Calls `each(header)` for the messages of one netlink datagram.
 template <class Each>
 void forEachMessage(const char* bytes, std::size_t length, Each each) {
-  // NLMSG_OK counts in int; what came fits, because the buffer does.
-  auto left = static_cast<int>(length);
-  for (auto* header = reinterpret_cast<const nlmsghdr*>(bytes); NLMSG_OK(header, left);
-       header = NLMSG_NEXT(header, left)) {
+  std::size_t at = 0;
+  while (length - at >= sizeof(nlmsghdr)) {
+    const auto* header = reinterpret_cast<const nlmsghdr*>(bytes + at);
+    if (header->nlmsg_len < sizeof(nlmsghdr) || header->nlmsg_len > length - at) return;
     each(*header);
+    // The last one need not be padded.
+    at += std::min<std::size_t>(NLMSG_ALIGN(header->nlmsg_len), length - at);
   }
 }
 

@@ -39,6 +39,7 @@ inline bool sameName(std::string_view a, std::string_view b) {
   return size == 0 || a[0] == b[0];
 }
 
+/// Inside of SessionState, and not for use outside the library.
 /// Remembers what belongs to names used lately (where their values lie in a map), so that a steady
 /// stream finds it without walking the map. Points into its owner's maps: a copy or a moved one
 /// starts empty, and clear() must be called before a remembered element is erased.

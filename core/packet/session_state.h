@@ -151,7 +151,8 @@ enum class Applied : std::uint8_t {
 };
 
 /// The state of a session at a log time: the one fold that live viewing, scrubbing, golden frames
-/// and check share. A plain value: copy it to keep a moment. Knows no cell.
+/// and check share. A plain value: copy it to keep a moment. Knows no cell. Not for sharing between
+/// threads.
 /// Defined by docs/packet-format.md, section "The fold".
 class SessionState {
  public:
@@ -196,7 +197,7 @@ class SessionState {
   /// The same at `now`: one that has run out of its second since is open no more.
   bool restatementOpen(LogTime now) const;
 
-  /// Same items with their owners, sources and last writes (DESIGN: a state's identity).
+  /// Same items with their owners, sources and last writes: a state's identity.
   bool sameAs(const SessionState& other) const;
 
   /// The identity as text, one item a line, sorted: equal exactly when sameAs(); a readable diff

@@ -26,6 +26,12 @@ std::vector<std::string_view> keyframeDatagrams(ByteView payload);
 /// True for the channels whose messages are keyframes.
 bool isKeyframeChannel(const LogChannel& channel);
 
+/// A keyframe that is passed over, and why.
+struct KeyframeFault {
+  LogTime time{};
+  std::string cause;
+};
+
 /// Reads keyframes back. Holds scratch memory: one a thread.
 class KeyframeReader {
  public:

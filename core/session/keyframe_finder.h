@@ -12,12 +12,6 @@
 
 namespace rocinante {
 
-/// A keyframe that is passed over, and why.
-struct KeyframeFault {
-  LogTime time{};
-  std::string cause;
-};
-
 /// Finds the keyframes of one log that can be started from, and says which cannot
 /// (docs/log-format.md, "Keyframes"). Remembers what it found: asking near a moment that was asked
 /// for before does not look into the log again.

@@ -9,7 +9,7 @@
 #include "core/log/log_reader.h"
 #include "core/packet/session_state.h"
 #include "core/result.h"
-#include "core/session/keyframe_finder.h"
+#include "core/session/keyframe.h"
 #include "core/session/state_damage.h"
 
 namespace rocinante {

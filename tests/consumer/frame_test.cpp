@@ -1,9 +1,8 @@
 // Tests of somebody else's pictures with the installed matcher.
 #include <gtest/gtest.h>
+#include <rocinante/matches_golden.h>
 
 #include <vector>
-
-#include "golden/matches_golden.h"
 
 namespace somebody {
 
