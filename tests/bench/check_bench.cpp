@@ -13,6 +13,7 @@
 #include <new>
 
 #include "core/check/check.h"
+#include "core/check/session_check.h"
 #include "core/log/log_writer.h"
 #include "core/packet/decoder.h"
 #include "core/session/session_writer.h"

@@ -14,6 +14,7 @@
 #include "core/math/trigonometry.h"
 #include "tests/support/temporary_folder.h"
 #include "viewer/detail/governor.h"
+#include "viewer/render/offscreen_context.h"
 #include "viewer/render/renderer.h"
 #include "viewer/render/scaled_view.h"
 
@@ -150,7 +151,7 @@ class Drawer {
 
 void bench(std::size_t triangles) {
   const Cell cell = yardOf(triangles);
-  auto context = makeOsmesaContext();
+  auto context = makeOffscreenContext(Profile::reproducible);
   if (!context.ok()) std::abort();
   auto renderer = Renderer::create(**context, cell, Profile::fast);
   if (!renderer.ok()) std::abort();

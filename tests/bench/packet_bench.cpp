@@ -118,5 +118,5 @@ void measure(std::size_t sources) {
 
 int main() {
   std::printf("six-joint packets, ns a packet, best of 7\n");
-  for (const std::size_t sources : {1, 8, 100}) measure(sources);
+  for (const std::size_t sources : {1U, 8U, 100U}) measure(sources);
 }

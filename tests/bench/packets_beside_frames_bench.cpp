@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "core/net/udp_socket.h"
+#include "viewer/render/offscreen_context.h"
 #include "viewer/render/renderer.h"
 #include "viewer/ui/view_model.h"
 
@@ -97,7 +98,7 @@ int main() {
   auto feed = LiveFeed::start({endpoint});
   if (!cell.ok() || !feed.ok()) return 2;
   auto model = ViewModel::make(std::move(*cell), std::nullopt, std::move(*feed), {}, {});
-  auto context = makeOsmesaContext();
+  auto context = makeOffscreenContext(Profile::reproducible);
   if (!model.ok() || !context.ok()) return 2;
   auto renderer = Renderer::create(**context, model->cell(), Profile::fast);
   if (!renderer.ok()) return 2;

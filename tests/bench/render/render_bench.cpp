@@ -20,6 +20,7 @@
 #include "tests/bench/render/bench_scenes.h"
 #include "tests/bench/render/timed_process.h"
 #include "tests/support/temporary_folder.h"
+#include "viewer/render/offscreen_context.h"
 #include "viewer/render/renderer.h"
 
 namespace {
@@ -301,9 +302,9 @@ int main(int argc, char** argv) {
     settings.yard =
         std::filesystem::path(ROCINANTE_SHARED_DIR) / "data/env/waste_yard/waste_yard.obj";
   }
-  pinRendererEnvironment("sse4.1");
+  pinRendererEnvironment();
   if (links_alone) {
-    benchLinks(*need(makeOsmesaContext()), settings);
+    benchLinks(*need(makeOffscreenContext(Profile::reproducible)), settings);
     return 0;
   }
   const test::TemporaryFolder folder;
@@ -313,7 +314,7 @@ int main(int argc, char** argv) {
   const bool yard = std::filesystem::exists(settings.yard);
   if (yard) benchFirstFrame("waste yard, 32 textures", settings.yard, folder.path(), {});
   const VirtualDisplay display;
-  const auto context = need(makeOsmesaContext());
+  const auto context = need(makeOffscreenContext(Profile::reproducible));
   if (yard) {
     benchScene(*context, "waste yard", settings.yard, settings, folder.path(), display);
   } else {
