@@ -1,3 +1,5 @@
+#include "core/check/session_check.h"
+
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "core/check/check.h"
+#include "core/check/session_check.h"
 #include "tests/support/temporary_folder.h"
 
 namespace rocinante::test {

@@ -1,4 +1,6 @@
 // Posing only what moved gives what posing everything gives, to the last bit.
+#include "core/model/scene_poses.h"
+
 #include <gtest/gtest.h>
 
 #include <cstring>

@@ -44,7 +44,7 @@ void expectRoundTrip(const Endpoint& listen) {
   auto sender = UdpSender::open(reach(*receiver));
   ASSERT_TRUE(sender.ok()) << sender.error().text();
   std::vector<std::string> sent;
-  for (const std::size_t size : {0, 1, 1'200, 1'473, 9'000, 65'507}) {
+  for (const std::size_t size : {0U, 1U, 1'200U, 1'473U, 9'000U, 65'507U}) {
     sent.emplace_back(size, static_cast<char>('a' + sent.size()));
   }
   for (int i = 0; i < 300; ++i) sent.push_back("datagram " + std::to_string(i));
