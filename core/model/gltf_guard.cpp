@@ -1,3 +1,5 @@
+#include "core/model/gltf_guard.h"
+
 #include <fmt/format.h>
 
 #include <array>
@@ -6,8 +8,6 @@
 #include <optional>
 #include <string_view>
 #include <vector>
-
-#include "core/model/scene_guard.h"
 
 namespace rocinante {
 namespace {

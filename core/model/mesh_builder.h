@@ -29,13 +29,6 @@ struct LooseMesh {
   std::vector<Material> materials;
 };
 
-/// Gives every corner without a normal one: the mean, weighted by their angles there, over the
-/// faces that share its point (equal coordinates) and its group and meet its own face at
-/// `angle_deg` or less. The sums are taken in file order with core/math's trigonometry, so they are
-/// the same on every CPU. A point in more than 256 corners keeps its faces flat (the work is
-/// squared in their number).
-void smoothNormals(LooseMesh& loose, double angle_deg);
-
 /// Joins corners that are equal in position, texture and normal into indexed vertices, numbered in
 /// the order in which triangles first use them. Every corner must have a normal.
 Mesh indexedMesh(LooseMesh&& loose);

@@ -42,11 +42,4 @@ Result<Mesh> readMeshFile(const std::filesystem::path& path, const MeshReadOptio
 Result<Mesh> readMeshBytes(ByteView bytes, const std::filesystem::path& path,
                            const MeshReadOptions& options, ModelFaults& faults);
 
-/// Shapes of URDF, centred on the origin: sizes in metres, axis along z. Deterministic vertices.
-/// A capsule's length is that of its cylinder, without the two half spheres.
-Mesh boxMesh(const Vec3& size);
-Mesh cylinderMesh(double radius, double length);
-Mesh sphereMesh(double radius);
-Mesh capsuleMesh(double radius, double length);
-
 }  // namespace rocinante

@@ -7,6 +7,7 @@
 #include <mutex>
 
 #include "core/model/fault_list.h"
+#include "core/model/shapes.h"
 
 namespace rocinante {
 namespace {

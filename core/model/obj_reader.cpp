@@ -9,6 +9,7 @@
 #include "core/model/mesh_builder.h"
 #include "core/model/mtl_reader.h"
 #include "core/model/polygon.h"
+#include "core/model/smooth_normals.h"
 #include "core/model/text_scanner.h"
 
 namespace rocinante {

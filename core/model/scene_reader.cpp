@@ -19,9 +19,11 @@
 
 #include "core/math/srgb.h"
 #include "core/model/file_search.h"
+#include "core/model/gltf_guard.h"
 #include "core/model/mesh_builder.h"
 #include "core/model/mtl_reader.h"
 #include "core/model/scene_guard.h"
+#include "core/model/smooth_normals.h"
 #include "core/plain_text.h"
 
 namespace rocinante {

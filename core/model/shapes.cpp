@@ -1,8 +1,9 @@
+#include "core/model/shapes.h"
+
 #include <array>
 #include <cmath>
 
 #include "core/math/trigonometry.h"
-#include "core/model/mesh_file.h"
 
 namespace rocinante {
 namespace {

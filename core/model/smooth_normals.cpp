@@ -1,10 +1,11 @@
+#include "core/model/smooth_normals.h"
+
 #include <cmath>
 #include <map>
 #include <span>
 #include <string_view>
 
 #include "core/math/trigonometry.h"
-#include "core/model/mesh_builder.h"
 #include "core/model/position_index.h"
 
 namespace rocinante {

@@ -8,6 +8,7 @@
 
 #include "core/model/mesh_builder.h"
 #include "core/model/position_index.h"
+#include "core/model/smooth_normals.h"
 #include "core/model/text_scanner.h"
 
 namespace rocinante {

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "core/hash.h"
+#include "core/model/shapes.h"
 #include "tests/core/model/mesh_test_support.h"
 
 namespace rocinante {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/model/mesh_file.h"
+#include "core/model/shapes.h"
 
 namespace rocinante {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/model/mesh_file.h"
 #include "core/model/posed_scene.h"
+#include "core/model/shapes.h"
 
 namespace rocinante::test {
 
