@@ -1,3 +1,5 @@
+#include "core/model/urdf_joint.h"
+
 #include <fmt/format.h>
 
 #include <array>
@@ -5,7 +7,6 @@
 
 #include "core/math/transform.h"
 #include "core/model/fault_list.h"
-#include "core/model/urdf_parts.h"
 #include "core/name_hint.h"
 
 namespace rocinante {

@@ -1,10 +1,11 @@
+#include "core/model/urdf_link.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/model/fault_list.h"
-#include "core/model/urdf_parts.h"
 #include "core/name_hint.h"
 
 namespace rocinante {

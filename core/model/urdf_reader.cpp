@@ -6,7 +6,8 @@
 
 #include "core/model/fault_list.h"
 #include "core/model/model_draft.h"
-#include "core/model/urdf_parts.h"
+#include "core/model/urdf_joint.h"
+#include "core/model/urdf_link.h"
 
 namespace rocinante {
 namespace {

@@ -13,9 +13,6 @@
 
 namespace rocinante {
 
-/// Reads one `<joint>`; empty with a fault when it has no name, parent or child.
-std::optional<JointDraft> readUrdfJoint(const UrdfElement& element);
-
 /// Reads `<link>`s with their geometry, and the materials that they share by name.
 class UrdfLinkReader {
  public:
