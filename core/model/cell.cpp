@@ -5,11 +5,19 @@
 #include <algorithm>
 #include <tuple>
 
+#include "core/model/cell_files.h"
+#include "core/model/cell_insets.h"
+#include "core/model/cell_layers.h"
+#include "core/model/cell_lights.h"
 #include "core/model/cell_materials.h"
-#include "core/model/cell_reader.h"
+#include "core/model/cell_models.h"
+#include "core/model/cell_names.h"
+#include "core/model/cell_sections.h"
 #include "core/model/fault_list.h"
 #include "core/model/file_search.h"
 #include "core/model/inline_model.h"
+#include "core/model/mesh_store.h"
+#include "core/model/rule_reader.h"
 #include "core/model/sdf_reader.h"
 #include "core/model/urdf_reader.h"
 

@@ -1,9 +1,10 @@
+#include "core/model/cell_insets.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/model/cell_reader.h"
 #include "core/model/fault_list.h"
 #include "core/model/mesh_builder.h"
 #include "core/name_hint.h"

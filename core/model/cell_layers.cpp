@@ -1,8 +1,10 @@
+#include "core/model/cell_layers.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "core/model/cell_reader.h"
+#include "core/model/cell_sections.h"
 #include "core/model/fault_list.h"
 #include "core/model/glob.h"
 #include "core/model/view_path.h"

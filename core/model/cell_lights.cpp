@@ -1,7 +1,8 @@
+#include "core/model/cell_lights.h"
+
 #include <fmt/format.h>
 
 #include "core/math/transform.h"
-#include "core/model/cell_reader.h"
 
 namespace rocinante {
 namespace {

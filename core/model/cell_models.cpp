@@ -1,8 +1,9 @@
+#include "core/model/cell_models.h"
+
 #include <fmt/format.h>
 
 #include <set>
 
-#include "core/model/cell_reader.h"
 #include "core/model/fault_list.h"
 #include "core/model/inline_model.h"
 #include "core/model/sdf_reader.h"

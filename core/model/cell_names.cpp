@@ -1,6 +1,6 @@
-#include <fmt/format.h>
+#include "core/model/cell_names.h"
 
-#include "core/model/cell_reader.h"
+#include <fmt/format.h>
 
 namespace rocinante {
 

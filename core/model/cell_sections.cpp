@@ -1,11 +1,14 @@
+#include "core/model/cell_sections.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
 
 #include "core/math/transform.h"
-#include "core/model/cell_reader.h"
+#include "core/model/cell_layers.h"
 #include "core/model/fault_list.h"
+#include "core/model/rule_reader.h"
 #include "core/name_hint.h"
 
 namespace rocinante {

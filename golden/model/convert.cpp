@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/atomic_file.h"
-#include "core/model/cell_reader.h"
+#include "core/model/cell_files.h"
 #include "core/plain_text.h"
 #include "golden/model/cell_writer.h"
 #include "golden/model/obj_writer.h"
