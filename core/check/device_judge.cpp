@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/count_text.h"
+#include "core/model/kinematics.h"
 
 namespace rocinante {
 namespace {

@@ -9,6 +9,7 @@
 #include "core/math/trigonometry.h"
 #include "core/model/fault_list.h"
 #include "core/model/glob.h"
+#include "core/model/kinematics.h"
 #include "core/model/model_draft.h"
 #include "core/name_hint.h"
 

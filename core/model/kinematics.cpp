@@ -1,9 +1,10 @@
+#include "core/model/kinematics.h"
+
 #include <bit>
 #include <cmath>
 
 #include "core/hash.h"
 #include "core/math/transform.h"
-#include "core/model/model.h"
 
 namespace rocinante {
 namespace {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/model/cell.h"
+#include "core/model/kinematics.h"
 #include "core/packet/session_state.h"
 
 namespace rocinante {

@@ -4,6 +4,7 @@
 
 #include "core/atomic_file.h"
 #include "core/model/cell_files.h"
+#include "core/model/kinematics.h"
 #include "core/plain_text.h"
 #include "golden/model/cell_writer.h"
 #include "golden/model/obj_writer.h"

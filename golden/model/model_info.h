@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/model/cell.h"
+#include "core/model/kinematics.h"
 #include "core/result.h"
 
 namespace rocinante {

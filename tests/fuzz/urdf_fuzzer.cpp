@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "core/model/kinematics.h"
 #include "core/model/urdf_reader.h"
 
 using namespace rocinante;

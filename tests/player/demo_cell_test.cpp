@@ -5,6 +5,7 @@
 
 #include "core/math/transform.h"
 #include "core/model/cell.h"
+#include "core/model/kinematics.h"
 #include "core/model/posed_scene.h"
 #include "core/packet/packet_text.h"
 #include "player/demo_motion.h"

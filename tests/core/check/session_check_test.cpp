@@ -9,6 +9,7 @@
 #include "core/check/check.h"
 #include "core/check/report_formats.h"
 #include "core/log/log_writer.h"
+#include "core/model/kinematics.h"
 #include "core/packet/decoder.h"
 #include "core/session/session_writer.h"
 #include "tests/support/temporary_folder.h"

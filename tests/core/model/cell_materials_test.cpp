@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/model/kinematics.h"
 #include "core/model/posed_scene.h"
 #include "tests/core/model/cell_fixture.h"
 

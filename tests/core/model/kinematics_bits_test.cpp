@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/hash.h"
-#include "core/model/model.h"
+#include "core/model/kinematics.h"
 #include "tests/core/model/model_test_support.h"
 
 // Forward kinematics down to the last bit: one constant for every processor, compiler and build

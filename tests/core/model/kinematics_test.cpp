@@ -1,3 +1,5 @@
+#include "core/model/kinematics.h"
+
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -6,7 +8,6 @@
 #include "core/hash.h"
 #include "core/math/transform.h"
 #include "core/math/trigonometry.h"
-#include "core/model/model.h"
 #include "tests/core/model/model_test_support.h"
 
 namespace rocinante {

@@ -8,6 +8,7 @@
 
 #include "core/loaded_module.h"
 #include "core/math/transform.h"
+#include "core/model/kinematics.h"
 #include "tests/core/model/model_test_support.h"
 #include "tests/support/shared_data.h"
 

@@ -7,6 +7,7 @@
 
 #include "core/math/transform.h"
 #include "core/math/trigonometry.h"
+#include "core/model/kinematics.h"
 #include "tests/core/model/model_test_support.h"
 
 namespace rocinante {

@@ -9,6 +9,7 @@
 
 #include "core/math/transform.h"
 #include "core/model/cell.h"
+#include "core/model/kinematics.h"
 #include "tests/support/shared_data.h"
 
 namespace rocinante {

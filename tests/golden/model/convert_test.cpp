@@ -5,6 +5,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "core/model/kinematics.h"
 #include "golden/model/forward_kinematics.h"
 #include "golden/model/model_info.h"
 #include "tests/core/model/cell_fixture.h"
