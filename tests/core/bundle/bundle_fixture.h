@@ -10,13 +10,9 @@
 #include "core/bundle/cell_bundle.h"
 #include "core/log/log_reader.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/write_file.h"
 
 namespace rocinante::test {
-
-inline void writeFile(const std::filesystem::path& path, std::string_view text) {
-  std::filesystem::create_directories(path.parent_path());
-  std::ofstream(path, std::ios::binary) << text;
-}
 
 inline std::string fileText(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);

@@ -5,9 +5,26 @@
 #include <string>
 #include <string_view>
 
+#include "core/model/cell.h"
+#include "core/packet/packet_text.h"
+#include "core/packet/session_state.h"
 #include "tests/core/model/model_test_support.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/write_file.h"
 
 namespace rocinante::test {
+
+/// A state made by the lines of one packet.
+inline SessionState stateOf(std::string_view lines) {
+  PacketTextDecoder decoder;
+  SessionState state;
+  const std::string text = "RK1 test - -\n" + std::string(lines);
+  if (const Packet* packet = decoder.decode(bytesOf(text))) {
+    EXPECT_TRUE(packet->faults.empty()) << "the test's own packet is malformed: " << text;
+    state.apply(LogTime{}, *packet);
+  }
+  return state;
+}
 
 /// A folder with the files that cells of the tests and of docs/cell-format.md name.
 class CellFolder : public testing::Test {

@@ -5,7 +5,8 @@
 #include <sys/stat.h>
 
 #include "core/model/fault_list.h"
-#include "tests/core/model/model_test_support.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/write_file.h"
 
 namespace rocinante {
 namespace {

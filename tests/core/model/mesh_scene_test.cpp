@@ -6,9 +6,11 @@
 #include <cstring>
 
 #include "core/math/srgb.h"
+#include "core/model/file_search.h"
 #include "tests/core/model/mesh_test_support.h"
-#include "tests/core/model/model_test_support.h"
 #include "tests/support/shared_data.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/write_file.h"
 
 namespace rocinante {
 namespace {

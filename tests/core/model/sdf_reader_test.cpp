@@ -8,9 +8,11 @@
 
 #include "core/loaded_module.h"
 #include "core/math/transform.h"
+#include "core/model/cell.h"
 #include "core/model/kinematics.h"
 #include "tests/core/model/model_test_support.h"
 #include "tests/support/shared_data.h"
+#include "tests/support/write_file.h"
 
 namespace rocinante {
 namespace {

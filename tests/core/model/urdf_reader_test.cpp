@@ -7,8 +7,10 @@
 
 #include "core/math/transform.h"
 #include "core/math/trigonometry.h"
+#include "core/model/cell.h"
 #include "core/model/kinematics.h"
 #include "tests/core/model/model_test_support.h"
+#include "tests/support/write_file.h"
 
 namespace rocinante {
 namespace {
