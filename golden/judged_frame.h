@@ -7,32 +7,15 @@
 #include <string_view>
 #include <vector>
 
-#include "core/time.h"
 #include "golden/compare.h"
 #include "golden/manifest.h"
 #include "golden/picture_mask.h"
-#include "golden/suite.h"
+#include "golden/suite_frame.h"
 #include "viewer/picture/picture.h"
 
 namespace rocinante {
 
 struct FrameWhy;
-
-/// One picture of a case: what a golden belongs to. A case with `every`, `events` or several
-/// cameras gives many.
-struct SuiteFrame {
-  std::string name;  ///< CASE[.CAMERA][-MOMENT], unique in its suite
-  /// Borrowed from the suite. Null where there is no suite to draw from: in a report that was put
-  /// together from others or compares revisions.
-  const SuiteCase* suite_case = nullptr;
-  std::optional<LogTime> time;  ///< empty: the moment does not exist; `why` says why
-  std::string why;
-  std::string case_name{};
-  std::string camera{};  ///< empty: as render chooses
-  std::vector<std::string> tags{};
-  std::size_t place = 0;  ///< among all frames of the suite
-  int line = 0;           ///< of its case in the suite's file; 0: not known
-};
 
 enum class FrameVerdict : std::uint8_t {
   same,

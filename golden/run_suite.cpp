@@ -28,30 +28,6 @@ void keepWhatReportsNeed(JudgedFrame& judged) {
 
 }  // namespace
 
-std::string_view nameOf(FrameVerdict verdict) {
-  switch (verdict) {
-    case FrameVerdict::same:
-      return "same";
-    case FrameVerdict::different:
-      return "different";
-    case FrameVerdict::missing:
-      return "missing";
-    case FrameVerdict::unstable:
-      return "unstable";
-    case FrameVerdict::incomparable:
-      return "incomparable";
-    case FrameVerdict::expected:
-      return "expected";
-    case FrameVerdict::unexpected:
-      return "unexpected";
-  }
-  return "incomparable";
-}
-
-bool isFine(FrameVerdict verdict) {
-  return verdict == FrameVerdict::same || verdict == FrameVerdict::expected;
-}
-
 Result<SuiteSession> SuiteSession::open(const std::filesystem::path& suite_file,
                                         const SuiteOptions& options) {
   auto suite = readSuite(suite_file);

@@ -6,8 +6,8 @@
 
 #include "core/result.h"
 #include "core/session/timeline.h"
-#include "golden/judged_frame.h"
 #include "golden/suite.h"
+#include "golden/suite_frame.h"
 
 namespace rocinante {
 
