@@ -1,19 +1,11 @@
 #pragma once
 
-#include <filesystem>
-#include <string_view>
 #include <vector>
 
 #include "core/result.h"
 #include "golden/report.h"
 
 namespace rocinante {
-
-/// What `run --report DIR` left in a folder, as a report again: the frames with their figures, and
-/// the pictures of those that were not fine. damaged, with the file, for what is no such report.
-Result<SuiteReport> readReport(const std::filesystem::path& folder);
-/// The same from the text of report.json, without pictures; `file` is for the sentences.
-Result<SuiteReport> parseReport(std::string_view text, const std::filesystem::path& file);
 
 /// One report of several: all shards of one run, or runs of several suites. refused when a shard
 /// is missing or there twice, when two have a frame of one name, and when shards of one run judged

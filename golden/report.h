@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -49,17 +48,4 @@ bool canApprove(const JudgedFrame& judged);
 std::string reportJson(const SuiteReport& report);
 /// JUnit XML: one testsuite, one testcase a frame; incomparable ones are errors.
 std::string reportJunit(const SuiteReport& report);
-/// SARIF 2.1.0: a result for each frame that is not fine, at its case's line of the suite.
-std::string reportSarif(const SuiteReport& report);
-/// Workflow commands of GitHub Actions, a line for each frame that is not fine.
-std::string reportGithub(const SuiteReport& report);
-/// One self-contained page: no network, pictures inside. docs/golden-report.md.
-std::string reportHtml(const SuiteReport& report);
-
-/// Writes folder/index.html, report.json, page-pictures.json and, for each frame that is not fine,
-/// NAME.frame.png, NAME.golden.png and NAME.difference.png. The folder is made. All of it is
-/// written aside first: on an error the folder's old report stands, whole. Pictures of the old
-/// one that the new one does not have go.
-Status writeReport(const SuiteReport& report, const std::filesystem::path& folder);
-
 }  // namespace rocinante

@@ -1,3 +1,5 @@
+#include "golden/report_ci.h"
+
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
@@ -7,7 +9,6 @@
 #include "core/hash.h"
 #include "core/plain_text.h"
 #include "core/version.h"
-#include "golden/report.h"
 #include "golden/why/frame_why.h"
 
 namespace rocinante {

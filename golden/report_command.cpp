@@ -8,6 +8,7 @@
 #include "golden/compare_command.h"
 #include "golden/merged_report.h"
 #include "golden/report_output.h"
+#include "golden/report_reader.h"
 
 namespace rocinante {
 

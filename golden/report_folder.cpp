@@ -1,9 +1,11 @@
+#include "golden/report_folder.h"
+
 #include <set>
 
 #include "core/atomic_file.h"
-#include "golden/merged_report.h"
 #include "golden/page_pictures.h"
-#include "golden/report.h"
+#include "golden/report_html.h"
+#include "golden/report_reader.h"
 
 namespace rocinante {
 namespace {

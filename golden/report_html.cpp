@@ -1,3 +1,5 @@
+#include "golden/report_html.h"
+
 #include <fmt/format.h>
 
 #include <map>
@@ -8,7 +10,6 @@
 #include "core/hash.h"
 #include "core/plain_text.h"
 #include "golden/page_pictures.h"
-#include "golden/report.h"
 #include "golden/report_page.h"
 #include "golden/why/frame_why.h"
 

@@ -8,6 +8,8 @@
 #include "core/atomic_file.h"
 #include "core/count_text.h"
 #include "core/plain_text.h"
+#include "golden/report_ci.h"
+#include "golden/report_folder.h"
 
 namespace rocinante {
 

@@ -1,9 +1,10 @@
+#include "golden/report_reader.h"
+
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
 
 #include "core/atomic_file.h"
-#include "golden/merged_report.h"
 #include "golden/page_pictures.h"
 #include "golden/suite_case.h"
 #include "golden/suite_plan.h"

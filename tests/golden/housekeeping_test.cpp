@@ -7,6 +7,7 @@
 
 #include "golden/manifest_diff.h"
 #include "golden/merged_report.h"
+#include "golden/report_reader.h"
 #include "golden/staging_folder.h"
 #include "golden/suite_append.h"
 #include "tests/support/temporary_folder.h"

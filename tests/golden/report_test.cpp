@@ -6,7 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "core/atomic_file.h"
-#include "golden/merged_report.h"
+#include "golden/report_ci.h"
+#include "golden/report_folder.h"
+#include "golden/report_html.h"
+#include "golden/report_reader.h"
 #include "golden/why/frame_why.h"
 #include "tests/support/temporary_folder.h"
 
