@@ -10,7 +10,7 @@
 #include "core/cli/search_options.h"
 #include "core/duration_text.h"
 #include "golden/suite_arguments.h"
-#include "golden/why/session_comparison.h"
+#include "golden/why/session_comparison_text.h"
 #include "viewer/render/render_job.h"
 
 namespace rocinante {

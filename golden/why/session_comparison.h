@@ -45,8 +45,4 @@ Result<SessionComparison> judgeSessions(const std::filesystem::path& cell,
                                         const CellOptions& options, const SessionQuestion& question,
                                         const std::function<void(const std::string&)>& progress);
 
-/// For people, several lines; for scripts, one JSON object.
-std::string sessionText(const SessionComparison& comparison);
-std::string sessionJson(const SessionComparison& comparison);
-
 }  // namespace rocinante

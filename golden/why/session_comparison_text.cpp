@@ -1,3 +1,5 @@
+#include "golden/why/session_comparison_text.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,7 +10,6 @@
 #include "core/duration_text.h"
 #include "core/plain_text.h"
 #include "golden/why/frame_why.h"
-#include "golden/why/session_comparison.h"
 
 namespace rocinante {
 namespace {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "golden/why/frame_why.h"
+#include "golden/why/session_comparison_text.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/viewer/render/test_session.h"
 
