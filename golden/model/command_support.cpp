@@ -1,3 +1,5 @@
+#include "golden/model/command_support.h"
+
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -9,7 +11,6 @@
 #include "core/cli/worker_threads.h"
 #include "core/math/transform.h"
 #include "core/plain_text.h"
-#include "golden/model/model_commands.h"
 
 namespace rocinante {
 

@@ -1,3 +1,5 @@
+#include "golden/model/convert_command.h"
+
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -5,7 +7,6 @@
 #include "core/cli/text_table.h"
 #include "core/plain_text.h"
 #include "golden/model/convert.h"
-#include "golden/model/model_commands.h"
 
 namespace rocinante {
 namespace {

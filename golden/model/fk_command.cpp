@@ -1,7 +1,8 @@
+#include "golden/model/fk_command.h"
+
 #include <CLI/CLI.hpp>
 
 #include "golden/model/forward_kinematics.h"
-#include "golden/model/model_commands.h"
 
 namespace rocinante {
 namespace {

@@ -1,7 +1,9 @@
+#include "golden/model/info_command.h"
+
 #include <CLI/CLI.hpp>
 
-#include "golden/model/model_commands.h"
-#include "golden/model/model_info.h"
+#include "golden/model/model_info_json.h"
+#include "golden/model/model_info_text.h"
 
 namespace rocinante {
 namespace {

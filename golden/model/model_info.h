@@ -59,10 +59,6 @@ struct ModelInfo {
 /// Of one device, or of all when `device` is empty. The cell must have been loaded with geometry.
 Result<ModelInfo> modelInfo(const Cell& cell, const std::string& device);
 
-/// For people, and for scripts.
-std::string modelInfoText(const ModelInfo& info);
-std::string modelInfoJson(const ModelInfo& info);
-
 /// "-166.003° to 166.003°", "unlimited"; empty for joints that have no bounds at all.
 std::string limitsText(const Joint& joint);
 

@@ -1,9 +1,9 @@
+#include "golden/model/model_info_json.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
-
-#include "golden/model/model_info.h"
 
 namespace rocinante {
 namespace {

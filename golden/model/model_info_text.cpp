@@ -1,3 +1,5 @@
+#include "golden/model/model_info_text.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,7 +9,6 @@
 #include "core/cli/text_table.h"
 #include "core/plain_text.h"
 #include "core/size_text.h"
-#include "golden/model/model_info.h"
 
 namespace rocinante {
 namespace {

@@ -1,7 +1,10 @@
 #include <CLI/CLI.hpp>
 #include <vector>
 
-#include "golden/model/model_commands.h"
+#include "golden/model/convert_command.h"
+#include "golden/model/fk_command.h"
+#include "golden/model/info_command.h"
+#include "golden/model/tree_command.h"
 
 namespace {
 

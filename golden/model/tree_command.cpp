@@ -1,3 +1,5 @@
+#include "golden/model/tree_command.h"
+
 #include <fmt/format.h>
 #include <langinfo.h>
 
@@ -6,7 +8,6 @@
 #include <string_view>
 
 #include "core/plain_text.h"
-#include "golden/model/model_commands.h"
 #include "golden/model/model_tree.h"
 
 namespace rocinante {

@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "golden/model/model_info_json.h"
+#include "golden/model/model_info_text.h"
 #include "golden/model/model_tree.h"
 #include "tests/core/model/cell_fixture.h"
 #include "tests/support/shared_data.h"

@@ -22,11 +22,6 @@ struct ModelCommand {
   std::function<Result<cli::Exit>()> run;
 };
 
-ModelCommand addInfoCommand(CLI::App& program);
-ModelCommand addTreeCommand(CLI::App& program);
-ModelCommand addFkCommand(CLI::App& program);
-ModelCommand addConvertCommand(CLI::App& program);
-
 /// The file that every subcommand looks at, and how.
 struct ModelFileOptions : ModelSearch {
   std::string file;
