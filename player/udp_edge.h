@@ -8,8 +8,8 @@
 
 #include "core/net/udp_socket.h"
 #include "player/paced_sender.h"
-#include "player/play_routes.h"
 #include "player/realtime.h"
+#include "player/route.h"
 #include "player/transmit_stamps.h"
 
 namespace rocinante {
