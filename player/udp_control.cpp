@@ -1,3 +1,5 @@
+#include "player/udp_control.h"
+
 #include <netinet/in.h>
 #include <sys/socket.h>
 
@@ -10,8 +12,6 @@
 
 #include "core/net/port_holder.h"
 #include "core/net/system_socket.h"
-#include "player/control_socket.h"
-#include "player/control_sockets.h"
 
 namespace rocinante {
 namespace {
@@ -130,12 +130,6 @@ Result<ControlSocket> openUdpControl(const Endpoint& endpoint, AddressFilter all
   control.input =
       std::make_unique<UdpControl>(std::move(*socket), std::move(allowed), std::move(told));
   return control;
-}
-
-Result<ControlSocket> ControlSocket::open(const ControlAddress& address, AddressFilter allowed,
-                                          std::function<void(std::string)> told) {
-  if (!address.path.empty()) return openUnixControl(address.path);
-  return openUdpControl(address.endpoint, std::move(allowed), std::move(told));
 }
 
 }  // namespace rocinante

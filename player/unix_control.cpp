@@ -1,3 +1,5 @@
+#include "player/unix_control.h"
+
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/un.h>
@@ -12,7 +14,6 @@
 
 #include "core/net/system_socket.h"
 #include "core/unfinished_path.h"
-#include "player/control_sockets.h"
 #include "player/transport_command.h"
 
 namespace rocinante {

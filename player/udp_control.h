@@ -4,9 +4,8 @@
 
 namespace rocinante {
 
-/// The two kinds of ControlSocket::open.
+/// ControlSocket::open() of a UDP port.
 Result<ControlSocket> openUdpControl(const Endpoint& endpoint, AddressFilter allowed,
                                      std::function<void(std::string)> told);
-Result<ControlSocket> openUnixControl(const std::filesystem::path& path);
 
 }  // namespace rocinante
