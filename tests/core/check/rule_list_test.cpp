@@ -20,7 +20,8 @@ std::set<std::string> rulesInTheSource() {
                                                       "sdf",  "dae",  "gltf", "glb",  "xml"};
   std::set<std::string> found;
   for (const char* folder : {"core/check", "core/model"}) {
-    for (const auto& entry : fs::directory_iterator(fs::path(ROCINANTE_SOURCE_DIR) / folder)) {
+    const fs::path path = fs::path(ROCINANTE_SOURCE_DIR) / folder;
+    for (const auto& entry : fs::recursive_directory_iterator(path)) {
       if (entry.path().filename() == "rule_list.cpp") continue;
       std::ifstream file(entry.path());
       std::string line;
