@@ -1,4 +1,4 @@
-// What comes from outside of a running player: lines, addresses, keys, sockets.
+// What comes from outside of a running player: addresses, keys, sockets.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <poll.h>
@@ -7,7 +7,6 @@
 #include <unistd.h>
 
 #include <fstream>
-#include <random>
 #include <thread>
 
 #include "core/net/system_socket.h"
@@ -16,98 +15,11 @@
 #include "player/control_address.h"
 #include "player/control_socket.h"
 #include "player/control_thread.h"
-#include "player/play.h"
 #include "player/terminal_keys.h"
-#include "player/transport_command.h"
 #include "tests/support/temporary_folder.h"
 
 namespace rocinante {
 namespace {
-
-using namespace std::chrono_literals;
-using Kind = TransportCommand::Kind;
-
-Result<TransportCommand> parse(std::string_view line) {
-  return parseTransportCommand(line, LogTime(10s), LogTime(20s));
-}
-
-TEST(TransportCommand, ReadsWhatIsDocumented) {
-  EXPECT_EQ(parse("play")->kind, Kind::play);
-  EXPECT_EQ(parse("  pause\t")->kind, Kind::pause);
-  EXPECT_EQ(parse("toggle\r")->kind, Kind::toggle);
-  EXPECT_EQ(parse("step")->count, 1U);
-  EXPECT_EQ(parse("step 17")->count, 17U);
-  EXPECT_EQ(parse("back 0.5s")->kind, Kind::move);
-  EXPECT_EQ(parse("back 0.5s")->duration, -500ms);
-  EXPECT_EQ(parse("seek 2.5")->from, LogTime(12'500ms));
-  EXPECT_EQ(parse("seek -1s")->from, LogTime(19s));
-  EXPECT_EQ(parse("loop 1 2s")->until, LogTime(12s));
-  EXPECT_EQ(parse("loop off")->kind, Kind::loop_off);
-  EXPECT_EQ(parse("speed 3/2")->speed, PlaybackSpeed::parse("1.5").value());
-  EXPECT_EQ(parse("ack 3")->count, 3U);
-}
-
-TEST(TransportCommand, RefusesEverythingElseInOneSentence) {
-  for (const char* line : {"",
-                           " ",
-                           "Play",
-                           "play now",
-                           "step 0",
-                           "step -1",
-                           "step 1.5",
-                           "step 1000001",
-                           "step x",
-                           "step 1 2",
-                           "back -1s",
-                           "seek",
-                           "seek x",
-                           "seek 1 2",
-                           "speed 0",
-                           "speed 1001",
-                           "speed nan",
-                           "loop",
-                           "loop 1",
-                           "loop 2 1",
-                           "loop on",
-                           "ack",
-                           "ack -1",
-                           "quit now",
-                           "seek 99999999999999999999s",
-                           "step 18446744073709551616"}) {
-    SCOPED_TRACE(line);
-    const auto command = parse(line);
-    ASSERT_FALSE(command.ok());
-    EXPECT_FALSE(command.error().what.empty());
-    EXPECT_EQ(command.error().what.find('\n'), std::string::npos);
-  }
-  EXPECT_FALSE(parse(std::string(257, 'x')).ok());
-}
-
-TEST(TransportCommand, NoiseIsAnsweredInPlainText) {
-  std::mt19937 random(7);
-  for (int i = 0; i < 20'000; ++i) {
-    std::string line = i % 2 == 0 ? "" : "seek ";
-    for (std::size_t n = random() % 30; n > 0; --n) line += static_cast<char>(random());
-    const auto command = parse(line);
-    if (command.ok()) continue;
-    for (const char each : command.error().text()) {
-      EXPECT_TRUE(static_cast<unsigned char>(each) >= ' ' && each != '\x7f');
-    }
-  }
-}
-
-TEST(ParseLoop, FindsThePlaceToCut) {
-  const LogTime origin(10s);
-  const LogTime end(20s);
-  EXPECT_EQ(parseLoop("2s-4.5s", origin, end).value(),
-            (PlayedSpan{LogTime(12s), LogTime(14'500ms)}));
-  EXPECT_EQ(parseLoop("-4s--1s", origin, end).value(), (PlayedSpan{LogTime(16s), LogTime(19s)}));
-  EXPECT_EQ(parseLoop("1970-01-01T00:00:11Z-1970-01-01T00:00:12Z", origin, end).value(),
-            (PlayedSpan{LogTime(11s), LogTime(12s)}));
-  EXPECT_FALSE(parseLoop("4s-2s", origin, end).ok());
-  EXPECT_FALSE(parseLoop("-", origin, end).ok());
-  EXPECT_FALSE(parseLoop("", origin, end).ok());
-}
 
 TEST(KeyReader, KnowsArrowsInPiecesAndPassesOverTheRest) {
   KeyReader keys;
