@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "viewer/render/shader_source.h"
+#include "viewer/render/viewport.h"
 
 namespace rocinante {
 

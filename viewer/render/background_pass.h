@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "core/model/cell.h"
+#include "viewer/picture/pixel_rectangle.h"
 #include "viewer/render/shader_program.h"
-#include "viewer/render/viewport.h"
 
 namespace rocinante {
 

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "viewer/render/viewport.h"
+
 namespace rocinante {
 
 Result<DrawPasses> DrawPasses::create(const GlTable& gl, const TextAtlas& atlas) {

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "viewer/picture/pixel_rectangle.h"
 #include "viewer/render/background_pass.h"
 #include "viewer/render/grid_pass.h"
 #include "viewer/render/overlay_pass.h"
 #include "viewer/render/scene_pass.h"
-#include "viewer/render/viewport.h"
 
 namespace rocinante {
 

@@ -2,8 +2,8 @@
 
 #include "core/result.h"
 #include "viewer/picture/picture.h"
+#include "viewer/picture/pixel_rectangle.h"
 #include "viewer/render/gl_table.h"
-#include "viewer/render/viewport.h"
 
 namespace rocinante {
 

@@ -9,6 +9,7 @@
 
 #include "viewer/render/depth_lift.h"
 #include "viewer/render/draw_triangles.h"
+#include "viewer/render/viewport.h"
 
 namespace rocinante {
 namespace {

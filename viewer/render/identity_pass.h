@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "viewer/picture/pixel_rectangle.h"
 #include "viewer/render/camera.h"
 #include "viewer/render/drawn_set.h"
 #include "viewer/render/frame_buffer.h"
@@ -11,7 +12,6 @@
 #include "viewer/render/overlay_buffer.h"
 #include "viewer/render/shader_program.h"
 #include "viewer/render/texture_store.h"
-#include "viewer/render/viewport.h"
 
 namespace rocinante {
 

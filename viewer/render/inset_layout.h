@@ -6,8 +6,8 @@
 #include "core/model/cell.h"
 #include "core/model/posed_scene.h"
 #include "core/result.h"
+#include "viewer/picture/pixel_rectangle.h"
 #include "viewer/render/camera.h"
-#include "viewer/render/viewport.h"
 
 namespace rocinante {
 

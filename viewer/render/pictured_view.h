@@ -2,8 +2,8 @@
 
 #include <string>
 
+#include "viewer/picture/pixel_rectangle.h"
 #include "viewer/render/camera.h"
-#include "viewer/render/viewport.h"
 
 namespace rocinante {
 

@@ -11,6 +11,7 @@
 #include "viewer/render/inset_frame.h"
 #include "viewer/render/renderer_impl.h"
 #include "viewer/render/session_drawings.h"
+#include "viewer/render/viewport.h"
 
 namespace rocinante {
 namespace {

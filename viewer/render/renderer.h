@@ -11,6 +11,7 @@
 #include "core/model/posed_scene.h"
 #include "viewer/detail/detail_builder.h"
 #include "viewer/detail/detail_level.h"
+#include "viewer/picture/pixel_rectangle.h"
 #include "viewer/render/camera.h"
 #include "viewer/render/frame_buffer.h"
 #include "viewer/render/frame_extras.h"
@@ -22,7 +23,6 @@
 #include "viewer/render/stage_times.h"
 #include "viewer/render/text_atlas.h"
 #include "viewer/render/view_choice.h"
-#include "viewer/render/viewport.h"
 
 namespace rocinante {
 

@@ -1,15 +1,9 @@
 #pragma once
 
+#include "viewer/picture/pixel_rectangle.h"
 #include "viewer/render/gl_table.h"
 
 namespace rocinante {
-
-/// Part of a picture, in pixels from its top left.
-struct PixelRectangle {
-  int x = 0, y = 0;
-  int width = 0, height = 0;
-  bool operator==(const PixelRectangle&) const = default;
-};
 
 /// From here on GL draws and clears in this part of a framebuffer of that height alone.
 inline void setViewport(const GlTable& gl, const PixelRectangle& part, int frame_height) {

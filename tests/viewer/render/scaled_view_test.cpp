@@ -3,7 +3,7 @@
 
 #include "tests/viewer/render/test_maker.h"
 #include "viewer/detail/detail_level.h"
-#include "viewer/render/viewport.h"
+#include "viewer/picture/pixel_rectangle.h"
 
 namespace rocinante {
 namespace {
