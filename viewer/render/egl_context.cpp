@@ -1,3 +1,5 @@
+#include "viewer/render/egl_context.h"
+
 // EGL without a surface: a GPU on a machine without display. libEGL is loaded, not linked, so that
 // programs start where it is absent.
 #define EGL_NO_X11
@@ -6,8 +8,6 @@
 #include <dlfcn.h>
 
 #include <array>
-
-#include "viewer/render/render_context.h"
 
 namespace rocinante {
 namespace {

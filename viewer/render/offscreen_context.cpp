@@ -4,6 +4,9 @@
 
 #include <string_view>
 
+#include "viewer/render/egl_context.h"
+#include "viewer/render/osmesa_context.h"
+
 namespace rocinante {
 namespace {
 

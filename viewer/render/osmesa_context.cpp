@@ -1,6 +1,6 @@
 // The one file that knows OSMesa, which newer Mesa drops. It is loaded, not linked, so that
 // programs start where it is absent and can say so.
-#include "viewer/render/render_context.h"
+#include "viewer/render/osmesa_context.h"
 // Last, because GL/osmesa.h brings in GL/gl.h, which hides the function types of glcorearb.h.
 #include <GL/osmesa.h>
 #include <dlfcn.h>

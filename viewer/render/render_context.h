@@ -1,6 +1,5 @@
 #pragma once
 
-#include <memory>
 #include <string_view>
 
 #include "core/result.h"
@@ -24,14 +23,5 @@ class RenderContext {
   /// "OSMesa", "EGL", "GLFW": for messages to people.
   virtual std::string_view name() const = 0;
 };
-
-/// Software rendering without display or GPU. The library, which Mesa dropped in 25.1, is loaded on
-/// the first call; refused where there is none. Only in a build with ROCINANTE_OSMESA: call
-/// makeOffscreenContext(), which knows.
-Result<std::unique_ptr<RenderContext>> makeOsmesaContext();
-
-/// A GPU (or Mesa's software, where pinRendererEnvironment() was called) without display, by
-/// EGL_MESA_platform_surfaceless. libEGL is loaded on the first call; refused where there is none.
-Result<std::unique_ptr<RenderContext>> makeEglContext();
 
 }  // namespace rocinante

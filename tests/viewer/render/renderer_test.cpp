@@ -7,6 +7,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/viewer/render/test_scene.h"
 #include "viewer/picture/picture.h"
+#include "viewer/render/egl_context.h"
 #include "viewer/render/offscreen_context.h"
 
 namespace rocinante {
