@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "viewer/render/cull_sphere.h"
-#include "viewer/render/shader_source.h"
+#include "viewer/render/look_shaders.h"
 
 namespace rocinante {
 namespace {

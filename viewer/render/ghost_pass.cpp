@@ -4,6 +4,7 @@
 
 #include "viewer/render/depth_lift.h"
 #include "viewer/render/draw_triangles.h"
+#include "viewer/render/look_shaders.h"
 #include "viewer/render/shader_source.h"
 
 namespace rocinante {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "viewer/render/depth_lift.h"
+#include "viewer/render/look_shaders.h"
 #include "viewer/render/shader_source.h"
 
 namespace rocinante {

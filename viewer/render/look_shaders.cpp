@@ -1,4 +1,4 @@
-#include "viewer/render/shader_source.h"
+#include "viewer/render/look_shaders.h"
 
 namespace rocinante::shader {
 

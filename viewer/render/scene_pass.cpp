@@ -11,6 +11,7 @@
 #include "viewer/render/depth_lift.h"
 #include "viewer/render/draw_triangles.h"
 #include "viewer/render/item_matrices.h"
+#include "viewer/render/look_shaders.h"
 #include "viewer/render/plain_shader.h"
 #include "viewer/render/shader_source.h"
 

@@ -5,7 +5,7 @@
 
 #include "core/math/transform.h"
 #include "viewer/render/draw_triangles.h"
-#include "viewer/render/shader_source.h"
+#include "viewer/render/look_shaders.h"
 
 namespace rocinante {
 namespace {
