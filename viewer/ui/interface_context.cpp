@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "viewer/render/embedded_font.h"
-#include "viewer/ui/panels.h"
+#include "viewer/ui/panel_style.h"
 
 namespace rocinante {
 namespace {

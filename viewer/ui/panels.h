@@ -40,9 +40,6 @@ struct ViewerWishes {
   std::optional<int> rung;
 };
 
-/// Colours and spacing of all panels; once, after the ImGui context was made.
-void stylePanels();
-
 /// Draws the panels over the scene and applies what was pressed to `model`: the scene, its looks
 /// and its events on the left, figures and the selected device on the right, time below. What is
 /// not the model's is wished for. Answers what of the picture they cover.
