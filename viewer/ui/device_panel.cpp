@@ -1,3 +1,5 @@
+#include "viewer/ui/device_panel.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>

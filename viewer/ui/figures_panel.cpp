@@ -1,3 +1,5 @@
+#include "viewer/ui/figures_panel.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>

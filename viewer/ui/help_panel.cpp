@@ -1,3 +1,5 @@
+#include "viewer/ui/help_panel.h"
+
 #include "viewer/ui/panel_parts.h"
 
 namespace rocinante {

@@ -1,3 +1,5 @@
+#include "viewer/ui/look_panel.h"
+
 #include <algorithm>
 
 #include "viewer/ui/panel_parts.h"

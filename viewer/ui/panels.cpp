@@ -2,7 +2,14 @@
 
 #include <algorithm>
 
+#include "viewer/ui/device_panel.h"
+#include "viewer/ui/figures_panel.h"
+#include "viewer/ui/help_panel.h"
+#include "viewer/ui/look_panel.h"
 #include "viewer/ui/panel_parts.h"
+#include "viewer/ui/scene_panel.h"
+#include "viewer/ui/sources_panel.h"
+#include "viewer/ui/time_bar.h"
 
 namespace rocinante {
 namespace {

@@ -1,7 +1,8 @@
+#include "viewer/ui/scene_panel.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -10,15 +11,6 @@
 #include "viewer/ui/panel_parts.h"
 
 namespace rocinante {
-bool containsWord(std::string_view text, std::string_view word) {
-  const auto same = [](char a, char b) {
-    return std::tolower(static_cast<unsigned char>(a)) ==
-           std::tolower(static_cast<unsigned char>(b));
-  };
-  return word.empty() ||
-         std::search(text.begin(), text.end(), word.begin(), word.end(), same) != text.end();
-}
-
 namespace {
 
 /// A check box for what is seen now. Who chose otherwise than packets and cell sees that, and can

@@ -1,3 +1,5 @@
+#include "viewer/ui/sources_panel.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>

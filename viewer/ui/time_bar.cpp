@@ -1,3 +1,5 @@
+#include "viewer/ui/time_bar.h"
+
 #include <fmt/format.h>
 #include <imgui.h>
 
