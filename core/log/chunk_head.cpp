@@ -1,15 +1,14 @@
 #include "core/log/chunk_head.h"
 
 #include "core/log/byte_cursor.h"
-#include "core/log/log_profile.h"
 #include "core/log/mcap_chunk.h"
 #include "core/log/mcap_stream_reader.h"
 
 namespace rocinante {
 namespace {
 
+using mcap::kOpenEnded;
 using mcap::Opcode;
-using profile::kOpenEnded;
 
 bool belongsInChunk(Opcode opcode) {
   return opcode == Opcode::schema || opcode == Opcode::channel || opcode == Opcode::message;

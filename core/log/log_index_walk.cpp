@@ -320,7 +320,7 @@ class Walk {
     chunk.records = chunk.records.first(static_cast<std::size_t>(size));
     const std::uint64_t end = head.records_start + size;
     if (head.open()) {
-      chunk.uncompressed_size = profile::kOpenEnded;
+      chunk.uncompressed_size = mcap::kOpenEnded;
       cause =
           "a chunk was never finished, because its recorder was stopped in it: what is there is "
           "read, and no checksum covers it";

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -31,9 +30,6 @@ inline constexpr std::string_view kCellManifestKey = "manifest";
 inline constexpr std::string_view kCellSha256Key = "sha256";
 inline constexpr std::string_view kCellManifest = "cell.json";
 inline constexpr std::string_view kCellFolder = "cell/";
-
-/// All eight bytes of a length that is not known yet: that of the chunk which is being written.
-inline constexpr std::uint64_t kOpenEnded = ~std::uint64_t{0};
 
 /// What readers say of a log whose rocinante.session has another format than kFormat.
 std::string otherFormatText(std::string_view format);

@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "core/hash.h"
-#include "core/log/log_profile.h"
 
 namespace rocinante::mcap {
 namespace {
@@ -106,7 +105,7 @@ Result<ByteView> ChunkExpander::expand(const Chunk& chunk, Scratch& scratch) {
 
 Result<ByteView> ChunkExpander::expandCut(const Chunk& chunk, Scratch& scratch) {
   Chunk bounded = chunk;
-  if (chunk.uncompressed_size == profile::kOpenEnded) bounded.uncompressed_size = kMaxChunkBytes;
+  if (chunk.uncompressed_size == kOpenEnded) bounded.uncompressed_size = kMaxChunkBytes;
   if (Status allowed = mayExpand(bounded); !allowed) return allowed.error();
   const std::uint64_t size = bounded.uncompressed_size;
   if (chunk.compression.empty()) {

@@ -81,7 +81,7 @@ class ChunkExpander {
   Result<ByteView> expand(const Chunk& chunk, Scratch& scratch);
 
   /// What can still be had of a chunk whose end is missing: `chunk.records` holds the bytes that
-  /// are there, `chunk.uncompressed_size` may be open (profile::kOpenEnded). Nothing of it can be
+  /// are there, `chunk.uncompressed_size` may be open (kOpenEnded). Nothing of it can be
   /// checked. Where the bytes do not go on as zstd, what came before is given.
   Result<ByteView> expandCut(const Chunk& chunk, Scratch& scratch);
 

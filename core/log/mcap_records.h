@@ -25,6 +25,8 @@ inline constexpr std::size_t kDataEndContentBytes = 4;
 inline constexpr std::size_t kMessageHeaderBytes = 22;
 /// What stands at the end of every whole file: the Footer record and the magic.
 inline constexpr std::size_t kFileEndBytes = kPrefixBytes + kFooterContentBytes + 8;
+/// All eight bytes of a length that is not known yet: that of the chunk which is being written.
+inline constexpr std::uint64_t kOpenEnded = ~std::uint64_t{0};
 
 enum class Opcode : std::uint8_t {
   invalid = 0x00,

@@ -5,7 +5,6 @@
 
 #include "core/hash.h"
 #include "core/log/byte_cursor.h"
-#include "core/log/log_profile.h"
 
 namespace rocinante::mcap {
 namespace {
@@ -31,7 +30,7 @@ std::size_t headerBytes(const std::string& compression) {
 
 /// The Chunk record up to its records; with an open end where `open`.
 void putHeader(std::byte* at, const ChunkIndex& index, std::uint32_t crc, bool open) {
-  const auto known = [open](std::uint64_t value) { return open ? profile::kOpenEnded : value; };
+  const auto known = [open](std::uint64_t value) { return open ? kOpenEnded : value; };
   at = put(at, static_cast<std::uint8_t>(Opcode::chunk));
   at = put(at, known(index.chunk_length - kPrefixBytes));
   at = put(at, index.message_start_time);

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "core/hash.h"
-#include "core/log/log_profile.h"
 #include "core/log/log_reader.h"
 #include "core/log/mcap_chunk.h"
 #include "core/log/mcap_records.h"
@@ -21,8 +20,8 @@ mcap::Chunk chunkOf(std::uint8_t kind, ByteView records) {
   mcap::Chunk chunk;
   chunk.compression = (kind & 1U) != 0 ? "zstd" : "";
   chunk.message_start_time = 1000;
-  chunk.message_end_time = (kind & 2U) != 0 ? profile::kOpenEnded : 2000;
-  chunk.uncompressed_size = (kind & 4U) != 0   ? profile::kOpenEnded
+  chunk.message_end_time = (kind & 2U) != 0 ? mcap::kOpenEnded : 2000;
+  chunk.uncompressed_size = (kind & 4U) != 0   ? mcap::kOpenEnded
                             : (kind & 8U) != 0 ? std::uint64_t{1} << 16U
                                                : records.size();
   if ((kind & 16U) != 0 && chunk.compression.empty()) chunk.uncompressed_crc = crc32(records);

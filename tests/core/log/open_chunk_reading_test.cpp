@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "core/hash.h"
-#include "core/log/log_profile.h"
 #include "core/log/mcap_records.h"
 #include "core/log/mcap_stream_reader.h"
 #include "tests/core/log/log_support.h"
@@ -74,7 +73,7 @@ ChunkedLog chunkedLog(bool zstd) {
   log.closed = log.open;
   append(log.closed, chunk);
   // The same with an open end.
-  chunk.message_end_time = chunk.uncompressed_size = profile::kOpenEnded;
+  chunk.message_end_time = chunk.uncompressed_size = mcap::kOpenEnded;
   chunk.uncompressed_crc = 0;
   append(log.open, chunk);
   const std::byte ones{0xFF};
@@ -222,7 +221,7 @@ TEST(OpenChunkBomb, IsExpandedOnlyUpToTheLimit) {
   ZSTD_CCtx_setParameter(context, ZSTD_c_contentSizeFlag, 0);
   frame.resize(ZSTD_compress2(context, frame.data(), frame.size(), zeros.data(), zeros.size()));
   ZSTD_freeCCtx(context);
-  mcap::Chunk chunk{1, 2, profile::kOpenEnded, 0, "zstd", frame};
+  mcap::Chunk chunk{1, 2, mcap::kOpenEnded, 0, "zstd", frame};
   mcap::ChunkExpander expander;
   mcap::Scratch scratch;
   const Result<ByteView> records = expander.expandCut(chunk, scratch);
