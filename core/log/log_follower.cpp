@@ -11,6 +11,7 @@
 #include "core/log/byte_cursor.h"
 #include "core/log/followed_file.h"
 #include "core/log/log_profile.h"
+#include "core/log/mcap_parse.h"
 #include "core/log/open_chunk_stream.h"
 
 namespace rocinante {

@@ -4,6 +4,7 @@
 #include "core/hash.h"
 #include "core/log/byte_cursor.h"
 #include "core/log/log_index.h"
+#include "core/log/mcap_parse.h"
 #include "core/log/mcap_stream_reader.h"
 #include "core/log/record_probe.h"
 

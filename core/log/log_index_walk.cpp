@@ -7,6 +7,7 @@
 #include "core/log/chunk_head.h"
 #include "core/log/log_index.h"
 #include "core/log/log_profile.h"
+#include "core/log/mcap_parse.h"
 #include "core/log/mcap_stream_reader.h"
 #include "core/log/record_probe.h"
 

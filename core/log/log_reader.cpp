@@ -14,6 +14,7 @@
 #include "core/log/log_profile.h"
 #include "core/log/loss_message.h"
 #include "core/log/mapped_file.h"
+#include "core/log/mcap_parse.h"
 #include "core/log/mcap_stream_reader.h"
 #include "core/log/span_merge.h"
 

@@ -1,8 +1,9 @@
+#include "core/log/mcap_append.h"
+
 #include <type_traits>
 
 #include "core/hash.h"
 #include "core/log/byte_cursor.h"
-#include "core/log/mcap_records.h"
 
 namespace rocinante::mcap {
 namespace {

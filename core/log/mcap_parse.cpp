@@ -1,5 +1,6 @@
+#include "core/log/mcap_parse.h"
+
 #include "core/log/byte_cursor.h"
-#include "core/log/mcap_records.h"
 
 namespace rocinante::mcap {
 namespace {
@@ -37,44 +38,6 @@ bool readNumberMap(ByteView bytes, std::map<std::uint16_t, std::uint64_t>& out) 
 }
 
 }  // namespace
-
-std::string_view nameOf(Opcode opcode) {
-  switch (opcode) {
-    case Opcode::invalid:
-      return "record with opcode 0";
-    case Opcode::header:
-      return "Header";
-    case Opcode::footer:
-      return "Footer";
-    case Opcode::schema:
-      return "Schema";
-    case Opcode::channel:
-      return "Channel";
-    case Opcode::message:
-      return "Message";
-    case Opcode::chunk:
-      return "Chunk";
-    case Opcode::message_index:
-      return "MessageIndex";
-    case Opcode::chunk_index:
-      return "ChunkIndex";
-    case Opcode::attachment:
-      return "Attachment";
-    case Opcode::attachment_index:
-      return "AttachmentIndex";
-    case Opcode::statistics:
-      return "Statistics";
-    case Opcode::metadata:
-      return "Metadata";
-    case Opcode::metadata_index:
-      return "MetadataIndex";
-    case Opcode::summary_offset:
-      return "SummaryOffset";
-    case Opcode::data_end:
-      return "DataEnd";
-  }
-  return "record";
-}
 
 std::optional<std::size_t> parse(ByteView content, Header& out) {
   ByteCursor cursor(content);
@@ -146,18 +109,6 @@ std::optional<std::size_t> parse(ByteView content, MessageIndex& out) {
     out.records.emplace_back(log_time, offset);
   }
   return consumed(cursor);
-}
-
-std::uint64_t IndexEntries::time(std::size_t entry) const {
-  std::uint64_t value = 0;
-  std::memcpy(&value, entries.data() + entry * kEntryBytes, sizeof(value));
-  return value;
-}
-
-std::uint64_t IndexEntries::offset(std::size_t entry) const {
-  std::uint64_t value = 0;
-  std::memcpy(&value, entries.data() + entry * kEntryBytes + sizeof(value), sizeof(value));
-  return value;
 }
 
 std::optional<IndexEntries> indexEntries(ByteView content) {

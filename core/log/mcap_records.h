@@ -180,44 +180,4 @@ struct IndexEntries {
   std::uint64_t offset(std::size_t entry) const;
 };
 
-/// Empty when the content of the MessageIndex breaks the format.
-std::optional<IndexEntries> indexEntries(ByteView content);
-
-/// Reads a record from its content (without the prefix). Answers how many bytes its known fields
-/// took: a later version may add fields behind them, except to Message, DataEnd and Footer. Empty
-/// when the content breaks the format: a length beyond the end, or a map whose bytes do not come
-/// out even. Nothing is allocated before its length is checked.
-std::optional<std::size_t> parse(ByteView content, Header& out);
-std::optional<std::size_t> parse(ByteView content, Footer& out);
-std::optional<std::size_t> parse(ByteView content, Schema& out);
-std::optional<std::size_t> parse(ByteView content, Channel& out);
-std::optional<std::size_t> parse(ByteView content, Message& out);
-std::optional<std::size_t> parse(ByteView content, Chunk& out);
-std::optional<std::size_t> parse(ByteView content, MessageIndex& out);
-std::optional<std::size_t> parse(ByteView content, ChunkIndex& out);
-std::optional<std::size_t> parse(ByteView content, Attachment& out);
-std::optional<std::size_t> parse(ByteView content, AttachmentIndex& out);
-std::optional<std::size_t> parse(ByteView content, Statistics& out);
-std::optional<std::size_t> parse(ByteView content, Metadata& out);
-std::optional<std::size_t> parse(ByteView content, MetadataIndex& out);
-std::optional<std::size_t> parse(ByteView content, SummaryOffset& out);
-std::optional<std::size_t> parse(ByteView content, DataEnd& out);
-
-/// Appends a whole record: opcode, length, content.
-void append(Bytes& out, const Header& record);
-void append(Bytes& out, const Footer& record);
-void append(Bytes& out, const Schema& record);
-void append(Bytes& out, const Channel& record);
-void append(Bytes& out, const Message& record);
-void append(Bytes& out, const Chunk& record);
-void append(Bytes& out, const MessageIndex& record);
-void append(Bytes& out, const ChunkIndex& record);
-void append(Bytes& out, const Attachment& record);
-void append(Bytes& out, const AttachmentIndex& record);
-void append(Bytes& out, const Statistics& record);
-void append(Bytes& out, const Metadata& record);
-void append(Bytes& out, const MetadataIndex& record);
-void append(Bytes& out, const SummaryOffset& record);
-void append(Bytes& out, const DataEnd& record);
-
 }  // namespace rocinante::mcap

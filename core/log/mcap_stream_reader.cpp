@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/log/byte_cursor.h"
+#include "core/log/mcap_parse.h"
 
 namespace rocinante::mcap {
 namespace {

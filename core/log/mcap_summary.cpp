@@ -5,6 +5,7 @@
 
 #include "core/hash.h"
 #include "core/log/byte_cursor.h"
+#include "core/log/mcap_append.h"
 
 namespace rocinante::mcap {
 namespace {

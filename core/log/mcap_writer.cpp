@@ -3,6 +3,7 @@
 #include <cassert>
 
 #include "core/log/byte_cursor.h"
+#include "core/log/mcap_append.h"
 
 namespace rocinante::mcap {
 

@@ -2,6 +2,7 @@
 
 #include "core/log/byte_cursor.h"
 #include "core/log/chunk_head.h"
+#include "core/log/mcap_parse.h"
 
 namespace rocinante {
 

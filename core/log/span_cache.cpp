@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/count_text.h"
+#include "core/log/mcap_parse.h"
 #include "core/log/mcap_stream_reader.h"
 
 namespace rocinante {

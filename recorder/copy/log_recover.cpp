@@ -11,6 +11,7 @@
 
 #include "core/hash.h"
 #include "core/log/log_profile.h"
+#include "core/log/mcap_parse.h"
 #include "core/log/mcap_stream_reader.h"
 #include "core/session/marks.h"
 

@@ -7,6 +7,7 @@
 #include "core/hash.h"
 #include "core/log/chunk_head.h"
 #include "core/log/log_profile.h"
+#include "core/log/mcap_parse.h"
 
 namespace rocinante {
 

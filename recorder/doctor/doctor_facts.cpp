@@ -6,6 +6,8 @@
 
 #include "core/hash.h"
 #include "core/log/byte_cursor.h"
+#include "core/log/mcap_append.h"
+#include "core/log/mcap_parse.h"
 #include "core/plain_text.h"
 
 namespace rocinante {

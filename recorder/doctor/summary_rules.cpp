@@ -7,6 +7,7 @@
 #include "core/count_text.h"
 #include "core/hash.h"
 #include "core/log/byte_cursor.h"
+#include "core/log/mcap_parse.h"
 
 namespace rocinante {
 

@@ -23,6 +23,7 @@
 #include "core/log/log_reader.h"
 #include "core/log/log_writer.h"
 #include "core/log/mapped_file.h"
+#include "core/log/mcap_parse.h"
 #include "core/log/mcap_stream_reader.h"
 
 namespace {

@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <random>
 
+#include "core/log/mcap_append.h"
 #include "core/log/mcap_records.h"
 #include "core/session/session_writer.h"
 #include "core/session/timeline.h"

@@ -12,6 +12,7 @@
 #include <filesystem>
 
 #include "core/log/log_writer.h"
+#include "core/log/mcap_append.h"
 #include "core/log/mcap_records.h"
 #include "tests/support/joint_packets.h"
 

@@ -8,6 +8,7 @@
 
 #include "core/hash.h"
 #include "core/log/log_reader.h"
+#include "core/log/mcap_append.h"
 #include "core/log/mcap_chunk.h"
 #include "core/log/mcap_records.h"
 

@@ -11,6 +11,8 @@
 #include "core/hash.h"
 #include "core/log/log_reader.h"
 #include "core/log/log_writer.h"
+#include "core/log/mcap_append.h"
+#include "core/log/mcap_parse.h"
 #include "core/log/mcap_records.h"
 
 namespace {

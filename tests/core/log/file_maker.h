@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/hash.h"
+#include "core/log/mcap_append.h"
 #include "core/log/mcap_records.h"
 #include "core/log/mcap_writer.h"
 

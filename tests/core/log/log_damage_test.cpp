@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/hash.h"
+#include "core/log/mcap_parse.h"
 #include "core/log/mcap_records.h"
 #include "core/log/mcap_stream_reader.h"
 #include "tests/core/log/log_support.h"

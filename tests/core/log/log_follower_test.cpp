@@ -9,6 +9,7 @@
 #include "core/hash.h"
 #include "core/log/followed_file.h"
 #include "core/log/log_profile.h"
+#include "core/log/mcap_append.h"
 #include "core/log/mcap_records.h"
 #include "tests/core/log/file_maker.h"
 #include "tests/core/log/log_support.h"

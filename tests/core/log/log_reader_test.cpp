@@ -7,7 +7,9 @@
 
 #include "core/hash.h"
 #include "core/log/chunk_compressor.h"
+#include "core/log/mcap_append.h"
 #include "core/log/mcap_chunk.h"
+#include "core/log/mcap_parse.h"
 #include "core/log/mcap_writer.h"
 #include "tests/core/log/file_maker.h"
 #include "tests/core/log/log_support.h"

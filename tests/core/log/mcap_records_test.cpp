@@ -5,7 +5,8 @@
 #include <functional>
 
 #include "core/hash.h"
-#include "tests/core/log/log_support.h"
+#include "core/log/mcap_append.h"
+#include "core/log/mcap_parse.h"
 
 namespace rocinante::mcap {
 namespace {

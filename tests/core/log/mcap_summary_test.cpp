@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "core/log/mcap_append.h"
+
 namespace rocinante::test {
 namespace {
 

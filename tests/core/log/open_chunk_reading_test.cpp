@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/hash.h"
+#include "core/log/mcap_append.h"
 #include "core/log/mcap_records.h"
 #include "core/log/mcap_stream_reader.h"
 #include "tests/core/log/log_support.h"

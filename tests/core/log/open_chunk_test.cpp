@@ -6,6 +6,7 @@
 
 #include "core/hash.h"
 #include "core/log/byte_cursor.h"
+#include "core/log/mcap_parse.h"
 #include "core/log/mcap_stream_reader.h"
 #include "core/log/mcap_writer.h"
 #include "tests/core/log/log_support.h"

@@ -7,6 +7,7 @@
 
 #include "core/atomic_file.h"
 #include "core/log/log_profile.h"
+#include "core/log/mcap_parse.h"
 #include "core/log/mcap_stream_reader.h"
 #include "core/session/marks.h"
 #include "tests/recorder/copy/copy_support.h"

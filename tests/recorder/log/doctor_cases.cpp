@@ -1,6 +1,7 @@
 #include "tests/recorder/log/doctor_cases.h"
 
 #include "core/log/log_writer.h"
+#include "core/log/mcap_append.h"
 #include "core/packet/decoder.h"
 #include "core/session/keyframe.h"
 

@@ -10,6 +10,7 @@
 
 #include "core/hash.h"
 #include "core/log/log_profile.h"
+#include "core/log/mcap_append.h"
 #include "core/log/mcap_records.h"
 #include "core/log/mcap_stream_reader.h"
 #include "recorder/doctor/log_doctor.h"

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "core/log/log_reader.h"
+#include "core/log/mcap_parse.h"
 #include "tests/core/log/conformance/record_json.h"
 
 int main(int argc, char** argv) {

@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "core/atomic_file.h"
+#include "core/log/mcap_parse.h"
 
 namespace rocinante::test {
 namespace {
