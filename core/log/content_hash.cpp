@@ -1,7 +1,5 @@
 #include "core/log/content_hash.h"
 
-#include "core/log/log_reader.h"
-
 namespace rocinante {
 
 void ContentHash::add(const LogMessage& message) {
@@ -16,18 +14,5 @@ void ContentHash::add(const LogMessage& message) {
 }
 
 std::string ContentHash::finish() { return hexOf(hash_.finish()); }
-
-Result<std::string> contentSha256(LogReader& reader) {
-  if (Status rewound = reader.rewind(); !rewound) return rewound.error();
-  ContentHash hash;
-  while (true) {
-    Result<std::optional<LogMessage>> message = reader.next();
-    if (!message) return message.error();
-    if (!*message) break;
-    hash.add(**message);
-  }
-  if (Status rewound = reader.rewind(); !rewound) return rewound.error();
-  return hash.finish();
-}
 
 }  // namespace rocinante

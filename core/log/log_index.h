@@ -25,14 +25,6 @@ struct LogIndex {
   bool closed = false;  ///< ends as a whole file does
 };
 
-/// The index that the file's own summary holds: empty when there is no summary, or when it is
-/// incomplete, damaged, or does not agree with the file. `damage` says so where that is a fault.
-std::optional<LogIndex> indexFromSummary(ByteView file, std::vector<DamageSpan>& damage);
-
-/// The index made by walking over the whole file, record by record. Chunks are only expanded where
-/// their message indexes do not tell enough. Goes on after damage. The file begins with the magic.
-LogIndex indexByWalking(ByteView file);
-
 /// Adds what the record tells; false when it breaks the format.
 bool addAttachment(const mcap::Record& record, LogIndex& index);
 bool addMetadata(const mcap::Record& record, LogIndex& index);

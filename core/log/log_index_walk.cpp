@@ -1,3 +1,5 @@
+#include "core/log/log_index_walk.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -5,7 +7,6 @@
 #include <limits>
 
 #include "core/log/chunk_head.h"
-#include "core/log/log_index.h"
 #include "core/log/log_profile.h"
 #include "core/log/mcap_parse.h"
 #include "core/log/mcap_stream_reader.h"

@@ -8,14 +8,17 @@
 #include <set>
 
 #include "core/hash.h"
+#include "core/log/content_hash.h"
 #include "core/log/foreign_file.h"
 #include "core/log/last_message.h"
-#include "core/log/log_index.h"
+#include "core/log/log_index_summary.h"
+#include "core/log/log_index_walk.h"
 #include "core/log/log_profile.h"
 #include "core/log/loss_message.h"
 #include "core/log/mapped_file.h"
 #include "core/log/mcap_parse.h"
 #include "core/log/mcap_stream_reader.h"
+#include "core/log/span_damage.h"
 #include "core/log/span_merge.h"
 
 namespace rocinante {
@@ -377,6 +380,19 @@ bool LogReader::inOrderAt(LogPlace place) { return impl_->inOrderAt(place); }
 Result<std::optional<LogMessage>> LogReader::lastOf(ChannelId channel, LogTime moment) {
   if (!impl_->last) impl_->last.emplace(*impl_->cache);
   return impl_->last->find(channel, moment);
+}
+
+Result<std::string> contentSha256(LogReader& reader) {
+  if (Status rewound = reader.rewind(); !rewound) return rewound.error();
+  ContentHash hash;
+  while (true) {
+    Result<std::optional<LogMessage>> message = reader.next();
+    if (!message) return message.error();
+    if (!*message) break;
+    hash.add(**message);
+  }
+  if (Status rewound = reader.rewind(); !rewound) return rewound.error();
+  return hash.finish();
 }
 
 }  // namespace rocinante

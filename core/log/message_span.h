@@ -8,7 +8,6 @@
 #include "core/log/mapped_file.h"
 #include "core/log/mcap_chunk.h"
 #include "core/log/mcap_records.h"
-#include "core/log/unreadable_range.h"
 
 namespace rocinante {
 
@@ -97,16 +96,6 @@ class SpanDecoder {
   mcap::Scratch compressed_;
   mcap::ChunkExpander expander_;
 };
-
-/// Of `damage` in a file of so many bytes with these spans; empty when it cost no message. What a
-/// killed recorder leaves, or a file that was cut, has lost what came after the last message that
-/// can be read, and nothing before it. Pure.
-std::optional<UnreadableRange> unreadableRange(const DamageSpan& damage,
-                                               const std::vector<MessageSpan>& spans, bool in_order,
-                                               std::uint64_t file_bytes);
-
-/// True when each span begins where those before it in the file have ended, or later.
-bool areInOrder(const std::vector<MessageSpan>& spans);
 
 /// A log time from the file's unsigned one. What lies beyond 2262 is held at the last moment.
 LogTime logTimeOf(std::uint64_t file_time);

@@ -1,8 +1,6 @@
-#include "core/log/unreadable_range.h"
+#include "core/log/span_damage.h"
 
 #include <algorithm>
-
-#include "core/log/message_span.h"
 
 namespace rocinante {
 namespace {
