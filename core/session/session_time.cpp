@@ -1,5 +1,6 @@
+#include "core/session/session_time.h"
+
 #include "core/duration_text.h"
-#include "core/session/timeline.h"
 
 namespace rocinante {
 namespace {

@@ -10,6 +10,7 @@
 #include "core/packet/session_state.h"
 #include "core/result.h"
 #include "core/session/keyframe.h"
+#include "core/session/session_time.h"
 #include "core/session/state_damage.h"
 
 namespace rocinante {
@@ -74,9 +75,5 @@ class Timeline {
   explicit Timeline(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> impl_;
 };
-
-/// Reads a time as a person writes it against a session: "12.5", "12.5s", "1m02.5s", "250ms" from
-/// the origin, "-1s" from the end, or RFC 3339 "2026-02-03T04:05:06.789Z". Exact to the nanosecond.
-Result<LogTime> parseSessionTime(std::string_view text, LogTime origin, LogTime end);
 
 }  // namespace rocinante

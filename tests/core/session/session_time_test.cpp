@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "core/session/timeline.h"
+#include "core/session/session_time.h"
 
 namespace rocinante {
 namespace {
