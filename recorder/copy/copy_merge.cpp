@@ -1,8 +1,9 @@
+#include "recorder/copy/copy_merge.h"
+
 #include <algorithm>
 
 #include "core/hash.h"
 #include "core/log/loss_message.h"
-#include "recorder/copy/log_copy.h"
 
 namespace rocinante {
 namespace {

@@ -5,6 +5,7 @@
 
 #include "core/hash.h"
 #include "core/log/log_profile.h"
+#include "recorder/copy/copy_merge.h"
 
 namespace rocinante {
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -34,41 +32,6 @@ struct CopyReport {
   std::uint64_t repeated = 0;  ///< messages that several pieces of one session held
   std::vector<CopyGap> gaps;   ///< damage of the inputs
   std::vector<std::string> notes;
-};
-
-/// Several sources as one: (time, argument order, their own order).
-class CopyMerge {
- public:
-  /// The sources must outlive it and stay where they are.
-  explicit CopyMerge(std::vector<CopySource>& sources);
-
-  /// The next item, or null at the end; valid until the next call. What several pieces of one
-  /// session hold is given once.
-  Result<const CopyItem*> next();
-  std::uint64_t repeated() const { return repeated_; }
-
- private:
-  /// What equal items came at one time from one source.
-  struct Seen {
-    std::size_t source = 0;
-    std::uint64_t captured = 0;
-    std::uint64_t all = 0;
-  };
-
-  Status refill();
-  std::optional<std::size_t> earliest() const;
-  bool isRepeated(std::size_t source, const CopyItem& item);
-  bool sameSession(std::size_t a, std::size_t b) const;
-  bool othersAt(std::size_t source, LogTime time) const;
-
-  std::vector<CopySource>& sources_;
-  std::vector<const CopyItem*> heads_;
-  bool filled_ = false;               ///< every source was looked at
-  std::optional<std::size_t> taken_;  ///< whose head was given last
-  /// By the hash of what makes items equal: those at seen_time_, where another source may repeat.
-  std::map<std::array<std::byte, 16>, std::vector<Seen>> seen_;
-  LogTime seen_time_{};
-  std::uint64_t repeated_ = 0;
 };
 
 /// Makes one log out of the sources. The sink is closed on success. `attachments` false

@@ -1,4 +1,4 @@
-#include "recorder/copy/log_make.h"
+#include "recorder/copy/log_cut.h"
 
 namespace rocinante {
 

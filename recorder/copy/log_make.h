@@ -42,25 +42,4 @@ Result<std::string> sessionIdOf(LogReader& reader);
 Result<CopyReport> makeLog(std::vector<CopySource>& sources, const MakeOptions& make,
                            const PieceOptions& piece, const std::string& reason, bool may_be_empty);
 
-/// The part of a log that `selection` names, its times included, as a log that stands alone.
-/// `reason` is the tool's name. not_found when no captured message is chosen.
-Result<CopyReport> cutLog(const std::filesystem::path& log, const SelectionOptions& selection,
-                          const MakeOptions& make, const std::string& reason);
-
-/// Several logs as one. Those of one session stay that session, and what several of them hold is
-/// taken once; else a new one, named by theirs. Times count from the earliest origin. At one time
-/// the log named first comes first, and of pieces of one session the one that begins first.
-Result<CopyReport> mergeLogs(const std::vector<std::filesystem::path>& logs,
-                             const MakeOptions& make);
-
-struct ShiftOptions {
-  std::string by;        ///< a duration; or
-  std::string to;        ///< RFC 3339: when the session's origin shall have been
-  bool publish = false;  ///< the senders' times too
-};
-
-/// The log at another time. bad_argument when a time would lie before 1970 or beyond 2262.
-Result<CopyReport> shiftLog(const std::filesystem::path& log, const ShiftOptions& shift,
-                            const MakeOptions& make);
-
 }  // namespace rocinante

@@ -1,8 +1,9 @@
+#include "recorder/copy/log_merge.h"
+
 #include <algorithm>
 #include <map>
 
 #include "core/hash.h"
-#include "recorder/copy/log_make.h"
 
 namespace rocinante {
 namespace {

@@ -1,9 +1,10 @@
+#include "recorder/copy/log_shift.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "core/duration_text.h"
-#include "recorder/copy/log_make.h"
 
 namespace rocinante {
 namespace {

@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "core/unfinished_path.h"
+#include "recorder/copy/copy_merge.h"
 #include "recorder/copy/log_preceding.h"
 
 namespace rocinante {

@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 
+#include "recorder/copy/log_merge.h"
 #include "recorder/log/copy_options.h"
 #include "recorder/log/log_commands.h"
 

@@ -2,6 +2,7 @@
 
 #include "core/duration_text.h"
 #include "core/session/marks.h"
+#include "recorder/copy/log_cut.h"
 #include "tests/recorder/copy/copy_support.h"
 
 namespace rocinante::test {

@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 
 #include "core/session/marks.h"
+#include "recorder/copy/log_cut.h"
+#include "recorder/copy/log_shift.h"
 #include "tests/recorder/copy/copy_support.h"
 
 namespace rocinante::test {

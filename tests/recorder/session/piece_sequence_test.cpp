@@ -6,6 +6,7 @@
 #include <random>
 
 #include "recorder/copy/log_make.h"
+#include "recorder/copy/log_merge.h"
 #include "recorder/doctor/log_doctor.h"
 #include "tests/recorder/session/capture_rig.h"
 #include "tests/support/joint_packets.h"
