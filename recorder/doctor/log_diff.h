@@ -74,9 +74,4 @@ enum class DiffBy { payload, time, state, all };
 Result<LogDiff> diffLogs(LogReader& a, LogReader& b, DiffBy by,
                          const std::function<void(double)>& progress = {});
 
-/// For people: several lines, the last with its LF.
-std::string diffText(const LogDiff& diff);
-/// For scripts: one JSON object with its LF.
-std::string diffJson(const LogDiff& diff);
-
 }  // namespace rocinante

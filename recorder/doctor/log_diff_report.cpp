@@ -1,3 +1,5 @@
+#include "recorder/doctor/log_diff_report.h"
+
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -5,7 +7,6 @@
 #include "core/count_text.h"
 #include "core/duration_text.h"
 #include "core/plain_text.h"
-#include "recorder/doctor/log_diff.h"
 
 namespace rocinante {
 namespace {

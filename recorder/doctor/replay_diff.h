@@ -63,9 +63,4 @@ struct ReplayDiff {
 Result<ReplayDiff> diffReplay(LogReader& a, LogReader& b, const ReplayOptions& options,
                               const std::function<void(double)>& progress = {});
 
-/// For people: several lines, the last with its LF.
-std::string replayText(const ReplayDiff& diff);
-/// For scripts: one JSON object with its LF.
-std::string replayJson(const ReplayDiff& diff);
-
 }  // namespace rocinante

@@ -5,7 +5,9 @@
 
 #include "core/duration_text.h"
 #include "recorder/doctor/log_diff.h"
+#include "recorder/doctor/log_diff_report.h"
 #include "recorder/doctor/replay_diff.h"
+#include "recorder/doctor/replay_diff_report.h"
 #include "recorder/log/command_support.h"
 #include "recorder/log/log_commands.h"
 

@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "recorder/doctor/log_diff_report.h"
 #include "tests/core/log/log_support.h"
 
 namespace rocinante::test {

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "recorder/doctor/replay_diff_report.h"
 #include "tests/core/log/log_support.h"
 
 namespace rocinante::test {
