@@ -4,6 +4,8 @@
 #include "recorder/log/command_support.h"
 #include "recorder/log/log_commands.h"
 #include "recorder/log/log_info.h"
+#include "recorder/log/log_info_json.h"
+#include "recorder/log/log_info_text.h"
 
 namespace rocinante {
 namespace {

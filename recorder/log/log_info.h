@@ -57,10 +57,4 @@ struct LogInfo {
 Result<LogInfo> logInfo(const std::filesystem::path& path,
                         const std::function<void(double)>& progress = {});
 
-/// For people: several lines, the last with its LF.
-std::string logInfoText(const LogInfo& info);
-
-/// For scripts: one JSON object, indented or on one line, with its LF.
-std::string logInfoJson(const LogInfo& info, bool indented);
-
 }  // namespace rocinante

@@ -1,8 +1,9 @@
+#include "recorder/log/log_info_json.h"
+
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "core/duration_text.h"
-#include "recorder/log/log_info.h"
 
 namespace rocinante {
 namespace {

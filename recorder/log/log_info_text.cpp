@@ -1,3 +1,5 @@
+#include "recorder/log/log_info_text.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -8,7 +10,6 @@
 #include "core/duration_text.h"
 #include "core/log/log_profile.h"
 #include "core/size_text.h"
-#include "recorder/log/log_info.h"
 #include "recorder/log/message_text.h"
 
 namespace rocinante {

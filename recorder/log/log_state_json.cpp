@@ -1,9 +1,10 @@
+#include "recorder/log/log_state_json.h"
+
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
 
 #include "core/hash.h"
-#include "recorder/log/log_state.h"
 
 namespace rocinante {
 namespace {

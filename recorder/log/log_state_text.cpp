@@ -1,10 +1,11 @@
+#include "recorder/log/log_state_text.h"
+
 #include <fmt/format.h>
 
 #include "core/duration_text.h"
 #include "core/packet/item_text.h"
 #include "core/packet/packet_text.h"
 #include "core/plain_text.h"
-#include "recorder/log/log_state.h"
 
 namespace rocinante {
 namespace {

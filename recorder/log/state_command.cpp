@@ -7,6 +7,8 @@
 #include "recorder/log/command_support.h"
 #include "recorder/log/log_commands.h"
 #include "recorder/log/log_state.h"
+#include "recorder/log/log_state_json.h"
+#include "recorder/log/log_state_text.h"
 
 namespace rocinante {
 namespace {

@@ -9,6 +9,7 @@
 #include "core/packet/item_text.h"
 #include "core/packet/packet_limits.h"
 #include "core/plain_text.h"
+#include "recorder/spy/spy_reasons.h"
 
 namespace rocinante {
 namespace {

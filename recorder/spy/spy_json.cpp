@@ -1,6 +1,6 @@
-#include <nlohmann/json.hpp>
+#include "recorder/spy/spy_json.h"
 
-#include "recorder/spy/spy_report.h"
+#include <nlohmann/json.hpp>
 
 namespace rocinante {
 namespace {

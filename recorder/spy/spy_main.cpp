@@ -13,6 +13,8 @@
 #include "core/duration_text.h"
 #include "core/input/open_source.h"
 #include "recorder/spy/spy.h"
+#include "recorder/spy/spy_json.h"
+#include "recorder/spy/spy_text.h"
 
 namespace {
 

@@ -1,3 +1,5 @@
+#include "recorder/spy/spy_reasons.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,7 +8,6 @@
 #include "core/cli/text_table.h"
 #include "core/duration_text.h"
 #include "core/plain_text.h"
-#include "recorder/spy/spy_report.h"
 
 namespace rocinante {
 namespace {

@@ -119,13 +119,4 @@ struct SpyReport {
   std::vector<SpyReason> reasons;
 };
 
-/// Fills `reasons` from the rest: the answer to "nothing moves, why?".
-void findReasons(SpyReport& report);
-
-/// For people: tables with at most `rows` lines (0: all) of at most `columns` characters (0: any).
-std::string spyText(const SpyReport& report, std::size_t rows, std::size_t columns);
-
-/// For scripts: one JSON object (docs/programs/spy.md), indented or on one line, without LF.
-std::string spyJson(const SpyReport& report, bool indented);
-
 }  // namespace rocinante

@@ -1,3 +1,5 @@
+#include "recorder/spy/spy_text.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -5,7 +7,6 @@
 
 #include "core/cli/text_table.h"
 #include "core/plain_text.h"
-#include "recorder/spy/spy_report.h"
 
 namespace rocinante {
 namespace {

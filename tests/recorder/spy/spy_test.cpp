@@ -4,6 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "recorder/spy/spy_json.h"
+#include "recorder/spy/spy_text.h"
+
 namespace rocinante {
 namespace {
 

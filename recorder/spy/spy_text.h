@@ -1,0 +1,13 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "recorder/spy/spy_report.h"
+
+namespace rocinante {
+
+/// For people: tables with at most `rows` lines (0: all) of at most `columns` characters (0: any).
+std::string spyText(const SpyReport& report, std::size_t rows, std::size_t columns);
+
+}  // namespace rocinante
