@@ -1,3 +1,5 @@
+#include "recorder/log/attach_command.h"
+
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -11,7 +13,6 @@
 #include "core/cli/worker_threads.h"
 #include "recorder/log/copy_options.h"
 #include "recorder/log/log_attach.h"
-#include "recorder/log/log_commands.h"
 
 namespace rocinante {
 namespace {

@@ -1,3 +1,5 @@
+#include "recorder/log/cat_command.h"
+
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -5,7 +7,6 @@
 #include "recorder/copy/nothing_chosen.h"
 #include "recorder/log/command_support.h"
 #include "recorder/log/log_cat.h"
-#include "recorder/log/log_commands.h"
 
 namespace rocinante {
 namespace {

@@ -1,3 +1,5 @@
+#include "recorder/log/diff_command.h"
+
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -9,7 +11,6 @@
 #include "recorder/doctor/replay_diff.h"
 #include "recorder/doctor/replay_diff_report.h"
 #include "recorder/log/command_support.h"
-#include "recorder/log/log_commands.h"
 
 namespace rocinante {
 namespace {

@@ -1,9 +1,10 @@
+#include "recorder/log/doctor_command.h"
+
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
 #include "recorder/doctor/log_doctor.h"
 #include "recorder/log/command_support.h"
-#include "recorder/log/log_commands.h"
 
 namespace rocinante {
 namespace {

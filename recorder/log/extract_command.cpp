@@ -1,3 +1,5 @@
+#include "recorder/log/extract_command.h"
+
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -6,7 +8,6 @@
 #include "core/atomic_file.h"
 #include "core/plain_text.h"
 #include "recorder/log/command_support.h"
-#include "recorder/log/log_commands.h"
 #include "recorder/log/log_extract.h"
 
 namespace rocinante {

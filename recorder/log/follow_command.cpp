@@ -1,3 +1,5 @@
+#include "recorder/log/follow_command.h"
+
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -6,7 +8,6 @@
 #include <thread>
 
 #include "recorder/log/command_support.h"
-#include "recorder/log/log_commands.h"
 #include "recorder/log/log_follow.h"
 
 namespace rocinante {

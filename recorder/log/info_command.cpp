@@ -1,8 +1,9 @@
+#include "recorder/log/info_command.h"
+
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
 #include "recorder/log/command_support.h"
-#include "recorder/log/log_commands.h"
 #include "recorder/log/log_info.h"
 #include "recorder/log/log_info_json.h"
 #include "recorder/log/log_info_text.h"

@@ -1,3 +1,5 @@
+#include "recorder/log/mark_command.h"
+
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -5,7 +7,6 @@
 #include "core/duration_text.h"
 #include "core/plain_text.h"
 #include "recorder/log/command_support.h"
-#include "recorder/log/log_commands.h"
 #include "recorder/log/log_mark.h"
 
 namespace rocinante {

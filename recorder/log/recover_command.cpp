@@ -1,3 +1,5 @@
+#include "recorder/log/recover_command.h"
+
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -6,7 +8,6 @@
 #include "recorder/copy/log_recover.h"
 #include "recorder/log/command_support.h"
 #include "recorder/log/copy_options.h"
-#include "recorder/log/log_commands.h"
 
 namespace rocinante {
 namespace {

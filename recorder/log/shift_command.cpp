@@ -1,8 +1,9 @@
+#include "recorder/log/shift_command.h"
+
 #include <CLI/CLI.hpp>
 
 #include "recorder/copy/log_shift.h"
 #include "recorder/log/copy_options.h"
-#include "recorder/log/log_commands.h"
 
 namespace rocinante {
 namespace {

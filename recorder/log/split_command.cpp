@@ -1,3 +1,5 @@
+#include "recorder/log/split_command.h"
+
 #include <CLI/CLI.hpp>
 
 #include "core/duration_text.h"
@@ -6,7 +8,6 @@
 #include "recorder/copy/log_split.h"
 #include "recorder/log/command_support.h"
 #include "recorder/log/copy_options.h"
-#include "recorder/log/log_commands.h"
 
 namespace rocinante {
 namespace {

@@ -1,3 +1,5 @@
+#include "recorder/log/state_command.h"
+
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -5,7 +7,6 @@
 #include "core/duration_text.h"
 #include "core/session/timeline.h"
 #include "recorder/log/command_support.h"
-#include "recorder/log/log_commands.h"
 #include "recorder/log/log_state.h"
 #include "recorder/log/log_state_json.h"
 #include "recorder/log/log_state_text.h"
