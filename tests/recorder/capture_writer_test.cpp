@@ -8,7 +8,7 @@
 
 #include "core/log/log_reader.h"
 #include "recorder/session/piece_sequence.h"
-#include "tests/recorder/fake_source.h"
+#include "tests/recorder/fake_clocks.h"
 
 namespace rocinante {
 namespace {

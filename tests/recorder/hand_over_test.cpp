@@ -4,7 +4,7 @@
 
 #include <thread>
 
-#include "tests/recorder/fake_source.h"
+#include "tests/recorder/fake_clocks.h"
 
 namespace rocinante {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/recorder/fake_source.h"
+#include "tests/recorder/fake_clocks.h"
 
 namespace rocinante {
 namespace {

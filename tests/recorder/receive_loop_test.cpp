@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/recorder/fake_clocks.h"
 #include "tests/recorder/fake_source.h"
 
 namespace rocinante {

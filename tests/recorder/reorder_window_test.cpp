@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <random>
 
-#include "tests/recorder/fake_source.h"
+#include "tests/recorder/fake_clocks.h"
 
 namespace rocinante {
 namespace {

@@ -12,7 +12,7 @@
 #include "core/log/log_reader.h"
 #include "core/session/timeline.h"
 #include "recorder/record_sink.h"
-#include "tests/recorder/fake_source.h"
+#include "tests/recorder/fake_clocks.h"
 #include "tests/support/temporary_folder.h"
 
 namespace rocinante::test {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/packet/packet_text.h"
-#include "tests/recorder/fake_source.h"
+#include "tests/recorder/fake_clocks.h"
 
 namespace rocinante {
 namespace {

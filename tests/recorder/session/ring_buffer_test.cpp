@@ -6,7 +6,7 @@
 #include <random>
 #include <string>
 
-#include "tests/recorder/fake_source.h"
+#include "tests/recorder/fake_clocks.h"
 
 namespace rocinante {
 namespace {
