@@ -2,7 +2,7 @@
 # Writes the pages of docs/rules as a table that the check library holds.
 file(GLOB pages "${PAGES}/*.md")
 list(SORT pages)
-set(text "#include \"core/check/rule_page.h\"\n\nnamespace rocinante::detail {\n\n")
+set(text "#include \"core/check/rules/rule_page.h\"\n\nnamespace rocinante::detail {\n\n")
 string(APPEND text "const RulePage kRulePages[] = {\n")
 set(count 0)
 foreach(page ${pages})

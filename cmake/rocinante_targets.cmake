@@ -29,7 +29,7 @@ endif()
 option(ROCINANTE_UNITY "Compile each target's files in a few pieces" OFF)
 function(rocinante_unity target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${ROCINANTE_UNITY}
-    UNITY_BUILD_BATCH_SIZE 8)
+    UNITY_BUILD_BATCH_SIZE 24)
   if(ROCINANTE_UNITY)
     # A class of one .cpp may well hold what that .cpp keeps to itself: g++ takes it for a header.
     target_compile_options(${target} PRIVATE
@@ -68,12 +68,12 @@ function(rocinante_library name)
   endif()
 endfunction()
 
-# Where modules are installed (core/loaded_module.h), and the way there from the programs.
+# Where modules are installed (core/base/loaded_module.h), and the way there from the programs.
 set(ROCINANTE_MODULE_FOLDER ${CMAKE_INSTALL_LIBDIR}/rocinante)
 file(RELATIVE_PATH ROCINANTE_MODULE_FROM_PROGRAMS
   /prefix/${CMAKE_INSTALL_BINDIR} /prefix/${ROCINANTE_MODULE_FOLDER})
 
-# rocinante_module(sdformat SOURCES a.cpp LINK b USED_BY rocinante_model): lib/librocinante_sdformat.so.
+# rocinante_module(sdformat SOURCES a.cpp LINK b USED_BY rocinante_cell): lib/librocinante_sdformat.so.
 # Nothing links a module, so whoever links the library that uses it must have it built.
 function(rocinante_module name)
   cmake_parse_arguments(arg "" "USED_BY" "SOURCES;LINK" ${ARGN})

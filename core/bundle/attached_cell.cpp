@@ -8,11 +8,11 @@
 #include <map>
 #include <utility>
 
+#include "core/base/hash.h"
+#include "core/base/plain_text.h"
 #include "core/bundle/cell_folder.h"
-#include "core/hash.h"
 #include "core/log/log_profile.h"
-#include "core/log/mcap_records.h"
-#include "core/plain_text.h"
+#include "core/mcap/records.h"
 
 namespace rocinante {
 namespace {

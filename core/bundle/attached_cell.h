@@ -4,11 +4,11 @@
 #include <optional>
 #include <string>
 
+#include "core/base/result.h"
 #include "core/bundle/cell_bundle.h"
 #include "core/bundle/cell_or_log.h"
+#include "core/cell/cell.h"
 #include "core/log/log_reader.h"
-#include "core/model/cell.h"
-#include "core/result.h"
 
 namespace rocinante {
 

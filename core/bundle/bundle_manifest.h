@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "core/bytes.h"
-#include "core/model/file_search.h"
-#include "core/result.h"
+#include "core/base/bytes.h"
+#include "core/base/result.h"
+#include "core/search/file_search.h"
 
 namespace rocinante {
 

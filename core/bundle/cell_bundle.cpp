@@ -8,12 +8,12 @@
 #include <tuple>
 #include <utility>
 
+#include "core/base/hash.h"
 #include "core/bundle/bundle_names.h"
 #include "core/bundle/cell_folder.h"
 #include "core/bundle/media_type.h"
-#include "core/hash.h"
 #include "core/log/log_profile.h"
-#include "core/model/file_search.h"
+#include "core/search/file_search.h"
 
 namespace rocinante {
 namespace {

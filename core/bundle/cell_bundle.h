@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "core/base/bytes.h"
+#include "core/base/result.h"
 #include "core/bundle/bundle_manifest.h"
-#include "core/bytes.h"
+#include "core/cell/cell.h"
 #include "core/log/log_writer.h"
-#include "core/model/cell.h"
-#include "core/result.h"
 
 namespace rocinante {
 

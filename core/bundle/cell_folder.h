@@ -4,9 +4,9 @@
 #include <memory>
 #include <string>
 
+#include "core/base/result.h"
 #include "core/bundle/cell_bundle.h"
-#include "core/model/cell.h"
-#include "core/result.h"
+#include "core/cell/cell.h"
 
 namespace rocinante {
 

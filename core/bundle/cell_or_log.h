@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
-#include "core/model/cell.h"
-#include "core/result.h"
+#include "core/base/result.h"
+#include "core/cell/cell.h"
 
 namespace rocinante {
 

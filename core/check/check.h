@@ -2,10 +2,10 @@
 
 #include <functional>
 
-#include "core/check/finding.h"
+#include "core/base/result.h"
+#include "core/cell/cell.h"
+#include "core/check/rules/finding.h"
 #include "core/log/log_reader.h"
-#include "core/model/cell.h"
-#include "core/result.h"
 
 namespace rocinante {
 

@@ -7,16 +7,16 @@
 #include <unordered_map>
 #include <vector>
 
-#include "core/bytes.h"
-#include "core/check/datagram_judge.h"
-#include "core/check/device_judge.h"
-#include "core/check/finding.h"
-#include "core/check/layer_judge.h"
-#include "core/check/log_judge.h"
-#include "core/check/rule_settings.h"
-#include "core/check/source_judge.h"
+#include "core/base/bytes.h"
+#include "core/cell/cell.h"
+#include "core/check/judges/datagram_judge.h"
+#include "core/check/judges/device_judge.h"
+#include "core/check/judges/layer_judge.h"
+#include "core/check/judges/log_judge.h"
+#include "core/check/judges/source_judge.h"
+#include "core/check/rules/finding.h"
+#include "core/check/rules/rule_settings.h"
 #include "core/log/log_types.h"
-#include "core/model/cell.h"
 #include "core/packet/decoder.h"
 #include "core/packet/session_state.h"
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/parallel_for.h"
+#include "core/base/parallel_for.h"
 
 namespace rocinante::cli {
 

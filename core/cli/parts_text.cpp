@@ -4,8 +4,8 @@
 #include <span>
 #include <string_view>
 
+#include "core/base/loaded_module.h"
 #include "core/cli/build_parts.h"
-#include "core/loaded_module.h"
 
 namespace rocinante {
 namespace {

@@ -15,12 +15,12 @@
 #include <exception>
 #include <iostream>
 
+#include "core/base/plain_text.h"
+#include "core/base/unfinished_path.h"
+#include "core/base/version.h"
 #include "core/cli/help_formatter.h"
 #include "core/cli/standard_streams.h"
 #include "core/cli/usage_fault.h"
-#include "core/plain_text.h"
-#include "core/unfinished_path.h"
-#include "core/version.h"
 
 namespace rocinante::cli {
 namespace {

@@ -12,9 +12,9 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/name_hint.h"
+#include "core/base/version.h"
 #include "core/cli/parts_text.h"
-#include "core/name_hint.h"
-#include "core/version.h"
 
 namespace {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/model_search.h"
+#include "core/base/model_search.h"
 
 namespace CLI {
 class App;

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/name_hint.h"
+#include "core/base/name_hint.h"
 
 namespace rocinante::cli {
 namespace {

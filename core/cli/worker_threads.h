@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/parallel_for.h"
+#include "core/base/parallel_for.h"
 
 namespace rocinante::cli {
 

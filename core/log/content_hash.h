@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/hash.h"
+#include "core/base/hash.h"
 #include "core/log/log_types.h"
 
 namespace rocinante {

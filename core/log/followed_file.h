@@ -6,8 +6,8 @@
 #include <span>
 #include <string>
 
-#include "core/bytes.h"
-#include "core/result.h"
+#include "core/base/bytes.h"
+#include "core/base/result.h"
 
 namespace rocinante {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/bytes.h"
+#include "core/base/bytes.h"
 
 namespace rocinante {
 

@@ -7,12 +7,12 @@
 #include <limits>
 #include <map>
 
-#include "core/hash.h"
-#include "core/log/byte_cursor.h"
+#include "core/base/hash.h"
 #include "core/log/followed_file.h"
 #include "core/log/log_profile.h"
-#include "core/log/mcap_parse.h"
-#include "core/log/open_chunk_stream.h"
+#include "core/mcap/byte_cursor.h"
+#include "core/mcap/open_chunk_stream.h"
+#include "core/mcap/parse_record.h"
 
 namespace rocinante {
 

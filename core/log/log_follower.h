@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/result.h"
 #include "core/log/log_types.h"
-#include "core/result.h"
 
 namespace rocinante {
 

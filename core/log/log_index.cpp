@@ -1,6 +1,6 @@
 #include "core/log/log_index.h"
 
-#include "core/log/mcap_parse.h"
+#include "core/mcap/parse_record.h"
 
 namespace rocinante {
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "core/log/log_types.h"
-#include "core/log/mcap_records.h"
-#include "core/log/mcap_stream_reader.h"
 #include "core/log/message_span.h"
+#include "core/mcap/records.h"
+#include "core/mcap/stream_reader.h"
 
 namespace rocinante {
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <set>
 
-#include "core/hash.h"
-#include "core/log/byte_cursor.h"
-#include "core/log/mcap_parse.h"
-#include "core/log/mcap_stream_reader.h"
-#include "core/log/record_probe.h"
+#include "core/base/hash.h"
+#include "core/mcap/byte_cursor.h"
+#include "core/mcap/parse_record.h"
+#include "core/mcap/record_probe.h"
+#include "core/mcap/stream_reader.h"
 
 namespace rocinante {
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/bytes.h"
+#include "core/base/bytes.h"
 #include "core/log/log_index.h"
 
 namespace rocinante {

@@ -6,11 +6,11 @@
 #include <functional>
 #include <limits>
 
-#include "core/log/chunk_head.h"
 #include "core/log/log_profile.h"
-#include "core/log/mcap_parse.h"
-#include "core/log/mcap_stream_reader.h"
-#include "core/log/record_probe.h"
+#include "core/mcap/chunk_head.h"
+#include "core/mcap/parse_record.h"
+#include "core/mcap/record_probe.h"
+#include "core/mcap/stream_reader.h"
 
 namespace rocinante {
 

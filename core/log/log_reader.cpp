@@ -7,7 +7,7 @@
 #include <limits>
 #include <set>
 
-#include "core/hash.h"
+#include "core/base/hash.h"
 #include "core/log/content_hash.h"
 #include "core/log/foreign_file.h"
 #include "core/log/last_message.h"
@@ -16,10 +16,10 @@
 #include "core/log/log_profile.h"
 #include "core/log/loss_message.h"
 #include "core/log/mapped_file.h"
-#include "core/log/mcap_parse.h"
-#include "core/log/mcap_stream_reader.h"
 #include "core/log/span_damage.h"
 #include "core/log/span_merge.h"
+#include "core/mcap/parse_record.h"
+#include "core/mcap/stream_reader.h"
 
 namespace rocinante {
 namespace {

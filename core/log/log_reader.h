@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "core/base/result.h"
 #include "core/log/log_types.h"
 #include "core/log/unreadable_range.h"
-#include "core/result.h"
 
 namespace rocinante {
 

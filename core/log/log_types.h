@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "core/bytes.h"
-#include "core/time.h"
+#include "core/base/bytes.h"
+#include "core/base/time.h"
 
 namespace rocinante {
 

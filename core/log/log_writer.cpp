@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/base/version.h"
 #include "core/log/log_profile.h"
 #include "core/log/loss_message.h"
-#include "core/log/mcap_chunk.h"
-#include "core/log/mcap_writer.h"
 #include "core/log/new_log_file.h"
-#include "core/version.h"
+#include "core/mcap/chunk_expander.h"
+#include "core/mcap/writer.h"
 
 namespace rocinante {
 namespace {

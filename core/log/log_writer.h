@@ -4,9 +4,9 @@
 #include <memory>
 #include <string>
 
-#include "core/log/byte_sink.h"
+#include "core/base/result.h"
 #include "core/log/log_types.h"
-#include "core/result.h"
+#include "core/mcap/byte_sink.h"
 
 namespace rocinante {
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "core/bytes.h"
+#include "core/base/bytes.h"
 #include "core/log/log_types.h"
 
 namespace rocinante {

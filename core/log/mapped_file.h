@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <span>
 
-#include "core/bytes.h"
-#include "core/result.h"
+#include "core/base/bytes.h"
+#include "core/base/result.h"
 
 namespace rocinante {
 

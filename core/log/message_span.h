@@ -6,8 +6,8 @@
 
 #include "core/log/log_types.h"
 #include "core/log/mapped_file.h"
-#include "core/log/mcap_chunk.h"
-#include "core/log/mcap_records.h"
+#include "core/mcap/chunk_expander.h"
+#include "core/mcap/records.h"
 
 namespace rocinante {
 

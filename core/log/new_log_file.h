@@ -3,16 +3,16 @@
 #include <filesystem>
 #include <memory>
 
-#include "core/file_lock.h"
-#include "core/log/byte_sink.h"
-#include "core/log/file_sink.h"
+#include "core/base/file_lock.h"
+#include "core/mcap/byte_sink.h"
+#include "core/mcap/file_sink.h"
 
 namespace rocinante {
 
-/// A file that a log is about to be written to. It is locked (core/file_lock.h) as long as its sink
-/// is open, so that two programs never write one log. A file that stands there already is replaced
-/// by publish() and not touched before: whoever reads it keeps it. Every file of a log is made
-/// here.
+/// A file that a log is about to be written to. It is locked (core/base/file_lock.h) as long as its
+/// sink is open, so that two programs never write one log. A file that stands there already is
+/// replaced by publish() and not touched before: whoever reads it keeps it. Every file of a log is
+/// made here.
 class NewLogFile {
  public:
   /// refused when a file exists at `path` and `overwrite` is false, or when another process is

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "core/count_text.h"
-#include "core/log/mcap_parse.h"
-#include "core/log/mcap_stream_reader.h"
+#include "core/base/count_text.h"
+#include "core/mcap/parse_record.h"
+#include "core/mcap/stream_reader.h"
 
 namespace rocinante {
 namespace {

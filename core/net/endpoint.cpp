@@ -9,9 +9,9 @@
 #include <memory>
 #include <utility>
 
+#include "core/base/plain_text.h"
 #include "core/net/endpoint_text.h"
 #include "core/net/system_socket.h"
-#include "core/plain_text.h"
 
 namespace rocinante {
 namespace {

@@ -3,9 +3,9 @@
 #include <optional>
 #include <string>
 
+#include "core/base/result.h"
 #include "core/net/endpoint.h"
 #include "core/net/route_socket.h"
-#include "core/result.h"
 
 namespace rocinante {
 

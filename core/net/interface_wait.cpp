@@ -5,7 +5,7 @@
 #include <set>
 #include <thread>
 
-#include "core/duration_text.h"
+#include "core/base/duration_text.h"
 #include "core/net/interfaces.h"
 
 namespace rocinante {

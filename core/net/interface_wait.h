@@ -4,9 +4,9 @@
 #include <span>
 #include <string>
 
+#include "core/base/result.h"
+#include "core/base/time.h"
 #include "core/net/endpoint.h"
-#include "core/result.h"
-#include "core/time.h"
 
 namespace rocinante {
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/base/result.h"
 #include "core/net/endpoint.h"
-#include "core/result.h"
 
 namespace rocinante {
 

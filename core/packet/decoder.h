@@ -3,7 +3,7 @@
 #include <memory>
 #include <string_view>
 
-#include "core/bytes.h"
+#include "core/base/bytes.h"
 #include "core/packet/packet.h"
 
 namespace rocinante {

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "core/time.h"
+#include "core/base/time.h"
 
 // The bounds of packet text and of the state that it makes: docs/packet-format.md, section
 // "Limits". What goes past one is left out and counted as too_many (or bad_name, bad_string,

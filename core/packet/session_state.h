@@ -9,10 +9,10 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/time.h"
 #include "core/math/vector.h"
 #include "core/packet/name_cache.h"
 #include "core/packet/packet.h"
-#include "core/time.h"
 
 namespace rocinante {
 

@@ -6,7 +6,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "core/plain_text.h"
+#include "core/base/plain_text.h"
 
 namespace rocinante {
 namespace {

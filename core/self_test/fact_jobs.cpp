@@ -15,7 +15,7 @@
 #include <optional>
 #include <thread>
 
-#include "core/duration_text.h"
+#include "core/base/duration_text.h"
 
 namespace rocinante {
 namespace {

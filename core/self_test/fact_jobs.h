@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "core/base/time.h"
 #include "core/self_test/fact.h"
-#include "core/time.h"
 
 namespace rocinante {
 

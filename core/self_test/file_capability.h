@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "core/bytes.h"
+#include "core/base/bytes.h"
 
 namespace rocinante {
 

@@ -7,11 +7,11 @@
 
 #include <chrono>
 
-#include "core/input/pcap_source.h"
+#include "core/base/size_text.h"
 #include "core/net/receive_buffer.h"
 #include "core/net/udp_socket.h"
+#include "core/pcap/pcap_source.h"
 #include "core/self_test/file_capability.h"
-#include "core/size_text.h"
 
 namespace rocinante {
 namespace {

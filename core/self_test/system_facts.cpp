@@ -12,18 +12,18 @@
 #include <cerrno>
 #include <cstring>
 
-#include "core/file_lock.h"
-#include "core/loaded_module.h"
-#include "core/model/sdformat_module.h"
+#include "core/base/file_lock.h"
+#include "core/base/loaded_module.h"
+#include "core/base/size_text.h"
+#include "core/kinematics/sdformat_module.h"
 #include "core/self_test/file_capability.h"
-#include "core/size_text.h"
 
 namespace rocinante {
 namespace {
 
 using State = SelfTestFact::State;
 
-// What player/realtime.cpp and recorder/prompt_thread.cpp ask for.
+// What player/send/realtime.cpp and recorder/capture/prompt_thread.cpp ask for.
 constexpr int kPlayPriority = 10;
 constexpr int kRecordNice = -10;
 // One chunk of a log's end, as log_writer allocates ahead.

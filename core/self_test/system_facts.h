@@ -18,7 +18,7 @@ SelfTestFact priorityFact(const std::filesystem::path& programs);
 SelfTestFact clockFact();
 /// Whether logs can be written in `folder`: by this user, with locks, and room allocated ahead.
 SelfTestFact filesFact(const std::filesystem::path& folder);
-/// Whether SDF models can be read: the module of core/model/sdformat_module.h.
+/// Whether SDF models can be read: the module of core/kinematics/sdformat_module.h.
 SelfTestFact sdfFact();
 
 /// The decision of clockFact(), from adjtimex(2): its answer, and its estimate of the error.

@@ -5,11 +5,11 @@
 #include <string_view>
 #include <vector>
 
-#include "core/bytes.h"
+#include "core/base/bytes.h"
+#include "core/base/result.h"
+#include "core/base/time.h"
 #include "core/log/log_types.h"
 #include "core/packet/session_state.h"
-#include "core/result.h"
-#include "core/time.h"
 
 namespace rocinante {
 

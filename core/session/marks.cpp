@@ -11,9 +11,9 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
-#include "core/atomic_file.h"
-#include "core/duration_text.h"
-#include "core/plain_text.h"
+#include "core/base/atomic_file.h"
+#include "core/base/duration_text.h"
+#include "core/base/plain_text.h"
 
 namespace rocinante {
 namespace {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "core/bytes.h"
+#include "core/base/bytes.h"
+#include "core/base/result.h"
 #include "core/packet/session_state.h"
-#include "core/result.h"
 
 namespace rocinante {
 

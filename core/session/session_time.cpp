@@ -1,6 +1,6 @@
 #include "core/session/session_time.h"
 
-#include "core/duration_text.h"
+#include "core/base/duration_text.h"
 
 namespace rocinante {
 namespace {

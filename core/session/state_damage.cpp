@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "core/count_text.h"
-#include "core/plain_text.h"
+#include "core/base/count_text.h"
+#include "core/base/plain_text.h"
 
 namespace rocinante {
 namespace {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "core/base/result.h"
+#include "core/base/time.h"
 #include "core/log/log_reader.h"
-#include "core/result.h"
-#include "core/time.h"
 
 namespace rocinante {
 

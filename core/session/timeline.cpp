@@ -6,7 +6,7 @@
 #include <limits>
 #include <map>
 
-#include "core/duration_text.h"
+#include "core/base/duration_text.h"
 #include "core/log/log_profile.h"
 #include "core/packet/decoder.h"
 #include "core/session/keyframe_finder.h"

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "core/base/result.h"
 #include "core/log/log_reader.h"
 #include "core/packet/session_state.h"
-#include "core/result.h"
 #include "core/session/keyframe.h"
 #include "core/session/session_time.h"
 #include "core/session/state_damage.h"

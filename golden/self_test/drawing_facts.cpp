@@ -8,13 +8,13 @@
 #include <cstring>
 #include <memory>
 
-#include "golden/compare.h"
+#include "golden/compare/compare.h"
 #include "golden/self_test/test_frame.h"
 #include "viewer/detail/detail_cache.h"
+#include "viewer/gl/gl_table.h"
+#include "viewer/gl/offscreen_context.h"
+#include "viewer/gl/renderer_key.h"
 #include "viewer/render/frame_maker.h"
-#include "viewer/render/gl_table.h"
-#include "viewer/render/offscreen_context.h"
-#include "viewer/render/renderer_key.h"
 
 namespace rocinante {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "core/cli/program.h"
 #include "golden/self_test/drawing_facts.h"
-#include "viewer/render/context_option.h"
-#include "viewer/render/renderer_key.h"
+#include "viewer/gl/context_option.h"
+#include "viewer/gl/renderer_key.h"
 
 namespace {
 

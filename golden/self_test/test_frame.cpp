@@ -3,9 +3,9 @@
 #include <array>
 #include <memory>
 
-#include "core/model/file_search.h"
-#include "core/model/mesh_store.h"
-#include "core/model/urdf_reader.h"
+#include "core/kinematics/urdf_reader.h"
+#include "core/mesh/mesh_store.h"
+#include "core/search/file_search.h"
 
 // ROCINANTE_SELF_TEST_FOLDER is set by CMakeLists.txt.
 #define ROCINANTE_EMBED(name, file)                \

@@ -3,9 +3,9 @@
 #include <span>
 #include <string_view>
 
-#include "core/bytes.h"
-#include "core/model/cell.h"
-#include "core/result.h"
+#include "core/base/bytes.h"
+#include "core/base/result.h"
+#include "core/cell/cell.h"
 #include "viewer/picture/picture.h"
 #include "viewer/render/frame_maker.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/result.h"
+#include "core/base/result.h"
 #include "golden/why/frame_why.h"
 #include "viewer/render/frame_maker.h"
 

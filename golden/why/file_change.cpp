@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "core/plain_text.h"
+#include "core/base/plain_text.h"
 
 namespace rocinante {
 namespace {

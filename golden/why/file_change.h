@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "core/base/result.h"
 #include "core/bundle/cell_bundle.h"
-#include "core/result.h"
-#include "golden/manifest.h"
+#include "golden/approval/manifest.h"
 
 namespace rocinante {
 

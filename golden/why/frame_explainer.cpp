@@ -4,7 +4,7 @@
 
 #include "core/bundle/attached_cell.h"
 #include "core/log/log_reader.h"
-#include "golden/pixel_difference.h"
+#include "golden/compare/pixel_difference.h"
 #include "golden/why/model_change.h"
 
 namespace rocinante {

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "core/result.h"
-#include "golden/run_suite.h"
+#include "core/base/result.h"
+#include "golden/judge/suite_session.h"
 #include "golden/why/explain_pictures.h"
 #include "golden/why/file_change.h"
 

@@ -4,9 +4,9 @@
 
 #include <utility>
 
+#include "core/base/plain_text.h"
 #include "core/bundle/cell_folder.h"
-#include "core/check/model_drift.h"
-#include "core/plain_text.h"
+#include "core/check/drift/model_drift.h"
 #include "golden/why/file_change.h"
 
 namespace rocinante {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "core/bundle/cell_bundle.h"
-#include "core/model/cell.h"
-#include "golden/manifest.h"
+#include "core/cell/cell.h"
+#include "golden/approval/manifest.h"
 
 namespace rocinante {
 

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <set>
 
+#include "core/cell/posed_scene.h"
 #include "core/math/transform.h"
-#include "core/model/posed_scene.h"
 
 namespace rocinante {
 namespace {

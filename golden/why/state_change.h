@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/model/cell.h"
+#include "core/cell/cell.h"
 #include "core/packet/session_state.h"
 #include "golden/why/pixel_blame.h"
 

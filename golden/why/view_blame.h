@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "core/model/cell.h"
+#include "core/cell/cell.h"
 #include "golden/why/pixel_blame.h"
-#include "viewer/render/pictured_view.h"
+#include "viewer/view/pictured_view.h"
 
 namespace rocinante {
 

@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "core/bytes.h"
-#include "core/time.h"
+#include "core/base/bytes.h"
+#include "core/base/time.h"
 
 namespace rocinante {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/result.h"
+#include "core/base/result.h"
 #include "recorder/copy/copy_source.h"
 
 namespace rocinante {

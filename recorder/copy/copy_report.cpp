@@ -4,9 +4,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/count_text.h"
-#include "core/duration_text.h"
-#include "core/plain_text.h"
+#include "core/base/count_text.h"
+#include "core/base/duration_text.h"
+#include "core/base/plain_text.h"
 
 namespace rocinante {
 namespace {

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/result.h"
 #include "core/log/log_reader.h"
 #include "core/packet/session_state.h"
-#include "core/result.h"
 #include "core/session/state_damage.h"
 #include "recorder/copy/log_selection.h"
 

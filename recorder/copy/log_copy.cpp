@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "core/hash.h"
+#include "core/base/hash.h"
 #include "core/log/log_profile.h"
 #include "recorder/copy/copy_merge.h"
 

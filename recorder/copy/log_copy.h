@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/result.h"
+#include "core/base/result.h"
 #include "recorder/copy/copy_source.h"
 #include "recorder/copy/output_file.h"
 #include "recorder/copy/piece_writer.h"

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "core/base/plain_text.h"
 #include "core/log/log_profile.h"
-#include "core/plain_text.h"
 #include "core/session/marks.h"
 #include "core/session/timeline.h"
 #include "recorder/copy/nothing_chosen.h"

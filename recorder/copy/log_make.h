@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/result.h"
+#include "core/base/result.h"
 #include "recorder/copy/log_copy.h"
 
 namespace rocinante {

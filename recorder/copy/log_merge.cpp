@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "core/hash.h"
+#include "core/base/hash.h"
 
 namespace rocinante {
 namespace {

@@ -9,10 +9,10 @@
 #include <cerrno>
 #include <cstring>
 
-#include "core/hash.h"
+#include "core/base/hash.h"
 #include "core/log/log_profile.h"
-#include "core/log/mcap_parse.h"
-#include "core/log/mcap_stream_reader.h"
+#include "core/mcap/parse_record.h"
+#include "core/mcap/stream_reader.h"
 #include "core/session/marks.h"
 
 namespace rocinante {

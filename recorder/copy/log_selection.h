@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "core/base/result.h"
 #include "core/log/log_reader.h"
 #include "core/packet/packet_text.h"
 #include "core/packet/session_state.h"
-#include "core/result.h"
 
 namespace rocinante {
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/duration_text.h"
+#include "core/base/duration_text.h"
 
 namespace rocinante {
 namespace {

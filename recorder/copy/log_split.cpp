@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "core/unfinished_path.h"
+#include "core/base/unfinished_path.h"
 #include "recorder/copy/copy_merge.h"
 #include "recorder/copy/log_preceding.h"
 

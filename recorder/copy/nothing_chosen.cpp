@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <span>
 
-#include "core/duration_text.h"
-#include "core/plain_text.h"
+#include "core/base/duration_text.h"
+#include "core/base/plain_text.h"
 
 namespace rocinante {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "core/base/result.h"
 #include "core/log/log_reader.h"
-#include "core/result.h"
 #include "recorder/copy/log_selection.h"
 
 namespace rocinante {

@@ -5,9 +5,9 @@
 #include <span>
 #include <string>
 
-#include "core/log/byte_sink.h"
-#include "core/result.h"
-#include "core/unfinished_path.h"
+#include "core/base/result.h"
+#include "core/base/unfinished_path.h"
+#include "core/mcap/byte_sink.h"
 
 namespace rocinante {
 

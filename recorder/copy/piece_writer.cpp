@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/log/mcap_records.h"
+#include "core/mcap/records.h"
 #include "core/packet/restatement.h"
 
 namespace rocinante {

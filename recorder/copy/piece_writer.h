@@ -7,7 +7,7 @@
 #include <tuple>
 #include <unordered_map>
 
-#include "core/session/session_writer.h"
+#include "core/recording/session_writer.h"
 #include "recorder/copy/copy_source.h"
 
 namespace rocinante {

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "core/count_text.h"
-#include "core/hash.h"
+#include "core/base/count_text.h"
+#include "core/base/hash.h"
 #include "core/log/log_profile.h"
-#include "core/log/mcap_parse.h"
+#include "core/mcap/parse_record.h"
 
 namespace rocinante {
 

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/log/mcap_chunk.h"
-#include "core/log/mcap_stream_reader.h"
+#include "core/mcap/chunk_expander.h"
+#include "core/mcap/stream_reader.h"
 #include "recorder/doctor/doctor_facts.h"
 #include "recorder/doctor/profile_rules.h"
 

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "core/hash.h"
-#include "core/log/chunk_head.h"
+#include "core/base/hash.h"
 #include "core/log/log_profile.h"
-#include "core/log/mcap_parse.h"
+#include "core/mcap/chunk_head.h"
+#include "core/mcap/parse_record.h"
 
 namespace rocinante {
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "core/log/mcap_stream_reader.h"
-#include "core/log/record_probe.h"
+#include "core/mcap/record_probe.h"
+#include "core/mcap/stream_reader.h"
 #include "recorder/doctor/chunk_rules.h"
 #include "recorder/doctor/doctor_facts.h"
 #include "recorder/doctor/profile_rules.h"

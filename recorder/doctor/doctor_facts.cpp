@@ -4,11 +4,11 @@
 
 #include <set>
 
-#include "core/hash.h"
-#include "core/log/byte_cursor.h"
-#include "core/log/mcap_append.h"
-#include "core/log/mcap_parse.h"
-#include "core/plain_text.h"
+#include "core/base/hash.h"
+#include "core/base/plain_text.h"
+#include "core/mcap/append_record.h"
+#include "core/mcap/byte_cursor.h"
+#include "core/mcap/parse_record.h"
 
 namespace rocinante {
 

@@ -6,8 +6,8 @@
 #include <map>
 #include <vector>
 
-#include "core/log/mcap_records.h"
-#include "core/log/mcap_stream_reader.h"
+#include "core/mcap/records.h"
+#include "core/mcap/stream_reader.h"
 #include "recorder/doctor/doctor_report.h"
 
 namespace rocinante {

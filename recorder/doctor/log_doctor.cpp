@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/base/plain_text.h"
 #include "core/log/foreign_file.h"
 #include "core/log/mapped_file.h"
-#include "core/plain_text.h"
 #include "recorder/doctor/data_walk.h"
 #include "recorder/doctor/summary_rules.h"
 

@@ -4,8 +4,8 @@
 #include <functional>
 #include <string>
 
-#include "core/bytes.h"
-#include "core/result.h"
+#include "core/base/bytes.h"
+#include "core/base/result.h"
 #include "recorder/doctor/doctor_report.h"
 
 namespace rocinante {

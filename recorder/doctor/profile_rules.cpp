@@ -6,9 +6,9 @@
 #include <charconv>
 #include <limits>
 
+#include "core/base/plain_text.h"
 #include "core/log/log_profile.h"
 #include "core/log/loss_message.h"
-#include "core/plain_text.h"
 #include "core/session/marks.h"
 
 namespace rocinante {

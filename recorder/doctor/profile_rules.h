@@ -7,7 +7,7 @@
 #include <string>
 
 #include "core/log/log_types.h"
-#include "core/log/mcap_records.h"
+#include "core/mcap/records.h"
 #include "core/packet/decoder.h"
 #include "core/packet/session_state.h"
 #include "core/session/keyframe.h"

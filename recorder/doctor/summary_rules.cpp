@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "core/count_text.h"
-#include "core/hash.h"
-#include "core/log/byte_cursor.h"
-#include "core/log/mcap_parse.h"
+#include "core/base/count_text.h"
+#include "core/base/hash.h"
+#include "core/mcap/byte_cursor.h"
+#include "core/mcap/parse_record.h"
 
 namespace rocinante {
 

@@ -4,15 +4,15 @@
 
 #include <CLI/CLI.hpp>
 
-#include "core/atomic_file.h"
+#include "core/base/atomic_file.h"
 #include "core/bundle/attached_cell.h"
 #include "core/bundle/bundle_names.h"
 #include "core/bundle/media_type.h"
 #include "core/cli/load_progress.h"
 #include "core/cli/search_options.h"
 #include "core/cli/worker_threads.h"
+#include "recorder/contents/log_attach.h"
 #include "recorder/log/copy_options.h"
-#include "recorder/log/log_attach.h"
 
 namespace rocinante {
 namespace {

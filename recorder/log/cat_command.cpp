@@ -4,9 +4,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include "recorder/contents/log_cat.h"
 #include "recorder/copy/nothing_chosen.h"
 #include "recorder/log/command_support.h"
-#include "recorder/log/log_cat.h"
 
 namespace rocinante {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <string_view>
 
+#include "core/base/result.h"
 #include "core/cli/progress_line.h"
-#include "core/result.h"
 
 namespace rocinante {
 

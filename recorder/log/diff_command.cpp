@@ -5,11 +5,11 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "core/duration_text.h"
-#include "recorder/doctor/log_diff.h"
-#include "recorder/doctor/log_diff_report.h"
-#include "recorder/doctor/replay_diff.h"
-#include "recorder/doctor/replay_diff_report.h"
+#include "core/base/duration_text.h"
+#include "recorder/diff/log_diff.h"
+#include "recorder/diff/log_diff_report.h"
+#include "recorder/diff/replay_diff.h"
+#include "recorder/diff/replay_diff_report.h"
 #include "recorder/log/command_support.h"
 
 namespace rocinante {

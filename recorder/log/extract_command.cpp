@@ -5,10 +5,10 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "core/atomic_file.h"
-#include "core/plain_text.h"
+#include "core/base/atomic_file.h"
+#include "core/base/plain_text.h"
+#include "recorder/contents/log_extract.h"
 #include "recorder/log/command_support.h"
-#include "recorder/log/log_extract.h"
 
 namespace rocinante {
 namespace {

@@ -7,8 +7,8 @@
 #include <cstdio>
 #include <thread>
 
+#include "recorder/contents/log_follow.h"
 #include "recorder/log/command_support.h"
-#include "recorder/log/log_follow.h"
 
 namespace rocinante {
 namespace {

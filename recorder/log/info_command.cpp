@@ -3,10 +3,10 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
+#include "recorder/contents/log_info.h"
+#include "recorder/contents/log_info_json.h"
+#include "recorder/contents/log_info_text.h"
 #include "recorder/log/command_support.h"
-#include "recorder/log/log_info.h"
-#include "recorder/log/log_info_json.h"
-#include "recorder/log/log_info_text.h"
 
 namespace rocinante {
 namespace {

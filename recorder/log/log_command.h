@@ -2,8 +2,8 @@
 
 #include <functional>
 
+#include "core/base/result.h"
 #include "core/cli/program.h"
-#include "core/result.h"
 
 namespace CLI {
 class App;

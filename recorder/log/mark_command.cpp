@@ -4,10 +4,10 @@
 
 #include <CLI/CLI.hpp>
 
-#include "core/duration_text.h"
-#include "core/plain_text.h"
+#include "core/base/duration_text.h"
+#include "core/base/plain_text.h"
+#include "recorder/contents/log_mark.h"
 #include "recorder/log/command_support.h"
-#include "recorder/log/log_mark.h"
 
 namespace rocinante {
 namespace {

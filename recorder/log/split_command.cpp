@@ -2,8 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "core/duration_text.h"
-#include "core/size_text.h"
+#include "core/base/duration_text.h"
+#include "core/base/size_text.h"
 #include "recorder/copy/copy_report.h"
 #include "recorder/copy/log_split.h"
 #include "recorder/log/command_support.h"

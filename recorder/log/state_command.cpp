@@ -4,12 +4,12 @@
 
 #include <CLI/CLI.hpp>
 
-#include "core/duration_text.h"
+#include "core/base/duration_text.h"
 #include "core/session/timeline.h"
+#include "recorder/contents/log_state.h"
+#include "recorder/contents/log_state_json.h"
+#include "recorder/contents/log_state_text.h"
 #include "recorder/log/command_support.h"
-#include "recorder/log/log_state.h"
-#include "recorder/log/log_state_json.h"
-#include "recorder/log/log_state_text.h"
 
 namespace rocinante {
 namespace {

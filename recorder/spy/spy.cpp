@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <tuple>
 
-#include "core/hash.h"
+#include "core/base/hash.h"
+#include "core/base/plain_text.h"
 #include "core/packet/item_text.h"
 #include "core/packet/packet_limits.h"
-#include "core/plain_text.h"
 #include "recorder/spy/spy_reasons.h"
 
 namespace rocinante {

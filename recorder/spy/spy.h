@@ -9,7 +9,7 @@
 #include "core/net/datagram_source.h"
 #include "core/packet/packet_text.h"
 #include "core/packet/session_state.h"
-#include "recorder/flow_table.h"
+#include "core/recording/flow_table.h"
 #include "recorder/spy/rate_meter.h"
 #include "recorder/spy/spy_report.h"
 

@@ -9,9 +9,9 @@
 #include <chrono>
 #include <cstdio>
 
+#include "core/base/duration_text.h"
 #include "core/cli/program.h"
-#include "core/duration_text.h"
-#include "core/input/open_source.h"
+#include "core/pcap/open_source.h"
 #include "recorder/spy/spy.h"
 #include "recorder/spy/spy_json.h"
 #include "recorder/spy/spy_text.h"

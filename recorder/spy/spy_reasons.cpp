@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/duration_text.h"
+#include "core/base/plain_text.h"
 #include "core/cli/text_table.h"
-#include "core/duration_text.h"
-#include "core/plain_text.h"
 
 namespace rocinante {
 namespace {

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "core/base/time.h"
 #include "core/math/vector.h"
 #include "core/net/datagram_source.h"
 #include "core/packet/packet.h"
-#include "core/time.h"
 
 namespace rocinante {
 

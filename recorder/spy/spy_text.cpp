@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
+#include "core/base/plain_text.h"
 #include "core/cli/text_table.h"
-#include "core/plain_text.h"
 
 namespace rocinante {
 namespace {

@@ -15,7 +15,7 @@
 #include <thread>
 
 #include "core/net/udp_socket.h"
-#include "recorder/record.h"
+#include "recorder/capture/record.h"
 
 namespace {
 

@@ -16,7 +16,7 @@
 #include "core/check/session_check.h"
 #include "core/log/log_writer.h"
 #include "core/packet/decoder.h"
-#include "core/session/session_writer.h"
+#include "core/recording/session_writer.h"
 
 namespace {
 

@@ -14,7 +14,7 @@
 #include "core/math/trigonometry.h"
 #include "tests/support/temporary_folder.h"
 #include "viewer/detail/governor.h"
-#include "viewer/render/offscreen_context.h"
+#include "viewer/gl/offscreen_context.h"
 #include "viewer/render/renderer.h"
 #include "viewer/render/scaled_view.h"
 

@@ -14,10 +14,10 @@
 #include <cstdlib>
 #include <functional>
 
-#include "core/atomic_file.h"
-#include "golden/suite_jobs.h"
+#include "core/base/atomic_file.h"
+#include "golden/judge/suite_jobs.h"
 #include "tests/support/temporary_folder.h"
-#include "viewer/render/renderer_key.h"
+#include "viewer/gl/renderer_key.h"
 
 namespace {
 

@@ -19,12 +19,12 @@
 #include <string>
 #include <vector>
 
-#include "core/hash.h"
+#include "core/base/hash.h"
 #include "core/log/log_reader.h"
 #include "core/log/log_writer.h"
 #include "core/log/mapped_file.h"
-#include "core/log/mcap_parse.h"
-#include "core/log/mcap_stream_reader.h"
+#include "core/mcap/parse_record.h"
+#include "core/mcap/stream_reader.h"
 
 namespace {
 

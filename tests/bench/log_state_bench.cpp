@@ -14,9 +14,9 @@
 #include <filesystem>
 #include <random>
 
-#include "core/log/mcap_append.h"
-#include "core/log/mcap_records.h"
-#include "core/session/session_writer.h"
+#include "core/mcap/append_record.h"
+#include "core/mcap/records.h"
+#include "core/recording/session_writer.h"
 #include "core/session/timeline.h"
 #include "tests/support/joint_packets.h"
 

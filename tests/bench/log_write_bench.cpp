@@ -12,8 +12,8 @@
 #include <filesystem>
 
 #include "core/log/log_writer.h"
-#include "core/log/mcap_append.h"
-#include "core/log/mcap_records.h"
+#include "core/mcap/append_record.h"
+#include "core/mcap/records.h"
 #include "tests/support/joint_packets.h"
 
 namespace {

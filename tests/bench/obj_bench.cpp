@@ -17,7 +17,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "core/model/mesh_file.h"
+#include "core/mesh/mesh_file.h"
 #include "tests/support/temporary_folder.h"
 
 #ifdef ROCINANTE_BENCH_ASSIMP

@@ -20,9 +20,9 @@
 #include <vector>
 
 #include "core/net/udp_socket.h"
-#include "viewer/render/offscreen_context.h"
+#include "viewer/gl/offscreen_context.h"
 #include "viewer/render/renderer.h"
-#include "viewer/ui/view_model.h"
+#include "viewer/ui/model/view_model.h"
 
 namespace {
 

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "core/input/open_source.h"
-#include "recorder/capture_file_loop.h"
-#include "recorder/reorder_window.h"
+#include "core/pcap/open_source.h"
+#include "core/recording/reorder_window.h"
+#include "recorder/capture/capture_file_loop.h"
 
 namespace {
 

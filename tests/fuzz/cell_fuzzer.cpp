@@ -2,7 +2,7 @@
 
 #include <cstdlib>
 
-#include "core/model/posed_scene.h"
+#include "core/cell/posed_scene.h"
 
 using namespace rocinante;
 

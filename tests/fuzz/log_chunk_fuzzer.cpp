@@ -6,11 +6,11 @@
 #include <cstring>
 #include <vector>
 
-#include "core/hash.h"
+#include "core/base/hash.h"
 #include "core/log/log_reader.h"
-#include "core/log/mcap_append.h"
-#include "core/log/mcap_chunk.h"
-#include "core/log/mcap_records.h"
+#include "core/mcap/append_record.h"
+#include "core/mcap/chunk_expander.h"
+#include "core/mcap/records.h"
 
 namespace {
 

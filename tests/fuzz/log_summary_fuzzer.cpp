@@ -8,12 +8,12 @@
 #include <set>
 #include <string>
 
-#include "core/hash.h"
+#include "core/base/hash.h"
 #include "core/log/log_reader.h"
 #include "core/log/log_writer.h"
-#include "core/log/mcap_append.h"
-#include "core/log/mcap_parse.h"
-#include "core/log/mcap_records.h"
+#include "core/mcap/append_record.h"
+#include "core/mcap/parse_record.h"
+#include "core/mcap/records.h"
 
 namespace {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "core/model/mesh_file.h"
-#include "core/model/mtl_reader.h"
+#include "core/mesh/mesh_file.h"
+#include "core/mesh/mtl_reader.h"
 
 using namespace rocinante;
 

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "core/hash.h"
+#include "core/base/hash.h"
 #include "viewer/picture/fine_picture.h"
 #include "viewer/picture/plain_png.h"
 

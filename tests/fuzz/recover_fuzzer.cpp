@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/log/mcap_stream_reader.h"
+#include "core/mcap/stream_reader.h"
 #include "recorder/copy/log_recover.h"
 
 namespace {

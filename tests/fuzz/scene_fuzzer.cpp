@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "core/model/mesh_file.h"
+#include "core/mesh/mesh_file.h"
 
 using namespace rocinante;
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "core/model/kinematics.h"
-#include "core/model/urdf_reader.h"
+#include "core/kinematics/kinematics.h"
+#include "core/kinematics/urdf_reader.h"
 
 using namespace rocinante;
 

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "core/input/frame_reader.h"
+#include "core/pcap/frame_reader.h"
 
 namespace {
 

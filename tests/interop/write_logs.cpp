@@ -9,7 +9,7 @@
 #include <random>
 
 #include "core/log/log_writer.h"
-#include "core/session/session_writer.h"
+#include "core/recording/session_writer.h"
 
 namespace rocinante {
 namespace {

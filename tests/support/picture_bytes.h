@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "core/bytes.h"
-#include "core/hash.h"
+#include "core/base/bytes.h"
+#include "core/base/hash.h"
 
 // Picture files written by hand, byte by byte.
 

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "core/atomic_file.h"
+#include "core/base/atomic_file.h"
 #include "viewer/detail/detail_file.h"
 
 namespace rocinante {

@@ -7,7 +7,7 @@
 #include <cstring>
 #include <span>
 
-#include "core/hash.h"
+#include "core/base/hash.h"
 
 namespace rocinante {
 namespace {

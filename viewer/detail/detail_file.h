@@ -3,7 +3,7 @@
 #include <optional>
 #include <string_view>
 
-#include "core/bytes.h"
+#include "core/base/bytes.h"
 #include "viewer/detail/mesh_detail.h"
 
 namespace rocinante {

@@ -6,7 +6,7 @@
 #include <span>
 #include <unordered_map>
 
-#include "core/hash.h"
+#include "core/base/hash.h"
 
 namespace rocinante {
 namespace {

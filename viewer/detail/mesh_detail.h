@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/model/mesh.h"
+#include "core/mesh/mesh.h"
 
 namespace rocinante {
 

@@ -6,8 +6,8 @@
 #include <fstream>
 #include <memory>
 
-#include "core/atomic_file.h"
-#include "core/hash.h"
+#include "core/base/atomic_file.h"
+#include "core/base/hash.h"
 #include "viewer/picture/fine_picture.h"
 #include "viewer/picture/lfs_pointer.h"
 #include "viewer/picture/picture_module.h"

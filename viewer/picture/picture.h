@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "core/bytes.h"
-#include "core/result.h"
+#include "core/base/bytes.h"
+#include "core/base/result.h"
 
 namespace rocinante {
 

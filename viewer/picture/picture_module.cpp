@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "core/loaded_module.h"
+#include "core/base/loaded_module.h"
 #include "viewer/picture/openimageio_module.h"
 
 namespace rocinante {

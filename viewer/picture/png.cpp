@@ -8,7 +8,7 @@
 #include <limits>
 #include <memory>
 
-#include "core/atomic_file.h"
+#include "core/base/atomic_file.h"
 #include "viewer/picture/fine_picture.h"
 #include "viewer/picture/picture.h"
 #include "viewer/picture/plain_png.h"

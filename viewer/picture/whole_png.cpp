@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/count_text.h"
+#include "core/base/count_text.h"
 
 namespace rocinante {
 namespace {

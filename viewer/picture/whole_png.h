@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "core/bytes.h"
-#include "core/result.h"
+#include "core/base/bytes.h"
+#include "core/base/result.h"
 
 namespace rocinante {
 

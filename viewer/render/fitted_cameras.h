@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/session/timeline.h"
-#include "viewer/render/movable_devices.h"
 #include "viewer/render/renderer.h"
+#include "viewer/view/movable_devices.h"
 
 namespace rocinante {
 

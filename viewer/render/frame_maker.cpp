@@ -5,20 +5,20 @@
 #include <algorithm>
 #include <thread>
 
-#include "core/duration_text.h"
-#include "core/model/posed_scene.h"
-#include "core/model/scene_poses.h"
-#include "viewer/render/camera_choice.h"
+#include "core/base/duration_text.h"
+#include "core/cell/posed_scene.h"
+#include "core/cell/scene_poses.h"
+#include "viewer/gl/offscreen_context.h"
+#include "viewer/overlay/overlay_panel.h"
 #include "viewer/render/fitted_cameras.h"
-#include "viewer/render/inset_layout.h"
-#include "viewer/render/known_names.h"
-#include "viewer/render/limit_levels.h"
-#include "viewer/render/offscreen_context.h"
-#include "viewer/render/overlay_panel.h"
 #include "viewer/render/renderer.h"
 #include "viewer/render/scaled_view.h"
 #include "viewer/render/source_rates.h"
-#include "viewer/render/trail_finder.h"
+#include "viewer/view/camera_choice.h"
+#include "viewer/view/inset_layout.h"
+#include "viewer/view/known_names.h"
+#include "viewer/view/limit_levels.h"
+#include "viewer/view/trail_finder.h"
 
 namespace rocinante {
 namespace {

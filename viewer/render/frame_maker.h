@@ -6,14 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "core/model/cell.h"
+#include "core/cell/cell.h"
 #include "core/session/timeline.h"
+#include "viewer/gl/renderer_key.h"
 #include "viewer/picture/picture.h"
-#include "viewer/render/camera.h"
 #include "viewer/render/identity_frame.h"
-#include "viewer/render/pictured_view.h"
-#include "viewer/render/render_style.h"
-#include "viewer/render/renderer_key.h"
+#include "viewer/view/camera.h"
+#include "viewer/view/pictured_view.h"
+#include "viewer/view/render_style.h"
 
 namespace rocinante {
 

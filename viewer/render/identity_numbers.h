@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/model/posed_scene.h"
+#include "core/cell/posed_scene.h"
+#include "viewer/overlay/overlay.h"
 #include "viewer/render/identity_frame.h"
-#include "viewer/render/overlay.h"
 
 namespace rocinante {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "viewer/render/overlay.h"
+#include "viewer/overlay/overlay.h"
 #include "viewer/render/renderer.h"
 
 namespace rocinante {

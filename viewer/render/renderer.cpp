@@ -6,12 +6,12 @@
 #include <cmath>
 
 #include "core/math/transform.h"
-#include "viewer/render/coplanar_items.h"
-#include "viewer/render/depth_reach.h"
+#include "viewer/cull/coplanar_items.h"
+#include "viewer/gl/viewport.h"
+#include "viewer/overlay/session_drawings.h"
 #include "viewer/render/inset_frame.h"
 #include "viewer/render/renderer_impl.h"
-#include "viewer/render/session_drawings.h"
-#include "viewer/render/viewport.h"
+#include "viewer/view/depth_reach.h"
 
 namespace rocinante {
 namespace {

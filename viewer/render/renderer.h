@@ -7,22 +7,22 @@
 #include <string>
 #include <vector>
 
-#include "core/model/cell.h"
-#include "core/model/posed_scene.h"
+#include "core/cell/cell.h"
+#include "core/cell/posed_scene.h"
 #include "viewer/detail/detail_builder.h"
 #include "viewer/detail/detail_level.h"
+#include "viewer/gl/frame_buffer.h"
+#include "viewer/gl/render_context.h"
+#include "viewer/gl/renderer_key.h"
+#include "viewer/overlay/text_atlas.h"
 #include "viewer/picture/pixel_rectangle.h"
-#include "viewer/render/camera.h"
-#include "viewer/render/frame_buffer.h"
-#include "viewer/render/frame_extras.h"
 #include "viewer/render/identity_frame.h"
-#include "viewer/render/movable_devices.h"
-#include "viewer/render/render_context.h"
-#include "viewer/render/render_style.h"
-#include "viewer/render/renderer_key.h"
 #include "viewer/render/stage_times.h"
-#include "viewer/render/text_atlas.h"
-#include "viewer/render/view_choice.h"
+#include "viewer/view/camera.h"
+#include "viewer/view/frame_extras.h"
+#include "viewer/view/movable_devices.h"
+#include "viewer/view/render_style.h"
+#include "viewer/view/view_choice.h"
 
 namespace rocinante {
 

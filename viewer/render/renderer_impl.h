@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "viewer/render/draw_list.h"
-#include "viewer/render/draw_passes.h"
-#include "viewer/render/drawn_set.h"
-#include "viewer/render/identity_pass.h"
-#include "viewer/render/inputs_hash.h"
-#include "viewer/render/look_passes.h"
+#include "viewer/cull/draw_list.h"
+#include "viewer/gl/inputs_hash.h"
+#include "viewer/passes/draw_passes.h"
+#include "viewer/passes/drawn_set.h"
+#include "viewer/passes/identity_pass.h"
+#include "viewer/passes/look_passes.h"
 #include "viewer/render/renderer.h"
 
 namespace rocinante {

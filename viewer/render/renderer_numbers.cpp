@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "viewer/overlay/session_drawings.h"
 #include "viewer/render/identity_numbers.h"
 #include "viewer/render/renderer_impl.h"
-#include "viewer/render/session_drawings.h"
 
 namespace rocinante {
 namespace {

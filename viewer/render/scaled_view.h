@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "viewer/detail/detail_level.h"
-#include "viewer/render/frame_buffer.h"
+#include "viewer/gl/frame_buffer.h"
 #include "viewer/render/renderer.h"
 
 namespace rocinante {

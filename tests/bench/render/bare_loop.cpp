@@ -5,10 +5,10 @@
 #include <glm/gtc/matrix_inverse.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
-#include "core/model/posed_scene.h"
-#include "viewer/render/depth_lift.h"
-#include "viewer/render/plain_shader.h"
-#include "viewer/render/shader_source.h"
+#include "core/cell/posed_scene.h"
+#include "viewer/gl/depth_lift.h"
+#include "viewer/passes/plain_shader.h"
+#include "viewer/passes/shader_source.h"
 
 namespace rocinante::bench {
 namespace {

@@ -2,14 +2,14 @@
 
 #include <vector>
 
-#include "viewer/render/background_pass.h"
-#include "viewer/render/draw_list.h"
-#include "viewer/render/frame_buffer.h"
-#include "viewer/render/inputs_hash.h"
-#include "viewer/render/mesh_buffers.h"
-#include "viewer/render/render_style.h"
-#include "viewer/render/shader_program.h"
-#include "viewer/render/texture_store.h"
+#include "viewer/cull/draw_list.h"
+#include "viewer/gl/frame_buffer.h"
+#include "viewer/gl/inputs_hash.h"
+#include "viewer/gl/shader_program.h"
+#include "viewer/passes/background_pass.h"
+#include "viewer/passes/mesh_buffers.h"
+#include "viewer/passes/texture_store.h"
+#include "viewer/view/render_style.h"
 
 namespace rocinante::bench {
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <fstream>
 
+#include "core/cell/posed_scene.h"
 #include "core/math/transform.h"
-#include "core/model/posed_scene.h"
 #include "core/packet/decoder.h"
 #include "viewer/picture/picture.h"
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "core/model/cell.h"
+#include "core/base/result.h"
+#include "core/cell/cell.h"
 #include "core/packet/session_state.h"
-#include "core/result.h"
 
 namespace rocinante::bench {
 

@@ -14,13 +14,13 @@
 #include <functional>
 #include <string_view>
 
+#include "core/cell/posed_scene.h"
 #include "core/math/transform.h"
-#include "core/model/posed_scene.h"
 #include "tests/bench/render/bare_loop.h"
 #include "tests/bench/render/bench_scenes.h"
 #include "tests/bench/render/timed_process.h"
 #include "tests/support/temporary_folder.h"
-#include "viewer/render/offscreen_context.h"
+#include "viewer/gl/offscreen_context.h"
 #include "viewer/render/renderer.h"
 
 namespace {

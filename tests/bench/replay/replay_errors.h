@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/playback_speed.h"
-#include "core/time.h"
+#include "core/base/playback_speed.h"
+#include "core/base/time.h"
 
 namespace rocinante::bench {
 

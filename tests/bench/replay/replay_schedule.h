@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "core/bytes.h"
+#include "core/base/bytes.h"
+#include "core/base/result.h"
+#include "core/base/time.h"
 #include "core/net/endpoint.h"
-#include "core/result.h"
-#include "core/time.h"
 
 namespace rocinante::bench {
 

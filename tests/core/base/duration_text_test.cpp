@@ -1,4 +1,4 @@
-#include "core/duration_text.h"
+#include "core/base/duration_text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/plain_text.h"
+#include "core/base/plain_text.h"
 
 #include <gtest/gtest.h>
 

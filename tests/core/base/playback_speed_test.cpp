@@ -1,4 +1,4 @@
-#include "core/playback_speed.h"
+#include "core/base/playback_speed.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/size_text.h"
+#include "core/base/size_text.h"
 
 #include <gtest/gtest.h>
 

@@ -10,8 +10,8 @@
 #include <functional>
 #include <string>
 
+#include "core/base/unfinished_path.h"
 #include "core/cli/program.h"
-#include "core/unfinished_path.h"
 #include "tests/support/temporary_folder.h"
 
 namespace rocinante::test {

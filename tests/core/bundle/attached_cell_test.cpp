@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/hash.h"
+#include "core/base/hash.h"
 #include "core/log/log_profile.h"
 #include "tests/core/bundle/bundle_fixture.h"
 

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "core/bundle/cell_folder.h"
-#include "core/model/kinematics.h"
+#include "core/kinematics/kinematics.h"
 #include "tests/core/bundle/bundle_fixture.h"
 #include "tests/support/shared_data.h"
 

@@ -8,7 +8,7 @@
 #include <functional>
 #include <set>
 
-#include "core/check/rule_list.h"
+#include "core/check/rules/rule_list.h"
 #include "tests/core/check/sound_session.h"
 
 namespace rocinante {

@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "core/session/session_writer.h"
+#include "core/recording/session_writer.h"
 #include "tests/support/programs.h"
 #include "tests/support/shared_data.h"
 

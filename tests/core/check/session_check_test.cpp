@@ -7,11 +7,11 @@
 #include <fstream>
 
 #include "core/check/check.h"
-#include "core/check/report_formats.h"
+#include "core/check/reports/report_formats.h"
+#include "core/kinematics/kinematics.h"
 #include "core/log/log_writer.h"
-#include "core/model/kinematics.h"
 #include "core/packet/decoder.h"
-#include "core/session/session_writer.h"
+#include "core/recording/session_writer.h"
 #include "tests/support/temporary_folder.h"
 
 namespace rocinante {

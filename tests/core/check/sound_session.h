@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/check/finding.h"
+#include "core/check/rules/finding.h"
 
 namespace rocinante::test {
 

@@ -4,11 +4,11 @@
 
 #include <cerrno>
 
-#include "core/atomic_file.h"
-#include "core/log/file_sink.h"
-#include "core/log/mcap_stream_reader.h"
-#include "tests/core/log/faulty_sink.h"
+#include "core/base/atomic_file.h"
+#include "core/mcap/file_sink.h"
+#include "core/mcap/stream_reader.h"
 #include "tests/core/log/log_support.h"
+#include "tests/core/mcap/faulty_sink.h"
 #include "tests/support/temporary_folder.h"
 
 namespace rocinante::test {

@@ -6,13 +6,13 @@
 #include <fstream>
 #include <random>
 
-#include "core/hash.h"
+#include "core/base/hash.h"
 #include "core/log/followed_file.h"
 #include "core/log/log_profile.h"
-#include "core/log/mcap_append.h"
-#include "core/log/mcap_records.h"
-#include "tests/core/log/file_maker.h"
+#include "core/mcap/append_record.h"
+#include "core/mcap/records.h"
 #include "tests/core/log/log_support.h"
+#include "tests/core/mcap/file_maker.h"
 #include "tests/support/temporary_folder.h"
 
 namespace rocinante::test {

@@ -3,10 +3,10 @@
 
 #include <cstdlib>
 
-#include "core/atomic_file.h"
-#include "core/hash.h"
-#include "core/log/byte_cursor.h"
-#include "core/log/mcap_stream_reader.h"
+#include "core/base/atomic_file.h"
+#include "core/base/hash.h"
+#include "core/mcap/byte_cursor.h"
+#include "core/mcap/stream_reader.h"
 #include "tests/core/log/log_support.h"
 
 // The worked example of docs/log-format.md: ROCINANTE_UPDATE=1 writes it there anew.

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/log/byte_sink.h"
+#include "core/mcap/byte_sink.h"
 #include "tests/core/log/log_support.h"
 
 namespace rocinante::test {

@@ -5,14 +5,14 @@
 
 #include <limits>
 
-#include "core/hash.h"
-#include "core/log/chunk_compressor.h"
-#include "core/log/mcap_append.h"
-#include "core/log/mcap_chunk.h"
-#include "core/log/mcap_parse.h"
-#include "core/log/mcap_writer.h"
-#include "tests/core/log/file_maker.h"
+#include "core/base/hash.h"
+#include "core/mcap/append_record.h"
+#include "core/mcap/chunk_compressor.h"
+#include "core/mcap/chunk_expander.h"
+#include "core/mcap/parse_record.h"
+#include "core/mcap/writer.h"
 #include "tests/core/log/log_support.h"
+#include "tests/core/mcap/file_maker.h"
 
 namespace rocinante::test {
 namespace {

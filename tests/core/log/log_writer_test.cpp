@@ -5,7 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "core/atomic_file.h"
+#include "core/base/atomic_file.h"
 #include "tests/core/log/log_support.h"
 #include "tests/support/temporary_folder.h"
 

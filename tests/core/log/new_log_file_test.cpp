@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include "core/atomic_file.h"
+#include "core/base/atomic_file.h"
 #include "tests/support/temporary_folder.h"
 
 namespace rocinante::test {

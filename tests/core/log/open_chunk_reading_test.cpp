@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "core/hash.h"
-#include "core/log/mcap_append.h"
-#include "core/log/mcap_records.h"
-#include "core/log/mcap_stream_reader.h"
+#include "core/base/hash.h"
+#include "core/mcap/append_record.h"
+#include "core/mcap/records.h"
+#include "core/mcap/stream_reader.h"
 #include "tests/core/log/log_support.h"
 
 namespace rocinante::test {

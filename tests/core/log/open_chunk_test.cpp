@@ -1,14 +1,14 @@
-#include "core/log/open_chunk.h"
+#include "core/mcap/open_chunk.h"
 
 #include <gmock/gmock.h>
 #include <rapidcheck/gtest.h>
 #include <zstd.h>
 
-#include "core/hash.h"
-#include "core/log/byte_cursor.h"
-#include "core/log/mcap_parse.h"
-#include "core/log/mcap_stream_reader.h"
-#include "core/log/mcap_writer.h"
+#include "core/base/hash.h"
+#include "core/mcap/byte_cursor.h"
+#include "core/mcap/parse_record.h"
+#include "core/mcap/stream_reader.h"
+#include "core/mcap/writer.h"
 #include "tests/core/log/log_support.h"
 
 namespace rocinante::test {

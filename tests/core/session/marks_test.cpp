@@ -9,7 +9,7 @@
 #include <fstream>
 #include <set>
 
-#include "core/atomic_file.h"
+#include "core/base/atomic_file.h"
 #include "core/session/timeline.h"
 #include "tests/core/log/log_support.h"
 #include "tests/support/temporary_folder.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/packet/decoder.h"
-#include "core/session/session_writer.h"
+#include "core/recording/session_writer.h"
 #include "tests/core/log/log_support.h"
 #include "tests/core/packet/random_session.h"
 

@@ -1,6 +1,6 @@
-#include <gtest/gtest.h>
-
 #include "core/session/session_time.h"
+
+#include <gtest/gtest.h>
 
 namespace rocinante {
 namespace {

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "core/duration_text.h"
+#include "core/base/duration_text.h"
 #include "core/packet/packet_text.h"
-#include "core/session/session_writer.h"
+#include "core/recording/session_writer.h"
 #include "core/session/timeline.h"
 #include "recorder/copy/log_make.h"
 #include "tests/core/log/log_support.h"

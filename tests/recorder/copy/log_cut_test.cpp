@@ -1,8 +1,9 @@
+#include "recorder/copy/log_cut.h"
+
 #include <gmock/gmock.h>
 
-#include "core/duration_text.h"
+#include "core/base/duration_text.h"
 #include "core/session/marks.h"
-#include "recorder/copy/log_cut.h"
 #include "tests/recorder/copy/copy_support.h"
 
 namespace rocinante::test {

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <fstream>
 
-#include "core/atomic_file.h"
+#include "core/base/atomic_file.h"
 #include "core/log/log_profile.h"
-#include "core/log/mcap_parse.h"
-#include "core/log/mcap_stream_reader.h"
+#include "core/mcap/parse_record.h"
+#include "core/mcap/stream_reader.h"
 #include "core/session/marks.h"
 #include "tests/recorder/copy/copy_support.h"
 

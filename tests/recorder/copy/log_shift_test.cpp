@@ -1,8 +1,9 @@
+#include "recorder/copy/log_shift.h"
+
 #include <gmock/gmock.h>
 
 #include "core/session/marks.h"
 #include "recorder/copy/log_cut.h"
-#include "recorder/copy/log_shift.h"
 #include "tests/recorder/copy/copy_support.h"
 
 namespace rocinante::test {

@@ -5,8 +5,8 @@
 
 #include <fstream>
 
-#include "core/atomic_file.h"
-#include "core/hash.h"
+#include "core/base/atomic_file.h"
+#include "core/base/hash.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/viewer/detail/test_meshes.h"
 #include "viewer/detail/detail_file.h"

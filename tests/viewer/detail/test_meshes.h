@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "core/model/mesh.h"
+#include "core/mesh/mesh.h"
 #include "viewer/detail/mesh_detail.h"
 
 namespace rocinante::test {

@@ -9,7 +9,7 @@
 
 #include "core/math/transform.h"
 #include "tests/viewer/proof/real_machines.h"
-#include "viewer/render/camera_choice.h"
+#include "viewer/view/camera_choice.h"
 
 namespace rocinante {
 namespace {

@@ -11,7 +11,7 @@
 #include <map>
 #include <sstream>
 
-#include "core/atomic_file.h"
+#include "core/base/atomic_file.h"
 #include "tests/viewer/proof/real_machines.h"
 
 namespace rocinante {

@@ -9,7 +9,7 @@
 
 #include "tests/support/shared_data.h"
 #include "tests/support/temporary_folder.h"
-#include "tests/viewer/render/test_session.h"
+#include "tests/viewer/support/test_session.h"
 #include "viewer/render/frame_maker.h"
 
 namespace rocinante::test {

@@ -11,8 +11,8 @@
 #include "core/packet/decoder.h"
 #include "core/packet/session_state.h"
 #include "tests/viewer/render/test_maker.h"
-#include "viewer/render/inset_layout.h"
-#include "viewer/render/render_job.h"
+#include "viewer/program/render_job.h"
+#include "viewer/view/inset_layout.h"
 
 namespace rocinante {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "core/math/transform.h"
 #include "tests/viewer/render/test_maker.h"
-#include "viewer/render/camera_choice.h"
+#include "viewer/view/camera_choice.h"
 
 namespace rocinante {
 namespace {

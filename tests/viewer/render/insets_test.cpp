@@ -3,9 +3,9 @@
 
 #include <cstdlib>
 
-#include "core/model/posed_scene.h"
+#include "core/cell/posed_scene.h"
 #include "tests/viewer/render/test_maker.h"
-#include "viewer/render/inset_layout.h"
+#include "viewer/view/inset_layout.h"
 
 namespace rocinante {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "tests/viewer/render/test_scene.h"
-#include "viewer/render/offscreen_context.h"
+#include "tests/viewer/support/test_scene.h"
+#include "viewer/gl/offscreen_context.h"
 #include "viewer/render/renderer.h"
 
 namespace rocinante {

@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include "tests/viewer/render/looks_studio.h"
-#include "viewer/render/offscreen_context.h"
-#include "viewer/render/outline_pass.h"
-#include "viewer/render/scale_bar.h"
+#include "viewer/gl/offscreen_context.h"
+#include "viewer/overlay/scale_bar.h"
+#include "viewer/passes/outline_pass.h"
 
 namespace rocinante {
 namespace {

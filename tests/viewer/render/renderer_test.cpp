@@ -5,10 +5,10 @@
 
 #include "tests/support/environment.h"
 #include "tests/support/temporary_folder.h"
-#include "tests/viewer/render/test_scene.h"
+#include "tests/viewer/support/test_scene.h"
+#include "viewer/gl/egl_context.h"
+#include "viewer/gl/offscreen_context.h"
 #include "viewer/picture/picture.h"
-#include "viewer/render/egl_context.h"
-#include "viewer/render/offscreen_context.h"
 
 namespace rocinante {
 namespace {

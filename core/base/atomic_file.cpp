@@ -1,0 +1,125 @@
+#include "core/base/atomic_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include "core/base/file_lock.h"
+
+namespace rocinante {
+namespace {
+
+Error systemError(std::string what, const std::filesystem::path& path) {
+  const int code = errno;
+  const ErrorKind kind = code == ENOENT ? ErrorKind::not_found : ErrorKind::unreadable;
+  return {kind, std::move(what) + ": " + std::strerror(code), path.string()};
+}
+
+struct Descriptor {
+  int number;
+  ~Descriptor() {
+    if (number >= 0) ::close(number);
+  }
+};
+
+Status writeAll(int file, ByteView bytes, const std::filesystem::path& path) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(file, bytes.data(), bytes.size());
+    if (written < 0) {
+      if (errno == EINTR) continue;
+      return systemError("cannot write", path);
+    }
+    bytes = bytes.subspan(static_cast<std::size_t>(written));
+  }
+  return {};
+}
+
+/// Held meanwhile: no recorder begins to write what is replaced.
+Status renameOver(const std::filesystem::path& beside, const std::filesystem::path& path) {
+  const Result<HeldFile> held = HeldFile::at(path, HeldFile::For::replacing);
+  if (!held) return held.error();
+  if (::rename(beside.c_str(), path.c_str()) != 0) return systemError("cannot create", path);
+  return {};
+}
+
+}  // namespace
+
+Result<std::string> readFile(const std::filesystem::path& path, std::uint64_t max_bytes) {
+  const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC)};
+  if (file.number < 0) return systemError("cannot open", path);
+  struct stat facts {};
+  if (::fstat(file.number, &facts) != 0) return systemError("cannot read", path);
+  if (S_ISDIR(facts.st_mode)) {
+    return Error{ErrorKind::unreadable, "this is a folder, not a file", path.string()};
+  }
+  if (static_cast<std::uint64_t>(facts.st_size) > max_bytes) {
+    return Error{
+        ErrorKind::unsupported,
+        "the file is larger than the " + std::to_string(max_bytes) + " bytes that are read",
+        path.string()};
+  }
+  std::string content;
+  content.reserve(static_cast<std::size_t>(facts.st_size));
+  char buffer[1 << 16];
+  while (true) {
+    const ssize_t got = ::read(file.number, buffer, sizeof buffer);
+    if (got < 0) {
+      if (errno == EINTR) continue;
+      return systemError("cannot read", path);
+    }
+    if (got == 0) return content;
+    content.append(buffer, static_cast<std::size_t>(got));
+    if (content.size() > max_bytes) {
+      return Error{ErrorKind::unsupported, "the file grew too large while it was read",
+                   path.string()};
+    }
+  }
+}
+
+Status mayWriteFile(const std::filesystem::path& path, bool overwrite) {
+  std::error_code ignored;
+  const std::filesystem::file_status there = std::filesystem::status(path, ignored);
+  if (std::filesystem::exists(there)) {
+    if (!std::filesystem::is_regular_file(there)) {
+      return Error{ErrorKind::refused, "is no file, and is not replaced by one", path.string()};
+    }
+    if (!overwrite) {
+      return Error{ErrorKind::refused, "the file exists; --force overwrites it", path.string()};
+    }
+    if (Status may = mayReplace(path); !may) return may;
+  }
+  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) return systemError("cannot create", path);
+  return {};
+}
+
+Status writeFileWhole(const std::filesystem::path& path, ByteView bytes, bool overwrite,
+                      Sync sync) {
+  if (Status may = mayWriteFile(path, overwrite); !may) return may;
+  const std::filesystem::path beside = path.string() + ".part" + std::to_string(::getpid());
+  Descriptor file{::open(beside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644)};
+  if (file.number < 0) return systemError("cannot create", path);
+  Status written = writeAll(file.number, bytes, path);
+  if (written && sync == Sync::now && ::fsync(file.number) != 0 && errno != EINVAL) {
+    written = systemError("cannot write", path);
+  }
+  if (::close(std::exchange(file.number, -1)) != 0 && written) {
+    written = systemError("cannot write", path);
+  }
+  if (written) written = renameOver(beside, path);
+  if (!written) ::unlink(beside.c_str());
+  return written;
+}
+
+Status syncFileSystem(const std::filesystem::path& folder) {
+  const Descriptor opened{::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)};
+  if (opened.number < 0) return systemError("cannot open", folder);
+  if (::syncfs(opened.number) != 0) return systemError("cannot write", folder);
+  return {};
+}
+
+}  // namespace rocinante

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "core/base/result.h"
+
+namespace rocinante {
+
+/// "1.2 MB": decimal units, one decimal.
+std::string sizeText(std::uint64_t bytes);
+
+/// "100MB", "64MiB", "1.5GB", "4096", "4096B": decimal units (kB MB GB TB) and binary ones (KiB MiB
+/// GiB TiB), upper or lower case, a space before the unit allowed. At most six decimals; a part of
+/// a byte is cut off. bad_argument for anything else, and from 2^63 on.
+Result<std::uint64_t> parseSize(std::string_view text);
+
+}  // namespace rocinante

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/cell/cell.h"
+#include "core/document/toml_table.h"
+#include "core/mesh/mesh_store.h"
+
+namespace rocinante {
+
+/// What one `[[material]]` changes, and of what: patterns, empty for all.
+struct MaterialChange {
+  std::string device, link, group, material;
+  std::optional<glm::vec4> color;
+  std::optional<glm::vec3> specular, emission;
+  std::optional<float> shininess;
+  std::optional<std::filesystem::path> texture;  ///< an empty one takes the texture away
+  std::optional<glm::vec2> texture_scale, texture_offset;
+};
+
+/// The `[[material]]` tables of a cell (docs/cell-format.md, section "Materials"). Models whose
+/// looks they change are replaced by copies that share geometry; kinematics stay as they are.
+class CellMaterials {
+ public:
+  /// Those of one file of the cell, in `folder`: a later change stands over an earlier one.
+  void read(TomlTable& root, const std::filesystem::path& folder, MeshStore& meshes);
+  /// When models and devices are known: changes Cell::models and CellDevice::dressed.
+  void apply(Cell& cell);
+
+ private:
+  struct Change {
+    MaterialChange what;
+    TomlTable table;
+    bool used = false;
+  };
+  using Chosen = std::vector<std::size_t>;  // into changes_, in order
+
+  std::shared_ptr<const Model> dressed(const Model& model, const Chosen& chosen);
+  bool matches(const Change& change, const Link& link, const MeshPart& part,
+               const Material& material) const;
+
+  std::vector<Change> changes_;
+};
+
+}  // namespace rocinante

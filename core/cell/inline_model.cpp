@@ -1,0 +1,456 @@
+#include "core/cell/inline_model.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <limits>
+
+#include "core/base/glob.h"
+#include "core/base/name_hint.h"
+#include "core/document/fault_list.h"
+#include "core/kinematics/kinematics.h"
+#include "core/kinematics/model_draft.h"
+#include "core/math/transform.h"
+#include "core/math/trigonometry.h"
+
+namespace rocinante {
+namespace {
+
+struct Unit {
+  std::string_view name;
+  double metres;
+};
+constexpr std::array<Unit, 5> kUnits = {
+    {{"m", 1.0}, {"cm", 0.01}, {"mm", 0.001}, {"in", 0.0254}, {"ft", 0.3048}}};
+
+std::optional<double> readUnit(TomlTable& table) {
+  const TomlNode* given = table.node("unit");
+  if (given == nullptr) {
+    table.error("cell.missing-key", "unit", fmt::format("{} lacks `unit`", table.what()),
+                "OBJ and STL do not say theirs: \"m\", \"cm\", \"mm\", \"in\", \"ft\", or metres");
+    return std::nullopt;
+  }
+  if (given->kind != TomlNode::Kind::text) {
+    const auto metres = table.number("unit");
+    if (metres && *metres > 0.0 && *metres < 1e9) return metres;
+    if (metres) {
+      table.error("cell.bad-number", "unit",
+                  fmt::format("`unit` of {} must be above 0 and below 1e9", table.what()));
+    }
+    return std::nullopt;
+  }
+  for (const Unit& unit : kUnits) {
+    if (unit.name == given->text) return unit.metres;
+  }
+  table.error("cell.unknown-word", "unit", fmt::format("{} is no unit", quotedInFault(given->text)),
+              "units are \"m\", \"cm\", \"mm\", \"in\", \"ft\", or a number of metres");
+  return std::nullopt;
+}
+
+std::optional<UpAxis> readUp(TomlTable& table) {
+  if (!table.has("up")) {
+    static_cast<void>(table.node("up"));
+    table.error("cell.missing-key", "up", fmt::format("{} lacks `up`", table.what()),
+                "OBJ and STL do not say which axis points up: \"y\" or \"z\"");
+    return std::nullopt;
+  }
+  const auto up = table.text("up");
+  if (!up) return std::nullopt;
+  if (*up == "y") return UpAxis::y;
+  if (*up == "z") return UpAxis::z;
+  table.error("cell.unknown-word", "up", fmt::format("{} is no up axis", quotedInFault(*up)),
+              "\"y\" or \"z\"");
+  return std::nullopt;
+}
+
+std::optional<JointType> readJointType(TomlTable& table) {
+  const auto name = table.requiredText("type");
+  if (!name) return std::nullopt;
+  std::vector<std::string_view> names;
+  for (const JointType type : {JointType::fixed, JointType::revolute, JointType::continuous,
+                               JointType::prismatic, JointType::planar, JointType::floating}) {
+    if (nameOf(type) == *name) return type;
+    names.push_back(nameOf(type));
+  }
+  std::string hint = didYouMean(*name, names);
+  if (hint.empty()) hint = "types are fixed, revolute, continuous, prismatic, planar, floating";
+  table.error("cell.unknown-word", "type",
+              fmt::format("{} is no type of joint", quotedInFault(*name)), std::move(hint));
+  return std::nullopt;
+}
+
+void readJointAxis(TomlTable& table, Joint& joint) {
+  const bool turns_or_slides = joint.type == JointType::revolute ||
+                               joint.type == JointType::continuous ||
+                               joint.type == JointType::prismatic;
+  if (joint.type == JointType::planar) joint.axis = {0, 0, 1};
+  const auto axis = turns_or_slides ? table.requiredVector("axis") : table.vector("axis");
+  if (!axis) return;
+  if (const auto unit = table.direction("axis")) {
+    joint.axis = *unit;
+  } else {
+    table.error("cell.zero-axis", "axis", "the axis has no direction", "x is taken");
+  }
+}
+
+// A limit of velocity or effort.
+std::optional<double> readRate(TomlTable& table, std::string_view key) {
+  const auto rate = table.number(key);
+  if (!rate || *rate >= 0.0) return rate;
+  table.error("cell.bad-number", key, fmt::format("`{}` of {} is below 0", key, table.what()));
+  return std::nullopt;
+}
+
+void readJointLimits(TomlTable& table, Joint& joint) {
+  const auto limits = table.range("limits");
+  const auto limits_deg = table.range("limits_deg");
+  const auto velocity = readRate(table, "velocity"), effort = readRate(table, "effort");
+  const bool bounded = joint.type == JointType::revolute || joint.type == JointType::prismatic;
+  const bool turns_or_slides = bounded || joint.type == JointType::continuous;
+  for (const char* key : {"limits", "limits_deg", "velocity", "effort"}) {
+    const bool may = *key == 'l' ? bounded : turns_or_slides;
+    if (table.has(key) && !may) {
+      table.error(
+          "cell.useless-limits", key,
+          fmt::format("a {} joint has no {}", nameOf(joint.type), *key == 'l' ? "limits" : key));
+    }
+  }
+  if (limits_deg && joint.type == JointType::prismatic) {
+    table.error("cell.useless-limits", "limits_deg", "a prismatic joint slides: it has no degrees",
+                "use `limits`, in metres");
+    return;
+  }
+  if (limits && limits_deg) {
+    table.error("cell.two-limits", "limits_deg", "the joint has both limits and limits_deg");
+  }
+  constexpr double kNoEnd = std::numeric_limits<double>::infinity();
+  JointLimits read{-kNoEnd, kNoEnd, velocity, effort};
+  if (bounded && limits) {
+    read.lower = limits->first;
+    read.upper = limits->second;
+  } else if (bounded && limits_deg) {
+    read.lower = radiansOf(limits_deg->first);
+    read.upper = radiansOf(limits_deg->second);
+  } else if (!turns_or_slides || (!velocity && !effort)) {
+    return;
+  }
+  joint.limits = read;
+}
+
+std::optional<JointDraft> readJoint(TomlTable& table, const std::string& parent,
+                                    const std::string& child) {
+  JointDraft draft;
+  draft.place = table.place();
+  const auto name = table.requiredName("name");
+  const auto type = readJointType(table);
+  draft.joint.type = type.value_or(JointType::fixed);
+  if (const TomlNode* origin = table.node("origin")) {
+    if (origin->kind == TomlNode::Kind::table) {
+      TomlTable pose(*origin, "origin", table.faults());
+      draft.joint.origin = pose.pose();
+      pose.finish();
+    } else {
+      draft.joint.origin.position = table.vector("origin").value_or(Vec3{0, 0, 0});
+    }
+  }
+  if (type) {
+    readJointAxis(table, draft.joint);
+    readJointLimits(table, draft.joint);
+  } else {
+    for (const char* key : {"axis", "limits", "limits_deg", "velocity", "effort"}) {
+      static_cast<void>(table.node(key));
+    }
+  }
+  if (auto mimic = table.table("mimic", "mimic")) {
+    if (const auto followed = mimic->requiredText("joint")) {
+      draft.mimic = MimicDraft{*followed, mimic->number("multiplier").value_or(1.0),
+                               mimic->number("offset").value_or(0.0), mimic->place("joint")};
+    }
+    mimic->finish();
+  }
+  table.finish();
+  if (!name) return std::nullopt;
+  draft.joint.name = *name;
+  draft.parent = parent;
+  draft.child = child;
+  return draft;
+}
+
+// Comparisons of a group with a pattern, of one model.
+constexpr std::size_t kMostMatches = 100'000'000;
+
+// Which parts of the mesh each link takes.
+struct LinkGroups {
+  std::string link;
+  std::vector<std::string> patterns;
+  Place place;
+  bool takes_the_rest = false;
+};
+
+class InlineModelReader {
+ public:
+  InlineModelReader(TomlTable& table, const std::string& name, const std::filesystem::path& folder,
+                    MeshStore& meshes)
+      : table_(table), name_(name), folder_(folder), meshes_(meshes) {}
+
+  std::shared_ptr<const Model> read() {
+    const char* kind = table_.has("obj") ? "obj" : table_.has("stl") ? "stl" : "mesh";
+    const auto file = table_.requiredText(kind);
+    std::optional<double> unit = 1.0;
+    std::optional<UpAxis> up = UpAxis::z;
+    if (!file || !saysItsUnit(*file)) {
+      unit = readUnit(table_);
+      up = readUp(table_);
+    } else {
+      refuseUnit();
+    }
+    const bool in_world = readGeometry();
+    readLinks();
+    table_.finish();
+    if (!file) return nullptr;
+    std::shared_ptr<const Mesh> mesh;
+    if (unit && up) {
+      mesh = meshes_.load(*file, folder_, *unit, *up, table_.place(kind), table_.faults());
+    }
+    draft_.file = *file;
+    auto model = finishModel(std::move(draft_), table_.faults());
+    if (!model) return nullptr;
+    if (mesh) {
+      shareOut(*model, mesh, in_world);
+    } else {
+      model->links[model->root].visuals.emplace_back().name = "missing";
+    }
+    return std::make_shared<const Model>(std::move(*model));
+  }
+
+ private:
+  void refuseUnit() {
+    for (const char* key : {"unit", "up"}) {
+      if (table_.node(key) == nullptr) continue;
+      table_.error("cell.useless-unit", key,
+                   fmt::format("`{}` means nothing: the file says its own unit and up axis", key));
+    }
+  }
+
+  bool readGeometry() {
+    const auto geometry = table_.text("geometry");
+    if (!geometry || *geometry == "world") return true;
+    if (*geometry == "link") return false;
+    table_.error("cell.unknown-word", "geometry",
+                 fmt::format("{} is no kind of geometry", quotedInFault(*geometry)),
+                 "\"world\" (as assembled at zero joints) or \"link\" (each in its link's space)");
+    return true;
+  }
+
+  void readLinks() {
+    draft_.name = name_;
+    draft_.rules = "cell";
+    draft_.place = table_.place();
+    std::vector<TomlTable> links = table_.tables("link", "[[model.link]]");
+    if (links.size() > kMostLinks) {
+      table_.error("cell.too-many", "link",
+                   fmt::format("a model has at most {} links", kMostLinks));
+      links.clear();
+    }
+    bool root_written = false;
+    for (TomlTable& link : links) root_written = root_written || !link.has("parent");
+    if (!root_written) {
+      LinkDraft base;
+      base.link.name = "base";
+      base.place = table_.place();
+      draft_.links.push_back(std::move(base));
+      groups_.push_back({"base", {}, table_.place(), true});
+    }
+    for (TomlTable& link : links) readLink(link);
+  }
+
+  void readLink(TomlTable& link) {
+    const auto name = link.requiredText("name");
+    const auto parent = link.text("parent");
+    const bool has_groups = link.has("groups");
+    LinkGroups groups{name.value_or(""), link.texts("groups"), link.place("groups"), false};
+    groups.takes_the_rest = !parent && !has_groups;
+    auto joint = link.table("joint", "joint");
+    if (parent && !link.has("joint")) {
+      link.error(
+          "cell.missing-key", "joint",
+          fmt::format("{} {} has a parent but no `joint`", link.what(), quotedInFault(groups.link)),
+          "joint = { name = \"...\", type = \"fixed\" } holds it in place");
+    }
+    if (joint && !link.has("parent")) {
+      link.error(
+          "cell.missing-key", "parent",
+          fmt::format("{} {} has a joint but no `parent`", link.what(), quotedInFault(groups.link)),
+          "the link without a parent is the root, and is held by nothing");
+    }
+    if (joint) {
+      auto draft = readJoint(*joint, parent.value_or(""), groups.link);
+      if (draft && name && parent) {
+        draft->parent_place = link.place("parent");
+        draft->child_place = link.place("name");
+        draft_.joints.push_back(std::move(*draft));
+      }
+    }
+    link.finish();
+    if (!name) return;
+    LinkDraft draft;
+    draft.link.name = *name;
+    draft.place = link.place("name");
+    draft_.links.push_back(std::move(draft));
+    groups_.push_back(std::move(groups));
+  }
+
+  // Gives each link its parts of the mesh.
+  void shareOut(Model& model, const std::shared_ptr<const Mesh>& mesh, bool in_world) {
+    const std::vector<Mat4> zero = linkPoses(model, zeroJoints(model));
+    std::vector<std::vector<std::size_t>> taken(groups_.size());
+    std::vector<std::size_t> rest;
+    std::vector<std::vector<bool>> matched(groups_.size());
+    if (mesh->parts.size() * patternCount() > kMostMatches) {
+      table_.error("cell.too-many", "link",
+                   fmt::format("{} groups and {} patterns are too many to compare",
+                               mesh->parts.size(), patternCount()));
+      return;
+    }
+    for (std::size_t i = 0; i < groups_.size(); ++i) {
+      matched[i].resize(groups_[i].patterns.size(), false);
+    }
+    for (std::size_t part = 0; part < mesh->parts.size(); ++part) {
+      std::optional<std::size_t> owner;
+      for (std::size_t i = 0; i < groups_.size(); ++i) {
+        if (!claims(groups_[i], matched[i], mesh->parts[part].group)) continue;
+        if (!owner) {
+          owner = i;
+          taken[i].push_back(part);
+        } else {
+          warnOfTwo(mesh->parts[part].group, groups_[*owner], groups_[i]);
+        }
+      }
+      if (!owner) rest.push_back(part);
+    }
+    reportUnmatched(matched, *mesh);
+    for (std::size_t i = 0; i < groups_.size(); ++i) {
+      if (groups_[i].takes_the_rest) {
+        taken[i] = rest;
+        rest.clear();
+      }
+      addVisual(model, groups_[i], std::move(taken[i]), mesh, in_world, zero);
+    }
+    if (!rest.empty()) {
+      table_.faults().warning(
+          "cell.unused-group", table_.place(),
+          fmt::format("no link takes group {}, which is not drawn",
+                      quotedInFault(mesh->parts[rest.front()].group)),
+          "add it to the `groups` of a link, or leave them out of the root, which then takes all");
+    }
+  }
+
+  std::size_t patternCount() const {
+    std::size_t count = 0;
+    for (const LinkGroups& groups : groups_) count += groups.patterns.size() + 1;
+    return count;
+  }
+
+  static bool claims(const LinkGroups& groups, std::vector<bool>& matched, std::string_view group) {
+    bool claimed = false;
+    for (std::size_t i = 0; i < groups.patterns.size(); ++i) {
+      if (!globMatches(groups.patterns[i], group)) continue;
+      matched[i] = true;
+      claimed = true;
+    }
+    return claimed;
+  }
+
+  void warnOfTwo(const std::string& group, const LinkGroups& first, const LinkGroups& second) {
+    table_.faults().error("cell.group-taken-twice", second.place,
+                          fmt::format("group {} belongs to links {} and {}", quotedInFault(group),
+                                      quotedInFault(first.link), quotedInFault(second.link)),
+                          "the first one has it");
+  }
+
+  void reportUnmatched(const std::vector<std::vector<bool>>& matched, const Mesh& mesh) {
+    std::vector<std::string_view> names;
+    for (const MeshPart& part : mesh.parts) names.push_back(part.group);
+    for (std::size_t i = 0; i < groups_.size(); ++i) {
+      for (std::size_t k = 0; k < matched[i].size(); ++k) {
+        if (matched[i][k]) continue;
+        const bool listed = table_.faults().lists("cell.unknown-group");
+        table_.faults().error(
+            "cell.unknown-group", groups_[i].place,
+            fmt::format("no group of the file is {}", quotedInFault(groups_[i].patterns[k])),
+            listed ? didYouMean(groups_[i].patterns[k], names) : "");
+      }
+    }
+  }
+
+  static void addVisual(Model& model, const LinkGroups& groups, std::vector<std::size_t> parts,
+                        const std::shared_ptr<const Mesh>& mesh, bool in_world,
+                        const std::vector<Mat4>& zero) {
+    const auto link = model.findLink(groups.link);
+    if (!link || parts.empty()) return;
+    Visual visual;
+    visual.name = groups.link;
+    visual.mesh = mesh;
+    visual.mesh_parts = std::move(parts);
+    if (in_world) visual.origin = poseOf(inverseOfRigid(zero[*link]));
+    model.links[*link].visuals.push_back(std::move(visual));
+  }
+
+  TomlTable& table_;
+  const std::string& name_;
+  const std::filesystem::path& folder_;
+  MeshStore& meshes_;
+  ModelDraft draft_;
+  std::vector<LinkGroups> groups_;
+};
+
+}  // namespace
+
+std::shared_ptr<const Model> readInlineModel(TomlTable& table, const std::string& name,
+                                             const std::filesystem::path& folder,
+                                             MeshStore& meshes) {
+  return InlineModelReader(table, name, folder, meshes).read();
+}
+
+std::vector<MeshWanted> meshesOfInlineModels(const TomlNode& document,
+                                             const std::filesystem::path& folder) {
+  std::vector<MeshWanted> wanted;
+  for (const TomlNode::Entry& models : document.entries) {
+    if (models.key != "model") continue;
+    for (const TomlNode& model : models.value.items) {
+      MeshWanted mesh;
+      mesh.beside = folder;
+      for (const TomlNode::Entry& entry : model.entries) {
+        if (entry.key == "obj" || entry.key == "stl" || entry.key == "mesh")
+          mesh.name = entry.value.text;
+        if (entry.key == "up" && entry.value.text == "y") mesh.up = UpAxis::y;
+        if (entry.key != "unit") continue;
+        mesh.unit_m = entry.value.number;
+        for (const Unit& unit : kUnits) {
+          if (unit.name == entry.value.text) mesh.unit_m = unit.metres;
+        }
+      }
+      if (!mesh.name.empty() && mesh.unit_m > 0) wanted.push_back(std::move(mesh));
+    }
+  }
+  return wanted;
+}
+
+Model rigidModel(std::string name, std::string file, std::shared_ptr<const Mesh> mesh) {
+  Model model;
+  model.name = std::move(name);
+  model.file = std::move(file);
+  Link base;
+  base.name = "base";
+  if (mesh) {
+    Visual visual;
+    visual.name = "base";
+    visual.mesh = std::move(mesh);
+    base.visuals.push_back(std::move(visual));
+  }
+  model.links.push_back(std::move(base));
+  model.link_by_name.emplace("base", 0);
+  return model;
+}
+
+}  // namespace rocinante

@@ -1,0 +1,107 @@
+#include "core/cell/rule_reader.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/base/name_hint.h"
+
+namespace rocinante {
+namespace {
+
+constexpr std::size_t kMostRules = 1000;
+
+void readWord(const TomlNode& value, FaultList& faults, CellRule& rule) {
+  if (value.kind != TomlNode::Kind::text) {
+    faults.error("cell.wrong-kind", value.place,
+                 fmt::format("the severity of {} is {}, where a string is wanted",
+                             quotedInFault(rule.id), nameOf(value.kind)));
+  } else if (!readSeverity(value.text, rule)) {
+    faults.error("cell.unknown-word", value.place,
+                 fmt::format("{} is no severity", quotedInFault(value.text)),
+                 didYouMean(value.text, {"off", "note", "warning", "error"}));
+  }
+}
+
+void readTable(const TomlNode& value, FaultList& faults, CellRule& rule) {
+  for (const TomlNode::Entry& entry : value.entries) {
+    if (entry.key.starts_with("x-")) continue;
+    if (entry.key == "severity") {
+      readWord(entry.value, faults, rule);
+      continue;
+    }
+    const bool is_number =
+        entry.value.kind == TomlNode::Kind::number || entry.value.kind == TomlNode::Kind::integer;
+    if (!is_number) {
+      faults.error("cell.wrong-kind", entry.value.place,
+                   fmt::format("{} of {} is {}, where a number is wanted", quotedInFault(entry.key),
+                               quotedInFault(rule.id), nameOf(entry.value.kind)));
+    } else if (!(entry.value.number > 0.0) || !std::isfinite(entry.value.number)) {
+      faults.error("cell.bad-number", entry.value.place,
+                   fmt::format("{} of {} must be above 0", quotedInFault(entry.key),
+                               quotedInFault(rule.id)));
+    } else if (!rule.threshold_key.empty()) {
+      faults.error("cell.unknown-key", entry.place,
+                   fmt::format("{} has one threshold, and {} is a second", quotedInFault(rule.id),
+                               quotedInFault(entry.key)));
+    } else {
+      rule.threshold_key = entry.key;
+      rule.threshold = entry.value.number;
+    }
+  }
+}
+
+// Ids without quotes are tables within tables to TOML: `packet.bad-name = "off"`.
+void readFamily(const TomlNode& table, const std::string& family, FaultList& faults,
+                std::vector<CellRule>& rules) {
+  for (const TomlNode::Entry& entry : table.entries) {
+    if (entry.key.starts_with("x-")) continue;
+    CellRule rule;
+    rule.id = family + entry.key;
+    const bool is_table = entry.value.kind == TomlNode::Kind::table;
+    if (is_table && rule.id.find('.') == std::string::npos) {
+      readFamily(entry.value, rule.id + ".", faults, rules);
+      continue;
+    }
+    if (rules.size() == kMostRules) {
+      faults.error("cell.too-many", entry.place,
+                   fmt::format("[rules] has more than {} rules", kMostRules));
+      return;
+    }
+    rule.file = faults.file();
+    rule.line = entry.place.line;
+    rule.column = entry.place.column;
+    if (is_table) {
+      readTable(entry.value, faults, rule);
+    } else {
+      readWord(entry.value, faults, rule);
+    }
+    rules.push_back(std::move(rule));
+  }
+}
+
+}  // namespace
+
+void readRules(TomlTable& root, Cell& cell) {
+  if (!root.table("rules", "[rules]")) return;
+  readFamily(*root.node("rules"), "", root.faults(), cell.rules);
+}
+
+SourceLimits readSourceLimits(TomlTable& table) {
+  const auto positive = [&](std::string_view key) {
+    std::optional<double> value = table.number(key);
+    if (value && !(*value > 0.0)) {
+      table.error("cell.bad-number", key, fmt::format("`{}` must be above 0", key));
+      value.reset();
+    }
+    return value;
+  };
+  SourceLimits limits;
+  limits.silence_s = positive("silence_s");
+  limits.restate_s = positive("restate_s");
+  limits.clock_skew_s = positive("clock_skew_s");
+  limits.jitter_ms = positive("jitter_ms");
+  return limits;
+}
+
+}  // namespace rocinante

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/cell/layer_index.h"
+#include "core/cell/posed_scene.h"
+
+namespace rocinante {
+
+/// poseScene() for state after state: reckons anew only the links of devices that moved since the
+/// last call, and answers the same bits as poseScene() (tested), whatever came before. One cell for
+/// its life, which must outlive it. One thread.
+class ScenePoses {
+ public:
+  explicit ScenePoses(const Cell& cell) : cell_(&cell), layers_(cell) {}
+  PosedScene pose(const SessionState& state);
+  /// Devices that the last pose() put elsewhere than the one before, new ones among them.
+  std::size_t moved() const { return moved_; }
+
+  /// What the links of a device came from, and where that put them.
+  struct Known {
+    const Model* model = nullptr;
+    std::vector<double> joints;
+    std::vector<Mat4> links;  ///< in the device's space
+    Mat4 base{1.0};
+    std::vector<Mat4> link_world;
+  };
+  using KnownDevices = std::map<std::string, Known, std::less<>>;
+
+ private:
+  const Cell* cell_;
+  LayerIndex layers_;
+  KnownDevices known_;
+  std::size_t moved_ = 0;
+};
+
+}  // namespace rocinante

@@ -1,0 +1,233 @@
+#include "core/check/drift/look_drift.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/atomic_file.h"
+#include "core/base/hash.h"
+#include "core/check/drift/pose_drift.h"
+
+namespace rocinante {
+namespace {
+
+/// Numbers of the parts of its mesh that a visual draws.
+std::vector<std::size_t> partsOf(const Visual& visual) {
+  if (!visual.mesh_parts.empty() || visual.mesh == nullptr) return visual.mesh_parts;
+  std::vector<std::size_t> all(visual.mesh->parts.size());
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
+  return all;
+}
+
+std::size_t trianglesOf(const Visual& visual) {
+  std::size_t corners = 0;
+  for (const std::size_t part : partsOf(visual)) corners += visual.mesh->parts[part].index_count;
+  return corners / 3;
+}
+
+/// The longest side of its mesh; 0 when it draws only some of it, or nothing.
+double lengthOf(const Visual& visual) {
+  if (visual.mesh == nullptr || visual.mesh->bounds.empty()) return 0;
+  if (partsOf(visual).size() != visual.mesh->parts.size()) return 0;
+  const Vec3 size = visual.mesh->bounds.max - visual.mesh->bounds.min;
+  return std::max({size.x, size.y, size.z});
+}
+
+/// "is 25.4 times as large", when that is all that can be said by size.
+std::string sizeText(const Visual& was, const Visual& is) {
+  const double before = lengthOf(was), after = lengthOf(is);
+  if (before <= 0 || after <= 0) return "";
+  const double ratio = after / before;
+  if (std::abs(ratio - 1) < 0.01) return "";
+  return ratio > 1 ? fmt::format(", {:.4g} times as large", ratio)
+                   : fmt::format(", {:.4g} times smaller", 1 / ratio);
+}
+
+/// The material of each part that a visual draws.
+std::vector<const Material*> materialsOf(const Visual& visual) {
+  std::vector<const Material*> materials;
+  if (visual.mesh == nullptr) return materials;
+  for (const std::size_t part : partsOf(visual)) {
+    const std::size_t number = visual.mesh->parts[part].material;
+    const bool has_own = number < visual.mesh->materials.size();
+    materials.push_back(visual.material ? &*visual.material
+                        : has_own       ? &visual.mesh->materials[number]
+                                        : nullptr);
+  }
+  return materials;
+}
+
+bool isSameColor(const Material& a, const Material& b) {
+  return a.diffuse == b.diffuse && a.specular == b.specular && a.emission == b.emission &&
+         a.shininess == b.shininess;
+}
+
+std::string colorText(const Material& material) {
+  const auto byte = [](float value) {
+    return static_cast<int>(std::lround(std::clamp(value, 0.0F, 1.0F) * 255.0F));
+  };
+  const glm::vec4& c = material.diffuse;
+  return fmt::format("#{:02x}{:02x}{:02x}{:02x}", byte(c.r), byte(c.g), byte(c.b), byte(c.a));
+}
+
+}  // namespace
+
+void LookDrift::add(const Model& recorded, const Model& given,
+                    const std::map<std::string, std::string>& renamed, DriftList& drift) {
+  std::map<std::string, bool> met;
+  for (const Link& was : recorded.links) {
+    const auto other = renamed.find(was.name);
+    const std::string& name = other == renamed.end() ? was.name : other->second;
+    const auto is = given.findLink(name);
+    if (!is) {
+      drift.add(
+          "drift.link-removed",
+          fmt::format("link {} of {} is gone: it would not be drawn, and what hangs `in {}/{}` "
+                      "would stand in the world",
+                      was.name, drift.subject(), drift.subject(), was.name));
+      continue;
+    }
+    met[name] = true;
+    if (name != was.name) {
+      drift.add("drift.link-renamed",
+                fmt::format("link {} of {} is called {} now: what the log shows, hides, colours or "
+                            "hangs there by name would miss it",
+                            was.name, drift.subject(), name));
+    }
+    compareLinks(was, given.links[*is], drift);
+  }
+  for (const Link& is : given.links) {
+    if (met.contains(is.name)) continue;
+    drift.add("drift.link-added",
+              fmt::format("link {} of {} is new: it would be drawn, and was not there when the "
+                          "session was recorded",
+                          is.name, drift.subject()));
+  }
+}
+
+void LookDrift::compareLinks(const Link& was, const Link& is, DriftList& drift) {
+  const std::string name = fmt::format("link {} of {}", is.name, drift.subject());
+  if (const std::string shape = shapeDrift(was.visuals, is.visuals); !shape.empty()) {
+    drift.add("drift.geometry", fmt::format("{} {}: it would look otherwise", name, shape));
+  }
+  if (const std::string shape = shapeDrift(was.collisions, is.collisions); !shape.empty()) {
+    drift.add("drift.collision", fmt::format("the collision shape of {} {}", name, shape));
+  }
+  const std::size_t shared = std::min(was.visuals.size(), is.visuals.size());
+  for (std::size_t i = 0; i < shared; ++i) {
+    const bool told = comparePointColors(was.visuals[i], is.visuals[i], name, drift);
+    compareMaterials(was.visuals[i], is.visuals[i], name, told, drift);
+  }
+}
+
+std::string LookDrift::shapeDrift(const std::vector<Visual>& was, const std::vector<Visual>& is) {
+  if (was.size() != is.size()) {
+    return fmt::format("had {} shapes and has {}", was.size(), is.size());
+  }
+  for (std::size_t i = 0; i < was.size(); ++i) {
+    const bool had = was[i].mesh != nullptr, has = is[i].mesh != nullptr;
+    if (had != has) return has ? "has a mesh that was missing" : "lacks its mesh";
+    if (had && shapeOf(was[i]) != shapeOf(is[i])) {
+      return fmt::format("has another shape: {} triangles were, {} are{}", trianglesOf(was[i]),
+                         trianglesOf(is[i]), sizeText(was[i], is[i]));
+    }
+    const Vec3 &a = was[i].scale, &b = is[i].scale;
+    if (!isSameNumber(a.x, b.x) || !isSameNumber(a.y, b.y) || !isSameNumber(a.z, b.z)) {
+      return fmt::format("was scaled by {:.6g} {:.6g} {:.6g} and is by {:.6g} {:.6g} {:.6g}", a.x,
+                         a.y, a.z, b.x, b.y, b.z);
+    }
+    if (const std::string moved = poseDrift(was[i].origin, is[i].origin); !moved.empty()) {
+      return "has a shape that " + moved;
+    }
+  }
+  return "";
+}
+
+void LookDrift::compareMaterials(const Visual& was, const Visual& is, const std::string& name,
+                                 bool color_told, DriftList& drift) {
+  const std::vector<const Material*> before = materialsOf(was), after = materialsOf(is);
+  const Material plain;
+  bool texture_told = false;
+  for (std::size_t i = 0; i < std::min(before.size(), after.size()); ++i) {
+    const Material& a = before[i] != nullptr ? *before[i] : plain;
+    const Material& b = after[i] != nullptr ? *after[i] : plain;
+    if (!color_told && !isSameColor(a, b)) {
+      color_told = true;
+      drift.add("drift.material",
+                fmt::format("the material of {} has changed, its colour from {} to {}", name,
+                            colorText(a), colorText(b)));
+    }
+    const bool same_texture =
+        textureOf(a) == textureOf(b) && a.map_scale == b.map_scale && a.map_offset == b.map_offset;
+    if (!texture_told && !same_texture) {
+      texture_told = true;
+      drift.add("drift.texture",
+                fmt::format("the texture of {} {}", name,
+                            a.diffuse_map.empty()   ? "is new"
+                            : b.diffuse_map.empty() ? "is gone"
+                                                    : "is another picture, or lies otherwise"));
+    }
+  }
+}
+
+bool LookDrift::comparePointColors(const Visual& was, const Visual& is, const std::string& name,
+                                   DriftList& drift) {
+  const bool had = was.mesh != nullptr && !was.mesh->colors.empty();
+  const bool has = is.mesh != nullptr && !is.mesh->colors.empty();
+  // Of another shape that is told already the colours are others too.
+  const bool same = had == has && (!has || shapeOf(was) != shapeOf(is) ||
+                                   pointColorsOf(was) == pointColorsOf(is));
+  if (same) return false;
+  drift.add("drift.material", fmt::format("the colours at the points of {} {}", name,
+                                          has && had ? "have changed"
+                                          : has      ? "are new"
+                                                     : "are gone"));
+  return true;
+}
+
+LookDrift::Digest LookDrift::pointColorsOf(const Visual& visual) {
+  std::vector<std::uint32_t> colors;
+  for (const std::size_t part : partsOf(visual)) {
+    const MeshPart& run = visual.mesh->parts[part];
+    for (std::size_t i = 0; i < run.index_count; ++i) {
+      colors.push_back(visual.mesh->colors[visual.mesh->indices[run.first_index + i]]);
+    }
+  }
+  return xxh3(std::as_bytes(std::span(colors)));
+}
+
+LookDrift::Digest LookDrift::shapeOf(const Visual& visual) {
+  Bytes digests;
+  for (const std::size_t part : partsOf(visual)) {
+    const Digest digest = partOf(*visual.mesh, part);
+    digests.insert(digests.end(), digest.begin(), digest.end());
+  }
+  return xxh3(digests);
+}
+
+LookDrift::Digest LookDrift::partOf(const Mesh& mesh, std::size_t part) {
+  const auto [known, is_new] = parts_.try_emplace({&mesh, part});
+  if (!is_new) return known->second;
+  // By its corners: vertices are numbered anew when another part of the file changes.
+  const MeshPart& run = mesh.parts[part];
+  std::vector<Vertex> corners;
+  corners.reserve(run.index_count);
+  for (std::size_t i = 0; i < run.index_count; ++i) {
+    corners.push_back(mesh.vertices[mesh.indices[run.first_index + i]]);
+  }
+  known->second = xxh3(std::as_bytes(std::span(corners)));
+  return known->second;
+}
+
+LookDrift::Digest LookDrift::textureOf(const Material& material) {
+  if (material.diffuse_bytes != nullptr) return xxh3(*material.diffuse_bytes);
+  if (material.diffuse_map.empty()) return {};
+  const auto [known, is_new] = textures_.try_emplace(material.diffuse_map.string());
+  if (!is_new) return known->second;
+  const Result<std::string> picture = readFile(material.diffuse_map);
+  known->second = xxh3(bytesOf(picture ? *picture : material.diffuse_map.filename().string()));
+  return known->second;
+}
+
+}  // namespace rocinante

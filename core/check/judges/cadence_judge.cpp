@@ -1,0 +1,159 @@
+#include "core/check/judges/cadence_judge.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace rocinante {
+namespace {
+
+/// The rate is that of windows this long, and of at least so many packets.
+constexpr double kWindow_s = 2;
+constexpr double kWindowPackets = 20;
+/// What the edges of a window may do to its rate.
+constexpr double kRateSlack = 0.05;
+/// A source spoke often when it said this much in its run, so often.
+constexpr std::uint64_t kOftenPackets = 20;
+constexpr double kOften_s = 1;
+/// The mean period is known after this many intervals, and follows about as many.
+constexpr std::uint64_t kKnownIntervals = 32;
+/// An interval of so many periods is a pause, not an uneven one.
+constexpr double kPausePeriods = 10;
+/// Told when more than this part of the packets comes unevenly.
+constexpr double kUnevenPart = 0.05;
+constexpr std::uint64_t kLeastUneven = 10;
+
+}  // namespace
+
+void CadenceJudge::begin(const PacketPlace& place) {
+  is_begun_ = true;
+  stretch_ = place.stretch;
+  began_ = last_ = last_sign_ = window_began_ = place.time;
+  packets_ = 1;
+  ++all_packets_;
+  window_sent_ = 0;
+  // What waited for the source to be listened to comes at once.
+  window_has_pause_ = true;
+  was_long_ = false;
+  intervals_ = 0;
+  period_s_ = 0;
+}
+
+void CadenceJudge::take(const PacketPlace& place, std::uint64_t lost) {
+  last_place_ = place;
+  last_place_.datagram = {};
+  if (!is_begun_ || stretch_ != place.stretch) return begin(place);
+  judgeSilence(place);
+  const double interval_s = secondsOf(place.time - last_);
+  const bool is_pause = interval_s > thresholds_.silence_s;
+  const std::uint64_t sent = std::min<std::uint64_t>(lost, 1000) + 1;
+  ++packets_;
+  ++all_packets_;
+  if (thresholds_.rate_hz) judgeRate(place, sent, interval_s);
+  if (thresholds_.jitter_s) judgeJitter(place, interval_s, sent, is_pause);
+  last_ = last_sign_ = place.time;
+}
+
+void CadenceJudge::takeRestatement(const PacketPlace& place) {
+  if (!is_begun_ || stretch_ != place.stretch) return begin(place);
+  judgeSilence(place);
+  last_sign_ = place.time;
+}
+
+bool CadenceJudge::isExpected() const {
+  if (thresholds_.is_silence_given) return true;
+  return packets_ >= kOftenPackets &&
+         secondsOf(last_ - began_) < kOften_s * static_cast<double>(packets_);
+}
+
+void CadenceJudge::judgeSilence(const PacketPlace& place) {
+  const double silence_s = secondsOf(place.time - last_sign_);
+  if (silence_s <= thresholds_.silence_s || !isExpected()) return;
+  silence_.hit(place);
+  longest_silence_s_ = std::max(longest_silence_s_, silence_s);
+}
+
+void CadenceJudge::judgeRate(const PacketPlace& place, std::uint64_t sent, double interval_s) {
+  const auto [low, high] = *thresholds_.rate_hz;
+  window_sent_ += sent;
+  // One long interval is a pause; one after the other, they are the rate.
+  const bool is_long = low > 0 && interval_s > std::max(kOften_s, kPausePeriods / low);
+  if (is_long && !was_long_) window_has_pause_ = true;
+  was_long_ = is_long;
+  const double window_s = secondsOf(place.time - window_began_);
+  const double wanted_s = low > 0 ? std::max(kWindow_s, kWindowPackets / low) : kWindow_s;
+  if (window_s < wanted_s) return;
+  const double rate_hz = static_cast<double>(window_sent_) / window_s;
+  if (!window_has_pause_) {
+    const double off =
+        std::max(low * (1 - kRateSlack) - rate_hz, rate_hz - high * (1 + kRateSlack));
+    if (off > 0) {
+      rate_.hit(place);
+      if (off > worst_rate_off_) {
+        worst_rate_off_ = off;
+        worst_rate_hz_ = rate_hz;
+      }
+    }
+  }
+  window_began_ = place.time;
+  window_sent_ = 0;
+  window_has_pause_ = false;
+}
+
+void CadenceJudge::judgeJitter(const PacketPlace& place, double interval_s, std::uint64_t sent,
+                               bool is_pause) {
+  // Where packets were lost, the interval holds several periods.
+  const double per_packet_s = interval_s / static_cast<double>(sent);
+  const bool is_known = intervals_ >= kKnownIntervals;
+  if (is_pause || (is_known && per_packet_s > kPausePeriods * period_s_ + *thresholds_.jitter_s)) {
+    return;
+  }
+  ++intervals_;
+  const double weight =
+      1 / static_cast<double>(std::min<std::uint64_t>(intervals_, 2 * kKnownIntervals));
+  const double uneven_s = std::abs(per_packet_s - period_s_);
+  period_s_ += (per_packet_s - period_s_) * weight;
+  if (!is_known || uneven_s <= *thresholds_.jitter_s) return;
+  uneven_.hit(place);
+  worst_uneven_s_ = std::max(worst_uneven_s_, uneven_s);
+}
+
+void CadenceJudge::report(const std::string& source, LogTime end,
+                          std::vector<Finding>& findings) const {
+  if (!is_begun_) return;
+  Tally silence = silence_;
+  double longest_s = longest_silence_s_;
+  const double at_end_s = secondsOf(end - last_sign_);
+  if (at_end_s > thresholds_.silence_s && isExpected()) {
+    PacketPlace place = last_place_;
+    place.line = 0;
+    silence.hit(place);
+    longest_s = std::max(longest_s, at_end_s);
+    silence.last = end;
+  }
+  if (silence.count > 0) {
+    findings.push_back(silence.finding(
+        "source.silence", source,
+        fmt::format("source {} was silent for {:.3g} s; {:.6g} s are expected at most", source,
+                    longest_s, thresholds_.silence_s)));
+  }
+  if (rate_.count > 0) {
+    const auto [low, high] = *thresholds_.rate_hz;
+    findings.push_back(rate_.finding(
+        "source.rate", source,
+        fmt::format("source {} sends {:.3g} packets per second, where the cell wants {:.6g} to "
+                    "{:.6g}",
+                    source, worst_rate_hz_, low, high)));
+  }
+  const double part = static_cast<double>(uneven_.count) / static_cast<double>(all_packets_);
+  if (uneven_.count >= kLeastUneven && part > kUnevenPart) {
+    findings.push_back(uneven_.finding(
+        "source.jitter", source,
+        fmt::format("{:.0f} % of the packets of source {} come more than {:.6g} ms off their "
+                    "period; the worst by {:.3g} ms",
+                    part * 100, source, *thresholds_.jitter_s * 1e3, worst_uneven_s_ * 1e3)));
+  }
+}
+
+}  // namespace rocinante

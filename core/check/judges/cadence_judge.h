@@ -1,0 +1,63 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/check/judges/tally.h"
+
+namespace rocinante {
+
+struct CadenceThresholds {
+  double silence_s = 10;
+  bool is_silence_given = false;  ///< by the cell, for this source: then whatever its rate is
+  std::optional<std::pair<double, double>> rate_hz;
+  std::optional<double> jitter_s;
+};
+
+/// Judges when the packets of one source arrive: how often, how evenly, and whether at all.
+class CadenceJudge {
+ public:
+  explicit CadenceJudge(const CadenceThresholds& thresholds) : thresholds_(thresholds) {}
+
+  /// The next packet of the source itself that is no restatement. `lost`: how many before it never
+  /// came.
+  void take(const PacketPlace& place, std::uint64_t lost);
+  /// A restatement, which comes between and shows that the source lives.
+  void takeRestatement(const PacketPlace& place);
+
+  /// `end`: of the session.
+  void report(const std::string& source, LogTime end, std::vector<Finding>& findings) const;
+
+ private:
+  void begin(const PacketPlace& place);
+  void judgeSilence(const PacketPlace& place);
+  void judgeRate(const PacketPlace& place, std::uint64_t sent, double interval_s);
+  void judgeJitter(const PacketPlace& place, double interval_s, std::uint64_t sent, bool is_pause);
+  /// Whether a silence of this source is worth telling: it spoke often until then.
+  bool isExpected() const;
+
+  CadenceThresholds thresholds_;
+  bool is_begun_ = false;
+  std::uint32_t stretch_ = 0;
+  LogTime began_{}, last_{}, last_sign_{};
+  std::uint64_t packets_ = 0, all_packets_ = 0;  ///< of this run, and of all
+  PacketPlace last_place_;
+
+  LogTime window_began_{};
+  std::uint64_t window_sent_ = 0;
+  bool window_has_pause_ = false, was_long_ = false;
+  Tally rate_;
+  double worst_rate_hz_ = 0, worst_rate_off_ = 0;
+
+  double period_s_ = 0;  ///< a running mean
+  std::uint64_t intervals_ = 0;
+  Tally uneven_;
+  double worst_uneven_s_ = 0;
+
+  Tally silence_;
+  double longest_silence_s_ = 0;
+};
+
+}  // namespace rocinante

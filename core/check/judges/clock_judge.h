@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "core/check/judges/tally.h"
+
+namespace rocinante {
+
+struct ClockThresholds {
+  double skew_s = 1;
+  double drift_ppm = 200;
+  double step_s = 0.5;
+};
+
+/// Holds a source's TIME against the arrival of its packets. What networks and schedulers delay
+/// comes late, never early: the least delayed packets show the clock.
+class ClockJudge {
+ public:
+  explicit ClockJudge(const ClockThresholds& thresholds) : thresholds_(thresholds) {}
+
+  /// The next packet that has a TIME, in order.
+  void take(const PacketPlace& place);
+  /// It is played again: TIME says nothing of a clock any more.
+  void ignore() { is_ignored_ = true; }
+
+  void report(const std::string& source, std::vector<Finding>& findings) const;
+
+ private:
+  static constexpr std::size_t kBins = 64;
+
+  void begin(const PacketPlace& place, std::int64_t delay_ns);
+  void noteDelay(const PacketPlace& place, std::int64_t delay_ns);
+  bool steps(const PacketPlace& place, std::int64_t delay_ns);
+  void reportDrift(const std::string& source, std::vector<Finding>& findings) const;
+
+  ClockThresholds thresholds_;
+  bool is_ignored_ = false, is_begun_ = false, is_wall_ = false;
+  std::uint32_t stretch_ = 0;
+  std::int64_t last_sent_ns_ = 0;
+  /// Since the clock was last set: arrival less TIME.
+  LogTime began_{}, last_{}, least_at_{};
+  std::uint64_t count_ = 0;
+  std::int64_t least_ns_ = 0;
+  /// The least delay of each span of time, in spans that double as the session grows.
+  struct Least {
+    std::int64_t at_ns = 0, delay_ns = 0;
+    bool is_set = false;
+  };
+  std::array<Least, kBins> bins_{};
+  std::int64_t bin_ns_ = std::int64_t{1} << 27;
+  /// Before it was first set.
+  std::optional<std::int64_t> first_least_ns_;
+  PacketPlace first_place_;
+  std::string first_example_;
+  Tally steps_;
+  double worst_step_s_ = 0;
+};
+
+}  // namespace rocinante

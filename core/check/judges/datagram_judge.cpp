@@ -1,0 +1,84 @@
+#include "core/check/judges/datagram_judge.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/check/judges/fault_rules.h"
+
+namespace rocinante {
+namespace {
+
+/// Encodings that are told apart.
+constexpr std::size_t kMostEncodings = 200;
+
+/// The bytes of a datagram from a place that a fault names.
+std::string_view textAt(ByteView datagram, const FaultAt& at) {
+  std::string_view text = textOf(datagram);
+  for (std::uint32_t line = 1; line < at.line; ++line) {
+    const std::size_t end = text.find('\n');
+    if (end == std::string_view::npos) return {};
+    text.remove_prefix(end + 1);
+  }
+  if (at.column == 0 || at.column > text.size()) return {};
+  return text.substr(at.column - 1);
+}
+
+/// Whether a number begins as C's printf writes one that is none: nan, inf, Infinity.
+bool isNotFinite(std::string_view text) {
+  // A named value: `joint arm elbow=nan`.
+  const std::size_t word = std::min(text.find_first_of(" \t\r\n"), text.size());
+  text = text.substr(0, word);
+  if (const std::size_t equals = text.rfind('='); equals != text.npos) {
+    text.remove_prefix(equals + 1);
+  }
+  if (!text.empty() && (text.front() == '-' || text.front() == '+')) text.remove_prefix(1);
+  if (text.size() < 3) return false;
+  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
+  const std::array<char, 3> begin = {lower(text[0]), lower(text[1]), lower(text[2])};
+  return std::string_view(begin.data(), 3) == "nan" || std::string_view(begin.data(), 3) == "inf";
+}
+
+}  // namespace
+
+void DatagramJudge::takeUndecoded(std::string_view encoding, const PacketPlace& place) {
+  auto found = undecoded_.find(encoding);
+  if (found == undecoded_.end()) {
+    if (undecoded_.size() == kMostEncodings) return;
+    found = undecoded_.emplace(std::string(encoding), Tally()).first;
+  }
+  found->second.hit(place);
+}
+
+void DatagramJudge::takeFaults(std::span<const FaultAt> faults, PacketPlace place) {
+  for (const FaultAt& fault : faults) {
+    place.line = std::max<std::uint32_t>(fault.line, 1);
+    if (fault.fault == PacketFault::bad_number && isNotFinite(textAt(place.datagram, fault))) {
+      if (not_finite_.hit(place)) not_finite_column_ = fault.column;
+      continue;
+    }
+    const auto kind = static_cast<std::size_t>(fault.fault);
+    if (faults_[kind].hit(place)) columns_[kind] = fault.column;
+  }
+}
+
+void DatagramJudge::report(std::vector<Finding>& findings) const {
+  const auto add = [&](const Tally& tally, std::string_view rule, std::string text,
+                       std::uint32_t column) {
+    if (tally.count == 0) return;
+    if (column > 0) text += fmt::format("; the first at column {}", column);
+    findings.push_back(tally.finding(rule, "", std::move(text)));
+  };
+  for (std::size_t kind = 0; kind < kPacketFaultCount; ++kind) {
+    const FaultRule& rule = ruleOf(static_cast<PacketFault>(kind));
+    add(faults_[kind], rule.rule, std::string(rule.text), columns_[kind]);
+  }
+  add(not_finite_, "packet.not-finite", "lines with a number that is nan or infinite",
+      not_finite_column_);
+  for (const auto& [encoding, tally] : undecoded_) {
+    findings.push_back(tally.finding("packet.unknown-protocol", encoding,
+                                     "datagrams that nothing here can decode"));
+  }
+}
+
+}  // namespace rocinante

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/check/judges/tally.h"
+#include "core/packet/packet.h"
+
+namespace rocinante {
+
+/// Judges datagrams by what their decoder made of them.
+class DatagramJudge {
+ public:
+  void takeUndecoded(std::string_view encoding, const PacketPlace& place);
+  void takeFaults(std::span<const FaultAt> faults, PacketPlace place);
+  void report(std::vector<Finding>& findings) const;
+
+ private:
+  std::array<Tally, kPacketFaultCount> faults_;
+  std::array<std::uint32_t, kPacketFaultCount> columns_{};  ///< of the first
+  Tally not_finite_;
+  std::uint32_t not_finite_column_ = 0;
+  std::map<std::string, Tally, std::less<>> undecoded_;  ///< by encoding
+};
+
+}  // namespace rocinante

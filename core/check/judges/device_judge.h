@@ -1,0 +1,148 @@
+#pragma once
+
+#include <limits>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/check/judges/joint_judge.h"
+#include "core/check/judges/presence_judge.h"
+#include "core/check/judges/tally.h"
+#include "core/kinematics/model.h"
+#include "core/packet/packet.h"
+
+namespace rocinante {
+
+/// What of the cell's `[[source]]` bears on one device.
+struct DeviceOwners {
+  std::vector<std::string> names;  ///< sources whose `devices` name it
+  /// Sources that name devices at all: what they do not name is not theirs. Borrowed.
+  const std::set<std::string, std::less<>>* bound = nullptr;
+
+  bool allow(std::string_view source) const;
+};
+
+/// What is known only at the end.
+struct SessionRoster {
+  const std::vector<std::string>& sources;            ///< names by number
+  const std::set<std::string, std::less<>>& missing;  ///< sources of the cell that never spoke
+  const std::vector<std::string_view>& devices;       ///< that the cell has
+};
+
+/// Judges what a session says about one device against its model. Findings come at the end, when
+/// it is known whether the device ever appeared.
+class DeviceJudge {
+ public:
+  DeviceJudge(std::string name, const MotionThresholds& thresholds)
+      : name_(std::move(name)), thresholds_(thresholds) {}
+
+  enum class Standing : std::uint8_t {
+    there,     ///< from the start
+    optional,  ///< it waits for `add`, and nobody need drive it
+    ghost,     ///< from when its source speaks
+  };
+  void appearInCell(const Model* model, Standing standing);
+  void setOwners(DeviceOwners owners) { owners_ = std::move(owners); }
+
+  /// `add` brought it; null when the cell knows no such model.
+  void appearByAdd(const Model* model, const Statement& add, const PacketPlace& place);
+  void disappear(const PacketPlace& place);
+
+  /// Any statement that names the device, but for `add` and `remove`.
+  void mention(const PacketPlace& place) {
+    if (mentioned_.count == 0 || !is_known_) mentioned_.hit(place);
+    presence_.mention(place);
+  }
+  void judgeLink(std::string_view link, const PacketPlace& place);
+  /// By the names of the order that this source last gave, when `ordered` says that the state
+  /// still holds one; else positional.
+  void judgeJoints(std::span<const double> values, bool ordered, const PacketPlace& place);
+  void judgeNamed(std::span<const std::string_view> names, std::span<const double> values,
+                  const PacketPlace& place);
+  void judgeOrder(std::span<const std::string_view> names, const PacketPlace& place);
+  void judgePose(const PacketPlace& place);
+  /// A value that was said before the device had a model.
+  void judgeEarlier(std::string_view value_name, double value, const PacketPlace& place);
+
+  bool hasModel() const { return model_ != nullptr; }
+  bool hasOrderOf(std::uint32_t source) const { return orders_.contains(source); }
+
+  /// Drives or poses the device: a source's number and name.
+  void writtenBy(std::string_view source_name, const PacketPlace& place);
+  /// A device of the cell that nobody drives though it could be driven, and should.
+  bool isUndriven() const;
+  const std::vector<std::string>& owners() const { return owners_.names; }
+  /// A source that writes it though the cell gives it to others; empty: none.
+  std::string stranger() const;
+
+  void report(const SessionRoster& roster, std::vector<Finding>& findings) const;
+
+ private:
+  static constexpr std::uint32_t kNobody = std::numeric_limits<std::uint32_t>::max();
+  static constexpr std::size_t kNoValue = std::numeric_limits<std::size_t>::max();
+
+  struct Value {
+    JointJudge judge;
+    std::uint32_t writer = kNobody;
+    std::uint64_t said_in = 0;  ///< number of the last statement that gave it
+  };
+  /// What `joints` of each source mean: numbers in `values_`, kNoValue for a name that is none.
+  struct Order {
+    std::vector<std::string> names;
+    std::vector<std::size_t> values;
+  };
+  struct TwoSources {
+    Tally tally;
+    std::uint32_t before = 0, now = 0;
+  };
+  struct Stranger {
+    std::string name;
+    Tally tally;
+  };
+  using NameTallies = std::map<std::string, Tally, std::less<>>;
+
+  void useModel(const Model* model);
+  void listValues(const Model& model);
+  /// "`joints` takes them in this order: a, b, c".
+  std::string expectedOrder() const;
+  void judgePositional(std::span<const double> values, const PacketPlace& place);
+  void resolve(Order& order) const;
+  void judgeValue(std::size_t value, double number, const PacketPlace& place);
+  void judgeUnitQuaternions(const PacketPlace& place);
+  void noteWriter(std::uint32_t& writer, TwoSources& two, const PacketPlace& place);
+  /// Number of the value in `values_`; kNoValue, with the fault counted, when there is none.
+  std::size_t valueNamed(std::string_view value_name, const PacketPlace& place);
+
+  void reportNames(std::vector<Finding>& findings) const;
+  void reportValues(std::vector<Finding>& findings) const;
+  bool reportDegrees(std::vector<Finding>& findings) const;
+  void reportUndriven(const SessionRoster& roster, std::vector<Finding>& findings) const;
+  void reportWriters(const SessionRoster& roster, std::vector<Finding>& findings) const;
+
+  std::string name_;
+  MotionThresholds thresholds_;
+  DeviceOwners owners_;
+  bool in_cell_ = false, is_optional_ = false, is_ghost_ = false, is_known_ = false;
+  bool is_driven_ = false;
+  PresenceJudge presence_;
+  const Model* model_ = nullptr;
+  std::vector<Value> values_;
+  std::vector<std::size_t> quaternions_;  ///< the first of four values that are one
+  std::map<std::string, std::size_t, std::less<>> value_by_name_;
+  std::map<std::uint32_t, Order> orders_;
+  std::uint32_t pose_writer_ = kNobody, writer_ = kNobody;
+  std::uint64_t statements_ = 0;
+  std::map<std::uint32_t, Stranger> strangers_;
+  Stranger* stranger_ = nullptr;  ///< of `writer_`
+
+  Tally mentioned_, unknown_model_, other_kinematics_, joint_count_, repeated_joint_, not_unit_;
+  std::string unknown_model_name_, joint_count_text_, joint_count_hint_, repeated_joint_name_;
+  NameTallies unknown_links_, unknown_joints_, undrivable_joints_;
+  NameTallies early_links_, early_joints_;  ///< said before there was a model to judge them
+  TwoSources two_drivers_, two_posers_;
+  std::vector<Finding> earlier_;  ///< about the values of a model that it no longer has
+};
+
+}  // namespace rocinante

@@ -1,0 +1,190 @@
+// What DeviceJudge says at the end. One cause is told by one rule: what follows from it is not.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "core/base/count_text.h"
+#include "core/base/name_hint.h"
+#include "core/check/judges/device_judge.h"
+
+namespace rocinante {
+namespace {
+
+/// What drives a joint has said so by then.
+constexpr std::uint64_t kKnownStatements = 20;
+
+}  // namespace
+
+void DeviceJudge::report(const SessionRoster& roster, std::vector<Finding>& findings) const {
+  if (!is_known_) {
+    if (mentioned_.count == 0) return;
+    findings.push_back(mentioned_.finding(
+        "packet.unknown-device", name_,
+        fmt::format("the cell has no device {}, and no `add` brings it", name_)));
+    findings.back().hint = "name the device as the cell does, or let the source `add` it";
+    if (const std::string meant = didYouMean(name_, roster.devices); !meant.empty()) {
+      findings.back().hint = meant + " " + findings.back().hint;
+    }
+    return;
+  }
+  if (mentioned_.count > 0 && !presence_.everThere()) {
+    findings.push_back(mentioned_.finding(
+        "device.unadded", name_,
+        fmt::format("device {} is optional, and no `add` brings it: it is not drawn", name_)));
+  }
+  findings.insert(findings.end(), earlier_.begin(), earlier_.end());
+  reportNames(findings);
+  if (!reportDegrees(findings)) reportValues(findings);
+  reportWriters(roster, findings);
+  reportUndriven(roster, findings);
+}
+
+void DeviceJudge::reportNames(std::vector<Finding>& findings) const {
+  const auto add = [&](const Tally& tally, const char* rule, std::string text,
+                       std::string hint = {}) {
+    if (tally.count == 0) return;
+    findings.push_back(tally.finding(rule, name_, std::move(text)));
+    findings.back().hint = std::move(hint);
+  };
+  add(unknown_model_, "packet.unknown-model",
+      fmt::format("`add` gives device {} the model {}, which the cell does not know", name_,
+                  unknown_model_name_));
+  add(other_kinematics_, "packet.other-kinematics",
+      fmt::format("the sender's kinematics of device {} are not those of the model here", name_),
+      "one of the two has another version of the model file");
+  add(presence_.beforeAdd(), "packet.before-add",
+      fmt::format("device {} is spoken of before the same source adds it", name_),
+      "say `add` first: until it comes, nothing is drawn");
+  add(presence_.afterRemove(), "packet.after-remove",
+      fmt::format("device {} is spoken of after it was removed", name_));
+  add(joint_count_, "packet.joint-count",
+      fmt::format("device {} gets {}", name_, joint_count_text_), joint_count_hint_);
+  add(repeated_joint_, "packet.repeated-joint",
+      fmt::format("one statement names joint {} of device {} twice", repeated_joint_name_, name_));
+  std::vector<std::string_view> value_names, link_names;
+  if (!unknown_joints_.empty()) {
+    for (const Value& value : values_) value_names.push_back(value.judge.name());
+  }
+  if (!unknown_links_.empty()) {
+    for (const Link& link : model_->links) link_names.push_back(link.name);
+  }
+  for (const auto& [joint, tally] : unknown_joints_) {
+    add(tally, "packet.unknown-joint",
+        fmt::format("the model {} of device {} has no joint {}", model_->name, name_, joint),
+        whatThereIs(joint, value_names));
+  }
+  for (const auto& [joint, tally] : undrivable_joints_) {
+    add(tally, "packet.undrivable-joint",
+        fmt::format("joint {} of device {} is fixed, or mimics another: what is said of it moves "
+                    "nothing",
+                    joint, name_));
+  }
+  for (const auto& [link, tally] : unknown_links_) {
+    add(tally, "packet.unknown-link", fmt::format("device {} has no link {}", name_, link),
+        didYouMean(link, link_names));
+  }
+  add(not_unit_, "joint.unnormalised",
+      fmt::format("a floating joint of device {} has a quaternion off unit length by more than "
+                  "0.001",
+                  name_));
+}
+
+void DeviceJudge::reportValues(std::vector<Finding>& findings) const {
+  for (const Value& value : values_) value.judge.report(name_, findings);
+}
+
+// Degrees go far beyond the limits of radians, and are well within them when they are taken for
+// what they are.
+bool DeviceJudge::reportDegrees(std::vector<Finding>& findings) const {
+  std::size_t angles = 0, beyond = 0;
+  double largest = 0;
+  Tally tally;
+  for (const Value& value : values_) {
+    const JointJudge& joint = value.judge;
+    if (!joint.isAngle() || !joint.isLimited() || !joint.isWritten()) continue;
+    if (!joint.fitsAsDegrees()) return false;
+    ++angles;
+    beyond += joint.wasBeyond();
+    largest = std::max(largest, joint.largest());
+    joint.collect(tally);
+  }
+  if (beyond == 0 || 2 * beyond < angles || largest <= 2 * std::numbers::pi) return false;
+  findings.push_back(tally.finding(
+      "joint.degrees", name_,
+      fmt::format("the joint values of device {} are up to {:.6g}, which fits its limits as "
+                  "degrees",
+                  name_, largest)));
+  findings.back().hint = "packets say radians";
+  for (const Value& value : values_) {
+    if (!value.judge.isAngle()) value.judge.report(name_, findings);
+  }
+  return true;
+}
+
+void DeviceJudge::reportUndriven(const SessionRoster& roster,
+                                 std::vector<Finding>& findings) const {
+  if (isUndriven()) {
+    findings.push_back(makeFinding("device.undriven", name_,
+                                   fmt::format("device {} has {}, and nobody drives it", name_,
+                                               countText(values_.size(), "joint value"))));
+    findings.back().hint = "if it is meant to stand still, let its source say so once";
+    for (const std::string& owner : owners_.names) {
+      if (!roster.missing.contains(owner)) continue;
+      findings.back().hint =
+          fmt::format("its source {} never spoke; {}", owner, findings.back().hint);
+    }
+    return;
+  }
+  // A name or a count that is wrong is why values are missing.
+  const bool is_explained =
+      joint_count_.count > 0 || !unknown_joints_.empty() || !undrivable_joints_.empty();
+  if (!is_driven_ || is_explained || statements_ < kKnownStatements) return;
+  std::string names;
+  std::size_t count = 0;
+  for (const Value& value : values_) {
+    if (value.judge.isWritten()) continue;
+    if (++count <= 8) names += (names.empty() ? "" : ", ") + value.judge.name();
+  }
+  if (count == 0) return;
+  if (count > 8) names += fmt::format(" and {} more", count - 8);
+  findings.push_back(
+      makeFinding("joint.undriven", name_,
+                  fmt::format("device {} is driven, but nothing ever drives {}", name_, names)));
+}
+
+std::string DeviceJudge::stranger() const {
+  return strangers_.empty() ? std::string() : strangers_.begin()->second.name;
+}
+
+void DeviceJudge::reportWriters(const SessionRoster& roster, std::vector<Finding>& findings) const {
+  // Where an owner never spoke, another name for it is the likely cause, and source.missing tells.
+  const bool has_missing_owner =
+      std::any_of(owners_.names.begin(), owners_.names.end(),
+                  [&](const std::string& owner) { return roster.missing.contains(owner); });
+  if (!has_missing_owner) {
+    for (const auto& [number, stranger] : strangers_) {
+      std::string text = fmt::format("source {} writes device {}, which the cell does not give it",
+                                     stranger.name, name_);
+      if (!owners_.names.empty()) {
+        text = fmt::format("source {} writes device {}, which the cell gives to {}", stranger.name,
+                           name_, fmt::join(owners_.names, ", "));
+      }
+      findings.push_back(stranger.tally.finding("source.unlisted-device", name_, std::move(text)));
+    }
+  }
+  const auto two = [&](const TwoSources& found, const char* what) {
+    if (found.tally.count == 0) return;
+    // Who has no business there was told.
+    if (strangers_.contains(found.before) || strangers_.contains(found.now)) return;
+    findings.push_back(found.tally.finding(
+        "packet.two-sources", name_,
+        fmt::format("the {} of device {} are written by {} and by {}; the last to write wins", what,
+                    name_, roster.sources[found.before], roster.sources[found.now])));
+  };
+  two(two_drivers_, "joints");
+  two(two_posers_, "poses");
+}
+
+}  // namespace rocinante

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "core/check/judges/motion_judge.h"
+#include "core/check/judges/tally.h"
+#include "core/kinematics/model.h"
+
+namespace rocinante {
+
+/// What the rules of motion measure against.
+struct MotionThresholds {
+  double velocity_factor = 1.1;  ///< of the model's velocity limit
+  double acceleration = 0;       ///< rad/s^2 or m/s^2; 0: not judged
+};
+
+/// Judges one value of one joint: that of a revolute joint, or the `.yaw` of a planar one.
+class JointJudge {
+ public:
+  /// `component` of the joint's values, named as packets name it.
+  JointJudge(const Joint& joint, std::size_t component, const MotionThresholds& thresholds);
+
+  const std::string& name() const { return name_; }
+  void judge(double value, const PacketPlace& place);
+
+  bool isWritten() const { return is_written_; }
+  bool isLimited() const { return lower_ > -std::numeric_limits<double>::infinity(); }
+  bool isAngle() const { return is_angle_; }
+  double value() const { return value_; }
+  /// Whether a value lay beyond its limits.
+  bool wasBeyond() const { return beyond_.count > 0; }
+  /// All values that it had are well within reach when they are taken for degrees.
+  bool fitsAsDegrees() const;
+  double largest() const;
+  /// What was found but for `limit`, when the values are degrees.
+  void collect(Tally& all) const;
+
+  void report(const std::string& device, std::vector<Finding>& findings) const;
+
+ private:
+  /// Which packets have nearly one TIME, where that made the last fault of motion.
+  std::string twinsText() const;
+  /// A value as people read it: "12.5°", "0.3 m".
+  std::string valueText(double value) const;
+
+  std::string name_;
+  bool is_angle_ = true, is_written_ = false;
+  double lower_ = -std::numeric_limits<double>::infinity();
+  double upper_ = std::numeric_limits<double>::infinity();
+  std::optional<double> velocity_limit_;
+  double acceleration_limit_ = 0;
+  double value_ = 0;
+  double least_ = std::numeric_limits<double>::infinity();
+  double most_ = -std::numeric_limits<double>::infinity();
+  MotionJudge motion_;
+  Tally beyond_, jump_, velocity_, acceleration_;
+  double worst_excess_ = 0, worst_ = 0;
+  double jump_distance_ = 0, jump_s_ = 0, worst_velocity_ = 0, velocity_s_ = 0;
+  /// Of the worst, where it is the packets' TIMEs that are too near: which packets.
+  std::string jump_twins_, velocity_twins_;
+  double worst_acceleration_ = 0;
+
+  void judgeMotion(double value, const PacketPlace& place);
+};
+
+}  // namespace rocinante

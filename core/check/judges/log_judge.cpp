@@ -1,0 +1,79 @@
+#include "core/check/judges/log_judge.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/base/count_text.h"
+#include "core/check/judges/tally.h"
+
+namespace rocinante {
+
+void LogJudge::takeClockStep(LogTime time, ByteView payload) {
+  const std::string_view text = textOf(payload);
+  const auto json = nlohmann::json::parse(text.begin(), text.end(), nullptr, false);
+  if (!json.is_object()) return;
+  const auto step = json.find("step_ns");
+  if (step == json.end() || !step->is_number_integer()) return;
+  const double seconds = static_cast<double>(step->get<std::int64_t>()) * 1e-9;
+  if (std::abs(seconds) > std::abs(worst_step_s_)) worst_step_s_ = seconds;
+  clock_steps_.count = clock_steps_.first ? clock_steps_.count + 1 : 1;
+  clock_steps_.first = std::min(clock_steps_.first.value_or(time), time);
+  clock_steps_.last = std::max(clock_steps_.last.value_or(time), time);
+  clock_steps_.when.hit(time);
+}
+
+void LogJudge::report(std::vector<Finding>& findings) const {
+  for (const auto& [endpoint, spans] : losses_) reportLoss(endpoint, spans, findings);
+  if (clock_steps_.first) {
+    Finding finding = makeFinding(
+        "log.clock-step", "",
+        fmt::format("the recorder's wall clock was set {} by {:.6g} s; the log's own times are not "
+                    "bent by it",
+                    worst_step_s_ < 0 ? "back" : "forward", std::abs(worst_step_s_)));
+    finding.count = clock_steps_.count;
+    finding.first = clock_steps_.first;
+    finding.last = clock_steps_.last;
+    finding.when = clock_steps_.when;
+    findings.push_back(std::move(finding));
+  }
+  for (const DamageSpan& span : damage_) {
+    std::string text =
+        fmt::format("bytes {} to {} of the log cannot be used: {}", span.from, span.to, span.cause);
+    if (span.messages_lost)
+      text += fmt::format(" ({} lost)", countText(*span.messages_lost, "message"));
+    findings.push_back(makeFinding("log.damage", "", std::move(text)));
+  }
+  if (is_incomplete_) {
+    findings.push_back(makeFinding("log.incomplete", "",
+                                   "the recorder did not close the log: its end may be missing"));
+  }
+}
+
+void LogJudge::reportLoss(const std::string& endpoint, const std::vector<LossSpan>& spans,
+                          std::vector<Finding>& findings) const {
+  LossCounts sum;
+  for (const LossSpan& span : spans) sum += span.counts;
+  const std::uint64_t lost = sum.kernel + sum.queue + sum.disk;
+  if (lost == 0 && sum.truncated == 0) return;
+  std::string text = fmt::format(
+      "datagrams to {} that were not recorded: {} by the kernel, {} by the queue, {} by the disk",
+      endpoint, sum.kernel, sum.queue, sum.disk);
+  if (sum.truncated > 0) text += fmt::format("; {} more are cut short", sum.truncated);
+  Finding finding = makeFinding("log.loss", endpoint, std::move(text));
+  finding.count = lost > 0 ? lost : sum.truncated;
+  finding.first = spans.front().from;
+  finding.last = spans.front().until;
+  for (const LossSpan& span : spans) {
+    finding.first = std::min(*finding.first, span.from);
+    finding.last = std::max(*finding.last, span.until);
+    const std::uint64_t count = span.counts.kernel + span.counts.queue + span.counts.disk;
+    finding.when.hit(span.from, static_cast<std::uint32_t>(std::clamp<std::uint64_t>(
+                                    count, 1, std::numeric_limits<std::uint32_t>::max())));
+  }
+  findings.push_back(std::move(finding));
+}
+
+}  // namespace rocinante

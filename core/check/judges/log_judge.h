@@ -1,0 +1,34 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/check/rules/finding.h"
+#include "core/log/log_types.h"
+
+namespace rocinante {
+
+/// Judges what a log says of its own recording: losses, steps of the wall clock, damage.
+class LogJudge {
+ public:
+  void takeLoss(const LossSpan& span) { losses_[span.endpoint].push_back(span); }
+  void takeDamage(const DamageSpan& span) { damage_.push_back(span); }
+  /// A message on /rocinante/clock.
+  void takeClockStep(LogTime time, ByteView payload);
+  void noteIncomplete() { is_incomplete_ = true; }
+
+  void report(std::vector<Finding>& findings) const;
+
+ private:
+  void reportLoss(const std::string& endpoint, const std::vector<LossSpan>& spans,
+                  std::vector<Finding>& findings) const;
+
+  std::map<std::string, std::vector<LossSpan>, std::less<>> losses_;  ///< by endpoint
+  std::vector<DamageSpan> damage_;
+  Finding clock_steps_;
+  double worst_step_s_ = 0;
+  bool is_incomplete_ = false;
+};
+
+}  // namespace rocinante

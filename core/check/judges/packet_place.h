@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "core/base/bytes.h"
+#include "core/base/time.h"
+
+namespace rocinante {
+
+/// Which statement is being judged, and who said it when. Borrowed from the packet.
+struct PacketPlace {
+  LogTime time{};            ///< arrival
+  std::uint64_t packet = 0;  ///< captured datagrams from 1
+  ByteView datagram;
+  std::uint32_t line = 0;               ///< in the datagram, from 1
+  std::uint64_t sequence = 0;           ///< SEQUENCE; 0 where there is none
+  std::optional<std::int64_t> sent_ns;  ///< TIME: nanoseconds since the epoch on its clock
+  std::uint32_t source = 0;             ///< number of the source
+  std::uint32_t stretch = 0;            ///< another one after each restart and each `reset`
+  bool is_restated = false;             ///< said before, by itself or by somebody else
+};
+
+}  // namespace rocinante

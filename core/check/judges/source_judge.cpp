@@ -1,0 +1,121 @@
+#include "core/check/judges/source_judge.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/check/rules/rule_settings.h"
+
+namespace rocinante {
+namespace {}  // namespace
+
+SourceThresholds SourceThresholds::of(const RuleSettings& rules, const CellSource* source) {
+  const SourceLimits limits = source != nullptr ? source->limits : SourceLimits{};
+  SourceThresholds all;
+  all.clock.skew_s = limits.clock_skew_s.value_or(rules.threshold("source.clock-skew"));
+  all.clock.drift_ppm = rules.threshold("source.clock-drift");
+  all.clock.step_s = rules.threshold("source.clock-step") * 1e-3;
+  all.cadence.silence_s = limits.silence_s.value_or(rules.threshold("source.silence"));
+  all.cadence.is_silence_given = limits.silence_s.has_value();
+  all.restate_s = limits.restate_s.value_or(rules.threshold("source.unrestated"));
+  if (source != nullptr) all.cadence.rate_hz = source->rate_hz;
+  // A source that may speak whenever it likes has no period to be off.
+  if (limits.jitter_ms || all.cadence.rate_hz || rules.hasOwnThreshold("source.jitter")) {
+    all.cadence.jitter_s = limits.jitter_ms.value_or(rules.threshold("source.jitter")) * 1e-3;
+  }
+  return all;
+}
+
+SourceJudge::SourceJudge(std::string name, std::uint32_t number, const SourceThresholds& thresholds)
+    : name_(std::move(name)),
+      number_(number),
+      restate_s_(thresholds.restate_s),
+      clock_(thresholds.clock),
+      cadence_(thresholds.cadence) {}
+
+void SourceJudge::take(const PacketHeader& header, Applied applied, const SourceCounts& counts,
+                       PacketPlace& place) {
+  const bool own = header.by.empty();
+  if (header.reset || counts.restarts != seen_.restarts) ++stretch_;
+  if (header.reset && !own) clock_.ignore();
+  watchNumbers(counts, place);
+  place.sent_ns = header.time_ns;
+  place.source = number_;
+  place.stretch = stretch_;
+  place.is_restated = header.restated || !own;
+  if (applied != Applied::yes) return;
+  if (place.is_restated) {
+    said_again_ = place.time;
+    if (own) cadence_.takeRestatement(place);
+    return;
+  }
+  clock_.take(place);
+  cadence_.take(place, lost_);
+  judgeRestatement(place);
+}
+
+void SourceJudge::watchNumbers(const SourceCounts& counts, const PacketPlace& place) {
+  lost_ = counts.gap > seen_.gap ? counts.gap - seen_.gap : 0;
+  if (lost_ > 0) gap_.hit(place);
+  if (counts.duplicates > seen_.duplicates) {
+    duplicate_.hit(place);
+  } else if (counts.late > seen_.late) {
+    late_.hit(place);
+  }
+  if (counts.restarts > seen_.restarts) restart_.hit(place);
+  seen_ = {counts.gap, counts.late, counts.duplicates, counts.restarts};
+}
+
+void SourceJudge::takeStatic(const PacketPlace& place) {
+  if (place.is_restated) {
+    has_statics_ = true;
+  } else if (!has_statics_) {
+    has_statics_ = true;
+    said_again_ = place.time;
+  }
+}
+
+void SourceJudge::judgeRestatement(const PacketPlace& place) {
+  if (!has_statics_) return;
+  const double since_s = secondsOf(place.time - said_again_);
+  if (since_s <= restate_s_) return;
+  unrestated_.hit(place);
+  longest_unrestated_s_ = std::max(longest_unrestated_s_, since_s);
+  said_again_ = place.time;
+}
+
+void SourceJudge::report(LogTime end, std::vector<Finding>& findings) const {
+  const auto add = [&](const Tally& tally, std::uint64_t count, const char* rule,
+                       std::string text) {
+    if (count == 0) return;
+    findings.push_back(tally.finding(rule, name_, std::move(text)));
+    findings.back().count = count;
+  };
+  add(gap_, seen_.gap, "source.gap", fmt::format("packets of source {} that never came", name_));
+  add(late_, seen_.late - seen_.duplicates, "source.late",
+      fmt::format("packets of source {} that came late, and were dropped", name_));
+  add(duplicate_, seen_.duplicates, "source.duplicate",
+      fmt::format("packets of source {} that came twice; the second was dropped", name_));
+  add(restart_, seen_.restarts, "source.restart", fmt::format("restarts of source {}", name_));
+  clock_.report(name_, findings);
+  cadence_.report(name_, end, findings);
+
+  Tally unrestated = unrestated_;
+  double longest_s = longest_unrestated_s_;
+  const double at_end_s = secondsOf(end - said_again_);
+  if (has_statics_ && at_end_s > restate_s_) {
+    PacketPlace place;
+    place.time = end;
+    unrestated.hit(place);
+    longest_s = std::max(longest_s, at_end_s);
+  }
+  add(unrestated, unrestated.count, "source.unrestated",
+      fmt::format("source {} said nothing again for {:.4g} s; {:.6g} s are expected at most", name_,
+                  longest_s, restate_s_));
+  if (unrestated.count > 0) {
+    findings.back().hint =
+        "whoever joins sees none of what it said once: restate it every two seconds";
+  }
+}
+
+}  // namespace rocinante

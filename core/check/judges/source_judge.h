@@ -1,0 +1,66 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/cell/cell.h"
+#include "core/check/judges/cadence_judge.h"
+#include "core/check/judges/clock_judge.h"
+#include "core/check/judges/tally.h"
+#include "core/packet/session_state.h"
+
+namespace rocinante {
+
+class RuleSettings;
+
+/// What one source is held to.
+struct SourceThresholds {
+  ClockThresholds clock;
+  CadenceThresholds cadence;
+  double restate_s = 10;
+
+  /// Those of the rules, and what the cell says of this source: null where it says nothing.
+  static SourceThresholds of(const RuleSettings& rules, const CellSource* source);
+};
+
+/// Judges the stream of one source: its numbers, its clock, when it speaks and what it says again.
+class SourceJudge {
+ public:
+  SourceJudge(std::string name, std::uint32_t number, const SourceThresholds& thresholds);
+
+  const std::string& name() const { return name_; }
+  std::uint32_t number() const { return number_; }
+
+  /// The next packet, after the fold has counted it. Fills in what `place` says of its sender.
+  void take(const PacketHeader& header, Applied applied, const SourceCounts& counts,
+            PacketPlace& place);
+  /// A statement that a late joiner misses when it is not said again.
+  void takeStatic(const PacketPlace& place);
+
+  /// `end`: of the session.
+  void report(LogTime end, std::vector<Finding>& findings) const;
+
+ private:
+  void watchNumbers(const SourceCounts& counts, const PacketPlace& place);
+  void judgeRestatement(const PacketPlace& place);
+
+  std::string name_;
+  std::uint32_t number_;
+  double restate_s_;
+  std::uint32_t stretch_ = 0;
+  /// Of SourceCounts, after the last packet.
+  struct Seen {
+    std::uint64_t gap = 0, late = 0, duplicates = 0, restarts = 0;
+  };
+  Seen seen_;
+  std::uint64_t lost_ = 0;  ///< directly before the packet that is being judged
+  Tally gap_, late_, duplicate_, restart_;
+  ClockJudge clock_;
+  CadenceJudge cadence_;
+  bool has_statics_ = false;
+  LogTime said_again_{};  ///< when statics were last restated, or first said
+  Tally unrestated_;
+  double longest_unrestated_s_ = 0;
+};
+
+}  // namespace rocinante

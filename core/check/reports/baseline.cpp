@@ -1,0 +1,219 @@
+#include "core/check/reports/baseline.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "core/base/atomic_file.h"
+#include "core/base/plain_text.h"
+
+namespace rocinante {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view kStale = "baseline.stale";
+constexpr std::uint64_t kMostBytes = std::uint64_t{64} << 20U;
+
+bool isDigit(char c) { return c >= '0' && c <= '9'; }
+/// What a name may hold: a digit beside one of these is part of a name such as joint_1 or arm/7.
+bool isNamePart(char c) {
+  return isDigit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '/' ||
+         (static_cast<unsigned char>(c) & 0x80U) != 0;
+}
+
+/// The end of a number that begins at `at`, or `at` when none does.
+std::size_t endOfNumber(std::string_view text, std::size_t at) {
+  std::size_t end = at;
+  if (end < text.size() && (text[end] == '-' || text[end] == '+')) ++end;
+  const std::size_t digits = end;
+  const auto skipDigits = [&] {
+    while (end < text.size() && isDigit(text[end])) ++end;
+  };
+  skipDigits();
+  if (end == digits) return at;
+  if (end + 1 < text.size() && text[end] == '.' && isDigit(text[end + 1])) {
+    ++end;
+    skipDigits();
+  }
+  if (end < text.size() && text[end] == 'e') {
+    const std::size_t exponent = end + 1;
+    const bool has_sign =
+        exponent < text.size() && (text[exponent] == '-' || text[exponent] == '+');
+    const std::size_t first = exponent + (has_sign ? 1 : 0);
+    if (first < text.size() && isDigit(text[first])) {
+      end = first;
+      skipDigits();
+    }
+  }
+  if (text.substr(std::min(end, text.size())).starts_with("°")) return end;
+  return end < text.size() && isNamePart(text[end]) ? at : end;
+}
+
+/// Without what follows a number as its unit of an angle: sentences said radians once, and what was
+/// accepted then stays so.
+std::string withoutAngleUnits(std::string_view text) {
+  std::string plain;
+  for (std::size_t i = 0; i < text.size();) {
+    const bool is_behind_number = !plain.empty() && (plain.back() == '#' || plain.back() == ']');
+    std::size_t unit = 0;
+    for (const std::string_view each :
+         {std::string_view("°"), std::string_view(" rad"), std::string_view(" degrees")}) {
+      if (is_behind_number && text.substr(i).starts_with(each)) unit = each.size();
+    }
+    const std::size_t end = i + unit;
+    if (unit > 0 && (end == text.size() || !isNamePart(text[end]) || text[end] == '/')) {
+      i = end;
+    } else {
+      plain += text[i++];
+    }
+  }
+  return plain;
+}
+
+std::string withoutNumbers(std::string_view text) {
+  std::string plain;
+  for (std::size_t i = 0; i < text.size();) {
+    const char before = i > 0 ? text[i - 1] : ' ';
+    const bool may_begin = !isNamePart(before) && before != '.' && before != '-' && before != ':';
+    const std::size_t end = may_begin ? endOfNumber(text, i) : i;
+    if (end > i) {
+      plain += '#';
+      i = end;
+    } else {
+      plain += text[i++];
+    }
+  }
+  return plain;
+}
+
+/// A file as every machine names it.
+std::string fileOf(const CheckReport& report, const std::string& file) {
+  if (file.empty()) return "";
+  // Of a cell inside a log: LOG:cell/NAME.
+  if (const std::size_t inside = file.find(":cell/"); inside != file.npos) {
+    return file.substr(inside + 6);
+  }
+  const std::filesystem::path folder = std::filesystem::path(report.cell).parent_path();
+  const std::filesystem::path path(file);
+  const std::filesystem::path below =
+      path.lexically_normal().lexically_relative(folder.empty() ? "." : folder.lexically_normal());
+  const bool is_below = !below.empty() && *below.begin() != "..";
+  return (is_below ? below : path.filename()).generic_string();
+}
+
+Error damaged(const std::string& name, std::string what) {
+  return {ErrorKind::damaged, std::move(what), name};
+}
+
+}  // namespace
+
+std::string BaselineKey::text() const {
+  return rule + '\n' + subject + '\n' + file + '\n' + sentence;
+}
+
+BaselineKey baselineKeyOf(const CheckReport& report, const Finding& finding) {
+  // As JSON can hold it: names are a sender's bytes.
+  return {finding.rule, plainText(finding.subject), plainText(fileOf(report, finding.file)),
+          withoutAngleUnits(withoutNumbers(plainText(finding.text)))};
+}
+
+Result<Baseline> Baseline::read(const std::filesystem::path& path) {
+  const Result<std::string> text = readFile(path, kMostBytes);
+  if (!text) return text.error();
+  return parse(bytesOf(*text), path.string());
+}
+
+Result<Baseline> Baseline::parse(ByteView bytes, const std::string& name) {
+  const std::string_view text = textOf(bytes);
+  Json json;
+  try {
+    json = Json::parse(text);
+  } catch (const Json::parse_error& fault) {
+    return damaged(name + placeIn(text, fault.byte), "the baseline is no JSON");
+  }
+  if (!json.is_object() || !json.contains("format") || !json["format"].is_number_integer()) {
+    return damaged(name, "this is no baseline: it does not say its format");
+  }
+  if (json["format"] != 1) {
+    return Error{ErrorKind::unsupported, "the baseline has another format than 1", name};
+  }
+  if (!json.contains("accepted") || !json["accepted"].is_array()) {
+    return damaged(name, "the baseline has no list `accepted`");
+  }
+  Baseline baseline;
+  baseline.name_ = name;
+  std::size_t number = 0;
+  for (const Json& entry : json["accepted"]) {
+    ++number;
+    const auto member = [&](const char* key) -> std::optional<std::string> {
+      if (!entry.is_object()) return std::nullopt;
+      const auto found = entry.find(key);
+      if (found == entry.end()) return "";
+      return found->is_string() ? std::optional(found->get<std::string>()) : std::nullopt;
+    };
+    const auto rule = member("rule"), subject = member("subject"), file = member("file"),
+               sentence = member("text");
+    if (!rule || rule->empty() || !subject || !file || !sentence || sentence->empty()) {
+      return damaged(name, fmt::format("entry {} of the baseline is not {{rule, subject, file, "
+                                       "text}} with a rule and a text",
+                                       number));
+    }
+    baseline.accepted_.insert({*rule, *subject, *file, withoutAngleUnits(*sentence)});
+  }
+  return baseline;
+}
+
+Baseline Baseline::of(const CheckReport& report) {
+  Baseline baseline;
+  for (const Finding& finding : report.findings) {
+    const bool counts =
+        finding.accepted || report.isFailure(finding) || finding.severity >= Severity::warning;
+    if (counts && finding.rule != kStale) {
+      baseline.accepted_.insert(baselineKeyOf(report, finding));
+    }
+  }
+  return baseline;
+}
+
+void Baseline::applyTo(CheckReport& report) const {
+  report.has_baseline = true;
+  std::set<BaselineKey> met;
+  for (Finding& finding : report.findings) {
+    const BaselineKey key = baselineKeyOf(report, finding);
+    finding.accepted = accepted_.contains(key);
+    if (finding.accepted) met.insert(key);
+  }
+  for (const BaselineKey& key : accepted_) {
+    if (met.contains(key)) continue;
+    Finding finding;
+    finding.rule = kStale;
+    finding.severity = Severity::note;
+    finding.subject = key.subject;
+    finding.text = fmt::format("the baseline accepts what is no longer found: {} [{}]",
+                               key.sentence, key.rule);
+    finding.hint = "--update-baseline takes it out";
+    finding.file = name_;
+    report.findings.push_back(std::move(finding));
+  }
+}
+
+std::string Baseline::text() const {
+  std::string text = "{\n  \"format\": 1,\n  \"accepted\": [";
+  bool is_first = true;
+  for (const BaselineKey& key : accepted_) {
+    Json entry;
+    entry["rule"] = key.rule;
+    if (!key.subject.empty()) entry["subject"] = key.subject;
+    if (!key.file.empty()) entry["file"] = key.file;
+    entry["text"] = key.sentence;
+    text += is_first ? "\n    " : ",\n    ";
+    text += entry.dump(-1, ' ', false, Json::error_handler_t::replace);
+    is_first = false;
+  }
+  return text + (is_first ? "]\n}\n" : "\n  ]\n}\n");
+}
+
+}  // namespace rocinante

@@ -1,0 +1,133 @@
+#include <array>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "core/base/hash.h"
+#include "core/base/version.h"
+#include "core/check/reports/baseline.h"
+#include "core/check/reports/report_formats.h"
+#include "core/check/rules/rule_list.h"
+#include "core/check/rules/rule_page.h"
+
+namespace rocinante {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// SARIF's own words.
+std::string levelOf(Severity severity) { return std::string(nameOf(severity)); }
+
+std::string textOf(std::string_view paragraphs, std::string_view otherwise) {
+  return std::string(paragraphs.empty() ? otherwise : paragraphs);
+}
+
+Json ruleJson(const Rule& rule, const std::string& pages) {
+  Json json;
+  json["id"] = std::string(rule.id);
+  json["shortDescription"]["text"] = std::string(rule.title);
+  const RulePage* const page = findRulePage(rule.id);
+  json["fullDescription"]["text"] =
+      textOf(page != nullptr ? meaningOf(*page) : std::string_view(), rule.title);
+  if (page != nullptr) {
+    json["help"]["text"] = textOf(sectionOf(*page, "Mend"), rule.title);
+    json["help"]["markdown"] = std::string(page->markdown);
+  }
+  if (!pages.empty()) {
+    json["helpUri"] = pages + (pages.ends_with('/') ? "" : "/") + std::string(rule.id) + ".md";
+  }
+  json["defaultConfiguration"]["level"] = levelOf(rule.severity);
+  return json;
+}
+
+Json locationOf(const CheckReport& report, const Finding& finding) {
+  Json location;
+  Json& physical = location["physicalLocation"];
+  // Code scanning shows nothing without a file: what is wrong in a session is shown at its cell.
+  physical["artifactLocation"]["uri"] = uriOf(finding.file.empty() ? report.cell : finding.file);
+  physical["region"]["startLine"] = std::max(finding.line, 1);
+  if (finding.line > 0 && finding.column > 0) physical["region"]["startColumn"] = finding.column;
+  if (!finding.subject.empty()) {
+    location["logicalLocations"] = {
+        {{"name", finding.subject},
+         {"fullyQualifiedName", report.session + "/" + finding.subject}}};
+  }
+  return location;
+}
+
+Json resultJson(const CheckReport& report, const Finding& finding,
+                const std::map<std::string_view, std::size_t>& numbers) {
+  Json json;
+  json["ruleId"] = finding.rule;
+  if (const auto number = numbers.find(finding.rule); number != numbers.end()) {
+    json["ruleIndex"] = number->second;
+  }
+  json["level"] = levelOf(finding.severity);
+  std::string text = finding.text;
+  if (finding.first) text += "; " + whenText(report, finding);
+  if (!finding.hint.empty()) text += ". " + finding.hint;
+  json["message"]["text"] = text;
+  json["locations"] = {locationOf(report, finding)};
+  json["occurrenceCount"] = finding.count;
+  // What a baseline would know it by: code scanning tells a known alert from a new one so.
+  const std::string identity = baselineKeyOf(report, finding).text();
+  json["partialFingerprints"]["rocinanteFinding/v1"] = hexOf(xxh3(bytesOf(identity)));
+  if (finding.accepted) json["suppressions"] = {{{"kind", "external"}, {"status", "accepted"}}};
+  Json& properties = json["properties"];
+  properties["subject"] = finding.subject;
+  properties["example"] = finding.example;
+  if (finding.packet) properties["packet"] = *finding.packet;
+  return json;
+}
+
+}  // namespace
+
+std::string uriOf(std::string_view path) {
+  constexpr std::string_view kUnreserved =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-._~/";
+  constexpr std::string_view kDigits = "0123456789ABCDEF";
+  std::string uri = path.starts_with('/') ? "file://" : "";
+  for (const char c : path) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (kUnreserved.find(c) != kUnreserved.npos) {
+      uri += c;
+    } else {
+      uri += {'%', kDigits[byte >> 4U], kDigits[byte & 15U]};
+    }
+  }
+  return uri;
+}
+
+std::string checkSarif(const CheckReport& report, const std::string& pages) {
+  Json run;
+  const std::string full_version = version();
+  Json& driver = run["tool"]["driver"];
+  driver["name"] = "rocinante-check";
+  driver["version"] = full_version.substr(full_version.find(' ') + 1);
+  std::map<std::string_view, std::size_t> numbers;
+  driver["rules"] = Json::array();
+  for (const Rule& rule : allRules()) {
+    numbers.emplace(rule.id, numbers.size());
+    driver["rules"].push_back(ruleJson(rule, pages));
+  }
+  const bool is_whole =
+      report.verdict == CheckVerdict::compatible || report.verdict == CheckVerdict::incompatible;
+  Json invocation;
+  invocation["executionSuccessful"] = is_whole;
+  if (!is_whole) {
+    invocation["toolExecutionNotifications"] = {
+        {{"level", "error"}, {"message", {{"text", verdictText(report.verdict)}}}}};
+  }
+  run["invocations"] = {invocation};
+  run["columnKind"] = "unicodeCodePoints";
+  run["results"] = Json::array();
+  for (const Finding& finding : report.findings) {
+    run["results"].push_back(resultJson(report, finding, numbers));
+  }
+  Json json;
+  json["$schema"] = "https://json.schemastore.org/sarif-2.1.0.json";
+  json["version"] = "2.1.0";
+  json["runs"] = {run};
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace rocinante

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "core/document/model_fault.h"
+
+namespace rocinante {
+
+/// The number that a rule measures against, where it has one. A cell may set another in `[rules]`.
+struct RuleThreshold {
+  std::string_view key;  ///< as the cell writes it, with its unit: "ms"
+  double value = 0;      ///< where the cell says nothing
+};
+
+/// One thing that `check` can find.
+struct Rule {
+  std::string_view id;  ///< stable: scripts, cells and baselines name it
+  Severity severity;    ///< where the cell says nothing, and a model's reader no other
+  std::string_view title;
+  RuleThreshold threshold{};  ///< an empty key: none
+};
+
+/// Every rule that a finding can carry, sorted by id. Each has its page: docs/rules/ID.md.
+std::span<const Rule> allRules();
+
+/// Null when there is no rule of that id.
+const Rule* findRule(std::string_view id);
+
+}  // namespace rocinante

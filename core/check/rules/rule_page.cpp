@@ -1,0 +1,42 @@
+#include "core/check/rules/rule_page.h"
+
+#include <algorithm>
+#include <span>
+
+namespace rocinante {
+namespace {
+
+std::string_view trimmed(std::string_view text) {
+  while (text.starts_with('\n')) text.remove_prefix(1);
+  while (text.ends_with('\n')) text.remove_suffix(1);
+  return text;
+}
+
+}  // namespace
+
+const RulePage* findRulePage(std::string_view rule) {
+  const std::span<const RulePage> pages(detail::kRulePages, detail::kRulePageCount);
+  const auto found = std::find_if(pages.begin(), pages.end(),
+                                  [&](const RulePage& page) { return page.rule == rule; });
+  return found != pages.end() ? &*found : nullptr;
+}
+
+std::string_view meaningOf(const RulePage& page) {
+  // Behind the heading and the paragraph that begins with the severity.
+  const std::string_view text = page.markdown;
+  const std::size_t severity = text.find("\n**");
+  const std::size_t from = text.find("\n\n", severity == text.npos ? 0 : severity);
+  const std::size_t until = text.find("\n## ");
+  if (from == text.npos || until == text.npos || until < from) return {};
+  return trimmed(text.substr(from, until - from));
+}
+
+std::string_view sectionOf(const RulePage& page, std::string_view section) {
+  const std::string heading = "\n## " + std::string(section) + "\n";
+  const std::size_t at = page.markdown.find(heading);
+  if (at == page.markdown.npos) return {};
+  const std::string_view below = page.markdown.substr(at + heading.size());
+  return trimmed(below.substr(0, below.find("\n## ")));
+}
+
+}  // namespace rocinante

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "core/document/model_fault.h"
+
+namespace rocinante {
+
+/// Where in a file something stands, from 1; zeros when nowhere.
+struct Place {
+  int line = 0;
+  int column = 0;
+};
+
+/// Adds the faults of one cell, model or mesh file to a list: the first hundred of each rule, then
+/// one line that counts the rest, so that a hostile file cannot fill the memory with sentences.
+class FaultList {
+ public:
+  FaultList(ModelFaults& faults, std::string file) : faults_(faults), file_(std::move(file)) {}
+  ~FaultList();
+  FaultList(const FaultList&) = delete;
+  FaultList& operator=(const FaultList&) = delete;
+
+  void add(Severity severity, std::string_view rule, Place place, std::string text,
+           std::string hint = {});
+  void error(std::string_view rule, Place place, std::string text, std::string hint = {}) {
+    add(Severity::error, rule, place, std::move(text), std::move(hint));
+  }
+  void warning(std::string_view rule, Place place, std::string text, std::string hint = {}) {
+    add(Severity::warning, rule, place, std::move(text), std::move(hint));
+  }
+  void note(std::string_view rule, Place place, std::string text, std::string hint = {}) {
+    add(Severity::note, rule, place, std::move(text), std::move(hint));
+  }
+
+  /// Whether one more of this rule would be listed: hints for the rest are not worth their time.
+  bool lists(std::string_view rule) const;
+
+  const std::string& file() const { return file_; }
+  /// The list that this one adds to: for files that this file names.
+  ModelFaults& all() { return faults_; }
+
+ private:
+  struct Count {
+    std::size_t times = 0;
+    Severity severity = Severity::note;
+  };
+  ModelFaults& faults_;
+  std::string file_;
+  std::map<std::string, Count, std::less<>> counts_;
+};
+
+/// `text` in backquotes for a fault's sentence: control characters escaped, cut when very long.
+std::string quotedInFault(std::string_view text);
+/// The same of a file's name or path: a long one loses its first folders, and keeps the file's own
+/// name.
+std::string quotedPathInFault(std::string_view path);
+
+}  // namespace rocinante

@@ -1,0 +1,271 @@
+#include "core/document/toml_table.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/name_hint.h"
+#include "core/document/fault_list.h"
+#include "core/math/transform.h"
+#include "core/math/trigonometry.h"
+
+namespace rocinante {
+namespace {
+
+constexpr std::size_t kLongestName = 255;
+
+int hexDigit(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+  return -1;
+}
+
+/// Scaled to unit length; but numbers that are as near to it as rounding lets them come are kept,
+/// so that a turn which a program wrote is read back to the bit.
+template <class T>
+std::optional<T> unitOf(const T& given, double length_squared) {
+  constexpr double kRounding = 2e-15;
+  if (std::abs(length_squared - 1.0) <= kRounding) return given;
+  return normalized(given);
+}
+
+bool isNumber(const TomlNode& node) {
+  return node.kind == TomlNode::Kind::integer || node.kind == TomlNode::Kind::number;
+}
+
+}  // namespace
+
+const TomlNode* TomlTable::find(std::string_view key) const {
+  for (const TomlNode::Entry& entry : node_->entries) {
+    if (entry.key == key) return &entry.value;
+  }
+  return nullptr;
+}
+
+const TomlNode* TomlTable::node(std::string_view key) {
+  if (std::find(known_.begin(), known_.end(), key) == known_.end()) known_.emplace_back(key);
+  return find(key);
+}
+
+const TomlNode* TomlTable::find(std::string_view key, TomlNode::Kind kind) {
+  const TomlNode* value = node(key);
+  if (value == nullptr || value->kind == kind) return value;
+  if (kind == TomlNode::Kind::number && value->kind == TomlNode::Kind::integer) return value;
+  faults_->error("cell.wrong-kind", value->place,
+                 fmt::format("`{}` of {} is {}, where {} is wanted", key, what_,
+                             nameOf(value->kind), nameOf(kind)));
+  return nullptr;
+}
+
+Place TomlTable::place(std::string_view key) const {
+  const TomlNode* value = find(key);
+  return value == nullptr ? place() : value->place;
+}
+
+bool TomlTable::has(std::string_view key) const { return find(key) != nullptr; }
+
+void TomlTable::missing(std::string_view key) const {
+  if (has(key)) return;  // it has the wrong kind, which was said
+  faults_->error("cell.missing-key", place(), fmt::format("{} lacks `{}`", what_, key));
+}
+
+std::optional<std::string> TomlTable::text(std::string_view key) {
+  const TomlNode* value = find(key, TomlNode::Kind::text);
+  if (value == nullptr) return std::nullopt;
+  return value->text;
+}
+
+std::optional<std::string> TomlTable::requiredText(std::string_view key) {
+  auto value = text(key);
+  if (!value) missing(key);
+  if (value && value->empty()) {
+    error("cell.empty", key, fmt::format("`{}` of {} is empty", key, what_));
+    return std::nullopt;
+  }
+  return value;
+}
+
+std::optional<std::string> TomlTable::requiredName(std::string_view key) {
+  auto value = requiredText(key);
+  if (!value) return value;
+  if (value->size() <= kLongestName && value->find('/') == std::string::npos) return value;
+  error("cell.bad-name", key, fmt::format("{} is no name", quotedInFault(*value)),
+        "names have at most 255 bytes and no slash");
+  return std::nullopt;
+}
+
+std::optional<double> TomlTable::number(std::string_view key) {
+  const TomlNode* value = find(key, TomlNode::Kind::number);
+  if (value == nullptr) return std::nullopt;
+  if (std::isfinite(value->number)) return value->number;
+  error("cell.bad-number", key, fmt::format("`{}` of {} must be finite", key, what_));
+  return std::nullopt;
+}
+
+std::optional<bool> TomlTable::flag(std::string_view key) {
+  const TomlNode* value = find(key, TomlNode::Kind::flag);
+  if (value == nullptr) return std::nullopt;
+  return value->flag;
+}
+
+bool TomlTable::numbers(std::string_view key, double* values, std::size_t count) {
+  const TomlNode* array = find(key, TomlNode::Kind::array);
+  if (array == nullptr) return false;
+  bool sound = array->items.size() == count;
+  for (std::size_t i = 0; sound && i < count; ++i) {
+    sound = isNumber(array->items[i]) && std::isfinite(array->items[i].number);
+    values[i] = array->items[i].number;
+  }
+  if (!sound) {
+    faults_->error("cell.bad-number", array->place,
+                   fmt::format("`{}` of {} must be {} finite numbers", key, what_, count));
+  }
+  return sound;
+}
+
+std::optional<Vec3> TomlTable::vector(std::string_view key) {
+  double v[3] = {};
+  if (!numbers(key, v, 3)) return std::nullopt;
+  return Vec3{v[0], v[1], v[2]};
+}
+
+std::optional<Vec3> TomlTable::requiredVector(std::string_view key) {
+  auto value = vector(key);
+  if (!value) missing(key);
+  return value;
+}
+
+std::optional<Vec2> TomlTable::pair(std::string_view key) {
+  double v[2] = {};
+  if (!numbers(key, v, 2)) return std::nullopt;
+  return Vec2{v[0], v[1]};
+}
+
+std::optional<Vec4> TomlTable::vector4(std::string_view key) {
+  double v[4] = {};
+  if (!numbers(key, v, 4)) return std::nullopt;
+  return Vec4{v[0], v[1], v[2], v[3]};
+}
+
+std::optional<Vec3> TomlTable::direction(std::string_view key) {
+  const auto given = vector(key);
+  if (!given) return std::nullopt;
+  return unitOf(*given, given->x * given->x + given->y * given->y + given->z * given->z);
+}
+
+std::optional<std::pair<double, double>> TomlTable::range(std::string_view key) {
+  double v[2] = {};
+  if (!numbers(key, v, 2)) return std::nullopt;
+  if (v[0] <= v[1]) return std::pair(v[0], v[1]);
+  error("cell.bad-range", key,
+        fmt::format("`{}` of {} is [lowest, highest], but {} is above {}", key, what_, v[0], v[1]));
+  return std::nullopt;
+}
+
+std::vector<std::string> TomlTable::texts(std::string_view key) {
+  std::vector<std::string> values;
+  const TomlNode* array = find(key, TomlNode::Kind::array);
+  if (array == nullptr) return values;
+  for (const TomlNode& item : array->items) {
+    if (item.kind == TomlNode::Kind::text) {
+      values.push_back(item.text);
+    } else {
+      faults_->error("cell.wrong-kind", item.place,
+                     fmt::format("`{}` of {} holds {}, where strings are wanted", key, what_,
+                                 nameOf(item.kind)));
+    }
+  }
+  return values;
+}
+
+std::optional<glm::vec4> TomlTable::color(std::string_view key) {
+  const auto value = text(key);
+  if (!value) return std::nullopt;
+  bool sound = (value->size() == 7 || value->size() == 9) && value->front() == '#';
+  glm::vec4 color{0.0F, 0.0F, 0.0F, 1.0F};
+  for (std::size_t i = 1; sound && i + 1 < value->size(); i += 2) {
+    const int high = hexDigit((*value)[i]), low = hexDigit((*value)[i + 1]);
+    sound = high >= 0 && low >= 0;
+    color[static_cast<int>(i / 2)] = static_cast<float>(high * 16 + low) / 255.0F;
+  }
+  if (sound) return color;
+  error("cell.bad-color", key, fmt::format("{} is no colour", quotedInFault(*value)),
+        "colours are \"#rrggbb\" or \"#rrggbbaa\"");
+  return std::nullopt;
+}
+
+Pose TomlTable::pose() {
+  Pose pose;
+  pose.position = vector("xyz").value_or(Vec3{0, 0, 0});
+  const auto rpy = vector("rpy"), rpy_deg = vector("rpy_deg");
+  const auto quaternion = vector4("quaternion");
+  if (int{has("rpy")} + int{has("rpy_deg")} + int{has("quaternion")} > 1) {
+    faults_->error("cell.two-orientations", place(),
+                   fmt::format("{} has more than one of rpy, rpy_deg and quaternion", what_));
+  }
+  if (rpy) pose.orientation = quaternionFromRpy(*rpy);
+  if (rpy_deg) {
+    pose.orientation =
+        quaternionFromRpy({radiansOf(rpy_deg->x), radiansOf(rpy_deg->y), radiansOf(rpy_deg->z)});
+  }
+  if (quaternion) {
+    const Quat given{quaternion->w, quaternion->x, quaternion->y, quaternion->z};
+    const auto unit = unitOf(
+        given, given.w * given.w + given.x * given.x + given.y * given.y + given.z * given.z);
+    if (unit) {
+      pose.orientation = *unit;
+    } else {
+      error("cell.zero-quaternion", "quaternion", "the quaternion is zero",
+            "no turn is [0, 0, 0, 1]: x y z w");
+    }
+  }
+  return pose;
+}
+
+std::optional<TomlTable> TomlTable::table(std::string_view key, std::string what) {
+  const TomlNode* value = find(key, TomlNode::Kind::table);
+  if (value == nullptr) return std::nullopt;
+  return TomlTable(*value, std::move(what), *faults_);
+}
+
+std::vector<TomlTable> TomlTable::tables(std::string_view key, const std::string& what) {
+  std::vector<TomlTable> tables;
+  const TomlNode* array = node(key);
+  if (array == nullptr) return tables;
+  bool sound = array->kind == TomlNode::Kind::array;
+  for (const TomlNode& item : array->items) {
+    if (item.kind == TomlNode::Kind::table) {
+      tables.emplace_back(item, what, *faults_);
+    } else {
+      sound = false;
+    }
+  }
+  if (!sound) {
+    faults_->error("cell.wrong-kind", array->place,
+                   fmt::format("`{}` of {} must be tables", key, what_),
+                   fmt::format("write {}", what));
+  }
+  return tables;
+}
+
+void TomlTable::finish() const {
+  std::vector<std::string_view> known(known_.begin(), known_.end());
+  std::sort(known.begin(), known.end());
+  for (const TomlNode::Entry& entry : node_->entries) {
+    if (entry.key.starts_with("x-")) continue;
+    if (std::binary_search(known.begin(), known.end(), entry.key)) continue;
+    std::string hint;
+    if (faults_->lists("cell.unknown-key")) {
+      hint = didYouMean(entry.key, known);
+      if (hint.empty()) hint = fmt::format("its keys are {}", fmt::join(known, ", "));
+    }
+    faults_->error("cell.unknown-key", entry.place,
+                   fmt::format("{} has an unknown key {}", what_, quotedInFault(entry.key)),
+                   std::move(hint));
+  }
+}
+
+}  // namespace rocinante

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/document/fault_list.h"
+#include "core/kinematics/model.h"
+
+namespace rocinante {
+
+/// More than any machine has; a file that goes past is refused (docs/cell-format.md, "Limits").
+inline constexpr std::size_t kMostLinks = 65536;
+
+struct MimicDraft {
+  std::string joint;
+  double multiplier = 1, offset = 0;
+  Place place;
+};
+
+/// A joint as a file writes it: by names, which may lead nowhere.
+struct JointDraft {
+  Joint joint;
+  std::string parent, child;  ///< names of links
+  Place place, parent_place, child_place;
+  std::optional<MimicDraft> mimic;
+};
+
+struct LinkDraft {
+  Link link;
+  Place place;
+};
+
+/// A model as it was read, before its names are joined.
+struct ModelDraft {
+  std::string name;
+  std::string file;
+  std::string rules;  ///< first word of its faults' rules: "urdf" or "cell"
+  Place place;        ///< of the model as a whole
+  std::vector<LinkDraft> links;
+  std::vector<JointDraft> joints;
+};
+
+/// Joins names to a tree. Joints that cannot stand (unknown or equal links, a second parent, a
+/// loop) are left out and mimics that cannot be followed are taken off, each with a fault. Empty
+/// when there is no link at all.
+std::optional<Model> finishModel(ModelDraft&& draft, FaultList& faults);
+
+}  // namespace rocinante

@@ -1,0 +1,84 @@
+#include "core/mcap/chunk_compressor.h"
+
+#include <fmt/format.h>
+#include <zstd.h>
+
+#include <algorithm>
+#include <bit>
+
+namespace rocinante::mcap {
+namespace {
+
+/// Compressing less than this saves nothing worth the reader's time.
+constexpr std::size_t kLeastToCompress = 1024;
+
+}  // namespace
+
+struct ChunkCompressor::Context {
+  ZSTD_CCtx* zstd = ZSTD_createCCtx();
+  Context() = default;
+  Context(const Context&) = delete;
+  Context& operator=(const Context&) = delete;
+  ~Context() { ZSTD_freeCCtx(zstd); }
+};
+
+ChunkCompressor::ChunkCompressor(int zstd_level) : context_(std::make_unique<Context>()) {
+  ZSTD_CCtx_setParameter(context_->zstd, ZSTD_c_compressionLevel, zstd_level);
+}
+ChunkCompressor::~ChunkCompressor() = default;
+ChunkCompressor::ChunkCompressor(ChunkCompressor&&) noexcept = default;
+ChunkCompressor& ChunkCompressor::operator=(ChunkCompressor&&) noexcept = default;
+
+bool ChunkCompressor::compressInto(ByteView records, Bytes& out) {
+  if (records.size() < kLeastToCompress) return false;
+  // Room for the worst case, so that it cannot fail for want of it.
+  const std::size_t before = out.size();
+  out.resize(before + ZSTD_compressBound(records.size()));
+  const std::size_t made = ZSTD_compress2(context_->zstd, out.data() + before, out.size() - before,
+                                          records.data(), records.size());
+  const bool pays = ZSTD_isError(made) == 0U && made <= records.size() - records.size() / 50;
+  out.resize(before + (pays ? made : 0));
+  return pays;
+}
+
+struct FrameStream::Context {
+  ZSTD_CCtx* zstd = ZSTD_createCCtx();
+  Context() = default;
+  Context(const Context&) = delete;
+  Context& operator=(const Context&) = delete;
+  ~Context() { ZSTD_freeCCtx(zstd); }
+};
+
+FrameStream::FrameStream() : context_(std::make_unique<Context>()) {}
+FrameStream::~FrameStream() = default;
+FrameStream::FrameStream(FrameStream&&) noexcept = default;
+FrameStream& FrameStream::operator=(FrameStream&&) noexcept = default;
+
+void FrameStream::begin(int zstd_level, std::size_t frame_bytes) {
+  ZSTD_CCtx* const zstd = context_->zstd;
+  ZSTD_CCtx_reset(zstd, ZSTD_reset_session_and_parameters);
+  ZSTD_CCtx_setParameter(zstd, ZSTD_c_compressionLevel, zstd_level);
+  // Without a size given, high levels take windows of 128 MiB, here and in every reader.
+  const int window = std::clamp(static_cast<int>(std::bit_width(frame_bytes)), 17, 24);
+  ZSTD_CCtx_setParameter(zstd, ZSTD_c_windowLog, window);
+}
+
+Status FrameStream::add(ByteView records, Until until, Bytes& out) {
+  ZSTD_inBuffer in{records.data(), records.size(), 0};
+  const ZSTD_EndDirective directive = until == Until::ended ? ZSTD_e_end : ZSTD_e_flush;
+  std::size_t used = out.size();
+  for (;;) {
+    out.resize(used + ZSTD_compressBound(records.size() - in.pos) + ZSTD_CStreamOutSize());
+    ZSTD_outBuffer rest{out.data() + used, out.size() - used, 0};
+    const std::size_t left = ZSTD_compressStream2(context_->zstd, &rest, &in, directive);
+    used += rest.pos;
+    out.resize(used);
+    if (ZSTD_isError(left) != 0U) {
+      return Error{
+          ErrorKind::refused, fmt::format("zstd cannot compress: {}", ZSTD_getErrorName(left)), {}};
+    }
+    if (left == 0) return {};
+  }
+}
+
+}  // namespace rocinante::mcap

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/bytes.h"
+#include "core/math/vector.h"
+
+namespace rocinante {
+
+/// How a surface looks. Colours are display values (sRGB-encoded) in [0, 1], as MTL, URDF and
+/// people write them.
+struct Material {
+  std::string name;
+  glm::vec4 diffuse{0.8F, 0.8F, 0.8F, 1.0F};  ///< rgb and opacity
+  glm::vec3 specular{0.0F, 0.0F, 0.0F};
+  glm::vec3 emission{0.0F, 0.0F, 0.0F};
+  float shininess = 0.0F;             ///< MTL's Ns, 0 to 1000
+  std::filesystem::path diffuse_map;  ///< resolved file; empty: none
+  std::string missing_map;            ///< the name of a picture that is not used; then no map
+  /// The picture's own bytes (PNG, JPEG ...) when it lies inside the mesh's file; diffuse_map is
+  /// then no file but a name for it: "arm.glb#2".
+  std::shared_ptr<const Bytes> diffuse_bytes;
+  glm::vec2 map_scale{1.0F, 1.0F};   ///< map_Kd -s
+  glm::vec2 map_offset{0.0F, 0.0F};  ///< map_Kd -o
+  bool operator==(const Material&) const = default;
+};
+
+struct Vertex {
+  glm::vec3 position;
+  glm::vec3 normal;
+  glm::vec2 texture;  ///< v up, as OBJ has it: (0, 0) is the picture's bottom left
+};
+static_assert(sizeof(Vertex) == 32);
+
+/// A run of triangles of one group and one material.
+struct MeshPart {
+  std::string group;              ///< OBJ `g` (or `o`) name; empty when none was given
+  std::uint32_t material = 0;     ///< into Mesh::materials
+  std::uint32_t first_index = 0;  ///< into Mesh::indices
+  std::uint32_t index_count = 0;  ///< three a triangle
+};
+
+struct Bounds {
+  Vec3 min{1e300, 1e300, 1e300};
+  Vec3 max{-1e300, -1e300, -1e300};
+  bool empty() const { return min.x > max.x; }
+  void add(const Vec3& point);
+  void add(const Bounds& other);
+};
+
+/// Triangles with everything needed to draw them, in metres, z up: a file's unit and up axis are
+/// applied on reading. Counter-clockwise triangles face outward. Normals are unit length.
+struct Mesh {
+  std::vector<Vertex> vertices;
+  std::vector<std::uint32_t> indices;
+  /// 0xRRGGBBAA by vertex, which multiplies the material's diffuse colour (the opacity is not
+  /// drawn); empty: none.
+  std::vector<std::uint32_t> colors;
+  std::vector<MeshPart> parts;  ///< in the order of the file
+  std::vector<Material> materials;
+  Bounds bounds;
+
+  std::size_t triangleCount() const { return indices.size() / 3; }
+  /// What it holds in memory, pictures inside it once each.
+  std::size_t memoryBytes() const;
+};
+
+}  // namespace rocinante

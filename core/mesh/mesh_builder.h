@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/mesh/mesh.h"
+
+namespace rocinante {
+
+inline constexpr std::uint32_t kNone = 0xFFFFFFFF;
+
+/// One corner of a triangle: indices into the arrays of a LooseMesh.
+struct Corner {
+  std::uint32_t position = 0;
+  std::uint32_t texture = kNone;
+  std::uint32_t normal = kNone;  ///< kNone: to be computed from the faces around
+};
+
+/// A mesh as a file tells it: separate arrays of positions, texture coordinates and normals, and
+/// triangles that pick from each. Already in metres, z up.
+struct LooseMesh {
+  std::vector<glm::vec3> positions;
+  std::vector<glm::vec2> textures;
+  std::vector<glm::vec3> normals;     ///< unit length
+  std::vector<std::uint32_t> colors;  ///< 0xRRGGBBAA by position; empty: none
+  std::vector<Corner> corners;        ///< three a triangle
+  std::vector<MeshPart> parts;        ///< first_index and index_count count corners
+  std::vector<Material> materials;
+};
+
+/// Joins corners that are equal in position, texture and normal into indexed vertices, numbered in
+/// the order in which triangles first use them. Every corner must have a normal.
+Mesh indexedMesh(LooseMesh&& loose);
+
+/// 0xRRGGBBAA of components in [0, 1]; those outside are clamped, NaN is 0.
+std::uint32_t packedColor(const glm::vec4& color);
+
+}  // namespace rocinante

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+
+#include "core/base/bytes.h"
+#include "core/base/result.h"
+#include "core/document/model_fault.h"
+#include "core/mesh/mesh.h"
+#include "core/search/found_file.h"
+
+namespace rocinante {
+
+enum class UpAxis : std::uint8_t { y, z };
+
+/// Where a file that another file names may be found; nothing outside the search roots is opened.
+/// `beside` is the folder of the file that names it.
+/// Without a path: not found or not allowed (the callee then adds the fault).
+using ResolveFile =
+    std::function<FoundFile(const std::string& name, const std::filesystem::path& beside)>;
+
+struct MeshReadOptions {
+  double unit_m = 1.0;  ///< metres a file's unit is
+  UpAxis up = UpAxis::z;
+  ResolveFile resolve;  ///< for mtllib and textures; empty: in the file's folder or below only
+  double smooth_angle_deg = 40;  ///< missing normals: faces that meet at less are smoothed
+};
+
+/// By the file's ending: .obj .stl .stlb .dae .gltf .glb.
+bool isMeshFile(const std::filesystem::path& path);
+/// COLLADA and glTF do; OBJ and STL say neither their unit nor their up axis.
+bool saysItsUnit(const std::filesystem::path& path);
+
+/// Reads .obj (with .mtl), .stl, binary and ASCII, .dae, .gltf or .glb by the file's ending. Faults
+/// of the file are added to `faults` with their lines and as much as is sound is returned; an error
+/// only when nothing can be used. What each format's reader makes of a file: obj_reader.h,
+/// stl_reader.h, scene_reader.h.
+Result<Mesh> readMeshFile(const std::filesystem::path& path, const MeshReadOptions& options,
+                          ModelFaults& faults);
+
+/// The same from bytes: for tests and fuzzers. `path` names them and says the format.
+Result<Mesh> readMeshBytes(ByteView bytes, const std::filesystem::path& path,
+                           const MeshReadOptions& options, ModelFaults& faults);
+
+}  // namespace rocinante

@@ -1,0 +1,380 @@
+#include "core/mesh/obj_reader.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+
+#include "core/base/atomic_file.h"
+#include "core/mesh/mesh_builder.h"
+#include "core/mesh/mtl_reader.h"
+#include "core/mesh/polygon.h"
+#include "core/mesh/smooth_normals.h"
+#include "core/mesh/text_scanner.h"
+
+namespace rocinante {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Vertices and corners are numbered with 32 bits; half of that leaves room for the arithmetic.
+constexpr std::size_t kMostElements = std::size_t{1} << 31U;
+constexpr std::uint32_t kWhite = 0xFFFFFFFF;
+constexpr std::uint64_t kLargestMtlBytes = std::uint64_t{64} << 20U;
+
+class ObjReader {
+ public:
+  ObjReader(ByteView bytes, const fs::path& path, const MeshReadOptions& options, FaultList& faults)
+      : scan_(textOf(bytes)),
+        path_(path),
+        options_(options),
+        resolve_(resolverOf(options)),
+        faults_(faults) {
+    // What a file of that size usually holds; memory that is not touched costs nothing.
+    loose_.positions.reserve(bytes.size() / 70);
+    loose_.corners.reserve(bytes.size() / 24);
+  }
+
+  Result<Mesh> read() {
+    for (; !scan_.atEnd(); scan_.skipLine()) {
+      if (!scan_.skipBlanks()) continue;
+      line_ = scan_.line();
+      readStatement(scan_.word());
+    }
+    closePart();
+    if (loose_.corners.empty()) {
+      return Error{ErrorKind::damaged, "holds no face that can be drawn", path_.string()};
+    }
+    // Colours at the points are meant as they are, not darkened by a grey that nobody wrote.
+    for (const std::size_t grey : loose_.colors.empty() ? std::vector<std::size_t>() : greys_) {
+      loose_.materials[grey].diffuse = glm::vec4(1.0F);
+    }
+    smoothNormals(loose_, options_.smooth_angle_deg);
+    return indexedMesh(std::move(loose_));
+  }
+
+ private:
+  void readStatement(std::string_view keyword) {
+    // Nearly every line is one of these; to compare them as texts would take a while.
+    const char first = keyword.empty() ? '\0' : keyword[0];
+    const char second = keyword.size() == 2 ? keyword[1] : '\0';
+    if (keyword.size() == 1 && first == 'v') return readPosition();
+    if (keyword.size() == 1 && first == 'f') return readFace();
+    if (first == 'v' && second == 'n') return readNormal();
+    if (first == 'v' && second == 't') return readTexture();
+    readRareStatement(keyword);
+  }
+
+  void readRareStatement(std::string_view keyword) {
+    if (keyword == "fo") {
+      readFace();
+    } else if (keyword == "usemtl") {
+      useMaterial(scan_.restOfLine());
+    } else if (keyword == "g") {
+      setGroup(scan_.restOfLine());
+    } else if (keyword == "o") {
+      object_ = scan_.restOfLine();
+      setGroup("");
+    } else if (keyword == "mtllib") {
+      readMaterialLibraries(scan_.restOfLine());
+    } else if (!keyword.starts_with('#') && keyword != "s" && keyword != "l" && keyword != "p") {
+      passOver(keyword);
+    }
+  }
+
+  /// The file's unit and up axis applied.
+  glm::vec3 inMetres(const Vec3& p) const {
+    const Vec3 up = turned(p);
+    return {static_cast<float>(up.x * options_.unit_m), static_cast<float>(up.y * options_.unit_m),
+            static_cast<float>(up.z * options_.unit_m)};
+  }
+  Vec3 turned(const Vec3& p) const { return options_.up == UpAxis::y ? Vec3(p.x, -p.z, p.y) : p; }
+
+  void readPosition() {
+    Vec3 p(0.0);
+    if (!readNumbers("v", p.x, p.y, p.z)) p.x = NAN;
+    glm::vec3 position = inMetres(p);
+    if (!std::isfinite(position.x) || !std::isfinite(position.y) || !std::isfinite(position.z)) {
+      if (!std::isnan(p.x)) {
+        add(Severity::error, "obj.bad-number", "v lies outside what can be drawn");
+      }
+      // The point keeps its number, so that the faces after it mean what they meant.
+      position.x = NAN;
+    }
+    loose_.positions.push_back(position);
+    if (scan_.skipBlanks()) readColor();
+    if (!loose_.colors.empty()) loose_.colors.resize(loose_.positions.size(), kWhite);
+  }
+
+  /// What stands behind a position: a weight, which is passed over, or red, green and blue.
+  void readColor() {
+    double numbers[3] = {0, 0, 0};
+    if (!scan_.number(numbers[0]) || !scan_.number(numbers[1]) || !scan_.number(numbers[2])) return;
+    const glm::vec4 color(numbers[0], numbers[1], numbers[2], 1.0);
+    for (const double component : numbers) {
+      if (component >= 0 && component <= 1) continue;
+      add(Severity::warning, "obj.color-range",
+          "a colour of v is outside 0 to 1, and is taken as the nearest");
+      break;
+    }
+    loose_.colors.resize(loose_.positions.size(), kWhite);
+    loose_.colors.back() = packedColor(color);
+  }
+
+  void readNormal() {
+    Vec3 n(0.0);
+    if (!readNumbers("vn", n.x, n.y, n.z)) n = Vec3(0.0);
+    const double length = std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
+    // One without a direction, or far too long to have one, is computed like a missing one.
+    const bool sound = length > 0 && std::isfinite(length);
+    loose_.normals.push_back(sound ? glm::vec3(turned(n / length)) : glm::vec3(NAN));
+  }
+
+  void readTexture() {
+    double u = 0, v = 0;
+    if (!scan_.number(u)) {
+      badNumber("vt");
+    } else if (scan_.skipBlanks() && !scan_.number(v)) {
+      badNumber("vt");
+    }
+    const auto in_range = [](double value) {
+      const auto narrow = static_cast<float>(value);
+      return std::isfinite(narrow) ? narrow : 0.0F;
+    };
+    loose_.textures.emplace_back(in_range(u), in_range(v));
+  }
+
+  bool readNumbers(std::string_view keyword, double& x, double& y, double& z) {
+    if (scan_.number(x) && scan_.number(y) && scan_.number(z)) return true;
+    badNumber(keyword);
+    return false;
+  }
+
+  void badNumber(std::string_view keyword) {
+    scan_.skipBlanks();
+    add(Severity::error, "obj.bad-number",
+        fmt::format("{} needs a number, not {}", keyword, quotedInFault(scan_.word())));
+  }
+
+  void readFace() {
+    face_.clear();
+    while (scan_.skipBlanks()) {
+      Corner corner;
+      if (!readCorner(corner)) return;
+      face_.push_back(corner);
+    }
+    if (face_.size() < 3) {
+      return add(Severity::error, "obj.bad-face",
+                 fmt::format("a face of {} corners", face_.size()));
+    }
+    if (loose_.corners.size() + face_.size() * 3 > kMostElements) {
+      return add(Severity::error, "obj.too-large", "more triangles than can be numbered");
+    }
+    if (face_.size() == 3) {
+      loose_.corners.insert(loose_.corners.end(), face_.begin(), face_.end());
+    } else {
+      polygon_.clear();
+      for (const Corner& corner : face_) polygon_.push_back(loose_.positions[corner.position]);
+      for (const std::uint32_t corner : cutter_.cut(polygon_))
+        loose_.corners.push_back(face_[corner]);
+      if (cutter_.gaveUp()) {
+        add(Severity::warning, "obj.large-face",
+            fmt::format("a concave face of {} corners is drawn as if it were convex",
+                        face_.size()));
+      }
+    }
+  }
+
+  /// V, V/T, V//N or V/T/N; on a fault the face is given up.
+  bool readCorner(Corner& corner) {
+    std::int64_t number = 0;
+    if (!scan_.integer(number)) return badCorner();
+    if (!resolveIndex(number, loose_.positions.size(), "point", corner.position)) return false;
+    if (std::isnan(loose_.positions[corner.position].x)) {
+      add(Severity::error, "obj.bad-face", "a face uses a point that is no number");
+      return false;
+    }
+    if (scan_.take('/')) {
+      if (scan_.integer(number)) {
+        // Some exporters write V/V/V and no vt at all: that is no texture coordinate.
+        if (!loose_.textures.empty() &&
+            !resolveIndex(number, loose_.textures.size(), "texture coordinate", corner.texture)) {
+          return false;
+        }
+      }
+      if (scan_.take('/') && scan_.integer(number) && !loose_.normals.empty()) {
+        if (!resolveIndex(number, loose_.normals.size(), "normal", corner.normal)) return false;
+        if (std::isnan(loose_.normals[corner.normal].x)) corner.normal = kNone;
+      }
+    }
+    return scan_.wordEnds() || badCorner();
+  }
+
+  bool badCorner() {
+    add(Severity::error, "obj.bad-face",
+        "a face's corner is no V, V/T, V//N or V/T/N: " + quotedInFault(scan_.word()));
+    return false;
+  }
+
+  /// From 1, or from the last with -1.
+  bool resolveIndex(std::int64_t number, std::size_t count, std::string_view what,
+                    std::uint32_t& index) {
+    const auto size = static_cast<std::int64_t>(count);
+    const std::int64_t from_zero = number < 0 ? number + size : number - 1;
+    if (number == 0 || from_zero < 0 || from_zero >= size) {
+      add(Severity::error, "obj.bad-index",
+          fmt::format("a face uses {} {} of the {} so far", what, number, count));
+      return false;
+    }
+    index = static_cast<std::uint32_t>(from_zero);
+    return true;
+  }
+
+  void setGroup(std::string group) {
+    if (group.empty()) group = object_;
+    if (group == part_.group) return;
+    closePart();
+    part_.group = std::move(group);
+  }
+
+  void useMaterial(const std::string& name) {
+    const std::uint32_t material = materialNumber(name);
+    if (material == part_.material && used_any_) return;
+    closePart();
+    part_.material = material;
+    used_any_ = true;
+  }
+
+  std::uint32_t materialNumber(const std::string& name) {
+    const auto known = material_numbers_.find(name);
+    if (known != material_numbers_.end()) return known->second;
+    // Exporters without materials still write usemtl; only a file that has some misses one.
+    if (any_library_) {
+      add(Severity::warning, "obj.unknown-material",
+          "no material file defines " + quotedInFault(name));
+    }
+    Material grey;
+    grey.name = name;
+    greys_.push_back(loose_.materials.size());
+    loose_.materials.push_back(std::move(grey));
+    return numberLastMaterial();
+  }
+
+  std::uint32_t numberLastMaterial() {
+    const auto number = static_cast<std::uint32_t>(loose_.materials.size() - 1);
+    material_numbers_.emplace(loose_.materials.back().name, number);
+    return number;
+  }
+
+  /// Ends the run of triangles of the group and material in force.
+  void closePart() {
+    const auto end = static_cast<std::uint32_t>(loose_.corners.size());
+    part_.index_count = end - part_.first_index;
+    if (part_.index_count > 0) {
+      if (!used_any_) {
+        // Faces before any usemtl.
+        part_.material = materialNumber("");
+        used_any_ = true;
+      }
+      loose_.parts.push_back(part_);
+    }
+    part_.first_index = end;
+  }
+
+  void readMaterialLibraries(const std::string& names) {
+    const fs::path beside = path_.parent_path();
+    // One name with blanks, as some exporters write it, or several names.
+    if (const fs::path whole = find(names, beside); !whole.empty()) return readLibrary(whole);
+    TextScanner words(names);
+    while (words.skipBlanks()) {
+      const std::string name(words.word());
+      const fs::path file = find(name, beside);
+      if (!file.empty()) {
+        readLibrary(file);
+      } else {
+        add(Severity::warning, "obj.missing-mtllib",
+            "the material file " + quotedPathInFault(name) + " is not found");
+      }
+    }
+  }
+
+  fs::path find(const std::string& name, const fs::path& beside) const {
+    if (name.empty()) return {};
+    if (fs::path found = resolve_(name, beside).path; !found.empty()) return found;
+    // Written on another machine: absolute, perhaps with backslashes.
+    const std::string bare = name.substr(name.find_last_of("/\\") + 1);
+    return bare.empty() || bare == name ? fs::path{} : resolve_(bare, beside).path;
+  }
+
+  void readLibrary(const fs::path& file) {
+    if (!libraries_.emplace(file, true).second) return;
+    const Result<std::string> text = readFile(file, kLargestMtlBytes);
+    if (!text) {
+      return add(Severity::warning, "obj.missing-mtllib",
+                 "the material file cannot be read: " + text.error().text());
+    }
+    any_library_ = true;
+    const std::size_t before = loose_.materials.size();
+    FaultList faults(faults_.all(), file.string());
+    readMtl(*text, file, resolve_, faults, loose_.materials);
+    for (std::size_t i = before; i < loose_.materials.size(); ++i) {
+      material_numbers_.emplace(loose_.materials[i].name, static_cast<std::uint32_t>(i));
+    }
+  }
+
+  void passOver(std::string_view keyword) {
+    static constexpr std::string_view kFreeForm[] = {
+        "vp",        "cstype", "deg",   "bmat",   "step",     "curv",     "curv2",
+        "surf",      "parm",   "trim",  "hole",   "scrv",     "sp",       "end",
+        "con",       "mg",     "bevel", "lod",    "c_interp", "d_interp", "shadow_obj",
+        "trace_obj", "ctech",  "stech", "maplib", "usemap"};
+    for (const std::string_view known : kFreeForm) {
+      if (keyword == known) {
+        return add(
+            Severity::note, "obj.unsupported",
+            fmt::format("`{}` (free-form geometry or a render setting) is passed over", keyword));
+      }
+    }
+    add(Severity::warning, "obj.unknown-keyword", quotedInFault(keyword) + " is not known in OBJ");
+  }
+
+  void add(Severity severity, std::string_view rule, std::string text) {
+    faults_.add(severity, rule, {line_}, std::move(text));
+  }
+
+  TextScanner scan_;
+  const fs::path& path_;
+  const MeshReadOptions& options_;
+  const ResolveFile resolve_;
+  FaultList& faults_;
+  int line_ = 0;
+  LooseMesh loose_;
+  std::string object_;
+  MeshPart part_;          ///< the one being filled
+  bool used_any_ = false;  ///< part_.material means something
+  bool any_library_ = false;
+  std::map<std::string, std::uint32_t> material_numbers_;
+  std::map<fs::path, bool> libraries_;
+  std::vector<std::size_t> greys_;  ///< materials that no file defines
+  std::vector<Corner> face_;
+  std::vector<glm::vec3> polygon_;
+  PolygonCutter cutter_;
+};
+
+bool looksLikeUtf16(std::string_view text) {
+  return text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF") ||
+         (text.size() >= 4 && ((text[0] == '\0' && text[1] != '\0' && text[2] == '\0') ||
+                               (text[1] == '\0' && text[0] != '\0' && text[3] == '\0')));
+}
+
+}  // namespace
+
+Result<Mesh> readObj(ByteView bytes, const std::filesystem::path& path,
+                     const MeshReadOptions& options, FaultList& faults) {
+  if (looksLikeUtf16(textOf(bytes))) {
+    return Error{ErrorKind::unsupported, "is UTF-16 text; save it as UTF-8", path.string()};
+  }
+  return ObjReader(bytes, path, options, faults).read();
+}
+
+}  // namespace rocinante

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+
+#include "core/base/bytes.h"
+#include "core/document/fault_list.h"
+#include "core/mesh/mesh_file.h"
+
+namespace rocinante {
+
+/// Reads an STL file, binary or ASCII. It is binary when its length is what its count of triangles
+/// says, whatever its header claims (many binary files begin with "solid"). Points with equal
+/// coordinates are joined; normals come from the winding, smoothed by angle: the file's own are one
+/// a face and often zero. One part without a name, one grey material.
+Result<Mesh> readStl(ByteView bytes, const std::filesystem::path& path,
+                     const MeshReadOptions& options, FaultList& faults);
+
+}  // namespace rocinante

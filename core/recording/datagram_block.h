@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/base/bytes.h"
+#include "core/base/time.h"
+#include "core/net/endpoint.h"
+
+namespace rocinante {
+
+/// One datagram in a DatagramBlock.
+struct Arrival {
+  LogTime time;
+  SocketAddress sender;
+  std::uint32_t endpoint = 0;  ///< index of the listening endpoint
+  std::uint32_t offset = 0;    ///< of the payload in the block
+  std::uint32_t length = 0;
+  bool has_destination = false;  ///< it was sent elsewhere than to the endpoint's own address
+};
+
+/// Many datagrams in one piece of memory, handed from the receiving thread to the writing one.
+/// Fixed size, used again and again: receiving allocates nothing per datagram.
+class DatagramBlock {
+ public:
+  static constexpr std::size_t kBytes = std::size_t{512} << 10U;
+  static constexpr std::size_t kArrivals = 8192;
+
+  DatagramBlock() : bytes_(std::make_unique_for_overwrite<std::byte[]>(kBytes)) {
+    arrivals_.reserve(kArrivals);
+  }
+
+  /// For one more datagram of so many bytes, its destination with them.
+  bool hasRoom(std::size_t bytes) const {
+    return arrivals_.size() < kArrivals && bytes <= kBytes - used_;
+  }
+  /// Copies the datagram in. False when it does not fit; an empty block takes any datagram.
+  /// `destination` is null when it is the endpoint's own address: as a rule.
+  bool add(std::uint32_t endpoint, LogTime time, const SocketAddress& sender, ByteView payload,
+           const SocketAddress* destination = nullptr) {
+    const std::size_t before = destination != nullptr ? sizeof *destination : 0;
+    if (!hasRoom(payload.size() + before)) return false;
+    if (destination != nullptr) {
+      // Before the payload, so that what is almost always the same takes no room.
+      std::memcpy(bytes_.get() + used_, destination, before);
+      used_ += before;
+    }
+    if (!payload.empty()) std::memcpy(bytes_.get() + used_, payload.data(), payload.size());
+    arrivals_.push_back({time, sender, endpoint, static_cast<std::uint32_t>(used_),
+                         static_cast<std::uint32_t>(payload.size()), destination != nullptr});
+    used_ += payload.size();
+    return true;
+  }
+
+  bool empty() const { return arrivals_.empty(); }
+  std::span<const Arrival> arrivals() const { return arrivals_; }
+  ByteView payload(const Arrival& arrival) const {
+    return {bytes_.get() + arrival.offset, arrival.length};
+  }
+  std::optional<SocketAddress> destination(const Arrival& arrival) const {
+    return destinationOf(arrival, payload(arrival));
+  }
+  /// The same from a payload that stands in its block.
+  static std::optional<SocketAddress> destinationOf(const Arrival& arrival, ByteView payload) {
+    if (!arrival.has_destination) return std::nullopt;
+    SocketAddress destination;
+    std::memcpy(&destination, payload.data() - sizeof destination, sizeof destination);
+    return destination;
+  }
+  void clear() {
+    arrivals_.clear();
+    used_ = 0;
+  }
+
+ private:
+  std::unique_ptr<std::byte[]> bytes_;
+  std::size_t used_ = 0;
+  std::vector<Arrival> arrivals_;
+};
+
+}  // namespace rocinante

@@ -1,0 +1,106 @@
+#include "core/recording/piece_log.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace rocinante {
+namespace {
+
+/// How often the file is looked at, which another program may delete.
+constexpr Nanoseconds kLookPeriod = std::chrono::seconds(1);
+
+}  // namespace
+
+PieceLog::PieceLog(MadePiece made, const KeyframeOptions& keyframes)
+    : session_(std::move(made.log), keyframes), file_(std::move(made.file)) {}
+
+Status PieceLog::begin(const SessionState& preceding, LogTime moment,
+                       std::optional<LogTime> origin) {
+  if (origin) session_.log().setOrigin(*origin);
+  return session_.beginWith(preceding, moment);
+}
+
+Status PieceLog::write(const CapturedDatagram& datagram, bool decoded) {
+  if (channels_.size() <= datagram.flow) channels_.resize(datagram.flow + 1);
+  std::optional<ChannelId>& channel = channels_[datagram.flow];
+  if (!channel) {
+    const FlowChannel& flow = *datagram.channel;
+    Result<ChannelId> added = session_.addChannel(flow.topic, flow.encoding, flow.metadata);
+    if (!added) return added.error();
+    channel = *added;
+  }
+  ++packets_;
+  if (!start_) start_ = datagram.time;
+  end_ = datagram.time;
+  if (!decoded) {
+    return session_.write(*channel, datagram.sequence, datagram.time, datagram.publish_time_ns,
+                          datagram.payload);
+  }
+  return session_.write(*channel, datagram.sequence, datagram.time, datagram.publish_time_ns,
+                        datagram.payload, datagram.packet);
+}
+
+Status PieceLog::writeStep(const ClockStep& step) {
+  if (!clock_channel_) {
+    Result<ChannelId> added = session_.addChannel("/rocinante/clock", "json", {});
+    if (!added) return added.error();
+    clock_channel_ = *added;
+  }
+  // It may be told after datagrams that came later; the order of the file stays that of time.
+  const LogTime time = std::max(step.at, end_.value_or(LogTime{}));
+  const std::string text = fmt::format(R"({{"noticed_ns":{},"step_ns":{}}})",
+                                       step.at.time_since_epoch().count(), step.step.count());
+  return session_.write(*clock_channel_, steps_++, time, time.time_since_epoch().count(),
+                        bytesOf(text));
+}
+
+Status PieceLog::close(const std::string& reason) {
+  Status closed = session_.log().close(reason);
+  if (closed || closed.error().kind != ErrorKind::damaged) return closed;
+  if (!disturbance_) disturbance_ = closed.error();
+  return {};
+}
+
+Status PieceLog::flush(SteadyTime now) {
+  if (!disturbance_ && now - looked_ >= kLookPeriod) {
+    looked_ = now;
+    if (Status still_there = session_.log().check(); !still_there) {
+      disturbance_ = still_there.error();
+    }
+  }
+  return session_.log().flushIfDue(now);
+}
+
+std::optional<Error> PieceLog::newDisturbance() {
+  if (!disturbance_ || std::exchange(disturbance_told_, true)) return std::nullopt;
+  return disturbance_;
+}
+
+PieceFacts PieceLog::facts() const {
+  PieceFacts facts;
+  facts.file = file_;
+  for (const auto& [channel, count] : session_.log().refusedByDisk()) {
+    const bool of_flow = std::ranges::find(channels_, std::optional(channel)) != channels_.end();
+    if (of_flow) facts.refused += count;
+  }
+  facts.packets = packets_ - facts.refused;
+  facts.bytes = bytes();
+  facts.start = start_;
+  facts.end = end_;
+  if (disturbance_) facts.trouble = disturbance_->text();
+  return facts;
+}
+
+void PieceLog::addRefused(std::vector<std::uint64_t>& by_flow) const {
+  for (std::size_t flow = 0; flow < channels_.size(); ++flow) {
+    if (!channels_[flow]) continue;
+    const auto refused = session_.log().refusedByDisk().find(*channels_[flow]);
+    if (refused == session_.log().refusedByDisk().end()) continue;
+    if (by_flow.size() <= flow) by_flow.resize(flow + 1);
+    by_flow[flow] += refused->second;
+  }
+}
+
+}  // namespace rocinante

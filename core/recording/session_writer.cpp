@@ -1,0 +1,199 @@
+#include "core/recording/session_writer.h"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "core/log/log_profile.h"
+#include "core/packet/decoder.h"
+#include "core/session/keyframe.h"
+#include "core/session/marks.h"
+
+namespace rocinante {
+namespace {
+
+constexpr LogTime kBeforeAll{Nanoseconds(std::numeric_limits<std::int64_t>::min())};
+
+/// Keyframes stay at most this part of what is stored: docs/log-format.md, "Keyframes".
+constexpr std::uint64_t kKeyframeShare = 4;
+
+}  // namespace
+
+struct SessionWriter::Impl {
+  Impl(LogWriter log_writer, const KeyframeOptions& given)
+      : log(std::move(log_writer)), options(given), makes_keyframes(given.enabled) {}
+
+  LogWriter log;
+  KeyframeOptions options;
+
+  SessionState state;
+  std::map<std::string, std::unique_ptr<Decoder>, std::less<>> decoders;  ///< null: none knows it
+  std::vector<Decoder*> decoder_by_channel;                               ///< null: not folded
+
+  bool begun = false;  ///< a message or what preceded was written
+  bool makes_keyframes;
+  std::optional<ChannelId> keyframe_channel;
+  std::uint32_t keyframe_count = 0;
+  std::optional<ChannelId> mark_channel;
+  std::uint32_t mark_count = 0;
+
+  LogTime last_time = kBeforeAll;      ///< the latest of any message
+  LogTime folded_time = kBeforeAll;    ///< the latest of a folded one
+  bool went_back = false;              ///< a message came that was earlier than `last_time`
+  LogTime keyframe_time = kBeforeAll;  ///< of the last keyframe, or of the first message
+  std::uint64_t packets_since = 0;     ///< folded since then
+  std::uint64_t message_bytes = 0;     ///< payloads that are no keyframes
+  std::uint64_t keyframe_bytes = 0;    ///< payloads of keyframes that were due
+  std::uint64_t expected_bytes = 0;    ///< what the next one takes: as much as the last one made
+
+  Decoder* decoderFor(const LogChannel& channel) {
+    if (!options.enabled || !channel.folded()) return nullptr;
+    auto found = decoders.find(channel.encoding);
+    if (found == decoders.end()) {
+      found = decoders.emplace(channel.encoding, makeDecoder(channel.encoding)).first;
+    }
+    return found->second.get();
+  }
+
+  /// Before anything is written at `time`.
+  bool keyframeDue(LogTime time) const {
+    return packets_since >= options.packets ||
+           (packets_since > 0 && time - keyframe_time >= options.span);
+  }
+
+  bool hasShareFor(std::uint64_t bytes) const {
+    return (keyframe_bytes + bytes) * (kKeyframeShare - 1) <= message_bytes;
+  }
+
+  /// Does nothing where the rules want none; an error is the disk's.
+  Status writeDueKeyframe() {
+    // As of the last packet, which is the keyframe's own time: one that runs out after it may
+    // still be completed by a packet at that time.
+    if (state.restatementOpen() || !hasShareFor(expected_bytes)) return {};
+    const std::string text = keyframeText(state);
+    expected_bytes = text.size();
+    if (!hasShareFor(text.size())) return {};
+    keyframe_bytes += text.size();
+    // So that it is not late itself; but never behind a packet that comes after it.
+    return writeKeyframe(text, went_back ? folded_time : last_time);
+  }
+
+  Status writeKeyframe(std::string_view text, LogTime time) {
+    if (!keyframe_channel) {
+      const Result<ChannelId> added = log.addChannel(std::string(profile::kKeyframeTopic),
+                                                     std::string(profile::kKeyframeEncoding), {});
+      if (!added) {
+        // No channel is left: the session is stored all the same, and read from its start.
+        makes_keyframes = false;
+        return {};
+      }
+      keyframe_channel = *added;
+    }
+    packets_since = 0;
+    keyframe_time = time;
+    return log.write(*keyframe_channel, keyframe_count++, time, time.time_since_epoch().count(),
+                     bytesOf(text));
+  }
+
+  Status write(ChannelId channel, std::uint32_t sequence, LogTime time,
+               std::int64_t publish_time_ns, ByteView payload, const Packet* packet) {
+    went_back = went_back || time < last_time;
+    if (packet != nullptr && time < folded_time) makes_keyframes = false;
+    Status kept;
+    if (makes_keyframes && keyframeDue(time)) kept = writeDueKeyframe();
+    // Also after a refused keyframe: the log then counts this one as refused too.
+    const Status written = log.write(channel, sequence, time, publish_time_ns, payload);
+    if (!kept) return kept;
+    if (!written) return written;
+    if (!begun) {
+      begun = true;
+      keyframe_time = time;
+    }
+    last_time = std::max(last_time, time);
+    message_bytes += payload.size();
+    if (packet == nullptr) return {};
+    folded_time = std::max(folded_time, time);
+    state.apply(time, *packet);
+    (void)state.takeEvents();  // they would pile up
+    ++packets_since;
+    return {};
+  }
+};
+
+SessionWriter::SessionWriter(LogWriter log, const KeyframeOptions& options)
+    : impl_(std::make_unique<Impl>(std::move(log), options)) {}
+SessionWriter::~SessionWriter() = default;
+SessionWriter::SessionWriter(SessionWriter&&) noexcept = default;
+SessionWriter& SessionWriter::operator=(SessionWriter&&) noexcept = default;
+
+Status SessionWriter::beginWith(const SessionState& preceding, LogTime moment) {
+  Impl& session = *impl_;
+  if (session.begun) {
+    return Error{ErrorKind::bad_argument, "what preceded a session comes before its messages", {}};
+  }
+  session.begun = true;
+  session.last_time = moment;
+  session.folded_time = moment;
+  const std::string text = keyframeText(preceding);
+  if (text.empty()) {
+    session.keyframe_time = moment;
+    return {};
+  }
+  // Gone on from is what a reader of this log knows: what the keyframe tells, not more.
+  Result<SessionState> told = KeyframeReader().read(bytesOf(text), moment);
+  if (!told) return told.error();
+  session.state = std::move(*told);
+  return session.writeKeyframe(text, moment);
+}
+
+Result<ChannelId> SessionWriter::addChannel(std::string topic, std::string encoding,
+                                            std::map<std::string, std::string> metadata) {
+  if (topic == profile::kKeyframeTopic) {
+    return Error{ErrorKind::refused, "keyframes are made, not copied", {}};
+  }
+  const LogChannel channel{0, topic, encoding, {}};
+  Result<ChannelId> id =
+      impl_->log.addChannel(std::move(topic), std::move(encoding), std::move(metadata));
+  if (!id) return id;
+  if (impl_->decoder_by_channel.size() <= *id) impl_->decoder_by_channel.resize(*id + 1U);
+  impl_->decoder_by_channel[*id] = impl_->decoderFor(channel);
+  return id;
+}
+
+Status SessionWriter::write(ChannelId channel, std::uint32_t sequence, LogTime log_time,
+                            std::int64_t publish_time_ns, ByteView payload) {
+  const Packet* packet = nullptr;
+  if (channel < impl_->decoder_by_channel.size()) {
+    if (Decoder* const decoder = impl_->decoder_by_channel[channel]) {
+      packet = decoder->decode(payload);
+    }
+  }
+  return impl_->write(channel, sequence, log_time, publish_time_ns, payload, packet);
+}
+
+Status SessionWriter::write(ChannelId channel, std::uint32_t sequence, LogTime log_time,
+                            std::int64_t publish_time_ns, ByteView payload, const Packet* packet) {
+  const bool folds =
+      channel < impl_->decoder_by_channel.size() && impl_->decoder_by_channel[channel] != nullptr;
+  return impl_->write(channel, sequence, log_time, publish_time_ns, payload,
+                      folds ? packet : nullptr);
+}
+
+Status SessionWriter::writeMark(LogTime time, std::string_view text) {
+  Impl& session = *impl_;
+  if (!session.mark_channel) {
+    Result<ChannelId> added =
+        addChannel(std::string(profile::kMarkTopic), std::string(profile::kMarkEncoding), {});
+    if (!added) return added.error();
+    session.mark_channel = *added;
+  }
+  return session.write(*session.mark_channel, session.mark_count++, time,
+                       time.time_since_epoch().count(), bytesOf(markText(text)), nullptr);
+}
+
+const SessionState& SessionWriter::state() const { return impl_->state; }
+std::uint64_t SessionWriter::keyframes() const { return impl_->keyframe_count; }
+LogWriter& SessionWriter::log() { return impl_->log; }
+const LogWriter& SessionWriter::log() const { return impl_->log; }
+
+}  // namespace rocinante

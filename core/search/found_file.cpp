@@ -1,0 +1,42 @@
+#include "core/search/found_file.h"
+
+namespace rocinante {
+
+std::string FoundFile::problem() const {
+  switch (why) {
+    case Why::found:
+    case Why::found_elsewhere:
+      return {};
+    case Why::missing:
+      return detail.empty() ? "there is no such file within the search roots" : detail;
+    case Why::outside:
+      return "it lies outside the search roots";
+    case Why::no_file:
+      return "it is no regular file";
+    case Why::remote:
+      return "files are not fetched from the network";
+    case Why::expression:
+      return "its name is an expression of a template";
+  }
+  return {};
+}
+
+std::string FoundFile::hint() const {
+  if (!advice.empty()) return advice;
+  switch (why) {
+    case Why::found:
+    case Why::found_elsewhere:
+    case Why::no_file:
+      return {};
+    case Why::missing:
+    case Why::outside:
+      return "add its folder to `search` in the cell, or use --search";
+    case Why::remote:
+      return "download it and name the file";
+    case Why::expression:
+      return "expand the template first: xacro model.xacro > model.urdf";
+  }
+  return {};
+}
+
+}  // namespace rocinante

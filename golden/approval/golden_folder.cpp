@@ -1,0 +1,79 @@
+#include "golden/approval/golden_folder.h"
+
+#include <fmt/format.h>
+
+#include "core/base/atomic_file.h"
+#include "viewer/picture/lfs_pointer.h"
+
+namespace rocinante {
+namespace {
+
+constexpr std::uint64_t kMostPictureBytes = std::uint64_t{1} << 30U;
+
+Result<Picture> readOne(const std::filesystem::path& file, const std::string& pixels) {
+  const auto bytes = readFile(file, kMostPictureBytes);
+  if (!bytes.ok()) {
+    return Error{
+        bytes.error().kind,
+        bytes.error().kind == ErrorKind::not_found
+            ? fmt::format("golden {} is missing", file.string())
+            : fmt::format("golden {} cannot be read: {}", file.string(), bytes.error().what),
+        {}};
+  }
+  if (isLfsPointer(bytesOf(*bytes))) {
+    return Error{ErrorKind::unsupported,
+                 fmt::format("golden {} is a Git LFS pointer and not the picture; `git lfs pull` "
+                             "fetches it",
+                             file.string()),
+                 {}};
+  }
+  auto picture = decodePng(bytesOf(*bytes), file.string());
+  if (!picture.ok()) {
+    return Error{ErrorKind::damaged,
+                 fmt::format("golden {} cannot be read: {}", file.string(), picture.error().what),
+                 {}};
+  }
+  if (pictureXxh3(*picture) != pixels) {
+    return Error{
+        ErrorKind::damaged,
+        fmt::format("golden {} is not the picture that the manifest accepted", file.string()),
+        {}};
+  }
+  return picture;
+}
+
+}  // namespace
+
+std::filesystem::path GoldenFolder::fileOf(const std::string& picture,
+                                           const std::string& pixels) const {
+  return isInStore(picture, pixels) ? store_ / picture : goldens_ / picture;
+}
+
+std::filesystem::path GoldenFolder::arrivingFile(const std::string& picture) const {
+  return goldens_ / ("." + picture + ".new");
+}
+
+bool GoldenFolder::has(const AcceptedPicture& accepted) const {
+  std::error_code ignored;
+  return std::filesystem::exists(fileOf(accepted.picture, accepted.pixels), ignored) ||
+         std::filesystem::exists(arrivingFile(accepted.picture), ignored);
+}
+
+Result<Picture> GoldenFolder::readVerified(const std::string& picture,
+                                           const std::string& pixels) const {
+  auto found = readOne(fileOf(picture, pixels), pixels);
+  if (found.ok()) return found;
+  // Whoever approved was killed between the manifest and the last rename.
+  auto arriving = readOne(arrivingFile(picture), pixels);
+  return arriving.ok() ? std::move(arriving) : std::move(found);
+}
+
+Result<Picture> GoldenFolder::read(const AcceptedPicture& accepted) const {
+  return readVerified(accepted.picture, accepted.pixels);
+}
+
+Result<Picture> GoldenFolder::readAreas(const AcceptedPicture& accepted) const {
+  return readVerified(accepted.areas, accepted.areas_pixels);
+}
+
+}  // namespace rocinante

@@ -1,0 +1,289 @@
+#include "golden/approval/manifest.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <tuple>
+
+#include "core/base/atomic_file.h"
+#include "core/base/hash.h"
+#include "core/base/plain_text.h"
+#include "golden/suite/merge_conflict.h"
+#include "golden/suite/suite_case.h"
+#include "viewer/gl/renderer_key.h"
+
+namespace rocinante {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr char kFileName[] = "manifest.json";
+constexpr std::uint64_t kMaxManifestBytes = 64U << 20U;
+
+Error broken(const std::filesystem::path& file, std::string what) {
+  return {ErrorKind::damaged, "the manifest of goldens is broken: " + std::move(what),
+          file.string()};
+}
+
+std::string textIn(const Json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+/// What is read and replaced must lie in the folder and be a picture of ours.
+bool isPictureName(const std::string& name) {
+  return name.size() > 4 && name.size() <= 255 && name.ends_with(".png") && name.front() != '.' &&
+         isFileText(name);
+}
+
+Result<AcceptedPicture> acceptedOf(const Json& entry, const std::string& name,
+                                   const std::filesystem::path& file) {
+  AcceptedPicture accepted{withoutPackageRevisions(textIn(entry, "key")),
+                           textIn(entry, "picture"),
+                           textIn(entry, "pixels"),
+                           textIn(entry, "inputs"),
+                           textIn(entry, "session"),
+                           textIn(entry, "accepted_by"),
+                           textIn(entry, "accepted_at"),
+                           textIn(entry, "reason"),
+                           textIn(entry, "areas"),
+                           textIn(entry, "areas_pixels"),
+                           textIn(entry, "cell")};
+  if (accepted.key.empty() || accepted.pixels.empty() || !isPictureName(accepted.picture) ||
+      (!accepted.areas.empty() && !isPictureName(accepted.areas))) {
+    return broken(file, fmt::format("a picture of case `{}` lacks its key, its pixel hash or a "
+                                    "plain file name",
+                                    plainText(name)));
+  }
+  return accepted;
+}
+
+/// What is no hash of a file is left out: it explains failures, and judges nothing.
+std::map<std::string, FileHashes> cellsOf(const Json& root) {
+  std::map<std::string, FileHashes> cells;
+  const auto found = root.find("cells");
+  if (found == root.end() || !found->is_object()) return cells;
+  for (const auto& [key, files] : found->items()) {
+    if (!files.is_object()) continue;
+    FileHashes& hashes = cells[key];
+    for (const auto& [name, hash] : files.items()) {
+      if (hash.is_string()) hashes[name] = hash.get<std::string>();
+    }
+  }
+  return cells;
+}
+
+/// A text that is not what its key says is left out: somebody edited it.
+FileTexts keptTexts(const Json& root) {
+  FileTexts texts;
+  const auto found = root.find("texts");
+  if (found == root.end() || !found->is_object()) return texts;
+  for (const auto& [hash, text] : found->items()) {
+    if (!text.is_string()) continue;
+    const auto& content = text.get_ref<const std::string&>();
+    if (fileSha256(bytesOf(content)) == hash) texts[hash] = content;
+  }
+  return texts;
+}
+
+/// As JSON, in which no case stands twice: of two, one would be forgotten.
+Result<Json> parseOnce(std::string_view text, const std::filesystem::path& file) {
+  std::string of_root;
+  std::string twice;
+  std::set<std::string> names;
+  const auto look = [&](int depth, Json::parse_event_t event, Json& key) {
+    if (event != Json::parse_event_t::key) return true;
+    const auto name = key.get<std::string>();
+    if (depth == 1) of_root = name;
+    if (depth == 2 && of_root == "cases" && !names.insert(name).second) twice = name;
+    return true;
+  };
+  Json root;
+  try {
+    root = Json::parse(text, look);
+  } catch (const Json::parse_error& fault) {
+    return mergeConflictIn(text, file.string(), "the manifest of goldens",
+                           "take one side of the folder (`git checkout --ours` or `--theirs`, "
+                           "pictures too), then approve what is drawn")
+        .value_or(broken(file.string() + placeIn(text, fault.byte), "it is no JSON"));
+  }
+  if (!twice.empty()) {
+    return broken(file, fmt::format("case `{}` stands there twice", plainText(twice)));
+  }
+  return root;
+}
+
+}  // namespace
+
+Result<Manifest> Manifest::read(const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / kFileName;
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored)) return Manifest{};
+  const auto text = readFile(file, kMaxManifestBytes);
+  if (!text.ok()) return text.error();
+  return parse(*text, file);
+}
+
+Result<Manifest> Manifest::parse(std::string_view text, const std::filesystem::path& file) {
+  const auto parsed = parseOnce(text, file);
+  if (!parsed.ok()) return parsed.error();
+  const Json& root = *parsed;
+  if (!root.is_object()) return broken(file, "it is not a JSON object");
+  if (root.value("format", Json()) != 1) {
+    return Error{ErrorKind::unsupported, "the manifest of goldens has a format other than 1",
+                 file.string()};
+  }
+  const auto cases = root.find("cases");
+  if (cases == root.end() || !cases->is_object()) return broken(file, "it has no `cases`");
+
+  Manifest manifest;
+  manifest.cells = cellsOf(root);
+  manifest.texts = keptTexts(root);
+  std::set<std::string> files;
+  for (const auto& [name, pictures] : cases->items()) {
+    if (!pictures.is_array()) {
+      return broken(file, fmt::format("case `{}` is no list", plainText(name)));
+    }
+    for (const Json& entry : pictures) {
+      auto accepted = acceptedOf(entry, name, file);
+      if (!accepted.ok()) return accepted.error();
+      // Replacing one golden must never take another's picture away. In a store equal pictures
+      // share a file by its hash.
+      if (!files.insert(accepted->picture).second &&
+          accepted->picture != accepted->pixels + ".png") {
+        return broken(file, fmt::format("two goldens are in {}", plainText(accepted->picture)));
+      }
+      manifest.cases[name].push_back(std::move(*accepted));
+    }
+  }
+  return manifest;
+}
+
+Status Manifest::write(const std::filesystem::path& folder) const {
+  Json root;
+  root["format"] = 1;
+  root["cases"] = Json::object();
+  for (const auto& [name, pictures] : cases) {
+    Json& list = root["cases"][name] = Json::array();
+    for (const AcceptedPicture& accepted : pictures) {
+      Json& entry = list.emplace_back();
+      entry = {{"key", accepted.key},
+               {"picture", accepted.picture},
+               {"pixels", accepted.pixels},
+               {"inputs", accepted.inputs},
+               {"session", accepted.session},
+               {"accepted_by", accepted.accepted_by},
+               {"accepted_at", accepted.accepted_at},
+               {"reason", accepted.reason}};
+      if (!accepted.cell.empty()) entry["cell"] = accepted.cell;
+      if (accepted.areas.empty()) continue;
+      entry["areas"] = accepted.areas;
+      entry["areas_pixels"] = accepted.areas_pixels;
+    }
+  }
+  for (const auto& [key, hashes] : cells) root["cells"][key] = hashes;
+  for (const auto& [hash, content] : texts) root["texts"][hash] = content;
+  const std::string text = root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return writeFileWhole(folder / kFileName, bytesOf(text), true);
+}
+
+std::vector<const AcceptedPicture*> Manifest::find(std::string_view case_name,
+                                                   std::string_view key) const {
+  std::vector<const AcceptedPicture*> found = findAll(case_name);
+  std::erase_if(found, [&](const AcceptedPicture* one) { return one->key != key; });
+  return found;
+}
+
+std::vector<const AcceptedPicture*> Manifest::findAll(std::string_view case_name) const {
+  std::vector<const AcceptedPicture*> found;
+  const auto pictures = cases.find(std::string(case_name));
+  if (pictures == cases.end()) return found;
+  for (const AcceptedPicture& accepted : pictures->second) found.push_back(&accepted);
+  return found;
+}
+
+std::vector<const AcceptedPicture*> Manifest::findPixels(std::string_view case_name,
+                                                         std::string_view pixels,
+                                                         std::string_view key) const {
+  std::vector<const AcceptedPicture*> found = findAll(case_name);
+  std::erase_if(found, [&](const AcceptedPicture* one) { return one->pixels != pixels; });
+  std::ranges::stable_partition(found, [&](const AcceptedPicture* one) { return one->key == key; });
+  return found;
+}
+
+void Manifest::accept(const std::string& case_name, AcceptedPicture accepted, bool beside) {
+  std::vector<AcceptedPicture>& pictures = cases[case_name];
+  std::erase_if(pictures, [&](const AcceptedPicture& old) {
+    return old.key == accepted.key && (!beside || old.pixels == accepted.pixels);
+  });
+  pictures.push_back(std::move(accepted));
+  // Sorted: the order of approving must not reach the file.
+  std::ranges::sort(pictures, [](const AcceptedPicture& a, const AcceptedPicture& b) {
+    return std::tie(a.key, a.picture) < std::tie(b.key, b.picture);
+  });
+}
+
+std::set<std::string> Manifest::files() const {
+  std::set<std::string> files;
+  for (const auto& [name, pictures] : cases) {
+    for (const AcceptedPicture& accepted : pictures) {
+      files.insert(accepted.picture);
+      if (!accepted.areas.empty()) files.insert(accepted.areas);
+    }
+  }
+  return files;
+}
+
+const FileHashes* Manifest::cellOf(const AcceptedPicture& accepted) const {
+  const auto found = cells.find(accepted.cell);
+  return found == cells.end() ? nullptr : &found->second;
+}
+
+void Manifest::dropUnusedCells() {
+  std::set<std::string> used;
+  for (const auto& [name, pictures] : cases) {
+    for (const AcceptedPicture& accepted : pictures) used.insert(accepted.cell);
+  }
+  std::erase_if(cells, [&](const auto& cell) { return !used.contains(cell.first); });
+  std::set<std::string> hashes;
+  for (const auto& [key, files] : cells) {
+    for (const auto& [name, hash] : files) hashes.insert(hash);
+  }
+  std::erase_if(texts, [&](const auto& text) { return !hashes.contains(text.first); });
+}
+
+bool isManifestPart(const std::filesystem::path& file) {
+  return file.filename().string().starts_with(std::string(kFileName) + ".part");
+}
+
+std::string fileSha256(ByteView content) {
+  Sha256 hash;
+  hash.add(content);
+  return hexOf(hash.finish());
+}
+
+std::string cellKey(const FileHashes& files) {
+  std::string text;
+  for (const auto& [name, hash] : files) text += name + "\n" + hash + "\n";
+  return hexOf(xxh3(bytesOf(text)));
+}
+
+std::string_view rendererOf(std::string_view key) { return key.substr(0, key.find(' ')); }
+
+std::string_view shapeOf(std::string_view key) {
+  return key.substr(std::min(key.size(), rendererOf(key).size() + 1));
+}
+
+std::string shapeText(int width, int height, int samples) {
+  return fmt::format("{}x{} {}x", width, height, samples);
+}
+
+std::string keyDigits(std::string_view key) { return hexOf(xxh3(bytesOf(key))).substr(0, 8); }
+
+std::string goldenFileName(std::string_view case_name, std::string_view key, int turn) {
+  return turn == 1 ? fmt::format("{}.{}.png", case_name, keyDigits(key))
+                   : fmt::format("{}.{}.{}.png", case_name, keyDigits(key), turn);
+}
+
+}  // namespace rocinante

@@ -1,0 +1,166 @@
+#include <CLI/CLI.hpp>
+#include <optional>
+
+#include "core/base/atomic_file.h"
+#include "core/base/duration_text.h"
+#include "core/bundle/attached_cell.h"
+#include "core/bundle/cell_folder.h"
+#include "core/check/check.h"
+#include "core/check/drift/model_drift.h"
+#include "core/check/reports/baseline.h"
+#include "core/cli/load_progress.h"
+#include "core/cli/program.h"
+#include "core/cli/progress_line.h"
+#include "core/cli/worker_threads.h"
+#include "core/log/log_profile.h"
+#include "golden/check/check_live.h"
+#include "golden/check/check_options.h"
+#include "golden/check/check_output.h"
+
+namespace {
+
+using namespace rocinante;
+
+constexpr const char* kExamples =
+    "  rocinante check cell.toml                         the model alone\n"
+    "  rocinante check cell.toml session.mcap            does this session fit this model?\n"
+    "  rocinante check session.mcap                      a log that carries its cell\n"
+    "  rocinante check arm.urdf session.mcap --json      for a program\n"
+    "  rocinante check cell.toml session.mcap -o junit=check.xml -o sarif=check.sarif\n"
+    "  rocinante check cell.toml session.mcap --baseline known.json --strict\n"
+    "  rocinante check cell.toml --live :19960 --duration 10s\n"
+    "  rocinante check --explain joint.limit\n";
+
+/// What differs between the cell that the log carries, if any, and the one that it is judged with.
+std::vector<Finding> driftOf(const LogReader& log, const Cell& given) {
+  const auto unreadable = [&](const Error& error) {
+    Finding finding;
+    finding.rule = "drift.unreadable";
+    finding.severity = Severity::warning;
+    finding.text = "the cell that the log carries cannot be compared: " + error.text();
+    return std::vector<Finding>{finding};
+  };
+  const Result<std::optional<CellBundle>> bundle = readAttachedCell(log);
+  if (!bundle) return unreadable(bundle.error());
+  if (!*bundle) return {};
+  const std::string shown_as = log.name() + ":" + std::string(profile::kCellFolder);
+  CellOptions options;
+  options.parallel = cli::workerThreads();
+  options.progress = cli::loadProgress(shown_as);
+  const Result<Cell> recorded = loadBundle(**bundle, shown_as, options);
+  if (!recorded) return unreadable(recorded.error());
+  return modelDrift(*recorded, given);
+}
+
+Result<CheckReport> judgeLog(const CheckArguments& my, const Cell& cell) {
+  Result<LogReader> log = LogReader::open(my.log);
+  if (!log) return log.error();
+  cli::catchStopSignals();
+  Result<CheckReport> report = [&] {
+    cli::ProgressLine line("judging " + my.log);
+    return checkLog(cell, *log, [&](double part) {
+      line.show(part);
+      return !cli::stopRequested();
+    });
+  }();
+  if (!report) return report;
+  report->session = my.log;
+  // A log that is judged with its own cell has not drifted from it.
+  if (my.log != my.cell) {
+    std::vector<Finding> drift = driftOf(*log, cell);
+    report->findings.insert(report->findings.end(), drift.begin(), drift.end());
+  }
+  return report;
+}
+
+Result<CheckReport> judge(const CheckArguments& my) {
+  const Result<std::vector<CellRule>> rules = readRuleArguments(my);
+  if (!rules) return rules.error();
+  CellOptions options;
+  static_cast<ModelSearch&>(options) = my;
+  options.parallel = cli::workerThreads();
+  options.progress = cli::loadProgress(my.cell);
+  Result<Cell> cell = loadCellOrLog(my.cell, options);
+  if (!cell) return cell.error();
+  cell->rules.insert(cell->rules.end(), rules->begin(), rules->end());
+  if (!my.live.empty()) {
+    const Result<Nanoseconds> duration = parseDuration(my.duration);
+    if (!duration) return duration.error();
+    if (duration->count() <= 0) {
+      return Error{ErrorKind::bad_argument, "must be longer than nothing", "--duration"};
+    }
+    return checkLive(*cell, my.live, *duration);
+  }
+  return my.log.empty() ? checkCell(*cell) : judgeLog(my, *cell);
+}
+
+/// Accepts what is known, and draws the verdict from the rest.
+Status concludeWith(const CheckArguments& my, const std::optional<Baseline>& baseline,
+                    CheckReport& report) {
+  report.fail_on = failOn(my);
+  const bool is_whole = !report.interrupted && !(report.has_session && report.packets == 0);
+  conclude(report);
+  if (my.update_baseline && is_whole) {
+    const Baseline now = Baseline::of(report);
+    now.applyTo(report);
+    if (Status written = writeFileWhole(my.baseline, bytesOf(now.text()), true); !written) {
+      return written;
+    }
+  } else if (baseline) {
+    baseline->applyTo(report);
+  }
+  conclude(report);
+  return {};
+}
+
+cli::Exit exitOf(CheckVerdict verdict) {
+  switch (verdict) {
+    case CheckVerdict::compatible:
+      return cli::Exit::done;
+    case CheckVerdict::incompatible:
+      return cli::Exit::no;
+    case CheckVerdict::nothing_judged:
+    case CheckVerdict::interrupted:
+      break;
+  }
+  return cli::Exit::could_not_run;
+}
+
+Result<cli::Exit> run(CheckArguments& my) {
+  if (my.list_rules) {
+    printRules(my.wantsJson());
+    return cli::Exit::done;
+  }
+  if (!my.explain.empty()) {
+    if (Status explained = explainRule(my.explain); !explained) return explained.error();
+    return cli::Exit::done;
+  }
+  if (my.cell.empty()) {
+    return Error{ErrorKind::bad_argument, "CELL is required (see rocinante-check --help)", {}};
+  }
+  // A log that carries its cell is judged alone.
+  if (my.log.empty() && my.live.empty() && isLog(my.cell)) my.log = my.cell;
+  const Result<std::vector<CheckOutput>> outputs = readOutputs(my);
+  if (!outputs) return outputs.error();
+  std::optional<Baseline> baseline;
+  if (!my.baseline.empty() && !my.update_baseline) {
+    Result<Baseline> read = Baseline::read(my.baseline);
+    if (!read) return read.error();
+    baseline = std::move(*read);
+  }
+  Result<CheckReport> report = judge(my);
+  if (!report) return report.error();
+  if (Status concluded = concludeWith(my, baseline, *report); !concluded) return concluded.error();
+  if (Status written = writeReport(*report, my, *outputs); !written) return written.error();
+  return exitOf(report->verdict);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Says whether a session fits a model: devices, joints, limits, losses.",
+               "rocinante-check");
+  CheckArguments my;
+  declareCheck(app, my);
+  return cli::run(app, argc, argv, kExamples, [&] { return run(my); });
+}

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/cell/cell.h"
+#include "core/check/reports/report_formats.h"
+
+namespace CLI {
+class App;
+}
+
+namespace rocinante {
+
+/// The arguments of rocinante-check as they were typed.
+struct CheckArguments : ModelSearch {
+  std::string cell, log, live;
+  std::string duration = "2s";
+  std::string format = "text";
+  bool json = false;
+  std::vector<std::string> outputs;  ///< FORMAT=FILE
+  bool force = false;
+  bool quiet = false;
+  std::size_t most_a_rule = 10;
+  std::string rule_pages;
+  std::vector<std::string> rules;  ///< ID=SEVERITY
+  std::string fail_on = "error";
+  bool strict = false;
+  std::string baseline;
+  bool update_baseline = false;
+  bool list_rules = false;
+  std::string explain;
+
+  bool wantsJson() const { return json || format == "json"; }
+};
+
+void declareCheck(CLI::App& app, CheckArguments& arguments);
+
+/// What --rule says, as a cell would; bad_argument for a rule or severity that there is not.
+Result<std::vector<CellRule>> readRuleArguments(const CheckArguments& arguments);
+Severity failOn(const CheckArguments& arguments);
+
+}  // namespace rocinante

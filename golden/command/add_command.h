@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/cli/program.h"
+
+namespace rocinante {
+
+/// What `rocinante golden add` was asked for (docs/programs/golden.md).
+struct AddArguments {
+  std::filesystem::path suite;
+  std::string name, at, event, after, events, every, size, tolerance, expect, reason;
+  std::string cell, log;  ///< of a suite that is not there yet
+  int occurrence = 0, samples = 0;
+  std::vector<std::string> cameras, layers, hide, show, mask, tags, style;
+};
+
+/// Adds the sub-command `add` to `app`; parsing fills `arguments`, which must outlive it.
+CLI::App* addAddCommand(CLI::App& app, AddArguments& arguments);
+
+/// Appends the case to the suite's file; draws nothing and approves nothing.
+Result<cli::Exit> runAddCommand(const AddArguments& arguments);
+
+}  // namespace rocinante

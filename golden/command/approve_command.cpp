@@ -1,0 +1,262 @@
+#include "golden/command/approve_command.h"
+
+#include <fmt/format.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <optional>
+
+#include "core/base/atomic_file.h"
+#include "golden/approval/approval.h"
+#include "golden/approval/approval_list.h"
+#include "golden/why/frame_explainer.h"
+
+namespace rocinante {
+namespace {
+
+constexpr std::uint64_t kMostListBytes = 16U << 20U;
+
+/// What a person answered about one frame.
+enum class Answer : std::uint8_t { yes, no, quit };
+
+struct Counts {
+  std::size_t approved = 0, refused = 0, unchanged = 0, skipped = 0;
+};
+
+Error refusal(const SuiteFrame& frame, std::string why) {
+  return {ErrorKind::refused, std::move(why), "case " + frame.name};
+}
+
+/// Whether what is drawn now may become a golden at all.
+Status mayApprove(SuiteSession& session, const SuiteFrame& frame, const Picture& drawn) {
+  const auto rule = session.instability(frame, drawn);
+  if (!rule.ok()) return rule.error();
+  if (!rule->empty()) return refusal(frame, "unstable, so not approved: " + *rule);
+  return {};
+}
+
+/// Writes the pictures where a person can look at them, and says where.
+Status showPictures(const JudgedFrame& judged) {
+  std::string folder =
+      (std::filesystem::temp_directory_path() / "rocinante-golden-XXXXXX").string();
+  if (::mkdtemp(folder.data()) == nullptr) {
+    return Error{ErrorKind::unreadable, "cannot create a folder", folder};
+  }
+  const auto write = [&](const char* what, const Picture& picture) {
+    const std::string file = fmt::format("{}/{}.{}.png", folder, judged.frame.name, what);
+    const Status written = writePng(file, picture);
+    if (written) fmt::print("  {}\n", file);
+    return written;
+  };
+  if (auto written = write("frame", *judged.drawn); !written) return written;
+  if (!judged.accepted) return {};
+  if (auto written = write("golden", *judged.accepted); !written) return written;
+  if (judged.accepted->width != judged.drawn->width ||
+      judged.accepted->height != judged.drawn->height) {
+    return {};
+  }
+  return write("difference", differencePicture(judged.compared(), *judged.accepted));
+}
+
+Result<Answer> ask(const JudgedFrame& judged) {
+  fmt::print("{:<13} {}: {}\n", nameOf(judged.verdict), judged.frame.name, judged.rule);
+  while (true) {
+    fmt::print("approve {}? [y]es, [n]o, [v]iew, [q]uit: ", judged.frame.name);
+    std::fflush(stdout);
+    std::string answer;
+    if (!std::getline(std::cin, answer) || cli::stopRequested()) return Answer::quit;
+    if (answer == "y" || answer == "yes") return Answer::yes;
+    if (answer == "n" || answer == "no") return Answer::no;
+    if (answer == "q" || answer == "quit") return Answer::quit;
+    if (answer != "v" && answer != "view") continue;
+    if (auto shown = showPictures(judged); !shown) cli::warn(shown.error().text());
+  }
+}
+
+/// Approves the frames of one session.
+class Approver {
+ public:
+  Approver(SuiteSession& session, const SuiteOptions& options, const ApproveArguments& arguments,
+           std::optional<ApprovalList> list)
+      : session_(session),
+        arguments_(arguments),
+        list_(std::move(list)),
+        approval_(session.folder(), session.manifest()),
+        by_(userName()),
+        at_(nowText()) {
+    if (const auto cell = collectSessionCell(session, options); cell.ok()) {
+      approval_.describeCell(hashesOf(*cell), toldTexts(*cell));
+    }
+  }
+
+  /// A frame that may not be approved is counted; what cannot be written down ends it all, and
+  /// nothing is approved then.
+  Result<Counts> run() {
+    const std::size_t frames = session_.frames().size();
+    const bool shows_progress =
+        !arguments_.interactive && frames > 8 && ::isatty(STDERR_FILENO) == 1;
+    for (std::size_t i = 0; i < frames && !quit_; ++i) {
+      const SuiteFrame& frame = session_.frames()[i];
+      if (list_ && !list_->contains(frame.name)) continue;
+      if (shows_progress) fmt::print(stderr, "\r{}/{} ", i, frames);
+      const Status done = approveOne(frame);
+      if (cli::stopRequested()) return interrupted();
+      if (unwritten_) return *unwritten_;
+      if (done) continue;
+      cli::warn(done.error().text());
+      ++counts_.refused;
+    }
+    if (shows_progress) fmt::print(stderr, "\r              \r");
+    const auto left_alone = approval_.commit();
+    if (!left_alone.ok()) return left_alone.error();
+    for (const std::string& name : *left_alone) {
+      cli::warn("somebody else approved it in the meantime: left alone (case " + name + ")");
+      std::erase(told_, name);
+    }
+    for (const std::string& name : told_) fmt::print("approved {}\n", name);
+    counts_.approved -= left_alone->size();
+    counts_.refused += left_alone->size();
+    return counts_;
+  }
+
+ private:
+  Status approveOne(const SuiteFrame& frame) {
+    if (!frame.time) return refusal(frame, frame.why);
+    if (!session_.incomplete().empty()) {
+      return refusal(frame, session_.incomplete() + "; --incomplete approves it all the same");
+    }
+    const auto drawer = session_.drawer();
+    if (!drawer.ok()) return drawer.error();
+    const auto drawn = (*drawer)->frame(session_.request(frame));
+    if (!drawn.ok()) return drawn.error();
+    auto areas = session_.areas(frame);
+    if (!areas.ok()) return areas.error();
+    auto key = session_.key(*frame.suite_case);
+    if (!key.ok()) return key.error();
+    AcceptedPicture accepted{std::move(*key),
+                             {},
+                             pictureXxh3(*drawn),
+                             (*drawer)->inputsHash(),
+                             session_.sessionHash(),
+                             by_,
+                             at_,
+                             arguments_.message};
+    std::optional<Picture> areas_picture;
+    if (*areas) {
+      areas_picture = areasPicture(*frame.suite_case, **areas);
+      accepted.areas_pixels = pictureXxh3(*areas_picture);
+    }
+    // Nothing changed: who accepted it first stays.
+    if (approval_.isAccepted(frame.name, accepted)) {
+      ++counts_.unchanged;
+      if (!arguments_.interactive) told_.push_back(frame.name);
+      return {};
+    }
+    if (list_ && list_->find(frame.name)->second != accepted.pixels) {
+      return refusal(frame, "what is drawn now is not the picture that the list accepts");
+    }
+    if (auto may = mayApprove(session_, frame, *drawn); !may) return may;
+    if (arguments_.interactive) {
+      const auto answer = askAbout(frame);
+      if (!answer.ok()) return answer.error();
+      if (*answer == Answer::quit) quit_ = true;
+      if (*answer != Answer::yes) {
+        ++counts_.skipped;
+        return {};
+      }
+    }
+    if (auto staged = approval_.stage(frame.name, std::move(accepted), *drawn,
+                                      areas_picture ? &*areas_picture : nullptr, arguments_.also);
+        !staged) {
+      unwritten_ = staged.error();
+      return {};
+    }
+    told_.push_back(frame.name);
+    ++counts_.approved;
+    return {};
+  }
+
+  Error interrupted() const {
+    return {ErrorKind::refused, "interrupted: nothing was approved",
+            session_.suite().file.string()};
+  }
+
+  Result<Answer> askAbout(const SuiteFrame& frame) {
+    auto judged = session_.judge(frame);
+    if (!judged.ok()) return judged.error();
+    // Within its tolerance, but not the accepted pixels.
+    if (!judged->drawn) return Answer::no;
+    return ask(*judged);
+  }
+
+  SuiteSession& session_;
+  const ApproveArguments& arguments_;
+  std::optional<ApprovalList> list_;
+  Approval approval_;
+  std::string by_, at_;
+  Counts counts_;
+  std::vector<std::string> told_;  ///< names of frames that are accepted when all is written
+  std::optional<Error> unwritten_;
+  bool quit_ = false;
+};
+
+Result<std::optional<ApprovalList>> listOf(const ApproveArguments& arguments) {
+  if (arguments.from.empty()) return std::optional<ApprovalList>();
+  const auto text = readFile(arguments.from == "-" ? "/dev/stdin" : arguments.from, kMostListBytes);
+  if (!text.ok()) return text.error();
+  auto list = parseApprovalList(*text, arguments.from.string());
+  if (!list.ok()) return list.error();
+  return std::optional(std::move(*list));
+}
+
+}  // namespace
+
+CLI::App* addApproveCommand(CLI::App& app, ApproveArguments& arguments) {
+  CLI::App* command = app.add_subcommand("approve", "accept what is drawn now as goldens");
+  addSuiteOptions(*command, arguments.suite);
+  addIncompleteOption(*command, arguments.suite);
+  command->add_option("-m,--message", arguments.message, "why; kept in the manifest")->required();
+  command
+      ->add_option("--from", arguments.from,
+                   "only the frames of this list, and only with its pixels (the report's copy)")
+      ->type_name("LIST");
+  command->add_flag("--also", arguments.also, "beside the pictures that are accepted already");
+  command->add_flag("-i,--interactive", arguments.interactive, "ask about one after the other");
+  return command;
+}
+
+Result<cli::Exit> runApproveCommand(const ApproveArguments& arguments) {
+  if (arguments.interactive && ::isatty(STDIN_FILENO) != 1) {
+    return Error{
+        ErrorKind::refused, "--interactive asks on a terminal, and standard input is none", {}};
+  }
+  auto list = listOf(arguments);
+  if (!list.ok()) return list.error();
+  const auto options = suiteOptions(arguments.suite);
+  if (!options.ok()) return options.error();
+  auto session = SuiteSession::open(arguments.suite.suite, *options);
+  if (!session.ok()) return session.error();
+  warnOfModelFaults(session->cell());
+  std::size_t unknown = 0;
+  if (*list) {
+    for (const auto& [name, pixels] : **list) {
+      if (std::ranges::find(session->frames(), name, &SuiteFrame::name) !=
+          session->frames().end()) {
+        continue;
+      }
+      cli::warn("the list names a frame that the suite does not have: " + name);
+      ++unknown;
+    }
+  }
+  auto counts = Approver(*session, *options, arguments, std::move(*list)).run();
+  if (!counts.ok()) return counts.error();
+  const std::size_t refused = counts->refused + unknown;
+  fmt::print("{} approved, {} refused; goldens in {}\n", counts->approved + counts->unchanged,
+             refused, session->suite().goldens.lexically_normal().string());
+  if (counts->skipped > 0) fmt::print("{} left as they were\n", counts->skipped);
+  return refused > 0 ? cli::Exit::no : cli::Exit::done;
+}
+
+}  // namespace rocinante

@@ -1,0 +1,151 @@
+#include "golden/command/compare_command.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "core/base/count_text.h"
+#include "golden/compare/compare_files.h"
+#include "golden/compare/comparison_text.h"
+#include "golden/compare/picture_figures.h"
+
+namespace rocinante {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json pictureJson(const std::filesystem::path& path, const FinePicture& fine) {
+  return {{"file", path.string()},
+          {"width", fine.picture.width},
+          {"height", fine.picture.height},
+          {"components", fine.encoding.componentsText()},
+          {"depth", fine.encoding.depthText()}};
+}
+
+Json optionalNumber(const std::optional<double>& number) {
+  return number ? Json(*number) : Json(nullptr);
+}
+
+/// The keys up to pixels_over are what scripts rely on; more are only ever added.
+Json answerJson(const CompareArguments& arguments, const FilesComparison& files,
+                const std::optional<PictureFigures>& figures) {
+  const Comparison& found = files.comparison;
+  Json answer = {
+      {"format", 1},
+      {"verdict", nameOf(found.verdict)},
+      {"rule", found.rule},
+      {"tier", arguments.tier},
+      {"max", found.max},
+      {"worst", {{"x", found.worst_x}, {"y", found.worst_y}}},
+      {"worst_tile_mean", found.worst_tile_mean},
+      {"worst_tile_over", found.worst_tile_over},
+      {"differing", found.differing},
+      {"pixels_over",
+       {{"1", found.over_1}, {"2", found.over_2}, {"8", found.over_8}, {"32", found.over_32}}},
+      {"worst_tile", {{"x", found.worst_tile_x}, {"y", found.worst_tile_y}}},
+      {"masked", found.masked}};
+  if (files.frame) answer["frame"] = pictureJson(arguments.frame, *files.frame);
+  if (files.golden) answer["golden"] = pictureJson(arguments.golden, *files.golden);
+  if (figures) {
+    answer["rmse"] = figures->rmse;
+    answer["psnr"] = optionalNumber(figures->psnr);
+    answer["ssim"] = optionalNumber(figures->ssim);
+    answer["flip"] = {{"mean", figures->flip.mean}, {"max", figures->flip.max}};
+  }
+  if (files.frame && !files.frame->samples.empty()) {
+    answer["samples"] = {{"differing", found.fine_differing}, {"max", found.fine_max}};
+  }
+  answer["masks"] = Json::array();
+  for (const PictureMask::Part& part : files.masks) {
+    answer["masks"].push_back({{"mask", part.name}, {"pixels", part.pixels}});
+  }
+  answer["notes"] = files.notes;
+  return answer;
+}
+
+void printAnswer(const FilesComparison& files, const std::optional<PictureFigures>& figures) {
+  const Comparison& found = files.comparison;
+  fmt::print("{}: {}\n", nameOf(found.verdict), found.rule);
+  for (const std::string& note : files.notes) fmt::print("note: {}\n", note);
+  if (!figures) return;
+  if (found.masked > 0)
+    fmt::print("masked: {}\n", countText(static_cast<std::uint64_t>(found.masked), "pixel"));
+  if (found.fine_differing > 0) {
+    fmt::print("differing samples: {} of {}, by at most {:g}\n", found.fine_differing,
+               files.frame->samples.size(), found.fine_max);
+  }
+  fmt::print("{}", differenceText(found, *figures, files.judged(), files.golden->picture));
+}
+
+}  // namespace
+
+CLI::App* addCompareCommand(CLI::App& app, CompareArguments& arguments) {
+  CLI::App* command = app.add_subcommand("compare", "compare two pictures");
+  command->add_option("A", arguments.frame, "a picture; - is standard input")->required();
+  command->add_option("B", arguments.golden, "the picture to compare it with")->required();
+  command->add_option("--tier", arguments.tier, kTierNames)->capture_default_str();
+  command
+      ->add_option("--mask", arguments.masks,
+                   "X,Y,WIDTHxHEIGHT: leave these pixels out; repeatable")
+      ->type_name("RECT")
+      ->allow_extra_args(false);
+  command->add_option("--difference", arguments.difference, "write a picture of what differs");
+  command->add_flag("--force", arguments.force, "replace the file of --difference");
+  command->add_flag("-q,--quiet", arguments.quiet, "the verdict alone: no figures, no map; faster");
+  command->add_flag("--json", arguments.json, "answer with every figure as JSON");
+  return command;
+}
+
+Result<cli::Exit> runCompareCommand(const CompareArguments& arguments) {
+  const auto tolerance = Tolerance::named(arguments.tier);
+  if (!tolerance.ok()) return tolerance.error();
+  std::vector<MaskRectangle> masks;
+  for (const std::string& text : arguments.masks) {
+    const auto rectangle = MaskRectangle::parse(text);
+    if (!rectangle.ok()) return rectangle.error();
+    masks.push_back(*rectangle);
+  }
+  if (arguments.frame == "-" && arguments.golden == "-") {
+    return Error{ErrorKind::bad_argument, "standard input is one picture, not two", {}};
+  }
+  const auto fileOf = [](const std::filesystem::path& path) {
+    return path == "-" ? std::filesystem::path("/dev/stdin") : path;
+  };
+  const FilesComparison files =
+      compareFiles(fileOf(arguments.frame), fileOf(arguments.golden), *tolerance, masks);
+  // A script that reads the answer wants one in every case.
+  if (files.unreadable && !arguments.json) return *files.unreadable;
+  std::optional<PictureFigures> figures;
+  if (files.comparable() && !arguments.quiet) {
+    figures = pictureFigures(files.judged(), files.golden->picture);
+  }
+  if (files.comparable() && !arguments.difference.empty()) {
+    const Picture shown = differencePicture(files.judged(), files.golden->picture);
+    const Status written = writePng(arguments.difference, shown, arguments.force);
+    if (!written.ok()) return written.error();
+  }
+  if (arguments.json) {
+    std::cout
+        << answerJson(arguments, files, figures).dump(2, ' ', false, Json::error_handler_t::replace)
+        << "\n";
+  } else {
+    printAnswer(files, figures);
+  }
+  return exitOf(files.comparison.verdict);
+}
+
+cli::Exit exitOf(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::same:
+      return cli::Exit::done;
+    case Verdict::different:
+      return cli::Exit::no;
+    case Verdict::incomparable:
+      return cli::Exit::could_not_run;
+  }
+  return cli::Exit::could_not_run;
+}
+
+}  // namespace rocinante

@@ -1,0 +1,168 @@
+#include "golden/command/diff_command.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <map>
+
+#include "core/base/count_text.h"
+#include "core/base/plain_text.h"
+#include "golden/approval/golden_folder.h"
+#include "golden/command/compare_command.h"
+#include "golden/command/git_revision.h"
+#include "golden/command/report_output.h"
+#include "golden/command/suite_arguments.h"
+#include "golden/judge/manifest_diff.h"
+#include "golden/report/report.h"
+#include "viewer/picture/lfs_pointer.h"
+
+namespace rocinante {
+namespace {
+
+Result<Manifest> manifestThen(const GitRevision& revision, const std::filesystem::path& goldens) {
+  const std::filesystem::path file = goldens / "manifest.json";
+  const auto text = revision.file(file);
+  if (!text.ok()) {
+    if (text.error().kind == ErrorKind::not_found) return Manifest{};
+    return text.error();
+  }
+  return Manifest::parse(*text, file);
+}
+
+Result<Picture> pictureThen(const GitRevision& revision, const GoldenFolder& folder,
+                            const AcceptedPicture& accepted) {
+  // A store keeps every picture that ever was accepted.
+  if (folder.isInStore(accepted.picture, accepted.pixels)) return folder.read(accepted);
+  const std::filesystem::path file = folder.goldens() / accepted.picture;
+  const auto bytes = revision.file(file);
+  if (!bytes.ok()) return bytes.error();
+  if (isLfsPointer(bytesOf(*bytes))) {
+    return Error{ErrorKind::unsupported,
+                 "a Git LFS pointer and not the picture; `git lfs fetch` gets it", file.string()};
+  }
+  auto picture = decodePng(bytesOf(*bytes), file.string());
+  if (!picture.ok()) return picture.error();
+  if (pictureXxh3(*picture) == accepted.pixels) return picture;
+  return Error{ErrorKind::damaged, "is not the picture that the manifest accepted then",
+               file.string()};
+}
+
+Result<std::vector<JudgedFrame>> changesIn(const GitRevision& revision, const GoldenFolder& folder,
+                                           const std::string& since) {
+  const auto then = manifestThen(revision, folder.goldens());
+  if (!then.ok()) return then.error();
+  const auto now = Manifest::read(folder.goldens());
+  if (!now.ok()) return now.error();
+  return manifestChanges(
+      *then, [&](const AcceptedPicture& one) { return pictureThen(revision, folder, one); }, *now,
+      [&](const AcceptedPicture& one) { return folder.read(one); }, since);
+}
+
+/// Whether a manifest.json is one of goldens, now or then: other programs name files so too.
+bool isOfGoldens(const GitRevision& revision, const std::filesystem::path& goldens) {
+  const auto then = manifestThen(revision, goldens);
+  if (then.ok() && !then->cases.empty()) return true;
+  const auto now = Manifest::read(goldens);
+  return now.ok() && !now->cases.empty();
+}
+
+/// The stores that suites of the repository name, by their folders of goldens.
+Result<std::map<std::filesystem::path, std::filesystem::path>> storesIn(
+    const GitRevision& revision) {
+  const auto files = revision.filesThatEndWith(".toml");
+  if (!files.ok()) return files.error();
+  std::map<std::filesystem::path, std::filesystem::path> stores;
+  for (const std::filesystem::path& file : *files) {
+    // What is no suite names none.
+    const auto suite = readSuite(revision.root() / file);
+    if (!suite.ok() || suite->store.empty()) continue;
+    stores.emplace(std::filesystem::absolute(suite->goldens).lexically_normal(), suite->store);
+  }
+  return stores;
+}
+
+Result<std::vector<JudgedFrame>> changesInRepository(const std::string& since) {
+  const auto revision = GitRevision::open(".", since);
+  if (!revision.ok()) return revision.error();
+  const auto files = revision->filesThatEndWith("manifest.json");
+  if (!files.ok()) return files.error();
+  const auto stores = storesIn(*revision);
+  if (!stores.ok()) return stores.error();
+  std::vector<JudgedFrame> all;
+  for (const std::filesystem::path& file : *files) {
+    const std::filesystem::path folder =
+        (revision->root() / file.parent_path() / "").lexically_normal().parent_path();
+    if (file.filename() != "manifest.json" || !isOfGoldens(*revision, folder)) continue;
+    const auto store = stores->find(folder);
+    auto changes = changesIn(
+        *revision,
+        GoldenFolder(folder, store == stores->end() ? std::filesystem::path() : store->second),
+        since);
+    if (!changes.ok()) return changes.error();
+    for (JudgedFrame& judged : *changes) {
+      // Of which suite, in a name that may be a file's.
+      std::string place = file.parent_path().generic_string();
+      std::ranges::replace(place, '/', '.');
+      if (!place.empty()) judged.frame.name = safeName(place + "." + judged.frame.name);
+      all.push_back(std::move(judged));
+    }
+  }
+  return all;
+}
+
+Result<std::vector<JudgedFrame>> allChanges(const DiffArguments& arguments) {
+  if (arguments.suite.empty()) return changesInRepository(arguments.revision);
+  const auto suite = readSuite(arguments.suite);
+  if (!suite.ok()) return suite.error();
+  const auto revision = GitRevision::open(arguments.suite.parent_path(), arguments.revision);
+  if (!revision.ok()) return revision.error();
+  return changesIn(*revision, GoldenFolder(suite->goldens, suite->store), arguments.revision);
+}
+
+}  // namespace
+
+CLI::App* addDiffCommand(CLI::App& app, DiffArguments& arguments) {
+  CLI::App* command = app.add_subcommand("diff", "which goldens changed since a git revision");
+  command->add_option("REV", arguments.revision, "a commit, branch or tag")->required();
+  command->add_option("SUITE", arguments.suite, "without it, every suite of the repository");
+  command->add_option("--report", arguments.report, "folder for index.html and the pictures");
+  command
+      ->add_option("--json", arguments.json_file, "write the changes as JSON; - is standard output")
+      ->expected(0, 1)
+      ->default_str("-");
+  return command;
+}
+
+Result<cli::Exit> runDiffCommand(const DiffArguments& arguments) {
+  auto frames = allChanges(arguments);
+  if (!frames.ok()) return frames.error();
+  const std::size_t goldens = frames->size();
+  if (goldens == 0) {
+    return Error{ErrorKind::not_found,
+                 fmt::format("there are no goldens, neither now nor at {}: nothing to compare",
+                             plainText(arguments.revision)),
+                 arguments.suite.string()};
+  }
+  std::erase_if(*frames,
+                [](const JudgedFrame& judged) { return judged.verdict == FrameVerdict::same; });
+  SuiteReport report;
+  report.suite = arguments.suite.string();
+  report.made_at = nowText();
+  report.run_command = "rocinante golden diff " + arguments.revision;
+  if (!report.suite.empty()) report.run_command += " " + report.suite;
+  report.frames = std::move(*frames);
+  if (arguments.json_file != "-") {
+    for (const JudgedFrame& judged : report.frames) {
+      fmt::print("{:<13} {}: {}\n", nameOf(judged.verdict), judged.frame.name, judged.rule);
+    }
+    fmt::print("{} of {} changed since {}\n", report.frames.size(), countText(goldens, "golden"),
+               plainText(arguments.revision));
+  }
+  if (auto written = writeReportFiles(report, {arguments.report, {}, arguments.json_file});
+      !written)
+    return written.error();
+  return report.frames.empty() ? cli::Exit::done : exitOf(report.verdict());
+}
+
+}  // namespace rocinante

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+
+namespace rocinante {
+
+/// The files of one commit of the git repository around a folder. Runs git; nothing is written.
+class GitRevision {
+ public:
+  /// not_found when there is no git; refused, with what git said, when `folder` lies in no
+  /// repository or `revision` names no commit. A revision that begins with `-` is none.
+  static Result<GitRevision> open(const std::filesystem::path& folder, const std::string& revision);
+
+  /// The commit's full hash.
+  const std::string& commit() const { return commit_; }
+  /// The repository's outermost folder.
+  const std::filesystem::path& root() const { return root_; }
+  /// `file` as the commit has it, in the form that a checkout gives it (what Git LFS keeps
+  /// elsewhere is fetched by its filter). not_found when it has none. Names outside the repository
+  /// are refused.
+  Result<std::string> file(const std::filesystem::path& file) const;
+  /// Files whose names end with `ending` in any folder, of the commit or of the working tree now,
+  /// below the root, sorted.
+  Result<std::vector<std::filesystem::path>> filesThatEndWith(std::string_view ending) const;
+
+ private:
+  GitRevision(std::filesystem::path root, std::string commit)
+      : root_(std::move(root)), commit_(std::move(commit)) {}
+
+  std::filesystem::path root_;
+  std::string commit_;
+};
+
+}  // namespace rocinante

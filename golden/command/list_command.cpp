@@ -1,0 +1,106 @@
+#include "golden/command/list_command.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "core/base/duration_text.h"
+#include "core/base/plain_text.h"
+#include "core/cli/text_table.h"
+#include "golden/judge/housekeeping.h"
+
+namespace rocinante {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const std::vector<AcceptedPicture>& picturesOf(const SuiteSession& session,
+                                               const std::string& name) {
+  static const std::vector<AcceptedPicture> kNone;
+  const auto found = session.manifest().cases.find(name);
+  return found == session.manifest().cases.end() ? kNone : found->second;
+}
+
+std::string momentText(const SuiteSession& session, const SuiteFrame& frame) {
+  if (!frame.time) return "none";
+  if (!session.origin()) return "rest";
+  return secondsText(*frame.time - *session.origin(), 3);
+}
+
+void printTable(const SuiteSession& session) {
+  cli::TextTable table;
+  table.rows.push_back({"frame", "moment", "golden", "accepted by", "at", "why"});
+  for (const SuiteFrame& frame : session.frames()) {
+    const auto& pictures = picturesOf(session, frame.name);
+    std::string name = frame.name;
+    std::string moment = momentText(session, frame);
+    if (pictures.empty()) table.rows.push_back({name, moment, "none", "", "", ""});
+    for (const AcceptedPicture& accepted : pictures) {
+      table.rows.push_back({std::exchange(name, ""), std::exchange(moment, ""), accepted.picture,
+                            plainText(accepted.accepted_by), plainText(accepted.accepted_at),
+                            plainText(accepted.reason)});
+    }
+  }
+  table.is_number = {false, true, false, false, false, false};
+  fmt::print("{}", table.text());
+}
+
+void printJson(const SuiteSession& session, const std::vector<std::string>& faults) {
+  Json root = {{"format", 1}, {"suite", session.suite().file.string()}};
+  root["frames"] = Json::array();
+  for (const SuiteFrame& frame : session.frames()) {
+    Json entry = {{"name", frame.name}, {"case", frame.case_name}, {"tags", frame.tags}};
+    if (!frame.camera.empty()) entry["camera"] = frame.camera;
+    if (frame.time) entry["log_time_ns"] = frame.time->time_since_epoch().count();
+    if (!frame.why.empty()) entry["why"] = frame.why;
+    entry["goldens"] = Json::array();
+    for (const AcceptedPicture& accepted : picturesOf(session, frame.name)) {
+      entry["goldens"].push_back({{"key", accepted.key},
+                                  {"picture", accepted.picture},
+                                  {"pixels", accepted.pixels},
+                                  {"accepted_by", accepted.accepted_by},
+                                  {"accepted_at", accepted.accepted_at},
+                                  {"reason", accepted.reason}});
+    }
+    root["frames"].push_back(std::move(entry));
+  }
+  root["faults"] = faults;
+  std::cout << root.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
+}
+
+}  // namespace
+
+CLI::App* addListCommand(CLI::App& app, ListArguments& arguments) {
+  CLI::App* command =
+      app.add_subcommand("list", "the frames of a suite, their goldens, and what is stale");
+  addSuiteOptions(*command, arguments.suite);
+  command->add_flag("--verify", arguments.verify, "read every golden, and hold it to its hash");
+  command->add_flag("--json", arguments.json, "answer as JSON");
+  return command;
+}
+
+Result<cli::Exit> runListCommand(const ListArguments& arguments) {
+  const auto options = suiteOptions(arguments.suite);
+  if (!options.ok()) return options.error();
+  const auto session = SuiteSession::open(arguments.suite.suite, *options);
+  if (!session.ok()) return session.error();
+  const std::vector<std::string> faults =
+      folderFaults(session->manifest(), session->folder(), session->allFrames(), arguments.verify);
+  std::size_t without = 0;
+  for (const SuiteFrame& frame : session->frames()) {
+    without += picturesOf(*session, frame.name).empty() ? 1 : 0;
+  }
+  if (arguments.json) {
+    printJson(*session, faults);
+  } else {
+    printTable(*session);
+    for (const std::string& fault : faults) fmt::print("{}\n", fault);
+    fmt::print("{}, {} without a golden, {} amiss\n",
+               cli::counted(session->frames().size(), "frame"), without, faults.size());
+  }
+  return faults.empty() && without == 0 ? cli::Exit::done : cli::Exit::no;
+}
+
+}  // namespace rocinante

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "core/base/result.h"
+#include "core/cli/program.h"
+#include "golden/command/suite_arguments.h"
+
+namespace rocinante {
+
+/// What `rocinante golden list` was asked for (docs/programs/golden.md).
+struct ListArguments {
+  SuiteArguments suite;
+  bool verify = false;  ///< read every golden and hold it against its hash
+  bool json = false;
+};
+
+/// Adds the sub-command `list` to `app`; parsing fills `arguments`, which must outlive it.
+CLI::App* addListCommand(CLI::App& app, ListArguments& arguments);
+
+/// Prints the frames with their goldens and what is wrong in the folder. Draws nothing.
+Result<cli::Exit> runListCommand(const ListArguments& arguments);
+
+}  // namespace rocinante

@@ -1,0 +1,49 @@
+#include "golden/command/report_command.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "golden/command/compare_command.h"
+#include "golden/command/report_output.h"
+#include "golden/report/merged_report.h"
+#include "golden/report/report_reader.h"
+
+namespace rocinante {
+
+CLI::App* addReportCommand(CLI::App& app, ReportArguments& arguments) {
+  CLI::App* command = app.add_subcommand("report", "put the reports of shards together");
+  command->add_option("DIR", arguments.folders, "what `run --report DIR` wrote; several")
+      ->required();
+  addReportFiles(*command, arguments.files);
+  return command;
+}
+
+Result<cli::Exit> runReportCommand(const ReportArguments& arguments) {
+  std::vector<SuiteReport> parts;
+  for (const std::filesystem::path& folder : arguments.folders) {
+    std::error_code ignored;
+    if (!arguments.files.folder.empty() &&
+        std::filesystem::equivalent(folder, arguments.files.folder, ignored)) {
+      return Error{ErrorKind::bad_argument, "the whole cannot lie where a part lies",
+                   arguments.files.folder};
+    }
+    auto part = readReport(folder);
+    if (!part.ok()) return part.error();
+    parts.push_back(std::move(*part));
+  }
+  const auto merged = mergeReports(std::move(parts));
+  if (!merged.ok()) return merged.error();
+  if (auto written = writeReportFiles(*merged, arguments.files); !written) {
+    return written.error();
+  }
+  if (arguments.files.json_file != "-") {
+    printReportSummary(*merged);
+    if (!arguments.files.folder.empty())
+      fmt::print("report: {}/index.html\n", arguments.files.folder);
+  }
+  return exitOf(merged->verdict());
+}
+
+}  // namespace rocinante

@@ -1,0 +1,67 @@
+#include "golden/command/report_output.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "core/base/atomic_file.h"
+#include "core/base/count_text.h"
+#include "core/base/plain_text.h"
+#include "golden/report/report_ci.h"
+#include "golden/report/report_folder.h"
+
+namespace rocinante {
+
+void addReportFiles(CLI::App& command, ReportFiles& files) {
+  command.add_option("--report", files.folder, "folder for index.html and the pictures");
+  command.add_option("--junit", files.junit, "write JUnit XML");
+  command.add_option("--sarif", files.sarif, "write SARIF 2.1.0, for code scanning");
+  CLI::Option* const json =
+      command
+          .add_option("--json", files.json_file, "write the verdicts as JSON; - is standard output")
+          ->expected(0, 1)
+          ->default_str("-");
+  command.add_flag("--github", files.github, "annotate the suite's lines in GitHub Actions")
+      ->excludes(json);
+}
+
+Status writeReportFiles(const SuiteReport& report, const ReportFiles& files) {
+  if (!files.junit.empty()) {
+    if (auto written = writeFileWhole(files.junit, bytesOf(reportJunit(report)), true); !written) {
+      return written;
+    }
+  }
+  if (!files.sarif.empty()) {
+    if (auto written = writeFileWhole(files.sarif, bytesOf(reportSarif(report)), true); !written) {
+      return written;
+    }
+  }
+  if (files.github) fmt::print("{}", reportGithub(report));
+  if (files.json_file == "-") {
+    std::cout << reportJson(report);
+  } else if (!files.json_file.empty()) {
+    if (auto written = writeFileWhole(files.json_file, bytesOf(reportJson(report)), true);
+        !written) {
+      return written;
+    }
+  }
+  if (files.folder.empty()) return {};
+  return writeReport(report, files.folder);
+}
+
+void printReportSummary(const SuiteReport& report) {
+  for (const std::string& note : report.notes) fmt::print("note: {}\n", plainText(note));
+  fmt::print("{}: {} same, {} different, {} missing, {} unstable, {} incomparable",
+             countText(report.frames.size(), "frame"), report.count(FrameVerdict::same),
+             report.count(FrameVerdict::different), report.count(FrameVerdict::missing),
+             report.count(FrameVerdict::unstable), report.count(FrameVerdict::incomparable));
+  for (const FrameVerdict verdict : {FrameVerdict::expected, FrameVerdict::unexpected}) {
+    if (const std::size_t count = report.count(verdict); count > 0) {
+      fmt::print(", {} {}", count, nameOf(verdict));
+    }
+  }
+  fmt::print("\n");
+}
+
+}  // namespace rocinante

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+
+#include "core/base/result.h"
+#include "core/cli/program.h"
+#include "golden/report/report.h"
+
+namespace rocinante {
+
+/// Where a subcommand writes its report; what is empty is not written.
+struct ReportFiles {
+  std::string folder;     ///< for index.html, report.json and pictures
+  std::string junit;      ///< a file
+  std::string json_file;  ///< a file, or `-` for standard output
+  std::string sarif{};    ///< a file
+  bool github = false;    ///< annotations on standard output
+};
+
+/// Adds --report, --junit, --json, --sarif and --github to a subcommand; parsing fills `files`,
+/// which must outlive it.
+void addReportFiles(CLI::App& command, ReportFiles& files);
+
+Status writeReportFiles(const SuiteReport& report, const ReportFiles& files);
+
+/// Notes, and how many frames had which verdict, on standard output.
+void printReportSummary(const SuiteReport& report);
+
+}  // namespace rocinante

@@ -1,0 +1,141 @@
+#include "golden/command/run_command.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <thread>
+
+#include "golden/command/compare_command.h"
+#include "golden/command/report_output.h"
+#include "golden/judge/housekeeping.h"
+#include "golden/judge/suite_jobs.h"
+#include "golden/report/report.h"
+#include "golden/why/frame_explainer.h"
+#include "golden/why/frame_why.h"
+
+namespace rocinante {
+namespace {
+
+void printFrame(const JudgedFrame& judged) {
+  fmt::print("{:<13} {}: {}\n", nameOf(judged.verdict), judged.frame.name, judged.rule);
+}
+
+std::vector<std::string> notesOf(const SuiteSession& session, const FrameSelection& selection,
+                                 const std::vector<JudgedFrame>& judged) {
+  std::vector<std::string> notes = suiteNotes(judged);
+  // A part of a suite says nothing about the rest of the folder.
+  if (!selection.isWhole()) return notes;
+  for (std::string& fault :
+       folderFaults(session.manifest(), session.folder(), session.allFrames(), false)) {
+    notes.push_back(std::move(fault));
+  }
+  return notes;
+}
+
+std::string rendererOfRun(const std::vector<JudgedFrame>& frames) {
+  for (const JudgedFrame& judged : frames) {
+    if (!judged.key.empty()) return std::string(rendererOf(judged.key));
+  }
+  return {};
+}
+
+SuiteReport reportOf(const SuiteSession& session, const SuiteArguments& arguments) {
+  SuiteReport report;
+  report.suite = arguments.suite.string();
+  report.cell = session.suite().cell.lexically_normal().string();
+  if (session.suite().log) report.log = session.suite().log->lexically_normal().string();
+  report.session = session.sessionHash();
+  report.made_at = nowText();
+  if (!arguments.shard.empty()) {
+    std::tie(report.shard, report.shards) = parseShard(arguments.shard).value_or(std::pair(1, 1));
+  }
+  report.run_command = commandText("run", arguments);
+  report.approve_command = commandText("approve", arguments) + " -m 'WHY'";
+  SuiteArguments one = arguments;
+  one.shard.clear();
+  one.only.clear();
+  one.tags.clear();
+  one.not_tags.clear();
+  report.run_one_command = commandText("run", one) + " --only";
+  report.approve_one_command = commandText("approve", one) + " -m 'WHY' --only";
+  report.approve_from_command = commandText("approve", one) + " -m 'WHY' --from LIST";
+  return report;
+}
+
+/// Says why and where, for each frame that failed: the reasons first, since a map fills a screen.
+void printWhy(const std::vector<JudgedFrame>& frames) {
+  for (const JudgedFrame& judged : frames) {
+    if (judged.why) {
+      fmt::print("why {}:\n", judged.frame.name);
+      for (const std::string& line : whyLines(*judged.why)) fmt::print("    {}\n", line);
+    }
+    const bool has_map =
+        judged.verdict == FrameVerdict::different ||
+        (judged.verdict == FrameVerdict::incomparable && judged.comparison.differing > 0);
+    if (!has_map || !judged.drawn || !judged.accepted) continue;
+    if (!judged.why) fmt::print("where {}:\n", judged.frame.name);
+    for (const std::string& line : differenceMap(judged.compared(), *judged.accepted)) {
+      fmt::print("    |{}|\n", line);
+    }
+  }
+}
+
+Result<std::vector<JudgedFrame>> judgeFrames(SuiteSession& session, int jobs, bool quiet) {
+  const std::size_t frames = session.frames().size();
+  const bool progress = ::isatty(STDERR_FILENO) == 1 && frames > 8;
+  JobOptions options;
+  options.jobs = jobs > 0 ? jobs : usefulJobs(frames, std::thread::hardware_concurrency());
+  options.stop = cli::stopRequested;
+  if (!quiet) options.tell = printFrame;
+  if (progress) {
+    options.progress = [](std::size_t done, std::size_t of) {
+      fmt::print(stderr, "\r{}/{} ", done, of);
+      if (done == of) fmt::print(stderr, "\r              \r");
+    };
+  }
+  return judgeAll(session, options);
+}
+
+}  // namespace
+
+CLI::App* addRunCommand(CLI::App& app, RunArguments& arguments) {
+  CLI::App* command = app.add_subcommand("run", "draw every case and judge it");
+  addSuiteOptions(*command, arguments.suite);
+  addIncompleteOption(*command, arguments.suite);
+  command
+      ->add_option("-j,--jobs", arguments.jobs, "processes that draw; 0: by frames and processors")
+      ->check(CLI::Range(0, 64))
+      ->capture_default_str();
+  addReportFiles(*command, arguments.files);
+  return command;
+}
+
+Result<cli::Exit> runRunCommand(const RunArguments& arguments) {
+  const auto options = suiteOptions(arguments.suite);
+  if (!options.ok()) return options.error();
+  auto session = SuiteSession::open(arguments.suite.suite, *options);
+  if (!session.ok()) return session.error();
+  warnOfModelFaults(session->cell());
+  const bool quiet = arguments.files.json_file == "-";
+  SuiteReport report = reportOf(*session, arguments.suite);
+  auto judged = judgeFrames(*session, arguments.jobs, quiet);
+  if (!judged.ok()) return judged.error();
+  report.frames = std::move(*judged);
+  report.notes = notesOf(*session, options->selection, report.frames);
+  report.renderer = rendererOfRun(report.frames);
+  FrameExplainer explainer(*session, arguments.suite.suite, *options);
+  if (auto explained = explainFailures(explainer, report.frames); !explained) {
+    return explained.error();
+  }
+  if (!quiet) printWhy(report.frames);
+  if (auto written = writeReportFiles(report, arguments.files); !written) return written.error();
+  if (!quiet) {
+    printReportSummary(report);
+    if (!arguments.files.folder.empty())
+      fmt::print("report: {}/index.html\n", arguments.files.folder);
+  }
+  return exitOf(report.verdict());
+}
+
+}  // namespace rocinante

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/base/result.h"
+#include "core/cli/program.h"
+#include "golden/command/report_output.h"
+#include "golden/command/suite_arguments.h"
+
+namespace rocinante {
+
+/// What `rocinante golden run` was asked for (docs/programs/golden.md).
+struct RunArguments {
+  SuiteArguments suite;
+  ReportFiles files;
+  int jobs = 1;  ///< 0: by the number of frames and processors
+};
+
+/// Adds the sub-command `run` to `app`; parsing fills `arguments`, which must outlive it.
+CLI::App* addRunCommand(CLI::App& app, RunArguments& arguments);
+
+/// Draws every frame, judges it, writes the reports and prints the verdicts.
+Result<cli::Exit> runRunCommand(const RunArguments& arguments);
+
+}  // namespace rocinante

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/base/model_search.h"
+#include "core/base/result.h"
+#include "core/cli/program.h"
+
+namespace rocinante {
+
+/// What `rocinante golden session` was asked for (docs/programs/golden.md).
+struct SessionArguments : ModelSearch {
+  std::filesystem::path a, b;
+  std::string cell, camera, tier = "loose", size = "640x480", report, slack = "50ms", step = "20ms";
+  double radians = 1e-3, metres = 1e-3;
+  bool no_pictures = false, json = false;
+};
+
+CLI::App* addSessionCommand(CLI::App& app, SessionArguments& arguments);
+Result<cli::Exit> runSessionCommand(const SessionArguments& arguments);
+
+}  // namespace rocinante

@@ -1,0 +1,119 @@
+#include "golden/command/suite_arguments.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdlib>
+
+#include "core/base/count_text.h"
+#include "core/base/duration_text.h"
+#include "core/cli/search_options.h"
+#include "core/cli/worker_threads.h"
+
+namespace rocinante {
+namespace {
+
+/// `word` as a shell takes it for one argument.
+std::string shellWord(const std::string& word) {
+  const bool plain = !word.empty() && word.find_first_not_of(
+                                          "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                          "0123456789_./:=@%+,-") == std::string::npos;
+  if (plain) return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
+}  // namespace
+
+void addSuiteOptions(CLI::App& app, SuiteArguments& arguments) {
+  app.add_option("SUITE", arguments.suite, "the suite's TOML file")->required();
+  app.add_option("--cell", arguments.cell, "take this cell in place of the suite's");
+  app.add_option("--log", arguments.log, "take this log in place of the suite's");
+  app.add_option("--only", arguments.only, "glob over the names of frames and cases; repeatable")
+      ->allow_extra_args(false);
+  app.add_option("--tag", arguments.tags, "only cases with this tag; repeatable")
+      ->allow_extra_args(false);
+  app.add_option("--not-tag", arguments.not_tags, "only cases without this tag; repeatable")
+      ->allow_extra_args(false);
+  app.add_option("--shard", arguments.shard, "the I-th of N parts of the cases")
+      ->option_text("I/N");
+  cli::addSearchOptions(app, arguments);
+}
+
+void addIncompleteOption(CLI::App& app, SuiteArguments& arguments) {
+  app.add_flag("--incomplete", arguments.incomplete,
+               "take frames as they are although a visual mesh is missing");
+}
+
+Result<SuiteOptions> suiteOptions(const SuiteArguments& arguments) {
+  SuiteOptions options;
+  if (!arguments.cell.empty()) options.cell = arguments.cell;
+  if (!arguments.log.empty()) options.log = arguments.log;
+  options.selection.only = arguments.only;
+  options.selection.tags = arguments.tags;
+  options.selection.not_tags = arguments.not_tags;
+  if (!arguments.shard.empty()) {
+    const auto shard = parseShard(arguments.shard);
+    if (!shard.ok()) return shard.error();
+    std::tie(options.selection.shard, options.selection.shards) = *shard;
+  }
+  static_cast<ModelSearch&>(options) = arguments;
+  options.incomplete = arguments.incomplete;
+  options.drawers = arguments.drawers;
+  options.parallel = cli::workerThreads();
+  options.now_ms = steadyMs;
+  return options;
+}
+
+std::string commandText(const char* verb, const SuiteArguments& arguments) {
+  std::string text = fmt::format("rocinante golden {} {}", verb, shellWord(arguments.suite));
+  const auto add = [&](const char* option, const std::string& value) {
+    if (!value.empty()) text += fmt::format(" {} {}", option, shellWord(value));
+  };
+  add("--cell", arguments.cell);
+  add("--log", arguments.log);
+  if (arguments.incomplete) text += " --incomplete";
+  for (const std::string& glob : arguments.only) add("--only", glob);
+  for (const std::string& tag : arguments.tags) add("--tag", tag);
+  for (const std::string& tag : arguments.not_tags) add("--not-tag", tag);
+  add("--shard", arguments.shard);
+  for (const std::string& word : cli::searchWords(arguments)) text += " " + shellWord(word);
+  return text;
+}
+
+double steadyMs() {
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();
+  return std::chrono::duration<double, std::milli>(now).count();
+}
+
+std::string nowText() {
+  const auto now =
+      std::chrono::time_point_cast<std::chrono::seconds>(std::chrono::system_clock::now());
+  return rfc3339Text(WallTime(now.time_since_epoch())).substr(0, 19) + "Z";
+}
+
+std::string userName() {
+  for (const char* variable : {"ROCINANTE_USER", "USER", "LOGNAME"}) {
+    if (const char* name = std::getenv(variable); name != nullptr && *name != '\0') return name;
+  }
+  return "uid " + std::to_string(::getuid());
+}
+
+void warnOfModelFaults(const Cell& cell) {
+  std::size_t errors = 0;
+  const ModelFault* first = nullptr;
+  for (const ModelFault& fault : cell.faults) {
+    if (fault.severity != Severity::error) continue;
+    ++errors;
+    if (first == nullptr) first = &fault;
+  }
+  if (first != nullptr) {
+    cli::warn(fmt::format("the cell has {} (rocinante check lists all); the first: {}",
+                          countText(errors, "error"), first->print()));
+  }
+}
+
+}  // namespace rocinante

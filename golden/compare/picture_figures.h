@@ -1,0 +1,21 @@
+#pragma once
+
+#include <optional>
+
+#include "golden/compare/flip.h"
+#include "viewer/picture/picture.h"
+
+namespace rocinante {
+
+/// How far two pictures of one shape are apart in the measures that people quote. None of them
+/// decides: each spreads a small fault over the whole picture (docs/comparing-pictures.md).
+struct PictureFigures {
+  double rmse = 0;  ///< over R, G and B, and A when either picture is not opaque; 0 to 255
+  std::optional<double> psnr;  ///< 20 log10(255 / rmse), in dB; empty: infinite, for rmse 0
+  std::optional<double> ssim;  ///< structuralSimilarity()
+  Flip flip;                   ///< flipDifference()
+};
+
+PictureFigures pictureFigures(const Picture& a, const Picture& b);
+
+}  // namespace rocinante

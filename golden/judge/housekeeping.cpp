@@ -1,0 +1,116 @@
+#include "golden/judge/housekeeping.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "core/base/plain_text.h"
+#include "golden/approval/staging_folder.h"
+
+namespace rocinante {
+namespace {
+
+constexpr double kLooseFactor = 4;
+
+/// The largest figures that any frame needed of one tolerance.
+struct Need {
+  Tolerance tolerance;
+  double tile_mean = 0;
+  std::int64_t tile_over = 0;
+};
+
+void addLooseLimits(std::span<const JudgedFrame> judged, std::vector<std::string>& notes) {
+  std::map<std::string, Need> needs;
+  for (const JudgedFrame& one : judged) {
+    if (one.verdict != FrameVerdict::same || one.tolerance.exact) continue;
+    if (one.tolerance.limitsPixels()) continue;  // nobody chose its limits
+    Need& need = needs[one.limit_from];
+    need.tolerance = one.tolerance;
+    need.tile_mean = std::max(need.tile_mean, one.comparison.worst_tile_mean);
+    need.tile_over = std::max(need.tile_over, one.comparison.worst_tile_over);
+  }
+  for (const auto& [from, need] : needs) {
+    const Tolerance& limits = need.tolerance;
+    if (limits.tile_mean <= kLooseFactor * need.tile_mean ||
+        static_cast<double>(limits.tile_over) <
+            kLooseFactor * static_cast<double>(need.tile_over)) {
+      continue;
+    }
+    notes.push_back(fmt::format(
+        "tolerance {} ({}) is loose: of tile_mean {:.2f} at most {:.2f} was needed, of "
+        "tile_over {} at most {}",
+        limits.name, from, limits.tile_mean, need.tile_mean, limits.tile_over, need.tile_over));
+  }
+}
+
+void addIdleMasks(std::span<const JudgedFrame> judged, std::vector<std::string>& notes) {
+  std::map<std::pair<std::string, std::string>, std::int64_t> hidden;  // by case and mask
+  for (const JudgedFrame& one : judged) {
+    const std::size_t own = std::min(one.masks.size(), one.own_masks);
+    for (std::size_t i = 0; i < own; ++i) {
+      hidden[{one.frame.case_name, one.masks[i].name}] += one.masks[i].pixels;
+    }
+  }
+  for (const auto& [mask, pixels] : hidden) {
+    if (pixels == 0) {
+      notes.push_back(fmt::format("mask {} of case {} hides nothing", mask.second, mask.first));
+    }
+  }
+}
+
+bool isLeftOver(const std::filesystem::path& file) {
+  const std::string name = file.filename().string();
+  return (name.starts_with(".") && name.ends_with(".png.new")) || isManifestPart(file) ||
+         isAbandonedStaging(file);
+}
+
+void addStrayFiles(const std::filesystem::path& folder, const std::set<std::string>& known,
+                   std::vector<std::string>& faults) {
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+    const std::string name = entry.path().filename().string();
+    if (isLeftOver(entry.path())) {
+      faults.push_back(
+          fmt::format("{} was left by an approve that was interrupted; the next one clears it",
+                      plainText(entry.path().string())));
+    } else if (name.ends_with(".png") && !known.contains(name)) {
+      faults.push_back(fmt::format("file {} is no golden", plainText(entry.path().string())));
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> folderFaults(const Manifest& manifest, const GoldenFolder& folder,
+                                      std::span<const SuiteFrame> frames, bool verify) {
+  std::set<std::string> names;
+  for (const SuiteFrame& frame : frames) names.insert(frame.name);
+  std::vector<std::string> faults;
+  for (const auto& [name, pictures] : manifest.cases) {
+    for (const AcceptedPicture& accepted : pictures) {
+      const std::string file = folder.fileOf(accepted.picture, accepted.pixels).string();
+      if (!names.contains(name)) {
+        faults.push_back(
+            fmt::format("golden {} is stale: the suite has no frame {}", file, plainText(name)));
+      } else if (!folder.has(accepted)) {
+        faults.push_back(fmt::format("golden {} is missing", file));
+      } else if (verify) {
+        if (auto read = folder.read(accepted); !read.ok()) faults.push_back(read.error().text());
+      }
+    }
+  }
+  addStrayFiles(folder.goldens(), manifest.files(), faults);
+  std::ranges::sort(faults);
+  return faults;
+}
+
+std::vector<std::string> suiteNotes(std::span<const JudgedFrame> judged) {
+  std::vector<std::string> notes;
+  addIdleMasks(judged, notes);
+  addLooseLimits(judged, notes);
+  return notes;
+}
+
+}  // namespace rocinante

@@ -1,0 +1,119 @@
+#include "golden/judge/manifest_diff.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "core/base/plain_text.h"
+#include "golden/suite/suite_case.h"
+
+namespace rocinante {
+namespace {
+
+using Pictures = std::vector<const AcceptedPicture*>;
+
+std::set<std::pair<std::string, std::string>> casesAndKeys(const Manifest& a, const Manifest& b) {
+  std::set<std::pair<std::string, std::string>> found;
+  for (const Manifest* manifest : {&a, &b}) {
+    for (const auto& [name, pictures] : manifest->cases) {
+      for (const AcceptedPicture& accepted : pictures) found.emplace(name, accepted.key);
+    }
+  }
+  return found;
+}
+
+std::multiset<std::string> pixelsOf(const Pictures& pictures) {
+  std::multiset<std::string> pixels;
+  for (const AcceptedPicture* accepted : pictures) pixels.insert(accepted->pixels);
+  return pixels;
+}
+
+/// The first picture that the others do not have; the first of all when they have each.
+const AcceptedPicture& unlike(const Pictures& pictures, const Pictures& others) {
+  const auto pixels = pixelsOf(others);
+  const auto found = std::ranges::find_if(
+      pictures, [&](const AcceptedPicture* one) { return !pixels.contains(one->pixels); });
+  return found == pictures.end() ? *pictures.front() : **found;
+}
+
+std::string acceptedText(const AcceptedPicture& accepted) {
+  return fmt::format("accepted by {} on {}: {}", plainText(accepted.accepted_by),
+                     plainText(accepted.accepted_at), plainText(accepted.reason));
+}
+
+/// The picture, or the sentence why not as the frame's rule.
+std::optional<Picture> readOrTell(const ReadAccepted& read, const AcceptedPicture& accepted,
+                                  JudgedFrame& judged) {
+  auto picture = read(accepted);
+  if (picture.ok()) return std::move(*picture);
+  judged.verdict = FrameVerdict::incomparable;
+  judged.rule = picture.error().text();
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::string safeName(const std::string& name) {
+  std::string safe = name.substr(0, 200);
+  for (char& c : safe) {
+    if (!isFileText({&c, 1})) c = '_';
+  }
+  if (safe.empty() || safe.front() == '.') safe.insert(0, "_");
+  return safe;
+}
+
+std::vector<JudgedFrame> manifestChanges(const Manifest& then, const ReadAccepted& read_then,
+                                         const Manifest& now, const ReadAccepted& read_now,
+                                         const std::string& since) {
+  std::vector<JudgedFrame> frames;
+  const auto cases = casesAndKeys(then, now);
+  std::set<std::string> once, several;
+  for (const auto& [name, key] : cases) {
+    if (!once.insert(name).second) several.insert(name);
+  }
+  for (const auto& [name, key] : cases) {
+    const Pictures old = then.find(name, key);
+    const Pictures current = now.find(name, key);
+    JudgedFrame& judged = frames.emplace_back();
+    judged.frame.case_name = safeName(name);
+    // Goldens of two renderers are two frames.
+    judged.frame.name = judged.frame.case_name;
+    if (several.contains(name)) judged.frame.name += "." + keyDigits(key);
+    judged.key = key;
+    judged.limit_from = "the comparison of revisions";
+    if (!old.empty()) judged.golden = unlike(old, current);
+    if (!current.empty()) {
+      const AcceptedPicture& shown = old.empty() ? *current.front() : unlike(current, old);
+      judged.pixels = shown.pixels;
+      judged.inputs = shown.inputs;
+      judged.session = shown.session;
+    }
+    if (pixelsOf(old) == pixelsOf(current)) {
+      judged.verdict = FrameVerdict::same;
+      judged.rule = "equal pixel hash";
+    } else if (current.empty()) {
+      judged.verdict = FrameVerdict::missing;
+      judged.rule = "removed since " + since;
+      judged.accepted = readOrTell(read_then, *judged.golden, judged);
+    } else if (old.empty()) {
+      judged.verdict = FrameVerdict::missing;
+      judged.rule = fmt::format("new since {}, {}", since, acceptedText(*current.front()));
+      judged.drawn = readOrTell(read_now, *current.front(), judged);
+    } else {
+      const AcceptedPicture& shown = unlike(current, old);
+      judged.drawn = readOrTell(read_now, shown, judged);
+      judged.accepted = readOrTell(read_then, *judged.golden, judged);
+      if (!judged.drawn || !judged.accepted) continue;
+      judged.comparison = compare(*judged.drawn, *judged.accepted, Tolerance::exactly());
+      judged.verdict = FrameVerdict::different;
+      judged.rule = judged.comparison.verdict == Verdict::same
+                        ? "another number of accepted pictures"
+                        : judged.comparison.rule;
+      judged.rule += fmt::format(" since {}, {}", since, acceptedText(shown));
+    }
+  }
+  return frames;
+}
+
+}  // namespace rocinante

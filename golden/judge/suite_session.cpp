@@ -1,0 +1,194 @@
+#include "golden/judge/suite_session.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "core/bundle/attached_cell.h"
+#include "core/log/log_reader.h"
+#include "golden/judge/frame_judge.h"
+#include "golden/judge/stability.h"
+#include "viewer/view/layer_choice.h"
+#include "viewer/view/missing_meshes.h"
+
+namespace rocinante {
+namespace {
+
+constexpr int kThumbnailPixels = 320;
+
+/// Frees what only people look at, once nobody needs to.
+void keepWhatReportsNeed(JudgedFrame& judged) {
+  if (!isFine(judged.verdict) || judged.verdict == FrameVerdict::expected || !judged.drawn) return;
+  judged.thumbnail = reducedPicture(*std::exchange(judged.drawn, std::nullopt), kThumbnailPixels);
+  judged.accepted.reset();
+  judged.unmasked.reset();
+}
+
+}  // namespace
+
+Result<SuiteSession> SuiteSession::open(const std::filesystem::path& suite_file,
+                                        const SuiteOptions& options) {
+  auto suite = readSuite(suite_file);
+  if (!suite.ok()) return suite.error();
+  SuiteSession made;
+  made.suite_ = std::make_unique<Suite>(std::move(*suite));
+  Suite& the_suite = *made.suite_;
+  if (options.cell) the_suite.cell = *options.cell;
+  if (options.log) the_suite.log = *options.log;
+  if (the_suite.cell.empty() && the_suite.log) the_suite.cell = *the_suite.log;
+  auto manifest = Manifest::read(the_suite.goldens);
+  if (!manifest.ok()) return manifest.error();
+  made.manifest_ = std::move(*manifest);
+  made.folder_ = GoldenFolder(the_suite.goldens, the_suite.store);
+  made.now_ms_ = options.now_ms;
+
+  CellOptions cell_options;
+  static_cast<ModelSearch&>(cell_options) = options;
+  cell_options.parallel = options.parallel;
+  auto cell = loadCellOrLog(the_suite.cell, cell_options);
+  if (!cell.ok()) return cell.error();
+  made.cell_ = std::move(*cell);
+  if (!options.incomplete) made.incomplete_ = incompleteText(made.cell_);
+
+  std::optional<Timeline> session;
+  if (the_suite.log) {
+    auto reader = LogReader::open(*the_suite.log);
+    if (!reader.ok()) return reader.error();
+    auto hash = contentSha256(*reader);
+    if (!hash.ok()) return hash.error();
+    made.session_hash_ = std::move(*hash);
+    session = Timeline::of(std::move(*reader));
+    made.origin_ = session->origin();
+  }
+  auto frames = planFrames(the_suite, session ? &*session : nullptr);
+  if (!frames.ok()) return frames.error();
+  made.all_frames_ = *frames;
+  auto selected = selectFrames(std::move(*frames), options.selection, the_suite);
+  if (!selected.ok()) return selected.error();
+  made.frames_ = std::move(*selected);
+  made.make_drawer_ = options.drawers ? options.drawers : sceneDrawers(made.cell_, the_suite.log);
+  return made;
+}
+
+Result<FrameDrawer*> SuiteSession::drawer() {
+  if (!drawer_) {
+    auto drawer = make_drawer_();
+    if (!drawer.ok()) return drawer.error();
+    drawer_ = std::move(*drawer);
+  }
+  return drawer_.get();
+}
+
+FrameRequest SuiteSession::request(const SuiteFrame& frame) const {
+  const SuiteCase& made = *frame.suite_case;
+  FrameRequest request;
+  request.time = *frame.time;
+  request.camera = frame.camera;
+  request.width = made.width;
+  request.height = made.height;
+  request.samples = made.samples;
+  request.hide = made.hide;
+  request.show = made.show;
+  request.style = made.style;
+  request.panel = made.panel;
+  if (!made.insets) request.insets.emplace();
+  if (made.layers) chooseLayers(*made.layers, request.hide, request.show);
+  return request;
+}
+
+Result<std::string> SuiteSession::key(const SuiteCase& suite_case) {
+  const auto draws = drawer();
+  if (!draws.ok()) return draws.error();
+  return (*draws)->renderer() + " " +
+         shapeText(suite_case.width, suite_case.height, suite_case.samples);
+}
+
+Result<std::optional<CaseAreas>> SuiteSession::areas(const SuiteFrame& frame) {
+  const SuiteCase& made = *frame.suite_case;
+  if (made.mask.empty() && made.judge_only.empty()) return std::optional<CaseAreas>();
+  if (!needsIdentity(made)) return std::optional(findAreas(made, nullptr));
+  const auto draws = drawer();
+  if (!draws.ok()) return draws.error();
+  const auto identity = (*draws)->identity(request(frame));
+  if (!identity.ok()) return identity.error();
+  return std::optional(findAreas(made, &*identity));
+}
+
+Result<std::string> SuiteSession::instability(const SuiteFrame& frame, const Picture& drawn) {
+  const auto draws = drawer();
+  if (!draws.ok()) return draws.error();
+  const FrameRequest wanted = request(frame);
+  // As unlike as it can be: what it leaves behind must not show.
+  FrameRequest other = wanted;
+  other.width = std::max(16, wanted.width / 2);
+  other.height = std::max(16, wanted.height / 3);
+  other.samples = wanted.samples == 1 ? 4 : 1;
+  other.style = {};
+  other.hide = {"layer/grid"};
+  other.show.clear();
+  if (auto another = (*draws)->frame(other); !another.ok()) return another.error();
+  const auto again = (*draws)->frame(wanted);
+  if (!again.ok()) return again.error();
+  auto fresh_drawer = freshDrawer();
+  if (!fresh_drawer.ok()) return fresh_drawer.error();
+  const auto fresh = (*fresh_drawer)->frame(wanted);
+  if (!fresh.ok()) return fresh.error();
+  const auto found = findInstability(drawn, *again, *fresh);
+  if (!found) return std::string();
+  // Whose pixels they are only helps the sentence: it does without.
+  const auto identity = (*draws)->identity(wanted);
+  return instabilityRule(*found, identity.ok() ? &*identity : nullptr);
+}
+
+Result<JudgedFrame> SuiteSession::judge(const SuiteFrame& frame) {
+  const SuiteCase& made = *frame.suite_case;
+  const auto draws = drawer();
+  if (!draws.ok()) return draws.error();
+  JudgedFrame judged;
+  judged.frame = frame;
+  judged.tolerance = made.tolerance;
+  judged.limit_from = made.limit_from;
+  auto key_text = key(made);
+  if (!key_text.ok()) return key_text.error();
+  judged.key = std::move(*key_text);
+  judged.inputs = (*draws)->inputsHash();
+  judged.session = session_hash_;
+  if (!frame.time) {
+    judged.rule = frame.why;
+    return judged;
+  }
+  if (!incomplete_.empty()) {
+    judged.rule = incomplete_;
+    return judged;
+  }
+  const double started = now_ms_();
+  auto drawn = (*draws)->frame(request(frame));
+  const double rendered = now_ms_();
+  judged.render_ms = rendered - started;
+  if (!drawn.ok()) {
+    // A camera that is not there is the suite's fault, not the renderer's: others go on.
+    judged.rule = drawn.error().text();
+    return judged;
+  }
+  judged.pixels = pictureXxh3(*drawn);
+  judged.drawn = std::move(*drawn);
+  const auto case_areas = areas(frame);
+  if (!case_areas.ok()) return case_areas.error();
+  judgeDrawn(manifest_, folder_, *case_areas ? &**case_areas : nullptr, judged);
+  applyExpectation(judged);
+  if (judged.verdict != FrameVerdict::same) {
+    auto rule = instability(frame, *judged.drawn);
+    if (!rule.ok()) return rule.error();
+    if (!rule->empty()) {
+      judged.verdict = FrameVerdict::unstable;
+      judged.rule = std::move(*rule);
+    }
+  }
+  keepWhatReportsNeed(judged);
+  judged.judge_ms = now_ms_() - rendered;
+  return judged;
+}
+
+}  // namespace rocinante

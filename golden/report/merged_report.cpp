@@ -1,0 +1,110 @@
+#include "golden/report/merged_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <set>
+
+#include "golden/judge/housekeeping.h"
+
+namespace rocinante {
+namespace {
+
+/// A command of one shard as one of the whole suite.
+std::string withoutShard(std::string command, const SuiteReport& part) {
+  const std::string option = fmt::format(" --shard {}/{}", part.shard, part.shards);
+  const std::size_t at = command.find(option);
+  if (part.shards > 1 && at != std::string::npos) command.erase(at, option.size());
+  return command;
+}
+
+Status checkShards(const std::vector<SuiteReport>& parts) {
+  std::map<std::string, std::set<int>> seen;
+  std::map<std::string, const SuiteReport*> first;
+  for (const SuiteReport& part : parts) {
+    const auto refuse = [&](std::string what) {
+      return Error{ErrorKind::refused, std::move(what), part.suite};
+    };
+    const SuiteReport& one = *first.emplace(part.suite, &part).first->second;
+    if (part.shards != one.shards) {
+      return refuse(fmt::format("shards of {} and of {} are no one run", one.shards, part.shards));
+    }
+    if (part.session != one.session) return refuse("the shards judged different sessions");
+    if (part.renderer != one.renderer) {
+      return refuse(fmt::format("the shards were drawn by different renderers: {} and {}",
+                                one.renderer, part.renderer));
+    }
+    if (!seen[part.suite].insert(part.shard).second) {
+      return refuse(fmt::format("shard {}/{} is there twice", part.shard, part.shards));
+    }
+  }
+  for (const auto& [suite, shards] : seen) {
+    for (int shard = 1; shard <= first[suite]->shards; ++shard) {
+      if (shards.contains(shard)) continue;
+      return Error{ErrorKind::refused,
+                   fmt::format("shard {}/{} is missing", shard, first[suite]->shards), suite};
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<SuiteReport> mergeReports(std::vector<SuiteReport> parts) {
+  if (auto whole = checkShards(parts); !whole) return whole.error();
+  std::ranges::stable_sort(
+      parts, {}, [](const SuiteReport& part) { return std::pair(part.suite, part.shard); });
+  const bool is_one_suite = parts.front().suite == parts.back().suite;
+  SuiteReport merged = parts.front();
+  merged.frames.clear();
+  merged.notes.clear();
+  merged.shard = merged.shards = 1;
+  for (std::string* command : {&merged.run_command, &merged.approve_command}) {
+    *command = is_one_suite ? withoutShard(*command, parts.front()) : std::string();
+  }
+  // A list of approvals is one suite's.
+  if (!is_one_suite) {
+    merged.run_one_command.clear();
+    merged.approve_one_command.clear();
+    merged.approve_from_command.clear();
+  }
+  std::set<std::string> names;
+  for (auto part = parts.begin(); part != parts.end();) {
+    const std::string suite = part->suite;
+    if (suite != parts.front().suite) merged.suite += ", " + suite;
+    const std::size_t first = merged.frames.size();
+    // What a shard notes of masks and limits is true of its own frames only.
+    const bool is_whole = part->shards == 1;
+    for (; part != parts.end() && part->suite == suite; ++part) {
+      if (is_whole) std::ranges::move(part->notes, std::back_inserter(merged.notes));
+      for (JudgedFrame& judged : part->frames) {
+        if (!names.insert(judged.frame.name).second) {
+          return Error{ErrorKind::refused,
+                       is_one_suite
+                           ? fmt::format("two reports have a frame {}", judged.frame.name)
+                           : fmt::format("two suites have a frame {}: one page has each name once, "
+                                         "so rename one or report them apart",
+                                         judged.frame.name),
+                       suite};
+        }
+        if (!is_one_suite) {
+          judged.run_command = part->run_one_command;
+          judged.approve_command = part->approve_one_command;
+        }
+        merged.frames.push_back(std::move(judged));
+      }
+    }
+    std::ranges::stable_sort(merged.frames.begin() + static_cast<std::ptrdiff_t>(first),
+                             merged.frames.end(), {},
+                             [](const JudgedFrame& judged) { return judged.frame.place; });
+    if (!is_whole) {
+      std::ranges::move(suiteNotes(std::span(merged.frames).subspan(first)),
+                        std::back_inserter(merged.notes));
+    }
+  }
+  return merged;
+}
+
+}  // namespace rocinante

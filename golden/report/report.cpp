@@ -1,0 +1,197 @@
+#include "golden/report/report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "core/base/atomic_file.h"
+#include "core/base/plain_text.h"
+#include "golden/why/frame_why.h"
+
+namespace rocinante {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// How far and why, for scripts.
+Json whyJsonOf(const FrameWhy& why) {
+  Json links = Json::array();
+  for (const LinkChange& change : why.blame.changes) {
+    Json link = {{"device", change.name.device},
+                 {"link", change.name.link},
+                 {"pixels", change.pixels},
+                 {"kind", nameOf(change.kind)},
+                 {"text", changeText(change, why.blame.differing)}};
+    if (!change.inset.empty()) link["inset"] = change.inset;
+    if (!change.camera.empty()) link["camera"] = change.camera;
+    if (change.moved_px) link["moved_px"] = *change.moved_px;
+    if (change.kind == ChangeKind::color) link["color_shift"] = change.color_shift;
+    links.push_back(std::move(link));
+  }
+  Json state = Json::array();
+  for (const StateChange& change : why.state) {
+    state.push_back({{"item", change.item}, {"text", change.text}});
+  }
+  return {{"estimated", why.basis == GoldenBasis::guessed},
+          {"differing", why.blame.differing},
+          {"links", links},
+          {"state", state},
+          {"files", why.files}};
+}
+
+Json frameJson(const JudgedFrame& judged) {
+  const Comparison& found = judged.comparison;
+  Json frame = {
+      {"name", judged.frame.name},
+      {"verdict", nameOf(judged.verdict)},
+      {"rule", judged.rule},
+      {"key", judged.key},
+      {"pixels", judged.pixels},
+      {"inputs", judged.inputs},
+      {"tolerance", judged.tolerance.name},
+      {"differing", found.differing},
+      {"max", found.max},
+      {"worst", {{"x", found.worst_x}, {"y", found.worst_y}}},
+      {"worst_tile_mean", found.worst_tile_mean},
+      {"worst_tile_over", found.worst_tile_over},
+      {"pixels_over",
+       {{"1", found.over_1}, {"2", found.over_2}, {"8", found.over_8}, {"32", found.over_32}}},
+      {"render_ms", judged.render_ms},
+      {"judge_ms", judged.judge_ms},
+      {"case", judged.frame.case_name},
+      {"place", judged.frame.place},
+      {"limit_from", judged.limit_from}};
+  if (judged.tolerance.limitsPixels()) {
+    frame["limits"] = {{"level", judged.tolerance.level}, {"percent", judged.tolerance.percent}};
+  } else if (!judged.tolerance.exact) {
+    frame["limits"] = {{"tile_mean", judged.tolerance.tile_mean},
+                       {"tile_over", judged.tolerance.tile_over}};
+  }
+  for (std::size_t i = 0; i < judged.masks.size(); ++i) {
+    const PictureMask::Part& mask = judged.masks[i];
+    frame["masks"].push_back(
+        {{"mask", mask.name}, {"pixels", mask.pixels}, {"own", i < judged.own_masks}});
+  }
+  if (judged.frame.line > 0) frame["line"] = judged.frame.line;
+  if (!judged.frame.camera.empty()) frame["camera"] = judged.frame.camera;
+  if (!judged.frame.tags.empty()) frame["tags"] = judged.frame.tags;
+  if (!judged.expectation.empty()) frame["expectation"] = judged.expectation;
+  if (judged.frame.time) frame["log_time_ns"] = judged.frame.time->time_since_epoch().count();
+  if (judged.golden) {
+    frame["golden"] = {{"key", judged.golden->key},
+                       {"picture", judged.golden->picture},
+                       {"pixels", judged.golden->pixels},
+                       {"inputs_equal", judged.golden->inputs == judged.inputs},
+                       {"session_equal", judged.golden->session == judged.session},
+                       {"accepted_by", judged.golden->accepted_by},
+                       {"accepted_at", judged.golden->accepted_at},
+                       {"reason", judged.golden->reason}};
+  }
+  if (judged.why) frame["why"] = whyJsonOf(*judged.why);
+  return frame;
+}
+
+/// With which key and tier the frame was judged, as properties of its test case.
+std::string judgedBy(const JudgedFrame& judged) {
+  std::string text;
+  const auto add = [&](const char* name, std::string_view value) {
+    if (value.empty()) return;
+    text += fmt::format("      <property name=\"{}\" value=\"{}\"/>\n", name, xmlText(value));
+  };
+  add("key", judged.key);
+  if (judged.golden) {
+    add("golden key", judged.golden->key);
+    add("tier", judged.tolerance.name);
+  }
+  return text.empty() ? text : "    <properties>\n" + text + "    </properties>\n";
+}
+
+}  // namespace
+
+std::size_t SuiteReport::count(FrameVerdict verdict) const {
+  return static_cast<std::size_t>(
+      std::ranges::count(frames, verdict, [](const JudgedFrame& frame) { return frame.verdict; }));
+}
+
+Verdict SuiteReport::verdict() const {
+  const std::size_t fine = static_cast<std::size_t>(std::ranges::count_if(
+      frames, [](const JudgedFrame& frame) { return isFine(frame.verdict); }));
+  if (!frames.empty() && fine == frames.size()) return Verdict::same;
+  const bool no = frames.size() > fine + count(FrameVerdict::incomparable);
+  return no ? Verdict::different : Verdict::incomparable;
+}
+
+bool canApprove(const JudgedFrame& judged) {
+  const bool may = judged.verdict == FrameVerdict::different ||
+                   judged.verdict == FrameVerdict::missing ||
+                   judged.verdict == FrameVerdict::unexpected;
+  return may && !judged.pixels.empty() && judged.drawn.has_value();
+}
+
+std::string reportJson(const SuiteReport& report) {
+  Json root;
+  root["format"] = 1;
+  root["verdict"] = nameOf(report.verdict());
+  root["suite"] = report.suite;
+  root["cell"] = report.cell;
+  root["log"] = report.log;
+  root["session"] = report.session;
+  root["renderer"] = report.renderer;
+  Json& counts = root["counts"] = Json::object();
+  for (const FrameVerdict verdict : kFrameVerdicts) {
+    counts[std::string(nameOf(verdict))] = report.count(verdict);
+  }
+  root["made_at"] = report.made_at;
+  root["run_command"] = report.run_command;
+  root["approve_command"] = report.approve_command;
+  const auto add = [&](const char* key, const std::string& command) {
+    if (!command.empty()) root[key] = command;
+  };
+  add("run_one_command", report.run_one_command);
+  add("approve_one_command", report.approve_one_command);
+  add("approve_from_command", report.approve_from_command);
+  if (report.shards > 1) root["shard"] = {{"number", report.shard}, {"of", report.shards}};
+  root["notes"] = report.notes;
+  root["frames"] = Json::array();
+  for (const JudgedFrame& judged : report.frames) root["frames"].push_back(frameJson(judged));
+  return root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string reportJunit(const SuiteReport& report) {
+  std::size_t failures = 0;
+  const std::size_t errors = report.count(FrameVerdict::incomparable);
+  double seconds = 0;
+  std::string cases;
+  for (const JudgedFrame& judged : report.frames) {
+    const double took = (judged.render_ms + judged.judge_ms) / 1000;
+    seconds += took;
+    const std::string place =
+        judged.frame.line > 0
+            ? fmt::format(" file=\"{}\" line=\"{}\"", xmlText(report.suite), judged.frame.line)
+            : "";
+    cases += fmt::format("  <testcase classname=\"{}\" name=\"{}\"{} time=\"{:.3f}\">\n",
+                         xmlText(report.suite), xmlText(judged.frame.name), place, took);
+    cases += judgedBy(judged);
+    if (!isFine(judged.verdict)) {
+      const bool is_error = judged.verdict == FrameVerdict::incomparable;
+      failures += is_error ? 0 : 1;
+      std::string text;
+      if (judged.why) {
+        for (const std::string& line : whyLines(*judged.why)) text += xmlText(line) + "\n";
+      }
+      cases += fmt::format(
+          "    <{0} message=\"{1}: {2}\"{3}\n", is_error ? "error" : "failure",
+          nameOf(judged.verdict), xmlText(judged.rule),
+          text.empty() ? "/>" : fmt::format(">\n{}</{}>", text, is_error ? "error" : "failure"));
+    }
+    cases += "  </testcase>\n";
+  }
+  return fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+      "<testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" time=\"{:.3f}\">\n{}"
+      "</testsuite>\n",
+      xmlText(report.suite), report.frames.size(), failures, errors, seconds, cases);
+}
+
+}  // namespace rocinante

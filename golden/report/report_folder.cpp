@@ -1,0 +1,121 @@
+#include "golden/report/report_folder.h"
+
+#include <set>
+
+#include "core/base/atomic_file.h"
+#include "golden/report/page_pictures.h"
+#include "golden/report/report_html.h"
+#include "golden/report/report_reader.h"
+
+namespace rocinante {
+namespace {
+
+constexpr const char* kPictureEndings[] = {".frame.png", ".golden.png", ".difference.png"};
+
+/// Files that come into a folder together, when all of them are written.
+class ArrivingFiles {
+ public:
+  explicit ArrivingFiles(const std::filesystem::path& folder)
+      : folder_(folder), aside_(folder / ".new") {}
+  ~ArrivingFiles() {
+    std::error_code ignored;
+    std::filesystem::remove_all(aside_, ignored);
+  }
+  ArrivingFiles(const ArrivingFiles&) = delete;
+  ArrivingFiles& operator=(const ArrivingFiles&) = delete;
+
+  Status open() {
+    std::error_code fault;
+    std::filesystem::remove_all(aside_, fault);  // of a run that was killed
+    std::filesystem::create_directories(aside_, fault);
+    if (!fault) return {};
+    return Error{ErrorKind::unreadable, "cannot create: " + fault.message(), folder_.string()};
+  }
+
+  Status write(const std::string& name, ByteView bytes) {
+    names_.push_back(name);
+    Status written = writeFileWhole(aside_ / name, bytes, true);
+    if (written) return written;
+    // Where it would have stood is what a person knows.
+    return Error{written.error().kind, written.error().what, (folder_ / name).string()};
+  }
+
+  /// In the order in which they were written.
+  Status arrive() {
+    for (const std::string& name : names_) {
+      std::error_code fault;
+      std::filesystem::rename(aside_ / name, folder_ / name, fault);
+      if (fault) {
+        return Error{ErrorKind::unreadable, "cannot create: " + fault.message(),
+                     (folder_ / name).string()};
+      }
+    }
+    return {};
+  }
+
+  std::set<std::string> names() const { return {names_.begin(), names_.end()}; }
+
+ private:
+  std::filesystem::path folder_, aside_;
+  std::vector<std::string> names_;
+};
+
+Status writePictures(const JudgedFrame& judged, ArrivingFiles& files) {
+  if (isFine(judged.verdict)) return {};
+  const auto write = [&](const char* ending, const Picture& picture) {
+    return files.write(judged.frame.name + ending, encodePng(picture));
+  };
+  if (judged.drawn) {
+    if (auto status = write(kPictureEndings[0], *judged.drawn); !status) return status;
+  }
+  if (judged.accepted) {
+    if (auto status = write(kPictureEndings[1], *judged.accepted); !status) return status;
+  }
+  if (!judged.drawn || !judged.accepted || judged.accepted->width != judged.drawn->width ||
+      judged.accepted->height != judged.drawn->height) {
+    return {};
+  }
+  return write(kPictureEndings[2], differencePicture(judged.compared(), *judged.accepted));
+}
+
+/// What the pictures of the report that lies in a folder are called, whether or not they are there.
+std::set<std::string> picturesOfReport(const std::filesystem::path& folder) {
+  std::set<std::string> names;
+  const auto text = readFile(folder / "report.json");
+  if (!text.ok()) return names;
+  const auto old = parseReport(*text, folder);
+  if (!old.ok()) return names;
+  for (const JudgedFrame& judged : old->frames) {
+    for (const char* ending : kPictureEndings) names.insert(judged.frame.name + ending);
+  }
+  return names;
+}
+
+}  // namespace
+
+Status writeReport(const SuiteReport& report, const std::filesystem::path& folder) {
+  ArrivingFiles files(folder);
+  if (auto opened = files.open(); !opened) return opened;
+  for (const JudgedFrame& judged : report.frames) {
+    if (auto written = writePictures(judged, files); !written) return written;
+  }
+  if (auto written = files.write(kPagePicturesFile, bytesOf(pagePicturesJson(report))); !written) {
+    return written;
+  }
+  if (auto written = files.write("report.json", bytesOf(reportJson(report))); !written) {
+    return written;
+  }
+  if (auto written = files.write("index.html", bytesOf(reportHtml(report))); !written) {
+    return written;
+  }
+  const std::set<std::string> old_pictures = picturesOfReport(folder);
+  if (auto arrived = files.arrive(); !arrived) return arrived;
+  const std::set<std::string> names = files.names();
+  std::error_code ignored;
+  for (const std::string& name : old_pictures) {
+    if (!names.contains(name)) std::filesystem::remove(folder / name, ignored);
+  }
+  return {};
+}
+
+}  // namespace rocinante

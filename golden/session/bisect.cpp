@@ -1,0 +1,85 @@
+#include "golden/session/bisect.h"
+
+#include <algorithm>
+
+namespace rocinante {
+namespace {
+
+/// All of a state that a picture can depend on.
+bool drawsAlike(const SessionState& a, const SessionState& b) {
+  const auto sameDevice = [](const auto& left, const auto& right) {
+    DeviceState first = left.second;
+    first.last_write = right.second.last_write;
+    return left.first == right.first && first == right.second;
+  };
+  return std::ranges::equal(a.devices(), b.devices(), sameDevice) &&
+         a.visibility() == b.visibility() && a.colors() == b.colors() &&
+         a.drawings() == b.drawings() && a.views() == b.views();
+}
+
+}  // namespace
+
+Result<BisectAnswer> bisectPictures(const BisectQuestion& question) {
+  PartingQuestion parting;
+  parting.moments = question.moments.size();
+  parting.most_frames = question.most_frames;
+  const auto placeOf = [&](Nanoseconds moment) {
+    return static_cast<std::size_t>(std::ranges::lower_bound(question.moments, moment) -
+                                    question.moments.begin());
+  };
+  parting.first_possible = placeOf(question.alike_before);
+  for (const Nanoseconds probe : question.probes) parting.probes.push_back(placeOf(probe));
+  std::ranges::sort(parting.probes);
+  parting.differs = [&](std::size_t place) -> Result<bool> {
+    const auto a = question.a(question.moments[place]);
+    if (!a.ok()) return a.error();
+    const auto b = question.b(question.moments[place]);
+    if (!b.ok()) return b.error();
+    return *a != *b;
+  };
+  const auto found = findParting(parting);
+  if (!found.ok()) return found.error();
+  BisectAnswer answer;
+  answer.frames = found->frames;
+  answer.moments = question.moments.size();
+  answer.is_first_since_probe = found->is_first_since_probe;
+  if (found->first) {
+    answer.first = question.moments[*found->first];
+    answer.searched_from = question.moments[found->searched_from];
+  }
+  if (found->last_alike) answer.last_alike = question.moments[*found->last_alike];
+  return answer;
+}
+
+Result<std::vector<Nanoseconds>> changesOf(const std::filesystem::path& log) {
+  auto reader = LogReader::open(log);
+  if (!reader.ok()) return reader.error();
+  const LogSummary summary = reader->summary();
+  std::vector<Nanoseconds> moments;
+  for (;;) {
+    const auto message = reader->next();
+    if (!message.ok()) return message.error();
+    if (!*message) break;
+    const LogMessage& its = **message;
+    if (!its.channel->folded() || its.log_time < summary.start || its.log_time > summary.end) {
+      continue;
+    }
+    const Nanoseconds moment = its.log_time - summary.origin;
+    if (moments.empty() || moments.back() != moment) moments.push_back(moment);
+  }
+  return moments;
+}
+
+Result<std::optional<Nanoseconds>> statesPart(Timeline& a, Timeline& b,
+                                              const std::vector<Nanoseconds>& moments) {
+  for (const Nanoseconds moment : moments) {
+    const auto in_a = a.stateAt(a.origin() + moment);
+    if (!in_a.ok()) return in_a.error();
+    const auto in_b = b.stateAt(b.origin() + moment);
+    if (!in_b.ok()) return in_b.error();
+    if (!drawsAlike(**in_a, **in_b)) return std::optional(moment);
+  }
+  return std::optional<Nanoseconds>();
+}
+
+}  // namespace rocinante

@@ -1,0 +1,265 @@
+#include "golden/session/session_comparison.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "core/base/plain_text.h"
+#include "core/bundle/attached_cell.h"
+#include "core/log/log_reader.h"
+#include "golden/session/bisect.h"
+#include "golden/why/explain_pictures.h"
+
+namespace rocinante {
+namespace {
+
+/// So many of the worst items get a picture, so many events, and so many moments between.
+constexpr std::size_t kMostWorst = 6;
+constexpr std::size_t kMostEvents = 24;
+constexpr int kBetween = 3;
+constexpr int kSmallPicturePixels = 320;
+/// So many moments of the other session are looked at within the slack.
+constexpr std::size_t kMostInSlack = 256;
+constexpr const char* kWorst = "worst-";
+
+std::string frameNameOf(const std::string& text) {
+  std::string name;
+  for (const char c : text) {
+    const bool is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                          (c >= '0' && c <= '9') || c == '_' || c == '.' || c == '-';
+    name += is_plain ? c : '-';
+  }
+  return name.substr(0, 80);
+}
+
+/// Names of moments, each once.
+class MomentList {
+ public:
+  explicit MomentList(const SessionDeviation& state) : state_(state) {}
+
+  void add(const std::string& name, LogTime moment) {
+    if (moment < state_.from || moment > state_.until || !times_.insert(moment).second) return;
+    std::string unique = name;
+    for (int turn = 2; !names_.insert(unique).second; ++turn) {
+      unique = name + "-" + std::to_string(turn);
+    }
+    moments_.emplace_back(unique, moment);
+  }
+  std::vector<std::pair<std::string, LogTime>> inOrder() {
+    std::ranges::sort(moments_, {}, [](const auto& moment) { return moment.second; });
+    return moments_;
+  }
+
+ private:
+  const SessionDeviation& state_;
+  std::set<LogTime> times_;
+  std::set<std::string> names_;
+  std::vector<std::pair<std::string, LogTime>> moments_;
+};
+
+std::vector<std::pair<std::string, LogTime>> momentsToDraw(const SessionComparison& comparison) {
+  const SessionDeviation& state = comparison.state;
+  MomentList moments(state);
+  std::vector<Deviation> worst = state.beyond;
+  std::ranges::stable_sort(worst, [](const Deviation& a, const Deviation& b) {
+    return a.largest.value_or(1e9) > b.largest.value_or(1e9);
+  });
+  worst.resize(std::min(worst.size(), kMostWorst));
+  for (const Deviation& item : worst) {
+    moments.add(kWorst + frameNameOf(item.item), item.largest_at);
+  }
+  const auto& events = comparison.events.matched;
+  const std::size_t count = std::min(events.size(), kMostEvents);
+  for (std::size_t i = 0; i < count; ++i) {
+    const MatchedEvent& event = events[i * events.size() / count];
+    moments.add("event-" + frameNameOf(event.text), event.a);
+  }
+  moments.add("start", state.from);
+  for (int i = 1; i <= kBetween; ++i) {
+    moments.add("between-" + std::to_string(i),
+                state.from + (state.until - state.from) / (kBetween + 1) * i);
+  }
+  moments.add("end", state.until);
+  return moments.inOrder();
+}
+
+/// One log with what draws it.
+Result<FrameMaker> makerOf(const std::filesystem::path& cell, const CellOptions& options,
+                           const std::filesystem::path& log) {
+  auto loaded = loadCellOrLog(cell, options);
+  if (!loaded.ok()) return loaded.error();
+  auto session = Timeline::open(log);
+  if (!session.ok()) return session.error();
+  return FrameMaker::open(std::move(*loaded), std::move(*session), Profile::reproducible);
+}
+
+/// When b is looked at beside a moment of a. Packets come a little earlier or later, so while
+/// things move, pictures of one moment differ where the sessions do not.
+class SlackMoments {
+ public:
+  SlackMoments(const SessionQuestion& question, FrameMaker& a, FrameMaker& b)
+      : question_(question), a_(a), b_(b) {}
+
+  /// Of the moments of b within the slack around `in_b` the one at which its state is nearest to
+  /// that of a at `in_a`.
+  Result<LogTime> nearest(LogTime in_a, LogTime in_b) {
+    Timeline& b = *b_.session();
+    if (changes_.empty()) {
+      auto changes = changesOf(question_.b);
+      if (!changes.ok()) return changes.error();
+      changes_ = std::move(*changes);
+    }
+    const Nanoseconds moment = in_b - b.origin();
+    const auto from = std::ranges::lower_bound(changes_, moment - question_.limits.slack);
+    const auto until = std::ranges::upper_bound(changes_, moment + question_.limits.slack);
+    const auto count = static_cast<std::size_t>(until - from);
+    std::vector<LogTime> candidates{in_b};
+    const std::size_t taken = std::min(count, kMostInSlack);
+    for (std::size_t i = 0; i < taken; ++i) {
+      candidates.push_back(b.origin() + from[static_cast<std::ptrdiff_t>(i * count / taken)]);
+    }
+    std::ranges::sort(candidates);
+    return nearestMoment(a_.cell(), *a_.session(), in_a, b, in_b, candidates, question_.limits);
+  }
+
+ private:
+  const SessionQuestion& question_;
+  FrameMaker& a_;
+  FrameMaker& b_;
+  std::vector<Nanoseconds> changes_;
+};
+
+/// `time_b` is set to when b was drawn.
+Result<JudgedFrame> judgeMoment(FrameMaker& maker_a, FrameMaker& maker_b, LogTime time_a,
+                                LogTime& time_b, const SessionQuestion& question,
+                                SlackMoments* slack_moments) {
+  FrameRequest request;
+  request.camera = question.camera;
+  request.width = question.width;
+  request.height = question.height;
+  request.samples = question.samples;
+  request.time = time_a;
+  FrameRequest request_b = request;
+  // Rounding at the very ends must not lead out of the log.
+  request_b.time = std::clamp(time_b, maker_b.session()->start(), maker_b.session()->end());
+  time_b = request_b.time;
+  JudgedFrame judged;
+  judged.frame.time = time_a;
+  judged.frame.camera = question.camera;
+  judged.tolerance = question.tolerance;
+  StateDamage damage;
+  auto golden = maker_a.frame(request, &damage);
+  if (!golden.ok()) return golden.error();
+  auto frame = maker_b.frame(request_b, &damage);
+  if (!frame.ok()) return frame.error();
+  if (!damage.empty()) {
+    judged.rule = damage.text();
+    return judged;
+  }
+  judged.comparison = compare(*frame, *golden, question.tolerance);
+  if (slack_moments != nullptr && judged.comparison.verdict != Verdict::same) {
+    const auto nearest = slack_moments->nearest(time_a, request_b.time);
+    if (!nearest.ok()) return nearest.error();
+    FrameRequest beside = request_b;
+    beside.time = *nearest;
+    auto frame_beside = maker_b.frame(beside);
+    if (!frame_beside.ok()) return frame_beside.error();
+    Comparison found = compare(*frame_beside, *golden, question.tolerance);
+    // The slack only acquits. Where it does not, the moment itself is shown: beside it what moves
+    // would stand elsewhere, and what is amiss be less so.
+    if (found.verdict == Verdict::same) {
+      judged.comparison = std::move(found);
+      time_b = *nearest;
+      frame = std::move(frame_beside);
+    }
+  }
+  judged.rule = judged.comparison.rule;
+  judged.pixels = pictureXxh3(*frame);
+  judged.verdict =
+      judged.comparison.verdict == Verdict::same ? FrameVerdict::same : FrameVerdict::different;
+  if (judged.verdict == FrameVerdict::same) {
+    judged.thumbnail = reducedPicture(*frame, kSmallPicturePixels);
+    return judged;
+  }
+  auto why = explainBoth(*golden, {maker_a, request}, *frame, {maker_b, request_b});
+  if (!why.ok()) return why.error();
+  judged.why = std::make_shared<const FrameWhy>(std::move(*why));
+  judged.drawn = std::move(*frame);
+  judged.accepted = std::move(*golden);
+  return judged;
+}
+
+}  // namespace
+
+Verdict SessionComparison::verdict() const {
+  if (!damage.empty() || pictures.count(FrameVerdict::incomparable) > 0) {
+    return Verdict::incomparable;
+  }
+  const bool same = events.only_a.empty() && events.only_b.empty() && state.beyond.empty() &&
+                    pictures.count(FrameVerdict::different) == 0;
+  return same ? Verdict::same : Verdict::different;
+}
+
+Result<SessionComparison> judgeSessions(const std::filesystem::path& cell,
+                                        const CellOptions& options, const SessionQuestion& question,
+                                        const std::function<void(const std::string&)>& progress) {
+  const auto tell = [&](const std::string& what) {
+    if (progress) progress(what);
+  };
+  SessionComparison comparison;
+  auto maker_a = makerOf(cell, options, question.a);
+  if (!maker_a.ok()) return maker_a.error();
+  auto maker_b = makerOf(cell, options, question.b);
+  if (!maker_b.ok()) return maker_b.error();
+  Timeline& a = *maker_a->session();
+  Timeline& b = *maker_b->session();
+  for (const Timeline* session : {&a, &b}) {
+    if (session->log().summary().messages == 0) {
+      return Error{ErrorKind::not_found, "the log holds no message, so nothing can be compared",
+                   session->log().name()};
+    }
+  }
+  tell("events");
+  const auto events_a = a.events(&comparison.damage);
+  if (!events_a.ok()) return events_a.error();
+  const auto events_b = b.events(&comparison.damage);
+  if (!events_b.ok()) return events_b.error();
+  comparison.origin_a = a.origin();
+  comparison.origin_b = b.origin();
+  comparison.events = alignEvents(**events_a, **events_b, a.start(), b.start());
+  tell("states");
+  auto state =
+      compareSessions(maker_a->cell(), a, b, comparison.events, question.limits, comparison.damage);
+  if (!state.ok()) return state.error();
+  comparison.state = std::move(*state);
+
+  SuiteReport& report = comparison.pictures;
+  report.suite = question.a.string() + " against " + question.b.string();
+  report.cell = cell.string();
+  report.log = question.b.string();
+  report.renderer = maker_a->key().text();
+  if (!question.pictures) return comparison;
+  SlackMoments slack_moments(question, *maker_a, *maker_b);
+  maker_b->fitLike(*maker_a);
+  FrameRequest asked;
+  asked.camera = question.camera;
+  if (maker_a->asksFit(asked)) {
+    report.notes.push_back("`fit` and `map` are fitted to " + plainText(question.a.string()) +
+                           " in both");
+  }
+  for (const auto& [name, moment] : momentsToDraw(comparison)) {
+    tell("picture " + name);
+    // The worst moments are beyond the slack, and shown as they are.
+    SlackMoments* slack = name.starts_with(kWorst) ? nullptr : &slack_moments;
+    LogTime time_b = comparison.events.inB(moment);
+    auto judged = judgeMoment(*maker_a, *maker_b, moment, time_b, question, slack);
+    if (!judged.ok()) return judged.error();
+    comparison.times_b.push_back(time_b);
+    judged->frame.name = name;
+    judged->frame.case_name = name;
+    report.frames.push_back(std::move(*judged));
+  }
+  return comparison;
+}
+
+}  // namespace rocinante

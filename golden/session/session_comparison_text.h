@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "golden/session/session_comparison.h"
+
+namespace rocinante {
+
+/// For people, several lines; for scripts, one JSON object.
+std::string sessionText(const SessionComparison& comparison);
+std::string sessionJson(const SessionComparison& comparison);
+
+}  // namespace rocinante

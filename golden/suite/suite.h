@@ -1,0 +1,79 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/base/time.h"
+#include "golden/compare/compare.h"
+#include "golden/compare/picture_mask.h"
+#include "viewer/view/render_style.h"
+
+namespace rocinante {
+
+/// Which moments a case draws: at most one of `at`, `event`, `events` and `every` is set.
+struct CaseMoment {
+  std::optional<std::string> at;      ///< a session time as text: its origin is the log's
+  std::optional<std::string> event;   ///< the event with exactly this text
+  int occurrence = 1;                 ///< of `event`: 1 the first, 2 the second, -1 the last
+  std::optional<std::string> events;  ///< a glob: a frame for each event whose text it describes
+  std::optional<Nanoseconds> every;   ///< from the origin to the end of the log
+  Nanoseconds after{0};               ///< added to the time of each event
+};
+
+/// A part of a picture.
+struct PictureArea {
+  std::optional<MaskRectangle> rectangle;
+  /// Without a rectangle, the pixels of this PATH: DEVICE, DEVICE/LINK, layer/NAME or
+  /// drawing/SOURCE/ID, as a glob.
+  std::string path;
+  int grow_px = 0;  ///< so many pixels more on every side
+  bool operator==(const PictureArea&) const = default;
+  /// As a sentence names it: "layer/labels", "0,0,64x20".
+  std::string text() const;
+};
+
+struct SuiteCase {
+  std::string name;
+  CaseMoment moment;
+  std::vector<std::string> cameras;  ///< a frame each; empty: one, as render chooses
+  int width = 640, height = 480;
+  int samples = 4;
+  std::optional<std::vector<std::string>> layers;  ///< only these are drawn
+  std::vector<std::string> hide, show;
+  bool insets = true;  ///< those of the cell
+  bool panel = false;  ///< of times and values
+  RenderStyle style;
+  std::vector<PictureArea> mask;        ///< not judged
+  std::vector<PictureArea> judge_only;  ///< empty: everything that no mask covers is judged
+  Tolerance tolerance;
+  /// The same for a golden of another key; what the case says itself holds for both.
+  Tolerance across_keys = Tolerance::rounding();
+  std::string limit_from = "the default";  ///< where the tolerance was said
+  bool expect_different = false;
+  std::string reason;  ///< why it is expected to differ
+  std::vector<std::string> tags;
+  int line = 0;  ///< in the suite's file
+};
+
+/// What to draw and judge (docs/golden-suites.md). Paths are resolved against the suite's file.
+struct Suite {
+  std::filesystem::path file;
+  std::filesystem::path cell;                ///< empty: the one that the log carries
+  std::optional<std::filesystem::path> log;  ///< without one every case is the cell at rest
+  std::filesystem::path goldens;             ///< folder of pictures with manifest.json
+  /// Pictures named by their pixel hash, for goldens too large for the repository; empty: none.
+  std::filesystem::path store;
+  std::map<std::string, Tolerance, std::less<>> tolerances;  ///< [tolerance.NAME]
+  std::vector<SuiteCase> cases;
+};
+
+/// Reads a suite; every fault names its line and column, and the first one is returned.
+Result<Suite> readSuite(const std::filesystem::path& path);
+Result<Suite> parseSuite(std::string_view text, const std::filesystem::path& path);
+
+}  // namespace rocinante

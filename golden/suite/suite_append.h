@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/base/result.h"
+
+namespace rocinante {
+
+/// A [[case]] to come, as its keys and their values in TOML, in order.
+struct NewCase {
+  std::string name;
+  std::vector<std::pair<std::string, std::string>> keys;  ///< without `name`
+
+  void addText(const std::string& key, const std::string& text);
+  void addTexts(const std::string& key, const std::vector<std::string>& texts);
+  void add(const std::string& key, std::string value);
+};
+
+/// `text` as a TOML string.
+std::string tomlText(std::string_view text);
+
+/// The suite with the case behind all that it has, which stays byte for byte. bad_argument, with
+/// the place, when the suite would not be sound: a name that is taken, a value that cannot be.
+Result<std::string> withCase(const std::string& suite, const NewCase& added,
+                             const std::filesystem::path& path);
+
+}  // namespace rocinante

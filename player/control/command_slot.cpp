@@ -1,0 +1,107 @@
+#include "player/control/command_slot.h"
+
+#include <sys/eventfd.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+namespace rocinante {
+namespace {
+
+void raise(int descriptor) {
+  const std::uint64_t one = 1;
+  // Full is as good as raised.
+  [[maybe_unused]] const auto written = ::write(descriptor, &one, sizeof one);
+}
+
+/// Answers how often it had been raised.
+std::int64_t lower(int descriptor) {
+  std::int64_t count = 0;
+  return ::read(descriptor, &count, sizeof count) == sizeof count ? count : 0;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<CommandSlot>> CommandSlot::make() {
+  const int wake = ::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC);
+  const int told = ::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC);
+  if (wake < 0 || told < 0) {
+    return Error{
+        ErrorKind::refused, std::string("no control is possible: ") + std::strerror(errno), {}};
+  }
+  return std::unique_ptr<CommandSlot>(new CommandSlot(wake, told));
+}
+
+CommandSlot::~CommandSlot() {
+  ::close(wake_);
+  ::close(told_);
+}
+
+std::string CommandSlot::ask(std::string line) {
+  if (closed()) return {};
+  line_ = std::move(line);
+  int idle = kIdle;
+  if (!state_.compare_exchange_strong(idle, kAsked, std::memory_order_acq_rel)) return {};
+  raise(wake_);
+  state_.wait(kAsked, std::memory_order_acquire);
+  int answered = kAnswered;
+  if (state_.load(std::memory_order_acquire) != kAnswered) return {};
+  std::string said = std::move(answer_);
+  state_.compare_exchange_strong(answered, kIdle, std::memory_order_acq_rel);
+  // The sender may be waiting to close.
+  state_.notify_all();
+  return said;
+}
+
+std::optional<std::string_view> CommandSlot::asked() {
+  // A command may be seen before its wake is raised: one left standing would let nobody sleep.
+  // First the wakes, then the command: one that is taken early belongs to a command seen below.
+  takeWakes();
+  if (state_.load(std::memory_order_acquire) != kAsked) return std::nullopt;
+  if (!std::exchange(seen_, true)) {
+    ++wakes_owed_;
+    takeWakes();
+  }
+  return line_;
+}
+
+void CommandSlot::takeWakes() {
+  if (wakes_owed_ > 0) wakes_owed_ -= lower(wake_);
+}
+
+void CommandSlot::answer(std::string line) {
+  answer_ = std::move(line);
+  seen_ = false;
+  state_.store(kAnswered, std::memory_order_release);
+  state_.notify_all();
+}
+
+void CommandSlot::tell(std::string line) {
+  {
+    const std::lock_guard lock(mutex_);
+    told_lines_.push_back(std::move(line));
+  }
+  raise(told_);
+}
+
+std::vector<std::string> CommandSlot::takeTold() {
+  lower(told_);
+  const std::lock_guard lock(mutex_);
+  return std::exchange(told_lines_, {});
+}
+
+void CommandSlot::close() {
+  // An answer that was just given is still to be taken.
+  int state = state_.load(std::memory_order_acquire);
+  while (state == kAnswered) {
+    state_.wait(kAnswered, std::memory_order_acquire);
+    state = state_.load(std::memory_order_acquire);
+  }
+  state_.store(kClosed, std::memory_order_release);
+  state_.notify_all();
+  raise(told_);
+}
+
+}  // namespace rocinante

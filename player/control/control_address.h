@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+#include "core/base/result.h"
+#include "core/net/endpoint.h"
+
+namespace rocinante {
+
+/// Where a player hears commands: udp://HOST:PORT (also HOST:PORT), or unix:PATH.
+struct ControlAddress {
+  std::filesystem::path path;  ///< of a Unix socket; empty: `endpoint`
+  Endpoint endpoint;
+
+  static Result<ControlAddress> parse(std::string_view text);
+};
+
+/// True of this machine's own addresses: loopback, and those of its interfaces.
+bool isOwnAddress(const SocketAddress& address);
+
+}  // namespace rocinante

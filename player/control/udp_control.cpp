@@ -1,0 +1,135 @@
+#include "player/control/udp_control.h"
+
+#include <netinet/in.h>
+#include <sys/socket.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <functional>
+#include <optional>
+#include <utility>
+
+#include "core/net/port_holder.h"
+#include "core/net/system_socket.h"
+
+namespace rocinante {
+namespace {
+
+constexpr std::size_t kMostLines = 16;
+/// Served at a time, so that no flood keeps the others waiting.
+constexpr int kMostDatagrams = 64;
+
+class UdpControl final : public ControlInput {
+ public:
+  UdpControl(SystemSocket socket, AddressFilter allowed, std::function<void(std::string)> told)
+      : socket_(std::move(socket)), allowed_(std::move(allowed)), told_(std::move(told)) {}
+
+  void addDescriptors(std::vector<pollfd>& descriptors) const override {
+    descriptors.push_back({socket_.descriptor(), POLLIN, 0});
+  }
+
+  void serve(const Ask& ask) override {
+    for (int i = 0; i < kMostDatagrams; ++i) {
+      sockaddr_storage from{};
+      socklen_t length = sizeof from;
+      const ssize_t size = ::recvfrom(socket_.descriptor(), buffer_.data(), buffer_.size(),
+                                      MSG_DONTWAIT, reinterpret_cast<sockaddr*>(&from), &length);
+      if (size < 0 && errno == ECONNREFUSED) continue;  // who asked is gone
+      if (size < 0) return;
+      const std::string_view text(buffer_.data(), static_cast<std::size_t>(size));
+      if (mayControl(fromSystem(from))) {
+        peer_ = {from, length};
+        if (!untold_.empty()) send(std::exchange(untold_, {}), from, length);
+        const std::string answers = answer(text, ask);
+        if (!answers.empty()) send(answers, from, length);
+        continue;
+      }
+      if (told_) {
+        // Once: a stranger must not fill a terminal.
+        std::exchange(told_, {})("a command from " + withoutMapping(fromSystem(from)).hostText() +
+                                 " was refused: --control-allow lets other machines command");
+      }
+      if (const auto now = std::chrono::steady_clock::now(); now >= refuse_again_) {
+        refuse_again_ = now + std::chrono::seconds(1);
+        send("error only this machine may control this player (see --control-allow)\n", from,
+             length);
+      }
+    }
+  }
+
+  void tell(const std::string& line) override {
+    if (peer_) {
+      send(line + "\n", peer_->address, peer_->length);
+    } else {
+      untold_ = line + "\n";
+    }
+  }
+
+ private:
+  struct Peer {
+    sockaddr_storage address;
+    socklen_t length;
+  };
+
+  bool mayControl(const SocketAddress& from) const {
+    // Empty, it would allow everybody.
+    return isOwnAddress(from) || (!allowed_.empty() && allowed_.allows(from));
+  }
+
+  std::string answer(std::string_view text, const Ask& ask) {
+    std::string answers;
+    std::size_t lines = 0;
+    do {
+      const std::size_t end = std::min(text.find('\n'), text.size());
+      if (++lines > kMostLines) return answers + "error a datagram holds at most 16 commands\n";
+      const std::string said = ask(std::string(text.substr(0, end)));
+      if (!said.empty()) answers += said + "\n";
+      text.remove_prefix(std::min(end + 1, text.size()));
+    } while (!text.empty());
+    return answers;
+  }
+
+  void send(const std::string& text, const sockaddr_storage& to, socklen_t length) {
+    // Who does not take an answer does without.
+    [[maybe_unused]] const auto sent =
+        ::sendto(socket_.descriptor(), text.data(), text.size(), MSG_DONTWAIT,
+                 reinterpret_cast<const sockaddr*>(&to), length);
+  }
+
+  SystemSocket socket_;
+  AddressFilter allowed_;
+  std::function<void(std::string)> told_;  ///< empty once it was told
+  std::array<char, 65'536> buffer_{};
+  std::optional<Peer> peer_;
+  std::string untold_;
+  std::chrono::steady_clock::time_point refuse_again_{};
+};
+
+}  // namespace
+
+Result<ControlSocket> openUdpControl(const Endpoint& endpoint, AddressFilter allowed,
+                                     std::function<void(std::string)> told) {
+  Result<SystemSocket> socket = SystemSocket::open(endpoint);
+  if (!socket) return socket.error();
+  sockaddr_storage system{};
+  const socklen_t length = toSystem(endpoint.address, system);
+  if (::bind(socket->descriptor(), reinterpret_cast<sockaddr*>(&system), length) != 0) {
+    if (errno != EADDRINUSE) return systemError("cannot hear commands", endpoint);
+    const std::optional<PortHolder> holder = portHolder(endpoint.address);
+    return Error{ErrorKind::refused,
+                 "port " + std::to_string(endpoint.address.port) + " is held by " +
+                     (holder ? holder->name + " (pid " + std::to_string(holder->pid) + ")"
+                             : std::string("another process")),
+                 endpoint.text()};
+  }
+  Result<SocketAddress> bound = socket->localAddress(endpoint);
+  if (!bound) return bound.error();
+  ControlSocket control;
+  control.where = "udp://" + bound->text();
+  control.input =
+      std::make_unique<UdpControl>(std::move(*socket), std::move(allowed), std::move(told));
+  return control;
+}
+
+}  // namespace rocinante

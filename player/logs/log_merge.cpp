@@ -1,0 +1,211 @@
+#include "player/logs/log_merge.h"
+
+#include <fnmatch.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace rocinante {
+namespace {
+
+bool matchesAny(const std::vector<std::string>& patterns, const std::string& topic) {
+  return std::any_of(patterns.begin(), patterns.end(), [&](const std::string& pattern) {
+    return ::fnmatch(pattern.c_str(), topic.c_str(), 0) == 0;
+  });
+}
+
+constexpr TapePlace kEnd{LogTime::max(), ~std::uint32_t{0}, ~std::uint64_t{0}};
+
+}  // namespace
+
+bool ChannelChoice::holds(std::string_view topic) const {
+  constexpr std::string_view kRestated = "/rocinante/restated";
+  if (topic.starts_with(kRestated)) topic.remove_prefix(kRestated.size());
+  const std::string name(topic);
+  return (only.empty() || matchesAny(only, name)) && !matchesAny(muted, name);
+}
+
+Result<LogMerge> LogMerge::open(const std::vector<std::filesystem::path>& paths,
+                                ChannelChoice choice) {
+  LogMerge merge;
+  merge.inputs_.reserve(paths.size());
+  bool any_origin = false;
+  for (const auto& path : paths) {
+    Result<LogReader> reader = LogReader::open(path);
+    if (!reader) return reader.error();
+    const LogSummary& summary = reader->summary();
+    if (summary.messages > 0) {
+      merge.origin_ = any_origin ? std::min(merge.origin_, summary.origin) : summary.origin;
+      any_origin = true;
+    }
+    std::vector<bool> chosen;
+    for (const LogChannel& channel : reader->channels()) {
+      if (chosen.size() <= channel.id) chosen.resize(channel.id + 1U);
+      chosen[channel.id] = choice.holds(channel.topic);
+    }
+    if (choice.isAll() && summary.messages > 0) {
+      merge.start_ = merge.empty_ ? summary.start : std::min(merge.start_, summary.start);
+      merge.end_ = merge.empty_ ? summary.end : std::max(merge.end_, summary.end);
+      merge.empty_ = false;
+    }
+    merge.inputs_.push_back({std::move(*reader), std::move(chosen), std::nullopt});
+  }
+  if (!choice.isAll()) {
+    if (const Status found = merge.findRange(); !found) return found.error();
+  }
+  return merge;
+}
+
+Status LogMerge::findRange() {
+  if (const Status put = seek(TapePlace::at(LogTime::min()), Which::captured); !put) return put;
+  const Result<std::optional<LogMessage>> first = next();
+  if (!first) return first.error();
+  empty_ = !*first;
+  if (empty_) return {};
+  start_ = (*first)->log_time;
+  const Result<Earlier> last = back(kEnd, 1, LogTime::min());
+  if (!last) return last.error();
+  end_ = last->place.time;
+  return {};
+}
+
+bool LogMerge::chosen(std::size_t log, ChannelId channel) const {
+  const std::vector<bool>& chosen = inputs_[log].chosen;
+  return channel < chosen.size() && chosen[channel];
+}
+
+std::set<std::string> LogMerge::sources() const {
+  std::set<std::string> names;
+  for (std::size_t log = 0; log < inputs_.size(); ++log) {
+    for (const LogChannel& channel : channels(log)) {
+      if (!channel.folded() || !chosen(log, channel.id)) continue;
+      const auto source = channel.metadata.find("source");
+      if (source != channel.metadata.end() && !source->second.empty()) names.insert(source->second);
+    }
+  }
+  return names;
+}
+
+std::vector<std::string> LogMerge::damage() const {
+  std::vector<std::string> sentences;
+  for (const Input& input : inputs_) {
+    for (const DamageSpan& span : input.reader.damage()) {
+      const std::string place = span.to > span.from ? "bytes " + std::to_string(span.from) +
+                                                          " to " + std::to_string(span.to)
+                                                    : "byte " + std::to_string(span.from);
+      const std::string cost =
+          span.messages_lost ? ": " + std::to_string(*span.messages_lost) + " messages lost" : "";
+      sentences.push_back(span.cause + cost + " (" + input.reader.name() + ", " + place + ")");
+    }
+  }
+  return sentences;
+}
+
+bool LogMerge::wanted(const Input& input, const LogMessage& message) const {
+  const LogChannel& channel = *message.channel;
+  if (channel.id >= input.chosen.size() || !input.chosen[channel.id]) return false;
+  return which_ == Which::captured ? channel.captured() : channel.folded();
+}
+
+Status LogMerge::advance(Input& input) {
+  while (true) {
+    Result<std::optional<LogMessage>> message = input.reader.next();
+    if (!message) return message.error();
+    input.head = *message;
+    if (!input.head || wanted(input, *input.head)) return {};
+  }
+}
+
+Status LogMerge::stand(TapePlace place) {
+  taken_ = nullptr;
+  for (std::size_t i = 0; i < inputs_.size(); ++i) {
+    LogReader& reader = inputs_[i].reader;
+    Status put;
+    if (i == place.log && place.file_offset > 0) {
+      put = reader.seekAfter({place.time, place.file_offset - 1});
+    } else if (i >= place.log) {
+      put = reader.seek(place.time);
+    } else {
+      // Of equal times, the log named first goes first: here they are behind us.
+      put = reader.seekAfter({place.time, ~std::uint64_t{0}});
+    }
+    if (!put) return put;
+    inputs_[i].head.reset();
+  }
+  return {};
+}
+
+Status LogMerge::seek(TapePlace place, Which which) {
+  which_ = which;
+  if (const Status put = stand(place); !put) return put;
+  for (Input& input : inputs_) {
+    if (const Status read = advance(input); !read) return read;
+  }
+  return {};
+}
+
+Result<std::optional<LogMessage>> LogMerge::next() {
+  if (taken_ != nullptr) {
+    if (const Status read = advance(*std::exchange(taken_, nullptr)); !read) return read.error();
+  }
+  for (Input& input : inputs_) {
+    // Not <=: of equal times, the log named first goes first.
+    if (input.head && (taken_ == nullptr || input.head->log_time < taken_->head->log_time)) {
+      taken_ = &input;
+    }
+  }
+  if (taken_ == nullptr) return std::optional<LogMessage>();
+  return taken_->head;
+}
+
+TapePlace LogMerge::place() const {
+  if (taken_ == nullptr) return kEnd;
+  return {taken_->head->log_time, static_cast<std::uint32_t>(taken_ - inputs_.data()),
+          taken_->head->file_offset};
+}
+
+/// The heads are each log's last message behind us.
+Result<std::optional<TapePlace>> LogMerge::previous() {
+  const auto goBack = [this](Input& input) -> Status {
+    while (true) {
+      Result<std::optional<LogMessage>> message = input.reader.previous();
+      if (!message) return message.error();
+      input.head = *message;
+      if (!input.head || wanted(input, *input.head)) return {};
+    }
+  };
+  if (taken_ == nullptr) {
+    for (Input& input : inputs_) {
+      if (const Status read = goBack(input); !read) return read.error();
+    }
+  } else if (const Status read = goBack(*taken_); !read) {
+    return read.error();
+  }
+  taken_ = nullptr;
+  for (Input& input : inputs_) {
+    if (input.head && (taken_ == nullptr || input.head->log_time >= taken_->head->log_time)) {
+      taken_ = &input;
+    }
+  }
+  if (taken_ == nullptr) return std::optional<TapePlace>();
+  return std::optional(place());
+}
+
+Result<LogMerge::Earlier> LogMerge::back(TapePlace from, std::uint64_t count, LogTime floor) {
+  which_ = Which::captured;
+  if (const Status put = stand(from); !put) return put.error();
+  Earlier earlier{0, from, std::nullopt};
+  while (true) {
+    const Result<std::optional<TapePlace>> found = previous();
+    if (!found) return found.error();
+    if (!*found || (*found)->time < floor) return earlier;
+    if (earlier.messages == count) {
+      earlier.before = (*found)->time;
+      return earlier;
+    }
+    ++earlier.messages;
+    earlier.place = **found;
+  }
+}
+
+}  // namespace rocinante

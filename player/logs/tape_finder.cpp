@@ -1,0 +1,109 @@
+#include "player/logs/tape_finder.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace rocinante {
+namespace {
+
+/// Between two of them lie 16,384 messages at most of every 8 million: some milliseconds to fold.
+constexpr std::size_t kMostKept = 1024;
+/// What all that is kept may weigh, as the states count it; one that is too heavy is not kept.
+constexpr std::uint64_t kMostKeptBytes = std::uint64_t{64} << 20U;
+constexpr std::uint64_t kHeaviest = kMostKeptBytes / 16;
+
+std::uint64_t bytesOfKept(const SessionState& state) { return sizeof(state) + state.weight(); }
+
+}  // namespace
+
+Result<TapeFinder> TapeFinder::open(std::vector<std::filesystem::path> paths,
+                                    ChannelChoice choice) {
+  Result<LogMerge> merge = LogMerge::open(paths, choice);
+  if (!merge) return merge.error();
+  TapeFinder finder(std::move(paths), std::move(choice), std::move(*merge));
+  finder.sources_ = finder.merge_.sources();
+  if (finder.paths_.size() == 1 && finder.choice_.isAll()) {
+    Result<Timeline> timeline = Timeline::open(finder.paths_[0]);
+    if (!timeline) return timeline.error();
+    finder.timeline_ = std::move(*timeline);
+  }
+  return finder;
+}
+
+void TapeFinder::keep(TapePlace place, const SessionState& state) {
+  if (bytesOfKept(state) > kHeaviest || !kept_.try_emplace(place, state).second) return;
+  kept_bytes_ += bytesOfKept(state);
+  if (kept_.size() < kMostKept && kept_bytes_ < kMostKeptBytes) return;
+  for (auto each = kept_.begin(); each != kept_.end();) {
+    kept_bytes_ -= bytesOfKept(each->second);
+    each = kept_.erase(each);
+    if (each != kept_.end()) ++each;
+  }
+  keep_each_ *= 2;
+}
+
+Result<SessionState> TapeFinder::nearestBefore(TapePlace place, TapePlace& from) {
+  from = TapePlace::at(LogTime::min());
+  if (place <= from) return SessionState();
+  if (timeline_) {
+    // The timeline folds whole moments; what is as early as the place itself is folded by place.
+    from = TapePlace::at(place.time);
+    Result<const SessionState*> state =
+        timeline_->stateAt(place.time - Nanoseconds(1), &state_damage_);
+    if (!state) return state.error();
+    return **state;
+  }
+  auto after = kept_.upper_bound(place);
+  if (after == kept_.begin()) return SessionState();
+  const auto& nearest = *std::prev(after);
+  from = nearest.first;
+  return nearest.second;
+}
+
+Result<SessionState> TapeFinder::stateBefore(TapePlace place) {
+  TapePlace from;
+  Result<SessionState> state = nearestBefore(place, from);
+  if (!state) return state;
+  if (const Status put = merge_.seek(from, LogMerge::Which::folded); !put) return put.error();
+  for (std::uint64_t count = 1;; ++count) {
+    const Result<std::optional<LogMessage>> message = merge_.next();
+    if (!message) return message.error();
+    if (!*message || merge_.place() >= place) break;
+    folder_.fold(*state, **message);
+    if (!timeline_ && count % keep_each_ == 0) keep(TapePlace::behind(merge_.place()), *state);
+  }
+  for (const auto& [source, memory] : state->sources()) sources_.insert(source);
+  return state;
+}
+
+Result<bool> TapeFinder::anyIn(LogTime from, LogTime until) {
+  if (const Status put = merge_.seek(TapePlace::at(from), LogMerge::Which::captured); !put) {
+    return put.error();
+  }
+  const Result<std::optional<LogMessage>> first = merge_.next();
+  if (!first) return first.error();
+  return *first && (*first)->log_time < until;
+}
+
+Result<LogMerge::Earlier> TapeFinder::back(TapePlace place, std::uint64_t count, LogTime floor) {
+  return merge_.back(place, count, floor);
+}
+
+Result<const std::vector<LogTime>*> TapeFinder::eventTimes() {
+  if (!event_times_) {
+    std::vector<LogTime> times;
+    for (const auto& path : paths_) {
+      Result<Timeline> timeline = Timeline::open(path);
+      if (!timeline) return timeline.error();
+      const Result<const std::vector<Event>*> events = timeline->events();
+      if (!events) return events.error();
+      for (const Event& event : **events) times.push_back(event.time);
+    }
+    std::sort(times.begin(), times.end());
+    times.erase(std::unique(times.begin(), times.end()), times.end());
+    event_times_ = std::move(times);
+  }
+  return &*event_times_;
+}
+
+}  // namespace rocinante

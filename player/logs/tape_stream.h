@@ -1,0 +1,89 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/packet/session_state.h"
+#include "player/logs/log_merge.h"
+#include "player/logs/message_folder.h"
+#include "player/logs/play_routes.h"
+#include "player/logs/restated_block.h"
+#include "player/send/datagram_stream.h"
+
+namespace rocinante {
+
+/// What is played from a place on, if nobody interferes.
+struct TapeRun {
+  TapePlace from;          ///< the first message at or behind this
+  LogTime start{};         ///< what the line begins with: the moment of `from`
+  PlayedSpan bounds;       ///< of the span begun; playing it ends at `bounds.until`
+  std::uint32_t span = 0;  ///< its number
+
+  PlayedSpan turn;  ///< what comes at the end, again and again
+  std::uint32_t turns_left = 0;
+  bool endless = false;
+
+  /// The state at `from`, and at the beginning of each turn: restatements are made of them. Empty:
+  /// none are made.
+  std::optional<SessionState> state;
+  std::optional<SessionState> turn_state;
+  std::set<std::string> sources;         ///< that are reset
+  std::optional<Nanoseconds> repeat;     ///< log time after which everything is said again
+  std::string part_id = "player";        ///< what IDs of restatements begin with
+  std::optional<Nanoseconds> gap_limit;  ///< no silence lasts longer, in log time
+};
+
+/// The log's captured messages from a place on, byte for byte and in order, turn after turn. Turns
+/// follow each other without a gap and without drift on one line of time; too long silences are
+/// cut out of it. Between messages stand restatements by the player:
+/// - of the state at the beginning of each turn;
+/// - when `repeat` has gone by since the last, before the next message;
+/// - where the log holds what others restated, which is folded and never played: whoever hears the
+///   player has only this;
+/// - after each part of a source's own restatement, while one is unfinished that had begun before
+///   the last of ours: a receiver has only its rest and cannot tell what it forgets. At most 64
+///   times.
+/// The restatement of the state at `from` itself is left to the caller.
+class TapeStream final : public DatagramStream {
+ public:
+  /// `logs` and `routes` must outlive the stream; `logs` belongs to it until then.
+  static Result<TapeStream> open(LogMerge& logs, const PlayRoutes& routes, TapeRun run);
+
+  Result<std::optional<Due>> due() override;
+  ByteView take() override;
+
+ private:
+  TapeStream(LogMerge& logs, const PlayRoutes& routes, TapeRun run);
+
+  Status readHead();
+  Status beginTurn();
+  bool isBlockWanted(LogTime moment) const;
+  void makeBlock(TapePlace place, LogTime moment);
+  Due headDue() const;
+
+  LogMerge* logs_;
+  const PlayRoutes* routes_;
+  TapeRun run_;
+  MessageFolder folder_;
+  bool over_ = false;
+  bool after_turn_ = false;
+  bool any_in_turn_ = false;
+  Nanoseconds shift_{};        ///< from log time to the stream's line
+  LogTime last_on_line_{};     ///< of the last message
+  LogTime last_block_{};       ///< log time of the last restatement
+  bool unsaid_ = false;        ///< something was folded that is not played
+  bool settling_ = false;      ///< the last restatement broke off one of a source's own
+  std::uint32_t settled_ = 0;  ///< restatements for that reason, in this turn
+  std::uint64_t blocks_ = 0;
+
+  std::vector<RestatedDatagram> block_;
+  std::size_t block_taken_ = 0;
+  Due block_due_;
+  std::optional<LogMessage> head_;
+  bool head_taken_ = true;
+};
+
+}  // namespace rocinante

@@ -1,0 +1,164 @@
+#include "player/play/play.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/base/duration_text.h"
+#include "core/session/timeline.h"
+#include "player/logs/tape_finder.h"
+#include "player/playhead/play_line.h"
+#include "player/playhead/transport.h"
+#include "player/send/udp_edge.h"
+
+namespace rocinante {
+namespace {
+
+std::string namesOf(const std::vector<std::filesystem::path>& paths) {
+  std::string names;
+  for (const auto& path : paths) names += (names.empty() ? "" : ", ") + path.string();
+  return names;
+}
+
+Result<PlayedSpan> spanOf(const LogMerge& logs, const PlayOptions& options) {
+  PlayedSpan span{logs.start(), logs.end() + Nanoseconds(1)};
+  if (options.from) {
+    const auto from = parseSessionTime(*options.from, logs.origin(), logs.end());
+    if (!from) return from.error();
+    // Before the first message there is nothing to wait for.
+    span.from = std::max(*from, logs.start());
+  }
+  if (options.until) {
+    const auto until = parseSessionTime(*options.until, logs.origin(), logs.end());
+    if (!until) return until.error();
+    span.until = *until;
+  }
+  return span;
+}
+
+Status checkSpan(TapeFinder& finder, const LogMerge& logs, const PlayedSpan& span,
+                 const PlayOptions& options) {
+  if (logs.empty()) {
+    return Error{ErrorKind::not_found,
+                 options.channels.isAll() ? "nothing to play: no captured message"
+                                          : "nothing to play: no message on the chosen channels",
+                 namesOf(options.logs)};
+  }
+  bool any = false;
+  if (span.from < span.until) {
+    const Result<bool> found = finder.anyIn(span.from, span.until);
+    if (!found) return found.error();
+    any = *found;
+  }
+  if (any) return {};
+  std::string sentence = "nothing to play: no captured message";
+  if (logs.start() <= logs.end()) {
+    sentence += " from " + secondsText(span.from - logs.origin()) + " s until " +
+                secondsText(span.until - logs.origin()) + " s";
+  }
+  if (const auto damage = finder.damage(); !damage.empty()) sentence += "; " + damage.front();
+  return Error{ErrorKind::not_found, sentence, namesOf(options.logs)};
+}
+
+Result<std::optional<PlayedSpan>> loopOf(TapeFinder& finder, const LogMerge& logs,
+                                         const PlayedSpan& span, const PlayOptions& options) {
+  if (!options.loop) return std::optional<PlayedSpan>();
+  const Result<PlayedSpan> asked = parseLoop(*options.loop, logs.origin(), logs.end());
+  if (!asked) return asked.error();
+  const PlayedSpan loop{std::max(asked->from, span.from), std::min(asked->until, span.until)};
+  bool any = false;
+  if (loop.from < loop.until) {
+    const Result<bool> found = finder.anyIn(loop.from, loop.until);
+    if (!found) return found.error();
+    any = *found;
+  }
+  if (!any) {
+    return Error{ErrorKind::not_found, "nothing to play: no captured message in the loop",
+                 *options.loop};
+  }
+  return std::optional(loop);
+}
+
+std::string mannerOf(const PlayOptions& options) {
+  if (options.lockstep) return " in lockstep";
+  return options.at_once ? std::string(" at once") : " at " + options.speed.text() + "x";
+}
+
+}  // namespace
+
+Result<PlayedSpan> parseLoop(std::string_view text, LogTime origin, LogTime end) {
+  // A hyphen also begins a time from the end, and stands in dates: the first cut that fits counts.
+  for (std::size_t cut = text.find('-', 1); cut < text.size(); cut = text.find('-', cut + 1)) {
+    const auto from = parseSessionTime(text.substr(0, cut), origin, end);
+    const auto until = parseSessionTime(text.substr(cut + 1), origin, end);
+    if (from && until && *from < *until) return PlayedSpan{*from, *until};
+  }
+  return Error{ErrorKind::bad_argument,
+               "a loop is a number of turns, or A-B with session times, as in 2s-4.5s",
+               std::string(text)};
+}
+
+Result<PlayReport> play(const PlayOptions& options, const SendSurroundings& surroundings,
+                        const PlayControl& control) {
+  Result<LogMerge> logs = LogMerge::open(options.logs, options.channels);
+  if (!logs) return logs.error();
+  Result<TapeFinder> finder = TapeFinder::open(options.logs, options.channels);
+  if (!finder) return finder.error();
+  const Result<PlayedSpan> span = spanOf(*logs, options);
+  if (!span) return span.error();
+  if (Status judged = checkSpan(*finder, *logs, *span, options); !judged) return judged.error();
+  const auto loop = loopOf(*finder, *logs, *span, options);
+  if (!loop) return loop.error();
+  const Result<PlayRoutes> routes = makeRoutes(*logs, options.to, options.maps, options.keep_ports);
+  if (!routes) return routes.error();
+
+  TransportOptions how;
+  how.span = *span;
+  // Who loops a part begins with it.
+  if (*loop && !options.from) how.start = (*loop)->from;
+  how.turns = options.turns;
+  how.loop = *loop;
+  how.origin = logs->origin();
+  how.end = logs->end();
+  how.speed = options.speed;
+  if (options.at_once || options.lockstep) how.speed.reset();
+  how.start_paused = options.start_paused;
+  how.lockstep = options.lockstep;
+  how.restate = options.restate;
+  how.repeat = options.repeat;
+  how.gap_limit = options.gap_limit;
+
+  Result<UdpEdge> edge = UdpEdge::open(routes->all, how.speed ? options.realtime : Realtime::off,
+                                       surroundings.stop, control.wake);
+  if (!edge) return edge.error();
+  surroundings.told("playing " + namesOf(options.logs) + " to " + options.to.text() +
+                    mannerOf(options));
+  Result<std::unique_ptr<Transport>> transport =
+      Transport::open(*logs, *finder, *routes, how, edge->now());
+  if (!transport) return transport.error();
+
+  PlayReport report;
+  PlayJournal journal(span->from, span->until);
+  const TransportRules rules{options.stays, logs->origin(), logs->end(), options.ack_timeout};
+  Result<SendEnd> end = SendEnd::finished;
+  {
+    PlayStatus status;
+    PlayLine line(status, logs->origin(), std::min(span->until, logs->end()), options.progress);
+    end = sendTransport(**transport, rules, *edge, journal, control.commands, status);
+  }
+  if (!end) report.failure = end.error();
+  report.to = options.to.text();
+  report.speed = (*transport)->speed();
+  transport->reset();
+  report.timing_source = edge->timingSource();
+  report.scheduling = edge->scheduling();
+  report.interrupted = end && *end == SendEnd::stopped;
+  journal.writeTo(report, end && *end == SendEnd::finished);
+  for (const auto& log : options.logs) report.inputs.push_back(log.string());
+  report.damage = logs->damage();
+  if (!finder->stateDamage().empty()) {
+    report.damage.push_back("a state that was sent may be older: " + finder->stateDamage().text());
+  }
+  return report;
+}
+
+}  // namespace rocinante

@@ -1,0 +1,265 @@
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cstdio>
+
+#include "core/base/atomic_file.h"
+#include "core/base/duration_text.h"
+#include "core/base/plain_text.h"
+#include "core/cli/program.h"
+#include "player/control/command_slot.h"
+#include "player/control/control_socket.h"
+#include "player/control/control_thread.h"
+#include "player/control/terminal_keys.h"
+#include "player/play/play.h"
+#include "player/send/resumes.h"
+
+namespace {
+
+using namespace rocinante;
+
+constexpr const char* kExamples =
+    "  rocinante play session.mcap                       to the standard group, as recorded\n"
+    "  rocinante play session.mcap --to 10.0.0.7:19960 --speed 0.25\n"
+    "  rocinante play session.mcap --from 12.5s --until 14s --loop 0   until Ctrl-C\n"
+    "  rocinante play session.mcap --loop 12.5s-14s --gap-limit 2s\n"
+    "  rocinante play session.mcap --start-paused --control 127.0.0.1:7000\n"
+    "  rocinante play left.mcap right.mcap --report -    both on one time line; how exact it was\n"
+    "\nKeys on a terminal: space pauses, arrows step (right, left: a message; up, down: 1 s),\n"
+    "+ and - change the speed, n and p go to the next event and the one before, q quits.\n";
+
+struct Arguments {
+  PlayOptions options;
+  std::string to;
+  std::string speed = "1";
+  std::string loop = "1";
+  std::string restate = "2s";
+  std::string gap_limit;
+  std::string ack_timeout = "1s";
+  std::vector<std::string> maps;
+  std::string control;
+  std::vector<std::string> control_allow;
+  std::string realtime = "auto";
+  std::string report;
+  bool force = false;
+  bool json = false;
+  bool quiet = false;
+};
+
+void declareWhat(CLI::App& app, Arguments& my) {
+  app.add_option("LOG", my.options.logs, "logs to play, on one time line")
+      ->required()
+      ->option_text("...");
+  app.add_option("--from", my.options.from, "begin at this session time (12.5s, -1s, RFC 3339)")
+      ->option_text("TIME");
+  app.add_option("--until", my.options.until, "end before this session time")->option_text("TIME");
+  app.add_option("--loop", my.loop, "play this often (0: until stopped), or a part A-B endlessly")
+      ->option_text("N|A-B=1");
+  app.add_option("--channel", my.options.channels.only, "only topics like this; repeatable")
+      ->allow_extra_args(false)
+      ->option_text("PATTERN");
+  app.add_option("--mute", my.options.channels.muted, "no topics like this; repeatable")
+      ->allow_extra_args(false)
+      ->option_text("PATTERN");
+}
+
+void declareWhere(CLI::App& app, Arguments& my) {
+  app.add_option("--to", my.to, "where to send: udp://HOST:PORT, HOST:PORT or a multicast group")
+      ->option_text("EP");
+  app.add_option("--map", my.maps, "send topics like this elsewhere; repeatable")
+      ->allow_extra_args(false)
+      ->option_text("PATTERN=EP");
+  app.add_flag("--keep-ports", my.options.keep_ports,
+               "send from the ports of the original senders");
+}
+
+void declareHow(CLI::App& app, Arguments& my) {
+  auto* speed = app.add_option("--speed", my.speed, "log seconds per second, 0.01 to 1000")
+                    ->option_text("X=1");
+  auto* at_once = app.add_flag("--asap", my.options.at_once,
+                               "as fast as the network takes them, not on schedule")
+                      ->excludes(speed)
+                      ->option_text(" ");
+  auto* lockstep = app.add_flag("--lockstep", my.options.lockstep,
+                                "say `step N` at the control endpoint after each, wait for `ack N`")
+                       ->excludes(speed)
+                       ->excludes(at_once)
+                       ->option_text(" ");
+  app.add_option("--ack-timeout", my.ack_timeout, "how long to wait for an ack, then exit 1")
+      ->needs(lockstep)
+      ->option_text("TIME=1s");
+  app.add_option("--gap-limit", my.gap_limit, "no silence lasts longer than this when played")
+      ->option_text("TIME");
+  app.add_option("--restate", my.restate,
+                 "say every source's state first, and again this often; 0: only first; off")
+      ->option_text("TIME=2s");
+  app.add_option("--realtime", my.realtime, "run before other threads: auto, on or off")
+      ->check(CLI::IsMember({"auto", "on", "off"}))
+      ->option_text("WHEN=auto");
+  auto* control = app.add_option("--control", my.control,
+                                 "hear commands here: udp://127.0.0.1:PORT or unix:PATH")
+                      ->option_text("EP");
+  app.add_option("--control-allow", my.control_allow, "let these addresses command too; repeatable")
+      ->needs(control)
+      ->allow_extra_args(false)
+      ->option_text("CIDR");
+  app.add_flag("--start-paused", my.options.start_paused, "wait for a command to play");
+  lockstep->needs(control);
+  app.add_option("--report", my.report, "write what was sent, and how late, as JSON; -: to stdout")
+      ->option_text("FILE");
+  app.add_flag("--force", my.force, "replace the report file");
+  app.add_flag("--json", my.json, "the same as --report -");
+  app.add_flag("--quiet", my.quiet, "print nothing but errors (and --json)");
+}
+
+/// A duration of at least `least`.
+Result<Nanoseconds> durationOf(const char* option, const std::string& text, Nanoseconds least) {
+  const Result<Nanoseconds> duration = parseDuration(text);
+  if (!duration) return duration.error();
+  if (*duration < least) {
+    return Error{ErrorKind::bad_argument,
+                 std::string(option) + " is at least " + secondsText(least) + " s", text};
+  }
+  return *duration;
+}
+
+Status readTimes(Arguments& my) {
+  const bool is_number = my.loop.find_first_not_of("0123456789") == my.loop.npos;
+  if (is_number) {
+    const char* end = my.loop.data() + my.loop.size();
+    const auto [stop, fault] = std::from_chars(my.loop.data(), end, my.options.turns);
+    if (fault != std::errc() || stop != end) {
+      return Error{ErrorKind::bad_argument, "--loop takes up to 4294967295 turns", my.loop};
+    }
+  } else {
+    // Where it lies is seen when the log is open.
+    if (my.loop.find('-', 1) == my.loop.npos) return parseLoop(my.loop, {}, {}).error();
+    my.options.loop = my.loop;
+  }
+  my.options.restate = my.restate != "off" && my.restate != "false";
+  if (my.options.restate && my.restate != "true") {
+    const auto repeat = durationOf("--restate", my.restate, Nanoseconds(0));
+    if (!repeat) return repeat.error();
+    my.options.repeat = *repeat;
+    if (repeat->count() > 0 && *repeat < std::chrono::milliseconds(10)) {
+      return Error{ErrorKind::bad_argument, "--restate is 0 or at least 10ms", my.restate};
+    }
+  }
+  if (!my.gap_limit.empty()) {
+    const auto limit = durationOf("--gap-limit", my.gap_limit, std::chrono::milliseconds(1));
+    if (!limit) return limit.error();
+    my.options.gap_limit = *limit;
+  }
+  const auto timeout = durationOf("--ack-timeout", my.ack_timeout, std::chrono::milliseconds(1));
+  if (!timeout) return timeout.error();
+  my.options.ack_timeout = *timeout;
+  return {};
+}
+
+Status read(Arguments& my) {
+  if (!my.to.empty()) {
+    const auto to = Endpoint::parse(my.to);
+    if (!to) return to.error();
+    my.options.to = *to;
+  }
+  for (const std::string& text : my.maps) {
+    const auto map = RouteMap::parse(text);
+    if (!map) return map.error();
+    my.options.maps.push_back(*map);
+  }
+  const auto speed = PlaybackSpeed::parse(my.speed);
+  if (!speed) return speed.error();
+  my.options.speed = *speed;
+  my.options.realtime = realtimeOf(my.realtime);
+  return readTimes(my);
+}
+
+using Inputs = std::vector<std::unique_ptr<ControlInput>>;
+
+Status openControl(Arguments& my, Inputs& inputs) {
+  if (!my.control.empty()) {
+    const auto address = ControlAddress::parse(my.control);
+    if (!address) return address.error();
+    Result<AddressFilter> allowed = AddressFilter::of(my.control_allow);
+    if (!allowed) return allowed.error();
+    auto control = ControlSocket::open(
+        *address, std::move(*allowed),
+        my.quiet ? std::function<void(std::string)>()
+                 : [](const std::string& sentence) { cli::warn(sentence); });
+    if (!control) return control.error();
+    inputs.push_back(std::move(control->input));
+    // In lockstep the end of the log is the end of the work.
+    my.options.stays = !my.options.lockstep;
+    if (!my.quiet) std::fprintf(stderr, "hearing commands at %s\n", control->where.c_str());
+  }
+  if (my.options.progress) {
+    if (auto keys = TerminalKeys::open()) inputs.push_back(std::move(keys));
+  }
+  if (my.options.start_paused && inputs.empty()) {
+    return Error{ErrorKind::bad_argument, "nobody could end the pause: no terminal, no --control",
+                 "--start-paused"};
+  }
+  return {};
+}
+
+Result<PlayReport> playWithControl(Arguments& my) {
+  cli::catchStopSignals();
+  watchResumes();
+  const auto slot = CommandSlot::make();
+  if (!slot) return slot.error();
+  Inputs inputs;
+  if (const Status opened = openControl(my, inputs); !opened) return opened.error();
+  PlayControl control;
+  if (!inputs.empty()) control = {slot->get(), (*slot)->wake()};
+  // Where a log is opened, or the state of a place is folded, nothing looks for a stop.
+  const cli::StopDeadline deadline("stopped in the middle of reading, so there is no report",
+                                   giveTerminalBack);
+  const ControlThread thread(**slot, std::move(inputs));
+  SendSurroundings surroundings;
+  surroundings.stop = cli::stopRequested;
+  surroundings.told = [&my](std::string_view line) {
+    if (!my.quiet) std::fprintf(stderr, "%s\n", plainText(line).c_str());
+  };
+  return play(my.options, surroundings, control);
+}
+
+Result<cli::Exit> run(Arguments& my) {
+  if (const Status understood = read(my); !understood) return understood.error();
+  const bool to_stdout = my.json || my.report == "-";
+  const bool to_file = !my.report.empty() && my.report != "-";
+  // Asked before playing: an hour later is too late to learn it.
+  if (to_file) {
+    if (const Status may = mayWriteFile(my.report, my.force); !may) return may.error();
+  }
+  my.options.progress = !my.quiet && ::isatty(STDERR_FILENO) == 1;
+  const Result<PlayReport> report = playWithControl(my);
+  if (!report) return report.error();
+
+  for (const std::string& damage : report->damage) cli::warn(damage);
+  if (!report->keptUp() && !my.quiet) cli::warn(behindText(*report));
+  bool is_kept = true;
+  if (to_file) {
+    const Status written = writeFileWhole(my.report, bytesOf(jsonText(*report)), my.force);
+    if (!written) cli::warn(written.error().text());
+    is_kept = written.ok();
+  }
+  const std::string said =
+      to_stdout ? jsonText(*report) : (my.quiet ? std::string() : summaryText(*report));
+  std::fwrite(said.data(), 1, said.size(), stdout);
+  if (report->failure) cli::warn(report->failure->text());
+  const bool is_whole = report->damage.empty() && !report->failure && is_kept;
+  return is_whole ? cli::Exit::done : cli::Exit::no;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Re-emits recorded datagrams as UDP, on the session's own schedule.",
+               "rocinante-play");
+  Arguments arguments;
+  declareWhat(app, arguments);
+  declareWhere(app, arguments);
+  declareHow(app, arguments);
+  return rocinante::cli::run(app, argc, argv, kExamples, [&] { return run(arguments); });
+}

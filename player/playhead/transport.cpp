@@ -1,0 +1,388 @@
+#include "player/playhead/transport.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "core/base/duration_text.h"
+
+namespace rocinante {
+namespace {
+
+using Kind = TransportCommand::Kind;
+
+/// From a restatement to the first message after it, so that it delays none.
+constexpr Nanoseconds kLead = std::chrono::milliseconds(5);
+/// A restatement that waits for a silence begins only in one that is longer.
+constexpr Nanoseconds kSilence = std::chrono::milliseconds(100);
+/// `previous` while playing: what has just gone by is not meant.
+constexpr Nanoseconds kJustNow = std::chrono::seconds(1);
+
+Error refused(std::string what) { return {ErrorKind::refused, std::move(what), {}}; }
+
+/// The next of the usual speeds.
+PlaybackSpeed neighbour(PlaybackSpeed speed, bool faster) {
+  static constexpr std::array kUsual = {"0.01", "0.02", "0.05", "0.1", "0.2", "0.5", "1",   "2",
+                                        "5",    "10",   "20",   "50",  "100", "200", "500", "1000"};
+  PlaybackSpeed found = speed;
+  for (const char* text : kUsual) {
+    const PlaybackSpeed usual = *PlaybackSpeed::parse(text);
+    if (faster && usual.ratio() > speed.ratio()) return usual;
+    if (!faster && usual.ratio() < speed.ratio()) found = usual;
+  }
+  return found;
+}
+
+std::string_view nameOf(Transport::State state) {
+  if (state == Transport::State::ended) return "ended";
+  return state == Transport::State::playing ? "playing" : "paused";
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Transport>> Transport::open(LogMerge& tape, TapeFinder& finder,
+                                                   const PlayRoutes& routes,
+                                                   const TransportOptions& options,
+                                                   SteadyTime now) {
+  std::unique_ptr<Transport> transport(new Transport(tape, finder, routes, options));
+  transport->turns_left_ = options.turns == 0 ? 0 : options.turns - 1;
+  transport->playing_ = !options.start_paused;
+  if (options.lockstep) transport->awaited_ = 0;
+  const LogTime from = options.start.value_or(options.span.from);
+  if (const Status begun = transport->begin(TapePlace::at(from), from, true, now); !begun) {
+    return begun.error();
+  }
+  return transport;
+}
+
+/// Plays from `place` on from now; after a jump everything is said again first.
+Status Transport::begin(TapePlace place, LogTime moment, bool jump, SteadyTime now) {
+  run_.reset();
+  next_.reset();
+  TapeRun run;
+  run.from = place_ = place;
+  run.start = time_ = line_ = moment;
+  // What was being said would stay unfinished.
+  const bool says = jump || in_block_;
+  in_block_ = false;
+  if (jump && runs_ > 0) ++span_;
+  if (jump) bounds_.from = moment;
+  run.span = span_;
+  const bool is_looping = options_.loop && moment < options_.loop->until;
+  run.turn = is_looping ? *options_.loop : options_.span;
+  run.endless = is_looping || options_.turns == 0;
+  run.turns_left = turns_left_;
+  run.bounds = bounds_ = {bounds_.from, run.turn.until};
+  run.part_id = "player" + std::to_string(++runs_);
+  if (isScheduled() && options_.gap_limit) {
+    run.gap_limit = options_.speed->logDuration(*options_.gap_limit);
+  }
+  if (says) {
+    block_.clear();
+    block_taken_ = 0;
+    repeat_at_ = now + options_.repeat;
+  }
+  if (options_.restate) {
+    Result<SessionState> state = finder_->stateBefore(place);
+    if (!state) return state.error();
+    if (run.endless || run.turns_left > 0) {
+      Result<SessionState> turn_state = finder_->stateBefore(TapePlace::at(run.turn.from));
+      if (!turn_state) return turn_state.error();
+      run.turn_state = std::move(*turn_state);
+    }
+    run.sources = finder_->sources();
+    if (says) block_ = restatedBlock(*state, run.sources, *routes_, run.part_id);
+    run.state = std::move(*state);
+    if (isScheduled() && options_.repeat.count() > 0) {
+      run.repeat = options_.speed->logDuration(options_.repeat);
+    }
+  }
+  if (jump) {
+    steps_ = 0;
+    through_.reset();
+    last_told_ = {};
+  }
+  Result<TapeStream> tape = TapeStream::open(*tape_, *routes_, std::move(run));
+  if (!tape) return tape.error();
+  run_ = std::make_unique<Run>(std::move(*tape));
+  // At the very start there is time to fill the memory before the first deadline.
+  if (options_.read_ahead) run_->ahead.emplace(run_->tape, runs_ == 1 && options_.speed);
+  asked_at_ = now;
+  starts_ = starts_ || jump;
+  anchor(now);
+  return {};
+}
+
+void Transport::anchor(SteadyTime now) {
+  if (options_.speed) clock_ = PlaybackClock(line_, now, *options_.speed);
+}
+
+std::optional<Due> Transport::head() {
+  Result<std::optional<Due>> head = run_->stream().due();
+  return head ? *head : std::nullopt;
+}
+
+/// Where the clock is on the run's line: never beyond what is to be sent next.
+LogTime Transport::line(SteadyTime now) {
+  if (!playing_ || !isScheduled()) return line_;
+  const std::optional<Due> head = this->head();
+  if (!head) return line_;
+  return std::max(line_, std::min(clock_.moment(now), head->time));
+}
+
+LogTime Transport::time(SteadyTime now) {
+  LogTime time = time_ + (line(now) - line_);
+  const std::optional<Due> head = this->head();
+  if (head && head->span == span_) time = std::min(time, head->place.time);
+  return std::max(time_, std::min(time, bounds_.until - Nanoseconds(1)));
+}
+
+void Transport::freeze(SteadyTime now) {
+  const LogTime time = this->time(now);
+  line_ = line(now);
+  time_ = time;
+}
+
+void Transport::skipTime(SteadyTime stopped, SteadyTime now) {
+  freeze(stopped);
+  anchor(now);
+}
+
+Transport::State Transport::state() {
+  if (!head()) return State::ended;
+  return playing_ ? State::playing : State::paused;
+}
+
+std::string Transport::status(SteadyTime now) {
+  return "ok t=" + secondsText(time(now) - options_.origin, 9) +
+         " state=" + std::string(nameOf(state())) +
+         " speed=" + (options_.speed ? options_.speed->text() : "asap") +
+         " sent=" + std::to_string(sent_);
+}
+
+bool Transport::isImmediate(const Due& head) const {
+  if (steps_ > 0 || in_block_) return true;
+  if (through_ && head.span == span_ && head.place.time <= *through_) return true;
+  // What restates because of the message just sent belongs to it.
+  return head.restated && head.place == last_told_;
+}
+
+/// Says everything again when it is time to and there is time for it: when paused, or in a silence.
+/// While messages come, the run does it itself.
+Status Transport::repeatIfDue(const std::optional<Due>& head, SteadyTime now) {
+  if (!options_.restate || options_.repeat.count() <= 0 || now < repeat_at_) return {};
+  const bool runs = playing_ && head && !awaited_;
+  if (runs && (!isScheduled() || clock_.deadline(head->time) - now < kSilence)) return {};
+  Result<SessionState> state = finder_->stateBefore(place_);
+  if (!state) return state.error();
+  block_ = restatedBlock(*state, finder_->sources(), *routes_, "player" + std::to_string(++runs_));
+  block_taken_ = 0;
+  asked_at_ = now;
+  repeat_at_ = now + options_.repeat;
+  // This breaks off the restatement that a source has begun: the run must say what comes of it.
+  if (state->restatementOpen(time_)) {
+    freeze(now);
+    return begin(place_, time_, false, now);
+  }
+  return {};
+}
+
+Result<std::optional<Transport::Next>> Transport::next(SteadyTime now) {
+  next_.reset();
+  if (quit_) return next_;
+  if (std::exchange(starts_, false)) {
+    // Reading and folding took their time, which is not to be made up for.
+    asked_at_ = now;
+    anchor(block_taken_ < block_.size() ? now + kLead : now);
+  }
+  if (block_taken_ == block_.size()) {
+    Result<std::optional<Due>> head = run_->stream().due();
+    if (!head) return head.error();
+    const bool immediate = *head && isImmediate(**head);
+    if (!immediate) {
+      if (const Status repeated = repeatIfDue(*head, now); !repeated) return repeated.error();
+    }
+    if (block_taken_ == block_.size()) {
+      if (!*head || (awaited_ && !(*head)->restated)) return next_;
+      if (immediate) {
+        next_ = Next{**head, now, true};
+      } else if (playing_) {
+        next_ = Next{**head, isScheduled() ? clock_.deadline((*head)->time) : now, false};
+      }
+      return next_;
+    }
+  }
+  Due due{line_, span_, true, false, block_[block_taken_].route, bounds_, place_};
+  next_ = Next{due, std::min(asked_at_, now), true};
+  return next_;
+}
+
+ByteView Transport::take(SteadyTime now) {
+  const Due& due = next_->due;
+  if (due.restated) repeat_at_ = now + options_.repeat;
+  if (block_taken_ < block_.size()) return bytesOf(block_[block_taken_++].text);
+  if (due.span != span_) {
+    span_ = due.span;
+    if (!options_.loop && turns_left_ > 0) --turns_left_;
+    bounds_ = due.bounds;
+    time_ = bounds_.from;
+    place_ = TapePlace::at(bounds_.from);
+    line_ = due.time;
+    through_.reset();
+  }
+  const ByteView payload = run_->stream().take();
+  if (due.restated) {
+    in_block_ = due.continues;
+    // It also says what lies before the next message and is not played: what others restated.
+    if (!in_block_) place_ = std::max(place_, due.place);
+    return payload;
+  }
+  place_ = TapePlace::behind(due.place);
+  last_told_ = due.place;
+  time_ = due.place.time;
+  line_ = due.time;
+  ++sent_;
+  if (steps_ > 0) --steps_;
+  if (options_.lockstep) awaited_ = sent_;
+  return payload;
+}
+
+Status Transport::jumpTo(LogTime moment, SteadyTime now) {
+  const LogTime within = std::clamp(moment, options_.span.from, options_.span.until);
+  return begin(TapePlace::at(within), within, true, now);
+}
+
+Status Transport::goBack(std::uint64_t count, SteadyTime now) {
+  const Result<LogMerge::Earlier> earlier = finder_->back(place_, count, options_.span.from);
+  if (!earlier) return earlier.error();
+  return begin(earlier->place, earlier->before.value_or(options_.span.from), true, now);
+}
+
+Status Transport::goToEvent(bool forwards, SteadyTime now) {
+  const Result<const std::vector<LogTime>*> events = finder_->eventTimes();
+  if (!events) return events.error();
+  const std::vector<LogTime>& times = **events;
+  // Told are the moments up to here, with it.
+  LogTime told = time(now);
+  if (const std::optional<Due> head = this->head(); head && head->span == span_) {
+    told = std::min(told, head->place.time - Nanoseconds(1));
+  }
+  if (!forwards && playing_ && isScheduled()) told -= options_.speed->logDuration(kJustNow);
+  auto found = forwards ? std::upper_bound(times.begin(), times.end(), told)
+                        : std::lower_bound(times.begin(), times.end(), told);
+  const bool is_there = forwards ? found != times.end() : found != times.begin();
+  if (is_there && !forwards) --found;
+  if (!is_there || *found < options_.span.from || *found >= options_.span.until) {
+    return refused(forwards ? "no event comes after this" : "no event came before this");
+  }
+  if (const Status begun = begin(TapePlace::at(*found), *found, true, now); !begun) return begun;
+  through_ = *found;
+  return {};
+}
+
+Status Transport::setSpeed(const PlaybackSpeed& speed, SteadyTime now) {
+  if (!isScheduled()) return refused("there is no speed to change: nothing is on a schedule");
+  freeze(now);
+  options_.speed = speed;
+  // What is said again, and how long silences last, was reckoned for the old speed.
+  if (options_.gap_limit || (options_.restate && options_.repeat.count() > 0)) {
+    return begin(place_, time_, false, now);
+  }
+  anchor(now);
+  return {};
+}
+
+Status Transport::setLoop(const PlayedSpan& loop, SteadyTime now) {
+  const PlayedSpan within{std::max(loop.from, options_.span.from),
+                          std::min(loop.until, options_.span.until)};
+  if (within.from >= within.until) return refused("the loop lies outside of what is played");
+  const Result<bool> any = finder_->anyIn(within.from, within.until);
+  if (!any) return any.error();
+  if (!*any) return refused("no message lies in the loop");
+  freeze(now);
+  options_.loop = within;
+  if (time_ >= within.until || state() == State::ended) return jumpTo(within.from, now);
+  return begin(place_, time_, false, now);
+}
+
+Status Transport::play(SteadyTime now) {
+  const bool was_over = state() == State::ended;
+  if (was_over) {
+    playing_ = true;
+    return jumpTo(options_.loop ? options_.loop->from : options_.span.from, now);
+  }
+  if (!playing_) anchor(now);
+  playing_ = true;
+  return {};
+}
+
+Status Transport::obey(const TransportCommand& command, SteadyTime now) {
+  if (awaited_ == 0U) awaited_.reset();
+  switch (command.kind) {
+    case Kind::play:
+      return play(now);
+    case Kind::toggle:
+      if (!playing_ || state() == State::ended) return play(now);
+      [[fallthrough]];
+    case Kind::pause:
+      freeze(now);
+      playing_ = false;
+      return {};
+    case Kind::step:
+      freeze(now);
+      playing_ = false;
+      steps_ = command.count;
+      asked_at_ = now;
+      return {};
+    case Kind::back:
+      freeze(now);
+      playing_ = false;
+      return goBack(command.count, now);
+    case Kind::move: {
+      std::int64_t moment = 0;
+      const LogTime here = time(now);
+      const bool over = __builtin_add_overflow(here.time_since_epoch().count(),
+                                               command.duration.count(), &moment);
+      if (over)
+        moment = (command.duration.count() < 0 ? LogTime::min() : LogTime::max())
+                     .time_since_epoch()
+                     .count();
+      return jumpTo(LogTime(Nanoseconds(moment)), now);
+    }
+    case Kind::next:
+    case Kind::previous:
+      return goToEvent(command.kind == Kind::next, now);
+    case Kind::seek:
+      return jumpTo(command.from, now);
+    case Kind::speed:
+      return setSpeed(command.speed, now);
+    case Kind::faster:
+    case Kind::slower:
+      return setSpeed(
+          neighbour(options_.speed.value_or(PlaybackSpeed()), command.kind == Kind::faster), now);
+    case Kind::loop:
+      return setLoop({command.from, command.until}, now);
+    case Kind::loop_off:
+      freeze(now);
+      options_.loop.reset();
+      options_.turns = 1;
+      turns_left_ = 0;
+      return begin(place_, time_, false, now);
+    case Kind::quit:
+      freeze(now);
+      quit_ = true;
+      return {};
+    case Kind::ack:
+      if (!options_.lockstep) return refused("there is no step to acknowledge");
+      if (awaited_ && command.count > *awaited_) {
+        return refused("step " + std::to_string(command.count) + " has not been sent yet");
+      }
+      if (awaited_ == command.count) awaited_.reset();
+      return {};
+    case Kind::status:
+      return {};
+  }
+  return {};
+}
+
+}  // namespace rocinante

@@ -1,0 +1,141 @@
+#include "player/playhead/transport_sender.h"
+
+#include "player/send/pacing.h"
+#include "player/send/send_batch.h"
+
+namespace rocinante {
+namespace {
+
+/// One command at a time, from its line to its answer.
+class Asking {
+ public:
+  Asking(CommandSource* source, const TransportRules& rules) : source_(source), rules_(rules) {}
+
+  /// True when there was one.
+  bool take(Transport& transport, SteadyTime now) {
+    if (source_ == nullptr || open_) return false;
+    const std::optional<std::string_view> line = source_->asked();
+    if (!line) return false;
+    open_ = true;
+    error_.clear();
+    const auto command = parseTransportCommand(*line, rules_.origin, rules_.end);
+    const Status done = command ? transport.obey(*command, now) : Status(command.error());
+    if (!done) error_ = "error " + done.error().text();
+    says_nothing_ = done && command->kind == TransportCommand::Kind::ack;
+    return true;
+  }
+
+  /// Answers when all that was asked for is done.
+  void settle(Transport& transport, SteadyTime now, bool done) {
+    if (!open_ || !done) return;
+    open_ = false;
+    std::string line = error_.empty() ? transport.status(now) : error_;
+    source_->answer(says_nothing_ ? std::string() : std::move(line));
+  }
+
+ private:
+  CommandSource* source_;
+  const TransportRules& rules_;
+  bool open_ = false;
+  bool says_nothing_ = false;
+  std::string error_;
+};
+
+/// Waits for acknowledgements, and says what is to be acknowledged.
+class Lockstep {
+ public:
+  Lockstep(CommandSource* source, Nanoseconds timeout) : source_(source), timeout_(timeout) {}
+
+  void skipTime(Nanoseconds skipped) { since_ += skipped; }
+
+  Status judge(const Transport& transport, SteadyTime now) {
+    const std::optional<std::uint64_t> awaited = transport.awaited();
+    if (!awaited) {
+      waits_ = false;
+      return {};
+    }
+    if (!waits_ || *awaited != awaited_) {
+      waits_ = true;
+      awaited_ = *awaited;
+      since_ = now;
+      if (awaited_ > 0 && source_ != nullptr) source_->tell("step " + std::to_string(awaited_));
+    }
+    if (now - since_ <= timeout_) return {};
+    const std::string what = awaited_ == 0 ? std::string("nobody spoke at the control endpoint")
+                                           : "no ack " + std::to_string(awaited_) + " came";
+    return Error{ErrorKind::refused, what + " in time (--ack-timeout)", {}};
+  }
+
+ private:
+  CommandSource* source_;
+  Nanoseconds timeout_;
+  bool waits_ = false;
+  std::uint64_t awaited_ = 0;
+  SteadyTime since_{};
+};
+
+void publish(Transport& transport, const std::optional<Transport::Next>& next, SteadyTime now,
+             PlayStatus& status) {
+  constexpr auto kRelaxed = std::memory_order_relaxed;
+  status.position_ns.store(transport.time(now).time_since_epoch().count(), kRelaxed);
+  status.sent.store(transport.sent(), kRelaxed);
+  status.speed.store(transport.speed() ? transport.speed()->ratio() : 0, kRelaxed);
+  status.state.store(static_cast<int>(transport.state()), kRelaxed);
+  status.next_ns.store(next ? next->deadline.time_since_epoch().count() : 0, kRelaxed);
+}
+
+}  // namespace
+
+Result<SendEnd> sendTransport(Transport& transport, const TransportRules& rules, SendEdge& edge,
+                              SendJournal& journal, CommandSource* commands, PlayStatus& status) {
+  constexpr Nanoseconds kPublishEach = std::chrono::milliseconds(50);
+  Pacing pacing;
+  SendBatch batch;
+  Asking asking(commands, rules);
+  Lockstep lockstep(commands, rules.ack_timeout);
+  SteadyTime publish_at{};
+  SteadyTime looked_at = edge.now();
+  while (!edge.stopRequested()) {
+    SteadyTime now = edge.now();
+    if (edge.hasResumed()) {
+      transport.skipTime(looked_at, now);
+      lockstep.skipTime(now - looked_at);
+    }
+    looked_at = now;
+    if (asking.take(transport, now)) now = edge.now();
+    Result<std::optional<Transport::Next>> next = transport.next(now);
+    if (!next) return next.error();
+    asking.settle(transport, now, !*next || !(*next)->immediate);
+    if (transport.hasQuit()) return SendEnd::stopped;
+    if (const Status judged = lockstep.judge(transport, now); !judged) return judged.error();
+    if (now >= publish_at) {
+      publish(transport, *next, now, status);
+      publish_at = now + kPublishEach;
+    }
+    if (!*next) {
+      // Who stepped to the end may want to step back.
+      const bool over = transport.state() == Transport::State::ended && transport.isPlaying() &&
+                        !transport.awaited();
+      if (over && !rules.stays) return SendEnd::finished;
+      edge.sleepUntil(now + Pacing::kLongestSleep);
+      continue;
+    }
+    const Pacing::Step step = pacing.step(now, (*next)->deadline);
+    if (step.action == Pacing::Action::sleep) {
+      edge.sleepUntil(step.until);
+      pacing.woke(step.until, edge.now());
+    }
+    if (step.action != Pacing::Action::send) continue;
+    pacing.sent((*next)->deadline);
+    while (*next && !batch.full() && (*next)->deadline <= now) {
+      const Transport::Next taken = **next;
+      batch.add(taken.due, taken.deadline, transport.take(now));
+      if (next = transport.next(now); !next) break;
+    }
+    if (const Status sent = batch.send(edge, journal); !sent) return sent.error();
+    if (!next) return next.error();
+  }
+  return SendEnd::stopped;
+}
+
+}  // namespace rocinante

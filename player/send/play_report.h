@@ -1,0 +1,93 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/hash.h"
+#include "core/base/late_histogram.h"
+#include "core/base/playback_speed.h"
+#include "core/base/result.h"
+#include "core/base/time.h"
+#include "player/send/paced_sender.h"
+
+namespace rocinante {
+
+/// One span that was played, and what went out of it.
+struct PlayedSpanReport {
+  LogTime from{};
+  LogTime until{};
+  std::uint64_t sent = 0;
+  std::string sha256;  ///< over the payloads in order; lower-case hexadecimal
+};
+
+/// What a player or a source sent and how well it kept its schedule (docs/programs/play.md). A
+/// restatement is the sender's own: it is in `restatements` and nowhere else.
+struct PlayReport {
+  std::vector<std::string> inputs;  ///< the logs, or the file, or "demo"
+  std::string source;               ///< who spoke, and its RUN: of a source only
+  std::string run;
+  std::string to;
+  std::optional<PlaybackSpeed> speed;  ///< empty: without a schedule
+  std::uint64_t sent = 0;
+  std::uint64_t bytes = 0;
+  std::uint64_t restatements = 0;
+  std::uint64_t late_p50_us = 0, late_p90_us = 0, late_p99_us = 0, late_p999_us = 0;
+  std::uint64_t late_max_us = 0;
+  std::vector<LateHistogram::Bin> late_bins;
+  Nanoseconds drift{};
+  Nanoseconds duration{};  ///< from the first datagram to the last
+  std::string stream_sha256;
+  std::vector<PlayedSpanReport> spans;
+  std::string timing_source;        ///< "kernel", "clock" or "kernel and clock"
+  std::string scheduling;           ///< "fifo" or "other"
+  bool interrupted = false;         ///< ended by a signal, or told to quit
+  std::vector<std::string> damage;  ///< what could not be read of the logs
+  /// What ended it before its end: the network, or the logs, or nobody acknowledged a step.
+  std::optional<Error> failure;
+
+  double achievedRateHz() const;
+  /// False when sending fell behind its schedule and stayed there.
+  bool keptUp() const { return drift < std::chrono::milliseconds(50); }
+};
+
+/// The report as JSON, with a line end. `format` comes first.
+std::string jsonText(const PlayReport& report);
+/// The report in a few lines for a person.
+std::string summaryText(const PlayReport& report);
+/// What to say when sending did not keep up.
+std::string behindText(const PlayReport& report);
+
+/// Counts, hashes and times what is sent. Its memory does not grow with the number of datagrams.
+class PlayJournal final : public SendJournal {
+ public:
+  /// The times of the spans of streams that do not say them.
+  PlayJournal(LogTime from, LogTime until) : bounds_{from, until} {}
+
+  void sent(const Due& due, ByteView payload, SteadyTime deadline, SteadyTime sent_at) override;
+
+  /// Fills what the journal knows. Call once, at the end; `whole` when the last span was played to
+  /// its end.
+  void writeTo(PlayReport& report, bool whole = true);
+
+ private:
+  void closeSpan(bool whole);
+
+  PlayedSpan bounds_;         ///< of the span being played
+  LogTime last_told_{};       ///< the log time of its last message
+  bool says_bounds_ = false;  ///< the stream does
+  Sha256 stream_hash_;
+  Sha256 span_hash_;
+  std::uint32_t span_ = 0;
+  std::uint64_t span_sent_ = 0;
+  std::vector<PlayedSpanReport> spans_;
+  std::uint64_t sent_ = 0;
+  std::uint64_t bytes_ = 0;
+  std::uint64_t restatements_ = 0;
+  LateHistogram late_;
+  DriftMeter drift_;
+  SteadyTime first_{}, last_{};
+};
+
+}  // namespace rocinante

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "player/send/paced_sender.h"
+
+namespace rocinante {
+
+/// Datagrams that go together. Holds copies: a stream's bytes last only until its next step.
+class SendBatch {
+ public:
+  static constexpr std::size_t kMost = 64;
+
+  bool full() const { return count_ == kMost; }
+  bool empty() const { return count_ == 0; }
+
+  void add(const Due& due, SteadyTime deadline, ByteView payload);
+
+  /// Sends all, in order, in one call for each run of one route, and tells the journal of what went
+  /// out. Empty afterwards, also when it fails.
+  Status send(SendEdge& edge, SendJournal& journal);
+
+ private:
+  struct Item {
+    Due due;
+    SteadyTime deadline;
+    std::size_t begin;
+    std::size_t byte_count;
+  };
+  std::array<Item, kMost> items_{};
+  std::size_t count_ = 0;
+  Bytes bytes_;
+};
+
+}  // namespace rocinante

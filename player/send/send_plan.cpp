@@ -1,0 +1,39 @@
+#include "player/send/send_plan.h"
+
+#include "player/send/paced_sender.h"
+#include "player/send/playback_clock.h"
+#include "player/send/progress_line.h"
+#include "player/send/udp_edge.h"
+
+namespace rocinante {
+
+Result<PlayReport> sendPlan(DatagramStream& stream, const SendPlan& plan,
+                            const std::function<bool()>& stop) {
+  Result<UdpEdge> edge =
+      UdpEdge::open({{plan.to, 0, false}}, plan.speed ? plan.realtime : Realtime::off, stop);
+  if (!edge) return edge.error();
+  if (plan.began) plan.began();
+  PlayJournal journal(plan.from, plan.until);
+  Result<SendEnd> end = SendEnd::finished;
+  {
+    ProgressLine line(journal, plan.origin, plan.last, plan.progress);
+    if (plan.speed) {
+      const PlaybackClock clock(plan.first, edge->now() + std::chrono::milliseconds(1),
+                                *plan.speed);
+      end = sendOnSchedule(stream, clock, *edge, line);
+    } else {
+      end = sendAtOnce(stream, *edge, line);
+    }
+  }
+  if (!end) return end.error();
+  PlayReport report;
+  report.to = plan.to.text();
+  report.speed = plan.speed;
+  report.timing_source = edge->timingSource();
+  report.scheduling = edge->scheduling();
+  report.interrupted = *end == SendEnd::stopped;
+  journal.writeTo(report);
+  return report;
+}
+
+}  // namespace rocinante

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/net/udp_socket.h"
+#include "player/send/paced_sender.h"
+#include "player/send/realtime.h"
+#include "player/send/route.h"
+#include "player/send/transmit_stamps.h"
+
+namespace rocinante {
+
+/// The real world to send into: the steady clock, a timer and a UDP socket for each route.
+class UdpEdge final : public SendEdge {
+ public:
+  /// Makes the calling thread the pacing one. `wake`, when not negative, is a descriptor that ends
+  /// a sleep by becoming readable; it is not read. It must outlive the edge.
+  static Result<UdpEdge> open(const std::vector<Route>& routes, Realtime realtime,
+                              std::function<bool()> stop, int wake = -1);
+
+  SteadyTime now() override;
+  void sleepUntil(SteadyTime moment) override;
+  bool stopRequested() override { return stop_(); }
+  bool hasResumed() override;
+  Status send(std::uint16_t route, std::span<const ByteView> payloads,
+              std::span<SteadyTime> sent_at) override;
+
+  /// Where the times of `sent_at` came from, restatements aside: "kernel", "clock" or "kernel and
+  /// clock".
+  std::string timingSource() const;
+  /// "fifo" when the thread was real-time all the time, else "other".
+  std::string scheduling() const { return thread_.isRealtime() ? "fifo" : "other"; }
+
+ private:
+  struct Way {
+    Way(UdpSender socket, bool its_restating)
+        : sender(std::move(socket)), stamps(sender.fileDescriptor()), restating(its_restating) {}
+    UdpSender sender;
+    TransmitStamps stamps;
+    bool restating;
+  };
+
+  UdpEdge(std::vector<Way> ways, PacingThread thread, std::function<bool()> stop, int wake);
+
+  void leaveRealtimeIfHogging();
+
+  std::vector<Way> ways_;
+  PacingThread thread_;
+  std::function<bool()> stop_;
+  int wake_;
+  SteadyTime last_sleep_;
+  std::optional<Nanoseconds> ran_until_;  ///< since the last sleep, when it was looked at first
+  std::uint32_t resumes_;
+};
+
+}  // namespace rocinante

@@ -1,0 +1,19 @@
+#include "recorder/capture/input_account.h"
+
+namespace rocinante {
+
+std::vector<InputAccount> inputAccounts(const std::vector<DatagramSource*>& sources,
+                                        const ReceiveLoop& loop) {
+  std::vector<InputAccount> accounts;
+  for (std::uint32_t i = 0; i < sources.size(); ++i) {
+    InputAccount account;
+    account.endpoint = boundText(*sources[i]);
+    account.counts = sources[i]->counts();
+    account.buffer_granted_bytes = sources[i]->receiveBufferBytes();
+    account.buffer_needed_bytes = neededReceiveBuffer(loop.busiest(i));
+    accounts.push_back(std::move(account));
+  }
+  return accounts;
+}
+
+}  // namespace rocinante

@@ -1,0 +1,173 @@
+#include "recorder/capture/receive_loop.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace rocinante {
+namespace {
+
+// One endpoint under a flood must not keep the others waiting.
+constexpr int kBatchesATurn = 64;
+// Few wake-ups for the writing thread, and still well within the reordering window.
+constexpr Nanoseconds kBlockAge = std::chrono::milliseconds(5);
+constexpr Nanoseconds kAskForDrops = std::chrono::milliseconds(50);
+constexpr Nanoseconds kRateSpan = std::chrono::seconds(1);
+// A flood that goes on must not keep a recording from ending.
+constexpr Nanoseconds kLastPasses = std::chrono::milliseconds(500);
+
+}  // namespace
+
+ReceiveLoop::ReceiveLoop(std::vector<DatagramSource*> sources, Look look, HandOver& out,
+                         Callbacks callbacks)
+    : look_(std::move(look)), out_(out), callbacks_(std::move(callbacks)), clock_(look_()) {
+  for (DatagramSource* source : sources) {
+    Listener listener{};
+    listener.source = source;
+    listener.checked = listener.rate_since = clock_.now();
+    listeners_.push_back(listener);
+  }
+  asked_ = clock_.now();
+}
+
+void ReceiveLoop::lookAgain() {
+  if (const std::optional<ClockStep> step = clock_.observe(look_())) steps_.push_back(*step);
+}
+
+Result<bool> ReceiveLoop::pass() {
+  lookAgain();
+  bool busy = false;
+  for (std::uint32_t endpoint = 0; endpoint < listeners_.size(); ++endpoint) {
+    const Result<bool> received = drain(endpoint);
+    if (!received) return received.error();
+    busy = busy || *received;
+  }
+  if (clock_.now() - asked_ >= kAskForDrops) {
+    if (Status asked = askForDrops(); !asked) return asked.error();
+  }
+  LogTime drained_until = clock_.now();
+  for (const Listener& each : listeners_) {
+    drained_until = std::min(drained_until, each.drained_until);
+  }
+  // A block that is held back must not be overtaken by the word that all has been handed over.
+  if (!block_) {
+    out_.give(nullptr, losses_, steps_, drained_until);
+  } else if (clock_.now() - block_began_ >= kBlockAge) {
+    handOverBlock(drained_until);
+  }
+  return busy;
+}
+
+Result<bool> ReceiveLoop::drain(std::uint32_t endpoint) {
+  Listener& listener = listeners_[endpoint];
+  bool received = false;
+  for (int turn = 0; turn < kBatchesATurn; ++turn) {
+    const LogTime asked = clock_.now();
+    const auto batch = listener.source->receive();
+    if (!batch) return batch.error();
+    if (batch->empty()) {
+      listener.drained_until = asked - listener.source->heldBack();
+      break;
+    }
+    received = true;
+    if (callbacks_.tee) callbacks_.tee(*batch);
+    listener.datagrams += batch->size();
+    // Now, so that no stamp of the batch lies ahead of the last look.
+    lookAgain();
+    for (const ReceivedDatagram& datagram : *batch) keep(endpoint, datagram);
+    listener.drained_until = listener.last;
+  }
+  noteDrops(endpoint, listener.source->dropped());
+  return received;
+}
+
+void ReceiveLoop::keep(std::uint32_t endpoint, const ReceivedDatagram& datagram) {
+  Listener& listener = listeners_[endpoint];
+  listener.last = std::max(listener.last, clock_.at(datagram.kernel_time));
+  const LogTime time = listener.last;
+  listener.bytes += datagram.payload.size();
+  bool kept = block_ &&
+              block_->add(endpoint, time, datagram.sender, datagram.payload, datagram.destination);
+  if (!kept) {
+    if (block_) handOverBlock(std::nullopt);
+    block_ = out_.freeBlock();
+    block_began_ = clock_.now();
+    kept = block_ &&
+           block_->add(endpoint, time, datagram.sender, datagram.payload, datagram.destination);
+  }
+  if (kept && !datagram.truncated) return;
+  EndpointLoss loss{endpoint, time, time, {}};
+  (kept ? loss.counts.truncated : loss.counts.queue) = 1;
+  addLoss(losses_, loss);
+}
+
+void ReceiveLoop::noteDrops(std::uint32_t endpoint, std::uint64_t dropped) {
+  Listener& listener = listeners_[endpoint];
+  if (dropped > listener.dropped) {
+    EndpointLoss loss{endpoint, listener.checked, clock_.now(), {}};
+    loss.counts.kernel = dropped - listener.dropped;
+    addLoss(losses_, loss);
+    listener.dropped = dropped;
+  }
+  listener.checked = clock_.now();
+}
+
+Status ReceiveLoop::askForDrops() {
+  asked_ = clock_.now();
+  for (std::uint32_t endpoint = 0; endpoint < listeners_.size(); ++endpoint) {
+    const Result<std::uint64_t> dropped = listeners_[endpoint].source->droppedByNow();
+    if (!dropped) return dropped.error();
+    noteDrops(endpoint, *dropped);
+    tend(listeners_[endpoint]);
+  }
+  return {};
+}
+
+void ReceiveLoop::tend(Listener& listener) {
+  if (const auto said = listener.source->tend(); said && callbacks_.note) callbacks_.note(*said);
+  if (clock_.now() - listener.rate_since >= kRateSpan) measureRate(listener);
+}
+
+void ReceiveLoop::measureRate(Listener& listener) {
+  const double seconds = std::chrono::duration<double>(clock_.now() - listener.rate_since).count();
+  ReceiveRate rate;
+  rate.datagrams_a_second = static_cast<double>(listener.datagrams) / seconds;
+  if (listener.datagrams > 0) {
+    rate.bytes_a_datagram =
+        static_cast<double>(listener.bytes) / static_cast<double>(listener.datagrams);
+  }
+  listener.datagrams = listener.bytes = 0;
+  listener.rate_since = clock_.now();
+  if (neededReceiveBuffer(rate) > neededReceiveBuffer(listener.busiest)) listener.busiest = rate;
+  if (listener.small_buffer_told || !callbacks_.note) return;
+  const auto advice =
+      receiveBufferAdvice(boundText(*listener.source), listener.source->receiveBufferBytes(), rate);
+  if (!advice) return;
+  listener.small_buffer_told = true;
+  callbacks_.note(*advice);
+}
+
+Nanoseconds ReceiveLoop::heldBack() const {
+  Nanoseconds longest{0};
+  for (const Listener& each : listeners_) longest = std::max(longest, each.source->heldBack());
+  return longest;
+}
+
+void ReceiveLoop::handOverBlock(std::optional<LogTime> drained_until) {
+  out_.give(std::move(block_), losses_, steps_, drained_until);
+}
+
+Status ReceiveLoop::finish() {
+  Status ended;
+  const LogTime stopped = clock_.now();
+  for (bool busy = true; busy && clock_.now() - stopped < kLastPasses;) {
+    const Result<bool> passed = pass();
+    if (!passed) ended = passed.error();
+    busy = passed && *passed;
+  }
+  if (Status asked = askForDrops(); ended && !asked) ended = asked;
+  handOverBlock(clock_.now());
+  out_.finish();
+  return ended;
+}
+
+}  // namespace rocinante

@@ -1,0 +1,155 @@
+#include "recorder/capture/record_arguments.h"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+
+#include "core/bundle/attached_cell.h"
+#include "core/cli/load_progress.h"
+#include "core/cli/program.h"
+#include "core/cli/search_options.h"
+#include "core/cli/worker_threads.h"
+#include "core/recording/record_path.h"
+
+namespace rocinante {
+namespace {
+
+Status readCompression(std::string_view text, LogWriterOptions& options) {
+  if (text == "none") {
+    options.compression = LogWriterOptions::Compression::none;
+    return {};
+  }
+  if (text == "zstd") return {};
+  if (text.starts_with("zstd:")) {
+    const std::string_view level = text.substr(5);
+    const char* end = level.data() + level.size();
+    const auto [used, fault] = std::from_chars(level.data(), end, options.zstd_level);
+    const bool whole = fault == std::errc() && used == end;
+    if (whole && options.zstd_level >= 1 && options.zstd_level <= 22) return {};
+  }
+  return Error{ErrorKind::bad_argument, "--compression is none, zstd or zstd:1 to zstd:22",
+               std::string(text)};
+}
+
+/// The cell with all its files.
+Result<std::shared_ptr<const CellBundle>> loadCell(const RecordArguments& arguments) {
+  CellOptions search;
+  static_cast<ModelSearch&>(search) = arguments;
+  search.parallel = cli::workerThreads();
+  if (!arguments.quiet) search.progress = cli::loadProgress(arguments.cell);
+  auto cell = collectCellOrLog(arguments.cell, search);
+  if (!cell) return cell.error();
+  if (!arguments.quiet) {
+    for (const std::string& warning : bundleWarnings(*cell)) cli::warn(warning);
+  }
+  return std::make_shared<const CellBundle>(std::move(*cell));
+}
+
+}  // namespace
+
+void addRecordArguments(CLI::App& app, RecordArguments& arguments) {
+  app.add_option("EP", arguments.endpoints,
+                 "endpoints to listen at: udp://HOST:PORT, HOST:PORT, :PORT, or a multicast\n"
+                 "group; interfaces to watch: pcap://eth0?filter=EXPR; or one capture file:\n"
+                 "pcap://./FILE; default " +
+                     Endpoint::standard().text())
+      ->type_name("");
+  app.add_option("--allow", arguments.allow,
+                 "record only senders of this network (10.0.0.0/8); may be repeated")
+      ->type_name("CIDR")
+      ->allow_extra_args(false);
+  app.add_option("--tee", arguments.tees,
+                 "send everything received on to this endpoint; may be repeated")
+      ->type_name("EP")
+      ->allow_extra_args(false);
+  app.add_option("--wait-interface", arguments.wait_interface,
+                 "wait at most so long for network interfaces that do not exist yet")
+      ->type_name("TIME");
+  app.add_option("-o,--output", arguments.output,
+                 "the log: a file, a folder or a name with %Y%m%dT%H%M%S (UTC) and %n\n"
+                 "(the piece's number); default session-%Y%m%dT%H%M%SZ.mcap")
+      ->type_name("LOG");
+  app.add_option("--cell", arguments.cell,
+                 "attach this cell and every file it names: the log then replays alone")
+      ->type_name("CELL");
+  cli::addSearchOptions(app, arguments);
+  app.add_option("--duration", arguments.duration, "end after so long (12.5s, 1m30s)")
+      ->type_name("TIME");
+  app.add_option("--max-packets", arguments.max_packets, "end after exactly N packets")
+      ->type_name("N")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--min-packets", arguments.min_packets, "exit 1 when fewer were recorded")
+      ->type_name("N");
+  app.add_option("--max-loss", arguments.max_loss, "exit 1 when more were lost; default unlimited")
+      ->type_name("N");
+  app.add_option("--compression", arguments.compression, "zstd, zstd:LEVEL (1 to 22) or none")
+      ->type_name("KIND")
+      ->capture_default_str();
+  app.add_option("--sync", arguments.sync, "a crash loses at most about the last so long")
+      ->type_name("TIME")
+      ->capture_default_str();
+  addSessionArguments(app, arguments.session);
+  app.add_option("--status", arguments.status, "a line on how it stands, every so often")
+      ->type_name("TIME");
+  app.add_flag("--force", arguments.force, "replace an existing log");
+  app.add_flag("--json", arguments.json, "print the summary as JSON");
+  app.add_flag("--quiet", arguments.quiet, "print nothing but errors (and --json)");
+}
+
+Result<std::optional<Nanoseconds>> readStatusPeriod(const RecordArguments& arguments) {
+  if (arguments.status.empty()) return std::optional<Nanoseconds>();
+  const Result<Nanoseconds> period = readSpan(arguments.status, "--status");
+  if (!period) return period.error();
+  return std::optional(*period);
+}
+
+Result<RecordOptions> readRecordArguments(const RecordArguments& arguments) {
+  RecordOptions options;
+  for (const std::string& text : arguments.endpoints) {
+    const Result<Endpoint> endpoint = Endpoint::parse(text);
+    if (!endpoint) return endpoint.error();
+    options.endpoints.push_back(*endpoint);
+  }
+  if (options.endpoints.empty()) options.endpoints.push_back(Endpoint::standard());
+  Result<AddressFilter> allow = AddressFilter::of(arguments.allow);
+  if (!allow) return allow.error();
+  options.allow = std::move(*allow);
+  for (const std::string& text : arguments.tees) {
+    const Result<Endpoint> endpoint = Endpoint::parse(text);
+    if (!endpoint) return endpoint.error();
+    options.tees.push_back(*endpoint);
+  }
+  if (!arguments.wait_interface.empty()) {
+    const Result<Nanoseconds> longest = readSpan(arguments.wait_interface, "--wait-interface");
+    if (!longest) return longest.error();
+    options.wait_interface = *longest;
+  }
+  if (!arguments.duration.empty()) {
+    const Result<Nanoseconds> duration = readSpan(arguments.duration, "--duration");
+    if (!duration) return duration.error();
+    options.duration = *duration;
+  }
+  const Result<Nanoseconds> sync = readSpan(arguments.sync, "--sync");
+  if (!sync) return sync.error();
+  options.writing.sync = *sync;
+  Status done = readCompression(arguments.compression, options.writing);
+  if (!done) return done.error();
+  options.writing.overwrite = arguments.force;
+  options.max_packets = arguments.max_packets;
+  if (arguments.output == "-") {
+    return Error{ErrorKind::bad_argument,
+                 "a log is written to a file, not to standard output: name one (./- for this name)",
+                 "-o -"};
+  }
+  const auto path = recordPath(arguments.output, WallTime{});
+  if (!path) return path.error();
+  options.log = arguments.output;
+  if (Status read = readSessionArguments(arguments.session, options); !read) return read.error();
+  if (!arguments.cell.empty()) {
+    options.load_cell = [&arguments] { return loadCell(arguments); };
+  } else if (const std::vector<std::string> words = cli::searchWords(arguments); !words.empty()) {
+    return Error{ErrorKind::bad_argument, words.front() + " goes with --cell", {}};
+  }
+  return options;
+}
+
+}  // namespace rocinante

@@ -1,0 +1,158 @@
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "core/base/count_text.h"
+#include "core/base/duration_text.h"
+#include "core/cli/program.h"
+#include "core/cli/terminal.h"
+#include "core/recording/record_path.h"
+#include "recorder/capture/record_arguments.h"
+#include "recorder/capture/record_report.h"
+#include "recorder/capture/record_status.h"
+
+namespace {
+
+using namespace rocinante;
+
+constexpr std::string_view kExamples =
+    "  rocinante record                               what this machine's own group says\n"
+    "  rocinante record :19960 -o cell.mcap           whatever is sent to port 19960\n"
+    "  rocinante record '239.1.2.3:5000?interface=eth0' [::]:5000 --duration 1m\n"
+    "  rocinante record --cell demo.cell.toml -o demo.mcap\n"
+    "  rocinante record -o logs/ --min-packets 1 --max-loss 0 --json\n"
+    "  rocinante record -o logs/ --split-time 1h --disk-quota 20GB\n"
+    "  rocinante record -o 'crash-%n.mcap' --ring 30s --ring-after 5s --ring-on "
+    "'event=*collision*'\n";
+
+/// SIGHUP asks for a new piece; but when the terminal went away, it says that.
+class Terminal {
+ public:
+  Terminal() : was_there_(isThere()) {}
+  bool hungUp() const { return was_there_ && cli::signalCount(SIGHUP) > 0 && !isThere(); }
+
+ private:
+  static bool isThere() {
+    const int file = ::open("/dev/tty", O_RDWR | O_NOCTTY | O_CLOEXEC);
+    if (file >= 0) ::close(file);
+    return file >= 0;
+  }
+  bool was_there_;
+};
+
+/// On a terminal the line that stands below all others, written over and over.
+void clearStatusLine() {
+  if (::isatty(STDERR_FILENO) == 1) cli::tell("\r\x1b[K");
+}
+
+void tellReady(const RecordOptions& options, const std::vector<std::string>& endpoints,
+               const std::string& log) {
+  if (options.ring) {
+    cli::tell(fmt::format("recording {} into memory, the last {} s, for {}\n",
+                          fmt::join(endpoints, " "), secondsText(options.ring->span),
+                          log.empty() ? std::string(kDefaultRecordName) : log));
+  } else {
+    cli::tell(fmt::format("recording {} to {}\n", fmt::join(endpoints, " "), log));
+  }
+  if (options.start_on.empty()) return;
+  std::vector<std::string> waits;
+  for (const Condition& each : options.start_on) waits.push_back(each.text());
+  cli::tell(fmt::format("waiting for {}\n", fmt::join(waits, " or ")));
+}
+
+RecordEvents eventsFor(const RecordArguments& arguments, const RecordOptions& options,
+                       std::optional<Nanoseconds> status_period) {
+  RecordEvents events;
+  const auto terminal = std::make_shared<Terminal>();
+  events.stop_requested = [terminal] { return cli::stopRequested() || terminal->hungUp(); };
+  events.seams_requested = [terminal] {
+    return terminal->hungUp() ? 0U : cli::signalCount(SIGHUP);
+  };
+  events.triggers_requested = [] { return cli::signalCount(SIGUSR1); };
+  events.note = [quiet = arguments.quiet](const NoteBox::Note& note) {
+    if (quiet && !note.is_trouble) return;
+    clearStatusLine();
+    if (note.is_trouble) {
+      cli::warn(note.text);
+    } else {
+      cli::tell(note.text + "\n");
+    }
+  };
+  if (arguments.quiet) return events;
+  events.ready = [&](const std::vector<std::string>& endpoints, const std::string& log) {
+    tellReady(options, endpoints, log);
+  };
+  const bool on_terminal = ::isatty(STDERR_FILENO) == 1;
+  if (!on_terminal && !status_period) return events;
+  events.progress = [=, status = RecordStatus(),
+                     told = Nanoseconds(0)](const RecordProgress& now) mutable {
+    const std::string text = status.text(now);
+    if (status_period && now.elapsed - told >= *status_period) {
+      told = now.elapsed;
+      clearStatusLine();
+      cli::tell(text + "\n");
+    }
+    // To the line's beginning, and what a longer line left behind is cleared.
+    if (on_terminal) cli::tell(cli::statusLine(text));
+    std::fflush(stderr);
+  };
+  return events;
+}
+
+cli::Exit judge(const RecordArguments& arguments, const RecordSummary& summary) {
+  cli::Exit exit = cli::Exit::done;
+  const auto no = [&](std::string_view reason) {
+    cli::warn(reason);
+    exit = cli::Exit::no;
+  };
+  if (summary.trouble) no(summary.trouble->text());
+  // They were told when they came.
+  if (!summary.warnings.empty()) exit = cli::Exit::no;
+  if (summary.packets < arguments.min_packets) {
+    no(fmt::format("recorded {}, fewer than --min-packets {}", countText(summary.packets, "packet"),
+                   arguments.min_packets));
+  }
+  if (arguments.max_loss && summary.lost() > *arguments.max_loss) {
+    no(fmt::format("lost {}, more than --max-loss {}", countText(summary.lost(), "packet"),
+                   *arguments.max_loss));
+  }
+  return exit;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app(
+      "Records what arrives by UDP: every datagram, with the kernel's own arrival time,\n"
+      "and an account of anything lost. Ctrl-C ends the recording cleanly.",
+      "rocinante-record");
+  RecordArguments arguments;
+  addRecordArguments(app, arguments);
+
+  return cli::run(app, argc, argv, kExamples, [&]() -> Result<cli::Exit> {
+    const Result<RecordOptions> options = readRecordArguments(arguments);
+    if (!options) return options.error();
+    const Result<std::optional<Nanoseconds>> status_period = readStatusPeriod(arguments);
+    if (!status_period) return status_period.error();
+    cli::catchStopSignals();
+    cli::countSignal(SIGHUP);
+    cli::countSignal(SIGUSR1);
+    // Whoever reads only the first lines (`| head`) must not end the recording.
+    ::signal(SIGPIPE, SIG_IGN);
+    const Result<RecordSummary> summary =
+        record(*options, eventsFor(arguments, *options, *status_period));
+    if (!summary) return summary.error();
+    if (!arguments.quiet) clearStatusLine();
+    if (arguments.json) {
+      cli::say(summaryJson(*summary) + "\n");
+    } else if (!arguments.quiet) {
+      cli::say(summaryText(*summary) + "\n");
+    }
+    return judge(arguments, *summary);
+  });
+}

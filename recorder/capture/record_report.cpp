@@ -1,0 +1,157 @@
+#include "recorder/capture/record_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "core/base/count_text.h"
+#include "core/base/duration_text.h"
+#include "core/base/size_text.h"
+
+namespace rocinante {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string endpointText(const ListenedEndpoint& listened) {
+  Endpoint endpoint = listened.endpoint;
+  endpoint.address.port = listened.bound.port;
+  return endpoint.text();
+}
+
+std::string filesText(const RecordSummary& summary) {
+  const std::vector<PieceFacts>& pieces = summary.files.pieces;
+  std::string text;
+  if (pieces.empty()) {
+    text = "no file";
+  } else if (pieces.size() == 1) {
+    text = fmt::format("{} ({})", summary.log.string(), sizeText(summary.log_bytes));
+  } else {
+    text = fmt::format("{} pieces, {} to {} ({})", pieces.size(), pieces.front().file.path.string(),
+                       pieces.back().file.path.filename().string(), sizeText(summary.log_bytes));
+  }
+  if (const DeletedPieces& deleted = summary.files.deleted; deleted.count > 0) {
+    text += fmt::format("; deleted {} of {} ({})", countText(deleted.count, "piece"),
+                        countText(deleted.packets, "packet"), sizeText(deleted.bytes));
+  }
+  if (summary.packets_before > 0) {
+    text += fmt::format("; {} came before", countText(summary.packets_before, "packet"));
+  }
+  return text;
+}
+
+Json pieceJson(const PieceFacts& piece) {
+  Json object;
+  object["log"] = piece.file.path.string();
+  object["packets"] = piece.packets;
+  object["bytes"] = piece.bytes;
+  if (piece.start) {
+    object["start"] = rfc3339Text(WallTime(piece.start->time_since_epoch()));
+    object["end"] = rfc3339Text(WallTime(piece.end->time_since_epoch()));
+  }
+  if (piece.refused > 0) object["refused"] = piece.refused;
+  if (piece.trouble) object["trouble"] = *piece.trouble;
+  if (piece.triggered) {
+    object["triggered"] = rfc3339Text(WallTime(piece.triggered->time_since_epoch()));
+    object["why"] = piece.why;
+    object["triggers"] = piece.triggers;
+    object["cut_short"] = piece.cut_short;
+  }
+  return object;
+}
+
+void addCounts(Json& object, const LossCounts& counts) {
+  object["kernel"] = counts.kernel;
+  object["queue"] = counts.queue;
+  object["disk"] = counts.disk;
+  object["truncated"] = counts.truncated;
+}
+
+void addInput(Json& object, const InputAccount& input) {
+  object["refused"] = input.counts.refused;
+  object["echoes"] = input.counts.echoes;
+  object["incomplete"] = input.counts.incomplete;
+  object["malformed"] = input.counts.malformed;
+  object["receive_buffer"] = {{"granted_bytes", input.buffer_granted_bytes},
+                              {"needed_bytes", input.buffer_needed_bytes}};
+}
+
+/// What was not recorded and is no loss, and what became of the tees; a line each.
+std::string inputText(const RecordSummary& summary) {
+  std::string text;
+  for (const InputAccount& each : summary.inputs) {
+    const auto say = [&](std::uint64_t count, std::string_view what) {
+      if (count > 0)
+        text += fmt::format("\n{} at {}", fmt::format(fmt::runtime(what), count), each.endpoint);
+    };
+    say(each.counts.refused, "{} not recorded: not of --allow");
+    say(each.counts.echoes, "{} not recorded: sent by --tee itself");
+    say(each.counts.incomplete, "{} of which fragments never came");
+    say(each.counts.malformed, "{} frames broke the rules of IP or UDP");
+  }
+  for (const Tee::Account& each : summary.tees) {
+    text += fmt::format("\nsent on to {}: {}, {} dropped", each.to.text(), each.sent, each.dropped);
+    if (each.trouble) text += fmt::format(" ({})", each.trouble->what);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string summaryText(const RecordSummary& summary) {
+  std::string text = fmt::format(
+      "recorded {} on {} in {:.1f} s: {}", countText(summary.packets, "packet"),
+      countText(summary.channels, "channel"), secondsOf(summary.duration), filesText(summary));
+  for (const EndpointAccount& each : summary.endpoints) {
+    const LossCounts& lost = each.losses;
+    if (lost == LossCounts{}) continue;
+    text += fmt::format("\nlost at {}: {} in the kernel, {} in the queue, {} on the disk; {} cut",
+                        endpointText(each.listened), lost.kernel, lost.queue, lost.disk,
+                        lost.truncated);
+  }
+  return text + inputText(summary);
+}
+
+std::string summaryJson(const RecordSummary& summary) {
+  Json object;
+  object["format"] = 1;
+  // A ring that was never triggered has written none.
+  object["log"] = summary.log.empty() ? Json(nullptr) : Json(summary.log.string());
+  object["packets"] = summary.packets;
+  object["restated"] = summary.restated;
+  object["bytes"] = summary.log_bytes;
+  object["payload_bytes"] = summary.payload_bytes;
+  object["channels"] = summary.channels;
+  object["duration_s"] = secondsOf(summary.duration);
+  addCounts(object["losses"], summary.losses);
+  object["complete"] = summary.complete();
+  object["reason"] = summary.reason;
+  object["late"] = summary.late;
+  object["endpoints"] = Json::array();
+  for (std::size_t i = 0; i < summary.endpoints.size(); ++i) {
+    const EndpointAccount& each = summary.endpoints[i];
+    Json endpoint;
+    endpoint["endpoint"] = endpointText(each.listened);
+    endpoint["packets"] = each.recorded;
+    addCounts(endpoint["losses"], each.losses);
+    if (i < summary.inputs.size()) addInput(endpoint, summary.inputs[i]);
+    object["endpoints"].push_back(std::move(endpoint));
+  }
+  object["tees"] = Json::array();
+  for (const Tee::Account& each : summary.tees) {
+    object["tees"].push_back(
+        {{"endpoint", each.to.text()}, {"sent", each.sent}, {"dropped", each.dropped}});
+  }
+  object["pieces"] = Json::array();
+  for (const PieceFacts& each : summary.files.pieces) object["pieces"].push_back(pieceJson(each));
+  const DeletedPieces& deleted = summary.files.deleted;
+  object["deleted"] = {
+      {"pieces", deleted.count}, {"packets", deleted.packets}, {"bytes", deleted.bytes}};
+  object["packets_before"] = summary.packets_before;
+  object["warnings"] = summary.warnings;
+  // A file name that is no UTF-8 must not throw.
+  return object.dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace rocinante

@@ -1,0 +1,143 @@
+#include "recorder/capture/record_sink.h"
+
+#include <fmt/format.h>
+#include <sys/random.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+
+#include "core/base/hash.h"
+#include "core/base/size_text.h"
+#include "core/recording/record_path.h"
+#include "recorder/pieces/piece_maker.h"
+
+namespace rocinante {
+namespace {
+
+/// A loss of one endpoint as it stands in the log, its index with it.
+constexpr std::uint64_t kLossBytes = 512;
+/// A chunk holds at most this part of a piece, so that pieces come near their size.
+constexpr std::uint64_t kChunksInPiece = 16;
+constexpr std::uint64_t kLeastChunkBytes = 4'096;
+/// Of a disk quota: pieces so large that losing the oldest loses little of the whole.
+constexpr std::uint64_t kPiecesInQuota = 8;
+
+std::string newSessionId() {
+  std::array<std::byte, 16> bytes{};
+  // 16 bytes come whole or not at all, and only an early boot makes it wait.
+  if (::getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) {
+    const auto now = std::chrono::steady_clock::now().time_since_epoch().count();
+    std::memcpy(bytes.data(), &now, sizeof now);
+  }
+  return hexOf(bytes);
+}
+
+std::uint64_t cellBytes(const RecordOptions& options) {
+  std::uint64_t bytes = 0;
+  if (options.cell) {
+    for (const Bytes& each : options.cell->contents) bytes += each.size();
+  }
+  return bytes;
+}
+
+SplitRule splitOf(const RecordOptions& options) {
+  SplitRule split = options.split;
+  if (split.size_bytes == 0 && options.limits.disk_quota_bytes) {
+    split.size_bytes = *options.limits.disk_quota_bytes / kPiecesInQuota;
+  }
+  return split;
+}
+
+/// Pieces that are full before anything was recorded in them would follow one another for ever.
+Status checkSizes(const RecordOptions& options, const SplitRule& split) {
+  const std::uint64_t cell = cellBytes(options);
+  const std::uint64_t each = options.attach_once ? 0 : cell;
+  if (options.limits.disk_quota_bytes && each >= *options.limits.disk_quota_bytes) {
+    return Error{ErrorKind::bad_argument,
+                 fmt::format("not even one log fits --disk-quota {}: its cell alone takes {}",
+                             sizeText(*options.limits.disk_quota_bytes), sizeText(cell)),
+                 {}};
+  }
+  if (!options.ring && split.size_bytes > 0 && each >= split.size_bytes) {
+    return Error{
+        ErrorKind::bad_argument,
+        fmt::format("the cell takes {} of each piece, which is to be of {}: split by more, "
+                    "or --attach-once",
+                    sizeText(cell), sizeText(split.size_bytes)),
+        {}};
+  }
+  return {};
+}
+
+/// A flight recorder that finds out at the accident that it cannot write is none.
+Status checkFolder(const RecordOptions& options, LogTime now) {
+  const auto path = recordPath(options.log.string(), WallTime(now.time_since_epoch()));
+  if (!path) return path.error();
+  std::filesystem::path folder = path->has_parent_path() ? path->parent_path() : ".";
+  std::error_code ignored;
+  // The last folder would be made.
+  if (!std::filesystem::exists(folder, ignored)) {
+    folder = folder.has_parent_path() ? folder.parent_path() : ".";
+  }
+  // Tried, not asked for: what the system says of rights is not all that can refuse.
+  std::string probe = (folder / ".rocinante-XXXXXX").string();
+  const int file = ::mkstemp(probe.data());
+  if (file >= 0) {
+    ::close(file);
+    ::unlink(probe.c_str());
+    return {};
+  }
+  return Error{ErrorKind::unreadable,
+               std::string("no file can be made there: ") + std::strerror(errno), folder.string()};
+}
+
+}  // namespace
+
+Result<RecordSink> makeSink(const RecordOptions& options, LogTime now, NoteBox& notes) {
+  const SplitRule split = splitOf(options);
+  if (Status sizes = checkSizes(options, split); !sizes) return sizes.error();
+  PieceMaker::Options making;
+  making.naming.output = options.log.string();
+  making.naming.several =
+      options.ring || split.size_bytes > 0 || split.time > Nanoseconds(0) || options.limits.keep;
+  making.naming.overwrite = options.writing.overwrite;
+  making.writing = options.writing;
+  making.writing.closing_room_bytes += kLossBytes * options.endpoints.size();
+  if (!options.ring && split.size_bytes > 0) {
+    const auto wanted = std::max(split.size_bytes / kChunksInPiece, kLeastChunkBytes);
+    making.writing.chunk_bytes =
+        std::min(making.writing.chunk_bytes, static_cast<std::size_t>(wanted));
+  }
+  making.session_id = newSessionId();
+  making.cell = options.cell;
+  making.attach_once = options.attach_once;
+  making.notes = &notes;
+  auto maker = std::make_shared<PieceMaker>(std::move(making));
+  PieceSequence::MakePiece make = [maker](LogTime start, const PieceNamer::Ours& ours) {
+    return maker->make(start, ours);
+  };
+  if (options.ring) {
+    if (Status folder = checkFolder(options, now); !folder) return folder.error();
+    RingRecording::Options ring{
+        *options.ring, options.limits, {}, std::move(make), options.ring_on};
+    return RecordSink{std::make_unique<RingRecording>(std::move(ring), notes),
+                      options.log.string()};
+  }
+  Result<MadePiece> first = make(now, [](const auto&) { return false; });
+  if (!first) return first.error();
+  std::string name = first->file.path.string();
+  PieceSequence::Options pieces{split, options.limits, {}, std::move(make)};
+  return RecordSink{std::make_unique<PieceSequence>(std::move(*first), std::move(pieces), notes),
+                    std::move(name)};
+}
+
+std::unique_ptr<CaptureSink> sinkOf(LogWriter log, const RecordOptions& options, NoteBox& notes) {
+  MadePiece made{std::move(log), PieceFile::at(options.log)};
+  return std::make_unique<PieceSequence>(std::move(made), PieceSequence::Options(), notes);
+}
+
+}  // namespace rocinante

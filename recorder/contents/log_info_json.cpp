@@ -1,0 +1,127 @@
+#include "recorder/contents/log_info_json.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/base/duration_text.h"
+
+namespace rocinante {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string metadataOf(const LogChannel& channel, const char* key) {
+  const auto found = channel.metadata.find(key);
+  return found == channel.metadata.end() ? std::string() : found->second;
+}
+
+/// Thousandths are as much as a rate means; the digits behind them only change between libraries.
+double thousandths(double value) { return std::round(value * 1000) / 1000; }
+
+Json channelJson(const ChannelInfo& info) {
+  return {{"id", info.channel.id},
+          {"topic", info.channel.topic},
+          {"encoding", info.channel.encoding},
+          {"sender", metadataOf(info.channel, "remote")},
+          {"source", metadataOf(info.channel, "source")},
+          {"messages", info.messages},
+          {"rate_hz", thousandths(info.rateHz())},
+          {"first_ns", info.messages > 0 ? Json(nanosecondsOf(info.first)) : Json(nullptr)},
+          {"last_ns", info.messages > 0 ? Json(nanosecondsOf(info.last)) : Json(nullptr)},
+          {"longest_gap_ns", info.longest_gap.count()},
+          {"longest_gap_from_ns",
+           info.longest_gap.count() > 0 ? Json(nanosecondsOf(info.gap_from)) : Json(nullptr)}};
+}
+
+Json channelsJson(const std::vector<ChannelInfo>& channels) {
+  Json out = Json::array();
+  for (const ChannelInfo& info : channels) out.push_back(channelJson(info));
+  return out;
+}
+
+Json lossesJson(const LogInfo& info) {
+  Json spans = Json::array();
+  for (const LossSpan& span : info.loss_spans) {
+    spans.push_back({{"endpoint", span.endpoint},
+                     {"from_ns", nanosecondsOf(span.from)},
+                     {"until_ns", nanosecondsOf(span.until)},
+                     {"kernel", span.counts.kernel},
+                     {"queue", span.counts.queue},
+                     {"disk", span.counts.disk},
+                     {"truncated", span.counts.truncated}});
+  }
+  return {{"kernel", info.losses.kernel},  {"queue", info.losses.queue},
+          {"disk", info.losses.disk},      {"truncated", info.losses.truncated},
+          {"source_gap", info.source_gap}, {"spans", std::move(spans)}};
+}
+
+Json damageJson(const std::vector<DamageSpan>& damage) {
+  Json out = Json::array();
+  for (const DamageSpan& span : damage) {
+    Json each = {{"from", span.from}, {"to", span.to}, {"cause", span.cause}};
+    each["messages_lost"] = span.messages_lost ? Json(*span.messages_lost) : Json(nullptr);
+    out.push_back(std::move(each));
+  }
+  return out;
+}
+
+Json eventsJson(const std::vector<Event>& events) {
+  Json out = Json::array();
+  for (const Event& event : events) {
+    out.push_back({{"log_time_ns", nanosecondsOf(event.time)},
+                   {"source", event.source},
+                   {"text", event.text}});
+  }
+  return out;
+}
+
+Json attachmentsJson(const std::vector<LogAttachment>& attachments) {
+  Json out = Json::array();
+  for (const LogAttachment& attachment : attachments) {
+    out.push_back({{"name", attachment.name},
+                   {"media_type", attachment.media_type},
+                   {"log_time_ns", nanosecondsOf(attachment.log_time)},
+                   {"bytes", attachment.data_bytes}});
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string logInfoJson(const LogInfo& info, bool indented) {
+  const LogSummary& summary = info.summary;
+  Json out;
+  out["format"] = 1;
+  out["log"] = info.name;
+  out["session_id"] = summary.session_id;
+  out["messages"] = info.messages;
+  out["packets"] = info.packets;
+  out["origin_ns"] = nanosecondsOf(summary.origin);
+  out["start_ns"] = nanosecondsOf(summary.start);
+  out["end_ns"] = nanosecondsOf(summary.end);
+  out["duration_s"] = static_cast<double>((summary.end - summary.start).count()) / 1e9;
+  out["content_sha256"] = info.content_sha256;
+  out["stream_sha256"] = info.stream_sha256;
+  out["channels"] = channelsJson(info.channels);
+  out["own_channels"] = channelsJson(info.own_channels);
+  out["keyframes"] = info.keyframes;
+  out["events"] = info.events;
+  out["marks"] = info.marks;
+  out["event_list"] = eventsJson(info.first_events);
+  out["losses"] = lossesJson(info);
+  out["profile"] = summary.profile;
+  out["library"] = summary.library;
+  out["complete"] = summary.complete;
+  out["end_reason"] = summary.end_reason;
+  out["attachments"] = attachmentsJson(info.attachments);
+  out["compression"] = info.storage.compressions;
+  out["chunks"] = info.storage.chunks;
+  out["file_bytes"] = info.storage.file_bytes;
+  out["stored_bytes"] = info.storage.stored_bytes;
+  out["expanded_bytes"] = info.storage.expanded_bytes;
+  out["damage"] = damageJson(info.damage);
+  // Names come from a stranger's file: what is no UTF-8 is replaced, and must not throw.
+  return out.dump(indented ? 2 : -1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace rocinante

@@ -1,0 +1,157 @@
+#include "recorder/contents/log_info_text.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <span>
+
+#include "core/base/duration_text.h"
+#include "core/base/size_text.h"
+#include "core/cli/text_table.h"
+#include "core/log/log_profile.h"
+#include "recorder/contents/message_text.h"
+
+namespace rocinante {
+namespace {
+
+using cli::counted;
+using cli::grouped;
+
+constexpr std::size_t kShownEvents = 20;
+
+std::string shownMetadata(const LogChannel& channel, const char* key) {
+  const auto found = channel.metadata.find(key);
+  return found == channel.metadata.end() || found->second.empty() ? "-" : plainText(found->second);
+}
+
+/// The longest time without a message, between the first and the last.
+std::string gapText(const ChannelInfo& info) {
+  if (info.messages < 2) return "-";
+  return fmt::format("{:.3f}", static_cast<double>(info.longest_gap.count()) / 1e9);
+}
+
+void addChannels(std::string& out, const LogInfo& info) {
+  cli::TextTable table;
+  table.is_number = {false, false, false, false, true, true, true, false};
+  table.rows = {
+      {"channel", "encoding", "source", "sender", "messages", "rate/s", "silent/s", "activity"}};
+  const auto add = [&](const ChannelInfo& channel) {
+    table.rows.push_back({plainText(channel.channel.topic), plainText(channel.channel.encoding),
+                          shownMetadata(channel.channel, "source"),
+                          shownMetadata(channel.channel, "remote"), grouped(channel.messages),
+                          fmt::format("{:.1f}", channel.rateHz()), gapText(channel),
+                          activityStrip(channel.activity)});
+  };
+  std::ranges::for_each(info.channels, add);
+  std::ranges::for_each(info.own_channels, add);
+  if (table.rows.size() == 1) return;
+  out += '\n' + table.text();
+}
+
+void addEvents(std::string& out, const LogInfo& info) {
+  if (info.events == 0) return;
+  out += fmt::format("\n  events\n");
+  const std::size_t shown = std::min(info.first_events.size(), kShownEvents);
+  for (const Event& event : std::span(info.first_events).first(shown)) {
+    const std::string who = event.source.empty() ? "(mark)" : plainText(event.source);
+    out += fmt::format("  {:>14} s  {}: {}\n", secondsText(event.time - info.summary.origin, 3),
+                       who, plainText(event.text));
+  }
+  if (info.events > shown) out += fmt::format("  and {} more\n", grouped(info.events - shown));
+}
+
+void addLosses(std::string& out, const LogInfo& info) {
+  const LossCounts& losses = info.losses;
+  if (losses == LossCounts{}) {
+    out += "  losses      none recorded";
+  } else {
+    out += fmt::format("  losses      kernel {}, queue {}, disk {}, truncated {} in {}",
+                       grouped(losses.kernel), grouped(losses.queue), grouped(losses.disk),
+                       grouped(losses.truncated), counted(info.loss_spans.size(), "span"));
+  }
+  if (info.source_gap > 0) {
+    out += fmt::format("; the sources' own numbers miss {}", grouped(info.source_gap));
+  }
+  out += "\n";
+}
+
+std::string completeText(const LogSummary& summary) {
+  const bool is_ours = summary.profile == profile::kName;
+  if (summary.complete && is_ours) {
+    return fmt::format("yes ({})", plainText(summary.end_reason));
+  }
+  const std::string writer = summary.library.empty() ? "its writer" : plainText(summary.library);
+  if (summary.complete) return fmt::format("yes (closed by {})", writer);
+  if (!summary.closed && is_ours) return "no: it was not closed by its recorder";
+  if (!summary.closed) return fmt::format("no: it was not closed by {}", writer);
+  return "no: it was closed, but rocinante.end is not in it";
+}
+
+void addDamage(std::string& out, const LogInfo& info) {
+  if (info.damage.empty()) return;
+  out += "\n  damage\n";
+  for (const DamageSpan& span : info.damage) {
+    out += fmt::format("  bytes {} to {}: {}", span.from, span.to, plainText(span.cause));
+    if (!span.messages_lost) {
+      out += "; what that cost is not known";
+    } else if (*span.messages_lost > 0) {
+      out += "; lost: " + counted(*span.messages_lost, "message");
+    }
+    out += "\n";
+  }
+}
+
+}  // namespace
+
+std::string logInfoText(const LogInfo& info) {
+  const LogSummary& summary = info.summary;
+  const Nanoseconds duration = summary.end - summary.start;
+  std::string out = plainText(info.name) + "\n";
+  if (!summary.session_id.empty()) {
+    out += fmt::format("  session     {}\n", plainText(summary.session_id));
+  }
+  if (info.messages > 0) {
+    out +=
+        fmt::format("  origin      {}\n", rfc3339Text(WallTime(summary.origin.time_since_epoch())));
+    out += fmt::format("  time        {} s to {} s, {} s long\n",
+                       secondsText(summary.start - summary.origin, 3),
+                       secondsText(summary.end - summary.origin, 3), secondsText(duration, 3));
+  }
+  out += fmt::format("  messages    {} on {}", grouped(info.messages),
+                     counted(info.channels.size(), "channel"));
+  if (info.packets < info.messages) {
+    out += fmt::format("; {} could be decoded", grouped(info.packets));
+  }
+  out += "\n";
+  if (info.events > 0) {
+    out += fmt::format("  events      {}", grouped(info.events));
+    if (info.marks > 0) out += fmt::format(", {} of them marks", grouped(info.marks));
+    out += "\n";
+  }
+  if (info.keyframes > 0) out += fmt::format("  keyframes   {}\n", grouped(info.keyframes));
+  out += fmt::format("  stored      {} in {}", sizeText(info.storage.file_bytes),
+                     counted(info.storage.chunks, "chunk"));
+  if (!info.storage.compressions.empty()) {
+    out += fmt::format(", {}", fmt::join(info.storage.compressions, " and "));
+  }
+  if (info.storage.stored_bytes > 0 && info.storage.expanded_bytes > info.storage.stored_bytes) {
+    out +=
+        fmt::format(" ({:.1f} times smaller)", static_cast<double>(info.storage.expanded_bytes) /
+                                                   static_cast<double>(info.storage.stored_bytes));
+  }
+  out += "\n";
+  if (!info.attachments.empty()) {
+    out += fmt::format("  attached    {}\n", counted(info.attachments.size(), "file"));
+  }
+  out += "  complete    " + completeText(summary) + "\n";
+  addLosses(out, info);
+  out += "  content     sha256 " + info.content_sha256 + "\n";
+  out += "  stream      sha256 " + info.stream_sha256 + "\n";
+  addChannels(out, info);
+  addEvents(out, info);
+  addDamage(out, info);
+  return out;
+}
+
+}  // namespace rocinante

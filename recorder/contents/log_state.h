@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/time.h"
+#include "core/packet/session_state.h"
+
+namespace rocinante {
+
+/// The state of a session at a moment, to be shown.
+struct ShownState {
+  std::string log;
+  LogTime origin{};
+  LogTime moment{};
+  const SessionState* state = nullptr;  ///< borrowed
+};
+
+}  // namespace rocinante

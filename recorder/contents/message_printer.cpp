@@ -1,0 +1,85 @@
+#include "recorder/contents/message_printer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "core/base/duration_text.h"
+#include "core/log/log_profile.h"
+#include "recorder/contents/message_text.h"
+
+namespace rocinante {
+namespace {
+
+/// RFC 4180: quoted where it must be, quotes doubled.
+std::string csvField(std::string_view text) {
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"') out += '"';
+    out += c;
+  }
+  return out + "\"";
+}
+
+}  // namespace
+
+void MessagePrinter::makeRoomFor(const LogChannel& channel) {
+  topic_width_ = std::max(topic_width_, plainText(channel.topic).size());
+}
+
+void MessagePrinter::header(std::string& out) const {
+  if (format_ != CatFormat::csv) return;
+  if (!name_.empty()) out += "log,";
+  out += "log_time_ns,channel,sequence,publish_time_ns,encoding,text,payload_base64\r\n";
+}
+
+void MessagePrinter::message(const LogMessage& message, std::string& out) const {
+  const std::string& encoding = message.channel->encoding;
+  const bool says_text =
+      encoding == "rk1" || encoding == "json" || encoding == profile::kKeyframeEncoding;
+  const bool is_text = says_text && isUtf8(message.payload);
+  switch (format_) {
+    case CatFormat::text:
+      return text(message, is_text, out);
+    case CatFormat::json:
+      return json(message, is_text, out);
+    case CatFormat::csv:
+      return csv(message, is_text, out);
+  }
+}
+
+void MessagePrinter::text(const LogMessage& message, bool is_text, std::string& out) const {
+  if (!name_.empty()) out += plainText(name_) + "  ";
+  out += fmt::format("{:>14}  {:<{}}  {:>6}  {}\n", secondsText(message.log_time - origin_, 9),
+                     plainText(message.channel->topic), topic_width_, message.sequence,
+                     payloadLine(message.payload, is_text));
+}
+
+void MessagePrinter::json(const LogMessage& message, bool is_text, std::string& out) const {
+  using Json = nlohmann::ordered_json;
+  Json line;
+  if (!name_.empty()) line["log"] = name_;
+  line["log_time_ns"] = message.log_time.time_since_epoch().count();
+  line["channel"] = message.channel->topic;
+  line["sequence"] = message.sequence;
+  if (is_text) {
+    line["text"] = textOf(message.payload);
+  } else {
+    line["payload_base64"] = base64Of(message.payload);
+  }
+  out += line.dump(-1, ' ', false, Json::error_handler_t::replace);
+  out += '\n';
+}
+
+void MessagePrinter::csv(const LogMessage& message, bool is_text, std::string& out) const {
+  if (!name_.empty()) out += csvField(name_) + ",";
+  out += fmt::format("{},{},{},{},{},{},{}\r\n", message.log_time.time_since_epoch().count(),
+                     csvField(message.channel->topic), message.sequence, message.publish_time_ns,
+                     csvField(message.channel->encoding),
+                     is_text ? csvField(textOf(message.payload)) : std::string(),
+                     is_text ? std::string() : base64Of(message.payload));
+}
+
+}  // namespace rocinante

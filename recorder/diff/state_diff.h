@@ -1,0 +1,16 @@
+#pragma once
+
+#include <functional>
+
+#include "core/base/result.h"
+#include "core/log/log_reader.h"
+#include "recorder/diff/log_diff.h"
+
+namespace rocinante {
+
+/// Folds two logs side by side, each from its beginning, and finds the first log time at which
+/// their states are not the same.
+Result<StateDiff> diffStates(LogReader& a, LogReader& b,
+                             const std::function<void(LogTime)>& progress);
+
+}  // namespace rocinante

@@ -1,0 +1,43 @@
+#include "recorder/pieces/piece_maker.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace rocinante {
+
+Error PieceMaker::failed(Error error) {
+  namer_.takeBack();
+  return error;
+}
+
+Result<MadePiece> PieceMaker::make(LogTime start, const PieceNamer::Ours& ours) {
+  const Result<std::filesystem::path> path = namer_.next(start, ours);
+  if (!path) return failed(path.error());
+  std::error_code ignored;
+  const std::filesystem::path folder = path->parent_path();
+  const bool made_folder = !folder.empty() && std::filesystem::create_directory(folder, ignored);
+  Result<LogWriter> log = LogWriter::create(*path, options_.writing, options_.session_id);
+  if (!log) {
+    if (made_folder) std::filesystem::remove(folder, ignored);
+    return failed(log.error());
+  }
+  if (!log->locked() && options_.notes != nullptr && !std::exchange(lockless_told_, true)) {
+    options_.notes->say(
+        fmt::format("the file system of {} has no locks: nothing stops a second program from "
+                    "writing the same file",
+                    path->string()));
+  }
+  const PieceFile file = PieceFile::at(*path);
+  if (options_.cell && !(options_.attach_once && attached_)) {
+    if (Status attached = AttachedBundle(*options_.cell).writeTo(*log, start); !attached) {
+      // A log that did not get its cell is none.
+      if (file.isThere()) std::filesystem::remove(*path, ignored);
+      return failed(attached.error());
+    }
+    attached_ = true;
+  }
+  return MadePiece{std::move(*log), file};
+}
+
+}  // namespace rocinante

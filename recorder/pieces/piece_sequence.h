@@ -1,0 +1,78 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/recording/capture_sink.h"
+#include "core/recording/piece_log.h"
+#include "core/recording/piece_namer.h"
+#include "recorder/pieces/piece_shelf.h"
+
+namespace rocinante {
+
+/// Where a recording parts of itself; with neither it does so only when asked.
+struct SplitRule {
+  std::uint64_t size_bytes = 0;  ///< 0: never. About the size of a piece
+  Nanoseconds time{0};           ///< 0: never. Every so often, counted from the session's origin
+};
+
+/// A recording in logs one after another, each of which stands alone: it opens with a keyframe of
+/// what preceded it. One log is a sequence of one. A seam lies between two log times, at which no
+/// restatement is unfinished, if there is such a place within a second; no datagram is in two
+/// pieces or in none. The old piece is closed, and what the limits want gone is deleted, in another
+/// thread. Where the next piece cannot be made, the recording goes on in the old one, says so, and
+/// tries again.
+class PieceSequence final : public CaptureSink {
+ public:
+  using MakePiece = std::function<Result<MadePiece>(LogTime start, const PieceNamer::Ours& ours)>;
+
+  struct Options {
+    SplitRule split;
+    RetentionLimits limits;
+    KeyframeOptions keyframes;
+    MakePiece make_next;  ///< empty: there is one piece alone
+  };
+
+  /// `notes` must outlive it.
+  PieceSequence(MadePiece first, Options options, NoteBox& notes);
+
+  Status begin(const SessionState& preceding, LogTime moment) override;
+  bool seamDue(LogTime time) override;
+  Status seam(LogTime time) override;
+  Status write(const CapturedDatagram& datagram) override;
+  Status writeLoss(const LossSpan& span) override { return piece_->writeLoss(span); }
+  Status writeStep(const ClockStep& step) override { return piece_->writeStep(step); }
+  Status flush(LogTime reached, SteadyTime now) override;
+  Status flushAll() override { return piece_->flushAll(); }
+  Status close(const std::string& reason) override;
+  void askForSeam() override { asked_ = true; }
+  void trigger(LogTime, const std::string&) override {}
+  std::uint64_t bytesWritten() const override { return shelf_.bytesEver() + piece_->bytes(); }
+  std::vector<std::uint64_t> refusedByFlow() const override;
+  RecordedFiles files() const override;
+
+ private:
+  bool wanted(LogTime time) const;
+  void noteSize();
+  void tellDisturbance();
+
+  Options options_;
+  NoteBox& notes_;
+  std::unique_ptr<PieceLog> piece_;
+  PieceShelf shelf_;
+  std::optional<LogTime> origin_;     ///< of the session: its first captured datagram
+  std::optional<LogTime> time_cell_;  ///< where the span of --split-time begins that we are in
+  bool asked_ = false;
+  bool full_ = false;
+  std::uint64_t opening_bytes_ = 0;  ///< of this piece before its first datagram
+  std::uint64_t seen_bytes_ = 0;
+  std::uint64_t largest_step_ = 0;  ///< by which the piece ever grew at once
+  std::optional<LogTime> wanted_since_;
+  std::optional<LogTime> retry_at_;  ///< the next piece could not be made; not before this
+  std::string last_trouble_;
+};
+
+}  // namespace rocinante

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/document/model_fault.h"
+#include "core/kinematics/model.h"
+#include "core/kinematics/urdf_reader.h"
+#include "core/mesh/mesh_store.h"
+#include "core/search/file_search.h"
+#include "tests/support/temporary_folder.h"
+
+namespace rocinante::test {
+
+/// The faults as a program lists them, one a line, without the folder `within`.
+inline std::string printed(const ModelFaults& faults, const std::filesystem::path& within = {}) {
+  std::string text;
+  for (const ModelFault& fault : faults) text += fault.print() + "\n";
+  const std::string folder = within.string() + "/";
+  for (std::size_t at; !within.empty() && (at = text.find(folder)) != std::string::npos;) {
+    text.erase(at, folder.size());
+  }
+  return text;
+}
+
+/// A URDF read from text named robot.urdf, with a search root of its own.
+struct ReadUrdf {
+  explicit ReadUrdf(std::string_view text) {
+    static_cast<void>(search.addRoot(folder.path()).ok());
+    MeshStore meshes(search, true);
+    model = readUrdf(bytesOf(text), folder / "robot.urdf", meshes, faults);
+  }
+  std::string faultText() const { return printed(faults, folder.path()); }
+
+  TemporaryFolder folder;
+  FileSearch search;
+  ModelFaults faults;
+  std::optional<Model> model;
+};
+
+}  // namespace rocinante::test

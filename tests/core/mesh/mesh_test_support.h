@@ -1,0 +1,74 @@
+#pragma once
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/mesh/mesh_file.h"
+
+namespace rocinante::test {
+
+/// A mesh read from text, with what was wrong with it.
+struct ReadMesh {
+  Mesh mesh;
+  ModelFaults faults;
+
+  std::vector<std::string> rules() const {
+    std::vector<std::string> rules;
+    for (const ModelFault& fault : faults) rules.push_back(fault.rule);
+    return rules;
+  }
+  /// The corners of triangle `i`, as positions.
+  std::vector<glm::vec3> triangle(std::size_t i) const {
+    std::vector<glm::vec3> corners;
+    for (std::size_t c = 0; c < 3; ++c) {
+      corners.push_back(mesh.vertices[mesh.indices[i * 3 + c]].position);
+    }
+    return corners;
+  }
+};
+
+inline ReadMesh readMesh(std::string_view text, const std::string& name,
+                         const MeshReadOptions& options = {}) {
+  ReadMesh read;
+  Result<Mesh> mesh = readMeshBytes(bytesOf(text), name, options, read.faults);
+  EXPECT_TRUE(mesh.ok()) << mesh.error().text();
+  if (mesh) read.mesh = std::move(*mesh);
+  return read;
+}
+
+/// Every index in range, normals of unit length, parts that cover the triangles, bounds that hold.
+inline void expectSound(const Mesh& mesh) {
+  ASSERT_EQ(mesh.indices.size() % 3, 0U);
+  for (const std::uint32_t index : mesh.indices) ASSERT_LT(index, mesh.vertices.size());
+  for (const Vertex& vertex : mesh.vertices) {
+    ASSERT_NEAR(glm::dot(vertex.normal, vertex.normal), 1.0F, 1e-5F);
+    ASSERT_GE(vertex.position.x, mesh.bounds.min.x);
+    ASSERT_LE(vertex.position.z, mesh.bounds.max.z);
+  }
+  std::uint32_t next = 0;
+  for (const MeshPart& part : mesh.parts) {
+    ASSERT_EQ(part.first_index, next);
+    ASSERT_GT(part.index_count, 0U);
+    ASSERT_LT(part.material, mesh.materials.size());
+    next += part.index_count;
+  }
+  ASSERT_EQ(next, mesh.indices.size());
+}
+
+/// Twice the area of all triangles, seen along z: what a flat polygon must keep when it is cut.
+inline double flatArea(const Mesh& mesh) {
+  double sum = 0;
+  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+    const Vec3 a(mesh.vertices[mesh.indices[i]].position);
+    const Vec3 b(mesh.vertices[mesh.indices[i + 1]].position);
+    const Vec3 c(mesh.vertices[mesh.indices[i + 2]].position);
+    sum += glm::cross(b - a, c - a).z;
+  }
+  return sum;
+}
+
+}  // namespace rocinante::test

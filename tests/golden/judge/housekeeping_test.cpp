@@ -1,0 +1,86 @@
+#include "golden/judge/housekeeping.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "golden/approval/staging_folder.h"
+#include "tests/support/temporary_folder.h"
+
+namespace rocinante {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+Picture smallPicture(std::uint8_t level) {
+  return {4, 4, std::vector<std::uint8_t>(4 * 4 * 4, level)};
+}
+
+AcceptedPicture entry(const std::string& file, const Picture& picture) {
+  return {"k 4x4 1x", file, pictureXxh3(picture), "inputs", "session", "ada", "today", "why"};
+}
+
+JudgedFrame passed(double mean, std::int64_t over, Tolerance tolerance = {"arm", false, 4.0, 8}) {
+  JudgedFrame judged;
+  judged.verdict = FrameVerdict::same;
+  judged.tolerance = std::move(tolerance);
+  judged.limit_from = "[tolerance.arm], s.toml:9";
+  judged.comparison.worst_tile_mean = mean;
+  judged.comparison.worst_tile_over = over;
+  return judged;
+}
+
+TEST(FolderFaults, TellsWhatIsStaleMissingStrayAndLeftOver) {
+  const test::TemporaryFolder root;
+  const GoldenFolder folder(root.path(), {});
+  Manifest manifest;
+  manifest.accept("kept", entry("kept.png", smallPicture(1)));
+  manifest.accept("gone", entry("gone.png", smallPicture(2)));
+  manifest.accept("old", entry("old.png", smallPicture(3)));
+  ASSERT_TRUE(writePng(root / "kept.png", smallPicture(9)).ok());
+  ASSERT_TRUE(writePng(root / "old.png", smallPicture(3)).ok());
+  std::ofstream(root / "spare.png") << "x";
+  std::filesystem::create_directory(root / ".staged-killed");
+  const auto in_use = StagingFolder::make(root.path());
+  ASSERT_TRUE(in_use.ok());
+  std::ofstream(root / "notes.txt") << "x";
+  std::vector<SuiteFrame> frames(2);
+  frames[0].name = "kept";
+  frames[1].name = "gone";
+  const std::string at = root.path().string() + "/";
+  EXPECT_THAT(
+      folderFaults(manifest, folder, frames, false),
+      ElementsAre(at + ".staged-killed was left by an approve that was interrupted; the next one "
+                       "clears it",
+                  "file " + at + "spare.png is no golden", "golden " + at + "gone.png is missing",
+                  "golden " + at + "old.png is stale: the suite has no frame old"));
+  EXPECT_THAT(folderFaults(manifest, folder, frames, true),
+              testing::Contains(HasSubstr("kept.png is not the picture")));
+}
+
+TEST(SuiteNotes, TellsLimitsFourTimesLooserThanNeeded) {
+  EXPECT_THAT(suiteNotes(std::vector{passed(0.5, 1), passed(0.9, 2)}),
+              ElementsAre("tolerance arm ([tolerance.arm], s.toml:9) is loose: of tile_mean 4.00 "
+                          "at most 0.90 was needed, of tile_over 8 at most 2"));
+  EXPECT_THAT(suiteNotes(std::vector{passed(0.5, 1), passed(1.0, 2)}), IsEmpty());
+  EXPECT_THAT(suiteNotes(std::vector{passed(0.5, 3)}), IsEmpty());
+  EXPECT_THAT(suiteNotes(std::vector{passed(0, 0, Tolerance::exactly())}), IsEmpty());
+  EXPECT_THAT(suiteNotes(std::vector{passed(0.01, 0, Tolerance::rounding())}), IsEmpty());
+}
+
+TEST(SuiteNotes, TellsMasksThatHideNothingAnywhere) {
+  std::vector<JudgedFrame> judged(2);
+  for (JudgedFrame& one : judged) {
+    one.frame.case_name = "pick";
+    one.masks = {{"arm", 0}, {"gone", 0}, {"the golden's own", 0}};
+    one.own_masks = 2;
+  }
+  judged[1].masks[0].pixels = 5;
+  EXPECT_THAT(suiteNotes(judged), ElementsAre("mask gone of case pick hides nothing"));
+}
+
+}  // namespace
+}  // namespace rocinante

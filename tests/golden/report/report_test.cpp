@@ -1,0 +1,186 @@
+#include "golden/report/report.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "core/base/atomic_file.h"
+#include "golden/report/report_ci.h"
+#include "golden/report/report_folder.h"
+#include "golden/report/report_html.h"
+#include "golden/report/report_reader.h"
+#include "golden/why/frame_why.h"
+#include "tests/support/temporary_folder.h"
+
+namespace rocinante {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+Picture plain(std::uint8_t level) {
+  return {16, 16, std::vector<std::uint8_t>(16 * 16 * 4, level)};
+}
+
+class ReportTest : public testing::Test {
+ protected:
+  ReportTest() {
+    suite_case_.name = "pick";
+    report_.suite = "s.toml";
+    report_.cell = "a<b&c.toml";
+    report_.renderer = "llvmpipe";
+  }
+
+  void add(FrameVerdict verdict) {
+    JudgedFrame judged;
+    judged.frame = {"pick", &suite_case_, LogTime(Nanoseconds(5)), ""};
+    judged.verdict = verdict;
+    judged.rule = "a rule with <angle> & \"quotes\"";
+    if (verdict == FrameVerdict::different) {
+      judged.drawn = plain(10);
+      judged.accepted = plain(90);
+      judged.comparison = compare(*judged.drawn, *judged.accepted, Tolerance::exactly());
+    }
+    report_.frames.push_back(std::move(judged));
+  }
+
+  SuiteCase suite_case_;
+  SuiteReport report_;
+};
+
+TEST_F(ReportTest, OneDifferentFrameMakesTheAnswerNo) {
+  EXPECT_EQ(report_.verdict(), Verdict::incomparable);  // nothing judged is never yes
+  add(FrameVerdict::same);
+  EXPECT_EQ(report_.verdict(), Verdict::same);
+  add(FrameVerdict::incomparable);
+  EXPECT_EQ(report_.verdict(), Verdict::incomparable);
+  add(FrameVerdict::missing);
+  EXPECT_EQ(report_.verdict(), Verdict::different);
+}
+
+TEST_F(ReportTest, JsonHoldsTheFigures) {
+  add(FrameVerdict::different);
+  const auto root = nlohmann::json::parse(reportJson(report_));
+  EXPECT_EQ(root["format"], 1);
+  EXPECT_EQ(root["verdict"], "different");
+  EXPECT_EQ(root["counts"]["different"], 1);
+  EXPECT_EQ(root["frames"][0]["max"], 80);
+  EXPECT_EQ(root["frames"][0]["pixels_over"]["32"], 256);
+  EXPECT_EQ(root["frames"][0]["log_time_ns"], 5);
+}
+
+TEST_F(ReportTest, JunitTellsFailuresFromErrors) {
+  add(FrameVerdict::same);
+  add(FrameVerdict::unstable);
+  add(FrameVerdict::incomparable);
+  const std::string xml = reportJunit(report_);
+  EXPECT_THAT(xml, HasSubstr("tests=\"3\" failures=\"1\" errors=\"1\""));
+  EXPECT_THAT(xml, HasSubstr("<failure message=\"unstable: a rule with &lt;angle&gt; &amp;"));
+  EXPECT_THAT(xml, HasSubstr("<error message=\"incomparable:"));
+}
+
+TEST_F(ReportTest, EveryFormatSaysWhichKeyAndTierJudged) {
+  for (const FrameVerdict verdict : {FrameVerdict::same, FrameVerdict::incomparable}) {
+    add(verdict);
+    JudgedFrame& judged = report_.frames.back();
+    judged.key = "newer 8x8 1x";
+    judged.golden.emplace().key = "older <8x8> 1x";
+    judged.tolerance = Tolerance::rounding();
+  }
+  EXPECT_THAT(reportJunit(report_),
+              HasSubstr("    <properties>\n"
+                        "      <property name=\"key\" value=\"newer 8x8 1x\"/>\n"
+                        "      <property name=\"golden key\" value=\"older &lt;8x8&gt; 1x\"/>\n"
+                        "      <property name=\"tier\" value=\"rounding\"/>\n"
+                        "    </properties>\n"
+                        "  </testcase>\n"));
+  const auto root = nlohmann::json::parse(reportJson(report_));
+  EXPECT_EQ(root["frames"][0]["golden"]["key"], "older <8x8> 1x");
+  EXPECT_EQ(root["frames"][0]["tolerance"], "rounding");
+  EXPECT_EQ(root["frames"][0]["limits"], (nlohmann::json{{"level", 1}, {"percent", 2}}));
+  const auto sarif = nlohmann::json::parse(reportSarif(report_));
+  EXPECT_EQ(sarif["runs"][0]["results"][0]["properties"],
+            (nlohmann::json{
+                {"key", "newer 8x8 1x"}, {"golden_key", "older <8x8> 1x"}, {"tier", "rounding"}}));
+  const std::string page = reportHtml(report_);
+  EXPECT_THAT(page, HasSubstr(R"(["golden of","older \u003c8x8> 1x"])"));
+  EXPECT_THAT(page, HasSubstr("rounding: 1 of 255 in 2 % of the pixels"));
+  // What is merged later says the same.
+  const auto read = parseReport(reportJson(report_), "report.json");
+  ASSERT_TRUE(read.ok()) << read.error().text();
+  EXPECT_EQ(read->frames[0].golden->key, "older <8x8> 1x");
+  EXPECT_EQ(read->frames[0].tolerance.name, "rounding");
+  EXPECT_TRUE(read->frames[0].tolerance.limitsPixels());
+  EXPECT_EQ(reportJson(*read), reportJson(report_));
+}
+
+TEST_F(ReportTest, AReportWithoutGoldensKeysMeansTheFramesOwn) {
+  add(FrameVerdict::same);
+  report_.frames.back().key = "newer 8x8 1x";
+  report_.frames.back().golden.emplace().key = "newer 8x8 1x";
+  auto root = nlohmann::json::parse(reportJson(report_));
+  root["frames"][0]["golden"].erase("key");
+  const auto read = parseReport(root.dump(), "report.json");
+  ASSERT_TRUE(read.ok()) << read.error().text();
+  EXPECT_EQ(read->frames[0].golden->key, "newer 8x8 1x");
+}
+
+TEST_F(ReportTest, ThePageEscapesWhatItShowsAndNeedsNoNetwork) {
+  add(FrameVerdict::different);
+  const std::string page = reportHtml(report_);
+  EXPECT_THAT(page, HasSubstr("a\\u003cb&c.toml"));
+  EXPECT_THAT(page, HasSubstr("id=\"picture-0\">iVBOR"));
+  EXPECT_THAT(page, Not(HasSubstr("http:")));
+  EXPECT_THAT(page, Not(HasSubstr("https:")));
+  EXPECT_THAT(page, Not(HasSubstr("<angle>")));
+}
+
+TEST_F(ReportTest, APictureLiesInThePageOnce) {
+  add(FrameVerdict::different);
+  add(FrameVerdict::different);
+  const std::string page = reportHtml(report_);
+  EXPECT_THAT(page, HasSubstr("id=\"picture-1\""));
+  EXPECT_THAT(page, Not(HasSubstr("id=\"picture-3\"")));
+}
+
+TEST_F(ReportTest, WhyStandsInEveryFormat) {
+  add(FrameVerdict::different);
+  FrameWhy why;
+  why.basis = GoldenBasis::redrawn;
+  why.blame.differing = 256;
+  why.blame.changes = {{{"arm", "hand"}, ChangeKind::moved, 200, {{3.1, -0.4}}, {}}};
+  why.state = {{"arm/turn", "arm/turn: 23.61° -> 24.12°", 0.009, true}};
+  why.files = {"arm.obj: the mesh has changed"};
+  report_.frames[0].why = std::make_shared<const FrameWhy>(why);
+  const char* const line = "arm/hand: 200 of 256 differing pixels, moved by (3.1, -0.4) px";
+  EXPECT_THAT(reportJunit(report_), HasSubstr(line));
+  const auto root = nlohmann::json::parse(reportJson(report_));
+  EXPECT_EQ(root["frames"][0]["why"]["links"][0]["text"], line);
+  EXPECT_EQ(root["frames"][0]["why"]["state"][0]["item"], "arm/turn");
+  EXPECT_THAT(reportHtml(report_), HasSubstr("arm.obj: the mesh has changed"));
+}
+
+TEST_F(ReportTest, OnlyWhatWasSeenAndIsSteadyCanBeApproved) {
+  add(FrameVerdict::different);
+  EXPECT_FALSE(canApprove(report_.frames[0]));  // its pixels have no hash
+  report_.frames[0].pixels = "0123";
+  EXPECT_TRUE(canApprove(report_.frames[0]));
+  report_.frames[0].verdict = FrameVerdict::unstable;
+  EXPECT_FALSE(canApprove(report_.frames[0]));
+  report_.frames[0].verdict = FrameVerdict::incomparable;
+  EXPECT_FALSE(canApprove(report_.frames[0]));
+}
+
+TEST_F(ReportTest, PicturesLieBesideThePage) {
+  add(FrameVerdict::different);
+  const test::TemporaryFolder folder;
+  ASSERT_TRUE(writeReport(report_, folder / "deep" / "report").ok());
+  for (const char* name :
+       {"index.html", "pick.frame.png", "pick.golden.png", "pick.difference.png"}) {
+    EXPECT_TRUE(std::filesystem::exists(folder / "deep" / "report" / name)) << name;
+  }
+}
+
+}  // namespace
+}  // namespace rocinante

@@ -1,0 +1,147 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/packet/packet_text.h"
+#include "player/playhead/transport.h"
+#include "tests/player/logs/written_log.h"
+#include "tests/support/temporary_folder.h"
+
+namespace rocinante::test {
+
+/// A transport with a clock that moves only when it is told to, and a receiver that hears and folds
+/// everything.
+class Deck {
+ public:
+  explicit Deck(std::vector<std::filesystem::path> logs, TransportOptions options = {},
+                ChannelChoice choice = {})
+      : tape_(std::make_unique<LogMerge>(LogMerge::open(logs, choice).value())),
+        finder_(std::make_unique<TapeFinder>(TapeFinder::open(logs, choice).value())),
+        routes_(std::make_unique<PlayRoutes>(
+            makeRoutes(*tape_, Endpoint::standard(), {}, false).value())) {
+    if (options.span.until == LogTime{}) {
+      options.span = {tape_->start(), tape_->end() + Nanoseconds(1)};
+    }
+    options.origin = tape_->origin();
+    options.end = tape_->end();
+    options.read_ahead = false;
+    span_ = options.span;
+    origin_ = options.origin;
+    end_ = options.end;
+    transport_ = Transport::open(*tape_, *finder_, *routes_, options, now_).value();
+  }
+
+  Transport& transport() { return *transport_; }
+  TapeFinder& finder() { return *finder_; }
+  PlayedSpan span() const { return span_; }
+
+  /// Lets time go by, and sends what is due in it, each exactly when it is due.
+  void playFor(Nanoseconds span, std::size_t most = 1'000'000) {
+    const SteadyTime until = now_ + span;
+    // A sender also looks when nothing is due.
+    constexpr Nanoseconds kLook = std::chrono::milliseconds(50);
+    while (true) {
+      const auto next = transport_->next(now_).value();
+      // What has been begun is not left in the middle.
+      if (most == 0 && !(next && next->immediate)) return;
+      if (next && next->deadline <= now_) {
+        if (most > 0) --most;
+        hear(*next);
+        continue;
+      }
+      if (now_ >= until) return;
+      now_ = std::min(until, now_ + kLook);
+      if (next) now_ = std::min(now_, next->deadline);
+    }
+  }
+
+  /// The machine does something else.
+  void sleepFor(Nanoseconds span) { now_ += span; }
+
+  /// One command, all that it asks for at once, and the answer.
+  std::string say(const std::string& line) {
+    const auto command = parseTransportCommand(line, origin_, end_);
+    if (!command) return "error " + command.error().text();
+    const Status done = transport_->obey(*command, now_);
+    while (true) {
+      const auto next = transport_->next(now_).value();
+      if (!next || !next->immediate) break;
+      hear(*next);
+    }
+    return done ? transport_->status(now_) : "error " + done.error().text();
+  }
+
+  const std::vector<std::string>& payloads() const { return payloads_; }
+  const std::vector<std::string>& restatements() const { return restatements_; }
+  /// Of each message sent.
+  const std::vector<Due>& dues() const { return dues_; }
+  std::vector<std::uint32_t> spans() const {
+    std::vector<std::uint32_t> spans;
+    for (const Due& due : dues_) spans.push_back(due.span);
+    return spans;
+  }
+
+  const SessionState& receiver() const { return receiver_; }
+
+  /// Whoever heard everything knows what the fold of the logs gives for this place.
+  void expectStateOfPlace() {
+    const SessionState wanted = finder_->stateBefore(transport_->place()).value();
+    EXPECT_EQ(itemsOf(receiver_), itemsOf(wanted));
+  }
+
+  /// The items and the memory of sources, as text: what a state is, without when it was heard.
+  static std::string itemsOf(const SessionState& state) {
+    std::string text;
+    const std::string identity = state.identityText();
+    for (std::size_t begin = 0; begin < identity.size();) {
+      const std::size_t end = identity.find('\n', begin);
+      const std::string line = identity.substr(begin, end - begin + 1);
+      if (line.starts_with("item ")) text += line;
+      // A source that was only reset is known without having said anything.
+      if (line.starts_with("source ") && !line.ends_with(" - -\n")) text += line;
+      begin = end == identity.npos ? identity.size() : end + 1;
+    }
+    return text;
+  }
+
+ private:
+  void hear(const Transport::Next& next) {
+    const ByteView payload = transport_->take(now_);
+    const std::string text(textOf(payload));
+    if (next.due.restated) {
+      restatements_.push_back(text);
+    } else {
+      // As far apart as in the log, whatever the speed: a restatement lasts a second of log time.
+      const Nanoseconds gap = next.due.place.time - heard_.time;
+      if (heard_.time != LogTime{} && gap.count() > 0) heard_at_ += gap;
+      heard_ = next.due.place;
+      payloads_.push_back(text);
+      dues_.push_back(next.due);
+    }
+    if (const Packet* packet = decoder_.decode(bytesOf(text))) receiver_.apply(heard_at_, *packet);
+    receiver_.takeEvents();
+  }
+
+  std::unique_ptr<LogMerge> tape_;
+  std::unique_ptr<TapeFinder> finder_;
+  std::unique_ptr<PlayRoutes> routes_;
+  PlayedSpan span_;
+  LogTime origin_{}, end_{};
+  SteadyTime now_{std::chrono::seconds(1)};
+  std::unique_ptr<Transport> transport_;
+
+  std::vector<std::string> payloads_, restatements_;
+  std::vector<Due> dues_;
+  TapePlace heard_;
+  LogTime heard_at_{std::chrono::seconds(1)};
+  PacketTextDecoder decoder_;
+  SessionState receiver_;
+};
+
+}  // namespace rocinante::test

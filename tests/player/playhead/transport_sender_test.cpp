@@ -1,0 +1,230 @@
+#include "player/playhead/transport_sender.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <deque>
+
+#include "player/playhead/play_line.h"
+#include "player/send/play_report.h"
+#include "tests/player/logs/written_log.h"
+#include "tests/player/send/fake_edge.h"
+#include "tests/support/temporary_folder.h"
+
+namespace rocinante {
+namespace {
+
+using namespace std::chrono_literals;
+using test::FakeEdge;
+using test::FakeJournal;
+using testing::ElementsAre;
+
+/// Commands that wait from the beginning on, and what was answered.
+class FakeCommands final : public CommandSource {
+ public:
+  explicit FakeCommands(std::deque<std::string> lines) : lines_(std::move(lines)) {}
+
+  std::optional<std::string_view> asked() override {
+    if (lines_.empty()) return std::nullopt;
+    return lines_.front();
+  }
+  void answer(std::string line) override {
+    if (!line.empty()) answers.push_back(std::move(line));
+    lines_.pop_front();
+  }
+  void tell(std::string line) override { told.push_back(std::move(line)); }
+
+  std::vector<std::string> answers, told;
+
+ private:
+  std::deque<std::string> lines_;
+};
+
+class SendTransportTest : public testing::Test {
+ protected:
+  Result<SendEnd> send(const std::vector<test::WrittenMessage>& messages, TransportOptions options,
+                       FakeEdge& edge, SendJournal& journal, CommandSource* commands = nullptr,
+                       bool stays = false) {
+    const std::vector<std::filesystem::path> logs{test::writeLog(folder_ / "log", messages)};
+    LogMerge tape = LogMerge::open(logs).value();
+    TapeFinder finder = TapeFinder::open(logs, {}).value();
+    const PlayRoutes routes = makeRoutes(tape, Endpoint::standard(), {}, false).value();
+    if (options.span.until == LogTime{}) options.span = {tape.start(), tape.end() + 1ns};
+    options.origin = tape.origin();
+    options.end = tape.end();
+    options.read_ahead = false;
+    auto transport = Transport::open(tape, finder, routes, options, edge.now()).value();
+    const TransportRules rules{stays, tape.origin(), tape.end(), 1s};
+    return sendTransport(*transport, rules, edge, journal, commands, status_);
+  }
+  test::TemporaryFolder folder_;
+  PlayStatus status_;
+};
+
+const std::vector<test::WrittenMessage> kThree{{1s, "a"}, {2s, "b"}, {3s, "c"}};
+
+TEST_F(SendTransportTest, SendsEverythingInOrderAndNothingEarly) {
+  FakeEdge edge;
+  FakeJournal journal;
+  EXPECT_EQ(send(kThree, {}, edge, journal).value(), SendEnd::finished);
+  EXPECT_THAT(edge.sent, testing::IsSupersetOf({"a", "b", "c"}));
+  for (const auto& line : journal.lines) {
+    if (line.due.restated) continue;
+    EXPECT_GE(line.sent_at, line.deadline);
+    EXPECT_LT(line.sent_at - line.deadline, 20us);
+  }
+}
+
+TEST_F(SendTransportTest, RestatementsLeaveByASocketOfTheirOwn) {
+  FakeEdge edge;
+  FakeJournal journal;
+  ASSERT_TRUE(send({{1s, "RK1 a - -\nadd arm m\n"}, {2s, "b"}}, {}, edge, journal).ok());
+  ASSERT_EQ(edge.sent.size(), edge.routes.size());
+  for (std::size_t i = 0; i < edge.sent.size(); ++i) {
+    EXPECT_EQ(edge.routes[i] != edge.routes.back(), journal.lines[i].due.restated);
+  }
+}
+
+TEST_F(SendTransportTest, AnHourInTurnsEndsOnTheExactNanosecondAtEverySpeed) {
+  // 6,000 a second in the first second of every minute, and one at its very end; sixty turns.
+  std::vector<test::WrittenMessage> minute;
+  for (std::int64_t i = 0; i < 6'000; ++i) {
+    minute.push_back({1s + Nanoseconds(i * 1'000'000'000 / 6'000), "packet"});
+  }
+  minute.push_back({61s - 1ns, "last"});
+  struct Last final : SendJournal {
+    void sent(const Due& due, ByteView, SteadyTime deadline, SteadyTime sent_at) override {
+      if (count == 0) first = deadline;
+      ++count;
+      early += sent_at < deadline;
+      // The time on the line is exact; so must the deadline be, whatever turn it is.
+      const Nanoseconds at = due.place.time - LogTime(1s) + due.span * Nanoseconds(1min);
+      wrong += deadline - first != speed.realDuration(at);
+      last = deadline;
+    }
+    PlaybackSpeed speed;
+    int count = 0, early = 0, wrong = 0;
+    SteadyTime first{}, last{};
+  };
+  const std::pair<const char*, Nanoseconds> ends[] = {{"0.1", 10h - 10ns},
+                                                      {"1", 1h - 1ns},
+                                                      {"2", 30min - 1ns},
+                                                      {"3", 20min - 1ns},
+                                                      {"7", 3'599'999'999'999ns / 7},
+                                                      {"10", 6min - 1ns}};
+  for (const auto& [speed, end] : ends) {
+    SCOPED_TRACE(speed);
+    std::filesystem::remove(folder_ / "log");
+    TransportOptions options;
+    options.span = {LogTime(1s), LogTime(61s)};
+    options.turns = 60;
+    options.restate = false;
+    options.speed = PlaybackSpeed::parse(speed).value();
+    FakeEdge edge;
+    edge.keep_payloads = false;
+    edge.look_costs = 2us;
+    edge.wakes_late = 15us;
+    Last last;
+    last.speed = *options.speed;
+    EXPECT_EQ(send(minute, options, edge, last).value(), SendEnd::finished);
+    EXPECT_EQ(last.count, 60 * 6'001);
+    EXPECT_EQ(last.early, 0);
+    EXPECT_EQ(last.wrong, 0);
+    EXPECT_EQ(last.last - last.first, end);
+  }
+}
+
+TEST_F(SendTransportTest, AnswersWhenWhatWasAskedForIsDone) {
+  TransportOptions options;
+  options.start_paused = true;
+  FakeEdge edge;
+  FakeJournal journal;
+  FakeCommands commands({"step 2", "nonsense", "back", "quit"});
+  EXPECT_EQ(send(kThree, options, edge, journal, &commands, true).value(), SendEnd::stopped);
+  EXPECT_THAT(commands.answers, ElementsAre("ok t=1.000000000 state=paused speed=1 sent=2",
+                                            "error there is no command nonsense",
+                                            "ok t=0.000000000 state=paused speed=1 sent=2",
+                                            "ok t=0.000000000 state=paused speed=1 sent=2"));
+}
+
+TEST_F(SendTransportTest, AtTheEndItStaysForCommandsWhenToldTo) {
+  FakeEdge edge;
+  edge.stop_after_sends = 200;
+  FakeJournal journal;
+  FakeCommands commands({"seek 100s", "status"});
+  EXPECT_EQ(send(kThree, {}, edge, journal, &commands, true).value(), SendEnd::stopped);
+  EXPECT_THAT(commands.answers.back(), testing::HasSubstr("state=ended"));
+}
+
+TEST_F(SendTransportTest, TimeInWhichTheProcessWasStoppedIsNotMadeUpFor) {
+  TransportOptions options;
+  options.restate = false;
+  FakeEdge edge;
+  edge.stopped_after_sends = 1;
+  edge.stopped_for = 1h;
+  FakeJournal journal;
+  ASSERT_EQ(send(kThree, options, edge, journal).value(), SendEnd::finished);
+  EXPECT_THAT(edge.sent, ElementsAre("a", "b", "c"));
+  for (const auto& line : journal.lines) EXPECT_LT(line.sent_at - line.deadline, 20us);
+  EXPECT_GE(journal.lines[1].sent_at - journal.lines[0].sent_at, 1h + 999ms);
+  EXPECT_GE(journal.lines[2].sent_at - journal.lines[1].sent_at, 999ms);
+}
+
+TEST_F(SendTransportTest, ANetworkThatGoesAwayIsAnErrorAfterWhatWasSent) {
+  FakeEdge edge;
+  FakeJournal journal;
+  TransportOptions options;
+  options.restate = false;
+  edge.fail_send = 3;
+  const auto end = send(kThree, options, edge, journal);
+  ASSERT_FALSE(end.ok());
+  EXPECT_EQ(end.error().what, "the network is gone");
+  EXPECT_THAT(journal.payloads, ElementsAre("a", "b"));
+}
+
+TEST_F(SendTransportTest, WithoutAnAckItGivesUp) {
+  FakeEdge edge;
+  FakeJournal journal;
+  TransportOptions options;
+  options.lockstep = true;
+  options.speed.reset();
+  FakeCommands commands({"status", "status", "status"});
+  const auto end = send(kThree, options, edge, journal, &commands);
+  ASSERT_FALSE(end.ok());
+  EXPECT_EQ(end.error().what, "no ack 1 came in time (--ack-timeout)");
+  EXPECT_THAT(commands.told, ElementsAre("step 1"));
+}
+
+TEST_F(SendTransportTest, ASpanThatWasLeftIsReportedAsLongAsItWasPlayed) {
+  TransportOptions options;
+  options.start_paused = true;
+  FakeEdge edge;
+  PlayJournal journal(LogTime(1s), LogTime(3s + 1ns));
+  FakeCommands commands({"step 2", "seek 0s", "seek 2s", "step 1", "quit"});
+  ASSERT_TRUE(send(kThree, options, edge, journal, &commands, true).ok());
+  PlayReport report;
+  journal.writeTo(report, false);
+  ASSERT_EQ(report.spans.size(), 2U);
+  EXPECT_EQ(report.spans[0].from, LogTime(1s));
+  EXPECT_EQ(report.spans[0].until, LogTime(2s + 1ns));
+  EXPECT_EQ(report.spans[0].sent, 2U);
+  EXPECT_EQ(report.spans[1].from, LogTime(3s));
+  EXPECT_EQ(report.spans[1].until, LogTime(3s + 1ns));
+  EXPECT_EQ(report.spans[1].sent, 1U);
+}
+
+TEST(PlayLine, CountsDownInALongSilence) {
+  PlayStatus status;
+  status.position_ns = 2'500'000'000;
+  status.sent = 7;
+  status.next_ns = 61'000'000'000;
+  EXPECT_EQ(PlayLine::text(status, LogTime(1s), LogTime(100s), SteadyTime(1s)),
+            "1.5 of 99.0 s, 7 datagrams, silent for 60.0 s more");
+  status.speed = 0.5;
+  status.state = 1;
+  EXPECT_EQ(PlayLine::text(status, LogTime(1s), LogTime(100s), SteadyTime(1s)),
+            "1.5 of 99.0 s, 7 datagrams, 0.5x, paused");
+}
+
+}  // namespace
+}  // namespace rocinante

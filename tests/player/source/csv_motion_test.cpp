@@ -1,0 +1,153 @@
+#include "player/source/csv_motion.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/base/atomic_file.h"
+#include "player/source/csv_line.h"
+#include "tests/support/shared_data.h"
+
+namespace rocinante {
+namespace {
+
+using namespace std::chrono_literals;
+using testing::ElementsAre;
+
+Result<CsvMotion> read(std::string_view text, const std::vector<std::string>& columns = {}) {
+  return readCsvMotion(text, "m.csv", columns);
+}
+
+std::string errorOf(std::string_view text, const std::vector<std::string>& columns = {}) {
+  const auto motion = read(text, columns);
+  return motion.ok() ? "no error" : motion.error().text();
+}
+
+TEST(CsvMotion, KeepsTheNumbersAsTheFileWroteThem) {
+  const auto motion = read("t,a,b\n0,1.50,-2e-3\n0.5, +.5 ,5.\n").value();
+  EXPECT_THAT(motion.joints, ElementsAre("a", "b"));
+  ASSERT_EQ(motion.rows.size(), 2U);
+  EXPECT_EQ(motion.valuesOf(motion.rows[0]), "1.50 -2e-3");
+  EXPECT_EQ(motion.valuesOf(motion.rows[1]), "+.5 5.");
+}
+
+TEST(CsvMotion, TimesAreExactToTheNanosecond) {
+  const std::pair<const char*, Nanoseconds> times[] = {
+      {"0.000000001", 1ns},
+      {"1700000000.123456789", 1'700'000'000'123'456'789ns},
+      {"1e-05", 10us},
+      {"1.5E+1", 15s},
+      {"-0.25", -250ms},
+      {"0.30000000000000004", 300ms},
+      {"0.0000000005", 1ns},
+      {"0.00000000049999", 0ns},
+      {"12345678901234567890e-15", 12'345'678'901'235ns},
+      {"0e99999", 0ns},
+      {".5", 500ms},
+      {"1e-400", 0ns},
+      {"00000000000000000000000000000000000000001", 1s},
+      {"1.0000000000000000000000000000000000000001", 1s},
+  };
+  for (const auto& [text, time] : times) {
+    SCOPED_TRACE(text);
+    const auto motion = read("t,a\n" + std::string(text) + ",1\n");
+    ASSERT_TRUE(motion.ok()) << motion.error().text();
+    EXPECT_EQ(motion->rows[0].time, time);
+  }
+}
+
+TEST(CsvMotion, RefusesWhatIsNoTime) {
+  for (const char* text :
+       {"", "x", "nan", "inf", "1e30", "9223372036.9", "1,", "0x1", "1 2", "-"}) {
+    SCOPED_TRACE(text);
+    EXPECT_FALSE(read("t,a\n" + std::string(text) + ",1\n").ok());
+  }
+}
+
+TEST(CsvMotion, SaysLineAndColumnOfWhatItRefuses) {
+  EXPECT_EQ(errorOf("t,a,b\n0,1,2\n1,1\n"),
+            "the row has 2 fields and the header has 3 (m.csv, line 3, column 3)");
+  EXPECT_EQ(errorOf("t,a,b\n0,1,2\n\n1,1,2x\n"),
+            "`2x` is not a number that packet text can say, in `b` (m.csv, line 4, column 5)");
+  EXPECT_EQ(errorOf("t,a\n0,\n"),
+            "an empty field is not a number that packet text can say, in `a` (m.csv, line 2, "
+            "column 3)");
+  EXPECT_EQ(errorOf("t,a\n0,nan\n"),
+            "`nan` is not a number that packet text can say, in `a` (m.csv, line 2, column 3)");
+  EXPECT_EQ(errorOf("x,a\n0,1\n"),
+            "no column is named `t` or `time` (seconds) (m.csv, line 1, column 1)");
+  EXPECT_EQ(errorOf("t,a\n1,1\n0.5,1\n"),
+            "the time goes back: `0.5` follows a later one (m.csv, line 3, column 1)");
+  EXPECT_EQ(errorOf("t,a\nsoon,1\n"), "`soon` is not a time in seconds (m.csv, line 2, column 1)");
+  EXPECT_EQ(errorOf("t,a,a\n"), "two columns are named `a` (m.csv, line 1, column 5)");
+  EXPECT_EQ(errorOf("t,,a\n"), "a column has no name (m.csv, line 1, column 3)");
+  EXPECT_EQ(errorOf("t\n0\n"), "there is no column beside the time (m.csv, line 1, column 1)");
+  EXPECT_EQ(errorOf("t,a\n"), "there is no row below the header (m.csv, line 1, column 1)");
+  EXPECT_EQ(errorOf(""), "the file holds no header row (m.csv)");
+  EXPECT_EQ(errorOf("t,\"a\n0,1\n"), "a quoted field does not end (m.csv, line 1, column 3)");
+}
+
+TEST(CsvMotion, ChoosesColumnsInTheOrderAsked) {
+  const auto motion = read("a,time,note,b\n1,0,x,2\n3,1,y,4\n", {"b", "a"}).value();
+  EXPECT_THAT(motion.joints, ElementsAre("b", "a"));
+  EXPECT_EQ(motion.valuesOf(motion.rows[1]), "4 3");
+  EXPECT_EQ(errorOf("t,a\n0,1\n", {"c"}), "no column is named `c` (m.csv, line 1, column 1)");
+  EXPECT_EQ(errorOf("t,a\n0,1\n", {"a", "a"}),
+            "column `a` is chosen twice (m.csv, line 1, column 1)");
+}
+
+TEST(CsvMotion, TakesWhatSpreadsheetsWrite) {
+  const auto motion = read("\xEF\xBB\xBF\"t\",\"joint \"\"1\"\"\"\r\n0,\"0.5\"\r\n\r\n1,2").value();
+  EXPECT_THAT(motion.joints, ElementsAre("joint \"1\""));
+  ASSERT_EQ(motion.rows.size(), 2U);
+  EXPECT_EQ(motion.valuesOf(motion.rows[0]), "0.5");
+}
+
+TEST(CsvMotion, CutAnywhereItIsReadOrRefusedAndNeverCrashes) {
+  const std::string whole = "t,\"a\"\"b\",c\n0,1,-2.5e-3\n0.001,\"3\",4\n";
+  for (std::size_t length = 0; length <= whole.size(); ++length) {
+    const auto cut = std::make_unique<char[]>(length);
+    std::copy_n(whole.data(), length, cut.get());
+    const auto motion = read({cut.get(), length});
+    if (motion.ok()) {
+      EXPECT_FALSE(motion->rows.empty());
+    }
+  }
+}
+
+TEST(CsvMotion, AMegabyteOfNonsenseMakesAShortSentence) {
+  const std::string text = errorOf("t,a\n0," + std::string(1'000'000, 'x') + "\n");
+  EXPECT_LT(text.size(), 200U);
+}
+
+TEST(CsvMotion, ReadsTheRealPandaWithItsJitter) {
+  const auto path = test::sharedData("recordings/panda_exciting_trajectory/panda_joints.csv");
+  ROCINANTE_NEEDS_SHARED_DATA("recordings/panda_exciting_trajectory/panda_joints.csv");
+  const auto motion = read(readFile(path).value()).value();
+  EXPECT_EQ(motion.rows.size(), 20'544U);
+  EXPECT_EQ(motion.joints.size(), 7U);
+  Nanoseconds shortest = 1h;
+  Nanoseconds longest{};
+  for (std::size_t i = 1; i < motion.rows.size(); ++i) {
+    const Nanoseconds step = motion.rows[i].time - motion.rows[i - 1].time;
+    shortest = std::min(shortest, step);
+    longest = std::max(longest, step);
+  }
+  EXPECT_EQ(shortest, 700us);
+  EXPECT_EQ(longest, 8'810us);
+  EXPECT_EQ(motion.rows.back().time, 20'999'100us);
+}
+
+TEST(CsvLine, SplitsByCommasOutsideQuotes) {
+  std::vector<CsvField> fields;
+  ASSERT_TRUE(splitCsvLine("a,\"b,c\", d ,", fields));
+  ASSERT_EQ(fields.size(), 4U);
+  EXPECT_EQ(fields[1].text, "b,c");
+  EXPECT_EQ(fields[2].text, "d");
+  EXPECT_EQ(fields[2].column, 10U);
+  EXPECT_EQ(fields[3].text, "");
+  EXPECT_FALSE(splitCsvLine("\"a\"b,c", fields));
+  EXPECT_FALSE(splitCsvLine("a,\"b\"\"", fields));
+}
+
+}  // namespace
+}  // namespace rocinante

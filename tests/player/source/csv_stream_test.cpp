@@ -1,0 +1,164 @@
+#include "player/source/csv_stream.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "player/source/cut_stream.h"
+
+namespace rocinante {
+namespace {
+
+using namespace std::chrono_literals;
+
+CsvStream::Options optionsFor(std::string device) {
+  CsvStream::Options options;
+  options.device = options.source = std::move(device);
+  options.run = "r";
+  return options;
+}
+
+struct Sent {
+  LogTime time;
+  bool restated;
+  std::string text;
+};
+
+std::vector<Sent> takeAll(DatagramStream& stream) {
+  std::vector<Sent> all;
+  while (const auto due = stream.due().value()) {
+    all.push_back({due->time, due->restated, std::string(textOf(stream.take()))});
+  }
+  return all;
+}
+
+TEST(CsvStream, SaysOrderOnceAndThenEachRowAtItsTime) {
+  const auto motion = readCsvMotion("t,a b,c\n0.5,1.50,2\n0.7,+3,4e0\n", "m", {}).value();
+  auto stream = CsvStream::open(motion, optionsFor("my arm")).value();
+  const auto all = takeAll(stream);
+  ASSERT_EQ(all.size(), 3U);
+  EXPECT_EQ(all[0].text, "RK1 my%20arm@r 0 0.5\norder my%20arm a%20b c\n");
+  EXPECT_EQ(all[1].text, "RK1 my%20arm@r 1 0.5\njoints my%20arm 1.50 2\n");
+  EXPECT_EQ(all[2].text, "RK1 my%20arm@r 2 0.7\njoints my%20arm +3 4e0\n");
+  EXPECT_EQ(all[0].time, LogTime(500ms));
+  EXPECT_EQ(all[2].time, LogTime(700ms));
+}
+
+TEST(CsvStream, EveryRowIsAPacketWithoutFaults) {
+  const auto motion = readCsvMotion("t,a,b\n0,.5,5.\n1,-0,1e-3\n", "m", {}).value();
+  auto stream = CsvStream::open(motion, optionsFor("arm")).value();
+  PacketTextDecoder decoder;
+  for (const Sent& sent : takeAll(stream)) {
+    const Packet* packet = decoder.decode(bytesOf(sent.text));
+    ASSERT_NE(packet, nullptr);
+    EXPECT_TRUE(packet->faults.empty()) << sent.text;
+  }
+}
+
+TEST(CsvStream, RestatesAllThatWasSaidUnderItsOwnNumbers) {
+  const auto motion = readCsvMotion("t,a\n0,1\n1,2\n2,3\n2.5,4\n4,5\n", "m", {}).value();
+  auto options = optionsFor("arm");
+  options.restate = 2s;
+  auto stream = CsvStream::open(motion, options).value();
+  const auto all = takeAll(stream);
+  ASSERT_EQ(all.size(), 8U);
+  // Due together, the restatement of what was goes before what comes.
+  EXPECT_TRUE(all[3].restated);
+  EXPECT_EQ(all[3].time, LogTime(2s));
+  EXPECT_EQ(all[3].text, "RK1 arm@r 3 2 restated part=r1:1/1\norder arm a\njoint arm a=2\n");
+  EXPECT_EQ(all[6].text, "RK1 arm@r 6 4 restated part=r2:1/1\norder arm a\njoint arm a=4\n");
+  EXPECT_EQ(all[7].text, "RK1 arm@r 7 4\njoints arm 5\n");
+}
+
+TEST(CsvStream, ARestatementChangesNothingForWhoHeardAll) {
+  std::string csv = "t";
+  for (int joint = 0; joint < 100; ++joint) {
+    csv += ",joint_with_a_long_name_";
+    csv += std::to_string(joint);
+  }
+  for (int row = 0; row < 50; ++row) {
+    csv += '\n';
+    csv += std::to_string(row);
+    for (int joint = 0; joint < 100; ++joint) {
+      csv += ',';
+      csv += std::to_string(row * joint);
+    }
+  }
+  const auto motion = readCsvMotion(csv, "m", {}).value();
+  auto options = optionsFor("arm");
+  options.restate = 10s;
+  options.mtu_bytes = 3'000;
+  auto stream = CsvStream::open(motion, options).value();
+  SessionState all_heard;
+  SessionState no_restatement;
+  SessionState late_joiner;
+  PacketTextDecoder decoder;
+  int restated = 0;
+  std::uint64_t sequence = 0;
+  for (const Sent& sent : takeAll(stream)) {
+    EXPECT_LE(sent.text.size(), options.mtu_bytes);
+    const Packet* packet = decoder.decode(bytesOf(sent.text));
+    ASSERT_NE(packet, nullptr);
+    EXPECT_EQ(packet->header.sequence, sequence++);
+    EXPECT_EQ(all_heard.apply(sent.time, *packet), Applied::yes);
+    if (!sent.restated) no_restatement.apply(sent.time, *packet);
+    restated += sent.restated;
+    if (restated > 0) late_joiner.apply(sent.time, *packet);
+  }
+  EXPECT_GT(restated, 4);
+  EXPECT_EQ(all_heard.devices(), no_restatement.devices());
+  EXPECT_EQ(all_heard.devices(), late_joiner.devices());
+}
+
+TEST(CsvStream, TurnsJoinAtTheMeanStepAndTimeGoesOn) {
+  const auto motion = readCsvMotion("t,a\n10,1\n11,2\n12,3\n", "m", {}).value();
+  auto options = optionsFor("arm");
+  options.turns = 2;
+  auto stream = CsvStream::open(motion, options).value();
+  EXPECT_EQ(stream.period(), 3s);
+  const auto all = takeAll(stream);
+  ASSERT_EQ(all.size(), 7U);
+  EXPECT_EQ(all[4].time, LogTime(13s));
+  EXPECT_EQ(all[4].text, "RK1 arm@r 4 13\njoints arm 1\n");
+}
+
+TEST(CsvStream, StampsTheClockWhenSendingAndNotBefore) {
+  const auto motion = readCsvMotion("t,a\n0,1\n1,2\n", "m", {}).value();
+  auto options = optionsFor("arm");
+  WallTime now(1'700'000'000s);
+  options.wall_now = [&now] { return now; };
+  auto stream = CsvStream::open(motion, options).value();
+  ASSERT_TRUE(stream.due()->has_value());
+  now += 250ms;
+  EXPECT_EQ(textOf(stream.take()), "RK1 arm@r 0 1700000000.25\norder arm a\n");
+}
+
+TEST(CsvStream, ATimeBeforeTheEpochIsNotSaid) {
+  const auto motion = readCsvMotion("t,a\n-1,1\n1,2\n", "m", {}).value();
+  auto stream = CsvStream::open(motion, optionsFor("arm")).value();
+  const auto all = takeAll(stream);
+  EXPECT_EQ(all[1].text, "RK1 arm@r 1 -\njoints arm 1\n");
+  EXPECT_EQ(all[2].text, "RK1 arm@r 2 1\njoints arm 2\n");
+}
+
+TEST(CsvStream, RefusesWhatNeverFitsADatagram) {
+  const auto motion = readCsvMotion("t,a\n0," + std::string(300, '1') + "\n", "m", {}).value();
+  auto options = optionsFor("arm");
+  options.mtu_bytes = 200;
+  const auto stream = CsvStream::open(motion, options);
+  ASSERT_FALSE(stream.ok());
+  EXPECT_NE(stream.error().what.find("--mtu is 200"), std::string::npos);
+  options.mtu_bytes = 400;
+  EXPECT_TRUE(CsvStream::open(motion, options).ok());
+  options.device = std::string(256, 'x');
+  EXPECT_FALSE(CsvStream::open(motion, options).ok());
+}
+
+TEST(CutStream, EndsBeforeItsMoment) {
+  const auto motion = readCsvMotion("t,a\n0,1\n1,2\n2,3\n", "m", {}).value();
+  auto stream = CsvStream::open(motion, optionsFor("arm")).value();
+  CutStream cut(stream, LogTime(2s));
+  EXPECT_EQ(takeAll(cut).size(), 3U);
+}
+
+}  // namespace
+}  // namespace rocinante

@@ -1,0 +1,60 @@
+#include "viewer/ui/live/live_reason.h"
+
+#include <gtest/gtest.h>
+
+namespace rocinante {
+namespace {
+
+using namespace std::chrono_literals;
+
+LiveFacts listening(const std::string& endpoint, Nanoseconds watched) {
+  LiveFacts facts;
+  facts.endpoints = {Endpoint::parse(endpoint).value()};
+  facts.watched = facts.silent = watched;
+  return facts;
+}
+
+TEST(LiveReason, SaysNothingBeforeTwoSeconds) {
+  EXPECT_FALSE(liveReason(listening("127.0.0.1:4000", 1999ms)).has_value());
+}
+
+TEST(LiveReason, NothingArrives) {
+  const auto unicast = liveReason(listening("127.0.0.1:4000", 7s));
+  ASSERT_TRUE(unicast.has_value());
+  EXPECT_EQ(unicast->what, "nothing has come to udp://127.0.0.1:4000 for 7 s");
+  EXPECT_NE(unicast->hint.find("firewall"), std::string::npos);
+  const auto group = liveReason(listening("239.255.19.96:19960", 3s));
+  EXPECT_NE(group->hint.find("ttl"), std::string::npos);
+}
+
+TEST(LiveReason, WhatComesIsNoPacket) {
+  LiveFacts facts = listening("127.0.0.1:4000", 3s);
+  facts.silent = 0s;
+  facts.datagrams = facts.undecoded = 12;
+  facts.undecoded_sample = "LCM\\x00";
+  EXPECT_EQ(liveReason(facts)->what,
+            "12 datagrams came, and none is a packet; the first begins LCM\\x00");
+}
+
+TEST(LiveReason, TheSenderStopped) {
+  LiveFacts facts = listening("127.0.0.1:4000", 60s);
+  facts.datagrams = 100;
+  facts.devices_spoken_of = 1;
+  facts.silent = 1s;
+  EXPECT_FALSE(liveReason(facts).has_value());
+  facts.silent = 4500ms;
+  EXPECT_EQ(liveReason(facts)->what, "nothing has come for the last 4 s");
+}
+
+TEST(LiveReason, PacketsMoveNothing) {
+  LiveFacts facts = listening("127.0.0.1:4000", 60s);
+  facts.datagrams = 100;
+  facts.silent = 0s;
+  EXPECT_EQ(liveReason(facts)->what, "packets come, but none says anything about a device");
+  facts.devices_spoken_of = 2;
+  facts.unknown_device = "puma";
+  EXPECT_EQ(liveReason(facts)->what, "packets speak of puma, which this cell does not have");
+}
+
+}  // namespace
+}  // namespace rocinante

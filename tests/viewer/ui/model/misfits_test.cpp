@@ -1,0 +1,40 @@
+#include "viewer/ui/model/misfits.h"
+
+#include <gtest/gtest.h>
+
+#include "core/packet/decoder.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/viewer/support/test_session.h"
+
+namespace rocinante {
+namespace {
+
+TEST(Misfits, AreWhatWasSaidAndMovesNothing) {
+  const test::TemporaryFolder folder;
+  test::writeText(folder / "arm.urdf", test::kArmUrdf);
+  test::writeText(folder / "cell.toml",
+                  "format = 1\n[[device]]\nname = \"arm\"\nmodel = \"arm.urdf\"\n"
+                  "[[device]]\nname = \"other\"\nmodel = \"arm.urdf\"\n"
+                  "[[device]]\nname = \"fits\"\nmodel = \"arm.urdf\"\n"
+                  "[[device]]\nname = \"later\"\nmodel = \"arm.urdf\"\noptional = true\n");
+  const auto cell = loadCell(folder / "cell.toml", {});
+  ASSERT_TRUE(cell.ok());
+  SessionState state;
+  const auto decoder = makeDecoder("rk1");
+  const Packet* packet = decoder->decode(
+      bytesOf("RK1 me - -\njoints arm 1 2 3\njoint other trun=1\njoints fits 1\njoints later 1\n"
+              "joints amr 1\nadd part box\njoints gone 1\nremove gone\n"));
+  ASSERT_NE(packet, nullptr);
+  state.apply(LogTime{}, *packet);
+  const auto found = misfits(*cell, poseScene(*cell, state), state);
+  std::string text;
+  for (const Misfit& one : found) text += one.device + " " + one.what + "\n";
+  EXPECT_EQ(text,
+            "amr is no device of the cell, and nobody added it: did you mean `arm`?\n"
+            "arm gets 3 joint values, and its model has 1: none is used\n"
+            "other has no joint `trun`\n"
+            "part was added as `box`, a model that the cell does not have\n");
+}
+
+}  // namespace
+}  // namespace rocinante

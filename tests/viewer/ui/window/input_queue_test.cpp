@@ -1,0 +1,102 @@
+#include "viewer/ui/window/input_queue.h"
+
+#include <gtest/gtest.h>
+
+namespace rocinante {
+namespace {
+
+using Kind = InputEvent::Kind;
+
+TEST(InputQueue, AClickIsTwoFramesAtItsOwnPlaceHoweverLateTheyAre) {
+  InputQueue queue;
+  // All of it before the first frame: a jump to the place, a click, and a jump away.
+  queue.add({Kind::move, 0, 700, 300, {}});
+  queue.add({Kind::press, 0, 700, 300, {}});
+  queue.add({Kind::release, 0, 700, 300, {}});
+  queue.add({Kind::move, 0, 20, 20, {}});
+  const InputState press = queue.nextFrame();
+  EXPECT_TRUE(press.down[0] && press.anyDown());
+  EXPECT_EQ(press.x, 700);
+  EXPECT_TRUE(queue.pending());
+  const InputState release = queue.nextFrame();
+  EXPECT_FALSE(release.anyDown());
+  EXPECT_EQ(release.x, 700);
+  EXPECT_EQ(release.y, 300);
+  EXPECT_TRUE(queue.pending());
+  EXPECT_EQ(queue.nextFrame().x, 20);
+  EXPECT_FALSE(queue.pending());
+}
+
+TEST(InputQueue, TheLastMoveOfADragIsSeenWithTheButtonDown) {
+  InputQueue queue;
+  queue.add({Kind::press, 0, 100, 100, {}});
+  queue.nextFrame();
+  queue.add({Kind::move, 0, 150, 100, {}});
+  queue.add({Kind::move, 0, 300, 100, {}});
+  queue.add({Kind::release, 0, 300, 100, {}});
+  const InputState drag = queue.nextFrame();
+  EXPECT_TRUE(drag.down[0]);
+  EXPECT_EQ(drag.x, 300);
+  EXPECT_FALSE(queue.nextFrame().down[0]);
+  EXPECT_FALSE(queue.pending());
+}
+
+TEST(InputQueue, TwoClicksAtTwoPlacesAreFourFrames) {
+  InputQueue queue;
+  for (const double x : {10., 500.}) {
+    queue.add({Kind::move, 0, x, 5, {}});
+    queue.add({Kind::press, 0, x, 5, {}});
+    queue.add({Kind::release, 0, x, 5, {}});
+  }
+  for (const double x : {10., 500.}) {
+    for (const bool down : {true, false}) {
+      const InputState state = queue.nextFrame();
+      EXPECT_EQ(state.down[0], down);
+      EXPECT_EQ(state.x, x);
+    }
+  }
+}
+
+TEST(InputQueue, MovesAloneAreOneFrameAndUnknownButtonsNone) {
+  InputQueue queue;
+  for (int i = 0; i < 1000; ++i) queue.add({Kind::move, 0, i * 1.0, 0, {}});
+  queue.add({Kind::press, 9, 0, 0, {}});
+  EXPECT_EQ(queue.nextFrame().x, 999);
+  EXPECT_FALSE(queue.pending());
+  EXPECT_FALSE(queue.nextFrame().anyDown());
+}
+
+TEST(InputQueue, KeysKeepTheirPlaceAmongClicks) {
+  InputQueue queue;
+  const auto key = [&](int number) { queue.add({Kind::key, 0, 0, 0, {number, false, false}}); };
+  key(1);
+  key(2);
+  queue.add({Kind::press, 0, 10, 5, {}});
+  queue.add({Kind::release, 0, 10, 5, {}});
+  key(3);
+  queue.add({Kind::move, 0, 90, 5, {}});
+  EXPECT_EQ(queue.nextFrame().keys.size(), 2U);
+  EXPECT_TRUE(queue.nextFrame().down[0]);
+  EXPECT_TRUE(queue.thisFrame().keys.empty());
+  EXPECT_FALSE(queue.nextFrame().down[0]);
+  EXPECT_TRUE(queue.thisFrame().keys.empty()) << "not before what the click did is seen";
+  ASSERT_EQ(queue.nextFrame().keys.size(), 1U);
+  EXPECT_EQ(queue.thisFrame().keys.front().key, 3);
+  EXPECT_EQ(queue.thisFrame().x, 10);
+  EXPECT_EQ(queue.nextFrame().x, 90);
+  EXPECT_FALSE(queue.pending());
+}
+
+TEST(SettlingFrames, AfterAnythingThatHappenedAFewFramesAreDrawnWithoutWaiting) {
+  SettlingFrames frames;
+  while (!frames.settled()) frames.drawn(false);
+  frames.drawn(true);
+  int drawn = 0;
+  for (; !frames.settled(); ++drawn) frames.drawn(false);
+  EXPECT_EQ(drawn, SettlingFrames::kFrames);
+  frames.drawn(false);
+  EXPECT_TRUE(frames.settled());
+}
+
+}  // namespace
+}  // namespace rocinante

@@ -1,0 +1,171 @@
+#include "viewer/cull/coplanar_surfaces.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
+
+namespace rocinante {
+namespace {
+
+constexpr std::uint32_t kMaxRank = 15;
+constexpr std::size_t kMaxTests = 4'000'000;
+
+/// A triangle in its plane: the two axes other than the normal's largest.
+struct FlatTriangle {
+  std::uint32_t part = 0;
+  std::uint32_t number = 0;  ///< of the triangle in the mesh
+  bool reversed = false;     ///< looks against the plane's normal
+  FlatCorners corners;
+  Vec2 min{1e300, 1e300}, max{-1e300, -1e300};
+};
+
+/// A plane, rounded. Both of its sides are one plane.
+using PlaneKey = std::tuple<std::int64_t, std::int64_t, std::int64_t, std::int64_t>;
+using Planes = std::map<PlaneKey, std::vector<FlatTriangle>>;
+
+/// Sorts the triangles by plane and adds up the parts' areas.
+Planes planesOf(const Mesh& mesh, double slack, std::vector<double>& area) {
+  Planes planes;
+  for (std::uint32_t part = 0; part < mesh.parts.size(); ++part) {
+    const MeshPart& run = mesh.parts[part];
+    for (std::uint32_t i = 0; i + 2 < run.index_count; i += 3) {
+      std::array<Vec3, 3> p;
+      for (std::uint32_t corner = 0; corner < 3; ++corner) {
+        p[corner] = Vec3(mesh.vertices[mesh.indices[run.first_index + i + corner]].position);
+      }
+      Vec3 normal = crossOf(p[1] - p[0], p[2] - p[0]);
+      const double twice_area = std::sqrt(dotOf(normal, normal));
+      if (!(twice_area > slack * slack)) continue;
+      area[part] += twice_area / 2;
+      normal /= twice_area;
+      // One sign for both sides: the largest component is positive. By a margin, so that rounding
+      // does not choose between equal ones.
+      int largest = 0;
+      for (int axis = 1; axis < 3; ++axis) {
+        if (std::abs(normal[axis]) > std::abs(normal[largest]) + 1e-6) largest = axis;
+      }
+      FlatTriangle flat;
+      flat.part = part;
+      flat.number = (run.first_index + i) / 3;
+      flat.reversed = normal[largest] < 0;
+      if (flat.reversed) normal = -normal;
+      for (std::size_t corner = 0; corner < 3; ++corner) {
+        const Vec2 at(p[corner][(largest + 1) % 3], p[corner][(largest + 2) % 3]);
+        flat.corners[corner] = at;
+        flat.min = {std::min(flat.min.x, at.x), std::min(flat.min.y, at.y)};
+        flat.max = {std::max(flat.max.x, at.x), std::max(flat.max.y, at.y)};
+      }
+      const auto whole = [](double value) { return static_cast<std::int64_t>(std::floor(value)); };
+      const double offset = dotOf(normal, p[0]) / (8 * slack);
+      PlaneKey key{whole(normal.x * 256 + 0.5), whole(normal.y * 256 + 0.5),
+                   whole(normal.z * 256 + 0.5), whole(offset)};
+      planes[key].push_back(flat);
+      // Also into the nearer of the neighbouring planes: two that lie together must meet in some
+      // plane, on whichever side of a rounding edge each falls.
+      std::get<3>(key) += offset - std::floor(offset) < 0.5 ? -1 : 1;
+      planes[key].push_back(flat);
+    }
+  }
+  return planes;
+}
+
+using PartPair = std::pair<std::uint32_t, std::uint32_t>;  // lower number first
+
+void findOverlaps(std::vector<FlatTriangle>& triangles, const std::vector<std::uint32_t>& bodies,
+                  double slack, std::size_t& tests, std::set<PartPair>& same_way,
+                  CoplanarSurfaces& surfaces) {
+  // A sweep along x: only triangles whose spans meet are looked at.
+  std::stable_sort(triangles.begin(), triangles.end(),
+                   [](const FlatTriangle& a, const FlatTriangle& b) { return a.min.x < b.min.x; });
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const FlatTriangle& a = triangles[i];
+    for (std::size_t j = i + 1; j < triangles.size(); ++j) {
+      const FlatTriangle& b = triangles[j];
+      if (b.min.x + slack >= a.max.x || ++tests > kMaxTests) break;
+      const bool boxes_meet = a.min.y + slack < b.max.y && b.min.y + slack < a.max.y;
+      if (a.part == b.part || !boxes_meet || !trianglesOverlap(a.corners, b.corners, slack))
+        continue;
+      if (a.reversed != b.reversed) {
+        if (!bodies.empty() && bodies[a.part] != bodies[b.part]) continue;
+        surfaces.one_sided[a.number] = surfaces.one_sided[b.number] = 1;
+        surfaces.any_one_sided = true;
+      } else {
+        same_way.insert(std::minmax(a.part, b.part));
+      }
+    }
+  }
+}
+
+/// Each part one above the highest of those that it lies on.
+void rankParts(const std::vector<double>& area, const std::set<PartPair>& same_way,
+               std::vector<std::uint32_t>& ranks) {
+  std::vector<std::uint32_t> order(area.size());
+  for (std::uint32_t part = 0; part < order.size(); ++part) order[part] = part;
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return area[a] > area[b]; });
+  std::vector<std::uint32_t> place(order.size());
+  for (std::uint32_t i = 0; i < order.size(); ++i) place[order[i]] = i;
+  std::map<std::uint32_t, std::vector<std::uint32_t>> lies_on;
+  for (const auto& [a, b] : same_way) {
+    const bool b_above = place[a] < place[b];
+    lies_on[b_above ? b : a].push_back(b_above ? a : b);
+  }
+  for (const std::uint32_t part : order) {
+    for (const std::uint32_t below : lies_on[part]) {
+      ranks[part] = std::max(ranks[part], std::min(ranks[below] + 1, kMaxRank));
+    }
+  }
+}
+
+}  // namespace
+
+// No edge of either separates them.
+bool trianglesOverlap(const FlatCorners& a, const FlatCorners& b, double slack) {
+  for (const FlatCorners* triangle : {&a, &b}) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec2 edge = (*triangle)[(i + 1) % 3] - (*triangle)[i];
+      const double length = std::sqrt(edge.x * edge.x + edge.y * edge.y);
+      if (length <= slack) return false;
+      const Vec2 across(-edge.y / length, edge.x / length);
+      const auto extent = [&](const FlatCorners& corners) {
+        std::pair<double, double> span{1e300, -1e300};
+        for (const Vec2& corner : corners) {
+          const double at = corner.x * across.x + corner.y * across.y;
+          span = {std::min(span.first, at), std::max(span.second, at)};
+        }
+        return span;
+      };
+      const auto [a_min, a_max] = extent(a);
+      const auto [b_min, b_max] = extent(b);
+      if (a_max <= b_min + slack || b_max <= a_min + slack) return false;
+    }
+  }
+  return true;
+}
+
+CoplanarSurfaces coplanarSurfaces(const Mesh& mesh, const std::vector<std::uint32_t>& bodies) {
+  CoplanarSurfaces surfaces;
+  surfaces.ranks.assign(mesh.parts.size(), 0);
+  surfaces.one_sided.assign(mesh.triangleCount(), 0);
+  if (mesh.parts.size() < 2 || mesh.bounds.empty()) return surfaces;
+  const Vec3 size = mesh.bounds.max - mesh.bounds.min;
+  const double slack = std::max({size.x, size.y, size.z}) * 1e-5;
+  if (!(slack > 0)) return surfaces;
+
+  std::vector<double> area(mesh.parts.size(), 0);
+  Planes planes = planesOf(mesh, slack, area);
+  std::set<PartPair> same_way;
+  std::size_t tests = 0;
+  for (auto& [key, triangles] : planes) {
+    findOverlaps(triangles, bodies, slack, tests, same_way, surfaces);
+  }
+  if (!same_way.empty()) rankParts(area, same_way, surfaces.ranks);
+  return surfaces;
+}
+
+}  // namespace rocinante

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <stdlib.h>
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "viewer/gl/offscreen_context.h"
+
+namespace rocinante {
+
+/// Adds --context to a program or subcommand that draws without a window. It counts from parsing
+/// on, which must come before the first thread and context.
+inline void addContextOption(CLI::App& app) {
+  app.add_option("--context", "what draws: osmesa where that is there, else egl; the same bits")
+      ->check(CLI::IsMember({"osmesa", "egl"}))
+      ->each([](const std::string& wanted) { ::setenv(kContextVariable, wanted.c_str(), 1); });
+}
+
+}  // namespace rocinante

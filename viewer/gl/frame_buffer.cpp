@@ -1,0 +1,212 @@
+#include "viewer/gl/frame_buffer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cinttypes>
+#include <cstdio>
+#include <fstream>
+#include <string>
+#include <utility>
+
+namespace rocinante {
+namespace {
+
+Error badFrame(std::string what) { return Error{ErrorKind::bad_argument, std::move(what), {}}; }
+
+Error noMemory(int width, int height, int samples) {
+  return {ErrorKind::refused,
+          fmt::format("there is no memory for a frame of {}x{} with {} samples", width, height,
+                      samples),
+          {}};
+}
+
+/// What a frame takes at most: colour and depth of each sample, what they are resolved to, and the
+/// picture that is read from it.
+std::uint64_t memoryOf(int width, int height, int samples) {
+  const auto pixels = static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
+  return pixels * (static_cast<std::uint64_t>(samples) * 8 + 8);
+}
+
+/// Memory that a software renderer can still have; everything when Linux does not say. Asked
+/// because large allocations succeed here and kill the process later.
+std::uint64_t availableBytes() {
+  std::ifstream file("/proc/meminfo");
+  for (std::string line; std::getline(file, line);) {
+    std::uint64_t kibibytes = 0;
+    if (std::sscanf(line.c_str(), "MemAvailable: %" SCNu64, &kibibytes) == 1) {
+      return kibibytes * 1024;
+    }
+  }
+  return ~std::uint64_t{0};
+}
+
+/// Storage of a new renderbuffer, left bound. Answers how many samples it got: a renderer may round
+/// up.
+int storeSamples(const GlTable& gl, GLuint* name, GLenum format, int width, int height,
+                 int samples) {
+  gl.GenRenderbuffers(1, name);
+  gl.BindRenderbuffer(GL_RENDERBUFFER, *name);
+  gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, samples > 1 ? samples : 0, format, width,
+                                    height);
+  GLint got = 0;
+  gl.GetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_SAMPLES, &got);
+  return std::max(got, 1);
+}
+
+}  // namespace
+
+Result<FrameBuffer> FrameBuffer::create(const GlTable& gl, int width, int height, int samples) {
+  GLint max_side = 0;
+  GLint max_samples = 0;
+  gl.GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &max_side);
+  gl.GetIntegerv(GL_MAX_SAMPLES, &max_samples);
+  if (width < 1 || height < 1 || width > max_side || height > max_side) {
+    return badFrame(fmt::format("a frame of {}x{} cannot be drawn: each side is from 1 to {} here",
+                                width, height, max_side));
+  }
+  if (samples < 1 || samples > std::max(max_samples, 1)) {
+    return badFrame(
+        fmt::format("{} samples cannot be drawn: this renderer has 1 to {}", samples, max_samples));
+  }
+
+  // Ordinary sizes are not worth the question.
+  constexpr std::uint64_t kLarge = std::uint64_t{1} << 30;
+  const std::uint64_t bytes = memoryOf(width, height, samples);
+  if (bytes > kLarge && bytes > availableBytes()) return noMemory(width, height, samples);
+
+  FrameBuffer frame(gl);
+  frame.width_ = width;
+  frame.height_ = height;
+  frame.samples_ = samples;
+  gl.GenFramebuffers(1, &frame.frame_);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, frame.frame_);
+  // Float depth, because it runs from near (1) to far (0): see camera.h.
+  const int color = storeSamples(gl, &frame.color_, GL_RGBA8, width, height, samples);
+  const int depth = storeSamples(gl, &frame.depth_, GL_DEPTH_COMPONENT32F, width, height, samples);
+  if (gl.GetError() == GL_OUT_OF_MEMORY) return noMemory(width, height, samples);
+  if (color != samples || depth != samples) {
+    return badFrame(
+        fmt::format("{} samples cannot be drawn: this renderer takes {}", samples, color));
+  }
+  gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, frame.color_);
+  gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, frame.depth_);
+  bool complete = gl.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+  if (complete && samples > 1) {
+    gl.GenFramebuffers(1, &frame.resolved_frame_);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, frame.resolved_frame_);
+    storeSamples(gl, &frame.resolved_color_, GL_RGBA8, width, height, 1);
+    gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
+                               frame.resolved_color_);
+    complete = gl.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+  }
+  if (gl.GetError() == GL_OUT_OF_MEMORY) return noMemory(width, height, samples);
+  if (!complete) {
+    return Error{ErrorKind::refused,
+                 fmt::format("the GL driver gives no framebuffer of {}x{} with {} samples", width,
+                             height, samples),
+                 {}};
+  }
+  return frame;
+}
+
+FrameBuffer::~FrameBuffer() { release(); }
+
+FrameBuffer::FrameBuffer(FrameBuffer&& other) noexcept
+    : gl_(other.gl_),
+      width_(other.width_),
+      height_(other.height_),
+      samples_(other.samples_),
+      frame_(std::exchange(other.frame_, 0)),
+      color_(std::exchange(other.color_, 0)),
+      depth_(std::exchange(other.depth_, 0)),
+      resolved_frame_(std::exchange(other.resolved_frame_, 0)),
+      resolved_color_(std::exchange(other.resolved_color_, 0)) {}
+
+FrameBuffer& FrameBuffer::operator=(FrameBuffer&& other) noexcept {
+  if (this != &other) {
+    release();
+    gl_ = other.gl_;
+    width_ = other.width_;
+    height_ = other.height_;
+    samples_ = other.samples_;
+    frame_ = std::exchange(other.frame_, 0);
+    color_ = std::exchange(other.color_, 0);
+    depth_ = std::exchange(other.depth_, 0);
+    resolved_frame_ = std::exchange(other.resolved_frame_, 0);
+    resolved_color_ = std::exchange(other.resolved_color_, 0);
+  }
+  return *this;
+}
+
+void FrameBuffer::release() {
+  for (GLuint* frame : {&frame_, &resolved_frame_}) {
+    if (*frame != 0) gl_->DeleteFramebuffers(1, frame);
+    *frame = 0;
+  }
+  for (GLuint* buffer : {&color_, &depth_, &resolved_color_}) {
+    if (*buffer != 0) gl_->DeleteRenderbuffers(1, buffer);
+    *buffer = 0;
+  }
+}
+
+void FrameBuffer::bind() const {
+  gl_->BindFramebuffer(GL_FRAMEBUFFER, frame_);
+  gl_->Viewport(0, 0, width_, height_);
+}
+
+void FrameBuffer::resolve() const {
+  if (samples_ > 1) {
+    gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, frame_);
+    gl_->BindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_frame_);
+    gl_->BlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT,
+                         GL_NEAREST);
+  }
+  gl_->BindFramebuffer(GL_FRAMEBUFFER, resolved());
+  gl_->Viewport(0, 0, width_, height_);
+}
+
+Picture FrameBuffer::read() const {
+  Picture picture;
+  picture.width = width_;
+  picture.height = height_;
+  const std::size_t row_bytes = static_cast<std::size_t>(width_) * 4;
+  picture.rgba.resize(row_bytes * static_cast<std::size_t>(height_));
+  gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, resolved());
+  gl_->PixelStorei(GL_PACK_ALIGNMENT, 4);
+  gl_->ReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, picture.rgba.data());
+  // GL's first row is the bottom one.
+  for (int y = 0; y < height_ / 2; ++y) {
+    auto top = picture.rgba.begin() + static_cast<std::ptrdiff_t>(row_bytes) * y;
+    auto bottom = picture.rgba.begin() + static_cast<std::ptrdiff_t>(row_bytes) * (height_ - 1 - y);
+    std::swap_ranges(top, top + static_cast<std::ptrdiff_t>(row_bytes), bottom);
+  }
+  return picture;
+}
+
+void FrameBuffer::stretchTo(const FrameBuffer& target) const {
+  stretchPartTo({0, 0, width_, height_}, target, {0, 0, target.width_, target.height_});
+}
+
+void FrameBuffer::stretchPartTo(const PixelRectangle& part, const FrameBuffer& target,
+                                const PixelRectangle& target_part) const {
+  gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, resolved());
+  gl_->BindFramebuffer(GL_DRAW_FRAMEBUFFER, target.resolved());
+  // A copy is cut by the scissor too.
+  gl_->Disable(GL_SCISSOR_TEST);
+  const int bottom = height_ - part.y - part.height;
+  const int target_bottom = target.height_ - target_part.y - target_part.height;
+  gl_->BlitFramebuffer(part.x, bottom, part.x + part.width, bottom + part.height, target_part.x,
+                       target_bottom, target_part.x + target_part.width,
+                       target_bottom + target_part.height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+}
+
+void FrameBuffer::blitTo(GLuint target) const {
+  gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, resolved());
+  gl_->BindFramebuffer(GL_DRAW_FRAMEBUFFER, target);
+  gl_->BlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT,
+                       GL_NEAREST);
+  gl_->BindFramebuffer(GL_FRAMEBUFFER, target);
+}
+
+}  // namespace rocinante

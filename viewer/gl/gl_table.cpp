@@ -1,0 +1,45 @@
+#include "viewer/gl/gl_table.h"
+
+#include <cstring>
+
+namespace rocinante {
+
+bool GlTable::hasExtension(const char* name) const {
+  GLint count = 0;
+  GetIntegerv(GL_NUM_EXTENSIONS, &count);
+  for (GLint i = 0; i < count; ++i) {
+    const auto* extension =
+        reinterpret_cast<const char*>(GetStringi(GL_EXTENSIONS, static_cast<GLuint>(i)));
+    if (extension != nullptr && std::strcmp(extension, name) == 0) return true;
+  }
+  return false;
+}
+
+Result<GlTable> fillGlTable(const GlProcFinder& find) {
+  GlTable gl;
+#define ROCINANTE_GL_FILL(type, name)                                                          \
+  gl.name = reinterpret_cast<type>(find("gl" #name));                                          \
+  if (gl.name == nullptr) {                                                                    \
+    return Error{ErrorKind::refused, "the GL driver lacks gl" #name ", which GL 3.3 has", {}}; \
+  }
+  ROCINANTE_GL_FUNCTIONS(ROCINANTE_GL_FILL)
+#undef ROCINANTE_GL_FILL
+
+  GLint major = 0;
+  GLint minor = 0;
+  gl.GetIntegerv(GL_MAJOR_VERSION, &major);
+  gl.GetIntegerv(GL_MINOR_VERSION, &minor);
+  if (major * 10 + minor < 33) {
+    return Error{ErrorKind::refused,
+                 "GL 3.3 is needed, and this context is " + std::to_string(major) + "." +
+                     std::to_string(minor),
+                 {}};
+  }
+  // A driver may return an address for what it does not support, so ask for the feature first.
+  if (major * 10 + minor >= 45 || gl.hasExtension("GL_ARB_clip_control")) {
+    gl.ClipControl = reinterpret_cast<PFNGLCLIPCONTROLPROC>(find("glClipControl"));
+  }
+  return gl;
+}
+
+}  // namespace rocinante

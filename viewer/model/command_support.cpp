@@ -1,0 +1,111 @@
+#include "viewer/model/command_support.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "core/base/plain_text.h"
+#include "core/bundle/attached_cell.h"
+#include "core/cli/load_progress.h"
+#include "core/cli/search_options.h"
+#include "core/cli/worker_threads.h"
+#include "core/math/transform.h"
+
+namespace rocinante {
+
+void addFileOptions(CLI::App& app, ModelFileOptions& options) {
+  app.add_option("FILE", options.file,
+                 "a model (.urdf, .obj, .stl ...), a *.cell.toml, or a log that carries its cell")
+      ->required();
+  cli::addSearchOptions(app, options);
+  app.add_flag("--strict", options.strict, "refuse a model with errors in it");
+  app.add_option("--device", options.device, "only this device of a cell");
+}
+
+Result<Cell> loadFile(const ModelFileOptions& options, bool geometry) {
+  CellOptions how;
+  static_cast<ModelSearch&>(how) = options;
+  how.geometry = geometry;
+  how.strict = options.strict;
+  how.parallel = cli::workerThreads();
+  how.progress = cli::loadProgress(options.file);
+  Result<Cell> cell = loadCellOrLog(options.file, how);
+  if (!cell) return cell.error();
+  if (!options.device.empty() && cell->findDevice(options.device) == nullptr) {
+    return Error{ErrorKind::bad_argument,
+                 fmt::format("the cell has no device `{}`", plainText(options.device)),
+                 options.file};
+  }
+  return cell;
+}
+
+void addPoseOptions(CLI::App& app, PoseOptions& options) {
+  app.add_option("--joints", options.positions,
+                 "all joint values, in the order of the file: \"0 -0.785 0 -2.356\"");
+  app.add_option("--joint", options.named, "NAME=VALUE of one joint; may be repeated");
+  app.add_flag("--degrees", options.degrees, "values of joints that turn are degrees");
+  app.add_option("--pose", options.base,
+                 "where the device stands: \"x y z\" or \"x y z qx qy qz qw\"");
+  auto* at = app.add_option("--at", options.at, "a moment of the session: 12.5s, -1s, RFC 3339");
+  app.add_option("--log", options.log, "take the joints from this session")->needs(at);
+}
+
+Result<PoseRequest> poseRequestOf(const PoseOptions& options, const std::string& device) {
+  PoseRequest request;
+  request.device = device;
+  request.degrees = options.degrees;
+  request.log = options.log;
+  request.at = options.at;
+  const auto refused = [](std::string what, std::string where) {
+    return Error{ErrorKind::bad_argument, std::move(what), std::move(where)};
+  };
+  if (!options.positions.empty()) {
+    Result<std::vector<double>> values = parseNumbers(options.positions);
+    if (!values) return refused(values.error().what, "--joints");
+    request.joints = std::move(*values);
+  }
+  for (const std::string& text : options.named) {
+    const std::size_t equals = text.rfind('=');
+    if (equals == std::string::npos || equals == 0) {
+      return refused(fmt::format("`{}` is not NAME=VALUE", plainText(text)), "--joint");
+    }
+    const Result<std::vector<double>> value = parseNumbers(text.substr(equals + 1));
+    if (!value || value->size() != 1) {
+      return refused(fmt::format("`{}` is not NAME=VALUE", plainText(text)), "--joint");
+    }
+    request.named.emplace_back(text.substr(0, equals), value->front());
+  }
+  if (!options.base.empty()) {
+    const Result<std::vector<double>> v = parseNumbers(options.base);
+    if (!v) return refused(v.error().what, "--pose");
+    if (v->size() != 3 && v->size() != 7) {
+      return refused("a pose is x y z, or x y z qx qy qz qw", "--pose");
+    }
+    Pose pose;
+    pose.position = {(*v)[0], (*v)[1], (*v)[2]};
+    if (v->size() == 7) {
+      const auto turn = normalized(Quat{(*v)[6], (*v)[3], (*v)[4], (*v)[5]});
+      if (!turn) return refused("the quaternion is zero; no turn is 0 0 0 1", "--pose");
+      pose.orientation = *turn;
+    }
+    request.base = pose;
+  }
+  return request;
+}
+
+void warnOfFaults(const Cell& cell) {
+  for (const ModelFault& fault : cell.faults) {
+    if (fault.severity == Severity::note) continue;
+    cli::warn(plainText(cell.shown(fault.print())));
+  }
+}
+
+Status toStandardOutput(std::string_view text) {
+  const bool written =
+      std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
+  if (written) return Status{};
+  return Error{ErrorKind::refused, "standard output takes no more", "stdout"};
+}
+
+}  // namespace rocinante

@@ -1,0 +1,52 @@
+#include "viewer/model/convert_command.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "core/base/plain_text.h"
+#include "core/cli/text_table.h"
+#include "viewer/model/convert.h"
+
+namespace rocinante {
+namespace {
+
+struct ConvertOptions {
+  ModelFileOptions file;
+  PoseOptions pose;
+  std::string output;
+  bool overwrite = false;
+};
+
+Result<cli::Exit> runConvert(const ConvertOptions& options) {
+  const Result<PoseRequest> request = poseRequestOf(options.pose, options.file.device);
+  if (!request) return request.error();
+  const Result<Cell> cell = loadFile(options.file, true);
+  if (!cell) return cell.error();
+  warnOfFaults(*cell);
+  const auto report = convertModel(*cell, {options.output, options.overwrite, *request});
+  if (!report) return report.error();
+  for (const std::string& warning : report->warnings) cli::warn(warning);
+  std::string text;
+  for (const auto& file : report->files) text += plainText(file.string()) + "\n";
+  text += fmt::format("{}\n", cli::counted(report->triangles, "triangle"));
+  if (Status written = toStandardOutput(text); !written) return written.error();
+  return cli::Exit::done;
+}
+
+}  // namespace
+
+ModelCommand addConvertCommand(CLI::App& program) {
+  auto options = std::make_shared<ConvertOptions>();
+  CLI::App* const app = program.add_subcommand(
+      "convert", "writes geometry, or geometry with kinematics, in another form");
+  addFileOptions(*app, options->file);
+  addPoseOptions(*app, options->pose);
+  app->add_option("-o,--output", options->output,
+                  "OUT.obj (posed, a group a link), OUT.stl, or OUT.cell.toml (with kinematics)")
+      ->required();
+  app->add_flag("--force", options->overwrite, "overwrite files that exist");
+  return {app, [options] { return runConvert(*options); }};
+}
+
+}  // namespace rocinante

@@ -1,0 +1,37 @@
+#include "viewer/model/info_command.h"
+
+#include <CLI/CLI.hpp>
+
+#include "viewer/model/model_info_json.h"
+#include "viewer/model/model_info_text.h"
+
+namespace rocinante {
+namespace {
+
+struct InfoOptions {
+  ModelFileOptions file;
+  bool json = false;
+};
+
+Result<cli::Exit> runInfo(const InfoOptions& options) {
+  const Result<Cell> cell = loadFile(options.file, true);
+  if (!cell) return cell.error();
+  const Result<ModelInfo> info = modelInfo(*cell, options.file.device);
+  if (!info) return info.error();
+  const std::string text = options.json ? modelInfoJson(*info) : modelInfoText(*info);
+  if (Status written = toStandardOutput(text); !written) return written.error();
+  return cli::Exit::done;
+}
+
+}  // namespace
+
+ModelCommand addInfoCommand(CLI::App& program) {
+  auto options = std::make_shared<InfoOptions>();
+  CLI::App* const app = program.add_subcommand(
+      "info", "what is in a model: tree, joints, limits, size, triangles, textures, faults");
+  addFileOptions(*app, options->file);
+  app->add_flag("--json", options->json, "for scripts");
+  return {app, [options] { return runInfo(*options); }};
+}
+
+}  // namespace rocinante

@@ -1,0 +1,35 @@
+#include <CLI/CLI.hpp>
+#include <vector>
+
+#include "viewer/model/convert_command.h"
+#include "viewer/model/fk_command.h"
+#include "viewer/model/info_command.h"
+#include "viewer/model/tree_command.h"
+
+namespace {
+
+constexpr const char* kExamples =
+    "  rocinante model info arm.urdf                     what is in it\n"
+    "  rocinante model info demo.cell.toml --json        the same for scripts\n"
+    "  rocinante model tree arm.urdf                     links and joints as a tree\n"
+    "  rocinante model fk arm.urdf --joints \"0 0.5 0 -1.2 0 0\"\n"
+    "  rocinante model fk arm.urdf --degrees --joint elbow=90 --json\n"
+    "  rocinante model fk demo.cell.toml --log session.mcap --at 12.5s --device arm\n"
+    "  rocinante model convert arm.urdf -o arm.cell.toml kinematics over one OBJ\n"
+    "  rocinante model convert demo.cell.toml -o demo.stl\n";
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using namespace rocinante;
+  CLI::App app("Looks into models and cells.", "rocinante-model");
+  app.require_subcommand(1);
+  const std::vector<ModelCommand> commands{addInfoCommand(app), addTreeCommand(app),
+                                           addFkCommand(app), addConvertCommand(app)};
+  return cli::run(app, argc, argv, kExamples, [&]() -> Result<cli::Exit> {
+    for (const ModelCommand& command : commands) {
+      if (command.app->parsed()) return command.run();
+    }
+    return cli::Exit::could_not_run;
+  });
+}

@@ -1,0 +1,61 @@
+#include "viewer/model/tree_command.h"
+
+#include <fmt/format.h>
+#include <langinfo.h>
+
+#include <CLI/CLI.hpp>
+#include <clocale>
+#include <string_view>
+
+#include "core/base/plain_text.h"
+#include "viewer/model/model_tree.h"
+
+namespace rocinante {
+namespace {
+
+struct TreeOptions {
+  ModelFileOptions file;
+  bool ascii = false;
+};
+
+// Whether the terminal's character set is UTF-8.
+bool terminalHasBoxes() {
+  std::setlocale(LC_CTYPE, "");
+  const std::string_view codeset = nl_langinfo(CODESET);
+  std::setlocale(LC_CTYPE, "C");
+  return codeset == "UTF-8";
+}
+
+Result<cli::Exit> runTree(const TreeOptions& options) {
+  const Result<Cell> cell = loadFile(options.file, false);
+  if (!cell) return cell.error();
+  warnOfFaults(*cell);
+  const bool ascii = options.ascii || !terminalHasBoxes();
+  const bool several = cell->devices.size() != 1;
+  std::string text;
+  for (const CellDevice& device : cell->devices) {
+    if (!options.file.device.empty() && device.name != options.file.device) continue;
+    const Model* model = cell->modelOf(device);
+    if (model == nullptr) continue;
+    if (several && !text.empty()) text += "\n";
+    if (several) {
+      text += fmt::format("{} ({})\n", plainText(device.name), plainText(device.model));
+    }
+    text += treeText(*model, ascii);
+  }
+  if (Status written = toStandardOutput(text); !written) return written.error();
+  return cli::Exit::done;
+}
+
+}  // namespace
+
+ModelCommand addTreeCommand(CLI::App& program) {
+  auto options = std::make_shared<TreeOptions>();
+  CLI::App* const app =
+      program.add_subcommand("tree", "the links as a tree, with the joints that hold them");
+  addFileOptions(*app, options->file);
+  app->add_flag("--ascii", options->ascii, "no box-drawing characters");
+  return {app, [options] { return runTree(*options); }};
+}
+
+}  // namespace rocinante

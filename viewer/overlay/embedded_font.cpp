@@ -1,0 +1,26 @@
+#include "viewer/overlay/embedded_font.h"
+
+// ROCINANTE_FONT_FILE is set by CMakeLists.txt. The assembler reads the file as it is: an array in
+// C++ would take seconds to compile.
+asm(".section .rodata\n"
+    ".balign 16\n"
+    ".global rocinante_font_begin\n"
+    "rocinante_font_begin:\n"
+    ".incbin \"" ROCINANTE_FONT_FILE
+    "\"\n"
+    ".global rocinante_font_end\n"
+    "rocinante_font_end:\n"
+    ".byte 0\n"
+    ".previous\n");
+
+extern "C" {
+// Hidden: their distance is then a constant of the link, also in a shared library.
+extern const std::byte rocinante_font_begin[] __attribute__((visibility("hidden")));
+extern const std::byte rocinante_font_end[] __attribute__((visibility("hidden")));
+}
+
+namespace rocinante {
+
+ByteView embeddedFont() { return ByteView(rocinante_font_begin, rocinante_font_end); }
+
+}  // namespace rocinante

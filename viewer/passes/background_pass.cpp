@@ -1,0 +1,109 @@
+#include "viewer/passes/background_pass.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+#include "viewer/gl/viewport.h"
+#include "viewer/passes/shader_source.h"
+
+namespace rocinante {
+
+Result<BackgroundPass> BackgroundPass::create(const GlTable& gl) {
+  auto program =
+      ShaderProgram::link(gl, "background", shader::kBackgroundVertex, shader::kBackgroundFragment);
+  if (!program) return program.error();
+  return BackgroundPass(gl, std::move(*program));
+}
+
+BackgroundPass::BackgroundPass(const GlTable& gl, ShaderProgram program)
+    : gl_(gl), program_(std::move(program)) {
+  gl_.GenVertexArrays(1, &empty_array_);
+}
+
+BackgroundPass::BackgroundPass(BackgroundPass&& other) noexcept
+    : gl_(other.gl_),
+      program_(std::move(other.program_)),
+      empty_array_(std::exchange(other.empty_array_, 0)),
+      kept_(std::exchange(other.kept_, {})) {}
+
+BackgroundPass::~BackgroundPass() {
+  for (const Kept& kept : kept_) forget(kept);
+  gl_.DeleteVertexArrays(1, &empty_array_);
+}
+
+void BackgroundPass::forget(const Kept& kept) const {
+  gl_.DeleteFramebuffers(1, &kept.frame);
+  gl_.DeleteRenderbuffers(1, &kept.color);
+}
+
+void BackgroundPass::drawGradient(const CellScene& look) const {
+  gl_.Disable(GL_DEPTH_TEST);
+  gl_.Disable(GL_BLEND);
+  gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  program_.use();
+  const glm::vec3& top = look.background_top;
+  const glm::vec3& bottom = look.background_bottom;
+  gl_.Uniform3f(program_.uniform("top"), top.x, top.y, top.z);
+  gl_.Uniform3f(program_.uniform("bottom"), bottom.x, bottom.y, bottom.z);
+  gl_.BindVertexArray(empty_array_);
+  gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+const BackgroundPass::Kept* BackgroundPass::kept(const CellScene& look, int width, int height,
+                                                 GLint samples, GLuint bound) {
+  const auto bytes = std::int64_t{4} * width * height * std::max(samples, 1);
+  if (bytes > kKeptBytes) return nullptr;
+  const auto found = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& kept) {
+    return kept.width == width && kept.height == height && kept.samples == samples &&
+           kept.top == look.background_top && kept.bottom == look.background_bottom;
+  });
+  if (found != kept_.end()) return &*found;
+
+  Kept made{look.background_top, look.background_bottom, width, height, samples};
+  gl_.GenFramebuffers(1, &made.frame);
+  gl_.GenRenderbuffers(1, &made.color);
+  gl_.BindRenderbuffer(GL_RENDERBUFFER, made.color);
+  gl_.RenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_RGBA8, width, height);
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, made.frame);
+  gl_.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, made.color);
+  const bool complete = gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+  if (complete) {
+    setViewport(gl_, {0, 0, width, height}, height);
+    drawGradient(look);
+  }
+  gl_.BindFramebuffer(GL_FRAMEBUFFER, bound);
+  if (!complete) {
+    forget(made);
+    return nullptr;
+  }
+  if (kept_.size() == kKept) {
+    forget(kept_.front());
+    kept_.erase(kept_.begin());
+  }
+  kept_.push_back(made);
+  return &kept_.back();
+}
+
+void BackgroundPass::draw(const CellScene& look, const PixelRectangle& part, int frame_height) {
+  GLint bound = 0;
+  GLint samples = 0;
+  gl_.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+  gl_.GetIntegerv(GL_SAMPLES, &samples);
+  const Kept* const picture =
+      kept(look, part.width, part.height, samples, static_cast<GLuint>(bound));
+  setViewport(gl_, part, frame_height);
+  if (picture == nullptr) {
+    drawGradient(look);
+    return;
+  }
+  const int bottom = frame_height - part.y - part.height;
+  gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, picture->frame);
+  gl_.Disable(GL_SCISSOR_TEST);
+  gl_.BlitFramebuffer(0, 0, part.width, part.height, part.x, bottom, part.x + part.width,
+                      bottom + part.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  gl_.Enable(GL_SCISSOR_TEST);
+  gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(bound));
+}
+
+}  // namespace rocinante

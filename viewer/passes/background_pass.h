@@ -1,0 +1,47 @@
+#pragma once
+
+#include <vector>
+
+#include "core/cell/cell.h"
+#include "viewer/gl/shader_program.h"
+#include "viewer/picture/pixel_rectangle.h"
+
+namespace rocinante {
+
+/// Fills a part of whatever framebuffer is bound with the cell's gradient. Each gradient is drawn
+/// once and copied into later frames: in software that takes a quarter of the time. Its context
+/// must be current whenever it is used or destroyed.
+class BackgroundPass {
+ public:
+  static Result<BackgroundPass> create(const GlTable& gl);
+  ~BackgroundPass();
+  BackgroundPass(BackgroundPass&& other) noexcept;
+  BackgroundPass& operator=(BackgroundPass&&) = delete;
+
+  /// All colours and alpha of the part, of RGBA8; its depths stay. Leaves the viewport and the
+  /// scissor on the part (setViewport).
+  void draw(const CellScene& look, const PixelRectangle& part, int frame_height);
+
+ private:
+  /// A gradient in a framebuffer of its own.
+  struct Kept {
+    glm::vec3 top, bottom;
+    int width = 0, height = 0;
+    GLint samples = 0;
+    GLuint frame = 0, color = 0;
+  };
+  static constexpr std::size_t kKept = 4;                             // a view and its insets
+  static constexpr std::int64_t kKeptBytes = std::int64_t{64} << 20;  // of one of them
+
+  BackgroundPass(const GlTable& gl, ShaderProgram program);
+  void drawGradient(const CellScene& look) const;
+  const Kept* kept(const CellScene& look, int width, int height, GLint samples, GLuint bound);
+  void forget(const Kept& kept) const;
+
+  const GlTable& gl_;
+  ShaderProgram program_;
+  GLuint empty_array_ = 0;
+  std::vector<Kept> kept_;
+};
+
+}  // namespace rocinante

@@ -1,0 +1,58 @@
+#include "viewer/passes/draw_passes.h"
+
+#include <utility>
+
+#include "viewer/gl/viewport.h"
+
+namespace rocinante {
+
+Result<DrawPasses> DrawPasses::create(const GlTable& gl, const TextAtlas& atlas) {
+  auto scene = ScenePass::create(gl);
+  if (!scene) return scene.error();
+  auto background = BackgroundPass::create(gl);
+  if (!background) return background.error();
+  auto grid = GridPass::create(gl);
+  if (!grid) return grid.error();
+  auto overlay = OverlayPass::create(gl, atlas);
+  if (!overlay) return overlay.error();
+  return DrawPasses{gl, std::move(*scene), std::move(*background), std::move(*grid),
+                    std::move(*overlay)};
+}
+
+void DrawPasses::begin(const CellScene& look, const PixelRectangle& part, int frame_height) {
+  background.draw(look, part, frame_height);
+  gl.DepthMask(GL_TRUE);
+  gl.ClearDepth(0);
+  gl.Clear(GL_DEPTH_BUFFER_BIT);
+  beginOnTop(part, frame_height);
+}
+
+void DrawPasses::beginOnTop(const PixelRectangle& part, int frame_height) const {
+  if (gl.ClipControl != nullptr) gl.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+  setViewport(gl, part, frame_height);
+  gl.Disable(GL_CULL_FACE);
+  gl.Disable(GL_BLEND);
+  gl.Disable(GL_POLYGON_OFFSET_FILL);
+  gl.ActiveTexture(GL_TEXTURE0);
+  // A frame is opaque, whatever is blended into it.
+  gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
+  gl.BlendEquation(GL_FUNC_ADD);
+  gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  // What is drawn later wins where depths are equal: the order of drawing is fixed.
+  gl.DepthFunc(GL_GEQUAL);
+}
+
+void DrawPasses::end() const {
+  gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  gl.Disable(GL_SCISSOR_TEST);
+  gl.Disable(GL_DEPTH_TEST);
+  gl.DepthFunc(GL_LESS);
+  gl.ClearDepth(1);
+  gl.BindVertexArray(0);
+  gl.BindBuffer(GL_ARRAY_BUFFER, 0);
+  gl.BindTexture(GL_TEXTURE_2D, 0);
+  gl.UseProgram(0);
+  if (gl.ClipControl != nullptr) gl.ClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+}
+
+}  // namespace rocinante

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "viewer/cull/draw_list.h"
+#include "viewer/passes/mesh_buffers.h"
+
+namespace rocinante {
+
+/// A draw list with what its numbers mean. Borrowed.
+struct DrawnSet {
+  const DrawList* list = nullptr;
+  const SceneCatalog* catalog = nullptr;
+  const MeshBuffers* meshes = nullptr;
+};
+
+}  // namespace rocinante

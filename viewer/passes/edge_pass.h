@@ -1,0 +1,58 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <vector>
+
+#include "viewer/cull/draw_list.h"
+#include "viewer/gl/shader_program.h"
+#include "viewer/passes/mesh_edges.h"
+#include "viewer/view/camera.h"
+
+namespace rocinante {
+
+enum class EdgeChoice {
+  features,        ///< borders, creases, and outlines as seen from the camera
+  features_alone,  ///< those, where surfaces are not seen: fading less with distance
+  all,             ///< every edge of every triangle
+};
+
+/// Draws edges of meshes as lines of one width in pixels, depth-tested, into whatever framebuffer
+/// is bound. The edges of a mesh are found and uploaded when it is first drawn so. Its context must
+/// be current whenever it is used or destroyed.
+class EdgePass {
+ public:
+  /// How far surfaces stand back for the sake of lines on them (setDepthLift).
+  static constexpr float kSurfaceRanks = -10;
+
+  static Result<EdgePass> create(const GlTable& gl);
+  ~EdgePass();
+  EdgePass(EdgePass&& other) noexcept;
+  EdgePass& operator=(EdgePass&&) = delete;
+
+  using ColorOf = std::function<glm::vec4(const DrawItem&)>;
+
+  /// Blended by the opacity of its colours; `scale` times the width.
+  void draw(const std::vector<DrawItem>& items, const SceneCatalog& catalog, const Camera& camera,
+            double scale, EdgeChoice choice, const ColorOf& color_of);
+
+ private:
+  struct Edges {
+    GLuint texture = 0;
+    std::vector<PartEdges> parts;
+  };
+  EdgePass(const GlTable& gl, ShaderProgram program);
+  const Edges& edgesOf(const Mesh& mesh);
+  void setItem(const DrawItem& item, const Camera& camera) const;
+
+  const GlTable& gl_;
+  ShaderProgram program_;
+  GLuint empty_array_ = 0;
+  std::map<const Mesh*, Edges> edges_;  // looked up, never walked through but to delete
+  struct Uniforms {
+    GLint clip_from_model, eye, first_edge, every_edge, color, viewport, near, lift, low, unit_px,
+        alone;
+  } uniforms_{};
+};
+
+}  // namespace rocinante

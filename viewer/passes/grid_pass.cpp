@@ -1,0 +1,79 @@
+#include "viewer/passes/grid_pass.h"
+
+#include <array>
+#include <glm/gtc/type_ptr.hpp>
+#include <utility>
+
+#include "viewer/gl/depth_lift.h"
+#include "viewer/passes/look_shaders.h"
+#include "viewer/passes/shader_source.h"
+
+namespace rocinante {
+
+Result<GridPass> GridPass::create(const GlTable& gl) {
+  auto program = ShaderProgram::link(gl, "grid", shader::kGridVertex, shader::kGridFragment);
+  if (!program) return program.error();
+  return GridPass(gl, std::move(*program));
+}
+
+GridPass::GridPass(const GlTable& gl, ShaderProgram program)
+    : gl_(gl), program_(std::move(program)) {
+  gl_.GenVertexArrays(1, &array_);
+  gl_.BindVertexArray(array_);
+  gl_.GenBuffers(1, &vertices_);
+  gl_.BindBuffer(GL_ARRAY_BUFFER, vertices_);
+  constexpr std::array<float, 8> kCorners{-1, -1, 1, -1, -1, 1, 1, 1};
+  gl_.BufferData(GL_ARRAY_BUFFER, sizeof(kCorners), kCorners.data(), GL_STATIC_DRAW);
+  gl_.EnableVertexAttribArray(0);
+  gl_.VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
+  gl_.BindVertexArray(0);
+}
+
+GridPass::GridPass(GridPass&& other) noexcept
+    : gl_(other.gl_),
+      program_(std::move(other.program_)),
+      with_shadows_(std::move(other.with_shadows_)),
+      array_(std::exchange(other.array_, 0)),
+      vertices_(std::exchange(other.vertices_, 0)) {}
+
+GridPass::~GridPass() {
+  gl_.DeleteVertexArrays(1, &array_);
+  gl_.DeleteBuffers(1, &vertices_);
+}
+
+Status GridPass::draw(const Camera& camera, const CellScene& look, double scale,
+                      const ShadowLookup* shadows) {
+  if (!(look.grid_size_m > 0) || !(look.grid_step_m > 0)) return {};
+  // A light from below casts nothing on the ground.
+  const bool dark = shadows != nullptr && look.light_direction.z > 0;
+  if (dark && !with_shadows_) {
+    auto made = ShaderProgram::link(gl_, "grid", shader::withShadows(shader::kGridVertex, false),
+                                    shader::withShadows(shader::kGridFragment, true));
+    if (!made) return made.error();
+    with_shadows_.emplace(std::move(*made));
+  }
+  const ShaderProgram& program = dark ? *with_shadows_ : program_;
+  gl_.Enable(GL_DEPTH_TEST);
+  gl_.DepthMask(GL_FALSE);
+  gl_.Enable(GL_BLEND);
+  // Floors that lie on the ground hide it.
+  gl_.Enable(GL_POLYGON_OFFSET_FILL);
+  setDepthLift(gl_, -1);
+  program.use();
+  if (dark) bindShadows(gl_, program, *shadows);
+  const glm::mat4 clip(camera.clipFromRelative());
+  gl_.UniformMatrix4fv(program.uniform("clip_from_relative"), 1, GL_FALSE, glm::value_ptr(clip));
+  const glm::vec3 center(-camera.eye());
+  gl_.Uniform3f(program.uniform("center_from_eye"), center.x, center.y, center.z);
+  gl_.Uniform1f(program.uniform("half_size"), static_cast<float>(look.grid_size_m));
+  gl_.Uniform1f(program.uniform("grid_step"), static_cast<float>(look.grid_step_m));
+  gl_.Uniform1f(program.uniform("scale"), static_cast<float>(scale));
+  gl_.BindVertexArray(array_);
+  gl_.DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  gl_.Disable(GL_POLYGON_OFFSET_FILL);
+  gl_.Disable(GL_BLEND);
+  gl_.DepthMask(GL_TRUE);
+  return {};
+}
+
+}  // namespace rocinante

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "viewer/gl/frame_buffer.h"
+#include "viewer/gl/shader_program.h"
+#include "viewer/overlay/overlay.h"
+#include "viewer/passes/drawn_set.h"
+#include "viewer/passes/ghost_pass.h"
+#include "viewer/passes/overlay_buffer.h"
+#include "viewer/passes/texture_store.h"
+#include "viewer/picture/pixel_rectangle.h"
+#include "viewer/view/camera.h"
+
+namespace rocinante {
+
+/// What was drawn at a pixel, from the top left of the frame.
+struct NumberedPixel {
+  int x = 0, y = 0;
+  std::uint32_t number = 0;  ///< 0: nothing
+  double depth_m = 0;        ///< along the view; infinity where nothing was drawn
+};
+
+/// Draws numbers in place of colours: a pixel's four bytes are a number, exactly. With what a frame
+/// draws (its draw list, its overlays), so that the two agree. Draws into the framebuffer that is
+/// bound, which must have one sample a pixel; its context must be current.
+class IdentityPass {
+ public:
+  static Result<IdentityPass> create(const GlTable& gl);
+  IdentityPass(IdentityPass&& other) noexcept;
+  IdentityPass& operator=(IdentityPass&&) = delete;
+
+  /// Clears a part of the framebuffer to 0, and draws there alone until the next call.
+  void begin(const PixelRectangle& part, int frame_height) const;
+  /// `number_of(item)` for each that is drawn as a surface; the nearest has a pixel, translucent or
+  /// not. In the order of the frame, which decides where depths are equal.
+  template <class NumberOf>
+  void drawSurfaces(const DrawnSet& set, const TextureStore& textures, const Camera& camera,
+                    const NumberOf& number_of) const {
+    const DrawList& list = *set.list;
+    for (const auto* items : {&list.opaque, &list.ghosts, &list.translucent}) {
+      for (const DrawItem& item : *items) {
+        const float ranks = items == &list.ghosts ? GhostPass::kBehindRanks
+                                                  : static_cast<float>(item.coplanar_rank);
+        drawItem(item, ranks, set, textures, camera, number_of(item));
+      }
+    }
+  }
+  /// A number as a colour for other passes: drawn unblended, it is read back exactly.
+  static glm::vec4 colorOf(std::uint32_t number);
+  /// Numbers by vertex; 0 leaves what is there. `in_scene`: tested against depth.
+  void drawOverlay(const Overlay& overlay, const std::vector<std::uint32_t>& numbers,
+                   bool in_scene) const;
+  /// Leaves GL's state as begin() found it.
+  void end() const;
+
+  /// All pixels' numbers, top row first.
+  static std::vector<std::uint32_t> readNumbers(const FrameBuffer& drawn);
+  /// Metres along the view of what was drawn, top row first; infinity where nothing was.
+  std::vector<float> readDepth(const FrameBuffer& drawn, const Camera& camera) const;
+  /// A few pixels of the bound frame, of that height, top row first.
+  std::vector<NumberedPixel> readPart(const PixelRectangle& part, int frame_height,
+                                      const Camera& camera) const;
+
+ private:
+  IdentityPass(const GlTable& gl, ShaderProgram surface, ShaderProgram flat);
+  void drawItem(const DrawItem& item, float depth_ranks, const DrawnSet& set,
+                const TextureStore& textures, const Camera& camera, std::uint32_t number) const;
+
+  const GlTable& gl_;
+  ShaderProgram surface_, flat_;
+  GLint clip_from_model_, map_scale_, map_offset_, has_holes_, number_;
+  OverlayBuffer buffer_;
+};
+
+}  // namespace rocinante

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <span>
+
+#include "viewer/gl/gl_table.h"
+#include "viewer/overlay/overlay.h"
+
+namespace rocinante {
+
+/// Triangles of an overlay on the GPU, as attributes 0 to 3: clip (vec4), texture (vec2), colour
+/// (vec4) and kind (uint). Its context must be current whenever it is used or destroyed.
+class OverlayBuffer {
+ public:
+  explicit OverlayBuffer(const GlTable& gl);
+  ~OverlayBuffer();
+  OverlayBuffer(OverlayBuffer&& other) noexcept;
+  OverlayBuffer& operator=(OverlayBuffer&&) = delete;
+
+  /// Uploads and draws them, with whatever program is in use.
+  void draw(std::span<const OverlayVertex> vertices) const;
+
+ private:
+  const GlTable& gl_;
+  GLuint array_ = 0, vertices_ = 0;
+};
+
+}  // namespace rocinante

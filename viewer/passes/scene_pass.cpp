@@ -1,0 +1,350 @@
+#include "viewer/passes/scene_pass.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cstring>
+#include <glm/gtc/type_ptr.hpp>
+#include <span>
+#include <utility>
+
+#include "core/math/transform.h"
+#include "viewer/gl/depth_lift.h"
+#include "viewer/passes/draw_triangles.h"
+#include "viewer/passes/item_matrices.h"
+#include "viewer/passes/look_shaders.h"
+#include "viewer/passes/plain_shader.h"
+#include "viewer/passes/shader_source.h"
+
+namespace rocinante {
+namespace {
+
+/// A white light of strength 1 is as bright as the key light of kSceneFragment at its brightest.
+constexpr double kWhiteLight = 0.54;
+
+/// Bit by bit: what is not a number equals itself, so that it is not set again and again.
+template <class T>
+bool sameBits(const T& a, const T& b) {
+  return std::memcmp(&a, &b, sizeof(T)) == 0;
+}
+
+}  // namespace
+
+/// Tells GL of item after item. For each program it remembers what that was last told.
+class ScenePass::Items {
+ public:
+  Items(const ScenePass& pass, const SceneCatalog& catalog, const MeshBuffers& meshes,
+        const TextureStore& textures, const Camera& camera, const CellScene& look,
+        const SurfaceLook& surfaces)
+      : pass_(pass),
+        gl_(pass.gl_),
+        catalog_(catalog),
+        triangles_(pass.gl_, catalog),
+        meshes_(meshes),
+        textures_(textures),
+        camera_(camera),
+        look_(look),
+        surfaces_(surfaces),
+        plain_(surfaces.shading == Shading::plain),
+        variant_(variantOf(surfaces, look)),
+        standard_(pass.standardIn(variant_)) {}
+
+  /// Whether one sees through its picture here and there.
+  bool hasHoles(const DrawItem& item) const {
+    const auto texture = static_cast<std::size_t>(item.texture);
+    return item.texture >= 0 && textures_.name(texture) != 0 &&
+           textures_.translucent()[texture] != 0;
+  }
+
+  /// Everything but the drawing. `depth_alone`: no colour, and no depth in a picture's holes.
+  void set(const DrawItem& item, bool depth_alone = false) {
+    const GLuint texture =
+        item.texture >= 0 ? textures_.name(static_cast<std::size_t>(item.texture)) : 0;
+    const Program& program = depth_alone && hasHoles(item) ? pass_.holes_
+                             : !plain_                     ? standard_
+                             : texture == 0                ? pass_.plain_
+                                                           : pass_.plain_mapped_;
+    if (&program != program_) use(program);
+    if (mesh_.changesTo(item.mesh)) meshes_.bind(item.mesh);
+    if (world_.changesTo(item.world)) setWorld(item.world);
+    setMaterial(item, texture);
+    if (texture != 0 && texture_.changesTo(texture)) gl_.BindTexture(GL_TEXTURE_2D, texture);
+    if (lift_.changesTo({item.coplanar_rank, item.lift_units})) setLift(item);
+  }
+
+  void draw(const DrawItem& item) { triangles_.draw(item); }
+
+  /// As many of the first items as can be drawn as one are; tells how many.
+  std::size_t drawBatch(std::span<const DrawItem> items) {
+    if (variant_ != Variant() || items.size() < ItemBatch::kLeastItems) return 0;
+    if (!items.front().batched) return 0;
+    const std::size_t count = ItemBatch::reach(items, catalog_);
+    if (count < ItemBatch::kLeastItems) return 0;
+    const DrawItem& first = items.front();
+    const Program& program = plain_ ? pass_.batched_plain_ : pass_.batched_;
+    if (&program != program_) use(program);
+    setMaterial(first, 0);
+    if (lift_.changesTo({first.coplanar_rank, first.lift_units})) setLift(first);
+    triangles_.cullFor(first);
+    pass_.batch_.draw(items.first(count), catalog_, camera_);
+    mesh_ = {};
+    return count;
+  }
+
+ private:
+  void use(const Program& program) {
+    program_ = &program;
+    world_ = {};
+    material_ = {};
+    diffuse_ = {};
+    has_map_ = {};
+    has_tint_ = {};
+    program.shader.use();
+    if (&program == &standard_) {
+      if (variant_.shadows) bindShadows(gl_, program.shader, *surfaces_.shadows);
+      for (std::size_t i = 0; i < variant_.lights; ++i) setLight(program.shader, i);
+    }
+    gl_.Uniform1i(program.orthographic, camera_.orthographic() ? 1 : 0);
+    const glm::vec3 forward(camera_.forward());
+    gl_.Uniform3f(program.view_direction, forward.x, forward.y, forward.z);
+    setDirection(program.key_direction, Vec3(look_.light_direction));
+    setDirection(program.fill_direction,
+                 camera_.up() * 0.4 - camera_.forward() - camera_.right() * 0.8);
+  }
+
+  void setDirection(GLint place, const Vec3& wanted) const {
+    const double length = lengthOf(wanted);
+    const glm::vec3 unit(length > 0 ? wanted / length : Vec3(0, 0, 1));
+    gl_.Uniform3f(place, unit.x, unit.y, unit.z);
+  }
+
+  void setLight(const ShaderProgram& shader, std::size_t number) const {
+    const CellLight& light = look_.lights[number];
+    const std::string place = "[" + std::to_string(number) + "]";
+    setDirection(shader.uniform(("light_direction" + place).c_str()), light.direction);
+    glm::vec3 color;
+    for (int i = 0; i < 3; ++i) {
+      // As lightOf() of kSceneFragment.
+      const double shown = light.color[i];
+      const double linear = shown * (shown * (shown * 0.305306011 + 0.682171111) + 0.012522878);
+      color[i] = static_cast<float>(linear * light.strength * kWhiteLight);
+    }
+    gl_.Uniform3f(shader.uniform(("light_color" + place).c_str()), color.r, color.g, color.b);
+  }
+
+  void setWorld(const Mat4& world) const {
+    const ItemMatrices matrices(world, camera_);
+    gl_.UniformMatrix4fv(program_->clip_from_model, 1, GL_FALSE,
+                         glm::value_ptr(matrices.clip_from_model));
+    if (program_->relative_from_model >= 0) {  // not in plain shading
+      gl_.UniformMatrix4fv(program_->relative_from_model, 1, GL_FALSE,
+                           glm::value_ptr(matrices.relative_from_model));
+    }
+    gl_.UniformMatrix3fv(program_->normal_from_model, 1, GL_FALSE,
+                         glm::value_ptr(matrices.normal_from_model));
+  }
+
+  void setMaterial(const DrawItem& item, GLuint texture) {
+    const Program& program = *program_;
+    const glm::vec4& diffuse = item.diffuse;
+    if (diffuse_.changesTo(diffuse)) {
+      gl_.Uniform4f(program.diffuse, diffuse.r, diffuse.g, diffuse.b, diffuse.a);
+    }
+    if (has_map_.changesTo(texture != 0 ? 1 : 0)) {
+      gl_.Uniform1i(program.has_map, texture != 0 ? 1 : 0);
+    }
+    if (has_tint_.changesTo(item.tinted ? 1 : 0)) {
+      gl_.Uniform1i(program.has_tint, item.tinted ? 1 : 0);
+    }
+    if (!material_.changesTo(item.material)) return;
+    const Material& material = *item.material;
+    gl_.Uniform2f(program.map_scale, material.map_scale.x, material.map_scale.y);
+    gl_.Uniform2f(program.map_offset, material.map_offset.x, material.map_offset.y);
+    const glm::vec3& specular = material.specular;
+    gl_.Uniform3f(program.specular, specular.r, specular.g, specular.b);
+    const glm::vec3& emission = material.emission;
+    gl_.Uniform3f(program.emission, emission.r, emission.g, emission.b);
+    // MTL files often say Ks without Ns: a broad highlight then.
+    const float exponent =
+        material.shininess > 0 ? std::clamp(material.shininess, 4.0F, 512.0F) : 16;
+    gl_.Uniform1f(program.shininess, specular != glm::vec3(0.0F) ? exponent : 0.0F);
+  }
+
+  void setLift(const DrawItem& item) const {
+    const float ranks = static_cast<float>(item.coplanar_rank) + surfaces_.depth_ranks;
+    if (ranks == 0 && item.lift_units == 0) {
+      gl_.Disable(GL_POLYGON_OFFSET_FILL);
+      return;
+    }
+    gl_.Enable(GL_POLYGON_OFFSET_FILL);
+    setDepthLift(gl_, ranks, item.lift_units);
+  }
+
+  /// What is set when it changes; the first value always counts as a change.
+  template <class T>
+  class Latest {
+   public:
+    bool changesTo(const T& value) {
+      if (known_ && sameBits(value_, value)) return false;
+      known_ = true;
+      value_ = value;
+      return true;
+    }
+
+   private:
+    bool known_ = false;
+    T value_{};
+  };
+
+  const ScenePass& pass_;
+  const GlTable& gl_;
+  const SceneCatalog& catalog_;
+  TriangleDrawer triangles_;
+  const MeshBuffers& meshes_;
+  const TextureStore& textures_;
+  const Camera& camera_;
+  const CellScene& look_;
+  const SurfaceLook& surfaces_;
+  bool plain_;
+  Variant variant_;
+  const Program& standard_;
+  const Program* program_ = nullptr;
+  // Of the program.
+  Latest<Mat4> world_;
+  Latest<const Material*> material_;
+  Latest<glm::vec4> diffuse_;
+  Latest<int> has_map_, has_tint_;
+  // Of the context.
+  Latest<std::uint32_t> mesh_;
+  Latest<std::pair<std::uint32_t, float>> lift_;
+  Latest<GLuint> texture_;
+};
+
+Result<ScenePass::Program> ScenePass::link(const GlTable& gl, std::string_view name,
+                                           std::string_view vertex, std::string_view fragment) {
+  auto linked = ShaderProgram::link(gl, name, vertex, fragment);
+  if (!linked) return linked.error();
+  Program program{.shader = std::move(*linked)};
+  const ShaderProgram& shader = program.shader;
+  program.clip_from_model = shader.uniform("clip_from_model");
+  program.relative_from_model = shader.uniform("relative_from_model");
+  program.normal_from_model = shader.uniform("normal_from_model");
+  program.map_scale = shader.uniform("map_scale");
+  program.map_offset = shader.uniform("map_offset");
+  program.diffuse = shader.uniform("diffuse");
+  program.specular = shader.uniform("specular");
+  program.emission = shader.uniform("emission");
+  program.shininess = shader.uniform("shininess");
+  program.has_map = shader.uniform("has_map");
+  program.has_tint = shader.uniform("has_tint");
+  program.orthographic = shader.uniform("orthographic");
+  program.view_direction = shader.uniform("view_direction");
+  program.key_direction = shader.uniform("key_direction");
+  program.fill_direction = shader.uniform("fill_direction");
+  return program;
+}
+
+Result<ScenePass> ScenePass::create(const GlTable& gl) {
+  using namespace shader;
+  auto standard = link(gl, "scene", kSceneVertex, kSceneFragment);
+  if (!standard) return standard.error();
+  auto plain = link(gl, "plain scene", kPlainVertex, kPlainFragment);
+  if (!plain) return plain.error();
+  auto plain_mapped = link(gl, "plain scene with pictures", kPlainVertex, kPlainMappedFragment);
+  if (!plain_mapped) return plain_mapped.error();
+  auto batched = link(gl, "small items", kBatchedVertex, kSceneFragment);
+  if (!batched) return batched.error();
+  auto batched_plain = link(gl, "small items, plain", kBatchedPlainVertex, kPlainFragment);
+  if (!batched_plain) return batched_plain.error();
+  auto holes = link(gl, "depth of pictures with holes", kSceneVertex, kHolesFragment);
+  if (!holes) return holes.error();
+  return ScenePass(gl, std::move(*standard), std::move(*plain), std::move(*plain_mapped),
+                   std::move(*holes), std::move(*batched), std::move(*batched_plain));
+}
+
+ScenePass::ScenePass(const GlTable& gl, Program standard, Program plain, Program plain_mapped,
+                     Program holes, Program batched, Program batched_plain)
+    : gl_(gl),
+      standard_(std::move(standard)),
+      plain_(std::move(plain)),
+      plain_mapped_(std::move(plain_mapped)),
+      holes_(std::move(holes)),
+      batched_(std::move(batched)),
+      batched_plain_(std::move(batched_plain)),
+      batch_(gl) {}
+
+ScenePass::Variant ScenePass::variantOf(const SurfaceLook& surfaces, const CellScene& look) {
+  if (surfaces.shading == Shading::plain) return {};
+  return {surfaces.shadows != nullptr, look.lights.size()};
+}
+
+const ScenePass::Program& ScenePass::standardIn(const Variant& variant) const {
+  if (variant == Variant()) return standard_;
+  const auto found = variants_.find(variant);
+  assert(found != variants_.end());
+  return found->second;
+}
+
+Status ScenePass::prepare(const SurfaceLook& surfaces, const CellScene& look) {
+  const Variant variant = variantOf(surfaces, look);
+  if (variant == Variant() || variants_.contains(variant)) return {};
+  std::string fragment = shader::withLights(shader::kSceneFragment, variant.lights);
+  if (variant.shadows) fragment = shader::withShadows(fragment, true);
+  auto linked = link(gl_, "scene with looks", shader::kSceneVertex, fragment);
+  if (!linked) return linked.error();
+  variants_.emplace(variant, std::move(*linked));
+  return {};
+}
+
+void ScenePass::drawOpaque(const DrawList& list, const SceneCatalog& catalog,
+                           const MeshBuffers& meshes, const TextureStore& textures,
+                           const Camera& camera, const CellScene& look,
+                           const SurfaceLook& surfaces) const {
+  gl_.Enable(GL_DEPTH_TEST);
+  const GLboolean shown = surfaces.depth_only ? GL_FALSE : GL_TRUE;
+  // With alpha, which is 1 here: a software renderer then need not read what it writes over.
+  gl_.ColorMask(shown, shown, shown, shown);
+  Items items(*this, catalog, meshes, textures, camera, look, surfaces);
+  const std::span opaque(list.opaque);
+  for (std::size_t i = 0; i < opaque.size();) {
+    const std::size_t batched = items.drawBatch(opaque.subspan(i));
+    i += batched;
+    if (batched > 0) continue;
+    items.set(opaque[i]);
+    items.draw(opaque[i]);
+    ++i;
+  }
+  if (surfaces.depth_only) {
+    for (const DrawItem& item : list.translucent) {
+      items.set(item, true);
+      items.draw(item);
+    }
+  }
+  gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
+  gl_.Disable(GL_POLYGON_OFFSET_FILL);
+}
+
+void ScenePass::drawTranslucent(std::span<const DrawItem> translucent, const SceneCatalog& catalog,
+                                const MeshBuffers& meshes, const TextureStore& textures,
+                                const Camera& camera, const CellScene& look,
+                                const SurfaceLook& surfaces) const {
+  if (translucent.empty()) return;
+  gl_.Enable(GL_DEPTH_TEST);
+  gl_.Enable(GL_BLEND);
+  Items items(*this, catalog, meshes, textures, camera, look, surfaces);
+  for (const DrawItem& item : translucent) {
+    items.set(item, true);
+    // Depth first, so that of each part only the nearest surface shows: its back sides would come
+    // and go with the order of its triangles. The second time holes must not write it either.
+    gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    items.draw(item);
+    gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
+    items.set(item);
+    gl_.DepthMask(items.hasHoles(item) ? GL_FALSE : GL_TRUE);
+    items.draw(item);
+  }
+  gl_.DepthMask(GL_TRUE);
+  gl_.Disable(GL_POLYGON_OFFSET_FILL);
+  gl_.Disable(GL_BLEND);
+}
+
+}  // namespace rocinante

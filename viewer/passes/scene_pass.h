@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <span>
+
+#include "core/cell/cell.h"
+#include "viewer/cull/draw_list.h"
+#include "viewer/gl/shader_program.h"
+#include "viewer/passes/item_batch.h"
+#include "viewer/passes/mesh_buffers.h"
+#include "viewer/passes/shadow_map.h"
+#include "viewer/passes/texture_store.h"
+#include "viewer/view/camera.h"
+#include "viewer/view/render_style.h"
+
+namespace rocinante {
+
+/// How all surfaces are drawn; the default is the shader without any look in it.
+struct SurfaceLook {
+  Shading shading = Shading::standard;
+  const ShadowLookup* shadows = nullptr;  ///< of the standard shading; null: none
+  float depth_ranks = 0;                  ///< by which all are lifted (setDepthLift)
+  bool depth_only = false;  ///< all hide what is behind them and show nothing themselves
+};
+
+/// Draws the geometry of a draw list into whatever framebuffer is bound, between
+/// DrawPasses::begin() and end(). Sets only what differs from one item to the next. Its context
+/// must be current whenever it is used or destroyed.
+class ScenePass {
+ public:
+  static Result<ScenePass> create(const GlTable& gl);
+
+  /// Compiles what such surfaces in the light of `look` need, when it is first asked for.
+  Status prepare(const SurfaceLook& surfaces, const CellScene& look);
+  void drawOpaque(const DrawList& list, const SceneCatalog& catalog, const MeshBuffers& meshes,
+                  const TextureStore& textures, const Camera& camera, const CellScene& look,
+                  const SurfaceLook& surfaces = {}) const;
+  /// Items of DrawList::translucent, from back to front.
+  void drawTranslucent(std::span<const DrawItem> items, const SceneCatalog& catalog,
+                       const MeshBuffers& meshes, const TextureStore& textures,
+                       const Camera& camera, const CellScene& look,
+                       const SurfaceLook& surfaces = {}) const;
+
+ private:
+  struct Program {
+    ShaderProgram shader;
+    GLint clip_from_model = -1, relative_from_model = -1, normal_from_model = -1, map_scale = -1;
+    GLint map_offset = -1, diffuse = -1, specular = -1, emission = -1;
+    GLint shininess = -1, has_map = -1, has_tint = -1, orthographic = -1;
+    GLint view_direction = -1, key_direction = -1, fill_direction = -1;
+  };
+  /// The standard shading with shadows, and with so many lights of the cell's own.
+  struct Variant {
+    bool shadows = false;
+    std::size_t lights = 0;
+    auto operator<=>(const Variant&) const = default;
+  };
+  static Variant variantOf(const SurfaceLook& surfaces, const CellScene& look);
+  /// prepare() must have made it.
+  const Program& standardIn(const Variant& variant) const;
+  class Items;  // one run of items: what GL was last told
+  ScenePass(const GlTable& gl, Program standard, Program plain, Program plain_mapped, Program holes,
+            Program batched, Program batched_plain);
+  static Result<Program> link(const GlTable& gl, std::string_view name, std::string_view vertex,
+                              std::string_view fragment);
+
+  const GlTable& gl_;
+  Program standard_, plain_, plain_mapped_;
+  Program holes_;                        // depth alone, of a picture that is not opaque everywhere
+  Program batched_, batched_plain_;      // of standard and plain, for what batch_ draws
+  mutable ItemBatch batch_;              // memory that every frame uses again
+  std::map<Variant, Program> variants_;  // of standard: prepare()
+};
+
+}  // namespace rocinante

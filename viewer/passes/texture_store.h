@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "viewer/cull/scene_catalog.h"
+#include "viewer/gl/gl_table.h"
+#include "viewer/gl/inputs_hash.h"
+#include "viewer/gl/renderer_key.h"
+#include "viewer/picture/picture.h"
+
+namespace rocinante {
+
+/// The textures of a scene on the GPU, by number. A picture that cannot be read is a warning, and
+/// its surfaces show their plain colour. Its context must be current whenever it is used or
+/// destroyed.
+class TextureStore {
+ public:
+  /// Reads and uploads all, mipmaps by our own code; what was read is added to `inputs`.
+  /// Anisotropic filtering in the fast profile only, where the driver has it.
+  TextureStore(const GlTable& gl, const std::vector<CatalogTexture>& files, Profile profile,
+               InputsHash& inputs);
+  ~TextureStore();
+  TextureStore(const TextureStore&) = delete;
+  TextureStore& operator=(const TextureStore&) = delete;
+
+  /// 0 when that picture could not be read.
+  GLuint name(std::size_t number) const { return names_[number]; }
+  /// Until endPlainFiltering() texture unit 0 reads with the cheapest filter that uses mipmaps:
+  /// only textures of this store may be bound there.
+  void beginPlainFiltering() const;
+  void endPlainFiltering() const;
+  /// Non-zero by number: some pixel is not opaque.
+  const std::vector<std::uint8_t>& translucent() const { return translucent_; }
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
+ private:
+  GLuint upload(Picture picture, Profile profile);
+
+  const GlTable& gl_;
+  GLuint plain_sampler_ = 0;
+  std::vector<GLuint> names_;
+  std::vector<std::uint8_t> translucent_;
+  std::vector<std::string> warnings_;
+};
+
+/// Rows bottom to top, as GL wants them.
+void flipRows(Picture& picture);
+
+}  // namespace rocinante

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+
+#include "core/base/result.h"
+#include "viewer/overlay/text_atlas.h"
+#include "viewer/picture/picture.h"
+
+namespace rocinante {
+
+/// The scale of a sheet's frames of that size, of what is asked for `scale`: text, plates and lines
+/// take the part of a tile that they take of a picture of 640x480, but are at least half as large
+/// as there (FrameRequest::scale). Pure.
+double tileScale(int width, int height, double scale);
+
+/// Many frames of one size on one picture, left to right and top to bottom, in about as many
+/// columns as rows, with a line of text under each, cut off where it is
+/// wider than the frame.
+class ContactSheet {
+ public:
+  /// bad_argument when the sheet would pass 2^27 pixels, or has no frame. Borrows the atlas.
+  static Result<ContactSheet> create(std::size_t frames, int width, int height,
+                                     const TextAtlas& atlas);
+
+  /// The frame at `place`, from 0; in any order.
+  void put(std::size_t place, const Picture& frame, const std::string& caption);
+
+  const Picture& picture() const { return sheet_; }
+
+ private:
+  explicit ContactSheet(const TextAtlas& atlas) : atlas_(&atlas) {}
+
+  const TextAtlas* atlas_;
+  Picture sheet_;
+  int frame_width_ = 0, frame_height_ = 0;
+  int columns_ = 1;
+};
+
+}  // namespace rocinante

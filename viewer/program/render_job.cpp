@@ -1,0 +1,404 @@
+#include "viewer/program/render_job.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <memory>
+#include <numeric>
+#include <set>
+
+#include "core/base/atomic_file.h"
+#include "core/base/count_text.h"
+#include "core/base/duration_text.h"
+#include "core/bundle/attached_cell.h"
+#include "viewer/program/background_writer.h"
+#include "viewer/program/contact_sheet.h"
+#include "viewer/program/measured_files.h"
+#include "viewer/program/render_files.h"
+#include "viewer/program/video_file.h"
+#include "viewer/view/inset_layout.h"
+#include "viewer/view/layer_choice.h"
+#include "viewer/view/missing_meshes.h"
+
+namespace rocinante {
+namespace {
+
+constexpr int kCaptionPx = 18;
+/// More pictures than this wait together for the disk, at the end: one by one, small ones waited
+/// longer than their drawing took.
+constexpr std::size_t kMostSyncedAlone = 16;
+
+Error badJob(std::string what) { return Error{ErrorKind::bad_argument, std::move(what), {}}; }
+
+Status checkMoments(const RenderJob& job) {
+  const MomentChoice& chosen = job.moments;
+  const bool any_at = !chosen.at.empty() || !chosen.at_file.empty();
+  const bool any_event = chosen.all_events || !chosen.events.empty();
+  const bool any_span = !chosen.from.empty() || !chosen.until.empty();
+  const bool any = chosen.any() || any_span || !job.video.empty();
+  if (job.log.empty() && any) return badJob("a time means nothing without a log");
+  if (job.log.empty()) return {};
+  const int ways = (any_at ? 1 : 0) + (chosen.every.empty() ? 0 : 1) + (any_event ? 1 : 0);
+  if (ways > 1) return badJob("--at, --every and --events exclude each other");
+  if (!chosen.rate.empty() && job.video.empty()) return badJob("--fps is for --video alone");
+  if (ways == 0 && job.video.empty()) return badJob("which moment? (--at T, or --every D)");
+  if (any_span && any_at)
+    return badJob("--from and --until choose among --every, --events or --fps");
+  return {};
+}
+
+Status checkJob(const RenderJob& job) {
+  if (Status fit = checkMoments(job); !fit) return fit;
+  for (const auto* file : {&job.output, &job.sheet, &job.identity, &job.depth}) {
+    if (!file->empty() && file->extension() != ".png" && file->extension() != ".PNG") {
+      return Error{ErrorKind::bad_argument, "pictures are written as .png", file->string()};
+    }
+  }
+  if (!job.video.empty() && !VideoFile::isVideo(job.video)) {
+    return Error{ErrorKind::bad_argument, "videos are written as .mp4, .mkv, .mov or .webm",
+                 job.video.string()};
+  }
+  return {};
+}
+
+/// Pictures a second of the video, as docs/programs/render.md says.
+Result<FrameRate> videoRate(const MomentChoice& chosen) {
+  if (!chosen.rate.empty()) return parseFrameRate(chosen.rate);
+  if (chosen.every.empty()) return chosen.any() ? FrameRate{1, 1} : FrameRate{};
+  const auto step = parseDuration(chosen.every);
+  if (!step) return step.error();
+  if (step->count() <= 0) return badJob("--every needs a duration above zero");
+  const std::int64_t common = std::gcd(std::int64_t{1'000'000'000}, step->count());
+  return FrameRate{1'000'000'000 / common, step->count() / common};
+}
+
+Result<std::vector<RenderMoment>> momentsOf(const RenderJob& job, Timeline* session,
+                                            const FrameRate& rate, StateDamage& hiding) {
+  if (session == nullptr) return std::vector<RenderMoment>{{"rest", {}, {}}};
+  MomentChoice chosen = job.moments;
+  chosen.rate.clear();
+  // A video alone shows each of its pictures' moments.
+  if (!chosen.any()) chosen.rate = rate.text();
+  return renderMoments(chosen, *session, hiding);
+}
+
+std::vector<std::string> warningsOf(const FrameMaker& maker) {
+  std::vector<std::string> warnings;
+  for (const ModelFault& fault : maker.cell().faults) {
+    if (fault.severity != Severity::note) warnings.push_back(fault.print());
+  }
+  for (const std::string& warning : maker.warnings()) {
+    warnings.push_back(maker.cell().shown(warning));
+  }
+  return warnings;
+}
+
+/// Says what damage of the log cost the frames.
+void warnOfDamage(const StateDamage& hiding, RenderReport& report) {
+  if (!hiding.empty()) {
+    report.warnings.insert(report.warnings.begin(), "an event may be missing: " + hiding.text());
+  }
+  StateDamage all;
+  std::size_t count = 0;
+  for (const RenderedFrame& frame : report.frames) {
+    all.add(frame.damage);
+    count += frame.damage.empty() ? 0 : 1;
+  }
+  if (count > 0) {
+    report.warnings.insert(
+        report.warnings.begin(),
+        fmt::format("{}; {} of {} may show an older state ({})", all.what(), count,
+                    countText(report.frames.size(), "frame"), all.where()));
+  }
+  if (!hiding.empty() || count > 0) report.is_whole = false;
+}
+
+Status chooseInsets(const RenderJob& job, FrameRequest& look) {
+  if (!job.show_insets) look.insets.emplace();
+  if (job.insets.empty()) return {};
+  look.insets.emplace();
+  for (const std::string& text : job.insets) {
+    auto inset = parseInset(text);
+    if (!inset) return inset.error();
+    look.insets->push_back(std::move(*inset));
+  }
+  return {};
+}
+
+Status makeFolders(const RenderFiles& files) {
+  if (files.frames.empty()) return {};
+  for (std::size_t camera = 0; camera < files.cameras.size(); ++camera) {
+    std::error_code fault;
+    const std::filesystem::path folder = files.frame(0, camera).parent_path();
+    std::filesystem::create_directories(folder, fault);
+    if (fault) return Error{ErrorKind::refused, fault.message(), folder.string()};
+  }
+  return {};
+}
+
+std::string captionOf(const RenderMoment& moment, const std::string& camera) {
+  const bool bare = moment.text.find_first_not_of("0123456789.-") == std::string::npos;
+  std::string caption = moment.text;
+  // Of an event's nanoseconds the milliseconds will do.
+  if (!moment.event.empty()) caption.resize(std::min(caption.size(), caption.find('.') + 4));
+  if (bare) caption += " s";
+  if (!moment.event.empty()) caption += "  " + moment.event;
+  if (!camera.empty()) caption += "  " + camera;
+  return caption;
+}
+
+/// The job while it runs: one picture after another.
+class RenderRun {
+ public:
+  RenderRun(const RenderJob& job, const FrameRequest& look, RenderFiles files, FrameMaker& maker)
+      : job_(job),
+        request_(look),
+        files_(std::move(files)),
+        maker_(maker),
+        frames_(files_.moments.size() * files_.cameras.size()) {}
+
+  Status begin(const FrameRate& rate) {
+    if (!job_.sheet.empty()) {
+      auto sheet = ContactSheet::create(frames_.size(), request_.width, request_.height, atlas_);
+      if (!sheet) return sheet.error();
+      sheet_ = std::move(*sheet);
+    }
+    if (job_.video.empty()) return {};
+    for (std::size_t camera = 0; camera < files_.cameras.size(); ++camera) {
+      auto video = VideoFile::create(files_.ofCamera(job_.video, camera), request_.width,
+                                     request_.height, rate, job_.overwrite);
+      if (!video) return video.error();
+      videos_.push_back(std::move(*video));
+    }
+    return {};
+  }
+
+  Status draw(std::size_t moment, std::size_t camera) {
+    const std::size_t place = moment * files_.cameras.size() + camera;
+    RenderedFrame& frame = frames_[place];
+    frame.time = files_.moments[moment].text;
+    frame.log_time = files_.moments[moment].time;
+    frame.event = files_.moments[moment].event;
+    frame.camera = files_.cameras[camera];
+    request_.time = frame.log_time;
+    request_.camera = frame.camera;
+    const bool any_picture = job_.hashes || !job_.output.empty() || !job_.frames.empty() ||
+                             !job_.sheet.empty() || !job_.video.empty();
+    if (any_picture) {
+      if (Status drawn = drawPicture(moment, camera, place); !drawn) return drawn;
+    }
+    return drawMeasured(moment, camera, frame);
+  }
+
+  Status finish() {
+    if (Status written = writer_.finish(); !written) return written;
+    if (Status synced = syncPictures(); !synced) return synced;
+    for (VideoFile& video : videos_) {
+      if (Status finished = video.finish(); !finished) return finished;
+    }
+    if (!sheet_) return {};
+    return writePng(job_.sheet, sheet_->picture(), job_.overwrite);
+  }
+
+  std::vector<RenderedFrame> takeFrames() { return std::move(frames_); }
+
+ private:
+  Status syncPictures() const {
+    if (sync_ == Sync::now) return {};
+    std::set<std::filesystem::path> folders;
+    for (const auto& file : {job_.output, job_.identity, job_.depth}) {
+      if (!file.empty()) folders.insert(file.has_parent_path() ? file.parent_path() : ".");
+    }
+    if (!job_.frames.empty()) folders.insert(job_.frames);
+    for (const auto& folder : folders) {
+      if (Status synced = syncFileSystem(folder); !synced) return synced;
+    }
+    return {};
+  }
+
+  /// A tile of the sheet has its own scale: drawn anew where the picture itself has another.
+  Status drawTile(std::size_t moment, std::size_t camera, std::size_t place,
+                  const Picture* picture) {
+    std::optional<Picture> tile;
+    if (picture == nullptr) {
+      FrameRequest request = request_;
+      request.scale = tileScale(request_.width, request_.height, request_.scale);
+      auto drawn = maker_.frame(request, &frames_[place].damage);
+      if (!drawn) return drawn.error();
+      tile = std::move(*drawn);
+    }
+    const std::string& named = files_.cameras.size() > 1 ? files_.cameras[camera] : std::string();
+    sheet_->put(place, tile ? *tile : *picture, captionOf(files_.moments[moment], named));
+    return {};
+  }
+
+  Status drawPicture(std::size_t moment, std::size_t camera, std::size_t place) {
+    const bool same_scale =
+        tileScale(request_.width, request_.height, request_.scale) == request_.scale;
+    const bool beside_sheet =
+        job_.hashes || !job_.output.empty() || !job_.frames.empty() || !job_.video.empty();
+    if (sheet_ && !same_scale) {
+      if (Status put = drawTile(moment, camera, place, nullptr); !put) return put;
+      if (!beside_sheet) return {};
+    }
+    auto drawn = maker_.frame(request_, &frames_[place].damage);
+    if (!drawn) return drawn.error();
+    const auto picture = std::make_shared<const Picture>(std::move(*drawn));
+    if (sheet_ && same_scale) {
+      if (Status put = drawTile(moment, camera, place, picture.get()); !put) return put;
+    }
+    if (!videos_.empty()) {
+      if (Status added = videos_[camera].add(*picture); !added) return added;
+    }
+    RenderedFrame& frame = frames_[place];
+    if (!job_.frames.empty()) frame.file = files_.frame(moment, camera);
+    std::vector<std::filesystem::path> wanted;
+    if (!frame.file.empty()) wanted.push_back(frame.file);
+    if (!job_.output.empty()) {
+      frame.file = files_.ofCamera(job_.output, camera);
+      wanted.push_back(frame.file);
+    }
+    if (wanted.empty() && !job_.hashes) return {};
+    return writer_.add([this, picture, wanted, &frame]() -> Status {
+      if (job_.hashes) frame.sha256 = pictureSha256(*picture);
+      if (wanted.empty()) return {};
+      const Bytes png = encodePng(*picture);
+      if (png.empty()) {
+        return Error{ErrorKind::refused, "no memory to encode", wanted.front().string()};
+      }
+      for (const auto& file : wanted) {
+        if (Status written = writeFileWhole(file, png, job_.overwrite, sync_); !written) {
+          return written;
+        }
+      }
+      return {};
+    });
+  }
+
+  Status drawMeasured(std::size_t moment, std::size_t camera, RenderedFrame& frame) {
+    const MeasuredFrame of{frame.time, frame.log_time.time_since_epoch().count(), frame.camera};
+    if (!job_.identity.empty()) {
+      auto identity = maker_.identity(request_, &frame.damage);
+      if (!identity) return identity.error();
+      frame.identity = files_.ofMoment(job_.identity, moment, camera);
+      auto shared = std::make_shared<const IdentityFrame>(std::move(*identity));
+      Status added = writer_.add([=, this, file = frame.identity] {
+        return writeIdentity(file, *shared, of, job_.overwrite, sync_);
+      });
+      if (!added) return added;
+    }
+    if (job_.depth.empty()) return {};
+    auto depth = maker_.depth(request_, &frame.damage);
+    if (!depth) return depth.error();
+    frame.depth = files_.ofMoment(job_.depth, moment, camera);
+    auto shared = std::make_shared<const DepthFrame>(std::move(*depth));
+    return writer_.add([=, this, file = frame.depth] {
+      return writeDepth(file, *shared, of, job_.overwrite, sync_);
+    });
+  }
+
+  const RenderJob& job_;
+  FrameRequest request_;
+  const RenderFiles files_;
+  FrameMaker& maker_;
+  const TextAtlas atlas_{static_cast<int>(kCaptionPx * request_.scale + 0.5)};
+  std::optional<ContactSheet> sheet_;
+  std::vector<VideoFile> videos_;
+  std::vector<RenderedFrame> frames_;
+  const Sync sync_ = frames_.size() > kMostSyncedAlone ? Sync::later : Sync::now;
+  BackgroundWriter writer_;  // last: its tasks use all of the above
+};
+
+}  // namespace
+
+Result<std::pair<int, int>> parseSize(const std::string& text) {
+  const auto side = [](std::string_view digits) {
+    int value = 0;
+    const auto [end, fault] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    const bool whole = fault == std::errc() && end == digits.data() + digits.size();
+    return whole && value >= 1 && value <= 16384 ? value : 0;
+  };
+  const std::size_t cross = text.find('x');
+  if (cross != std::string::npos) {
+    const int width = side(std::string_view(text).substr(0, cross));
+    const int height = side(std::string_view(text).substr(cross + 1));
+    if (width > 0 && height > 0) return std::pair(width, height);
+  }
+  return badJob("`" + text + "` is no size: WIDTHxHEIGHT in pixels, as 640x480");
+}
+
+Result<RenderReport> render(const RenderJob& given,
+                            const std::function<bool(std::size_t, std::size_t)>& progress) {
+  RenderJob job = given;
+  if (job.log.empty() && isLog(job.cell)) job.log = job.cell;
+  if (Status fit = checkJob(job); !fit) return fit.error();
+  const auto rate = videoRate(job.moments);
+  if (!rate) return rate.error();
+  FrameRequest look = job.look;
+  if (Status chosen = chooseInsets(job, look); !chosen) return chosen.error();
+  std::optional<Timeline> session;
+  if (!job.log.empty()) {
+    auto opened = Timeline::open(job.log);
+    if (!opened) return opened.error();
+    session = std::move(*opened);
+  }
+  StateDamage hiding;
+  auto moments = momentsOf(job, session ? &*session : nullptr, *rate, hiding);
+  if (!moments) return moments.error();
+  if (!job.output.empty() && moments->size() > 1) {
+    return badJob("-o holds one frame; for several there are --sheet FILE and --frames DIR");
+  }
+  RenderFiles files{job.output, job.sheet,  job.video,   job.identity,
+                    job.depth,  job.frames, job.cameras, std::move(*moments)};
+  if (files.cameras.empty()) files.cameras.emplace_back();
+  if (Status free = files.check(job.overwrite); !free) return free.error();
+
+  CellOptions options;
+  static_cast<ModelSearch&>(options) = job;
+  options.parallel = job.parallel;
+  options.progress = job.load_progress;
+  auto cell = loadCellOrLog(job.cell, options);
+  if (!cell) return cell.error();
+  if (!job.layers.empty()) chooseLayers(job.layers, look.hide, look.show);
+  auto maker = FrameMaker::open(std::move(*cell), std::move(session), job.profile);
+  if (!maker) return maker.error();
+  if (Status made = makeFolders(files); !made) return made.error();
+
+  RenderReport report;
+  report.key = maker->key();
+  report.inputs = maker->inputsHash();
+  report.warnings = warningsOf(*maker);
+  if (std::string incomplete = incompleteText(maker->cell()); !incomplete.empty()) {
+    report.warnings.insert(report.warnings.begin(), std::move(incomplete));
+    report.is_whole = false;
+  }
+  std::vector<std::size_t> by_time(files.moments.size());
+  std::iota(by_time.begin(), by_time.end(), std::size_t{0});
+  std::stable_sort(by_time.begin(), by_time.end(), [&](std::size_t a, std::size_t b) {
+    return files.moments[a].time < files.moments[b].time;
+  });
+  const std::size_t of = by_time.size() * files.cameras.size();
+  for (std::size_t i = 0; i < files.cameras.size() && !job.video.empty(); ++i) {
+    report.videos.push_back(files.ofCamera(job.video, i));
+  }
+  const std::size_t cameras = files.cameras.size();
+  RenderRun run(job, look, std::move(files), *maker);
+  if (Status begun = run.begin(*rate); !begun) return begun.error();
+  std::size_t done = 0;
+  for (const std::size_t moment : by_time) {
+    for (std::size_t camera = 0; camera < cameras; ++camera) {
+      if (Status drawn = run.draw(moment, camera); !drawn) return drawn.error();
+      if (!progress(++done, of)) {
+        return Error{
+            ErrorKind::refused, fmt::format("stopped after {} of {} frames", done, of), {}};
+      }
+    }
+  }
+  if (Status finished = run.finish(); !finished) return finished.error();
+  report.frames = run.takeFrames();
+  warnOfDamage(hiding, report);
+  return report;
+}
+
+}  // namespace rocinante

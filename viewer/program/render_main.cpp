@@ -1,0 +1,246 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "core/cli/load_progress.h"
+#include "core/cli/program.h"
+#include "core/cli/progress_line.h"
+#include "core/cli/search_options.h"
+#include "core/cli/worker_threads.h"
+#include "viewer/detail/detail_level.h"
+#include "viewer/gl/context_option.h"
+#include "viewer/program/render_job.h"
+
+namespace {
+
+using namespace rocinante;
+
+constexpr const char* kExamples =
+    "  rocinante render cell.toml session.mcap --at 12.5s -o frame.png\n"
+    "  rocinante render session.mcap --at 12.5s -o frame.png   a log that carries its cell\n"
+    "  rocinante render panda.urdf -o panda.png --size 1280x720\n"
+    "  rocinante render cell.toml session.mcap --at 1 --at 2.5 --at -1s --sheet sheet.png\n"
+    "  rocinante render cell.toml session.mcap --every 0.04s --frames frames/\n"
+    "  rocinante render cell.toml session.mcap --at 12.5s --hash\n"
+    "  rocinante render cell.toml session.mcap --at 3 --hide layer/labels --camera side -o f.png\n"
+    "  rocinante render cell.toml session.mcap --events --overlay --frames events/\n"
+    "  rocinante render cell.toml session.mcap --video out.mp4 --inset map:bottom-left\n"
+    "  rocinante render cell.toml session.mcap --at 3 --identity ids.png --depth depth.png\n";
+
+/// How many faults are shown before the rest is only counted.
+constexpr std::size_t kWarningsShown = 5;
+
+void printWarnings(const RenderReport& report) {
+  for (std::size_t i = 0; i < report.warnings.size() && i < kWarningsShown; ++i) {
+    cli::warn(report.warnings[i]);
+  }
+  if (report.warnings.size() > kWarningsShown) {
+    cli::warn("... and " + std::to_string(report.warnings.size() - kWarningsShown) +
+              " more faults of the model (rocinante check lists all)");
+  }
+}
+
+void printJson(const RenderReport& report) {
+  nlohmann::ordered_json json;
+  json["format"] = 1;
+  json["renderer"] = report.key.text();
+  json["inputs"] = report.inputs;
+  json["frames"] = nlohmann::ordered_json::array();
+  for (const RenderedFrame& frame : report.frames) {
+    nlohmann::ordered_json one;
+    one["time"] = frame.time;
+    one["log_time_ns"] = frame.log_time.time_since_epoch().count();
+    if (!frame.event.empty()) one["event"] = frame.event;
+    if (!frame.camera.empty()) one["camera"] = frame.camera;
+    one["sha256"] = frame.sha256;
+    if (!frame.file.empty()) one["file"] = frame.file.string();
+    if (!frame.identity.empty()) one["identity"] = frame.identity.string();
+    if (!frame.depth.empty()) one["depth"] = frame.depth.string();
+    if (!frame.damage.empty()) one["damage"] = frame.damage.text();
+    json["frames"].push_back(std::move(one));
+  }
+  if (!report.videos.empty()) json["videos"] = nlohmann::ordered_json::array();
+  for (const auto& video : report.videos) json["videos"].push_back(video.string());
+  json["warnings"] = report.warnings;
+  std::printf("%s\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
+}
+
+void printHashes(const RenderReport& report, bool several_cameras) {
+  for (const RenderedFrame& frame : report.frames) {
+    std::string line = report.frames.size() > 1 ? frame.time + " " : "";
+    if (several_cameras) line += frame.camera + " ";
+    std::printf("%s%s\n", line.c_str(), frame.sha256.c_str());
+  }
+}
+
+/// What was said of each look, by its key.
+using Looks = std::map<std::string, std::vector<std::string>>;
+
+/// Every look by its own name: "--shadows", "--edges=only", "--trail arm/hand@5".
+void addLooks(CLI::App& app, Looks& looks) {
+  for (const StyleKey& key : styleKeys()) {
+    const std::string name = "--" + std::string(key.key);
+    const std::string means = std::string(key.means) + (key.repeats ? "; repeatable" : "");
+    std::vector<std::string>& said = looks[std::string(key.key)];
+    // A switch takes its value behind `=` alone: what follows may be the cell.
+    CLI::Option* option = key.values.starts_with("on|")
+                              ? app.add_flag(name + "{on}", said, means)
+                              : app.add_option(name, said, means)->allow_extra_args(false);
+    option->option_text(std::string(key.values))->group("Looks");
+  }
+}
+
+/// "--shadows on" as "--shadows=on". A file of such a name can be said as "./on".
+std::vector<std::string> withJoinedSwitches(int argc, char** argv) {
+  std::vector<std::string> words;
+  const StyleKey* last_switch = nullptr;
+  for (int i = 0; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (last_switch != nullptr && !word.empty() && word.find('|') == std::string::npos &&
+        ("|" + std::string(last_switch->values) + "|").find("|" + word + "|") !=
+            std::string::npos) {
+      words.back() += "=" + word;
+      last_switch = nullptr;
+      continue;
+    }
+    last_switch = nullptr;
+    for (const StyleKey& key : styleKeys()) {
+      if (key.values.starts_with("on|") && word == "--" + std::string(key.key)) last_switch = &key;
+    }
+    words.push_back(word);
+  }
+  return words;
+}
+
+Status setLooks(const Looks& looks, RenderStyle& style) {
+  for (const auto& [key, values] : looks) {
+    for (const std::string& value : values) {
+      if (Status fit = setStyle(style, key, value); !fit) return fit;
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Draws frames of a cell and a session without a window.", "rocinante-render");
+  RenderJob job;
+  std::string size = "640x480";
+  std::string caps = pinnableCaps().front();
+  std::string profile = "reproducible";
+  bool without_insets = false;
+  bool hash = false;
+  bool json = false;
+  Looks looks;
+  app.add_option("CELL", job.cell,
+                 "a .cell.toml, a bare .urdf or .obj, or a log that carries its cell")
+      ->required();
+  app.add_option("LOG", job.log, "the session; without one, the cell at rest");
+  app.add_option("--at", job.moments.at,
+                 "a moment: 12.5, 1m02.5s, -1s from the end, or RFC 3339; repeatable")
+      ->allow_extra_args(false);
+  app.add_option("--every", job.moments.every, "every so often, from the log's start to its end");
+  app.add_option("--at-file", job.moments.at_file, "more moments, one a line; # begins a comment");
+  app.add_flag("--events", job.moments.all_events, "every event and mark of the log");
+  app.add_option("--event", job.moments.events, "those whose text is so (* and ?); repeatable")
+      ->option_text("PATTERN")
+      ->allow_extra_args(false);
+  app.add_option("--from", job.moments.from, "of --every, --events and --fps: from there on");
+  app.add_option("--until", job.moments.until, "and up to there, exclusive");
+  app.add_option("-o,--output", job.output, "one frame, as PNG");
+  app.add_option("--sheet", job.sheet, "all moments on one PNG, their times below");
+  app.add_option("--frames", job.frames, "a folder for frame-00001.png and on");
+  app.add_option("--video", job.video, "all moments as .mp4, .mkv, .mov or .webm, by ffmpeg");
+  app.add_option("--fps", job.moments.rate, "of --video: pictures a second, 25 or 30000/1001");
+  app.add_option("--identity", job.identity, "devices and links as colours: a PNG, a JSON legend");
+  app.add_option("--depth", job.depth, "metres along the view: a 16-bit PNG, its unit in JSON");
+  app.add_option("--camera", job.cameras,
+                 "of the cell, a `view` of the session, map, fit or fit:DEVICE; repeatable")
+      ->option_text("NAME")
+      ->allow_extra_args(false);
+  app.add_option("--inset", job.insets, "a window over the view in place of the cell's; repeatable")
+      ->option_text("CAMERA[:CORNER]")
+      ->allow_extra_args(false);
+  app.add_flag("--no-insets", without_insets, "without the cell's insets");
+  app.add_flag("--overlay", job.look.panel, "time, devices, joint values and rates in a corner");
+  app.add_option("--size", size, "in pixels")->capture_default_str();
+  app.add_option("--scale", job.look.scale,
+                 "of text, lines and all that has its size in pixels: 2 for twice as many pixels")
+      ->check(CLI::Range(kLeastScale, kLargestScale))
+      ->capture_default_str();
+  app.add_option("--samples", job.look.samples, "for each pixel: 1 or 4")->capture_default_str();
+  app.add_option("--detail", job.look.detail,
+                 "how much is drawn: 0 (everything) to 9, as `rocinante view` does it")
+      ->check(CLI::Range(0, kCoarsestRung))
+      ->capture_default_str();
+  app.add_option("--hide", job.look.hide,
+                 "PATH not to draw: DEVICE, DEVICE/LINK, layer/NAME; repeatable")
+      ->allow_extra_args(false);
+  app.add_option("--show", job.look.show, "PATH to draw whatever packets say; repeatable")
+      ->allow_extra_args(false);
+  app.add_option("--layers", job.layers, "only these layers, with commas between")
+      ->option_text("NAME,...")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  addLooks(app, looks);
+  app.add_option("--profile", profile, "reproducible: the same bits everywhere; fast: any GPU")
+      ->check(CLI::IsMember({"reproducible", "fast"}))
+      ->capture_default_str();
+  app.add_option("--caps", caps, "what the reproducible profile pins the processor to")
+      ->check(CLI::IsMember(pinnableCaps()))
+      ->capture_default_str();
+  addContextOption(app);
+  cli::addSearchOptions(app, job);
+  app.add_flag("--hash", hash, "print the SHA-256 of the RGBA rows, top to bottom, a line a frame");
+  app.add_flag("--force", job.overwrite, "replace existing files");
+  app.add_flag("--json", json, "print a report as JSON");
+
+  std::vector<std::string> words = withJoinedSwitches(argc, argv);
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  return cli::run(
+      app, static_cast<int>(words.size()), arguments.data(), kExamples, [&]() -> Result<cli::Exit> {
+        // Mesa reads its environment when the first context is made.
+        job.profile = profile == "fast" ? Profile::fast : Profile::reproducible;
+        if (job.profile == Profile::reproducible) pinRendererEnvironment(caps);
+        const auto pixels = parseSize(size);
+        if (!pixels) return pixels.error();
+        std::tie(job.look.width, job.look.height) = *pixels;
+        if (Status set = setLooks(looks, job.look.style); !set) return set.error();
+        job.show_insets = !without_insets;
+        job.hashes = hash || json;
+        if (job.output.empty() && job.sheet.empty() && job.frames.empty() && job.video.empty() &&
+            job.identity.empty() && job.depth.empty() && !job.hashes) {
+          return Error{ErrorKind::bad_argument,
+                       "nothing to make: -o FILE, --sheet FILE, --frames DIR, --video FILE, "
+                       "--identity FILE, --depth FILE, --hash or --json",
+                       {}};
+        }
+        if (!job.show_insets && !job.insets.empty()) {
+          return Error{ErrorKind::bad_argument, "--inset and --no-insets exclude each other", {}};
+        }
+        job.parallel = cli::workerThreads();
+        job.load_progress = cli::loadProgress(job.cell.string());
+        cli::catchStopSignals();
+        const cli::StopDeadline until_stopped("stopped");
+        std::optional<cli::ProgressLine> line;
+        const auto report = render(job, [&](std::size_t done, std::size_t of) {
+          if (!line) line.emplace("drawing");
+          line->show(static_cast<double>(done) / static_cast<double>(of));
+          return !cli::stopRequested();
+        });
+        line.reset();
+        if (!report) return report.error();
+        printWarnings(*report);
+        if (json) {
+          printJson(*report);
+        } else if (hash) {
+          printHashes(*report, job.cameras.size() > 1);
+        }
+        return report->is_whole ? cli::Exit::done : cli::Exit::no;
+      });
+}

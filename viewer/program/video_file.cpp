@@ -1,0 +1,213 @@
+#include "viewer/program/video_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/mman.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <utility>
+#include <vector>
+
+#include "core/base/plain_text.h"
+
+namespace rocinante {
+namespace {
+
+constexpr std::size_t kMostWords = 2000;
+
+Error videoError(std::string what, const std::filesystem::path& path) {
+  return {ErrorKind::refused, std::move(what), path.string()};
+}
+
+}  // namespace
+
+struct VideoFile::Impl {
+  std::filesystem::path path, beside;
+  bool overwrite = false;
+  std::size_t picture_bytes = 0;
+  pid_t child = -1;
+  int pictures = -1;  ///< ffmpeg's standard input
+  int words = -1;     ///< a file in memory: its standard error
+
+  ~Impl() {
+    closePictures();
+    if (child > 0) {
+      ::kill(child, SIGKILL);
+      while (::waitpid(child, nullptr, 0) < 0 && errno == EINTR) {
+      }
+    }
+    if (words >= 0) ::close(words);
+    ::unlink(beside.c_str());  // renamed by now, or not wanted
+  }
+
+  void closePictures() {
+    if (pictures >= 0) ::close(std::exchange(pictures, -1));
+  }
+
+  /// What ffmpeg said last, on one line.
+  std::string said() const {
+    std::array<char, kMostWords> buffer{};
+    const off_t end = ::lseek(words, 0, SEEK_END);
+    const off_t begin = std::max<off_t>(0, end - static_cast<off_t>(buffer.size()));
+    const ssize_t got = ::pread(words, buffer.data(), buffer.size(), begin);
+    std::string text(buffer.data(), got > 0 ? static_cast<std::size_t>(got) : 0);
+    // Its own name for the file beside is no help to anyone.
+    for (std::size_t at = 0; (at = text.find(beside.string(), at)) != std::string::npos;) {
+      text.replace(at, beside.string().size(), path.string());
+      at += path.string().size();
+    }
+    while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
+    for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos;) {
+      text.replace(at, 1, "; ");
+    }
+    return plainText(text);
+  }
+
+  Status ended() {
+    closePictures();
+    int status = 0;
+    while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
+    child = -1;
+    if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {};
+    const std::string how = WIFEXITED(status) ? fmt::format("exit {}", WEXITSTATUS(status))
+                                              : fmt::format("signal {}", WTERMSIG(status));
+    const std::string why = said();
+    return videoError("ffmpeg gave up (" + how + ")" + (why.empty() ? "" : ": " + why), path);
+  }
+};
+
+VideoFile::VideoFile(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+VideoFile::~VideoFile() = default;
+VideoFile::VideoFile(VideoFile&&) noexcept = default;
+VideoFile& VideoFile::operator=(VideoFile&&) noexcept = default;
+
+bool VideoFile::isVideo(const std::filesystem::path& path) {
+  const std::string ending = path.extension().string();
+  return ending == ".mp4" || ending == ".mkv" || ending == ".mov" || ending == ".webm";
+}
+
+Result<VideoFile> VideoFile::create(const std::filesystem::path& path, int width, int height,
+                                    const FrameRate& rate, bool overwrite) {
+  auto impl = std::make_unique<Impl>();
+  impl->path = path;
+  impl->overwrite = overwrite;
+  impl->picture_bytes = static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4;
+  // The ending last: ffmpeg goes by it.
+  impl->beside = path.parent_path() / fmt::format(".{}.part{}{}", path.stem().string(), ::getpid(),
+                                                  path.extension().string());
+  impl->words = ::memfd_create("ffmpeg", MFD_CLOEXEC);
+  std::array<int, 2> ends{-1, -1};
+  // A socket and not a pipe: writing to one whose reader has died can be told not to raise SIGPIPE.
+  if (impl->words < 0 || ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
+    return videoError(std::string("cannot reach ffmpeg: ") + std::strerror(errno), path);
+  }
+  impl->pictures = ends[0];
+
+  // "file:" so that no name is taken for a protocol or an option.
+  std::vector<std::string> arguments{"ffmpeg",
+                                     "-hide_banner",
+                                     "-loglevel",
+                                     "error",
+                                     "-y",
+                                     "-f",
+                                     "rawvideo",
+                                     "-pixel_format",
+                                     "rgba",
+                                     "-video_size",
+                                     fmt::format("{}x{}", width, height),
+                                     "-framerate",
+                                     rate.text(),
+                                     "-i",
+                                     "pipe:0",
+                                     "-an",
+                                     "-vf",
+                                     "pad=ceil(iw/2)*2:ceil(ih/2)*2",
+                                     "-pix_fmt",
+                                     "yuv420p",
+                                     "-fflags",
+                                     "+bitexact",
+                                     "-flags:v",
+                                     "+bitexact",
+                                     "-map_metadata",
+                                     "-1"};
+  if (path.extension() == ".mp4" || path.extension() == ".mov") {
+    arguments.insert(arguments.end(), {"-movflags", "+faststart"});
+  }
+  arguments.push_back("file:" + impl->beside.string());
+  std::vector<char*> words;
+  for (std::string& argument : arguments) words.push_back(argument.data());
+  words.push_back(nullptr);
+
+  posix_spawn_file_actions_t actions;
+  posix_spawnattr_t attributes;
+  ::posix_spawn_file_actions_init(&actions);
+  ::posix_spawnattr_init(&attributes);
+  ::posix_spawn_file_actions_adddup2(&actions, ends[1], STDIN_FILENO);
+  ::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  ::posix_spawn_file_actions_adddup2(&actions, impl->words, STDERR_FILENO);
+  // A group of its own: Ctrl-C is ours to answer.
+  ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+  ::posix_spawnattr_setpgroup(&attributes, 0);
+  const int fault =
+      ::posix_spawnp(&impl->child, "ffmpeg", &actions, &attributes, words.data(), environ);
+  ::posix_spawn_file_actions_destroy(&actions);
+  ::posix_spawnattr_destroy(&attributes);
+  ::close(ends[1]);
+  if (fault != 0) {
+    impl->child = -1;
+    return videoError(fault == ENOENT
+                          ? std::string("--video needs ffmpeg, which is not installed here (not in "
+                                        "PATH); --frames DIR writes pictures for it")
+                          : std::string("cannot run ffmpeg: ") + std::strerror(fault),
+                      path);
+  }
+  return VideoFile(std::move(impl));
+}
+
+Status VideoFile::add(const Picture& picture) {
+  Impl& my = *impl_;
+  const auto* bytes = picture.rgba.data();
+  std::size_t left = picture.rgba.size();
+  if (left != my.picture_bytes) return videoError("a picture is of another size", my.path);
+  while (left > 0) {
+    const ssize_t sent = ::send(my.pictures, bytes, left, MSG_NOSIGNAL);
+    if (sent < 0 && errno == EINTR) continue;
+    if (sent < 0) {
+      if (Status end = my.ended(); !end) return end;
+      return videoError("ffmpeg ended before the last picture", my.path);
+    }
+    bytes += sent;
+    left -= static_cast<std::size_t>(sent);
+  }
+  return {};
+}
+
+Status VideoFile::finish() {
+  Impl& my = *impl_;
+  if (Status end = my.ended(); !end) return end;
+  const int file = ::open(my.beside.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool synced = file >= 0 && ::fsync(file) == 0;
+  if (file >= 0) ::close(file);
+  if (!synced) {
+    return videoError(std::string("ffmpeg has left no file: ") + std::strerror(errno), my.path);
+  }
+  std::error_code ignored;
+  if (!my.overwrite && std::filesystem::exists(my.path, ignored)) {
+    return videoError("the file exists; --force replaces it", my.path);
+  }
+  if (::rename(my.beside.c_str(), my.path.c_str()) != 0) {
+    return videoError(std::string("cannot create: ") + std::strerror(errno), my.path);
+  }
+  return {};
+}
+
+}  // namespace rocinante

@@ -1,0 +1,63 @@
+#include "viewer/ui/model/misfits.h"
+
+#include <fmt/format.h>
+
+#include "core/base/count_text.h"
+#include "core/base/name_hint.h"
+
+namespace rocinante {
+namespace {
+
+/// Beyond so many, hints are not worth their time.
+constexpr std::size_t kMostHints = 20;
+
+bool isRemoved(const DeviceState& state) {
+  return state.presence && state.presence->value.presence == Presence::removed;
+}
+
+std::string whyUnseen(const Cell& cell, const std::string& name, const DeviceState& state,
+                      bool with_hint) {
+  const CellDevice* device = cell.findDevice(name);
+  if (state.presence && device == nullptr) {
+    return fmt::format("was added as `{}`, a model that the cell does not have",
+                       state.presence->value.model);
+  }
+  if (device != nullptr) return {};  // it waits for its `add`, or its model could not be read
+  std::string what = "is no device of the cell, and nobody added it";
+  if (!with_hint) return what;
+  std::vector<std::string_view> known;
+  for (const CellDevice& one : cell.devices) known.emplace_back(one.name);
+  const std::string hint = didYouMean(name, known);
+  return hint.empty() ? what : what + ": " + hint;
+}
+
+std::string whatDoesNotFit(const Model& model, const DeviceState& state) {
+  if (state.joints) {
+    const std::size_t came = state.joints->value.size();
+    const std::size_t wanted = model.positionalCount();
+    if (came != wanted) {
+      return fmt::format("gets {}, and its model has {}: none is used",
+                         countText(came, "joint value"), wanted);
+    }
+  }
+  for (const auto& [joint, value] : state.named_joints) {
+    if (!model.findJointValue(joint)) return fmt::format("has no joint `{}`", joint);
+  }
+  return {};
+}
+
+}  // namespace
+
+std::vector<Misfit> misfits(const Cell& cell, const PosedScene& scene, const SessionState& state) {
+  std::vector<Misfit> found;
+  for (const auto& [name, device] : state.devices()) {
+    if (isRemoved(device)) continue;
+    const PosedDevice* posed = scene.findDevice(name);
+    std::string what = posed == nullptr ? whyUnseen(cell, name, device, found.size() < kMostHints)
+                                        : whatDoesNotFit(*posed->model, device);
+    if (!what.empty()) found.push_back({name, std::move(what)});
+  }
+  return found;
+}
+
+}  // namespace rocinante

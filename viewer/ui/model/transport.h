@@ -1,0 +1,50 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/base/playback_speed.h"
+#include "core/base/time.h"
+
+namespace rocinante {
+
+/// Where on a log's time line the window stands, and how it moves on: play, pause, scrub, speed.
+/// Pure: reads no clock. A position is reckoned from one anchor, so an hour at any speed ends on
+/// the exact nanosecond.
+class Transport {
+ public:
+  Transport(LogTime start, LogTime end);
+
+  LogTime start() const { return start_; }
+  LogTime end() const { return end_; }
+  bool playing() const { return playing_; }
+  bool looping() const { return looping_; }
+  const std::string& speedText() const { return speed_text_; }
+
+  /// The position at `now`. At the end it stops, or begins anew when looping.
+  LogTime position(SteadyTime now);
+
+  /// From the end, playing begins at the start again.
+  void play(SteadyTime now);
+  void pause(SteadyTime now);
+  void toggle(SteadyTime now);
+  /// Within the log; playing goes on from there.
+  void seek(LogTime moment, SteadyTime now);
+  void step(Nanoseconds by, SteadyTime now);
+  /// Without a jump. Text as PlaybackSpeed::parse takes it; false when it is no speed.
+  bool setSpeed(const std::string& text, SteadyTime now);
+  void setLooping(bool looping) { looping_ = looping; }
+
+ private:
+  void anchorAt(LogTime moment, SteadyTime now);
+
+  LogTime start_, end_;
+  LogTime anchor_log_;
+  SteadyTime anchor_real_{};
+  PlaybackSpeed speed_;
+  std::string speed_text_ = "1";
+  bool playing_ = false;
+  bool looping_ = false;
+};
+
+}  // namespace rocinante

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <vector>
+
+#include "viewer/view/camera.h"
+
+namespace rocinante {
+
+/// A camera that turns about a target, z up: what the mouse moves. Pure; angles in radians, lengths
+/// in metres, drags in pixels (x right, y down).
+class Turntable {
+ public:
+  Turntable() = default;
+  /// Takes over where `view` stands, so that nothing jumps when the mouse takes hold. A view from
+  /// straight above or with another up axis keeps its eye and target and gets z up.
+  explicit Turntable(const CameraView& view);
+
+  CameraView view() const;
+
+  /// A drag over the whole height turns by pi.
+  void orbit(double dx_px, double dy_px, int height_px);
+  /// What was under the mouse stays under it, at the target's distance.
+  void pan(double dx_px, double dy_px, int height_px);
+  /// One step nearer (positive) is a tenth of the distance.
+  void zoom(double steps);
+  /// The same, and what is `right_px` and `down_px` from the picture's middle stays where it is in
+  /// the picture, at the target's distance.
+  void zoomAt(double steps, double right_px, double down_px, int height_px);
+  /// From now on it turns about `point`, seen from the same direction and as near as before.
+  void aimAt(const Vec3& point) { target_ = point; }
+  /// Shows all `points` from the present direction. Nothing when there are none.
+  void fit(const std::vector<Vec3>& points, int width_px, int height_px);
+
+ private:
+  Vec3 direction() const;  ///< from the target to the eye, unit length
+  double heightM() const;  ///< of what is seen at the target's distance
+
+  Vec3 target_{0, 0, 0};
+  double distance_m_ = 5;
+  double azimuth_rad_ = -0.8;   ///< of the eye about z, from x
+  double elevation_rad_ = 0.6;  ///< of the eye above the target
+  double fov_deg_ = 45;
+  std::optional<double> ortho_height_m_;
+};
+
+}  // namespace rocinante

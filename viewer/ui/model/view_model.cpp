@@ -1,0 +1,259 @@
+#include "viewer/ui/model/view_model.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/packet/packet_text.h"
+#include "core/session/marks.h"
+#include "viewer/view/camera_choice.h"
+#include "viewer/view/limit_levels.h"
+
+namespace rocinante {
+
+std::string Selection::path() const {
+  if (device.empty()) return {};
+  return link.empty() ? encodeName(device) : encodeName(device) + "/" + encodeName(link);
+}
+
+Result<ViewModel> ViewModel::make(Cell cell, std::optional<Timeline> session,
+                                  std::optional<LiveFeed> feed, std::vector<std::string> hide,
+                                  std::vector<std::string> show) {
+  ViewModel model;
+  model.cell_ = std::make_unique<Cell>(std::move(cell));
+  model.poses_.emplace(*model.cell_);
+  model.names_.emplace(*model.cell_);
+  if (session) model.names_->useLog(session->log().name());
+  if (feed) model.names_->expectOthers();
+  for (Status known : {model.names_->check(hide), model.names_->check(show)}) {
+    if (!known) return known.error();
+  }
+  model.hidden_.insert(hide.begin(), hide.end());
+  model.shown_paths_.insert(show.begin(), show.end());
+  if (auto chosen = model.updateChoice(); !chosen) return chosen.error();
+  model.feed_ = std::move(feed);
+  if (session) {
+    StateDamage hiding;  // all places of damage are counted in the panel
+    auto events = session->events(&hiding);
+    if (!events.ok()) return events.error();
+    model.events_ = **events;
+    model.transport_.emplace(session->start(), session->end());
+    for (const LossSpan& span : session->log().losses()) {
+      model.recorded_losses_ += span.counts.kernel + span.counts.queue + span.counts.disk;
+    }
+    model.session_ = std::move(session);
+  }
+  for (const CellInset& inset : model.cell_->insets) model.insets.push_back({inset, true});
+  model.resetCamera();
+  return model;
+}
+
+Status ViewModel::updateChoice() {
+  auto choice = ViewChoice::make(hiddenPaths(), shownPaths());
+  if (!choice.ok()) return choice.error();
+  choice_ = std::move(*choice);
+  return {};
+}
+
+Status ViewModel::findState(LogTime moment) {
+  // Trails first: they ask for states too, and only the last one asked for is valid.
+  extras_.trails.clear();
+  damage_ = {};
+  if (!style_.trails.empty()) {
+    if (!trail_finder_) trail_finder_.emplace(*cell_);
+    auto trails = trail_finder_->find(style_.trails, *session_, moment, damage_);
+    if (!trails.ok()) return trails.error();
+    extras_.trails = std::move(*trails);
+  }
+  const auto state = session_->stateAt(moment, &damage_);
+  if (!state.ok()) return state.error();
+  state_ = *state;
+  seen_damage_.add(damage_);
+  return {};
+}
+
+Result<bool> ViewModel::update(SteadyTime now) {
+  bool changed = !shown_.has_value() || std::exchange(style_changed_, false);
+  LogTime moment = shownTime();
+  if (transport_) {
+    moment = transport_->position(now);
+    if (changed || shown_ != moment) {
+      if (auto found = findState(moment); !found) return found.error();
+      changed = true;
+    }
+  } else if (feed_) {
+    if (!live_since_) live_since_ = now;
+    if (auto snapshot = feed_->take()) {
+      if (snapshot->datagrams > (live_ ? live_->datagrams : 0)) last_arrival_ = now;
+      live_ = std::move(snapshot);
+      live_at_ = now;
+      state_ = &live_->state;
+      moment = live_->time;
+      changed = true;
+    }
+  }
+  // Said anew each time: this model may have been moved.
+  if (!transport_ && !live_) state_ = &nothing_said_;
+  shown_ = moment;
+  if (changed) {
+    scene_ = poses_->pose(*state_);
+    extras_.limits =
+        style_.limits ? limitLevels(scene_, *state_) : std::vector<std::vector<LimitLevel>>();
+    // Asking thousands of devices for each frame would cost as much as posing them.
+    if (!feed_ || !misfits_at_ || now - *misfits_at_ >= std::chrono::milliseconds(500)) {
+      misfits_ = rocinante::misfits(*cell_, scene_, *state_);
+      misfits_at_ = now;
+    }
+  }
+  return changed;
+}
+
+std::optional<LiveReason> ViewModel::liveReason(SteadyTime now) const {
+  if (!feed_ || !live_since_) return std::nullopt;
+  LiveFacts facts;
+  facts.endpoints = feed_->endpoints();
+  facts.watched = now - *live_since_;
+  facts.silent = now - last_arrival_.value_or(*live_since_);
+  if (live_) {
+    facts.datagrams = live_->datagrams;
+    facts.undecoded = live_->undecoded;
+    facts.undecoded_sample = live_->undecoded_sample;
+    facts.devices_spoken_of = live_->state.devices().size();
+    bool any_known = false;
+    for (const auto& [name, device] : live_->state.devices()) {
+      any_known = any_known || scene_.findDevice(name) != nullptr;
+      if (facts.unknown_device.empty()) facts.unknown_device = name;
+    }
+    if (any_known) facts.unknown_device.clear();
+  }
+  return rocinante::liveReason(facts);
+}
+
+std::vector<SourceRow> ViewModel::sourceRows(SteadyTime now) const {
+  if (!live_) return rocinante::sourceRows({}, *cell_, {});
+  // The feed's clock is not the one of a script: only differences count.
+  const Nanoseconds since = live_at_ ? now - *live_at_ : Nanoseconds(0);
+  return rocinante::sourceRows(live_->sources, *cell_, live_->taken + since);
+}
+
+Status ViewModel::addMark(const std::string& text) {
+  if (!session_) return Error{ErrorKind::bad_argument, "a mark needs a log", {}};
+  Event mark;
+  mark.time = shownTime();
+  mark.text = text;
+  if (auto added = rocinante::addMark(session_->log().name(), mark); !added) return added;
+  const auto after = std::ranges::upper_bound(events_, mark.time, {}, &Event::time);
+  events_.insert(after, std::move(mark));
+  return {};
+}
+
+Result<std::optional<LogTime>> ViewModel::packetBeside(bool after) {
+  if (!session_) return std::optional<LogTime>();
+  if (!walker_) {
+    auto opened = LogReader::open(session_->log().name());
+    if (!opened.ok()) return opened.error();
+    walker_ = std::move(*opened);
+  }
+  const LogTime from = after ? shownTime() + Nanoseconds(1) : shownTime();
+  if (auto there = walker_->seek(from); !there) return there.error();
+  while (true) {
+    const auto message = after ? walker_->next() : walker_->previous();
+    if (!message.ok()) return message.error();
+    if (!*message) return std::optional<LogTime>();
+    if ((*message)->channel->captured()) return std::optional<LogTime>((*message)->log_time);
+  }
+}
+
+const Event* ViewModel::eventBeside(LogTime moment, bool after) const {
+  if (after) {
+    const auto next = std::ranges::upper_bound(events_, moment, {}, &Event::time);
+    return next == events_.end() ? nullptr : &*next;
+  }
+  const auto here = std::ranges::lower_bound(events_, moment, {}, &Event::time);
+  return here == events_.begin() ? nullptr : &*std::prev(here);
+}
+
+void ViewModel::setStyle(const RenderStyle& style) {
+  style_changed_ = style_changed_ || !(style == style_);
+  style_ = style;
+}
+
+RenderStyle ViewModel::frameStyle() const {
+  RenderStyle style = style_;
+  if (outline_selected && !selected.device.empty()) style.outlined.push_back(selected.path());
+  return style;
+}
+
+CameraView ViewModel::cameraView() {
+  if (!camera_name_.empty()) {
+    auto view = chooseCamera(camera_name_, scene_);
+    if (view.ok()) {
+      complaint.clear();
+      return *view;
+    }
+    // A view that a source took back, or a carrier that is gone: stay where we were.
+    complaint = view.error().text();
+    camera_name_.clear();
+  }
+  return turntable_.view();
+}
+
+void ViewModel::useCamera(const std::string& name) { camera_name_ = name; }
+
+void ViewModel::resetCamera() {
+  turntable_ = Turntable();
+  camera_name_ = cell_->cameras.empty() ? std::string() : cell_->cameras.front().name;
+}
+
+Turntable& ViewModel::holdCamera() {
+  if (!camera_name_.empty()) {
+    turntable_ = Turntable(cameraView());
+    camera_name_.clear();
+  }
+  return turntable_;
+}
+
+void ViewModel::fit(const std::vector<Vec3>& points, int width, int height) {
+  holdCamera().fit(points, width, height);
+}
+
+std::vector<std::string> ViewModel::cameraNames() const {
+  std::vector<std::string> names;
+  for (const PosedCamera& camera : scene_.cameras) {
+    if (std::ranges::find(names, camera.name) == names.end()) names.push_back(camera.name);
+  }
+  return names;
+}
+
+bool ViewModel::setVisible(const std::string& path, std::optional<bool> visible) {
+  const auto hidden_before = hidden_;
+  const auto shown_before = shown_paths_;
+  hidden_.erase(path);
+  shown_paths_.erase(path);
+  if (visible) (*visible ? shown_paths_ : hidden_).insert(path);
+  if (updateChoice()) return true;
+  hidden_ = hidden_before;
+  shown_paths_ = shown_before;
+  return false;
+}
+
+bool ViewModel::layerVisibleByDefault(const CellLayer& layer) const {
+  const auto said = state_->visibility().find(Path{true, "layer", layer.name});
+  if (said == state_->visibility().end()) return layer.visible;
+  switch (said->second.value.kind) {
+    case Visibility::Kind::shown:
+      return true;
+    case Visibility::Kind::hidden:
+      return false;
+    case Visibility::Kind::by_default:
+      break;
+  }
+  return layer.visible;
+}
+
+std::optional<bool> ViewModel::chosenVisibility(const std::string& path) const {
+  if (hidden_.contains(path)) return false;
+  if (shown_paths_.contains(path)) return true;
+  return std::nullopt;
+}
+
+}  // namespace rocinante

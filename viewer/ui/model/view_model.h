@@ -1,0 +1,169 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/cell/cell.h"
+#include "core/cell/posed_scene.h"
+#include "core/cell/scene_poses.h"
+#include "core/session/timeline.h"
+#include "viewer/ui/live/live_feed.h"
+#include "viewer/ui/live/live_reason.h"
+#include "viewer/ui/live/source_rows.h"
+#include "viewer/ui/model/misfits.h"
+#include "viewer/ui/model/transport.h"
+#include "viewer/ui/model/turntable.h"
+#include "viewer/view/frame_extras.h"
+#include "viewer/view/known_names.h"
+#include "viewer/view/render_style.h"
+#include "viewer/view/trail_finder.h"
+#include "viewer/view/view_choice.h"
+
+namespace rocinante {
+
+/// A window over the main view, and whether it is to be seen.
+struct InsetChoice {
+  CellInset inset;
+  bool shown = true;
+};
+
+/// What was clicked on or chosen from the list.
+struct Selection {
+  std::string device;  ///< empty: nothing
+  std::string link;    ///< empty: the device as a whole
+  bool operator==(const Selection&) const = default;
+  /// The PATH of a packet and of a style.
+  std::string path() const;
+};
+
+/// What the window shows and what the person in front of it chose: the state behind the panels,
+/// without a window. One thread.
+class ViewModel {
+ public:
+  /// The cell alone, a recorded session, or a live one: at most one of `session` and `feed`.
+  /// not_found for a PATH that names nothing (KnownNames).
+  static Result<ViewModel> make(Cell cell, std::optional<Timeline> session,
+                                std::optional<LiveFeed> feed, std::vector<std::string> hide,
+                                std::vector<std::string> show);
+
+  const Cell& cell() const { return *cell_; }
+  /// What PATHs and cameras' names can mean here.
+  KnownNames& names() { return *names_; }
+  const SessionState& state() const { return *state_; }
+  const PosedScene& scene() const { return scene_; }
+  const ViewChoice& choice() const { return choice_; }
+
+  /// Null without a log.
+  Transport* transport() { return transport_ ? &*transport_ : nullptr; }
+  LogTime origin() const { return session_ ? session_->origin() : LogTime{}; }
+  /// The moment that is shown, as of the last update(); the newest datagram's in live mode.
+  LogTime shownTime() const { return shown_.value_or(LogTime{}); }
+  const std::vector<Event>& events() const { return events_; }
+  /// The nearest event after or before a moment; null when there is none.
+  const Event* eventBeside(LogTime moment, bool after) const;
+  /// When the captured datagram after or before the moment shown came; empty when there is none.
+  Result<std::optional<LogTime>> packetBeside(bool after);
+  /// Datagrams that the recorder counted as lost.
+  std::uint64_t recordedLosses() const { return recorded_losses_; }
+  /// Puts a mark beside the log at the moment shown; it is then among events().
+  Status addMark(const std::string& text);
+  /// Null when not live, or when nothing has come yet.
+  const LiveSnapshot* live() const { return live_.get(); }
+  /// The sources of a live session and those that the cell expects; valid until update().
+  std::vector<SourceRow> sourceRows(SteadyTime now) const;
+  bool isLive() const { return feed_.has_value(); }
+  const LiveFeed& feed() const { return *feed_; }
+  /// Why nothing moves in a live session; empty otherwise.
+  std::optional<LiveReason> liveReason(SteadyTime now) const;
+  /// What was said that the cell has no place for; of a live session not older than half a second.
+  const std::vector<Misfit>& misfits() const { return misfits_; }
+  /// What the picture may lack because the log is damaged, and what all that were shown did.
+  const StateDamage& damage() const { return damage_; }
+  const StateDamage& seenDamage() const { return seen_damage_; }
+  Timeline* session() { return session_ ? &*session_ : nullptr; }
+  const Timeline* session() const { return session_ ? &*session_ : nullptr; }
+
+  /// Brings state and scene to `now`; true when they changed.
+  Result<bool> update(SteadyTime now);
+
+  /// Where the picture is taken from: a named camera, until the mouse takes hold.
+  CameraView cameraView();
+  const std::string& cameraName() const { return camera_name_; }  ///< empty: the turntable
+  void useCamera(const std::string& name);
+  /// The cell's first camera, or without one the turntable as it was at the start: not fitted yet.
+  void resetCamera();
+  /// The turntable, standing where the present camera stands.
+  Turntable& holdCamera();
+  /// Shows `points`, all that is visible, from the present direction.
+  void fit(const std::vector<Vec3>& points, int width, int height);
+  /// Names of the cell's cameras and of the session's views.
+  std::vector<std::string> cameraNames() const;
+
+  /// Hides, shows, or (empty) leaves to packets and cell again. False for a PATH that is none.
+  bool setVisible(const std::string& path, std::optional<bool> visible);
+  /// What was chosen for the PATH; empty when nothing was.
+  std::optional<bool> chosenVisibility(const std::string& path) const;
+  /// As packets, and behind them the cell, have it.
+  bool layerVisibleByDefault(const CellLayer& layer) const;
+  std::vector<std::string> hiddenPaths() const { return {hidden_.begin(), hidden_.end()}; }
+  std::vector<std::string> shownPaths() const { return {shown_paths_.begin(), shown_paths_.end()}; }
+
+  /// Every optional look of the picture, as panels and keys changed it. The outline of what is
+  /// selected is added by frameStyle().
+  const RenderStyle& style() const { return style_; }
+  void setStyle(const RenderStyle& style);
+  RenderStyle frameStyle() const;
+  /// What limits and trails of the style need, for scene().
+  const FrameExtras& extras() const { return extras_; }
+
+  std::vector<InsetChoice> insets;
+  Selection selected;
+  bool outline_selected = true;
+  bool panels_shown = true;
+  bool help_shown = false;
+  std::array<char, 256> mark_text{};     ///< being typed; NUL-terminated
+  std::array<char, 64> device_filter{};  ///< part of the names that are listed; NUL-terminated
+  std::array<char, 64> source_filter{};  ///< the same of sources
+  std::array<char, 64> event_filter{};   ///< of events
+  std::set<std::string> open_devices;    ///< whose links are listed
+  std::string complaint;                 ///< one sentence to show; empty: none
+  std::vector<std::string> doubts;       ///< what files that were made lack: told at the end
+
+ private:
+  ViewModel() = default;
+  Status updateChoice();
+  Status findState(LogTime moment);
+
+  std::unique_ptr<Cell> cell_;       // does not move: the renderer borrows it
+  std::optional<KnownNames> names_;  // of *cell_
+  std::optional<Timeline> session_;
+  std::optional<LiveFeed> feed_;
+  std::unique_ptr<LiveSnapshot> live_;
+  std::optional<SteadyTime> live_since_, last_arrival_, live_at_;
+  std::optional<Transport> transport_;
+  std::optional<LogReader> walker_;  // over datagrams; made when it is first asked for
+  std::uint64_t recorded_losses_ = 0;
+  StateDamage damage_, seen_damage_;
+  std::optional<LogTime> shown_;
+  SessionState nothing_said_;
+  const SessionState* state_ = &nothing_said_;
+  std::optional<ScenePoses> poses_;  // of *cell_
+  PosedScene scene_;
+  RenderStyle style_;
+  bool style_changed_ = false;
+  std::optional<TrailFinder> trail_finder_;
+  FrameExtras extras_;
+  std::vector<Misfit> misfits_;
+  std::optional<SteadyTime> misfits_at_;
+  std::vector<Event> events_;
+  std::set<std::string> hidden_, shown_paths_;
+  ViewChoice choice_;
+  std::string camera_name_;
+  Turntable turntable_;
+};
+
+}  // namespace rocinante

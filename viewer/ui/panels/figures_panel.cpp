@@ -1,0 +1,250 @@
+#include "viewer/ui/panels/figures_panel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <vector>
+
+#include "core/base/count_text.h"
+#include "core/base/plain_text.h"
+#include "core/cli/text_table.h"
+#include "viewer/ui/panels/panel_parts.h"
+
+namespace rocinante {
+namespace {
+
+constexpr float kGraphHeight = 72;
+/// So wide that figures may grow without moving the panel's edge.
+constexpr float kFiguresWidth = 244;
+const ImVec4 kAmissColor{1, 0.55F, 0.45F, 1};
+
+struct Stage {
+  const char* name;
+  double FrameTimes::*time;
+  ImU32 color;
+};
+constexpr std::array kStages{
+    Stage{"app", &FrameTimes::app, IM_COL32(120, 200, 255, 255)},
+    Stage{"cull", &FrameTimes::cull, IM_COL32(150, 220, 160, 255)},
+    Stage{"draw", &FrameTimes::draw, IM_COL32(255, 168, 64, 255)},
+    Stage{"ui", &FrameTimes::ui, IM_COL32(200, 150, 230, 255)},
+};
+
+/// How many sources speak; the tab of the panel on the left has them one by one.
+void drawSourceCount(const ViewModel& model, SteadyTime now) {
+  const std::vector<SourceRow> rows = model.sourceRows(now);
+  if (rows.empty()) return;
+  ImGui::TextUnformatted(countText(rows.size(), "source").c_str());
+  const auto silent = std::ranges::count_if(rows, &SourceRow::is_silent);
+  if (silent == 0) return;
+  ImGui::SameLine(0, 0);
+  ImGui::TextColored(kAmissColor, ", %td silent", silent);
+}
+
+void drawLive(const ViewModel& model, SteadyTime now) {
+  for (const Endpoint& endpoint : model.feed().endpoints()) {
+    ImGui::TextUnformatted(endpoint.text().c_str());
+  }
+  const LiveSnapshot* live = model.live();
+  if (live == nullptr || live->datagrams == 0) {
+    ImGui::TextDisabled("listening; nothing has come yet");
+    return;
+  }
+  ImGui::Text("%.0f packets/s", live->rate_hz);
+  ImGui::TextUnformatted(cli::counted(live->datagrams, "datagram").c_str());
+  const std::uint64_t lost = live->dropped + live->gaps;
+  const ImVec4 color = lost == 0 ? ImVec4(0.55F, 0.85F, 0.62F, 1) : kAmissColor;
+  ImGui::TextColored(color, "lost: %llu by this machine, %llu before",
+                     static_cast<unsigned long long>(live->dropped),
+                     static_cast<unsigned long long>(live->gaps));
+  drawSourceCount(model, now);
+  if (live->undecoded > 0) {
+    ImGui::TextColored(kAmissColor, "%s",
+                       ("not packets: " + cli::grouped(live->undecoded)).c_str());
+    explain(("the first begins " + live->undecoded_sample).c_str());
+  }
+}
+
+void drawSession(const ViewModel& model, SteadyTime now) {
+  if (model.isLive()) {
+    drawLive(model, now);
+  } else if (const Timeline* session = model.session()) {
+    ImGui::TextUnformatted(
+        std::filesystem::path(session->log().name()).filename().string().c_str());
+    ImGui::TextUnformatted(cli::counted(session->log().summary().messages, "datagram").c_str());
+    if (const std::size_t places = session->log().damage().size(); places > 0) {
+      ImGui::TextColored(kAmissColor, "damaged in %s", countText(places, "place").c_str());
+      explain("rocinante log doctor says where, and what it cost");
+    }
+    if (model.recordedLosses() > 0) {
+      ImGui::TextColored(kAmissColor, "%llu lost while recording",
+                         static_cast<unsigned long long>(model.recordedLosses()));
+      explain("counted by the recorder; rocinante log info says when");
+    }
+  } else {
+    ImGui::TextDisabled("the cell at rest");
+  }
+}
+
+/// What moves nothing because the cell has no place for it.
+void drawMisfits(const ViewModel& model) {
+  constexpr std::size_t kMostNamed = 8;
+  const std::vector<Misfit>& misfits = model.misfits();
+  if (misfits.empty()) return;
+  ImGui::TextColored(kAmissColor, "%s",
+                     (countText(misfits.size(), "device") +
+                      (misfits.size() == 1 ? " does not fit the cell" : " do not fit the cell"))
+                         .c_str());
+  if (!ImGui::IsItemHovered()) return;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(misfits.size(), kMostNamed); ++i) {
+    text += (i > 0 ? "\n" : "") + plainText(misfits[i].device) + " " + plainText(misfits[i].what);
+  }
+  if (misfits.size() > kMostNamed) {
+    text += fmt::format("\n... and {} more", misfits.size() - kMostNamed);
+  }
+  ImGui::SetTooltip("%s\nrocinante check tells all of it", text.c_str());
+}
+
+/// One column a frame, its stages stacked; a line where the target is.
+void drawGraph(const ViewerStatus& status) {
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const ImVec2 graph(ImGui::GetContentRegionAvail().x, px(kGraphHeight));
+  ImGui::Dummy(graph);
+  ImDrawList* const list = ImGui::GetWindowDrawList();
+  list->AddRectFilled(corner, ImVec2(corner.x + graph.x, corner.y + graph.y),
+                      IM_COL32(20, 24, 28, 200), 3);
+  const double target_ms = 1000 / status.target_fps;
+  double highest = target_ms * 1.5;
+  for (std::size_t i = 0; i < status.times.count(); ++i) {
+    highest = std::max(highest, std::min(status.times[i].total(), target_ms * 6));
+  }
+  const float bottom = corner.y + graph.y;
+  const float column = graph.x / static_cast<float>(FrameHistory::kFrames);
+  const auto height = [&](double ms) {
+    return static_cast<float>(std::min(ms / highest, 1.0)) * graph.y;
+  };
+  for (std::size_t i = 0; i < status.times.count(); ++i) {
+    const float x =
+        corner.x + column * static_cast<float>(FrameHistory::kFrames - status.times.count() + i);
+    double below = 0;
+    for (const Stage& stage : kStages) {
+      const double above = below + status.times[i].*stage.time;
+      list->AddRectFilled(ImVec2(x, bottom - height(above)),
+                          ImVec2(x + column, bottom - height(below)), stage.color);
+      below = above;
+    }
+  }
+  const float line = bottom - height(target_ms);
+  list->AddLine(ImVec2(corner.x, line), ImVec2(corner.x + graph.x, line),
+                IM_COL32(255, 255, 255, 110));
+}
+
+/// What a frame costs, and how many a second that makes.
+void drawFrameTime(const ViewerStatus& status) {
+  const double total = status.times.mean().total();
+  ImGui::Text("%.1f ms, %.*f frames/s", total, total > 100 ? 1 : 0, 1000 / std::max(total, 0.01));
+}
+
+/// "detail 3" or, where the governor chooses it, "auto: 3".
+std::string rungText(const ViewerStatus& status) {
+  return status.rung_fixed || !status.may_govern ? fmt::format("detail {}", status.rung)
+                                                 : fmt::format("auto: {}", status.rung);
+}
+
+void drawTimes(const ViewerStatus& status) {
+  const FrameTimes& mean = status.times.mean();
+  drawFrameTime(status);
+  drawGraph(status);
+  for (const Stage& stage : kStages) {
+    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(stage.color), "%s %.1f", stage.name,
+                       mean.*stage.time);
+    if (&stage != &kStages.back()) ImGui::SameLine();
+  }
+}
+
+void drawRung(const ViewerStatus& status, ViewerWishes& wishes) {
+  const DetailRung& rung = kDetailRungs[static_cast<std::size_t>(status.rung)];
+  std::string what =
+      status.rung == 0 ? "everything" : fmt::format("{:.0f} %", rung.resolution * 100);
+  if (status.rung > 0 && !rung.multisampled) what += ", 1 sample";
+  if (rung.level.geometry_error_px > 0) {
+    what += fmt::format(", {:g} px off", rung.level.geometry_error_px);
+  }
+  ImGui::SetNextItemWidth(px(92));
+  if (ImGui::BeginCombo("##rung", rungText(status).c_str())) {
+    if (status.may_govern && ImGui::Selectable("auto", !status.rung_fixed)) wishes.rung = -1;
+    for (int i = 0; i <= kCoarsestRung; ++i) {
+      if (ImGui::Selectable(fmt::format("{}", i).c_str(), status.rung_fixed && status.rung == i)) {
+        wishes.rung = i;
+      }
+    }
+    ImGui::EndCombo();
+  }
+  explain("how much is drawn: 0 is everything; auto holds the frame rate");
+  if (status.may_govern && !status.rung_fixed) {
+    ImGui::SameLine();
+    auto fps = static_cast<int>(status.target_fps + 0.5);
+    ImGui::SetNextItemWidth(px(108));
+    if (ImGui::DragInt("##fps", &fps, 0.5F, 5, 120, "for %d /s", ImGuiSliderFlags_AlwaysClamp)) {
+      wishes.target_fps = fps;
+    }
+    explain("frames a second to hold: drag, or double click and type");
+  }
+  ImGui::TextDisabled(
+      "%s%s", what.c_str(),
+      rung.level.geometry_error_px > 0 && !status.coarse_ready ? "; making coarser meshes" : "");
+}
+
+/// A line: where there is no room for more.
+void drawBrief(const ViewModel& model, const ViewerStatus& status) {
+  const LiveSnapshot* live = model.live();
+  if (live != nullptr) ImGui::Text("%.0f packets/s", live->rate_hz);
+  if (live != nullptr && live->dropped + live->gaps > 0) {
+    ImGui::TextColored(kAmissColor, "%llu lost",
+                       static_cast<unsigned long long>(live->dropped + live->gaps));
+  }
+  if (status.tells_times && status.times.count() > 0) {
+    ImGui::Text("%.0f ms", status.times.mean().total());
+  } else if (live == nullptr) {
+    ImGui::Text("detail %d", status.rung);
+  }
+}
+
+}  // namespace
+
+void drawFrameTab(const ViewerStatus& status, ViewerWishes& wishes) {
+  drawRung(status, wishes);
+  ImGui::TextUnformatted(cli::counted(status.triangles, "triangle").c_str());
+  ImGui::TextUnformatted(cli::counted(status.draws, "draw call").c_str());
+  if (status.tells_times && status.times.count() > 0) drawTimes(status);
+  ImGui::TextDisabled("%s", status.renderer.c_str());
+}
+
+float drawFigures(const ViewModel& model, const ViewerStatus& status, SteadyTime now, bool brief) {
+  const ImGuiIO& io = ImGui::GetIO();
+  ImGui::SetNextWindowPos(ImVec2(io.DisplaySize.x - px(kPanelMargin), px(kPanelMargin)),
+                          ImGuiCond_Always, ImVec2(1, 0));
+  if (!brief) {
+    ImGui::SetNextWindowSizeConstraints(ImVec2(px(kFiguresWidth), 0), io.DisplaySize);
+  }
+  ImGui::Begin("figures", nullptr, kPanelFlags | ImGuiWindowFlags_NoTitleBar);
+  if (brief) {
+    drawBrief(model, status);
+  } else {
+    drawSession(model, now);
+    drawMisfits(model);
+    std::string frame = rungText(status);
+    if (status.tells_times && status.times.count() > 0) {
+      frame += fmt::format(", {:.0f} ms a frame", status.times.mean().total());
+    }
+    ImGui::TextDisabled("%s", frame.c_str());
+    explain("more in the tab Frame");
+  }
+  const float end = ImGui::GetWindowPos().y + ImGui::GetWindowSize().y;
+  ImGui::End();
+  return end;
+}
+
+}  // namespace rocinante

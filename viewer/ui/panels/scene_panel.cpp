@@ -1,0 +1,253 @@
+#include "viewer/ui/panels/scene_panel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "core/packet/packet_text.h"
+#include "viewer/ui/panels/panel_parts.h"
+
+namespace rocinante {
+namespace {
+
+/// A check box for what is seen now. Who chose otherwise than packets and cell sees that, and can
+/// give it back.
+void drawVisibility(ViewModel& model, const std::string& path, bool by_default, const char* label) {
+  const auto chosen = model.chosenVisibility(path);
+  bool visible = chosen.value_or(by_default);
+  if (ImGui::Checkbox(label, &visible)) model.setVisible(path, visible);
+  if (ImGui::IsItemHovered()) {
+    ImGui::SetTooltip("cell and packets: %s\nyour choice: %s", by_default ? "shown" : "hidden",
+                      !chosen   ? "none"
+                      : *chosen ? "shown"
+                                : "hidden");
+  }
+  if (!chosen) return;
+  ImGui::SameLine();
+  if (ImGui::SmallButton("auto")) model.setVisible(path, std::nullopt);
+  explain("give your choice back to cell and packets");
+}
+
+void drawCameraRow(ViewModel& model, ViewerWishes& wishes) {
+  const std::string& current = model.cameraName();
+  ImGui::SetNextItemWidth(px(-52));
+  if (ImGui::BeginCombo("##camera", current.empty() ? "free" : current.c_str())) {
+    for (const std::string& name : model.cameraNames()) {
+      if (ImGui::Selectable(name.c_str(), name == current)) model.useCamera(name);
+    }
+    ImGui::EndCombo();
+  }
+  explain("the camera: 1 to 9, or drag the picture");
+  ImGui::SameLine();
+  if (ImGui::Button("Fit", ImVec2(-1, 0))) wishes.fit = true;
+  explain("what can move, else everything (F); what is selected: Shift and F");
+}
+
+void drawInsets(ViewModel& model) {
+  if (!ImGui::CollapsingHeader("Insets")) return;
+  for (std::size_t i = 0; i < model.insets.size(); ++i) {
+    InsetChoice& choice = model.insets[i];
+    ImGui::PushID(static_cast<int>(i));
+    ImGui::Checkbox("##shown", &choice.shown);
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(px(-34));
+    if (ImGui::BeginCombo("##camera", choice.inset.camera.c_str())) {
+      std::vector<std::string> names = model.cameraNames();
+      names.insert(names.end(), {"map", "fit"});
+      for (const std::string& name : names) {
+        if (ImGui::Selectable(name.c_str(), name == choice.inset.camera)) {
+          choice.inset.camera = name;
+          choice.inset.title.reset();
+        }
+      }
+      ImGui::EndCombo();
+    }
+    ImGui::SameLine();
+    const bool gone = ImGui::SmallButton("x");
+    explain("take this window away");
+    ImGui::PopID();
+    if (gone) {
+      model.insets.erase(model.insets.begin() + static_cast<std::ptrdiff_t>(i));
+      break;
+    }
+  }
+  if (ImGui::SmallButton("add a window")) {
+    CellInset inset;
+    inset.camera = "map";
+    model.insets.push_back({inset, true});
+  }
+}
+
+void drawLayers(ViewModel& model) {
+  if (model.cell().layers.empty() ||
+      !ImGui::CollapsingHeader("Layers", ImGuiTreeNodeFlags_DefaultOpen)) {
+    return;
+  }
+  for (const CellLayer& layer : model.cell().layers) {
+    ImGui::PushID(layer.name.c_str());
+    drawVisibility(model, "layer/" + encodeName(layer.name), model.layerVisibleByDefault(layer),
+                   layer.name.c_str());
+    ImGui::PopID();
+  }
+}
+
+/// A line of the list: a device, or a link of one that is open.
+struct DeviceRow {
+  const PosedDevice* device = nullptr;
+  std::optional<std::size_t> link;
+};
+
+bool isJointed(const PosedDevice& device) {
+  return device.model != nullptr && device.model->links.size() > 1;
+}
+
+std::vector<DeviceRow> deviceRows(const ViewModel& model) {
+  std::vector<DeviceRow> rows;
+  for (const PosedDevice& device : model.scene().devices) {
+    if (!containsWord(device.name, model.device_filter.data())) continue;
+    rows.push_back({&device, {}});
+    if (!isJointed(device) || !model.open_devices.contains(device.name)) continue;
+    for (std::size_t i = 0; i < device.model->links.size(); ++i) {
+      if (!device.model->links[i].visuals.empty()) rows.push_back({&device, i});
+    }
+  }
+  return rows;
+}
+
+void drawLinkRow(ViewModel& model, const PosedDevice& device, std::size_t number) {
+  const Link& link = device.model->links[number];
+  const Selection here{device.name, link.name};
+  ImGui::Indent();
+  drawVisibility(model, here.path(), device.link_visible[number], "##visible");
+  ImGui::SameLine();
+  const bool selected = model.selected == here;
+  if (ImGui::Selectable(link.name.c_str(), selected)) {
+    model.selected = selected ? Selection{device.name, ""} : here;
+  }
+  ImGui::Unindent();
+}
+
+void drawDeviceRow(ViewModel& model, const PosedDevice& device) {
+  const Selection here{device.name, ""};
+  drawVisibility(model, here.path(), device.visible, "##visible");
+  ImGui::SameLine();
+  ImGuiTreeNodeFlags flags = ImGuiTreeNodeFlags_OpenOnArrow | ImGuiTreeNodeFlags_SpanAvailWidth |
+                             ImGuiTreeNodeFlags_NoTreePushOnOpen;
+  if (model.selected == here) flags |= ImGuiTreeNodeFlags_Selected;
+  if (!isJointed(device)) flags |= ImGuiTreeNodeFlags_Leaf;
+  ImGui::SetNextItemOpen(model.open_devices.contains(device.name));
+  const bool open = ImGui::TreeNodeEx("device", flags, "%s", device.name.c_str());
+  if (ImGui::IsItemToggledOpen()) {
+    if (open) {
+      model.open_devices.insert(device.name);
+    } else {
+      model.open_devices.erase(device.name);
+    }
+  } else if (ImGui::IsItemClicked()) {
+    model.selected = model.selected == here ? Selection{} : here;
+  }
+}
+
+void drawDevices(ViewModel& model, float bottom) {
+  if (!ImGui::CollapsingHeader("Devices", ImGuiTreeNodeFlags_DefaultOpen)) return;
+  if (model.scene().devices.size() > 12) {
+    ImGui::SetNextItemWidth(-1);
+    ImGui::InputTextWithHint("##find", "find a device", model.device_filter.data(),
+                             model.device_filter.size());
+  }
+  const std::vector<DeviceRow> rows = deviceRows(model);
+  const float pitch = ImGui::GetFrameHeightWithSpacing();
+  const float room = bottom - ImGui::GetCursorScreenPos().y - ImGui::GetStyle().WindowPadding.y;
+  ImGui::BeginChild("devices", ImVec2(0, listHeight(rows.size(), pitch, room)));
+  // Of thousands only those that are seen are made.
+  ImGuiListClipper clipper;
+  clipper.Begin(static_cast<int>(rows.size()), pitch);
+  while (clipper.Step()) {
+    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+      const DeviceRow& row = rows[static_cast<std::size_t>(i)];
+      ImGui::PushID(row.device->name.c_str());
+      if (row.link) {
+        ImGui::PushID(static_cast<int>(*row.link));
+        drawLinkRow(model, *row.device, *row.link);
+        ImGui::PopID();
+      } else {
+        drawDeviceRow(model, *row.device);
+      }
+      ImGui::PopID();
+    }
+  }
+  ImGui::EndChild();
+}
+
+/// The events whose text or source holds what is looked for; all of them where nothing is.
+std::vector<std::size_t> listedEvents(const ViewModel& model) {
+  std::vector<std::size_t> listed;
+  const std::string_view wanted = model.event_filter.data();
+  for (std::size_t i = 0; !wanted.empty() && i < model.events().size(); ++i) {
+    const Event& event = model.events()[i];
+    if (containsWord(event.text, wanted) || containsWord(event.source, wanted)) listed.push_back(i);
+  }
+  return listed;
+}
+
+void drawEventRow(const ViewModel& model, const Event& event, Transport& transport,
+                  SteadyTime now) {
+  const std::string line = fmt::format(
+      "{:9.3f}  {}{}{}", std::chrono::duration<double>(event.time - model.origin()).count(),
+      event.source, event.source.empty() ? "" : ": ", event.text);
+  const bool here = event.time == transport.position(now);
+  if (ImGui::Selectable(line.c_str(), here)) transport.seek(event.time, now);
+  explain(line.c_str());
+}
+
+}  // namespace
+
+void drawSceneTab(ViewModel& model, float bottom, ViewerWishes& wishes) {
+  drawCameraRow(model, wishes);
+  drawInsets(model);
+  drawLayers(model);
+  drawDevices(model, bottom);
+}
+
+void drawEventsTab(ViewModel& model, SteadyTime now, ViewerWishes& wishes) {
+  Transport& transport = *model.transport();
+  const std::vector<Event>& events = model.events();
+  if (events.empty()) ImGui::TextDisabled("no event in this session");
+  constexpr std::size_t kMostEventRows = 14;
+  if (events.size() > kMostEventRows) {
+    ImGui::SetNextItemWidth(-1);
+    ImGui::InputTextWithHint("##find event", "find an event", model.event_filter.data(),
+                             model.event_filter.size());
+  }
+  const bool all = model.event_filter[0] == 0;
+  const std::vector<std::size_t> listed = listedEvents(model);
+  const float pitch = ImGui::GetTextLineHeightWithSpacing();
+  const auto rows = static_cast<float>(std::clamp<std::size_t>(events.size(), 1, kMostEventRows));
+  ImGui::BeginChild("events", ImVec2(0, rows * pitch + 4));
+  ImGuiListClipper clipper;
+  clipper.Begin(static_cast<int>(all ? events.size() : listed.size()), pitch);
+  while (clipper.Step()) {
+    for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+      const auto place = static_cast<std::size_t>(i);
+      ImGui::PushID(i);
+      drawEventRow(model, events[all ? place : listed[place]], transport, now);
+      ImGui::PopID();
+    }
+  }
+  ImGui::EndChild();
+  auto& text = model.mark_text;
+  ImGui::SetNextItemWidth(px(-60));
+  const bool entered = ImGui::InputTextWithHint("##mark", "a mark at this moment", text.data(),
+                                                text.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+  ImGui::SameLine();
+  if ((ImGui::Button("Mark", ImVec2(-1, 0)) || entered) && text[0] != 0) {
+    wishes.mark = text.data();
+    text[0] = 0;
+  }
+  explain("kept beside the log, in LOG.marks");
+}
+
+}  // namespace rocinante

@@ -1,0 +1,170 @@
+#include "viewer/ui/program/evidence.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include "core/cli/search_options.h"
+#include "viewer/view/camera_choice.h"
+
+namespace rocinante {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path renderProgram() {
+  std::error_code ignored;
+  const fs::path beside =
+      fs::read_symlink("/proc/self/exe", ignored).parent_path() / "rocinante-render";
+  return fs::exists(beside, ignored) ? beside : fs::path("rocinante-render");
+}
+
+/// A line without the program's name before it: what it has to say.
+std::string sentenceOf(std::string line) {
+  constexpr std::string_view kName = "rocinante-render: ";
+  if (line.starts_with(kName)) line.erase(0, kName.size());
+  return line;
+}
+
+std::string firstSentence(const std::string& text) {
+  return sentenceOf(text.substr(0, text.find('\n')));
+}
+
+std::string lastSentence(std::string text) {
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  const std::size_t line = text.rfind('\n');
+  if (line != std::string::npos) text.erase(0, line + 1);
+  return sentenceOf(std::move(text));
+}
+
+}  // namespace
+
+std::vector<std::string> evidenceArguments(const EvidenceRequest& request) {
+  std::vector<std::string> words{request.cell.string()};
+  if (!request.log.empty()) words.push_back(request.log.string());
+  const auto add = [&](std::string option, std::string value) {
+    words.push_back(std::move(option));
+    words.push_back(std::move(value));
+  };
+  if (!request.at.empty()) add("--at", request.at);
+  words.push_back("--camera=" +
+                  (request.camera.empty() ? viewpointText(request.view) : request.camera));
+  add("--size", fmt::format("{}x{}", request.width, request.height));
+  if (request.scale != 1) add("--scale", fmt::format("{}", request.scale));
+  add("--samples", fmt::format("{}", request.samples));
+  for (const std::string& path : request.hide) add("--hide", path);
+  for (const std::string& path : request.show) add("--show", path);
+  if (request.insets.empty()) words.push_back("--no-insets");
+  for (const std::string& inset : request.insets) add("--inset", inset);
+  for (const auto& [key, value] : styleWords(request.style)) {
+    words.push_back("--" + key + "=" + value);
+  }
+  const std::vector<std::string> where = cli::searchWords(request);
+  words.insert(words.end(), where.begin(), where.end());
+  add("-o", request.output.string());
+  return words;
+}
+
+std::string shellLine(const std::string& program, const std::vector<std::string>& arguments) {
+  constexpr std::string_view kPlain =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-./:=,@%+";
+  std::string line = program;
+  for (const std::string& word : arguments) {
+    line += ' ';
+    if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) {
+      line += word;
+      continue;
+    }
+    line += '\'';
+    for (const char c : word) line += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    line += '\'';
+  }
+  return line;
+}
+
+Result<EvidenceRun> EvidenceRun::start(const EvidenceRequest& request) {
+  const fs::path program = renderProgram();
+  std::vector<std::string> words = evidenceArguments(request);
+  words.insert(words.begin(), program.string());
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+
+  std::array<int, 2> ends{};
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
+    return Error{ErrorKind::refused, std::string("no pipe: ") + std::strerror(errno), {}};
+  }
+  posix_spawn_file_actions_t actions;
+  ::posix_spawn_file_actions_init(&actions);
+  ::posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  ::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  ::posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
+  pid_t process = -1;
+  const int refused =
+      ::posix_spawnp(&process, program.c_str(), &actions, nullptr, arguments.data(), environ);
+  ::posix_spawn_file_actions_destroy(&actions);
+  ::close(ends[1]);
+  if (refused != 0) {
+    ::close(ends[0]);
+    return Error{ErrorKind::refused,
+                 std::string("rocinante-render cannot be started: ") + std::strerror(refused),
+                 program.string()};
+  }
+  EvidenceRun run;
+  run.process_ = process;
+  run.said_ = ends[0];
+  run.output_ = request.output;
+  return run;
+}
+
+EvidenceRun::EvidenceRun(EvidenceRun&& other) noexcept
+    : process_(std::exchange(other.process_, -1)),
+      said_(std::exchange(other.said_, -1)),
+      output_(std::move(other.output_)) {}
+
+EvidenceRun::~EvidenceRun() {
+  if (process_ > 0) {
+    ::kill(process_, SIGTERM);
+    ::waitpid(process_, nullptr, 0);
+  }
+  if (said_ >= 0) ::close(said_);
+}
+
+std::optional<Result<EvidenceMade>> EvidenceRun::look(bool wait) {
+  int outcome = 0;
+  const pid_t ended = ::waitpid(process_, &outcome, wait ? 0 : WNOHANG);
+  if (ended == 0) return std::nullopt;
+  process_ = -1;
+  const int code = ended > 0 && WIFEXITED(outcome) ? WEXITSTATUS(outcome) : -1;
+  if (code == 0) return Result<EvidenceMade>(EvidenceMade{output_, {}});
+  // A sentence or two, which a pipe holds.
+  std::array<char, 4096> buffer{};
+  const ssize_t got = ::read(said_, buffer.data(), buffer.size());
+  const std::string said(buffer.data(), got > 0 ? static_cast<std::size_t>(got) : 0);
+  // The picture is there; what may be wrong with it is what was said first.
+  std::string why = code == 1 ? firstSentence(said) : lastSentence(said);
+  if (why.empty()) why = "rocinante-render ended without a word";
+  if (code == 1) return Result<EvidenceMade>(EvidenceMade{output_, std::move(why)});
+  return Result<EvidenceMade>(Error{ErrorKind::refused, std::move(why), {}});
+}
+
+fs::path freeEvidenceName(const fs::path& folder, const std::string& stem,
+                          const std::string& moment) {
+  std::error_code ignored;
+  for (int number = 1;; ++number) {
+    const std::string again = number == 1 ? std::string() : fmt::format("-{}", number);
+    const std::string time = moment.empty() ? std::string() : fmt::format("-{}s", moment);
+    fs::path name = folder / fmt::format("evidence-{}{}{}.png", stem, time, again);
+    if (!fs::exists(name, ignored)) return name;
+  }
+}
+
+}  // namespace rocinante

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <memory>
+
+#include "core/base/result.h"
+#include "viewer/gl/gl_table.h"
+
+struct ImDrawData;
+
+namespace rocinante {
+
+/// Draws Dear ImGui's triangles through our own GL table into whatever framebuffer is bound, so
+/// that the interface lands in the same framebuffer object as the scene and can be judged like it.
+/// Bound to the table's context.
+class ImguiPainter {
+ public:
+  /// Builds the font texture of the current ImGui context; call after the fonts were added.
+  static Result<ImguiPainter> create(const GlTable& gl);
+
+  ~ImguiPainter();
+  ImguiPainter(ImguiPainter&&) noexcept;
+  ImguiPainter& operator=(ImguiPainter&&) noexcept;
+
+  /// Uploads the font texture again, after other fonts were added.
+  void refreshFont();
+
+  /// Pixels of the bound framebuffer, which is `height` high, y up in GL.
+  void draw(const ImDrawData& data, int width, int height);
+
+ private:
+  struct Impl;
+  explicit ImguiPainter(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace rocinante

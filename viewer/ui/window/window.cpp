@@ -1,0 +1,169 @@
+#include "viewer/ui/window/window.h"
+
+#include <dlfcn.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <cstring>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+namespace rocinante {
+namespace {
+
+std::string last_glfw_error;
+
+void onGlfwError(int /*code*/, const char* text) { last_glfw_error = text; }
+
+/// Xlib ends the program when its server is gone, whatever anybody answers here.
+int onServerGone(void* /*display*/) {
+  constexpr char kWhat[] =
+      "rocinante-view: the display is gone: its server ended, or the way there is cut\n";
+  (void)!::write(STDERR_FILENO, kWhat, std::strlen(kWhat));
+  ::_exit(2);
+}
+
+/// In place of Xlib's own, whose exit code 1 is an answer here. GLFW has loaded it when it is
+/// there.
+void nameLossOfServer() {
+  void* const xlib = ::dlopen("libX11.so.6", RTLD_LAZY | RTLD_NOLOAD);
+  if (xlib == nullptr) return;
+  using Handler = int (*)(void*);
+  using SetHandler = Handler (*)(Handler);
+  if (auto* const set = reinterpret_cast<SetHandler>(::dlsym(xlib, "XSetIOErrorHandler"))) {
+    set(onServerGone);
+  }
+  ::dlclose(xlib);
+}
+
+Error windowError(const std::string& what) {
+  return {ErrorKind::refused,
+          what + (last_glfw_error.empty() ? std::string() : ": " + last_glfw_error) +
+              " (rocinante render draws without a display)",
+          ""};
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Window>> Window::open(const std::string& title, int width, int height,
+                                             bool scaled) {
+  glfwSetErrorCallback(onGlfwError);
+#ifdef GLFW_PLATFORM
+  // GLFW 3.4 and later try Wayland first, whose library complains where only an X server is named,
+  // or where there is no folder in which its server could be.
+  if (std::getenv("WAYLAND_DISPLAY") == nullptr &&
+      (std::getenv("DISPLAY") != nullptr || std::getenv("XDG_RUNTIME_DIR") == nullptr)) {
+    glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+  }
+#endif
+  if (glfwInit() != GLFW_TRUE) return windowError("there is no display to open a window on");
+  nameLossOfServer();
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+  // We draw into a framebuffer object of our own and copy: the window needs no samples or depth.
+  glfwWindowHint(GLFW_SAMPLES, 0);
+  glfwWindowHint(GLFW_DEPTH_BITS, 0);
+  glfwWindowHint(GLFW_STENCIL_BITS, 0);
+  glfwWindowHint(GLFW_SCALE_TO_MONITOR, scaled ? GLFW_TRUE : GLFW_FALSE);
+  GLFWwindow* window = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
+  if (window == nullptr) {
+    const Error error = windowError("cannot open a window with OpenGL 3.3");
+    glfwTerminate();
+    return error;
+  }
+  std::unique_ptr<Window> opened(new Window(window));
+  if (auto current = opened->makeCurrent(); !current) return current.error();
+  return opened;
+}
+
+// Dear ImGui, which comes after, calls on to whatever callbacks it finds.
+Window::Window(GLFWwindow* window) : window_(window) {
+  glfwSetWindowUserPointer(window_, this);
+  glfwSetKeyCallback(window_, onKey);
+  glfwSetCursorPosCallback(window_, onMove);
+  glfwSetMouseButtonCallback(window_, onButton);
+  glfwSetScrollCallback(window_, onWheel);
+  glfwGetCursorPos(window_, &mouse_x_, &mouse_y_);
+}
+
+Window& Window::of(GLFWwindow* window) {
+  return *static_cast<Window*>(glfwGetWindowUserPointer(window));
+}
+
+void Window::onKey(GLFWwindow* window, int key, int /*scancode*/, int action, int modifiers) {
+  Window& self = of(window);
+  self.news_ = true;
+  if (action == GLFW_RELEASE) return;
+  const KeyPress pressed{key, (modifiers & GLFW_MOD_SHIFT) != 0, action == GLFW_REPEAT};
+  self.input_.add({InputEvent::Kind::key, 0, 0, 0, pressed});
+}
+
+void Window::onMove(GLFWwindow* window, double x, double y) {
+  Window& self = of(window);
+  self.news_ = true;
+  self.mouse_x_ = x;
+  self.mouse_y_ = y;
+  self.input_.add({InputEvent::Kind::move, 0, x, y, {}});
+}
+
+// Where the pointer was then, and not where it is by now, which GLFW would answer.
+void Window::onButton(GLFWwindow* window, int button, int action, int /*modifiers*/) {
+  Window& self = of(window);
+  self.news_ = true;
+  const auto kind = action == GLFW_PRESS ? InputEvent::Kind::press : InputEvent::Kind::release;
+  self.input_.add({kind, static_cast<std::size_t>(button), self.mouse_x_, self.mouse_y_, {}});
+}
+
+void Window::onWheel(GLFWwindow* window, double /*across*/, double /*down*/) {
+  of(window).news_ = true;
+}
+
+Window::~Window() {
+  glfwDestroyWindow(window_);
+  glfwTerminate();
+}
+
+Status Window::makeCurrent() {
+  last_glfw_error.clear();
+  glfwMakeContextCurrent(window_);
+  if (!last_glfw_error.empty()) return windowError("the window's OpenGL context is lost");
+  return {};
+}
+
+GlProc Window::procAddress(const char* name) const { return glfwGetProcAddress(name); }
+
+int Window::framebufferWidth() const {
+  int width = 0;
+  int height = 0;
+  glfwGetFramebufferSize(window_, &width, &height);
+  return width;
+}
+
+int Window::framebufferHeight() const {
+  int width = 0;
+  int height = 0;
+  glfwGetFramebufferSize(window_, &width, &height);
+  return height;
+}
+
+float Window::contentScale() const {
+  float across = 1;
+  float down = 1;
+  glfwGetWindowContentScale(window_, &across, &down);
+  return down;
+}
+
+bool Window::followsPointer() const {
+  return glfwGetWindowAttrib(window_, GLFW_HOVERED) == GLFW_TRUE ||
+         glfwGetWindowAttrib(window_, GLFW_FOCUSED) == GLFW_TRUE;
+}
+
+bool Window::closeRequested() const { return glfwWindowShouldClose(window_) == GLFW_TRUE; }
+void Window::requestClose() { glfwSetWindowShouldClose(window_, GLFW_TRUE); }
+void Window::swap() { glfwSwapBuffers(window_); }
+void Window::setPaced(bool paced) { glfwSwapInterval(paced ? 1 : 0); }
+
+}  // namespace rocinante

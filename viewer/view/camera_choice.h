@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/base/result.h"
+#include "core/cell/posed_scene.h"
+#include "viewer/view/camera.h"
+
+namespace rocinante {
+
+/// The view of a camera that the scene has placed.
+CameraView viewOf(const PosedCamera& camera);
+
+/// The camera of that name (a session's `view` outranks the cell's camera). not_found, naming those
+/// that there are.
+Result<CameraView> chooseCamera(const std::string& name, const PosedScene& scene);
+
+/// A viewpoint in numbers, where a camera's name is asked for: "@EX,EY,EZ/TX,TY,TZ", eye and target
+/// in metres, then, each behind a slash, "fov=DEG", "ortho=HEIGHT_M" and "up=X,Y,Z". bad_argument.
+Result<CameraView> parseViewpoint(std::string_view text);
+/// The text that gives exactly this view.
+std::string viewpointText(const CameraView& view);
+
+}  // namespace rocinante

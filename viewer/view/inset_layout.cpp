@@ -1,0 +1,119 @@
+#include "viewer/view/inset_layout.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "viewer/view/camera_choice.h"
+
+namespace rocinante {
+namespace {
+
+constexpr int kLeastSidePx = 16;
+
+/// A side in pixels. A hair is added before the rest is cut off: 0.3 of 640 is 192, and not 191.
+int sideOf(double given, bool in_pixels, int picture, double scale) {
+  const double side = in_pixels ? given * scale : given * picture + 1e-6;
+  return static_cast<int>(std::floor(std::clamp(side, 0.0, 65536.0)));
+}
+
+bool isLeft(InsetCorner corner) {
+  return corner == InsetCorner::top_left || corner == InsetCorner::bottom_left;
+}
+
+bool isTop(InsetCorner corner) {
+  return corner == InsetCorner::top_left || corner == InsetCorner::top_right;
+}
+
+int marginOf(const CellInset& inset, double scale) {
+  return static_cast<int>(std::floor(inset.margin_px * scale + 0.5));
+}
+
+/// Where insets of a corner at the right may stand: those at the bottom first stay at the edge.
+PixelRectangle roomAtRight(bool top, const std::vector<CellInset>& insets, int width, int height,
+                           double scale, const CoveredEdges& covered) {
+  const int below = height - covered.bottom - covered.right_top;
+  int wanted = 0;
+  for (const CellInset& inset : insets) {
+    if (isLeft(inset.corner) || (isTop(inset.corner) && !top)) continue;
+    wanted += sideOf(inset.height, inset.in_pixels, height, scale) + 2 * marginOf(inset, scale);
+  }
+  if (wanted <= below || covered.right == 0) {
+    return {covered.left, covered.right_top, width - covered.left, below};
+  }
+  return {covered.left, 0, width - covered.left - covered.right, height - covered.bottom};
+}
+
+}  // namespace
+
+std::vector<PixelRectangle> placeInsets(const std::vector<CellInset>& insets, int width, int height,
+                                        double scale, const CoveredEdges& covered) {
+  std::array<int, 4> used{};  // by corner: pixels from the upper or lower edge that are taken
+  const PixelRectangle left_room{covered.left, 0, width - covered.left, height - covered.bottom};
+  const PixelRectangle top_right = roomAtRight(true, insets, width, height, scale, covered);
+  const PixelRectangle bottom_right = roomAtRight(false, insets, width, height, scale, covered);
+  const bool both_sides = std::ranges::any_of(insets, isLeft, &CellInset::corner) &&
+                          !std::ranges::all_of(insets, isLeft, &CellInset::corner);
+  const bool any_covered = covered.left > 0 || covered.bottom > 0 || covered.right_top > 0;
+  std::vector<PixelRectangle> placed;
+  for (const CellInset& inset : insets) {
+    const bool left = isLeft(inset.corner);
+    const bool top = isTop(inset.corner);
+    const PixelRectangle& room = left ? left_room : top ? top_right : bottom_right;
+    int& taken = used[static_cast<std::size_t>(inset.corner)];
+    const int margin = marginOf(inset, scale);
+    PixelRectangle part;
+    part.width =
+        std::min(sideOf(inset.width, inset.in_pixels, width, scale), room.width - 2 * margin);
+    part.height = std::min(sideOf(inset.height, inset.in_pixels, height, scale),
+                           room.height - taken - 2 * margin);
+    if (any_covered && both_sides) {
+      const int free = std::min(top_right.width, bottom_right.width);
+      part.width = std::min(part.width, free / 2 - 2 * margin);
+    }
+    if (part.width < kLeastSidePx || part.height < kLeastSidePx) {
+      placed.emplace_back();
+      continue;
+    }
+    const int from_edge = taken + margin;
+    part.x = left ? room.x + margin : room.x + room.width - margin - part.width;
+    part.y = top ? room.y + from_edge : room.y + room.height - from_edge - part.height;
+    taken = from_edge + part.height;
+    placed.push_back(part);
+  }
+  return placed;
+}
+
+bool repeatsMainView(const CellInset& inset, std::string_view main_name, const CameraView& main,
+                     const PosedScene& scene) {
+  if (inset.camera == main_name) return true;
+  const auto view = chooseCamera(inset.camera, scene);
+  return view.ok() && *view == main;
+}
+
+Result<CellInset> parseInset(std::string_view text) {
+  constexpr std::array<std::pair<std::string_view, InsetCorner>, 4> kCorners{
+      {{":top-right", InsetCorner::top_right},
+       {":top-left", InsetCorner::top_left},
+       {":bottom-right", InsetCorner::bottom_right},
+       {":bottom-left", InsetCorner::bottom_left}}};
+  CellInset inset;
+  std::string_view name = text;
+  for (const auto& [ending, corner] : kCorners) {
+    if (!text.ends_with(ending)) continue;
+    name.remove_suffix(ending.size());
+    inset.corner = corner;
+  }
+  if (name.empty()) {
+    return Error{
+        ErrorKind::bad_argument,
+        "`" + std::string(text) + "` is no inset: CAMERA or CAMERA:CORNER, as map:top-left",
+        {}};
+  }
+  inset.camera = name;
+  return inset;
+}
+
+}  // namespace rocinante

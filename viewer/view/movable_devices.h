@@ -1,0 +1,20 @@
+#pragma once
+
+#include <set>
+#include <string>
+
+#include "core/cell/cell.h"
+#include "core/cell/posed_scene.h"
+
+namespace rocinante {
+
+using DeviceNames = std::set<std::string, std::less<>>;
+
+/// Adds to `names` the devices of `scene` that can move, as docs/cell-format.md, section "Built
+/// in", says: those with a joint that is not fixed, those that a [[source]] moves, those that stand
+/// elsewhere than in `at_rest` (the cell when nothing was said) or are not in it, and those that
+/// the cell puts on one of these. Pure.
+void addMovableDevices(const Cell& cell, const PosedScene& at_rest, const PosedScene& scene,
+                       DeviceNames& names);
+
+}  // namespace rocinante

@@ -1,0 +1,227 @@
+#include "viewer/view/render_style.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+#include "core/base/duration_text.h"
+#include "core/cell/view_path.h"
+
+namespace rocinante {
+namespace {
+
+/// A trail has so many points whatever its window: beyond a day they say nothing.
+constexpr Nanoseconds kLongestTrail = std::chrono::hours(24);
+
+constexpr std::array kKeys{
+    StyleKey{"shading", "standard|plain", "plain: one light and an even rest"},
+    StyleKey{"shadows", "on|off", "shadows of the key light"},
+    StyleKey{"edges", "on|only|off", "crisp edges; only: a line drawing"},
+    StyleKey{"labels", "beside|apart", "apart: labels that do not cover each other"},
+    StyleKey{"ghosts", "plain|clear", "clear: ghosts in one tone, behind the actual device"},
+    StyleKey{"limits", "on|off", "links near a joint's limit amber, beyond it red"},
+    StyleKey{"scale-bar", "on|off", "a scale, true at the camera's target"},
+    StyleKey{"layer-looks", "on|off", "off: layers as if the cell said nothing of their looks"},
+    StyleKey{"outlined", "PATH[#GROUP]", "a line around it, also where it is hidden", true},
+    StyleKey{"wireframe", "PATH[#GROUP]", "its triangles' edges in place of surfaces", true},
+    StyleKey{"transparent", "PATH[#GROUP][@OPACITY]", "seen through; opacity 0.3", true},
+    StyleKey{"collision", "PATH", "collision geometry in place of visuals", true},
+    StyleKey{"collision-over", "PATH", "collision geometry over visuals", true},
+    StyleKey{"trail", "PATH[@SECONDS]", "the way of a device or link; the last 5 s", true},
+};
+
+Error badStyle(std::string what) { return Error{ErrorKind::bad_argument, std::move(what), {}}; }
+
+/// Empty when there is no such key.
+const StyleKey* keyNamed(std::string_view key) {
+  std::string name(key);
+  std::replace(name.begin(), name.end(), '_', '-');
+  const auto found = std::find_if(kKeys.begin(), kKeys.end(),
+                                  [&](const StyleKey& one) { return one.key == name; });
+  return found == kKeys.end() ? nullptr : &*found;
+}
+
+Error badValue(const StyleKey& key, std::string_view value) {
+  return badStyle("`" + std::string(value) + "` is no value of the look `" + std::string(key.key) +
+                  "`: " + std::string(key.values));
+}
+
+template <class T>
+bool choose(T& target, std::string_view value,
+            std::initializer_list<std::pair<std::string_view, T>> words) {
+  for (const auto& [word, meaning] : words) {
+    if (value != word) continue;
+    target = meaning;
+    return true;
+  }
+  return false;
+}
+
+bool chooseSwitch(bool& target, std::string_view value) {
+  return choose(target, value, {{"on", true}, {"true", true}, {"off", false}, {"false", false}});
+}
+
+bool chooseEdges(EdgeStyle& target, std::string_view value) {
+  return choose(target, value,
+                {{"off", EdgeStyle::none},
+                 {"false", EdgeStyle::none},
+                 {"on", EdgeStyle::over},
+                 {"true", EdgeStyle::over},
+                 {"only", EdgeStyle::only}});
+}
+
+/// "PATH@REST": what stands behind the last `@`, which no name can hold unencoded.
+std::pair<std::string_view, std::string_view> splitAt(std::string_view value) {
+  const std::size_t at = value.rfind('@');
+  if (at == std::string_view::npos) return {value, {}};
+  return {value.substr(0, at), value.substr(at + 1)};
+}
+
+template <class T>
+void addOnce(std::vector<T>& list, T value) {
+  if (std::find(list.begin(), list.end(), value) == list.end()) list.push_back(std::move(value));
+}
+
+Status addTransparent(RenderStyle& style, const StyleKey& key, std::string_view value) {
+  const auto [path, opacity] = splitAt(value);
+  if (const auto fit = parseViewPath(path); !fit) return fit.error();
+  TransparentStyle one{std::string(path)};
+  if (path.size() != value.size()) {
+    const char* end = opacity.data() + opacity.size();
+    const auto [stopped, fault] = std::from_chars(opacity.data(), end, one.opacity);
+    // Written so that NaN is refused.
+    const bool fit = fault == std::errc() && stopped == end && one.opacity >= 0 && one.opacity <= 1;
+    if (!fit) return badValue(key, value);
+  }
+  addOnce(style.transparent, std::move(one));
+  return {};
+}
+
+Status addTrail(RenderStyle& style, const StyleKey& key, std::string_view value) {
+  const auto [path, window] = splitAt(value);
+  const auto named = parseViewPath(path);
+  if (!named) return named.error();
+  if (named->has_group || named->all_devices || named->path.is_layer) return badValue(key, value);
+  TrailStyle one{std::string(path)};
+  if (path.size() != value.size()) {
+    const auto span = parseDuration(window);
+    if (!span || span->count() <= 0 || *span > kLongestTrail) return badValue(key, value);
+    one.window = *span;
+  }
+  addOnce(style.trails, std::move(one));
+  return {};
+}
+
+Status addPath(std::vector<std::string>& list, std::string_view value) {
+  if (const auto fit = parseViewPath(value); !fit) return fit.error();
+  addOnce(list, std::string(value));
+  return {};
+}
+
+/// Collision geometry is a link's: its groups are not those of the visuals.
+Status addLink(std::vector<std::string>& list, const StyleKey& key, std::string_view value) {
+  const auto path = parseViewPath(value);
+  if (!path) return path.error();
+  if (path->has_group) return badValue(key, value);
+  addOnce(list, std::string(value));
+  return {};
+}
+
+std::string shortest(double number) {
+  std::array<char, 32> text{};
+  const auto [end, fault] = std::to_chars(text.data(), text.data() + text.size(), number);
+  return fault == std::errc() ? std::string(text.data(), end) : std::string();
+}
+
+/// Sets or adds one value, whatever stands beside it.
+Status setOne(RenderStyle& style, const StyleKey& key, std::string_view value) {
+  const std::string_view name = key.key;
+  if (name == "outlined") return addPath(style.outlined, value);
+  if (name == "wireframe") return addPath(style.wireframe, value);
+  if (name == "collision") return addLink(style.collision, key, value);
+  if (name == "collision-over") return addLink(style.collision_over, key, value);
+  if (name == "transparent") return addTransparent(style, key, value);
+  if (name == "trail") return addTrail(style, key, value);
+
+  bool fit = false;
+  if (name == "shading") {
+    fit =
+        choose(style.shading, value, {{"standard", Shading::standard}, {"plain", Shading::plain}});
+  } else if (name == "edges") {
+    fit = chooseEdges(style.edges, value);
+  } else if (name == "labels") {
+    fit =
+        choose(style.labels, value, {{"beside", LabelStyle::beside}, {"apart", LabelStyle::apart}});
+  } else if (name == "ghosts") {
+    fit = choose(style.ghosts, value, {{"plain", GhostStyle::plain}, {"clear", GhostStyle::clear}});
+  } else if (name == "shadows") {
+    fit = chooseSwitch(style.shadows, value);
+  } else if (name == "limits") {
+    fit = chooseSwitch(style.limits, value);
+  } else if (name == "scale-bar") {
+    fit = chooseSwitch(style.scale_bar, value);
+  } else if (name == "layer-looks") {
+    fit = chooseSwitch(style.layer_looks, value);
+  }
+  if (!fit) return badValue(key, value);
+  return {};
+}
+
+}  // namespace
+
+std::span<const StyleKey> styleKeys() { return kKeys; }
+
+Status setStyle(RenderStyle& style, std::string_view key_text, std::string_view value) {
+  const StyleKey* key = keyNamed(key_text);
+  if (key == nullptr) {
+    std::string all;
+    for (const StyleKey& one : kKeys) all += (all.empty() ? "" : ", ") + std::string(one.key);
+    return badStyle("`" + std::string(key_text) + "` is no look; there are: " + all);
+  }
+  const bool shadows = style.shadows;
+  const Shading shading = style.shading;
+  Status set = setOne(style, *key, value);
+  const bool changed = style.shadows != shadows || style.shading != shading;
+  if (changed && style.shadows && style.shading == Shading::plain) {
+    style.shadows = shadows;
+    style.shading = shading;
+    return badStyle("the plain shading draws no shadows: leave one of the two looks out");
+  }
+  return set;
+}
+
+Status setStyle(RenderStyle& style, std::string_view word) {
+  const std::size_t equals = word.find('=');
+  if (equals == std::string_view::npos) return setStyle(style, word, "on");
+  return setStyle(style, word.substr(0, equals), word.substr(equals + 1));
+}
+
+std::vector<std::pair<std::string, std::string>> styleWords(const RenderStyle& style) {
+  const RenderStyle plain;
+  std::vector<std::pair<std::string, std::string>> words;
+  const auto say = [&](const char* key, std::string value) {
+    words.emplace_back(key, std::move(value));
+  };
+  if (style.shading != plain.shading) say("shading", "plain");
+  if (style.shadows && style.shading == Shading::standard) say("shadows", "on");
+  if (style.edges != plain.edges) say("edges", style.edges == EdgeStyle::only ? "only" : "on");
+  if (style.labels != plain.labels) say("labels", "apart");
+  if (style.ghosts != plain.ghosts) say("ghosts", "clear");
+  if (style.limits) say("limits", "on");
+  if (style.scale_bar) say("scale-bar", "on");
+  if (!style.layer_looks) say("layer-looks", "off");
+  for (const std::string& path : style.outlined) say("outlined", path);
+  for (const std::string& path : style.wireframe) say("wireframe", path);
+  for (const TransparentStyle& one : style.transparent) {
+    say("transparent", one.path + "@" + shortest(one.opacity));
+  }
+  for (const std::string& path : style.collision) say("collision", path);
+  for (const std::string& path : style.collision_over) say("collision-over", path);
+  for (const TrailStyle& one : style.trails) {
+    say("trail", one.path + "@" + secondsText(one.window) + "s");
+  }
+  return words;
+}
+
+}  // namespace rocinante
