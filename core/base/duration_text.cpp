@@ -110,15 +110,15 @@ Result<Nanoseconds> parseDuration(std::string_view whole) {
       if (!known || unit >= previous_unit) return badDuration(whole);
     }
     previous_unit = unit;
-    constexpr Wide kMost = std::numeric_limits<std::int64_t>::max();
-    if (number->digits > kMost * number->divisor / unit) return badDuration(whole);
+    constexpr Wide kMax = std::numeric_limits<std::int64_t>::max();
+    if (number->digits > kMax * number->divisor / unit) return badDuration(whole);
     const Wide scaled = number->digits * unit;
     if (scaled % number->divisor != 0) {
       return Error{ErrorKind::bad_argument, "a duration is exact to the nanosecond and no finer",
                    std::string(whole)};
     }
     total += scaled / number->divisor;
-    if (total > kMost) return badDuration(whole);
+    if (total > kMax) return badDuration(whole);
   }
   const auto count = static_cast<std::int64_t>(total);
   return Nanoseconds(negative ? -count : count);

@@ -21,7 +21,7 @@ namespace {
 constexpr int kTries = 20;
 constexpr auto kBetweenTries = std::chrono::milliseconds(5);
 // Each turn, another program put a new file there.
-constexpr int kMostReplacements = 100;
+constexpr int kMaxReplacements = 100;
 
 Error heldByAnother(int file, const std::filesystem::path& path) {
   std::string who = "another program";
@@ -89,7 +89,7 @@ HeldFile::~HeldFile() {
 
 Result<HeldFile> HeldFile::at(const std::filesystem::path& path, For purpose) {
   const int kind = purpose == For::writing ? LOCK_EX : LOCK_SH;
-  for (int turn = 0; turn < kMostReplacements; ++turn) {
+  for (int turn = 0; turn < kMaxReplacements; ++turn) {
     HeldFile held(openToLock(path));
     if (!held.holds()) return held;
     if (const Result<Lock> locked = flockWith(held.file_, kind, path); !locked) {

@@ -7,8 +7,8 @@ namespace {
 
 // Longer names and longer lists are not worth the time of a hint.
 constexpr std::size_t kLongestName = 64;
-constexpr std::size_t kMostNames = 5000;
-constexpr std::size_t kMostListed = 12;
+constexpr std::size_t kMaxNames = 5000;
+constexpr std::size_t kMaxListed = 12;
 
 char folded(char c) {
   if (c >= 'A' && c <= 'Z') return static_cast<char>(c - 'A' + 'a');
@@ -37,7 +37,7 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string didYouMean(std::string_view name, const std::vector<std::string_view>& known) {
-  if (name.empty() || name.size() > kLongestName || known.size() > kMostNames) return {};
+  if (name.empty() || name.size() > kLongestName || known.size() > kMaxNames) return {};
   const std::size_t allowed = name.size() <= 3 ? 1 : name.size() <= 7 ? 2 : 3;
   std::size_t best = allowed + 1;
   std::string_view closest;
@@ -58,10 +58,10 @@ std::string whatThereIs(std::string_view name, const std::vector<std::string_vie
   if (known.empty()) return "there is none";
   if (known.size() == 1) return "there is only " + std::string(known.front());
   hint = "there are ";
-  for (std::size_t i = 0; i < std::min(known.size(), kMostListed); ++i) {
+  for (std::size_t i = 0; i < std::min(known.size(), kMaxListed); ++i) {
     hint += (i > 0 ? ", " : "") + std::string(known[i]);
   }
-  if (known.size() > kMostListed) hint += " ... (" + std::to_string(known.size()) + " in all)";
+  if (known.size() > kMaxListed) hint += " ... (" + std::to_string(known.size()) + " in all)";
   return hint;
 }
 

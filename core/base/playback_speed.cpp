@@ -29,9 +29,9 @@ Nanoseconds scaled(Nanoseconds duration, std::int64_t times, std::int64_t divide
   std::int64_t product = 0;
   if (!__builtin_mul_overflow(count, times, &product)) return Nanoseconds(product / divided_by);
   const Wide exact = static_cast<Wide>(count) * times / divided_by;
-  constexpr Wide kMost = std::numeric_limits<std::int64_t>::max();
-  if (exact > kMost) return Nanoseconds::max();
-  if (exact < -kMost) return Nanoseconds(-std::numeric_limits<std::int64_t>::max());
+  constexpr Wide kMax = std::numeric_limits<std::int64_t>::max();
+  if (exact > kMax) return Nanoseconds::max();
+  if (exact < -kMax) return Nanoseconds(-std::numeric_limits<std::int64_t>::max());
   return Nanoseconds(static_cast<std::int64_t>(exact));
 }
 

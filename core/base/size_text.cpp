@@ -10,7 +10,7 @@
 namespace rocinante {
 namespace {
 
-constexpr std::uint64_t kMost = std::uint64_t{1} << 63U;
+constexpr std::uint64_t kMax = std::uint64_t{1} << 63U;
 
 char lower(char letter) {
   return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
@@ -65,7 +65,7 @@ Result<std::uint64_t> parseSize(std::string_view text) {
   }
   if (at != end && *at == ' ') ++at;
   const auto unit = bytesOfUnit({at, static_cast<std::size_t>(end - at)});
-  if (!unit || whole >= kMost / *unit) return malformed(text);
+  if (!unit || whole >= kMax / *unit) return malformed(text);
   std::uint64_t parts = 0;
   std::uint64_t scale = 1;
   for (const char digit : decimals) {

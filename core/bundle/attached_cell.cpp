@@ -96,7 +96,7 @@ Result<std::optional<CellBundle>> readAttachedCell(const LogReader& log) {
     return std::optional<CellBundle>();
   }
   const auto text = readByHash(log, numbers, manifest_name,
-                               entryOf(*record, profile::kCellSha256Key), kMostManifestBytes);
+                               entryOf(*record, profile::kCellSha256Key), kMaxManifestBytes);
   if (!text.ok()) return text.error();
   auto manifest = parseManifest(*text, log.name() + ":" + plainText(manifest_name));
   if (!manifest.ok()) return manifest.error();

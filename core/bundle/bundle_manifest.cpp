@@ -15,8 +15,8 @@ namespace {
 using Json = nlohmann::json;
 using Why = FoundFile::Why;
 
-constexpr std::size_t kMostNameBytes = 1024;
-constexpr std::size_t kMostPartBytes = 255;
+constexpr std::size_t kMaxNameBytes = 1024;
+constexpr std::size_t kMaxPartBytes = 255;
 constexpr std::size_t kSha256Digits = 64;
 
 constexpr std::array<std::pair<Why, std::string_view>, 7> kReasons = {{
@@ -45,8 +45,8 @@ class ManifestReader {
   BundleManifest read() {
     BundleManifest manifest;
     manifest.main = text(root_, "main");
-    for (const Json& each : list("files", kMostBundledFiles)) readFile(each, manifest);
-    for (const Json& each : list("names", kMostBundledNames)) readName(each, manifest);
+    for (const Json& each : list("files", kMaxBundledFiles)) readFile(each, manifest);
+    for (const Json& each : list("names", kMaxBundledNames)) readName(each, manifest);
     readFolders("search", manifest.search);
     readFolders("folders", manifest.folders);
     readPackages(manifest.packages);
@@ -98,8 +98,8 @@ class ManifestReader {
       return fail("the size of " + file.name + " is none");
     }
     file.bytes = size->get<std::uint64_t>();
-    if (file.bytes > kMostBundledBytes - total_bytes_) {
-      return fail(fmt::format("it is larger than {} MiB", kMostBundledBytes >> 20));
+    if (file.bytes > kMaxBundledBytes - total_bytes_) {
+      return fail(fmt::format("it is larger than {} MiB", kMaxBundledBytes >> 20));
     }
     total_bytes_ += file.bytes;
     manifest.files.push_back(std::move(file));
@@ -123,7 +123,7 @@ class ManifestReader {
   }
 
   void readFolders(const char* key, std::vector<std::string>& folders) {
-    for (const Json& each : list(key, kMostBundledFiles)) {
+    for (const Json& each : list(key, kMaxBundledFiles)) {
       if (!each.is_string() || !isFolderName(each.get_ref<const std::string&>())) {
         return fail("a folder in it has a name that is not allowed");
       }
@@ -135,7 +135,7 @@ class ManifestReader {
   void readPackages(std::map<std::string, std::string>& packages) {
     const auto found = root_.find("packages");
     if (found == root_.end()) return;
-    if (!found->is_object() || found->size() > kMostBundledFiles) {
+    if (!found->is_object() || found->size() > kMaxBundledFiles) {
       return fail("its `packages` is no list of folders");
     }
     for (const auto& [name, folder] : found->items()) {
@@ -155,7 +155,7 @@ class ManifestReader {
 }  // namespace
 
 bool isBundleName(std::string_view name) {
-  if (name.empty() || name.size() > kMostNameBytes) return false;
+  if (name.empty() || name.size() > kMaxNameBytes) return false;
   const auto is_bad = [](char c) {
     return static_cast<unsigned char>(c) < 0x20 || c == 0x7f || c == '\\';
   };
@@ -163,7 +163,7 @@ bool isBundleName(std::string_view name) {
   while (true) {
     const std::size_t slash = std::min(name.find('/'), name.size());
     const std::string_view part = name.substr(0, slash);
-    if (part.empty() || part == "." || part == ".." || part.size() > kMostPartBytes) return false;
+    if (part.empty() || part == "." || part == ".." || part.size() > kMaxPartBytes) return false;
     if (slash == name.size()) return true;
     name.remove_prefix(slash + 1);
   }
@@ -194,7 +194,7 @@ Result<BundleManifest> parseManifest(ByteView text, const std::string& where) {
   const auto refuse = [&](ErrorKind kind, const std::string& why) {
     return Error{kind, "the list of the cell's files cannot be used: " + why, where};
   };
-  if (text.size() > kMostManifestBytes) return refuse(ErrorKind::damaged, "it is too large");
+  if (text.size() > kMaxManifestBytes) return refuse(ErrorKind::damaged, "it is too large");
   const Json root = Json::parse(textOf(text), nullptr, false);
   if (!root.is_object()) return refuse(ErrorKind::damaged, "it is no JSON object");
   const auto format = root.find("format");

@@ -13,11 +13,11 @@
 namespace rocinante {
 
 /// What a cell inside a log may take: more is neither attached nor unpacked.
-inline constexpr std::size_t kMostBundledFiles = 10'000;
-inline constexpr std::size_t kMostBundledFolders = 20'000;
-inline constexpr std::uint64_t kMostBundledBytes = std::uint64_t{1} << 30;
-inline constexpr std::size_t kMostBundledNames = 200'000;
-inline constexpr std::size_t kMostManifestBytes = std::size_t{32} << 20;
+inline constexpr std::size_t kMaxBundledFiles = 10'000;
+inline constexpr std::size_t kMaxBundledFolders = 20'000;
+inline constexpr std::uint64_t kMaxBundledBytes = std::uint64_t{1} << 30;
+inline constexpr std::size_t kMaxBundledNames = 200'000;
+inline constexpr std::size_t kMaxManifestBytes = std::size_t{32} << 20;
 
 /// A list of what belongs to a cell inside a log, and of what the names in it mean
 /// (docs/log-format.md, section "The cell"). Names of files and folders are relative, with `/`.

@@ -106,10 +106,10 @@ Result<std::map<std::string, fs::path>> filesOf(const Cell& cell, const fs::path
       places.emplace(canonicalOf(lookup.found.path), lookup.found.path);
     }
   }
-  if (places.size() > kMostBundledFiles) {
+  if (places.size() > kMaxBundledFiles) {
     return Error{ErrorKind::unsupported,
                  fmt::format("the cell has {} files; at most {} can be attached", places.size(),
-                             kMostBundledFiles),
+                             kMaxBundledFiles),
                  path.string()};
   }
   std::map<std::string, fs::path> files;
@@ -124,14 +124,14 @@ Result<std::map<std::string, fs::path>> filesOf(const Cell& cell, const fs::path
 }
 
 Status readContents(const std::map<std::string, fs::path>& files, CellBundle& bundle) {
-  std::uint64_t left = kMostBundledBytes;
+  std::uint64_t left = kMaxBundledBytes;
   for (const auto& [name, path] : files) {
     std::error_code error;
     if (fs::file_size(path, error) > left && !error) {
       return Error{ErrorKind::unsupported,
                    fmt::format("the files of the cell are larger than the {} MiB that can be "
                                "attached",
-                               kMostBundledBytes >> 20),
+                               kMaxBundledBytes >> 20),
                    path.string()};
     }
     auto bytes = readWholeFile(path, left);
@@ -161,10 +161,10 @@ Status noteNames(const FileLookups& noted, const BundleNames& names, BundleManif
           lookup.beside.string()};
     }
   }
-  if (known.size() > kMostBundledNames) {
+  if (known.size() > kMaxBundledNames) {
     return Error{ErrorKind::unsupported,
                  fmt::format("the cell names files {} times; at most {} can be attached",
-                             known.size(), kMostBundledNames),
+                             known.size(), kMaxBundledNames),
                  ""};
   }
   for (auto& [key, name] : known) manifest.names.push_back(std::move(name));

@@ -75,9 +75,9 @@ Status layOut(const CellBundle& bundle, const fs::path& folder) {
   for (const BundleManifest::File& file : bundle.manifest.files) names.push_back(file.name);
   for (const std::string& name : names) {
     addFoldersOf(name, folders);
-    if (folders.size() > kMostBundledFolders) {
+    if (folders.size() > kMaxBundledFolders) {
       return Error{ErrorKind::unsupported,
-                   fmt::format("the cell's files lie in more than {} folders", kMostBundledFolders),
+                   fmt::format("the cell's files lie in more than {} folders", kMaxBundledFolders),
                    folder.string()};
     }
   }

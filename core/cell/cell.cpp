@@ -113,14 +113,14 @@ Result<Cell> loadModelFile(const fs::path& path, const CellOptions& options) {
 
   std::shared_ptr<const Model> model;
   if (endingOf(path) == ".urdf") {
-    const auto bytes = readWholeFile(path, kMostUrdfBytes);
+    const auto bytes = readWholeFile(path, kMaxUrdfBytes);
     if (!bytes.ok()) return bytes.error();
     meshes.addFile(path);
     if (auto read = readUrdf(*bytes, path, meshes, cell.faults)) {
       model = std::make_shared<const Model>(std::move(*read));
     }
   } else if (endingOf(path) == ".sdf") {
-    const auto bytes = readWholeFile(path, kMostSdfBytes);
+    const auto bytes = readWholeFile(path, kMaxSdfBytes);
     if (!bytes.ok()) return bytes.error();
     meshes.addFile(path);
     if (auto read = readSdf(*bytes, path, meshes, cell.faults)) {
@@ -246,7 +246,7 @@ Result<Cell> loadCell(const fs::path& path, const CellOptions& options) {
   }
   const std::string ending = endingOf(path);
   if (ending == ".toml") {
-    const auto bytes = readWholeFile(path, kMostCellBytes);
+    const auto bytes = readWholeFile(path, kMaxCellBytes);
     if (!bytes.ok()) return bytes.error();
     return readCell(*bytes, path, options);
   }

@@ -153,17 +153,17 @@ void CellFiles::readInclude(std::size_t number, const TomlNode& name, std::size_
     }
     return;
   }
-  if (files_.size() >= kMostCellFiles || depth > kMostIncludeDepth) {
+  if (files_.size() >= kMaxCellFiles || depth > kMaxIncludeDepth) {
     from.faults->error("cell.too-many", name.place,
                        fmt::format("{} is not included: a cell has at most {} files, {} deep",
-                                   quoted, kMostCellFiles, kMostIncludeDepth));
+                                   quoted, kMaxCellFiles, kMaxIncludeDepth));
     return;
   }
   const auto refuse = [&](const Error& error) {
     from.faults->error("cell.unusable-include", name.place,
                        fmt::format("{} is not included: {}", quoted, error.text()));
   };
-  const auto bytes = readWholeFile(found.path, kMostCellBytes);
+  const auto bytes = readWholeFile(found.path, kMaxCellBytes);
   if (!bytes.ok()) return refuse(bytes.error());
   auto document = parseToml(textOf(*bytes), found.path.string());
   if (!document.ok()) return refuse(document.error());

@@ -14,10 +14,10 @@
 namespace rocinante {
 
 /// Most bytes of a cell file; more is refused.
-inline constexpr std::size_t kMostCellBytes = std::size_t{4} << 20;
+inline constexpr std::size_t kMaxCellBytes = std::size_t{4} << 20;
 /// Most files of one cell, itself counted, and how deep they may include each other.
-inline constexpr std::size_t kMostCellFiles = 64;
-inline constexpr std::size_t kMostIncludeDepth = 16;
+inline constexpr std::size_t kMaxCellFiles = 64;
+inline constexpr std::size_t kMaxIncludeDepth = 16;
 
 /// A file of a cell: itself, or one that it includes.
 struct CellFile {

@@ -12,8 +12,8 @@
 namespace rocinante {
 namespace {
 
-constexpr std::size_t kMostInsets = 16;
-constexpr double kLeastInsetPx = 16, kMostInsetPx = 16384;
+constexpr std::size_t kMaxInsets = 16;
+constexpr double kLeastInsetPx = 16, kMaxInsetPx = 16384;
 
 std::optional<InsetCorner> cornerNamed(std::string_view name) {
   if (name == "top-right") return InsetCorner::top_right;
@@ -41,7 +41,7 @@ void readInsetSize(TomlTable& table, CellInset& inset) {
     inset.height = parts->y;
   }
   if (!pixels) return;
-  if (!within(*pixels, kLeastInsetPx, kMostInsetPx) || std::floor(pixels->x) != pixels->x ||
+  if (!within(*pixels, kLeastInsetPx, kMaxInsetPx) || std::floor(pixels->x) != pixels->x ||
       std::floor(pixels->y) != pixels->y) {
     table.error("cell.bad-number", "size_px",
                 "`size_px` is width and height in whole pixels, each from 16 to 16384");
@@ -105,9 +105,9 @@ void readInsets(TomlTable& root, Cell& cell) {
     if (!camera) continue;
     checkCamera(table, cell, *camera);
     inset.camera = *camera;
-    if (cell.insets.size() == kMostInsets) {
+    if (cell.insets.size() == kMaxInsets) {
       table.error("cell.too-many", "camera",
-                  fmt::format("the cell has more than {} insets", kMostInsets));
+                  fmt::format("the cell has more than {} insets", kMaxInsets));
       return;
     }
     cell.insets.push_back(std::move(inset));

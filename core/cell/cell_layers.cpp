@@ -14,7 +14,7 @@ namespace rocinante {
 namespace {
 
 // Of all layers: those of every device are asked for at each device of each frame.
-constexpr std::size_t kMostMembers = 4096;
+constexpr std::size_t kMaxMembers = 4096;
 
 void readCollision(TomlTable& table, LayerLook& look) {
   const auto word = table.text("collision");
@@ -117,9 +117,9 @@ void LayerReader::readMembers(TomlTable& table, CellLayer& layer,
           "DEVICE, DEVICE/LINK, either with #GROUP, and * for every device");
       continue;
     }
-    if (members_ == kMostMembers) {
+    if (members_ == kMaxMembers) {
       table.faults().error("cell.too-many", item.place,
-                           fmt::format("layers have more than {} members in all", kMostMembers),
+                           fmt::format("layers have more than {} members in all", kMaxMembers),
                            "`tags` of devices are not counted");
       return;
     }

@@ -8,8 +8,8 @@ namespace rocinante {
 namespace {
 
 // Each is a term in the shader of all surfaces.
-constexpr std::size_t kMostLights = 8;
-constexpr double kMostStrength = 100;
+constexpr std::size_t kMaxLights = 8;
+constexpr double kMaxStrength = 100;
 
 }  // namespace
 
@@ -20,7 +20,7 @@ void readLights(TomlTable& root, CellNames& names, Cell& cell) {
     const auto direction = table.requiredVector("direction");
     if (const auto color = table.color("color")) light.color = glm::vec3(*color);
     if (const auto strength = table.number("strength")) {
-      if (*strength >= 0 && *strength <= kMostStrength) {
+      if (*strength >= 0 && *strength <= kMaxStrength) {
         light.strength = *strength;
       } else {
         table.error("cell.bad-number", "strength", "`strength` lies between 0 and 100");
@@ -33,9 +33,9 @@ void readLights(TomlTable& root, CellNames& names, Cell& cell) {
     }
     if (!name || !direction) continue;
     light.direction = *direction;
-    if (cell.scene.lights.size() == kMostLights) {
+    if (cell.scene.lights.size() == kMaxLights) {
       table.error("cell.too-many", "name",
-                  fmt::format("the cell has more than {} lights", kMostLights));
+                  fmt::format("the cell has more than {} lights", kMaxLights));
       return;
     }
     cell.scene.lights.push_back(light);

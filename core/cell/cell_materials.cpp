@@ -10,7 +10,7 @@ namespace rocinante {
 namespace {
 
 // Devices and changes compared, of one cell.
-constexpr std::size_t kMostComparisons = 100'000'000;
+constexpr std::size_t kMaxComparisons = 100'000'000;
 
 bool isLike(const std::string& pattern, std::string_view name) {
   return pattern.empty() || globMatches(pattern, name);
@@ -113,7 +113,7 @@ void CellMaterials::read(TomlTable& root, const std::filesystem::path& folder, M
 
 void CellMaterials::apply(Cell& cell) {
   if (changes_.empty()) return;
-  if (changes_.size() * cell.devices.size() > kMostComparisons) {
+  if (changes_.size() * cell.devices.size() > kMaxComparisons) {
     changes_.back().table.faults().error(
         "cell.too-many", changes_.back().table.place(),
         fmt::format("{} devices and {} materials are too many to compare", cell.devices.size(),

@@ -42,7 +42,7 @@ std::shared_ptr<const Model> CellModels::readTreeFile(const std::string& name,
   if (known != files_.end()) return known->second;
   std::shared_ptr<const Model> model;
   const bool is_sdf = endsIn(found.path.string(), ".sdf");
-  const auto bytes = readWholeFile(found.path, is_sdf ? kMostSdfBytes : kMostUrdfBytes);
+  const auto bytes = readWholeFile(found.path, is_sdf ? kMaxSdfBytes : kMaxUrdfBytes);
   if (!bytes.ok()) {
     faults.error(
         "cell.unusable-model", place,

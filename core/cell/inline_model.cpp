@@ -177,7 +177,7 @@ std::optional<JointDraft> readJoint(TomlTable& table, const std::string& parent,
 }
 
 // Comparisons of a group with a pattern, of one model.
-constexpr std::size_t kMostMatches = 100'000'000;
+constexpr std::size_t kMaxMatches = 100'000'000;
 
 // Which parts of the mesh each link takes.
 struct LinkGroups {
@@ -247,9 +247,8 @@ class InlineModelReader {
     draft_.rules = "cell";
     draft_.place = table_.place();
     std::vector<TomlTable> links = table_.tables("link", "[[model.link]]");
-    if (links.size() > kMostLinks) {
-      table_.error("cell.too-many", "link",
-                   fmt::format("a model has at most {} links", kMostLinks));
+    if (links.size() > kMaxLinks) {
+      table_.error("cell.too-many", "link", fmt::format("a model has at most {} links", kMaxLinks));
       links.clear();
     }
     bool root_written = false;
@@ -306,7 +305,7 @@ class InlineModelReader {
     std::vector<std::vector<std::size_t>> taken(groups_.size());
     std::vector<std::size_t> rest;
     std::vector<std::vector<bool>> matched(groups_.size());
-    if (mesh->parts.size() * patternCount() > kMostMatches) {
+    if (mesh->parts.size() * patternCount() > kMaxMatches) {
       table_.error("cell.too-many", "link",
                    fmt::format("{} groups and {} patterns are too many to compare",
                                mesh->parts.size(), patternCount()));

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <cstring>
 
-#include "core/cell/device_dress.h"
+#include "core/cell/device_appearance.h"
 #include "core/cell/layer_index.h"
-#include "core/cell/scene_poses.h"
+#include "core/cell/scene_pose_cache.h"
 #include "core/math/transform.h"
 #include "core/mesh/mesh_builder.h"
 
@@ -23,7 +23,7 @@ struct Standing {
   std::optional<std::uint32_t> color;   // the cell's own
   const CellDevice* of_cell = nullptr;  // itself, or what it is a ghost of; null: neither
   std::vector<Mat4> links;              // in the device's space; those of `known` where it has some
-  ScenePoses::Known* known = nullptr;   // null: nothing is kept
+  ScenePoseCache::Known* known = nullptr;  // null: nothing is kept
   bool links_moved = true;
 
   const std::vector<Mat4>& linksInDevice() const { return known != nullptr ? known->links : links; }
@@ -38,7 +38,7 @@ bool sameBits(const std::vector<T>& a, const std::vector<T>& b) {
 class ScenePoser {
  public:
   ScenePoser(const Cell& cell, const LayerIndex& layers, const SessionState& state,
-             ScenePoses::KnownDevices* known)
+             ScenePoseCache::KnownDevices* known)
       : cell_(cell), layers_(layers), state_(state), known_(known) {}
 
   std::size_t moved() const { return moved_; }
@@ -48,7 +48,7 @@ class ScenePoser {
     addSessionDevices();
     addGhosts();
     placeAll();
-    const DeviceDress dress(layers_, state_);
+    const DeviceAppearance dress(layers_, state_);
     for (Standing& standing : standing_) {
       dress.dress(standing.device, standing.color, standing.of_cell);
       noteLooks(standing.device);
@@ -101,7 +101,8 @@ class ScenePoser {
   }
 
   /// The links of a device as they were kept, or anew.
-  static void reckonLinks(Standing& standing, ScenePoses::Known& known, const JointVector& joints) {
+  static void reckonLinks(Standing& standing, ScenePoseCache::Known& known,
+                          const JointVector& joints) {
     const Model* model = standing.device.model;
     standing.known = &known;
     standing.links_moved = known.model != model || !sameBits(known.joints, joints.values);
@@ -220,7 +221,7 @@ class ScenePoser {
     }
     PosedDevice& device = standing.device;
     device.base = carrier * matrixOf(standing.pose);
-    ScenePoses::Known* const known = standing.known;
+    ScenePoseCache::Known* const known = standing.known;
     if (known != nullptr && !standing.links_moved &&
         std::memcmp(&known->base, &device.base, sizeof(Mat4)) == 0) {
       device.link_world = known->link_world;
@@ -289,7 +290,7 @@ class ScenePoser {
   const Cell& cell_;
   const LayerIndex& layers_;
   const SessionState& state_;
-  ScenePoses::KnownDevices* known_;
+  ScenePoseCache::KnownDevices* known_;
   std::size_t moved_ = 0;
   std::vector<Standing> standing_;
   PosedScene scene_;
@@ -321,7 +322,7 @@ PosedScene poseScene(const Cell& cell, const SessionState& state) {
   return ScenePoser(cell, LayerIndex(cell), state, nullptr).pose();
 }
 
-PosedScene ScenePoses::pose(const SessionState& state) {
+PosedScene ScenePoseCache::pose(const SessionState& state) {
   ScenePoser poser(*cell_, layers_, state, &known_);
   PosedScene scene = poser.pose();
   moved_ = poser.moved();

@@ -9,7 +9,7 @@
 namespace rocinante {
 namespace {
 
-constexpr std::size_t kMostRules = 1000;
+constexpr std::size_t kMaxRules = 1000;
 
 void readWord(const TomlNode& value, FaultList& faults, CellRule& rule) {
   if (value.kind != TomlNode::Kind::text) {
@@ -63,9 +63,9 @@ void readFamily(const TomlNode& table, const std::string& family, FaultList& fau
       readFamily(entry.value, rule.id + ".", faults, rules);
       continue;
     }
-    if (rules.size() == kMostRules) {
+    if (rules.size() == kMaxRules) {
       faults.error("cell.too-many", entry.place,
-                   fmt::format("[rules] has more than {} rules", kMostRules));
+                   fmt::format("[rules] has more than {} rules", kMaxRules));
       return;
     }
     rule.file = faults.file();

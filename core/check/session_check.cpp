@@ -8,7 +8,7 @@ namespace rocinante {
 namespace {
 
 /// Devices that are told apart; a hostile session has more, nobody reads them.
-constexpr std::size_t kMostDevices = 10000;
+constexpr std::size_t kMaxDevices = 10000;
 
 bool isStatic(StatementKind kind) {
   switch (kind) {
@@ -98,7 +98,7 @@ DeviceJudge* SessionCheck::deviceNamed(std::string_view name) {
   if (DeviceJudge* const* const known = device_cache_.find(name)) return *known;
   auto found = devices_.find(name);
   if (found == devices_.end()) {
-    if (devices_.size() >= kMostDevices) return nullptr;
+    if (devices_.size() >= kMaxDevices) return nullptr;
     newDevice(name);
     found = devices_.find(name);
   }

@@ -23,7 +23,7 @@ Place placeOf(const toml::source_region& region) {
 
 /// Each dot of a key opens a table, and the library, which bounds the depth of values alone, goes
 /// down through all of them by recursion: so much at once is no cell.
-constexpr std::size_t kMostKeyDots = 16;
+constexpr std::size_t kMaxKeyDots = 16;
 
 /// The offset behind the string that begins at `at`.
 std::size_t endOfString(std::string_view text, std::size_t at) {
@@ -75,8 +75,8 @@ std::optional<TextFault> faultBeforeParsing(std::string_view text) {
       return TextFault{"letters beyond ASCII must be in quotes", at};
     }
     if (c == '.') {
-      if (++dots > kMostKeyDots) {
-        return TextFault{fmt::format("a key has more than {} parts", kMostKeyDots + 1), at};
+      if (++dots > kMaxKeyDots) {
+        return TextFault{fmt::format("a key has more than {} parts", kMaxKeyDots + 1), at};
       }
     } else if (!is_of_key(c)) {
       dots = 0;

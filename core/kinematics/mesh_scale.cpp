@@ -9,7 +9,7 @@
 namespace rocinante {
 namespace {
 
-constexpr double kMostOverOther = 8, kMostOverMiddle = 20, kMostOverReach = 5;
+constexpr double kMaxOverOther = 8, kMaxOverMiddle = 20, kMaxOverReach = 5;
 constexpr std::size_t kLeastJoints = 3, kLeastMeshes = 3;  // to judge by
 constexpr const char* kHint =
     "the file may be in millimetres or inches: say so with `scale` of its <mesh>";
@@ -52,7 +52,7 @@ void judgeScale(const Model& model, const std::vector<MeshUse>& uses, FaultList&
   }
   const double middle = sizes.size() >= kLeastMeshes ? middleOf(sizes) : 0;
   const double reach = reachOf(model);
-  if (reach > 0 && middle > reach * kMostOverReach) {
+  if (reach > 0 && middle > reach * kMaxOverReach) {
     const auto first = std::find_if(uses.begin(), uses.end(),
                                     [](const MeshUse& use) { return !use.is_collision; });
     faults.warning(
@@ -64,14 +64,14 @@ void judgeScale(const Model& model, const std::vector<MeshUse>& uses, FaultList&
   for (const MeshUse& use : uses) {
     const auto& others = other_of[use.is_collision ? 0 : 1];
     const auto other = others.find(use.link);
-    if (other != others.end() && other->second > 0 && use.size_m > other->second * kMostOverOther) {
+    if (other != others.end() && other->second > 0 && use.size_m > other->second * kMaxOverOther) {
       faults.warning("model.scale", use.place,
                      fmt::format("the {} {} of link {} is {:.3g} m large, and its {} {:.3g} m",
                                  use.is_collision ? "collision" : "visual",
                                  quotedPathInFault(use.file), quotedInFault(use.link), use.size_m,
                                  use.is_collision ? "visual" : "collision", other->second),
                      kHint);
-    } else if (!use.is_collision && middle > 0 && use.size_m > middle * kMostOverMiddle) {
+    } else if (!use.is_collision && middle > 0 && use.size_m > middle * kMaxOverMiddle) {
       faults.warning("model.scale", use.place,
                      fmt::format("the mesh {} is {:.3g} m large, where the model's are {:.3g} m",
                                  quotedPathInFault(use.file), use.size_m, middle),

@@ -10,7 +10,7 @@
 namespace rocinante {
 
 /// More than any machine has; a file that goes past is refused (docs/cell-format.md, "Limits").
-inline constexpr std::size_t kMostLinks = 65536;
+inline constexpr std::size_t kMaxLinks = 65536;
 
 struct MimicDraft {
   std::string joint;

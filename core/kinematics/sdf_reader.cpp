@@ -25,7 +25,7 @@ constexpr std::pair<std::string_view, int> kSdfMicroseconds[] = {
     {"state", 3'100},  {"actor", 2'900}, {"link", 2'000},
     {"sensor", 1'400}, {"visual", 400},  {"collision", 400}};
 constexpr std::int64_t kOtherSdfMicroseconds = 50;
-constexpr std::int64_t kMostSdfMicroseconds = 30'000'000;
+constexpr std::int64_t kMaxSdfMicroseconds = 30'000'000;
 // SDF's own word for no limit; joints without limits carry infinity or this.
 constexpr double kNoSdfLimit = 1e16;
 
@@ -267,7 +267,7 @@ std::optional<std::string> withoutIncludes(std::string text, FaultList& faults) 
       return std::nullopt;
     }
     if (tag.starts && from == nullptr &&
-        (microseconds += sdfMicroseconds(tag.name)) > kMostSdfMicroseconds) {
+        (microseconds += sdfMicroseconds(tag.name)) > kMaxSdfMicroseconds) {
       faults.error("sdf.invalid", {},
                    "the file is too large: libsdformat would take more than half a minute for its "
                    "elements",
@@ -331,9 +331,9 @@ std::vector<MeshWanted> meshesNamedIn(std::string_view text, const std::filesyst
 std::optional<Model> readSdf(ByteView bytes, const std::filesystem::path& path, MeshStore& meshes,
                              ModelFaults& all_faults) {
   FaultList faults(all_faults, path.string());
-  if (bytes.size() > kMostSdfBytes) {
+  if (bytes.size() > kMaxSdfBytes) {
     faults.error("sdf.invalid", {},
-                 fmt::format("the file is larger than {} MiB", kMostSdfBytes >> 20));
+                 fmt::format("the file is larger than {} MiB", kMaxSdfBytes >> 20));
     return std::nullopt;
   }
   if (sdfModule().read == nullptr) {

@@ -10,7 +10,7 @@
 namespace rocinante {
 
 /// Most bytes of an SDF file; more is refused.
-inline constexpr std::size_t kMostSdfBytes = std::size_t{64} << 20;
+inline constexpr std::size_t kMaxSdfBytes = std::size_t{64} << 20;
 
 /// Reads the first model of an SDF file (docs/meshes.md, section "SDF") by libsdformat, which
 /// sits in a module (librocinante_sdformat.so): linking it would cost every program 26 ms. As much

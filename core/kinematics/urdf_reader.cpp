@@ -88,16 +88,16 @@ bool isUrdf(const tinyxml2::XMLElement& robot, const XmlPlaces& places, FaultLis
 std::optional<Model> readUrdf(ByteView bytes, const std::filesystem::path& path, MeshStore& meshes,
                               ModelFaults& all_faults) {
   FaultList faults(all_faults, path.string());
-  if (bytes.size() > kMostUrdfBytes) {
+  if (bytes.size() > kMaxUrdfBytes) {
     faults.error("urdf.too-large", {},
-                 fmt::format("the file is larger than {} MiB", kMostUrdfBytes >> 20));
+                 fmt::format("the file is larger than {} MiB", kMaxUrdfBytes >> 20));
     return std::nullopt;
   }
   const std::string_view text = textOf(bytes);
   const XmlPlaces places(text);
-  if (places.elementCount() > kMostUrdfElements) {
+  if (places.elementCount() > kMaxUrdfElements) {
     faults.error("urdf.too-many", {},
-                 fmt::format("the file has more than {} elements", kMostUrdfElements));
+                 fmt::format("the file has more than {} elements", kMaxUrdfElements));
     return std::nullopt;
   }
   tinyxml2::XMLDocument document;
@@ -134,9 +134,9 @@ std::optional<Model> readUrdf(ByteView bytes, const std::filesystem::path& path,
   std::size_t link_count = 0, joint_count = 0;
   root.each("link", [&](const UrdfElement&) { ++link_count; });
   root.each("joint", [&](const UrdfElement&) { ++joint_count; });
-  if (link_count > kMostLinks || joint_count > kMostLinks) {
+  if (link_count > kMaxLinks || joint_count > kMaxLinks) {
     faults.error("urdf.too-many", root.place(),
-                 fmt::format("the robot has more than {} links or joints", kMostLinks));
+                 fmt::format("the robot has more than {} links or joints", kMaxLinks));
     return std::nullopt;
   }
   root.each("link", [&](const UrdfElement& below) {

@@ -10,8 +10,8 @@
 namespace rocinante {
 
 /// Most bytes and elements of a URDF file; more is refused.
-inline constexpr std::size_t kMostUrdfBytes = std::size_t{64} << 20;
-inline constexpr std::size_t kMostUrdfElements = std::size_t{1} << 20;
+inline constexpr std::size_t kMaxUrdfBytes = std::size_t{64} << 20;
+inline constexpr std::size_t kMaxUrdfElements = std::size_t{1} << 20;
 
 /// Reads URDF (docs/cell-format.md, section "URDF") from bytes; `path` names them, and names in
 /// them are looked for beside it. All faults are added, with line and column, and as much as is

@@ -22,10 +22,10 @@ namespace {
 
 /// Before the records of a Chunk: times, sizes, CRC, compression's length, records' length.
 constexpr std::size_t kChunkFixedBytes = 8 + 8 + 8 + 4 + 4 + 8;
-constexpr std::size_t kMostCompressionName = 32;
+constexpr std::size_t kMaxCompressionName = 32;
 constexpr std::size_t kPieceBytes = 1U << 16U;
 /// A metadata record or a header that is larger is not ours, and not looked at.
-constexpr std::uint64_t kMostMetadataBytes = 1U << 24U;
+constexpr std::uint64_t kMaxMetadataBytes = 1U << 24U;
 
 /// What stands before the records of a chunk.
 struct ChunkFront {
@@ -174,7 +174,7 @@ struct LogFollower::Impl {
     const bool wanted = opcode == Opcode::header || opcode == Opcode::channel ||
                         opcode == Opcode::message || opcode == Opcode::metadata;
     const bool is_message = opcode == Opcode::message || opcode == Opcode::channel;
-    if (wanted && length <= (is_message ? mcap::kMaxChunkBytes : kMostMetadataBytes)) {
+    if (wanted && length <= (is_message ? mcap::kMaxChunkBytes : kMaxMetadataBytes)) {
       const std::uint64_t whole = mcap::kPrefixBytes + length;
       if (!have(whole)) return false;
       if (Status got = read(position, static_cast<std::size_t>(whole)); !got) return got.error();
@@ -215,7 +215,7 @@ struct LogFollower::Impl {
   }
 
   Result<bool> beginChunk() {
-    const std::uint64_t most = mcap::kPrefixBytes + kChunkFixedBytes + kMostCompressionName;
+    const std::uint64_t most = mcap::kPrefixBytes + kChunkFixedBytes + kMaxCompressionName;
     if (Status got = read(position, static_cast<std::size_t>(std::min(most, size - position)));
         !got) {
       return got.error();
@@ -365,7 +365,7 @@ struct LogFollower::Impl {
 
   /// The header of a chunk that was read while it was open is written before anything behind it.
   Status checkPatched() {
-    const std::uint64_t most = mcap::kPrefixBytes + kChunkFixedBytes + kMostCompressionName;
+    const std::uint64_t most = mcap::kPrefixBytes + kChunkFixedBytes + kMaxCompressionName;
     const Bytes behind = stored;
     if (Status got = read(chunk_from, static_cast<std::size_t>(std::min(most, size - chunk_from)));
         !got) {

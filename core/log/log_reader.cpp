@@ -253,7 +253,7 @@ struct LogReader::Impl {
     }
   }
 
-  bool inOrderAt(LogPlace place) {
+  bool inOrderAt(LogPosition place) {
     const auto own = static_cast<std::size_t>(place.file_offset >> 32U);
     if (own >= index.spans.size()) return false;
     if (earliest_from.empty()) {
@@ -364,7 +364,7 @@ Status LogReader::seek(LogTime moment) {
   return {};
 }
 
-Status LogReader::seekAfter(LogPlace place) {
+Status LogReader::seekAfter(LogPosition place) {
   impl_->merge->seek(SpanMerge::behind(place));
   return {};
 }
@@ -375,7 +375,7 @@ Result<std::optional<LogMessage>> LogReader::next() { return impl_->merge->next(
 
 Result<std::optional<LogMessage>> LogReader::previous() { return impl_->merge->previous(); }
 
-bool LogReader::inOrderAt(LogPlace place) { return impl_->inOrderAt(place); }
+bool LogReader::inOrderAt(LogPosition place) { return impl_->inOrderAt(place); }
 
 Result<std::optional<LogMessage>> LogReader::lastOf(ChannelId channel, LogTime moment) {
   if (!impl_->last) impl_->last.emplace(*impl_->cache);

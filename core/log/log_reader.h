@@ -78,13 +78,13 @@ class LogReader {
   /// walk over the same messages in both directions. Empty at the beginning.
   Result<std::optional<LogMessage>> previous();
   /// Goes behind a message: next() returns the first after `place`.
-  Status seekAfter(LogPlace place);
+  Status seekAfter(LogPosition place);
   /// The last message of the channel at or before `moment`, found by the indexes; the reader does
   /// not move, but its payload is borrowed until the next call of any kind.
   Result<std::optional<LogMessage>> lastOf(ChannelId channel, LogTime moment);
   /// True when no message that stands behind `place` (of a message) in the file sorts before it:
   /// then what was folded up to there is all that comes before it. The reader does not move.
-  bool inOrderAt(LogPlace place);
+  bool inOrderAt(LogPosition place);
 
   const std::string& name() const;  ///< of the file, for messages to people
 

@@ -33,10 +33,10 @@ struct LogChannel {
 
 /// A place in a log's order: after every message that is earlier, or as early and before it in the
 /// file.
-struct LogPlace {
+struct LogPosition {
   LogTime time{};
   std::uint64_t file_offset = 0;  ///< LogMessage::file_offset
-  auto operator<=>(const LogPlace&) const = default;
+  auto operator<=>(const LogPosition&) const = default;
 };
 
 /// One datagram in a log. `payload` is borrowed: valid until the reader is asked for the next.
@@ -50,7 +50,7 @@ struct LogMessage {
   std::uint64_t file_offset = 0;
   ByteView payload;
 
-  LogPlace place() const { return {log_time, file_offset}; }
+  LogPosition place() const { return {log_time, file_offset}; }
 };
 
 /// Why fewer datagrams stand in the log than were sent to it, per listening endpoint.

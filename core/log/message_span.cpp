@@ -18,7 +18,7 @@ namespace {
 
 /// More than a chunk can be that is expanded at all. A run of messages outside chunks may be longer
 /// when it is one message, and is not copied then.
-constexpr std::uint64_t kMostStoredBytes = mcap::kMaxChunkBytes + mcap::kMaxChunkBytes / 64;
+constexpr std::uint64_t kMaxStoredBytes = mcap::kMaxChunkBytes + mcap::kMaxChunkBytes / 64;
 
 constexpr auto kLastFileTime = static_cast<std::uint64_t>(kLastLogTime.time_since_epoch().count());
 
@@ -57,7 +57,7 @@ mcap::Chunk SpanDecoder::chunkInFile(const MessageSpan& span,
 
 /// The bytes, which lie in the file, from the file itself where we have it.
 Result<ByteView> SpanDecoder::stored(ByteView bytes, mcap::Scratch& scratch) const {
-  if (mapped_ == nullptr || bytes.size() > kMostStoredBytes) return bytes;
+  if (mapped_ == nullptr || bytes.size() > kMaxStoredBytes) return bytes;
   const std::span<std::byte> copy(scratch.make(bytes.size()), bytes.size());
   if (mapped_->read(static_cast<std::uint64_t>(bytes.data() - file_.data()), copy)) return copy;
   return Error{ErrorKind::unreadable,
@@ -76,14 +76,14 @@ Result<ByteView> SpanDecoder::expand(const MessageSpan& span, SpanMessages& out)
   }
   const bool plain = span.chunk.compression.empty();
   mcap::Chunk chunk = span.chunk;
-  if (chunk.records.size() > kMostStoredBytes) {
+  if (chunk.records.size() > kMaxStoredBytes) {
     if (!span.cut) {
       return Error{ErrorKind::damaged,
                    fmt::format("the chunk is {} bytes long; at most {} are expanded",
-                               chunk.records.size(), kMostStoredBytes),
+                               chunk.records.size(), kMaxStoredBytes),
                    {}};
     }
-    chunk.records = chunk.records.first(static_cast<std::size_t>(kMostStoredBytes));
+    chunk.records = chunk.records.first(static_cast<std::size_t>(kMaxStoredBytes));
   }
   Result<ByteView> records = stored(chunk.records, plain ? out.scratch : compressed_);
   if (!records) return records;

@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Each turn, another program made or removed the file at the same moment.
-constexpr int kMostTurns = 100;
+constexpr int kMaxTurns = 100;
 
 Error cannotMake(int number, const fs::path& path) {
   return Error{ErrorKind::unreadable, std::string("cannot make the log: ") + std::strerror(number),
@@ -98,7 +98,7 @@ Result<NewLogFile> NewLogFile::openAsItIs(const fs::path& path, FileCalls& calls
 Result<NewLogFile> NewLogFile::make(const fs::path& path, bool overwrite, FileCalls calls) {
   if (!overwrite) return makeFree(path, calls);
   const fs::path place = target(path);
-  for (int turn = 0; turn < kMostTurns; ++turn) {
+  for (int turn = 0; turn < kMaxTurns; ++turn) {
     Result<HeldFile> old = HeldFile::at(place, HeldFile::For::writing);
     if (!old) return old.error();
     struct stat facts {};
@@ -112,7 +112,7 @@ Result<NewLogFile> NewLogFile::make(const fs::path& path, bool overwrite, FileCa
     Result<NewLogFile> made = makeFree(place, calls);
     // In between another program made one.
     if (made || made.error().kind != ErrorKind::refused) return made;
-    if (turn + 1 == kMostTurns) return made;
+    if (turn + 1 == kMaxTurns) return made;
   }
   return existsAlready(path);
 }

@@ -8,11 +8,11 @@ namespace {
 /// The upper half of LogMessage::file_offset.
 constexpr unsigned kSpanShift = 32;
 
-LogPlace beginOf(std::size_t span, LogTime time) {
+LogPosition beginOf(std::size_t span, LogTime time) {
   return {time, std::uint64_t{span} << kSpanShift};
 }
 
-LogPlace endOf(std::size_t span, LogTime time) {
+LogPosition endOf(std::size_t span, LogTime time) {
   return {time, (std::uint64_t{span} << kSpanShift) | std::numeric_limits<std::uint32_t>::max()};
 }
 

@@ -14,17 +14,17 @@ constexpr std::size_t kHeldBytes = std::size_t{48} << 20U;
 /// take for ever: after so many times that were expanded again, twice as much is held, up to a
 /// limit.
 constexpr std::size_t kExpandedAgain = 8;
-constexpr std::size_t kMostHeldBytes = std::size_t{768} << 20U;
+constexpr std::size_t kMaxHeldBytes = std::size_t{768} << 20U;
 
-constexpr LogPlace kBeginning{LogTime(Nanoseconds(std::numeric_limits<std::int64_t>::min())), 0};
+constexpr LogPosition kBeginning{LogTime(Nanoseconds(std::numeric_limits<std::int64_t>::min())), 0};
 
 }  // namespace
 
-LogPlace SpanMerge::behind(LogPlace place) {
+LogPosition SpanMerge::behind(LogPosition place) {
   if (place.file_offset < std::numeric_limits<std::uint64_t>::max()) {
     return {place.time, place.file_offset + 1};
   }
-  return place.time == LogTime::max() ? place : LogPlace{place.time + Nanoseconds(1), 0};
+  return place.time == LogTime::max() ? place : LogPosition{place.time + Nanoseconds(1), 0};
 }
 
 SpanMerge::SpanMerge(SpanCache& cache) : cache_(cache), place_(kBeginning), from_(kBeginning) {
@@ -57,7 +57,7 @@ void SpanMerge::sortSpans() {
   }
 }
 
-void SpanMerge::seek(LogPlace place) {
+void SpanMerge::seek(LogPosition place) {
   place_ = place;
   begun_ = false;
 }
@@ -90,7 +90,8 @@ void SpanMerge::openNextSpan() {
   open.messages = cache_.get(span);
   const std::vector<SpanMessages::Place>& places = open.messages->places;
   const auto isBefore = [&](const SpanMessages::Place& place) {
-    return LogPlace{LogTime(Nanoseconds(place.time_ns)), placeInFile(span, place.offset)} < from_;
+    return LogPosition{LogTime(Nanoseconds(place.time_ns)), placeInFile(span, place.offset)} <
+           from_;
   };
   const auto ahead = std::ranges::partition_point(places, isBefore);
   open.at = static_cast<std::size_t>(ahead - places.begin());
@@ -116,7 +117,7 @@ bool SpanMerge::reload(Open& open) {
   open.messages = cache_.get(open.span);
   held_limit_ = std::max(held_limit_, kHeldBytes);
   expanded_again_ += open.messages->heldBytes();
-  if (expanded_again_ > kExpandedAgain * held_limit_ && held_limit_ < kMostHeldBytes) {
+  if (expanded_again_ > kExpandedAgain * held_limit_ && held_limit_ < kMaxHeldBytes) {
     held_limit_ *= 2;
     expanded_again_ = 0;
   }

@@ -21,9 +21,9 @@ class SpanMerge {
   explicit SpanMerge(SpanCache& cache);
 
   /// Goes between two messages: those at or behind `place` are before us, those earlier behind us.
-  void seek(LogPlace place);
+  void seek(LogPosition place);
   /// Behind the message at `place` and before any other.
-  static LogPlace behind(LogPlace place);
+  static LogPosition behind(LogPosition place);
 
   /// The first message before us, and goes behind it. The payload stays valid until the next call.
   std::optional<LogMessage> next() { return step(kForwards); }
@@ -76,8 +76,8 @@ class SpanMerge {
   Way way_ = kForwards;
   bool begun_ = false;  ///< open_ is what lies ahead, going that way from `place_`
   /// Where we stand: messages before it are behind us.
-  LogPlace place_;
-  LogPlace from_;                   ///< where open_ was begun
+  LogPosition place_;
+  LogPosition from_;                ///< where open_ was begun
   std::size_t next_span_ = 0;       ///< in the order of the way
   std::vector<Open> open_;          ///< a heap: the first to come first
   bool given_ = false;              ///< the first of open_ was given out

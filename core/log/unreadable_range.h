@@ -13,8 +13,8 @@ namespace rocinante {
 /// Where the chunks of a file are not in order of time the latter can be anywhere. Unbounded where
 /// nothing stands before or behind.
 struct UnreadableRange {
-  LogPlace first{LogTime::min(), 0};
-  LogPlace last{LogTime::max(), std::numeric_limits<std::uint64_t>::max()};
+  LogPosition first{LogTime::min(), 0};
+  LogPosition last{LogTime::max(), std::numeric_limits<std::uint64_t>::max()};
   std::size_t damage = 0;  ///< its place in LogReader::damage()
 };
 

@@ -55,7 +55,7 @@ std::string ExpansionBudget::refusal() {
   return fmt::format(
       "the chunk is not expanded: with those before it, it claims more than {} bytes and {} times "
       "the file's size",
-      kFreeBytes, kMostGrowth);
+      kFreeBytes, kMaxGrowth);
 }
 
 struct ChunkExpander::Contexts {

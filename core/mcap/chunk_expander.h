@@ -20,10 +20,10 @@ class ExpansionBudget {
  public:
   static constexpr std::uint64_t kFreeBytes = kMaxChunkBytes;
   /// Text that repeats itself is made some 100 times smaller, a picture of one colour 1,000 times.
-  static constexpr std::uint64_t kMostGrowth = 1000;
+  static constexpr std::uint64_t kMaxGrowth = 1000;
 
   explicit ExpansionBudget(std::uint64_t file_bytes)
-      : left_(kFreeBytes + file_bytes * kMostGrowth) {}
+      : left_(kFreeBytes + file_bytes * kMaxGrowth) {}
 
   /// False when the chunk reaches beyond; what it claims is then not counted. Nor is one that is
   /// not compressed, or is refused by itself.
@@ -31,7 +31,7 @@ class ExpansionBudget {
   /// The same for bytes that were expanded already.
   bool take(std::uint64_t bytes);
   /// The file has become longer.
-  void grow(std::uint64_t file_bytes) { left_ += file_bytes * kMostGrowth; }
+  void grow(std::uint64_t file_bytes) { left_ += file_bytes * kMaxGrowth; }
   /// Why a chunk is not expanded.
   static std::string refusal();
 

@@ -11,7 +11,7 @@ using mcap::Opcode;
 namespace {
 
 /// Schemas, channels and the like that are larger are not looked for behind damage.
-constexpr std::size_t kMostPlausibleBytes = 1U << 16U;
+constexpr std::size_t kMaxPlausibleBytes = 1U << 16U;
 
 /// A chunk that the end of the file cut off, or that was still open.
 bool tornChunkAt(ByteView file, std::uint64_t offset) {
@@ -92,7 +92,7 @@ bool RecordProbe::plausible(const mcap::Record& record) {
 
 template <class T>
 bool RecordProbe::parses(ByteView content) {
-  if (content.size() > kMostPlausibleBytes || content.size() > budget_bytes_) return false;
+  if (content.size() > kMaxPlausibleBytes || content.size() > budget_bytes_) return false;
   budget_bytes_ -= content.size();
   T ignored;
   return mcap::parse(content, ignored).has_value();

@@ -14,9 +14,9 @@
 namespace rocinante {
 namespace {
 
-constexpr std::size_t kDeepestXml = 100;       // elements in elements
-constexpr std::size_t kLongestChain = 1000;    // of nodes that stand for nodes
-constexpr std::size_t kMostNodes = 1'000'000;  // once all is in place
+constexpr std::size_t kDeepestXml = 100;      // elements in elements
+constexpr std::size_t kLongestChain = 1000;   // of nodes that stand for nodes
+constexpr std::size_t kMaxNodes = 1'000'000;  // once all is in place
 
 /// The nodes of a COLLADA file, and those that stand for others (<instance_node>).
 class NodeGraph {
@@ -76,8 +76,8 @@ class NodeGraph {
     for (const std::size_t each : below) {
       if (!count(each, depth + 1)) return false;
       size += nodes_[each].size;
-      if (size <= kMostNodes) continue;
-      problem_ = fmt::format("its nodes stand for more than {} nodes", kMostNodes);
+      if (size <= kMaxNodes) continue;
+      problem_ = fmt::format("its nodes stand for more than {} nodes", kMaxNodes);
       return false;
     }
     node.counting = false;

@@ -14,8 +14,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::size_t kDeepestJson = 100;             // brackets in brackets, nodes below nodes
-constexpr std::uint64_t kMostBufferBytes = 1U << 29;  // of one buffer
+constexpr std::size_t kDeepestJson = 100;            // brackets in brackets, nodes below nodes
+constexpr std::uint64_t kMaxBufferBytes = 1U << 29;  // of one buffer
 constexpr std::uint32_t kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
 
 // The format is little-endian, and so is every machine that we run on.
@@ -145,7 +145,7 @@ class GltfJudge {
                        const std::string& place) {
     const auto found = object.find(key);
     if (found == object.end()) return fallback;
-    if (found->is_number_unsigned() && found->get<std::uint64_t>() <= kMostBufferBytes) {
+    if (found->is_number_unsigned() && found->get<std::uint64_t>() <= kMaxBufferBytes) {
       return found->get<std::uint64_t>();
     }
     fail(fmt::format("{}: `{}` is no sound number", place, key));
@@ -154,7 +154,7 @@ class GltfJudge {
 
   std::optional<std::size_t> indexIn(const Json& object, const char* key, const char* array,
                                      const std::string& place) {
-    const std::uint64_t index = number(object, key, kMostBufferBytes, place);
+    const std::uint64_t index = number(object, key, kMaxBufferBytes, place);
     if (index < countOf(array)) return static_cast<std::size_t>(index);
     fail(fmt::format("{}: `{}` is none of the {} {}", place, key, countOf(array), array));
     return std::nullopt;
@@ -236,7 +236,7 @@ class GltfJudge {
     accessors_.push_back({count, component, components});
     if (accessor.contains("bufferView")) {
       spans(accessor, count, bytes, place);
-    } else if (count * bytes > kMostBufferBytes) {
+    } else if (count * bytes > kMaxBufferBytes) {
       fail(place + ": is too large");
     }
     const auto sparse = accessor.find("sparse");
@@ -438,7 +438,7 @@ void addChunk(Bytes& bytes, std::uint32_t kind, ByteView content, std::byte padd
 
 }  // namespace
 
-Result<Bytes> soundGltf(ByteView bytes) {
+Result<Bytes> sanitizedGltf(ByteView bytes) {
   const Result<GltfParts> parts = partsOf(bytes);
   if (!parts.ok()) return parts.error();
   std::string_view text = parts->text;

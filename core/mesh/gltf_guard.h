@@ -12,6 +12,6 @@ namespace rocinante {
 /// morph targets, cameras, extensions but for KHR_texture_transform). damaged when a number leads
 /// out of what it counts, a length is more than there is, nodes do not form trees, or nesting is
 /// deep; unsupported when it is no glTF 2 or requires an extension.
-Result<Bytes> soundGltf(ByteView bytes);
+Result<Bytes> sanitizedGltf(ByteView bytes);
 
 }  // namespace rocinante

@@ -12,7 +12,7 @@
 namespace rocinante {
 namespace {
 
-constexpr std::size_t kMostShapeSizes = 1000;  // 70 KB each at most
+constexpr std::size_t kMaxShapeSizes = 1000;  // 70 KB each at most
 
 Mesh shapeMesh(const ShapeSize& shape) {
   const auto& [x, y, z] = shape.size;
@@ -159,11 +159,11 @@ std::shared_ptr<const Mesh> MeshStore::shape(const ShapeSize& wanted, Vec3& scal
                                              FaultList& faults) {
   if (!geometry_) return nullptr;
   ShapeSize made = wanted;
-  if (!shapes_.contains(wanted) && shape_counts_[wanted.kind] >= kMostShapeSizes) {
+  if (!shapes_.contains(wanted) && shape_counts_[wanted.kind] >= kMaxShapeSizes) {
     if (wanted.kind == ShapeSize::Kind::capsule) {
       faults.error("model.unusable-mesh", place,
                    fmt::format("the capsule is not used: there are more than {} of other sizes",
-                               kMostShapeSizes),
+                               kMaxShapeSizes),
                    "give them fewer sizes, or make each of a cylinder and two spheres");
       return nullptr;
     }

@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Vertices and corners are numbered with 32 bits; half of that leaves room for the arithmetic.
-constexpr std::size_t kMostElements = std::size_t{1} << 31U;
+constexpr std::size_t kMaxElements = std::size_t{1} << 31U;
 constexpr std::uint32_t kWhite = 0xFFFFFFFF;
 constexpr std::uint64_t kLargestMtlBytes = std::uint64_t{64} << 20U;
 
@@ -167,7 +167,7 @@ class ObjReader {
       return add(Severity::error, "obj.bad-face",
                  fmt::format("a face of {} corners", face_.size()));
     }
-    if (loose_.corners.size() + face_.size() * 3 > kMostElements) {
+    if (loose_.corners.size() + face_.size() * 3 > kMaxElements) {
       return add(Severity::error, "obj.too-large", "more triangles than can be numbered");
     }
     if (face_.size() == 3) {

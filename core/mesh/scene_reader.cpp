@@ -81,7 +81,7 @@ class FoundFiles : public Assimp::IOSystem {
       refused_ = name;
       return nullptr;
     }
-    Result<Bytes> bytes = readWholeFile(found, kMostSceneBytes);
+    Result<Bytes> bytes = readWholeFile(found, kMaxSceneBytes);
     if (!bytes.ok()) return nullptr;
     return std::make_unique<MemoryStream>(std::move(*bytes)).release();
   }
@@ -195,10 +195,10 @@ class SceneReader {
   }
 
   Status addMesh(const aiMesh& mesh, const Mat4& to_root, const std::string& group) {
-    if (loose_.corners.size() + std::size_t{mesh.mNumFaces} * 3 > kMostSceneTriangles * 3 ||
-        loose_.positions.size() + mesh.mNumVertices > kMostSceneTriangles * 3) {
+    if (loose_.corners.size() + std::size_t{mesh.mNumFaces} * 3 > kMaxSceneTriangles * 3 ||
+        loose_.positions.size() + mesh.mNumVertices > kMaxSceneTriangles * 3) {
       return Error{ErrorKind::unsupported,
-                   fmt::format("has more than {} triangles", kMostSceneTriangles), path_.string()};
+                   fmt::format("has more than {} triangles", kMaxSceneTriangles), path_.string()};
     }
     const auto base = static_cast<std::uint32_t>(loose_.positions.size());
     const auto first_texture = static_cast<std::uint32_t>(loose_.textures.size());
@@ -422,17 +422,17 @@ Result<Mesh> importScene(ByteView bytes, const fs::path& path, const std::string
 
 Result<Mesh> readScene(ByteView bytes, const fs::path& path, const MeshReadOptions& options,
                        FaultList& faults) {
-  if (bytes.size() > kMostSceneBytes) {
+  if (bytes.size() > kMaxSceneBytes) {
     return Error{
         ErrorKind::unsupported,
-        fmt::format("the file is larger than the {} MiB that are read", kMostSceneBytes >> 20),
+        fmt::format("the file is larger than the {} MiB that are read", kMaxSceneBytes >> 20),
         path.string()};
   }
   const bool is_gltf = isGltf(path);
   const bool binary = textOf(bytes).starts_with("glTF");
   Bytes cleaned;
   if (is_gltf) {
-    Result<Bytes> sound = soundGltf(bytes);
+    Result<Bytes> sound = sanitizedGltf(bytes);
     if (!sound.ok()) return Error{sound.error().kind, sound.error().what, path.string()};
     cleaned = std::move(*sound);
   } else if (std::string problem = problemOfCollada(bytes); !problem.empty()) {

@@ -9,8 +9,8 @@
 namespace rocinante {
 
 /// Limits of a COLLADA or glTF file; more is refused (docs/meshes.md, "Limits").
-inline constexpr std::size_t kMostSceneBytes = std::size_t{512} << 20;
-inline constexpr std::size_t kMostSceneTriangles = std::size_t{1} << 24;
+inline constexpr std::size_t kMaxSceneBytes = std::size_t{512} << 20;
+inline constexpr std::size_t kMaxSceneTriangles = std::size_t{1} << 24;
 
 /// Reads COLLADA (.dae) or glTF 2 (.gltf, .glb) with the assimp library into one mesh in metres, z
 /// up: these formats say their unit and up axis, so options.unit_m and options.up are not used.

@@ -50,9 +50,9 @@ class DatagramSource {
 
   /// Now and then, when receive() gave nothing: mends what the system took away, such as a group
   /// whose interface was made anew. A sentence for the user when that changes what is heard.
-  virtual std::optional<std::string> tend() { return std::nullopt; }
+  virtual std::optional<std::string> maintain() { return std::nullopt; }
   /// For so long the system may keep what has arrived before it gives it: 0 for a socket.
-  virtual Nanoseconds heldBack() const { return Nanoseconds(0); }
+  virtual Nanoseconds deliveryDelay() const { return Nanoseconds(0); }
   /// Nothing will ever come again: the end of a capture file.
   virtual bool ended() const { return false; }
   /// For poll(); -1: there is none, ask again in a few milliseconds. May change with tend().

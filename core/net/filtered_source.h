@@ -21,8 +21,8 @@ class FilteredSource final : public DatagramSource {
 
   std::uint64_t dropped() const override { return inner_->dropped(); }
   Result<std::uint64_t> droppedByNow() override { return inner_->droppedByNow(); }
-  std::optional<std::string> tend() override { return inner_->tend(); }
-  Nanoseconds heldBack() const override { return inner_->heldBack(); }
+  std::optional<std::string> maintain() override { return inner_->maintain(); }
+  Nanoseconds deliveryDelay() const override { return inner_->deliveryDelay(); }
   bool ended() const override { return inner_->ended(); }
   int fileDescriptor() const override { return inner_->fileDescriptor(); }
   std::uint64_t receiveBufferBytes() const override { return inner_->receiveBufferBytes(); }

@@ -252,7 +252,7 @@ Status UdpReceiver::Impl::listenAnew() {
   return {};
 }
 
-std::optional<std::string> UdpReceiver::tend() {
+std::optional<std::string> UdpReceiver::maintain() {
   // What waits in a socket that is replaced is received first.
   if (!impl_->membership || impl_->old_socket) return std::nullopt;
   switch (impl_->membership->look()) {

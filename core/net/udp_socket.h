@@ -40,7 +40,7 @@ class UdpReceiver final : public DatagramSource {
   std::uint64_t receiveBufferBytes() const override;
   /// Joins the group again when its interface was taken away and is back, or the routes to it lead
   /// elsewhere; says so.
-  std::optional<std::string> tend() override;
+  std::optional<std::string> maintain() override;
 
   const Endpoint& endpoint() const override;
   const SocketAddress& boundAddress() const override;

@@ -155,8 +155,8 @@ std::optional<std::int64_t> readSeconds(std::string_view text) {
     if (!digits || decimals.size() > 9) return std::nullopt;
     fraction = *digits * kPowers[9 - decimals.size()];
   }
-  constexpr auto kMost = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
-  if (!seconds || *seconds > (kMost - fraction) / kNanoseconds) return std::nullopt;
+  constexpr auto kMax = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+  if (!seconds || *seconds > (kMax - fraction) / kNanoseconds) return std::nullopt;
   return static_cast<std::int64_t>(*seconds * kNanoseconds + fraction);
 }
 

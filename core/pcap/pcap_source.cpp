@@ -28,7 +28,7 @@ constexpr int kBlockAgeMs = 5;
 constexpr Nanoseconds kHeldBack = std::chrono::milliseconds(15);
 // Nothing was captured before 1970, nor later than the year 2255. A stamp of pcapng has 64 bits in
 // units of its own, and reaches beyond what nanoseconds count.
-constexpr std::int64_t kMostSeconds = 9'000'000'000;
+constexpr std::int64_t kMaxSeconds = 9'000'000'000;
 // Frames that are no UDP must not look like silence, nor keep the caller from its other sources.
 constexpr int kTurns = 64;
 
@@ -191,7 +191,7 @@ class PcapSource final : public DatagramSource {
   }
 
   /// An interface that was taken away and is back is watched again.
-  std::optional<std::string> tend() override {
+  std::optional<std::string> maintain() override {
     if (handle_ || isFile()) return std::nullopt;
     if (!gone_told_) {
       gone_told_ = true;
@@ -202,7 +202,7 @@ class PcapSource final : public DatagramSource {
     return fmt::format("watching {} again", endpoint_.text());
   }
 
-  Nanoseconds heldBack() const override { return isFile() ? Nanoseconds(0) : kHeldBack; }
+  Nanoseconds deliveryDelay() const override { return isFile() ? Nanoseconds(0) : kHeldBack; }
   bool ended() const override { return ended_; }
   int fileDescriptor() const override {
     return handle_ && !isFile() ? ::pcap_get_selectable_fd(handle_.get()) : -1;
@@ -247,7 +247,7 @@ class PcapSource final : public DatagramSource {
 
   void takeFrame(const pcap_pkthdr& header, const unsigned char* frame) {
     // With the precision asked for, tv_usec holds nanoseconds.
-    const auto seconds = std::clamp<std::int64_t>(header.ts.tv_sec, 0, kMostSeconds);
+    const auto seconds = std::clamp<std::int64_t>(header.ts.tv_sec, 0, kMaxSeconds);
     const WallTime time(std::chrono::seconds(seconds) + Nanoseconds(header.ts.tv_usec));
     const auto seen =
         reader_->read({reinterpret_cast<const std::byte*>(frame), header.caplen}, time);

@@ -7,7 +7,7 @@ namespace rocinante {
 namespace {
 
 /// Of another recording's pieces: past this many someone should look.
-constexpr std::uint64_t kMostTaken = 100'000;
+constexpr std::uint64_t kMaxTaken = 100'000;
 
 }  // namespace
 
@@ -27,7 +27,7 @@ Result<std::filesystem::path> PieceNamer::next(LogTime start, const Ours& ours) 
     Result<std::filesystem::path> path = recordPath(options_.output, wall);
     if (!path || may_have(*path)) return path;
   }
-  for (const std::uint64_t last = number_ + kMostTaken; number_ < last; ++number_) {
+  for (const std::uint64_t last = number_ + kMaxTaken; number_ < last; ++number_) {
     Result<std::filesystem::path> path = recordPath(options_.output, wall, number_);
     if (!path) return path;
     if (!changing.number) path = numberedPath(*path, number_);

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostFoldersUp = 16;
+constexpr int kMaxFoldersUp = 16;
 
 // A file's name taken apart.
 struct ParsedName {
@@ -92,7 +92,7 @@ std::vector<fs::path> candidatesFor(const ParsedName& name, const fs::path& besi
   if (!name.package.empty()) {
     // A model usually lies within the package that it names, so upwards from it first.
     fs::path folder = beside;
-    for (int up = 0; up < kMostFoldersUp && !folder.empty(); ++up) {
+    for (int up = 0; up < kMaxFoldersUp && !folder.empty(); ++up) {
       if (folder.filename() == name.package) places.push_back(folder / name.path);
       places.push_back(folder / name.package / name.path);
       if (folder == folder.root_path()) break;

@@ -9,9 +9,9 @@
 namespace rocinante {
 namespace {
 
-constexpr std::size_t kMostFolders = 4096;
-constexpr std::size_t kMostPackageBytes = 64 * 1024;  // <name> stands at the top
-constexpr std::size_t kMostPackageName = 255;
+constexpr std::size_t kMaxFolders = 4096;
+constexpr std::size_t kMaxPackageBytes = 64 * 1024;  // <name> stands at the top
+constexpr std::size_t kMaxPackageName = 255;
 
 /// The text of <package><name>, without blanks around it.
 std::string nameInPackageXml(std::string_view text) {
@@ -25,7 +25,7 @@ std::string nameInPackageXml(std::string_view text) {
       std::string_view name = text.substr(from, text.find('<', from) - from);
       name.remove_prefix(std::min(name.find_first_not_of(kXmlBlanks), name.size()));
       name = name.substr(0, name.find_last_not_of(kXmlBlanks) + 1);
-      return name.size() > kMostPackageName ? std::string() : std::string(name);
+      return name.size() > kMaxPackageName ? std::string() : std::string(name);
     }
     if (tag.starts) ++depth;
     if (tag.ends) --depth;
@@ -37,7 +37,7 @@ std::string readName(const std::filesystem::path& file) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error)) return {};
   std::ifstream stream(file, std::ios::binary);
-  std::string text(kMostPackageBytes, '\0');
+  std::string text(kMaxPackageBytes, '\0');
   stream.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(stream.gcount()));
   return nameInPackageXml(text);
@@ -61,7 +61,7 @@ std::vector<std::filesystem::path> PackageNames::foldersIn(const std::filesystem
   for (; !error && each != std::filesystem::directory_iterator(); each.increment(error)) {
     std::error_code ignored;
     if (each->is_directory(ignored)) known->second.push_back(each->path());
-    if (known->second.size() >= kMostFolders) break;
+    if (known->second.size() >= kMaxFolders) break;
   }
   std::sort(known->second.begin(), known->second.end());
   return known->second;

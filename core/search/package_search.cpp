@@ -14,9 +14,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostFoldersAbove = 16;
+constexpr int kMaxFoldersAbove = 16;
 constexpr int kNearFoldersAbove = 4;
-constexpr std::size_t kMostNearFolders = 256;
+constexpr std::size_t kMaxNearFolders = 256;
 
 /// `folder` and those above it, nearest first, without the file system's root.
 std::vector<fs::path> foldersUpFrom(fs::path folder, int most) {
@@ -69,7 +69,7 @@ void FileSearch::setPackagesAbove(const fs::path& folder) {
   packages_above_ = folder;
   std::error_code error;
   fs::path given = folder;
-  for (const fs::path& above : foldersUpFrom(fs::canonical(folder, error), kMostFoldersAbove)) {
+  for (const fs::path& above : foldersUpFrom(fs::canonical(folder, error), kMaxFoldersAbove)) {
     if (!names_->nameOf(above).empty()) {
       static_cast<void>(addRoot(given).ok());  // it exists
       return;
@@ -83,7 +83,7 @@ void FileSearch::addPackagesAbove(const std::string& name, std::vector<Root>& ro
   std::error_code error;
   fs::path given = packages_above_;
   for (const fs::path& folder :
-       foldersUpFrom(fs::canonical(packages_above_, error), kMostFoldersAbove)) {
+       foldersUpFrom(fs::canonical(packages_above_, error), kMaxFoldersAbove)) {
     if (folder.filename() == name || names_->nameOf(folder) == name) {
       roots.push_back({given, folder});
     }
@@ -111,7 +111,7 @@ FileSearch::Folders FileSearch::saidPackages(const std::string& name, const fs::
                        [&](const Root& root) { return root.holds(folder); });
   };
   Folders about;
-  for (const fs::path& folder : foldersUpFrom(from, kMostFoldersAbove)) {
+  for (const fs::path& folder : foldersUpFrom(from, kMaxFoldersAbove)) {
     if (isHeld(folder)) about.push_back(folder);
   }
   for (const Root& root : roots) about.push_back(root.canonical);
@@ -134,7 +134,7 @@ void FileSearch::explain(const std::string& name, const std::string& path, const
     const Folders inner = names_->foldersIn(folder);
     near.insert(near.end(), inner.begin(), inner.end());
   }
-  if (near.size() > kMostNearFolders) near.resize(kMostNearFolders);
+  if (near.size() > kMaxNearFolders) near.resize(kMaxNearFolders);
 
   for (const fs::path& folder : near) {
     if (folder.filename() != name && names_->nameOf(folder) != name) continue;
@@ -142,7 +142,7 @@ void FileSearch::explain(const std::string& name, const std::string& path, const
                                  quotedPathInFault(typedPath(folder)));
     return;
   }
-  for (const fs::path& folder : foldersUpFrom(from, kMostFoldersAbove)) {
+  for (const fs::path& folder : foldersUpFrom(from, kMaxFoldersAbove)) {
     if (folder.filename() != name && !isFolder(folder / name)) continue;
     const fs::path there = folder.filename() == name ? folder : folder / name;
     missing.detail = fmt::format("package {} is {}, which has no such file", quotedInFault(name),

@@ -23,9 +23,9 @@ namespace {
 using SteadyClock = std::chrono::steady_clock;
 
 // More than all facts together take by far; a driver that talks without end fills no memory.
-constexpr std::size_t kMostOutput = 1 << 20;
+constexpr std::size_t kMaxOutput = 1 << 20;
 // Of what is no answer, so much is told.
-constexpr std::size_t kMostQuoted = 200;
+constexpr std::size_t kMaxQuoted = 200;
 // What a shell answers when it cannot run a program.
 constexpr int kCannotRun = 127;
 
@@ -79,7 +79,7 @@ void readSome(RunningJob& running) {
   std::array<char, 4096> piece;
   const ssize_t got = ::read(running.output, piece.data(), piece.size());
   if (got < 0 && errno == EINTR) return;
-  if (got > 0 && running.said.size() < kMostOutput) {
+  if (got > 0 && running.said.size() < kMaxOutput) {
     running.said.append(piece.data(), static_cast<std::size_t>(got));
     return;
   }
@@ -144,7 +144,7 @@ std::optional<std::vector<SelfTestFact>> answerOf(const std::string& said, std::
     if (auto facts = factsOfWire(line)) {
       answer = std::move(facts);
     } else if (other.empty()) {
-      other = line.substr(0, kMostQuoted);
+      other = line.substr(0, kMaxQuoted);
     }
     at = end + 1;
   }

@@ -6,10 +6,10 @@ namespace rocinante {
 namespace {
 
 /// So many that do not count, one after another, and the log is read from further back.
-constexpr int kMostTries = 16;
+constexpr int kMaxTries = 16;
 
 /// More are not told: a hostile log could have millions.
-constexpr std::size_t kMostFaults = 100;
+constexpr std::size_t kMaxFaults = 100;
 
 }  // namespace
 
@@ -44,11 +44,11 @@ std::optional<SessionState> KeyframeFinder::usable(const LogMessage& message) {
 
 void KeyframeFinder::refuse(const LogMessage& message, std::string cause) {
   refused_.insert(message.place());
-  if (faults_.size() < kMostFaults) faults_.push_back({message.log_time, std::move(cause)});
+  if (faults_.size() < kMaxFaults) faults_.push_back({message.log_time, std::move(cause)});
 }
 
 Result<std::optional<KeyframeFinder::Found>> KeyframeFinder::lastBefore(
-    LogTime moment, const std::optional<LogPlace>& known) {
+    LogTime moment, const std::optional<LogPosition>& known) {
   if (!channel_) return std::optional<Found>();
   if (const auto later = known_.upper_bound(moment); later != known_.begin()) {
     const Known& before = std::prev(later)->second;
@@ -56,7 +56,7 @@ Result<std::optional<KeyframeFinder::Found>> KeyframeFinder::lastBefore(
     if (moment <= before.until && is_no_better) return std::optional<Found>();
   }
   LogTime from = moment;
-  for (int tries = 0; tries < kMostTries; ++tries) {
+  for (int tries = 0; tries < kMaxTries; ++tries) {
     Result<std::optional<LogMessage>> last = reader_.lastOf(*channel_, from);
     if (!last) return last.error();
     if (!*last) {
@@ -69,7 +69,7 @@ Result<std::optional<KeyframeFinder::Found>> KeyframeFinder::lastBefore(
       if (tries == 0) remember(message.place(), moment);
       break;
     }
-    const LogPlace place = message.place();
+    const LogPosition place = message.place();
     if (std::optional<SessionState> state = usable(message)) {
       remember(place, moment);
       return std::optional<Found>({place, std::move(*state)});
@@ -80,7 +80,7 @@ Result<std::optional<KeyframeFinder::Found>> KeyframeFinder::lastBefore(
   return std::optional<Found>();
 }
 
-void KeyframeFinder::remember(std::optional<LogPlace> place, LogTime moment) {
+void KeyframeFinder::remember(std::optional<LogPosition> place, LogTime moment) {
   Known& known = known_[place ? place->time : LogTime::min()];
   known.place = place;
   known.until = std::max(known.until, moment);

@@ -29,18 +29,18 @@ class KeyframeFinder {
   std::optional<SessionState> usable(const LogMessage& message);
 
   struct Found {
-    LogPlace place;
+    LogPosition place;
     SessionState state;
   };
   /// The last usable keyframe at or before `moment`, when it lies behind `known` (a place from
   /// which one can start as well); empty when there is none.
-  Result<std::optional<Found>> lastBefore(LogTime moment, const std::optional<LogPlace>& known);
+  Result<std::optional<Found>> lastBefore(LogTime moment, const std::optional<LogPosition>& known);
 
   const std::vector<KeyframeFault>& faults() const { return faults_; }
 
  private:
   void refuse(const LogMessage& message, std::string cause);
-  void remember(std::optional<LogPlace> place, LogTime moment);
+  void remember(std::optional<LogPosition> place, LogTime moment);
 
   LogReader& reader_;
   KeyframeReader keyframes_;
@@ -49,11 +49,11 @@ class KeyframeFinder {
   /// From the time of each keyframe found, up to when it is known to be the last; the earliest time
   /// stands for none.
   struct Known {
-    std::optional<LogPlace> place;
+    std::optional<LogPosition> place;
     LogTime until = LogTime::min();
   };
   std::map<LogTime, Known> known_;
-  std::set<LogPlace> refused_;
+  std::set<LogPosition> refused_;
   std::vector<KeyframeFault> faults_;
 };
 

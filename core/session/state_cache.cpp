@@ -22,7 +22,7 @@ std::uint64_t StateCache::interval(const SessionState& state) {
   return kInterval + state.weight() / kBytesAMessage;
 }
 
-void StateCache::keep(LogPlace place, const SessionState& state, LogPlace base,
+void StateCache::keep(LogPosition place, const SessionState& state, LogPosition base,
                       std::uint64_t messages) {
   const auto [kept, is_new] = kept_.try_emplace(place);
   kept->second.used = ++calls_;
@@ -31,10 +31,10 @@ void StateCache::keep(LogPlace place, const SessionState& state, LogPlace base,
   kept->second.base = base;
   kept->second.messages = messages;
   bytes_ += bytesOfState(state);
-  while (kept_.size() > 1 && (kept_.size() > kMostStates || bytes_ > kMostBytes)) dropOne();
+  while (kept_.size() > 1 && (kept_.size() > kMaxStates || bytes_ > kMaxBytes)) dropOne();
 }
 
-const std::pair<const LogPlace, StateCache::Kept>* StateCache::nearest(LogPlace place) {
+const std::pair<const LogPosition, StateCache::Kept>* StateCache::nearest(LogPosition place) {
   const auto later = kept_.upper_bound(place);
   if (later == kept_.begin()) return nullptr;
   const auto found = std::prev(later);

@@ -15,22 +15,22 @@ class StateCache {
   struct Kept {
     SessionState state;
     /// Where the fold that led to it began: a keyframe, or the earliest place.
-    LogPlace base;
+    LogPosition base;
     std::uint64_t messages = 0;  ///< read since then
     std::uint64_t used = 0;      ///< in calls of this cache
   };
 
-  static constexpr std::size_t kMostStates = 512;
-  static constexpr std::uint64_t kMostBytes = std::uint64_t{64} << 20U;
+  static constexpr std::size_t kMaxStates = 512;
+  static constexpr std::uint64_t kMaxBytes = std::uint64_t{64} << 20U;
 
   /// How many messages should lie between two kept states: large states are dear to copy.
   static std::uint64_t interval(const SessionState& state);
 
   /// Keeps the state of all messages up to and with the one at `place`; may let any other go.
-  void keep(LogPlace place, const SessionState& state, LogPlace base, std::uint64_t messages);
+  void keep(LogPosition place, const SessionState& state, LogPosition base, std::uint64_t messages);
 
   /// The last one not behind `place`; null when there is none. Valid until the next keep().
-  const std::pair<const LogPlace, Kept>* nearest(LogPlace place);
+  const std::pair<const LogPosition, Kept>* nearest(LogPosition place);
 
   std::size_t count() const { return kept_.size(); }
   std::uint64_t bytes() const { return bytes_; }
@@ -38,7 +38,7 @@ class StateCache {
  private:
   void dropOne();
 
-  std::map<LogPlace, Kept> kept_;
+  std::map<LogPosition, Kept> kept_;
   std::uint64_t bytes_ = 0;
   std::uint64_t calls_ = 0;
 };

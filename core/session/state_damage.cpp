@@ -10,7 +10,7 @@
 namespace rocinante {
 namespace {
 
-constexpr std::size_t kMostParts = 100;
+constexpr std::size_t kMaxParts = 100;
 
 Nanoseconds sinceOrigin(LogTime time, LogTime origin) {
   if (time == LogTime::min()) return Nanoseconds::min();
@@ -24,7 +24,7 @@ void StateDamage::add(Part part) {
   const auto place = std::ranges::lower_bound(parts_, part);
   if (place != parts_.end() && *place == part) return;
   parts_.insert(place, std::move(part));
-  if (parts_.size() <= kMostParts) return;
+  if (parts_.size() <= kMaxParts) return;
   parts_.pop_back();
   is_more_ = true;
 }
@@ -75,7 +75,7 @@ std::string StateDamage::text() const {
   return parts_.empty() ? std::string() : what() + " (" + where() + ")";
 }
 
-void addDamageBetween(const LogReader& log, LogPlace base, LogTime moment, StateDamage& damage) {
+void addDamageBetween(const LogReader& log, LogPosition base, LogTime moment, StateDamage& damage) {
   const LogTime origin = log.summary().origin;
   for (const UnreadableRange& range : log.unreadable()) {
     if (range.first.time > moment || range.last <= base) continue;

@@ -51,6 +51,6 @@ class StateDamage {
 /// Adds the damage of a log between two places: what cannot be read of the messages behind `base`
 /// (that of the keyframe that the fold began with) and not later than `moment`. The reader must
 /// have read all of that once; what it knows of elsewhere makes no difference.
-void addDamageBetween(const LogReader& log, LogPlace base, LogTime moment, StateDamage& damage);
+void addDamageBetween(const LogReader& log, LogPosition base, LogTime moment, StateDamage& damage);
 
 }  // namespace rocinante

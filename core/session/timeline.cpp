@@ -16,14 +16,14 @@
 namespace rocinante {
 namespace {
 
-constexpr LogPlace kStartOfLog{LogTime::min(), 0};
+constexpr LogPosition kStartOfLog{LogTime::min(), 0};
 
 /// Folding this many messages on is quicker than finding a place to start from.
 constexpr std::uint64_t kNearMessages = 1024;
 constexpr std::uint64_t kAll = std::numeric_limits<std::uint64_t>::max();
 
 /// Behind every message of the moment.
-LogPlace endOf(LogTime moment) { return {moment, std::numeric_limits<std::uint64_t>::max()}; }
+LogPosition endOf(LogTime moment) { return {moment, std::numeric_limits<std::uint64_t>::max()}; }
 
 }  // namespace
 
@@ -38,8 +38,8 @@ struct Timeline::Impl {
   // The state is that of the last usable keyframe before it, or the empty one, and of all messages
   // behind that up to `reached`. It is so whatever way it was reached: the log may tell lies.
   SessionState state;
-  LogPlace reached = kStartOfLog;
-  LogPlace base = kStartOfLog;          ///< of that keyframe
+  LogPosition reached = kStartOfLog;
+  LogPosition base = kStartOfLog;       ///< of that keyframe
   std::uint64_t since_base = 0;         ///< messages read behind it
   std::uint64_t since_kept = 0;         ///< since a state was kept
   std::optional<LogMessage> lookahead;  ///< the first behind `reached`, borrowed from the reader
@@ -61,7 +61,8 @@ struct Timeline::Impl {
     }
   }
 
-  void startFrom(LogPlace place, SessionState from, LogPlace its_base, std::uint64_t messages) {
+  void startFrom(LogPosition place, SessionState from, LogPosition its_base,
+                 std::uint64_t messages) {
     state = std::move(from);
     reached = place;
     base = its_base;
@@ -81,7 +82,7 @@ struct Timeline::Impl {
   Status approach(LogTime moment) {
     const bool can_go_on = reached <= endOf(moment);
     const auto* kept = cache.nearest(endOf(moment));
-    std::optional<LogPlace> known;
+    std::optional<LogPosition> known;
     if (can_go_on && reached != kStartOfLog) known = reached;
     if (kept != nullptr && (!known || kept->first > *known)) known = kept->first;
     Result<std::optional<KeyframeFinder::Found>> found = finder.lastBefore(moment, known);
@@ -207,7 +208,7 @@ Result<const SessionState*> Timeline::stateAt(LogTime moment, StateDamage* damag
 Status Timeline::addDamage(LogTime from, LogTime until, StateDamage& damage) {
   if (Result<const SessionState*> begun = stateAt(from, &damage); !begun) return begun.error();
   Impl& line = *impl_;
-  const LogPlace base = line.base;
+  const LogPosition base = line.base;
   line.goBehindReached();
   if (Status put = line.reader.seek(from); !put) return put.error();
   while (true) {

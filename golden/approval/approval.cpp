@@ -11,7 +11,7 @@
 namespace rocinante {
 namespace {
 
-constexpr int kMostOfOneKey = 16;
+constexpr int kMaxOfOneKey = 16;
 
 Status renameFile(const std::filesystem::path& from, const std::filesystem::path& to) {
   std::error_code fault;
@@ -108,10 +108,10 @@ Status Approval::nameFiles(const Manifest& now, Staged& staged) const {
   }
   int turn = 1;
   while (taken.contains(goldenFileName(staged.case_name, accepted.key, turn))) ++turn;
-  if (turn > kMostOfOneKey) {
+  if (turn > kMaxOfOneKey) {
     return Error{ErrorKind::refused,
                  fmt::format("{} pictures are accepted already: what differs so much is no golden",
-                             kMostOfOneKey),
+                             kMaxOfOneKey),
                  "case " + staged.case_name};
   }
   accepted.picture = goldenFileName(staged.case_name, accepted.key, turn);

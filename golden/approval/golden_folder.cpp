@@ -8,10 +8,10 @@
 namespace rocinante {
 namespace {
 
-constexpr std::uint64_t kMostPictureBytes = std::uint64_t{1} << 30U;
+constexpr std::uint64_t kMaxPictureBytes = std::uint64_t{1} << 30U;
 
 Result<Picture> readOne(const std::filesystem::path& file, const std::string& pixels) {
-  const auto bytes = readFile(file, kMostPictureBytes);
+  const auto bytes = readFile(file, kMaxPictureBytes);
   if (!bytes.ok()) {
     return Error{
         bytes.error().kind,

@@ -19,7 +19,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr char kFileName[] = "manifest.json";
-constexpr std::uint64_t kMaxManifestBytes = 64U << 20U;
+constexpr std::uint64_t kMaxGoldenManifestBytes = 64U << 20U;
 
 Error broken(const std::filesystem::path& file, std::string what) {
   return {ErrorKind::damaged, "the manifest of goldens is broken: " + std::move(what),
@@ -120,7 +120,7 @@ Result<Manifest> Manifest::read(const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / kFileName;
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored)) return Manifest{};
-  const auto text = readFile(file, kMaxManifestBytes);
+  const auto text = readFile(file, kMaxGoldenManifestBytes);
   if (!text.ok()) return text.error();
   return parse(*text, file);
 }

@@ -36,7 +36,7 @@ Result<CheckReport> checkLive(const Cell& cell, const std::string& where, Nanose
         std::chrono::ceil<std::chrono::milliseconds>(deadline - std::chrono::steady_clock::now());
     // A file is read to its end, however long that takes.
     if (left.count() <= 0 && !is_file) break;
-    if (const auto said = input.tend()) cli::warn(*said);
+    if (const auto said = input.maintain()) cli::warn(*said);
     pollfd waiting{input.fileDescriptor(), POLLIN, 0};
     const auto wait = is_file ? 0 : std::min<std::int64_t>(left.count(), 100);
     ::poll(&waiting, 1, static_cast<int>(wait));

@@ -13,7 +13,7 @@
 namespace rocinante {
 namespace {
 
-constexpr std::uint64_t kMostSuiteBytes = 16U << 20U;
+constexpr std::uint64_t kMaxSuiteBytes = 16U << 20U;
 
 /// `style` as an inline table; a key that repeats becomes a list.
 Result<std::string> styleTable(const std::vector<std::string>& words) {
@@ -88,12 +88,12 @@ Result<std::string> suiteText(const AddArguments& arguments) {
                  "one",
                  arguments.suite.string()};
   }
-  return readFile(arguments.suite, kMostSuiteBytes);
+  return readFile(arguments.suite, kMaxSuiteBytes);
 }
 
 }  // namespace
 
-CLI::App* addAddCommand(CLI::App& app, AddArguments& arguments) {
+CLI::App* addCaseCommand(CLI::App& app, AddArguments& arguments) {
   CLI::App* command = app.add_subcommand("add", "append a case to a suite; never a picture");
   const auto list = [&](const char* option, std::vector<std::string>& values, const char* text) {
     command->add_option(option, values, text)->allow_extra_args(false);

@@ -19,7 +19,7 @@ struct AddArguments {
 };
 
 /// Adds the sub-command `add` to `app`; parsing fills `arguments`, which must outlive it.
-CLI::App* addAddCommand(CLI::App& app, AddArguments& arguments);
+CLI::App* addCaseCommand(CLI::App& app, AddArguments& arguments);
 
 /// Appends the case to the suite's file; draws nothing and approves nothing.
 Result<cli::Exit> runAddCommand(const AddArguments& arguments);

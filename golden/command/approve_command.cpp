@@ -16,7 +16,7 @@
 namespace rocinante {
 namespace {
 
-constexpr std::uint64_t kMostListBytes = 16U << 20U;
+constexpr std::uint64_t kMaxListBytes = 16U << 20U;
 
 /// What a person answered about one frame.
 enum class Answer : std::uint8_t { yes, no, quit };
@@ -204,7 +204,7 @@ class Approver {
 
 Result<std::optional<ApprovalList>> listOf(const ApproveArguments& arguments) {
   if (arguments.from.empty()) return std::optional<ApprovalList>();
-  const auto text = readFile(arguments.from == "-" ? "/dev/stdin" : arguments.from, kMostListBytes);
+  const auto text = readFile(arguments.from == "-" ? "/dev/stdin" : arguments.from, kMaxListBytes);
   if (!text.ok()) return text.error();
   auto list = parseApprovalList(*text, arguments.from.string());
   if (!list.ok()) return list.error();

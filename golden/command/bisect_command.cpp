@@ -23,7 +23,7 @@
 namespace rocinante {
 namespace {
 
-constexpr std::size_t kMostChanges = 8;
+constexpr std::size_t kMaxChanges = 8;
 
 /// Shared, since it outlives the function which draws with it.
 Result<std::shared_ptr<FrameMaker>> makerOf(const std::filesystem::path& cell,
@@ -204,11 +204,11 @@ std::string answerText(const BisectAnswer& answer, const std::vector<StateChange
   text += fmt::format("{} of {} drawn\n", answer.frames, countText(answer.moments, "moment"));
   if (changes.empty()) return text;
   text += "what differs there:\n";
-  for (std::size_t i = 0; i < std::min(changes.size(), kMostChanges); ++i) {
+  for (std::size_t i = 0; i < std::min(changes.size(), kMaxChanges); ++i) {
     text += "  " + plainText(changes[i].text) + "\n";
   }
-  if (changes.size() > kMostChanges) {
-    text += fmt::format("  and {} more\n", changes.size() - kMostChanges);
+  if (changes.size() > kMaxChanges) {
+    text += fmt::format("  and {} more\n", changes.size() - kMaxChanges);
   }
   return text;
 }

@@ -42,7 +42,7 @@ int goldenMain(int argc, char** argv) {
   ListArguments list_arguments;
   CLI::App* list = addListCommand(app, list_arguments);
   AddArguments add_arguments;
-  CLI::App* add = addAddCommand(app, add_arguments);
+  CLI::App* add = addCaseCommand(app, add_arguments);
   DiffArguments diff_arguments;
   CLI::App* diff = addDiffCommand(app, diff_arguments);
   ReportArguments report_arguments;
@@ -61,7 +61,7 @@ int goldenMain(int argc, char** argv) {
     cli::catchStopSignals();
     // A limit on the size of files is then an answer of write(), like a full disk.
     std::signal(SIGXFSZ, SIG_IGN);
-    if (run->parsed()) return runRunCommand(run_arguments);
+    if (run->parsed()) return runSuiteCommand(run_arguments);
     if (approve->parsed()) return runApproveCommand(approve_arguments);
     if (list->parsed()) return runListCommand(list_arguments);
     if (add->parsed()) return runAddCommand(add_arguments);

@@ -111,7 +111,7 @@ CLI::App* addRunCommand(CLI::App& app, RunArguments& arguments) {
   return command;
 }
 
-Result<cli::Exit> runRunCommand(const RunArguments& arguments) {
+Result<cli::Exit> runSuiteCommand(const RunArguments& arguments) {
   const auto options = suiteOptions(arguments.suite);
   if (!options.ok()) return options.error();
   auto session = SuiteSession::open(arguments.suite.suite, *options);

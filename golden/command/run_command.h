@@ -18,6 +18,6 @@ struct RunArguments {
 CLI::App* addRunCommand(CLI::App& app, RunArguments& arguments);
 
 /// Draws every frame, judges it, writes the reports and prints the verdicts.
-Result<cli::Exit> runRunCommand(const RunArguments& arguments);
+Result<cli::Exit> runSuiteCommand(const RunArguments& arguments);
 
 }  // namespace rocinante

@@ -23,7 +23,7 @@
 namespace rocinante {
 namespace {
 
-constexpr std::uint64_t kMostMessageBytes = std::uint64_t{4} << 30U;
+constexpr std::uint64_t kMaxMessageBytes = std::uint64_t{4} << 30U;
 /// A context and its uploads cost as much as so many small frames.
 constexpr std::size_t kFramesThatPayForAJob = 12;
 
@@ -270,7 +270,7 @@ class JobRunner {
     while (job.received.size() - used >= sizeof(MessageHead)) {
       MessageHead head;
       std::memcpy(&head, job.received.data() + used, sizeof head);
-      if (head.place >= order_.size() || head.bytes > kMostMessageBytes) {
+      if (head.place >= order_.size() || head.bytes > kMaxMessageBytes) {
         return Error{ErrorKind::damaged, "a job sent what is no message", {}};
       }
       if (job.received.size() - used - sizeof head < head.bytes) break;

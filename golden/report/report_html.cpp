@@ -56,7 +56,7 @@ Json picturesJson(const JudgedFrame& judged, PagePictures& pictures) {
 
 Json whyJson(const FrameWhy& why) {
   Json rows = Json::array();
-  for (std::size_t i = 0; i < std::min(why.blame.changes.size(), Blame::kMostRows); ++i) {
+  for (std::size_t i = 0; i < std::min(why.blame.changes.size(), Blame::kMaxRows); ++i) {
     const LinkChange& change = why.blame.changes[i];
     rows.push_back({{"row", i + 1},
                     {"name", nameText(change)},

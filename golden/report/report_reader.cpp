@@ -15,7 +15,7 @@ namespace {
 
 using ReportJson = nlohmann::json;
 
-constexpr std::uint64_t kMostReportBytes = std::uint64_t{256} << 20U;
+constexpr std::uint64_t kMaxReportBytes = std::uint64_t{256} << 20U;
 constexpr char kReportFileName[] = "report.json";
 
 Error brokenReport(const std::filesystem::path& file, std::string what) {
@@ -247,7 +247,7 @@ Result<SuiteReport> parseReport(std::string_view text, const std::filesystem::pa
   if (const auto shard = root.find("shard"); shard != root.end() && shard->is_object()) {
     report.shard = fieldOf<int>(*shard, "number", 1);
     report.shards = fieldOf<int>(*shard, "of", 1);
-    if (report.shard < 1 || report.shard > report.shards || report.shards > kMostShards) {
+    if (report.shard < 1 || report.shard > report.shards || report.shards > kMaxShards) {
       return brokenReport(file, "its shard is none");
     }
   }
@@ -262,7 +262,7 @@ Result<SuiteReport> parseReport(std::string_view text, const std::filesystem::pa
 }
 
 Result<SuiteReport> readReport(const std::filesystem::path& folder) {
-  const auto text = readFile(folder / kReportFileName, kMostReportBytes);
+  const auto text = readFile(folder / kReportFileName, kMaxReportBytes);
   if (!text.ok() && text.error().kind == ErrorKind::not_found) {
     return Error{ErrorKind::not_found, "holds no report of `golden run`", folder.string()};
   }
@@ -272,7 +272,7 @@ Result<SuiteReport> readReport(const std::filesystem::path& folder) {
   for (JudgedFrame& judged : report->frames) {
     if (auto read = readPictures(folder, judged); !read) return read.error();
   }
-  const auto small = readFile(folder / kPagePicturesFile, kMostReportBytes);
+  const auto small = readFile(folder / kPagePicturesFile, kMaxReportBytes);
   if (small.ok()) addPagePictures(*small, *report);
   return report;
 }

@@ -9,7 +9,7 @@ namespace {
 __extension__ using Wide = __int128;
 
 /// The table of longest common runs has a place for each pair.
-constexpr std::size_t kMostPairs = 16'000'000;
+constexpr std::size_t kMaxPairs = 16'000'000;
 
 std::vector<Event> withoutMarks(std::vector<Event> events) {
   std::erase_if(events, [](const Event& event) { return event.source.empty(); });
@@ -79,7 +79,7 @@ EventAlignment alignEvents(const std::vector<Event>& a, const std::vector<Event>
                            LogTime anchor_a, LogTime anchor_b) {
   const std::vector<Event> events_a = withoutMarks(a);
   const std::vector<Event> events_b = withoutMarks(b);
-  const bool is_small = (events_a.size() + 1) <= kMostPairs / (events_b.size() + 1);
+  const bool is_small = (events_a.size() + 1) <= kMaxPairs / (events_b.size() + 1);
   const Pairs pairs =
       is_small ? longestCommon(events_a, events_b) : nearestCommon(events_a, events_b);
   EventAlignment alignment;

@@ -14,12 +14,12 @@ namespace rocinante {
 namespace {
 
 /// So many of the worst items get a picture, so many events, and so many moments between.
-constexpr std::size_t kMostWorst = 6;
-constexpr std::size_t kMostEvents = 24;
+constexpr std::size_t kMaxWorst = 6;
+constexpr std::size_t kMaxEvents = 24;
 constexpr int kBetween = 3;
 constexpr int kSmallPicturePixels = 320;
 /// So many moments of the other session are looked at within the slack.
-constexpr std::size_t kMostInSlack = 256;
+constexpr std::size_t kMaxInSlack = 256;
 constexpr const char* kWorst = "worst-";
 
 std::string frameNameOf(const std::string& text) {
@@ -64,12 +64,12 @@ std::vector<std::pair<std::string, LogTime>> momentsToDraw(const SessionComparis
   std::ranges::stable_sort(worst, [](const Deviation& a, const Deviation& b) {
     return a.largest.value_or(1e9) > b.largest.value_or(1e9);
   });
-  worst.resize(std::min(worst.size(), kMostWorst));
+  worst.resize(std::min(worst.size(), kMaxWorst));
   for (const Deviation& item : worst) {
     moments.add(kWorst + frameNameOf(item.item), item.largest_at);
   }
   const auto& events = comparison.events.matched;
-  const std::size_t count = std::min(events.size(), kMostEvents);
+  const std::size_t count = std::min(events.size(), kMaxEvents);
   for (std::size_t i = 0; i < count; ++i) {
     const MatchedEvent& event = events[i * events.size() / count];
     moments.add("event-" + frameNameOf(event.text), event.a);
@@ -114,7 +114,7 @@ class SlackMoments {
     const auto until = std::ranges::upper_bound(changes_, moment + question_.limits.slack);
     const auto count = static_cast<std::size_t>(until - from);
     std::vector<LogTime> candidates{in_b};
-    const std::size_t taken = std::min(count, kMostInSlack);
+    const std::size_t taken = std::min(count, kMaxInSlack);
     for (std::size_t i = 0; i < taken; ++i) {
       candidates.push_back(b.origin() + from[static_cast<std::ptrdiff_t>(i * count / taken)]);
     }

@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMostLines = 20;
+constexpr std::size_t kMaxLines = 20;
 constexpr double kDegreesInRadian = 57.29577951308232;
 
 std::string amountText(const Deviation& item) {
@@ -47,7 +47,7 @@ void addEvents(const SessionComparison& comparison, std::string& out) {
   out += fmt::format("events    {} in both, {} only in a, {} only in b\n", events.matched.size(),
                      events.only_a.size(), events.only_b.size());
   const auto list = [&](const char* side, const std::vector<Event>& missing, LogTime origin) {
-    for (std::size_t i = 0; i < std::min(missing.size(), kMostLines); ++i) {
+    for (std::size_t i = 0; i < std::min(missing.size(), kMaxLines); ++i) {
       out += fmt::format("  only in {}: \"{}\" of {} at {} s\n", side, plainText(missing[i].text),
                          plainText(missing[i].source), secondsText(missing[i].time - origin, 3));
     }
@@ -81,14 +81,14 @@ void addState(const SessionComparison& comparison, std::string& out) {
   out += fmt::format("  they part at {} s: {} beyond {}\n", at(state.beyond.front().first_at),
                      countText(state.beyond.size(), "item"),
                      state.beyond.size() == 1 ? "its limit" : "their limits");
-  for (std::size_t i = 0; i < std::min(state.beyond.size(), kMostLines); ++i) {
+  for (std::size_t i = 0; i < std::min(state.beyond.size(), kMaxLines); ++i) {
     const Deviation& item = state.beyond[i];
     out += fmt::format("  {}: {}, from {} s on", plainText(item.item), amountText(item),
                        at(item.first_at));
     out += item.largest ? fmt::format(", most at {} s\n", at(item.largest_at)) : "\n";
   }
-  if (state.beyond.size() > kMostLines) {
-    out += fmt::format("  and {} more\n", state.beyond.size() - kMostLines);
+  if (state.beyond.size() > kMaxLines) {
+    out += fmt::format("  and {} more\n", state.beyond.size() - kMaxLines);
   }
 }
 

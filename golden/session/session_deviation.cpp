@@ -13,9 +13,9 @@
 namespace rocinante {
 namespace {
 
-constexpr std::size_t kMostMoments = 100'000;
+constexpr std::size_t kMaxMoments = 100'000;
 /// Values of both sessions together: 400 MB.
-constexpr std::size_t kMostValues = 50'000'000;
+constexpr std::size_t kMaxValues = 50'000'000;
 
 constexpr double kAbsent = std::numeric_limits<double>::quiet_NaN();
 
@@ -232,7 +232,7 @@ Result<SessionDeviation> compareSessions(const Cell& cell, Timeline& a, Timeline
   if (!first_state.ok()) return first_state.error();
   SampleWriter(probe, 1, &ItemSeries::a).write(cell, **first_state, 0);
   const std::size_t most =
-      std::max<std::size_t>(16, std::min(kMostMoments, kMostValues / (2 * probe.size() + 2)));
+      std::max<std::size_t>(16, std::min(kMaxMoments, kMaxValues / (2 * probe.size() + 2)));
   const Nanoseconds span = found.until - found.from;
   found.step = std::max({limits.step, Nanoseconds(1), span / static_cast<std::int64_t>(most)});
   found.samples = static_cast<std::size_t>(span / found.step) + 1;

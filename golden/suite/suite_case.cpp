@@ -12,7 +12,7 @@ namespace rocinante {
 namespace {
 
 constexpr int kMaxPictureSide = 8192;
-constexpr int kMostGrowPx = 64;
+constexpr int kMaxGrowPx = 64;
 
 std::optional<Nanoseconds> durationOf(SuiteTable& table, std::string_view key) {
   const auto text = table.text(key);
@@ -85,8 +85,8 @@ void readArea(SuiteTable& owner, const TomlNode& node, std::string_view key,
       }
     }
     const auto grow = table.integer("grow").value_or(0);
-    if (grow < 0 || grow > kMostGrowPx) {
-      table.complain(*table.node("grow"), fmt::format("`grow` is 0 to {} pixels", kMostGrowPx));
+    if (grow < 0 || grow > kMaxGrowPx) {
+      table.complain(*table.node("grow"), fmt::format("`grow` is 0 to {} pixels", kMaxGrowPx));
     } else {
       area.grow_px = static_cast<int>(grow);
     }

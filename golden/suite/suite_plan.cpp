@@ -17,7 +17,7 @@
 namespace rocinante {
 namespace {
 
-constexpr std::size_t kMostFramesPerCase = 100'000;
+constexpr std::size_t kMaxFramesPerCase = 100'000;
 
 std::string momentName(Nanoseconds since_origin) {
   const std::int64_t ms = since_origin.count() / 1'000'000;
@@ -88,7 +88,7 @@ Result<std::vector<NamedMoment>> momentsAtEvents(const CaseMoment& moment, Timel
   std::map<std::string, int> seen;
   for (const Event& event : **events) {
     if (!globMatches(*moment.events, event.text)) continue;
-    if (moments.size() == kMostFramesPerCase) break;
+    if (moments.size() == kMaxFramesPerCase) break;
     // Named by text and turn, not by time: a new recording has the same names.
     const std::string word = fileWord(event.text);
     const int turn = ++seen[word];
@@ -121,7 +121,7 @@ Result<std::vector<NamedMoment>> momentsOf(const SuiteCase& made, Timeline* sess
   if (moment.every) {
     std::vector<NamedMoment> moments;
     for (LogTime time = session->origin();
-         time <= session->end() && moments.size() < kMostFramesPerCase; time += *moment.every) {
+         time <= session->end() && moments.size() < kMaxFramesPerCase; time += *moment.every) {
       moments.push_back({"-" + momentName(time - session->origin()), time});
     }
     return moments;
@@ -166,7 +166,7 @@ Result<std::pair<int, int>> parseShard(std::string_view text) {
   if (first.ec == std::errc() && first.ptr != end && *first.ptr == '/') {
     const auto second = std::from_chars(first.ptr + 1, end, shards);
     if (second.ec == std::errc() && second.ptr == end && shard >= 1 && shard <= shards &&
-        shards <= kMostShards) {
+        shards <= kMaxShards) {
       return std::pair(shard, shards);
     }
   }

@@ -21,7 +21,7 @@ struct FrameSelection {
   bool isWhole() const { return only.empty() && tags.empty() && not_tags.empty() && shards == 1; }
 };
 
-inline constexpr int kMostShards = 10'000;
+inline constexpr int kMaxShards = 10'000;
 
 /// "2/5".
 Result<std::pair<int, int>> parseShard(std::string_view text);

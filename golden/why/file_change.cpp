@@ -38,12 +38,12 @@ bool isToldText(const std::string& name) {
 }
 
 FileTexts toldTexts(const CellBundle& bundle) {
-  constexpr std::size_t kMostBytes = std::size_t{1} << 20U;
+  constexpr std::size_t kMaxBytes = std::size_t{1} << 20U;
   FileTexts texts;
   for (std::size_t i = 0; i < bundle.contents.size(); ++i) {
     const auto& file = bundle.manifest.files[i];
     const Bytes& content = bundle.contents[i];
-    if (!isToldText(file.name) || content.size() > kMostBytes || !isUtf8(content)) continue;
+    if (!isToldText(file.name) || content.size() > kMaxBytes || !isUtf8(content)) continue;
     texts[file.sha256] = textOf(content);
   }
   return texts;

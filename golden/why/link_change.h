@@ -39,11 +39,11 @@ struct LinkChange {
 
 /// Differing pixels by link (docs/golden-suites.md, "Why").
 struct Blame {
-  static constexpr std::size_t kMostRows = 254;
+  static constexpr std::size_t kMaxRows = 254;
 
   std::int64_t differing = 0;
   std::vector<LinkChange> changes;  ///< the main view's, most pixels first, then inset by inset
-  /// Of the picture's size. Each byte is 1 + a place in `changes`, 255 for one beyond kMostRows, 0
+  /// Of the picture's size. Each byte is 1 + a place in `changes`, 255 for one beyond kMaxRows, 0
   /// for none: red, to whom a differing pixel is laid; green, whose surface the frame shows there;
   /// blue, whose the golden showed.
   Picture mask;

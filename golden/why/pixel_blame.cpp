@@ -24,7 +24,7 @@ constexpr int kReach = 1;
 constexpr double kMovedOutline = 0.2;
 
 /// Finding how far a link went takes a while: for more links than these nobody reads it.
-constexpr std::size_t kMostRegistered = 48;
+constexpr std::size_t kMaxRegistered = 48;
 
 bool samePixel(const Picture& a, const Picture& b, std::size_t i) {
   return std::memcmp(a.rgba.data() + i * 4, b.rgba.data() + i * 4, 4) == 0;
@@ -108,7 +108,7 @@ class BlameWork {
     return knowsMovers() ? moved_[link] : its.change() > kMovedOutline;
   }
 
-  void layPixels() {
+  void attributePixels() {
     owner_.assign(pixels_, kNobody);
     for (std::size_t i = 0; i < pixels_; ++i) {
       if (samePixel(golden_, frame_, i)) continue;
@@ -137,8 +137,8 @@ class BlameWork {
         order, [&](std::uint32_t a, std::uint32_t b) { return links_[a].owned > links_[b].owned; });
     std::vector<std::uint8_t> row(links_.size());
     for (std::size_t i = 0; i < order.size(); ++i) {
-      made.changes.push_back(changeOf(order[i], i < kMostRegistered));
-      row[order[i]] = static_cast<std::uint8_t>(std::min(i + 1, Blame::kMostRows + 1));
+      made.changes.push_back(changeOf(order[i], i < kMaxRegistered));
+      row[order[i]] = static_cast<std::uint8_t>(std::min(i + 1, Blame::kMaxRows + 1));
     }
     made.mask = {frame_.width, frame_.height, std::vector<std::uint8_t>(pixels_ * 4, 255)};
     for (std::size_t i = 0; i < pixels_; ++i) {
@@ -168,7 +168,7 @@ class BlameWork {
   }
 
   /// Of two that share a pixel, the one that did it.
-  std::uint32_t guiltier(std::uint32_t a, std::uint32_t b) const {
+  std::uint32_t moreResponsible(std::uint32_t a, std::uint32_t b) const {
     if (a == b || b == 0) return a;
     if (a == 0) return b;
     if (hasMoved(a) != hasMoved(b)) return hasMoved(a) ? a : b;
@@ -178,7 +178,7 @@ class BlameWork {
   std::uint32_t ownerOf(std::size_t i) const {
     const std::uint32_t f = frame_ids_[i];
     const std::uint32_t g = golden_ids_[i];
-    std::uint32_t owner = guiltier(f, g);
+    std::uint32_t owner = moreResponsible(f, g);
     if (hasMoved(owner)) return owner;
     // Not by what its middle shows: then by one beside it that moved, or came or went.
     const auto width = static_cast<std::ptrdiff_t>(frame_.width);
@@ -191,7 +191,7 @@ class BlameWork {
           continue;
         const auto at = static_cast<std::size_t>((y + down) * width + x + right);
         for (const std::uint32_t link : {frame_ids_[at], golden_ids_[at]}) {
-          if (hasMoved(link)) mover = mover ? guiltier(*mover, link) : link;
+          if (hasMoved(link)) mover = mover ? moreResponsible(*mover, link) : link;
         }
       }
     }
@@ -266,13 +266,13 @@ std::vector<std::uint32_t> linksToFind(const Picture& golden, const Picture& fra
   }
   std::ranges::stable_sort(found, std::greater<>(),
                            [&](std::uint32_t link) { return differing[link]; });
-  found.resize(std::min(found.size(), kMostRegistered));
+  found.resize(std::min(found.size(), kMaxRegistered));
   return found;
 }
 
 /// Where the golden's own link would lie, if it looked as it does now.
-void layBack(const Region& region, const Shift& shift, int width, int height, std::uint32_t link,
-             std::vector<std::uint32_t>& ids) {
+void undoShift(const Region& region, const Shift& shift, int width, int height, std::uint32_t link,
+               std::vector<std::uint32_t>& ids) {
   for (std::uint32_t& id : ids) {
     if (id == link) id = 0;
   }
@@ -302,7 +302,7 @@ Blame blameLinks(const BlameSide& golden, const BlameSide& frame, const MovedLin
   auto frame_ids = work.adopt(frame.identity);
   work.setIdentities(std::move(golden_ids), std::move(frame_ids));
   work.setMoved(moved);
-  work.layPixels();
+  work.attributePixels();
   return work.blame();
 }
 
@@ -320,13 +320,13 @@ Blame guessBlame(const Picture& golden, const BlameSide& frame) {
     const auto shift = findRegion(smooth_frame, region, smooth_golden, kGuessWindow);
     if (!shift || shift->cost > kGuessExplains * shift->cost_unmoved) continue;
     if (shift->right * shift->right + shift->down * shift->down < 0.01) continue;
-    layBack(region, *shift, golden.width, golden.height, link, golden_ids);
+    undoShift(region, *shift, golden.width, golden.height, link, golden_ids);
     moved.emplace(work.name(link).device, work.name(link).link);
     work.setShift(link, -shift->right, -shift->down);
   }
   work.setIdentities(std::move(golden_ids), frame_ids);
   work.setMoved(moved);
-  work.layPixels();
+  work.attributePixels();
   return work.blame();
 }
 

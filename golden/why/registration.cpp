@@ -11,7 +11,7 @@ namespace rocinante {
 namespace {
 
 /// More pixels than these say nothing more, and cost.
-constexpr std::size_t kMostSamples = 3000;
+constexpr std::size_t kMaxSamples = 3000;
 constexpr int kNear = 3;
 constexpr int kRim = 2;
 /// An eighth of full scale in all three components is as bad as no fit: shaded surfaces differ by
@@ -47,10 +47,10 @@ std::vector<Pixel> samplesOf(const Region& region, const Picture& picture) {
       if (region.inside[pixelAt(picture, x, y)] != 0) all.push_back({x, y});
     }
   }
-  if (all.size() <= kMostSamples) return all;
+  if (all.size() <= kMaxSamples) return all;
   std::vector<Pixel> some;
-  for (std::size_t i = 0; i < kMostSamples; ++i) {
-    some.push_back(all[i * all.size() / kMostSamples]);
+  for (std::size_t i = 0; i < kMaxSamples; ++i) {
+    some.push_back(all[i * all.size() / kMaxSamples]);
   }
   return some;
 }

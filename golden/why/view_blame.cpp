@@ -124,7 +124,7 @@ void append(Blame view, const std::string& inset, const PixelRectangle& part, Bl
       all.mask.rgba[to + i] =
           i % 4 == 3 || row == 0
               ? row
-              : static_cast<std::uint8_t>(std::min(row + before, Blame::kMostRows + 1));
+              : static_cast<std::uint8_t>(std::min(row + before, Blame::kMaxRows + 1));
     }
   }
 }

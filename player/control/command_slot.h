@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "player/playhead/transport_sender.h"
+#include "player/playhead/playhead_sender.h"
 
 namespace rocinante {
 

@@ -16,9 +16,9 @@
 namespace rocinante {
 namespace {
 
-constexpr std::size_t kMostLines = 16;
+constexpr std::size_t kMaxLines = 16;
 /// Served at a time, so that no flood keeps the others waiting.
-constexpr int kMostDatagrams = 64;
+constexpr int kMaxDatagrams = 64;
 
 class UdpControl final : public ControlInput {
  public:
@@ -30,7 +30,7 @@ class UdpControl final : public ControlInput {
   }
 
   void serve(const Ask& ask) override {
-    for (int i = 0; i < kMostDatagrams; ++i) {
+    for (int i = 0; i < kMaxDatagrams; ++i) {
       sockaddr_storage from{};
       socklen_t length = sizeof from;
       const ssize_t size = ::recvfrom(socket_.descriptor(), buffer_.data(), buffer_.size(),
@@ -82,7 +82,7 @@ class UdpControl final : public ControlInput {
     std::size_t lines = 0;
     do {
       const std::size_t end = std::min(text.find('\n'), text.size());
-      if (++lines > kMostLines) return answers + "error a datagram holds at most 16 commands\n";
+      if (++lines > kMaxLines) return answers + "error a datagram holds at most 16 commands\n";
       const std::string said = ask(std::string(text.substr(0, end)));
       if (!said.empty()) answers += said + "\n";
       text.remove_prefix(std::min(end + 1, text.size()));

@@ -14,12 +14,12 @@
 
 #include "core/base/unfinished_path.h"
 #include "core/net/system_socket.h"
-#include "player/playhead/transport_command.h"
+#include "player/playhead/playhead_command.h"
 
 namespace rocinante {
 namespace {
 
-constexpr std::size_t kMostConnections = 8;
+constexpr std::size_t kMaxConnections = 8;
 
 struct Connection {
   explicit Connection(SystemSocket its_socket) : socket(std::move(its_socket)) {}
@@ -43,7 +43,7 @@ class UnixControl final : public ControlInput {
 
   void addDescriptors(std::vector<pollfd>& descriptors) const override {
     // Further ones wait in the kernel's queue.
-    if (connections_.size() < kMostConnections) {
+    if (connections_.size() < kMaxConnections) {
       descriptors.push_back({socket_.descriptor(), POLLIN, 0});
     }
     for (const Connection& each : connections_) {
@@ -52,7 +52,7 @@ class UnixControl final : public ControlInput {
   }
 
   void serve(const Ask& ask) override {
-    while (connections_.size() < kMostConnections) {
+    while (connections_.size() < kMaxConnections) {
       const int accepted =
           ::accept4(socket_.descriptor(), nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC);
       if (accepted < 0) break;
@@ -90,8 +90,8 @@ class UnixControl final : public ControlInput {
       const std::string said = ask(line);
       if (!said.empty()) from.say(said);
     }
-    if (from.unread.size() > kMostCommandBytes) {
-      from.say("error a command has at most " + std::to_string(kMostCommandBytes) + " bytes");
+    if (from.unread.size() > kMaxCommandBytes) {
+      from.say("error a command has at most " + std::to_string(kMaxCommandBytes) + " bytes");
       from.over = true;
     }
   }
@@ -131,7 +131,7 @@ Result<ControlSocket> openUnixControl(const std::filesystem::path& path) {
   const int bound =
       ::bind(socket.descriptor(), reinterpret_cast<const sockaddr*>(&address), sizeof address);
   ::umask(former);
-  if (bound != 0 || ::listen(socket.descriptor(), static_cast<int>(kMostConnections)) != 0) {
+  if (bound != 0 || ::listen(socket.descriptor(), static_cast<int>(kMaxConnections)) != 0) {
     return unixError("cannot hear commands", path);
   }
   ControlSocket control;

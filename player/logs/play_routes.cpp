@@ -7,7 +7,7 @@ namespace rocinante {
 namespace {
 
 // Each is an open socket.
-constexpr std::size_t kMostRoutes = 1000;
+constexpr std::size_t kMaxRoutes = 1000;
 
 /// The port in "127.0.0.1:5000" or "[::1]:5000"; 0 when there is none.
 std::uint16_t portOf(const LogChannel& channel) {
@@ -35,7 +35,7 @@ void addOnce(std::vector<std::uint16_t>& numbers, std::uint16_t number) {
 
 }  // namespace
 
-Result<PlayRoutes> makeRoutes(const LogMerge& logs, const Endpoint& to,
+Result<PlayRoutes> makeRoutes(const MultiLogReader& logs, const Endpoint& to,
                               const std::vector<RouteMap>& maps, bool keep_ports) {
   PlayRoutes routes;
   std::vector<bool> used(maps.size());
@@ -58,9 +58,9 @@ Result<PlayRoutes> makeRoutes(const LogMerge& logs, const Endpoint& to,
       if (source != channel.metadata.end() && !source->second.empty()) {
         addOnce(routes.restated[source->second], own);
       }
-      if (routes.all.size() > kMostRoutes) {
+      if (routes.all.size() > kMaxRoutes) {
         return Error{ErrorKind::bad_argument,
-                     "more than " + std::to_string(kMostRoutes) + " sockets would be needed",
+                     "more than " + std::to_string(kMaxRoutes) + " sockets would be needed",
                      channel.topic};
       }
     }

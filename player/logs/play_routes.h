@@ -9,7 +9,7 @@
 #include "core/base/result.h"
 #include "core/net/endpoint.h"
 #include "core/net/route_map.h"
-#include "player/logs/log_merge.h"
+#include "player/logs/multi_log_reader.h"
 #include "player/send/route.h"
 
 namespace rocinante {
@@ -31,7 +31,7 @@ struct PlayRoutes {
 /// The routes of the chosen channels: to the first of `maps` that matches the topic, else to `to`;
 /// from the port of the original sender when `keep_ports`. bad_argument when a map matches no
 /// channel, or there are more than 1,000 routes.
-Result<PlayRoutes> makeRoutes(const LogMerge& logs, const Endpoint& to,
+Result<PlayRoutes> makeRoutes(const MultiLogReader& logs, const Endpoint& to,
                               const std::vector<RouteMap>& maps, bool keep_ports);
 
 }  // namespace rocinante

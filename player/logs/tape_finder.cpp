@@ -7,10 +7,10 @@ namespace rocinante {
 namespace {
 
 /// Between two of them lie 16,384 messages at most of every 8 million: some milliseconds to fold.
-constexpr std::size_t kMostKept = 1024;
+constexpr std::size_t kMaxKept = 1024;
 /// What all that is kept may weigh, as the states count it; one that is too heavy is not kept.
-constexpr std::uint64_t kMostKeptBytes = std::uint64_t{64} << 20U;
-constexpr std::uint64_t kHeaviest = kMostKeptBytes / 16;
+constexpr std::uint64_t kMaxKeptBytes = std::uint64_t{64} << 20U;
+constexpr std::uint64_t kHeaviest = kMaxKeptBytes / 16;
 
 std::uint64_t bytesOfKept(const SessionState& state) { return sizeof(state) + state.weight(); }
 
@@ -18,7 +18,7 @@ std::uint64_t bytesOfKept(const SessionState& state) { return sizeof(state) + st
 
 Result<TapeFinder> TapeFinder::open(std::vector<std::filesystem::path> paths,
                                     ChannelChoice choice) {
-  Result<LogMerge> merge = LogMerge::open(paths, choice);
+  Result<MultiLogReader> merge = MultiLogReader::open(paths, choice);
   if (!merge) return merge.error();
   TapeFinder finder(std::move(paths), std::move(choice), std::move(*merge));
   finder.sources_ = finder.merge_.sources();
@@ -30,10 +30,10 @@ Result<TapeFinder> TapeFinder::open(std::vector<std::filesystem::path> paths,
   return finder;
 }
 
-void TapeFinder::keep(TapePlace place, const SessionState& state) {
+void TapeFinder::keep(TapePosition place, const SessionState& state) {
   if (bytesOfKept(state) > kHeaviest || !kept_.try_emplace(place, state).second) return;
   kept_bytes_ += bytesOfKept(state);
-  if (kept_.size() < kMostKept && kept_bytes_ < kMostKeptBytes) return;
+  if (kept_.size() < kMaxKept && kept_bytes_ < kMaxKeptBytes) return;
   for (auto each = kept_.begin(); each != kept_.end();) {
     kept_bytes_ -= bytesOfKept(each->second);
     each = kept_.erase(each);
@@ -42,12 +42,12 @@ void TapeFinder::keep(TapePlace place, const SessionState& state) {
   keep_each_ *= 2;
 }
 
-Result<SessionState> TapeFinder::nearestBefore(TapePlace place, TapePlace& from) {
-  from = TapePlace::at(LogTime::min());
+Result<SessionState> TapeFinder::nearestBefore(TapePosition place, TapePosition& from) {
+  from = TapePosition::at(LogTime::min());
   if (place <= from) return SessionState();
   if (timeline_) {
     // The timeline folds whole moments; what is as early as the place itself is folded by place.
-    from = TapePlace::at(place.time);
+    from = TapePosition::at(place.time);
     Result<const SessionState*> state =
         timeline_->stateAt(place.time - Nanoseconds(1), &state_damage_);
     if (!state) return state.error();
@@ -60,24 +60,25 @@ Result<SessionState> TapeFinder::nearestBefore(TapePlace place, TapePlace& from)
   return nearest.second;
 }
 
-Result<SessionState> TapeFinder::stateBefore(TapePlace place) {
-  TapePlace from;
+Result<SessionState> TapeFinder::stateBefore(TapePosition place) {
+  TapePosition from;
   Result<SessionState> state = nearestBefore(place, from);
   if (!state) return state;
-  if (const Status put = merge_.seek(from, LogMerge::Which::folded); !put) return put.error();
+  if (const Status put = merge_.seek(from, MultiLogReader::Which::folded); !put) return put.error();
   for (std::uint64_t count = 1;; ++count) {
     const Result<std::optional<LogMessage>> message = merge_.next();
     if (!message) return message.error();
     if (!*message || merge_.place() >= place) break;
     folder_.fold(*state, **message);
-    if (!timeline_ && count % keep_each_ == 0) keep(TapePlace::behind(merge_.place()), *state);
+    if (!timeline_ && count % keep_each_ == 0) keep(TapePosition::behind(merge_.place()), *state);
   }
   for (const auto& [source, memory] : state->sources()) sources_.insert(source);
   return state;
 }
 
 Result<bool> TapeFinder::anyIn(LogTime from, LogTime until) {
-  if (const Status put = merge_.seek(TapePlace::at(from), LogMerge::Which::captured); !put) {
+  if (const Status put = merge_.seek(TapePosition::at(from), MultiLogReader::Which::captured);
+      !put) {
     return put.error();
   }
   const Result<std::optional<LogMessage>> first = merge_.next();
@@ -85,7 +86,8 @@ Result<bool> TapeFinder::anyIn(LogTime from, LogTime until) {
   return *first && (*first)->log_time < until;
 }
 
-Result<LogMerge::Earlier> TapeFinder::back(TapePlace place, std::uint64_t count, LogTime floor) {
+Result<MultiLogReader::Earlier> TapeFinder::back(TapePosition place, std::uint64_t count,
+                                                 LogTime floor) {
   return merge_.back(place, count, floor);
 }
 

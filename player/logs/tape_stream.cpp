@@ -9,19 +9,19 @@ namespace {
 // A turn of nothing would be repeated as fast as the machine can.
 constexpr Nanoseconds kLeastTurn = std::chrono::milliseconds(1);
 // Sources whose restatements overlap without end would make us say everything again and again.
-constexpr std::uint32_t kMostSettled = 64;
+constexpr std::uint32_t kMaxSettled = 64;
 
 }  // namespace
 
-Result<TapeStream> TapeStream::open(LogMerge& logs, const PlayRoutes& routes, TapeRun run) {
+Result<TapeStream> TapeStream::open(MultiLogReader& logs, const PlayRoutes& routes, TapeRun run) {
   TapeStream stream(logs, routes, std::move(run));
-  if (const Status put = logs.seek(stream.run_.from, LogMerge::Which::folded); !put) {
+  if (const Status put = logs.seek(stream.run_.from, MultiLogReader::Which::folded); !put) {
     return put.error();
   }
   return stream;
 }
 
-TapeStream::TapeStream(LogMerge& logs, const PlayRoutes& routes, TapeRun run)
+TapeStream::TapeStream(MultiLogReader& logs, const PlayRoutes& routes, TapeRun run)
     : logs_(&logs), routes_(&routes), run_(std::move(run)) {
   last_on_line_ = last_block_ = run_.start;
   settling_ = run_.state && run_.state->restatementOpen(run_.start);
@@ -42,9 +42,9 @@ Status TapeStream::beginTurn() {
   settled_ = 0;
   if (run_.turn_state) {
     run_.state = run_.turn_state;
-    makeBlock(TapePlace::at(run_.turn.from), run_.turn.from);
+    makeBlock(TapePosition::at(run_.turn.from), run_.turn.from);
   }
-  return logs_->seek(TapePlace::at(run_.turn.from), LogMerge::Which::folded);
+  return logs_->seek(TapePosition::at(run_.turn.from), MultiLogReader::Which::folded);
 }
 
 bool TapeStream::isBlockWanted(LogTime moment) const {
@@ -54,7 +54,7 @@ bool TapeStream::isBlockWanted(LogTime moment) const {
          !run_.state->restatementOpen(moment);
 }
 
-void TapeStream::makeBlock(TapePlace place, LogTime moment) {
+void TapeStream::makeBlock(TapePosition place, LogTime moment) {
   for (const auto& [source, memory] : run_.state->sources()) run_.sources.insert(source);
   block_ = restatedBlock(*run_.state, run_.sources, *routes_,
                          run_.part_id + "." + std::to_string(++blocks_));
@@ -124,7 +124,7 @@ ByteView TapeStream::take() {
   last_on_line_ = head_->log_time + shift_;
   if (run_.state) {
     const MessageFolder::Folded folded = folder_.fold(*run_.state, *head_);
-    if (settling_ && folded.applied && folded.is_part && settled_ < kMostSettled) {
+    if (settling_ && folded.applied && folded.is_part && settled_ < kMaxSettled) {
       ++settled_;
       makeBlock(logs_->place(), head_->log_time);
     }

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/packet/session_state.h"
-#include "player/logs/log_merge.h"
 #include "player/logs/message_folder.h"
+#include "player/logs/multi_log_reader.h"
 #include "player/logs/play_routes.h"
 #include "player/logs/restated_block.h"
 #include "player/send/datagram_stream.h"
@@ -17,7 +17,7 @@ namespace rocinante {
 
 /// What is played from a place on, if nobody interferes.
 struct TapeRun {
-  TapePlace from;          ///< the first message at or behind this
+  TapePosition from;       ///< the first message at or behind this
   LogTime start{};         ///< what the line begins with: the moment of `from`
   PlayedSpan bounds;       ///< of the span begun; playing it ends at `bounds.until`
   std::uint32_t span = 0;  ///< its number
@@ -50,21 +50,21 @@ struct TapeRun {
 class TapeStream final : public DatagramStream {
  public:
   /// `logs` and `routes` must outlive the stream; `logs` belongs to it until then.
-  static Result<TapeStream> open(LogMerge& logs, const PlayRoutes& routes, TapeRun run);
+  static Result<TapeStream> open(MultiLogReader& logs, const PlayRoutes& routes, TapeRun run);
 
   Result<std::optional<Due>> due() override;
   ByteView take() override;
 
  private:
-  TapeStream(LogMerge& logs, const PlayRoutes& routes, TapeRun run);
+  TapeStream(MultiLogReader& logs, const PlayRoutes& routes, TapeRun run);
 
   Status readHead();
   Status beginTurn();
   bool isBlockWanted(LogTime moment) const;
-  void makeBlock(TapePlace place, LogTime moment);
+  void makeBlock(TapePosition place, LogTime moment);
   Due headDue() const;
 
-  LogMerge* logs_;
+  MultiLogReader* logs_;
   const PlayRoutes* routes_;
   TapeRun run_;
   MessageFolder folder_;

@@ -7,8 +7,8 @@
 #include "core/session/timeline.h"
 #include "player/logs/tape_finder.h"
 #include "player/playhead/play_line.h"
-#include "player/playhead/transport.h"
-#include "player/send/udp_edge.h"
+#include "player/playhead/playhead.h"
+#include "player/send/udp_send_port.h"
 
 namespace rocinante {
 namespace {
@@ -19,7 +19,7 @@ std::string namesOf(const std::vector<std::filesystem::path>& paths) {
   return names;
 }
 
-Result<PlayedSpan> spanOf(const LogMerge& logs, const PlayOptions& options) {
+Result<PlayedSpan> spanOf(const MultiLogReader& logs, const PlayOptions& options) {
   PlayedSpan span{logs.start(), logs.end() + Nanoseconds(1)};
   if (options.from) {
     const auto from = parseSessionTime(*options.from, logs.origin(), logs.end());
@@ -35,7 +35,7 @@ Result<PlayedSpan> spanOf(const LogMerge& logs, const PlayOptions& options) {
   return span;
 }
 
-Status checkSpan(TapeFinder& finder, const LogMerge& logs, const PlayedSpan& span,
+Status checkSpan(TapeFinder& finder, const MultiLogReader& logs, const PlayedSpan& span,
                  const PlayOptions& options) {
   if (logs.empty()) {
     return Error{ErrorKind::not_found,
@@ -59,7 +59,7 @@ Status checkSpan(TapeFinder& finder, const LogMerge& logs, const PlayedSpan& spa
   return Error{ErrorKind::not_found, sentence, namesOf(options.logs)};
 }
 
-Result<std::optional<PlayedSpan>> loopOf(TapeFinder& finder, const LogMerge& logs,
+Result<std::optional<PlayedSpan>> loopOf(TapeFinder& finder, const MultiLogReader& logs,
                                          const PlayedSpan& span, const PlayOptions& options) {
   if (!options.loop) return std::optional<PlayedSpan>();
   const Result<PlayedSpan> asked = parseLoop(*options.loop, logs.origin(), logs.end());
@@ -99,7 +99,7 @@ Result<PlayedSpan> parseLoop(std::string_view text, LogTime origin, LogTime end)
 
 Result<PlayReport> play(const PlayOptions& options, const SendSurroundings& surroundings,
                         const PlayControl& control) {
-  Result<LogMerge> logs = LogMerge::open(options.logs, options.channels);
+  Result<MultiLogReader> logs = MultiLogReader::open(options.logs, options.channels);
   if (!logs) return logs.error();
   Result<TapeFinder> finder = TapeFinder::open(options.logs, options.channels);
   if (!finder) return finder.error();
@@ -111,7 +111,7 @@ Result<PlayReport> play(const PlayOptions& options, const SendSurroundings& surr
   const Result<PlayRoutes> routes = makeRoutes(*logs, options.to, options.maps, options.keep_ports);
   if (!routes) return routes.error();
 
-  TransportOptions how;
+  PlayheadOptions how;
   how.span = *span;
   // Who loops a part begins with it.
   if (*loop && !options.from) how.start = (*loop)->from;
@@ -127,28 +127,28 @@ Result<PlayReport> play(const PlayOptions& options, const SendSurroundings& surr
   how.repeat = options.repeat;
   how.gap_limit = options.gap_limit;
 
-  Result<UdpEdge> edge = UdpEdge::open(routes->all, how.speed ? options.realtime : Realtime::off,
-                                       surroundings.stop, control.wake);
+  Result<UdpSendPort> edge = UdpSendPort::open(
+      routes->all, how.speed ? options.realtime : Realtime::off, surroundings.stop, control.wake);
   if (!edge) return edge.error();
   surroundings.told("playing " + namesOf(options.logs) + " to " + options.to.text() +
                     mannerOf(options));
-  Result<std::unique_ptr<Transport>> transport =
-      Transport::open(*logs, *finder, *routes, how, edge->now());
-  if (!transport) return transport.error();
+  Result<std::unique_ptr<Playhead>> playhead =
+      Playhead::open(*logs, *finder, *routes, how, edge->now());
+  if (!playhead) return playhead.error();
 
   PlayReport report;
   PlayJournal journal(span->from, span->until);
-  const TransportRules rules{options.stays, logs->origin(), logs->end(), options.ack_timeout};
+  const PlayheadRules rules{options.stays, logs->origin(), logs->end(), options.ack_timeout};
   Result<SendEnd> end = SendEnd::finished;
   {
     PlayStatus status;
     PlayLine line(status, logs->origin(), std::min(span->until, logs->end()), options.progress);
-    end = sendTransport(**transport, rules, *edge, journal, control.commands, status);
+    end = sendPlayhead(**playhead, rules, *edge, journal, control.commands, status);
   }
   if (!end) report.failure = end.error();
   report.to = options.to.text();
-  report.speed = (*transport)->speed();
-  transport->reset();
+  report.speed = (*playhead)->speed();
+  playhead->reset();
   report.timing_source = edge->timingSource();
   report.scheduling = edge->scheduling();
   report.interrupted = end && *end == SendEnd::stopped;

@@ -7,7 +7,7 @@
 
 #include "core/base/duration_text.h"
 #include "core/cli/terminal.h"
-#include "player/playhead/transport.h"
+#include "player/playhead/playhead.h"
 
 namespace rocinante {
 namespace {
@@ -42,12 +42,12 @@ std::string PlayLine::text(const PlayStatus& status, LogTime origin, LogTime end
                                  tenths(end - origin), status.sent.load(kRelaxed));
   const double speed = status.speed.load(kRelaxed);
   if (speed > 0 && speed != 1) line += fmt::format(", {}x", speed);
-  const auto state = static_cast<Transport::State>(status.state.load(kRelaxed));
-  if (state == Transport::State::paused) line += ", paused";
-  if (state == Transport::State::ended) line += ", ended";
+  const auto state = static_cast<Playhead::State>(status.state.load(kRelaxed));
+  if (state == Playhead::State::paused) line += ", paused";
+  if (state == Playhead::State::ended) line += ", ended";
   const std::int64_t next = status.next_ns.load(kRelaxed);
   const Nanoseconds silence = SteadyTime(Nanoseconds(next)) - now;
-  if (state == Transport::State::playing && next > 0 && silence > kLongSilence) {
+  if (state == Playhead::State::playing && next > 0 && silence > kLongSilence) {
     line += fmt::format(", silent for {} s more", tenths(silence));
   }
   return line;

@@ -10,7 +10,7 @@ struct PlayStatus {
   std::atomic<std::int64_t> position_ns{0};  ///< log time
   std::atomic<std::uint64_t> sent{0};
   std::atomic<double> speed{1};          ///< 0: without a schedule
-  std::atomic<int> state{0};             ///< Transport::State
+  std::atomic<int> state{0};             ///< Playhead::State
   std::atomic<std::int64_t> next_ns{0};  ///< steady time of the next datagram; 0: none
 };
 

@@ -6,7 +6,7 @@
 #include "core/base/bytes.h"
 #include "core/base/result.h"
 #include "core/base/time.h"
-#include "player/send/tape_place.h"
+#include "player/send/tape_position.h"
 
 namespace rocinante {
 
@@ -25,7 +25,7 @@ struct Due {
   bool after_turn = false;  ///< its span began because the one before it was played to its end
   std::uint16_t route = 0;  ///< by which of the sender's sockets it leaves
   PlayedSpan bounds{};      ///< of its span; both 0: the stream does not say
-  TapePlace place{};        ///< in the logs; of a restatement: where it is said
+  TapePosition place{};     ///< in the logs; of a restatement: where it is said
   bool continues = false;   ///< a restatement of which further datagrams follow
 };
 

@@ -7,7 +7,7 @@ namespace rocinante {
 namespace {
 
 /// False when a stop was asked for first.
-bool waitFor(SteadyTime deadline, Pacing& pacing, SendEdge& edge) {
+bool waitFor(SteadyTime deadline, Pacing& pacing, SendPort& edge) {
   while (!edge.stopRequested()) {
     const Pacing::Step step = pacing.step(edge.now(), deadline);
     if (step.action == Pacing::Action::send) return true;
@@ -20,7 +20,7 @@ bool waitFor(SteadyTime deadline, Pacing& pacing, SendEdge& edge) {
 
 }  // namespace
 
-Result<SendEnd> sendOnSchedule(DatagramStream& stream, const PlaybackClock& clock, SendEdge& edge,
+Result<SendEnd> sendOnSchedule(DatagramStream& stream, const PlaybackClock& clock, SendPort& edge,
                                SendJournal& journal) {
   Pacing pacing;
   SendBatch batch;
@@ -42,7 +42,7 @@ Result<SendEnd> sendOnSchedule(DatagramStream& stream, const PlaybackClock& cloc
   }
 }
 
-Result<SendEnd> sendAtOnce(DatagramStream& stream, SendEdge& edge, SendJournal& journal) {
+Result<SendEnd> sendAtOnce(DatagramStream& stream, SendPort& edge, SendJournal& journal) {
   SendBatch batch;
   while (!edge.stopRequested()) {
     const SteadyTime now = edge.now();

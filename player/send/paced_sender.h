@@ -12,9 +12,9 @@
 namespace rocinante {
 
 /// The world that sending acts on: a clock, a sleep and a socket. A test hands in its own.
-class SendEdge {
+class SendPort {
  public:
-  virtual ~SendEdge() = default;
+  virtual ~SendPort() = default;
 
   virtual SteadyTime now() = 0;
   /// May return early (a signal), never much later.
@@ -40,11 +40,11 @@ enum class SendEnd : std::uint8_t { finished, stopped };
 /// Sends a stream on its schedule: nothing early, nothing dropped, nothing out of order. What is
 /// due together goes in one call. When it cannot keep up, everything is late and still in order.
 /// Fails when the stream or the socket does.
-Result<SendEnd> sendOnSchedule(DatagramStream& stream, const PlaybackClock& clock, SendEdge& edge,
+Result<SendEnd> sendOnSchedule(DatagramStream& stream, const PlaybackClock& clock, SendPort& edge,
                                SendJournal& journal);
 
 /// The same without a schedule: as fast as the socket takes them. Each deadline is then the moment
 /// it was taken up.
-Result<SendEnd> sendAtOnce(DatagramStream& stream, SendEdge& edge, SendJournal& journal);
+Result<SendEnd> sendAtOnce(DatagramStream& stream, SendPort& edge, SendJournal& journal);
 
 }  // namespace rocinante

@@ -30,7 +30,7 @@ void Pacing::woke(SteadyTime asked, SteadyTime now) {
   // Woken by a command, or a signal.
   if (now < asked) return;
   wakes_late_ += now - asked > wakes_late_ ? kUp : -kDown;
-  wakes_late_ = std::clamp(wakes_late_, kLeastSpin, kMostSpin);
+  wakes_late_ = std::clamp(wakes_late_, kLeastSpin, kMaxSpin);
 }
 
 }  // namespace rocinante

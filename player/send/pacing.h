@@ -20,7 +20,7 @@ namespace rocinante {
 class Pacing {
  public:
   /// The last stretch is never longer, nor, at low rates, shorter.
-  static constexpr Nanoseconds kMostSpin{300'000};
+  static constexpr Nanoseconds kMaxSpin{300'000};
   static constexpr Nanoseconds kLeastSpin{40'000};
   /// What it is before anything was learnt.
   static constexpr Nanoseconds kFirstSpin{120'000};

@@ -11,7 +11,7 @@ namespace rocinante {
 namespace {
 
 // An endless loop must not grow the report for ever: the first spans are kept, the counts go on.
-constexpr std::size_t kMostSpans = 10'000;
+constexpr std::size_t kMaxSpans = 10'000;
 
 double microseconds(Nanoseconds duration) { return static_cast<double>(duration.count()) / 1e3; }
 double seconds(Nanoseconds duration) { return static_cast<double>(duration.count()) / 1e9; }
@@ -50,7 +50,7 @@ void PlayJournal::closeSpan(bool whole) {
   PlayedSpan span = bounds_;
   // One that was left is as long as it was played.
   if (says_bounds_ && !whole) span.until = last_told_ + Nanoseconds(1);
-  if (spans_.size() < kMostSpans) spans_.push_back({span.from, span.until, span_sent_, sha256});
+  if (spans_.size() < kMaxSpans) spans_.push_back({span.from, span.until, span_sent_, sha256});
   span_sent_ = 0;
 }
 

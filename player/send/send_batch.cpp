@@ -7,9 +7,9 @@ void SendBatch::add(const Due& due, SteadyTime deadline, ByteView payload) {
   bytes_.insert(bytes_.end(), payload.begin(), payload.end());
 }
 
-Status SendBatch::send(SendEdge& edge, SendJournal& journal) {
-  std::array<ByteView, kMost> payloads;
-  std::array<SteadyTime, kMost> sent_at{};
+Status SendBatch::send(SendPort& edge, SendJournal& journal) {
+  std::array<ByteView, kMax> payloads;
+  std::array<SteadyTime, kMax> sent_at{};
   for (std::size_t i = 0; i < count_; ++i) {
     payloads[i] = ByteView(bytes_).subspan(items_[i].begin, items_[i].byte_count);
   }

@@ -3,14 +3,14 @@
 #include "player/send/paced_sender.h"
 #include "player/send/playback_clock.h"
 #include "player/send/progress_line.h"
-#include "player/send/udp_edge.h"
+#include "player/send/udp_send_port.h"
 
 namespace rocinante {
 
 Result<PlayReport> sendPlan(DatagramStream& stream, const SendPlan& plan,
                             const std::function<bool()>& stop) {
-  Result<UdpEdge> edge =
-      UdpEdge::open({{plan.to, 0, false}}, plan.speed ? plan.realtime : Realtime::off, stop);
+  Result<UdpSendPort> edge =
+      UdpSendPort::open({{plan.to, 0, false}}, plan.speed ? plan.realtime : Realtime::off, stop);
   if (!edge) return edge.error();
   if (plan.began) plan.began();
   PlayJournal journal(plan.from, plan.until);

@@ -47,9 +47,9 @@ std::optional<Nanoseconds> parseSeconds(std::string_view text) {
     for (; i < text.size(); ++i) written = std::min(written * 10 + (text[i] - '0'), 100'000);
     exponent += down ? -written : written;
   }
-  constexpr Wide kMost = std::numeric_limits<std::int64_t>::max();
+  constexpr Wide kMax = std::numeric_limits<std::int64_t>::max();
   for (; exponent > 0 && digits != 0; --exponent) {
-    if (digits > kMost) return std::nullopt;
+    if (digits > kMax) return std::nullopt;
     digits *= 10;
   }
   int last_dropped = 0;
@@ -58,17 +58,17 @@ std::optional<Nanoseconds> parseSeconds(std::string_view text) {
     digits /= 10;
   }
   if (last_dropped >= 5) ++digits;
-  if (digits > kMost) return std::nullopt;
+  if (digits > kMax) return std::nullopt;
   const auto count = static_cast<std::int64_t>(digits);
   return Nanoseconds(negative ? -count : count);
 }
 
 /// A field as a sentence shows it: not a megabyte of it.
 std::string shown(std::string_view text) {
-  constexpr std::size_t kMost = 40;
+  constexpr std::size_t kMax = 40;
   if (text.empty()) return "an empty field";
-  return text.size() <= kMost ? fmt::format("`{}`", text)
-                              : fmt::format("`{}...`", text.substr(0, kMost));
+  return text.size() <= kMax ? fmt::format("`{}`", text)
+                             : fmt::format("`{}...`", text.substr(0, kMax));
 }
 
 /// Reads one text; keeps where it is, for the sentences.

@@ -65,7 +65,7 @@ Result<bool> ReceiveLoop::drain(std::uint32_t endpoint) {
     const auto batch = listener.source->receive();
     if (!batch) return batch.error();
     if (batch->empty()) {
-      listener.drained_until = asked - listener.source->heldBack();
+      listener.drained_until = asked - listener.source->deliveryDelay();
       break;
     }
     received = true;
@@ -117,13 +117,14 @@ Status ReceiveLoop::askForDrops() {
     const Result<std::uint64_t> dropped = listeners_[endpoint].source->droppedByNow();
     if (!dropped) return dropped.error();
     noteDrops(endpoint, *dropped);
-    tend(listeners_[endpoint]);
+    maintain(listeners_[endpoint]);
   }
   return {};
 }
 
-void ReceiveLoop::tend(Listener& listener) {
-  if (const auto said = listener.source->tend(); said && callbacks_.note) callbacks_.note(*said);
+void ReceiveLoop::maintain(Listener& listener) {
+  if (const auto said = listener.source->maintain(); said && callbacks_.note)
+    callbacks_.note(*said);
   if (clock_.now() - listener.rate_since >= kRateSpan) measureRate(listener);
 }
 
@@ -146,9 +147,9 @@ void ReceiveLoop::measureRate(Listener& listener) {
   callbacks_.note(*advice);
 }
 
-Nanoseconds ReceiveLoop::heldBack() const {
+Nanoseconds ReceiveLoop::deliveryDelay() const {
   Nanoseconds longest{0};
-  for (const Listener& each : listeners_) longest = std::max(longest, each.source->heldBack());
+  for (const Listener& each : listeners_) longest = std::max(longest, each.source->deliveryDelay());
   return longest;
 }
 

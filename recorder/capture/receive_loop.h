@@ -44,7 +44,7 @@ class ReceiveLoop {
   const ReceiveRate& busiest(std::uint32_t endpoint) const { return listeners_[endpoint].busiest; }
   /// For so long the system may keep what has arrived: before finish(), whoever wants all of it
   /// waits.
-  Nanoseconds heldBack() const;
+  Nanoseconds deliveryDelay() const;
 
  private:
   struct Listener {
@@ -64,7 +64,7 @@ class ReceiveLoop {
   void keep(std::uint32_t endpoint, const ReceivedDatagram& datagram);
   void noteDrops(std::uint32_t endpoint, std::uint64_t dropped);
   Status askForDrops();
-  void tend(Listener& listener);
+  void maintain(Listener& listener);
   void measureRate(Listener& listener);
   void handOverBlock(std::optional<LogTime> drained_until);
 

@@ -15,7 +15,7 @@
 #include "recorder/capture/receive_loop.h"
 #include "recorder/capture/record_sink.h"
 #include "recorder/capture/tee_set.h"
-#include "recorder/pieces/quiet_thread.h"
+#include "recorder/pieces/thread_without_signals.h"
 
 namespace rocinante {
 namespace {
@@ -32,7 +32,7 @@ constexpr Nanoseconds kWriteWait = milliseconds(10);
 constexpr Nanoseconds kControlSleep = milliseconds(10);
 constexpr Nanoseconds kProgressPeriod = milliseconds(250);
 constexpr const char* kRefused = "refused";
-constexpr std::size_t kMostWarnings = 100;
+constexpr std::size_t kMaxWarnings = 100;
 constexpr Nanoseconds kNarrowLook = std::chrono::microseconds(2);
 
 SteadyTime steadyClockNow() { return std::chrono::steady_clock::now(); }
@@ -81,7 +81,7 @@ Status receiveUntilStopped(ReceiveLoop& loop, Shared& shared) {
     std::this_thread::sleep_for(idle == kIdlePasses ? kIdleSleep : kReceiveSleep);
   }
   // What the system still keeps of what has arrived.
-  std::this_thread::sleep_for(loop.heldBack());
+  std::this_thread::sleep_for(loop.deliveryDelay());
   Status finished = loop.finish();
   return ended ? finished : ended;
 }
@@ -178,7 +178,7 @@ class Control {
     shared_.triggers.store(events_.triggers_requested());
     for (const NoteBox::Note& note : notes_.take()) {
       events_.note(note);
-      if (note.is_trouble && warnings_.size() < kMostWarnings) warnings_.push_back(note.text);
+      if (note.is_trouble && warnings_.size() < kMaxWarnings) warnings_.push_back(note.text);
     }
   }
 
@@ -249,7 +249,7 @@ class Reception {
         loop_(sources, lookAtClocks, queue_, callbacks(notes)),
         start_(steadyClockNow()),
         begins_(file_begins.value_or(loop_.clock().now())),
-        thread_(quietThread("receive", [this, from_file = file_begins.has_value()] {
+        thread_(threadWithoutSignals("receive", [this, from_file = file_begins.has_value()] {
           askToRunPromptly();
           received_ = from_file ? readUntilEnded(*sources_[0], queue_, shared_)
                                 : receiveUntilStopped(loop_, shared_);
@@ -316,7 +316,7 @@ RecordSummary recordInto(std::unique_ptr<CaptureSink> sink, const std::string& n
   }
   CaptureWriter writer(std::move(sink), std::move(listened), std::move(limits));
 
-  std::thread writing = quietThread("write", [&] {
+  std::thread writing = threadWithoutSignals("write", [&] {
     askToRunPromptly();
     writeUntilFinished(writer, queue, shared);
   });

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "core/net/local_address.h"
-#include "recorder/pieces/quiet_thread.h"
+#include "recorder/pieces/thread_without_signals.h"
 
 namespace rocinante {
 namespace {
@@ -23,7 +23,7 @@ Result<std::unique_ptr<Tee>> Tee::open(const Endpoint& to, const Options& option
 
 Tee::Tee(UdpSender sender, const Options& options) : sender_(std::move(sender)), options_(options) {
   account_.to = sender_.endpoint();
-  thread_ = quietThread("tee", [this] { run(); });
+  thread_ = threadWithoutSignals("tee", [this] { run(); });
 }
 
 Tee::~Tee() { close(); }

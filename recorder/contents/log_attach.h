@@ -10,7 +10,7 @@
 namespace rocinante {
 
 /// The largest file that is attached.
-inline constexpr std::uint64_t kMostAttachedBytes = std::uint64_t{1} << 30;
+inline constexpr std::uint64_t kMaxAttachedBytes = std::uint64_t{1} << 30;
 
 struct NewAttachment {
   std::string name;

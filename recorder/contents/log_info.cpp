@@ -67,7 +67,7 @@ class Collector {
     std::inplace_merge(events.begin(), events.begin() + static_cast<std::ptrdiff_t>(own),
                        events.end(),
                        [](const Event& a, const Event& b) { return a.time < b.time; });
-    if (events.size() > kMostEvents) events.resize(kMostEvents);
+    if (events.size() > kMaxEvents) events.resize(kMaxEvents);
   }
 
   void finish() {
@@ -90,7 +90,7 @@ class Collector {
   };
 
   void addEvent(Event event) {
-    if (info_.events++ < kMostEvents) info_.first_events.push_back(std::move(event));
+    if (info_.events++ < kMaxEvents) info_.first_events.push_back(std::move(event));
   }
 
   Decoder* decoderFor(const std::string& encoding) {

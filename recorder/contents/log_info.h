@@ -13,7 +13,7 @@
 namespace rocinante {
 
 /// So many events are kept one by one.
-inline constexpr std::size_t kMostEvents = 1000;
+inline constexpr std::size_t kMaxEvents = 1000;
 
 struct ChannelInfo {
   LogChannel channel;

@@ -26,7 +26,7 @@ struct Preceding {
   /// A restatement that began behind this place is not complete at the moment asked for. No
   /// keyframe can say that: `state` is that of this place, and the messages from here to the
   /// moment are said again on /rocinante/restated/..., so that the fold goes on as it did.
-  std::optional<LogPlace> lead;
+  std::optional<LogPosition> lead;
   /// The restatements overlap without an end: one of them is taken as abandoned.
   bool restatement_cut = false;
   /// What the state lacks because the log is damaged before the moment.

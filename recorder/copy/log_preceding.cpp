@@ -16,7 +16,7 @@ using std::chrono::seconds;
 
 /// How far back the beginning of an unfinished restatement is looked for. Each is abandoned after a
 /// second, so only an unbroken chain of them reaches further.
-constexpr Nanoseconds kMostLead = seconds(10);
+constexpr Nanoseconds kMaxLead = seconds(10);
 
 constexpr std::uint64_t kProgressEvery = 4096;
 
@@ -45,7 +45,7 @@ Result<Preceding> foldUpTo(LogReader& reader, Selection& selection, const Sessio
   const double span = static_cast<double>(std::max<std::int64_t>((from - begin).count(), 1));
   std::uint64_t count = 0;
   /// The last place behind which no restatement was open; the start when it is empty.
-  std::optional<LogPlace> closed;
+  std::optional<LogPosition> closed;
   std::optional<LogTime> first_open;  ///< of the first message behind it
   bool was_ever_closed = !start.restatementOpen();
   SelectionFold fold(selection, start);
@@ -70,7 +70,7 @@ Result<Preceding> foldUpTo(LogReader& reader, Selection& selection, const Sessio
   Preceding preceding;
   preceding.moment = from;
   const bool open = fold.state().restatementOpen(from);
-  if (!open || !was_ever_closed || !first_open || from - *first_open > kMostLead) {
+  if (!open || !was_ever_closed || !first_open || from - *first_open > kMaxLead) {
     preceding.restatement_cut = open;
     preceding.state = fold.takeState();
     return preceding;
@@ -85,7 +85,7 @@ Result<Preceding> foldUpTo(LogReader& reader, Selection& selection, const Sessio
   if (!read) return read.error();
   preceding.state = again.takeState();
   preceding.moment = *first_open;
-  preceding.lead = closed.value_or(LogPlace{base, std::numeric_limits<std::uint64_t>::max()});
+  preceding.lead = closed.value_or(LogPosition{base, std::numeric_limits<std::uint64_t>::max()});
   return preceding;
 }
 
@@ -167,7 +167,7 @@ Result<Preceding> precedingOf(const std::filesystem::path& path, LogTime from) {
     opening = wantedKeyframeState((*keyframe)->payload, beginning, Selection{}, Nanoseconds(0));
   }
   Selection all;
-  for (const Nanoseconds back : {Nanoseconds(seconds(1)), Nanoseconds(seconds(3)), kMostLead}) {
+  for (const Nanoseconds back : {Nanoseconds(seconds(1)), Nanoseconds(seconds(3)), kMaxLead}) {
     const LogTime base = from - back;
     // What the log begins with is no fold of its messages.
     const bool at_start = base <= beginning;

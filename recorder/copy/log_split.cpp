@@ -25,7 +25,7 @@ constexpr std::uint64_t kRepeatedPart = 2;
 /// And of restatements that were under way, this part.
 constexpr std::uint64_t kLeadPart = 4;
 /// Pieces by time or event may repeat as much of restatements as they hold, and this.
-constexpr std::uint64_t kMostLeadBeyond = std::uint64_t{16} << 20U;
+constexpr std::uint64_t kMaxLeadBeyond = std::uint64_t{16} << 20U;
 
 /// Where pieces begin, asked item by item.
 class Boundaries {
@@ -185,7 +185,7 @@ class Split {
   /// overlap without an end, each piece would repeat all that stands before it.
   std::uint64_t leadRoom() const {
     if (split_.size_bytes > 0) return split_.size_bytes / kLeadPart;
-    const std::uint64_t most = copied_bytes_ + kMostLeadBeyond;
+    const std::uint64_t most = copied_bytes_ + kMaxLeadBeyond;
     return most > lead_bytes_ ? most - lead_bytes_ : 0;
   }
 
@@ -224,7 +224,7 @@ class Split {
   }
 
   /// Gives what is folded behind one place and before a time.
-  Status eachOfLead(LogPlace behind, LogTime until,
+  Status eachOfLead(LogPosition behind, LogTime until,
                     const std::function<Status(const LogMessage&)>& take) const {
     Result<LogReader> reader = LogReader::open(log_);
     if (!reader) return reader.error();
@@ -238,7 +238,7 @@ class Split {
     }
   }
 
-  Status addLead(LogPlace behind, LogTime until) {
+  Status addLead(LogPosition behind, LogTime until) {
     Status added = eachOfLead(behind, until, [&](const LogMessage& message) {
       CopyItem item;
       item.kind = CopyItem::Kind::lead;

@@ -13,7 +13,7 @@
 namespace rocinante {
 namespace {
 
-constexpr std::size_t kMostTopics = 5;
+constexpr std::size_t kMaxTopics = 5;
 
 bool anyTopicMatches(const LogReader& log, const std::vector<std::string>& patterns) {
   return std::ranges::any_of(log.channels(), [&](const LogChannel& channel) {
@@ -31,7 +31,7 @@ std::string topicsOf(const LogReader& log) {
       topics.push_back(channel.topic);
     }
   }
-  const std::size_t shown = std::min(topics.size(), kMostTopics);
+  const std::size_t shown = std::min(topics.size(), kMaxTopics);
   const std::span names(topics);
   std::string text = fmt::format("there {} {}", topics.size() == 1 ? "is" : "are",
                                  fmt::join(names.first(shown), ", "));

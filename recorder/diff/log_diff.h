@@ -43,13 +43,13 @@ struct StateDiff {
   bool differs = false;
   bool ends_differ = false;  ///< the states at the end of both
   LogTime first{};           ///< the first moment at which they are not the same
-  /// The items of the states at that moment that only one has; each at most kMostItems.
+  /// The items of the states at that moment that only one has; each at most kMaxItems.
   std::vector<std::string> only_a, only_b;
   std::uint64_t items_only_a = 0, items_only_b = 0;
 };
 
 struct LogDiff {
-  static constexpr std::size_t kMostItems = 20;
+  static constexpr std::size_t kMaxItems = 20;
 
   std::string name_a, name_b;
   LogTime origin_a{}, origin_b{};

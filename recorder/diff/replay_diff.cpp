@@ -13,7 +13,7 @@
 namespace rocinante {
 namespace {
 
-constexpr std::size_t kMostAlone = 1'000'000;
+constexpr std::size_t kMaxAlone = 1'000'000;
 constexpr double kOtherSpeed = 0.1;
 
 /// SOURCE, and the place that it is mapped to.
@@ -71,7 +71,7 @@ struct Moment {
 class Alone {
  public:
   void add(std::size_t side, const MatchItem& item) {
-    if (counts_.size() < kMostAlone || counts_.contains(item.digest)) ++counts_[item.digest][side];
+    if (counts_.size() < kMaxAlone || counts_.contains(item.digest)) ++counts_[item.digest][side];
   }
   std::uint64_t inBoth() const {
     std::uint64_t both = 0;

@@ -89,7 +89,7 @@ void describe(const SessionState& a, const SessionState& b, StateDiff& diff) {
   diff.items_only_a = diff.only_a.size();
   diff.items_only_b = diff.only_b.size();
   for (std::vector<std::string>* items : {&diff.only_a, &diff.only_b}) {
-    if (items->size() > LogDiff::kMostItems) items->resize(LogDiff::kMostItems);
+    if (items->size() > LogDiff::kMaxItems) items->resize(LogDiff::kMaxItems);
   }
 }
 

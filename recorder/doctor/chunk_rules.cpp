@@ -34,7 +34,7 @@ void ChunkRules::chunk(const mcap::Record& record) {
         "chunk-unread", offset_,
         fmt::format("it was not expanded: with those before it, it claims more than {} bytes "
                     "and {} times the file's size",
-                    mcap::ExpansionBudget::kFreeBytes, mcap::ExpansionBudget::kMostGrowth));
+                    mcap::ExpansionBudget::kFreeBytes, mcap::ExpansionBudget::kMaxGrowth));
     return unreadable();
   }
   // Its checksum is looked at apart from its content.

@@ -18,12 +18,12 @@ struct Breach {
 /// What an examination of a log found. Of each rule the first breaches are kept, and all counted.
 class DoctorReport {
  public:
-  static constexpr std::uint64_t kMostListed = 20;
+  static constexpr std::uint64_t kMaxListed = 20;
 
   void add(std::string_view rule, std::uint64_t offset, std::string what) {
     auto found = counts_.find(rule);
     if (found == counts_.end()) found = counts_.emplace(rule, 0).first;
-    if (found->second++ < kMostListed) {
+    if (found->second++ < kMaxListed) {
       breaches_.push_back({std::string(rule), offset, std::move(what)});
     }
   }

@@ -71,9 +71,9 @@ std::string doctorText(const DoctorReport& report) {
     out += fmt::format("  byte {:<10}  {:<18}  {}\n", breach.offset, breach.rule, breach.what);
   }
   for (const auto& [rule, count] : report.counts()) {
-    if (count > DoctorReport::kMostListed) {
-      out += fmt::format("  {:15}  {:<18}  and {} more\n", "", rule,
-                         count - DoctorReport::kMostListed);
+    if (count > DoctorReport::kMaxListed) {
+      out +=
+          fmt::format("  {:15}  {:<18}  and {} more\n", "", rule, count - DoctorReport::kMaxListed);
     }
   }
   if (const std::string hint = hintFor(report); !hint.empty()) {

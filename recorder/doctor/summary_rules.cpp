@@ -15,7 +15,7 @@ using mcap::Opcode;
 
 namespace {
 
-constexpr std::size_t kMostGroups = 64;  ///< a hostile file has as many as it likes
+constexpr std::size_t kMaxGroups = 64;  ///< a hostile file has as many as it likes
 
 }  // namespace
 
@@ -97,7 +97,7 @@ void SummaryRules::place(const mcap::Record& record) {
     report_.add("summary-group", record.offset,
                 fmt::format("a {} stands behind the SummaryOffsets", mcap::nameOf(record.opcode)));
   }
-  if (groups_.size() < kMostGroups) {
+  if (groups_.size() < kMaxGroups) {
     groups_.push_back({record.opcode, record.offset, record.end(), false});
   }
 }

@@ -29,7 +29,7 @@ struct AttachArguments {
 Result<std::vector<NewAttachment>> readFiles(const AttachArguments& my) {
   std::vector<NewAttachment> files;
   for (const std::filesystem::path& path : my.files) {
-    auto content = readFile(path, kMostAttachedBytes);
+    auto content = readFile(path, kMaxAttachedBytes);
     if (!content.ok()) return content.error();
     NewAttachment file;
     file.name = my.name.empty() ? manifestWord(path.filename().string()) : my.name;

@@ -24,11 +24,11 @@ class NoteBox {
 
  private:
   // A program that never asks must not fill the memory.
-  static constexpr std::size_t kMost = 10'000;
+  static constexpr std::size_t kMax = 10'000;
 
   void add(Note note) {
     const std::lock_guard lock(mutex_);
-    if (notes_.size() < kMost) notes_.push_back(std::move(note));
+    if (notes_.size() < kMax) notes_.push_back(std::move(note));
   }
 
   std::mutex mutex_;

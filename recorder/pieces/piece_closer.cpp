@@ -6,7 +6,7 @@
 #include <cstring>
 #include <utility>
 
-#include "recorder/pieces/quiet_thread.h"
+#include "recorder/pieces/thread_without_signals.h"
 
 namespace rocinante {
 
@@ -27,9 +27,9 @@ void PieceCloser::remove(PieceFacts facts) { add(std::move(facts)); }
 
 void PieceCloser::add(Job job) {
   std::unique_lock lock(mutex_);
-  changed_.wait(lock, [&] { return jobs_.size() < kMostWaiting; });
+  changed_.wait(lock, [&] { return jobs_.size() < kMaxWaiting; });
   jobs_.push_back(std::move(job));
-  if (!thread_.joinable()) thread_ = quietThread("close", [this] { work(); });
+  if (!thread_.joinable()) thread_ = threadWithoutSignals("close", [this] { work(); });
   changed_.notify_all();
 }
 

@@ -31,7 +31,7 @@ class PieceCloser {
   PieceCloser(const PieceCloser&) = delete;
   PieceCloser& operator=(const PieceCloser&) = delete;
 
-  /// `facts` beside what the piece itself knows: its triggers. Waits while kMostWaiting others
+  /// `facts` beside what the piece itself knows: its triggers. Waits while kMaxWaiting others
   /// wait, so that a disk that is too slow is met by the recorder's queue, which counts.
   void close(std::unique_ptr<PieceLog> piece, std::string reason, PieceFacts facts);
   /// Deletes the file, if it is still the one that was made.
@@ -42,7 +42,7 @@ class PieceCloser {
   /// The same once everything asked for is done.
   std::vector<Done> finish();
 
-  static constexpr std::size_t kMostWaiting = 8;
+  static constexpr std::size_t kMaxWaiting = 8;
 
  private:
   struct Closing {

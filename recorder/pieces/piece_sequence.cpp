@@ -11,7 +11,7 @@ namespace {
 using std::chrono::seconds;
 
 /// A restatement runs out after a second, so only an unbroken chain of them keeps a seam longer.
-constexpr Nanoseconds kMostWait = seconds(1);
+constexpr Nanoseconds kMaxWait = seconds(1);
 constexpr Nanoseconds kRetry = seconds(1);
 /// Of a piece that another follows, as rocinante.end has it.
 constexpr const char* kSplitReason = "split";
@@ -54,7 +54,7 @@ bool PieceSequence::seamDue(LogTime time) {
   if (time <= piece_->lastTime()) return false;
   if (retry_at_ && time < *retry_at_) return false;
   if (!wanted_since_) wanted_since_ = time;
-  return !piece_->state().restatementOpen(time) || time - *wanted_since_ >= kMostWait;
+  return !piece_->state().restatementOpen(time) || time - *wanted_since_ >= kMaxWait;
 }
 
 Status PieceSequence::seam(LogTime time) {

@@ -151,7 +151,7 @@ Result<SpyReport> watch(const Sources& sources, std::optional<Nanoseconds> durat
       screen->show(spy.report(wallNow()));
     }
     for (std::size_t i = 0; i < sources.size(); ++i) {
-      const auto said = sources[i]->tend();
+      const auto said = sources[i]->maintain();
       if (said && !screen) cli::warn(*said);
       waiting[i] = {sources[i]->fileDescriptor(), POLLIN, 0};
     }

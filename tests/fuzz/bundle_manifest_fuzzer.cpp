@@ -28,7 +28,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     mustLieBelow(file.name);
     total += file.bytes;
   }
-  if (total > kMostBundledBytes) std::abort();
+  if (total > kMaxBundledBytes) std::abort();
   for (const BundleManifest::Name& name : manifest->names) {
     if (!name.in.empty()) mustLieBelow(name.in);
     if (!name.means.empty()) mustLieBelow(name.means);

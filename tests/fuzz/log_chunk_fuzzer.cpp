@@ -30,8 +30,8 @@ mcap::Chunk chunkOf(std::uint8_t kind, ByteView records) {
   return chunk;
 }
 
-std::vector<LogPlace> places(LogReader& reader, bool backwards) {
-  std::vector<LogPlace> out;
+std::vector<LogPosition> places(LogReader& reader, bool backwards) {
+  std::vector<LogPosition> out;
   while (const std::optional<LogMessage> message =
              backwards ? *reader.previous() : *reader.next()) {
     out.push_back(message->place());
@@ -65,8 +65,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   Result<LogReader> reader = LogReader::openBytes(file, "fuzz");
   if (!reader) std::abort();
-  const std::vector<LogPlace> forwards = places(*reader, false);
-  const std::vector<LogPlace> backwards = places(*reader, true);
+  const std::vector<LogPosition> forwards = places(*reader, false);
+  const std::vector<LogPosition> backwards = places(*reader, true);
   if (!std::equal(forwards.begin(), forwards.end(), backwards.rbegin(), backwards.rend())) {
     std::abort();
   }

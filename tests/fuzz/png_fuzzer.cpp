@@ -15,7 +15,7 @@ using namespace rocinante;
 
 namespace {
 
-constexpr std::int64_t kMostPixels = 1 << 16;
+constexpr std::int64_t kMaxPixels = 1 << 16;
 
 void require(bool sound) {
   if (!sound) std::abort();
@@ -66,8 +66,8 @@ std::string madeOf(const std::string& input, bool more) {
 }
 
 void decodeBothWays(const std::string& file) {
-  const auto look = decodePng(bytesOf(file), "fuzz.png", kMostPixels);
-  const auto judged = decodeFinePng(bytesOf(file), "fuzz.png", kMostPixels);
+  const auto look = decodePng(bytesOf(file), "fuzz.png", kMaxPixels);
+  const auto judged = decodeFinePng(bytesOf(file), "fuzz.png", kMaxPixels);
   if (!judged.ok()) return;
   require(look.ok() && *look == judged->picture);
   require(judged->picture.rgba.size() == std::size_t{4} *
@@ -98,7 +98,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         !decodePlainPng(bytesOf(file), width, height, components, rgba)) {
       continue;
     }
-    const auto judged = decodeFinePng(bytesOf(madeOf(input, true)), "slow.png", kMostPixels);
+    const auto judged = decodeFinePng(bytesOf(madeOf(input, true)), "slow.png", kMaxPixels);
     require(judged.ok() && judged->picture.rgba == rgba);
   }
   return 0;

@@ -14,9 +14,9 @@
 namespace rocinante {
 namespace {
 
-constexpr std::uint32_t kMostRanks = 15;
-constexpr std::size_t kMostTests = 400'000;
-constexpr std::size_t kMostTriangles = 20'000;
+constexpr std::uint32_t kMaxRanks = 15;
+constexpr std::size_t kMaxTests = 400'000;
+constexpr std::size_t kMaxTriangles = 20'000;
 /// Planes so near to each other are one: a twentieth of a millimetre, a thousandth of a small face,
 /// or what floats of a large one may be off by.
 constexpr double kNear_m = 5e-5;
@@ -112,14 +112,14 @@ std::vector<FlatCorners> flattened(const Candidate& one, const FlatFace& face, i
 bool cover(const Candidate& one, const FlatFace& face, const WorldFace& where,
            const Candidate& other, const FlatFace& other_face, const WorldFace& other_where,
            double slack) {
-  if (face.triangles.size() + other_face.triangles.size() > kMostTriangles) return true;
+  if (face.triangles.size() + other_face.triangles.size() > kMaxTriangles) return true;
   int along = 0;
   for (int axis = 1; axis < 3; ++axis) {
     if (std::abs(where.normal[axis]) > std::abs(where.normal[along])) along = axis;
   }
   const auto mine = flattened(one, face, along, other_where);
   const auto others = flattened(other, other_face, along, where);
-  if (mine.size() * others.size() > kMostTriangles) return true;
+  if (mine.size() * others.size() > kMaxTriangles) return true;
   for (const FlatCorners& a : mine) {
     for (const FlatCorners& b : others) {
       if (trianglesOverlap(a, b, slack)) return true;
@@ -253,7 +253,7 @@ void liftCoplanarItems(std::span<const LiftedList> lists, const PosedScene& scen
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const double right = candidates[i].center.x + candidates[i].half.x + kNear_m;
     for (std::size_t j = i + 1; j < candidates.size() && left(candidates[j]) <= right; ++j) {
-      if (++tests > kMostTests) break;
+      if (++tests > kMaxTests) break;
       const Candidate& a = candidates[i];
       const Candidate& b = candidates[j];
       if (!boxesMeet(a.center, a.half, b.center, b.half, kNear_m)) continue;
@@ -266,10 +266,10 @@ void liftCoplanarItems(std::span<const LiftedList> lists, const PosedScene& scen
   }
   // Each above all that it lies on, which may lie on others.
   bool changed = !pairs.empty();
-  for (std::uint32_t round = 0; changed && round < kMostRanks; ++round) {
+  for (std::uint32_t round = 0; changed && round < kMaxRanks; ++round) {
     changed = false;
     for (const Pair& pair : pairs) {
-      const std::uint32_t rank = std::min(pair.below->coplanar_rank + 1, kMostRanks);
+      const std::uint32_t rank = std::min(pair.below->coplanar_rank + 1, kMaxRanks);
       const float units = pair.below->lift_units + unitsOf(2 * pair.near, *pair.above, camera);
       if (pair.above->coplanar_rank >= rank && pair.above->lift_units >= units) continue;
       pair.above->coplanar_rank = std::max(pair.above->coplanar_rank, rank);

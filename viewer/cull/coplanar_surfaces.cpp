@@ -13,7 +13,7 @@ namespace rocinante {
 namespace {
 
 constexpr std::uint32_t kMaxRank = 15;
-constexpr std::size_t kMaxTests = 4'000'000;
+constexpr std::size_t kMaxPairTests = 4'000'000;
 
 /// A triangle in its plane: the two axes other than the normal's largest.
 struct FlatTriangle {
@@ -86,7 +86,7 @@ void findOverlaps(std::vector<FlatTriangle>& triangles, const std::vector<std::u
     const FlatTriangle& a = triangles[i];
     for (std::size_t j = i + 1; j < triangles.size(); ++j) {
       const FlatTriangle& b = triangles[j];
-      if (b.min.x + slack >= a.max.x || ++tests > kMaxTests) break;
+      if (b.min.x + slack >= a.max.x || ++tests > kMaxPairTests) break;
       const bool boxes_meet = a.min.y + slack < b.max.y && b.min.y + slack < a.max.y;
       if (a.part == b.part || !boxes_meet || !trianglesOverlap(a.corners, b.corners, slack))
         continue;

@@ -95,7 +95,7 @@ void forEachPart(const Visual& visual, const CatalogMesh& mesh, const Each& each
 /// Numbers for looks, by their first appearance. The last one stands for all that come too late.
 class LookNumbers {
  public:
-  static constexpr std::uint32_t kMost = 64;
+  static constexpr std::uint32_t kMax = 64;
 
   std::uint32_t of(const DrawItem& item) {
     if (latest_ < looks_.size() && sameLook(*looks_[latest_], item)) return latest_;
@@ -103,7 +103,7 @@ class LookNumbers {
     for (latest_ = 0; latest_ < looks_.size(); ++latest_) {
       if (hashes_[latest_] == hash && sameLook(*looks_[latest_], item)) return latest_;
     }
-    if (latest_ < kMost) {
+    if (latest_ < kMax) {
       looks_.push_back(&item);
       hashes_.push_back(hash);
     }
@@ -134,7 +134,7 @@ void sortByState(std::vector<DrawItem>& items, std::vector<DrawItem>& spare) {
   keys.reserve(items.size());
   LookNumbers looks;
   for (const DrawItem& item : items) {
-    const std::uint32_t group = item.batched ? ~LookNumbers::kMost + looks.of(item) : item.mesh;
+    const std::uint32_t group = item.batched ? ~LookNumbers::kMax + looks.of(item) : item.mesh;
     const auto texture = static_cast<std::uint32_t>(item.texture + 1);
     keys.emplace_back(std::uint64_t{item.coplanar_rank} << 32U | texture,
                       std::uint64_t{group} << 32U | keys.size());

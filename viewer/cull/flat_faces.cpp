@@ -13,7 +13,7 @@
 namespace rocinante {
 namespace {
 
-constexpr std::size_t kMostFaces = 6;
+constexpr std::size_t kMaxFaces = 6;
 constexpr double kLeastShare = 1.0 / 50;
 /// Of the mesh's size: how thick a plane is.
 constexpr double kThickness = 1e-4;
@@ -71,7 +71,7 @@ PartFaces flatFaces(const Mesh& mesh, const MeshPart& part) {
   }
   std::stable_sort(found.faces.begin(), found.faces.end(),
                    [](const FlatFace& a, const FlatFace& b) { return a.area > b.area; });
-  if (found.faces.size() > kMostFaces) found.faces.resize(kMostFaces);
+  if (found.faces.size() > kMaxFaces) found.faces.resize(kMaxFaces);
   return found;
 }
 

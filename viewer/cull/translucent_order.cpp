@@ -12,7 +12,7 @@
 namespace rocinante {
 namespace {
 
-constexpr std::size_t kMostItems = 2000;
+constexpr std::size_t kMaxItems = 2000;
 constexpr double kInsideSlack = 1e-6;
 
 struct Box {
@@ -86,7 +86,7 @@ void sortFromBackToFront(std::vector<DrawItem>& items, const SceneCatalog& catal
     }
     boxes.back().radius = longest;
   }
-  for (std::size_t b = 0; b < boxes.size() && boxes.size() <= kMostItems; ++b) {
+  for (std::size_t b = 0; b < boxes.size() && boxes.size() <= kMaxItems; ++b) {
     const Container container = containerOf(boxes[b], camera);
     if (!container.possible) continue;
     for (const Box& inner : boxes) {

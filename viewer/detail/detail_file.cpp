@@ -18,7 +18,7 @@ constexpr std::string_view kMagic = "RKDETAIL";
 constexpr std::uint32_t kLayout = 1;
 constexpr std::size_t kKeyBytes = 32;
 constexpr std::size_t kHashBytes = 16;
-constexpr std::uint32_t kMostVersionsOfAPart = 64;
+constexpr std::uint32_t kMaxVersionsOfAPart = 64;
 
 void append(Bytes& bytes, ByteView more) {
   const std::size_t before = bytes.size();
@@ -108,7 +108,7 @@ std::optional<MeshDetail> decodeDetail(ByteView bytes, std::string_view key,
   detail.parts.resize(static_cast<std::size_t>(part_count));
   for (auto& coarser : detail.parts) {
     const auto count = reader.take<std::uint32_t>();
-    if (!reader.ok() || count > kMostVersionsOfAPart) return std::nullopt;
+    if (!reader.ok() || count > kMaxVersionsOfAPart) return std::nullopt;
     double last_error = 0;
     for (std::uint32_t i = 0; i < count; ++i) {
       CoarsePart part;

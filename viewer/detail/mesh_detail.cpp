@@ -13,7 +13,7 @@ namespace {
 
 /// Fewer triangles are not worth a draw of their own.
 constexpr std::size_t kFewestTriangles = 64;
-constexpr std::size_t kMostVersions = 8;
+constexpr std::size_t kMaxVersions = 8;
 /// Of the part's size: past that a version is no picture of the part.
 constexpr float kLargestError = 0.05F;
 /// A version must save at least this of the one before it.
@@ -61,7 +61,7 @@ std::vector<Version> coarserVersions(const Mesh& mesh, std::span<const std::uint
 
   std::vector<std::uint32_t> current = patch.indices;
   float error = 0;
-  while (versions.size() < kMostVersions && current.size() / 3 >= kFewestTriangles / 2) {
+  while (versions.size() < kMaxVersions && current.size() / 3 >= kFewestTriangles / 2) {
     std::vector<std::uint32_t> coarser(current.size());
     float added = 0;
     // Half of the triangles, each time from the version before: its error adds to this one's.

@@ -20,8 +20,8 @@ struct OutputFile {
   std::string bytes;
 };
 
-constexpr std::uint64_t kMostTextureBytes = std::uint64_t{1} << 30;
-constexpr std::uint64_t kMostStlTriangles = 0xFFFFFFFF;
+constexpr std::uint64_t kMaxTextureBytes = std::uint64_t{1} << 30;
+constexpr std::uint64_t kMaxStlTriangles = 0xFFFFFFFF;
 
 enum class Form : std::uint8_t { obj, stl, cell };
 
@@ -117,7 +117,7 @@ class Conversion {
     }
     if (form == Form::obj) return addObj(job_.output);
     if (stl.triangles() == 0) return nothing();
-    if (stl.triangles() > kMostStlTriangles) {
+    if (stl.triangles() > kMaxStlTriangles) {
       return Error{ErrorKind::unsupported, "STL holds at most 4,294,967,295 triangles",
                    job_.output.string()};
     }
@@ -153,10 +153,10 @@ class Conversion {
     const std::string obj_name = plain(stem_) + ".obj";
     if (Status added = addObj(folder_ / obj_name); !added) return added;
     std::string text = cellText(*device, model, obj_name, groups);
-    if (text.size() > kMostCellBytes) {
+    if (text.size() > kMaxCellBytes) {
       return Error{ErrorKind::unsupported,
                    fmt::format("{} links make a cell file of more than {} MiB, which is not read",
-                               model.links.size(), kMostCellBytes >> 20),
+                               model.links.size(), kMaxCellBytes >> 20),
                    job_.output.string()};
     }
     files_.push_back({job_.output, std::move(text)});
@@ -182,7 +182,7 @@ class Conversion {
     if (obj_.triangles() == 0) return nothing();
     report_.triangles = obj_.triangles();
     for (const auto& [file, name] : obj_.textures()) {
-      auto bytes = readFile(file, kMostTextureBytes);
+      auto bytes = readFile(file, kMaxTextureBytes);
       if (!bytes.ok()) return bytes.error();
       files_.push_back({folder_ / name, std::move(*bytes)});
     }

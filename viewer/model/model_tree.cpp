@@ -11,7 +11,7 @@
 namespace rocinante {
 namespace {
 
-constexpr std::size_t kMostLevels = 64;
+constexpr std::size_t kMaxLevels = 64;
 
 struct Strokes {
   std::string_view child, last_child, beside, nothing;
@@ -63,7 +63,7 @@ std::string treeText(const Model& model, bool ascii) {
     std::string line, below;
     if (at.depth == 0) {
       line = plainText(link.name);
-    } else if (at.depth <= kMostLevels) {
+    } else if (at.depth <= kMaxLevels) {
       line = at.beginning + std::string(at.last ? strokes.last_child : strokes.child) +
              plainText(link.name);
       below = at.beginning + std::string(at.last ? strokes.nothing : strokes.beside);

@@ -15,7 +15,7 @@
 namespace rocinante {
 namespace {
 
-constexpr std::uint64_t kMostPipedBytes = std::uint64_t{1} << 30U;
+constexpr std::uint64_t kMaxPipedBytes = std::uint64_t{1} << 30U;
 constexpr std::string_view kPngSignature = "\x89PNG\r\n\x1A\n";
 
 /// Whether the file is a PNG; what it is, its bytes say and not its name.
@@ -57,7 +57,7 @@ bool isPipe(const std::filesystem::path& path) {
 
 /// What comes through a pipe, if it is a PNG: the module reads files only.
 Result<std::string> pngFromPipe(const std::filesystem::path& path) {
-  auto content = readFile(path, kMostPipedBytes);
+  auto content = readFile(path, kMaxPipedBytes);
   if (!content.ok() || content->starts_with(kPngSignature)) return content;
   return Error{ErrorKind::unsupported, "through a pipe only PNG is read", path.string()};
 }

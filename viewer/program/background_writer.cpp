@@ -6,7 +6,7 @@
 namespace rocinante {
 namespace {
 
-constexpr std::size_t kMostWaiting = 8;
+constexpr std::size_t kMaxWaiting = 8;
 /// More than cores, because a file's way to the disk is waiting.
 constexpr std::size_t kWriterThreads = 4;
 
@@ -36,7 +36,7 @@ BackgroundWriter::~BackgroundWriter() {
 
 Status BackgroundWriter::add(std::function<Status()> task) {
   std::unique_lock lock(mutex_);
-  changed_.wait(lock, [&] { return failure_ || waiting_.size() < kMostWaiting; });
+  changed_.wait(lock, [&] { return failure_ || waiting_.size() < kMaxWaiting; });
   if (failure_) return *failure_;
   waiting_.push_back(std::move(task));
   changed_.notify_all();

@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kMostUnits = 65535;
+constexpr double kMaxUnits = 65535;
 
 Json headOf(const std::filesystem::path& path, int width, int height, const MeasuredFrame& of) {
   Json json;
@@ -68,13 +68,13 @@ DepthUnits depthUnits(const DepthFrame& frame) {
   DepthUnits depth;
   // So many units a metre: whole numbers, because a tenth is none in binary.
   double per_metre = 1000;
-  while (farthest * per_metre > kMostUnits && per_metre > 1e-12) per_metre /= 10;
+  while (farthest * per_metre > kMaxUnits && per_metre > 1e-12) per_metre /= 10;
   depth.metres_per_unit = 1 / per_metre;
   depth.units.reserve(frame.metres.size());
   for (const float metres : frame.metres) {
     const double units = std::floor(static_cast<double>(metres) * per_metre + 0.5);
     depth.units.push_back(std::isfinite(metres)
-                              ? static_cast<std::uint16_t>(std::clamp(units, 1.0, kMostUnits))
+                              ? static_cast<std::uint16_t>(std::clamp(units, 1.0, kMaxUnits))
                               : std::uint16_t{0});
   }
   return depth;

@@ -19,7 +19,7 @@ std::filesystem::path withMiddle(const std::filesystem::path& file, const std::s
 }  // namespace
 
 std::string fileNamePart(std::string_view text) {
-  constexpr std::size_t kMostBytes = 60;
+  constexpr std::size_t kMaxBytes = 60;
   std::string part;
   for (const char c : text) {
     const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
@@ -30,7 +30,7 @@ std::string fileNamePart(std::string_view text) {
       part += '_';
     }
   }
-  part.resize(std::min(part.size(), kMostBytes));
+  part.resize(std::min(part.size(), kMaxBytes));
   while (!part.empty() && (part.back() == '_' || part.back() == '.')) part.pop_back();
   return part.empty() ? "unnamed" : part;
 }

@@ -27,7 +27,7 @@ namespace {
 constexpr int kCaptionPx = 18;
 /// More pictures than this wait together for the disk, at the end: one by one, small ones waited
 /// longer than their drawing took.
-constexpr std::size_t kMostSyncedAlone = 16;
+constexpr std::size_t kMaxSyncedAlone = 16;
 
 Error badJob(std::string what) { return Error{ErrorKind::bad_argument, std::move(what), {}}; }
 
@@ -306,7 +306,7 @@ class RenderRun {
   std::optional<ContactSheet> sheet_;
   std::vector<VideoFile> videos_;
   std::vector<RenderedFrame> frames_;
-  const Sync sync_ = frames_.size() > kMostSyncedAlone ? Sync::later : Sync::now;
+  const Sync sync_ = frames_.size() > kMaxSyncedAlone ? Sync::later : Sync::now;
   BackgroundWriter writer_;  // last: its tasks use all of the above
 };
 

@@ -147,8 +147,8 @@ Result<FrameRate> parseFrameRate(const std::string& text) {
   } else {
     rate.count = whole(view);
   }
-  constexpr std::int64_t kMost = 1'000'000;
-  if (rate.count < 1 || rate.seconds < 1 || rate.count > kMost * 10 || rate.seconds > kMost ||
+  constexpr std::int64_t kMax = 1'000'000;
+  if (rate.count < 1 || rate.seconds < 1 || rate.count > kMax * 10 || rate.seconds > kMax ||
       rate.count > 1000 * rate.seconds) {
     return badMoment("`" + text + "` is no frame rate: 25, 29.97 or 30000/1001, at most 1000");
   }

@@ -21,7 +21,7 @@
 namespace rocinante {
 namespace {
 
-constexpr std::size_t kMostWords = 2000;
+constexpr std::size_t kMaxWords = 2000;
 
 Error videoError(std::string what, const std::filesystem::path& path) {
   return {ErrorKind::refused, std::move(what), path.string()};
@@ -54,7 +54,7 @@ struct VideoFile::Impl {
 
   /// What ffmpeg said last, on one line.
   std::string said() const {
-    std::array<char, kMostWords> buffer{};
+    std::array<char, kMaxWords> buffer{};
     const off_t end = ::lseek(words, 0, SEEK_END);
     const off_t begin = std::max<off_t>(0, end - static_cast<off_t>(buffer.size()));
     const ssize_t got = ::pread(words, buffer.data(), buffer.size(), begin);

@@ -5,7 +5,7 @@ namespace {
 
 constexpr int kFitMoments = 9;
 /// Of a suite with many sizes and choices; then all are forgotten.
-constexpr std::size_t kMostAnswers = 256;
+constexpr std::size_t kMaxAnswers = 256;
 
 }  // namespace
 
@@ -72,7 +72,7 @@ Result<CameraView> FittedCameras::view(std::string_view name, const ViewChoice& 
   if (points.empty()) points = pointsOf(choice, nullptr);
   const CameraView view =
       name == "map" ? mapView(points, width, height) : fittedView(points, width, height);
-  if (answered_.size() == kMostAnswers) answered_.clear();
+  if (answered_.size() == kMaxAnswers) answered_.clear();
   answered_.emplace(std::move(asked), view);
   return view;
 }

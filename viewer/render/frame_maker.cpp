@@ -7,7 +7,7 @@
 
 #include "core/base/duration_text.h"
 #include "core/cell/posed_scene.h"
-#include "core/cell/scene_poses.h"
+#include "core/cell/scene_pose_cache.h"
 #include "viewer/gl/offscreen_context.h"
 #include "viewer/overlay/overlay_panel.h"
 #include "viewer/render/fitted_cameras.h"
@@ -73,7 +73,7 @@ struct FrameMaker::Impl {
   Status prepareNumbers(const FrameRequest& request);
 
   Cell cell;
-  ScenePoses poses;
+  ScenePoseCache poses;
   KnownNames names{cell};
   Profile profile;
   std::optional<Timeline> session;

@@ -22,7 +22,7 @@ namespace {
 constexpr glm::vec4 kEdgeColor{0.09F, 0.11F, 0.14F, 230.0F / 255};
 constexpr double kScaleBarPx = 180;
 /// Of one view. Software GL takes some 20 s and 1 GB for as many; far more end it without a word.
-constexpr std::uint64_t kMostFrameTriangles = 100'000'000;
+constexpr std::uint64_t kMaxFrameTriangles = 100'000'000;
 
 /// How many of the items, from back to front, lie farther than all ghosts.
 std::size_t countBehind(std::span<const DrawItem> items, std::span<const DrawItem> ghosts) {
@@ -101,11 +101,11 @@ std::vector<DrawnSet> Renderer::Impl::setsOf(const SceneFrame& frame, const Link
 Status Renderer::Impl::checkTriangles(std::span<const DrawnSet> sets) {
   std::uint64_t triangles = 0;
   for (const DrawnSet& set : sets) triangles += set.list->triangles;
-  if (triangles <= kMostFrameTriangles) return {};
+  if (triangles <= kMaxFrameTriangles) return {};
   return Error{ErrorKind::unsupported,
                fmt::format("the frame has {} triangles, and at most {} are drawn: hide what need "
                            "not be seen, or draw less detail (--hide, --detail)",
-                           triangles, kMostFrameTriangles),
+                           triangles, kMaxFrameTriangles),
                {}};
 }
 

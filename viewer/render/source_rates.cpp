@@ -45,7 +45,7 @@ Result<std::map<std::string, std::uint64_t>> SourceRates::at(LogTime time, State
     reached_.reset();
     return read.error();
   }
-  const LogPlace before{time - kRateWindow, std::numeric_limits<std::uint64_t>::max()};
+  const LogPosition before{time - kRateWindow, std::numeric_limits<std::uint64_t>::max()};
   addDamageBetween(reader_, before, time, damage);
   std::map<std::string, std::uint64_t> rates;
   for (const LogChannel& channel : reader_.channels()) {

@@ -26,14 +26,14 @@ std::vector<std::string> linksWithoutMesh(const Cell& cell) {
 }
 
 std::string incompleteText(const Cell& cell) {
-  constexpr std::size_t kMostNamed = 3;
+  constexpr std::size_t kMaxNamed = 3;
   const std::vector<std::string> names = linksWithoutMesh(cell);
   if (names.empty()) return {};
   std::string listed;
-  for (std::size_t i = 0; i < std::min(names.size(), kMostNamed); ++i) {
+  for (std::size_t i = 0; i < std::min(names.size(), kMaxNamed); ++i) {
     listed += (i == 0 ? "" : ", ") + plainText(names[i]);
   }
-  if (names.size() > kMostNamed) listed += fmt::format(" and {} more", names.size() - kMostNamed);
+  if (names.size() > kMaxNamed) listed += fmt::format(" and {} more", names.size() - kMaxNamed);
   std::string text =
       "the picture is incomplete: meshes of " + listed + " are missing or cannot be read";
   const auto first = std::ranges::find_if(cell.faults, [](const ModelFault& fault) {

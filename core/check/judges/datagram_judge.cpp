@@ -10,7 +10,7 @@ namespace rocinante {
 namespace {
 
 /// Encodings that are told apart.
-constexpr std::size_t kMostEncodings = 200;
+constexpr std::size_t kMaxEncodings = 200;
 
 /// The bytes of a datagram from a place that a fault names.
 std::string_view textAt(ByteView datagram, const FaultAt& at) {
@@ -44,7 +44,7 @@ bool isNotFinite(std::string_view text) {
 void DatagramJudge::takeUndecoded(std::string_view encoding, const PacketPlace& place) {
   auto found = undecoded_.find(encoding);
   if (found == undecoded_.end()) {
-    if (undecoded_.size() == kMostEncodings) return;
+    if (undecoded_.size() == kMaxEncodings) return;
     found = undecoded_.emplace(std::string(encoding), Tally()).first;
   }
   found->second.hit(place);

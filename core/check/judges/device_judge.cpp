@@ -17,7 +17,7 @@ namespace {
 constexpr double kUnitSlack = 1e-3;
 /// Names that are told apart in one device; a hostile session has more, nobody reads them.
 constexpr std::size_t kMaxDeviceNames = 200;
-constexpr std::size_t kMostStrangers = 20;
+constexpr std::size_t kMaxStrangers = 20;
 
 template <class Tallies>
 void hitName(Tallies& tallies, std::string_view name, const PacketPlace& place) {
@@ -31,8 +31,8 @@ void hitName(Tallies& tallies, std::string_view name, const PacketPlace& place) 
 
 /// "a, b, c", the first twelve.
 std::string listed(const std::vector<std::string>& names) {
-  constexpr std::size_t kMostListed = 12;
-  const std::size_t count = std::min(names.size(), kMostListed);
+  constexpr std::size_t kMaxListed = 12;
+  const std::size_t count = std::min(names.size(), kMaxListed);
   std::string text = fmt::format(
       "{}", fmt::join(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(count), ", "));
   if (names.size() > count) text += fmt::format(" and {} more", names.size() - count);
@@ -237,7 +237,7 @@ void DeviceJudge::writtenBy(std::string_view source_name, const PacketPlace& pla
   if (writer_ != place.source) {
     writer_ = place.source;
     stranger_ = nullptr;
-    if (!owners_.allow(source_name) && strangers_.size() < kMostStrangers) {
+    if (!owners_.allow(source_name) && strangers_.size() < kMaxStrangers) {
       stranger_ = &strangers_[place.source];
       stranger_->name = source_name;
     }

@@ -15,7 +15,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kStale = "baseline.stale";
-constexpr std::uint64_t kMostBytes = std::uint64_t{64} << 20U;
+constexpr std::uint64_t kMaxBytes = std::uint64_t{64} << 20U;
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 /// What a name may hold: a digit beside one of these is part of a name such as joint_1 or arm/7.
@@ -121,7 +121,7 @@ BaselineKey baselineKeyOf(const CheckReport& report, const Finding& finding) {
 }
 
 Result<Baseline> Baseline::read(const std::filesystem::path& path) {
-  const Result<std::string> text = readFile(path, kMostBytes);
+  const Result<std::string> text = readFile(path, kMaxBytes);
   if (!text) return text.error();
   return parse(bytesOf(*text), path.string());
 }

@@ -16,7 +16,7 @@ std::uint32_t sum(std::uint32_t a, std::uint32_t b) {
 
 void TimeHistogram::hit(LogTime time, std::uint32_t times) {
   if (counts_.empty()) {
-    counts_.reserve(kMostBins);
+    counts_.reserve(kMaxBins);
     start_ = time;
   }
   // Unsigned: the two may be farther apart than a signed duration reaches.
@@ -24,7 +24,7 @@ void TimeHistogram::hit(LogTime time, std::uint32_t times) {
       time > start_ ? static_cast<std::uint64_t>(time.time_since_epoch().count()) -
                           static_cast<std::uint64_t>(start_.time_since_epoch().count())
                     : 0;
-  while (since / static_cast<std::uint64_t>(width_.count()) >= kMostBins) halve();
+  while (since / static_cast<std::uint64_t>(width_.count()) >= kMaxBins) halve();
   const std::size_t bin = since / static_cast<std::uint64_t>(width_.count());
   if (bin >= counts_.size()) counts_.resize(bin + 1);
   counts_[bin] = sum(counts_[bin], times);

@@ -11,7 +11,7 @@ namespace rocinante {
 /// session outgrows them. Allocates at the first hit only.
 class TimeHistogram {
  public:
-  static constexpr std::size_t kMostBins = 64;
+  static constexpr std::size_t kMaxBins = 64;
 
   /// `time` should not lie before the first hit; what does counts in the first bin.
   void hit(LogTime time, std::uint32_t times = 1);

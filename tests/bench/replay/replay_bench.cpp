@@ -98,7 +98,7 @@ class Bench {
     const PlaybackSpeed speed = PlaybackSpeed::parse(row.speed).value();
     const double log_rate = row.rate_hz / speed.ratio();
     const auto count = static_cast<std::size_t>(
-        std::clamp(row.rate_hz * seconds_, 200.0, static_cast<double>(ReplayWire::kMost)));
+        std::clamp(row.rate_hz * seconds_, 200.0, static_cast<double>(ReplayWire::kMax)));
     const Schedule schedule =
         row.is_poisson ? Schedule::poisson(log_rate, count) : Schedule::regular(log_rate, count);
     if (const Status written = writeMcap(folder_ / "log.mcap", schedule); !written) {

@@ -41,7 +41,7 @@ struct ReplayWire::Heard {
   std::atomic<std::uint64_t> count;
   std::atomic<std::uint64_t> disorder;
   std::atomic<std::int64_t> highest;
-  std::array<std::atomic<std::int64_t>, kMost> at_ns;
+  std::array<std::atomic<std::int64_t>, kMax> at_ns;
 };
 
 namespace {
@@ -66,7 +66,7 @@ template <class Heard>
     if (!batch.ok()) ::_exit(2);
     for (const ReceivedDatagram& datagram : *batch) {
       const std::int64_t number = numberOf(datagram.payload);
-      if (number < 0 || number >= static_cast<std::int64_t>(ReplayWire::kMost)) continue;
+      if (number < 0 || number >= static_cast<std::int64_t>(ReplayWire::kMax)) continue;
       auto& place = heard.at_ns[static_cast<std::size_t>(number)];
       if (place.load() != 0 || number < heard.highest.load()) heard.disorder.fetch_add(1);
       if (place.load() == 0) heard.count.fetch_add(1);
@@ -126,7 +126,7 @@ SocketAddress ReplayWire::from() const { return SocketAddress::parse("10.77.0.1"
 std::string ReplayWire::interface() const { return kNear; }
 
 void ReplayWire::clear(std::size_t count) {
-  for (std::size_t i = 0; i < std::min(count, kMost); ++i) heard_->at_ns[i].store(0);
+  for (std::size_t i = 0; i < std::min(count, kMax); ++i) heard_->at_ns[i].store(0);
   heard_->count.store(0);
   heard_->disorder.store(0);
   heard_->highest.store(-1);

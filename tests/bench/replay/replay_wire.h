@@ -16,7 +16,7 @@ namespace rocinante::bench {
 /// group and keeps the kernel's time stamp of each numbered datagram. Gone with the process.
 class ReplayWire {
  public:
-  static constexpr std::size_t kMost = 4'000'000;  ///< datagrams of one replay
+  static constexpr std::size_t kMax = 4'000'000;  ///< datagrams of one replay
 
   /// Refused without the rights for a namespace. Call before any thread is started.
   static Result<std::unique_ptr<ReplayWire>> make();

@@ -54,7 +54,7 @@ std::string walkFault(const Bytes& file, const std::vector<Step>& written,
                       const std::vector<Move>& moves) {
   const std::vector<KeptMessage> all = expected(written);
   LogReader reader = openLog(file);
-  std::vector<LogPlace> places;
+  std::vector<LogPosition> places;
   while (const std::optional<LogMessage> message = *reader.next()) {
     places.push_back(message->place());
   }
@@ -101,7 +101,7 @@ std::string lastOfFault(const Bytes& file, const std::vector<Step>& written,
     }
     const std::optional<LogMessage> next = *reader.next();
     const bool at_end = !next;
-    const LogPlace place = next ? next->place() : LogPlace{};
+    const LogPosition place = next ? next->place() : LogPosition{};
     const std::optional<LogMessage> last =
         *reader.lastOf(static_cast<ChannelId>(channel), at(moment));
     if (last.has_value() != (wanted != nullptr)) return "there is one, or there is none";

@@ -163,7 +163,7 @@ TEST(LogReader, ManyBombsTogetherAreExpandedWithinABudget) {
   Bytes last;
   const Bytes bytes = file.add(makeChunk(last, {{20, "after them"}})).end();
   const std::uint64_t fit =
-      (mcap::ExpansionBudget::kFreeBytes + bytes.size() * mcap::ExpansionBudget::kMostGrowth) /
+      (mcap::ExpansionBudget::kFreeBytes + bytes.size() * mcap::ExpansionBudget::kMaxGrowth) /
       records.size();
   ASSERT_LT(fit, kBombs);
   LogReader reader = openLog(bytes);

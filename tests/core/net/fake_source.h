@@ -55,9 +55,9 @@ class FakeSource final : public DatagramSource {
   }
   std::uint64_t dropped() const override { return dropped_; }
   Result<std::uint64_t> droppedByNow() override { return dropped_ = dropped_by_now_; }
-  std::optional<std::string> tend() override { return std::exchange(mended_, std::nullopt); }
+  std::optional<std::string> maintain() override { return std::exchange(mended_, std::nullopt); }
   bool ended() const override { return ends_ && waiting_.empty(); }
-  Nanoseconds heldBack() const override { return held_back_; }
+  Nanoseconds deliveryDelay() const override { return held_back_; }
   std::uint64_t receiveBufferBytes() const override { return buffer_bytes_; }
   const Endpoint& endpoint() const override { return endpoint_; }
   const SocketAddress& boundAddress() const override { return bound_; }

@@ -20,7 +20,7 @@ constexpr const char* kMake =
 /// Tends until something is said, at most so long: the kernel tells of interfaces a little later.
 std::string said(UdpReceiver& receiver, int within_ms = 5'000) {
   for (int waited = 0; waited < within_ms; waited += 5) {
-    if (auto sentence = receiver.tend()) return *sentence;
+    if (auto sentence = receiver.maintain()) return *sentence;
     ::poll(nullptr, 0, 5);
   }
   return {};

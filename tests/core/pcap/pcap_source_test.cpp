@@ -286,7 +286,7 @@ TEST(PcapSource, PutsLiveFragmentsTogetherAndSurvivesItsInterface) {
   };
   const auto heard = [&] {
     for (int attempt = 0; attempt < 200; ++attempt) {
-      (void)(*source)->tend();
+      (void)(*source)->maintain();
       if (!send()) {
         ::poll(nullptr, 0, 10);
         continue;
@@ -310,7 +310,7 @@ TEST(PcapSource, PutsLiveFragmentsTogetherAndSurvivesItsInterface) {
   std::string said;
   for (int wait = 0; wait < 300 && said.empty(); ++wait) {
     (void)receiveSome(**source);
-    said = (*source)->tend().value_or("");
+    said = (*source)->maintain().value_or("");
     ::poll(nullptr, 0, 10);
   }
   EXPECT_THAT(said, HasSubstr("is gone: nothing is seen until it is back"));

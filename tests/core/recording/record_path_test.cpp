@@ -23,7 +23,8 @@ TEST(RecordPath, PutsTheDefaultNameIntoAFolder) {
   const test::TemporaryFolder folder;
   EXPECT_EQ(recordPath(folder.path().string(), kRecordedAt).value(),
             folder / "session-20260203T040506Z.mcap");
-  EXPECT_EQ(recordPath("not-there/", kRecordedAt).value(), "not-there/session-20260203T040506Z.mcap");
+  EXPECT_EQ(recordPath("not-there/", kRecordedAt).value(),
+            "not-there/session-20260203T040506Z.mcap");
 }
 
 TEST(RecordPath, FillsAPattern) {

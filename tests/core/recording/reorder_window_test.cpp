@@ -42,7 +42,8 @@ TEST(ReorderWindow, HoldsWhatAnEarlierOneMayStillPrecede) {
 TEST(ReorderWindow, EqualTimesGoByEndpoint) {
   ReorderWindow window(3);
   DatagramBlock block;
-  for (const std::uint32_t endpoint : {2U, 0U, 1U}) block.add(endpoint, logTime(1ms), kReorderedSender, {});
+  for (const std::uint32_t endpoint : {2U, 0U, 1U})
+    block.add(endpoint, logTime(1ms), kReorderedSender, {});
   window.add(block);
   for (const std::uint32_t endpoint : {0U, 1U, 2U}) {
     EXPECT_EQ(window.nextOfAll()->arrival->endpoint, endpoint);
@@ -90,7 +91,8 @@ TEST(ReorderWindow, GivesEverythingOnceInOrder) {
         for (auto i = random() % 6; i > 0; --i) {
           last[endpoint] += Nanoseconds(random() % 5'000'000);
           const std::string payload = std::to_string(arrived[endpoint]++);
-          ASSERT_TRUE(blocks.back()->add(endpoint, last[endpoint], kReorderedSender, bytesOf(payload)));
+          ASSERT_TRUE(
+              blocks.back()->add(endpoint, last[endpoint], kReorderedSender, bytesOf(payload)));
           ++added;
         }
       }

@@ -7,9 +7,9 @@
 namespace rocinante::test {
 namespace {
 
-constexpr LogPlace kStart{LogTime::min(), 0};
+constexpr LogPosition kStart{LogTime::min(), 0};
 
-LogPlace placeAt(std::int64_t time_ns) { return {at(time_ns), 0}; }
+LogPosition placeAt(std::int64_t time_ns) { return {at(time_ns), 0}; }
 
 TEST(StateCache, GivesTheLastOneNotBehindAPlace) {
   StateCache cache;
@@ -28,7 +28,7 @@ TEST(StateCache, StaysBoundedAndSpreadOverTheWay) {
   for (std::int64_t i = 1; i <= kCount; ++i) {
     cache.keep(placeAt(i), {}, kStart, static_cast<std::uint64_t>(i) * 1000);
   }
-  EXPECT_LE(cache.count(), StateCache::kMostStates);
+  EXPECT_LE(cache.count(), StateCache::kMaxStates);
   // Of a way gone once no long piece is without a state.
   for (std::int64_t i = 200; i <= kCount; i += 100) {
     ASSERT_NE(cache.nearest(placeAt(i)), nullptr);
@@ -46,7 +46,7 @@ TEST(StateCache, LargeStatesAreBoundedByTheirMemory) {
   for (std::int64_t i = 1; i <= 400; ++i) {
     cache.keep(placeAt(i), fold.state, kStart, static_cast<std::uint64_t>(i));
   }
-  EXPECT_LE(cache.bytes(), StateCache::kMostBytes);
+  EXPECT_LE(cache.bytes(), StateCache::kMaxBytes);
   EXPECT_LT(cache.count(), 300U);
   EXPECT_GT(cache.count(), 100U);
 }

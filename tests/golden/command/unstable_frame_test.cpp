@@ -99,7 +99,7 @@ class UnstableFrameTest : public testing::Test {
 
   cli::Exit run() {
     contexts_ = 0;
-    const auto exit = runRunCommand(arguments_);
+    const auto exit = runSuiteCommand(arguments_);
     EXPECT_TRUE(exit.ok()) << exit.error().text();
     return exit.ok() ? *exit : cli::Exit::could_not_run;
   }

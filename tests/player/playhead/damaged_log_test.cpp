@@ -43,8 +43,8 @@ std::filesystem::path writeDamaged(const std::filesystem::path& path) {
 class DamagedLog : public testing::Test {
  protected:
   DamagedLog() : log_(writeDamaged(folder_ / "log")) {
-    LogMerge logs = LogMerge::open({log_}).value();
-    EXPECT_TRUE(logs.seek(TapePlace{}, LogMerge::Which::captured).ok());
+    MultiLogReader logs = MultiLogReader::open({log_}).value();
+    EXPECT_TRUE(logs.seek(TapePosition{}, MultiLogReader::Which::captured).ok());
     while (const auto message = logs.next().value()) {
       all_.emplace_back(textOf(message->payload));
       times_.push_back(message->log_time);
@@ -74,13 +74,13 @@ TEST_F(DamagedLog, IsPlayedAroundItsDamage) {
   Deck deck({log_});
   deck.playFor(1min);
   EXPECT_EQ(deck.payloads(), all_);
-  EXPECT_EQ(deck.transport().state(), Transport::State::ended);
+  EXPECT_EQ(deck.playhead().state(), Playhead::State::ended);
   deck.expectStateOfPlace();
 }
 
 TEST_F(DamagedLog, IsSoughtIntoAndSteppedAcross) {
   ASSERT_GT(hole_, 0U);
-  TransportOptions options;
+  PlayheadOptions options;
   options.start_paused = true;
   Deck deck({log_}, options);
   const LogTime inside = times_[hole_] - 15ms;

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/packet/packet_text.h"
-#include "player/playhead/transport.h"
+#include "player/playhead/playhead.h"
 #include "tests/player/logs/written_log.h"
 #include "tests/support/temporary_folder.h"
 
@@ -19,9 +19,9 @@ namespace rocinante::test {
 /// everything.
 class Deck {
  public:
-  explicit Deck(std::vector<std::filesystem::path> logs, TransportOptions options = {},
+  explicit Deck(std::vector<std::filesystem::path> logs, PlayheadOptions options = {},
                 ChannelChoice choice = {})
-      : tape_(std::make_unique<LogMerge>(LogMerge::open(logs, choice).value())),
+      : tape_(std::make_unique<MultiLogReader>(MultiLogReader::open(logs, choice).value())),
         finder_(std::make_unique<TapeFinder>(TapeFinder::open(logs, choice).value())),
         routes_(std::make_unique<PlayRoutes>(
             makeRoutes(*tape_, Endpoint::standard(), {}, false).value())) {
@@ -34,10 +34,10 @@ class Deck {
     span_ = options.span;
     origin_ = options.origin;
     end_ = options.end;
-    transport_ = Transport::open(*tape_, *finder_, *routes_, options, now_).value();
+    playhead_ = Playhead::open(*tape_, *finder_, *routes_, options, now_).value();
   }
 
-  Transport& transport() { return *transport_; }
+  Playhead& playhead() { return *playhead_; }
   TapeFinder& finder() { return *finder_; }
   PlayedSpan span() const { return span_; }
 
@@ -47,7 +47,7 @@ class Deck {
     // A sender also looks when nothing is due.
     constexpr Nanoseconds kLook = std::chrono::milliseconds(50);
     while (true) {
-      const auto next = transport_->next(now_).value();
+      const auto next = playhead_->next(now_).value();
       // What has been begun is not left in the middle.
       if (most == 0 && !(next && next->immediate)) return;
       if (next && next->deadline <= now_) {
@@ -66,15 +66,15 @@ class Deck {
 
   /// One command, all that it asks for at once, and the answer.
   std::string say(const std::string& line) {
-    const auto command = parseTransportCommand(line, origin_, end_);
+    const auto command = parsePlayheadCommand(line, origin_, end_);
     if (!command) return "error " + command.error().text();
-    const Status done = transport_->obey(*command, now_);
+    const Status done = playhead_->execute(*command, now_);
     while (true) {
-      const auto next = transport_->next(now_).value();
+      const auto next = playhead_->next(now_).value();
       if (!next || !next->immediate) break;
       hear(*next);
     }
-    return done ? transport_->status(now_) : "error " + done.error().text();
+    return done ? playhead_->status(now_) : "error " + done.error().text();
   }
 
   const std::vector<std::string>& payloads() const { return payloads_; }
@@ -91,7 +91,7 @@ class Deck {
 
   /// Whoever heard everything knows what the fold of the logs gives for this place.
   void expectStateOfPlace() {
-    const SessionState wanted = finder_->stateBefore(transport_->place()).value();
+    const SessionState wanted = finder_->stateBefore(playhead_->place()).value();
     EXPECT_EQ(itemsOf(receiver_), itemsOf(wanted));
   }
 
@@ -111,8 +111,8 @@ class Deck {
   }
 
  private:
-  void hear(const Transport::Next& next) {
-    const ByteView payload = transport_->take(now_);
+  void hear(const Playhead::Next& next) {
+    const ByteView payload = playhead_->take(now_);
     const std::string text(textOf(payload));
     if (next.due.restated) {
       restatements_.push_back(text);
@@ -128,17 +128,17 @@ class Deck {
     receiver_.takeEvents();
   }
 
-  std::unique_ptr<LogMerge> tape_;
+  std::unique_ptr<MultiLogReader> tape_;
   std::unique_ptr<TapeFinder> finder_;
   std::unique_ptr<PlayRoutes> routes_;
   PlayedSpan span_;
   LogTime origin_{}, end_{};
   SteadyTime now_{std::chrono::seconds(1)};
-  std::unique_ptr<Transport> transport_;
+  std::unique_ptr<Playhead> playhead_;
 
   std::vector<std::string> payloads_, restatements_;
   std::vector<Due> dues_;
-  TapePlace heard_;
+  TapePosition heard_;
   LogTime heard_at_{std::chrono::seconds(1)};
   PacketTextDecoder decoder_;
   SessionState receiver_;

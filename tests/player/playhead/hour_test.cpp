@@ -3,7 +3,7 @@
 
 #include <cstdlib>
 
-#include "player/playhead/transport_sender.h"
+#include "player/playhead/playhead_sender.h"
 #include "player/send/play_report.h"
 #include "tests/player/logs/written_log.h"
 #include "tests/player/send/fake_edge.h"
@@ -74,25 +74,25 @@ TEST(PlayHour, EndsOnTheExactNanosecondAtEverySpeedAndInConstantMemory) {
   for (const Speed& speed : {Speed{"0.1", 1, 10}, Speed{"1", 1, 1}, Speed{"2", 2, 1},
                              Speed{"3", 3, 1}, Speed{"7", 7, 1}, Speed{"10", 10, 1}}) {
     SCOPED_TRACE(speed.text);
-    LogMerge tape = LogMerge::open(logs).value();
+    MultiLogReader tape = MultiLogReader::open(logs).value();
     TapeFinder finder = TapeFinder::open(logs, {}).value();
     const PlayRoutes routes = makeRoutes(tape, Endpoint::standard(), {}, false).value();
-    TransportOptions options;
+    PlayheadOptions options;
     options.span = {kStart, kStart + kTurn};
     options.turns = kTurns;
     options.origin = tape.origin();
     options.end = tape.end();
     options.speed = PlaybackSpeed::parse(speed.text).value();
-    test::FakeEdge edge;
+    test::FakeSendPort edge;
     edge.keep_payloads = false;
     edge.look_costs = 15us;  // a spin is few looks
     edge.send_costs = 100ns;
-    auto transport = Transport::open(tape, finder, routes, options, edge.now()).value();
+    auto playhead = Playhead::open(tape, finder, routes, options, edge.now()).value();
     PlayJournal report(options.span.from, options.span.until);
     ExactJournal journal(report, speed.log_part, speed.real_part);
     PlayStatus status;
-    const TransportRules rules{false, tape.origin(), tape.end()};
-    EXPECT_EQ(sendTransport(*transport, rules, edge, journal, nullptr, status).value(),
+    const PlayheadRules rules{false, tape.origin(), tape.end()};
+    EXPECT_EQ(sendPlayhead(*playhead, rules, edge, journal, nullptr, status).value(),
               SendEnd::finished);
     const std::uint64_t bytes_late = test::anonymousBytes();
 

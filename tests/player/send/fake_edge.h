@@ -8,7 +8,7 @@
 namespace rocinante::test {
 
 /// A world in which time passes only when somebody waits or sends.
-class FakeEdge : public SendEdge {
+class FakeSendPort : public SendPort {
  public:
   SteadyTime now() override {
     time_ += look_costs;

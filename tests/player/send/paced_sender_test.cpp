@@ -9,8 +9,8 @@ namespace rocinante {
 namespace {
 
 using namespace std::chrono_literals;
-using test::FakeEdge;
 using test::FakeJournal;
+using test::FakeSendPort;
 using test::FakeStream;
 using testing::ElementsAre;
 
@@ -24,7 +24,7 @@ PlaybackClock clockAt(std::string_view speed) {
 
 TEST(SendOnSchedule, SendsEverythingInOrderAndNothingEarly) {
   FakeStream stream({item(0s, "a"), item(1ms, "b"), item(1ms, "c"), item(5s, "d")});
-  FakeEdge edge;
+  FakeSendPort edge;
   FakeJournal journal;
   EXPECT_EQ(sendOnSchedule(stream, clockAt("1"), edge, journal).value(), SendEnd::finished);
   EXPECT_THAT(edge.sent, ElementsAre("a", "b", "c", "d"));
@@ -40,7 +40,7 @@ TEST(SendOnSchedule, WhatIsDueTogetherGoesInOneCall) {
   std::vector<FakeStream::Item> items;
   for (int i = 0; i < 100; ++i) items.push_back(item(1s, std::to_string(i)));
   FakeStream stream(items);
-  FakeEdge edge;
+  FakeSendPort edge;
   FakeJournal journal;
   ASSERT_TRUE(sendOnSchedule(stream, clockAt("1"), edge, journal).ok());
   EXPECT_EQ(edge.sent.size(), 100U);
@@ -88,7 +88,7 @@ TEST(SendOnSchedule, AnHourOfSixThousandASecondEndsOnTheExactNanosecond) {
   for (const auto& [speed, end] : ends) {
     SCOPED_TRACE(speed);
     Hour hour;
-    FakeEdge edge;
+    FakeSendPort edge;
     edge.keep_payloads = false;
     edge.look_costs = 2us;
     edge.wakes_late = 15us;
@@ -106,7 +106,7 @@ TEST(SendOnSchedule, SpinsLessThanHalfOfTheTime) {
   std::vector<FakeStream::Item> items;
   for (int i = 0; i < 60'000; ++i) items.push_back(item(i * 1'000'000'000ns / 60'000, "x"));
   FakeStream stream(items);
-  FakeEdge edge;
+  FakeSendPort edge;
   edge.wakes_late = 2us;
   FakeJournal journal;
   ASSERT_TRUE(sendOnSchedule(stream, clockAt("1"), edge, journal).ok());
@@ -122,7 +122,7 @@ TEST(SendOnSchedule, WhenItCannotKeepUpNothingIsDroppedOrReordered) {
     expected.push_back(std::to_string(i));
   }
   FakeStream stream(items);
-  FakeEdge edge;
+  FakeSendPort edge;
   edge.send_costs = 10us;
   FakeJournal journal;
   EXPECT_EQ(sendOnSchedule(stream, clockAt("1"), edge, journal).value(), SendEnd::finished);
@@ -132,7 +132,7 @@ TEST(SendOnSchedule, WhenItCannotKeepUpNothingIsDroppedOrReordered) {
 
 TEST(SendOnSchedule, AStopEndsItBeforeTheNextDatagram) {
   FakeStream stream({item(0s, "a"), item(1s, "b"), item(2s, "c")});
-  FakeEdge edge;
+  FakeSendPort edge;
   edge.stop_after_sends = 2;
   FakeJournal journal;
   EXPECT_EQ(sendOnSchedule(stream, clockAt("1"), edge, journal).value(), SendEnd::stopped);
@@ -141,7 +141,7 @@ TEST(SendOnSchedule, AStopEndsItBeforeTheNextDatagram) {
 
 TEST(SendOnSchedule, WaitsInSleepsThatAStopCanEnd) {
   FakeStream stream({item(0s, "a"), item(1h, "b")});
-  FakeEdge edge;
+  FakeSendPort edge;
   FakeJournal journal;
   ASSERT_TRUE(sendOnSchedule(stream, clockAt("1"), edge, journal).ok());
   EXPECT_LE(edge.longest_sleep, 100ms);
@@ -150,7 +150,7 @@ TEST(SendOnSchedule, WaitsInSleepsThatAStopCanEnd) {
 TEST(SendOnSchedule, AnErrorOfTheStreamComesAfterWhatWasReadBeforeIt) {
   FakeStream stream({item(0s, "a"), item(1s, "b"), item(2s, "c")});
   stream.fail_at = 2;
-  FakeEdge edge;
+  FakeSendPort edge;
   FakeJournal journal;
   const auto end = sendOnSchedule(stream, clockAt("1"), edge, journal);
   ASSERT_FALSE(end.ok());
@@ -160,7 +160,7 @@ TEST(SendOnSchedule, AnErrorOfTheStreamComesAfterWhatWasReadBeforeIt) {
 
 TEST(SendOnSchedule, AnErrorOfTheSocketEndsIt) {
   FakeStream stream({item(0s, "a"), item(1s, "b")});
-  FakeEdge edge;
+  FakeSendPort edge;
   edge.fail_send = 2;
   FakeJournal journal;
   const auto end = sendOnSchedule(stream, clockAt("1"), edge, journal);
@@ -171,7 +171,7 @@ TEST(SendOnSchedule, AnErrorOfTheSocketEndsIt) {
 
 TEST(SendOnSchedule, AnEmptyStreamIsFinishedAtOnce) {
   FakeStream stream({});
-  FakeEdge edge;
+  FakeSendPort edge;
   FakeJournal journal;
   EXPECT_EQ(sendOnSchedule(stream, clockAt("1"), edge, journal).value(), SendEnd::finished);
   EXPECT_EQ(edge.sends, 0U);
@@ -181,7 +181,7 @@ TEST(SendAtOnce, SendsInOrderWithoutWaiting) {
   std::vector<FakeStream::Item> items;
   for (int i = 0; i < 150; ++i) items.push_back(item(i * 1h, std::to_string(i)));
   FakeStream stream(items);
-  FakeEdge edge;
+  FakeSendPort edge;
   FakeJournal journal;
   EXPECT_EQ(sendAtOnce(stream, edge, journal).value(), SendEnd::finished);
   EXPECT_EQ(edge.sleeps, 0U);
@@ -193,7 +193,7 @@ TEST(SendAtOnce, SendsInOrderWithoutWaiting) {
 TEST(SendAtOnce, StopsWhenAsked) {
   std::vector<FakeStream::Item> items(500, item(0s, "x"));
   FakeStream stream(items);
-  FakeEdge edge;
+  FakeSendPort edge;
   edge.stop_after_sends = 2;
   FakeJournal journal;
   EXPECT_EQ(sendAtOnce(stream, edge, journal).value(), SendEnd::stopped);

@@ -196,7 +196,7 @@ TEST(ReceiveLoop, WhatTheSystemHoldsBackIsNotDrained) {
   setup.first.holdBack(15ms);
   setup.passAfter(100ms);
   EXPECT_EQ(setup.take().drained_until, setup.loop.clock().now() - 15ms);
-  EXPECT_EQ(setup.loop.heldBack(), Nanoseconds(15ms));
+  EXPECT_EQ(setup.loop.deliveryDelay(), Nanoseconds(15ms));
 }
 
 struct Told {

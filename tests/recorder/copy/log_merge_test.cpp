@@ -15,7 +15,7 @@ using ::testing::IsEmpty;
 
 constexpr const char* kCutTool = "rocinante log cut";
 
-TEST(LogMerge, ThePiecesOfASessionMakeTheSessionAgain) {
+TEST(MultiLogReader, ThePiecesOfASessionMakeTheSessionAgain) {
   TemporaryFolder folder;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     SCOPED_TRACE(seed);
@@ -42,7 +42,7 @@ TEST(LogMerge, ThePiecesOfASessionMakeTheSessionAgain) {
   }
 }
 
-TEST(LogMerge, WhatOverlappingPiecesOfASessionBothHoldIsTakenOnce) {
+TEST(MultiLogReader, WhatOverlappingPiecesOfASessionBothHoldIsTakenOnce) {
   TemporaryFolder folder;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     SCOPED_TRACE(seed);
@@ -98,7 +98,7 @@ std::vector<std::string> payloadsOf(const std::filesystem::path& path) {
   return payloads;
 }
 
-TEST(LogMerge, OfEqualTimesTheLogNamedFirstComesFirst) {
+TEST(MultiLogReader, OfEqualTimesTheLogNamedFirstComesFirst) {
   TemporaryFolder folder;
   write(folder / "a.mcap", {"one", "h:1", {{10, "a10"}, {20, "a20"}, {20, "a20 again"}}});
   write(folder / "b.mcap", {"two", "h:2", {{5, "b5"}, {20, "b20"}, {30, "b30"}}});
@@ -110,7 +110,7 @@ TEST(LogMerge, OfEqualTimesTheLogNamedFirstComesFirst) {
               ElementsAre("b5", "a10", "b20", "a20", "a20 again", "b30"));
 }
 
-TEST(LogMerge, TwoSessionsMakeANewOneThatTheirIdsName) {
+TEST(MultiLogReader, TwoSessionsMakeANewOneThatTheirIdsName) {
   TemporaryFolder folder;
   write(folder / "a.mcap", {"one", "h:1", {{10, "a"}}});
   write(folder / "b.mcap", {"two", "h:1", {{5, "b"}}});
@@ -132,7 +132,7 @@ TEST(LogMerge, TwoSessionsMakeANewOneThatTheirIdsName) {
   EXPECT_THAT(payloadsOf(folder / "4.mcap"), ElementsAre("a", "a"));
 }
 
-TEST(LogMerge, ALogWithoutMessagesChangesNothing) {
+TEST(MultiLogReader, ALogWithoutMessagesChangesNothing) {
   TemporaryFolder folder;
   write(folder / "a.mcap", {"one", "h:1", {{10, "a"}}});
   write(folder / "empty.mcap", {"two", "h:1", {}});
@@ -144,7 +144,7 @@ TEST(LogMerge, ALogWithoutMessagesChangesNothing) {
   EXPECT_TRUE(openLogAt(folder / "still.mcap").summary().complete);
 }
 
-TEST(LogMerge, WhatALaterPieceOpensWithIsSaidAgain) {
+TEST(MultiLogReader, WhatALaterPieceOpensWithIsSaidAgain) {
   TemporaryFolder folder;
   writeRandomLog(folder / "whole.mcap", 5);
   writeRandomLog(folder / "other.mcap", 6, {.session_id = "session-2", .remote = "h:2"});
@@ -176,7 +176,7 @@ TEST(LogMerge, WhatALaterPieceOpensWithIsSaidAgain) {
   }
 }
 
-TEST(LogMerge, MarksOfAllAreBakedInOnce) {
+TEST(MultiLogReader, MarksOfAllAreBakedInOnce) {
   TemporaryFolder folder;
   write(folder / "a.mcap", {"one", "h:1", {{10, "a"}}});
   write(folder / "b.mcap", {"two", "h:1", {{30, "b"}}});

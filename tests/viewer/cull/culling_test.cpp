@@ -1,4 +1,5 @@
-// Asking devices and links first leaves out what asking every part leaves out, and nothing else.
+// PendingCommand devices and links first leaves out what asking every part leaves out, and nothing
+// else.
 #include <gtest/gtest.h>
 
 #include <cmath>

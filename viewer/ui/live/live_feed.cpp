@@ -109,7 +109,7 @@ void LiveFeed::Impl::run() {
   while (!stop.load(std::memory_order_relaxed)) {
     for (std::size_t i = 0; i < sources.size(); ++i) {
       // A group is joined again when its interface is back; the descriptor may then be another.
-      (void)sources[i]->tend();
+      (void)sources[i]->maintain();
       polls[i] = {sources[i]->fileDescriptor(), POLLIN, 0};
     }
     ::poll(polls.data(), polls.size(), kPollMs);

@@ -9,7 +9,7 @@ namespace rocinante {
 namespace {
 
 /// Beyond so many, hints are not worth their time.
-constexpr std::size_t kMostHints = 20;
+constexpr std::size_t kMaxHints = 20;
 
 bool isRemoved(const DeviceState& state) {
   return state.presence && state.presence->value.presence == Presence::removed;
@@ -53,7 +53,7 @@ std::vector<Misfit> misfits(const Cell& cell, const PosedScene& scene, const Ses
   for (const auto& [name, device] : state.devices()) {
     if (isRemoved(device)) continue;
     const PosedDevice* posed = scene.findDevice(name);
-    std::string what = posed == nullptr ? whyUnseen(cell, name, device, found.size() < kMostHints)
+    std::string what = posed == nullptr ? whyUnseen(cell, name, device, found.size() < kMaxHints)
                                         : whatDoesNotFit(*posed->model, device);
     if (!what.empty()) found.push_back({name, std::move(what)});
   }

@@ -36,7 +36,7 @@ Result<ViewModel> ViewModel::make(Cell cell, std::optional<Timeline> session,
     auto events = session->events(&hiding);
     if (!events.ok()) return events.error();
     model.events_ = **events;
-    model.transport_.emplace(session->start(), session->end());
+    model.cursor_.emplace(session->start(), session->end());
     for (const LossSpan& span : session->log().losses()) {
       model.recorded_losses_ += span.counts.kernel + span.counts.queue + span.counts.disk;
     }
@@ -74,8 +74,8 @@ Status ViewModel::findState(LogTime moment) {
 Result<bool> ViewModel::update(SteadyTime now) {
   bool changed = !shown_.has_value() || std::exchange(style_changed_, false);
   LogTime moment = shownTime();
-  if (transport_) {
-    moment = transport_->position(now);
+  if (cursor_) {
+    moment = cursor_->position(now);
     if (changed || shown_ != moment) {
       if (auto found = findState(moment); !found) return found.error();
       changed = true;
@@ -92,13 +92,13 @@ Result<bool> ViewModel::update(SteadyTime now) {
     }
   }
   // Said anew each time: this model may have been moved.
-  if (!transport_ && !live_) state_ = &nothing_said_;
+  if (!cursor_ && !live_) state_ = &nothing_said_;
   shown_ = moment;
   if (changed) {
     scene_ = poses_->pose(*state_);
     extras_.limits =
         style_.limits ? limitLevels(scene_, *state_) : std::vector<std::vector<LimitLevel>>();
-    // Asking thousands of devices for each frame would cost as much as posing them.
+    // PendingCommand thousands of devices for each frame would cost as much as posing them.
     if (!feed_ || !misfits_at_ || now - *misfits_at_ >= std::chrono::milliseconds(500)) {
       misfits_ = rocinante::misfits(*cell_, scene_, *state_);
       misfits_at_ = now;

@@ -9,13 +9,13 @@
 
 #include "core/cell/cell.h"
 #include "core/cell/posed_scene.h"
-#include "core/cell/scene_poses.h"
+#include "core/cell/scene_pose_cache.h"
 #include "core/session/timeline.h"
 #include "viewer/ui/live/live_feed.h"
 #include "viewer/ui/live/live_reason.h"
 #include "viewer/ui/live/source_rows.h"
 #include "viewer/ui/model/misfits.h"
-#include "viewer/ui/model/transport.h"
+#include "viewer/ui/model/timeline_cursor.h"
 #include "viewer/ui/model/turntable.h"
 #include "viewer/view/frame_extras.h"
 #include "viewer/view/known_names.h"
@@ -58,7 +58,7 @@ class ViewModel {
   const ViewChoice& choice() const { return choice_; }
 
   /// Null without a log.
-  Transport* transport() { return transport_ ? &*transport_ : nullptr; }
+  TimelineCursor* cursor() { return cursor_ ? &*cursor_ : nullptr; }
   LogTime origin() const { return session_ ? session_->origin() : LogTime{}; }
   /// The moment that is shown, as of the last update(); the newest datagram's in live mode.
   LogTime shownTime() const { return shown_.value_or(LogTime{}); }
@@ -144,14 +144,14 @@ class ViewModel {
   std::optional<LiveFeed> feed_;
   std::unique_ptr<LiveSnapshot> live_;
   std::optional<SteadyTime> live_since_, last_arrival_, live_at_;
-  std::optional<Transport> transport_;
+  std::optional<TimelineCursor> cursor_;
   std::optional<LogReader> walker_;  // over datagrams; made when it is first asked for
   std::uint64_t recorded_losses_ = 0;
   StateDamage damage_, seen_damage_;
   std::optional<LogTime> shown_;
   SessionState nothing_said_;
   const SessionState* state_ = &nothing_said_;
-  std::optional<ScenePoses> poses_;  // of *cell_
+  std::optional<ScenePoseCache> poses_;  // of *cell_
   PosedScene scene_;
   RenderStyle style_;
   bool style_changed_ = false;

@@ -129,7 +129,7 @@ void drawBareValues(const DeviceState& state) {
 float drawDevicePanel(ViewModel& model, float top) {
   const ImGuiIO& io = ImGui::GetIO();
   const float bottom =
-      io.DisplaySize.y - px(model.transport() != nullptr ? kTimeBarHeight : kPanelMargin);
+      io.DisplaySize.y - px(model.cursor() != nullptr ? kTimeBarHeight : kPanelMargin);
   if (model.selected.device.empty() || bottom - top < px(kLeastDeviceHeight)) return top;
   ImGui::SetNextWindowPos(ImVec2(io.DisplaySize.x - px(kPanelMargin), top), ImGuiCond_Always,
                           ImVec2(1, 0));

@@ -89,7 +89,7 @@ void drawSession(const ViewModel& model, SteadyTime now) {
 
 /// What moves nothing because the cell has no place for it.
 void drawMisfits(const ViewModel& model) {
-  constexpr std::size_t kMostNamed = 8;
+  constexpr std::size_t kMaxNamed = 8;
   const std::vector<Misfit>& misfits = model.misfits();
   if (misfits.empty()) return;
   ImGui::TextColored(kAmissColor, "%s",
@@ -98,11 +98,11 @@ void drawMisfits(const ViewModel& model) {
                          .c_str());
   if (!ImGui::IsItemHovered()) return;
   std::string text;
-  for (std::size_t i = 0; i < std::min(misfits.size(), kMostNamed); ++i) {
+  for (std::size_t i = 0; i < std::min(misfits.size(), kMaxNamed); ++i) {
     text += (i > 0 ? "\n" : "") + plainText(misfits[i].device) + " " + plainText(misfits[i].what);
   }
-  if (misfits.size() > kMostNamed) {
-    text += fmt::format("\n... and {} more", misfits.size() - kMostNamed);
+  if (misfits.size() > kMaxNamed) {
+    text += fmt::format("\n... and {} more", misfits.size() - kMaxNamed);
   }
   ImGui::SetTooltip("%s\nrocinante check tells all of it", text.c_str());
 }
@@ -164,7 +164,7 @@ void drawTimes(const ViewerStatus& status) {
   }
 }
 
-void drawRung(const ViewerStatus& status, ViewerWishes& wishes) {
+void drawRung(const ViewerStatus& status, ViewerRequests& requests) {
   const DetailRung& rung = kDetailRungs[static_cast<std::size_t>(status.rung)];
   std::string what =
       status.rung == 0 ? "everything" : fmt::format("{:.0f} %", rung.resolution * 100);
@@ -174,10 +174,10 @@ void drawRung(const ViewerStatus& status, ViewerWishes& wishes) {
   }
   ImGui::SetNextItemWidth(px(92));
   if (ImGui::BeginCombo("##rung", rungText(status).c_str())) {
-    if (status.may_govern && ImGui::Selectable("auto", !status.rung_fixed)) wishes.rung = -1;
+    if (status.may_govern && ImGui::Selectable("auto", !status.rung_fixed)) requests.rung = -1;
     for (int i = 0; i <= kCoarsestRung; ++i) {
       if (ImGui::Selectable(fmt::format("{}", i).c_str(), status.rung_fixed && status.rung == i)) {
-        wishes.rung = i;
+        requests.rung = i;
       }
     }
     ImGui::EndCombo();
@@ -188,7 +188,7 @@ void drawRung(const ViewerStatus& status, ViewerWishes& wishes) {
     auto fps = static_cast<int>(status.target_fps + 0.5);
     ImGui::SetNextItemWidth(px(108));
     if (ImGui::DragInt("##fps", &fps, 0.5F, 5, 120, "for %d /s", ImGuiSliderFlags_AlwaysClamp)) {
-      wishes.target_fps = fps;
+      requests.target_fps = fps;
     }
     explain("frames a second to hold: drag, or double click and type");
   }
@@ -214,8 +214,8 @@ void drawBrief(const ViewModel& model, const ViewerStatus& status) {
 
 }  // namespace
 
-void drawFrameTab(const ViewerStatus& status, ViewerWishes& wishes) {
-  drawRung(status, wishes);
+void drawFrameTab(const ViewerStatus& status, ViewerRequests& requests) {
+  drawRung(status, requests);
   ImGui::TextUnformatted(cli::counted(status.triangles, "triangle").c_str());
   ImGui::TextUnformatted(cli::counted(status.draws, "draw call").c_str());
   if (status.tells_times && status.times.count() > 0) drawTimes(status);

@@ -7,7 +7,7 @@
 namespace rocinante {
 
 /// How much is drawn and what a frame costs, stage by stage: a tab of the panel on the left.
-void drawFrameTab(const ViewerStatus& status, ViewerWishes& wishes);
+void drawFrameTab(const ViewerStatus& status, ViewerRequests& requests);
 
 /// What is said of the session in the top right corner, all or the most needed; answers where it
 /// ends.

@@ -15,9 +15,9 @@ namespace rocinante {
 namespace {
 
 void drawScenePanel(ViewModel& model, const ViewerStatus& status, SteadyTime now,
-                    ViewerWishes& wishes) {
+                    ViewerRequests& requests) {
   const ImGuiIO& io = ImGui::GetIO();
-  const float below = px(model.transport() != nullptr ? kTimeBarHeight : kPanelMargin);
+  const float below = px(model.cursor() != nullptr ? kTimeBarHeight : kPanelMargin);
   const float tallest = std::max(px(120), io.DisplaySize.y - px(kPanelMargin) - below);
   ImGui::SetNextWindowPos(ImVec2(px(kPanelMargin), px(kPanelMargin)));
   ImGui::SetNextWindowSizeConstraints(ImVec2(px(kScenePanelWidth), 0),
@@ -25,7 +25,7 @@ void drawScenePanel(ViewModel& model, const ViewerStatus& status, SteadyTime now
   ImGui::Begin("Scene", nullptr, kPanelFlags | ImGuiWindowFlags_NoTitleBar);
   if (ImGui::BeginTabBar("tabs")) {
     if (ImGui::BeginTabItem("Scene")) {
-      drawSceneTab(model, px(kPanelMargin) + tallest, wishes);
+      drawSceneTab(model, px(kPanelMargin) + tallest, requests);
       ImGui::EndTabItem();
     }
     if (ImGui::BeginTabItem("Look")) {
@@ -36,12 +36,12 @@ void drawScenePanel(ViewModel& model, const ViewerStatus& status, SteadyTime now
       drawSourcesTab(model, now);
       ImGui::EndTabItem();
     }
-    if (model.transport() != nullptr && ImGui::BeginTabItem("Events")) {
-      drawEventsTab(model, now, wishes);
+    if (model.cursor() != nullptr && ImGui::BeginTabItem("Events")) {
+      drawEventsTab(model, now, requests);
       ImGui::EndTabItem();
     }
     if (ImGui::BeginTabItem("Frame")) {
-      drawFrameTab(status, wishes);
+      drawFrameTab(status, requests);
       ImGui::EndTabItem();
     }
     if (ImGui::TabItemButton("?", ImGuiTabItemFlags_Trailing)) model.help_shown = !model.help_shown;
@@ -114,16 +114,16 @@ void drawBanners(const ViewModel& model, const ViewerStatus& status, const Middl
 }  // namespace
 
 CoveredEdges drawPanels(ViewModel& model, const ViewerStatus& status, SteadyTime now,
-                        ViewerWishes& wishes) {
+                        ViewerRequests& requests) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   Middle middle{0, size.x};
   CoveredEdges covered;
   if (model.panels_shown) {
     const float unit = px(1);
-    const PanelLayout layout = panelLayout(
-        size.x / unit, size.y / unit, model.transport() != nullptr, !model.selected.device.empty());
+    const PanelLayout layout = panelLayout(size.x / unit, size.y / unit, model.cursor() != nullptr,
+                                           !model.selected.device.empty());
     if (layout.scene) {
-      drawScenePanel(model, status, now, wishes);
+      drawScenePanel(model, status, now, requests);
       middle.left = px(kScenePanelWidth + kPanelMargin);
     }
     float right_end = 0;
@@ -141,8 +141,8 @@ CoveredEdges drawPanels(ViewModel& model, const ViewerStatus& status, SteadyTime
             std::max(covered.right, static_cast<int>(px(kDevicePanelWidth + kPanelMargin)));
       }
     }
-    if (Transport* transport = model.transport()) {
-      drawTimeBar(model, *transport, now);
+    if (TimelineCursor* cursor = model.cursor()) {
+      drawTimeBar(model, *cursor, now);
       covered.bottom = static_cast<int>(px(kTimeBarHeight - kPanelMargin));
     }
     covered.left = static_cast<int>(middle.left);

@@ -28,7 +28,7 @@ struct ViewerStatus {
 };
 
 /// What the person asked the program for in this frame.
-struct ViewerWishes {
+struct ViewerRequests {
   bool fit = false;
   bool fit_selected = false;
   bool reset = false;  ///< the camera stands as it did at the start
@@ -44,6 +44,6 @@ struct ViewerWishes {
 /// and its events on the left, figures and the selected device on the right, time below. What is
 /// not the model's is wished for. Answers what of the picture they cover.
 CoveredEdges drawPanels(ViewModel& model, const ViewerStatus& status, SteadyTime now,
-                        ViewerWishes& wishes);
+                        ViewerRequests& requests);
 
 }  // namespace rocinante

@@ -31,7 +31,7 @@ void drawVisibility(ViewModel& model, const std::string& path, bool by_default, 
   explain("give your choice back to cell and packets");
 }
 
-void drawCameraRow(ViewModel& model, ViewerWishes& wishes) {
+void drawCameraRow(ViewModel& model, ViewerRequests& requests) {
   const std::string& current = model.cameraName();
   ImGui::SetNextItemWidth(px(-52));
   if (ImGui::BeginCombo("##camera", current.empty() ? "free" : current.c_str())) {
@@ -42,7 +42,7 @@ void drawCameraRow(ViewModel& model, ViewerWishes& wishes) {
   }
   explain("the camera: 1 to 9, or drag the picture");
   ImGui::SameLine();
-  if (ImGui::Button("Fit", ImVec2(-1, 0))) wishes.fit = true;
+  if (ImGui::Button("Fit", ImVec2(-1, 0))) requests.fit = true;
   explain("what can move, else everything (F); what is selected: Shift and F");
 }
 
@@ -193,31 +193,31 @@ std::vector<std::size_t> listedEvents(const ViewModel& model) {
   return listed;
 }
 
-void drawEventRow(const ViewModel& model, const Event& event, Transport& transport,
+void drawEventRow(const ViewModel& model, const Event& event, TimelineCursor& cursor,
                   SteadyTime now) {
   const std::string line = fmt::format(
       "{:9.3f}  {}{}{}", std::chrono::duration<double>(event.time - model.origin()).count(),
       event.source, event.source.empty() ? "" : ": ", event.text);
-  const bool here = event.time == transport.position(now);
-  if (ImGui::Selectable(line.c_str(), here)) transport.seek(event.time, now);
+  const bool here = event.time == cursor.position(now);
+  if (ImGui::Selectable(line.c_str(), here)) cursor.seek(event.time, now);
   explain(line.c_str());
 }
 
 }  // namespace
 
-void drawSceneTab(ViewModel& model, float bottom, ViewerWishes& wishes) {
-  drawCameraRow(model, wishes);
+void drawSceneTab(ViewModel& model, float bottom, ViewerRequests& requests) {
+  drawCameraRow(model, requests);
   drawInsets(model);
   drawLayers(model);
   drawDevices(model, bottom);
 }
 
-void drawEventsTab(ViewModel& model, SteadyTime now, ViewerWishes& wishes) {
-  Transport& transport = *model.transport();
+void drawEventsTab(ViewModel& model, SteadyTime now, ViewerRequests& requests) {
+  TimelineCursor& cursor = *model.cursor();
   const std::vector<Event>& events = model.events();
   if (events.empty()) ImGui::TextDisabled("no event in this session");
-  constexpr std::size_t kMostEventRows = 14;
-  if (events.size() > kMostEventRows) {
+  constexpr std::size_t kMaxEventRows = 14;
+  if (events.size() > kMaxEventRows) {
     ImGui::SetNextItemWidth(-1);
     ImGui::InputTextWithHint("##find event", "find an event", model.event_filter.data(),
                              model.event_filter.size());
@@ -225,7 +225,7 @@ void drawEventsTab(ViewModel& model, SteadyTime now, ViewerWishes& wishes) {
   const bool all = model.event_filter[0] == 0;
   const std::vector<std::size_t> listed = listedEvents(model);
   const float pitch = ImGui::GetTextLineHeightWithSpacing();
-  const auto rows = static_cast<float>(std::clamp<std::size_t>(events.size(), 1, kMostEventRows));
+  const auto rows = static_cast<float>(std::clamp<std::size_t>(events.size(), 1, kMaxEventRows));
   ImGui::BeginChild("events", ImVec2(0, rows * pitch + 4));
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(all ? events.size() : listed.size()), pitch);
@@ -233,7 +233,7 @@ void drawEventsTab(ViewModel& model, SteadyTime now, ViewerWishes& wishes) {
     for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
       const auto place = static_cast<std::size_t>(i);
       ImGui::PushID(i);
-      drawEventRow(model, events[all ? place : listed[place]], transport, now);
+      drawEventRow(model, events[all ? place : listed[place]], cursor, now);
       ImGui::PopID();
     }
   }
@@ -244,7 +244,7 @@ void drawEventsTab(ViewModel& model, SteadyTime now, ViewerWishes& wishes) {
                                                 text.size(), ImGuiInputTextFlags_EnterReturnsTrue);
   ImGui::SameLine();
   if ((ImGui::Button("Mark", ImVec2(-1, 0)) || entered) && text[0] != 0) {
-    wishes.mark = text.data();
+    requests.mark = text.data();
     text[0] = 0;
   }
   explain("kept beside the log, in LOG.marks");

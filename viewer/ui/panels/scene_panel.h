@@ -8,7 +8,7 @@ namespace rocinante {
 
 // Tabs of the panel on the left.
 /// `bottom`: how far down the window its panel may reach, in pixels.
-void drawSceneTab(ViewModel& model, float bottom, ViewerWishes& wishes);
-void drawEventsTab(ViewModel& model, SteadyTime now, ViewerWishes& wishes);
+void drawSceneTab(ViewModel& model, float bottom, ViewerRequests& requests);
+void drawEventsTab(ViewModel& model, SteadyTime now, ViewerRequests& requests);
 
 }  // namespace rocinante

@@ -13,8 +13,8 @@ namespace rocinante {
 namespace {
 
 const ImVec4 kAmiss{1, 0.6F, 0.4F, 1};
-constexpr std::size_t kMostWithoutSearch = 12;
-constexpr std::size_t kMostRowsShown = 16;
+constexpr std::size_t kMaxWithoutSearch = 12;
+constexpr std::size_t kMaxRowsShown = 16;
 constexpr std::uint64_t kManyRestarts = 10;
 
 /// As wide as it ever is, so that columns stand still while figures change.
@@ -93,7 +93,7 @@ void drawSourcesTab(ViewModel& model, SteadyTime now) {
     ImGui::TextDisabled("nothing has come yet");
     return;
   }
-  if (rows.size() > kMostWithoutSearch) {
+  if (rows.size() > kMaxWithoutSearch) {
     ImGui::SetNextItemWidth(-1);
     ImGui::InputTextWithHint("##find source", "find a source", model.source_filter.data(),
                              model.source_filter.size());
@@ -102,7 +102,7 @@ void drawSourcesTab(ViewModel& model, SteadyTime now) {
     });
   }
   const float pitch = ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y;
-  const auto shown = static_cast<float>(std::clamp<std::size_t>(rows.size(), 1, kMostRowsShown));
+  const auto shown = static_cast<float>(std::clamp<std::size_t>(rows.size(), 1, kMaxRowsShown));
   if (!ImGui::BeginTable("sources", 4, ImGuiTableFlags_ScrollY,
                          ImVec2(0, (shown + 1) * pitch + px(4)))) {
     return;

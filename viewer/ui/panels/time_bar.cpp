@@ -19,17 +19,16 @@ constexpr float kRulerText = 11;
 constexpr std::array kSpeeds{"0.1", "0.25", "0.5", "1", "2", "4", "10"};
 
 /// In a narrow window the least needed is left out, so that the line keeps a length.
-void drawButtons(const ViewModel& model, Transport& transport, SteadyTime now, float room) {
-  if (ImGui::Button(transport.playing() ? "Pause" : "Play", ImVec2(px(64), 0)))
-    transport.toggle(now);
+void drawButtons(const ViewModel& model, TimelineCursor& cursor, SteadyTime now, float room) {
+  if (ImGui::Button(cursor.playing() ? "Pause" : "Play", ImVec2(px(64), 0))) cursor.toggle(now);
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("Space");
   if (room < px(360)) return;
   ImGui::SameLine();
   ImGui::SetNextItemWidth(px(72));
-  if (ImGui::BeginCombo("##speed", fmt::format("{}x", transport.speedText()).c_str())) {
+  if (ImGui::BeginCombo("##speed", fmt::format("{}x", cursor.speedText()).c_str())) {
     for (const char* speed : kSpeeds) {
-      if (ImGui::Selectable(fmt::format("{}x", speed).c_str(), transport.speedText() == speed)) {
-        transport.setSpeed(speed, now);
+      if (ImGui::Selectable(fmt::format("{}x", speed).c_str(), cursor.speedText() == speed)) {
+        cursor.setSpeed(speed, now);
       }
     }
     ImGui::EndCombo();
@@ -37,8 +36,8 @@ void drawButtons(const ViewModel& model, Transport& transport, SteadyTime now, f
   if (room < px(560)) return;
   ImGui::SameLine();
   const auto jump = [&](bool forward) {
-    if (const Event* event = model.eventBeside(transport.position(now), forward)) {
-      transport.seek(event->time, now);
+    if (const Event* event = model.eventBeside(cursor.position(now), forward)) {
+      cursor.seek(event->time, now);
     }
   };
   if (!model.events().empty()) {
@@ -49,8 +48,8 @@ void drawButtons(const ViewModel& model, Transport& transport, SteadyTime now, f
     explain("the next event (.)");
     ImGui::SameLine();
   }
-  bool looping = transport.looping();
-  if (ImGui::Checkbox("loop", &looping)) transport.setLooping(looping);
+  bool looping = cursor.looping();
+  if (ImGui::Checkbox("loop", &looping)) cursor.setLooping(looping);
 }
 
 /// From the session's origin, to the millisecond.
@@ -131,21 +130,21 @@ void drawTicks(const Track& track, const std::vector<Event>& events) {
   }
 }
 
-void drawTrack(ViewModel& model, Transport& transport, SteadyTime now) {
+void drawTrack(ViewModel& model, TimelineCursor& cursor, SteadyTime now) {
   Track track;
   track.corner = ImGui::GetCursorScreenPos();
   track.width = std::max(px(40), ImGui::GetContentRegionAvail().x);
-  track.start = transport.start();
-  track.span = std::max(Nanoseconds(1), transport.end() - transport.start());
+  track.start = cursor.start();
+  track.span = std::max(Nanoseconds(1), cursor.end() - cursor.start());
   ImGui::InvisibleButton("track", ImVec2(track.width, px(kTrackHeight)));
   const ImGuiIO& io = ImGui::GetIO();
-  if (ImGui::IsItemActive()) transport.seek(track.momentAt(io.MousePos.x), now);
+  if (ImGui::IsItemActive()) cursor.seek(track.momentAt(io.MousePos.x), now);
 
   drawRuler(track, model.origin());
   ImDrawList* const list = ImGui::GetWindowDrawList();
   const float middle = track.middle();
   const float half = px(3);
-  const float at = track.xOf(transport.position(now));
+  const float at = track.xOf(cursor.position(now));
   list->AddRectFilled(ImVec2(track.corner.x, middle - half),
                       ImVec2(track.corner.x + track.width, middle + half),
                       IM_COL32(70, 82, 94, 255), half);
@@ -165,7 +164,7 @@ void drawTrack(ViewModel& model, Transport& transport, SteadyTime now) {
 
 }  // namespace
 
-void drawTimeBar(ViewModel& model, Transport& transport, SteadyTime now) {
+void drawTimeBar(ViewModel& model, TimelineCursor& cursor, SteadyTime now) {
   const ImGuiIO& io = ImGui::GetIO();
   const float margin = px(kPanelMargin);
   const float room = io.DisplaySize.x - 2 * margin;
@@ -176,12 +175,12 @@ void drawTimeBar(ViewModel& model, Transport& transport, SteadyTime now) {
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing |
                    ImGuiWindowFlags_NoScrollbar);
-  drawButtons(model, transport, now, room);
+  drawButtons(model, cursor, now, room);
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
-  const std::string at = shownSeconds(transport.position(now) - model.origin());
+  const std::string at = shownSeconds(cursor.position(now) - model.origin());
   if (room >= px(460)) {
-    const std::string end = shownSeconds(transport.end() - model.origin());
+    const std::string end = shownSeconds(cursor.end() - model.origin());
     // As wide as it will ever be: the line beside it must not move while the figures grow.
     const float left = ImGui::GetCursorPosX();
     ImGui::Text("%s / %s s", at.c_str(), end.c_str());
@@ -193,7 +192,7 @@ void drawTimeBar(ViewModel& model, Transport& transport, SteadyTime now) {
     ImGui::Text("%s", at.c_str());
     ImGui::SameLine();
   }
-  drawTrack(model, transport, now);
+  drawTrack(model, cursor, now);
   ImGui::End();
 }
 

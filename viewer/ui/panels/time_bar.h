@@ -1,12 +1,12 @@
 #pragma once
 
 #include "core/base/time.h"
-#include "viewer/ui/model/transport.h"
+#include "viewer/ui/model/timeline_cursor.h"
 #include "viewer/ui/model/view_model.h"
 
 namespace rocinante {
 
 /// The time line at the bottom, with its events.
-void drawTimeBar(ViewModel& model, Transport& transport, SteadyTime now);
+void drawTimeBar(ViewModel& model, TimelineCursor& cursor, SteadyTime now);
 
 }  // namespace rocinante

@@ -64,10 +64,10 @@ Status ScriptRunner::applyPerson(const ViewCommand& command, const ScriptStage& 
   if (command.name == "key") {
     const auto press = parseKey(command.words.front());
     if (!press) return faultAt(command, fmt::format("`{}` is no key", command.words.front()));
-    ViewerWishes wishes;
-    applyKey(model, *press, stage.now, wishes);
-    if (wishes.evidence) return faultAt(command, "`evidence FILE` makes such a picture");
-    stage.grant(wishes);
+    ViewerRequests requests;
+    applyKey(model, *press, stage.now, requests);
+    if (requests.evidence) return faultAt(command, "`evidence FILE` makes such a picture");
+    stage.grant(requests);
     return {};
   }
   const auto x = number(command, 0);
@@ -84,23 +84,23 @@ Status ScriptRunner::applyPerson(const ViewCommand& command, const ScriptStage& 
   return {};
 }
 
-Status ScriptRunner::applyTransport(const ViewCommand& command, const ScriptStage& stage) {
-  Transport* transport = stage.model.transport();
-  if (transport == nullptr) {
+Status ScriptRunner::applyPlayback(const ViewCommand& command, const ScriptStage& stage) {
+  TimelineCursor* cursor = stage.model.cursor();
+  if (cursor == nullptr) {
     return faultAt(command, fmt::format("`{}` needs a log", command.name));
   }
-  if (command.name == "play") transport->play(stage.now);
-  if (command.name == "pause") transport->pause(stage.now);
-  if (command.name == "loop") transport->setLooping(command.words.front() != "off");
-  if (command.name == "speed" && !transport->setSpeed(command.words.front(), stage.now)) {
+  if (command.name == "play") cursor->play(stage.now);
+  if (command.name == "pause") cursor->pause(stage.now);
+  if (command.name == "loop") cursor->setLooping(command.words.front() != "off");
+  if (command.name == "speed" && !cursor->setSpeed(command.words.front(), stage.now)) {
     return faultAt(command,
                    fmt::format("`{}` is no speed from 0.01 to 1000", command.words.front()));
   }
   if (command.name == "seek") {
     const auto moment =
-        parseSessionTime(command.words.front(), stage.model.origin(), transport->end());
+        parseSessionTime(command.words.front(), stage.model.origin(), cursor->end());
     if (!moment.ok()) return faultAt(command, moment.error().text());
-    transport->seek(*moment, stage.now);
+    cursor->seek(*moment, stage.now);
   }
   return {};
 }
@@ -117,13 +117,13 @@ Status ScriptRunner::apply(const ViewCommand& command, const ScriptStage& stage)
     return {};
   }
   if (command.name == "detail") {
-    ViewerWishes wishes;
-    wishes.rung = parseDetailRung(command.words.front());
-    if (!wishes.rung) {
+    ViewerRequests requests;
+    requests.rung = parseDetailRung(command.words.front());
+    if (!requests.rung) {
       return faultAt(command, fmt::format("`{}` is no level of detail from 0 to {}",
                                           command.words.front(), kCoarsestRung));
     }
-    stage.grant(wishes);
+    stage.grant(requests);
     return {};
   }
   if (command.name == "evidence") {
@@ -139,7 +139,7 @@ Status ScriptRunner::apply(const ViewCommand& command, const ScriptStage& stage)
   if (std::ranges::find(kPerson, command.name) != kPerson.end()) {
     return applyPerson(command, stage);
   }
-  return applyTransport(command, stage);
+  return applyPlayback(command, stage);
 }
 
 Status ScriptRunner::beforeFrame(const ScriptStage& stage) {

@@ -21,7 +21,7 @@ struct ScriptStage {
   int width, height;
   std::function<std::vector<Vec3>()> fitted_corners;
   std::function<Status(const PictureClick&)> click;
-  std::function<void(const ViewerWishes&)> grant;
+  std::function<void(const ViewerRequests&)> grant;
   std::function<Status(const std::filesystem::path&)> make_evidence;
 };
 
@@ -42,7 +42,7 @@ class ScriptRunner {
   Status apply(const ViewCommand& command, const ScriptStage& stage);
   Status applyLook(const ViewCommand& command, const ScriptStage& stage);
   Status applyPerson(const ViewCommand& command, const ScriptStage& stage);
-  Status applyTransport(const ViewCommand& command, const ScriptStage& stage);
+  Status applyPlayback(const ViewCommand& command, const ScriptStage& stage);
   Error faultAt(const ViewCommand& command, std::string what) const;
   Result<double> number(const ViewCommand& command, std::size_t word) const;
 

@@ -51,40 +51,40 @@ std::optional<PictureClick> applyMouse(ViewModel& model, int width_px, int heigh
   return std::nullopt;
 }
 
-void stepByPacket(ViewModel& model, Transport& transport, bool after, SteadyTime now) {
-  transport.pause(now);
+void stepByPacket(ViewModel& model, TimelineCursor& cursor, bool after, SteadyTime now) {
+  cursor.pause(now);
   const auto moment = model.packetBeside(after);
   if (!moment.ok()) {
     model.complaint = moment.error().text();
   } else if (*moment) {
-    transport.seek(**moment, now);
+    cursor.seek(**moment, now);
   }
 }
 
-void applyTransportKey(ViewModel& model, Transport& transport, const KeyPress& press,
-                       SteadyTime now) {
+void applyPlaybackKey(ViewModel& model, TimelineCursor& cursor, const KeyPress& press,
+                      SteadyTime now) {
   const Nanoseconds step = press.shift ? Nanoseconds(100ms) : Nanoseconds(1s);
   const auto jump = [&](bool after) {
-    if (const Event* event = model.eventBeside(transport.position(now), after)) {
-      transport.seek(event->time, now);
+    if (const Event* event = model.eventBeside(cursor.position(now), after)) {
+      cursor.seek(event->time, now);
     }
   };
   switch (press.key) {
     case GLFW_KEY_LEFT:
-      return transport.step(-step, now);
+      return cursor.step(-step, now);
     case GLFW_KEY_RIGHT:
-      return transport.step(step, now);
+      return cursor.step(step, now);
     case GLFW_KEY_COMMA:
-      return press.shift ? stepByPacket(model, transport, false, now) : jump(false);
+      return press.shift ? stepByPacket(model, cursor, false, now) : jump(false);
     case GLFW_KEY_PERIOD:
-      return press.shift ? stepByPacket(model, transport, true, now) : jump(true);
+      return press.shift ? stepByPacket(model, cursor, true, now) : jump(true);
     case GLFW_KEY_SPACE:
-      if (!press.repeated) transport.toggle(now);
+      if (!press.repeated) cursor.toggle(now);
       return;
     case GLFW_KEY_HOME:
-      return transport.seek(transport.start(), now);
+      return cursor.seek(cursor.start(), now);
     case GLFW_KEY_END:
-      return transport.seek(transport.end(), now);
+      return cursor.seek(cursor.end(), now);
     default:
       return;
   }
@@ -149,24 +149,24 @@ constexpr std::array kNamedKeys{
 
 }  // namespace
 
-void applyKey(ViewModel& model, const KeyPress& press, SteadyTime now, ViewerWishes& wishes) {
-  if (Transport* transport = model.transport()) applyTransportKey(model, *transport, press, now);
+void applyKey(ViewModel& model, const KeyPress& press, SteadyTime now, ViewerRequests& requests) {
+  if (TimelineCursor* cursor = model.cursor()) applyPlaybackKey(model, *cursor, press, now);
   if (press.repeated) return;
   switch (press.key) {
     case GLFW_KEY_F:
-      (press.shift ? wishes.fit_selected : wishes.fit) = true;
+      (press.shift ? requests.fit_selected : requests.fit) = true;
       return;
     case GLFW_KEY_0:
-      wishes.reset = true;
+      requests.reset = true;
       return;
     case GLFW_KEY_S:
-      wishes.evidence = true;
+      requests.evidence = true;
       return;
     case GLFW_KEY_M:
-      if (model.transport() != nullptr) wishes.mark = "mark";
+      if (model.cursor() != nullptr) requests.mark = "mark";
       return;
     case GLFW_KEY_Q:
-      wishes.close = true;
+      requests.close = true;
       return;
     case GLFW_KEY_TAB:
       model.panels_shown = !model.panels_shown;
@@ -213,7 +213,8 @@ std::optional<KeyPress> parseKey(std::string_view text) {
 }
 
 std::optional<PictureClick> applyUserInput(ViewModel& model, SteadyTime now, int width_px,
-                                           int height_px, ViewerWishes& wishes, Window& window) {
+                                           int height_px, ViewerRequests& requests,
+                                           Window& window) {
   const auto click = applyMouse(model, width_px, height_px);
   const std::vector<KeyPress> presses = window.input().thisFrame().keys;
   const ImGuiIO& io = ImGui::GetIO();
@@ -227,7 +228,7 @@ std::optional<PictureClick> applyUserInput(ViewModel& model, SteadyTime now, int
       list_open = false;
       continue;
     }
-    applyKey(model, press, now, wishes);
+    applyKey(model, press, now, requests);
   }
   // By its character, which lies on different keys.
   for (const ImWchar character : io.InputQueueCharacters) {

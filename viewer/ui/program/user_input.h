@@ -17,7 +17,7 @@ struct PictureClick {
 };
 
 /// One key, as docs/programs/view.md has them. What is not the model's is wished for.
-void applyKey(ViewModel& model, const KeyPress& press, SteadyTime now, ViewerWishes& wishes);
+void applyKey(ViewModel& model, const KeyPress& press, SteadyTime now, ViewerRequests& requests);
 
 /// The key that a script names: "E", "shift+H", "space", "left", "F1", ","; empty for no key.
 std::optional<KeyPress> parseKey(std::string_view text);
@@ -25,6 +25,6 @@ std::optional<KeyPress> parseKey(std::string_view text);
 /// Mouse and keyboard of this frame, as Dear ImGui has them and has not used them itself. Answers a
 /// click on the picture.
 std::optional<PictureClick> applyUserInput(ViewModel& model, SteadyTime now, int width_px,
-                                           int height_px, ViewerWishes& wishes, Window& window);
+                                           int height_px, ViewerRequests& requests, Window& window);
 
 }  // namespace rocinante

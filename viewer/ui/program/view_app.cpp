@@ -65,7 +65,7 @@ class ViewApp {
   SceneFrame shownFrame(const RenderStyle& style);
   Result<DrawCounts> drawScene();
   Status drawFrame(double app_ms);
-  void grantWishes(const ViewerWishes& wishes);
+  void applyRequests(const ViewerRequests& requests);
   Status clickAt(const PictureClick& click);
   Status runScript();
   void waitForNews(bool changed);
@@ -195,15 +195,15 @@ Status ViewApp::drawFrame(double app_ms) {
   times.app = app_ms;
   const SteadyTime began = std::chrono::steady_clock::now();
   interface_.beginFrame(width_, height_);
-  ViewerWishes wishes;
-  covered_ = drawPanels(model_, status_, now(), wishes);
+  ViewerRequests requests;
+  covered_ = drawPanels(model_, status_, now(), requests);
   std::optional<PictureClick> click;
-  if (!scripted()) click = applyUserInput(model_, now(), width_, height_, wishes, *window_);
+  if (!scripted()) click = applyUserInput(model_, now(), width_, height_, requests, *window_);
   ImGui::Render();
   if (click) {
     if (auto clicked = clickAt(*click); !clicked) return clicked;
   }
-  grantWishes(wishes);
+  applyRequests(requests);
   times.ui = millisecondsSince(began);
 
   const SteadyTime scene_began = std::chrono::steady_clock::now();
@@ -250,28 +250,28 @@ Status ViewApp::clickAt(const PictureClick& click) {
   return {};
 }
 
-void ViewApp::grantWishes(const ViewerWishes& wishes) {
-  if (wishes.close) window_->requestClose();
-  if (wishes.reset) model_.resetCamera();
-  if (wishes.fit || (wishes.reset && model_.cameraName().empty())) {
+void ViewApp::applyRequests(const ViewerRequests& requests) {
+  if (requests.close) window_->requestClose();
+  if (requests.reset) model_.resetCamera();
+  if (requests.fit || (requests.reset && model_.cameraName().empty())) {
     model_.fit(fittedCorners(), width_, height_);
   }
-  if (wishes.fit_selected) model_.fit(selectedCorners(), width_, height_);
-  if (wishes.mark) {
-    const auto marked = model_.addMark(*wishes.mark);
-    evidence_.say(marked ? fmt::format("marked: {}", *wishes.mark) : marked.error().text(), !marked,
-                  now());
+  if (requests.fit_selected) model_.fit(selectedCorners(), width_, height_);
+  if (requests.mark) {
+    const auto marked = model_.addMark(*requests.mark);
+    evidence_.say(marked ? fmt::format("marked: {}", *requests.mark) : marked.error().text(),
+                  !marked, now());
   }
-  if (wishes.target_fps) {
-    status_.target_fps = *wishes.target_fps;
-    governor_.setTarget(1000 / *wishes.target_fps);
+  if (requests.target_fps) {
+    status_.target_fps = *requests.target_fps;
+    governor_.setTarget(1000 / *requests.target_fps);
   }
-  if (wishes.rung) {
-    status_.rung_fixed = *wishes.rung >= 0;
-    useRung(status_.rung_fixed ? *wishes.rung : governor_.rung());
+  if (requests.rung) {
+    status_.rung_fixed = *requests.rung >= 0;
+    useRung(status_.rung_fixed ? *requests.rung : governor_.rung());
     governor_.forget();
   }
-  if (wishes.evidence) evidence_.ask(model_, size(), now());
+  if (requests.evidence) evidence_.ask(model_, size(), now());
   evidence_.look(now());
   status_.notice = evidence_.notice();
   status_.notice_is_fault = evidence_.noticeIsFault();
@@ -282,8 +282,8 @@ void ViewApp::waitForNews(bool changed) {
     glfwPollEvents();
     return;
   }
-  const Transport* transport = model_.transport();
-  const bool moving = changed || (transport != nullptr && transport->playing());
+  const TimelineCursor* cursor = model_.cursor();
+  const bool moving = changed || (cursor != nullptr && cursor->playing());
   settling_.drawn(window_->takeNews() || window_->input().pending());
   if (moving || !settling_.settled()) {
     glfwPollEvents();
@@ -301,7 +301,7 @@ Status ViewApp::runScript() {
       height_,
       [this] { return fittedCorners(); },
       [this](const PictureClick& click) { return clickAt(click); },
-      [this](const ViewerWishes& wishes) { grantWishes(wishes); },
+      [this](const ViewerRequests& requests) { applyRequests(requests); },
       [this](const std::filesystem::path& file) { return evidence_.make(model_, size(), file); }};
   return script_.beforeFrame(stage);
 }

@@ -141,13 +141,13 @@ Result<Exit> view(const Arguments& arguments) {
     model->useCamera(arguments.camera);
   }
   if (!arguments.at.empty()) {
-    Transport* transport = model->transport();
-    if (transport == nullptr) {
+    TimelineCursor* cursor = model->cursor();
+    if (cursor == nullptr) {
       return Error{ErrorKind::bad_argument, "--at needs a log", "--at " + arguments.at};
     }
-    const auto moment = parseSessionTime(arguments.at, model->origin(), transport->end());
+    const auto moment = parseSessionTime(arguments.at, model->origin(), cursor->end());
     if (!moment.ok()) return moment.error();
-    transport->seek(*moment, SteadyTime{});
+    cursor->seek(*moment, SteadyTime{});
   }
   if (auto shown = runViewer(*model, *options); !shown) return shown.error();
   if (!model->seenDamage().empty()) {

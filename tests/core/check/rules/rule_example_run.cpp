@@ -44,7 +44,7 @@ class SessionText {
       const bool relative = first.starts_with('+');
       seconds_ = (relative ? seconds_ : 0) + std::stod(first);
     }
-    return sign == "!" ? obey(first, words) : Status{};
+    return sign == "!" ? execute(first, words) : Status{};
   }
 
   Status end() {
@@ -90,7 +90,7 @@ class SessionText {
     return writer_.write(found->second, sequence_++, timeOf(seconds_), 0, bytesOf(bytes));
   }
 
-  Status obey(const std::string& order, std::istringstream& words) {
+  Status execute(const std::string& order, std::istringstream& words) {
     if (order == "loss") {
       LossSpan loss;
       loss.endpoint = "udp://127.0.0.1:19960";

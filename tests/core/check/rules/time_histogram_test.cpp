@@ -33,8 +33,8 @@ TEST(TimeHistogram, WidensItsBinsAndLosesNoHit) {
   TimeHistogram histogram;
   const std::int64_t width = histogram.width().count();
   for (std::int64_t i = 0; i < 100000; ++i) histogram.hit(at(i * width / 3));
-  EXPECT_LE(histogram.counts().size(), TimeHistogram::kMostBins);
-  EXPECT_GT(histogram.counts().size(), TimeHistogram::kMostBins / 2);
+  EXPECT_LE(histogram.counts().size(), TimeHistogram::kMaxBins);
+  EXPECT_GT(histogram.counts().size(), TimeHistogram::kMaxBins / 2);
   EXPECT_EQ(total(histogram), 100000U);
   // Even hits stay even, but for the last bin, which is not full.
   const auto [low, high] =
@@ -48,7 +48,7 @@ TEST(TimeHistogram, BearsAnyTime) {
   histogram.hit(at(std::numeric_limits<std::int64_t>::max()));
   histogram.hit(at(0));
   EXPECT_EQ(total(histogram), 3U);
-  EXPECT_LE(histogram.counts().size(), TimeHistogram::kMostBins);
+  EXPECT_LE(histogram.counts().size(), TimeHistogram::kMaxBins);
 }
 
 TEST(TimeHistogram, CountsWhatLiesBeforeTheFirstHitInItsBin) {

@@ -34,15 +34,15 @@ class ViewedSession : public testing::Test {
     ASSERT_TRUE(model_->update(SteadyTime{}).ok());
   }
   void seek(Nanoseconds since_start) {
-    model_->transport()->seek(model_->transport()->start() + since_start, SteadyTime{});
+    model_->cursor()->seek(model_->cursor()->start() + since_start, SteadyTime{});
     ASSERT_TRUE(model_->update(SteadyTime{}).ok());
   }
-  ViewerWishes press(std::string_view key) {
-    ViewerWishes wishes;
+  ViewerRequests press(std::string_view key) {
+    ViewerRequests requests;
     const auto parsed = parseKey(key);
     EXPECT_TRUE(parsed.has_value()) << key;
-    if (parsed) applyKey(*model_, *parsed, SteadyTime{}, wishes);
-    return wishes;
+    if (parsed) applyKey(*model_, *parsed, SteadyTime{}, requests);
+    return requests;
   }
 
   const test::TemporaryFolder folder_;
@@ -65,7 +65,7 @@ TEST_F(ViewedSession, ALayerFollowsThePacketsUntilThePersonChooses) {
 }
 
 TEST_F(ViewedSession, EventsAreReachedForwardsAndBackwards) {
-  const LogTime start = model_->transport()->start();
+  const LogTime start = model_->cursor()->start();
   ASSERT_NE(model_->eventBeside(start, true), nullptr);
   EXPECT_EQ(model_->eventBeside(start, true)->text, "done");
   EXPECT_EQ(model_->eventBeside(start, false), nullptr);
@@ -139,8 +139,8 @@ TEST_F(ViewedSession, KeysWishForWhatTheProgramDoes) {
 }
 
 TEST_F(ViewedSession, ShiftStepsFromDatagramToDatagram) {
-  Transport& transport = *model_->transport();
-  const auto at = [&] { return transport.position(SteadyTime{}) - transport.start(); };
+  TimelineCursor& cursor = *model_->cursor();
+  const auto at = [&] { return cursor.position(SteadyTime{}) - cursor.start(); };
   const auto stepTo = [&](const char* key) {
     press(key);
     EXPECT_TRUE(model_->update(SteadyTime{}).ok());
@@ -153,7 +153,7 @@ TEST_F(ViewedSession, ShiftStepsFromDatagramToDatagram) {
   EXPECT_EQ(stepTo("shift+,"), 1000ms);
   EXPECT_EQ(stepTo("shift+,"), 0ms);
   EXPECT_EQ(stepTo("shift+,"), 0ms);
-  EXPECT_FALSE(transport.playing());
+  EXPECT_FALSE(cursor.playing());
 }
 
 TEST_F(ViewedSession, ZeroGoesBackToTheFirstView) {

@@ -14,10 +14,10 @@ namespace {
 int drawnCorners(ViewModel& model) {
   InterfaceContext interface(nullptr);
   ImGui::GetIO().Fonts->Build();
-  ViewerWishes wishes;
+  ViewerRequests requests;
   for (int frame = 0; frame < 2; ++frame) {  // a window that fits itself is a frame late
     interface.beginFrame(1280, 720);
-    drawPanels(model, ViewerStatus(), SteadyTime{}, wishes);
+    drawPanels(model, ViewerStatus(), SteadyTime{}, requests);
     ImGui::Render();
   }
   return ImGui::GetDrawData()->TotalVtxCount;

@@ -11,9 +11,9 @@ namespace rocinante {
 /// Where on a log's time line the window stands, and how it moves on: play, pause, scrub, speed.
 /// Pure: reads no clock. A position is reckoned from one anchor, so an hour at any speed ends on
 /// the exact nanosecond.
-class Transport {
+class TimelineCursor {
  public:
-  Transport(LogTime start, LogTime end);
+  TimelineCursor(LogTime start, LogTime end);
 
   LogTime start() const { return start_; }
   LogTime end() const { return end_; }

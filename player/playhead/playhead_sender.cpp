@@ -1,4 +1,4 @@
-#include "player/playhead/transport_sender.h"
+#include "player/playhead/playhead_sender.h"
 
 #include "player/send/pacing.h"
 #include "player/send/send_batch.h"
@@ -7,35 +7,36 @@ namespace rocinante {
 namespace {
 
 /// One command at a time, from its line to its answer.
-class Asking {
+class PendingCommand {
  public:
-  Asking(CommandSource* source, const TransportRules& rules) : source_(source), rules_(rules) {}
+  PendingCommand(CommandSource* source, const PlayheadRules& rules)
+      : source_(source), rules_(rules) {}
 
   /// True when there was one.
-  bool take(Transport& transport, SteadyTime now) {
+  bool take(Playhead& playhead, SteadyTime now) {
     if (source_ == nullptr || open_) return false;
     const std::optional<std::string_view> line = source_->asked();
     if (!line) return false;
     open_ = true;
     error_.clear();
-    const auto command = parseTransportCommand(*line, rules_.origin, rules_.end);
-    const Status done = command ? transport.obey(*command, now) : Status(command.error());
+    const auto command = parsePlayheadCommand(*line, rules_.origin, rules_.end);
+    const Status done = command ? playhead.execute(*command, now) : Status(command.error());
     if (!done) error_ = "error " + done.error().text();
-    says_nothing_ = done && command->kind == TransportCommand::Kind::ack;
+    says_nothing_ = done && command->kind == PlayheadCommand::Kind::ack;
     return true;
   }
 
   /// Answers when all that was asked for is done.
-  void settle(Transport& transport, SteadyTime now, bool done) {
+  void settle(Playhead& playhead, SteadyTime now, bool done) {
     if (!open_ || !done) return;
     open_ = false;
-    std::string line = error_.empty() ? transport.status(now) : error_;
+    std::string line = error_.empty() ? playhead.status(now) : error_;
     source_->answer(says_nothing_ ? std::string() : std::move(line));
   }
 
  private:
   CommandSource* source_;
-  const TransportRules& rules_;
+  const PlayheadRules& rules_;
   bool open_ = false;
   bool says_nothing_ = false;
   std::string error_;
@@ -48,8 +49,8 @@ class Lockstep {
 
   void skipTime(Nanoseconds skipped) { since_ += skipped; }
 
-  Status judge(const Transport& transport, SteadyTime now) {
-    const std::optional<std::uint64_t> awaited = transport.awaited();
+  Status judge(const Playhead& playhead, SteadyTime now) {
+    const std::optional<std::uint64_t> awaited = playhead.awaited();
     if (!awaited) {
       waits_ = false;
       return {};
@@ -74,48 +75,48 @@ class Lockstep {
   SteadyTime since_{};
 };
 
-void publish(Transport& transport, const std::optional<Transport::Next>& next, SteadyTime now,
+void publish(Playhead& playhead, const std::optional<Playhead::Next>& next, SteadyTime now,
              PlayStatus& status) {
   constexpr auto kRelaxed = std::memory_order_relaxed;
-  status.position_ns.store(transport.time(now).time_since_epoch().count(), kRelaxed);
-  status.sent.store(transport.sent(), kRelaxed);
-  status.speed.store(transport.speed() ? transport.speed()->ratio() : 0, kRelaxed);
-  status.state.store(static_cast<int>(transport.state()), kRelaxed);
+  status.position_ns.store(playhead.time(now).time_since_epoch().count(), kRelaxed);
+  status.sent.store(playhead.sent(), kRelaxed);
+  status.speed.store(playhead.speed() ? playhead.speed()->ratio() : 0, kRelaxed);
+  status.state.store(static_cast<int>(playhead.state()), kRelaxed);
   status.next_ns.store(next ? next->deadline.time_since_epoch().count() : 0, kRelaxed);
 }
 
 }  // namespace
 
-Result<SendEnd> sendTransport(Transport& transport, const TransportRules& rules, SendEdge& edge,
-                              SendJournal& journal, CommandSource* commands, PlayStatus& status) {
+Result<SendEnd> sendPlayhead(Playhead& playhead, const PlayheadRules& rules, SendPort& edge,
+                             SendJournal& journal, CommandSource* commands, PlayStatus& status) {
   constexpr Nanoseconds kPublishEach = std::chrono::milliseconds(50);
   Pacing pacing;
   SendBatch batch;
-  Asking asking(commands, rules);
+  PendingCommand asking(commands, rules);
   Lockstep lockstep(commands, rules.ack_timeout);
   SteadyTime publish_at{};
   SteadyTime looked_at = edge.now();
   while (!edge.stopRequested()) {
     SteadyTime now = edge.now();
     if (edge.hasResumed()) {
-      transport.skipTime(looked_at, now);
+      playhead.skipTime(looked_at, now);
       lockstep.skipTime(now - looked_at);
     }
     looked_at = now;
-    if (asking.take(transport, now)) now = edge.now();
-    Result<std::optional<Transport::Next>> next = transport.next(now);
+    if (asking.take(playhead, now)) now = edge.now();
+    Result<std::optional<Playhead::Next>> next = playhead.next(now);
     if (!next) return next.error();
-    asking.settle(transport, now, !*next || !(*next)->immediate);
-    if (transport.hasQuit()) return SendEnd::stopped;
-    if (const Status judged = lockstep.judge(transport, now); !judged) return judged.error();
+    asking.settle(playhead, now, !*next || !(*next)->immediate);
+    if (playhead.hasQuit()) return SendEnd::stopped;
+    if (const Status judged = lockstep.judge(playhead, now); !judged) return judged.error();
     if (now >= publish_at) {
-      publish(transport, *next, now, status);
+      publish(playhead, *next, now, status);
       publish_at = now + kPublishEach;
     }
     if (!*next) {
       // Who stepped to the end may want to step back.
-      const bool over = transport.state() == Transport::State::ended && transport.isPlaying() &&
-                        !transport.awaited();
+      const bool over =
+          playhead.state() == Playhead::State::ended && playhead.isPlaying() && !playhead.awaited();
       if (over && !rules.stays) return SendEnd::finished;
       edge.sleepUntil(now + Pacing::kLongestSleep);
       continue;
@@ -128,9 +129,9 @@ Result<SendEnd> sendTransport(Transport& transport, const TransportRules& rules,
     if (step.action != Pacing::Action::send) continue;
     pacing.sent((*next)->deadline);
     while (*next && !batch.full() && (*next)->deadline <= now) {
-      const Transport::Next taken = **next;
-      batch.add(taken.due, taken.deadline, transport.take(now));
-      if (next = transport.next(now); !next) break;
+      const Playhead::Next taken = **next;
+      batch.add(taken.due, taken.deadline, playhead.take(now));
+      if (next = playhead.next(now); !next) break;
     }
     if (const Status sent = batch.send(edge, journal); !sent) return sent.error();
     if (!next) return next.error();

@@ -62,12 +62,12 @@ rc::Gen<std::string> anyCommand() {
 
 /// The log's captured messages in order, with their places.
 struct Told {
-  TapePlace place;
+  TapePosition place;
   std::string payload;
 };
 std::vector<Told> allOf(const std::vector<std::filesystem::path>& paths) {
-  LogMerge logs = LogMerge::open(paths).value();
-  EXPECT_TRUE(logs.seek(TapePlace{}, LogMerge::Which::captured).ok());
+  MultiLogReader logs = MultiLogReader::open(paths).value();
+  EXPECT_TRUE(logs.seek(TapePosition{}, MultiLogReader::Which::captured).ok());
   std::vector<Told> all;
   while (const auto message = logs.next().value()) {
     all.push_back({logs.place(), std::string(textOf(message->payload))});
@@ -77,7 +77,7 @@ std::vector<Told> allOf(const std::vector<std::filesystem::path>& paths) {
 
 /// Within a span, each message is followed by the very next one of the log.
 void expectSpansWhole(const Deck& deck, const std::vector<Told>& all) {
-  std::map<TapePlace, std::size_t> index;
+  std::map<TapePosition, std::size_t> index;
   for (std::size_t i = 0; i < all.size(); ++i) index[all[i].place] = i;
   for (std::size_t i = 0; i < deck.dues().size(); ++i) {
     const Due& due = deck.dues()[i];
@@ -103,7 +103,7 @@ void expectSpansWhole(const Deck& deck, const std::vector<Told>& all) {
 }
 
 void checkCommands(const std::vector<std::filesystem::path>& logs,
-                   const std::vector<std::string>& commands, TransportOptions options,
+                   const std::vector<std::string>& commands, PlayheadOptions options,
                    const ChannelChoice& choice = {}) {
   Deck deck(logs, options, choice);
   for (const std::string& command : commands) {
@@ -113,7 +113,7 @@ void checkCommands(const std::vector<std::filesystem::path>& logs,
       const std::string answer = deck.say(command);
       RC_ASSERT(answer.starts_with("ok ") || answer.starts_with("error "));
     }
-    const SessionState wanted = deck.finder().stateBefore(deck.transport().place()).value();
+    const SessionState wanted = deck.finder().stateBefore(deck.playhead().place()).value();
     if (Deck::itemsOf(deck.receiver()) != Deck::itemsOf(wanted)) {
       RC_FAIL("after " + command + ":\n" + Deck::itemsOf(deck.receiver()) + "--- but the fold:\n" +
               Deck::itemsOf(wanted));
@@ -122,11 +122,11 @@ void checkCommands(const std::vector<std::filesystem::path>& logs,
   if (choice.isAll()) expectSpansWhole(deck, allOf(logs));
 }
 
-RC_GTEST_PROP(TransportProperty, AnyCommandsLeadToTheStateOfTheFold, (std::uint32_t seed)) {
+RC_GTEST_PROP(PlayheadProperty, AnyCommandsLeadToTheStateOfTheFold, (std::uint32_t seed)) {
   const test::TemporaryFolder folder;
   const auto log = test::writeLog(folder / "log", randomMessages(seed, 150));
   const auto commands = *rc::gen::container<std::vector<std::string>>(anyCommand());
-  TransportOptions options;
+  PlayheadOptions options;
   options.start_paused = seed % 2 == 0;
   options.turns = seed % 3;
   if (seed % 5 == 0) options.gap_limit = 100ms;
@@ -134,7 +134,7 @@ RC_GTEST_PROP(TransportProperty, AnyCommandsLeadToTheStateOfTheFold, (std::uint3
   checkCommands({log}, commands, options);
 }
 
-RC_GTEST_PROP(TransportProperty, AlsoOfSeveralLogsAndOfChosenChannels, (std::uint32_t seed)) {
+RC_GTEST_PROP(PlayheadProperty, AlsoOfSeveralLogsAndOfChosenChannels, (std::uint32_t seed)) {
   const test::TemporaryFolder folder;
   const auto a = test::writeLog(folder / "a", randomMessages(seed, 80));
   const auto b = test::writeLog(folder / "b", randomMessages(seed + 1, 80));
@@ -142,7 +142,7 @@ RC_GTEST_PROP(TransportProperty, AlsoOfSeveralLogsAndOfChosenChannels, (std::uin
   ChannelChoice choice;
   if (seed % 2 == 0) choice.muted = {"*/b"};
   if (seed % 3 == 0) choice.only = {"*/a", "*/b"};
-  checkCommands({a, b}, commands, TransportOptions(), choice);
+  checkCommands({a, b}, commands, PlayheadOptions(), choice);
 }
 
 }  // namespace

@@ -15,12 +15,12 @@
 namespace rocinante {
 
 /// The real world to send into: the steady clock, a timer and a UDP socket for each route.
-class UdpEdge final : public SendEdge {
+class UdpSendPort final : public SendPort {
  public:
   /// Makes the calling thread the pacing one. `wake`, when not negative, is a descriptor that ends
   /// a sleep by becoming readable; it is not read. It must outlive the edge.
-  static Result<UdpEdge> open(const std::vector<Route>& routes, Realtime realtime,
-                              std::function<bool()> stop, int wake = -1);
+  static Result<UdpSendPort> open(const std::vector<Route>& routes, Realtime realtime,
+                                  std::function<bool()> stop, int wake = -1);
 
   SteadyTime now() override;
   void sleepUntil(SteadyTime moment) override;
@@ -44,7 +44,7 @@ class UdpEdge final : public SendEdge {
     bool restating;
   };
 
-  UdpEdge(std::vector<Way> ways, PacingThread thread, std::function<bool()> stop, int wake);
+  UdpSendPort(std::vector<Way> ways, PacingThread thread, std::function<bool()> stop, int wake);
 
   void leaveRealtimeIfHogging();
 

@@ -10,7 +10,7 @@
 
 #include "core/base/result.h"
 #include "core/log/log_reader.h"
-#include "player/send/tape_place.h"
+#include "player/send/tape_position.h"
 
 namespace rocinante {
 
@@ -27,7 +27,7 @@ struct ChannelChoice {
 
 /// Several logs read as one: in order of (log_time, place among the arguments, file offset).
 /// Not for sharing between threads.
-class LogMerge {
+class MultiLogReader {
  public:
   enum class Which : std::uint8_t {
     captured,  ///< what was sent to the recorder
@@ -35,8 +35,8 @@ class LogMerge {
   };
 
   /// Fails as LogReader::open does, on the first log that cannot be read.
-  static Result<LogMerge> open(const std::vector<std::filesystem::path>& paths,
-                               ChannelChoice choice = {});
+  static Result<MultiLogReader> open(const std::vector<std::filesystem::path>& paths,
+                                     ChannelChoice choice = {});
 
   LogTime origin() const { return origin_; }  ///< the earliest of the logs' origins
   LogTime start() const { return start_; }    ///< the first captured message of all
@@ -54,20 +54,20 @@ class LogMerge {
   std::vector<std::string> damage() const;
 
   /// Goes to the first of `which` at or behind `place`.
-  Status seek(TapePlace place, Which which);
+  Status seek(TapePosition place, Which which);
   /// The next message; its payload is borrowed until the next call. Empty at the end.
   Result<std::optional<LogMessage>> next();
   /// Of the message that next() returned last.
-  TapePlace place() const;
+  TapePosition place() const;
 
   struct Earlier {
     std::uint64_t messages = 0;     ///< how many were found, at most as many as were asked for
-    TapePlace place{};              ///< of the earliest of them; where one was, when there are none
+    TapePosition place{};           ///< of the earliest of them; where one was, when there are none
     std::optional<LogTime> before;  ///< the time of the one before that
   };
   /// The captured message that lies `count` of them before `place`, not earlier than `floor`. Where
   /// next() goes on is undefined until the next seek.
-  Result<Earlier> back(TapePlace place, std::uint64_t count, LogTime floor);
+  Result<Earlier> back(TapePosition place, std::uint64_t count, LogTime floor);
 
  private:
   struct Input {
@@ -76,11 +76,11 @@ class LogMerge {
     std::optional<LogMessage> head;
   };
 
-  LogMerge() = default;
+  MultiLogReader() = default;
   bool wanted(const Input& input, const LogMessage& message) const;
-  Status stand(TapePlace place);
+  Status stand(TapePosition place);
   Status advance(Input& input);
-  Result<std::optional<TapePlace>> previous();
+  Result<std::optional<TapePosition>> previous();
   Status findRange();
 
   std::vector<Input> inputs_;

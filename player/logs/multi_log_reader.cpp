@@ -1,4 +1,4 @@
-#include "player/logs/log_merge.h"
+#include "player/logs/multi_log_reader.h"
 
 #include <fnmatch.h>
 
@@ -14,7 +14,7 @@ bool matchesAny(const std::vector<std::string>& patterns, const std::string& top
   });
 }
 
-constexpr TapePlace kEnd{LogTime::max(), ~std::uint32_t{0}, ~std::uint64_t{0}};
+constexpr TapePosition kEnd{LogTime::max(), ~std::uint32_t{0}, ~std::uint64_t{0}};
 
 }  // namespace
 
@@ -25,9 +25,9 @@ bool ChannelChoice::holds(std::string_view topic) const {
   return (only.empty() || matchesAny(only, name)) && !matchesAny(muted, name);
 }
 
-Result<LogMerge> LogMerge::open(const std::vector<std::filesystem::path>& paths,
-                                ChannelChoice choice) {
-  LogMerge merge;
+Result<MultiLogReader> MultiLogReader::open(const std::vector<std::filesystem::path>& paths,
+                                            ChannelChoice choice) {
+  MultiLogReader merge;
   merge.inputs_.reserve(paths.size());
   bool any_origin = false;
   for (const auto& path : paths) {
@@ -56,8 +56,8 @@ Result<LogMerge> LogMerge::open(const std::vector<std::filesystem::path>& paths,
   return merge;
 }
 
-Status LogMerge::findRange() {
-  if (const Status put = seek(TapePlace::at(LogTime::min()), Which::captured); !put) return put;
+Status MultiLogReader::findRange() {
+  if (const Status put = seek(TapePosition::at(LogTime::min()), Which::captured); !put) return put;
   const Result<std::optional<LogMessage>> first = next();
   if (!first) return first.error();
   empty_ = !*first;
@@ -69,12 +69,12 @@ Status LogMerge::findRange() {
   return {};
 }
 
-bool LogMerge::chosen(std::size_t log, ChannelId channel) const {
+bool MultiLogReader::chosen(std::size_t log, ChannelId channel) const {
   const std::vector<bool>& chosen = inputs_[log].chosen;
   return channel < chosen.size() && chosen[channel];
 }
 
-std::set<std::string> LogMerge::sources() const {
+std::set<std::string> MultiLogReader::sources() const {
   std::set<std::string> names;
   for (std::size_t log = 0; log < inputs_.size(); ++log) {
     for (const LogChannel& channel : channels(log)) {
@@ -86,7 +86,7 @@ std::set<std::string> LogMerge::sources() const {
   return names;
 }
 
-std::vector<std::string> LogMerge::damage() const {
+std::vector<std::string> MultiLogReader::damage() const {
   std::vector<std::string> sentences;
   for (const Input& input : inputs_) {
     for (const DamageSpan& span : input.reader.damage()) {
@@ -101,13 +101,13 @@ std::vector<std::string> LogMerge::damage() const {
   return sentences;
 }
 
-bool LogMerge::wanted(const Input& input, const LogMessage& message) const {
+bool MultiLogReader::wanted(const Input& input, const LogMessage& message) const {
   const LogChannel& channel = *message.channel;
   if (channel.id >= input.chosen.size() || !input.chosen[channel.id]) return false;
   return which_ == Which::captured ? channel.captured() : channel.folded();
 }
 
-Status LogMerge::advance(Input& input) {
+Status MultiLogReader::advance(Input& input) {
   while (true) {
     Result<std::optional<LogMessage>> message = input.reader.next();
     if (!message) return message.error();
@@ -116,7 +116,7 @@ Status LogMerge::advance(Input& input) {
   }
 }
 
-Status LogMerge::stand(TapePlace place) {
+Status MultiLogReader::stand(TapePosition place) {
   taken_ = nullptr;
   for (std::size_t i = 0; i < inputs_.size(); ++i) {
     LogReader& reader = inputs_[i].reader;
@@ -135,7 +135,7 @@ Status LogMerge::stand(TapePlace place) {
   return {};
 }
 
-Status LogMerge::seek(TapePlace place, Which which) {
+Status MultiLogReader::seek(TapePosition place, Which which) {
   which_ = which;
   if (const Status put = stand(place); !put) return put;
   for (Input& input : inputs_) {
@@ -144,7 +144,7 @@ Status LogMerge::seek(TapePlace place, Which which) {
   return {};
 }
 
-Result<std::optional<LogMessage>> LogMerge::next() {
+Result<std::optional<LogMessage>> MultiLogReader::next() {
   if (taken_ != nullptr) {
     if (const Status read = advance(*std::exchange(taken_, nullptr)); !read) return read.error();
   }
@@ -158,14 +158,14 @@ Result<std::optional<LogMessage>> LogMerge::next() {
   return taken_->head;
 }
 
-TapePlace LogMerge::place() const {
+TapePosition MultiLogReader::place() const {
   if (taken_ == nullptr) return kEnd;
   return {taken_->head->log_time, static_cast<std::uint32_t>(taken_ - inputs_.data()),
           taken_->head->file_offset};
 }
 
 /// The heads are each log's last message behind us.
-Result<std::optional<TapePlace>> LogMerge::previous() {
+Result<std::optional<TapePosition>> MultiLogReader::previous() {
   const auto goBack = [this](Input& input) -> Status {
     while (true) {
       Result<std::optional<LogMessage>> message = input.reader.previous();
@@ -187,16 +187,17 @@ Result<std::optional<TapePlace>> LogMerge::previous() {
       taken_ = &input;
     }
   }
-  if (taken_ == nullptr) return std::optional<TapePlace>();
+  if (taken_ == nullptr) return std::optional<TapePosition>();
   return std::optional(place());
 }
 
-Result<LogMerge::Earlier> LogMerge::back(TapePlace from, std::uint64_t count, LogTime floor) {
+Result<MultiLogReader::Earlier> MultiLogReader::back(TapePosition from, std::uint64_t count,
+                                                     LogTime floor) {
   which_ = Which::captured;
   if (const Status put = stand(from); !put) return put.error();
   Earlier earlier{0, from, std::nullopt};
   while (true) {
-    const Result<std::optional<TapePlace>> found = previous();
+    const Result<std::optional<TapePosition>> found = previous();
     if (!found) return found.error();
     if (!*found || (*found)->time < floor) return earlier;
     if (earlier.messages == count) {

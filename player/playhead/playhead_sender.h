@@ -6,7 +6,7 @@
 
 #include "core/base/result.h"
 #include "player/playhead/play_status.h"
-#include "player/playhead/transport.h"
+#include "player/playhead/playhead.h"
 #include "player/send/paced_sender.h"
 
 namespace rocinante {
@@ -25,7 +25,7 @@ class CommandSource {
   virtual void tell(std::string line) = 0;
 };
 
-struct TransportRules {
+struct PlayheadRules {
   bool stays = false;  ///< at the end it waits for commands
   LogTime origin{}, end{};
   Nanoseconds ack_timeout = std::chrono::seconds(1);
@@ -34,7 +34,7 @@ struct TransportRules {
 /// Sends what the transport says when it says so, and hands it the commands. Nothing early, nothing
 /// dropped, nothing out of order. `commands` may be null. Returns at the end, when told to stop or
 /// to quit (stopped); fails when the logs or the network do, or no `ack` came in time.
-Result<SendEnd> sendTransport(Transport& transport, const TransportRules& rules, SendEdge& edge,
-                              SendJournal& journal, CommandSource* commands, PlayStatus& status);
+Result<SendEnd> sendPlayhead(Playhead& playhead, const PlayheadRules& rules, SendPort& edge,
+                             SendJournal& journal, CommandSource* commands, PlayStatus& status);
 
 }  // namespace rocinante

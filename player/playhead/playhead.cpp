@@ -1,4 +1,4 @@
-#include "player/playhead/transport.h"
+#include "player/playhead/playhead.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 namespace rocinante {
 namespace {
 
-using Kind = TransportCommand::Kind;
+using Kind = PlayheadCommand::Kind;
 
 /// From a restatement to the first message after it, so that it delays none.
 constexpr Nanoseconds kLead = std::chrono::milliseconds(5);
@@ -33,30 +33,29 @@ PlaybackSpeed neighbour(PlaybackSpeed speed, bool faster) {
   return found;
 }
 
-std::string_view nameOf(Transport::State state) {
-  if (state == Transport::State::ended) return "ended";
-  return state == Transport::State::playing ? "playing" : "paused";
+std::string_view nameOf(Playhead::State state) {
+  if (state == Playhead::State::ended) return "ended";
+  return state == Playhead::State::playing ? "playing" : "paused";
 }
 
 }  // namespace
 
-Result<std::unique_ptr<Transport>> Transport::open(LogMerge& tape, TapeFinder& finder,
-                                                   const PlayRoutes& routes,
-                                                   const TransportOptions& options,
-                                                   SteadyTime now) {
-  std::unique_ptr<Transport> transport(new Transport(tape, finder, routes, options));
-  transport->turns_left_ = options.turns == 0 ? 0 : options.turns - 1;
-  transport->playing_ = !options.start_paused;
-  if (options.lockstep) transport->awaited_ = 0;
+Result<std::unique_ptr<Playhead>> Playhead::open(MultiLogReader& tape, TapeFinder& finder,
+                                                 const PlayRoutes& routes,
+                                                 const PlayheadOptions& options, SteadyTime now) {
+  std::unique_ptr<Playhead> playhead(new Playhead(tape, finder, routes, options));
+  playhead->turns_left_ = options.turns == 0 ? 0 : options.turns - 1;
+  playhead->playing_ = !options.start_paused;
+  if (options.lockstep) playhead->awaited_ = 0;
   const LogTime from = options.start.value_or(options.span.from);
-  if (const Status begun = transport->begin(TapePlace::at(from), from, true, now); !begun) {
+  if (const Status begun = playhead->begin(TapePosition::at(from), from, true, now); !begun) {
     return begun.error();
   }
-  return transport;
+  return playhead;
 }
 
 /// Plays from `place` on from now; after a jump everything is said again first.
-Status Transport::begin(TapePlace place, LogTime moment, bool jump, SteadyTime now) {
+Status Playhead::begin(TapePosition place, LogTime moment, bool jump, SteadyTime now) {
   run_.reset();
   next_.reset();
   TapeRun run;
@@ -86,7 +85,7 @@ Status Transport::begin(TapePlace place, LogTime moment, bool jump, SteadyTime n
     Result<SessionState> state = finder_->stateBefore(place);
     if (!state) return state.error();
     if (run.endless || run.turns_left > 0) {
-      Result<SessionState> turn_state = finder_->stateBefore(TapePlace::at(run.turn.from));
+      Result<SessionState> turn_state = finder_->stateBefore(TapePosition::at(run.turn.from));
       if (!turn_state) return turn_state.error();
       run.turn_state = std::move(*turn_state);
     }
@@ -113,54 +112,54 @@ Status Transport::begin(TapePlace place, LogTime moment, bool jump, SteadyTime n
   return {};
 }
 
-void Transport::anchor(SteadyTime now) {
+void Playhead::anchor(SteadyTime now) {
   if (options_.speed) clock_ = PlaybackClock(line_, now, *options_.speed);
 }
 
-std::optional<Due> Transport::head() {
+std::optional<Due> Playhead::head() {
   Result<std::optional<Due>> head = run_->stream().due();
   return head ? *head : std::nullopt;
 }
 
 /// Where the clock is on the run's line: never beyond what is to be sent next.
-LogTime Transport::line(SteadyTime now) {
+LogTime Playhead::line(SteadyTime now) {
   if (!playing_ || !isScheduled()) return line_;
   const std::optional<Due> head = this->head();
   if (!head) return line_;
   return std::max(line_, std::min(clock_.moment(now), head->time));
 }
 
-LogTime Transport::time(SteadyTime now) {
+LogTime Playhead::time(SteadyTime now) {
   LogTime time = time_ + (line(now) - line_);
   const std::optional<Due> head = this->head();
   if (head && head->span == span_) time = std::min(time, head->place.time);
   return std::max(time_, std::min(time, bounds_.until - Nanoseconds(1)));
 }
 
-void Transport::freeze(SteadyTime now) {
+void Playhead::freeze(SteadyTime now) {
   const LogTime time = this->time(now);
   line_ = line(now);
   time_ = time;
 }
 
-void Transport::skipTime(SteadyTime stopped, SteadyTime now) {
+void Playhead::skipTime(SteadyTime stopped, SteadyTime now) {
   freeze(stopped);
   anchor(now);
 }
 
-Transport::State Transport::state() {
+Playhead::State Playhead::state() {
   if (!head()) return State::ended;
   return playing_ ? State::playing : State::paused;
 }
 
-std::string Transport::status(SteadyTime now) {
+std::string Playhead::status(SteadyTime now) {
   return "ok t=" + secondsText(time(now) - options_.origin, 9) +
          " state=" + std::string(nameOf(state())) +
          " speed=" + (options_.speed ? options_.speed->text() : "asap") +
          " sent=" + std::to_string(sent_);
 }
 
-bool Transport::isImmediate(const Due& head) const {
+bool Playhead::isImmediate(const Due& head) const {
   if (steps_ > 0 || in_block_) return true;
   if (through_ && head.span == span_ && head.place.time <= *through_) return true;
   // What restates because of the message just sent belongs to it.
@@ -169,7 +168,7 @@ bool Transport::isImmediate(const Due& head) const {
 
 /// Says everything again when it is time to and there is time for it: when paused, or in a silence.
 /// While messages come, the run does it itself.
-Status Transport::repeatIfDue(const std::optional<Due>& head, SteadyTime now) {
+Status Playhead::repeatIfDue(const std::optional<Due>& head, SteadyTime now) {
   if (!options_.restate || options_.repeat.count() <= 0 || now < repeat_at_) return {};
   const bool runs = playing_ && head && !awaited_;
   if (runs && (!isScheduled() || clock_.deadline(head->time) - now < kSilence)) return {};
@@ -187,7 +186,7 @@ Status Transport::repeatIfDue(const std::optional<Due>& head, SteadyTime now) {
   return {};
 }
 
-Result<std::optional<Transport::Next>> Transport::next(SteadyTime now) {
+Result<std::optional<Playhead::Next>> Playhead::next(SteadyTime now) {
   next_.reset();
   if (quit_) return next_;
   if (std::exchange(starts_, false)) {
@@ -217,7 +216,7 @@ Result<std::optional<Transport::Next>> Transport::next(SteadyTime now) {
   return next_;
 }
 
-ByteView Transport::take(SteadyTime now) {
+ByteView Playhead::take(SteadyTime now) {
   const Due& due = next_->due;
   if (due.restated) repeat_at_ = now + options_.repeat;
   if (block_taken_ < block_.size()) return bytesOf(block_[block_taken_++].text);
@@ -226,7 +225,7 @@ ByteView Transport::take(SteadyTime now) {
     if (!options_.loop && turns_left_ > 0) --turns_left_;
     bounds_ = due.bounds;
     time_ = bounds_.from;
-    place_ = TapePlace::at(bounds_.from);
+    place_ = TapePosition::at(bounds_.from);
     line_ = due.time;
     through_.reset();
   }
@@ -237,7 +236,7 @@ ByteView Transport::take(SteadyTime now) {
     if (!in_block_) place_ = std::max(place_, due.place);
     return payload;
   }
-  place_ = TapePlace::behind(due.place);
+  place_ = TapePosition::behind(due.place);
   last_told_ = due.place;
   time_ = due.place.time;
   line_ = due.time;
@@ -247,18 +246,18 @@ ByteView Transport::take(SteadyTime now) {
   return payload;
 }
 
-Status Transport::jumpTo(LogTime moment, SteadyTime now) {
+Status Playhead::jumpTo(LogTime moment, SteadyTime now) {
   const LogTime within = std::clamp(moment, options_.span.from, options_.span.until);
-  return begin(TapePlace::at(within), within, true, now);
+  return begin(TapePosition::at(within), within, true, now);
 }
 
-Status Transport::goBack(std::uint64_t count, SteadyTime now) {
-  const Result<LogMerge::Earlier> earlier = finder_->back(place_, count, options_.span.from);
+Status Playhead::goBack(std::uint64_t count, SteadyTime now) {
+  const Result<MultiLogReader::Earlier> earlier = finder_->back(place_, count, options_.span.from);
   if (!earlier) return earlier.error();
   return begin(earlier->place, earlier->before.value_or(options_.span.from), true, now);
 }
 
-Status Transport::goToEvent(bool forwards, SteadyTime now) {
+Status Playhead::goToEvent(bool forwards, SteadyTime now) {
   const Result<const std::vector<LogTime>*> events = finder_->eventTimes();
   if (!events) return events.error();
   const std::vector<LogTime>& times = **events;
@@ -275,12 +274,12 @@ Status Transport::goToEvent(bool forwards, SteadyTime now) {
   if (!is_there || *found < options_.span.from || *found >= options_.span.until) {
     return refused(forwards ? "no event comes after this" : "no event came before this");
   }
-  if (const Status begun = begin(TapePlace::at(*found), *found, true, now); !begun) return begun;
+  if (const Status begun = begin(TapePosition::at(*found), *found, true, now); !begun) return begun;
   through_ = *found;
   return {};
 }
 
-Status Transport::setSpeed(const PlaybackSpeed& speed, SteadyTime now) {
+Status Playhead::setSpeed(const PlaybackSpeed& speed, SteadyTime now) {
   if (!isScheduled()) return refused("there is no speed to change: nothing is on a schedule");
   freeze(now);
   options_.speed = speed;
@@ -292,7 +291,7 @@ Status Transport::setSpeed(const PlaybackSpeed& speed, SteadyTime now) {
   return {};
 }
 
-Status Transport::setLoop(const PlayedSpan& loop, SteadyTime now) {
+Status Playhead::setLoop(const PlayedSpan& loop, SteadyTime now) {
   const PlayedSpan within{std::max(loop.from, options_.span.from),
                           std::min(loop.until, options_.span.until)};
   if (within.from >= within.until) return refused("the loop lies outside of what is played");
@@ -305,7 +304,7 @@ Status Transport::setLoop(const PlayedSpan& loop, SteadyTime now) {
   return begin(place_, time_, false, now);
 }
 
-Status Transport::play(SteadyTime now) {
+Status Playhead::play(SteadyTime now) {
   const bool was_over = state() == State::ended;
   if (was_over) {
     playing_ = true;
@@ -316,7 +315,7 @@ Status Transport::play(SteadyTime now) {
   return {};
 }
 
-Status Transport::obey(const TransportCommand& command, SteadyTime now) {
+Status Playhead::execute(const PlayheadCommand& command, SteadyTime now) {
   if (awaited_ == 0U) awaited_.reset();
   switch (command.kind) {
     case Kind::play:

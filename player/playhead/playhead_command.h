@@ -11,7 +11,7 @@
 namespace rocinante {
 
 /// What can be asked of a running player (docs/programs/play.md, "Control").
-struct TransportCommand {
+struct PlayheadCommand {
   enum class Kind : std::uint8_t {
     play,
     pause,
@@ -40,11 +40,11 @@ struct TransportCommand {
 };
 
 /// Longer ones are refused: so many datagrams at once are no stepping any more.
-inline constexpr std::uint64_t kMostSteps = 1'000'000;
-inline constexpr std::size_t kMostCommandBytes = 256;
+inline constexpr std::uint64_t kMaxSteps = 1'000'000;
+inline constexpr std::size_t kMaxCommandBytes = 256;
 
 /// Reads one line, without its line end. Session times count from `origin`, negative ones from
 /// `end`. bad_argument, with one sentence, when it is none.
-Result<TransportCommand> parseTransportCommand(std::string_view line, LogTime origin, LogTime end);
+Result<PlayheadCommand> parsePlayheadCommand(std::string_view line, LogTime origin, LogTime end);
 
 }  // namespace rocinante

@@ -10,7 +10,7 @@ namespace rocinante {
 
 /// A thread that leaves signals to the caller's. `name` has at most 15 letters.
 template <class Body>
-std::thread quietThread(const char* name, Body body) {
+std::thread threadWithoutSignals(const char* name, Body body) {
   sigset_t all;
   sigset_t before;
   sigfillset(&all);

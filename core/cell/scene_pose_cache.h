@@ -13,9 +13,9 @@ namespace rocinante {
 /// poseScene() for state after state: reckons anew only the links of devices that moved since the
 /// last call, and answers the same bits as poseScene() (tested), whatever came before. One cell for
 /// its life, which must outlive it. One thread.
-class ScenePoses {
+class ScenePoseCache {
  public:
-  explicit ScenePoses(const Cell& cell) : cell_(&cell), layers_(cell) {}
+  explicit ScenePoseCache(const Cell& cell) : cell_(&cell), layers_(cell) {}
   PosedScene pose(const SessionState& state);
   /// Devices that the last pose() put elsewhere than the one before, new ones among them.
   std::size_t moved() const { return moved_; }

@@ -9,19 +9,19 @@
 
 #include "core/base/playback_speed.h"
 #include "core/base/result.h"
-#include "player/logs/log_merge.h"
+#include "player/logs/multi_log_reader.h"
 #include "player/logs/play_routes.h"
 #include "player/logs/read_ahead.h"
 #include "player/logs/restated_block.h"
 #include "player/logs/tape_finder.h"
 #include "player/logs/tape_stream.h"
-#include "player/playhead/transport_command.h"
+#include "player/playhead/playhead_command.h"
 #include "player/send/datagram_stream.h"
 #include "player/send/playback_clock.h"
 
 namespace rocinante {
 
-struct TransportOptions {
+struct PlayheadOptions {
   PlayedSpan span;                 ///< what there is to be played
   std::optional<LogTime> start;    ///< where to begin; empty: with the span
   std::uint32_t turns = 1;         ///< of the whole span; 0: endless
@@ -45,14 +45,14 @@ struct TransportOptions {
 /// was gone to, or what the clock says on the way from one message to the next.
 ///
 /// One thread, but for the reading ahead.
-class Transport {
+class Playhead {
  public:
   enum class State : std::uint8_t { playing, paused, ended };
 
   /// Borrows the three; `tape` belongs to it alone.
-  static Result<std::unique_ptr<Transport>> open(LogMerge& tape, TapeFinder& finder,
-                                                 const PlayRoutes& routes,
-                                                 const TransportOptions& options, SteadyTime now);
+  static Result<std::unique_ptr<Playhead>> open(MultiLogReader& tape, TapeFinder& finder,
+                                                const PlayRoutes& routes,
+                                                const PlayheadOptions& options, SteadyTime now);
 
   struct Next {
     Due due;
@@ -67,7 +67,7 @@ class Transport {
 
   /// Does what a command asks for, but for the sending. An error leaves all as it was, unless the
   /// logs could not be read.
-  Status obey(const TransportCommand& command, SteadyTime now);
+  Status execute(const PlayheadCommand& command, SteadyTime now);
 
   /// The process was stopped at `stopped` and went on at `now`: what would have been played in
   /// between is not made up for.
@@ -77,7 +77,7 @@ class Transport {
   std::string status(SteadyTime now);
   LogTime time(SteadyTime now);
   State state();
-  TapePlace place() const { return place_; }  ///< the next message lies at or behind it
+  TapePosition place() const { return place_; }  ///< the next message lies at or behind it
   std::uint64_t sent() const { return sent_; }
   std::optional<PlaybackSpeed> speed() const { return options_.speed; }
   bool isPlaying() const { return playing_; }  ///< no pause was asked for, also at the end
@@ -97,11 +97,11 @@ class Transport {
     }
   };
 
-  Transport(LogMerge& tape, TapeFinder& finder, const PlayRoutes& routes,
-            const TransportOptions& options)
+  Playhead(MultiLogReader& tape, TapeFinder& finder, const PlayRoutes& routes,
+           const PlayheadOptions& options)
       : tape_(&tape), finder_(&finder), routes_(&routes), options_(options) {}
 
-  Status begin(TapePlace place, LogTime moment, bool jump, SteadyTime now);
+  Status begin(TapePosition place, LogTime moment, bool jump, SteadyTime now);
   Status jumpTo(LogTime moment, SteadyTime now);
   Status goBack(std::uint64_t count, SteadyTime now);
   Status goToEvent(bool forwards, SteadyTime now);
@@ -116,10 +116,10 @@ class Transport {
   std::optional<Due> head();
   bool isScheduled() const { return options_.speed && !options_.lockstep; }
 
-  LogMerge* tape_;
+  MultiLogReader* tape_;
   TapeFinder* finder_;
   const PlayRoutes* routes_;
-  TransportOptions options_;
+  PlayheadOptions options_;
 
   std::unique_ptr<Run> run_;
   bool playing_ = false;
@@ -127,10 +127,10 @@ class Transport {
   bool starts_ = false;  ///< after a jump: time goes on when next() is asked
   PlaybackClock clock_{LogTime{}, SteadyTime{}, PlaybackSpeed()};
 
-  TapePlace place_;      ///< where it stands
-  TapePlace last_told_;  ///< the last message that was sent
-  LogTime time_{};       ///< the moment of that, and ...
-  LogTime line_{};       ///< ... where it lies on the run's own line
+  TapePosition place_;      ///< where it stands
+  TapePosition last_told_;  ///< the last message that was sent
+  LogTime time_{};          ///< the moment of that, and ...
+  LogTime line_{};          ///< ... where it lies on the run's own line
   std::uint32_t span_ = 0;
   PlayedSpan bounds_;  ///< of the span
   std::uint32_t turns_left_ = 0;

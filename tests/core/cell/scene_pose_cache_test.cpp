@@ -1,5 +1,5 @@
 // Posing only what moved gives what posing everything gives, to the last bit.
-#include "core/cell/scene_poses.h"
+#include "core/cell/scene_pose_cache.h"
 
 #include <gtest/gtest.h>
 
@@ -83,7 +83,7 @@ TEST_F(ScenePosesTest, GivesTheBitsOfPosingEverythingWhateverCameBefore) {
     return std::string(names[pick(5)]);
   };
   const auto number = [&] { return std::to_string(0.125 * static_cast<double>(pick(17)) - 1); };
-  ScenePoses poses(cell_);
+  ScenePoseCache poses(cell_);
   std::string said;
   for (int step = 0; step < 300; ++step) {
     SCOPED_TRACE(step);
@@ -123,7 +123,7 @@ TEST_F(ScenePosesTest, GivesTheBitsOfPosingEverythingWhateverCameBefore) {
 }
 
 TEST_F(ScenePosesTest, ReckonsOnlyWhatMovedAndWhatThatCarries) {
-  ScenePoses poses(cell_);
+  ScenePoseCache poses(cell_);
   poses.pose(test::stateOf(""));
   EXPECT_EQ(poses.moved(), 2U);
   poses.pose(test::stateOf("hide arm\n"));

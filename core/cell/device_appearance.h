@@ -15,9 +15,9 @@ namespace rocinante {
 /// the cell; what is said of a link outranks what is said of its device. A layer stands directly
 /// below what it holds, and of several the last one counts; but for a link to be seen, all must be
 /// shown: it, its device and their layers. Borrows both for its life.
-class DeviceDress {
+class DeviceAppearance {
  public:
-  DeviceDress(const LayerIndex& layers, const SessionState& state)
+  DeviceAppearance(const LayerIndex& layers, const SessionState& state)
       : layers_(layers), state_(state) {}
 
   /// Fills all of `device` that is not about where it is. `own`: the cell's colour; `of_cell`: the

@@ -1,4 +1,4 @@
-#include "core/cell/device_dress.h"
+#include "core/cell/device_appearance.h"
 
 #include <algorithm>
 #include <map>
@@ -24,7 +24,7 @@ bool shown(const Visibility* visibility, bool by_default) {
 }  // namespace
 
 // How all links of a device are drawn, before one is spoken of by itself.
-struct DeviceDress::Whole {
+struct DeviceAppearance::Whole {
   bool visible = true;
   Own color;
   bool recolored = false;  // by packets
@@ -40,8 +40,8 @@ struct DeviceDress::Whole {
   }
 };
 
-PosedShare DeviceDress::shareOf(std::string_view name, const CellLayer* listed,
-                                const Own& own) const {
+PosedShare DeviceAppearance::shareOf(std::string_view name, const CellLayer* listed,
+                                     const Own& own) const {
   PosedShare share;
   share.layer = name;
   share.visible =
@@ -55,7 +55,8 @@ PosedShare DeviceDress::shareOf(std::string_view name, const CellLayer* listed,
   return share;
 }
 
-void DeviceDress::addMembers(PosedDevice& device, std::string_view name, const Own& own) const {
+void DeviceAppearance::addMembers(PosedDevice& device, std::string_view name,
+                                  const Own& own) const {
   for (const LayerShare& found : layers_.sharesOf(name)) {
     const LayerMember& member = *found.member;
     const auto link = member.link.empty() ? std::nullopt : device.model->findLink(member.link);
@@ -67,7 +68,8 @@ void DeviceDress::addMembers(PosedDevice& device, std::string_view name, const O
   }
 }
 
-void DeviceDress::addShares(PosedDevice& device, const Own& own, const CellDevice* of_cell) const {
+void DeviceAppearance::addShares(PosedDevice& device, const Own& own,
+                                 const CellDevice* of_cell) const {
   if (of_cell != nullptr) {
     for (const std::string& tag : of_cell->tags) {
       device.shares.push_back(shareOf(tag, layers_.find(tag), own));
@@ -77,8 +79,8 @@ void DeviceDress::addShares(PosedDevice& device, const Own& own, const CellDevic
   if (of_cell == nullptr || device.ghost) addMembers(device, device.name, own);
 }
 
-void DeviceDress::dress(PosedDevice& device, std::optional<std::uint32_t> own,
-                        const CellDevice* of_cell) const {
+void DeviceAppearance::dress(PosedDevice& device, std::optional<std::uint32_t> own,
+                             const CellDevice* of_cell) const {
   addShares(device, own, of_cell);
   Whole whole;
   whole.color = own;
@@ -105,7 +107,7 @@ void DeviceDress::dress(PosedDevice& device, std::optional<std::uint32_t> own,
   dressBySession(device, own);
 }
 
-void DeviceDress::dressByLayers(PosedDevice& device) const {
+void DeviceAppearance::dressByLayers(PosedDevice& device) const {
   for (const PosedShare& share : device.shares) {
     if (!share.link || share.ofParts()) continue;
     const std::size_t l = *share.link;
@@ -118,7 +120,7 @@ void DeviceDress::dressByLayers(PosedDevice& device) const {
 }
 
 // Only what was said about links of this device: a range of the ordered paths.
-void DeviceDress::dressBySession(PosedDevice& device, const Own& own) const {
+void DeviceAppearance::dressBySession(PosedDevice& device, const Own& own) const {
   const Path begin{false, device.name, {}};
   for (auto it = state_.visibility().upper_bound(begin);
        it != state_.visibility().end() && !it->first.is_layer && it->first.first == device.name;

@@ -1,4 +1,4 @@
-#include "player/send/udp_edge.h"
+#include "player/send/udp_send_port.h"
 
 #include <poll.h>
 #include <time.h>
@@ -14,7 +14,7 @@ namespace {
 // A real-time thread that runs longer without a sleep is close to being throttled (950 ms of each
 // second). What counts is its own running: a machine that stood still did not starve anybody.
 constexpr Nanoseconds kAwake = std::chrono::milliseconds(100);
-constexpr Nanoseconds kMostRunning = std::chrono::milliseconds(200);
+constexpr Nanoseconds kMaxRunning = std::chrono::milliseconds(200);
 
 Nanoseconds runningTime() {
   timespec time{};
@@ -24,8 +24,8 @@ Nanoseconds runningTime() {
 
 }  // namespace
 
-Result<UdpEdge> UdpEdge::open(const std::vector<Route>& routes, Realtime realtime,
-                              std::function<bool()> stop, int wake) {
+Result<UdpSendPort> UdpSendPort::open(const std::vector<Route>& routes, Realtime realtime,
+                                      std::function<bool()> stop, int wake) {
   std::vector<Way> ways;
   ways.reserve(routes.size());
   for (const Route& route : routes) {
@@ -35,10 +35,11 @@ Result<UdpEdge> UdpEdge::open(const std::vector<Route>& routes, Realtime realtim
   }
   Result<PacingThread> thread = PacingThread::begin(realtime);
   if (!thread) return thread.error();
-  return UdpEdge(std::move(ways), std::move(*thread), std::move(stop), wake);
+  return UdpSendPort(std::move(ways), std::move(*thread), std::move(stop), wake);
 }
 
-UdpEdge::UdpEdge(std::vector<Way> ways, PacingThread thread, std::function<bool()> stop, int wake)
+UdpSendPort::UdpSendPort(std::vector<Way> ways, PacingThread thread, std::function<bool()> stop,
+                         int wake)
     : ways_(std::move(ways)),
       thread_(std::move(thread)),
       stop_(std::move(stop)),
@@ -46,14 +47,14 @@ UdpEdge::UdpEdge(std::vector<Way> ways, PacingThread thread, std::function<bool(
       last_sleep_(now()),
       resumes_(resumeCount()) {}
 
-bool UdpEdge::hasResumed() {
+bool UdpSendPort::hasResumed() {
   const std::uint32_t resumes = resumeCount();
   return std::exchange(resumes_, resumes) != resumes;
 }
 
-SteadyTime UdpEdge::now() { return std::chrono::steady_clock::now(); }
+SteadyTime UdpSendPort::now() { return std::chrono::steady_clock::now(); }
 
-void UdpEdge::sleepUntil(SteadyTime moment) {
+void UdpSendPort::sleepUntil(SteadyTime moment) {
   if (wake_ < 0) {
     const Nanoseconds since_boot = moment.time_since_epoch();
     const auto seconds = std::chrono::floor<std::chrono::seconds>(since_boot);
@@ -69,8 +70,8 @@ void UdpEdge::sleepUntil(SteadyTime moment) {
   ran_until_.reset();
 }
 
-Status UdpEdge::send(std::uint16_t route, std::span<const ByteView> payloads,
-                     std::span<SteadyTime> sent_at) {
+Status UdpSendPort::send(std::uint16_t route, std::span<const ByteView> payloads,
+                         std::span<SteadyTime> sent_at) {
   Way& way = ways_[route];
   if (Status sent = way.sender.send(payloads); !sent) return sent;
   const SteadyTime after = now();
@@ -80,13 +81,13 @@ Status UdpEdge::send(std::uint16_t route, std::span<const ByteView> payloads,
   return {};
 }
 
-void UdpEdge::leaveRealtimeIfHogging() {
+void UdpSendPort::leaveRealtimeIfHogging() {
   const Nanoseconds ran = runningTime();
   if (!ran_until_) ran_until_ = ran;
-  if (ran - *ran_until_ > kMostRunning) thread_.leaveRealtime();
+  if (ran - *ran_until_ > kMaxRunning) thread_.leaveRealtime();
 }
 
-std::string UdpEdge::timingSource() const {
+std::string UdpSendPort::timingSource() const {
   bool any_stamped = false;
   bool all_stamped = true;
   for (const Way& way : ways_) {

@@ -1,4 +1,4 @@
-#include "player/playhead/transport_sender.h"
+#include "player/playhead/playhead_sender.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,8 +15,8 @@ namespace rocinante {
 namespace {
 
 using namespace std::chrono_literals;
-using test::FakeEdge;
 using test::FakeJournal;
+using test::FakeSendPort;
 using testing::ElementsAre;
 
 /// Commands that wait from the beginning on, and what was answered.
@@ -40,22 +40,22 @@ class FakeCommands final : public CommandSource {
   std::deque<std::string> lines_;
 };
 
-class SendTransportTest : public testing::Test {
+class SendPlayheadTest : public testing::Test {
  protected:
-  Result<SendEnd> send(const std::vector<test::WrittenMessage>& messages, TransportOptions options,
-                       FakeEdge& edge, SendJournal& journal, CommandSource* commands = nullptr,
+  Result<SendEnd> send(const std::vector<test::WrittenMessage>& messages, PlayheadOptions options,
+                       FakeSendPort& edge, SendJournal& journal, CommandSource* commands = nullptr,
                        bool stays = false) {
     const std::vector<std::filesystem::path> logs{test::writeLog(folder_ / "log", messages)};
-    LogMerge tape = LogMerge::open(logs).value();
+    MultiLogReader tape = MultiLogReader::open(logs).value();
     TapeFinder finder = TapeFinder::open(logs, {}).value();
     const PlayRoutes routes = makeRoutes(tape, Endpoint::standard(), {}, false).value();
     if (options.span.until == LogTime{}) options.span = {tape.start(), tape.end() + 1ns};
     options.origin = tape.origin();
     options.end = tape.end();
     options.read_ahead = false;
-    auto transport = Transport::open(tape, finder, routes, options, edge.now()).value();
-    const TransportRules rules{stays, tape.origin(), tape.end(), 1s};
-    return sendTransport(*transport, rules, edge, journal, commands, status_);
+    auto playhead = Playhead::open(tape, finder, routes, options, edge.now()).value();
+    const PlayheadRules rules{stays, tape.origin(), tape.end(), 1s};
+    return sendPlayhead(*playhead, rules, edge, journal, commands, status_);
   }
   test::TemporaryFolder folder_;
   PlayStatus status_;
@@ -63,8 +63,8 @@ class SendTransportTest : public testing::Test {
 
 const std::vector<test::WrittenMessage> kThree{{1s, "a"}, {2s, "b"}, {3s, "c"}};
 
-TEST_F(SendTransportTest, SendsEverythingInOrderAndNothingEarly) {
-  FakeEdge edge;
+TEST_F(SendPlayheadTest, SendsEverythingInOrderAndNothingEarly) {
+  FakeSendPort edge;
   FakeJournal journal;
   EXPECT_EQ(send(kThree, {}, edge, journal).value(), SendEnd::finished);
   EXPECT_THAT(edge.sent, testing::IsSupersetOf({"a", "b", "c"}));
@@ -75,8 +75,8 @@ TEST_F(SendTransportTest, SendsEverythingInOrderAndNothingEarly) {
   }
 }
 
-TEST_F(SendTransportTest, RestatementsLeaveByASocketOfTheirOwn) {
-  FakeEdge edge;
+TEST_F(SendPlayheadTest, RestatementsLeaveByASocketOfTheirOwn) {
+  FakeSendPort edge;
   FakeJournal journal;
   ASSERT_TRUE(send({{1s, "RK1 a - -\nadd arm m\n"}, {2s, "b"}}, {}, edge, journal).ok());
   ASSERT_EQ(edge.sent.size(), edge.routes.size());
@@ -85,7 +85,7 @@ TEST_F(SendTransportTest, RestatementsLeaveByASocketOfTheirOwn) {
   }
 }
 
-TEST_F(SendTransportTest, AnHourInTurnsEndsOnTheExactNanosecondAtEverySpeed) {
+TEST_F(SendPlayheadTest, AnHourInTurnsEndsOnTheExactNanosecondAtEverySpeed) {
   // 6,000 a second in the first second of every minute, and one at its very end; sixty turns.
   std::vector<test::WrittenMessage> minute;
   for (std::int64_t i = 0; i < 6'000; ++i) {
@@ -115,12 +115,12 @@ TEST_F(SendTransportTest, AnHourInTurnsEndsOnTheExactNanosecondAtEverySpeed) {
   for (const auto& [speed, end] : ends) {
     SCOPED_TRACE(speed);
     std::filesystem::remove(folder_ / "log");
-    TransportOptions options;
+    PlayheadOptions options;
     options.span = {LogTime(1s), LogTime(61s)};
     options.turns = 60;
     options.restate = false;
     options.speed = PlaybackSpeed::parse(speed).value();
-    FakeEdge edge;
+    FakeSendPort edge;
     edge.keep_payloads = false;
     edge.look_costs = 2us;
     edge.wakes_late = 15us;
@@ -134,10 +134,10 @@ TEST_F(SendTransportTest, AnHourInTurnsEndsOnTheExactNanosecondAtEverySpeed) {
   }
 }
 
-TEST_F(SendTransportTest, AnswersWhenWhatWasAskedForIsDone) {
-  TransportOptions options;
+TEST_F(SendPlayheadTest, AnswersWhenWhatWasAskedForIsDone) {
+  PlayheadOptions options;
   options.start_paused = true;
-  FakeEdge edge;
+  FakeSendPort edge;
   FakeJournal journal;
   FakeCommands commands({"step 2", "nonsense", "back", "quit"});
   EXPECT_EQ(send(kThree, options, edge, journal, &commands, true).value(), SendEnd::stopped);
@@ -147,8 +147,8 @@ TEST_F(SendTransportTest, AnswersWhenWhatWasAskedForIsDone) {
                                             "ok t=0.000000000 state=paused speed=1 sent=2"));
 }
 
-TEST_F(SendTransportTest, AtTheEndItStaysForCommandsWhenToldTo) {
-  FakeEdge edge;
+TEST_F(SendPlayheadTest, AtTheEndItStaysForCommandsWhenToldTo) {
+  FakeSendPort edge;
   edge.stop_after_sends = 200;
   FakeJournal journal;
   FakeCommands commands({"seek 100s", "status"});
@@ -156,10 +156,10 @@ TEST_F(SendTransportTest, AtTheEndItStaysForCommandsWhenToldTo) {
   EXPECT_THAT(commands.answers.back(), testing::HasSubstr("state=ended"));
 }
 
-TEST_F(SendTransportTest, TimeInWhichTheProcessWasStoppedIsNotMadeUpFor) {
-  TransportOptions options;
+TEST_F(SendPlayheadTest, TimeInWhichTheProcessWasStoppedIsNotMadeUpFor) {
+  PlayheadOptions options;
   options.restate = false;
-  FakeEdge edge;
+  FakeSendPort edge;
   edge.stopped_after_sends = 1;
   edge.stopped_for = 1h;
   FakeJournal journal;
@@ -170,10 +170,10 @@ TEST_F(SendTransportTest, TimeInWhichTheProcessWasStoppedIsNotMadeUpFor) {
   EXPECT_GE(journal.lines[2].sent_at - journal.lines[1].sent_at, 999ms);
 }
 
-TEST_F(SendTransportTest, ANetworkThatGoesAwayIsAnErrorAfterWhatWasSent) {
-  FakeEdge edge;
+TEST_F(SendPlayheadTest, ANetworkThatGoesAwayIsAnErrorAfterWhatWasSent) {
+  FakeSendPort edge;
   FakeJournal journal;
-  TransportOptions options;
+  PlayheadOptions options;
   options.restate = false;
   edge.fail_send = 3;
   const auto end = send(kThree, options, edge, journal);
@@ -182,10 +182,10 @@ TEST_F(SendTransportTest, ANetworkThatGoesAwayIsAnErrorAfterWhatWasSent) {
   EXPECT_THAT(journal.payloads, ElementsAre("a", "b"));
 }
 
-TEST_F(SendTransportTest, WithoutAnAckItGivesUp) {
-  FakeEdge edge;
+TEST_F(SendPlayheadTest, WithoutAnAckItGivesUp) {
+  FakeSendPort edge;
   FakeJournal journal;
-  TransportOptions options;
+  PlayheadOptions options;
   options.lockstep = true;
   options.speed.reset();
   FakeCommands commands({"status", "status", "status"});
@@ -195,10 +195,10 @@ TEST_F(SendTransportTest, WithoutAnAckItGivesUp) {
   EXPECT_THAT(commands.told, ElementsAre("step 1"));
 }
 
-TEST_F(SendTransportTest, ASpanThatWasLeftIsReportedAsLongAsItWasPlayed) {
-  TransportOptions options;
+TEST_F(SendPlayheadTest, ASpanThatWasLeftIsReportedAsLongAsItWasPlayed) {
+  PlayheadOptions options;
   options.start_paused = true;
-  FakeEdge edge;
+  FakeSendPort edge;
   PlayJournal journal(LogTime(1s), LogTime(3s + 1ns));
   FakeCommands commands({"step 2", "seek 0s", "seek 2s", "step 1", "quit"});
   ASSERT_TRUE(send(kThree, options, edge, journal, &commands, true).ok());

@@ -1,4 +1,4 @@
-#include "player/playhead/transport_command.h"
+#include "player/playhead/playhead_command.h"
 
 #include <gtest/gtest.h>
 
@@ -9,13 +9,13 @@ namespace rocinante {
 namespace {
 
 using namespace std::chrono_literals;
-using Kind = TransportCommand::Kind;
+using Kind = PlayheadCommand::Kind;
 
-Result<TransportCommand> parse(std::string_view line) {
-  return parseTransportCommand(line, LogTime(10s), LogTime(20s));
+Result<PlayheadCommand> parse(std::string_view line) {
+  return parsePlayheadCommand(line, LogTime(10s), LogTime(20s));
 }
 
-TEST(TransportCommand, ReadsWhatIsDocumented) {
+TEST(PlayheadCommand, ReadsWhatIsDocumented) {
   EXPECT_EQ(parse("play")->kind, Kind::play);
   EXPECT_EQ(parse("  pause\t")->kind, Kind::pause);
   EXPECT_EQ(parse("toggle\r")->kind, Kind::toggle);
@@ -31,7 +31,7 @@ TEST(TransportCommand, ReadsWhatIsDocumented) {
   EXPECT_EQ(parse("ack 3")->count, 3U);
 }
 
-TEST(TransportCommand, RefusesEverythingElseInOneSentence) {
+TEST(PlayheadCommand, RefusesEverythingElseInOneSentence) {
   for (const char* line : {"",
                            " ",
                            "Play",
@@ -67,7 +67,7 @@ TEST(TransportCommand, RefusesEverythingElseInOneSentence) {
   EXPECT_FALSE(parse(std::string(257, 'x')).ok());
 }
 
-TEST(TransportCommand, NoiseIsAnsweredInPlainText) {
+TEST(PlayheadCommand, NoiseIsAnsweredInPlainText) {
   std::mt19937 random(7);
   for (int i = 0; i < 20'000; ++i) {
     std::string line = i % 2 == 0 ? "" : "seek ";

@@ -1,18 +1,18 @@
-#include "viewer/ui/model/transport.h"
+#include "viewer/ui/model/timeline_cursor.h"
 
 #include <algorithm>
 
 namespace rocinante {
 
-Transport::Transport(LogTime start, LogTime end)
+TimelineCursor::TimelineCursor(LogTime start, LogTime end)
     : start_(start), end_(std::max(start, end)), anchor_log_(start) {}
 
-void Transport::anchorAt(LogTime moment, SteadyTime now) {
+void TimelineCursor::anchorAt(LogTime moment, SteadyTime now) {
   anchor_log_ = std::clamp(moment, start_, end_);
   anchor_real_ = now;
 }
 
-LogTime Transport::position(SteadyTime now) {
+LogTime TimelineCursor::position(SteadyTime now) {
   if (!playing_) return anchor_log_;
   const LogTime moment = anchor_log_ + speed_.logDuration(now - anchor_real_);
   if (moment < end_) return std::max(moment, start_);
@@ -26,28 +26,28 @@ LogTime Transport::position(SteadyTime now) {
   return end_;
 }
 
-void Transport::play(SteadyTime now) {
+void TimelineCursor::play(SteadyTime now) {
   if (playing_) return;
   anchorAt(anchor_log_ >= end_ ? start_ : anchor_log_, now);
   playing_ = true;
 }
 
-void Transport::pause(SteadyTime now) {
+void TimelineCursor::pause(SteadyTime now) {
   if (!playing_) return;
   anchorAt(position(now), now);
   playing_ = false;
 }
 
-void Transport::toggle(SteadyTime now) { playing_ ? pause(now) : play(now); }
+void TimelineCursor::toggle(SteadyTime now) { playing_ ? pause(now) : play(now); }
 
-void Transport::seek(LogTime moment, SteadyTime now) { anchorAt(moment, now); }
+void TimelineCursor::seek(LogTime moment, SteadyTime now) { anchorAt(moment, now); }
 
-void Transport::step(Nanoseconds by, SteadyTime now) {
+void TimelineCursor::step(Nanoseconds by, SteadyTime now) {
   pause(now);
   anchorAt(anchor_log_ + by, now);
 }
 
-bool Transport::setSpeed(const std::string& text, SteadyTime now) {
+bool TimelineCursor::setSpeed(const std::string& text, SteadyTime now) {
   const auto speed = PlaybackSpeed::parse(text);
   if (!speed.ok()) return false;
   anchorAt(position(now), now);

@@ -1,4 +1,4 @@
-#include "player/playhead/transport_command.h"
+#include "player/playhead/playhead_command.h"
 
 #include <algorithm>
 #include <charconv>
@@ -13,7 +13,7 @@
 namespace rocinante {
 namespace {
 
-using Kind = TransportCommand::Kind;
+using Kind = PlayheadCommand::Kind;
 using Words = std::vector<std::string_view>;
 
 struct Word {
@@ -64,10 +64,10 @@ std::optional<std::uint64_t> wholeNumber(std::string_view text) {
 }
 
 /// `step` and `back`: a number of messages, or a time when it has a unit.
-Status readSteps(std::string_view text, TransportCommand& command) {
+Status readSteps(std::string_view text, PlayheadCommand& command) {
   if (const auto count = wholeNumber(text)) {
-    if (*count == 0 || *count > kMostSteps) {
-      return bad("a step is 1 to " + std::to_string(kMostSteps) + " messages");
+    if (*count == 0 || *count > kMaxSteps) {
+      return bad("a step is 1 to " + std::to_string(kMaxSteps) + " messages");
     }
     command.count = *count;
     return {};
@@ -91,9 +91,9 @@ Status readTime(std::string_view text, LogTime origin, LogTime end, LogTime& tim
 
 }  // namespace
 
-Result<TransportCommand> parseTransportCommand(std::string_view line, LogTime origin, LogTime end) {
-  if (line.size() > kMostCommandBytes) {
-    return bad("a command has at most " + std::to_string(kMostCommandBytes) + " bytes");
+Result<PlayheadCommand> parsePlayheadCommand(std::string_view line, LogTime origin, LogTime end) {
+  if (line.size() > kMaxCommandBytes) {
+    return bad("a command has at most " + std::to_string(kMaxCommandBytes) + " bytes");
   }
   if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
   Words words = wordsOf(line);
@@ -103,7 +103,7 @@ Result<TransportCommand> parseTransportCommand(std::string_view line, LogTime or
   if (word == std::end(kWords)) {
     return bad("there is no command " + plainText(std::string(words[0].substr(0, 40))));
   }
-  TransportCommand command;
+  PlayheadCommand command;
   command.kind = word->kind;
   words.erase(words.begin());
   const bool is_off = command.kind == Kind::loop && words.size() == 1 && words[0] == "off";

@@ -1,4 +1,4 @@
-#include "player/playhead/transport.h"
+#include "player/playhead/playhead.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -14,10 +14,10 @@ using test::WrittenMessage;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-class TransportTest : public testing::Test {
+class PlayheadTest : public testing::Test {
  protected:
   /// A deck with a log of these messages.
-  Deck deck(const std::vector<WrittenMessage>& messages, const TransportOptions& options = {}) {
+  Deck deck(const std::vector<WrittenMessage>& messages, const PlayheadOptions& options = {}) {
     return Deck({test::writeLog(folder_ / ("log" + std::to_string(++logs_)), messages)}, options);
   }
   test::TemporaryFolder folder_;
@@ -26,16 +26,16 @@ class TransportTest : public testing::Test {
 
 const std::vector<WrittenMessage> kFour{{1s, "a"}, {2s, "b"}, {3s, "c"}, {4s, "d"}};
 
-TEST_F(TransportTest, PlaysASpanHalfOpen) {
-  TransportOptions options;
+TEST_F(PlayheadTest, PlaysASpanHalfOpen) {
+  PlayheadOptions options;
   options.span = {LogTime(2s), LogTime(4s)};
   auto deck = this->deck(kFour, options);
   deck.playFor(10s);
   EXPECT_THAT(deck.payloads(), ElementsAre("b", "c"));
-  EXPECT_EQ(deck.transport().state(), Transport::State::ended);
+  EXPECT_EQ(deck.playhead().state(), Playhead::State::ended);
 }
 
-TEST_F(TransportTest, NothingGoesBeforeItsTime) {
+TEST_F(PlayheadTest, NothingGoesBeforeItsTime) {
   auto deck = this->deck(kFour);
   deck.playFor(1s);
   EXPECT_THAT(deck.payloads(), ElementsAre("a"));
@@ -43,7 +43,7 @@ TEST_F(TransportTest, NothingGoesBeforeItsTime) {
   EXPECT_THAT(deck.payloads(), ElementsAre("a", "b"));
 }
 
-TEST_F(TransportTest, PausingStopsTheTimeAndPlayingGoesOnFromThere) {
+TEST_F(PlayheadTest, PausingStopsTheTimeAndPlayingGoesOnFromThere) {
   auto deck = this->deck(kFour);
   deck.playFor(1'505ms);
   EXPECT_EQ(deck.say("pause"), "ok t=1.500000000 state=paused speed=1 sent=2");
@@ -56,8 +56,8 @@ TEST_F(TransportTest, PausingStopsTheTimeAndPlayingGoesOnFromThere) {
   EXPECT_EQ(deck.payloads().size(), 3U);
 }
 
-TEST_F(TransportTest, StepsVisitEachMessageAlsoAtEqualTimes) {
-  TransportOptions options;
+TEST_F(PlayheadTest, StepsVisitEachMessageAlsoAtEqualTimes) {
+  PlayheadOptions options;
   options.start_paused = true;
   auto deck = this->deck({{1s, "a"}, {1s, "b"}, {1s, "c"}, {2s, "d"}}, options);
   EXPECT_THAT(deck.payloads(), IsEmpty());
@@ -75,7 +75,7 @@ TEST_F(TransportTest, StepsVisitEachMessageAlsoAtEqualTimes) {
   EXPECT_THAT(deck.payloads(), ElementsAre("a", "b", "b", "c", "d", "a", "b", "c", "d"));
 }
 
-TEST_F(TransportTest, PausingSurvivesASeek) {
+TEST_F(PlayheadTest, PausingSurvivesASeek) {
   auto deck = this->deck(kFour);
   deck.say("pause");
   EXPECT_EQ(deck.say("seek 2.5s"), "ok t=2.500000000 state=paused speed=1 sent=0");
@@ -87,7 +87,7 @@ TEST_F(TransportTest, PausingSurvivesASeek) {
   EXPECT_THAT(deck.payloads(), ElementsAre("b", "c", "d"));
 }
 
-TEST_F(TransportTest, SeeksBeyondTheEndsStopAtThem) {
+TEST_F(PlayheadTest, SeeksBeyondTheEndsStopAtThem) {
   auto deck = this->deck(kFour);
   EXPECT_EQ(deck.say("seek 100s"), "ok t=3.000000001 state=ended speed=1 sent=0");
   EXPECT_EQ(deck.say("seek -100s"), "ok t=0.000000000 state=playing speed=1 sent=0");
@@ -97,7 +97,7 @@ TEST_F(TransportTest, SeeksBeyondTheEndsStopAtThem) {
   EXPECT_EQ(deck.say("seek 2200-01-01T00:00:00Z"), "ok t=3.000000001 state=ended speed=1 sent=0");
 }
 
-TEST_F(TransportTest, AtTheEndPlayBeginsAnew) {
+TEST_F(PlayheadTest, AtTheEndPlayBeginsAnew) {
   auto deck = this->deck(kFour);
   deck.playFor(10s);
   EXPECT_EQ(deck.say("status"), "ok t=3.000000000 state=ended speed=1 sent=4");
@@ -107,7 +107,7 @@ TEST_F(TransportTest, AtTheEndPlayBeginsAnew) {
   EXPECT_EQ(deck.say("step"), "ok t=3.000000000 state=ended speed=1 sent=8");
 }
 
-TEST_F(TransportTest, TheSpeedChangesWithoutAJump) {
+TEST_F(PlayheadTest, TheSpeedChangesWithoutAJump) {
   auto deck = this->deck({{1s, "a"}, {11s, "b"}, {21s, "c"}});
   deck.playFor(5'005ms);
   EXPECT_EQ(deck.say("speed 0.5"), "ok t=5.000000000 state=playing speed=0.5 sent=1");
@@ -124,7 +124,7 @@ TEST_F(TransportTest, TheSpeedChangesWithoutAJump) {
   EXPECT_EQ(deck.say("speed 1/3"), "ok t=10.000000000 state=playing speed=1/3 sent=2");
 }
 
-TEST_F(TransportTest, WhoeverFellBehindGoesOnInOrderAfterAChangeOfSpeed) {
+TEST_F(PlayheadTest, WhoeverFellBehindGoesOnInOrderAfterAChangeOfSpeed) {
   auto deck = this->deck(kFour);
   deck.sleepFor(1h);  // the machine, not the deck
   deck.say("speed 2");
@@ -132,8 +132,8 @@ TEST_F(TransportTest, WhoeverFellBehindGoesOnInOrderAfterAChangeOfSpeed) {
   EXPECT_THAT(deck.payloads(), ElementsAre("a", "b", "c", "d"));
 }
 
-TEST_F(TransportTest, LoopsAPartUntilItIsToldNotTo) {
-  TransportOptions options;
+TEST_F(PlayheadTest, LoopsAPartUntilItIsToldNotTo) {
+  PlayheadOptions options;
   options.restate = false;
   auto deck = this->deck(kFour, options);
   deck.playFor(0s);
@@ -148,7 +148,7 @@ TEST_F(TransportTest, LoopsAPartUntilItIsToldNotTo) {
   EXPECT_EQ(deck.say("seek 3s"), "ok t=3.000000000 state=playing speed=1 sent=8");
 }
 
-TEST_F(TransportTest, LoopsThatCannotBeAreRefused) {
+TEST_F(PlayheadTest, LoopsThatCannotBeAreRefused) {
   auto deck = this->deck(kFour);
   EXPECT_EQ(deck.say("loop 2s 2s"), "error a loop ends after it begins");
   EXPECT_EQ(deck.say("loop 0.1s 0.9s"), "error no message lies in the loop");
@@ -157,8 +157,8 @@ TEST_F(TransportTest, LoopsThatCannotBeAreRefused) {
   EXPECT_EQ(deck.say("loop -1s 100s"), "ok t=0.000000000 state=playing speed=1 sent=0");
 }
 
-TEST_F(TransportTest, ALoopOfOneMessageDoesNotFlood) {
-  TransportOptions options;
+TEST_F(PlayheadTest, ALoopOfOneMessageDoesNotFlood) {
+  PlayheadOptions options;
   options.turns = 0;
   options.restate = false;
   auto deck = this->deck({{1s, "a"}}, options);
@@ -167,8 +167,8 @@ TEST_F(TransportTest, ALoopOfOneMessageDoesNotFlood) {
   EXPECT_GE(deck.payloads().size(), 98U);
 }
 
-TEST_F(TransportTest, SilencesAreCutShort) {
-  TransportOptions options;
+TEST_F(PlayheadTest, SilencesAreCutShort) {
+  PlayheadOptions options;
   options.gap_limit = 2s;
   auto deck = this->deck({{1s, "a"}, {2s, "b"}, {9'000'000s, "c"}, {9'000'001s, "d"}}, options);
   deck.playFor(3'005ms - 1ns);
@@ -179,8 +179,8 @@ TEST_F(TransportTest, SilencesAreCutShort) {
   EXPECT_EQ(deck.payloads().size(), 4U);
 }
 
-TEST_F(TransportTest, TheLimitOfASilenceIsReckonedInRealTime) {
-  TransportOptions options;
+TEST_F(PlayheadTest, TheLimitOfASilenceIsReckonedInRealTime) {
+  PlayheadOptions options;
   options.gap_limit = 2s;
   options.speed = PlaybackSpeed::parse("10").value();
   auto deck = this->deck({{1s, "a"}, {21s, "b"}, {60s, "c"}}, options);
@@ -190,8 +190,8 @@ TEST_F(TransportTest, TheLimitOfASilenceIsReckonedInRealTime) {
   EXPECT_EQ(deck.payloads().size(), 3U);
 }
 
-TEST_F(TransportTest, EventsAreGoneToAndSent) {
-  TransportOptions options;
+TEST_F(PlayheadTest, EventsAreGoneToAndSent) {
+  PlayheadOptions options;
   options.start_paused = true;
   auto deck = this->deck({{1s, "RK1 a - -\nadd arm m\n"},
                           {2s, "RK1 a - -\nevent \"one\"\n"},
@@ -209,8 +209,8 @@ TEST_F(TransportTest, EventsAreGoneToAndSent) {
   deck.expectStateOfPlace();
 }
 
-TEST_F(TransportTest, EveryStartSeekAndTurnSaysTheStateFirst) {
-  TransportOptions options;
+TEST_F(PlayheadTest, EveryStartSeekAndTurnSaysTheStateFirst) {
+  PlayheadOptions options;
   options.span = {LogTime(1s), LogTime(3s)};
   options.turns = 3;
   auto deck =
@@ -225,7 +225,7 @@ TEST_F(TransportTest, EveryStartSeekAndTurnSaysTheStateFirst) {
   EXPECT_THAT(spans, ElementsAre(0U, 0U, 1U, 1U, 2U, 2U));
 }
 
-TEST_F(TransportTest, RestatementsAreRepeatedWhilePausedAndWhilePlaying) {
+TEST_F(PlayheadTest, RestatementsAreRepeatedWhilePausedAndWhilePlaying) {
   auto deck = this->deck({{1s, "RK1 a - -\nadd arm m\n"}, {100s, "RK1 a - -\njoints arm 1\n"}});
   deck.playFor(1s);
   EXPECT_EQ(deck.restatements().size(), 1U);
@@ -237,7 +237,7 @@ TEST_F(TransportTest, RestatementsAreRepeatedWhilePausedAndWhilePlaying) {
   deck.playFor(10s);
   EXPECT_GE(deck.restatements().size(), 10U);
   deck.playFor(0s);
-  TransportOptions busy;
+  PlayheadOptions busy;
   std::vector<WrittenMessage> messages;
   for (int i = 0; i < 1'000; ++i) messages.push_back({i * 10ms, "RK1 a - -\njoints arm 1\n"});
   auto second = this->deck(messages, busy);
@@ -247,7 +247,7 @@ TEST_F(TransportTest, RestatementsAreRepeatedWhilePausedAndWhilePlaying) {
   second.playFor(500ms);
 }
 
-TEST_F(TransportTest, ASourceThatSpeaksOnlyLaterIsResetToo) {
+TEST_F(PlayheadTest, ASourceThatSpeaksOnlyLaterIsResetToo) {
   auto deck = this->deck(
       {{1s, "RK1 a - -\nadd arm m\n", "/udp/1/a"}, {5s, "RK1 b - -\nadd hand m\n", "/udp/1/b"}});
   deck.playFor(10s);
@@ -258,7 +258,7 @@ TEST_F(TransportTest, ASourceThatSpeaksOnlyLaterIsResetToo) {
                deck.receiver().devices().at("hand").presence);
 }
 
-TEST_F(TransportTest, WhatOthersRestatedIsSaidByThePlayer) {
+TEST_F(PlayheadTest, WhatOthersRestatedIsSaidByThePlayer) {
   auto deck = this->deck({{1s, "RK1 a - -\njoints arm 1\n"},
                           {2s, "RK1 a - - by=relay\nadd arm m\n", "/rocinante/restated/udp/1/a"},
                           {3s, "RK1 a - -\njoints arm 2\n"}});
@@ -267,24 +267,24 @@ TEST_F(TransportTest, WhatOthersRestatedIsSaidByThePlayer) {
   deck.expectStateOfPlace();
 }
 
-TEST_F(TransportTest, OctetsHaveNothingToRestate) {
+TEST_F(PlayheadTest, OctetsHaveNothingToRestate) {
   auto deck = this->deck({{1s, std::string("\x01\x00\xff", 3)}, {2s, "plain"}});
   deck.playFor(10s);
   EXPECT_THAT(deck.payloads(), ElementsAre(std::string("\x01\x00\xff", 3), "plain"));
 }
 
-TEST_F(TransportTest, InLockstepEachMessageWaitsForItsAck) {
-  TransportOptions options;
+TEST_F(PlayheadTest, InLockstepEachMessageWaitsForItsAck) {
+  PlayheadOptions options;
   options.speed.reset();
   options.lockstep = true;
   auto deck = this->deck(kFour, options);
   deck.playFor(1min);
   EXPECT_THAT(deck.payloads(), IsEmpty());
-  EXPECT_EQ(deck.transport().awaited(), 0U);
+  EXPECT_EQ(deck.playhead().awaited(), 0U);
   deck.say("status");
   deck.playFor(1min);
   EXPECT_THAT(deck.payloads(), ElementsAre("a"));
-  EXPECT_EQ(deck.transport().awaited(), 1U);
+  EXPECT_EQ(deck.playhead().awaited(), 1U);
   EXPECT_EQ(deck.say("ack 2"), "error step 2 has not been sent yet");
   EXPECT_THAT(deck.payloads(), ElementsAre("a"));
   deck.say("ack 1");
@@ -293,8 +293,8 @@ TEST_F(TransportTest, InLockstepEachMessageWaitsForItsAck) {
   EXPECT_EQ(deck.say("speed 2"), "error there is no speed to change: nothing is on a schedule");
 }
 
-TEST_F(TransportTest, WithoutAScheduleAllIsDueAtOnce) {
-  TransportOptions options;
+TEST_F(PlayheadTest, WithoutAScheduleAllIsDueAtOnce) {
+  PlayheadOptions options;
   options.speed.reset();
   auto deck = this->deck(kFour, options);
   deck.playFor(0s);
@@ -302,10 +302,10 @@ TEST_F(TransportTest, WithoutAScheduleAllIsDueAtOnce) {
   EXPECT_EQ(deck.say("status"), "ok t=3.000000000 state=ended speed=asap sent=4");
 }
 
-TEST_F(TransportTest, SeveralLogsLieOnOneLine) {
+TEST_F(PlayheadTest, SeveralLogsLieOnOneLine) {
   const auto a = test::writeLog(folder_ / "a", {{1s, "a1"}, {2s, "a2"}, {2s, "a2'"}, {9s, "a9"}});
   const auto b = test::writeLog(folder_ / "b", {{2s, "b2"}, {3s, "b3"}});
-  TransportOptions options;
+  PlayheadOptions options;
   options.start_paused = true;
   Deck deck({a, b}, options);
   deck.say("step 99");
