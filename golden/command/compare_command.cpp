@@ -52,7 +52,7 @@ Json answerJson(const CompareArguments& arguments, const FilesComparison& files,
     answer["rmse"] = figures->rmse;
     answer["psnr"] = optionalNumber(figures->psnr);
     answer["ssim"] = optionalNumber(figures->ssim);
-    answer["flip"] = {{"mean", figures->flip.mean}, {"max", figures->flip.max}};
+    answer["flip"] = nullptr;  // until 1.0: programs may look for the key
   }
   if (files.frame && !files.frame->samples.empty()) {
     answer["samples"] = {{"differing", found.fine_differing}, {"max", found.fine_max}};

@@ -44,7 +44,6 @@ PictureFigures pictureFigures(const Picture& a, const Picture& b) {
   figures.rmse = rootMeanSquare(a, b);
   if (figures.rmse > 0) figures.psnr = 20 * std::log10(255 / figures.rmse);
   figures.ssim = structuralSimilarity(a, b);
-  figures.flip = flipDifference(a, b);
   return figures;
 }
 

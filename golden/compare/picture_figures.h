@@ -2,7 +2,6 @@
 
 #include <optional>
 
-#include "golden/compare/flip.h"
 #include "viewer/picture/picture.h"
 
 namespace rocinante {
@@ -13,7 +12,6 @@ struct PictureFigures {
   double rmse = 0;  ///< over R, G and B, and A when either picture is not opaque; 0 to 255
   std::optional<double> psnr;  ///< 20 log10(255 / rmse), in dB; empty: infinite, for rmse 0
   std::optional<double> ssim;  ///< structuralSimilarity()
-  Flip flip;                   ///< flipDifference()
 };
 
 PictureFigures pictureFigures(const Picture& a, const Picture& b);
