@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "core/base/glob.h"
 #include "core/base/name_hint.h"
+#include "core/base/pattern.h"
 #include "core/cell/cell_sections.h"
 #include "core/cell/view_path.h"
 #include "core/document/fault_list.h"
@@ -57,7 +57,7 @@ Groups groupsOf(const Model& model, const LayerMember& member) {
       if (!visual.mesh) continue;
       found = Groups::unknown;
       for (const MeshPart& part : visual.mesh->parts) {
-        if (globMatches(member.group, part.group)) return Groups::known;
+        if (patternMatches(member.group, part.group)) return Groups::known;
       }
     }
   }

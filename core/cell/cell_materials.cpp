@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/base/glob.h"
+#include "core/base/pattern.h"
 
 namespace rocinante {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kMaxComparisons = 100'000'000;
 
 bool isLike(const std::string& pattern, std::string_view name) {
-  return pattern.empty() || globMatches(pattern, name);
+  return pattern.empty() || patternMatches(pattern, name);
 }
 
 std::optional<glm::vec2> readPair(TomlTable& table, std::string_view key) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "core/base/glob.h"
+#include "core/base/pattern.h"
 
 namespace rocinante {
 namespace {
@@ -140,7 +140,7 @@ void DeviceAppearance::dressBySession(PosedDevice& device, const Own& own) const
 }
 
 bool PosedShare::holdsPart(std::size_t of_link, std::string_view part_group) const {
-  return ofParts() && (!link || *link == of_link) && globMatches(group, part_group);
+  return ofParts() && (!link || *link == of_link) && patternMatches(group, part_group);
 }
 
 bool PosedDevice::inLayer(std::string_view wanted, std::size_t link) const {

@@ -5,8 +5,8 @@
 #include <array>
 #include <limits>
 
-#include "core/base/glob.h"
 #include "core/base/name_hint.h"
+#include "core/base/pattern.h"
 #include "core/document/fault_list.h"
 #include "core/kinematics/kinematics.h"
 #include "core/kinematics/model_draft.h"
@@ -353,7 +353,7 @@ class InlineModelReader {
   static bool claims(const LinkGroups& groups, std::vector<bool>& matched, std::string_view group) {
     bool claimed = false;
     for (std::size_t i = 0; i < groups.patterns.size(); ++i) {
-      if (!globMatches(groups.patterns[i], group)) continue;
+      if (!patternMatches(groups.patterns[i], group)) continue;
       matched[i] = true;
       claimed = true;
     }

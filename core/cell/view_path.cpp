@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "core/base/glob.h"
+#include "core/base/pattern.h"
 
 namespace rocinante {
 namespace {
@@ -87,7 +87,7 @@ bool ViewPath::namesPart(const PosedDevice& device, std::size_t link,
   if (!has_group) return namesLink(device, link) || namesPartByLayer(device, link, part_group);
   if (!all_devices && path.first != device.name) return false;
   if (!path.second.empty() && device.model->links[link].name != path.second) return false;
-  return globMatches(group, part_group);
+  return patternMatches(group, part_group);
 }
 
 }  // namespace rocinante

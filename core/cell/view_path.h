@@ -14,9 +14,9 @@ namespace rocinante {
 /// percent-encoded as in a packet, leniently, because people type these: any byte but `#` may stand
 /// for itself. Packets know no `#` and no `*`, so neither clashes with a name that they carry.
 struct ViewPath {
-  Path path;                 ///< decoded; `first` is empty for every device
-  std::string group;         ///< a pattern (core/base/glob.h) of MeshPart::group; empty: all parts
-  bool has_group = false;    ///< only those parts
+  Path path;               ///< decoded; `first` is empty for every device
+  std::string group;       ///< a pattern (core/base/pattern.h) of MeshPart::group; empty: all parts
+  bool has_group = false;  ///< only those parts
   bool all_devices = false;  ///< `*`
 
   bool operator==(const ViewPath&) const = default;

@@ -1,6 +1,6 @@
 #include "core/net/route_map.h"
 
-#include <fnmatch.h>
+#include "core/base/pattern.h"
 
 namespace rocinante {
 
@@ -15,8 +15,6 @@ Result<RouteMap> RouteMap::parse(std::string_view text) {
   return RouteMap{std::string(text.substr(0, equals)), *to};
 }
 
-bool RouteMap::matches(const std::string& topic) const {
-  return ::fnmatch(pattern.c_str(), topic.c_str(), 0) == 0;
-}
+bool RouteMap::matches(const std::string& topic) const { return patternMatches(pattern, topic); }
 
 }  // namespace rocinante

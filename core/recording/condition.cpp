@@ -1,12 +1,11 @@
 #include "core/recording/condition.h"
 
-#include <fnmatch.h>
-
 #include <algorithm>
 #include <array>
 #include <utility>
 
 #include "core/base/duration_text.h"
+#include "core/base/pattern.h"
 
 namespace rocinante {
 namespace {
@@ -16,11 +15,6 @@ constexpr std::array<std::pair<std::string_view, Condition::Kind>, 4> kKinds{
      {"source", Condition::Kind::source},
      {"device", Condition::Kind::device},
      {"silence", Condition::Kind::silence}}};
-
-bool matches(const std::string& pattern, std::string_view text) {
-  if (text == pattern) return true;
-  return ::fnmatch(pattern.c_str(), std::string(text).c_str(), 0) == 0;
-}
 
 bool isOfDevice(StatementKind kind) {
   switch (kind) {
@@ -39,14 +33,15 @@ bool isOfDevice(StatementKind kind) {
 bool meets(const Condition& condition, const Packet& packet) {
   switch (condition.kind) {
     case Condition::Kind::source:
-      return matches(condition.pattern, packet.header.source);
+      return patternMatches(condition.pattern, packet.header.source);
     case Condition::Kind::event:
       return std::ranges::any_of(packet.statements, [&](const Statement& statement) {
-        return statement.kind == StatementKind::event && matches(condition.pattern, statement.text);
+        return statement.kind == StatementKind::event &&
+               patternMatches(condition.pattern, statement.text);
       });
     case Condition::Kind::device:
       return std::ranges::any_of(packet.statements, [&](const Statement& statement) {
-        return isOfDevice(statement.kind) && matches(condition.pattern, statement.name);
+        return isOfDevice(statement.kind) && patternMatches(condition.pattern, statement.name);
       });
     case Condition::Kind::silence:
       break;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/base/glob.h"
+#include "core/base/pattern.h"
 
 namespace rocinante {
 namespace {
@@ -63,10 +63,10 @@ bool pathNames(std::string_view path, const IdentityName& name,
                const std::vector<std::string>& layers) {
   if (path.starts_with("layer/")) {
     return std::ranges::any_of(
-        layers, [&](const std::string& layer) { return globMatches(path.substr(6), layer); });
+        layers, [&](const std::string& layer) { return patternMatches(path.substr(6), layer); });
   }
-  return globMatches(path, name.device + "/" + name.link) ||
-         (path.find('/') == std::string_view::npos && globMatches(path, name.device));
+  return patternMatches(path, name.device + "/" + name.link) ||
+         (path.find('/') == std::string_view::npos && patternMatches(path, name.device));
 }
 
 CaseAreas findAreas(const SuiteCase& made, const SceneIdentity* identity) {

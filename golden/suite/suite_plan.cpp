@@ -10,7 +10,7 @@
 
 #include "core/base/count_text.h"
 #include "core/base/duration_text.h"
-#include "core/base/glob.h"
+#include "core/base/pattern.h"
 #include "core/base/plain_text.h"
 #include "golden/suite/suite_case.h"
 
@@ -87,7 +87,7 @@ Result<std::vector<NamedMoment>> momentsAtEvents(const CaseMoment& moment, Timel
   std::vector<NamedMoment> moments;
   std::map<std::string, int> seen;
   for (const Event& event : **events) {
-    if (!globMatches(*moment.events, event.text)) continue;
+    if (!patternMatches(*moment.events, event.text)) continue;
     if (moments.size() == kMaxFramesPerCase) break;
     // Named by text and turn, not by time: a new recording has the same names.
     const std::string word = fileWord(event.text);
@@ -146,7 +146,7 @@ void refuseMomentOutside(const Timeline& session, SuiteFrame& frame) {
 
 bool anyGlobMatches(const std::vector<std::string>& globs, const SuiteFrame& frame) {
   return std::ranges::any_of(globs, [&](const std::string& glob) {
-    return globMatches(glob, frame.name) || globMatches(glob, frame.case_name);
+    return patternMatches(glob, frame.name) || patternMatches(glob, frame.case_name);
   });
 }
 

@@ -1,18 +1,12 @@
 #include "player/logs/multi_log_reader.h"
 
-#include <fnmatch.h>
-
 #include <algorithm>
 #include <utility>
 
+#include "core/base/pattern.h"
+
 namespace rocinante {
 namespace {
-
-bool matchesAny(const std::vector<std::string>& patterns, const std::string& topic) {
-  return std::any_of(patterns.begin(), patterns.end(), [&](const std::string& pattern) {
-    return ::fnmatch(pattern.c_str(), topic.c_str(), 0) == 0;
-  });
-}
 
 constexpr TapePosition kEnd{LogTime::max(), ~std::uint32_t{0}, ~std::uint64_t{0}};
 
@@ -22,7 +16,7 @@ bool ChannelChoice::holds(std::string_view topic) const {
   constexpr std::string_view kRestated = "/rocinante/restated";
   if (topic.starts_with(kRestated)) topic.remove_prefix(kRestated.size());
   const std::string name(topic);
-  return (only.empty() || matchesAny(only, name)) && !matchesAny(muted, name);
+  return (only.empty() || anyPatternMatches(only, name)) && !anyPatternMatches(muted, name);
 }
 
 Result<MultiLogReader> MultiLogReader::open(const std::vector<std::filesystem::path>& paths,

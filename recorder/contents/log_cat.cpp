@@ -1,9 +1,8 @@
 #include "recorder/contents/log_cat.h"
 
-#include <fnmatch.h>
-
 #include <algorithm>
 
+#include "core/base/pattern.h"
 #include "core/log/log_profile.h"
 #include "core/session/marks.h"
 #include "core/session/timeline.h"
@@ -14,12 +13,6 @@ namespace {
 /// Output is handed over in pieces of about this size.
 constexpr std::size_t kPieceBytes = 1U << 16U;
 
-bool matches(const std::vector<std::string>& patterns, const std::string& topic) {
-  return std::ranges::any_of(patterns, [&](const std::string& pattern) {
-    return ::fnmatch(pattern.c_str(), topic.c_str(), 0) == 0;
-  });
-}
-
 /// By channel id: whether its messages are wanted.
 std::vector<bool> wantedChannels(const CatOptions& options, const LogReader& reader) {
   std::vector<bool> wanted;
@@ -27,7 +20,7 @@ std::vector<bool> wantedChannels(const CatOptions& options, const LogReader& rea
     if (wanted.size() <= channel.id) wanted.resize(channel.id + 1U, false);
     wanted[channel.id] = options.selection.channels.empty()
                              ? channel.captured()
-                             : matches(options.selection.channels, channel.topic);
+                             : anyPatternMatches(options.selection.channels, channel.topic);
   }
   return wanted;
 }
@@ -38,7 +31,7 @@ class MarkMessages {
   static Result<MarkMessages> of(const LogReader& reader, const CatOptions& options) {
     MarkMessages messages;
     if (!options.selection.devices.empty()) return messages;
-    if (!matches(options.selection.channels, std::string(profile::kMarkTopic))) return messages;
+    if (!anyPatternMatches(options.selection.channels, profile::kMarkTopic)) return messages;
     Result<std::vector<Event>> marks = readMarks(reader.name());
     if (!marks) return marks.error();
     messages.marks_ = std::move(*marks);
@@ -64,7 +57,7 @@ class MarkMessages {
   }
 
  private:
-  LogChannel channel_{0, std::string(profile::kMarkTopic), std::string(profile::kMarkEncoding), {}};
+  LogChannel channel_{0, profile::kMarkTopic, std::string(profile::kMarkEncoding), {}};
   std::vector<Event> marks_;
   std::size_t next_ = 0;
   std::string payload_;

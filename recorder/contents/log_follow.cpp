@@ -1,9 +1,9 @@
 #include "recorder/contents/log_follow.h"
 
-#include <fnmatch.h>
-
 #include <algorithm>
 #include <map>
+
+#include "core/base/pattern.h"
 
 namespace rocinante {
 namespace {
@@ -12,9 +12,7 @@ constexpr std::size_t kFlushBytes = 1U << 16U;
 
 bool isChosen(const LogChannel& channel, const std::vector<std::string>& patterns) {
   if (patterns.empty()) return channel.captured();
-  return std::ranges::any_of(patterns, [&](const std::string& pattern) {
-    return ::fnmatch(pattern.c_str(), channel.topic.c_str(), 0) == 0;
-  });
+  return anyPatternMatches(patterns, channel.topic);
 }
 
 }  // namespace

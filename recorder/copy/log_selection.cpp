@@ -1,29 +1,20 @@
 #include "recorder/copy/log_selection.h"
 
 #include <fmt/format.h>
-#include <fnmatch.h>
 
 #include <algorithm>
 #include <set>
 
+#include "core/base/pattern.h"
 #include "core/log/log_profile.h"
 #include "core/session/timeline.h"
 
 namespace rocinante {
 namespace {
 
-bool matches(const std::string& pattern, const std::string& text) {
-  return ::fnmatch(pattern.c_str(), text.c_str(), 0) == 0;
-}
-
-bool anyMatches(const std::vector<std::string>& patterns, const std::string& text) {
-  return std::ranges::any_of(patterns,
-                             [&](const std::string& each) { return matches(each, text); });
-}
-
 /// Nothing asked for, or one of them.
 bool allows(const std::vector<std::string>& patterns, const std::string& text) {
-  return patterns.empty() || anyMatches(patterns, text);
+  return patterns.empty() || anyPatternMatches(patterns, text);
 }
 
 /// The first event from `from` on whose text matches; the text itself always matches.
@@ -31,7 +22,7 @@ Result<LogTime> timeOfEvent(const std::string& pattern, LogTime from,
                             const std::vector<Event>& events) {
   for (const Event& event : events) {
     if (event.time < from) continue;
-    if (event.text == pattern || matches(pattern, event.text)) return event.time;
+    if (patternMatches(pattern, event.text)) return event.time;
   }
   return Error{ErrorKind::not_found,
                from == TimeRange{}.from ? "no event matches"
@@ -41,7 +32,7 @@ Result<LogTime> timeOfEvent(const std::string& pattern, LogTime from,
 
 bool tellsOf(const Statement& statement, const std::vector<std::string>& patterns) {
   const auto named = [&](std::string_view name) {
-    return !name.empty() && anyMatches(patterns, std::string(name));
+    return !name.empty() && anyPatternMatches(patterns, name);
   };
   switch (statement.kind) {
     case StatementKind::joints:
@@ -122,13 +113,13 @@ Selection::Selection(const SelectionOptions& options, const std::vector<LogChann
 
 Selection::Answer Selection::answerFor(const LogChannel& channel,
                                        const SelectionOptions& options) const {
-  if (anyMatches(options.not_channels, channel.topic)) return Answer::no;
+  if (anyPatternMatches(options.not_channels, channel.topic)) return Answer::no;
   if (channel.topic == kRestatedKeyframeTopic) return Answer::by_restated;
   if (!channel.folded()) return Answer::yes;
   std::string topic = channel.topic;
   if (!channel.captured()) {
     topic.erase(0, kRestatedPrefix.size());
-    if (anyMatches(options.not_channels, topic)) return Answer::no;
+    if (anyPatternMatches(options.not_channels, topic)) return Answer::no;
   }
   if (!allows(options.channels, topic) && !allows(options.channels, channel.topic)) {
     return Answer::no;

@@ -1,12 +1,12 @@
 #include "recorder/copy/log_split.h"
 
 #include <fmt/format.h>
-#include <fnmatch.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <functional>
 
+#include "core/base/pattern.h"
 #include "core/base/unfinished_path.h"
 #include "recorder/copy/copy_merge.h"
 #include "recorder/copy/log_preceding.h"
@@ -33,9 +33,8 @@ class Boundaries {
   Boundaries(const SplitOptions& split, LogTime origin, const std::vector<Event>& events)
       : split_(split), origin_(origin) {
     for (const Event& event : events) {
-      const bool chosen =
-          event.text == split.event || ::fnmatch(split.event.c_str(), event.text.c_str(), 0) == 0;
-      if (chosen && (moments_.empty() || moments_.back() < event.time)) {
+      if (patternMatches(split.event, event.text) &&
+          (moments_.empty() || moments_.back() < event.time)) {
         moments_.push_back(event.time);
       }
     }

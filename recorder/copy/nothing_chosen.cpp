@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <fnmatch.h>
 
 #include <algorithm>
 #include <span>
 
 #include "core/base/duration_text.h"
+#include "core/base/pattern.h"
 #include "core/base/plain_text.h"
 
 namespace rocinante {
@@ -17,9 +17,7 @@ constexpr std::size_t kMaxTopics = 5;
 
 bool anyTopicMatches(const LogReader& log, const std::vector<std::string>& patterns) {
   return std::ranges::any_of(log.channels(), [&](const LogChannel& channel) {
-    return std::ranges::any_of(patterns, [&](const std::string& pattern) {
-      return ::fnmatch(pattern.c_str(), channel.topic.c_str(), 0) == 0;
-    });
+    return anyPatternMatches(patterns, channel.topic);
   });
 }
 

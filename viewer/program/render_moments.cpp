@@ -9,7 +9,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/duration_text.h"
-#include "core/base/glob.h"
+#include "core/base/pattern.h"
 
 namespace rocinante {
 namespace {
@@ -107,10 +107,11 @@ Status addEvents(const MomentChoice& choice, const LogPart& span, Timeline& sess
   damage = damage.within(span.from - session.origin(), span.until - session.origin());
   hiding.add(damage);
   for (const Event& event : **events) {
-    const bool wanted = choice.all_events || std::any_of(choice.events.begin(), choice.events.end(),
-                                                         [&](const std::string& pattern) {
-                                                           return globMatches(pattern, event.text);
-                                                         });
+    const bool wanted =
+        choice.all_events ||
+        std::any_of(choice.events.begin(), choice.events.end(), [&](const std::string& pattern) {
+          return patternMatches(pattern, event.text);
+        });
     // A mark may lie outside of what was captured.
     if (!wanted || event.time < span.from || event.time >= span.until) continue;
     moments.push_back({secondsText(event.time - session.origin(), 3), event.time, event.text});

@@ -27,7 +27,7 @@ struct MomentChoice {
   std::string every;              ///< a duration: multiples of it, from the origin
   std::string rate;               ///< frames a second, from the origin
   bool all_events = false;
-  std::vector<std::string> events;  ///< patterns (core/base/glob.h) of events' texts
+  std::vector<std::string> events;  ///< patterns (core/base/pattern.h) of events' texts
   std::string from, until;          ///< not of `at`: only these, until exclusive
 
   bool any() const {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <memory>
 
-#include "core/base/glob.h"
 #include "core/base/name_hint.h"
+#include "core/base/pattern.h"
 #include "core/cell/layer_index.h"
 #include "core/log/log_reader.h"
 #include "core/packet/decoder.h"
@@ -165,7 +165,7 @@ Status KnownNames::checkBelow(const ViewPath& path, const Models& models) const 
       const auto of_link = groupsOf(link);
       if (!of_link) return {};
       for (const std::string_view group : *of_link) {
-        if (globMatches(path.group, group)) return {};
+        if (patternMatches(path.group, group)) return {};
         groups.push_back(group);
       }
     }
