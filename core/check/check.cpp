@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/check/session_check.h"
+#include "core/log/log_profile.h"
 #include "core/session/keyframe.h"
 
 namespace rocinante {
@@ -12,7 +13,6 @@ namespace {
 constexpr std::uint64_t kProgressMessages = 2048;
 
 /// Where a recorder notes that its wall clock was set (docs/programs/record.md).
-constexpr std::string_view kClockTopic = "/rocinante/clock";
 
 Finding findingOf(const ModelFault& fault) {
   Finding finding;
@@ -85,7 +85,7 @@ Result<CheckReport> checkLog(const Cell& cell, LogReader& log,
     const bool is_keyframe = isKeyframeChannel(*message.channel);
     if (is_keyframe && is_first) addPreceding(session, message);
     is_first = is_first && !is_keyframe && !message.channel->folded();
-    if (message.channel->topic == kClockTopic) {
+    if (message.channel->topic == profile::kClockTopic) {
       session.addClockStep(message.log_time, message.payload);
     }
     if (!message.channel->folded()) continue;

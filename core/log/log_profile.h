@@ -15,6 +15,18 @@ inline constexpr std::string_view kSessionIdKey = "session_id";
 inline constexpr std::string_view kOriginKey = "origin_ns";
 inline constexpr std::string_view kReasonKey = "reason";
 
+/// Before our own topics, which are in no count, hash or time range.
+inline constexpr std::string_view kOwnTopics = "/rocinante/";
+/// Before the topic of a channel whose messages someone else said again; the fold reads those.
+inline constexpr std::string_view kRestatedPrefix = "/rocinante/restated";
+/// The opening keyframe of a merged log, said again.
+inline constexpr std::string_view kRestatedKeyframeTopic = "/rocinante/restated/keyframe";
+/// What the kernel, the queue or the disk lost (loss_message.h).
+inline constexpr std::string_view kLossTopic = "/rocinante/loss";
+inline constexpr std::string_view kLossEncoding = "json";
+/// The recorder's wall clock was set (clock_message.h).
+inline constexpr std::string_view kClockTopic = "/rocinante/clock";
+inline constexpr std::string_view kClockEncoding = "json";
 /// Whole restatements of the session so far; the datagrams are separated by an empty line.
 inline constexpr std::string_view kKeyframeTopic = "/rocinante/keyframe";
 inline constexpr std::string_view kKeyframeEncoding = "rk1-keyframe";

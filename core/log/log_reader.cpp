@@ -229,7 +229,8 @@ struct LogReader::Impl {
     losses.emplace();
     for (const LogChannel& channel : channels) {
       const auto count = index.message_counts.find(channel.id);
-      if (channel.topic == kLossTopic && count != index.message_counts.end() && count->second > 0) {
+      if (channel.topic == profile::kLossTopic && count != index.message_counts.end() &&
+          count->second > 0) {
         readLosses(channel.id);
       }
     }

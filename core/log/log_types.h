@@ -26,9 +26,9 @@ struct LogChannel {
   std::map<std::string, std::string> metadata;  ///< local remote protocol group interface source
 
   /// False for /rocinante/...: our own channels, in no count, hash or time range.
-  bool captured() const { return !topic.starts_with("/rocinante/"); }
+  bool captured() const;
   /// True for captured channels and for /rocinante/restated/...: what the fold reads.
-  bool folded() const { return captured() || topic.starts_with("/rocinante/restated/"); }
+  bool folded() const;
 };
 
 /// A place in a log's order: after every message that is earlier, or as early and before it in the

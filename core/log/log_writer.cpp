@@ -188,7 +188,8 @@ Status LogWriter::write(ChannelId channel, std::uint32_t sequence, LogTime log_t
 Status LogWriter::writeLoss(const LossSpan& span) {
   Impl& log = *impl_;
   if (!log.loss_channel) {
-    Result<ChannelId> added = addChannel(std::string(kLossTopic), std::string(kLossEncoding), {});
+    Result<ChannelId> added =
+        addChannel(std::string(profile::kLossTopic), std::string(profile::kLossEncoding), {});
     if (!added) return added.error();
     log.loss_channel = *added;
   }

@@ -8,10 +8,7 @@
 
 namespace rocinante {
 
-inline constexpr std::string_view kLossTopic = "/rocinante/loss";
-inline constexpr std::string_view kLossEncoding = "json";
-
-/// The payload of a message on /rocinante/loss (docs/log-format.md): one JSON object.
+/// The payload of a message on profile::kLossTopic (docs/log-format.md): one JSON object.
 std::string lossText(const LossSpan& span);
 
 /// Empty when the payload is no loss message.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/log/log_profile.h"
 #include "core/log/log_types.h"
 #include "core/packet/session_state.h"
 #include "core/recording/flow_table.h"
@@ -24,7 +25,7 @@ struct CapturedDatagram {
   const Packet* packet = nullptr;  ///< what it was decoded to; null when it is none
 
   /// False for what someone else restates: no message of the session.
-  bool captured() const { return !channel->topic.starts_with("/rocinante/"); }
+  bool captured() const { return !channel->topic.starts_with(profile::kOwnTopics); }
 };
 
 /// Where a recording goes: one log, a sequence of pieces, or a ring in memory of which files are

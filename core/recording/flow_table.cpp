@@ -4,6 +4,7 @@
 
 #include <cstring>
 
+#include "core/log/log_profile.h"
 #include "core/packet/packet_text.h"
 
 namespace rocinante {
@@ -93,7 +94,7 @@ FlowChannel FlowTable::channelFor(const Flow& flow, bool shared) const {
   if (by_interface && !listened.interface.empty()) {
     channel.metadata["interface"] = listened.interface;
   }
-  const std::string restated = flow.is_restated ? "/rocinante/restated" : "";
+  const std::string_view restated = flow.is_restated ? profile::kRestatedPrefix : "";
   if (shared) {
     channel.topic = fmt::format("{}{}/_many", restated, endpoint.root);
     return channel;

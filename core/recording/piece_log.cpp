@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/log/log_profile.h"
+
 namespace rocinante {
 namespace {
 
@@ -44,16 +46,15 @@ Status PieceLog::write(const CapturedDatagram& datagram, bool decoded) {
 
 Status PieceLog::writeStep(const ClockStep& step) {
   if (!clock_channel_) {
-    Result<ChannelId> added = session_.addChannel("/rocinante/clock", "json", {});
+    Result<ChannelId> added = session_.addChannel(std::string(profile::kClockTopic),
+                                                  std::string(profile::kClockEncoding), {});
     if (!added) return added.error();
     clock_channel_ = *added;
   }
   // It may be told after datagrams that came later; the order of the file stays that of time.
   const LogTime time = std::max(step.at, end_.value_or(LogTime{}));
-  const std::string text = fmt::format(R"({{"noticed_ns":{},"step_ns":{}}})",
-                                       step.at.time_since_epoch().count(), step.step.count());
   return session_.write(*clock_channel_, steps_++, time, time.time_since_epoch().count(),
-                        bytesOf(text));
+                        bytesOf(clockStepText(step)));
 }
 
 Status PieceLog::close(const std::string& reason) {

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "core/base/time.h"
+#include "core/log/clock_message.h"
 
 namespace rocinante {
 
@@ -11,12 +12,6 @@ struct ClockReading {
   SteadyTime before;
   WallTime wall;
   SteadyTime after;
-};
-
-/// The wall clock was moved: a message on /rocinante/clock.
-struct ClockStep {
-  LogTime at;        ///< on the session's line: when it was noticed
-  Nanoseconds step;  ///< positive: the wall clock was set forward
 };
 
 /// The session's own steady time line: the wall time of the first look, plus the steady time since.

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/base/pattern.h"
+#include "core/log/log_profile.h"
 
 namespace rocinante {
 namespace {
@@ -13,10 +14,10 @@ constexpr TapePosition kEnd{LogTime::max(), ~std::uint32_t{0}, ~std::uint64_t{0}
 }  // namespace
 
 bool ChannelChoice::holds(std::string_view topic) const {
-  constexpr std::string_view kRestated = "/rocinante/restated";
-  if (topic.starts_with(kRestated)) topic.remove_prefix(kRestated.size());
-  const std::string name(topic);
-  return (only.empty() || anyPatternMatches(only, name)) && !anyPatternMatches(muted, name);
+  if (topic.starts_with(profile::kRestatedPrefix)) {
+    topic.remove_prefix(profile::kRestatedPrefix.size());
+  }
+  return (only.empty() || anyPatternMatches(only, topic)) && !anyPatternMatches(muted, topic);
 }
 
 Result<MultiLogReader> MultiLogReader::open(const std::vector<std::filesystem::path>& paths,

@@ -57,7 +57,7 @@ class MarkMessages {
   }
 
  private:
-  LogChannel channel_{0, profile::kMarkTopic, std::string(profile::kMarkEncoding), {}};
+  LogChannel channel_{0, std::string(profile::kMarkTopic), std::string(profile::kMarkEncoding), {}};
   std::vector<Event> marks_;
   std::size_t next_ = 0;
   std::string payload_;

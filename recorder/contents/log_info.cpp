@@ -40,7 +40,7 @@ class Collector {
     mine.activity.add(message.log_time);
     hash_.add(message);
     if (message.channel->captured()) stream_.add(message.payload);
-    if (message.channel->topic == "/rocinante/keyframe") ++info_.keyframes;
+    if (message.channel->topic == profile::kKeyframeTopic) ++info_.keyframes;
     if (message.channel->topic == profile::kMarkTopic) {
       if (auto text = parseMark(message.payload)) {
         ++info_.marks;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/hash.h"
+#include "core/log/log_profile.h"
 #include "core/log/loss_message.h"
 
 namespace rocinante {
@@ -11,7 +12,8 @@ namespace {
 /// A channel as what it is a part of: without /rocinante/restated.
 std::string_view plainTopic(const LogChannel& channel) {
   std::string_view topic = channel.topic;
-  if (topic.starts_with(kRestatedPrefix)) topic.remove_prefix(kRestatedPrefix.size());
+  if (topic.starts_with(profile::kRestatedPrefix))
+    topic.remove_prefix(profile::kRestatedPrefix.size());
   return topic;
 }
 

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 
+#include "core/log/clock_message.h"
 #include "core/log/log_profile.h"
 #include "core/log/loss_message.h"
 #include "core/session/keyframe.h"
 #include "core/session/marks.h"
-#include "recorder/copy/clock_message.h"
 #include "recorder/copy/log_preceding.h"
 
 namespace rocinante {
@@ -111,7 +111,7 @@ Status CopySource::takeMessage() {
     const LogMessage& message = **read;
     const std::string& topic = message.channel->topic;
     // Made anew, and told by reader().losses().
-    if (topic == profile::kKeyframeTopic || topic == kLossTopic) continue;
+    if (topic == profile::kKeyframeTopic || topic == profile::kLossTopic) continue;
     message_is_lead_ = message.log_time < options_.range.from;
     if (message_is_lead_) {
       if (!preceding_ || !preceding_->lead || message.place() <= *preceding_->lead) continue;
@@ -166,7 +166,7 @@ void CopySource::chooseItem() {
     item_.message = *message_;
     item_.publish_time_ns =
         message_->publish_time_ns + (options_.shift_publish ? options_.shift.count() : 0);
-    if (message_->channel->topic == kClockTopic && options_.shift != Nanoseconds(0)) {
+    if (message_->channel->topic == profile::kClockTopic && options_.shift != Nanoseconds(0)) {
       if (std::optional<std::string> text = shiftedClockText(message_->payload, options_.shift)) {
         moved_payload_ = std::move(*text);
         item_.message.payload = bytesOf(moved_payload_);

@@ -114,11 +114,11 @@ Selection::Selection(const SelectionOptions& options, const std::vector<LogChann
 Selection::Answer Selection::answerFor(const LogChannel& channel,
                                        const SelectionOptions& options) const {
   if (anyPatternMatches(options.not_channels, channel.topic)) return Answer::no;
-  if (channel.topic == kRestatedKeyframeTopic) return Answer::by_restated;
+  if (channel.topic == profile::kRestatedKeyframeTopic) return Answer::by_restated;
   if (!channel.folded()) return Answer::yes;
   std::string topic = channel.topic;
   if (!channel.captured()) {
-    topic.erase(0, kRestatedPrefix.size());
+    topic.erase(0, profile::kRestatedPrefix.size());
     if (anyPatternMatches(options.not_channels, topic)) return Answer::no;
   }
   if (!allows(options.channels, topic) && !allows(options.channels, channel.topic)) {

@@ -13,11 +13,6 @@
 
 namespace rocinante {
 
-/// What a merged log's opening keyframe told is said again on this topic (docs/log-format.md).
-inline constexpr std::string_view kRestatedKeyframeTopic = "/rocinante/restated/keyframe";
-/// Before the topic of a channel whose messages are said again.
-inline constexpr std::string_view kRestatedPrefix = "/rocinante/restated";
-
 /// What of a log is wanted, as a person says it (docs/programs/log.md, "Choosing messages").
 /// Patterns are a shell's. Several of one kind: any of them; of different kinds: all of them.
 struct SelectionOptions {

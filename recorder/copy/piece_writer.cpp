@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/log/log_profile.h"
 #include "core/mcap/records.h"
 #include "core/packet/restatement.h"
 
@@ -68,7 +69,8 @@ Status PieceWriter::addMessage(const CopyItem& item) {
 }
 
 Status PieceWriter::sayAgain(const SessionState& state, LogTime time) {
-  const Result<ChannelId> channel = addChannel({std::string(kRestatedKeyframeTopic), "rk1", {}});
+  const Result<ChannelId> channel =
+      addChannel({std::string(profile::kRestatedKeyframeTopic), "rk1", {}});
   if (!channel) return channel.error();
   RestatementOptions options;
   options.by = "merge";
@@ -88,9 +90,9 @@ Status PieceWriter::sayAgain(const SessionState& state, LogTime time) {
 Result<ChannelId> PieceWriter::channelFor(const LogChannel& channel, bool restated) {
   ChannelIds& ids = restated ? restated_ids_ : ids_;
   if (const auto known = ids.find(&channel); known != ids.end()) return known->second;
-  const Result<ChannelId> id =
-      addChannel({(restated ? std::string(kRestatedPrefix) : std::string()) + channel.topic,
-                  channel.encoding, channel.metadata});
+  const Result<ChannelId> id = addChannel(
+      {(restated ? std::string(profile::kRestatedPrefix) : std::string()) + channel.topic,
+       channel.encoding, channel.metadata});
   if (id) ids.emplace(&channel, *id);
   return id;
 }

@@ -60,7 +60,7 @@ void ProfileRules::channel(const mcap::Channel& channel, std::uint64_t offset) {
   std::string_view wanted;
   if (as_read.topic == profile::kKeyframeTopic) wanted = profile::kKeyframeEncoding;
   if (as_read.topic == profile::kMarkTopic) wanted = profile::kMarkEncoding;
-  if (as_read.topic == kLossTopic) wanted = kLossEncoding;
+  if (as_read.topic == profile::kLossTopic) wanted = profile::kLossEncoding;
   // A copy of another writer's log keeps its encodings; what they mean is not judged.
   if (!wanted.empty() && as_read.encoding != wanted) {
     report_.add("encoding", offset,
@@ -240,9 +240,10 @@ void ProfileRules::keyframe(const mcap::Message& message, std::uint64_t offset) 
 }
 
 void ProfileRules::own(const Known& known, const mcap::Message& message, std::uint64_t offset) {
-  if (known.channel.topic == kLossTopic && !parseLoss(message.data)) {
-    report_.add("loss", offset,
-                fmt::format("message {} on {} tells no loss", message.sequence, kLossTopic));
+  if (known.channel.topic == profile::kLossTopic && !parseLoss(message.data)) {
+    report_.add(
+        "loss", offset,
+        fmt::format("message {} on {} tells no loss", message.sequence, profile::kLossTopic));
   }
   if (known.channel.topic == profile::kMarkTopic && !parseMark(message.data)) {
     report_.add("mark", offset,

@@ -4,20 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "core/base/count_text.h"
 #include "core/check/judges/tally.h"
+#include "core/log/clock_message.h"
 
 namespace rocinante {
 
 void LogJudge::takeClockStep(LogTime time, ByteView payload) {
-  const std::string_view text = textOf(payload);
-  const auto json = nlohmann::json::parse(text.begin(), text.end(), nullptr, false);
-  if (!json.is_object()) return;
-  const auto step = json.find("step_ns");
-  if (step == json.end() || !step->is_number_integer()) return;
-  const double seconds = static_cast<double>(step->get<std::int64_t>()) * 1e-9;
+  const std::optional<ClockStep> step = parseClockStep(payload);
+  if (!step) return;
+  const double seconds = static_cast<double>(step->step.count()) * 1e-9;
   if (std::abs(seconds) > std::abs(worst_step_s_)) worst_step_s_ = seconds;
   clock_steps_.count = clock_steps_.first ? clock_steps_.count + 1 : 1;
   clock_steps_.first = std::min(clock_steps_.first.value_or(time), time);

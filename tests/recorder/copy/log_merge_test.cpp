@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "core/log/log_profile.h"
 #include "core/session/marks.h"
 #include "recorder/copy/log_cut.h"
 #include "recorder/copy/log_split.h"
@@ -158,7 +159,7 @@ TEST(MultiLogReader, WhatALaterPieceOpensWithIsSaidAgain) {
   ASSERT_TRUE(cutLog(folder / "whole.mcap", second, makeAt(folder / "b.mcap"), kCutTool).ok());
   ASSERT_TRUE(mergeLogs({folder / "a.mcap", folder / "b.mcap"}, makeAt(folder / "m.mcap")).ok());
   const std::vector<KeptMessage> merged = messagesOf(folder / "m.mcap");
-  EXPECT_GT(countOn(merged, kRestatedKeyframeTopic), 0U);
+  EXPECT_GT(countOn(merged, profile::kRestatedKeyframeTopic), 0U);
   Result<Timeline> expected = Timeline::open(folder / "b.mcap");
   Result<Timeline> actual = Timeline::open(folder / "m.mcap");
   ASSERT_TRUE(expected.ok() && actual.ok());
