@@ -9,25 +9,11 @@
 
 #include "core/base/count_text.h"
 #include "core/base/duration_text.h"
+#include "core/base/shell_word.h"
 #include "core/cli/search_options.h"
 #include "core/cli/worker_threads.h"
 
 namespace rocinante {
-namespace {
-
-/// `word` as a shell takes it for one argument.
-std::string shellWord(const std::string& word) {
-  const bool plain = !word.empty() && word.find_first_not_of(
-                                          "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                          "0123456789_./:=@%+,-") == std::string::npos;
-  if (plain) return word;
-  std::string quoted = "'";
-  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
-}
-
-}  // namespace
-
 void addSuiteOptions(CLI::App& app, SuiteArguments& arguments) {
   app.add_option("SUITE", arguments.suite, "the suite's TOML file")->required();
   app.add_option("--cell", arguments.cell, "take this cell in place of the suite's");
@@ -69,7 +55,8 @@ Result<SuiteOptions> suiteOptions(const SuiteArguments& arguments) {
 }
 
 std::string commandText(const char* verb, const SuiteArguments& arguments) {
-  std::string text = fmt::format("rocinante golden {} {}", verb, shellWord(arguments.suite));
+  std::string text =
+      fmt::format("rocinante golden {} {}", verb, shellWord(arguments.suite.string()));
   const auto add = [&](const char* option, const std::string& value) {
     if (!value.empty()) text += fmt::format(" {} {}", option, shellWord(value));
   };

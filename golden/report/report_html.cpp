@@ -9,6 +9,7 @@
 #include "core/base/duration_text.h"
 #include "core/base/hash.h"
 #include "core/base/plain_text.h"
+#include "core/base/shell_word.h"
 #include "golden/report/page_pictures.h"
 #include "golden/report/report_page.h"
 #include "golden/why/frame_why.h"
@@ -110,17 +111,6 @@ std::string toleranceText(const JudgedFrame& judged) {
   return judged.limit_from.empty() ? text : text + ", from " + judged.limit_from;
 }
 
-/// A frame's name as a shell takes it for one argument.
-std::string quotedName(const std::string& word) {
-  const bool is_plain = !word.empty() && word.find_first_not_of(
-                                             "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                             "0123456789_./:=@%+,-") == std::string::npos;
-  if (is_plain) return word;
-  std::string quoted = "'";
-  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
-}
-
 Json pageFrameJson(const SuiteReport& report, const JudgedFrame& judged, PagePictures& pictures) {
   const SuiteFrame& frame = judged.frame;
   Json json = {{"name", frame.name},
@@ -151,7 +141,7 @@ Json pageFrameJson(const SuiteReport& report, const JudgedFrame& judged, PagePic
   if (judged.why) json["why"] = whyJson(*judged.why);
   const auto add = [&](const char* key, const std::string& own, const std::string& of_all) {
     const std::string& command = own.empty() ? of_all : own;
-    if (!command.empty()) json[key] = command + " " + quotedName(frame.name);
+    if (!command.empty()) json[key] = command + " " + shellWord(frame.name);
   };
   add("run", judged.run_command, report.run_one_command);
   add("approve", judged.approve_command, report.approve_one_command);

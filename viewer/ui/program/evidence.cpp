@@ -73,23 +73,6 @@ std::vector<std::string> evidenceArguments(const EvidenceRequest& request) {
   return words;
 }
 
-std::string shellLine(const std::string& program, const std::vector<std::string>& arguments) {
-  constexpr std::string_view kPlain =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-./:=,@%+";
-  std::string line = program;
-  for (const std::string& word : arguments) {
-    line += ' ';
-    if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) {
-      line += word;
-      continue;
-    }
-    line += '\'';
-    for (const char c : word) line += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    line += '\'';
-  }
-  return line;
-}
-
 Result<EvidenceRun> EvidenceRun::start(const EvidenceRequest& request) {
   const fs::path program = renderProgram();
   std::vector<std::string> words = evidenceArguments(request);

@@ -30,8 +30,6 @@ struct EvidenceRequest : ModelSearch {
 
 /// The words of `rocinante-render` for it, without the program's own name.
 std::vector<std::string> evidenceArguments(const EvidenceRequest& request);
-/// The same as a line for a shell.
-std::string shellLine(const std::string& program, const std::vector<std::string>& arguments);
 
 /// A picture that was made.
 struct EvidenceMade {
