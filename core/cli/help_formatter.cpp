@@ -1,6 +1,7 @@
 #include "core/cli/help_formatter.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <string_view>

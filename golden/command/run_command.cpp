@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <thread>
+#include <tuple>
 
 #include "golden/command/compare_command.h"
 #include "golden/command/report_output.h"

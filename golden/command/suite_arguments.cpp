@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdlib>
+#include <tuple>
 
 #include "core/base/count_text.h"
 #include "core/base/duration_text.h"

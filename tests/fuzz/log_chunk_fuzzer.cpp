@@ -2,6 +2,7 @@
 // about the size: alone through the expander, and as the one chunk of a log. Nothing may crash,
 // hang or take memory without bound, and both directions give the same messages.
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <vector>

@@ -1,6 +1,7 @@
 // Captured frames as an attacker would send them: the first byte is the link type, then frames,
 // each behind two bytes of length and one of the milliseconds that pass. Whatever they hold,
 // datagrams come out no longer than there can be, and the same ones on the same bytes.
+#include <algorithm>
 #include <cstdlib>
 #include <vector>
 

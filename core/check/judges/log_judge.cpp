@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/base/count_text.h"
 #include "core/check/judges/tally.h"

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "core/base/hash.h"
 #include "core/log/log_profile.h"
 #include "tests/core/bundle/bundle_fixture.h"

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
+#include <algorithm>
+
 #include "core/bundle/cell_folder.h"
 #include "core/kinematics/kinematics.h"
 #include "tests/core/bundle/bundle_fixture.h"

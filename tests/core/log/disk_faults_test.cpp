@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <tuple>
 
 #include "core/base/atomic_file.h"
 #include "core/mcap/file_sink.h"

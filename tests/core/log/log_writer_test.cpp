@@ -5,6 +5,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+
 #include "core/base/atomic_file.h"
 #include "tests/core/log/log_support.h"
 #include "tests/support/temporary_folder.h"

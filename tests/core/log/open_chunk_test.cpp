@@ -4,6 +4,8 @@
 #include <rapidcheck/gtest.h>
 #include <zstd.h>
 
+#include <algorithm>
+
 #include "core/base/hash.h"
 #include "core/mcap/byte_cursor.h"
 #include "core/mcap/parse_record.h"

@@ -1,6 +1,7 @@
 // Nothing in a datagram is trusted: every cut and every flipped bit is read without harm.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "tests/core/packet/fold_text.h"

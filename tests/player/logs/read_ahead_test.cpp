@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/player/send/fake_edge.h"
+#include "tests/player/send/fake_send_port.h"
 
 namespace rocinante {
 namespace {

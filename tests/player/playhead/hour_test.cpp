@@ -6,7 +6,7 @@
 #include "player/playhead/playhead_sender.h"
 #include "player/send/play_report.h"
 #include "tests/player/logs/written_log.h"
-#include "tests/player/send/fake_edge.h"
+#include "tests/player/send/fake_send_port.h"
 #include "tests/support/process_memory.h"
 #include "tests/support/temporary_folder.h"
 

@@ -8,7 +8,7 @@
 #include "player/playhead/play_line.h"
 #include "player/send/play_report.h"
 #include "tests/player/logs/written_log.h"
-#include "tests/player/send/fake_edge.h"
+#include "tests/player/send/fake_send_port.h"
 #include "tests/support/temporary_folder.h"
 
 namespace rocinante {

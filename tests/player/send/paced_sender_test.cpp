@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/player/send/fake_edge.h"
+#include <algorithm>
+
+#include "tests/player/send/fake_send_port.h"
 
 namespace rocinante {
 namespace {

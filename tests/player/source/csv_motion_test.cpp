@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <memory>
+
 #include "core/base/atomic_file.h"
 #include "player/source/csv_line.h"
 #include "tests/support/shared_data.h"

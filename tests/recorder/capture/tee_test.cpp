@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <poll.h>
 
+#include <algorithm>
+
 #include "recorder/capture/tee_set.h"
 #include "tests/core/net/fake_source.h"
 

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "core/base/duration_text.h"
 #include "core/session/marks.h"
 #include "tests/recorder/copy/copy_support.h"

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <tuple>
 
 #include "core/math/transform.h"
 #include "tests/viewer/support/test_scene.h"

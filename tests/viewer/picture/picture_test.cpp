@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <limits>
 
 #include "core/base/atomic_file.h"
 #include "tests/support/picture_bytes.h"

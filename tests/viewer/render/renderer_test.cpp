@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 #include "tests/support/environment.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/viewer/support/test_scene.h"

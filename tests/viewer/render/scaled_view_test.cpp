@@ -1,6 +1,8 @@
 // Frames on a rung of detail that was asked for.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/viewer/render/test_maker.h"
 #include "viewer/detail/detail_level.h"
 #include "viewer/picture/pixel_rectangle.h"
