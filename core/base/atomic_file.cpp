@@ -57,10 +57,9 @@ Result<std::string> readFile(const std::filesystem::path& path, std::uint64_t ma
     return Error{ErrorKind::unreadable, "this is a folder, not a file", path.string()};
   }
   if (static_cast<std::uint64_t>(facts.st_size) > max_bytes) {
-    return Error{
-        ErrorKind::unsupported,
-        "the file is larger than the " + std::to_string(max_bytes) + " bytes that are read",
-        path.string()};
+    return Error{ErrorKind::unsupported,
+                 "the file is larger than the limit of " + std::to_string(max_bytes) + " bytes",
+                 path.string()};
   }
   std::string content;
   content.reserve(static_cast<std::size_t>(facts.st_size));
@@ -85,7 +84,8 @@ Status mayWriteFile(const std::filesystem::path& path, bool overwrite) {
   const std::filesystem::file_status there = std::filesystem::status(path, ignored);
   if (std::filesystem::exists(there)) {
     if (!std::filesystem::is_regular_file(there)) {
-      return Error{ErrorKind::refused, "is no file, and is not replaced by one", path.string()};
+      return Error{ErrorKind::refused, "this is not a regular file, so it is not replaced",
+                   path.string()};
     }
     if (!overwrite) {
       return Error{ErrorKind::refused, "the file exists; --force overwrites it", path.string()};

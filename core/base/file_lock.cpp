@@ -98,7 +98,7 @@ Result<HeldFile> HeldFile::at(const std::filesystem::path& path, For purpose) {
     // While the lock was waited for, another file may have come here.
     if (isOpenFile(path, held.file_)) return held;
   }
-  return Error{ErrorKind::refused, "other programs replace this file over and over", path.string()};
+  return Error{ErrorKind::refused, "other programs keep replacing this file", path.string()};
 }
 
 Status mayReplace(const std::filesystem::path& path) {

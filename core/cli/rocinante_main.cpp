@@ -28,7 +28,7 @@ constexpr std::array kVerbs{
     Verb{"spy", "what arrives, and why nothing moves"},
     Verb{"play", "re-emit a log as UDP, at any speed"},
     Verb{"source", "send kinematic state: from a CSV file or the demo's motion"},
-    Verb{"log", "look into logs, mend them, and make logs out of logs"},
+    Verb{"log", "inspect logs, repair them, and make logs from logs"},
     Verb{"model", "what is in a model: info, tree, fk, convert"},
     Verb{"check", "does this session still fit this model?"},
     Verb{"render", "draw frames of a cell and a log without a window"},
@@ -46,7 +46,7 @@ std::filesystem::path folderOfThisProgram() {
 void printHelp() {
   std::printf("usage: rocinante VERB [OPTIONS]\n\n");
   for (const Verb& verb : kVerbs) std::printf("  %-9s %s\n", verb.name, verb.does);
-  std::printf("\n`rocinante VERB --help` tells more of each.\n");
+  std::printf("\n`rocinante VERB --help` describes each one.\n");
   std::printf("`rocinante --version --parts` lists the optional parts of this build.\n");
 }
 
@@ -92,7 +92,7 @@ int main(int argc, char** argv) {
   const bool is_self_test = verb == "--self-test";
   if (is_self_test) verb.remove_prefix(2);
   if (verb.find('/') != std::string_view::npos || verb.starts_with('-')) {
-    std::fprintf(stderr, "rocinante: `%s` is no verb (see rocinante --help)\n", argv[1]);
+    std::fprintf(stderr, "rocinante: `%s` is not a verb (see rocinante --help)\n", argv[1]);
     return 2;
   }
 

@@ -25,7 +25,7 @@ void addSearchFolderOptions(CLI::App& app, ModelSearch& search) {
          [&search](const std::vector<std::string>& given) {
            for (const std::string& text : given) search.packages.push_back(packageOf(text));
          },
-         "the folder that package://NAME/ means; may be repeated")
+         "the folder for package://NAME/; may be repeated")
       ->type_name("NAME=DIR")
       ->allow_extra_args(false);
 }

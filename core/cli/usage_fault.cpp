@@ -60,7 +60,7 @@ std::string unexpected(const CLI::App& app, const std::string& argument) {
   if (!subcommands.empty() && app.get_subcommands().empty()) {
     return "there is no subcommand `" + argument + "`" + hint(argument, subcommands);
   }
-  return "nothing takes the argument `" + argument + "`";
+  return "unexpected argument `" + argument + "`";
 }
 
 /// "0.500000" as "0.5".

@@ -28,8 +28,7 @@ class SystemFile final : public FollowedFile {
     struct stat named {};
     if (::stat(name_.c_str(), &named) == 0 &&
         (named.st_dev != mine.st_dev || named.st_ino != mine.st_ino)) {
-      return Error{ErrorKind::unreadable, "another file has taken the place of the one followed",
-                   name_};
+      return Error{ErrorKind::unreadable, "another file replaced the one that is followed", name_};
     }
     return static_cast<std::uint64_t>(mine.st_size);
   }
@@ -40,7 +39,7 @@ class SystemFile final : public FollowedFile {
       if (got < 0 && errno == EINTR) continue;
       if (got < 0) return systemError("cannot read the file", name_);
       if (got == 0) {
-        return Error{ErrorKind::unreadable, "the file was made shorter while it was read", name_};
+        return Error{ErrorKind::unreadable, "the file was truncated while it was read", name_};
       }
       offset += static_cast<std::uint64_t>(got);
       out = out.subspan(static_cast<std::size_t>(got));
@@ -65,7 +64,7 @@ Result<std::unique_ptr<FollowedFile>> followFile(const std::filesystem::path& pa
   struct stat facts {};
   if (::fstat(file, &facts) != 0) return systemError("cannot read the file", path.string());
   if (!S_ISREG(facts.st_mode)) {
-    return Error{ErrorKind::unreadable, "only a file can be followed", path.string()};
+    return Error{ErrorKind::unreadable, "only a regular file can be followed", path.string()};
   }
   return std::unique_ptr<FollowedFile>(std::move(followed));
 }

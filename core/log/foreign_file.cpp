@@ -37,7 +37,7 @@ constexpr std::array kKinds{
 std::string notALog(ByteView file) {
   if (file.empty()) return "the file is empty";
   const std::string_view text = textOf(file);
-  std::string sentence = "the file does not begin as a log does";
+  std::string sentence = "the file does not start with the MCAP magic";
   for (const Kind& kind : kKinds) {
     if (text.starts_with(kind.begins)) return sentence.append("; ").append(kind.what);
   }

@@ -38,10 +38,10 @@ std::optional<LogMessage> LastMessage::find(ChannelId channel, LogTime moment) {
     // A span that does not expand is told by the cache.
     if (misindexed_.insert(found->span).second && !cache_.get(found->span)->places.empty()) {
       const MessageSpan& span = cache_.spans()[found->span];
-      cache_.addDamage({span.end, span.index_end,
-                        "a message index is not what the messages of its chunk say; they are "
-                        "followed",
-                        std::uint64_t{0}});
+      cache_.addDamage(
+          {span.end, span.index_end,
+           "a message index disagrees with its chunk; the messages in the chunk are used",
+           std::uint64_t{0}});
     }
   }
 }

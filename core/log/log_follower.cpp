@@ -109,7 +109,7 @@ struct LogFollower::Impl {
     const Result<std::uint64_t> now = file->size();
     if (!now) return now.error();
     if (*now < used) {
-      return Error{ErrorKind::unreadable, "the file was made shorter while it was followed",
+      return Error{ErrorKind::unreadable, "the file was truncated while it was followed",
                    file->name()};
     }
     size = *now;
@@ -169,7 +169,7 @@ struct LogFollower::Impl {
       return true;
     }
     if (opcode == Opcode::invalid || length > std::numeric_limits<std::int64_t>::max() - position) {
-      return damagedAt(position, "what stands here is no record");
+      return damagedAt(position, "there is no valid record here");
     }
     const bool wanted = opcode == Opcode::header || opcode == Opcode::channel ||
                         opcode == Opcode::message || opcode == Opcode::metadata;
@@ -185,7 +185,7 @@ struct LogFollower::Impl {
       used = position;
       if (opcode == Opcode::message && header.profile == profile::kName) {
         // Recorders of our profile write none: it is another record with a broken opcode.
-        damaged("a message lies outside the chunks, where no checksum covers it");
+        damaged("a message is outside the chunks, where no checksum covers it");
         return true;
       }
       if (opcode == Opcode::message) ++spans;
@@ -195,7 +195,7 @@ struct LogFollower::Impl {
     if (is_message) {
       chunk_from = position;
       chunk_to = position + mcap::kPrefixBytes + length;
-      damaged("the record is larger than what is read");
+      damaged("the record is too large to be read");
     }
     // The next record is looked for behind it, which may be long after the end of what is there.
     position += mcap::kPrefixBytes + length;
@@ -207,7 +207,7 @@ struct LogFollower::Impl {
         static_cast<std::size_t>(std::min<std::uint64_t>(size, mcap::magic().size()));
     if (Status got = read(0, there); !got) return got.error();
     if (!std::ranges::equal(stored, mcap::magic().first(there))) {
-      return damagedAt(0, "the file does not begin as a log does");
+      return damagedAt(0, "the file does not start with the MCAP magic");
     }
     if (there < mcap::magic().size()) return false;
     used = position = there;
@@ -223,13 +223,13 @@ struct LogFollower::Impl {
     const std::optional<ChunkFront> front = readFront(stored);
     if (!front) {
       if (stored.size() < most) return false;
-      return damagedAt(position, "the header of a chunk makes no sense");
+      return damagedAt(position, "the header of a chunk is invalid");
     }
     chunk_from = position;
     if (front->open()) {
       const std::string_view compression = front->chunk.compression;
       if (!compression.empty() && compression != "zstd") {
-        return damagedAt(position, "an open chunk is compressed with neither zstd nor nothing");
+        return damagedAt(position, "an open chunk has a compression other than zstd or none");
       }
       ++spans;
       used = position += front->front_bytes;
@@ -242,13 +242,13 @@ struct LogFollower::Impl {
     }
     if (front->length > std::numeric_limits<std::int64_t>::max() - position ||
         front->length < front->front_bytes - mcap::kPrefixBytes) {
-      return damagedAt(position, "the length of a chunk makes no sense");
+      return damagedAt(position, "the length of a chunk is invalid");
     }
     chunk_to = position + mcap::kPrefixBytes + front->length;
     const bool quiet = chunk_to <= quiet_until && header.profile == profile::kName;
     if (quiet || front->length > mcap::kMaxChunkBytes + most) {
       // Every chunk of ours defines what it uses, so nothing is missed.
-      if (!quiet) damaged("the chunk is larger than what is read");
+      if (!quiet) damaged("the chunk is too large to be read");
       ++spans;
       position = chunk_to;
       return true;
@@ -265,7 +265,7 @@ struct LogFollower::Impl {
     used = position = chunk_to;
     mcap::Chunk chunk;
     if (!mcap::parse(ByteView(stored).subspan(mcap::kPrefixBytes), chunk)) {
-      damaged("the chunk's lengths do not fit into it");
+      damaged("the chunk's lengths do not fit the chunk");
       return true;
     }
     budget.grow(chunk_to - chunk_from);
@@ -343,7 +343,7 @@ struct LogFollower::Impl {
     std::uint64_t length = 0;
     std::memcpy(&length, stored.data() + 1, sizeof(length));
     if (length > mcap::kMaxChunkBytes) {
-      return damagedAt(position, fmt::format("a record of {} bytes lies in a chunk", length));
+      return damagedAt(position, fmt::format("a chunk claims a record of {} bytes", length));
     }
     const std::uint64_t whole = mcap::kPrefixBytes + length;
     if (!have(whole)) return false;
@@ -380,7 +380,7 @@ struct LogFollower::Impl {
                front->chunk.uncompressed_size != expanded_bytes ||
                (front->chunk.uncompressed_crc != 0 &&
                 front->chunk.uncompressed_crc != expanded_crc)) {
-      damaged("the header of a chunk does not tell what was read from it", 0);
+      damaged("the header of a chunk does not match what was read from it", 0);
     }
     stored = behind;
     return {};
@@ -395,7 +395,7 @@ struct LogFollower::Impl {
       takeMetadata(record);
     } else if (record.opcode == Opcode::header) {
       if (!mcap::parse(record.content, header))
-        damaged("the header's lengths do not fit into it", 0);
+        damaged("the header's lengths do not fit the header", 0);
     }
     return std::nullopt;
   }

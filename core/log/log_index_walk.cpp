@@ -107,7 +107,7 @@ class Walk {
     position_ = record.end();
     const std::uint64_t known_end = record.offset + mcap::kPrefixBytes + used;
     if (known_end == position_ || !probe_.plausibleAt(known_end)) return;
-    damaged(record.offset, known_end, "a record's length reaches over the records behind it",
+    damaged(record.offset, known_end, "a record's length reaches over the records after it",
             std::uint64_t{0});
     position_ = known_end;
   }
@@ -187,7 +187,8 @@ class Walk {
     if (!index) return false;
     moveBehind(record, mcap::IndexEntries::kHeadBytes + index->entries.size());
     if (!chunk_) {
-      damaged(record.offset, record.end(), "a message index follows no chunk", index->size());
+      damaged(record.offset, record.end(), "a message index does not follow a chunk",
+              index->size());
       return true;
     }
     chunk_->index_end = position_;
@@ -266,7 +267,7 @@ class Walk {
     }
     if (!span.cut && (start != span.start_time || end != span.end_time)) {
       damaged(span.offset, span.offset + kChunkHeadBytes,
-              "the header of a chunk gives other times than its messages have", std::uint64_t{0});
+              "the times in the header of a chunk are not those of its messages", std::uint64_t{0});
     }
     span.start_time = start;
     span.end_time = end;
@@ -275,7 +276,7 @@ class Walk {
     std::map<ChannelId, std::uint64_t> indexed;
     for (const mcap::IndexEntries& index : indexes_) indexed[index.channel] += index.size();
     if (!indexed.empty() && counts != indexed) {
-      damaged(span.offset, span.end, "the message indexes behind a chunk do not tell its messages",
+      damaged(span.offset, span.end, "the message indexes after a chunk do not match its messages",
               std::uint64_t{0});
       span.index_end = span.end;
     }
@@ -324,8 +325,8 @@ class Walk {
     if (head.open()) {
       chunk.uncompressed_size = mcap::kOpenEnded;
       cause =
-          "a chunk was never finished, because its recorder was stopped in it: what is there is "
-          "read, and no checksum covers it";
+          "a chunk was never finished, because its recorder was stopped: its messages are read, "
+          "but no checksum covers them";
       lost = std::nullopt;
     }
     damaged(position_, end, std::move(cause), lost);
@@ -399,7 +400,7 @@ class Walk {
     const bool to_end = next == file_.size();
     damaged(from, next,
             to_end ? "the file ends inside a record"
-                   : "bytes that are no record; reading went on at the next one",
+                   : "bytes that are not a record; reading resumed at the next one",
             std::nullopt);
   }
 

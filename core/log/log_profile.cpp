@@ -6,9 +6,8 @@ namespace rocinante::profile {
 
 std::string otherFormatText(std::string_view format) {
   return fmt::format(
-      "rocinante.session says format \"{}\", and this program reads format {}: what stands here "
-      "may "
-      "mean something else; use the program that wrote it or a later one",
+      "rocinante.session says format \"{}\", and this program reads format {}: the contents "
+      "may mean something else; use the program that wrote it or a later one",
       format.substr(0, 40), kFormat);
 }
 

@@ -119,7 +119,7 @@ struct LogReader::Impl {
     if (origin && origin_again && *origin != *origin_again) {
       index.damage.push_back({0, file.size(),
                               "rocinante.session and rocinante.end give different origins; the "
-                              "first is followed",
+                              "first is used",
                               std::uint64_t{0}});
     }
     findRange(others);
@@ -248,7 +248,7 @@ struct LogReader::Impl {
           losses->push_back(std::move(*loss));
         } else {
           index.damage.push_back({spanAt(i).offset, spanAt(i).end,
-                                  "a message on /rocinante/loss tells no loss", std::uint64_t{0}});
+                                  "a message on /rocinante/loss is malformed", std::uint64_t{0}});
         }
       }
     }
@@ -346,7 +346,7 @@ Result<Bytes> LogReader::readAttachment(std::size_t index) const {
   const std::uint64_t offset = impl_->index.attachment_offsets[index];
   const std::string place = fmt::format("{}, byte {}", name(), offset);
   if (impl_->is_mapped && !impl_->mapped.whole()) {
-    return Error{ErrorKind::unreadable, "the file was made shorter while it was read", place};
+    return Error{ErrorKind::unreadable, "the file was truncated while it was read", place};
   }
   const std::optional<mcap::Record> record = mcap::recordAt(impl_->file, offset);
   mcap::Attachment attachment;

@@ -122,8 +122,8 @@ Result<LogWriter> LogWriter::create(const std::filesystem::path& path,
 Result<LogWriter> LogWriter::createOn(std::unique_ptr<ByteSink> sink,
                                       const LogWriterOptions& options, std::string session_id) {
   if (options.chunk_bytes == 0 || options.chunk_bytes > mcap::kMaxChunkBytes / 2) {
-    return badArgument(fmt::format("a chunk of {} bytes cannot be: 1 to {} can",
-                                   options.chunk_bytes, mcap::kMaxChunkBytes / 2),
+    return badArgument(fmt::format("chunk size must be 1 to {} bytes, not {}",
+                                   mcap::kMaxChunkBytes / 2, options.chunk_bytes),
                        sink->name());
   }
   std::string name = sink->name();
@@ -169,10 +169,10 @@ Status LogWriter::write(ChannelId channel, std::uint32_t sequence, LogTime log_t
   }
   if (log.failure) return log.refuse(channel);
   if (log_time.time_since_epoch().count() < 0) {
-    return badArgument("a log time lies before 1970", log.name);
+    return badArgument("a log time is before 1970", log.name);
   }
   if (log_time > kLastLogTime) {
-    return badArgument("a log time lies beyond the last, 2^63 - 2 ns", log.name);
+    return badArgument("a log time is beyond the last, 2^63 - 2 ns", log.name);
   }
   if (payload.size() > mcap::kMaxChunkBytes / 2) {
     return badArgument(fmt::format("a message of {} bytes is too large", payload.size()), log.name);

@@ -22,13 +22,13 @@ Result<MappedFile> MappedFile::open(const std::filesystem::path& path) {
   if (file < 0) return failed("cannot open the log");
   struct stat status {};
   if (::fstat(file, &status) != 0) {
-    const Error error = failed("cannot look at the log");
+    const Error error = failed("cannot read the log's size");
     ::close(file);
     return error;
   }
   if (!S_ISREG(status.st_mode)) {
     ::close(file);
-    return Error{ErrorKind::unreadable, "a log must be a plain file", path.string()};
+    return Error{ErrorKind::unreadable, "a log must be a regular file", path.string()};
   }
   MappedFile mapped;
   mapped.file_ = file;

@@ -45,8 +45,7 @@ mcap::Chunk SpanDecoder::chunkInFile(const MessageSpan& span,
     return found;
   }
   damage.push_back({span.offset, span.offset + kChunkHeadBytes + told.compression.size(),
-                    "the header of the chunk is not what the summary says of it; the summary is "
-                    "followed",
+                    "the header of the chunk disagrees with the summary; the summary is used",
                     std::uint64_t{0}});
   found = told;
   mcap::ByteCursor cursor(file_.subspan(static_cast<std::size_t>(span.offset)));
@@ -61,7 +60,7 @@ Result<ByteView> SpanDecoder::stored(ByteView bytes, mcap::Scratch& scratch) con
   const std::span<std::byte> copy(scratch.make(bytes.size()), bytes.size());
   if (mapped_->read(static_cast<std::uint64_t>(bytes.data() - file_.data()), copy)) return copy;
   return Error{ErrorKind::unreadable,
-               "the file was made shorter while it was read, or cannot be read any more",
+               "the file was truncated while it was read, or cannot be read any more",
                {}};
 }
 
@@ -147,7 +146,7 @@ void SpanDecoder::readRecords(const MessageSpan& span, SpanMessages& out) {
   }
   if (too_late > 0) {
     out.damage.push_back({span.offset, span.end,
-                          fmt::format("a log time lies beyond the last, 2^63 - 2 ns, in {} of its "
+                          fmt::format("a log time is beyond the last, 2^63 - 2 ns, in {} of its "
                                       "messages",
                                       too_late),
                           too_late});

@@ -24,7 +24,7 @@ Error cannotMake(int number, const fs::path& path) {
 }
 
 Error existsAlready(const fs::path& path) {
-  return Error{ErrorKind::refused, "the file exists already and is not overwritten", path.string()};
+  return Error{ErrorKind::refused, "the file already exists and is not overwritten", path.string()};
 }
 
 int openUninterrupted(const fs::path& path, int flags) {

@@ -85,7 +85,7 @@ void SpanCache::report(std::uint32_t span, SpanMessages& messages) {
   std::ranges::copy(messages.damage, std::back_inserter(damage_));
   if (orphans > 0) {
     damage_.push_back({where.offset, where.end,
-                       countText(orphans, "message") + " on a channel that nothing defines",
+                       countText(orphans, "message") + " on an undefined channel",
                        std::uint64_t{orphans}});
   }
   for (const ByteView content : messages.channels) {
@@ -101,17 +101,16 @@ void SpanCache::report(std::uint32_t span, SpanMessages& messages) {
   }
   if (messages.places.empty()) return;
   if (where.indexed_messages && messages.damage.empty() && *where.indexed_messages != found) {
-    damage_.push_back(
-        {where.offset, where.end,
-         fmt::format("the message indexes behind a chunk speak of {}, and it holds {}",
-                     countText(*where.indexed_messages, "message"), found),
-         std::uint64_t{0}});
+    damage_.push_back({where.offset, where.end,
+                       fmt::format("the message indexes after a chunk list {}, but it holds {}",
+                                   countText(*where.indexed_messages, "message"), found),
+                       std::uint64_t{0}});
   }
   if (messages.places.front().time_ns < where.start_time.time_since_epoch().count() ||
       messages.places.back().time_ns > where.end_time.time_since_epoch().count()) {
     damage_.push_back({where.offset, where.end,
-                       "a chunk holds messages outside the times that its index gives",
-                       std::uint64_t{0}, true});
+                       "a chunk holds messages outside the times in its index", std::uint64_t{0},
+                       true});
   }
 }
 

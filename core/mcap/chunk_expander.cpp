@@ -77,7 +77,7 @@ Result<ByteView> ChunkExpander::expand(const Chunk& chunk, Scratch& scratch) {
   if (chunk.compression == "zstd") {
     if (claimsMoreThanZstd(chunk)) {
       return damagedChunk(
-          fmt::format("the chunk claims {} bytes out of {}, more than zstd can make",
+          fmt::format("the chunk claims {} bytes out of {}, more than zstd can produce",
                       chunk.uncompressed_size, chunk.records.size()));
     }
     const auto size = static_cast<std::size_t>(chunk.uncompressed_size);

@@ -115,7 +115,7 @@ class FileSink final : public ByteSink {
                                     static_cast<off_t>(size_bytes), SYNC_FILE_RANGE_WRITE);
     });
     if (answer == 0 || notSupported(errno)) return {};
-    return systemError("cannot hand the log to the disk", errno, name_);
+    return systemError("cannot flush the log to the disk", errno, name_);
   }
 
   Status check() override {
@@ -142,7 +142,7 @@ class FileSink final : public ByteSink {
     if (allocated_ahead_) outcome = setSize(end_);
     // EINVAL: a pipe or a device, which has nothing to sync.
     if (uninterrupted([&] { return calls_.fdatasync(file_); }) != 0 && errno != EINVAL && outcome) {
-      outcome = systemError("cannot hand the log to the disk", errno, name_);
+      outcome = systemError("cannot flush the log to the disk", errno, name_);
     }
     // Never called again after EINTR: the descriptor is gone all the same on Linux.
     if (calls_.close(std::exchange(file_, -1)) != 0 && errno != EINTR && outcome) {
@@ -180,7 +180,7 @@ class FileSink final : public ByteSink {
   Status setSize(std::uint64_t size_bytes) {
     const auto size = static_cast<off_t>(size_bytes);
     if (uninterrupted([&] { return calls_.ftruncate(file_, size); }) == 0) return {};
-    return systemError("cannot cut the log to its size", errno, name_);
+    return systemError("cannot truncate the log to its size", errno, name_);
   }
 
   int file_;

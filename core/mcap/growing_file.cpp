@@ -16,7 +16,7 @@ Status GrowingFile::append(ByteView bytes, std::uint64_t tail_bytes) {
 
 Status GrowingFile::appendUncounted(ByteView bytes, std::uint64_t tail_bytes) {
   if (torn_) {
-    return Error{ErrorKind::unreadable, "cannot write behind a write that failed", name()};
+    return Error{ErrorKind::unreadable, "cannot write after a write that failed", name()};
   }
   if (Status room = reserve_.cover(*sink_, size_ + bytes.size() + tail_bytes); !room) return room;
   if (Status written = sink_->append(bytes); !written) {

@@ -39,7 +39,7 @@ struct OpenChunkStream::Impl {
   Status keep(ByteView bytes) {
     expanded_bytes += bytes.size();
     if (expanded_bytes > kMaxChunkBytes) {
-      return damagedChunk(fmt::format("the chunk goes on past {} bytes", kMaxChunkBytes));
+      return damagedChunk(fmt::format("the chunk expands to more than {} bytes", kMaxChunkBytes));
     }
     crc = crc32(bytes, crc);
     pending.insert(pending.end(), bytes.begin(), bytes.end());
@@ -91,7 +91,7 @@ Result<std::optional<Record>> OpenChunkStream::next() {
       std::uint64_t length = 0;
       std::memcpy(&length, rest.data() + 1, sizeof(length));
       if (length > kMaxChunkBytes) {
-        return damagedChunk(fmt::format("a record of {} bytes lies in the chunk", length));
+        return damagedChunk(fmt::format("the chunk claims a record of {} bytes", length));
       }
     }
     return std::optional<Record>();

@@ -28,7 +28,7 @@ std::optional<Record> recordAt(ByteView bytes, std::uint64_t offset) {
 
 Result<StreamReader> StreamReader::open(ByteView file) {
   if (file.size() < magic().size() || !std::ranges::equal(file.first(magic().size()), magic())) {
-    return damagedAt("the file does not begin as an MCAP file does", 0);
+    return damagedAt("the file does not start with the MCAP magic", 0);
   }
   return StreamReader(file);
 }
@@ -57,7 +57,7 @@ Result<std::optional<Record>> StreamReader::next() {
 
   Chunk chunk;
   if (!parse(record->content, chunk)) {
-    return damagedAt("the chunk's lengths do not fit into it", record->offset);
+    return damagedAt("the chunk's lengths do not fit the chunk", record->offset);
   }
   Result<ByteView> records = expander_.expand(chunk, scratch_);
   if (!records) {

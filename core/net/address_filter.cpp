@@ -59,7 +59,7 @@ Status AddressFilter::add(std::string_view cidr) {
   unsigned length = longest;
   if (slash != cidr.npos) {
     const auto given = prefixLength(cidr.substr(slash + 1), longest);
-    if (!given) return bad(fmt::format("after the slash comes a number from 0 to {}", longest));
+    if (!given) return bad(fmt::format("the prefix length must be a number from 0 to {}", longest));
     length = *given;
   }
   const SocketAddress network = masked(*address, length);

@@ -79,10 +79,10 @@ Status checkScheme(std::string_view scheme, std::string_view text) {
   if (scheme == "udp") return {};
   for (const std::string_view later : {"subscribe", "nats"}) {
     if (scheme == later) {
-      return Error{
-          ErrorKind::unsupported,
-          std::string(later) + ":// endpoints are not in this version; use udp://HOST:PORT",
-          printableEndpoint(text)};
+      return Error{ErrorKind::unsupported,
+                   std::string(later) +
+                       ":// endpoints are not supported in this version; use udp://HOST:PORT",
+                   printableEndpoint(text)};
     }
   }
   return bad(text, "an endpoint begins with udp:// or is HOST:PORT or :PORT");
@@ -100,7 +100,7 @@ Result<SocketAddress> parseHostPort(std::string_view host_port, std::string_view
   } else {
     const std::size_t colon = host_port.find(':');
     if (colon != host_port.rfind(':')) {
-      return bad(text, "an IPv6 address stands in brackets, as in [::1]:19960");
+      return bad(text, "an IPv6 address must be in brackets, as in [::1]:19960");
     }
     host = host_port.substr(0, colon);
     port_text = colon == host_port.npos ? std::string_view() : host_port.substr(colon);
@@ -112,7 +112,7 @@ Result<SocketAddress> parseHostPort(std::string_view host_port, std::string_view
     }
     return bad(text, "an endpoint needs a port, as in HOST:19960");
   }
-  if (port_text[0] != ':') return bad(text, "after the address comes a colon and the port");
+  if (port_text[0] != ':') return bad(text, "expected a colon and the port after the address");
   const auto port = decimal<std::uint16_t>(port_text.substr(1));
   if (!port) return bad(text, "a port is a whole number from 0 to 65535");
 
@@ -121,7 +121,7 @@ Result<SocketAddress> parseHostPort(std::string_view host_port, std::string_view
     auto address = SocketAddress::parse(host, *port);
     if (!address) return bad(text, address.error().what);
     if (address->isLinkLocal() && address->scope_id == 0) {
-      return bad(text, "a link-local address is of one interface, as in [fe80::1%eth0]:19960");
+      return bad(text, "a link-local address needs its interface, as in [fe80::1%eth0]:19960");
     }
     return address;
   }
@@ -211,7 +211,7 @@ bool isInterfaceName(std::string_view name) {
 
 Result<Endpoint> Endpoint::parse(std::string_view text) {
   if (text.empty()) return bad(text, "an endpoint is udp://HOST:PORT, HOST:PORT or :PORT");
-  if (text.size() > kMaxTextBytes) return bad(text, "this is too long for an endpoint");
+  if (text.size() > kMaxTextBytes) return bad(text, "the endpoint is too long");
   std::string_view rest = text;
   if (rest.starts_with(kPcapScheme)) return parsePcap(text);
   if (const std::size_t scheme_end = rest.find("://"); scheme_end != rest.npos) {

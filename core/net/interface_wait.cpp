@@ -43,7 +43,7 @@ Status waitForInterfaces(std::span<const Endpoint> endpoints, Nanoseconds longes
     }
     if (std::chrono::steady_clock::now() >= give_up) {
       return Error{ErrorKind::refused,
-                   "there is still no such network interface after " + secondsText(longest) +
+                   "the network interface did not appear within " + secondsText(longest) +
                        " s; there are " + interfaceNames(),
                    missing};
     }

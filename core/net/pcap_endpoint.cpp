@@ -64,7 +64,7 @@ Result<Endpoint> parsePcap(std::string_view text) {
   } else {
     if (!isInterfaceName(place)) {
       return badEndpoint(text,
-                         "after pcap:// comes a network interface, such as eth0 or any, or a "
+                         "pcap:// needs a network interface, such as eth0 or any, or a "
                          "capture file with a / in its name");
     }
     endpoint.interface = place;
@@ -72,7 +72,7 @@ Result<Endpoint> parsePcap(std::string_view text) {
   if (question == rest.size()) return endpoint;
   const std::string_view option = rest.substr(question + 1);
   if (!option.starts_with(kFilter)) {
-    return badEndpoint(text, "the option of a pcap:// endpoint is filter=");
+    return badEndpoint(text, "the only option of a pcap:// endpoint is filter=");
   }
   // The rest, whatever it holds: & and ? have a meaning there.
   const auto filter = decoded(option.substr(kFilter.size()));

@@ -50,7 +50,7 @@ std::optional<std::string> receiveBufferAdvice(const std::string& endpoint,
   const std::uint64_t setting = nextPowerOfTwo((needed + 1) / 2);
   return fmt::format(
       "the receive buffer of {} holds {:.0f} ms of {:.0f} datagrams/s, and a busy machine may be "
-      "away for {} ms: sysctl -w net.core.rmem_max={} and begin anew, or run as root",
+      "away for {} ms: run sysctl -w net.core.rmem_max={} and restart, or run as root",
       endpoint, held_ms, rate.datagrams_a_second,
       std::chrono::duration_cast<std::chrono::milliseconds>(stall).count(), setting);
 }

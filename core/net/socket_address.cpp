@@ -32,18 +32,18 @@ Result<SocketAddress> SocketAddress::parse(std::string_view host, std::uint16_t 
   SocketAddress parsed;
   parsed.port = port;
   // inet_pton reads to a NUL, so one inside would hide what follows it.
-  if (host.find('\0') != host.npos) return badAddress("", "an address holds no NUL");
+  if (host.find('\0') != host.npos) return badAddress("", "an address must not contain NUL");
   const std::size_t percent = host.find('%');
   const std::string number(host.substr(0, percent));
   if (number.find(':') == number.npos) {
     if (percent != host.npos || ::inet_pton(AF_INET, number.c_str(), parsed.address.data()) != 1) {
-      return badAddress(host, "an IPv4 address is four numbers from 0 to 255 with dots between");
+      return badAddress(host, "an IPv4 address is four numbers from 0 to 255 separated by dots");
     }
     return parsed;
   }
   parsed.is_ipv6 = true;
   if (::inet_pton(AF_INET6, number.c_str(), parsed.address.data()) != 1) {
-    return badAddress(host, "this is no IPv6 address");
+    return badAddress(host, "this is not an IPv6 address");
   }
   if (percent == host.npos) return parsed;
   if (!parsed.isLinkLocal() && !parsed.isMulticast()) {

@@ -82,7 +82,7 @@ Result<SocketAddress> SystemSocket::localAddress(const Endpoint& endpoint) const
   sockaddr_storage system{};
   socklen_t length = sizeof system;
   if (::getsockname(descriptor_, reinterpret_cast<sockaddr*>(&system), &length) != 0) {
-    return systemError("cannot tell the socket's own address", endpoint);
+    return systemError("cannot read the socket's own address", endpoint);
   }
   return fromSystem(system);
 }

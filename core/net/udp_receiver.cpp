@@ -189,7 +189,7 @@ Result<UdpReceiver> UdpReceiver::open(const Endpoint& endpoint, const Options& o
   int granted = 0;
   socklen_t length = sizeof granted;
   if (::getsockopt(socket->descriptor(), SOL_SOCKET, SO_RCVBUF, &granted, &length) != 0) {
-    return systemError("cannot tell the receive buffer's size", endpoint);
+    return systemError("cannot read the receive buffer's size", endpoint);
   }
   auto impl = std::make_unique<Impl>(std::move(*socket), endpoint, *bound, options);
   impl->membership = std::move(membership);
@@ -259,7 +259,7 @@ std::optional<std::string> UdpReceiver::maintain() {
     case GroupMembership::Change::none:
       return std::nullopt;
     case GroupMembership::Change::gone:
-      return "the way to " + impl_->endpoint.text() + " is gone: it hears nothing until it is back";
+      return "no route to " + impl_->endpoint.text() + "; nothing is received until it returns";
     case GroupMembership::Change::moved:
       break;
   }

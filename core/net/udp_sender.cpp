@@ -24,7 +24,7 @@ Status configureMulticast(SystemSocket& socket, const Endpoint& to) {
   const auto index = static_cast<int>(*interface);
   if (to.address.is_ipv6) {
     if (index != 0 && !socket.setOption(IPPROTO_IPV6, IPV6_MULTICAST_IF, index)) {
-      return systemError("cannot send by this interface", to);
+      return systemError("cannot send through this interface", to);
     }
     if (!socket.setOption(IPPROTO_IPV6, IPV6_MULTICAST_LOOP, 1)) {
       return systemError("cannot send to listeners on this machine", to);
@@ -38,7 +38,7 @@ Status configureMulticast(SystemSocket& socket, const Endpoint& to) {
   request.imr_ifindex = index;
   if (index != 0 && ::setsockopt(socket.descriptor(), IPPROTO_IP, IP_MULTICAST_IF, &request,
                                  sizeof request) != 0) {
-    return systemError("cannot send by this interface", to);
+    return systemError("cannot send through this interface", to);
   }
   if (!socket.setOption(IPPROTO_IP, IP_MULTICAST_LOOP, 1)) {
     return systemError("cannot send to listeners on this machine", to);
@@ -94,7 +94,7 @@ Status connectTo(SystemSocket& socket, const Endpoint& to, std::uint16_t local_p
   }
   const socklen_t length = toSystem(address, system);
   if (::connect(socket.descriptor(), reinterpret_cast<sockaddr*>(&system), length) != 0) {
-    return systemError("cannot send there", to);
+    return systemError("cannot send to this address", to);
   }
   return {};
 }
@@ -182,7 +182,7 @@ Result<std::size_t> UdpSender::Impl::sendSome(std::span<const ByteView> payloads
       case EMSGSIZE:
         return Error{ErrorKind::bad_argument,
                      "a datagram of " + std::to_string(payloads[0].size()) +
-                         " bytes is longer than the network takes",
+                         " bytes is too long for the network",
                      endpoint.text()};
       default:
         return systemError("cannot send", endpoint);

@@ -5,7 +5,7 @@ namespace rocinante {
 
 Result<std::unique_ptr<DatagramSource>> openPcap(const Endpoint& endpoint, const PcapOptions&) {
   return Error{ErrorKind::unsupported,
-               "this build has no pcap:// (`rocinante --version --parts` says why)",
+               "this build does not support pcap:// (`rocinante --version --parts` says why)",
                endpoint.text()};
 }
 

@@ -31,9 +31,10 @@ Result<Sources> openSources(const std::vector<Endpoint>& endpoints, const InputO
   Sources sources;
   for (const Endpoint& each : endpoints) {
     if (!each.file.empty() && endpoints.size() > 1) {
-      return Error{ErrorKind::bad_argument,
-                   "a capture file is read alone: its times are not those of what arrives now",
-                   each.text()};
+      return Error{
+          ErrorKind::bad_argument,
+          "a capture file must be the only endpoint: its times are not those of live traffic",
+          each.text()};
     }
     auto source = openSource(each, options);
     if (!source) return source.error();

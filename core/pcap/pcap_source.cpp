@@ -48,7 +48,7 @@ class Program {
   Status compile(pcap_t* handle, const std::string& text, const Endpoint& endpoint) {
     if (::pcap_compile(handle, &program_, text.c_str(), 1, PCAP_NETMASK_UNKNOWN) == 0) return {};
     return Error{ErrorKind::bad_argument,
-                 fmt::format("libpcap does not take this filter: {}", ::pcap_geterr(handle)),
+                 fmt::format("libpcap rejects this filter: {}", ::pcap_geterr(handle)),
                  endpoint.text()};
   }
   bpf_program* get() { return &program_; }
@@ -114,13 +114,13 @@ Result<Handle> openInterface(const Endpoint& endpoint, const PcapOptions& option
 Result<Handle> openFile(const Endpoint& endpoint) {
   std::error_code ignored;
   if (!std::filesystem::exists(endpoint.file, ignored)) {
-    return Error{ErrorKind::not_found, "there is no such capture file", endpoint.text()};
+    return Error{ErrorKind::not_found, "the capture file does not exist", endpoint.text()};
   }
   std::array<char, PCAP_ERRBUF_SIZE> fault{};
   Handle handle(::pcap_open_offline_with_tstamp_precision(
       endpoint.file.c_str(), PCAP_TSTAMP_PRECISION_NANO, fault.data()));
   if (handle) return handle;
-  return Error{ErrorKind::damaged, fmt::format("this is no capture file: {}", fault.data()),
+  return Error{ErrorKind::damaged, fmt::format("this is not a capture file: {}", fault.data()),
                endpoint.text()};
 }
 
@@ -140,7 +140,7 @@ class PcapSource final : public DatagramSource {
     if (!link) {
       const char* name = ::pcap_datalink_val_to_name(number);
       return Error{ErrorKind::unsupported,
-                   fmt::format("link type {} is not one that UDP is read from here",
+                   fmt::format("link type {} is not supported",
                                name != nullptr ? name : std::to_string(number)),
                    endpoint_.text()};
     }
@@ -157,7 +157,7 @@ class PcapSource final : public DatagramSource {
       if (frames > 0) continue;
       if (frames < 0 && isFile()) {
         broken_ = Error{ErrorKind::damaged,
-                        fmt::format("the capture breaks off: {}", ::pcap_geterr(handle_.get())),
+                        fmt::format("the capture ends early: {}", ::pcap_geterr(handle_.get())),
                         endpoint_.text()};
         handle_.reset();
         break;
@@ -195,7 +195,7 @@ class PcapSource final : public DatagramSource {
     if (handle_ || isFile()) return std::nullopt;
     if (!gone_told_) {
       gone_told_ = true;
-      return fmt::format("{} is gone: nothing is seen until it is back", endpoint_.text());
+      return fmt::format("{} is gone; nothing is captured until it returns", endpoint_.text());
     }
     if (::if_nametoindex(endpoint_.interface.c_str()) == 0 || !begin()) return std::nullopt;
     gone_told_ = false;

@@ -67,13 +67,13 @@ Result<Condition> Condition::parse(std::string_view text) {
     condition.pattern = text.substr(equals + 1);
   }
   if (condition.pattern.empty()) {
-    return Error{ErrorKind::bad_argument, "a condition says what it waits for", std::string(text)};
+    return Error{ErrorKind::bad_argument, "a condition needs a value", std::string(text)};
   }
   if (condition.kind != Kind::silence) return condition;
   const Result<Nanoseconds> silence = parseDuration(condition.pattern);
   if (!silence) return silence.error();
   if (*silence <= Nanoseconds(0)) {
-    return Error{ErrorKind::bad_argument, "a silence must last", std::string(text)};
+    return Error{ErrorKind::bad_argument, "a silence must be longer than zero", std::string(text)};
   }
   condition.silence = *silence;
   return condition;

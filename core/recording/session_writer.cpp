@@ -129,7 +129,7 @@ SessionWriter& SessionWriter::operator=(SessionWriter&&) noexcept = default;
 Status SessionWriter::beginWith(const SessionState& preceding, LogTime moment) {
   Impl& session = *impl_;
   if (session.begun) {
-    return Error{ErrorKind::bad_argument, "what preceded a session comes before its messages", {}};
+    return Error{ErrorKind::bad_argument, "the preceding state must come before any message", {}};
   }
   session.begun = true;
   session.last_time = moment;

@@ -23,14 +23,14 @@ class Reading {
   Status add(std::string_view datagram) {
     ++number_;
     const Packet* const packet = decoder_.decode(bytesOf(datagram));
-    if (packet == nullptr) return fault("is no packet");
+    if (packet == nullptr) return fault("is not a packet");
     for (const FaultAt& found : decoder_.faults()) {
       if (found.fault == PacketFault::unknown_statement) continue;
       return fault(fmt::format("has a fault in its line {}: {}", found.line, nameOf(found.fault)));
     }
     const PacketHeader& header = packet->header;
     if (header.by.empty() || !header.restated || !header.part || header.reset || header.via) {
-      return fault("is no part of a keyframe");
+      return fault("is not part of a keyframe");
     }
     // Each source says itself once and in whole: else reading one could take for ever.
     const auto left = parts_left_.try_emplace(std::string(header.source), header.part->count).first;

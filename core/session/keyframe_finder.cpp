@@ -24,7 +24,7 @@ KeyframeFinder::KeyframeFinder(LogReader& reader) : reader_(reader) {
     // Logs were laid together by a tool that knows nothing of keyframes: each tells half a state.
     channel_.reset();
     faults_.push_back(
-        {reader.summary().start, "the log has several channels of keyframes, so that none counts"});
+        {reader.summary().start, "the log has several keyframe channels, so none of them is used"});
   }
 }
 
@@ -36,7 +36,7 @@ std::optional<SessionState> KeyframeFinder::usable(const LogMessage& message) {
     return std::nullopt;
   }
   if (!reader_.inOrderAt(message.place())) {
-    refuse(message, "a message that stands behind it in the file sorts before it");
+    refuse(message, "a message after it in the file sorts before it");
     return std::nullopt;
   }
   return std::move(*told);

@@ -94,7 +94,7 @@ Status checkText(const Event& mark, const std::filesystem::path& log) {
     return refused("the text of a mark has at most " + std::to_string(kMaxMarkBytes) + " bytes");
   }
   if (!isUtf8(bytesOf(mark.text))) return refused("the text of a mark must be UTF-8");
-  if (mark.time < LogTime{}) return refused("a mark lies before 1970, where no log begins");
+  if (mark.time < LogTime{}) return refused("a mark must not be before 1970");
   return {};
 }
 
@@ -131,7 +131,7 @@ Result<std::vector<Event>> readMarks(const std::filesystem::path& log) {
     return systemError("cannot read the marks", path);
   }
   if (!S_ISREG(facts.st_mode)) {
-    return Error{ErrorKind::unreadable, "the marks are no file", path.string()};
+    return Error{ErrorKind::unreadable, "the marks are not a regular file", path.string()};
   }
   const Result<std::string> content = readFile(path, kMaxMarksFileBytes);
   if (!content) return content.error();
@@ -164,7 +164,7 @@ Status addMark(const std::filesystem::path& log, const Event& mark) {
   struct stat facts {};
   if (::fstat(file.number(), &facts) != 0) return systemError("cannot read the marks", path);
   if (!S_ISREG(facts.st_mode)) {
-    return Error{ErrorKind::unreadable, "the marks are no file", path.string()};
+    return Error{ErrorKind::unreadable, "the marks are not a regular file", path.string()};
   }
   std::string line = markLine(mark);
   if (facts.st_size > 0) {
@@ -187,7 +187,7 @@ Status addMark(const std::filesystem::path& log, const Event& mark) {
     written = systemError("cannot write the marks", path);
   }
   if (!written && ::ftruncate(file.number(), facts.st_size) != 0) {
-    return Error{written.error().kind, written.error().what + "; a part of the line stands there",
+    return Error{written.error().kind, written.error().what + "; part of the line was written",
                  path.string()};
   }
   return written;

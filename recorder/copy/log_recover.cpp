@@ -169,7 +169,7 @@ Result<CopyReport> recoverLog(const std::filesystem::path& log, const MakeOption
     report->gaps.insert(
         report->gaps.begin(),
         {log.string(),
-         {0, magic.size(), "the file does not begin as a log does", std::uint64_t{0}},
+         {0, magic.size(), "the file does not start with the MCAP magic", std::uint64_t{0}},
          false});
   }
   if (marks_lost) report->notes.push_back(*marks_lost);

@@ -48,7 +48,8 @@ Status checkOutput(const fs::path& path, bool overwrite, std::span<const fs::pat
     }
   }
   if (!S_ISREG(there.st_mode)) {
-    return Error{ErrorKind::refused, "is no file, and is not replaced by one", path.string()};
+    return Error{ErrorKind::refused, "this is not a regular file, so it is not replaced",
+                 path.string()};
   }
   if (!overwrite) return alreadyThere(path);
   return mayReplace(path);

@@ -325,7 +325,7 @@ TEST_P(LogFollowerOfAGrowingFile, NoticesAHeaderThatIsNotThatOfTheChunk) {
     EXPECT_TRUE(follower.ended());
     const std::vector<DamageSpan> damage = follower.takeDamage();
     ASSERT_EQ(damage.size(), 1U);
-    EXPECT_THAT(damage[0].cause, testing::HasSubstr("does not tell what was read"));
+    EXPECT_THAT(damage[0].cause, testing::HasSubstr("does not match what was read"));
   }
 }
 
@@ -411,7 +411,7 @@ TEST(LogFollower, SaysWhenTheFileWasMadeShorter) {
   file.pop_back();
   std::string why;
   EXPECT_FALSE(drain(follower, messages, &why));
-  EXPECT_EQ(why, "the file was made shorter while it was followed (growing.mcap)");
+  EXPECT_EQ(why, "the file was truncated while it was followed (growing.mcap)");
   file = history.after(history.writes().size());
   EXPECT_FALSE(drain(follower, messages)) << "what it has said it says again";
 }
@@ -538,7 +538,7 @@ TEST(LogFollower, SaysWhenAnotherFileTookItsPlace) {
   write("b.mcap");
   std::filesystem::rename(folder / "b.mcap", folder / "a.mcap");
   EXPECT_FALSE(drain(*follower, messages, &why));
-  EXPECT_THAT(why, testing::HasSubstr("another file has taken the place"));
+  EXPECT_THAT(why, testing::HasSubstr("another file replaced the one that is followed"));
 }
 
 }  // namespace

@@ -104,7 +104,7 @@ TEST(GrowingFile, WritesNothingBehindAnAppendThatCouldNotBeTakenBack) {
   ASSERT_FALSE(growing.append(bytesOf("torn"), 0).ok());
   const Status behind = growing.append(bytesOf("lost"), 0);
   ASSERT_FALSE(behind.ok());
-  EXPECT_THAT(behind.error().text(), HasSubstr("cannot write behind a write that failed"));
+  EXPECT_THAT(behind.error().text(), HasSubstr("cannot write after a write that failed"));
   EXPECT_EQ(textOf(file), "wholeto");
 }
 

@@ -65,20 +65,20 @@ TEST(Endpoint, RefusesWithTheReasonAndTheText) {
            Refusal{"127.0.0.1", "an endpoint needs a port, as in HOST:19960"},
            Refusal{"logs/cell.pcapng", "a capture file is given as pcap://./FILE"},
            Refusal{"[fe80::1]:7",
-                   "a link-local address is of one interface, as in [fe80::1%eth0]:19960"},
+                   "a link-local address needs its interface, as in [fe80::1%eth0]:19960"},
            Refusal{"udp://127.0.0.1:", "a port is a whole number from 0 to 65535"},
            Refusal{"127.0.0.1:65536", "a port is a whole number from 0 to 65535"},
            Refusal{"127.0.0.1:007", "a port is a whole number from 0 to 65535"},
            Refusal{"127.0.0.1:+7", "a port is a whole number from 0 to 65535"},
            Refusal{"127.0.0.1:7/", "a port is a whole number from 0 to 65535"},
-           Refusal{"::1:7", "an IPv6 address stands in brackets, as in [::1]:19960"},
+           Refusal{"::1:7", "an IPv6 address must be in brackets, as in [::1]:19960"},
            Refusal{"[::1:7", "the bracket of an IPv6 address is not closed"},
            Refusal{"[127.0.0.1]:7", "brackets are for IPv6 addresses"},
-           Refusal{"[::1]7", "after the address comes a colon and the port"},
-           Refusal{"[::x]:7", "this is no IPv6 address"},
+           Refusal{"[::1]7", "expected a colon and the port after the address"},
+           Refusal{"[::x]:7", "this is not an IPv6 address"},
            Refusal{"300.1.1.1:7",
-                   "an IPv4 address is four numbers from 0 to 255 with dots between"},
-           Refusal{"127.1:7", "an IPv4 address is four numbers from 0 to 255 with dots between"},
+                   "an IPv4 address is four numbers from 0 to 255 separated by dots"},
+           Refusal{"127.1:7", "an IPv4 address is four numbers from 0 to 255 separated by dots"},
            Refusal{"a b:7", "the host is neither an address nor a name"},
            Refusal{"http://127.0.0.1:7", "an endpoint begins with udp:// or is HOST:PORT or :PORT"},
            Refusal{"1.2.3.4:7?interface=lo", "interface= is for multicast groups only"},
@@ -102,9 +102,9 @@ TEST(Endpoint, RefusesWithTheReasonAndTheText) {
            Refusal{"239.0.0.1:7?ttl=1&",
                    "the options of an endpoint are interface=, ttl= and source="},
            Refusal{"pcap://",
-                   "after pcap:// comes a network interface, such as eth0 or any, or a "
+                   "pcap:// needs a network interface, such as eth0 or any, or a "
                    "capture file with a / in its name"},
-           Refusal{"pcap://eth0?ttl=1", "the option of a pcap:// endpoint is filter="},
+           Refusal{"pcap://eth0?ttl=1", "the only option of a pcap:// endpoint is filter="},
            Refusal{"pcap://eth0?filter=",
                    "filter= takes what tcpdump takes, such as udp port 5000"},
            Refusal{"pcap://eth0?filter=100%", "a % in filter= is written %25, as in URLs"},
@@ -129,8 +129,9 @@ TEST(Endpoint, LaterSchemesAreUnsupportedNotWrong) {
     ASSERT_FALSE(endpoint.ok());
     EXPECT_EQ(endpoint.error().kind, ErrorKind::unsupported);
   }
-  EXPECT_EQ(Endpoint::parse("nats://robots").error().text(),
-            "nats:// endpoints are not in this version; use udp://HOST:PORT (nats://robots)");
+  EXPECT_EQ(
+      Endpoint::parse("nats://robots").error().text(),
+      "nats:// endpoints are not supported in this version; use udp://HOST:PORT (nats://robots)");
 }
 
 TEST(Endpoint, ShowsHostileTextAsPrintableAndShort) {

@@ -63,7 +63,7 @@ void expectHeardAgain(const std::string& endpoint) {
 
   for (int round = 0; round < 2; ++round) {
     ASSERT_TRUE(NetworkNamespace::run("ip link del cell0"));
-    EXPECT_THAT(said(*receiver), HasSubstr("is gone: it hears nothing until it is back"));
+    EXPECT_THAT(said(*receiver), HasSubstr("; nothing is received until it returns"));
     EXPECT_EQ(said(*receiver, 50), "");
     ASSERT_TRUE(NetworkNamespace::run(kMake));
     EXPECT_EQ(said(*receiver), "joined " + receiver->endpoint().text() + " again");

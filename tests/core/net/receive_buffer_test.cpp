@@ -55,7 +55,7 @@ TEST(ReceiveBuffer, WhatAUserGetsByDefaultIsEnoughForSixThousandASecondAndNotFor
   ASSERT_TRUE(advice.has_value());
   EXPECT_EQ(*advice,
             "the receive buffer of udp://127.0.0.1:1 holds 26 ms of 20000 datagrams/s, and a busy "
-            "machine may be away for 50 ms: sysctl -w net.core.rmem_max=524288 and begin anew, or "
+            "machine may be away for 50 ms: run sysctl -w net.core.rmem_max=524288 and restart, or "
             "run as root");
 }
 

@@ -249,7 +249,7 @@ TEST(UdpSender, SaysWhenADatagramIsTooLong) {
   const std::string payload(65'508, 'x');
   const Status done = sender->send(bytesOf(payload));
   ASSERT_FALSE(done.ok());
-  EXPECT_EQ(done.error().what, "a datagram of 65508 bytes is longer than the network takes");
+  EXPECT_EQ(done.error().what, "a datagram of 65508 bytes is too long for the network");
 }
 
 }  // namespace

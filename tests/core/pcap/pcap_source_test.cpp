@@ -151,7 +151,7 @@ TEST(PcapSource, SaysWhatIsWrongWithAFileOrAFilter) {
   EXPECT_EQ(error("pcap://" + (folder / "text.pcap").string()).kind, ErrorKind::damaged);
   const Error filter = error(CaptureFile().write(folder / "x.pcap", "prot 5"));
   EXPECT_EQ(filter.kind, ErrorKind::bad_argument);
-  EXPECT_THAT(filter.what, HasSubstr("libpcap does not take this filter: "));
+  EXPECT_THAT(filter.what, HasSubstr("libpcap rejects this filter: "));
   const Error link = error(CaptureFile(147).write(folder / "y.pcap"));
   EXPECT_EQ(link.kind, ErrorKind::unsupported);
 }
@@ -313,7 +313,7 @@ TEST(PcapSource, PutsLiveFragmentsTogetherAndSurvivesItsInterface) {
     said = (*source)->maintain().value_or("");
     ::poll(nullptr, 0, 10);
   }
-  EXPECT_THAT(said, HasSubstr("is gone: nothing is seen until it is back"));
+  EXPECT_THAT(said, HasSubstr("is gone; nothing is captured until it returns"));
   ASSERT_TRUE(NetworkNamespace::run(make));
   EXPECT_TRUE(heard()) << "after it was made anew";
 }

@@ -48,10 +48,10 @@ TEST(Keyframe, WhatLaterVersionsSayIsSkipped) {
 
 TEST(Keyframe, IsRefusedWhereItIsNoneWithTheReason) {
   const std::pair<const char*, const char*> cases[] = {
-      {"hello", "datagram 1 is no packet"},
-      {"RK1 a - -\n", "datagram 1 is no part of a keyframe"},
-      {"RK1 a - - restated part=k:1/1\n", "datagram 1 is no part of a keyframe"},
-      {"RK1 a - - restated part=k:1/1 by=k reset\n", "datagram 1 is no part of a keyframe"},
+      {"hello", "datagram 1 is not a packet"},
+      {"RK1 a - -\n", "datagram 1 is not part of a keyframe"},
+      {"RK1 a - - restated part=k:1/1\n", "datagram 1 is not part of a keyframe"},
+      {"RK1 a - - restated part=k:1/1 by=k reset\n", "datagram 1 is not part of a keyframe"},
       {"RK1 a - - restated part=k:1/2 by=k\n", "parts are missing"},
       {"RK1 a - - restated part=k:1/1 by=k\n\nRK1 a - - restated part=k:1/1 by=k\n",
        "datagram 2 repeats a source"},

@@ -163,7 +163,7 @@ TEST(RecordInputs, GoesOnWhenAnInterfaceIsMadeAnew) {
   UdpSender other = std::move(UdpSender::open(recording.bound[1]).value());
   send("before");
   ASSERT_TRUE(NetworkNamespace::run("ip link del cell0"));
-  recording.program.waitForLine("is gone: it hears nothing until it is back");
+  recording.program.waitForLine("; nothing is received until it returns");
   ASSERT_TRUE(other.send(bytesOf("meanwhile")).ok());
   ASSERT_TRUE(NetworkNamespace::run(make));
   recording.program.waitForLine("joined udp://239.1.2.3:5000?interface=cell0 again");
@@ -210,7 +210,7 @@ TEST(RecordInputs, GivesUpWaitingForAnInterfaceWithWhatThereIs) {
       "rocinante-record", {"udp://239.1.2.3:5000?interface=no-such-9", "--wait-interface", "50ms"});
   EXPECT_EQ(late.exit_code, 2);
   EXPECT_THAT(late.err,
-              HasSubstr("there is still no such network interface after 0.05 s; there are "));
+              HasSubstr("the network interface did not appear within 0.05 s; there are "));
   auto program = Program::start(
       "rocinante-record", {"udp://239.1.2.3:5000?interface=no-such-9", "--wait-interface", "60s"});
   program.waitForLine("waiting for the network interface no-such-9");

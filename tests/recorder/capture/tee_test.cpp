@@ -112,7 +112,7 @@ TEST(Tee, ARefusalOfTheSystemIsOneDatagramAndTold) {
   EXPECT_EQ(account.sent, 2U);
   EXPECT_EQ(account.dropped, 1U);
   ASSERT_TRUE(account.trouble.has_value());
-  EXPECT_THAT(account.trouble->what, HasSubstr("65510 bytes is longer than the network takes"));
+  EXPECT_THAT(account.trouble->what, HasSubstr("65510 bytes is too long for the network"));
   EXPECT_EQ(receiveAll(*receiver, 2), (std::vector<std::string>{"before", "after"}));
 }
 
