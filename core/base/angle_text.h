@@ -4,7 +4,7 @@
 
 namespace rocinante {
 
-/// An angle as people read it: "23.6°", six significant digits. Files and JSON keep radians.
+/// An angle for people: "23.6°", six significant digits. Files and JSON keep radians.
 std::string angleText(double radians);
 
 }  // namespace rocinante

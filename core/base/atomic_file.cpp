@@ -38,7 +38,7 @@ Status writeAll(int file, ByteView bytes, const std::filesystem::path& path) {
   return {};
 }
 
-/// Held meanwhile: no recorder begins to write what is replaced.
+/// Held during the replacement, so that no recorder begins to write the file being replaced.
 Status renameOver(const std::filesystem::path& beside, const std::filesystem::path& path) {
   const Result<HeldFile> held = HeldFile::at(path, HeldFile::For::replacing);
   if (!held) return held.error();

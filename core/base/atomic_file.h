@@ -8,25 +8,25 @@
 
 namespace rocinante {
 
-/// A whole file in memory: at most `max_bytes`, checked before anything is allocated.
+/// Reads a whole file into memory: at most `max_bytes`, checked before anything is allocated.
 Result<std::string> readFile(const std::filesystem::path& path,
                              std::uint64_t max_bytes = std::uint64_t{1} << 31);
 
-/// When the bytes are on the disk: once writeFileWhole() returns, or, of many small files that can
-/// be made again, once syncFileSystem() does. Until then the file is whole for whoever reads it,
-/// also when the program was killed, but perhaps not after a power cut.
+/// When the bytes must be on the disk: once writeFileWhole() returns, or, for many small files that
+/// can be regenerated, once syncFileSystem() does. Until then a reader sees the file whole, even if
+/// the program was killed, but perhaps not after a power cut.
 enum class Sync { now, later };
 
 /// Writes beside `path`, syncs and renames: the file appears whole or not at all. refused when it
-/// exists and `overwrite` is false, is no plain file (a device would be gone), or is a log that
-/// another process is writing (core/base/file_lock.h).
+/// exists and `overwrite` is false, is not a regular file (a device would be replaced), or is a log
+/// that another process is writing (core/base/file_lock.h).
 Status writeFileWhole(const std::filesystem::path& path, ByteView bytes, bool overwrite,
                       Sync sync = Sync::now);
 
-/// Whether writeFileWhole() could begin: asked before work whose result it will hold.
+/// Whether writeFileWhole() could begin: call it before the work whose result it will write.
 Status mayWriteFile(const std::filesystem::path& path, bool overwrite);
 
-/// Waits until all that was written on the file system of `folder` is on the disk.
+/// Waits until everything written to the file system of `folder` is on the disk.
 Status syncFileSystem(const std::filesystem::path& folder);
 
 }  // namespace rocinante

@@ -18,7 +18,7 @@ struct Unit {
   std::int64_t nanoseconds;
 };
 
-// Longest name first where one begins another.
+// A unit that starts with another unit comes before it.
 constexpr std::array kUnits{Unit{"ns", 1},
                             Unit{"us", 1'000},
                             Unit{"ms", 1'000'000},
@@ -192,8 +192,8 @@ std::string secondsText(Nanoseconds duration, int decimals) {
 }
 
 std::string rfc3339Text(WallTime time) {
-  // Field by field: what fmt makes of %S has a fraction since its version 10. Nothing finer than a
-  // second is multiplied, so that the first nanoseconds there are have a text too.
+  // Field by field: fmt's %S prints a fraction since version 10. Only whole seconds are multiplied,
+  // so that the first representable nanoseconds can be printed too.
   constexpr std::int64_t kNanosecondsPerSecond = 1'000'000'000;
   const auto seconds = std::chrono::floor<std::chrono::seconds>(time);
   const auto day = std::chrono::floor<std::chrono::days>(seconds);

@@ -17,10 +17,10 @@
 namespace rocinante {
 namespace {
 
-// A file that replaces another holds the old one for the time of a rename.
+// A program that replaces a file holds the old one's lock for the time of a rename.
 constexpr int kTries = 20;
 constexpr auto kBetweenTries = std::chrono::milliseconds(5);
-// Each turn, another program put a new file there.
+// Attempts; each fails only when another program put a new file there meanwhile.
 constexpr int kMaxReplacements = 100;
 
 Error heldByAnother(int file, const std::filesystem::path& path) {
@@ -47,7 +47,7 @@ Result<Lock> flockWith(int file, int kind, const std::filesystem::path& path) {
   }
 }
 
-/// To lock it: NFS wants a descriptor that can write. -1 when there is nothing to hold.
+/// Opens the file to lock it: NFS wants a writable descriptor. -1 when there is nothing to lock.
 int openToLock(const std::filesystem::path& path) {
   struct stat facts {};
   if (::stat(path.c_str(), &facts) != 0 || !S_ISREG(facts.st_mode)) return -1;
@@ -95,7 +95,7 @@ Result<HeldFile> HeldFile::at(const std::filesystem::path& path, For purpose) {
     if (const Result<Lock> locked = flockWith(held.file_, kind, path); !locked) {
       return locked.error();
     }
-    // While the lock was waited for, another file may have come here.
+    // While this waited for the lock, another file may have replaced it.
     if (isOpenFile(path, held.file_)) return held;
   }
   return Error{ErrorKind::refused, "other programs keep replacing this file", path.string()};

@@ -8,7 +8,7 @@
 namespace rocinante {
 
 std::uint32_t crc32(ByteView bytes, std::uint32_t previous) {
-  // ISA-L's, chosen by what the CPU can do: 15 times as fast as zlib's.
+  // ISA-L's version, chosen by CPU features: 15 times as fast as zlib's.
   return ::crc32_gzip_refl(previous, reinterpret_cast<const unsigned char*>(bytes.data()),
                            bytes.size());
 }

@@ -30,7 +30,7 @@ class Sha256 {
   void add(ByteView bytes);
   /// Eight bytes, least significant first.
   void addU64(std::uint64_t number);
-  /// The digest of all that was added; the object starts anew.
+  /// The digest of everything added; the object starts over.
   Digest finish();
 
  private:

@@ -7,7 +7,7 @@
 namespace rocinante {
 namespace {
 
-/// The upper end of the bin that `us` falls in: 32 bins to each doubling.
+/// The upper end of the bin of `us`: 32 bins per doubling.
 std::uint64_t coarseBin(std::uint64_t us) {
   const int shift = static_cast<int>(std::bit_width(us)) - 6;
   return ((us >> shift) + 1) << shift;
@@ -61,7 +61,7 @@ std::vector<LateHistogram::Bin> LateHistogram::bins() const {
   std::uint64_t up_to_us = 1;
   const auto count = [&](std::uint64_t us, std::uint64_t how_many) {
     if (how_many == 0) return;
-    // 1, 2, 5, 10: what begins with a 2 is followed by two and a half times itself.
+    // 1, 2, 5, 10: a bound that begins with a 2 is followed by 2.5 times itself.
     while (up_to_us < us) {
       std::uint64_t first = up_to_us;
       while (first >= 10) first /= 10;

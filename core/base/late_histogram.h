@@ -10,8 +10,8 @@
 
 namespace rocinante {
 
-/// How late things were: counts by whole microseconds up to four seconds, then within 1/32.
-/// Memory is bounded whatever is added: 32 KiB where anything falls within 4 ms, 34 MB at worst.
+/// Lateness counts: by whole microsecond up to four seconds, then within 1/32. Memory is bounded
+/// for any input: 32 KiB when everything falls within 4 ms, 34 MB at worst.
 class LateHistogram {
  public:
   LateHistogram();
@@ -20,14 +20,14 @@ class LateHistogram {
   void add(Nanoseconds late);
 
   std::uint64_t count() const { return count_; }
-  /// The least lateness, in microseconds rounded up, that `share` (0..1) of all did not exceed.
-  /// 0 when empty.
+  /// The smallest lateness, in microseconds rounded up, that `share` (0..1) of all values did not
+  /// exceed. 0 when empty.
   std::uint64_t percentile(double share) const;
   struct Bin {
-    std::uint64_t up_to_us;  ///< 1, 2, 5, 10 ...; more than the bin's before
+    std::uint64_t up_to_us;  ///< 1, 2, 5, 10 ...; above the previous bin's
     std::uint64_t count;
   };
-  /// The bins that are not empty, the least lateness first.
+  /// The non-empty bins, the smallest lateness first.
   std::vector<Bin> bins() const;
   /// Exact, rounded up to a microsecond.
   std::uint64_t max() const { return max_us_; }
@@ -43,7 +43,7 @@ class LateHistogram {
   std::uint64_t max_us_ = 0;
 };
 
-/// How the error changed from the beginning to the end: the median of the last 100 minus the median
+/// How the error changed from beginning to end: the median of the last 100 values minus the median
 /// of the first 100 (of all, when there are fewer). A schedule that is kept does not drift.
 class DriftMeter {
  public:

@@ -6,17 +6,17 @@
 
 namespace rocinante {
 
-/// The folder that a package's name means, wherever it lies and whatever it is called.
+/// The folder for a package name, wherever the folder is and whatever its own name.
 struct PackageFolder {
   std::string name;
   std::filesystem::path folder;
 };
 
-/// Where whoever runs a program says that files are looked for.
+/// Where the user asked to look for files.
 struct ModelSearch {
-  std::vector<std::filesystem::path> search;  ///< roots besides the cell's own
+  std::vector<std::filesystem::path> search;  ///< roots in addition to the cell's
   bool search_environment = false;      ///< ROCINANTE_PATH, AMENT_PREFIX_PATH, ROS_PACKAGE_PATH too
-  std::vector<PackageFolder> packages;  ///< they outrank those of a cell
+  std::vector<PackageFolder> packages;  ///< take precedence over those of a cell
 };
 
 }  // namespace rocinante

@@ -5,7 +5,7 @@
 namespace rocinante {
 namespace {
 
-// Longer names and longer lists are not worth the time of a hint.
+// Longer names and longer lists are not worth a hint's time.
 constexpr std::size_t kLongestName = 64;
 constexpr std::size_t kMaxNames = 5000;
 constexpr std::size_t kMaxListed = 12;

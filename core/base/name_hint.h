@@ -6,12 +6,12 @@
 
 namespace rocinante {
 
-/// "did you mean `color`?" when one of `known` is close to `name` (a swap, a slip or two, another
-/// case or spelling of the hyphen), else empty. The first of the closest wins.
+/// "did you mean `color`?" when one of `known` is close to `name` (a swap, one or two wrong
+/// letters, different case or hyphens), else empty. The first of the closest wins.
 std::string didYouMean(std::string_view name, const std::vector<std::string_view>& known);
 
-/// The same, or in its place what there is: "there are a, b", "there is only a", "there is none";
-/// of many names a few and how many.
+/// The same, or else the known names: "there are a, b", "there is only a", "there is none"; of many
+/// names the first few and their number.
 std::string whatThereIs(std::string_view name, const std::vector<std::string_view>& known);
 
 }  // namespace rocinante

@@ -11,7 +11,7 @@ constexpr std::size_t kLineBytes = 160;
 
 unsigned byteAt(ByteView bytes, std::size_t at) { return std::to_integer<unsigned>(bytes[at]); }
 
-/// How many bytes the character at `at` takes; 0 when it is no UTF-8.
+/// The length of the character at `at` in bytes; 0 when it is not UTF-8.
 std::size_t characterBytes(ByteView bytes, std::size_t at) {
   const unsigned first = byteAt(bytes, at);
   if (first < 0x80) return 1;
@@ -39,9 +39,9 @@ char32_t characterAt(ByteView bytes, std::size_t at, std::size_t length) {
   return character;
 }
 
-/// What a terminal obeys and does not show: controls (C0, DEL, C1), what turns the direction of the
-/// text around it (bidi), ends lines, or takes no room, so that two names look alike. Joiners
-/// (U+200C, U+200D) are a part of writing and stay.
+/// Characters that a terminal executes or does not show: controls (C0, DEL, C1), and those that
+/// change the direction of text around them (bidi), end lines, or take no room, so that two names
+/// look alike. Joiners (U+200C, U+200D) belong to some scripts and stay.
 bool isUnseen(char32_t c) {
   struct Range {
     char32_t first, last;
@@ -93,7 +93,7 @@ std::string plainLine(ByteView datagram, std::uint32_t number) {
   if (text.ends_with('\r')) text.remove_suffix(1);
   std::string_view part = text.substr(0, kLineBytes);
   if (part.size() < text.size()) {
-    // No character is cut in two: its other bytes begin with 10.
+    // Characters are not split: continuation bytes begin with 10.
     while (!part.empty() && (static_cast<unsigned char>(text[part.size()]) & 0xC0U) == 0x80) {
       part.remove_suffix(1);
     }
@@ -106,7 +106,7 @@ std::string plainLine(ByteView datagram, std::uint32_t number) {
 
 std::string xmlText(std::string_view text) {
   std::string escaped;
-  // What is no UTF-8, and control characters, which XML cannot hold at all, as \xNN.
+  // Bytes that are not UTF-8, and control characters, which XML cannot hold at all, become \xNN.
   std::string line;
   const auto flush = [&] {
     for (const char c : plainText(line)) {

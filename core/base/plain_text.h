@@ -11,20 +11,20 @@ namespace rocinante {
 /// True when the bytes are UTF-8 (RFC 3629: no overlong forms, no surrogates).
 bool isUtf8(ByteView bytes);
 
-/// Text of a stranger as a terminal may see it: control characters, those that turn the direction
-/// of text or take no room, and what is no UTF-8, as \xNN for each byte, so that a datagram can
-/// neither move the cursor, end a line, nor look like another.
+/// Untrusted text as a terminal may show it: control characters, characters that change the
+/// direction of text or take no room, and bytes that are not UTF-8 become \xNN per byte, so that a
+/// datagram can neither move the cursor, end a line, nor look like another.
 std::string plainText(std::string_view text);
 
-/// Line `number` (from 1) of a datagram as a report shows it: plainText with tabs as spaces, cut
-/// when it is very long. Empty when there is none.
+/// Line `number` (from 1) of a datagram for a report: plainText with tabs as spaces, cut when it is
+/// very long. Empty when there is no such line.
 std::string plainLine(ByteView datagram, std::uint32_t number);
 
 /// Text as XML 1.0 can hold it, in an attribute or between tags: markup escaped, line ends as
 /// &#10;, and everything else as plainText, since XML cannot hold control characters at all.
 std::string xmlText(std::string_view text);
 
-/// ":LINE:COLUMN" of byte `number` of a text, all from 1: what stands behind a file's name.
+/// ":LINE:COLUMN" of byte `number` of a text, all from 1: the suffix of a file's name.
 std::string placeIn(std::string_view text, std::size_t number);
 
 }  // namespace rocinante

@@ -46,7 +46,7 @@ Result<PlaybackSpeed> PlaybackSpeed::parse(std::string_view text) {
   } else {
     const auto dot = text.find('.');
     const std::string_view decimals = dot == text.npos ? "" : text.substr(dot + 1);
-    // "2." would leave the reader wondering what was cut off.
+    // "2." would look as if a digit had been lost.
     if (dot != text.npos && decimals.empty()) return badSpeed(text);
     log_part = parseDigits(std::string(text.substr(0, dot)) + std::string(decimals));
     for (std::size_t i = 0; i < decimals.size() && i < 9; ++i) *real_part *= 10;
@@ -78,7 +78,7 @@ std::string PlaybackSpeed::text() const {
     std::string digits = std::to_string(log_part_ % real_part_ * (tenths / real_part_));
     digits.insert(0, decimals - digits.size(), '0');
     std::string decimal = std::to_string(whole) + "." + digits;
-    // parse() takes nine digits in all; a longer decimal is shorter as a ratio.
+    // parse() takes nine digits in all; a decimal with more is shorter as a ratio.
     if (decimal.size() <= 10) return decimal;
   }
   return std::to_string(log_part_) + "/" + std::to_string(real_part_);

@@ -6,14 +6,14 @@
 
 namespace rocinante {
 
-/// What a caller can do about a failure. The name is stable: scripts and exit codes depend on it.
+/// What a caller can do about a failure. Names are stable: scripts and exit codes depend on them.
 enum class ErrorKind {
   not_found,     ///< the file, channel or device does not exist
   unreadable,    ///< it exists, but the system refused the read or the write
   damaged,       ///< the bytes break the format's own rules
   unsupported,   ///< valid, but made by a newer version or with an option we lack
-  bad_argument,  ///< the user asked for something that cannot be
-  refused,       ///< the system will not give it: a port in use, no display, no permission
+  bad_argument,  ///< the user asked for something impossible
+  refused,       ///< the system denies it: a port in use, no display, no permission
 };
 
 /// A failure, complete enough to print as it is.

@@ -7,7 +7,7 @@
 
 namespace rocinante {
 
-/// One of a list that only grows, so that a signal handler can walk it without a lock.
+/// An entry of a list that only grows, so that a signal handler can walk it without a lock.
 struct UnfinishedPath::Entry {
   std::string path;
   std::atomic<bool> unfinished{true};
@@ -16,7 +16,7 @@ struct UnfinishedPath::Entry {
 
 namespace {
 
-/// An UnfinishedPath::Entry, whose type nobody else may name.
+/// An UnfinishedPath::Entry; the type is private to UnfinishedPath.
 std::atomic<void*> newest_unfinished{nullptr};
 static_assert(std::atomic<void*>::is_always_lock_free, "read by a signal handler");
 static_assert(std::atomic<bool>::is_always_lock_free, "read by a signal handler");

@@ -7,9 +7,9 @@
 
 namespace rocinante {
 
-/// A file, or a folder with nothing else in it, that goes when the work on it ends early: by the
-/// destructor, or by a signal that ends the process (cli::StopDeadline). Not for sharing between
-/// threads.
+/// A file, or a folder with nothing else in it, that is removed when the work on it ends early: by
+/// the destructor, or by a signal that ends the process (cli::StopDeadline). Not for sharing
+/// between threads.
 class UnfinishedPath {
  public:
   UnfinishedPath() = default;
@@ -18,7 +18,7 @@ class UnfinishedPath {
   UnfinishedPath(UnfinishedPath&& other) noexcept;
   UnfinishedPath& operator=(UnfinishedPath&& other) noexcept;
 
-  /// It is finished, or has another name by now: it stays.
+  /// Keeps the path: it is finished, or was renamed.
   void keep();
 
  private:
@@ -29,10 +29,11 @@ class UnfinishedPath {
   Entry* entry_ = nullptr;  ///< never freed: a signal handler may look at it at any time
 };
 
-/// Removes all that are unfinished, the latest first. For signal handlers too.
+/// Removes all unfinished paths, the latest first. Safe in signal handlers.
 void removeUnfinishedPaths();
 
-/// While it lives, this thread takes no signal that ends work early: names are given all or none.
+/// While it lives, stop signals are blocked in this thread, so that files get all their names or
+/// none.
 class EndingHeld {
  public:
   EndingHeld();

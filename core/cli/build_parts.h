@@ -7,8 +7,8 @@ namespace rocinante {
 /// An optional part of this build, as CMake chose it (cmake/parts.cmake).
 struct BuildPart {
   const char* name;
-  const char* does;  ///< what it is for: "reading SDF"
-  const char* file;  ///< the program or module (.so) it lies in; empty: inside the others
+  const char* does;  ///< its purpose: "reading SDF"
+  const char* file;  ///< the program or module (.so) that holds it; empty: built into the others
   bool built;
   const char* detail;  ///< built: its libraries with their versions; else why it was left out
 };

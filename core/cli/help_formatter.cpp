@@ -14,7 +14,8 @@ constexpr const char* kExitCodes =
     "\nExit codes: 0 done, same or compatible; 1 the answer is no, or something was not kept;\n"
     "2 could not run, or nothing was judged.";
 
-/// What CLI11 puts behind the word for a value: ":POSITIVE", ":INT in [0 - 64]", ":{text,json}".
+/// The suffix that CLI11 adds to the word for a value: ":POSITIVE", ":INT in [0 - 64]",
+/// ":{text,json}".
 std::string_view checkOf(std::string_view type) {
   const std::size_t colon = type.find(':');
   return colon == type.npos ? std::string_view() : type.substr(colon + 1);
@@ -33,8 +34,8 @@ std::string valueWord(std::string_view type) {
   return word == "FLOAT" ? "X" : std::string(word);
 }
 
-/// CLI11's own layout differs from one version to the next (2.5 wraps, indents and shouts), so all
-/// of it is ours: the text, and what the shell completes from it, is the same with each.
+/// CLI11's own layout differs between versions (2.5 wraps, indents and shouts), so the whole layout
+/// is ours: the text, and the shell completion made from it, is the same with every version.
 class HelpFormatter final : public CLI::Formatter {
  public:
   std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode) const override {
@@ -87,7 +88,7 @@ class HelpFormatter final : public CLI::Formatter {
     return usage + "\n";
   }
 
-  /// The name on the left, beside it its lines.
+  /// The name on the left, its lines to the right of it.
   static std::string row(const std::string& name, const std::string& lines) {
     constexpr std::size_t kColumn = 34;
     std::string text = "  " + name;
@@ -110,7 +111,7 @@ class HelpFormatter final : public CLI::Formatter {
     return text;
   }
 
-  /// Groups of options of which so many are to be given, each below its description; then the
+  /// Option groups with a required number of options, each below its description; then the
   /// subcommands.
   static std::string subcommandsOf(const CLI::App* app) {
     std::string groups, commands;
@@ -156,7 +157,7 @@ struct ValueWord {
   std::string_view option, word;
 };
 
-/// What an option takes whose program names no word for it: one word for one thing, everywhere.
+/// Words for the values of options that have none of their own, so that each word means one thing.
 constexpr ValueWord kValueWords[] = {
     {"after", "TIME"},      {"at", "TIME"},
     {"at-file", "FILE"},    {"baseline", "FILE"},
@@ -187,7 +188,7 @@ constexpr ValueWord kValueWords[] = {
 
 void nameValues(CLI::App& app) {
   for (CLI::Option* option : app.get_options({})) {
-    // CLI11's word for any text.
+    // CLI11's word for any text is TEXT.
     if (option->get_type_name() != "TEXT" || !option->nonpositional()) continue;
     for (const ValueWord& each : kValueWords) {
       if (option->check_lname(std::string(each.option))) {
@@ -197,7 +198,7 @@ void nameValues(CLI::App& app) {
   }
 }
 
-/// The lines of `examples` that show the subcommand `name`.
+/// The lines of `examples` for the subcommand `name`.
 std::string examplesOf(std::string_view examples, const std::string& name) {
   std::string chosen;
   while (!examples.empty()) {

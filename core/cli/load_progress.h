@@ -6,8 +6,8 @@
 
 namespace rocinante::cli {
 
-/// What a program hands to whatever loads files (CellOptions::progress): a ProgressLine that says
-/// "loading NAME 42 %", by bytes, and goes when all that is known of is there.
+/// The progress callback for loading files (CellOptions::progress): a ProgressLine that says
+/// "loading NAME 42 %", by bytes, and disappears when everything known is loaded.
 TellLoadProgress loadProgress(const std::string& name);
 
 }  // namespace rocinante::cli

@@ -5,9 +5,9 @@
 
 namespace rocinante {
 
-/// What `rocinante --version --parts` lists: a line for each optional part, whether it was built,
-/// with which libraries, and else why not. A part that was built and whose program (in `programs`)
-/// or module is missing, as where only some packages are installed, is "absent".
+/// The lines of `rocinante --version --parts`: one for each optional part, whether it was built,
+/// with which libraries, or why not. A part is "absent" when it was built but its program (in
+/// `programs`) or module is missing, for example because only some packages are installed.
 std::string partsText(const std::filesystem::path& programs);
 
 }  // namespace rocinante

@@ -30,19 +30,20 @@ static_assert(std::atomic<bool>::is_always_lock_free, "set from a signal handler
 
 std::string program_name = "rocinante";
 
-// One wish to stop can come as several signals: timeout(1) sends one to the process and one to the
-// group, a shell script that is interrupted passes on what its child has had already.
+// A single request to stop can arrive as several signals: timeout(1) sends one to the process and
+// one to the group, and an interrupted shell script forwards the one that its child already
+// received.
 constexpr std::int64_t kSameWishMs = 500;
 std::atomic<std::int64_t> stop_requested_at_ms{0};
 static_assert(std::atomic<std::int64_t>::is_always_lock_free, "set from a signal handler");
 
 std::int64_t steadyMilliseconds() {
   timespec now{};
-  ::clock_gettime(CLOCK_MONOTONIC, &now);  // may be called in a signal handler
+  ::clock_gettime(CLOCK_MONOTONIC, &now);  // async-signal-safe
   return now.tv_sec * 1'000 + now.tv_nsec / 1'000'000;
 }
 
-// Of the StopDeadline that lives.
+// State of the StopDeadline that is alive.
 constexpr suseconds_t kStopWithinUs = 700'000;
 std::atomic<bool> has_deadline{false};
 std::string deadline_farewell;
@@ -52,7 +53,7 @@ void onDeadline(int) {
   if (!has_deadline.load()) return;
   if (deadline_last != nullptr) deadline_last();
   removeUnfinishedPaths();
-  // Nobody hears it, or everybody does: there is no other way to say so here.
+  // A failed write is ignored: nothing else can be done here.
   (void)!::write(STDERR_FILENO, deadline_farewell.data(), deadline_farewell.size());
   ::_exit(static_cast<int>(Exit::could_not_run));
 }
@@ -67,7 +68,7 @@ void onStopSignal(int signal_number) {
   std::int64_t first = 0;
   const std::int64_t now = steadyMilliseconds();
   if (stop_requested_at_ms.compare_exchange_strong(first, now) || now - first < kSameWishMs) return;
-  // A later one is the user's last word.
+  // A later signal ends the process at once.
   ::signal(signal_number, SIG_DFL);
   ::raise(signal_number);
 }
@@ -90,7 +91,7 @@ int run(CLI::App& app, int argc, char** argv, std::string_view examples,
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& fault) {
-    // --help and --version come this way too, with code 0.
+    // --help and --version arrive here too, with code 0.
     if (fault.get_exit_code() == 0) return app.exit(fault, std::cout, std::cerr);
     warn(usageFault(app, fault));
     return static_cast<int>(Exit::could_not_run);
@@ -99,7 +100,7 @@ int run(CLI::App& app, int argc, char** argv, std::string_view examples,
     const Result<Exit> outcome = body();
     if (!outcome) {
       warn(outcome.error().text());
-      // What could not be told was found all the same.
+      // The body reached an answer, but output failed.
       return static_cast<int>(std::ferror(stdout) != 0 ? Exit::no : Exit::could_not_run);
     }
     // A full disk or a closed pipe must not look like success.
@@ -117,7 +118,7 @@ int run(CLI::App& app, int argc, char** argv, std::string_view examples,
 void catchStopSignals() {
   struct sigaction action {};
   action.sa_handler = onStopSignal;
-  // No SA_RESTART: a blocking call must come back.
+  // No SA_RESTART: a blocking call must return.
   ::sigaction(SIGINT, &action, nullptr);
   ::sigaction(SIGTERM, &action, nullptr);
 }
@@ -154,7 +155,7 @@ StopDeadline::~StopDeadline() {
 bool stopRequested() { return stop_requested.load(); }
 
 void warn(std::string_view text) {
-  // Names of strangers are in it. A sentence over several lines keeps them.
+  // The text may contain untrusted names; the line breaks of a multi-line message stay.
   std::string shown = program_name + ": ";
   for (std::size_t at = 0; at <= text.size();) {
     const std::size_t end = std::min(text.find('\n', at), text.size());

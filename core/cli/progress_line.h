@@ -8,15 +8,15 @@ namespace rocinante::cli {
 /// "reading session.mcap 42 %" on a terminal, once the work has taken a second; nothing elsewhere.
 class ProgressLine {
  public:
-  /// `doing` is what stands before the percentage.
+  /// `doing` is the text before the percentage.
   explicit ProgressLine(std::string doing);
   ~ProgressLine();
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// `part` of the work is done, 0 to 1.
+  /// `part`: how much of the work is done, 0 to 1.
   void show(double part);
-  /// Takes it away again, until the next show().
+  /// Removes the line until the next show().
   void clear();
 
  private:

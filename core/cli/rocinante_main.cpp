@@ -1,5 +1,5 @@
-// `rocinante VERB ...` runs `rocinante-VERB ...`: from the folder of this program when it is
-// there, else from PATH. Links nothing of ours but the base.
+// `rocinante VERB ...` runs `rocinante-VERB ...`: from this program's folder if it is there, else
+// from PATH. Links only the base library.
 #include <unistd.h>
 
 #include <algorithm>
@@ -97,7 +97,7 @@ int main(int argc, char** argv) {
   }
 
   std::string program = "rocinante-" + std::string(verb);
-  // A sub-verb may have a program of its own, which starts faster than the one with all of them.
+  // A sub-verb may be a program of its own, which starts faster than the full one.
   const std::string_view sub_verb = argc > 2 ? argv[2] : "";
   if (!is_self_test && !sub_verb.empty() &&
       sub_verb.find_first_of("/-.") == std::string_view::npos) {
@@ -109,7 +109,7 @@ int main(int argc, char** argv) {
   ::execv(beside.c_str(), argv + 1);
   if (errno == ENOENT) ::execvp(program.c_str(), argv + 1);
   if (errno == ENOENT && isKnown(verb)) {
-    // Built without it, as a recorder's machine without a display is.
+    // Not in this build, as on a recorder's machine without a display.
     std::fprintf(stderr, "rocinante: %s is not installed here%s\n", program.c_str(),
                  verb == "view" ? ": install the package rocinante-view" : "");
   } else if (errno == ENOENT) {

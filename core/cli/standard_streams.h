@@ -2,9 +2,10 @@
 
 namespace rocinante::cli {
 
-/// Fills what is closed of the first three descriptors, before anything is opened: else a log or a
-/// socket would get the number of standard output, and what the program says would be written into
-/// it. What is filled refuses to be read or written, so that a lost report is still noticed.
+/// Opens whatever is closed of the first three descriptors, before anything else is opened:
+/// otherwise a log or a socket would get the number of standard output, and the program's output
+/// would go into it. Descriptors opened here refuse reads and writes, so that a lost report is
+/// still noticed.
 void fillClosedStandardStreams();
 
 }  // namespace rocinante::cli

@@ -14,7 +14,7 @@ std::string_view variable(const char* name) {
   return value == nullptr ? std::string_view() : value;
 }
 
-/// As setlocale() would choose, without changing how this process reads numbers.
+/// The locale as setlocale() would choose it, without changing how this process reads numbers.
 bool localeIsUtf8() {
   for (const char* name : {"LC_ALL", "LC_CTYPE", "LANG"}) {
     const std::string_view locale = variable(name);
@@ -42,7 +42,7 @@ OutputTerminal outputTerminal() {
 }
 
 std::string statusLine(std::string_view text) {
-  // Erased first: at the end of a line that was cut, the last character would go.
+  // Erased first: erasing at the end of a cut line would delete its last character.
   return "\r\033[K\033[?7l" + std::string(text) + "\033[?7h";
 }
 

@@ -6,7 +6,7 @@
 
 namespace rocinante::cli {
 
-/// What standard output is, for programs that lay text out for people.
+/// Properties of standard output, for programs that lay out text for people.
 struct OutputTerminal {
   bool is_terminal = false;
   bool color = false;       ///< a terminal, NO_COLOR is unset and TERM is not "dumb"
@@ -15,8 +15,8 @@ struct OutputTerminal {
 };
 OutputTerminal outputTerminal();
 
-/// `text` as the one line that a terminal shows again and again: in place of the one before, and
-/// cut by the terminal itself where it is too narrow, however it is resized.
+/// `text` as a status line that replaces itself: it overwrites the previous one, and the terminal
+/// itself cuts it to its width, however it is resized.
 std::string statusLine(std::string_view text);
 
 }  // namespace rocinante::cli

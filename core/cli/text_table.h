@@ -8,12 +8,12 @@
 namespace rocinante::cli {
 
 /// Rows of cells as lines, every column as wide as its widest cell; the last column is not padded.
-/// Cells are UTF-8, one place a character.
+/// Cells are UTF-8, one column per character.
 struct TextTable {
   std::vector<std::vector<std::string>> rows;
   std::vector<bool> is_number;  ///< by column: set to the right; one for each cell of a row
 
-  /// Lines begin with two spaces and are cut after `columns` places; 0: never.
+  /// Lines begin with two spaces and are cut after `columns` characters; 0: never.
   std::string text(std::size_t columns = 0) const;
 };
 

@@ -32,13 +32,13 @@ std::vector<std::string> optionNames(const CLI::App& app) {
 std::vector<std::string> subcommandNames(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::App* subcommand : app.get_subcommands({})) {
-    // Without a name it is a group of options.
+    // An unnamed one is a group of options.
     if (!subcommand->get_name().empty()) names.push_back(subcommand->get_name());
   }
   return names;
 }
 
-/// "; did you mean `--duration`?", also for a beginning that only one name has; or empty.
+/// "; did you mean `--duration`?", also for a prefix that only one name has; or empty.
 std::string hint(std::string_view name, const std::vector<std::string>& known) {
   const std::string close = didYouMean(name, {known.begin(), known.end()});
   if (!close.empty()) return "; " + close;
@@ -72,7 +72,7 @@ std::string plainNumber(std::string_view text) {
   return std::string(text);
 }
 
-/// "Value 20 not in range 64 to 65507": CLI11 ends it with [64 - 65507] since its version 2.4.
+/// "Value 20 not in range 64 to 65507": CLI11 prints [64 - 65507] from version 2.4 on.
 std::string oneRangeWording(std::string_view said) {
   constexpr std::string_view kRange = " not in range ";
   const std::size_t at = said.find(kRange);
@@ -89,7 +89,7 @@ std::string oneRangeWording(std::string_view said) {
          " to " + plainNumber(range.substr(middle + between.size()));
 }
 
-/// "--a is required but 2 were given": what CLI11 before its version 2.4 says with "and".
+/// "--a is required but 2 were given": CLI11 before 2.4 writes "and" in place of "but".
 std::string oneCountWording(std::string said) {
   constexpr std::string_view kBut = " is required but ";
   const std::size_t at = said.find(kBut);
@@ -105,7 +105,7 @@ std::string usageFault(const CLI::App& app, const CLI::ParseError& fault) {
   const auto kind = static_cast<CLI::ExitCodes>(fault.get_exit_code());
   std::vector<std::string> left = innermost_app.remaining();
   if (left.empty()) left = app.remaining(true);
-  // What is missing is often there, under a name that is not known: then that is the fault.
+  // A missing argument is often there under a misspelt name: then the name is the fault.
   const bool about_names =
       kind == CLI::ExitCodes::ExtrasError || kind == CLI::ExitCodes::RequiredError;
   if (about_names && !left.empty()) return unexpected(innermost_app, left.front()) + where;

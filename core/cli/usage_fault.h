@@ -9,9 +9,9 @@ class ParseError;
 
 namespace rocinante::cli {
 
-/// What is wrong with a command line, as one sentence with a hint where a name was nearly right:
-/// "there is no option --durtion; did you mean `--duration`? (see rocinante-record --help)".
-/// `app` is the program whose arguments made `fault`.
+/// The fault of a command line as one sentence, with a hint where a name was nearly right: "there
+/// is no option --durtion; did you mean `--duration`? (see rocinante-record --help)". `app` is the
+/// program whose arguments caused `fault`.
 std::string usageFault(const CLI::App& app, const CLI::ParseError& fault);
 
 }  // namespace rocinante::cli

@@ -10,7 +10,7 @@
 namespace rocinante::cli {
 namespace {
 
-// hardware_concurrency() knows nothing of the cores that a container was given.
+// hardware_concurrency() ignores a container's CPU set.
 std::size_t coresAllowed() {
   cpu_set_t cores;
   if (::sched_getaffinity(0, sizeof cores, &cores) != 0) return 1;

@@ -4,8 +4,8 @@
 
 namespace rocinante::cli {
 
-/// A ParallelFor on as many threads as the process may run on, the caller's among them. The others
-/// are started by each call and have ended when it returns. For programs: core itself starts none.
+/// A ParallelFor on as many threads as the process may use, the caller's included. Each call starts
+/// the others and joins them before it returns. For programs: core itself starts no threads.
 ParallelFor workerThreads();
 
 }  // namespace rocinante::cli

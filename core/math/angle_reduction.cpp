@@ -9,8 +9,8 @@ namespace {
 
 __extension__ using Wide = unsigned __int128;
 
-// 2/pi in binary, after 64 zeros that stand for the digits before its point: an angle below 2^63
-// begins to read there. 1152 digits reach the last that the largest double needs.
+// 2/pi in binary, after 64 zeros in place of the digits before its point: reading for an angle
+// below 2^63 begins there. 1152 digits reach the last one that the largest double needs.
 constexpr std::array<std::uint64_t, 20> kTwoOverPi = {
     0x0000000000000000, 0xa2f9836e4e441529, 0xfc2757d1f534ddc0, 0xdb6295993c439041,
     0xfe5163abdebbc561, 0xb7246e3a424dd2e0, 0x06492eea09d1921c, 0xfe1deb1cb129a73e,
@@ -40,7 +40,8 @@ double powerOfTwo(int exponent) {
   return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);
 }
 
-// The upper 128 bits of the product of two 128-bit numbers, short by at most 3 of their last unit.
+// The upper 128 bits of the product of two 128-bit numbers, low by at most 3 units of the last
+// place.
 Wide highProduct(Wide a, std::uint64_t b_high, std::uint64_t b_low) {
   const Wide upper = Wide{highOf(a)} * b_high;
   const Wide middle_a = Wide{highOf(a)} * b_low;

@@ -2,11 +2,11 @@
 
 namespace rocinante {
 
-/// An angle less a whole number of right angles.
+/// An angle reduced by a whole number of right angles.
 struct ReducedAngle {
   double high;        ///< in [-pi/4, pi/4]
-  double low;         ///< what `high` leaves out, below a unit in its last place
-  unsigned quadrant;  ///< right angles taken away, modulo 4
+  double low;         ///< the rest, below a unit in the last place of `high`
+  unsigned quadrant;  ///< right angles subtracted, modulo 4
 };
 
 /// Reduces a finite, non-negative angle. `high + low` is good to 70 bits for every double: the

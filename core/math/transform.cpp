@@ -81,7 +81,7 @@ Mat4 matrixOf(const Pose& pose) {
 }
 
 Pose poseOf(const Mat4& m) {
-  // The largest of the four squares is at least 1/4: nothing is divided by a small number.
+  // The largest of the four squares is at least 1/4, so no divisor is small.
   const double trace = m[0][0] + m[1][1] + m[2][2];
   Quat q;
   if (trace >= m[0][0] && trace >= m[1][1] && trace >= m[2][2]) {

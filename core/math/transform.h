@@ -11,7 +11,7 @@ namespace rocinante {
 
 /// Unit quaternion of fixed-axis roll, pitch, yaw as URDF has them: Rz(yaw) * Ry(pitch) * Rx(roll).
 Quat quaternionFromRpy(const Vec3& rpy_rad);
-/// Turn by `angle_rad` about a unit axis.
+/// Rotation by `angle_rad` about a unit axis.
 Quat quaternionAbout(const Vec3& unit_axis, double angle_rad);
 /// Scaled to unit length; empty when it is zero or not finite.
 std::optional<Quat> normalized(const Quat& quaternion);
@@ -26,7 +26,7 @@ Mat4 matrixOf(const Pose& pose);
 Pose poseOf(const Mat4& rigid);
 /// Inverse of a rotation-and-translation matrix.
 Mat4 inverseOfRigid(const Mat4& rigid);
-/// `second` seen through `first`: matrixOf(first) * matrixOf(second).
+/// `second` expressed in `first`: matrixOf(first) * matrixOf(second).
 Pose composed(const Pose& first, const Pose& second);
 
 Vec3 transformPoint(const Mat4& matrix, const Vec3& point);

@@ -12,10 +12,10 @@ namespace rocinante {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-// Below it the cube of an angle is lost beside the angle.
+// Below this angle its cube is lost when added to it.
 constexpr double kTinyAngle = 0x1p-27;
 
-// A value in two doubles: `low` is what `high` leaves out.
+// A value in two doubles: `low` is the part that `high` cannot hold.
 struct Pair {
   double high;
   double low;
@@ -49,7 +49,7 @@ Pair sumOf(const Pair& a, const Pair& b) {
 
 Pair negated(const Pair& a) { return {-a.high, -a.low}; }
 
-// Taylor's own terms on [-pi/4, pi/4]: the first left out is below 2^-63 of the result.
+// Taylor terms on [-pi/4, pi/4]: the first one omitted is below 2^-63 of the result.
 double sineNearZero(const ReducedAngle& r) {
   const double z = r.high * r.high;
   const double tail =
@@ -71,7 +71,7 @@ double cosineNearZero(const ReducedAngle& r) {
                                                                  z * (1.0 / 20922789888000.0))))));
   const double half = 0.5 * z;
   const double head = 1.0 - half;
-  // (1 - head) - half is what rounding `head` lost.
+  // (1 - head) - half is the part that rounding `head` lost.
   return head + (((1.0 - head) - half) + (z * z * tail - r.high * r.low));
 }
 
@@ -199,8 +199,8 @@ double arcTangent2(double y, double x) {
   } else if (steep < -64) {
     angle = {tall / wide, 0.0};  // its cube is lost beside it
   } else {
-    // Scaled so that no product overflows or loses digits. Exact: powers of two; a second turn
-    // for subnormal numbers.
+    // Scaled so that no product overflows or loses digits. Exact: powers of two; subnormal numbers
+    // take a second pass.
     for (int turn = 0; turn < 2; ++turn) {
       const int largest = exponentOf(tall > wide ? tall : wide);
       const int raise = largest > 1500 ? -512 : largest < 500 ? 512 : 0;

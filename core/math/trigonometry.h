@@ -16,7 +16,7 @@ struct SineCosine {
   double sine;
   double cosine;
 };
-/// Both from one reduction of the argument.
+/// Computes both from one reduction of the argument.
 SineCosine sineCosine(double angle_rad);
 
 double sine(double angle_rad);

@@ -1,7 +1,7 @@
 #pragma once
 
-// GLM's types under our names. Only + - * / and sqrt of it may be used where a result reaches
-// a picture: its trigonometry is the C library's, which differs between CPUs (docs/decisions/003).
+// GLM's types under our names. Where a result reaches a picture, only GLM's + - * / and sqrt may be
+// used: its trigonometry is the C library's, which differs between CPUs (docs/decisions/003).
 #ifndef GLM_FORCE_PURE
 #define GLM_FORCE_PURE
 #endif
@@ -21,7 +21,7 @@ using Vec4 = glm::dvec4;
 using Mat4 = glm::dmat4;  ///< column major, column vectors: world = parent * local
 using Quat = glm::dquat;  ///< glm's constructor takes (w, x, y, z); packets say x y z w
 
-/// Where something is: position in metres, orientation a unit quaternion.
+/// Position in metres and orientation as a unit quaternion.
 struct Pose {
   Vec3 position{0, 0, 0};
   Quat orientation{1, 0, 0, 0};
@@ -29,7 +29,7 @@ struct Pose {
   bool operator==(const Pose&) const = default;
 };
 
-/// Written out: glm's own may be vectorised otherwise.
+/// Written out: GLM's own may be vectorised differently.
 inline double dotOf(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 inline Vec3 crossOf(const Vec3& a, const Vec3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
