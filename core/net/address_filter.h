@@ -9,19 +9,20 @@
 
 namespace rocinante {
 
-/// ::ffff:10.0.0.7, as which a socket of IPv6 sees a sender of IPv4, as 10.0.0.7; others as they
-/// are.
+/// ::ffff:10.0.0.7, the form in which an IPv6 socket sees an IPv4 sender, becomes 10.0.0.7; other
+/// addresses stay as they are.
 SocketAddress withoutMapping(const SocketAddress& address);
 
-/// The networks from which datagrams are taken (`--allow CIDR`). Empty: from everywhere. A plain
+/// The networks from which datagrams are accepted (`--allow CIDR`). Empty: any network. A plain
 /// value.
 class AddressFilter {
  public:
   /// "10.0.0.0/8", "fd00::/8", or one address. bad_argument with the reason: a prefix that is too
-  /// long, or bits beyond it, which would say something else than it seems to.
+  /// long, or address bits beyond the prefix, which would suggest another network than the one
+  /// meant.
   Status add(std::string_view cidr);
 
-  /// All of them, or the first failure.
+  /// Parses all of them, or returns the first failure.
   static Result<AddressFilter> of(const std::vector<std::string>& networks);
 
   bool empty() const { return networks_.empty(); }

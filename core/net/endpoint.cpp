@@ -23,7 +23,7 @@ Error bad(std::string_view text, std::string_view reason) { return badEndpoint(t
 
 template <class Number>
 std::optional<Number> decimal(std::string_view text) {
-  // from_chars would take "007" too, and then text() would not give back what was written.
+  // from_chars would accept "007" too, and then text() would not return the input.
   if (text.empty() || (text.size() > 1 && text[0] == '0')) return std::nullopt;
   Number number{};
   const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -40,14 +40,15 @@ bool isHostName(std::string_view host) {
   });
 }
 
-/// As in URLs: a last label that begins with a digit makes it a number, never a name to look up.
+/// As in URLs: a last label that begins with a digit makes the host a number, never a name to look
+/// up.
 bool looksNumeric(std::string_view host) {
   const std::size_t dot = host.find_last_of('.');
   const std::string_view last = dot == host.npos ? host : host.substr(dot + 1);
   return !last.empty() && isDigit(last[0]);
 }
 
-/// The first IPv4 address of a name, else its first IPv6 address: sender and listener that write
+/// The first IPv4 address of a name, else its first IPv6 address: a sender and a receiver that use
 /// the same name must meet, and [::1] and 127.0.0.1 do not.
 Result<SocketAddress> lookUp(std::string_view name, std::uint16_t port, std::string_view text) {
   addrinfo hints{};
@@ -177,7 +178,7 @@ Status setOption(Endpoint& endpoint, std::string_view option, std::string_view t
   return bad(text, "the options of an endpoint are interface=, ttl= and source=");
 }
 
-/// [ff02::1%eth0] and ?interface=eth0 say the same; the canonical form is the second.
+/// [ff02::1%eth0] and ?interface=eth0 mean the same; the second is the canonical form.
 Status moveZoneToInterface(Endpoint& endpoint, std::string_view text) {
   if (!endpoint.isMulticast() || endpoint.address.scope_id == 0) return {};
   char name[IF_NAMESIZE] = {};

@@ -17,41 +17,42 @@ struct SocketAddress {
   std::uint16_t port = 0;
   std::uint32_t scope_id = 0;  ///< IPv6 link-local: the interface's index
 
-  /// A dotted quad or a bare IPv6 address, link-local ones with %ZONE; no names are looked up.
+  /// A dotted quad or a bare IPv6 address, link-local ones with %ZONE; looks up no names.
   static Result<SocketAddress> parse(std::string_view host, std::uint16_t port);
 
   bool isMulticast() const;
   bool isAny() const;
-  bool isLinkLocal() const;      ///< of IPv6: the same address may stand on every interface
+  bool isLinkLocal() const;      ///< of IPv6: every interface may have the same address
   std::string hostText() const;  ///< "127.0.0.1", "fe80::1%eth0"
   std::string text() const;      ///< "127.0.0.1:19960", "[::1]:19960"
   bool operator==(const SocketAddress&) const = default;
 };
 
-/// Where datagrams come from or go to, as a user writes it:
+/// The source or destination of datagrams, as a user writes it:
 /// udp://HOST:PORT, udp://GROUP:PORT?interface=eth0&ttl=1&source=IP, [V6]:PORT, HOST:PORT, :PORT;
-/// for those who listen also pcap://INTERFACE?filter=EXPR and pcap:///FILE.
+/// for receivers also pcap://INTERFACE?filter=EXPR and pcap:///FILE.
 /// Defined by docs/endpoints.md.
 struct Endpoint {
   enum class Scheme { udp, pcap };
 
   Scheme scheme = Scheme::udp;
   SocketAddress address;   ///< ":PORT" is 0.0.0.0 for a listener; nothing for pcap
-  std::string interface;   ///< multicast and pcap only; empty: the system chooses, or a file
-  std::string filter;      ///< pcap only: what tcpdump takes; empty: all UDP
+  std::string interface;   ///< multicast and pcap only; empty: the system chooses, or `file` is set
+  std::string filter;      ///< pcap only: tcpdump's syntax; empty: all UDP
   std::string file;        ///< pcap only: a capture to read, instead of an interface
   std::optional<int> ttl;  ///< 0..255; multicast hops, or unicast time to live
-  /// Multicast only: a listener hears this sender alone, a sender sends from this address. Port 0.
+  /// Multicast only: a receiver accepts this sender alone, a sender sends from this address. Port
+  /// 0.
   std::optional<SocketAddress> source;
 
   /// bad_argument with the reason and the text; unsupported for the schemes of later versions.
-  /// Host names are looked up (getaddrinfo; refused when that fails), numbers are not.
+  /// Looks up host names (getaddrinfo; refused when that fails), but not numeric addresses.
   static Result<Endpoint> parse(std::string_view text);
   /// udp://239.255.19.96:19960?interface=lo&ttl=0
   static Endpoint standard();
 
   bool isMulticast() const { return address.isMulticast(); }
-  /// Watches traffic that has its receiver: UdpReceiver and UdpSender refuse it.
+  /// Watches traffic addressed to other programs: UdpReceiver and UdpSender refuse it.
   bool isPcap() const { return scheme == Scheme::pcap; }
   /// The canonical form; parse(text()) gives the same endpoint.
   std::string text() const;

@@ -5,7 +5,8 @@
 namespace rocinante {
 namespace {
 
-// A flood from elsewhere must not look like silence, nor keep the caller from its other sources.
+// Unwanted batches per call: a flood of them must not look like silence, nor keep the caller from
+// its other sources.
 constexpr int kBatches = 16;
 
 }  // namespace

@@ -8,8 +8,8 @@
 
 namespace rocinante {
 
-/// A source without the datagrams of senders that are not allowed, and without what this program
-/// itself sent; both are counted. A batch of which all is wanted goes through as it is.
+/// A source without the datagrams of senders that are not allowed and without those that this
+/// program itself sent; both are counted. A batch without either passes through unchanged.
 class FilteredSource final : public DatagramSource {
  public:
   FilteredSource(std::unique_ptr<DatagramSource> inner, AddressFilter allow,

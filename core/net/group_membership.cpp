@@ -16,7 +16,7 @@ int levelOf(const Endpoint& endpoint) {
   return endpoint.address.is_ipv6 ? IPPROTO_IPV6 : IPPROTO_IP;
 }
 
-/// For any sender, or for the one that the endpoint names. 0: the system's routes choose.
+/// Joins for any sender, or for the one that the endpoint names. 0: the system's routes choose.
 Status joinBy(unsigned interface, int socket, const Endpoint& endpoint) {
   int answer = 0;
   if (endpoint.source) {
@@ -32,7 +32,7 @@ Status joinBy(unsigned interface, int socket, const Endpoint& endpoint) {
     toSystem(endpoint.address, request.gr_group);
     answer = ::setsockopt(socket, levelOf(endpoint), MCAST_JOIN_GROUP, &request, sizeof request);
   }
-  // Already joined there: what was wanted.
+  // Already joined there is a success.
   const int already = endpoint.source ? EADDRNOTAVAIL : EADDRINUSE;
   if (answer != 0 && errno != already) {
     return systemError("cannot join the multicast group", endpoint);
@@ -40,7 +40,7 @@ Status joinBy(unsigned interface, int socket, const Endpoint& endpoint) {
   return {};
 }
 
-/// The whole group, also for one sender: the way that works when the interface is no more.
+/// Leaves the whole group, also for one sender: this works even when the interface is gone.
 void leave(unsigned interface, int socket, const Endpoint& endpoint) {
   group_req request{};
   request.gr_interface = interface;
@@ -53,7 +53,7 @@ void leave(unsigned interface, int socket, const Endpoint& endpoint) {
 Result<GroupMembership> GroupMembership::join(int socket, const Endpoint& endpoint) {
   const Result<unsigned> named = interfaceIndex(endpoint);
   if (!named) return named.error();
-  // Before joining: what changes from here on is told.
+  // Made before joining, so that changes from here on are seen.
   GroupMembership membership(endpoint, 0);
   if (Status joined = joinBy(*named, socket, endpoint); !joined) return joined.error();
   membership.joined_ = membership.last_ = membership.wanted();
@@ -77,7 +77,7 @@ GroupMembership::Change GroupMembership::look() {
     gone_told_ = false;
     return Change::moved;
   }
-  // Without a name the group may still come by the way it came before.
+  // Without an interface name the group may still arrive through the former interface.
   const bool gone = now == 0 && (!endpoint_.interface.empty() || joined_ == 0);
   if (!gone || last_ == 0 || gone_told_) return Change::none;
   joined_ = 0;

@@ -9,25 +9,26 @@
 
 namespace rocinante {
 
-/// A socket's membership in the multicast group of its endpoint, kept through interfaces that go
-/// and come back: the kernel forgets a membership with the interface that it was on, and one that
-/// is made anew under the same name is another to it. Down and up again keeps it. One thread.
+/// A socket's membership in the multicast group of its endpoint, kept while interfaces disappear
+/// and return: the kernel drops a membership with its interface, and treats an interface recreated
+/// under the same name as a new one. Setting an interface down and up again keeps the membership.
+/// One thread.
 class GroupMembership {
  public:
   /// refused when the endpoint's interface does not exist or the system will not join.
   static Result<GroupMembership> join(int socket, const Endpoint& endpoint);
 
-  /// What has become of the interface since the last look.
+  /// The state of the interface since the last look.
   enum class Change {
     none,
-    gone,   ///< nothing can be heard until it is back
-    moved,  ///< interface() is another now: renew()
+    gone,   ///< nothing is received until it returns
+    moved,  ///< interface() has changed: call renew()
   };
   Change look();
-  /// Joins where the group is to be heard now. After a failure look() says moved again.
+  /// Joins on the interface that now carries the group. After a failure look() returns moved again.
   Status renew(int socket);
 
-  /// The index joined by; 0 when it is gone, or the system did not say.
+  /// The index joined; 0 when the interface is gone, or the system did not report it.
   unsigned interface() const { return joined_; }
 
  private:
@@ -38,7 +39,7 @@ class GroupMembership {
   Endpoint endpoint_;
   RouteSocket routes_;
   unsigned joined_ = 0;
-  unsigned last_ = 0;  ///< the index joined by last, also when it is gone
+  unsigned last_ = 0;  ///< the last index joined, also when the interface is gone
   bool gone_told_ = false;
   bool moved_ = false;
 };

@@ -13,12 +13,12 @@ namespace {
 
 constexpr Nanoseconds kLook = std::chrono::milliseconds(20);
 
-/// Those that do not exist, "eth7, eth8"; empty when all do.
+/// The missing ones, "eth7, eth8"; empty when all exist.
 std::string missingInterfaces(std::span<const Endpoint> endpoints) {
   std::set<std::string> missing;
   for (const Endpoint& endpoint : endpoints) {
     const std::string& name = endpoint.interface;
-    // libpcap's word for all of them.
+    // "any" is libpcap's word for all interfaces.
     if (name.empty() || (endpoint.isPcap() && name == "any")) continue;
     if (::if_nametoindex(name.c_str()) == 0) missing.insert(name);
   }

@@ -4,7 +4,7 @@
 
 namespace rocinante {
 
-/// "lo, eth0": the network interfaces of this machine, for a sentence.
+/// "lo, eth0": the network interfaces of this machine, for messages.
 std::string interfaceNames();
 
 }  // namespace rocinante

@@ -12,7 +12,7 @@ bool isLocalAddress(const SocketAddress& address) {
   if (!socket) return false;
   sockaddr_storage system{};
   const socklen_t length = toSystem(endpoint.address, system);
-  // The kernel lets a socket have any address of the machine, and no other.
+  // The kernel binds a socket only to an address of the machine.
   return ::bind(socket->descriptor(), reinterpret_cast<sockaddr*>(&system), length) == 0;
 }
 

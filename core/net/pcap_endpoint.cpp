@@ -15,7 +15,7 @@ std::optional<unsigned> hexDigit(char c) {
   return std::nullopt;
 }
 
-/// %XX as in URLs. Empty when a % stands for nothing, or a byte is none that text may have.
+/// Decodes %XX as in URLs. Empty when a % is malformed, or a byte is not allowed in text.
 std::optional<std::string> decoded(std::string_view text) {
   std::string bytes;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -34,7 +34,7 @@ std::optional<std::string> decoded(std::string_view text) {
   return bytes;
 }
 
-/// One word, whatever the text: what is no printable character, and `also`, as %XX.
+/// One word for any text: bytes that are not printable, and those of `also`, as %XX.
 std::string encoded(std::string_view text, std::string_view also) {
   constexpr std::string_view kDigits = "0123456789ABCDEF";
   std::string word;
@@ -74,7 +74,7 @@ Result<Endpoint> parsePcap(std::string_view text) {
   if (!option.starts_with(kFilter)) {
     return badEndpoint(text, "the only option of a pcap:// endpoint is filter=");
   }
-  // The rest, whatever it holds: & and ? have a meaning there.
+  // The filter is the whole rest: & and ? have a meaning in filters.
   const auto filter = decoded(option.substr(kFilter.size()));
   if (!filter) return badEndpoint(text, "a % in filter= is written %25, as in URLs");
   if (filter->find_first_not_of(' ') == filter->npos) {

@@ -50,7 +50,7 @@ std::optional<SocketAddress> tableAddress(std::string_view text) {
 
 bool excludes(const SocketAddress& held, const SocketAddress& wanted) {
   if (held.port != wanted.port) return false;
-  // [::] may or may not take IPv4 too; the kernel has already said that something does.
+  // [::] may or may not take IPv4 too; the kernel has already reported a conflict.
   if (held.isAny() && (held.is_ipv6 || !wanted.is_ipv6)) return true;
   if (held.is_ipv6 != wanted.is_ipv6) return false;
   return wanted.isAny() || held.address == wanted.address;
@@ -73,7 +73,8 @@ bool holdsSocket(const std::filesystem::path& process, const std::vector<std::st
   return false;
 }
 
-/// "rocinante-record": the kernel keeps 15 characters of a name; the rest is in the program's own.
+/// "rocinante-record": the kernel keeps 15 characters of a name; the full name is in the command
+/// line.
 std::string processName(const std::filesystem::path& process) {
   std::string name = readSmallFile(process / "comm");
   while (!name.empty() && name.back() == '\n') name.pop_back();

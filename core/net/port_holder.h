@@ -10,7 +10,7 @@
 
 namespace rocinante {
 
-/// A process that has a UDP port.
+/// A process that holds a UDP port.
 struct PortHolder {
   std::string name;
   int pid = 0;
@@ -21,8 +21,8 @@ struct PortHolder {
 std::vector<std::uint64_t> excludingSocketInodes(std::string_view table,
                                                  const SocketAddress& address);
 
-/// Who holds the port of `address`. Empty when nobody does, or /proc will not say (another user's
-/// process, another name space).
+/// The process that holds the port of `address`. Empty when none does, or /proc does not show it
+/// (another user's process, another name space).
 std::optional<PortHolder> portHolder(const SocketAddress& address);
 
 }  // namespace rocinante

@@ -8,11 +8,11 @@
 namespace rocinante {
 namespace {
 
-// What a datagram carries with it: the kernel's own record of it, and the headers and the list of
-// pages beside its bytes.
+// The kernel's overhead per datagram: its own record of it, and the headers and the list of pages
+// beside its bytes.
 constexpr std::uint64_t kRecord = 256;
 constexpr std::uint64_t kBeside = 392;
-// Small memory comes in these sizes; larger datagrams in pages of their own.
+// Small allocations come in these sizes; larger datagrams get pages of their own.
 constexpr std::uint64_t kSizes[] = {576, 1'024, 2'048, 4'096, 8'192, 16'384};
 constexpr std::uint64_t kBesidePages = 832;
 
@@ -46,7 +46,7 @@ std::optional<std::string> receiveBufferAdvice(const std::string& endpoint,
   const auto bytes = static_cast<std::size_t>(std::clamp(rate.bytes_a_datagram, 0.0, 65'507.0));
   const double held_ms = static_cast<double>(granted_bytes) /
                          static_cast<double>(chargedBytes(bytes)) / rate.datagrams_a_second * 1e3;
-  // The kernel doubles what it is asked for, up to net.core.rmem_max.
+  // The kernel doubles the requested size, up to net.core.rmem_max.
   const std::uint64_t setting = nextPowerOfTwo((needed + 1) / 2);
   return fmt::format(
       "the receive buffer of {} holds {:.0f} ms of {:.0f} datagrams/s, and a busy machine may be "

@@ -9,24 +9,24 @@
 
 namespace rocinante {
 
-/// What comes to a socket: its busiest second so far.
+/// The load of a socket: its busiest second so far.
 struct ReceiveRate {
   double datagrams_a_second = 0;
   double bytes_a_datagram = 0;  ///< of payload, on average
 };
 
-/// For so long a receiver may be held up by others on its machine.
+/// How long other processes may keep a receiver from running.
 constexpr Nanoseconds kReceiveStall = std::chrono::milliseconds(50);
 
-/// What the kernel charges a receive buffer for a datagram of so many bytes, as measured on
-/// loopback: 832 for 100. A network card's driver may charge more, and seldom less.
+/// The bytes that the kernel charges a receive buffer for one datagram, as measured on loopback:
+/// 832 for a payload of 100. A network card's driver may charge more, and rarely less.
 std::uint64_t chargedBytes(std::size_t payload_bytes);
 
 /// The receive buffer, as the kernel counts it, that loses nothing at this rate while the receiver
-/// stands still for `stall`.
+/// does not run for `stall`.
 std::uint64_t neededReceiveBuffer(const ReceiveRate& rate, Nanoseconds stall = kReceiveStall);
 
-/// When `granted_bytes` are too few for the rate: what is wrong, and the setting that mends it.
+/// When `granted_bytes` are too few for the rate: the problem, and the setting that solves it.
 std::optional<std::string> receiveBufferAdvice(const std::string& endpoint,
                                                std::uint64_t granted_bytes, const ReceiveRate& rate,
                                                Nanoseconds stall = kReceiveStall);

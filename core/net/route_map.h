@@ -8,7 +8,7 @@
 
 namespace rocinante {
 
-/// Topics that go elsewhere when a log is played: a shell's pattern, and where to.
+/// A topic that goes to another endpoint when a log is played: a shell pattern and the endpoint.
 struct RouteMap {
   std::string pattern;
   Endpoint to;

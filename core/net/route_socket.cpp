@@ -34,12 +34,12 @@ void forEachMessage(const char* bytes, std::size_t length, Each each) {
     const auto* header = reinterpret_cast<const nlmsghdr*>(bytes + at);
     if (header->nlmsg_len < sizeof(nlmsghdr) || header->nlmsg_len > length - at) return;
     each(*header);
-    // The last one need not be padded.
+    // The last message need not be padded.
     at += std::min<std::size_t>(NLMSG_ALIGN(header->nlmsg_len), length - at);
   }
 }
 
-/// RTA_OIF of a route as RTM_GETROUTE answers it.
+/// RTA_OIF of a route in the answer to RTM_GETROUTE.
 unsigned outgoingInterface(const nlmsghdr& header) {
   const auto* route = static_cast<const rtmsg*>(NLMSG_DATA(&header));
   auto left = static_cast<int>(RTM_PAYLOAD(&header));
@@ -88,7 +88,7 @@ RouteSocket::Changes RouteSocket::takeChanges() {
     const ssize_t length = ::recv(descriptor_, bytes.data(), bytes.size(), MSG_DONTWAIT);
     if (length < 0 && errno == EINTR) continue;
     if (length < 0 && errno == ENOBUFS) {
-      // So much happened that the kernel gave up telling.
+      // The kernel dropped notifications: too many at once.
       changes.any = true;
       changes.told_everything = false;
       continue;
@@ -98,7 +98,7 @@ RouteSocket::Changes RouteSocket::takeChanges() {
     forEachMessage(bytes.data(), static_cast<std::size_t>(length), [&](const nlmsghdr& header) {
       if (header.nlmsg_type != RTM_DELLINK || NLMSG_PAYLOAD(&header, 0) < sizeof(ifinfomsg)) return;
       const auto* link = static_cast<const ifinfomsg*>(NLMSG_DATA(&header));
-      // The bridge's own word that a port left it is no end of the interface.
+      // A bridge reports that a port left it; the interface itself still exists.
       if (link->ifi_family == AF_UNSPEC) {
         changes.gone.push_back(static_cast<unsigned>(link->ifi_index));
       }
@@ -109,7 +109,7 @@ RouteSocket::Changes RouteSocket::takeChanges() {
 unsigned interfaceTowards(const SocketAddress& address) {
   const int descriptor = openNetlink(0);
   if (descriptor < 0) return 0;
-  // The kernel answers at once; a sandbox that swallows the question must not hang the program.
+  // The kernel answers at once; a sandbox that drops the request must not hang the program.
   const timeval patience{0, 200'000};
   ::setsockopt(descriptor, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
   const std::size_t bytes = address.is_ipv6 ? 16 : 4;

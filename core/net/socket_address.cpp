@@ -31,7 +31,7 @@ std::optional<std::uint32_t> zoneIndex(const std::string& zone) {
 Result<SocketAddress> SocketAddress::parse(std::string_view host, std::uint16_t port) {
   SocketAddress parsed;
   parsed.port = port;
-  // inet_pton reads to a NUL, so one inside would hide what follows it.
+  // inet_pton stops at a NUL, so an embedded one would hide the rest.
   if (host.find('\0') != host.npos) return badAddress("", "an address must not contain NUL");
   const std::size_t percent = host.find('%');
   const std::string number(host.substr(0, percent));

@@ -9,8 +9,8 @@
 
 namespace rocinante {
 
-/// What the two sockets share: addresses as the system has them, and options that answer.
-/// For core/net's own sources.
+/// Shared by the two sockets: system addresses, and socket options with checked results. For
+/// core/net's own sources.
 
 /// Fills `system` and returns its length.
 socklen_t toSystem(const SocketAddress& address, sockaddr_storage& system);
@@ -36,8 +36,8 @@ class SystemSocket {
 /// "cannot DO: No such device (udp://...)", from errno.
 Error systemError(std::string_view what, const Endpoint& endpoint);
 
-/// The index of the endpoint's interface; 0 when it names none. refused when there is no such one,
-/// with those that there are.
+/// The index of the endpoint's interface; 0 when it names none. refused when the interface does not
+/// exist, with a list of those that do.
 Result<unsigned> interfaceIndex(const Endpoint& endpoint);
 
 }  // namespace rocinante

@@ -25,7 +25,7 @@ constexpr std::size_t kControlBytes =
     CMSG_SPACE(sizeof(timespec)) + CMSG_SPACE(sizeof(std::uint32_t));
 
 #ifndef IPV6_MULTICAST_ALL
-constexpr int IPV6_MULTICAST_ALL = 29;  // linux/in6.h, which does not go with netinet/in.h
+constexpr int IPV6_MULTICAST_ALL = 29;  // from linux/in6.h, which conflicts with netinet/in.h
 #endif
 
 Error portTaken(const Endpoint& endpoint) {
@@ -55,7 +55,7 @@ Status configure(SystemSocket& socket, const Endpoint& endpoint,
     return systemError("cannot keep the socket to IPv6", endpoint);
   }
   if (!endpoint.isMulticast()) return {};
-  // Listeners to one group get a copy each. Without the second option a socket also hears groups
+  // Each receiver of a group gets a copy. Without the second option a socket also receives groups
   // and interfaces that other sockets of this machine joined.
   const bool set = endpoint.address.is_ipv6 ? socket.setOption(IPPROTO_IPV6, IPV6_MULTICAST_ALL, 0)
                                             : socket.setOption(IPPROTO_IP, IP_MULTICAST_ALL, 0);
@@ -79,7 +79,7 @@ Status bindTo(SystemSocket& socket, const Endpoint& endpoint) {
   return systemError("cannot listen here", endpoint);
 }
 
-/// A socket that listens; a group is joined by its caller.
+/// Binds a receiving socket; the caller joins its group.
 Result<SystemSocket> listenAt(const Endpoint& endpoint, const UdpReceiver::Options& options) {
   Result<SystemSocket> socket = SystemSocket::open(endpoint);
   if (!socket) return socket;
@@ -88,7 +88,8 @@ Result<SystemSocket> listenAt(const Endpoint& endpoint, const UdpReceiver::Optio
   return socket;
 }
 
-/// A group of an interface or a link (ff01::, ff02::) is bound to its interface with the address.
+/// A group with interface or link scope (ff01::, ff02::) is bound to its interface with the
+/// address.
 bool isBoundToInterface(const SocketAddress& group) {
   const unsigned scope = group.address[1] & 0x0FU;
   return group.is_ipv6 && (scope == 1 || scope == 2);
@@ -116,7 +117,7 @@ struct UdpReceiver::Impl {
     rearm(kBatch);
   }
 
-  /// The kernel overwrites these with what it filled.
+  /// Resets the lengths, which the kernel overwrites with the sizes it filled.
   void rearm(std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
       headers[i].msg_hdr.msg_namelen = sizeof(sockaddr_storage);
@@ -124,7 +125,7 @@ struct UdpReceiver::Impl {
     }
   }
 
-  /// The stamp of one datagram; its drop count goes to `drops`.
+  /// The timestamp of one datagram; its drop count goes to `drops`.
   WallTime readControl(msghdr& header) {
     timespec stamp{};
     bool stamped = false;
@@ -148,7 +149,7 @@ struct UdpReceiver::Impl {
     alignas(cmsghdr) std::array<char, kControlBytes> bytes;
   };
 
-  /// The rest of the old socket is received first; its drops stay in the count.
+  /// Opens a new socket. The rest of the old one is received first; its drops stay in the count.
   Status listenAnew();
   Result<std::uint64_t> countDrops();
 
@@ -253,7 +254,7 @@ Status UdpReceiver::Impl::listenAnew() {
 }
 
 std::optional<std::string> UdpReceiver::maintain() {
-  // What waits in a socket that is replaced is received first.
+  // The datagrams waiting in a replaced socket are received first.
   if (!impl_->membership || impl_->old_socket) return std::nullopt;
   switch (impl_->membership->look()) {
     case GroupMembership::Change::none:
@@ -263,7 +264,7 @@ std::optional<std::string> UdpReceiver::maintain() {
     case GroupMembership::Change::moved:
       break;
   }
-  // A refusal now (an interface that is not up yet) is tried again at the next look.
+  // A refusal now (an interface that is not up yet) is retried at the next look.
   const Status joined = isBoundToInterface(impl_->endpoint.address)
                             ? impl_->listenAnew()
                             : impl_->membership->renew(impl_->socket.descriptor());

@@ -14,8 +14,8 @@ namespace rocinante {
 namespace {
 
 constexpr std::size_t kSendBatch = 128;
-// An answer "nobody listens" to an earlier datagram takes the place of one send. More of them in a
-// row than this is no answer to what was sent.
+// ECONNREFUSED from an earlier datagram replaces the result of one send, so it is sent again. After
+// this many in a row the datagram counts as sent.
 constexpr int kRefusals = 8;
 
 Status configureMulticast(SystemSocket& socket, const Endpoint& to) {
@@ -60,7 +60,7 @@ Status configureUnicast(SystemSocket& socket, const Endpoint& to) {
   return {};
 }
 
-/// Of a port that cannot be had; `errno` says why.
+/// The error for a port that cannot be bound; `errno` says why.
 Error portError(const SocketAddress& from, const Endpoint& to) {
   const std::string what = "cannot send from port " + std::to_string(from.port);
   if (errno == EADDRINUSE) {
@@ -145,7 +145,7 @@ Status UdpSender::send(std::span<const ByteView> payloads) {
     if (!sent) return sent.error();
     payloads = payloads.subspan(*sent);
     if (*sent > 0) continue;
-    // A full device queue shows as writable at once, so the wait is for time alone.
+    // A full device queue polls as writable at once, so only the timeout waits.
     const bool device_full = errno == ENOBUFS;
     pollfd writable{impl_->socket.descriptor(), POLLOUT, 0};
     ::poll(&writable, device_full ? 0 : 1, 1);
@@ -157,12 +157,12 @@ Result<std::size_t> UdpSender::sendWithoutWaiting(std::span<const ByteView> payl
   return impl_->sendSome(payloads, MSG_DONTWAIT);
 }
 
-/// The first so many of `payloads`, in one system call; 0 when there is no room, and errno says of
-/// which kind.
+/// Sends as many of `payloads` from the front as fit, in one system call; 0 when there is no room,
+/// and errno tells which kind.
 Result<std::size_t> UdpSender::Impl::sendSome(std::span<const ByteView> payloads, int flags) {
   const std::size_t wanted = std::min(payloads.size(), kSendBatch);
   for (std::size_t i = 0; i < wanted; ++i) {
-    // sendmmsg only reads what the pieces point to.
+    // sendmmsg only reads the memory that the pieces point to.
     pieces[i] = {const_cast<std::byte*>(payloads[i].data()), payloads[i].size()};
   }
   for (int refusals = 0;;) {
@@ -176,7 +176,7 @@ Result<std::size_t> UdpSender::Impl::sendSome(std::span<const ByteView> payloads
       case ENOBUFS:
         return std::size_t{0};
       case ECONNREFUSED:
-        // The error belongs to a datagram sent before; this one has not gone yet.
+        // The error belongs to an earlier datagram; this one has not been sent yet.
         if (++refusals <= kRefusals) continue;
         return std::size_t{1};
       case EMSGSIZE:

@@ -9,8 +9,9 @@
 
 namespace rocinante {
 
-/// A listening UDP socket: many datagrams a call, with the kernel's time stamps and drop counts.
-/// UDP_GRO stays off: it hides drops and shares one stamp. Linux. One thread.
+/// A receiving UDP socket: many datagrams a call, with the kernel's timestamps and drop counts.
+/// UDP_GRO stays off: it hides drops and gives one timestamp to several datagrams. Linux. One
+/// thread.
 class UdpReceiver final : public DatagramSource {
  public:
   struct Options {
@@ -19,10 +20,10 @@ class UdpReceiver final : public DatagramSource {
     std::size_t datagram_bytes = 65'536;
   };
 
-  /// Binds exclusively when the endpoint is unicast; a port that is taken is refused with the
-  /// holder's name and pid when they can be found. Joins the group when it is multicast, and then
-  /// hears only that group (and only `source`, if the endpoint names one). [::]:PORT hears IPv6
-  /// alone.
+  /// Binds exclusively when the endpoint is unicast; a taken port is refused, with the holder's
+  /// name and pid when they can be found. Joins the group when the endpoint is multicast, and then
+  /// receives only that group (and only from `source`, if the endpoint names one). [::]:PORT
+  /// receives IPv6 only.
   static Result<UdpReceiver> open(const Endpoint& endpoint, const Options& options);
   static Result<UdpReceiver> open(const Endpoint& endpoint) { return open(endpoint, Options()); }
 
@@ -34,12 +35,12 @@ class UdpReceiver final : public DatagramSource {
 
   /// Datagrams that the kernel dropped since open (SO_RXQ_OVFL, counted beyond 32 bits).
   std::uint64_t dropped() const override;
-  /// The same by SO_MEMINFO, which also counts drops after the last datagram received.
+  /// The same from SO_MEMINFO, which also counts drops after the last datagram received.
   Result<std::uint64_t> droppedByNow() override;
-  /// What the kernel granted, as it counts it (twice what was asked for).
+  /// The buffer that the kernel granted, as it counts it (twice the size requested).
   std::uint64_t receiveBufferBytes() const override;
-  /// Joins the group again when its interface was taken away and is back, or the routes to it lead
-  /// elsewhere; says so.
+  /// Rejoins the group when its interface was removed and has returned, or when the routes to it
+  /// have changed; returns a sentence when it does.
   std::optional<std::string> maintain() override;
 
   const Endpoint& endpoint() const override;
@@ -58,24 +59,24 @@ class UdpSender {
   /// bad_argument when the endpoint has no host or port 0. The endpoint's `source` is the local
   /// address to send from. Multicast datagrams also reach listeners on this machine.
   static Result<UdpSender> open(const Endpoint& to) { return open(to, 0); }
-  /// The same from a port of one's own choice; refused, with its holder, when that is taken. 0:
-  /// any.
+  /// The same from a given local port; refused, with its holder, when the port is taken. 0: any
+  /// port.
   static Result<UdpSender> open(const Endpoint& to, std::uint16_t local_port);
 
   ~UdpSender();
   UdpSender(UdpSender&&) noexcept;
   UdpSender& operator=(UdpSender&&) noexcept;
 
-  /// Sends one datagram. ECONNREFUSED (nobody listens) is no failure; a full buffer waits.
+  /// Sends one datagram. ECONNREFUSED (no listener) is not a failure; a full buffer waits.
   Status send(ByteView payload);
-  /// Sends all of them, in order, in as few system calls as can be (sendmmsg).
+  /// Sends all of them, in order, in as few system calls as possible (sendmmsg).
   Status send(std::span<const ByteView> payloads);
-  /// Sends the first of them, as many as go without waiting, and answers how many; 0 when the
-  /// socket or the device is full. A failure is of the first.
+  /// Sends as many from the front as go without waiting, and returns how many; 0 when the socket or
+  /// the device is full. A failure concerns the first.
   Result<std::size_t> sendWithoutWaiting(std::span<const ByteView> payloads);
 
   const Endpoint& endpoint() const;
-  /// Where the datagrams come from, as a receiver sees it on this machine.
+  /// The address the datagrams come from, as a receiver on this machine sees it.
   const SocketAddress& localAddress() const;
   int fileDescriptor() const;  ///< for socket options and transmit timestamps
 

@@ -6,15 +6,15 @@
 namespace rocinante {
 namespace {
 
-// No IP packet is longer, whatever its fragments say.
+// No IP packet is longer, whatever its fragments claim.
 constexpr std::uint32_t kMaxPayload = 65'535;
-// What keeping a piece, or a packet, takes beside its bytes.
+// The overhead of keeping a piece, or a packet, in addition to its bytes.
 constexpr std::size_t kPieceCost = 96;
 constexpr std::size_t kPacketCost = 256;
 
 enum class Fit { missing, known, contradicts };
 
-/// Whether `bytes` at `offset` are new beside `pieces`, said before, or neither.
+/// Whether `bytes` at `offset` are new to `pieces`, a repetition, or contradictory.
 Fit fitOf(const std::map<std::uint32_t, Bytes>& pieces, std::uint32_t offset, ByteView bytes) {
   const auto end = static_cast<std::uint32_t>(offset + bytes.size());
   auto piece = pieces.upper_bound(offset);
@@ -23,7 +23,7 @@ Fit fitOf(const std::map<std::uint32_t, Bytes>& pieces, std::uint32_t offset, By
     if (before->first + before->second.size() > offset) piece = before;
   }
   if (piece == pieces.end() || piece->first >= end) return Fit::missing;
-  // They overlap: every byte must be there already, and the same.
+  // They overlap: every byte must already be there, and equal.
   for (std::uint32_t at = offset; at < end; ++piece) {
     if (piece == pieces.end() || piece->first > at) return Fit::contradicts;
     const auto piece_end = static_cast<std::uint32_t>(piece->first + piece->second.size());
@@ -85,7 +85,7 @@ FragmentTable::Outcome FragmentTable::add(const Fragment& fragment) {
   return Outcome::whole;
 }
 
-/// The packet, now the one whose latest fragment is the youngest.
+/// The packet, moved to the back as the one with the newest fragment.
 FragmentTable::Packet& FragmentTable::packetFor(const Fragment& fragment) {
   const Key key = keyOf(fragment);
   if (const auto known = by_key_.find(key); known != by_key_.end()) {
@@ -103,13 +103,13 @@ FragmentTable::Packet& FragmentTable::packetFor(const Fragment& fragment) {
 }
 
 void FragmentTable::forgetOld(WallTime now) {
-  // A clock that was set back makes old what lies ahead of it.
+  // After a clock was set back, packets from the future count as old.
   while (!packets_.empty() && std::chrono::abs(now - packets_.front().latest) > limits_.patience) {
     drop(packets_.begin());
   }
 }
 
-/// For a new packet, or for what the youngest just took: that one stays.
+/// For a new packet, or for the bytes that the newest one just took: the newest stays.
 void FragmentTable::makeRoom(std::size_t bytes) {
   const std::size_t keep = bytes > 0 ? 0 : 1;
   while (packets_.size() > keep &&
@@ -143,7 +143,7 @@ void FragmentTable::assemble(Packet& packet) {
   for (const auto& [offset, bytes] : packet.pieces) {
     whole_.insert(whole_.end(), bytes.begin(), bytes.end());
   }
-  packet.given_up = true;  // so that it is not counted as one
+  packet.given_up = true;  // so that drop() does not count it as incomplete
   drop(by_key_.at(packet.key));
 }
 

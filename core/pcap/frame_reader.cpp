@@ -19,7 +19,7 @@ std::optional<SeenDatagram> FrameReader::read(ByteView frame, WallTime time) {
     const Fragment fragment{ip_.source, ip_.destination,     ip_.fragment_id,
                             ip_.link,   ip_.fragment_offset, ip_.more_fragments,
                             time,       ip_.payload};
-    // Of a fragment that was cut, nobody can tell what is missing.
+    // The missing bytes of a cut fragment cannot be known.
     const auto outcome = ip_.cut ? FragmentTable::Outcome::malformed : fragments_.add(fragment);
     if (outcome == FragmentTable::Outcome::malformed) ++counts_.malformed;
     if (outcome != FragmentTable::Outcome::whole) return std::nullopt;
@@ -39,7 +39,7 @@ std::optional<SeenDatagram> FrameReader::read(ByteView frame, WallTime time) {
   return seen;
 }
 
-/// The frame of the last fragment, as if the datagram had gone in one.
+/// The frame of the last fragment, as if the datagram had not been fragmented.
 ByteView FrameReader::withoutFragments(ByteView frame) {
   const bool is_ipv6 = ip_.source.is_ipv6;
   const std::size_t header = is_ipv6 ? 40 : 20;

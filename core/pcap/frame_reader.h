@@ -8,22 +8,22 @@
 
 namespace rocinante {
 
-/// A UDP datagram seen on its way.
+/// A UDP datagram captured on its way.
 struct SeenDatagram {
   SocketAddress sender, destination;
   ByteView payload;  ///< valid until the next read()
   bool cut = false;  ///< the capture did not keep all of it
 };
 
-/// Finds the UDP datagrams in captured frames, fragments put together. Pure: for any bytes.
+/// Finds the UDP datagrams in captured frames and reassembles fragments. Pure; takes any bytes.
 class FrameReader {
  public:
-  /// What the user's filter says of a frame. Of a datagram in fragments it is asked once, about the
-  /// frame that it would be without them: only one of them has ports.
+  /// The user's filter, applied to a frame. For a fragmented datagram it is called once, with the
+  /// frame rebuilt without fragments: only one fragment has the ports.
   using Filter = std::function<bool(ByteView frame)>;
   enum class Filtered {
-    before,  ///< frames come filtered, but for fragments: only these are asked about
-    here     ///< every frame is asked about
+    before,  ///< frames arrive filtered, except fragments: only these are checked
+    here     ///< every frame is checked
   };
 
   explicit FrameReader(LinkType link) : FrameReader(link, nullptr, Filtered::before) {}
@@ -33,7 +33,7 @@ class FrameReader {
   /// The datagram that this frame holds or completes.
   std::optional<SeenDatagram> read(ByteView frame, WallTime time);
 
-  /// No more frames come: what is incomplete stays so.
+  /// No more frames follow: incomplete datagrams stay incomplete.
   void finish() { fragments_.clear(); }
 
   InputCounts counts() const;

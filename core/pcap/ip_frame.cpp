@@ -18,7 +18,7 @@ class Cursor {
   explicit Cursor(ByteView bytes) : bytes_(bytes) {}
 
   bool has(std::size_t count) const { return bytes_.size() >= count; }
-  /// At `offset` from here; has() must have said so.
+  /// Read at `offset` from here; the caller has checked has().
   unsigned byte(std::size_t offset) const { return std::to_integer<unsigned>(bytes_[offset]); }
   unsigned two(std::size_t offset) const { return byte(offset) << 8U | byte(offset + 1); }
   std::uint32_t four(std::size_t offset) const { return two(offset) << 16U | two(offset + 2); }
@@ -38,8 +38,8 @@ class Cursor {
   ByteView bytes_;
 };
 
-/// What the frame carries (an EtherType); empty when the frame ends before it says. The cursor
-/// stands behind the link's header.
+/// The EtherType of the frame's contents; empty when the frame ends before it. Leaves the cursor
+/// after the link's header.
 std::optional<unsigned> readLink(LinkType link, Cursor& at, std::uint32_t& tags) {
   const auto take = [&](std::size_t header, std::size_t type) -> std::optional<unsigned> {
     if (!at.has(header)) return std::nullopt;
@@ -63,7 +63,7 @@ std::optional<unsigned> readLink(LinkType link, Cursor& at, std::uint32_t& tags)
     case LinkType::raw_ip: {
       if (link != LinkType::raw_ip) {
         if (!at.has(4)) return std::nullopt;
-        at.skip(4);  // the address family differs from system to system; the version does not
+        at.skip(4);  // address families differ between systems; the IP version does not
       }
       if (!at.has(1)) return std::nullopt;
       const unsigned version = at.byte(0) >> 4U;
@@ -79,7 +79,7 @@ std::optional<unsigned> readLink(LinkType link, Cursor& at, std::uint32_t& tags)
   return type;
 }
 
-/// Takes `length` bytes of payload, or what was captured of them.
+/// Takes `length` bytes of payload, or as many as were captured.
 void takePayload(const Cursor& at, std::size_t length, IpFrame& result) {
   result.cut = !at.has(length);
   result.payload = at.rest().first(std::min(length, at.rest().size()));
@@ -91,7 +91,7 @@ FrameKind readIpv4(Cursor at, IpFrame& result) {
   if (at.byte(0) >> 4U != 4 || header < 20) return FrameKind::malformed;
   if (at.byte(9) != kUdp) return FrameKind::other;
   std::size_t total = at.two(2);
-  // Segmented by the network card: the length is written there.
+  // Segmentation offload: the network card fills in the length.
   if (total == 0) total = at.rest().size();
   if (total < header || !at.has(header)) return FrameKind::malformed;
   const unsigned flags = at.two(6);
@@ -178,7 +178,7 @@ std::optional<UdpPayload> readUdp(ByteView packet, bool is_ipv6, bool cut) {
   udp.source_port = static_cast<std::uint16_t>(at.two(0));
   udp.destination_port = static_cast<std::uint16_t>(at.two(2));
   std::size_t length = at.two(4);
-  // RFC 2675: too long to be written.
+  // RFC 2675: a jumbogram, too long for the field.
   if (length == 0 && is_ipv6) length = packet.size();
   if (length < 8) return std::nullopt;
   if (length > packet.size() && !cut) return std::nullopt;

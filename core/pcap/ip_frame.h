@@ -8,25 +8,25 @@
 
 namespace rocinante {
 
-/// What stands before the IP packet in a captured frame.
+/// The header before the IP packet in a captured frame.
 enum class LinkType {
-  ethernet,       ///< with any number of VLAN tags up to four
-  bsd_null,       ///< four bytes of address family, in the order of the machine that captured
+  ethernet,       ///< with up to four VLAN tags
+  bsd_null,       ///< four bytes of address family, in the capturing machine's byte order
   bsd_loop,       ///< the same, in network order
   raw_ip,         ///< nothing
-  linux_cooked,   ///< SLL: what `any` gives
+  linux_cooked,   ///< SLL: the type of `any`
   linux_cooked_2  ///< SLL2
 };
 
-/// Of a pcap link type (DLT_ or LINKTYPE_ number); empty when it is none of these.
+/// The LinkType of a pcap link type (DLT_ or LINKTYPE_ number); empty when it is none of these.
 std::optional<LinkType> linkTypeOf(int number);
 
-/// UDP, or a fragment of it, in a frame.
+/// A UDP packet in a frame, or a fragment of one.
 struct IpFrame {
   SocketAddress source, destination;  ///< without ports
   std::uint32_t link = 0;             ///< the VLAN tags, 0: none
-  std::size_t header_at = 0;          ///< where in the frame the IP header begins
-  ByteView payload;                   ///< of the IP packet, as far as it was captured
+  std::size_t header_at = 0;          ///< offset of the IP header in the frame
+  ByteView payload;                   ///< of the IP packet, as much as was captured
   bool cut = false;                   ///< the capture did not keep all of it
   bool is_fragment = false;
   std::uint32_t fragment_id = 0;
@@ -40,8 +40,8 @@ enum class FrameKind {
   malformed  ///< breaks the rules of its own headers
 };
 
-/// Reads Ethernet (IEEE 802.1Q), IPv4 (RFC 791) and IPv6 (RFC 8200) headers. `result` is filled
-/// when the answer is udp; what it points to is the frame's.
+/// Reads Ethernet (IEEE 802.1Q), IPv4 (RFC 791) and IPv6 (RFC 8200) headers. Fills `result` when
+/// the answer is udp; its payload points into the frame.
 FrameKind readIpFrame(LinkType link, ByteView frame, IpFrame& result);
 
 /// A UDP datagram in the payload of an IP packet (RFC 768).
@@ -51,8 +51,8 @@ struct UdpPayload {
   bool cut = false;
 };
 
-/// Empty when its length is wrong. `cut`: `packet` is not all there was. Checksums are not looked
-/// at: a sender's own machine captures before the network card fills them in.
+/// Empty when its length is wrong. `cut`: `packet` is incomplete. Checksums are not checked: a
+/// sender's own machine captures before the network card fills them in.
 std::optional<UdpPayload> readUdp(ByteView packet, bool is_ipv6, bool cut);
 
 }  // namespace rocinante

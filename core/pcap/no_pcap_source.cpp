@@ -1,4 +1,4 @@
-// In place of pcap_source.cpp in a build without libpcap.
+// Replaces pcap_source.cpp in a build without libpcap.
 #include "core/pcap/pcap_source.h"
 
 namespace rocinante {

@@ -9,24 +9,24 @@
 
 namespace rocinante {
 
-/// How everything that listens listens.
+/// Options shared by all programs that receive.
 struct InputOptions {
   UdpReceiver::Options receiving;
-  AddressFilter allow;  ///< from elsewhere nothing is given; counted as refused
-  /// The addresses from which this program itself sends what it heard: never heard again.
+  AddressFilter allow;  ///< other senders are dropped and counted as refused
+  /// The addresses from which this program itself sends: datagrams from them are dropped.
   std::vector<SocketAddress> own;
 };
 
-/// What the endpoint names: a socket that listens, or traffic that is watched (pcap://). Fails as
-/// UdpReceiver::open and PcapSource::open do.
+/// Opens the endpoint: a receiving socket, or watched traffic (pcap://). Fails as UdpReceiver::open
+/// and openPcap do.
 Result<std::unique_ptr<DatagramSource>> openSource(const Endpoint& endpoint,
                                                    const InputOptions& options);
 inline Result<std::unique_ptr<DatagramSource>> openSource(const Endpoint& endpoint) {
   return openSource(endpoint, InputOptions());
 }
 
-/// All of them, in this order, or the first failure. A capture file stands alone (bad_argument):
-/// its times are not those of what arrives now.
+/// Opens all of them, in this order, or returns the first failure. A capture file must be the only
+/// endpoint (bad_argument): its times are not those of live traffic.
 using Sources = std::vector<std::unique_ptr<DatagramSource>>;
 Result<Sources> openSources(const std::vector<Endpoint>& endpoints, const InputOptions& options);
 

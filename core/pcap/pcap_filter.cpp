@@ -7,7 +7,7 @@
 namespace rocinante {
 namespace {
 
-// Fragments of UDP: all of them, for of IPv6 not even the first has ports to libpcap.
+// All UDP fragments: for libpcap not even the first fragment of IPv6 has ports.
 constexpr std::string_view kFragments =
     "(ip proto 17 and ip[6:2] & 0x3fff != 0) or (ip6[6] = 44 and ip6[40] = 17)";
 
@@ -21,7 +21,8 @@ bool hasWord(std::string_view text, std::string_view word) {
   return false;
 }
 
-/// All UDP, with up to two VLAN tags. `vlan` changes what comes after it, so it stands last.
+/// All UDP, with up to two VLAN tags. `vlan` shifts the offsets of everything after it, so it comes
+/// last.
 std::string allUdp(LinkType link) {
   if (link != LinkType::ethernet) return "udp";
   return "udp or (vlan and (udp or (vlan and udp)))";

@@ -7,12 +7,12 @@
 
 namespace rocinante {
 
-/// How a user's filter is given to the kernel. A filter with ports takes at most the first fragment
-/// of a datagram, so the kernel lets all fragments of UDP through, and the filter is asked again
-/// about what they make; one that names VLANs moves where everything after it is looked for, so
-/// nothing can be added to it and it is asked here, frame by frame. Pure.
+/// How a user's filter reaches the kernel. A filter with ports matches at most the first fragment
+/// of a datagram, so the kernel passes all UDP fragments, and the filter is applied again to the
+/// reassembled datagram. A filter that names VLANs shifts the offsets of everything after it, so
+/// nothing can be added to it, and it is applied here, frame by frame. Pure.
 struct FilterPlan {
-  std::string kernel;  ///< in libpcap's language; empty: everything comes
+  std::string kernel;  ///< in libpcap's language; empty: no filter
   FrameReader::Filtered filtered = FrameReader::Filtered::before;
 };
 

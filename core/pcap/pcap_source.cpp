@@ -21,15 +21,16 @@ namespace {
 
 constexpr std::size_t kBatch = 256;
 constexpr std::size_t kMaxDatagram = 65'535;
-// Whole frames, also those that a network card put together.
+// Whole frames, also those that a network card merged.
 constexpr int kSnapBytes = 262'144;
-// The kernel gives frames in blocks, when they are full or so old.
+// The kernel delivers frames in blocks, when a block is full or this old.
 constexpr int kBlockAgeMs = 5;
 constexpr Nanoseconds kHeldBack = std::chrono::milliseconds(15);
-// Nothing was captured before 1970, nor later than the year 2255. A stamp of pcapng has 64 bits in
-// units of its own, and reaches beyond what nanoseconds count.
+// No capture is from before 1970 or after the year 2255. A pcapng timestamp has 64 bits in units of
+// its own, and a larger range than nanoseconds.
 constexpr std::int64_t kMaxSeconds = 9'000'000'000;
-// Frames that are no UDP must not look like silence, nor keep the caller from its other sources.
+// Batches per call: frames that are not UDP must not look like silence, nor keep the caller from
+// its other sources.
 constexpr int kTurns = 64;
 
 struct Close {
@@ -57,7 +58,7 @@ class Program {
   bpf_program program_{};
 };
 
-/// Why a capture cannot begin, and what would let it.
+/// Why a capture cannot begin, and the remedy.
 Error activationError(pcap_t* handle, int status, const Endpoint& endpoint) {
   const std::string& name = endpoint.interface;
   std::string what;
@@ -94,7 +95,7 @@ Result<Handle> openInterface(const Endpoint& endpoint, const PcapOptions& option
                  fmt::format("cannot watch {}: {}", endpoint.interface, fault.data()),
                  endpoint.text()};
   }
-  // Kinds without nanoseconds (nflog, dbus) refuse here: their times would be read too small.
+  // Link types without nanoseconds (nflog, dbus) refuse here: their times would be read too small.
   for (const int set : {::pcap_set_snaplen(handle.get(), kSnapBytes),
                         ::pcap_set_promisc(handle.get(), endpoint.interface == "any" ? 0 : 1),
                         ::pcap_set_timeout(handle.get(), kBlockAgeMs),
@@ -169,7 +170,7 @@ class PcapSource final : public DatagramSource {
       }
       break;
     }
-    // What stands before the break is given first.
+    // Datagrams before the break are delivered first.
     if (broken_ && count_ == 0) return *broken_;
     return std::span<const ReceivedDatagram>(datagrams_.data(), count_);
   }
@@ -177,7 +178,7 @@ class PcapSource final : public DatagramSource {
   std::uint64_t dropped() const override { return drops_before_ + drops_.total(); }
   Result<std::uint64_t> droppedByNow() override {
     pcap_stat now{};
-    // A file dropped nothing that it knows of.
+    // A file has no drop count.
     if (handle_ && !isFile() && ::pcap_stats(handle_.get(), &now) == 0) drops_.update(now.ps_drop);
     return dropped();
   }
@@ -190,7 +191,7 @@ class PcapSource final : public DatagramSource {
     return counts;
   }
 
-  /// An interface that was taken away and is back is watched again.
+  /// Watches an interface again after it was removed and has returned.
   std::optional<std::string> maintain() override {
     if (handle_ || isFile()) return std::nullopt;
     if (!gone_told_) {
@@ -217,7 +218,7 @@ class PcapSource final : public DatagramSource {
     const FilterPlan plan = planFilter(endpoint_.filter, link);
     FrameReader::Filter asked;
     if (!endpoint_.filter.empty()) {
-      // For frames as they are given here: the kernel's own has tags beside the frame.
+      // Compiled for frames as they arrive here: the kernel keeps VLAN tags outside the frame.
       const Handle dead(::pcap_open_dead(number, kSnapBytes));
       auto program = std::make_shared<Program>();
       Status compiled = program->compile(dead.get(), endpoint_.filter, endpoint_);
@@ -246,7 +247,7 @@ class PcapSource final : public DatagramSource {
   }
 
   void takeFrame(const pcap_pkthdr& header, const unsigned char* frame) {
-    // With the precision asked for, tv_usec holds nanoseconds.
+    // With the precision requested, tv_usec holds nanoseconds.
     const auto seconds = std::clamp<std::int64_t>(header.ts.tv_sec, 0, kMaxSeconds);
     const WallTime time(std::chrono::seconds(seconds) + Nanoseconds(header.ts.tv_usec));
     const auto seen =
@@ -278,7 +279,7 @@ class PcapSource final : public DatagramSource {
   bool ended_ = false;
   bool gone_told_ = false;
   DropCounter drops_;
-  std::uint64_t drops_before_ = 0;  ///< of the interface before it was gone
+  std::uint64_t drops_before_ = 0;  ///< of the interface before it was removed
   InputCounts counts_before_;
   std::unique_ptr<std::byte[]> bytes_;
   std::size_t used_ = 0;
