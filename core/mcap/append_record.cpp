@@ -8,7 +8,7 @@
 namespace rocinante::mcap {
 namespace {
 
-/// Writes the prefix, and the length once the content stands.
+/// Writes the prefix, and the length once the content is complete.
 class RecordScope {
  public:
   RecordScope(Bytes& out, Opcode opcode) : out_(out), start_(out.size()) {
@@ -91,7 +91,7 @@ void append(Bytes& out, const Channel& record) {
 }
 
 void append(Bytes& out, const Message& record) {
-  // Once a datagram: the fixed part is laid out first, so that it costs one insertion.
+  // Written once per datagram: the fixed part is prepared first, so that it costs one insertion.
   std::byte head[kPrefixBytes + kMessageHeaderBytes];
   const std::uint64_t length = kMessageHeaderBytes + record.data.size();
   head[0] = static_cast<std::byte>(Opcode::message);
@@ -119,7 +119,7 @@ void append(Bytes& out, const MessageIndex& record) {
   const RecordScope scope(out, Opcode::message_index);
   appendNumber(out, record.channel_id);
   appendNumber(out, static_cast<std::uint32_t>(record.records.size() * 16));
-  // A pair lies in memory as in the file.
+  // A pair has the same layout in memory and in the file.
   using Pair = decltype(record.records)::value_type;
   static_assert(sizeof(Pair) == 16 && std::is_standard_layout_v<Pair>);
   appendBytes(out, std::as_bytes(std::span(record.records)));

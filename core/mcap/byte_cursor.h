@@ -10,11 +10,12 @@
 
 namespace rocinante::mcap {
 
-static_assert(std::endian::native == std::endian::little, "MCAP's numbers are copied as they lie");
+static_assert(std::endian::native == std::endian::little,
+              "MCAP's numbers are copied as they are in memory");
 
 /// Reads MCAP's primitives (all little-endian) one after another from borrowed bytes. Never reads
-/// past their end: what does not fit fails, and everything after a failure fails too, so that a
-/// whole record is read first and ok() asked once.
+/// past their end: a read that does not fit fails, and so do all reads after it, so that a whole
+/// record can be read before one call of ok().
 class ByteCursor {
  public:
   explicit ByteCursor(ByteView bytes) : bytes_(bytes) {}
@@ -31,7 +32,7 @@ class ByteCursor {
     return value;
   }
 
-  /// u32 byte length, then the bytes: String, Bytes32, and the outside of Map and Array.
+  /// u32 byte length, then the bytes: String, Bytes32, and the frame of Map and Array.
   ByteView bytes32() { return take(number<std::uint32_t>()); }
   /// u64 byte length, then the bytes.
   ByteView bytes64() { return take(number<std::uint64_t>()); }

@@ -9,7 +9,7 @@
 namespace rocinante::mcap {
 namespace {
 
-/// Compressing less than this saves nothing worth the reader's time.
+/// Saving less than this is not worth the reader's time.
 constexpr std::size_t kLeastToCompress = 1024;
 
 }  // namespace
@@ -31,7 +31,7 @@ ChunkCompressor& ChunkCompressor::operator=(ChunkCompressor&&) noexcept = defaul
 
 bool ChunkCompressor::compressInto(ByteView records, Bytes& out) {
   if (records.size() < kLeastToCompress) return false;
-  // Room for the worst case, so that it cannot fail for want of it.
+  // Room for the worst case, so that it cannot fail for lack of it.
   const std::size_t before = out.size();
   out.resize(before + ZSTD_compressBound(records.size()));
   const std::size_t made = ZSTD_compress2(context_->zstd, out.data() + before, out.size() - before,
@@ -58,7 +58,7 @@ void FrameStream::begin(int zstd_level, std::size_t frame_bytes) {
   ZSTD_CCtx* const zstd = context_->zstd;
   ZSTD_CCtx_reset(zstd, ZSTD_reset_session_and_parameters);
   ZSTD_CCtx_setParameter(zstd, ZSTD_c_compressionLevel, zstd_level);
-  // Without a size given, high levels take windows of 128 MiB, here and in every reader.
+  // Without a given size, high levels use windows of 128 MiB, here and in every reader.
   const int window = std::clamp(static_cast<int>(std::bit_width(frame_bytes)), 17, 24);
   ZSTD_CCtx_setParameter(zstd, ZSTD_c_windowLog, window);
 }

@@ -7,7 +7,8 @@
 
 namespace rocinante::mcap {
 
-/// Compresses whole chunks with zstd, and leaves alone what it does not make at least 2 % smaller.
+/// Compresses whole chunks with zstd; leaves a chunk uncompressed when it would not become at least
+/// 2 % smaller.
 class ChunkCompressor {
  public:
   explicit ChunkCompressor(int zstd_level);
@@ -15,8 +16,8 @@ class ChunkCompressor {
   ChunkCompressor(ChunkCompressor&&) noexcept;
   ChunkCompressor& operator=(ChunkCompressor&&) noexcept;
 
-  /// Appends the records to `out` as a zstd frame; false, and `out` as it was, where that does not
-  /// pay.
+  /// Appends the records to `out` as a zstd frame; false, with `out` unchanged, when that does not
+  /// save enough.
   bool compressInto(ByteView records, Bytes& out);
 
  private:
@@ -24,7 +25,7 @@ class ChunkCompressor {
   std::unique_ptr<Context> context_;
 };
 
-/// One zstd frame after another, each made piece by piece, without content size and checksum.
+/// Writes one zstd frame after another, each piece by piece, without content size and checksum.
 class FrameStream {
  public:
   FrameStream();
@@ -32,12 +33,12 @@ class FrameStream {
   FrameStream(FrameStream&&) noexcept;
   FrameStream& operator=(FrameStream&&) noexcept;
 
-  /// The next frame, whatever became of the last. Not more than about `frame_bytes` go into it.
+  /// Begins the next frame, whatever happened to the last. At most about `frame_bytes` go into it.
   void begin(int zstd_level, std::size_t frame_bytes);
   enum class Until { flushed, ended };
-  /// Appends to `out` the bytes that carry the frame on, so that all of `records` can be expanded
-  /// from what stands there. Fails only for want of memory; then the frame can only be ended by
-  /// kEnd.
+  /// Appends to `out` the bytes that continue the frame, so that all of `records` can be expanded
+  /// from the bytes written so far. Fails only for lack of memory; then the frame can only be ended
+  /// by kEnd.
   Status add(ByteView records, Until until, Bytes& out);
 
   /// Ends a frame whose last addition was flushed: an empty last block.

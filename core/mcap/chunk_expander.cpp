@@ -10,16 +10,16 @@
 namespace rocinante::mcap {
 namespace {
 
-/// A zstd block is at most 128 KiB and takes at least 4 bytes: no honest frame grows more.
+/// A zstd block is at most 128 KiB and takes at least 4 bytes: no valid frame grows more.
 constexpr std::uint64_t kMaxZstdGrowth = 32768;
 
-/// The least that a zstd frame's header takes.
+/// The smallest size of a zstd frame's header.
 constexpr std::size_t kFrameHeadBytes = 5;
 
-/// Made at first for a chunk whose size is not known.
+/// The initial size for a chunk of unknown size.
 constexpr std::size_t kFirstRoom = std::size_t{64} << 10U;
 
-/// What would stop us before the first byte is expanded.
+/// Refusals that are known before the first byte is expanded.
 Status mayExpand(const Chunk& chunk) {
   if (chunk.compression != "" && chunk.compression != "zstd") {
     return Error{ErrorKind::unsupported,
@@ -114,14 +114,14 @@ Result<ByteView> ChunkExpander::expandCut(const Chunk& chunk, Scratch& scratch) 
   }
   const auto bound = static_cast<std::size_t>(
       std::min<std::uint64_t>(size, (chunk.records.size() + 1) * kMaxZstdGrowth));
-  // Grown as it fills: a few bytes of a cut chunk must not take the memory of a large one.
+  // Grows as it fills: a few bytes of a cut chunk must not take the memory of a large one.
   std::size_t room = std::min(bound, std::max(kFirstRoom, 4 * chunk.records.size()));
   ZSTD_outBuffer out{scratch.make(room), room, 0};
   ZSTD_inBuffer in{chunk.records.data(), 0, 0};
   ZSTD_DCtx_reset(contexts_->zstd, ZSTD_reset_session_only);
   std::size_t wanted = kFrameHeadBytes;
   while (true) {
-    // Never more than zstd asks for, which is one block: an error takes back what its call made.
+    // At most the one block that zstd asks for: an error discards the output of its call.
     in.size = in.pos + std::min(wanted, chunk.records.size() - in.pos);
     const std::size_t in_before = in.pos;
     const std::size_t out_before = out.pos;

@@ -11,35 +11,35 @@
 
 namespace rocinante::mcap {
 
-/// No chunk that claims to hold more is expanded: a few bytes of zstd can claim anything.
+/// Chunks that claim more are not expanded: a few bytes of zstd can claim any size.
 inline constexpr std::uint64_t kMaxChunkBytes = std::uint64_t{256} << 20U;
 
-/// How much the compressed chunks of one file may claim together: a file of a few bytes must not
-/// keep a reader busy for minutes. Chunks are asked for in the file's order.
+/// Limits what the compressed chunks of one file may claim together: a file of a few bytes must not
+/// keep a reader busy for minutes. Chunks must be submitted in the file's order.
 class ExpansionBudget {
  public:
   static constexpr std::uint64_t kFreeBytes = kMaxChunkBytes;
-  /// Text that repeats itself is made some 100 times smaller, a picture of one colour 1,000 times.
+  /// Repetitive text compresses about 100 times, a picture of one colour 1,000 times.
   static constexpr std::uint64_t kMaxGrowth = 1000;
 
   explicit ExpansionBudget(std::uint64_t file_bytes)
       : left_(kFreeBytes + file_bytes * kMaxGrowth) {}
 
-  /// False when the chunk reaches beyond; what it claims is then not counted. Nor is one that is
-  /// not compressed, or is refused by itself.
+  /// False when the chunk exceeds the budget; its claim is then not counted. An uncompressed chunk,
+  /// or one refused for its own sake, is not counted either.
   bool take(const Chunk& chunk);
-  /// The same for bytes that were expanded already.
+  /// The same for bytes already expanded.
   bool take(std::uint64_t bytes);
-  /// The file has become longer.
+  /// Adds to the budget: the file has become longer.
   void grow(std::uint64_t file_bytes) { left_ += file_bytes * kMaxGrowth; }
-  /// Why a chunk is not expanded.
+  /// The reason for a refusal.
   static std::string refusal();
 
  private:
   std::uint64_t left_;
 };
 
-/// Memory that grows and is not cleared first.
+/// Memory that grows without being cleared.
 class Scratch {
  public:
   /// At least `bytes`; the contents are lost when it grows.
@@ -50,7 +50,7 @@ class Scratch {
     }
     return bytes_.get();
   }
-  /// At least `bytes`, of which the first `kept` stay as they are.
+  /// At least `bytes`; the first `kept` bytes are preserved.
   std::byte* grow(std::size_t bytes, std::size_t kept) {
     if (bytes > capacity_) {
       auto larger = std::make_unique_for_overwrite<std::byte[]>(bytes);
@@ -67,8 +67,8 @@ class Scratch {
   std::size_t capacity_ = 0;
 };
 
-/// Expands chunks: uncompressed and zstd. One a thread. Errors say what is wrong with the chunk;
-/// where it lies is for the caller to add.
+/// Expands chunks: uncompressed and zstd. One per thread. Errors describe the fault of the chunk;
+/// the caller adds its position.
 class ChunkExpander {
  public:
   ChunkExpander();
@@ -76,13 +76,13 @@ class ChunkExpander {
   ChunkExpander(ChunkExpander&&) noexcept;
   ChunkExpander& operator=(ChunkExpander&&) noexcept;
 
-  /// The chunk's records, their size and CRC checked: borrowed from the chunk itself or from
+  /// The chunk's records with their size and CRC checked, borrowed from the chunk itself or from
   /// `scratch`. damaged, or unsupported for lz4 and unknown compressions.
   Result<ByteView> expand(const Chunk& chunk, Scratch& scratch);
 
-  /// What can still be had of a chunk whose end is missing: `chunk.records` holds the bytes that
-  /// are there, `chunk.uncompressed_size` may be open (kOpenEnded). Nothing of it can be
-  /// checked. Where the bytes do not go on as zstd, what came before is given.
+  /// Expands what is left of a chunk whose end is missing: `chunk.records` holds the remaining
+  /// bytes, `chunk.uncompressed_size` may be kOpenEnded. Nothing can be checked. Where the bytes
+  /// stop being valid zstd, the records before that are returned.
   Result<ByteView> expandCut(const Chunk& chunk, Scratch& scratch);
 
  private:
@@ -90,13 +90,13 @@ class ChunkExpander {
   std::unique_ptr<Contexts> contexts_;
 };
 
-/// A chunk that is not what it says.
+/// The error for a chunk that contradicts itself.
 inline Error damagedChunk(std::string what) {
   return Error{ErrorKind::damaged, std::move(what), {}};
 }
 
-/// How many of the bytes the zstd frame at their beginning takes: empty when they end before it
-/// does, or begin none. Nothing is expanded.
+/// The number of bytes of the zstd frame at the front: empty when they end inside the frame, or do
+/// not begin one. Expands nothing.
 std::optional<std::uint64_t> zstdFrameBytes(ByteView bytes);
 
 }  // namespace rocinante::mcap

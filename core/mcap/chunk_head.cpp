@@ -14,7 +14,7 @@ bool belongsInChunk(Opcode opcode) {
   return opcode == Opcode::schema || opcode == Opcode::channel || opcode == Opcode::message;
 }
 
-/// The length of the whole Schema, Channel and Message records that the bytes begin with.
+/// The total length of the whole Schema, Channel and Message records at the front.
 std::uint64_t recordRunBytes(ByteView bytes) {
   std::uint64_t position = 0;
   while (const std::optional<mcap::Record> record = mcap::recordAt(bytes, position)) {
@@ -65,7 +65,7 @@ std::uint64_t openRecordsBytes(ByteView bytes, std::string_view compression) {
   if (!compression.empty()) return mcap::zstdFrameBytes(bytes).value_or(bytes.size());
   const std::uint64_t run = recordRunBytes(bytes);
   if (run == bytes.size()) return run;
-  // The last addition may have been cut off: what is there of it belongs to the chunk too.
+  // The last addition may have been cut off: its bytes still belong to the chunk.
   const bool cut = belongsInChunk(static_cast<Opcode>(bytes[static_cast<std::size_t>(run)])) &&
                    !mcap::recordAt(bytes, run);
   return cut ? bytes.size() : run;

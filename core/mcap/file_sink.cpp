@@ -19,7 +19,7 @@ Error systemError(const std::string& doing, int number, const std::string& name)
   return Error{ErrorKind::unreadable, doing + ": " + std::strerror(number), name};
 }
 
-/// Calls again while the call is interrupted.
+/// Retries while the call is interrupted.
 template <class Call>
 auto uninterrupted(Call call) {
   auto answer = call();
@@ -27,13 +27,13 @@ auto uninterrupted(Call call) {
   return answer;
 }
 
-/// True for what a file system without preallocation or writeback answers, and a pipe.
+/// True for the errors of a file system without preallocation or writeback, and of a pipe.
 bool notSupported(int number) {
   return number == EOPNOTSUPP || number == ENOSYS || number == EINVAL || number == ESPIPE ||
          number == ENODEV;
 }
 
-/// The most that a file may grow to by the limit this process runs under.
+/// The largest size that a file may reach under this process's limit.
 std::uint64_t largestFile() {
   struct rlimit limit {};
   if (::getrlimit(RLIMIT_FSIZE, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) {
@@ -58,7 +58,7 @@ class FileSink final : public ByteSink {
   FileSink& operator=(const FileSink&) = delete;
 
   Status append(ByteView bytes) override {
-    // Before it grows: behind what was cut off, the file has its length again.
+    // Before it grows: growing would restore the length of a truncated file.
     (void)check();
     while (!bytes.empty()) {
       const Result<std::size_t> written = regular_ ? writeAt(end_, bytes) : writeNext(bytes);
@@ -91,10 +91,10 @@ class FileSink final : public ByteSink {
   Status reserve(std::uint64_t size_bytes) override {
     const std::uint64_t from = std::max(end_, reserved_until_);
     if (size_bytes <= from || !regular_) return {};
-    // Not every file system asks for this limit before the write itself.
+    // Not every file system checks this limit before the write itself.
     if (size_bytes > largestFile()) return cannotWrite(EFBIG);
     if (!reserves_) return {};
-    allocated_ahead_ = true;  // a call that fails may have allocated some of it
+    allocated_ahead_ = true;  // a failed call may have allocated some of it
     const int answer = uninterrupted([&] {
       return calls_.fallocate(file_, FALLOC_FL_KEEP_SIZE, static_cast<off_t>(from),
                               static_cast<off_t>(size_bytes - from));
@@ -144,7 +144,7 @@ class FileSink final : public ByteSink {
     if (uninterrupted([&] { return calls_.fdatasync(file_); }) != 0 && errno != EINVAL && outcome) {
       outcome = systemError("cannot flush the log to the disk", errno, name_);
     }
-    // Never called again after EINTR: the descriptor is gone all the same on Linux.
+    // Not repeated after EINTR: on Linux the descriptor is closed all the same.
     if (calls_.close(std::exchange(file_, -1)) != 0 && errno != EINTR && outcome) {
       outcome = systemError("cannot close the log", errno, name_);
     }
@@ -172,7 +172,7 @@ class FileSink final : public ByteSink {
   }
   Result<std::size_t> counted(ssize_t written) const {
     if (written < 0) return cannotWrite(errno);
-    // A write of nothing that is no error would go on for ever.
+    // A write of zero bytes without an error would be retried for ever.
     if (written == 0) return cannotWrite(ENOSPC);
     return static_cast<std::size_t>(written);
   }
@@ -187,11 +187,11 @@ class FileSink final : public ByteSink {
   std::string name_;
   FileCalls calls_;
   bool regular_ = false;
-  bool linked_ = false;  ///< it had a name; some file systems count no links
+  bool linked_ = false;  ///< it had a name; some file systems do not count links
   std::optional<Error> disturbance_;
   bool reserves_ = false;
   std::uint64_t end_ = 0;
-  std::uint64_t reserved_until_ = 0;  ///< blocks are there up to this
+  std::uint64_t reserved_until_ = 0;  ///< blocks are allocated up to here
   bool allocated_ahead_ = false;
 };
 

@@ -10,8 +10,8 @@
 
 namespace rocinante {
 
-/// The system calls of a FileSink, as values: tests hand in a system that is interrupted, writes
-/// half, is full, or whose disk goes away.
+/// The system calls of a FileSink, as values: tests pass in a system that is interrupted, writes
+/// half, is full, or loses its disk.
 struct FileCalls {
   std::function<ssize_t(int, const void*, std::size_t)> write;
   std::function<ssize_t(int, const void*, std::size_t, off_t)> pwrite;
@@ -26,7 +26,7 @@ struct FileCalls {
 };
 
 /// A sink on an open file, which it owns. A regular file must be empty; anything else (a pipe, a
-/// device) is only appended to. docs/log-format.md, "A disk that refuses".
+/// device) only grows. docs/log-format.md, "A disk that refuses".
 std::unique_ptr<ByteSink> makeFileSinkOn(int file, std::string name,
                                          FileCalls calls = FileCalls::system());
 

@@ -22,7 +22,7 @@ Status GrowingFile::appendUncounted(ByteView bytes, std::uint64_t tail_bytes) {
   if (Status written = sink_->append(bytes); !written) {
     torn_ = !sink_->truncate(size_);
     reserve_.forget();
-    // So that the end keeps its room while there is any.
+    // So that the file's end keeps its room while there is any.
     (void)reserve_.cover(*sink_, size_ + tail_bytes);
     return written;
   }

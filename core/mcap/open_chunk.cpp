@@ -13,9 +13,8 @@ namespace {
 /// Of the content, without the compression's name and the records.
 constexpr std::uint64_t kFixedBytes = 8 + 8 + 8 + 4 + 4 + 8;
 
-// A chunk that had no more than this when it was begun is of a slow session (600 packets a second),
-// where pieces are small and compress badly, and time costs nothing. Above, a higher level gains
-// nothing.
+// A chunk that had at most this when it was begun belongs to a slow session (600 packets a second),
+// where pieces are small and compress badly, and time is free. Above, a higher level gains nothing.
 constexpr std::size_t kSlowBytes = std::size_t{4} << 10U;
 constexpr int kSlowLevel = 6;
 
@@ -29,7 +28,7 @@ std::size_t headerBytes(const std::string& compression) {
   return kPrefixBytes + kFixedBytes + compression.size();
 }
 
-/// The Chunk record up to its records; with an open end where `open`.
+/// Writes the Chunk record up to its records; with open lengths if `open`.
 void putHeader(std::byte* at, const ChunkIndex& index, std::uint32_t crc, bool open) {
   const auto known = [open](std::uint64_t value) { return open ? kOpenEnded : value; };
   at = put(at, static_cast<std::uint8_t>(Opcode::chunk));
@@ -141,7 +140,7 @@ Status OpenChunk::closeInOnePiece(GrowingFile& file, std::uint64_t tail_bytes) {
   putHeader(piece.data() + from, index_, kept_crc_, /*open=*/false);
   putIndexes(piece, file.size() - from);
 
-  // One write for the chunk and its indexes: both are there, or neither.
+  // One write for the chunk and its indexes: the file gets both or neither.
   const ByteView whole = ByteView(piece).subspan(from);
   if (smaller) {
     if (Status written = file.append(whole, tail_bytes); !written) return written;
@@ -193,7 +192,7 @@ Status OpenChunk::appendIndexes(GrowingFile& file, std::uint64_t tail_bytes) {
   out_.clear();
   putIndexes(out_, file.size());
   if (Status written = file.append(out_, tail_bytes); !written) {
-    // Nothing said of them means that they are not known.
+    // No index offsets means that they are unknown.
     index_.message_index_offsets.clear();
     index_.message_index_length = 0;
     return written;
@@ -201,7 +200,7 @@ Status OpenChunk::appendIndexes(GrowingFile& file, std::uint64_t tail_bytes) {
   return file.settle(index_.chunk_start_offset);
 }
 
-/// `file_offset` is that of the first byte of `out`.
+/// `file_offset` is the offset of the first byte of `out`.
 void OpenChunk::putIndexes(Bytes& out, std::uint64_t file_offset) {
   if (!message_indexes_) return;
   const std::size_t before = out.size();

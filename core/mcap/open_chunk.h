@@ -11,12 +11,12 @@
 
 namespace rocinante::mcap {
 
-/// The chunk that takes messages now. It stays in memory until it is closed or flushed; flushed, it
-/// is begun in the file and goes on there with open lengths (docs/log-format.md, "The open chunk").
-/// One object makes one chunk after another.
+/// The chunk that currently takes messages. It stays in memory until it is closed or flushed; once
+/// flushed, it is begun in the file and grows there with open lengths (docs/log-format.md, "The
+/// open chunk"). One object makes one chunk after another.
 class OpenChunk {
  public:
-  /// What one channel has in the chunk. Lies with the channel, so that a message costs no search.
+  /// One channel's part of the chunk. Kept with the channel, so that a message needs no lookup.
   struct Part {
     MessageIndex index;
     bool declared = false;
@@ -25,39 +25,40 @@ class OpenChunk {
   OpenChunk(std::optional<int> zstd_level, std::size_t chunk_bytes, bool message_indexes);
 
   bool empty() const { return !begun() && !unflushed(); }
-  /// It stands in the file, and nothing else can be appended there until it is closed.
+  /// The chunk is begun in the file, and nothing else can be appended there until it is closed.
   bool begun() const { return stage_ != Stage::in_memory; }
   bool unflushed() const { return buffer_.size() > kHeaderRoom; }
   std::uint64_t bytes() const { return kept_bytes_ + pending().size(); }  ///< uncompressed
 
-  /// Where records go that declare what a message needs, before it.
+  /// The buffer for the records that declare what a message needs, before the message.
   Bytes& records() { return buffer_; }
-  /// `part` must stay where it is until startNext().
+  /// `part` must not move until startNext().
   void add(Part& part, const Message& message);
-  /// In order of their first message.
+  /// In the order of their first message.
   const std::vector<Part*>& parts() const { return parts_; }
 
-  /// What closing the chunk appends to the file beside its records.
+  /// The bytes that closing the chunk appends to the file in addition to its records.
   std::uint64_t closingBytes() const;
 
-  /// Begins the chunk in the file or adds to it what is not there yet. When it fails, that is still
-  /// unflushed and can only be dropped. `tail_bytes` must still fit behind the closed chunk.
+  /// Begins the chunk in the file, or appends the records that are not there yet. When it fails,
+  /// these stay unflushed and can only be dropped. `tail_bytes` must still fit behind the closed
+  /// chunk.
   Status flush(GrowingFile& file, std::uint64_t tail_bytes);
-  /// Brings the chunk to its end: in one piece, or what is missing of it. After a failure, the
-  /// unflushed records dropped, it can be called again and goes on where it stopped.
+  /// Closes the chunk: writes all of it at once, or the part that is missing. After a failure, once
+  /// the unflushed records are dropped, it can be called again and continues where it stopped.
   Status close(GrowingFile& file, std::uint64_t tail_bytes);
-  /// It stands whole in the file; perhaps without its message indexes, when they did not fit.
+  /// The chunk is complete in the file; perhaps without its message indexes, when they did not fit.
   bool closed() const { return stage_ == Stage::closed; }
-  /// Of a chunk that is closed().
+  /// The index of a chunk that is closed().
   const ChunkIndex& index() const { return index_; }
 
-  /// Forgets what is not in the file: how many messages of which channel.
+  /// Forgets the records that are not in the file: returns the number of messages by channel.
   std::vector<std::pair<std::uint16_t, std::uint64_t>> dropUnflushed();
 
   void startNext();
 
  private:
-  /// Before the records: the longest header of a Chunk record.
+  /// Room before the records: the longest header of a Chunk record.
   static constexpr std::size_t kHeaderRoom = 53;
   enum class Stage { in_memory, open, ended, patched, closed };
 
@@ -79,14 +80,14 @@ class OpenChunk {
   FrameStream stream_;
 
   Stage stage_ = Stage::in_memory;
-  Bytes buffer_;  ///< kHeaderRoom, then the records that are not in the file
-  Bytes out_;     ///< what is being written
+  Bytes buffer_;  ///< kHeaderRoom, then the records that are not in the file yet
+  Bytes out_;     ///< the bytes being written
   std::vector<Part*> parts_;
 
-  ChunkIndex index_;              ///< as far as it is known
+  ChunkIndex index_;              ///< as far as known
   std::uint64_t kept_bytes_ = 0;  ///< of the records in the file, uncompressed
-  std::uint32_t kept_crc_ = 0;    ///< of those
-  std::uint32_t stored_crc_ = 0;  ///< of them as they are stored
+  std::uint32_t kept_crc_ = 0;    ///< of these
+  std::uint32_t stored_crc_ = 0;  ///< of these as stored
 };
 
 }  // namespace rocinante::mcap

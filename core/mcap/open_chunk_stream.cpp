@@ -24,7 +24,7 @@ struct OpenChunkStream::Impl {
   ZSTD_DCtx* zstd;
   Bytes piece;
   bool ended = false;
-  /// Expanded and not given yet; what lies before `at` was given.
+  /// Expanded and not returned yet; the bytes before `at` were returned.
   Bytes pending;
   std::size_t at = 0;
   std::uint64_t given_bytes = 0;  ///< of records, before pending[at]
@@ -75,7 +75,7 @@ Result<std::size_t> OpenChunkStream::feed(ByteView stored) {
     }
     if (Status kept = chunk.keep(ByteView(chunk.piece).first(out.pos)); !kept) return kept.error();
     chunk.ended = hint == 0;
-    // A full piece may have left more behind in the decompressor.
+    // A full output piece may have left more in the decompressor.
     if (in.pos == in.size && out.pos < out.size) break;
   }
   return in.pos;

@@ -10,9 +10,9 @@
 
 namespace rocinante::mcap {
 
-/// Expands a zstd chunk that is still being written, piece by piece, and gives its records as they
-/// become whole (docs/log-format.md, "The open chunk"). Errors say what is wrong with the chunk;
-/// where it lies is for the caller to add.
+/// Expands a zstd chunk that is still being written, piece by piece, and returns its records as
+/// they become whole (docs/log-format.md, "The open chunk"). Errors describe the fault of the
+/// chunk; the caller adds its position.
 class OpenChunkStream {
  public:
   OpenChunkStream();
@@ -20,20 +20,20 @@ class OpenChunkStream {
   OpenChunkStream(OpenChunkStream&&) noexcept;
   OpenChunkStream& operator=(OpenChunkStream&&) noexcept;
 
-  /// Begins anew.
+  /// Starts over.
   void begin();
 
-  /// Takes the next stored bytes and answers how many of them belong to the chunk: fewer than all
-  /// when it has ended() there. To be called when next() has nothing more.
+  /// Takes the next stored bytes and returns how many of them belong to the chunk: fewer than all
+  /// when it has ended() there. Call it when next() returns nothing more.
   Result<std::size_t> feed(ByteView stored);
 
-  /// The next whole record, its offset that in the expanded chunk; valid until the next call. Empty
+  /// The next whole record, with its offset in the expanded chunk; valid until the next call. Empty
   /// when there is none yet.
   Result<std::optional<Record>> next();
 
-  /// The end of the chunk was seen.
+  /// The end of the chunk was reached.
   bool ended() const;
-  /// Of the expanded records so far.
+  /// Size or checksum of the expanded records so far.
   std::uint64_t expandedBytes() const;
   std::uint32_t crc() const;
 

@@ -10,7 +10,7 @@ std::optional<std::size_t> consumed(const ByteCursor& cursor) {
   return cursor.position();
 }
 
-/// For the frozen records, which may hold nothing more.
+/// For the frozen records, which must not have anything after their known fields.
 std::optional<std::size_t> consumedWhole(const ByteCursor& cursor) {
   if (!cursor.ok() || cursor.remaining() != 0) return std::nullopt;
   return cursor.position();

@@ -11,10 +11,10 @@ namespace rocinante::mcap {
 /// Empty when the content of the MessageIndex breaks the format.
 std::optional<IndexEntries> indexEntries(ByteView content);
 
-/// Reads a record from its content (without the prefix). Answers how many bytes its known fields
-/// took: a later version may add fields behind them, except to Message, DataEnd and Footer. Empty
-/// when the content breaks the format: a length beyond the end, or a map whose bytes do not come
-/// out even. Nothing is allocated before its length is checked.
+/// Reads a record from its content (without the prefix). Returns how many bytes its known fields
+/// took: a later version may add fields after them, except to Message, DataEnd and Footer. Empty
+/// when the content breaks the format: a length beyond the end, or a map whose pairs do not fill
+/// its bytes exactly. Allocates nothing before its length is checked.
 std::optional<std::size_t> parse(ByteView content, Header& out);
 std::optional<std::size_t> parse(ByteView content, Footer& out);
 std::optional<std::size_t> parse(ByteView content, Schema& out);

@@ -10,10 +10,10 @@ using mcap::Opcode;
 
 namespace {
 
-/// Schemas, channels and the like that are larger are not looked for behind damage.
+/// Larger schemas, channels and the like are not searched for after damage.
 constexpr std::size_t kMaxPlausibleBytes = 1U << 16U;
 
-/// A chunk that the end of the file cut off, or that was still open.
+/// The chunk was cut off by the end of the file, or was still open.
 bool tornChunkAt(ByteView file, std::uint64_t offset) {
   const std::optional<ChunkHead> head = chunkHeadAt(file, offset);
   if (!head || !knownCompression(head->chunk.compression)) return false;
@@ -41,7 +41,7 @@ bool RecordProbe::plausibleAt(std::uint64_t offset) {
   if (record->end() == file_.size()) return true;
   const std::optional<mcap::Record> next = mcap::recordAt(file_, record->end());
   if (next) return plausible(*next);
-  // Nothing whole follows: the file may have been cut there.
+  // No whole record follows: the file may have been cut there.
   return file_.size() - record->end() < mcap::kPrefixBytes || record->opcode == Opcode::footer ||
          record->opcode == Opcode::message_index || record->opcode == Opcode::chunk ||
          tornChunkAt(file_, record->end());

@@ -8,16 +8,15 @@
 
 namespace rocinante {
 
-/// Judges whether bytes begin a record, where nothing else says that one should be there: behind
-/// damage. For one file.
+/// Judges whether bytes begin a record where nothing else says so: after damage. One per file.
 class RecordProbe {
  public:
   explicit RecordProbe(ByteView file) : file_(file) {}
 
-  /// True when the bytes at `offset` begin a record that can be believed: known by its opcode, with
-  /// lengths that fit, and followed by another or by the end of the file.
+  /// True when the bytes at `offset` begin a credible record: a known opcode, lengths that fit, and
+  /// another record or the end of the file after it.
   bool plausibleAt(std::uint64_t offset);
-  /// The same, for the records that reading may go on with.
+  /// The same, for the records at which reading may resume.
   bool resumesAt(std::uint64_t offset);
 
  private:
@@ -26,14 +25,14 @@ class RecordProbe {
   bool parses(ByteView content);
 
   ByteView file_;
-  /// Bytes that may still be parsed for a guess: a hostile file must not make us look at all of it
-  /// from each of its bytes.
+  /// Bytes that may still be parsed for guesses: a hostile file must not make the reader scan the
+  /// whole file from each of its bytes.
   std::uint64_t budget_bytes_ = std::uint64_t{256} << 20U;
 };
 
-/// A chunk is stored in one of these ways.
+/// One of the ways that a chunk is stored.
 bool knownCompression(std::string_view name);
-/// The name, no longer borrowed from the file where it is a known one.
+/// The name, borrowed from the file only if it is unknown.
 std::string_view compressionName(std::string_view name);
 
 }  // namespace rocinante

@@ -10,9 +10,9 @@
 
 #include "core/base/bytes.h"
 
-/// The records of an MCAP file, version 0, field by field in the order of their bytes.
-/// The format is the public specification's (https://mcap.dev/spec); docs/log-format.md says which
-/// part of it a log uses.
+/// The records of an MCAP file, version 0, field by field in the order of their bytes. The format
+/// is the public specification (https://mcap.dev/spec); docs/log-format.md says which part of it a
+/// log uses.
 namespace rocinante::mcap {
 
 inline constexpr unsigned char kMagicBytes[8] = {0x89, 'M', 'C', 'A', 'P', '0', '\r', '\n'};
@@ -23,9 +23,9 @@ inline constexpr std::size_t kPrefixBytes = 9;
 inline constexpr std::size_t kFooterContentBytes = 20;
 inline constexpr std::size_t kDataEndContentBytes = 4;
 inline constexpr std::size_t kMessageHeaderBytes = 22;
-/// What stands at the end of every whole file: the Footer record and the magic.
+/// The end of every whole file: the Footer record and the magic.
 inline constexpr std::size_t kFileEndBytes = kPrefixBytes + kFooterContentBytes + 8;
-/// All eight bytes of a length that is not known yet: that of the chunk which is being written.
+/// A length that is not known yet, all eight bytes set: that of the chunk being written.
 inline constexpr std::uint64_t kOpenEnded = ~std::uint64_t{0};
 
 enum class Opcode : std::uint8_t {
@@ -167,7 +167,7 @@ struct DataEnd {
   std::uint32_t data_section_crc = 0;  ///< of every byte before this record; 0: not computed
 };
 
-/// A MessageIndex whose entries are left where they are: (log_time u64, offset u64) each.
+/// A MessageIndex whose entries are not copied: (log_time u64, offset u64) each.
 struct IndexEntries {
   static constexpr std::size_t kHeadBytes = 6;  ///< before the entries
   static constexpr std::size_t kEntryBytes = 16;

@@ -9,7 +9,7 @@
 
 namespace rocinante::mcap {
 
-/// One record as it lies. Borrowed.
+/// A record as stored. Borrowed.
 struct Record {
   Opcode opcode = Opcode::invalid;
   std::uint64_t offset = 0;  ///< of the opcode
@@ -18,19 +18,19 @@ struct Record {
   std::uint64_t end() const { return offset + kPrefixBytes + content.size(); }
 };
 
-/// The record at `offset` of `bytes`; empty when its prefix or its content would reach past the
+/// The record at `offset` of `bytes`; empty when its prefix or its content would extend past the
 /// end.
 std::optional<Record> recordAt(ByteView bytes, std::uint64_t offset);
 
-/// Reads an MCAP file strictly from its first record to its footer, as the format has it: the first
-/// breach is an error. (LogReader is the one that goes on after damage.) Chunks are expanded, their
-/// CRC checked, and their records given in place of them.
+/// Reads an MCAP file strictly from its first record to its footer: the first breach of the format
+/// is an error. (LogReader continues after damage.) Chunks are expanded, their CRC is checked, and
+/// their records are returned instead of them.
 class StreamReader {
  public:
-  /// damaged when the file does not begin with the magic. `file` must outlive the reader.
+  /// damaged when the file does not start with the magic. `file` must outlive the reader.
   static Result<StreamReader> open(ByteView file);
 
-  /// The next record, valid until the next call; its offset is that in the file, or in the expanded
+  /// The next record, valid until the next call; its offset is in the file, or in the expanded
   /// chunk. Empty after the footer, which the closing magic must follow.
   Result<std::optional<Record>> next();
 

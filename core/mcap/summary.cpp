@@ -130,7 +130,7 @@ Bytes Summary::build(std::uint64_t summary_start) const {
     for (const SummaryOffset& group : groups) append(out, group);
   }
   append(out, footer);
-  // The footer's last field covers all that stands before it, from the summary's start.
+  // The footer's last field covers everything before it, from the summary's start.
   footer.summary_crc = crc32(ByteView(out).first(out.size() - sizeof(footer.summary_crc)));
   out.resize(out.size() - kPrefixBytes - kFooterContentBytes);
   append(out, footer);

@@ -5,9 +5,9 @@
 namespace rocinante {
 namespace {
 
-// An eighth of the file: few calls for a large one, little taken for a small one, which a recorder
-// that is killed leaves allocated. Each call can wait for the file system's journal (62 ms were
-// seen), while what is recorded waits in memory: the least keeps them rare in a new file.
+// An eighth of the file: few calls for a large file, little space for a small one, which stays
+// allocated when a recorder is killed. Each call can wait for the file system's journal (62 ms were
+// measured) while recorded data waits in memory: the minimum keeps calls rare in a new file.
 constexpr std::uint64_t kLeastStep = 1U << 20U;
 constexpr std::uint64_t kMaxStep = 16U << 20U;
 
@@ -20,7 +20,7 @@ Status TailReserve::cover(ByteSink& sink, std::uint64_t end_bytes) {
     ready_until_ = ahead;
     return {};
   }
-  // Near the end of the disk the step does not fit, but what is needed may.
+  // Near the end of the disk the step does not fit, but the room needed now may.
   Status exactly = sink.reserve(end_bytes);
   if (exactly) ready_until_ = end_bytes;
   return exactly;

@@ -6,14 +6,14 @@
 
 namespace rocinante {
 
-/// Room on the disk behind what is written, allocated ahead in steps, so that a log can always be
-/// brought to its end. docs/log-format.md, "A disk that refuses".
+/// Disk space behind the written bytes, allocated ahead in steps, so that a log can always be
+/// closed properly. docs/log-format.md, "A disk that refuses".
 class TailReserve {
  public:
-  /// Sees to it that the file can grow to `end_bytes`. Fails when the disk has no room for that;
-  /// what was reserved before stays so.
+  /// Ensures that the file can grow to `end_bytes`. Fails when the disk has no room for that; what
+  /// was reserved before stays reserved.
   Status cover(ByteSink& sink, std::uint64_t end_bytes);
-  /// After something was taken back from the file: nothing counts as reserved.
+  /// To be called after a truncation: nothing counts as reserved.
   void forget() { ready_until_ = 0; }
 
  private:

@@ -59,7 +59,8 @@ void Writer::undeclareSchemas() {
   for (SchemaState& schema : schemas_) schema.declared = false;
 }
 
-/// What must still fit behind the records of the open chunk, for the file to end whole.
+/// The bytes that must still fit behind the records of the open chunk, so that the file can be
+/// closed properly.
 std::uint64_t Writer::tailBytes() const {
   std::vector<std::uint16_t> channels;
   channels.reserve(chunk_.parts().size());
@@ -73,7 +74,7 @@ Status Writer::write(const Message& message) {
   ChannelState& channel = *channel_by_id_[message.channel_id];
   if (!options_.chunked) return writeLoose(channel, message);
   if (refused_ && chunk_.begun()) {
-    // It could not be closed when the disk refused. Perhaps now.
+    // The disk refused when it was to be closed; it may accept now.
     if (Status closed = closeChunk(); !closed) {
       ++lost_[message.channel_id];
       return closed;
@@ -91,7 +92,7 @@ Status Writer::writeLoose(ChannelState& channel, const Message& message) {
   append(scratch_, message);
   if (Status written = file_.append(scratch_, tailBytes()); !written) {
     ++lost_[message.channel_id];
-    // Taken back with the message: to be said again before the next one.
+    // Removed with the message: must be declared again before the next one.
     if (channel.messages == 0) channel.part.declared = false;
     undeclareSchemas();
     refuse();
@@ -186,10 +187,10 @@ Status Writer::writeMetadata(const Metadata& metadata) {
 }
 
 Status Writer::finish() {
-  // Each step is tried even when one before it failed: a whole summary of what did fit is worth
-  // more than none. The first failure is the answer.
+  // Every step is tried even when one before it failed: a whole summary of what did fit is worth
+  // more than none. The first failure is returned.
   Status outcome = closeChunk();
-  // Behind a chunk that is still open nothing can stand.
+  // Nothing can follow a chunk that is still open.
   if (!chunk_.begun()) {
     Bytes end;
     append(end, DataEnd{file_.crc()});

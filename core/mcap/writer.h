@@ -16,10 +16,10 @@
 namespace rocinante::mcap {
 
 /// Writes any MCAP file; LogWriter is the profile on top of it. Schemas and channels are declared
-/// once and written where they are first used, in every chunk anew, so that each chunk can be read
-/// alone. Room on the disk is kept ahead for the file's end, so that a disk that fills up leaves a
-/// whole file; where that cannot be, a record stands in the file whole or not at all, and finish()
-/// can still be tried. Starts no threads.
+/// once and written where they are first used, again in every chunk, so that each chunk can be read
+/// alone. Disk space is reserved for the file's end, so that a disk that fills up still leaves a
+/// whole file; where that is impossible, each record is in the file whole or not at all, and
+/// finish() can still be tried. Starts no threads.
 class Writer {
  public:
   /// Writes the magic and the header.
@@ -31,27 +31,28 @@ class Writer {
   void addChannel(Channel channel);
 
   /// The channel must have been added. Fails when this message, or the chunk that it filled, could
-  /// not be written: see lost() for the messages that do not stand in the file.
+  /// not be written: lost() counts the messages that are not in the file.
   Status write(const Message& message);
-  /// Both close the chunk when it is begun in the file.
+  /// Both close the chunk if it is begun in the file.
   Status writeAttachment(const Attachment& attachment);
   Status writeMetadata(const Metadata& metadata);
 
-  /// Brings the messages of the open chunk into the file and leaves it open there; closes it where
-  /// the file can only grow. When it fails, the chunk is closed with what stands in the file.
+  /// Writes the messages of the open chunk to the file and leaves the chunk open there; closes it
+  /// if the file can only grow. When it fails, the chunk is closed with the messages that are in
+  /// the file.
   Status flush();
   /// See ByteSink::check().
   Status check() { return file_.check(); }
   /// Closes the open chunk, if it holds anything.
   Status closeChunk();
-  /// Messages wait in memory.
+  /// Whether messages wait in memory.
   bool unflushed() const { return chunk_.unflushed(); }
 
-  /// Closes the chunk, writes the summary, closes the file. When the disk refuses, it leaves what
-  /// is whole. Nothing may be called after it.
+  /// Closes the chunk, writes the summary, closes the file. When the disk refuses, the file keeps
+  /// its whole records. No call may follow.
   Status finish();
 
-  /// Bytes that stand in the file.
+  /// The bytes in the file.
   std::uint64_t bytesWritten() const { return file_.size(); }
   /// Per channel id: messages given to write() that the disk refused.
   const std::map<std::uint16_t, std::uint64_t>& lost() const { return lost_; }
@@ -74,9 +75,9 @@ class Writer {
   Status writeLoose(ChannelState& channel, const Message& message);
   void declare(ChannelState& channel, Bytes& out);
   void undeclareSchemas();
-  /// The disk refused: what is not in the file is lost.
+  /// The disk refused: the records that are not in the file are lost.
   void refuse();
-  /// The room that was kept for what is written after a refusal can be used.
+  /// Releases the room that was kept for writes after a refusal.
   void releaseRoom();
   void keepChunk();
   std::uint64_t tailBytes() const;
