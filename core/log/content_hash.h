@@ -8,12 +8,12 @@
 namespace rocinante {
 
 /// The identity of a session (docs/log-format.md, "Identity"), fed message by message in the log's
-/// order; messages that are not captured are left out. Compression, keyframes, marks and
-/// attachments do not change it.
+/// order; skips messages that were not captured. Compression, keyframes, marks and attachments do
+/// not change it.
 class ContentHash {
  public:
   void add(const LogMessage& message);
-  /// Lower-case hexadecimal; the object starts anew.
+  /// Lower-case hexadecimal; the object starts over.
   std::string finish();
 
  private:

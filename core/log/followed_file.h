@@ -11,21 +11,21 @@
 
 namespace rocinante {
 
-/// A file that somebody else is still writing, read beside them.
+/// A file read while another process writes it.
 class FollowedFile {
  public:
   virtual ~FollowedFile() = default;
 
-  /// How many bytes stand there now. An error when another file has taken its place.
+  /// The current size in bytes. An error when another file has replaced this one.
   virtual Result<std::uint64_t> size() = 0;
-  /// Fills `out` from `offset` on. An error when not all of it is there.
+  /// Fills `out` from `offset` on. An error when the file has fewer bytes.
   virtual Status read(std::uint64_t offset, std::span<std::byte> out) = 0;
 
-  virtual const std::string& name() const = 0;  ///< for messages to people
+  virtual const std::string& name() const = 0;  ///< for messages to users
 };
 
 /// not_found or unreadable; a folder, a pipe or a device is unreadable. A file that is removed
-/// while it is followed is followed on.
+/// while it is followed can still be read.
 Result<std::unique_ptr<FollowedFile>> followFile(const std::filesystem::path& path);
 
 }  // namespace rocinante

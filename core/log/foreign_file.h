@@ -6,8 +6,9 @@
 
 namespace rocinante {
 
-/// What is said of a file that is no log: that it is empty, or does not begin as a log does, and
-/// where its first bytes are those of a capture, an archive or a bag, what it is and what helps.
+/// The message for a file that is not a log: that it is empty, or does not start with the MCAP
+/// magic; and if its first bytes are those of a capture, an archive or a bag, what it is and what
+/// to do.
 std::string notALog(ByteView file);
 
 }  // namespace rocinante

@@ -10,9 +10,9 @@
 
 namespace rocinante {
 
-/// Finds the last message of a channel before a moment by the message indexes, and expands only the
-/// span that holds it. An index is believed where the span agrees with it; one that does not is
-/// damage, and its span is read instead.
+/// Finds the last message of a channel before a moment through the message indexes, and expands
+/// only the span that holds it. An index that disagrees with its span is damage; then the span
+/// itself is searched.
 class LastMessage {
  public:
   /// The cache is borrowed and must outlive this.
@@ -36,10 +36,10 @@ class LastMessage {
   std::optional<Found> readIn(std::uint32_t span, ChannelId channel, LogTime moment);
 
   SpanCache& cache_;
-  std::vector<std::uint32_t> by_end_;         ///< spans, the one that ends last at the end
+  std::vector<std::uint32_t> by_end_;         ///< spans, in order of their end time
   std::vector<LogTime> earliest_start_;       ///< of by_end_[i..]
   std::set<std::uint32_t> misindexed_;        ///< spans whose message indexes are wrong
-  std::shared_ptr<const SpanMessages> held_;  ///< what the answer borrows from
+  std::shared_ptr<const SpanMessages> held_;  ///< owns the payload of the last answer
 };
 
 }  // namespace rocinante

@@ -13,19 +13,19 @@ namespace rocinante {
 
 class FollowedFile;
 
-/// Reads a log beside its recorder: messages in the file's order, each once, as soon as the whole
-/// of it stands in the file; chunks that are still being written too (docs/log-format.md, "The open
-/// chunk"). Knows no clock: it answers what is there. Holds at most one chunk, as far as its
-/// records have not been given. Not for sharing between threads.
+/// Reads a log while its recorder writes it: messages in the file's order, each once, as soon as
+/// all of it is in the file, also from chunks still being written (docs/log-format.md, "The open
+/// chunk"). Uses no clock: it returns what is there. Holds at most one chunk, and only until its
+/// records are returned. Not for sharing between threads.
 class LogFollower {
  public:
   enum class From {
     start,  ///< every message of the file
-    now,    ///< those that are not whole in the file when it is opened
+    now,    ///< messages not yet complete in the file when it is opened
   };
 
-  /// not_found or unreadable when the file is; damaged when it begins as no log does. An empty file
-  /// is one: its recorder has only just made it.
+  /// not_found or unreadable when the file is; damaged when it does not start with the MCAP magic.
+  /// An empty file is accepted: its recorder has just created it.
   static Result<LogFollower> open(const std::filesystem::path& path, From from);
   /// The same on any file.
   static Result<LogFollower> openOn(std::unique_ptr<FollowedFile> file, From from);
@@ -34,16 +34,16 @@ class LogFollower {
   LogFollower(LogFollower&&) noexcept;
   LogFollower& operator=(LogFollower&&) noexcept;
 
-  /// The next message; its payload is valid until the next call, its channel as long as this. Empty
-  /// when there is none yet, or never again: see ended(). Chunks that are broken are left out and
-  /// told by takeDamage(). An error when it cannot go on: the file was made shorter or replaced, or
-  /// what stands there is no record; every later call answers the same.
+  /// The next message; its payload is valid until the next call, its channel as long as this
+  /// object. Empty when there is none yet, or none any more: see ended(). Broken chunks are skipped
+  /// and reported by takeDamage(). An error when reading cannot continue: the file was truncated or
+  /// replaced, or its next bytes are not a record; every later call returns the same error.
   Result<std::optional<LogMessage>> poll();
 
-  /// The log's recorder has closed it, and everything was given.
+  /// The recorder has closed the log, and every message was returned.
   bool ended() const;
 
-  /// When the session began, as far as the log has said so.
+  /// The start of the session, if the log has given it so far.
   std::optional<LogTime> origin() const;
   std::vector<DamageSpan> takeDamage();
   const std::string& name() const;

@@ -12,7 +12,7 @@
 
 namespace rocinante {
 
-/// Where everything in a log lies: what its summary says, or what a walk over the file found.
+/// The positions of everything in a log, from its summary or from a walk over the file.
 struct LogIndex {
   mcap::Header header;
   std::vector<MessageSpan> spans;  ///< in the file's order
@@ -22,14 +22,14 @@ struct LogIndex {
   std::vector<std::uint64_t> attachment_offsets;  ///< as `attachments`
   std::vector<LogMetadata> metadata;
   std::vector<DamageSpan> damage;
-  bool closed = false;  ///< ends as a whole file does
+  bool closed = false;  ///< the file ends with the Footer and the closing magic
 };
 
-/// Adds what the record tells; false when it breaks the format.
+/// Adds the record's contents; false when it breaks the format.
 bool addAttachment(const mcap::Record& record, LogIndex& index);
 bool addMetadata(const mcap::Record& record, LogIndex& index);
 
-/// Adds a channel; false when its id is there already and means another.
+/// Adds a channel; false when its id is already used by a different one.
 bool addChannel(LogIndex& index, const mcap::Channel& channel);
 
 }  // namespace rocinante

@@ -8,8 +8,8 @@
 
 namespace rocinante {
 
-/// The index that the file's own summary holds: empty when there is no summary, or when it is
-/// incomplete, damaged, or does not agree with the file. `damage` says so where that is a fault.
+/// The index from the file's own summary: empty when there is none, or when it is incomplete,
+/// damaged, or disagrees with the file. `damage` says so if that is a fault.
 std::optional<LogIndex> indexFromSummary(ByteView file, std::vector<DamageSpan>& damage);
 
 }  // namespace rocinante

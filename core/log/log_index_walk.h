@@ -5,8 +5,9 @@
 
 namespace rocinante {
 
-/// The index made by walking over the whole file, record by record. Chunks are only expanded where
-/// their message indexes do not tell enough. Goes on after damage. The file begins with the magic.
+/// Builds the index by walking over the whole file, record by record. Expands chunks only when
+/// their message indexes are not sufficient. Continues after damage. The file must start with the
+/// magic.
 LogIndex indexByWalking(ByteView file);
 
 }  // namespace rocinante

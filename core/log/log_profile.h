@@ -15,27 +15,27 @@ inline constexpr std::string_view kSessionIdKey = "session_id";
 inline constexpr std::string_view kOriginKey = "origin_ns";
 inline constexpr std::string_view kReasonKey = "reason";
 
-/// Before our own topics, which are in no count, hash or time range.
+/// The prefix of our own topics, which are excluded from counts, hashes and time ranges.
 inline constexpr std::string_view kOwnTopics = "/rocinante/";
-/// Before the topic of a channel whose messages someone else said again; the fold reads those.
+/// The prefix of channels restated by another program; the fold reads those.
 inline constexpr std::string_view kRestatedPrefix = "/rocinante/restated";
-/// The opening keyframe of a merged log, said again.
+/// The opening keyframe of a merged log, restated.
 inline constexpr std::string_view kRestatedKeyframeTopic = "/rocinante/restated/keyframe";
-/// What the kernel, the queue or the disk lost (loss_message.h).
+/// Losses in the kernel, the queue or the disk (loss_message.h).
 inline constexpr std::string_view kLossTopic = "/rocinante/loss";
 inline constexpr std::string_view kLossEncoding = "json";
-/// The recorder's wall clock was set (clock_message.h).
+/// Steps of the recorder's wall clock (clock_message.h).
 inline constexpr std::string_view kClockTopic = "/rocinante/clock";
 inline constexpr std::string_view kClockEncoding = "json";
-/// Whole restatements of the session so far; the datagrams are separated by an empty line.
+/// Keyframes: whole restatements of the session so far; an empty line separates the datagrams.
 inline constexpr std::string_view kKeyframeTopic = "/rocinante/keyframe";
 inline constexpr std::string_view kKeyframeEncoding = "rk1-keyframe";
-/// Events that a person put there, baked in from LOG.marks.
+/// Events set by a person, copied into the log from LOG.marks.
 inline constexpr std::string_view kMarkTopic = "/rocinante/mark";
 inline constexpr std::string_view kMarkEncoding = "json";
 
-/// The cell that the log carries (docs/log-format.md, section "The cell"): metadata, the attachment
-/// that lists its files, and how the names of the attachments of those files begin.
+/// The cell carried by the log (docs/log-format.md, section "The cell"): metadata, the attachment
+/// that lists its files, and the prefix of the names of those files' attachments.
 inline constexpr std::string_view kCell = "rocinante.cell";
 inline constexpr std::string_view kCellMainKey = "main";
 inline constexpr std::string_view kCellManifestKey = "manifest";
@@ -43,7 +43,7 @@ inline constexpr std::string_view kCellSha256Key = "sha256";
 inline constexpr std::string_view kCellManifest = "cell.json";
 inline constexpr std::string_view kCellFolder = "cell/";
 
-/// What readers say of a log whose rocinante.session has another format than kFormat.
+/// The message for a log whose rocinante.session gives another format than kFormat.
 std::string otherFormatText(std::string_view format);
 
 }  // namespace rocinante::profile

@@ -13,7 +13,7 @@
 
 namespace rocinante {
 
-/// What a log says of itself, counted over captured channels only.
+/// A log's own data, counted over captured channels only.
 struct LogSummary {
   std::string session_id;
   LogTime origin{};  ///< the first captured datagram of the session; times are shown from it
@@ -21,9 +21,9 @@ struct LogSummary {
   LogTime end{};     ///< last captured message of this file
   std::uint64_t messages = 0;
   std::string profile;     ///< of MCAP: "rocinante" for ours
-  std::string library;     ///< who wrote it
-  std::string format;      ///< that rocinante.session gives; empty where it gives none
-  bool closed = false;     ///< its writer ended it: the Footer and the closing magic are there
+  std::string library;     ///< the writer
+  std::string format;      ///< from rocinante.session; empty if missing
+  bool closed = false;     ///< its writer ended it: it has the Footer and the closing magic
   bool complete = false;   ///< closed, and one of ours has rocinante.end
   std::string end_reason;  ///< of rocinante.end
 };
@@ -32,17 +32,17 @@ struct LogSummary {
 struct LogStorage {
   std::uint64_t file_bytes = 0;
   std::uint64_t chunks = 0;
-  std::uint64_t stored_bytes = 0;    ///< of the chunks' records, as they lie in the file
-  std::uint64_t expanded_bytes = 0;  ///< of the same, as their headers give it
-  /// "zstd", "none", "lz4", sorted, each once; "none" also stands for messages outside chunks.
+  std::uint64_t stored_bytes = 0;    ///< of the chunks' records, as stored
+  std::uint64_t expanded_bytes = 0;  ///< of the same, according to their headers
+  /// "zstd", "none", "lz4", sorted, each once; "none" also means messages outside chunks.
   std::vector<std::string> compressions;
 };
 
-/// Reads a log in time order: (log_time, file offset). Holds few chunks in memory whatever the
-/// file's size. Format: docs/log-format.md. Not for sharing between threads; open one each.
+/// Reads a log in time order: (log_time, file offset). Holds few chunks in memory, independent of
+/// the file's size. Format: docs/log-format.md. Not for sharing between threads; open one each.
 class LogReader {
  public:
-  /// not_found or unreadable when the file is; damaged when it does not begin as a log does.
+  /// not_found or unreadable when the file is; damaged when it does not start with the MCAP magic.
   /// A log without a summary (its recorder was killed) opens, and is scanned once.
   static Result<LogReader> open(const std::filesystem::path& path);
   /// The same over bytes in memory, which must outlive the reader: for tests and fuzzers.
@@ -59,34 +59,34 @@ class LogReader {
   const std::vector<LogMetadata>& metadata() const;
   const std::vector<LogAttachment>& attachments() const;
   Result<Bytes> readAttachment(std::size_t index) const;
-  /// Losses that the recorder stored, oldest first; looked for when first asked for.
+  /// Losses recorded in the log, oldest first; found on the first call.
   const std::vector<LossSpan>& losses() const;
-  /// What was found broken so far; grows as reading goes on.
+  /// The damage found so far; grows while reading.
   const std::vector<DamageSpan>& damage() const;
-  /// Where the messages lie that it cost; of what was found so far too. A chunk that was read once
-  /// is known: whoever reads a part of the log knows all that cannot be read there.
+  /// The times of the messages that the damage cost, as far as found. A chunk that was read once is
+  /// known completely: after reading a part of the log, everything unreadable there is known.
   const std::vector<UnreadableRange>& unreadable() const;
 
-  /// Goes to the first message with log_time >= `moment`: the next that next() returns.
+  /// Moves to the first message with log_time >= `moment`, which next() then returns.
   Status seek(LogTime moment);
-  /// Goes to the very first message.
+  /// Moves to the first message of all.
   Status rewind();
-  /// The next message in time order, of every channel (captured or not). Empty at the end.
-  /// Damage is no error: it is skipped and listed by damage().
+  /// The next message in time order, of every channel (captured or not). Empty at the end. Damage
+  /// is not an error: it is skipped and listed by damage().
   Result<std::optional<LogMessage>> next();
-  /// The message before the one that next() would return, and goes there: next() and previous()
-  /// walk over the same messages in both directions. Empty at the beginning.
+  /// The message before the one that next() would return, and moves there: next() and previous()
+  /// visit the same messages in opposite directions. Empty at the beginning.
   Result<std::optional<LogMessage>> previous();
-  /// Goes behind a message: next() returns the first after `place`.
+  /// Moves behind a message: next() returns the first one after `place`.
   Status seekAfter(LogPosition place);
-  /// The last message of the channel at or before `moment`, found by the indexes; the reader does
-  /// not move, but its payload is borrowed until the next call of any kind.
+  /// The last message of the channel at or before `moment`, found through the indexes; the reader
+  /// does not move, but the payload is borrowed until the next call of any kind.
   Result<std::optional<LogMessage>> lastOf(ChannelId channel, LogTime moment);
-  /// True when no message that stands behind `place` (of a message) in the file sorts before it:
-  /// then what was folded up to there is all that comes before it. The reader does not move.
+  /// True when no message after `place` (of a message) in the file sorts before it: then a fold up
+  /// to there includes everything before it. The reader does not move.
   bool inOrderAt(LogPosition place);
 
-  const std::string& name() const;  ///< of the file, for messages to people
+  const std::string& name() const;  ///< of the file, for messages to users
 
  private:
   struct Impl;
@@ -95,8 +95,8 @@ class LogReader {
 };
 
 /// SHA-256 over (topic, log_time, payload) of the captured messages in order: the identity of a
-/// session (docs/log-format.md). Lower-case hexadecimal. Rewinds the reader before and after. Of a
-/// damaged log it is the hash of what can be read: damage() says whether that is all.
+/// session (docs/log-format.md). Lower-case hexadecimal. Rewinds the reader before and after. For a
+/// damaged log it is the hash of the readable messages: damage() says whether any are missing.
 Result<std::string> contentSha256(LogReader& reader);
 
 }  // namespace rocinante

@@ -14,50 +14,50 @@ namespace rocinante {
 
 using ChannelId = std::uint16_t;
 
-/// The last moment that a log can hold. The one behind it is left free, so that the end of every
-/// span, which is behind its last message, is a moment too.
+/// The last moment that a log can hold. The one behind it stays free, so that the end of every
+/// span, which is behind its last message, is representable too.
 inline constexpr LogTime kLastLogTime = LogTime::max() - Nanoseconds(1);
 
-/// One one-way stream in a session: (listening endpoint, sender, SOURCE). docs/log-format.md.
+/// A one-way stream in a session: (listening endpoint, sender, SOURCE). docs/log-format.md.
 struct LogChannel {
   ChannelId id = 0;
   std::string topic;
   std::string encoding;                         ///< "rk1", "octets"
   std::map<std::string, std::string> metadata;  ///< local remote protocol group interface source
 
-  /// False for /rocinante/...: our own channels, in no count, hash or time range.
+  /// False for /rocinante/...: our own channels, excluded from counts, hashes and time ranges.
   bool captured() const;
-  /// True for captured channels and for /rocinante/restated/...: what the fold reads.
+  /// True for captured channels and for /rocinante/restated/...: the fold reads these.
   bool folded() const;
 };
 
-/// A place in a log's order: after every message that is earlier, or as early and before it in the
-/// file.
+/// A position in a log's order: after every message that is earlier, or at the same time and before
+/// it in the file.
 struct LogPosition {
   LogTime time{};
   std::uint64_t file_offset = 0;  ///< LogMessage::file_offset
   auto operator<=>(const LogPosition&) const = default;
 };
 
-/// One datagram in a log. `payload` is borrowed: valid until the reader is asked for the next.
+/// A datagram in a log. `payload` is borrowed: valid until the next message is read.
 struct LogMessage {
   const LogChannel* channel = nullptr;
   std::uint32_t sequence = 0;  ///< the recorder's own count on the channel, modulo 2^32
   LogTime log_time{};
   std::int64_t publish_time_ns = 0;  ///< the sender's TIME; the log time when it gave none
-  /// Its place in the file's order, which breaks ties of log_time: the chunk's number in the file
-  /// in the upper 32 bits, the offset of the record in the expanded chunk in the lower.
+  /// Its position in the file's order, which breaks ties of log_time: the chunk's number in the
+  /// file in the upper 32 bits, the offset of the record in the expanded chunk in the lower.
   std::uint64_t file_offset = 0;
   ByteView payload;
 
   LogPosition place() const { return {log_time, file_offset}; }
 };
 
-/// Why fewer datagrams stand in the log than were sent to it, per listening endpoint.
+/// Why the log holds fewer datagrams than were sent to it, per listening endpoint.
 struct LossCounts {
   std::uint64_t kernel = 0;     ///< the socket's buffer was full
   std::uint64_t queue = 0;      ///< the recorder's own queue was full
-  std::uint64_t disk = 0;       ///< the disk refused them
+  std::uint64_t disk = 0;       ///< the disk refused the write
   std::uint64_t truncated = 0;  ///< kept, but cut: larger than the receive buffer
 
   LossCounts& operator+=(const LossCounts& other);
@@ -71,13 +71,13 @@ struct LossSpan {
   LossCounts counts;
 };
 
-/// A break in the file: bytes [from, to) could not be used, and what that cost.
+/// A damaged part of the file: bytes [from, to) could not be used, and the cost.
 struct DamageSpan {
   std::uint64_t from = 0;
   std::uint64_t to = 0;
   std::string cause;
   std::optional<std::uint64_t> messages_lost;  ///< empty when it cannot be known
-  bool out_of_order = false;  ///< messages there are read, but not when it is their turn
+  bool out_of_order = false;                   ///< messages there are read, but out of time order
 };
 
 struct LogAttachment {

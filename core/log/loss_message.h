@@ -11,7 +11,7 @@ namespace rocinante {
 /// The payload of a message on profile::kLossTopic (docs/log-format.md): one JSON object.
 std::string lossText(const LossSpan& span);
 
-/// Empty when the payload is no loss message.
+/// Empty when the payload is not a loss message.
 std::optional<LossSpan> parseLoss(ByteView payload);
 
 }  // namespace rocinante

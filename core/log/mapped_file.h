@@ -9,10 +9,10 @@
 
 namespace rocinante {
 
-/// A file's bytes, read as the system pages them in. The length is that at opening: what is
-/// appended later is not seen. Where a file is made shorter meanwhile, the system kills who looks
-/// at what is gone (SIGBUS): what is used in quantity is read(), and whole() asked before anything
-/// else is looked at long after opening.
+/// A file's bytes, paged in by the system as they are read. The length is that at opening: later
+/// appends are not seen. If the file is truncated meanwhile, accessing the missing part kills the
+/// process (SIGBUS): so use read() for large parts, and check whole() before accessing anything
+/// long after opening.
 class MappedFile {
  public:
   /// not_found or unreadable; a folder or a device is unreadable.
@@ -23,12 +23,12 @@ class MappedFile {
   MappedFile(MappedFile&& other) noexcept;
   MappedFile& operator=(MappedFile&& other) noexcept;
 
-  /// Valid while this lives, wherever it is moved.
+  /// Valid while this object lives, also after a move.
   ByteView bytes() const { return bytes_; }
 
-  /// False when the file has become shorter than it was at opening.
+  /// False when the file has become shorter since it was opened.
   bool whole() const;
-  /// Copies bytes of the file; false when they are not all there, or cannot be read.
+  /// Copies bytes of the file; false when some are missing or cannot be read.
   bool read(std::uint64_t offset, std::span<std::byte> out) const;
 
  private:

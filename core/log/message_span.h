@@ -11,34 +11,34 @@
 
 namespace rocinante {
 
-/// What is read at once: a chunk, or a run of messages that lie outside chunks. Spans are numbered
-/// in the file's order.
+/// The unit of reading: a chunk, or a run of messages outside chunks. Spans are numbered in the
+/// file's order.
 struct MessageSpan {
-  std::uint64_t offset = 0;     ///< of its first byte in the file
-  std::uint64_t end = 0;        ///< behind its last
-  std::uint64_t index_end = 0;  ///< behind its message indexes, which begin at `end`
+  std::uint64_t offset = 0;     ///< of its first byte, in the file
+  std::uint64_t end = 0;        ///< behind its last byte
+  std::uint64_t index_end = 0;  ///< end of its message indexes, which begin at `end`
   LogTime start_time{};         ///< of its earliest message
   LogTime end_time{};           ///< of its latest
   bool loose = false;           ///< messages outside chunks
-  bool cut = false;             ///< its header does not tell its end: its recorder was killed in it
+  bool cut = false;             ///< its header does not give its end: the recorder was killed in it
   bool over_budget = false;     ///< not to be expanded: mcap::ExpansionBudget
-  /// `chunk` is what the summary says; the header in the file, which has the checksum, is looked at
-  /// when the chunk is used: to look at each when the file is opened would read all of it in.
+  /// `chunk` is the summary's version. The header in the file, which has the checksum, is read only
+  /// when the chunk is used: reading every header at opening would page in the whole file.
   bool by_summary = false;
   mcap::Chunk chunk;                ///< borrows from the file; empty for a loose run
-  std::vector<ChannelId> channels;  ///< with messages in it, ascending; empty when nobody says
-  /// How many messages the indexes behind it speak of, where they were counted.
+  std::vector<ChannelId> channels;  ///< with messages in it, ascending; empty when unknown
+  /// The number of messages in the indexes behind it, if they were counted.
   std::optional<std::uint64_t> indexed_messages;
 
   /// False when none of its messages is on the channel.
   bool mayHold(ChannelId channel) const;
 };
 
-/// Bytes of a Chunk record before its records, without the name of the compression: the prefix,
+/// The size of a Chunk record before its records, without the name of the compression: the prefix,
 /// times, size, checksum, and two lengths.
 inline constexpr std::uint64_t kChunkHeadBytes = mcap::kPrefixBytes + 8 + 8 + 8 + 4 + 4 + 8;
 
-/// The messages of one span, in order of (log_time, place in the file).
+/// The messages of one span, in order of (log_time, position in the file).
 struct SpanMessages {
   struct Place {
     std::int64_t time_ns;
@@ -51,7 +51,7 @@ struct SpanMessages {
 
   ByteView records;  ///< borrowed from the file, or from `scratch`
   std::vector<Place> places;
-  std::vector<ByteView> channels;  ///< contents of the Channel records in `records`, as they came
+  std::vector<ByteView> channels;  ///< contents of the Channel records in `records`, in file order
   std::vector<DamageSpan> damage;
   mcap::Scratch scratch;
 
@@ -59,29 +59,29 @@ struct SpanMessages {
   std::size_t heldBytes() const { return scratch.capacity() + places.capacity() * sizeof(Place); }
 };
 
-/// Expands spans of one file. One a thread.
+/// Expands spans of one file. One per thread.
 class SpanDecoder {
  public:
-  /// Where `mapped` is given it has the same bytes, and the spans are read from it and not looked
-  /// at in memory: so they may vanish, or change, without harm to what was given out. Both must
-  /// outlive this. `channels`, by id, tells what is a message of the session; it may be null.
+  /// If `mapped` is given it has the same bytes, and spans are copied from it instead of accessed
+  /// in memory, so that they may vanish or change without harm to earlier results. Both must
+  /// outlive this. `channels`, by id, tells which messages belong to the session; it may be null.
   explicit SpanDecoder(ByteView file, const MappedFile* mapped = nullptr,
                        const std::vector<const LogChannel*>* channels = nullptr)
       : file_(file), mapped_(mapped), channels_(channels) {}
 
-  /// Fills `out`, whose memory is used again. What is broken is in `out.damage`, and left out.
+  /// Fills `out` and reuses its memory. Broken parts are skipped and listed in `out.damage`.
   void decode(const MessageSpan& span, SpanMessages& out);
 
-  /// The chunk of a span that is known by the summary, as the file has it. Where its header says
-  /// otherwise the summary is followed, because its checksum covers it and nothing covers the
-  /// header; the chunk's own checksum has the last word.
+  /// The chunk of a span known from the summary, as in the file. If its header disagrees, the
+  /// summary is used, because a checksum covers the summary and none the header; the chunk's own
+  /// checksum decides in the end.
   mcap::Chunk chunkInFile(const MessageSpan& span, std::vector<DamageSpan>& damage) const;
 
-  /// How many messages the MessageIndex records behind a chunk speak of, if there are any: without
-  /// keyframes, losses and what else the recorder adds, where the channels are known.
+  /// The number of messages in the MessageIndex records behind a chunk, if there are any: without
+  /// keyframes, losses and other additions of the recorder, if the channels are known.
   std::optional<std::uint64_t> indexedMessages(const MessageSpan& span) const;
 
-  /// The channel's MessageIndex behind a chunk, if it is there.
+  /// The channel's MessageIndex behind a chunk, if there is one.
   std::optional<mcap::IndexEntries> indexOf(const MessageSpan& span, ChannelId channel) const;
 
  private:
@@ -97,7 +97,7 @@ class SpanDecoder {
   mcap::ChunkExpander expander_;
 };
 
-/// A log time from the file's unsigned one. What lies beyond 2262 is held at the last moment.
+/// A log time from the file's unsigned one. Times beyond 2262 become the last moment.
 LogTime logTimeOf(std::uint64_t file_time);
 
 }  // namespace rocinante

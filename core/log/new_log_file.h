@@ -9,15 +9,14 @@
 
 namespace rocinante {
 
-/// A file that a log is about to be written to. It is locked (core/base/file_lock.h) as long as its
-/// sink is open, so that two programs never write one log. A file that stands there already is
-/// replaced by publish() and not touched before: whoever reads it keeps it. Every file of a log is
-/// made here.
+/// A file for a new log. It is locked (core/base/file_lock.h) while its sink is open, so that two
+/// programs never write one log. An existing file is replaced by publish() and not touched before:
+/// its readers keep it. Every file of a log is made here.
 class NewLogFile {
  public:
   /// refused when a file exists at `path` and `overwrite` is false, or when another process is
-  /// writing it; unreadable when the system will not make one. A pipe or a device is written to as
-  /// it is, where `overwrite` allows it.
+  /// writing it; unreadable when the system cannot create it. A pipe or a device is written to
+  /// directly, if `overwrite` is true.
   static Result<NewLogFile> make(const std::filesystem::path& path, bool overwrite,
                                  FileCalls calls = FileCalls::system());
 
@@ -26,12 +25,12 @@ class NewLogFile {
   NewLogFile(NewLogFile&& other) noexcept;
   NewLogFile& operator=(NewLogFile&&) = delete;
 
-  /// False where the file system has no locks: nothing stops a second writer.
+  /// False if the file system has no locks: nothing prevents a second writer.
   bool locked() const { return locked_; }
-  /// To be taken once.
+  /// Can be taken once.
   std::unique_ptr<ByteSink> takeSink() { return std::move(sink_); }
 
-  /// The file stays, and takes the place of an older one.
+  /// The file stays, and replaces an older one.
   Status publish();
 
  private:
@@ -41,8 +40,8 @@ class NewLogFile {
                                           FileCalls& calls);
   static Result<NewLogFile> openAsItIs(const std::filesystem::path& path, FileCalls& calls);
 
-  std::filesystem::path path_;     ///< the log's
-  std::filesystem::path made_;     ///< the file's until it is published; empty: nothing to remove
+  std::filesystem::path path_;     ///< of the log
+  std::filesystem::path made_;     ///< of the file until publish(); empty: nothing to remove
   std::unique_ptr<HeldFile> old_;  ///< the file that it will replace
   std::unique_ptr<ByteSink> sink_;
   bool locked_ = true;

@@ -9,23 +9,23 @@
 
 namespace rocinante {
 
-/// The expanded spans of one file: those used last are kept, in bounded memory, so that going back
-/// and forth does not expand them again. What is broken in a span is listed when it is first read.
+/// The expanded spans of one file: the last ones used are kept, in bounded memory, so that moving
+/// back and forth does not expand them again. A span's damage is listed when it is first read.
 class SpanCache {
  public:
-  /// `mapped` is the file that `file` lies in, or null. All are borrowed and must outlive this;
-  /// damage is appended to `damage`, once a span. `channels` is by id, null where there is none.
+  /// `mapped` is the file that contains `file`, or null. All are borrowed and must outlive this;
+  /// damage is appended to `damage`, once per span. `channels` is by id, null for an unused id.
   SpanCache(ByteView file, const MappedFile* mapped, const std::vector<MessageSpan>& spans,
             const std::vector<const LogChannel*>& channels, std::vector<DamageSpan>& damage);
 
-  /// The messages of a span, without those on unknown channels. They live as long as they are held,
-  /// whatever else is asked for.
+  /// The messages of a span, without those on unknown channels. They live as long as the pointer is
+  /// held, independent of later calls.
   std::shared_ptr<const SpanMessages> get(std::uint32_t span);
 
   const std::vector<MessageSpan>& spans() const { return spans_; }
   const std::vector<const LogChannel*>& channels() const { return channels_; }
   const SpanDecoder& decoder() const { return decoder_; }
-  /// Lists damage that was found in using the span.
+  /// Lists damage that was found while using the span.
   void addDamage(DamageSpan damage) { damage_.push_back(std::move(damage)); }
 
  private:
@@ -41,12 +41,12 @@ class SpanCache {
   const std::vector<const LogChannel*>& channels_;
   std::vector<DamageSpan>& damage_;
   SpanDecoder decoder_;
-  std::vector<bool> reported_;  ///< by span: it was read, and its damage is listed
-  std::vector<bool> faulty_;    ///< by span: it had some
-  std::vector<Kept> kept_;      ///< the last used last
+  std::vector<bool> reported_;  ///< by span: it was read, and its damage listed
+  std::vector<bool> faulty_;    ///< by span: it had damage
+  std::vector<Kept> kept_;      ///< in order of last use
 };
 
-/// The message at one of a span's places; its payload is borrowed from `messages`.
+/// The message at a position in a span; its payload is borrowed from `messages`.
 LogMessage messageAt(const SpanMessages& messages, const SpanMessages::Place& place,
                      std::uint32_t span, const std::vector<const LogChannel*>& channels);
 

@@ -10,14 +10,14 @@
 
 namespace rocinante {
 
-/// Of `damage` in a file of so many bytes with these spans; empty when it cost no message. What a
-/// killed recorder leaves, or a file that was cut, has lost what came after the last message that
-/// can be read, and nothing before it. Pure.
+/// The range in which `damage` cost messages, for a file of this size with these spans; empty when
+/// it cost none. A killed recorder or a cut file loses what came after the last readable message,
+/// and nothing before it. Pure.
 std::optional<UnreadableRange> unreadableRange(const DamageSpan& damage,
                                                const std::vector<MessageSpan>& spans, bool in_order,
                                                std::uint64_t file_bytes);
 
-/// True when each span begins where those before it in the file have ended, or later.
+/// True when each span begins at or after the end of all those before it in the file.
 bool areInOrder(const std::vector<MessageSpan>& spans);
 
 }  // namespace rocinante
