@@ -35,7 +35,7 @@ std::optional<LogMessage> LastMessage::find(ChannelId channel, LogTime moment) {
       held_ = cache_.get(found->span);
       return messageAt(*held_, found->place, found->span, cache_.channels());
     }
-    // A span that does not expand is told by the cache.
+    // The cache reports a span that does not expand.
     if (misindexed_.insert(found->span).second && !cache_.get(found->span)->places.empty()) {
       const MessageSpan& span = cache_.spans()[found->span];
       cache_.addDamage(
@@ -48,7 +48,7 @@ std::optional<LogMessage> LastMessage::find(ChannelId channel, LogTime moment) {
 
 std::optional<LastMessage::Found> LastMessage::latest(ChannelId channel, LogTime moment) {
   const std::vector<MessageSpan>& spans = cache_.spans();
-  // From here on everything begins after the moment.
+  // From here on every span begins after the moment.
   const auto behind = std::ranges::upper_bound(earliest_start_, moment);
   std::optional<Found> best;
   for (auto i = static_cast<std::size_t>(behind - earliest_start_.begin()); i-- > 0;) {
@@ -61,7 +61,7 @@ std::optional<LastMessage::Found> LastMessage::latest(ChannelId channel, LogTime
   return best;
 }
 
-/// By the span's message index where there is one to believe.
+/// Uses the span's message index if it can be trusted.
 std::optional<LastMessage::Found> LastMessage::latestIn(std::uint32_t span, ChannelId channel,
                                                         LogTime moment) {
   if (misindexed_.contains(span)) return readIn(span, channel, moment);

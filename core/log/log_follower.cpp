@@ -24,21 +24,21 @@ namespace {
 constexpr std::size_t kChunkFixedBytes = 8 + 8 + 8 + 4 + 4 + 8;
 constexpr std::size_t kMaxCompressionName = 32;
 constexpr std::size_t kPieceBytes = 1U << 16U;
-/// A metadata record or a header that is larger is not ours, and not looked at.
+/// A larger metadata record or header is not ours, and is skipped.
 constexpr std::uint64_t kMaxMetadataBytes = 1U << 24U;
 
-/// What stands before the records of a chunk.
+/// The fields before the records of a chunk.
 struct ChunkFront {
   std::uint64_t length = 0;  ///< of the record's content
   mcap::Chunk chunk;
   std::uint64_t records_bytes = 0;
   std::size_t front_bytes = 0;  ///< prefix and fields
 
-  /// It is written last, its highest byte at the very end.
+  /// The records' length is written last, its highest byte at the very end.
   bool open() const { return records_bytes >> 56U == 0xFF; }
 };
 
-/// Empty when there are not enough bytes yet, or it has a compression that nobody has heard of.
+/// Empty when there are not enough bytes yet, or the compression is unknown.
 std::optional<ChunkFront> readFront(ByteView bytes) {
   mcap::ByteCursor cursor(bytes);
   ChunkFront front;
@@ -64,10 +64,10 @@ struct LogFollower::Impl {
 
   std::unique_ptr<FollowedFile> file;
   Stage stage = Stage::between;
-  std::uint64_t position = 0;     ///< of what comes next in the file
-  std::uint64_t used = 0;         ///< what was read and cannot be read again: it must stay there
-  std::uint64_t size = 0;         ///< of the file, when it was last looked at
-  std::uint64_t quiet_until = 0;  ///< messages that are whole before here are not given
+  std::uint64_t position = 0;  ///< of the next unread byte in the file
+  std::uint64_t used = 0;  ///< bytes already consumed: the file must not become shorter than this
+  std::uint64_t size = 0;  ///< of the file at the last look
+  std::uint64_t quiet_until = 0;  ///< messages complete before here are not returned
   std::optional<Error> failure;
   mcap::Header header;
   std::optional<LogTime> origin;
@@ -78,26 +78,26 @@ struct LogFollower::Impl {
   mcap::ChunkExpander expander;
   mcap::ExpansionBudget budget{0};
   mcap::Scratch scratch;
-  Bytes stored;  ///< the record that is being read, or a piece of it
+  Bytes stored;  ///< the record being read, or a piece of it
   ByteView records;
   std::uint64_t at = 0;  ///< in `records`
   std::uint64_t chunk_from = 0;
   std::uint64_t chunk_to = 0;
 
-  mcap::OpenChunkStream stream;   ///< of an open chunk, when it is compressed
-  std::uint64_t charged = 0;      ///< of what it expanded, to the budget
-  std::uint64_t plain_start = 0;  ///< of the records of one that is not
+  mcap::OpenChunkStream stream;   ///< of a compressed open chunk
+  std::uint64_t charged = 0;      ///< the part of it charged to the budget
+  std::uint64_t plain_start = 0;  ///< offset of an uncompressed one's records
   std::uint32_t plain_crc = 0;
   std::uint64_t expanded_bytes = 0;  ///< of the open chunk that ended last
   std::uint32_t expanded_crc = 0;
   bool check_patched =
-      false;  ///< the open chunk that ended last is not compared with its header yet
+      false;  ///< the open chunk that ended last still has to be compared with its header
 
   Error damagedAt(std::uint64_t offset, std::string what) const {
     return {ErrorKind::damaged, std::move(what), fmt::format("{}, byte {}", file->name(), offset)};
   }
 
-  /// True when the bytes [position, position + count) are there.
+  /// True when the bytes [position, position + count) exist.
   bool have(std::uint64_t count) const { return position <= size && count <= size - position; }
 
   Status read(std::uint64_t offset, std::size_t count) {
@@ -151,7 +151,7 @@ struct LogFollower::Impl {
     }
   }
 
-  /// Takes the record at `position`. True when it was there.
+  /// Takes the record at `position`. True when it was complete.
   Result<bool> step(Result<std::optional<LogMessage>>& message) {
     if (position == 0) return readMagic();
     if (!have(mcap::kPrefixBytes)) return false;
@@ -184,7 +184,7 @@ struct LogFollower::Impl {
       position += whole;
       used = position;
       if (opcode == Opcode::message && header.profile == profile::kName) {
-        // Recorders of our profile write none: it is another record with a broken opcode.
+        // Our recorders write none: it is another record with a broken opcode.
         damaged("a message is outside the chunks, where no checksum covers it");
         return true;
       }
@@ -197,7 +197,7 @@ struct LogFollower::Impl {
       chunk_to = position + mcap::kPrefixBytes + length;
       damaged("the record is too large to be read");
     }
-    // The next record is looked for behind it, which may be long after the end of what is there.
+    // The next record follows it, perhaps far beyond the current end of the file.
     position += mcap::kPrefixBytes + length;
     return true;
   }
@@ -247,7 +247,7 @@ struct LogFollower::Impl {
     chunk_to = position + mcap::kPrefixBytes + front->length;
     const bool quiet = chunk_to <= quiet_until && header.profile == profile::kName;
     if (quiet || front->length > mcap::kMaxChunkBytes + most) {
-      // Every chunk of ours defines what it uses, so nothing is missed.
+      // Our chunks each define what they use, so skipping one loses nothing else.
       if (!quiet) damaged("the chunk is too large to be read");
       ++spans;
       position = chunk_to;
@@ -299,7 +299,7 @@ struct LogFollower::Impl {
     return std::optional<LogMessage>();
   }
 
-  /// True when something changed: a message was found, or the chunk ended.
+  /// True on progress: a message was found, or the chunk ended.
   Result<bool> stepInOpenChunk(Result<std::optional<LogMessage>>& message) {
     while (true) {
       const std::uint64_t expanded = stream.expandedBytes();
@@ -318,7 +318,7 @@ struct LogFollower::Impl {
         endOpenChunk(stream.expandedBytes(), stream.crc());
         return true;
       }
-      // Messages that end before `quiet_until` must be told from those behind it.
+      // Messages that end before `quiet_until` must be told apart from later ones.
       const std::uint64_t until = position < quiet_until ? std::min(size, quiet_until) : size;
       if (position >= until) return false;
       const auto count =
@@ -331,7 +331,8 @@ struct LogFollower::Impl {
     }
   }
 
-  /// The same, uncompressed: taken record by record, so that nothing half written is ever used.
+  /// The same for an uncompressed chunk: taken record by record, so that a half-written one is
+  /// never used.
   Result<bool> stepInPlainChunk(Result<std::optional<LogMessage>>& message) {
     if (!have(mcap::kPrefixBytes)) return false;
     if (Status got = read(position, mcap::kPrefixBytes); !got) return got.error();
@@ -363,7 +364,8 @@ struct LogFollower::Impl {
     stage = Stage::between;
   }
 
-  /// The header of a chunk that was read while it was open is written before anything behind it.
+  /// Checks the header of a chunk that was read while open; it is written before anything behind
+  /// the chunk.
   Status checkPatched() {
     const std::uint64_t most = mcap::kPrefixBytes + kChunkFixedBytes + kMaxCompressionName;
     const Bytes behind = stored;
@@ -386,7 +388,7 @@ struct LogFollower::Impl {
     return {};
   }
 
-  /// What a record says; `end`: up to where the file had to be read for it.
+  /// Takes the contents of a record; `end`: how far the file had to be read for it.
   std::optional<LogMessage> take(const mcap::Record& record, std::uint64_t end) {
     if (record.opcode == Opcode::message) return takeMessage(record, end);
     if (record.opcode == Opcode::channel) {
@@ -454,11 +456,11 @@ struct LogFollower::Impl {
     }
   }
 
-  /// In the record or chunk that is being read.
+  /// Reports damage in the record or chunk being read.
   void damaged(std::string cause, std::optional<std::uint64_t> lost = std::nullopt) {
     const bool open = stage == Stage::open_chunk || stage == Stage::open_plain_chunk;
     const std::uint64_t to = open ? position : chunk_to;
-    // The same of many records of one chunk is said once.
+    // The same fault of many records in one chunk is reported once.
     if (!damage.empty() && damage.back().from == chunk_from && damage.back().cause == cause) {
       DamageSpan& last = damage.back();
       if (last.messages_lost && lost) *last.messages_lost += *lost;

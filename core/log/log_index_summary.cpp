@@ -15,7 +15,8 @@ using mcap::Opcode;
 
 namespace {
 
-/// A ChunkIndex as far as we go by it, and without a map for each: a long log has very many.
+/// The parts of a ChunkIndex that the reader uses, without a map for each: a long log has very
+/// many.
 struct ChunkPlace {
   MessageSpan span;
   std::uint64_t compressed_size = 0;
@@ -51,7 +52,7 @@ bool parseInto(ByteView content, std::vector<ChunkPlace>& out) {
   if (!cursor.ok() || index_offsets.size() % kPairBytes != 0) return false;
   span.end = span.offset + chunk_length;
   span.index_end = span.end + index_length;
-  // A sum that is no longer one.
+  // The sum overflowed.
   if (span.end < span.offset || span.index_end < span.end) return false;
   span.start_time = logTimeOf(span.chunk.message_start_time);
   span.end_time = logTimeOf(span.chunk.message_end_time);
@@ -96,12 +97,12 @@ bool readSummary(ByteView bytes, Summary& out) {
   return true;
 }
 
-/// True when the parts that we navigate by are all there. Metadata and attachments may lack their
-/// indexes: those are found between the chunks.
+/// True when the parts needed for navigation are all there. Metadata and attachments may lack their
+/// indexes: they are found between the chunks.
 bool tellsAll(const Summary& summary) {
   if (!summary.statistics) return false;
   const mcap::Statistics& statistics = *summary.statistics;
-  // They lie outside chunks, and nothing indexes those.
+  // These are outside chunks, and no index lists them.
   if (summary.chunks.empty() && statistics.message_count > 0) return false;
   std::uint64_t messages = 0;
   std::vector<bool> known(std::size_t{1} << 16U, false);
@@ -120,7 +121,7 @@ struct FileRange {
   std::uint64_t to;
 };
 
-/// Completes the span of an indexed chunk. False when the chunk cannot lie there.
+/// Completes the span of an indexed chunk. False when the chunk cannot be there.
 bool place(ByteView file, ChunkPlace& indexed, std::uint64_t data_end) {
   MessageSpan& span = indexed.span;
   const std::uint64_t head_bytes = kChunkHeadBytes + span.chunk.compression.size();
@@ -133,8 +134,8 @@ bool place(ByteView file, ChunkPlace& indexed, std::uint64_t data_end) {
   return true;
 }
 
-/// Takes what lies between the chunks and is not indexed: false when that is a message, a chunk, or
-/// no record, so that the summary does not tell of everything.
+/// Takes the records between the chunks that no index lists: false when one is a message, a chunk,
+/// or not a record, so that the summary is incomplete.
 bool takeBetween(ByteView file, std::vector<FileRange> ranges, std::uint64_t data_end,
                  LogIndex& out) {
   ranges.push_back({data_end, data_end});
@@ -161,14 +162,14 @@ bool takeBetween(ByteView file, std::vector<FileRange> ranges, std::uint64_t dat
       }
       position = record->end();
     }
-    // An overlap would say the same bytes twice.
+    // An overlap would return the same bytes twice.
     if (position > range.from) return false;
     position = range.to;
   }
   return true;
 }
 
-/// True when the records lie where their indexes say, and are what they say. All of them are found
+/// True when the records are at the offsets in their indexes, and match them. All of them are found
 /// between the chunks.
 bool indexesAgree(ByteView file, const Summary& summary) {
   for (const mcap::AttachmentIndex& index : summary.attachments) {
@@ -229,7 +230,7 @@ std::optional<LogIndex> indexFromSummary(ByteView file, std::vector<DamageSpan>&
   mcap::Footer footer;
   if (!std::ranges::equal(file.last(mcap::magic().size()), mcap::magic()) || !record ||
       record->opcode != Opcode::footer || !mcap::parse(record->content, footer)) {
-    return std::nullopt;  // no whole file: the walk says where it ends
+    return std::nullopt;  // not a whole file: the walk finds where it ends
   }
   const std::uint64_t start = footer.summary_start == 0 ? footer_offset : footer.summary_start;
   const auto faulty = [&](std::string cause) {
@@ -258,7 +259,7 @@ std::optional<LogIndex> indexFromSummary(ByteView file, std::vector<DamageSpan>&
   if (!readSummary(checked.first(footer_offset - static_cast<std::size_t>(start)), summary)) {
     return faulty("the summary is malformed");
   }
-  // A valid file may leave any of it out; then the walk has to find it.
+  // A valid file may omit any of it; then the walk has to find it.
   if (!tellsAll(summary)) return std::nullopt;
 
   LogIndex index;
@@ -271,7 +272,7 @@ std::optional<LogIndex> indexFromSummary(ByteView file, std::vector<DamageSpan>&
   if (!readIndexed(file, summary, data_end, index)) {
     return faulty("the summary does not agree with the file");
   }
-  // Without a checksum a summary that is at odds with a chunk proves nothing against the chunk.
+  // Without a checksum, a summary that disagrees with a chunk proves nothing against the chunk.
   if (footer.summary_crc == 0 && !headersAgree(file, index.spans)) {
     return faulty("the summary, which has no checksum, does not agree with the file");
   }

@@ -18,10 +18,10 @@ using mcap::Opcode;
 
 namespace {
 
-/// Loose messages are taken together up to this, so that a run is read like a chunk.
+/// Loose messages are grouped up to this size, so that a run is read like a chunk.
 constexpr std::uint64_t kLooseRunBytes = 1U << 20U;
 
-/// Walks over one file. Every step either takes a record or says why it cannot.
+/// Walks over one file. Every step either takes a record or reports why it cannot.
 class Walk {
  public:
   explicit Walk(ByteView file) : file_(file), decoder_(file), probe_(file), budget_(file.size()) {}
@@ -43,7 +43,7 @@ class Walk {
  private:
   void damaged(std::uint64_t from, std::uint64_t to, std::string cause,
                std::optional<std::uint64_t> lost) {
-    // Very many small ones, one behind the other, are one.
+    // Many small damages, one directly after the other, are reported as one.
     if (!index_.damage.empty()) {
       DamageSpan& last = index_.damage.back();
       if (from < to && last.to == from && last.cause == cause &&
@@ -56,7 +56,7 @@ class Walk {
     index_.damage.push_back({from, to, std::move(cause), lost});
   }
 
-  /// Takes the record at position_ and moves behind it. False when there is none to take.
+  /// Takes the record at position_ and moves behind it. False when there is none.
   bool takeRecord() {
     const std::optional<mcap::Record> record = mcap::recordAt(file_, position_);
     if (!record) return takeTornChunk();
@@ -101,8 +101,8 @@ class Walk {
     return true;
   }
 
-  /// Fields that we do not know may follow the known ones. Whole records may not: then the length
-  /// is what is wrong, and believing it would swallow them.
+  /// Unknown fields may follow the known ones. Whole records may not: then the length is wrong, and
+  /// trusting it would skip them.
   void moveBehind(const mcap::Record& record, std::size_t used) {
     position_ = record.end();
     const std::uint64_t known_end = record.offset + mcap::kPrefixBytes + used;
@@ -128,7 +128,7 @@ class Walk {
   bool takeMessage(const mcap::Record& record) {
     mcap::Message message;
     if (!mcap::parse(record.content, message)) return false;
-    // Recorders of our profile write none: it is another record with a broken opcode.
+    // Our recorders write none: it is another record with a broken opcode.
     if (index_.header.profile == profile::kName) return false;
     position_ = record.end();
     if (!loose_ && chunks_seen_) {
@@ -196,8 +196,8 @@ class Walk {
     return true;
   }
 
-  /// The chunk is taken by its indexes where they and its header tell the same, name known channels
-  /// only and are `followed` by a sound record, so that none is missing; else it is expanded.
+  /// Uses the chunk's indexes without expanding it if they match its header, name known channels
+  /// only, and a sound record follows (`followed`), so that none is missing; otherwise expands it.
   void endChunk(bool followed) {
     if (!chunk_) return;
     MessageSpan span = std::move(*chunk_);
@@ -217,8 +217,8 @@ class Walk {
     addSpan(std::move(span), indexes_, &mcap::IndexEntries::channel);
   }
 
-  /// True when the indexes' earliest and latest times are the chunk's. Those of a recorder are in
-  /// order, so that the ends of each tell; only where they do not is every entry looked at.
+  /// True when the indexes' earliest and latest times are the chunk's. A recorder's indexes are in
+  /// order, so their ends suffice; only if these do not match is every entry checked.
   bool indexesSpan(const mcap::Chunk& chunk) const {
     if (indexes_.empty()) return false;
     for (const bool all : {false, true}) {
@@ -247,20 +247,20 @@ class Walk {
 
   void expandChunk(MessageSpan span) {
     decoder_.decode(span, scratch_);
-    // One that is defined twice is told when the chunk is read.
+    // A channel defined twice is reported when the chunk is read.
     for (const ByteView content : scratch_.channels) {
       mcap::Channel channel;
       if (mcap::parse(content, channel)) addChannel(index_, channel);
     }
     const std::vector<SpanMessages::Place>& places = scratch_.places;
-    // The reader would find the same faults again.
+    // The reader would report the same faults again.
     if (places.empty()) {
       std::ranges::copy(scratch_.damage, std::back_inserter(index_.damage));
       return;
     }
     const LogTime start{Nanoseconds(places.front().time_ns)};
     const LogTime end{Nanoseconds(places.back().time_ns)};
-    // What it holds is known now, and is bounded for each.
+    // Its contents are known now, and bounded for each chunk.
     if (span.cut) {
       span.chunk.uncompressed_size = scratch_.records.size();
       span.over_budget = !budget_.take(span.chunk);
@@ -284,8 +284,8 @@ class Walk {
     addSpan(std::move(span), counts, [](const auto& each) { return each.first; });
   }
 
-  /// A chunk that its own lengths do not describe: still open, cut off by the end of the file, or
-  /// with one of its two lengths damaged, when the other tells where it ends.
+  /// Takes a chunk that its own lengths do not describe: still open, cut off by the end of the
+  /// file, or with one of its two lengths damaged when the other gives its end.
   bool takeTornChunk() {
     const std::optional<ChunkHead> head = chunkHeadAt(file_, position_);
     if (!head || !knownCompression(head->chunk.compression)) return false;
@@ -308,7 +308,7 @@ class Walk {
     return true;
   }
 
-  /// True when records of that length are whole, or something that can be believed follows them.
+  /// True when records of that length are whole, or a credible record follows them.
   bool endsBehind(const ChunkHead& head, std::uint64_t size) {
     return probe_.plausibleAt(head.records_start + size) ||
            wholeRecords(head.chunk.records.first(static_cast<std::size_t>(size)),
@@ -344,8 +344,8 @@ class Walk {
     return takeSimple(record, metadata) && addMetadata(record, index_);
   }
 
-  /// What follows is the summary, which is not needed here; the channels that have no message stand
-  /// nowhere else, so it is looked through for those as far as it is sound.
+  /// The rest is the summary, which is not needed here; but channels without messages are only
+  /// there, so it is searched for them as far as it is sound.
   bool takeDataEnd(const mcap::Record& record) {
     mcap::DataEnd data_end;
     if (!mcap::parse(record.content, data_end)) return false;
@@ -377,8 +377,8 @@ class Walk {
     return rest.size() >= magic.size() && std::ranges::equal(rest.first(magic.size()), magic);
   }
 
-  /// What stands behind the end of the file as it was closed. Channels of another log may have the
-  /// same numbers, so it is not read as a part of this one.
+  /// Reports the bytes behind the end of the closed file. Channels of another log may use the same
+  /// numbers, so they are not read as part of this one.
   void tellTrailing(std::uint64_t end) {
     if (end >= file_.size()) return;
     damaged(end, file_.size(),
@@ -389,7 +389,7 @@ class Walk {
             std::nullopt);
   }
 
-  /// Goes on at the next byte that begins a believable record.
+  /// Resumes at the next byte that begins a credible record.
   void skipDamage() {
     const std::uint64_t from = position_;
     endChunk(false);

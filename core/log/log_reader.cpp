@@ -50,21 +50,22 @@ std::optional<LogTime> timeOf(const std::string* text) {
 
 struct LogReader::Impl {
   MappedFile mapped;
-  bool is_mapped = false;  ///< else the bytes are in memory already
+  bool is_mapped = false;  ///< otherwise the bytes are in memory
   ByteView file;
   std::string name;
   LogIndex index;
   std::vector<LogChannel> channels;
   std::vector<const LogChannel*> channel_by_id;
   LogSummary summary;
-  std::optional<std::vector<LossSpan>> losses;  ///< found when first asked for
+  std::optional<std::vector<LossSpan>> losses;  ///< found on the first call
   std::vector<UnreadableRange> unreadable;
-  std::size_t ranged = 0;          ///< of the damages: so many are in `unreadable`, if they belong
-  std::optional<bool> is_ordered;  ///< areInOrder(), found when there is damage
-  std::vector<LogTime> earliest_from;  ///< of all messages from a span on; found when first asked
+  std::size_t ranged =
+      0;  ///< damages examined so far; those that cost messages are in `unreadable`
+  std::optional<bool> is_ordered;      ///< areInOrder(), found when there is damage
+  std::vector<LogTime> earliest_from;  ///< of all messages from a span on; found on the first call
   std::optional<SpanCache> cache;
   std::optional<SpanMerge> merge;
-  std::optional<LastMessage> last;  ///< made when first asked for
+  std::optional<LastMessage> last;  ///< made on the first call
 
   Status build() {
     const ByteView magic = mcap::magic();
@@ -129,7 +130,7 @@ struct LogReader::Impl {
 
   bool isOurs() const { return index.header.profile == profile::kName; }
 
-  /// One that we do not know may mean anything by what stands here.
+  /// An unknown format may give any meaning to the records here.
   void lookAtFormat() {
     for (const LogMetadata& record : index.metadata) {
       if (record.name != profile::kSession) continue;
@@ -142,13 +143,13 @@ struct LogReader::Impl {
     }
   }
 
-  /// First and last captured message. Where all messages are captured, the spans know.
+  /// Finds the first and last captured message. If all messages are captured, the spans have both.
   void findRange(bool others) {
     if (summary.messages == 0) return;
     if (!others) {
       bool first = true;
       for (const MessageSpan& span : index.spans) {
-        // No message: times of 0 mean nothing.
+        // No message: a time of 0 has no meaning.
         if (span.start_time == LogTime{} && span.end_time == LogTime{} && span.channels.empty()) {
           continue;
         }
@@ -167,7 +168,7 @@ struct LogReader::Impl {
     }
     findStart(spans);
     findEnd(spans);
-    if (summary.start > summary.end) summary.start = summary.end = LogTime{};  // none is there
+    if (summary.start > summary.end) summary.start = summary.end = LogTime{};  // there is none
   }
 
   const MessageSpan& spanAt(std::uint32_t i) const { return index.spans[i]; }
@@ -183,7 +184,7 @@ struct LogReader::Impl {
         summary.start = std::min(summary.start, LogTime(Nanoseconds(place.time_ns)));
         break;  // they are in order of time
       }
-      // Of one that cannot be read, what its index says.
+      // For one that cannot be read, the times of its index.
       if (messages->places.empty() && !messages->damage.empty()) {
         summary.start = std::min(summary.start, spanAt(span).start_time);
       }
@@ -261,7 +262,7 @@ struct LogReader::Impl {
       earliest_from.resize(index.spans.size() + 1, LogTime::max());
       for (std::size_t i = index.spans.size(); i-- > 0;) {
         const MessageSpan& span = index.spans[i];
-        // No message: times of 0 mean nothing.
+        // No message: a time of 0 has no meaning.
         const bool is_empty =
             span.start_time == LogTime{} && span.end_time == LogTime{} && span.channels.empty();
         earliest_from[i] =

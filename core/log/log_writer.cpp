@@ -21,7 +21,7 @@ Error badArgument(std::string what, const std::string& where) {
   return Error{ErrorKind::bad_argument, std::move(what), where};
 }
 
-/// Of rocinante.end and what the summary says of it, beside session id and reason.
+/// The size of rocinante.end and its entry in the summary, without session id and reason.
 constexpr std::uint64_t kEndRecordBytes = 1024;
 
 mcap::WriterOptions writerOptions(const LogWriterOptions& options, std::size_t session_id_bytes) {
@@ -59,14 +59,14 @@ struct LogWriter::Impl {
   LogTime last_time{};  ///< the latest of any message
 
   SteadyTime last_look{};        ///< the last `now` that flushIfDue() was given
-  SteadyTime waiting_since{};    ///< never later than the first message that is not in the file
+  SteadyTime waiting_since{};    ///< not later than the first message that is not in the file
   std::optional<Error> failure;  ///< the first refused write
   std::map<ChannelId, std::uint64_t> refused_after;  ///< never given to `writer`
-  std::map<ChannelId, std::uint64_t> refused;        ///< those and what `writer` lost
+  std::map<ChannelId, std::uint64_t> refused;        ///< the former and those lost by `writer`
   bool closed = false;
   bool locked = true;
 
-  /// Keeps the first failure: what follows from it is no news.
+  /// Keeps the first failure: later ones only follow from it.
   Status keep(Status status) {
     if (!status) {
       if (!failure) failure = status.error();
@@ -140,7 +140,7 @@ LogWriter::LogWriter(LogWriter&&) noexcept = default;
 LogWriter& LogWriter::operator=(LogWriter&&) noexcept = default;
 
 LogWriter::~LogWriter() {
-  // Without a reason given, the log keeps what it has and says that nobody closed it.
+  // Without a reason given, the log keeps its contents and says that it was not closed.
   if (impl_ && !impl_->closed) (void)close("abandoned");
 }
 
@@ -193,7 +193,7 @@ Status LogWriter::writeLoss(const LossSpan& span) {
     if (!added) return added.error();
     log.loss_channel = *added;
   }
-  // Losses are told when they are known, which may be later than their time; order is kept.
+  // Losses are written when they become known, which may be later than their time; order is kept.
   log.last_time = std::max({log.last_time, span.until, LogTime{}});
   const std::string text = lossText(span);
   return log.putMessage(*log.loss_channel, log.losses++, log.last_time,
@@ -237,7 +237,7 @@ Status LogWriter::close(std::string reason) {
   if (log.closed) return {};
   log.closed = true;
   if (!log.session_written) (void)log.writeSession();
-  // The last chunk first: what follows is small and may still fit when it does not.
+  // The last chunk first: the rest is small and may still fit when the chunk does not.
   (void)log.keep(log.writer.closeChunk());
   mcap::Metadata end;
   end.name = profile::kEnd;

@@ -7,7 +7,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A count that is missing is none; one that is no count makes the message unusable.
+/// A missing count is zero; a malformed one makes the message unusable.
 bool readCount(const Json& object, const char* key, std::uint64_t& out) {
   const auto found = object.find(key);
   if (found == object.end()) return true;
@@ -34,7 +34,7 @@ std::string lossText(const LossSpan& span) {
   object["queue"] = span.counts.queue;
   object["disk"] = span.counts.disk;
   object["truncated"] = span.counts.truncated;
-  // An endpoint that is no UTF-8 must not throw: what cannot be said is replaced.
+  // An endpoint that is not UTF-8 must not throw: invalid bytes are replaced.
   return object.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

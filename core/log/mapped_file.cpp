@@ -17,7 +17,7 @@ Result<MappedFile> MappedFile::open(const std::filesystem::path& path) {
     return Error{number == ENOENT ? ErrorKind::not_found : ErrorKind::unreadable,
                  std::string(doing) + ": " + std::strerror(number), path.string()};
   };
-  // O_NONBLOCK: a named pipe must be refused below, not waited for.
+  // O_NONBLOCK: a named pipe must be refused below without waiting for its writer.
   const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (file < 0) return failed("cannot open the log");
   struct stat status {};

@@ -16,8 +16,8 @@ using mcap::Opcode;
 
 namespace {
 
-/// More than a chunk can be that is expanded at all. A run of messages outside chunks may be longer
-/// when it is one message, and is not copied then.
+/// Larger than any chunk that is expanded at all. A run of messages outside chunks may be longer if
+/// it is a single message; it is not copied then.
 constexpr std::uint64_t kMaxStoredBytes = mcap::kMaxChunkBytes + mcap::kMaxChunkBytes / 64;
 
 constexpr auto kLastFileTime = static_cast<std::uint64_t>(kLastLogTime.time_since_epoch().count());
@@ -54,7 +54,7 @@ mcap::Chunk SpanDecoder::chunkInFile(const MessageSpan& span,
   return found;
 }
 
-/// The bytes, which lie in the file, from the file itself where we have it.
+/// The bytes, which are in the file, read from the file itself if there is one.
 Result<ByteView> SpanDecoder::stored(ByteView bytes, mcap::Scratch& scratch) const {
   if (mapped_ == nullptr || bytes.size() > kMaxStoredBytes) return bytes;
   const std::span<std::byte> copy(scratch.make(bytes.size()), bytes.size());
@@ -86,7 +86,7 @@ Result<ByteView> SpanDecoder::expand(const MessageSpan& span, SpanMessages& out)
   }
   Result<ByteView> records = stored(chunk.records, plain ? out.scratch : compressed_);
   if (!records) return records;
-  // It was there a moment ago.
+  // Safe to access in memory: stored() has just read the records behind this header.
   if (span.by_summary) chunk = chunkInFile(span, out.damage);
   chunk.records = *records;
   return span.cut ? expander_.expandCut(chunk, out.scratch) : expander_.expand(chunk, out.scratch);
@@ -104,7 +104,7 @@ void SpanDecoder::decode(const MessageSpan& span, SpanMessages& out) {
   }
   out.records = *records;
   readRecords(span, out);
-  // Nearly always so already: recorders write in time order.
+  // Nearly always sorted already: recorders write in time order.
   if (!std::is_sorted(out.places.begin(), out.places.end())) {
     std::sort(out.places.begin(), out.places.end());
   }

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Each turn, another program made or removed the file at the same moment.
+// Attempts; each fails only when another program made or removed the file at the same moment.
 constexpr int kMaxTurns = 100;
 
 Error cannotMake(int number, const fs::path& path) {
@@ -35,7 +35,7 @@ int openUninterrupted(const fs::path& path, int flags) {
   return file;
 }
 
-/// Where a link leads: the log goes there, and the link stays.
+/// The target of a link: the log is written there, and the link stays.
 fs::path target(const fs::path& path) {
   std::error_code error;
   if (!fs::is_symlink(path, error)) return path;
@@ -110,7 +110,7 @@ Result<NewLogFile> NewLogFile::make(const fs::path& path, bool overwrite, FileCa
     }
     if (old->holds()) return makeInPlaceOf(place, std::move(*old), calls);
     Result<NewLogFile> made = makeFree(place, calls);
-    // In between another program made one.
+    // Another program created one in between.
     if (made || made.error().kind != ErrorKind::refused) return made;
     if (turn + 1 == kMaxTurns) return made;
   }

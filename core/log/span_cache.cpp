@@ -11,7 +11,7 @@
 namespace rocinante {
 namespace {
 
-/// What is kept of spans that nobody holds any more.
+/// The memory for spans that are no longer held elsewhere.
 constexpr std::size_t kKeptBytes = std::size_t{12} << 20U;
 constexpr std::size_t kKeptSpans = 64;
 
@@ -41,12 +41,12 @@ std::shared_ptr<const SpanMessages> SpanCache::get(std::uint32_t span) {
   return messages;
 }
 
-/// Lets go of what was not used for longest, as far as there is too much; the last of it, if any,
-/// for its memory to be used again.
+/// Releases the least recently used spans beyond the limit; returns the last one released, if any,
+/// so that its memory is reused.
 std::shared_ptr<SpanMessages> SpanCache::makeRoom() {
   std::size_t held = 0;
   std::size_t spans = kept_.size();
-  // One that is held is kept by its holder, and costs nothing here.
+  // A span that is held elsewhere costs nothing here.
   const auto free = [](const Kept& kept) { return kept.messages.use_count() == 1; };
   for (const Kept& kept : kept_) held += free(kept) ? kept.messages->heldBytes() : 0;
   std::shared_ptr<SpanMessages> last;
@@ -65,7 +65,7 @@ std::shared_ptr<SpanMessages> SpanCache::makeRoom() {
   return last;
 }
 
-/// Lists the span's damage when it is first read, and leaves out messages on unknown channels.
+/// Lists the span's damage when it is first read, and removes messages on unknown channels.
 void SpanCache::report(std::uint32_t span, SpanMessages& messages) {
   const MessageSpan& where = spans_[span];
   const std::size_t found = messages.places.size();
@@ -116,7 +116,7 @@ void SpanCache::report(std::uint32_t span, SpanMessages& messages) {
 
 LogMessage messageAt(const SpanMessages& messages, const SpanMessages::Place& place,
                      std::uint32_t span, const std::vector<const LogChannel*>& channels) {
-  // The place was made from this very record; a file that is changed meanwhile gives no payload.
+  // The position came from this very record; if the file has changed since, there is no payload.
   mcap::Message message;
   const std::optional<mcap::Record> record = mcap::recordAt(messages.records, place.offset);
   if (record) mcap::parse(record->content, message);

@@ -16,12 +16,12 @@ LogPosition endOf(std::size_t span, LogTime time) {
   return {time, (std::uint64_t{span} << kSpanShift) | std::numeric_limits<std::uint32_t>::max()};
 }
 
-/// No message: times of 0 mean nothing.
+/// No message: a time of 0 has no meaning.
 bool holdsNothing(const MessageSpan& span) {
   return span.start_time == LogTime{} && span.end_time == LogTime{} && span.channels.empty();
 }
 
-/// What stands between the spans before `next` and those from it on.
+/// The range between the spans before `next` and those from it on.
 UnreadableRange before(std::size_t next, const std::vector<MessageSpan>& spans) {
   UnreadableRange range;
   for (std::size_t i = next; i-- > 0;) {
@@ -67,7 +67,7 @@ std::optional<UnreadableRange> unreadableRange(const DamageSpan& damage,
   const auto next = static_cast<std::size_t>(behind - spans.begin());
   if (next > 0) {
     const MessageSpan& own = spans[next - 1];
-    // Of one that was cut everything before the cut is read.
+    // For a cut one, everything before the cut is read.
     if (damage.from < std::max(own.end, own.index_end) && !own.cut) {
       UnreadableRange range;
       range.first = beginOf(next - 1, own.start_time);

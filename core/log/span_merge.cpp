@@ -7,12 +7,11 @@
 namespace rocinante {
 namespace {
 
-/// What expanded spans may hold together before those that wait are let go.
+/// The limit for all expanded spans together; beyond it, waiting ones are released.
 constexpr std::size_t kHeldBytes = std::size_t{48} << 20U;
 
-/// Where chunks that overlap alternate message by message, letting go and expanding again would
-/// take for ever: after so many times that were expanded again, twice as much is held, up to a
-/// limit.
+/// If overlapping chunks alternate message by message, releasing and expanding them again would
+/// take for ever: after this many repeated expansions the limit doubles, up to a maximum.
 constexpr std::size_t kExpandedAgain = 8;
 constexpr std::size_t kMaxHeldBytes = std::size_t{768} << 20U;
 
@@ -62,20 +61,20 @@ void SpanMerge::seek(LogPosition place) {
   begun_ = false;
 }
 
-/// Turns round, or sets out, from where we stand.
+/// Begins in a direction, or reverses, at the current position.
 void SpanMerge::begin(Way way) {
   way_ = way;
   open_.clear();
   given_ = false;
   from_ = place_;
-  // Everything before this ends before our place.
+  // Every span before this ends before the position.
   const std::vector<std::int64_t>& ends = orders_[way_].latest_end;
   const auto first = std::ranges::lower_bound(ends, mirrored(nanosecondsOf(from_.time)));
   next_span_ = static_cast<std::size_t>(first - ends.begin());
   begun_ = true;
 }
 
-/// Reads what `open` has next.
+/// Reads the next message of `open`.
 void SpanMerge::take(Open& open) {
   const SpanMessages::Place& place = open.messages->places[open.at];
   open.time_ns = mirrored(place.time_ns);
@@ -111,8 +110,8 @@ void SpanMerge::letOthersGo() {
   for (std::size_t i = 1; i < open_.size(); ++i) open_[i].messages.reset();
 }
 
-/// Expands again what was let go; what it had next is where it was. False when the file was changed
-/// meanwhile and nothing is there.
+/// Expands a released span again; its next message has the same index as before. False when the
+/// file has changed since and the message is gone.
 bool SpanMerge::reload(Open& open) {
   open.messages = cache_.get(open.span);
   held_limit_ = std::max(held_limit_, kHeldBytes);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view kSeparator = "\n\n";
 
-/// One keyframe on its way from text to a state.
+/// Reads one keyframe from text into a state.
 class Reading {
  public:
   Reading(Decoder& decoder, LogTime moment) : decoder_(decoder), moment_(moment) {}
@@ -32,7 +32,7 @@ class Reading {
     if (header.by.empty() || !header.restated || !header.part || header.reset || header.via) {
       return fault("is not part of a keyframe");
     }
-    // Each source says itself once and in whole: else reading one could take for ever.
+    // Each source must be stated once and in whole: otherwise reading could take for ever.
     const auto left = parts_left_.try_emplace(std::string(header.source), header.part->count).first;
     if (left->second == 0) return fault("repeats a source");
     --left->second;

@@ -15,9 +15,9 @@ namespace rocinante {
 
 class Decoder;
 
-/// The payload of a keyframe: the whole state said again as packets, an empty line between two
-/// (docs/log-format.md, "Keyframes"). Empty for a state that knows no source. What it says is exact
-/// only where no restatement is unfinished.
+/// The payload of a keyframe: the whole state restated as packets, separated by empty lines
+/// (docs/log-format.md, "Keyframes"). Empty for a state without sources. Exact only while no
+/// restatement is unfinished.
 std::string keyframeText(const SessionState& state);
 
 /// The datagrams of a keyframe one after another, borrowed from `payload`: ordinary packet text.
@@ -26,13 +26,13 @@ std::vector<std::string_view> keyframeDatagrams(ByteView payload);
 /// True for the channels whose messages are keyframes.
 bool isKeyframeChannel(const LogChannel& channel);
 
-/// A keyframe that is passed over, and why.
+/// A keyframe that is skipped, and why.
 struct KeyframeFault {
   LogTime time{};
   std::string cause;
 };
 
-/// Reads keyframes back. Holds scratch memory: one a thread.
+/// Reads keyframes. Holds scratch memory: one per thread.
 class KeyframeReader {
  public:
   KeyframeReader();
@@ -40,9 +40,9 @@ class KeyframeReader {
   KeyframeReader(KeyframeReader&&) noexcept;
   KeyframeReader& operator=(KeyframeReader&&) noexcept;
 
-  /// The state that a keyframe at `moment` tells: sameAs() that which it was made of. damaged, with
-  /// the first reason, when it is not what keyframeText() could have written, but for statements
-  /// and header words of a later version, which are skipped. `where` is empty: the caller knows.
+  /// The state of a keyframe at `moment`: sameAs() the state it was made from. damaged, with the
+  /// first reason, when keyframeText() could not have written it, except for statements and header
+  /// words of a later version, which are skipped. `where` is empty: the caller knows it.
   Result<SessionState> read(ByteView payload, LogTime moment);
 
  private:

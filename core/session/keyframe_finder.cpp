@@ -5,10 +5,10 @@
 namespace rocinante {
 namespace {
 
-/// So many that do not count, one after another, and the log is read from further back.
+/// After this many unusable keyframes in a row, the log is read from further back.
 constexpr int kMaxTries = 16;
 
-/// More are not told: a hostile log could have millions.
+/// At most this many are reported: a hostile log could have millions.
 constexpr std::size_t kMaxFaults = 100;
 
 }  // namespace
@@ -21,7 +21,7 @@ KeyframeFinder::KeyframeFinder(LogReader& reader) : reader_(reader) {
     ++count;
   }
   if (count > 1) {
-    // Logs were laid together by a tool that knows nothing of keyframes: each tells half a state.
+    // The logs were merged by a tool that ignores keyframes: each keyframe has part of the state.
     channel_.reset();
     faults_.push_back(
         {reader.summary().start, "the log has several keyframe channels, so none of them is used"});
@@ -65,7 +65,7 @@ Result<std::optional<KeyframeFinder::Found>> KeyframeFinder::lastBefore(
     }
     const LogMessage& message = **last;
     if (known && *known >= message.place()) {
-      // Only the first answer tells what lies between it and the moment.
+      // Only the first result covers the time between it and the moment.
       if (tries == 0) remember(message.place(), moment);
       break;
     }

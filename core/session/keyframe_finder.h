@@ -12,28 +12,27 @@
 
 namespace rocinante {
 
-/// Finds the keyframes of one log that can be started from, and says which cannot
-/// (docs/log-format.md, "Keyframes"). Remembers what it found: asking near a moment that was asked
-/// for before does not look into the log again.
+/// Finds the usable keyframes of one log, and reports the unusable ones (docs/log-format.md,
+/// "Keyframes"). Caches results: a query near an earlier one does not read the log again.
 class KeyframeFinder {
  public:
-  /// The reader is borrowed: it must outlive the finder, and what it lent before any call here is
-  /// no longer valid afterwards.
+  /// The reader is borrowed: it must outlive the finder, and anything borrowed from it is invalid
+  /// after a call here.
   explicit KeyframeFinder(LogReader& reader);
 
-  /// True for a message that may be a keyframe; usable() then says whether it is one.
+  /// True for a message that may be a keyframe; usable() then decides.
   bool isOne(const LogMessage& message) const {
     return channel_ && message.channel->id == *channel_;
   }
-  /// The state that it tells; empty when it does not count.
+  /// Its state; empty when it is not usable.
   std::optional<SessionState> usable(const LogMessage& message);
 
   struct Found {
     LogPosition place;
     SessionState state;
   };
-  /// The last usable keyframe at or before `moment`, when it lies behind `known` (a place from
-  /// which one can start as well); empty when there is none.
+  /// The last usable keyframe at or before `moment` that is behind `known` (a position that is as
+  /// good a start); empty when there is none.
   Result<std::optional<Found>> lastBefore(LogTime moment, const std::optional<LogPosition>& known);
 
   const std::vector<KeyframeFault>& faults() const { return faults_; }
@@ -46,8 +45,8 @@ class KeyframeFinder {
   KeyframeReader keyframes_;
   std::optional<ChannelId> channel_;
 
-  /// From the time of each keyframe found, up to when it is known to be the last; the earliest time
-  /// stands for none.
+  /// From the time of each keyframe found: until when it is known to be the last. The earliest time
+  /// means that there is none.
   struct Known {
     std::optional<LogPosition> place;
     LogTime until = LogTime::min();

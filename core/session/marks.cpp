@@ -20,14 +20,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A time, and the longest text with every byte of it escaped.
+/// A time, and the longest text with every byte escaped.
 constexpr std::size_t kMaxLineBytes = 64 + 6 * kMaxMarkBytes;
 
 Error systemError(std::string what, const std::filesystem::path& path) {
   return Error{ErrorKind::unreadable, std::move(what) + ": " + std::strerror(errno), path.string()};
 }
 
-/// A file held against other markers until this goes.
+/// Locks a file against other markers while it lives.
 class LockedFile {
  public:
   explicit LockedFile(const std::filesystem::path& path)
@@ -51,7 +51,7 @@ class LockedFile {
   bool locked_ = false;
 };
 
-/// As JSON writes a string, with DEL and the C1 controls escaped too: terminals obey those.
+/// A JSON string, with DEL and the C1 controls escaped too: terminals execute those.
 std::string quotedText(std::string_view text) {
   const std::string json = Json(text).dump(-1, ' ', false, Json::error_handler_t::replace);
   static constexpr char kDigits[] = "0123456789abcdef";
@@ -158,7 +158,7 @@ Result<std::vector<Event>> readMarks(const std::filesystem::path& log) {
 Status addMark(const std::filesystem::path& log, const Event& mark) {
   if (Status allowed = checkText(mark, log); !allowed) return allowed;
   const std::filesystem::path path = marksPath(log);
-  // Held while it is written, so that a write which the disk cuts short can be taken back.
+  // Locked while it is written, so that a write cut short by the disk can be undone.
   const LockedFile file(path);
   if (!file.ok()) return systemError("cannot open the marks", path);
   struct stat facts {};
@@ -172,14 +172,14 @@ Status addMark(const std::filesystem::path& log, const Event& mark) {
     if (::pread(file.number(), &last, 1, facts.st_size - 1) != 1) {
       return systemError("cannot read the marks", path);
     }
-    // An editor may have left the last line without its end.
+    // An editor may have left the last line without its line end.
     if (last != '\n') line.insert(line.begin(), '\n');
   }
   if (static_cast<std::uint64_t>(facts.st_size) + line.size() > kMaxMarksFileBytes) {
     return Error{ErrorKind::refused, "there is no room for more marks", path.string()};
   }
   Status written;
-  // One write: a reader sees the line whole.
+  // One write: a reader sees the whole line.
   const ssize_t count = ::write(file.number(), line.data(), line.size());
   if (count >= 0 && static_cast<std::size_t>(count) < line.size()) errno = ENOSPC;
   if (count != static_cast<ssize_t>(line.size()) ||

@@ -5,7 +5,7 @@
 namespace rocinante {
 namespace {
 
-/// "2026-02-03..." is a date: no duration has a digit, then a hyphen.
+/// "2026-02-03..." is a date: no duration has a hyphen after a digit.
 bool looksLikeADate(std::string_view text) {
   return text.size() > 4 && text.find('-', 1) != std::string_view::npos;
 }

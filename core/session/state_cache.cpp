@@ -5,11 +5,11 @@
 namespace rocinante {
 namespace {
 
-/// Folding this many messages takes about half a millisecond: nobody waits for it.
+/// Folding this many messages takes about half a millisecond, too short to notice.
 constexpr std::uint64_t kInterval = 1024;
-/// Copying so many bytes of state takes about as long as folding a message.
+/// Copying this many bytes of state takes about as long as folding a message.
 constexpr std::uint64_t kBytesAMessage = 64;
-/// What was used in the last so many calls is likely to be asked for next.
+/// States used in the last calls, up to this many, are likely to be needed next.
 constexpr std::uint64_t kRecentCalls = 64;
 
 std::uint64_t bytesOfState(const SessionState& state) {
@@ -51,7 +51,7 @@ void StateCache::dropOne() {
     const bool same_way = before != nullptr && before->base == kept.base;
     std::uint64_t cost = kept.messages - (same_way ? before->messages : 0);
     before = &kept;
-    // Recent ones only go when nothing else is left.
+    // Recently used ones are dropped only when nothing else is left.
     constexpr std::uint64_t kDear = std::numeric_limits<std::uint64_t>::max() / 2;
     if (kept.used + kRecentCalls > calls_) cost = kDear + kept.used;
     if (cost >= least) continue;

@@ -8,13 +8,14 @@
 
 namespace rocinante {
 
-/// States of a session kept along the way, so that going back starts near. Bounded: where there is
-/// no more room those go that are the quickest made again, but for the ones used last. Pure.
+/// States of a session kept while folding, so that moving back starts nearby. Bounded: when there
+/// is no more room, the states that are the quickest to make again are dropped, except recently
+/// used ones. Pure.
 class StateCache {
  public:
   struct Kept {
     SessionState state;
-    /// Where the fold that led to it began: a keyframe, or the earliest place.
+    /// The start of the fold that led to it: a keyframe, or the earliest position.
     LogPosition base;
     std::uint64_t messages = 0;  ///< read since then
     std::uint64_t used = 0;      ///< in calls of this cache
@@ -23,13 +24,13 @@ class StateCache {
   static constexpr std::size_t kMaxStates = 512;
   static constexpr std::uint64_t kMaxBytes = std::uint64_t{64} << 20U;
 
-  /// How many messages should lie between two kept states: large states are dear to copy.
+  /// How many messages should be between two kept states: large states are expensive to copy.
   static std::uint64_t interval(const SessionState& state);
 
-  /// Keeps the state of all messages up to and with the one at `place`; may let any other go.
+  /// Keeps the state after the message at `place`; may drop any other.
   void keep(LogPosition place, const SessionState& state, LogPosition base, std::uint64_t messages);
 
-  /// The last one not behind `place`; null when there is none. Valid until the next keep().
+  /// The last state not behind `place`; null when there is none. Valid until the next keep().
   const std::pair<const LogPosition, Kept>* nearest(LogPosition place);
 
   std::size_t count() const { return kept_.size(); }

@@ -39,7 +39,7 @@ StateDamage StateDamage::within(Nanoseconds from, Nanoseconds until) const {
   for (const Part& part : parts_) {
     if (part.until >= from && part.from <= until) found.parts_.push_back(part);
   }
-  // Those that are not named may lie anywhere.
+  // The parts that are not named may be anywhere.
   found.is_more_ = is_more_ && !found.parts_.empty();
   return found;
 }

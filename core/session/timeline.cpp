@@ -18,11 +18,11 @@ namespace {
 
 constexpr LogPosition kStartOfLog{LogTime::min(), 0};
 
-/// Folding this many messages on is quicker than finding a place to start from.
+/// Folding this many messages is quicker than searching for a start.
 constexpr std::uint64_t kNearMessages = 1024;
 constexpr std::uint64_t kAll = std::numeric_limits<std::uint64_t>::max();
 
-/// Behind every message of the moment.
+/// The position behind every message of the moment.
 LogPosition endOf(LogTime moment) { return {moment, std::numeric_limits<std::uint64_t>::max()}; }
 
 }  // namespace
@@ -33,14 +33,15 @@ struct Timeline::Impl {
   LogReader reader;
   KeyframeFinder finder;
   std::map<std::string, std::unique_ptr<Decoder>, std::less<>> decoders;
-  std::vector<Decoder*> decoder_by_channel;  ///< null: not folded, or nobody can decode it
+  std::vector<Decoder*> decoder_by_channel;  ///< null: not folded, or without a decoder
 
-  // The state is that of the last usable keyframe before it, or the empty one, and of all messages
-  // behind that up to `reached`. It is so whatever way it was reached: the log may tell lies.
+  // The state of the last usable keyframe before `reached`, or the empty one, plus all messages
+  // behind that up to `reached`. Holds for any way of reaching it, even when the log contradicts
+  // itself.
   SessionState state;
   LogPosition reached = kStartOfLog;
   LogPosition base = kStartOfLog;       ///< of that keyframe
-  std::uint64_t since_base = 0;         ///< messages read behind it
+  std::uint64_t since_base = 0;         ///< messages read since then
   std::uint64_t since_kept = 0;         ///< since a state was kept
   std::optional<LogMessage> lookahead;  ///< the first behind `reached`, borrowed from the reader
   bool at_end = false;
@@ -71,14 +72,14 @@ struct Timeline::Impl {
     goBehindReached();
   }
 
-  /// The reader is put there when it is read from.
+  /// The reader is moved there when it is next used.
   void goBehindReached() {
     lookahead.reset();
     at_end = false;
     placed = false;
   }
 
-  /// Begins at the nearest place known that is not later than `moment`.
+  /// Starts from the nearest known position that is not later than `moment`.
   Status approach(LogTime moment) {
     const bool can_go_on = reached <= endOf(moment);
     const auto* kept = cache.nearest(endOf(moment));
@@ -87,7 +88,7 @@ struct Timeline::Impl {
     if (kept != nullptr && (!known || kept->first > *known)) known = kept->first;
     Result<std::optional<KeyframeFinder::Found>> found = finder.lastBefore(moment, known);
     if (!found) return found.error();
-    // What the reader lent is gone now.
+    // The message borrowed from the reader is no longer valid.
     goBehindReached();
     if (*found) {
       cache.keep((*found)->place, (*found)->state, (*found)->place, 0);
@@ -111,7 +112,7 @@ struct Timeline::Impl {
     return {};
   }
 
-  /// Folds on up to and with `moment`, at most so many messages: false when that was not enough.
+  /// Folds up to and including `moment`, at most `most` messages: false when that was not enough.
   /// Events go to `sink`, if there is one.
   Result<bool> foldTo(LogTime moment, std::uint64_t most, std::vector<Event>* sink) {
     if (!placed) {
@@ -142,7 +143,7 @@ struct Timeline::Impl {
     } else if (Decoder* const decoder = decoder_by_channel[message.channel->id]) {
       if (const Packet* const packet = decoder->decode(message.payload)) {
         state.apply(message.log_time, *packet);
-        // They would pile up otherwise, and be copied into every state that is kept.
+        // Otherwise they would accumulate, and be copied into every kept state.
         std::vector<Event> told = state.takeEvents();
         if (sink != nullptr) sink->insert(sink->end(), told.begin(), told.end());
       }
@@ -232,7 +233,7 @@ Result<const std::vector<Event>*> Timeline::events(StateDamage* damage) {
     if (Result<bool> folded = line.foldTo(LogTime::max(), kAll, &found); !folded) {
       return folded.error();
     }
-    // Marks stand in order of time too; of equal ones, what the log tells comes first.
+    // Marks are in time order too; at equal times, events from the log come first.
     Result<std::vector<Event>> marks = readMarks(line.reader.name());
     if (!marks) return marks.error();
     const auto beside = found.insert(found.end(), marks->begin(), marks->end());

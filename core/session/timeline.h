@@ -15,35 +15,34 @@
 
 namespace rocinante {
 
-/// A recorded session as a function of time: state(t) folds every folded message with
-/// log_time <= t, beginning with the last usable keyframe among them (docs/log-format.md,
-/// "Keyframes"). Any order of questions gives the same answers. Going on from the last one is
-/// cheap, and so is going back or elsewhere: at most what lies between two keyframes is folded, and
-/// states are kept along the way, in bounded memory (64 MiB). A log without keyframes is folded
-/// from its start. Not for sharing between threads.
+/// A recorded session as a function of time: state(t) folds every folded message with log_time <=
+/// t, beginning with the last usable keyframe among them (docs/log-format.md, "Keyframes"). Results
+/// do not depend on the order of queries. Continuing from the last query is cheap, and so is moving
+/// back or elsewhere: at most the messages between two keyframes are folded, and states are kept
+/// along the way, in bounded memory (64 MiB). A log without keyframes is folded from its start. Not
+/// for sharing between threads.
 ///
-/// Damage. What cannot be read is skipped, and the state is as old as what was read before it until
-/// the next keyframe, which knows what was lost. So a state is *damaged* when messages may be
-/// missing behind the keyframe that it begins with (the log's start where there is none) and not
-/// later than its moment; LogReader::unreadable() says where they lie. That is a property of log
-/// and moment, and the same alone, in order and shuffled: whatever way a state was reached, all
-/// that lies between its keyframe and its moment was read once, and what is known of elsewhere does
-/// not count. In particular
-/// - a chunk that fails its checksum costs the times that its index gives, and so does one of which
-///   a message is malformed or on an unknown channel: nobody knows which time those had;
-/// - bytes that are no record, and a chunk that is gone with its index, cost what lies between the
-///   chunks beside them;
-/// - a keyframe that is broken is none: the span that must be whole then begins at the one before;
+/// Damage. Unreadable messages are skipped, and the state stays as old as the last readable one
+/// until the next keyframe, which includes what was lost. So a state is *damaged* when messages may
+/// be missing after the keyframe that it begins with (or the log's start) and not later than its
+/// moment; LogReader::unreadable() says where they were. That is a property of log and moment, the
+/// same for single, ordered and shuffled queries: everything between a state's keyframe and its
+/// moment was read once, and damage known elsewhere is ignored. In particular
+/// - a chunk that fails its checksum costs the times in its index, and so does one with a malformed
+///   message or one on an unknown channel, because the time of that message is unknown;
+/// - bytes that are not a record, and a chunk that is lost with its index, cost the range between
+///   the neighbouring chunks;
+/// - a broken keyframe is not used: the span that must be whole then begins at the one before;
 /// - a log that was cut, or whose recorder was killed, has all moments up to its last message, and
-///   none behind it; one without a message that can be read has none at all;
-/// - damage that cost no message (of the summary, of a message index) is none of a state, and
-///   neither is what the recorder could not take down (LogReader::losses).
-/// Nobody gets a damaged state unawares: it is an error, of kind `damaged`, unless the caller takes
-/// the damage too.
+///   none after it; a log without a readable message has none at all;
+/// - damage that cost no message (of the summary, of a message index) does not damage a state, and
+///   neither do datagrams that the recorder could not keep (LogReader::losses).
+/// A damaged state is never returned silently: it is an error, of kind `damaged`, unless the caller
+/// accepts the damage too.
 class Timeline {
  public:
   static Result<Timeline> open(const std::filesystem::path& path);
-  /// The same of a log that is open already.
+  /// The same for a log that is already open.
   static Timeline of(LogReader reader);
 
   ~Timeline();
@@ -54,18 +53,18 @@ class Timeline {
   LogTime start() const;
   LogTime end() const;
 
-  /// The state at `moment`; valid until the next call. Where it is damaged: an error, or with
-  /// `damage` what can be known, and what it may lack is added there.
+  /// The state at `moment`; valid until the next call. If it is damaged: an error, or with `damage`
+  /// the state as far as known, and the parts it may lack are added there.
   Result<const SessionState*> stateAt(LogTime moment, StateDamage* damage = nullptr);
-  /// Adds the damage of every state from `from` to `until`: reads what lies between them.
+  /// Adds the damage of every state from `from` to `until`: reads the log between them.
   Status addDamage(LogTime from, LogTime until, StateDamage& damage);
 
-  /// Every event of the log, its marks among them (also those of LOG.marks, beside it), oldest
+  /// Every event of the log, including its marks (also those of LOG.marks, beside it), oldest
   /// first: found on the first call, which reads the log once. An error when LOG.marks is
-  /// malformed, and, where damage may hide one, as stateAt() has it.
+  /// malformed, or, as for stateAt(), when damage may hide an event.
   Result<const std::vector<Event>*> events(StateDamage* damage = nullptr);
 
-  /// Keyframes met so far that do not count, and why; as they were met.
+  /// Unusable keyframes met so far, in that order, and why.
   const std::vector<KeyframeFault>& keyframeFaults() const;
 
   const LogReader& log() const;
