@@ -37,13 +37,13 @@ void CaptureWriter::write(TakenOver taken, HandOver& blocks) {
   while (const auto held = window_.next(taken.drained_until)) writeHeld(*held, blocks);
   const LogTime reached = taken.drained_until - ReorderWindow::kWidth;
   if (!started_) {
-    // What was lost or set before the recording is none of its business.
+    // Losses and clock steps before the recording are not part of it.
     new_losses_.clear();
     steps_.clear();
     return;
   }
   enterLosses(LogTime::max());
-  // A loss is told behind whatever stands there; a step has its own time.
+  // A loss is written after what is already there; a step has its own time.
   writeSteps(reached);
   writeLosses(ledger_.due(reached));
   if (!end_ && stop_.metBySilence(reached) != nullptr) endAt(stop_.moment(), "condition");
@@ -60,7 +60,7 @@ void CaptureWriter::close(const std::string& reason, HandOver& blocks) {
   keep(sink_->flushAll());
   writeLosses(newDiskLosses());
   const std::string cause = trouble_ ? "refused" : reason;
-  // What only the closing refused can no longer be told in the file, but is in the account.
+  // Losses caused by closing can no longer be written to the file, but are in the account.
   if (!keep(sink_->close(cause))) (void)newDiskLosses();
 }
 
@@ -85,7 +85,7 @@ bool CaptureWriter::begins(LogTime time, const Packet* packet) {
     ++packets_before_;
     if (packet != nullptr) {
       before_.apply(time, *packet);
-      (void)before_.takeEvents();  // they would pile up
+      (void)before_.takeEvents();  // they would accumulate
     }
     return false;
   }
@@ -196,7 +196,7 @@ std::vector<EndpointLoss> CaptureWriter::newDiskLosses() {
     loss.counts.disk = refused[flow];
     addLoss(losses, loss);
   }
-  // The sink counts from its beginning; what was added before is not new.
+  // The sink counts from its beginning; counts added before are not new.
   for (EndpointLoss& loss : losses) loss.counts.disk -= ledger_.totals()[loss.endpoint].disk;
   std::erase_if(losses, [](const EndpointLoss& loss) { return loss.counts.disk == 0; });
   for (const EndpointLoss& loss : losses) ledger_.add(loss);

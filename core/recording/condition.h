@@ -10,30 +10,30 @@
 
 namespace rocinante {
 
-/// What a recording begins on, ends on, or what makes a ring be kept: COND of
+/// A condition on which a recording begins or ends, or a ring is saved: COND of
 /// docs/programs/record.md, "Conditions".
 struct Condition {
   enum class Kind : std::uint8_t { event, source, device, silence } kind = Kind::event;
   std::string pattern;    ///< glob(7) for the event's text, the SOURCE or the DEVICE
-  Nanoseconds silence{};  ///< that nothing came for
+  Nanoseconds silence{};  ///< the time without a datagram
 
-  /// "event=TEXT", "source=NAME", "device=NAME", "silence=DURATION"; without one of these before a
-  /// '=', the whole is an event's text.
+  /// "event=TEXT", "source=NAME", "device=NAME", "silence=DURATION"; without such a prefix the
+  /// whole is an event's text.
   static Result<Condition> parse(std::string_view text);
   std::string text() const;
 };
 
-/// Waits for any of several conditions. Events count each time; a source and a device the first
-/// time alone; silence once each time that it falls, counted from the last datagram. What somebody
-/// else restates meets nothing. Pure.
+/// Waits for any of several conditions. An event counts every time; a source and a device only the
+/// first time; silence once each time it occurs, counted from the last datagram. Restatements by
+/// other programs are ignored. Pure.
 class ConditionWatch {
  public:
   explicit ConditionWatch(std::vector<Condition> conditions);
 
   bool any() const { return !watched_.empty(); }
-  /// The condition that this datagram meets, or null. `packet` is null when it is none.
+  /// The condition that this datagram meets, or null. `packet` is null when it is not a packet.
   const Condition* metBy(LogTime time, const Packet* packet);
-  /// That which is met because nothing came up to `reached`; at its moment().
+  /// The condition met because nothing arrived up to `reached`, at moment().
   const Condition* metBySilence(LogTime reached);
   /// When the last silence was met.
   LogTime moment() const { return moment_; }

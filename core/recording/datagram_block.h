@@ -13,18 +13,18 @@
 
 namespace rocinante {
 
-/// One datagram in a DatagramBlock.
+/// A datagram in a DatagramBlock.
 struct Arrival {
   LogTime time;
   SocketAddress sender;
   std::uint32_t endpoint = 0;  ///< index of the listening endpoint
   std::uint32_t offset = 0;    ///< of the payload in the block
   std::uint32_t length = 0;
-  bool has_destination = false;  ///< it was sent elsewhere than to the endpoint's own address
+  bool has_destination = false;  ///< it was not sent to the endpoint's own address
 };
 
-/// Many datagrams in one piece of memory, handed from the receiving thread to the writing one.
-/// Fixed size, used again and again: receiving allocates nothing per datagram.
+/// Many datagrams in one block of memory, handed from the receiving thread to the writing one.
+/// Fixed size, reused: receiving allocates nothing per datagram.
 class DatagramBlock {
  public:
   static constexpr std::size_t kBytes = std::size_t{512} << 10U;
@@ -34,18 +34,18 @@ class DatagramBlock {
     arrivals_.reserve(kArrivals);
   }
 
-  /// For one more datagram of so many bytes, its destination with them.
+  /// Whether one more datagram of this size fits, including its destination.
   bool hasRoom(std::size_t bytes) const {
     return arrivals_.size() < kArrivals && bytes <= kBytes - used_;
   }
   /// Copies the datagram in. False when it does not fit; an empty block takes any datagram.
-  /// `destination` is null when it is the endpoint's own address: as a rule.
+  /// `destination` is null when it is the endpoint's own address, as usual.
   bool add(std::uint32_t endpoint, LogTime time, const SocketAddress& sender, ByteView payload,
            const SocketAddress* destination = nullptr) {
     const std::size_t before = destination != nullptr ? sizeof *destination : 0;
     if (!hasRoom(payload.size() + before)) return false;
     if (destination != nullptr) {
-      // Before the payload, so that what is almost always the same takes no room.
+      // Stored only when needed, before the payload: it is almost always the same.
       std::memcpy(bytes_.get() + used_, destination, before);
       used_ += before;
     }
@@ -64,7 +64,7 @@ class DatagramBlock {
   std::optional<SocketAddress> destination(const Arrival& arrival) const {
     return destinationOf(arrival, payload(arrival));
   }
-  /// The same from a payload that stands in its block.
+  /// The same for a payload that is in its block.
   static std::optional<SocketAddress> destinationOf(const Arrival& arrival, ByteView payload) {
     if (!arrival.has_destination) return std::nullopt;
     SocketAddress destination;

@@ -20,8 +20,8 @@ std::size_t hashOf(const Any& flow) {
                         (std::uint64_t{flow.sender.port} << 8U) ^ (flow.is_packet_text ? 1U : 0U) ^
                         (flow.is_restated ? 2U : 0U);
   if (flow.destination) {
-    // Hostile traffic may choose both addresses; a few long chains are all that gains it, because
-    // flows are bounded.
+    // Hostile traffic may choose both addresses. That can only make a few long chains, because the
+    // number of flows is bounded.
     std::uint64_t host = 0;
     std::memcpy(&host, flow.destination->address.data() + (flow.destination->is_ipv6 ? 8 : 0), 8);
     mixed ^= (host * 0xD6E8FEB86659FD93U) + flow.destination->port;
@@ -34,7 +34,7 @@ std::size_t hashOf(const Any& flow) {
   return mixed;
 }
 
-/// What topics of datagrams to `address` begin with.
+/// The beginning of the topics of datagrams to `address`.
 std::string rootOf(const SocketAddress& address) {
   if (address.isMulticast()) return "/udp/" + address.text();
   return fmt::format("/udp/{}", address.port);
@@ -47,7 +47,7 @@ std::size_t FlowTable::Hash::operator()(const Key& key) const { return hashOf(ke
 
 FlowTable::FlowTable(std::vector<ListenedEndpoint> endpoints) {
   for (ListenedEndpoint& each : endpoints) {
-    // A zone would say where the listener is, not what it listens to.
+    // A zone depends on the receiver, not on the group.
     each.bound.scope_id = 0;
     std::string root = each.endpoint.isPcap() ? "/udp" : rootOf(each.bound);
     endpoints_.push_back({std::move(each), std::move(root), 0, {}});
@@ -81,7 +81,8 @@ FlowChannel FlowTable::channelFor(const Flow& flow, bool shared) const {
   channel.endpoint = flow.endpoint;
   channel.encoding = flow.is_packet_text ? "rk1" : "octets";
   channel.metadata = {{"protocol", "udp"}};
-  // Without an address, flows beyond the bound share one channel, wherever they went.
+  // Without an address of its own, all flows beyond the limit share one channel, whatever their
+  // destination.
   const Endpoint& listened = endpoint.listened.endpoint;
   std::optional<SocketAddress> local = endpoint.listened.bound;
   if (listened.isPcap()) local.reset();

@@ -13,25 +13,25 @@
 
 namespace rocinante {
 
-/// A listening endpoint as channels name it. One that watches others' traffic (pcap://) has no
-/// address of its own: its channels are named by where each datagram was sent.
+/// A listening endpoint, as used in channel names. One that watches others' traffic (pcap://) has
+/// no address of its own: its channels are named by the destination of each datagram.
 struct ListenedEndpoint {
   Endpoint endpoint;
   SocketAddress bound;  ///< with the port that was bound
 };
 
-/// What tells one stream of datagrams from another.
+/// The key that separates streams of datagrams.
 struct Flow {
   std::uint32_t endpoint = 0;
   SocketAddress sender;
   std::string_view source;  ///< SOURCE of packet text; empty when there is none
   bool is_packet_text = false;
-  bool is_restated = false;  ///< said by someone else (`by=`)
-  /// Where it was sent, when that is not the endpoint's own address; borrowed.
+  bool is_restated = false;  ///< restated by another program (`by=`)
+  /// The destination, when it is not the endpoint's own address; borrowed.
   const SocketAddress* destination = nullptr;
 };
 
-/// The channel that keeps a flow.
+/// The channel of a flow.
 struct FlowChannel {
   std::uint32_t endpoint = 0;
   std::string topic;
@@ -39,18 +39,18 @@ struct FlowChannel {
   std::map<std::string, std::string> metadata;
 };
 
-/// Which channel each flow goes to (docs/log-format.md, "Channels"). After kFlowsAnEndpoint flows
-/// of an endpoint, further ones share /udp/PORT/_many, so that a stranger who changes his name or
-/// port with every datagram fills neither memory nor log. Pure.
+/// The channel of each flow (docs/log-format.md, "Channels"). Beyond kFlowsAnEndpoint flows of an
+/// endpoint, further ones share /udp/PORT/_many, so that a sender that changes its name or port
+/// with every datagram fills neither memory nor log. Pure.
 class FlowTable {
  public:
   static constexpr std::size_t kFlowsAnEndpoint = 4'096;
-  /// MCAP has 65,536 channels; some are ours.
+  /// MCAP allows 65,536 channels; some are ours.
   static constexpr std::size_t kFlows = 60'000;
 
   explicit FlowTable(std::vector<ListenedEndpoint> endpoints);
 
-  /// The index of the flow's channel: the next one when the flow was not seen before.
+  /// The index of the flow's channel; a new one for a flow not seen before.
   std::size_t channelOf(const Flow& flow);
   /// By index, in order of first appearance.
   const std::vector<FlowChannel>& channels() const { return channels_; }

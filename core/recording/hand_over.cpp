@@ -7,8 +7,8 @@
 namespace rocinante {
 namespace {
 
-// The wall clock is moved a few times in a session; one that is moved all the time must not fill
-// the memory.
+// The wall clock steps a few times in a session; a clock that steps all the time must not fill the
+// memory.
 constexpr std::size_t kMaxSteps = 1'000;
 
 }  // namespace

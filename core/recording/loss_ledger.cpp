@@ -13,7 +13,7 @@ void LossLedger::add(const EndpointLoss& loss) {
 
 namespace {
 
-/// Takes out of `losses` what is over by `time`.
+/// Removes the entries of `losses` that ended by `time`, and returns them.
 void moveUpTo(LogTime time, std::vector<EndpointLoss>& losses, std::vector<EndpointLoss>& out) {
   const auto not_yet = std::stable_partition(
       losses.begin(), losses.end(), [&](const EndpointLoss& each) { return each.until <= time; });

@@ -6,9 +6,9 @@
 
 namespace rocinante {
 
-/// The account of what was sent to each endpoint and is not in the log, or not whole. Gathers
-/// single losses into spans of about kSpan, so that a flood of losses does not flood the log, and
-/// gives them out when the log has reached their time. Pure.
+/// The account of datagrams that were sent to each endpoint and are missing from the log, or not
+/// whole there. Merges single losses into spans of about kSpan, so that a flood of losses does not
+/// flood the log, and returns them when the log has reached their time. Pure.
 class LossLedger {
  public:
   static constexpr Nanoseconds kSpan = std::chrono::milliseconds(100);
@@ -17,14 +17,14 @@ class LossLedger {
 
   void add(const EndpointLoss& loss);
 
-  /// The spans to write, now that the log has reached `time`; each is given once.
+  /// The spans to write now that the log has reached `time`; each is returned once.
   std::vector<EndpointLoss> due(LogTime time);
-  /// All that are over by `time`, of whatever span, and were not given yet.
+  /// All that ended by `time`, however short, and were not returned yet.
   std::vector<EndpointLoss> upTo(LogTime time);
-  /// All that were not given yet.
+  /// All that were not returned yet.
   std::vector<EndpointLoss> rest();
 
-  /// By endpoint, everything added.
+  /// The sum of everything added, by endpoint.
   const std::vector<LossCounts>& totals() const { return totals_; }
 
  private:

@@ -10,7 +10,7 @@
 namespace rocinante {
 namespace {
 
-/// How often the file is looked at, which another program may delete.
+/// How often to check that no other program deleted the file.
 constexpr Nanoseconds kLookPeriod = std::chrono::seconds(1);
 
 }  // namespace
@@ -51,7 +51,7 @@ Status PieceLog::writeStep(const ClockStep& step) {
     if (!added) return added.error();
     clock_channel_ = *added;
   }
-  // It may be told after datagrams that came later; the order of the file stays that of time.
+  // It may be written after later datagrams; the file stays in time order.
   const LogTime time = std::max(step.at, end_.value_or(LogTime{}));
   return session_.write(*clock_channel_, steps_++, time, time.time_since_epoch().count(),
                         bytesOf(clockStepText(step)));

@@ -9,40 +9,40 @@
 
 namespace rocinante {
 
-/// A log just made, with nothing in it but what is attached.
+/// A new log, empty except for attachments.
 struct MadePiece {
   LogWriter log;
   PieceFile file;
 };
 
-/// One log of a recording, being written. Channels are made as flows appear in it.
+/// One log of a recording, being written. Channels are added as flows appear.
 class PieceLog {
  public:
   PieceLog(MadePiece made, const KeyframeOptions& keyframes);
 
-  /// As SessionWriter's; `origin` is that of the session, when it is known by now.
+  /// As SessionWriter's; `origin` is that of the session, if known by now.
   Status begin(const SessionState& preceding, LogTime moment, std::optional<LogTime> origin);
-  /// Folds the datagram; decodes it when it does not say what it was decoded to.
+  /// Folds the datagram; decodes it first if `decoded` is false.
   Status write(const CapturedDatagram& datagram, bool decoded = true);
   Status writeLoss(const LossSpan& span) { return session_.log().writeLoss(span); }
   Status writeStep(const ClockStep& step);
   Status flush(SteadyTime now);
   Status flushAll() { return session_.log().flush(); }
-  /// A file that another program disturbed is no error here: newDisturbance().
+  /// A file disturbed by another program is not an error here: see newDisturbance().
   Status close(const std::string& reason);
-  /// What another program did to the file, once, after flush(), which looks every second, or
-  /// close() has found it.
+  /// The disturbance of the file by another program, returned once after flush(), which checks
+  /// every second, or close() has found it.
   std::optional<Error> newDisturbance();
 
   const SessionState& state() const { return session_.state(); }
   std::uint64_t bytes() const { return session_.log().bytesWritten(); }
   const PieceFile& file() const { return file_; }
-  /// Nothing was written yet but what is attached and what preceded.
+  /// Holds only attachments and the preceding state so far.
   bool empty() const { return packets_ == 0; }
   std::optional<LogTime> lastTime() const { return end_; }
 
   PieceFacts facts() const;
-  /// Adds what the disk refused, by flow.
+  /// Adds the datagrams refused by the disk, by flow.
   void addRefused(std::vector<std::uint64_t>& by_flow) const;
 
  private:

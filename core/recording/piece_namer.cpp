@@ -6,7 +6,7 @@
 namespace rocinante {
 namespace {
 
-/// Of another recording's pieces: past this many someone should look.
+/// Files of other recordings in the way: beyond this many the user should look.
 constexpr std::uint64_t kMaxTaken = 100'000;
 
 }  // namespace
@@ -17,7 +17,7 @@ Result<std::filesystem::path> PieceNamer::next(LogTime start, const Ours& ours) 
   ++named_;
   ++number_;
   const auto may_have = [&](const std::filesystem::path& path) {
-    // The first name is refused by who makes the file, with its own sentence.
+    // The first name is refused by the code that makes the file, with its own message.
     std::error_code ignored;
     return named_ == 1 || !std::filesystem::exists(path, ignored) ||
            (options_.overwrite && !ours(path) && mayReplace(path));

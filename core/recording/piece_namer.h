@@ -10,14 +10,14 @@
 
 namespace rocinante {
 
-/// Names the pieces of a recording one after another (docs/programs/record.md, "Pieces"): from the
-/// pattern of recordPath(), filled anew for each. Where nothing in the pattern changes, the piece's
-/// number goes before the extension.
+/// Names the pieces of a recording one after another (docs/programs/record.md, "Pieces"): fills the
+/// pattern of recordPath() for each piece. If nothing in the pattern changes, adds the piece's
+/// number before the extension.
 class PieceNamer {
  public:
   struct Options {
     std::string output;
-    /// More pieces than one are to be expected: the first has a number too.
+    /// Several pieces are expected: the first has a number too.
     bool several = false;
     bool overwrite = false;
   };
@@ -25,20 +25,20 @@ class PieceNamer {
 
   explicit PieceNamer(Options options) : options_(std::move(options)) {}
 
-  /// The name of the next piece, which begins at `start`. That of the first is as the user wants
-  /// it; a later one that is taken, by a stranger's file or by one for which `ours` is true, gives
-  /// way to the next number that is free: a recording does not end because of a name. `overwrite`
-  /// lets a stranger's file go, never one of ours nor one that another process is writing. refused
-  /// when no number is free.
+  /// The name of the next piece, which begins at `start`. The first name is used as given. A later
+  /// name that is taken, by another file or by one for which `ours` is true, is replaced by the
+  /// next free number: a recording does not end because of a name. `overwrite` allows replacing
+  /// other files, but never one of ours nor one that another process is writing. refused when no
+  /// number is free.
   Result<std::filesystem::path> next(LogTime start, const Ours& ours);
 
-  /// The last name was not used after all: its number is the next one's.
+  /// The last name was not used: its number goes to the next one.
   void takeBack();
 
  private:
   Options options_;
   std::uint64_t named_ = 0;
-  std::uint64_t number_ = 0;  ///< that the last name was filled with
+  std::uint64_t number_ = 0;  ///< used in the last name
 };
 
 }  // namespace rocinante

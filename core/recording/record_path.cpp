@@ -84,7 +84,7 @@ Result<std::filesystem::path> recordPath(std::string_view output, WallTime start
 
 ChangingName changingName(std::string_view output) {
   ChangingName name;
-  // A folder takes the default name.
+  // A folder gets the default name.
   const Result<std::string> text = filled(output, WallTime{}, 1);
   name.time = output.empty() || (text && isFolder(*text));
   for (std::size_t i = 0; i + 1 < output.size(); ++i) {

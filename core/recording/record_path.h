@@ -11,19 +11,19 @@ namespace rocinante {
 
 inline constexpr std::string_view kDefaultRecordName = "session-%Y%m%dT%H%M%SZ.mcap";
 
-/// Where a recording goes. `output` is a file, a folder (an existing one, or one that ends in a
+/// The path of a recording. `output` is a file, a folder (an existing one, or one that ends in a
 /// slash: the default name in it), or either with strftime's %Y %m %d %H %M %S %j %F %s %%, filled
-/// from `start` in UTC, and %n, the number of the piece, of three digits or more. Empty: the
-/// default name here.
+/// from `start` in UTC, and %n, the number of the piece, with three digits or more. Empty: the
+/// default name in the current folder.
 Result<std::filesystem::path> recordPath(std::string_view output, WallTime start,
                                          std::uint64_t number = 1);
 
-/// What changes in the name from one piece to the next.
+/// The parts of the name that change from piece to piece.
 struct ChangingName {
   bool number = false;  ///< %n
   bool time = false;
 };
-/// `output` must be one that recordPath() takes.
+/// `output` must be accepted by recordPath().
 ChangingName changingName(std::string_view output);
 
 /// "logs/cell-002.mcap" for "logs/cell.mcap" and 2: as `rocinante log split` names pieces.

@@ -12,45 +12,45 @@
 
 namespace rocinante {
 
-/// A file that this recording made, so that it is known again: a name alone can stand for another
-/// file by now.
+/// A file made by this recording, identified by its inode: another file may have the same name by
+/// now.
 struct PieceFile {
   std::filesystem::path path;
   ::dev_t device = 0;
   ::ino_t inode = 0;
 
-  /// What lies at `path` now.
+  /// The file now at `path`.
   static PieceFile at(const std::filesystem::path& path);
-  /// Still what lies at `path`.
+  /// Whether this file is still at `path`.
   bool isThere() const;
 };
 
-/// What stands in a piece of a recording.
+/// The contents of a piece of a recording.
 struct PieceFacts {
   PieceFile file;
-  std::uint64_t packets = 0;  ///< given to it and not refused by the disk
+  std::uint64_t packets = 0;  ///< written to it
   std::uint64_t refused = 0;  ///< by the disk
   std::uint64_t bytes = 0;
   std::optional<LogTime> start, end;  ///< of its datagrams
-  /// Another program deleted, replaced or cut the file while it was written.
+  /// Another program deleted, replaced or truncated the file while it was written.
   std::optional<std::string> trouble;
-  /// Of a ring's file: how often it was asked for, why at first, and when.
+  /// For a ring's file: how often it was triggered, the first reason, and the time.
   std::uint64_t triggers = 0;
   std::string why;
   std::optional<LogTime> triggered;
-  bool cut_short = false;  ///< the ring's memory did not hold all that was to be kept
+  bool cut_short = false;  ///< the ring's memory was too small for the whole span
 };
 
-/// Pieces that were deleted.
+/// A count of deleted pieces.
 struct DeletedPieces {
   std::uint64_t count = 0;
   std::uint64_t packets = 0;
   std::uint64_t bytes = 0;
 };
 
-/// What a recording left: what its summary tells of its files.
+/// The files of a recording, for its summary.
 struct RecordedFiles {
-  std::vector<PieceFacts> pieces;  ///< those that stay, oldest first
+  std::vector<PieceFacts> pieces;  ///< those kept, oldest first
   DeletedPieces deleted;
 };
 

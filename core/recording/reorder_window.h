@@ -9,32 +9,32 @@
 
 namespace rocinante {
 
-/// Puts the datagrams of several sockets into one order of time. Each socket's own come in order;
-/// one is let go when no socket can still hold an earlier one. Equal times: the endpoint listed
-/// first goes first. Pure.
+/// Merges the datagrams of several sockets into one time order. Each socket's own arrive in order;
+/// a datagram is released when no socket can still hold an earlier one. At equal times the endpoint
+/// listed first goes first. Pure.
 class ReorderWindow {
  public:
   struct Held {
     DatagramBlock* block = nullptr;
     const Arrival* arrival = nullptr;
-    LogTime time;  ///< the arrival's, raised if it came too late to stand in its place
+    LogTime time;  ///< the arrival's, raised if it came too late for its place
   };
 
-  /// What the kernel may take between stamping a datagram and giving it to its socket.
+  /// The time that the kernel may take between stamping a datagram and giving it to its socket.
   static constexpr Nanoseconds kWidth = std::chrono::milliseconds(20);
 
   explicit ReorderWindow(std::size_t endpoint_count) : waiting_(endpoint_count) {}
 
-  /// The block must stay until its last arrival was let go.
+  /// The block must exist until its last arrival was released.
   void add(DatagramBlock& block);
 
-  /// The earliest datagram that lies kWidth before `drained_until`, up to which everything has been
-  /// added; empty when there is none. Times never go back.
+  /// The earliest datagram that is at least kWidth before `drained_until`, up to which everything
+  /// has been added; empty when there is none. Times never go back.
   std::optional<Held> next(LogTime drained_until);
-  /// The earliest of all: when nothing will be added.
+  /// The earliest of all: when nothing more will be added.
   std::optional<Held> nextOfAll();
 
-  /// Datagrams that came too late for their place; they stand at the time then reached.
+  /// Datagrams that came too late for their place; they got the time reached by then.
   std::size_t late() const { return late_; }
 
  private:

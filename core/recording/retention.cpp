@@ -11,7 +11,7 @@ void Retention::add(PieceFacts piece) {
 }
 
 void Retention::settle(const PieceFacts& piece) {
-  // Mostly the last.
+  // Usually the last one.
   const auto same = std::find_if(kept_.rbegin(), kept_.rend(), [&](const PieceFacts& each) {
     return each.file.path == piece.file.path;
   });
@@ -27,7 +27,7 @@ std::vector<PieceFacts> Retention::surplus(std::optional<std::uint64_t> current_
     const bool too_many = limits_.keep && kept_.size() + current > *limits_.keep;
     const bool too_large =
         limits_.disk_quota_bytes && bytes_ + current_bytes.value_or(0) > *limits_.disk_quota_bytes;
-    // The last one stays, however large, unless a newer one is there.
+    // The last piece stays, however large, unless a newer one exists.
     if (!too_many && (!too_large || kept_.size() + current == 1)) break;
     PieceFacts& oldest = kept_.front();
     bytes_ -= oldest.bytes;

@@ -10,33 +10,33 @@
 
 namespace rocinante {
 
-/// How much of a recording stays.
+/// How much of a recording is kept.
 struct RetentionLimits {
-  std::optional<std::uint64_t> keep;              ///< pieces, that which is being written included
+  std::optional<std::uint64_t> keep;              ///< pieces, including the one being written
   std::optional<std::uint64_t> disk_quota_bytes;  ///< of all pieces together
 };
 
-/// Which finished pieces of this recording stay, and which have to go: the oldest. Decides, and
-/// deletes nothing. It knows no file but those that were added.
+/// Decides which finished pieces of this recording stay and which must go: the oldest. Deletes
+/// nothing itself, and knows only the pieces that were added.
 class Retention {
  public:
   explicit Retention(RetentionLimits limits) : limits_(limits) {}
 
-  /// One that was finished after all others.
+  /// Adds the piece that was finished last.
   void add(PieceFacts piece);
-  /// What is known of it now that it is closed.
+  /// Updates a piece with its facts after closing.
   void settle(const PieceFacts& piece);
 
-  /// Those that must go while another is being written that holds `current_bytes` (empty: none
-  /// is). Each is given once.
+  /// The pieces that must go while another one of `current_bytes` is being written (empty: none
+  /// is). Each is returned once.
   std::vector<PieceFacts> surplus(std::optional<std::uint64_t> current_bytes);
-  /// One of those is gone now.
+  /// One of those is deleted now.
   void countDeleted(const PieceFacts& piece);
 
   bool holds(const std::filesystem::path& path) const;
   const std::deque<PieceFacts>& kept() const { return kept_; }
   const DeletedPieces& deleted() const { return deleted_; }
-  /// Of the pieces kept.
+  /// Size of the pieces kept.
   std::uint64_t bytes() const { return bytes_; }
 
  private:

@@ -6,7 +6,7 @@ namespace rocinante {
 namespace {
 
 constexpr Nanoseconds kStep = std::chrono::milliseconds(1);
-// The program was interrupted within the look: it tells less than half a step.
+// The program was interrupted during a wider reading: it is less exact than half a step.
 constexpr Nanoseconds kLookTooWide = std::chrono::microseconds(500);
 
 SteadyTime middleOf(const ClockReading& reading) {
@@ -36,7 +36,7 @@ std::optional<ClockStep> SessionClock::observe(const ClockReading& reading) {
   looked_at_ = moment;
   const Nanoseconds drift = reading.wall.time_since_epoch() - moment.time_since_epoch();
   const Nanoseconds moved = drift - drift_;
-  // Within what the looks can tell, nothing moved: spacings stay the kernel's own, to the
+  // Within the uncertainty of the readings nothing moved: spacings stay the kernel's own, to the
   // nanosecond.
   if (std::chrono::abs(moved) <= uncertainty_ + width / 2) return std::nullopt;
 
@@ -53,7 +53,7 @@ std::optional<ClockStep> SessionClock::observe(const ClockReading& reading) {
 
 LogTime SessionClock::at(WallTime stamp) const {
   LogTime moment(stamp.time_since_epoch() - drift_);
-  // Before the step could have come, or in the future: then the stamp is older than the step.
+  // A stamp from before the step could have happened, or from the future, is older than the step.
   if (step_after_ && (moment < *step_after_ || moment > now_)) {
     moment = LogTime(stamp.time_since_epoch() - drift_before_);
   }

@@ -14,7 +14,7 @@ namespace {
 
 constexpr LogTime kBeforeAll{Nanoseconds(std::numeric_limits<std::int64_t>::min())};
 
-/// Keyframes stay at most this part of what is stored: docs/log-format.md, "Keyframes".
+/// Keyframes are at most 1/kKeyframeShare of the stored payload: docs/log-format.md, "Keyframes".
 constexpr std::uint64_t kKeyframeShare = 4;
 
 }  // namespace
@@ -27,10 +27,10 @@ struct SessionWriter::Impl {
   KeyframeOptions options;
 
   SessionState state;
-  std::map<std::string, std::unique_ptr<Decoder>, std::less<>> decoders;  ///< null: none knows it
+  std::map<std::string, std::unique_ptr<Decoder>, std::less<>> decoders;  ///< null: unknown
   std::vector<Decoder*> decoder_by_channel;                               ///< null: not folded
 
-  bool begun = false;  ///< a message or what preceded was written
+  bool begun = false;  ///< a message or the preceding state was written
   bool makes_keyframes;
   std::optional<ChannelId> keyframe_channel;
   std::uint32_t keyframe_count = 0;
@@ -39,12 +39,12 @@ struct SessionWriter::Impl {
 
   LogTime last_time = kBeforeAll;      ///< the latest of any message
   LogTime folded_time = kBeforeAll;    ///< the latest of a folded one
-  bool went_back = false;              ///< a message came that was earlier than `last_time`
+  bool went_back = false;              ///< a message earlier than `last_time` was written
   LogTime keyframe_time = kBeforeAll;  ///< of the last keyframe, or of the first message
   std::uint64_t packets_since = 0;     ///< folded since then
   std::uint64_t message_bytes = 0;     ///< payloads that are no keyframes
   std::uint64_t keyframe_bytes = 0;    ///< payloads of keyframes that were due
-  std::uint64_t expected_bytes = 0;    ///< what the next one takes: as much as the last one made
+  std::uint64_t expected_bytes = 0;    ///< of the next one, by the size of the last one made
 
   Decoder* decoderFor(const LogChannel& channel) {
     if (!options.enabled || !channel.folded()) return nullptr;
@@ -55,7 +55,7 @@ struct SessionWriter::Impl {
     return found->second.get();
   }
 
-  /// Before anything is written at `time`.
+  /// To be asked before anything is written at `time`.
   bool keyframeDue(LogTime time) const {
     return packets_since >= options.packets ||
            (packets_since > 0 && time - keyframe_time >= options.span);
@@ -65,16 +65,17 @@ struct SessionWriter::Impl {
     return (keyframe_bytes + bytes) * (kKeyframeShare - 1) <= message_bytes;
   }
 
-  /// Does nothing where the rules want none; an error is the disk's.
+  /// Does nothing when the rules allow no keyframe; an error is the disk's.
   Status writeDueKeyframe() {
-    // As of the last packet, which is the keyframe's own time: one that runs out after it may
-    // still be completed by a packet at that time.
+    // As of the last packet, which is the keyframe's own time: a restatement that times out later
+    // may still be completed by a packet at that time.
     if (state.restatementOpen() || !hasShareFor(expected_bytes)) return {};
     const std::string text = keyframeText(state);
     expected_bytes = text.size();
     if (!hasShareFor(text.size())) return {};
     keyframe_bytes += text.size();
-    // So that it is not late itself; but never behind a packet that comes after it.
+    // As late as possible, so that the keyframe is not out of order itself; but never behind a
+    // later packet.
     return writeKeyframe(text, went_back ? folded_time : last_time);
   }
 
@@ -83,7 +84,7 @@ struct SessionWriter::Impl {
       const Result<ChannelId> added = log.addChannel(std::string(profile::kKeyframeTopic),
                                                      std::string(profile::kKeyframeEncoding), {});
       if (!added) {
-        // No channel is left: the session is stored all the same, and read from its start.
+        // No channel id is free: the session is stored all the same, and read from its start.
         makes_keyframes = false;
         return {};
       }
@@ -101,7 +102,7 @@ struct SessionWriter::Impl {
     if (packet != nullptr && time < folded_time) makes_keyframes = false;
     Status kept;
     if (makes_keyframes && keyframeDue(time)) kept = writeDueKeyframe();
-    // Also after a refused keyframe: the log then counts this one as refused too.
+    // Also after a failed keyframe: the log then counts this message as refused too.
     const Status written = log.write(channel, sequence, time, publish_time_ns, payload);
     if (!kept) return kept;
     if (!written) return written;
@@ -114,7 +115,7 @@ struct SessionWriter::Impl {
     if (packet == nullptr) return {};
     folded_time = std::max(folded_time, time);
     state.apply(time, *packet);
-    (void)state.takeEvents();  // they would pile up
+    (void)state.takeEvents();  // they would accumulate
     ++packets_since;
     return {};
   }
@@ -139,7 +140,7 @@ Status SessionWriter::beginWith(const SessionState& preceding, LogTime moment) {
     session.keyframe_time = moment;
     return {};
   }
-  // Gone on from is what a reader of this log knows: what the keyframe tells, not more.
+  // Continue from what a reader of this log can know: the keyframe.
   Result<SessionState> told = KeyframeReader().read(bytesOf(text), moment);
   if (!told) return told.error();
   session.state = std::move(*told);

@@ -8,19 +8,19 @@
 
 namespace rocinante {
 
-/// Where keyframes stand: docs/log-format.md, "Keyframes".
+/// When keyframes are written: docs/log-format.md, "Keyframes".
 struct KeyframeOptions {
-  /// When false nothing is folded either, and no keyframe is written but by beginWith().
+  /// When false, messages are not folded either, and only beginWith() writes a keyframe.
   bool enabled = true;
   std::uint64_t packets = 20'000;  ///< folded packets after which one is due
   Nanoseconds span{
-      std::chrono::seconds(10)};  ///< log time after which one is due, if anything came
+      std::chrono::seconds(10)};  ///< log time after which one is due, if anything was written
 };
 
-/// Writes a session: a LogWriter with the fold beside it, so that keyframes stand in the log where
-/// docs/log-format.md, "Keyframes", wants them. What a recorder and every tool that drops, adds or
-/// merges messages write through. Messages come in time order: after a folded one that goes back
-/// there are no more keyframes. Not for sharing between threads; starts none, reads no clock.
+/// Writes a session: a LogWriter plus the fold, so that the log gets keyframes as in
+/// docs/log-format.md, "Keyframes". Used by the recorder and by every tool that drops, adds or
+/// merges messages. Messages must come in time order: after a folded one that goes back there are
+/// no more keyframes. Not for sharing between threads; starts none, reads no clock.
 class SessionWriter {
  public:
   SessionWriter(LogWriter log, const KeyframeOptions& options);
@@ -28,27 +28,27 @@ class SessionWriter {
   SessionWriter(SessionWriter&&) noexcept;
   SessionWriter& operator=(SessionWriter&&) noexcept;
 
-  /// Begins in the middle of a session: `preceding` is what was folded before the first message,
-  /// and is written as a keyframe at `moment`, not later than that message (none when it is empty).
-  /// Before any message, at most once: bad_argument. A restatement that is unfinished in
-  /// `preceding` is abandoned: a log says nothing of it.
+  /// Begins in the middle of a session: `preceding` is the fold before the first message, and is
+  /// written as a keyframe at `moment`, which is not later than that message (none when it is
+  /// empty). Call it before any message, at most once: otherwise bad_argument. An unfinished
+  /// restatement in `preceding` is abandoned, because a keyframe cannot express it.
   Status beginWith(const SessionState& preceding, LogTime moment);
 
   /// As LogWriter's; refused for the topic of keyframes.
   Result<ChannelId> addChannel(std::string topic, std::string encoding,
                                std::map<std::string, std::string> metadata);
-  /// As LogWriter's. A captured or restated message that a decoder knows is folded too; a keyframe
-  /// that is due goes before it. Keyframes are made, not copied.
+  /// As LogWriter's. A captured or restated message that a decoder knows is folded too; a due
+  /// keyframe is written before it. Keyframes are made here, not copied.
   Status write(ChannelId channel, std::uint32_t sequence, LogTime log_time,
                std::int64_t publish_time_ns, ByteView payload);
-  /// The same for who has decoded the payload already: `packet` is what the decoder of the
-  /// channel's encoding made of it, null when it is no packet.
+  /// The same for a payload that is already decoded: `packet` is the result of the channel's
+  /// decoder, null when the payload is not a packet.
   Status write(ChannelId channel, std::uint32_t sequence, LogTime log_time,
                std::int64_t publish_time_ns, ByteView payload, const Packet* packet);
-  /// An event that a person put there: a message on /rocinante/mark, not folded.
+  /// An event set by a person: a message on /rocinante/mark, not folded.
   Status writeMark(LogTime time, std::string_view text);
 
-  /// The fold of all that was written (with what preceded), in the order of writing.
+  /// The fold of everything written (and the preceding state), in the order of writing.
   const SessionState& state() const;
   std::uint64_t keyframes() const;
 
