@@ -127,7 +127,7 @@ void StateFolder::foldJointsByName(Device& device, std::span<const std::string> 
     count(PacketFault::order_mismatch);
     return;
   }
-  // Joints are numbered more often than not: one stands behind the other in the map too.
+  // Joint names are usually numbered: neighbours in the statement are neighbours in the map too.
   NamedJoints& joints = device.second.named_joints;
   auto next = joints.begin();
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -262,7 +262,7 @@ void StateFolder::foldDrawing(const Statement& statement) {
   if (is_new && state_.drawings_.size() == limits::kDrawings) {
     return count(PacketFault::too_many);
   }
-  // Only a part of the same whole leaves the other parts standing.
+  // The other parts stay only if this part has the same kind and part count.
   const bool goes_on = !is_new && found->second.kind == statement.kind &&
                        found->second.parts.size() == statement.part_count;
   const std::uint64_t before = is_new ? 0 : weightOf(key) + weightOf(found->second);
@@ -285,7 +285,7 @@ void StateFolder::foldDrawing(const Statement& statement) {
     drawing.parts_said.assign(statement.part_count, SaidMark());
   }
   drawing.kind = statement.kind;
-  // A label says no colour: it is white, on the dark plate that a viewer draws below it.
+  // A label has no colour: it is white, on the dark plate that a viewer draws below it.
   const bool colored = statement.kind != StatementKind::label;
   drawing.rgba = colored ? statement.rgba : 0xFFFFFFFFU;
   const double default_px =

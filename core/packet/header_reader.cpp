@@ -32,7 +32,7 @@ bool readTime(std::string_view field, PacketHeader& header) {
   return header.time_ns.has_value();
 }
 
-/// Splits NAME:REST at the last colon, because a name may hold colons itself.
+/// Splits NAME:REST at the last colon, because a name may contain colons.
 bool splitAtLastColon(std::string_view value, TextArena& arena, std::string_view& name,
                       std::string_view& rest) {
   const std::size_t colon = value.rfind(':');
@@ -86,7 +86,7 @@ bool readFlag(std::string_view rest, bool& flag) {
   return true;
 }
 
-/// Field by field: assigning a fresh one costs as much as reading the line.
+/// Resets field by field: assigning a new header costs as much as reading the line.
 void clear(PacketHeader& header) {
   header.run = {};
   header.sequence.reset();
@@ -98,7 +98,7 @@ void clear(PacketHeader& header) {
   header.via.reset();
 }
 
-/// A word of this version, or one to skip.
+/// Reads a word of this version, or skips an unknown one.
 bool readWord(std::string_view field, TextArena& arena, PacketHeader& header) {
   const std::size_t equals = field.find('=');
   const std::string_view word = field.substr(0, equals);

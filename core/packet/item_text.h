@@ -6,19 +6,18 @@
 
 #include "core/packet/session_state.h"
 
-// The statement that says each item of a state again: what restatements and the identity's text
-// are made of.
+// The statement that restates each item of a state: used for restatements and the identity's text.
 namespace rocinante {
 
 std::string presenceText(std::string_view device, const PresenceValue& value);
 std::string poseText(std::string_view device, const PoseValue& value);
 std::string jointsText(std::string_view device, const std::vector<double>& values);
-/// Without names: takes an order back.
+/// An order without names, which removes an order.
 std::string orderText(std::string_view device, const std::vector<std::string>& names);
 std::string jointText(std::string_view device, std::string_view name, double value);
 std::string visibilityText(const Path& path, const Visibility& value);
 std::string colorText(const Path& path, const ColorValue& value);
-/// `part` counts from 0 and must have come.
+/// `part` counts from 0 and must be present.
 std::string drawingText(std::string_view id, const Drawing& drawing, std::size_t part);
 std::string viewText(std::string_view name, const ViewValue& value);
 std::string seenText(std::string_view device, LogTime time);

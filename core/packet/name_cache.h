@@ -17,7 +17,8 @@ std::uint64_t load(const char* from) {
   return bits;
 }
 
-/// Both ends of two texts of one size, which may overlap, so that all of it is compared.
+/// Compares both ends of two texts of equal size, which may overlap, so that every byte is
+/// compared.
 template <class Unsigned>
 bool sameEnds(const char* a, const char* b, std::size_t size) {
   const std::size_t last = size - sizeof(Unsigned);
@@ -27,8 +28,8 @@ bool sameEnds(const char* a, const char* b, std::size_t size) {
 
 }  // namespace name_bytes
 
-/// a == b. Names are short, and a stream compares a dozen a packet: calling memcmp for each was a
-/// sixth of checking a log.
+/// a == b. Names are short, and a stream compares a dozen per packet: calling memcmp for each took
+/// a sixth of the time of checking a log.
 inline bool sameName(std::string_view a, std::string_view b) {
   const std::size_t size = a.size();
   if (size != b.size()) return false;
@@ -39,10 +40,10 @@ inline bool sameName(std::string_view a, std::string_view b) {
   return size == 0 || a[0] == b[0];
 }
 
-/// Inside of SessionState, and not for use outside the library.
-/// Remembers what belongs to names used lately (where their values lie in a map), so that a steady
-/// stream finds it without walking the map. Points into its owner's maps: a copy or a moved one
-/// starts empty, and clear() must be called before a remembered element is erased.
+/// Internal to SessionState, not for use outside the library. Caches where the values of recently
+/// used names are in a map, so that a steady stream finds them without walking the map. Points into
+/// its owner's maps: a copied or moved cache starts empty, and clear() must be called before a
+/// cached element is erased.
 template <class Found>
 class NameCache {
  public:
@@ -60,7 +61,7 @@ class NameCache {
   }
   ~NameCache() = default;
 
-  /// Null when it is not remembered, which says nothing about the map.
+  /// Null when the name is not cached, which does not mean that it is not in the map.
   const Found* find(std::string_view name) const {
     const Slot& slot = slots_[slotOf(name)];
     return slot.name != nullptr && sameName(*slot.name, name) ? &slot.found : nullptr;
@@ -75,8 +76,8 @@ class NameCache {
   };
   static constexpr std::size_t kSlots = 256;
 
-  /// The last eight bytes tell numbered names apart. Loads of fixed sizes, which may overlap: one
-  /// of the name's size would stall on its own stores.
+  /// The last eight bytes distinguish numbered names. Fixed-size loads that may overlap: a load of
+  /// the name's size would stall on its own stores.
   static std::size_t slotOf(std::string_view name) {
     using name_bytes::load;
     const std::size_t size = name.size();

@@ -32,7 +32,7 @@ struct PacketHeader {
   bool restated = false;
   bool reset = false;
   std::optional<RestatementPart> part;
-  std::string_view by;  ///< who restates for the source; empty when it speaks itself
+  std::string_view by;  ///< the restating program; empty when it is the source itself
   std::optional<Via> via;
 };
 
@@ -63,7 +63,7 @@ struct PathView {
   bool is_layer = false;
 };
 
-/// One statement. Which fields mean something depends on the kind; the rest keep their defaults.
+/// A statement. The kind decides which fields have a meaning; the rest keep their defaults.
 struct Statement {
   StatementKind kind = StatementKind::event;
   std::uint32_t line = 0;           ///< in the datagram, from 1 (the header's line)
@@ -83,9 +83,9 @@ struct Statement {
   std::int64_t seen_ns = 0;  ///< log time, nanoseconds since the epoch
 };
 
-/// What can be wrong with a datagram or a line of it. A fault is a fact to count, not an error.
+/// Faults of a datagram or one of its lines. A fault is counted; it is not an error.
 enum class PacketFault : std::uint8_t {
-  not_a_packet,       ///< no header line: the whole datagram is left alone
+  not_a_packet,       ///< no header line: the whole datagram is ignored
   bad_header,         ///< a header word is malformed: the whole datagram is dropped
   unknown_statement,  ///< skipped, so that later versions can add statements
   missing_field,
@@ -96,8 +96,8 @@ enum class PacketFault : std::uint8_t {
   bad_string,
   bad_path,
   zero_quaternion,
-  unnormalised_quaternion,  ///< off unit by more than 1e-3; normalised and applied all the same
-  too_many,                 ///< a bound of docs/packet-format.md is exceeded
+  unnormalised_quaternion,  ///< more than 1e-3 from unit length; normalised and applied
+  too_many,                 ///< beyond a limit of docs/packet-format.md
   order_mismatch,           ///< found by the fold: `joints` with another count than its `order`
 };
 inline constexpr std::size_t kPacketFaultCount = 14;
@@ -106,7 +106,7 @@ inline constexpr std::size_t kPacketFaultCount = 14;
 std::string_view nameOf(PacketFault fault);
 std::string_view nameOf(StatementKind kind);
 
-/// One fault in one datagram. `column` counts bytes from 1.
+/// A fault in a datagram. `column` counts bytes from 1.
 struct FaultAt {
   PacketFault fault;
   std::uint32_t line = 0;

@@ -6,9 +6,9 @@
 
 #include "core/base/time.h"
 
-// The bounds of packet text and of the state that it makes: docs/packet-format.md, section
-// "Limits". What goes past one is left out and counted as too_many (or bad_name, bad_string,
-// bad_header where the table says so).
+// The limits of packet text and of the state made from it: docs/packet-format.md, section "Limits".
+// Anything beyond is left out and counted as too_many (or bad_name, bad_string, bad_header where
+// the table says so).
 namespace rocinante::limits {
 
 inline constexpr std::size_t kNameBytes = 255;     ///< decoded
@@ -23,13 +23,13 @@ inline constexpr std::size_t kDevices = 65536;
 inline constexpr std::size_t kPaths = 262144;  ///< of visibility, and as many of colour
 inline constexpr std::size_t kDrawings = 65536;
 inline constexpr std::size_t kViews = 4096;
-inline constexpr std::size_t kEvents = 65536;  ///< not yet taken
-/// Of everything in the state, as the table counts it: one sum that no mix of the above passes.
+inline constexpr std::size_t kEvents = 65536;  ///< not taken yet
+/// Of the whole state, as the table counts it: one sum, whatever the mix of the items above.
 inline constexpr std::uint64_t kStateBytes = std::uint64_t{256} << 20U;
 
 /// A SEQUENCE further below the highest than this is a restart, not a late datagram.
 inline constexpr std::uint64_t kReorderWindow = 64;
-/// A restatement not complete after this much log time, counted from its first part, is abandoned.
+/// A restatement not completed within this log time from its first part is abandoned.
 inline constexpr Nanoseconds kRestatementSpan = std::chrono::seconds(1);
 
 inline constexpr double kDefaultLinePx = 1;

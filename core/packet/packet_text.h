@@ -18,8 +18,8 @@ class PacketTextDecoder final : public Decoder {
   const Packet* decode(ByteView datagram) override;
   std::span<const FaultAt> faults() const override;
 
-  /// The header alone, cheaply: for recorders and relays, which need no statements.
-  /// Null when the datagram is no packet. Same validity as decode().
+  /// The header alone, cheaply: for recorders and relays, which need no statements. Null when the
+  /// datagram is not a packet. Same validity as decode().
   const PacketHeader* decodeHeader(ByteView datagram);
 
  private:
@@ -28,13 +28,13 @@ class PacketTextDecoder final : public Decoder {
 };
 
 /// Builds one packet's text. Every append is canonical: names percent-encoded, the shortest decimal
-/// that reads back as the same double, LF line ends. What is given must be what a decoder could
-/// have read: names not empty and UTF-8, numbers finite, as many as the kind wants.
+/// that reads back as the same double, LF line ends. Arguments must be values that a decoder can
+/// produce: names not empty and UTF-8, numbers finite, as many as the kind requires.
 class PacketTextWriter {
  public:
   explicit PacketTextWriter(const PacketHeader& header);
 
-  /// One statement, written from the fields that its kind uses.
+  /// Appends one statement, written from the fields that its kind uses.
   void add(const Statement& statement);
 
   std::size_t byteCount() const { return text_.size(); }

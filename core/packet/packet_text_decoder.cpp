@@ -11,7 +11,7 @@ namespace {
 constexpr std::string_view kEncoding = "rk1";
 constexpr std::string_view kOtherEncoding = "octets";
 
-/// True when nothing but what packet text ignores follows.
+/// True when only bytes follow that packet text ignores.
 bool isLast(TextLines lines) {
   std::string_view line;
   return !lines.next(line);
@@ -26,7 +26,7 @@ struct PacketTextDecoder::Scratch {
   StatementReader reader{lines};
   Packet packet;
 
-  /// Takes the header line from `text`. False with the one fault in `lines.faults`.
+  /// Takes the header line from `text`. False with one fault in `lines.faults`.
   bool readHeaderFrom(TextLines& text) {
     std::string_view line;
     if (!text.next(line) || !isHeaderLine(line)) {

@@ -33,7 +33,7 @@ void appendPath(std::string& text, const PathView& path) {
     return;
   }
   if (path.second.empty()) return appendField(text, path.first);
-  // A link of a device that is called "layer" must not read as a layer.
+  // A link of a device named "layer" must not read as a layer.
   text += path.first == "layer" ? " %6Cayer" : " ";
   if (path.first != "layer") appendName(text, path.first);
   text += '/';

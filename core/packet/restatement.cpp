@@ -11,11 +11,11 @@
 namespace rocinante {
 namespace {
 
-/// What must be said before what, across the sources of one device: `remove` takes all items of the
-/// device away, positional joints the named ones, and every write moves the last write on.
+/// The order of statements across the sources of one device: `remove` removes all items of the
+/// device, positional joints clear the named ones, and every write updates the last write.
 enum Stage : std::size_t { removals, positions, items, last_writes, stage_count };
 
-/// What one source owns, as statements by stage.
+/// The items of one source, as statements by stage.
 class OwnedText {
  public:
   const std::vector<std::string>& of(std::size_t stage) const { return lines_[stage]; }
@@ -38,10 +38,10 @@ class OwnedText {
 
  private:
   std::array<std::vector<std::string>, stage_count> lines_;
-  std::vector<const std::string*> devices_;  ///< that the source owns items of; names of the state
+  std::vector<const std::string*> devices_;  ///< with items of the source; names in the state
 };
 
-/// What each source owns, found in one walk over the state: of one source, or of all.
+/// The items of each source, found in one walk over the state: of one source, or of all.
 class OwnedTexts {
  public:
   OwnedTexts(const SessionState& state, const RestatementOptions& options,
@@ -91,7 +91,7 @@ class OwnedTexts {
     }
     if (wants(device.joints)) {
       OwnedText& owned = owned_[device.joints->owner];
-      // An order that the receiver may know would turn these into named joints.
+      // An order known to the receiver would turn these into named joints.
       owned.addOf(name, Stage::positions, orderText(name, {}));
       owned.addOf(name, Stage::positions, jointsText(name, device.joints->value));
     }
@@ -104,13 +104,13 @@ class OwnedTexts {
     if (!device.named_joints.empty()) addNamedJoints(name, device);
   }
 
-  /// Several joints a line, as long as the line leaves room for a header in a datagram.
+  /// Several joints per line, as long as the line leaves room for a header in a datagram.
   void addNamedJoints(const std::string& name, const DeviceState& device) {
     struct Line {
       std::string text;
       std::size_t count = 0;
     };
-    std::map<std::string_view, Line> lines;  // of each owner, the one that is not full
+    std::map<std::string_view, Line> lines;  // by owner, the one that is not full
     const std::size_t most_bytes = options_.mtu_bytes / 2;
     for (const auto& [joint, item] : device.named_joints) {
       if (!wants(item.owner)) continue;
@@ -150,7 +150,7 @@ struct Body {
   std::string text;
 };
 
-/// Fills datagrams of at most `most_bytes`; a stage begins a new one when `by_stage`.
+/// Fills datagrams of at most `most_bytes`; a stage begins a new one if `by_stage`.
 std::vector<Body> bodiesOf(const OwnedText& owned, std::size_t most_bytes, bool by_stage) {
   std::vector<Body> bodies;
   for (std::size_t stage = 0; stage < stage_count; ++stage) {
@@ -184,12 +184,12 @@ PacketHeader headerOf(const SessionState& state, std::string_view source,
   return header;
 }
 
-/// The parts of one source's restatement, each with the stage that it belongs to.
+/// The parts of one source's restatement, each with its stage.
 std::vector<Body> partsOf(const SessionState& state, std::string_view source,
                           const OwnedText& owned, const RestatementOptions& options,
                           bool by_stage) {
   PacketHeader header = headerOf(state, source, options);
-  // As long as the header can become.
+  // The longest possible header.
   header.part = {options.part_id, limits::kRestatementParts, limits::kRestatementParts};
   const std::size_t header_bytes = headerText(header).size() + 1;
   std::size_t most_bytes = options.mtu_bytes > header_bytes ? options.mtu_bytes - header_bytes : 1;

@@ -10,7 +10,7 @@
 namespace rocinante {
 namespace {
 
-/// The identity's lines, in no order yet.
+/// The identity's lines, not sorted yet.
 class IdentityLines {
  public:
   void addSource(const std::string& name, const SourceState& source) {

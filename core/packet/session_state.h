@@ -24,8 +24,8 @@ struct Path {
   auto operator<=>(const Path&) const = default;
 };
 
-/// When an item was last said, in packets folded. Bookkeeping of unfinished restatements, which is
-/// no part of what a state is: any two are equal.
+/// When an item was last stated, counted in packets folded. Used for unfinished restatements and
+/// not part of a state's identity: any two are equal.
 struct SaidMark {
   std::uint64_t packet = 0;
   bool operator==(const SaidMark&) const { return true; }
@@ -55,16 +55,16 @@ struct PoseValue {
   bool operator==(const PoseValue&) const = default;
 };
 
-/// What was said about one device. "Nothing said" (an empty optional, a missing key) means the
+/// Everything stated about one device. Nothing stated (an empty optional, a missing key) means the
 /// cell's own value.
 struct DeviceState {
   std::optional<Item<PresenceValue>> presence;
   std::optional<Item<PoseValue>> pose;
-  /// Positional values, one item: as long as the sender made them (check judges the count).
+  /// Positional values, one item: as many as the sender sent (check judges the count).
   std::optional<Item<std::vector<double>>> joints;
-  /// Values by joint name. They stand over the positional ones, which clear them when they come.
+  /// Values by joint name. They override positional values; new positional values clear them.
   std::map<std::string, Item<double>, std::less<>> named_joints;
-  /// Which joints a SOURCE's `joints DEVICE` mean, by SOURCE (which is also the owner).
+  /// The joints that a SOURCE's `joints DEVICE` means, by SOURCE (which is also the owner).
   std::map<std::string, std::vector<std::string>, std::less<>> orders;
   std::map<std::string, SaidMark, std::less<>> orders_said;  ///< by the same keys
   LogTime last_write{};                                      ///< of any statement about this device
@@ -78,7 +78,7 @@ struct Visibility {
 };
 
 struct ColorValue {
-  std::optional<std::uint32_t> rgba;  ///< 0xRRGGBBAA; empty: said to be the cell's own
+  std::optional<std::uint32_t> rgba;  ///< 0xRRGGBBAA; empty: stated to be the cell's own
   bool operator==(const ColorValue&) const = default;
 };
 
@@ -89,11 +89,11 @@ struct Drawing {
   double size_px = 1;
   Path carrier;
   std::string text;  ///< labels
-  /// The parts of a long line, in order; one for a short one. A missing part is an empty optional:
-  /// a gap. Each holds x y z triples, metres.
-  /// A line goes on from one part to the next one, but never across a gap.
+  /// The parts of a long line, in order; one for a short line. A missing part is an empty optional:
+  /// a gap. Each holds x y z triples, metres. A line continues from part to part, but not across a
+  /// gap.
   std::vector<std::optional<std::vector<double>>> parts;
-  std::vector<SaidMark> parts_said;  ///< by part: a whole restatement forgets each by itself
+  std::vector<SaidMark> parts_said;  ///< by part: a restatement can remove single parts
   bool operator==(const Drawing&) const = default;
 };
 
@@ -105,7 +105,7 @@ struct ViewValue {
   bool operator==(const ViewValue&) const = default;
 };
 
-/// What the fold remembers of a source so as to apply "newest wins" and finish restatements.
+/// What the fold remembers of a source to apply "newest wins" and to complete restatements.
 struct SourceState {
   std::string run;
   std::optional<std::uint64_t> highest_sequence;
@@ -113,25 +113,25 @@ struct SourceState {
   bool operator==(const SourceState&) const = default;
 };
 
-/// Counts that are no part of the state's identity. What others restate (`by=`) is in
-/// `by_others` and `faults` alone.
+/// Counts that are not part of the state's identity. Restatements by others (`by=`) count only in
+/// `by_others` and `faults`.
 struct SourceCounts {
   std::uint64_t packets = 0;     ///< applied
-  std::uint64_t by_others = 0;   ///< applied: somebody else restating
+  std::uint64_t by_others = 0;   ///< applied: restatements by other programs
   std::uint64_t late = 0;        ///< dropped: at or below the highest sequence
-  std::uint64_t duplicates = 0;  ///< of those: a sequence number that had come before
-  std::uint64_t gap = 0;         ///< sequence numbers never seen so far; via a relay see there
+  std::uint64_t duplicates = 0;  ///< of those: a sequence number seen before
+  std::uint64_t gap = 0;         ///< numbers not seen so far; via a relay see RelayCounts
   std::uint64_t restarts = 0;
-  /// By PacketFault, of applied packets; what the fold itself refused counts as too_many.
+  /// By PacketFault, of applied packets; items refused by the fold itself count as too_many.
   std::array<std::uint64_t, kPacketFaultCount> faults{};
-  /// Which of the 64 numbers below the highest have come, the nearest in the lowest bit.
+  /// Which of the 64 numbers below the highest were seen, the nearest in the lowest bit.
   std::uint64_t recent = ~std::uint64_t{0};
 };
 
-/// What a relay that filters sent on (`via=RELAY:N`), judged by its own count.
+/// The output of a filtering relay (`via=RELAY:N`), judged by its own count.
 struct RelayCounts {
   std::uint64_t packets = 0;
-  std::uint64_t gap = 0;  ///< numbers never seen so far
+  std::uint64_t gap = 0;  ///< numbers not seen so far
   std::uint64_t restarts = 0;
   std::optional<std::uint64_t> highest;
   std::uint64_t recent = ~std::uint64_t{0};  ///< as in SourceCounts
@@ -143,20 +143,20 @@ struct Event {
   std::string text;
 };
 
-/// What became of a packet given to the fold.
+/// The result of folding a packet.
 enum class Applied : std::uint8_t {
   yes,
   late,     ///< dropped whole: not above the highest sequence of its source
   refused,  ///< dropped whole: a new source, and no room for one (docs/packet-format.md, "Limits")
 };
 
-/// The state of a session at a log time: the one fold that live viewing, scrubbing, golden frames
-/// and check share. A plain value: copy it to keep a moment. Knows no cell. Not for sharing between
-/// threads.
+/// The state of a session at a log time: live viewing, scrubbing, golden frames and check share
+/// this one fold. A plain value: copy it to keep a moment. Independent of any cell. Not for sharing
+/// between threads.
 /// Defined by docs/packet-format.md, section "The fold".
 class SessionState {
  public:
-  /// Folds one packet in. `time` must not go back (a datagram later in the log's order).
+  /// Folds one packet. `time` must not go back (a datagram later in the log's order).
   Applied apply(LogTime time, const Packet& packet);
 
   using Devices = std::map<std::string, DeviceState, std::less<>>;
@@ -164,7 +164,8 @@ class SessionState {
   using Drawings = std::map<std::pair<std::string, std::string>, Drawing>;
 
   const Devices& devices() const { return devices_; }
-  /// What was said about one device; null when nothing was. Quick for one that was written lately.
+  /// The state of one device; null when nothing was stated about it. Fast for a recently written
+  /// one.
   const DeviceState* findDevice(std::string_view name) const {
     if (Devices::value_type* const* const known = device_cache_.find(name)) {
       return &(*known)->second;
@@ -181,40 +182,40 @@ class SessionState {
   /// Counters and faults since the state was made; never part of the identity.
   const std::map<std::string, SourceCounts, std::less<>>& counts() const { return counts_; }
 
-  /// The same for relays that count their own output, by name.
+  /// The same for relays that number their own output, by name.
   const std::map<std::string, RelayCounts, std::less<>>& relays() const { return relays_; }
-  /// Packets of sources that there was no room for.
+  /// Packets of sources that were refused for lack of room.
   std::uint64_t refusedPackets() const { return refused_packets_; }
 
-  /// Memory that the items and sources take, as the limits table counts it.
+  /// Memory used by items and sources, as the limits table counts it.
   std::uint64_t weight() const { return weight_; }
 
-  /// Events in the packets folded since the last call, oldest first; events are not state.
+  /// Events of the packets folded since the last call, oldest first; events are not state.
   std::vector<Event> takeEvents();
 
-  /// True while a source's restatement has begun and is not complete, as of the last packet.
+  /// True while a restatement of a source is incomplete, as of the last packet.
   bool restatementOpen() const { return !open_.empty(); }
-  /// The same at `now`: one that has run out of its second since is open no more.
+  /// The same at `now`: a restatement that has timed out is no longer open.
   bool restatementOpen(LogTime now) const;
 
   /// Same items with their owners, sources and last writes: a state's identity.
   bool sameAs(const SessionState& other) const;
 
-  /// The identity as text, one item a line, sorted: equal exactly when sameAs(); a readable diff
-  /// otherwise, and what identityHash() hashes.
+  /// The identity as text, one item a line, sorted: equal exactly when sameAs(). Readable as a
+  /// diff; identityHash() hashes it.
   std::string identityText() const;
 
  private:
   friend class StateFolder;
 
-  /// A restatement of which not all parts have come.
+  /// A restatement with parts still missing.
   struct OpenRestatement {
     std::string id;
     std::vector<bool> came;
     std::size_t missing = 0;
     LogTime began{};
-    std::uint64_t first_packet = 0;  ///< items said before this one fall when all have come
-    bool nothing_before = false;     ///< it begins with the source's first packet: none can fall
+    std::uint64_t first_packet = 0;  ///< items stated before this packet are removed at the end
+    bool nothing_before = false;     ///< it begins with the source's first packet: none to remove
   };
 
   Devices devices_;
@@ -226,8 +227,8 @@ class SessionState {
   std::uint64_t weight_ = 0;
 
   std::map<std::string, OpenRestatement, std::less<>> open_;  ///< by SOURCE
-  LogTime open_until_{};       ///< when the first of `open_` runs out
-  std::uint64_t packets_ = 0;  ///< applied; what SaidMark counts
+  LogTime open_until_{};       ///< when the first of `open_` times out
+  std::uint64_t packets_ = 0;  ///< applied; the count in SaidMark
 
   std::map<std::string, SourceCounts, std::less<>> counts_;
   std::map<std::string, RelayCounts, std::less<>> relays_;

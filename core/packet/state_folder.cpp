@@ -9,14 +9,14 @@ namespace {
 
 constexpr std::uint64_t kAllCame = ~std::uint64_t{0};
 
-/// Moves the record of which numbers came `steps` on: the old highest becomes one of them.
+/// Moves the record of seen numbers by `steps`: the old highest becomes one of them.
 std::uint64_t movedOn(std::uint64_t recent, std::uint64_t steps) {
   if (steps > limits::kReorderWindow) return 0;
   const std::uint64_t shifted = steps == limits::kReorderWindow ? 0 : recent << steps;
   return shifted | std::uint64_t{1} << (steps - 1);
 }
 
-/// Notes a number `below` (1 to 64) the highest; false when it had come before.
+/// Notes the number that is `below` (1 to 64) the highest; false when it was seen before.
 bool noteLate(std::uint64_t& recent, std::uint64_t below) {
   const std::uint64_t bit = std::uint64_t{1} << (below - 1);
   if ((recent & bit) != 0) return false;
@@ -170,7 +170,7 @@ void StateFolder::beginPart() {
     open.began = time_;
     open.first_packet = state_.packets_;
     open.nothing_before = counts_->packets + counts_->by_others == 1;
-    // A log may reach the last moment that there can be.
+    // A log may reach the last representable moment.
     const LogTime until =
         time_ + std::min<Nanoseconds>(limits::kRestatementSpan, LogTime::max() - time_);
     state_.open_until_ = state_.open_.empty() ? until : std::min(state_.open_until_, until);
@@ -188,7 +188,7 @@ void StateFolder::finishPart() {
   const std::uint64_t first_packet = open->second.first_packet;
   const bool nothing_before = open->second.nothing_before;
   state_.open_.erase(open);
-  // Else reading a keyframe of many sources would walk over all items for each of them.
+  // Otherwise reading a keyframe of many sources would walk over all items for each of them.
   if (!nothing_before) forgetUnrepeated(first_packet);
 }
 

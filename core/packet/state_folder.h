@@ -8,8 +8,9 @@
 
 namespace rocinante {
 
-/// Folds one packet into a state (docs/packet-format.md, section "The fold"): first whether it is
-/// applied at all, then its statements, then what a restatement that it completes takes away.
+/// Folds one packet into a state (docs/packet-format.md, section "The fold"): first decides whether
+/// it is applied, then applies its statements, then the removals by a restatement that it
+/// completes.
 class StateFolder {
  public:
   StateFolder(SessionState& state, LogTime time, const Packet& packet)
@@ -21,7 +22,7 @@ class StateFolder {
   using Device = SessionState::Devices::value_type;
   using NamedJoints = decltype(DeviceState::named_joints);
 
-  // state_folder.cpp: the header's part.
+  // state_folder.cpp: the header.
   bool findSource();
   bool admit();
   void countRelay();
@@ -30,7 +31,7 @@ class StateFolder {
   void finishPart();
   void forgetSequence();
 
-  // fold_statement.cpp: each writes what one statement says.
+  // fold_statement.cpp: each applies one statement.
   void foldStatement(const Statement& statement);
   void foldJoints(const Statement& statement);
   void foldJointsByName(Device& device, std::span<const std::string> names,
@@ -46,11 +47,11 @@ class StateFolder {
   void foldEvent(const Statement& statement);
   void foldView(const Statement& statement);
   void foldSeen(const Statement& statement);
-  /// `found`: where `name` stands among the device's, or their end.
+  /// `found`: the position of `name` among the device's joints, or their end.
   bool setNamedJoint(DeviceState& device, NamedJoints::iterator found, std::string_view name,
                      double value);
 
-  /// The device that a statement writes about, made when it is new; null when there is no room.
+  /// The device of a statement, created when new; null when there is no room.
   Device* deviceFor(std::string_view name);
   template <class T>
   Item<T> itemOf(T value) const;
@@ -60,11 +61,11 @@ class StateFolder {
   void writePathItem(std::map<Path, Item<T>>& items, const PathView& path, T value);
   template <class T>
   void claim(Item<T>& item) const;
-  /// Takes the place of something of weight `before`; false, and counted, when there is no room.
+  /// Replaces an item of weight `before`; false, and counted, when there is no room.
   bool makeRoom(std::uint64_t before, std::uint64_t after);
   void count(PacketFault fault);
 
-  // state_forgetting.cpp: what takes items away.
+  // state_forgetting.cpp: removals of items.
   void forgetItemsOf(DeviceState& device);
   void forgetPathsOf(std::string_view device);
   void forgetIfEmpty(std::string_view device);

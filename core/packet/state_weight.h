@@ -4,8 +4,8 @@
 
 #include "core/packet/session_state.h"
 
-// What items take of the state's memory bound: docs/packet-format.md, section "Limits".
-// Functions of what is said alone, so that a state reached another way has room for the same.
+// The weight of items against the state's memory limit: docs/packet-format.md, section "Limits".
+// Depends only on what was stated, so that a state reached another way has the same room.
 namespace rocinante {
 
 inline constexpr std::uint64_t kSourceWeight = 256;
@@ -57,7 +57,7 @@ std::uint64_t weightOf(const std::optional<T>& item) {
   return item ? weightOf(*item) : 0;
 }
 
-/// Of a map's element: the key's names and the value.
+/// The weight of a map's element: the key's names and the value.
 inline std::uint64_t weightOf(std::string_view key) { return key.size(); }
 inline std::uint64_t weightOf(const std::pair<std::string, std::string>& key) {
   return key.first.size() + key.second.size();

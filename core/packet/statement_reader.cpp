@@ -10,8 +10,8 @@
 namespace rocinante {
 namespace {
 
-// A quaternion this near to unit length is left alone, so that a restated one is the same to the
-// last bit.
+// A quaternion this close to unit length is left unchanged, so that a restated one is the same to
+// the last bit.
 constexpr double kUnitTolerance = 1e-12;
 constexpr double kNormTolerance = 1e-3;
 
@@ -41,7 +41,7 @@ void StatementScratch::begin(std::size_t datagram_bytes) {
   faults.clear();
   numbers.clear();
   names.clear();
-  // Every number and every name takes a byte and the separator before it.
+  // Every number and every name takes at least one byte and a separator.
   const std::size_t most_fields = datagram_bytes / 2 + 1;
   if (numbers.capacity() < most_fields) numbers.reserve(most_fields);
   if (names.capacity() < most_fields) names.reserve(most_fields);
@@ -75,7 +75,7 @@ void StatementReader::read(std::string_view line, std::uint32_t number) {
     statement_->numbers = std::span(scratch_.numbers).subspan(numbers_before);
     statement_->names = std::span(scratch_.names).subspan(names_before);
   } else {
-    // The line is discarded alone, with what it had brought so far.
+    // Only this line is discarded, with the values it has added so far.
     scratch_.statements.pop_back();
     scratch_.numbers.resize(numbers_before);
     scratch_.names.resize(names_before);
@@ -242,7 +242,7 @@ bool StatementReader::takeName(std::string_view& name) {
   return true;
 }
 
-// ID or ID:I/N. A slash is no byte of a name, so its presence tells the two apart.
+// ID or ID:I/N. A name cannot contain a slash, so a slash tells the two apart.
 bool StatementReader::takeDrawingId() {
   const std::string_view field = fields_.peek();
   const std::size_t slash = field.find('/');
@@ -275,7 +275,7 @@ bool StatementReader::takePath(PathView& path, bool with_layers) {
     const auto second = decodeName(field.substr(slash + 1), scratch_.arena);
     if (!second) return failHere(PacketFault::bad_path);
     path.second = *second;
-    // Judged before decoding: a device of that name writes itself %6Cayer here.
+    // Checked before decoding: a device of that name is written as %6Cayer here.
     path.is_layer = with_layers && first == "layer";
   }
   fields_.take();

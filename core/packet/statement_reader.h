@@ -10,8 +10,8 @@
 
 namespace rocinante {
 
-/// Where the statements of one datagram are gathered. Spans into `numbers` and `names` stay
-/// good because begin() reserves for the worst that the datagram can hold.
+/// Collects the statements of one datagram. Spans into `numbers` and `names` stay valid because
+/// begin() reserves for the worst case of the datagram.
 struct StatementScratch {
   std::vector<Statement> statements;
   std::vector<FaultAt> faults;
@@ -27,7 +27,7 @@ class StatementReader {
  public:
   explicit StatementReader(StatementScratch& scratch) : scratch_(scratch) {}
 
-  /// One line that is neither blank nor a comment: a statement, a fault, or both.
+  /// Reads a line that is neither blank nor a comment: a statement, a fault, or both.
   void read(std::string_view line, std::uint32_t number);
 
  private:
@@ -59,7 +59,7 @@ class StatementReader {
 
   bool readDrawing(std::string_view size_word);
 
-  // Each takes the next field, or says in fault_ why it cannot.
+  // Each takes the next field, or sets fault_.
   bool takeName(std::string_view& name);
   bool takeDrawingId();
   bool takePath(PathView& path, bool with_layers);

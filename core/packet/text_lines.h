@@ -6,7 +6,7 @@
 
 namespace rocinante {
 
-/// Walks the lines of a packet's text, leaving out what it ignores: the CR before an LF, blank
+/// Walks the lines of a packet's text and skips what the format ignores: the CR before an LF, blank
 /// lines, lines whose first field begins with '#', and NULs at the very end.
 class TextLines {
  public:
@@ -14,7 +14,7 @@ class TextLines {
     while (end_ != at_ && end_[-1] == '\0') --end_;
   }
 
-  /// The next line that counts, without its end; leading separators stay, so that columns count
+  /// The next significant line, without its end; leading separators stay, so that columns count
   /// from the line's first byte. False after the last.
   bool next(std::string_view& line) {
     while (at_ != end_) {
@@ -32,7 +32,7 @@ class TextLines {
     return false;
   }
 
-  /// Of the line that next() gave, from 1.
+  /// The number of the line from next(), from 1.
   std::uint32_t number() const { return number_; }
 
  private:
@@ -41,7 +41,7 @@ class TextLines {
   std::uint32_t number_ = 0;
 };
 
-/// Walks the fields of one line: what stands between spaces and tabs.
+/// Walks the fields of one line, which are separated by spaces and tabs.
 class TextFields {
  public:
   explicit TextFields(std::string_view line)
@@ -64,7 +64,7 @@ class TextFields {
     if (!field.empty()) at_ = field.data() + field.size();
     return field;
   }
-  /// Steps over a field that peek() gave.
+  /// Steps over the field returned by peek().
   void skip(std::string_view field) { at_ = field.data() + field.size(); }
   /// Takes the next field when it is `word`.
   bool takeWord(std::string_view word) {
@@ -72,7 +72,7 @@ class TextFields {
     at_ += word.size();
     return true;
   }
-  /// Takes the next field when it begins with `prefix`, and gives what follows in it.
+  /// Takes the next field when it begins with `prefix`, and returns the rest of it.
   bool takeAfter(std::string_view prefix, std::string_view& rest) {
     const std::string_view field = peek();
     if (!field.starts_with(prefix)) return false;
@@ -81,10 +81,10 @@ class TextFields {
     return true;
   }
 
-  /// The place itself, for readers that find the end of a field as they read it.
+  /// The position itself, for readers that find the end of a field while reading it.
   const char*& at() { return at_; }
   const char* end() const { return end_; }
-  /// True between fields: after a number or string this must hold.
+  /// True between fields: must hold after a number or string.
   bool atSeparator() const { return at_ == end_ || isSeparator(*at_); }
 
   std::uint32_t columnOf(const char* place) const {

@@ -22,7 +22,7 @@ constexpr std::array<bool, 256> kNameBytes = [] {
 
 std::uint32_t byteOf(char character) { return static_cast<unsigned char>(character); }
 
-/// isNameByte(), where the compiler may put it in place: an exported function it may not.
+/// isNameByte() where the compiler can inline it: it cannot inline an exported function.
 bool isPlain(char byte) { return kNameBytes[byteOf(byte)]; }
 
 bool isControl(char byte) { return byteOf(byte) < 0x20 || byteOf(byte) == 0x7F; }

@@ -7,16 +7,17 @@
 
 namespace rocinante {
 
-/// Memory for names and strings that do not stand in the datagram as they mean. Never moves what
-/// it gave out: begin() reserves as much as the datagram could ever need, and only when asked for.
+/// Memory for names and strings that differ from their bytes in the datagram. Never moves what it
+/// returned: begin() reserves as much as the datagram could ever need, but only when memory is
+/// first requested.
 class TextArena {
  public:
-  /// Forgets all. At most `bytes` will be appended until the next begin().
+  /// Clears everything. At most `bytes` will be appended until the next begin().
   void begin(std::size_t bytes) {
     memory_.clear();
     most_bytes_ = bytes;
   }
-  /// Where the next append() goes; the view from here to end() is what was appended since.
+  /// The position of the next append(); the view from here to end() is what was appended since.
   std::size_t mark() {
     if (memory_.capacity() < most_bytes_) memory_.reserve(most_bytes_);
     return memory_.size();
@@ -34,23 +35,23 @@ class TextArena {
 /// True for A-Z a-z 0-9 _ . - : which stand for themselves in a name.
 bool isNameByte(char byte);
 
-/// The name that `raw` writes, or nothing when it is none: empty, longer than 255 bytes, a byte
-/// that had to be percent-encoded, a control character, or not UTF-8. Borrowed from `raw` or
+/// The name written as `raw`, or nothing when it is not a name: empty, longer than 255 bytes, a
+/// byte that needs percent-encoding, a control character, or not UTF-8. Borrowed from `raw` or
 /// `arena`.
 std::optional<std::string_view> decodeName(std::string_view raw, TextArena& arena);
 
-/// The string whose opening quote stands at `at`; on success `at` is after the closing one.
-/// Escapes are \" \\ \n; any other backslash, a control character but tab, bytes that are no UTF-8,
-/// and more than 4,096 bytes are refused.
+/// Reads the string whose opening quote is at `at`; on success `at` is after the closing one.
+/// Escapes are \" \\ \n; refuses any other backslash, a control character except tab, bytes that
+/// are not UTF-8, and more than 4,096 bytes.
 std::optional<std::string_view> decodeString(const char*& at, const char* end, TextArena& arena);
 
-/// Appends `name` percent-encoded where it must be.
+/// Appends `name`, percent-encoded where necessary.
 void appendName(std::string& text, std::string_view name);
 
-/// Appends `string` quoted and escaped. What a string cannot hold becomes U+FFFD.
+/// Appends `string` quoted and escaped. Characters that a string cannot hold become U+FFFD.
 void appendString(std::string& text, std::string_view string);
 
-/// The bytes of the UTF-8 sequence at the start of `text`, or 0 when there is no valid one.
+/// The length of the UTF-8 sequence at the start of `text` in bytes, or 0 when it is not valid.
 std::size_t utf8Length(std::string_view text);
 
 }  // namespace rocinante

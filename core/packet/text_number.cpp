@@ -24,8 +24,8 @@ constexpr std::array<double, 23> kExactPowers = {1e0,  1e1,  1e2,  1e3,  1e4,  1
 constexpr std::array<std::uint64_t, 9> kPowers = {
     1, 10, 100, 1'000, 10'000, 100'000, 1'000'000, 10'000'000, 100'000'000};
 
-// Several digits at once, since a loop over them waits for each. The bytes of digits become 0 to 9;
-// of others the highest bit is set (a carry reaches only bytes behind such a one).
+// Several digits at once, because a loop would wait for each. The bytes of digits become 0 to 9;
+// other bytes get their highest bit set (a carry only reaches the bytes behind them).
 static_assert(std::endian::native == std::endian::little);
 
 template <class Unsigned>
@@ -53,7 +53,7 @@ std::uint64_t valueOf(std::uint32_t four) {
   return ((four & 0x00FF00FFU) * 0x00640001U) >> 16U;
 }
 
-/// Reads the digits from `at` on, which then stands behind them; what does not fit is lost.
+/// Reads the digits from `at` on and moves `at` behind them; digits that do not fit are dropped.
 void readDigits(const char*& at, const char* end, std::uint64_t& number) {
   if (end - at >= 8) {
     const std::uint64_t bytes = loadDigits<std::uint64_t>(at);
@@ -83,7 +83,7 @@ bool readAnyNumber(const char* first, const char* end, const char*& at, double& 
 
 bool readNumber(const char*& at, const char* end, double& number) {
   if (at == end) return false;
-  // Without a branch: the sign of a joint is as good as random.
+  // Without a branch: the sign of a joint is unpredictable.
   const bool negative = *at == '-';
   const char* next = at + static_cast<int>(negative | (*at == '+'));
   const char* const first = next;

@@ -7,13 +7,13 @@
 
 namespace rocinante {
 
-/// Reads the decimal number at `at`, exactly (the nearest double, ties to even) whatever the
-/// locale. On success `at` stands after it. False for what is no finite decimal: nan, inf, hex,
-/// overflow. A sign, digits, a point with or without digits on one side, an exponent; -0 reads as 0
-/// and what is too small for a double as 0.
+/// Reads the decimal number at `at`, exactly (the nearest double, ties to even) in any locale. On
+/// success `at` is after it. False for anything but a finite decimal: nan, inf, hex, overflow. A
+/// sign, digits, a point with or without digits on one side, an exponent; -0 reads as 0, and so
+/// does a value too small for a double.
 bool readNumber(const char*& at, const char* end, double& number);
 
-/// Decimal digits alone, at least one and nothing else; nothing when it exceeds 64 bits.
+/// Reads decimal digits alone, at least one; empty when the number exceeds 64 bits.
 std::optional<std::uint64_t> readUnsigned(std::string_view digits);
 
 /// "12.5": seconds with up to nine decimals as nanoseconds; no sign, no exponent.
@@ -22,7 +22,7 @@ std::optional<std::int64_t> readSeconds(std::string_view text);
 /// 0 to 15, or -1.
 int hexDigit(char character);
 
-/// `digits` hexadecimal digits and nothing else.
+/// Reads exactly `digits` hexadecimal digits.
 std::optional<std::uint64_t> readHex(std::string_view text, std::size_t digits);
 
 /// Appends the shortest decimal that reads back as the same double; -0 as 0.
