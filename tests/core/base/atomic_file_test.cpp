@@ -58,7 +58,7 @@ TEST(ReadFile, RefusesWhatIsTooLargeBeforeReadingIt) {
   ASSERT_TRUE(writeFileWhole(folder / "a", bytesOf("0123456789"), false).ok());
   EXPECT_EQ(readFile(folder / "a", 10).value(), "0123456789");
   EXPECT_EQ(readFile(folder / "a", 9).error().kind, ErrorKind::unsupported);
-  // Endless, and says that it has no size.
+  // Endless, and reports no size.
   EXPECT_EQ(readFile("/dev/zero", 1 << 20).error().kind, ErrorKind::unsupported);
 }
 

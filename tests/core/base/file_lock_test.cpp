@@ -101,7 +101,7 @@ TEST(LockHolder, IsTheOneThatLockedThisInodeAlone) {
       "3: FLOCK  ADVISORY  WRITE 612 fe:00:1835 0 EOF\n"
       "4: FLOCK  ADVISORY  WRITE 0 fe:00:77 0 EOF\n";
   EXPECT_EQ(lockHolder(kTable, 1835), 612);
-  // Of another name space the system tells no process.
+  // /proc/locks gives no pid for a process of another name space.
   EXPECT_EQ(lockHolder(kTable, 77), std::nullopt);
   EXPECT_EQ(lockHolder(kTable, 835), std::nullopt);
   EXPECT_EQ(lockHolder("", 1), std::nullopt);

@@ -26,7 +26,7 @@ TEST(Sha256, GivesTheExamplesOfFips180) {
   hash.add(bytesOf("abc"));
   EXPECT_EQ(hexOf(hash.finish()),
             "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
-  // finish() starts anew.
+  // finish() starts over.
   EXPECT_EQ(hexOf(hash.finish()),
             "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
 }

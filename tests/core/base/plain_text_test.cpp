@@ -8,12 +8,12 @@ namespace {
 TEST(PlainText, ShowsWhatATerminalWouldObey) {
   EXPECT_EQ(plainText("a\x1b[0m\n"), "a\\x1b[0m\\x0a");
   EXPECT_EQ(plainText("gr\xc3\xbcn \xff"), "gr\xc3\xbcn \\xff");
-  // What turns the direction of text, ends lines or takes no room.
+  // Characters that change the direction of text, end lines or take no room.
   EXPECT_EQ(plainText("a\u202e\u2066\u200e\u061cz"),
             "a\\xe2\\x80\\xae\\xe2\\x81\\xa6\\xe2\\x80\\x8e\\xd8\\x9cz");
   EXPECT_EQ(plainText("\u200b\u2028\ufeff\U000e0041"),
             "\\xe2\\x80\\x8b\\xe2\\x80\\xa8\\xef\\xbb\\xbf\\xf3\\xa0\\x81\\x81");
-  // Writing of all kinds, with its joiners.
+  // Various scripts, with their joiners.
   for (const char* const text :
        {"\u0645\u06cc\u200c\u062e", "\U0001f469\u200d\U0001f680", "\u05d0", "\u00a0"}) {
     EXPECT_EQ(plainText(text), text);

@@ -19,8 +19,8 @@ namespace {
 
 void makeFile(const std::filesystem::path& path) { std::ofstream(path) << "half"; }
 
-/// Runs `work` in a process of its own, sends it SIGTERM once it has said that it is ready, and
-/// gives its exit code, or minus the signal that ended it. `said` is what stood on standard error.
+/// Runs `work` in its own process, sends it SIGTERM once it reports that it is ready, and returns
+/// its exit code, or minus the signal that ended it. `said` is its standard error output.
 int afterStop(const std::function<void(const std::function<void()>& ready)>& work,
               std::string& said) {
   std::array<int, 2> ready{};
@@ -85,7 +85,7 @@ TEST(StopDeadline, LeavesWorkThatEndsByItselfAlone) {
           ready();
           while (!cli::stopRequested()) ::usleep(1000);
         }
-        // Nothing is left that could end what follows.
+        // No timer is left that could end the process later.
         itimerval left{};
         ::getitimer(ITIMER_REAL, &left);
         ::_exit(left.it_value.tv_sec == 0 && left.it_value.tv_usec == 0 ? 7 : 8);

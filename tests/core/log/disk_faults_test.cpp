@@ -33,8 +33,8 @@ std::string payloadOf(std::uint32_t i) {
 
 enum class Pace { fast, slow, mixed };
 
-/// Sixty messages on three channels, some of which come later, then what a recorder does: the last
-/// flush, a loss, the end. Slow: flushed after every message. Mixed: chunks in one piece too.
+/// Sixty messages on three channels, some of them late, then the steps of a recorder: the last
+/// flush, a loss, the end. Slow: flushed after every message. Mixed: also chunks in one piece.
 Outcome recordOnto(const DiskFaults& faults, Pace pace, LogWriterOptions::Compression compression) {
   Outcome outcome;
   LogWriterOptions options;
@@ -67,7 +67,7 @@ Outcome recordOnto(const DiskFaults& faults, Pace pace, LogWriterOptions::Compre
   return outcome;
 }
 
-/// Captured messages that a reader finds; each must be one that was written, whole.
+/// The captured messages that a reader finds; each must be one that was written, whole.
 std::uint64_t storedIn(const Bytes& file, bool* complete = nullptr) {
   const Bytes copy = cutAt(file, file.size());
   LogReader reader = openLog(copy);
@@ -90,7 +90,7 @@ std::uint64_t storedIn(const Bytes& file, bool* complete = nullptr) {
   return stored;
 }
 
-/// The file is whole by the letter of the format, from its first record to its footer.
+/// The file is strictly valid, from its first record to its footer.
 void expectStrictlyWhole(const Bytes& file) {
   Result<mcap::StreamReader> reader = mcap::StreamReader::open(file);
   ASSERT_TRUE(reader.ok());
@@ -137,7 +137,7 @@ TEST_P(DiskFault, ADiskThatFillsAtAnyByteEndsInAWholeFile) {
     EXPECT_GE(stored, stored_before) << "more room, fewer messages";
     stored_before = stored;
     expectStrictlyWhole(outcome.file);
-    // What was lost is told in the file: the room for that was kept too.
+    // The file reports the loss: room for that was reserved too.
     LogReader reader = openLog(outcome.file);
     EXPECT_EQ(reader.losses().size(), 1U);
     EXPECT_EQ(reader.summary().end_reason, "finished");
@@ -174,7 +174,7 @@ TEST_P(DiskFault, AnyOneWriteThatFailsLeavesAWholeFileAndAnExactCount) {
                 "cannot write to the log: Input/output error (disk)");
       bool complete = false;
       EXPECT_EQ(storedIn(outcome.file, &complete) + outcome.refused, kMessages);
-      // The disk works again, so all but the last two come to be: rocinante.end and the summary.
+      // The disk works again, so only the last two are written: rocinante.end and the summary.
       EXPECT_EQ(complete, k + 2 < writes);
       if (complete) expectStrictlyWhole(outcome.file);
     }
@@ -210,7 +210,7 @@ TEST_P(DiskFault, WhatCannotBeTakenBackEitherIsNotCountedAsStored) {
     const Outcome outcome = record(faults);
     if (!outcome.begun) continue;
     ASSERT_FALSE(outcome.closed.ok());
-    // Half an addition stands at the end: whole messages in it are a gift.
+    // Half an addition is at the end: whole messages in it are a bonus.
     EXPECT_GE(storedIn(outcome.file) + outcome.refused, kMessages);
   }
 }
@@ -228,7 +228,7 @@ TEST(DiskFaults, ChannelsForWhichThereIsNoRoomAnyMoreAreLeftOutOfTheSummary) {
     const ChannelId first = *writer->addChannel("/udp/1/first", "octets", {});
     ASSERT_TRUE(writer->write(first, 0, at(1), 0, bytesOf("kept")).ok());
     ASSERT_TRUE(writer->flushIfDue(SteadyTime(std::chrono::seconds(1))).ok());
-    // Their names alone are more than the disk holds.
+    // Their names alone exceed the disk.
     ChannelId last = 0;
     for (int i = 0; i < 1000; ++i) {
       last =
@@ -268,8 +268,8 @@ TEST(DiskFaults, AnAttachmentThatDoesNotFitLeavesTheMessagesAsTheyAre) {
   EXPECT_TRUE(writer->refusedByDisk().empty());
 }
 
-/// The true file sink over system calls that fail from some write on, as those of a disk that was
-/// pulled out do.
+/// The real file sink over system calls that all fail from some write on, like those of a disk that
+/// was unplugged.
 TEST(DiskFaults, AFileWhoseDiskGoesAwayKeepsWhatItHad) {
   for (int works = 1; works < 60; works += 3) {
     SCOPED_TRACE(works);

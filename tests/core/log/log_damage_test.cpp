@@ -49,7 +49,7 @@ SmallLog smallLog(LogWriterOptions::Compression compression, std::size_t chunk_b
   return log;
 }
 
-/// Captured messages only, so that the recorder's own do not matter.
+/// Captured messages only, to leave out the recorder's own.
 std::vector<KeptMessage> captured(LogReader& reader) {
   std::vector<KeptMessage> messages = readAll(reader);
   std::erase_if(messages, [](const KeptMessage& m) { return m.topic.starts_with("/rocinante/"); });
@@ -73,7 +73,7 @@ std::size_t wholeChunksBefore(const Bytes& file, std::size_t size, std::size_t* 
       for (std::uint64_t inside = 0; inside < records->size();) {
         const std::optional<mcap::Record> each = mcap::recordAt(*records, inside);
         mcap::Message message;
-        // The loss message stands last, on channel 2.
+        // The loss message comes last, on channel 2.
         if (each->opcode == mcap::Opcode::message && mcap::parse(each->content, message) &&
             message.channel_id < 2) {
           ++*messages;
@@ -104,7 +104,7 @@ TEST_P(CutLog, AtEveryByteGivesBackEveryWholeChunkAndSaysThatItWasCut) {
     std::size_t whole = 0;
     most_chunks = std::max(most_chunks, wholeChunksBefore(log.file, size, &whole));
     const std::vector<KeptMessage> read = captured(*reader);
-    // At least every whole chunk, and never anything but a beginning of what was written.
+    // At least every whole chunk, and always a prefix of what was written.
     ASSERT_GE(read.size(), whole);
     ASSERT_LE(read.size(), log.messages.size());
     ASSERT_THAT(read,
@@ -119,7 +119,7 @@ TEST_P(CutLog, AtEveryByteGivesBackEveryWholeChunkAndSaysThatItWasCut) {
 
 TEST_P(CutLog, InsideAChunkGivesBackWholeMessagesOfIt) {
   const SmallLog log = smallLog(GetParam(), 1U << 20U);
-  // The one chunk that holds everything is cut at half of its bytes.
+  // The only chunk is cut at half of its bytes.
   const std::size_t chunk = 8 + 9;
   std::size_t most = 0;
   for (std::size_t size = chunk; size < log.file.size() / 2; ++size) {
@@ -136,7 +136,8 @@ TEST_P(CutLog, InsideAChunkGivesBackWholeMessagesOfIt) {
   }
 }
 
-/// The times of a cut log are as good as those of a whole one: it is sought in, and read back.
+/// The times of a cut log are as reliable as those of a whole one: seeking and reading backwards
+/// work.
 TEST_P(CutLog, AtEveryByteIsInOrderOfTimeBothWays) {
   const SmallLog log = smallLog(GetParam());
   for (std::size_t size = 8; size < log.file.size(); ++size) {
@@ -171,8 +172,8 @@ TEST_P(CutLog, AtEveryByteIsInOrderOfTimeBothWays) {
   return ::testing::AssertionFailure() << back.size() << " backwards, " << read.size();
 }
 
-/// Whatever is flipped: no crash, and every message that comes back is one that was written,
-/// unless damage is said.
+/// Whatever bit is flipped: no crash, and every message read is one that was written, unless damage
+/// is reported.
 TEST_P(CutLog, AFlippedBitNeverChangesAPayloadSilently) {
   const SmallLog log = smallLog(GetParam());
   const std::set<KeptMessage> written(log.messages.begin(), log.messages.end());
@@ -199,7 +200,7 @@ TEST_P(CutLog, AFlippedBitNeverChangesAPayloadSilently) {
   }
 }
 
-/// The same without a summary to lean on: the recorder was killed, and then a bit flipped.
+/// The same without a summary: the recorder was killed, and then a bit flipped.
 TEST_P(CutLog, AFlippedBitInAKilledLogNeverChangesAPayloadSilently) {
   const SmallLog log = smallLog(GetParam());
   const std::set<KeptMessage> written(log.messages.begin(), log.messages.end());
@@ -226,7 +227,7 @@ TEST_P(CutLog, AFlippedBitInAKilledLogNeverChangesAPayloadSilently) {
         ASSERT_TRUE(written.contains(message)) << ::testing::PrintToString(message);
       }
       ASSERT_TRUE(goesBackTheSameWay(reader, read));
-      // "Never closed" is there always; a loss must say more.
+      // "Never closed" is always reported; a loss must be reported in addition.
       if (read.size() < log.messages.size()) {
         ASSERT_GT(reader.damage().size(), 1U);
       }
@@ -242,8 +243,8 @@ INSTANTIATE_TEST_SUITE_P(Compression, CutLog,
                                                                                     : "zstd";
                          });
 
-/// A chunk of several zstd blocks, cut anywhere: every message comes back that a decoder fed byte
-/// by byte can make whole, so that what is missing cannot be had from these bytes.
+/// A chunk of several zstd blocks, cut anywhere: returns every message that a decoder fed byte by
+/// byte can restore, so no more could be read from these bytes.
 TEST(LogDamage, OfACutCompressedChunkEveryMessageThatCanBeDecodedComesBack) {
   Bytes file;
   LogWriter writer = makeWriter(file);
@@ -286,7 +287,8 @@ TEST(LogDamage, OfACutCompressedChunkEveryMessageThatCanBeDecodedComesBack) {
   std::size_t counts = 0;
   std::size_t last_count = 0;
   for (std::size_t size = 0; size < chunk.records.size(); ++size) {
-    // What `size` bytes give; looked at where that grows, just before, and now and then.
+    // The messages in `size` bytes; checked where their number grows, just before that, and now and
+    // then.
     const std::size_t before = out.pos;
     ZSTD_inBuffer in{chunk.records.data() + size, 1, 0};
     if (size % 4999 == 0) {
@@ -347,7 +349,7 @@ TEST(LogDamage, AChunkThatFailsItsChecksumIsSkippedAndCounted) {
   EXPECT_GT(damage.to, place);
   ASSERT_TRUE(damage.messages_lost.has_value());
   EXPECT_EQ(read.size() + *damage.messages_lost, log.messages.size());
-  // Reading it again finds the same, and lists it once.
+  // Reading it again finds the same damage, and lists it once.
   ASSERT_TRUE(reader.rewind().ok());
   EXPECT_EQ(captured(reader), read);
   EXPECT_EQ(reader.damage().size(), 1U);

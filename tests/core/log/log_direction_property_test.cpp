@@ -8,8 +8,8 @@
 namespace rocinante::test {
 namespace {
 
-// What is compared is compared in plain functions that name the first fault: a property that
-// asserts at every step takes minutes to compile with sanitizers.
+// The comparisons are plain functions that name the first fault: a property with an assertion at
+// every step takes minutes to compile with sanitizers.
 
 std::vector<KeptMessage> readBackwards(LogReader& reader) {
   std::vector<KeptMessage> messages;
@@ -46,7 +46,7 @@ RC_GTEST_PROP(LogDirection, BackwardsIsForwardsReversedFromAnyMoment, ()) {
   RC_ASSERT(turningFault(file, written, moment) == "");
 }
 
-/// What is done next, and a number that says where to.
+/// The next step, and a number for its target.
 using Move = std::pair<int, int>;
 
 /// Steps in both directions, with jumps between, against a plain list.
@@ -115,7 +115,7 @@ std::string lastOfFault(const Bytes& file, const std::vector<Step>& written,
     }
   }
   for (const DamageSpan& damage : reader.damage()) {
-    // That the file was not closed is damage.
+    // A file that was not closed counts as damaged.
     if (damage.cause.find("never") == std::string::npos &&
         damage.cause.find("the file ends inside its summary") == std::string::npos) {
       return damage.cause;

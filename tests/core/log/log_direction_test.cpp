@@ -11,7 +11,7 @@ namespace {
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
-/// A chunk's message index made to lie: the messages are followed, and it is told.
+/// A chunk's message index is wrong: the messages are used, and the damage is reported.
 TEST(LogDirection, AMessageIndexIsBelievedOnlyWhereItAgreesWithTheMessage) {
   Bytes file;
   LogWriterOptions options;
@@ -33,7 +33,7 @@ TEST(LogDirection, AMessageIndexIsBelievedOnlyWhereItAgreesWithTheMessage) {
   ASSERT_EQ(std::to_integer<int>(file[entry]), 1005 & 0xFF);
   file[entry] = std::byte{1002 & 0xFF};
   {
-    // What it hides behind the moment is not asked for: the right message all the same.
+    // The wrong entry does not matter at this moment: the result is right.
     LogReader reader = openLog(file);
     const std::optional<LogMessage> last = *reader.lastOf(a, at(1007));
     ASSERT_TRUE(last.has_value());

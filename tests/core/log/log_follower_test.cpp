@@ -18,7 +18,7 @@
 namespace rocinante::test {
 namespace {
 
-/// A file that grows when the test says so.
+/// A file that grows under the test's control.
 class FakeFile final : public FollowedFile {
  public:
   explicit FakeFile(const Bytes& content) : content_(content) {}
@@ -43,7 +43,7 @@ LogFollower follow(const Bytes& content, LogFollower::From from = LogFollower::F
   return std::move(*follower);
 }
 
-/// Everything there now is added to `messages`; false after an error.
+/// Adds everything that is there now to `messages`; false after an error.
 bool drain(LogFollower& follower, std::vector<KeptMessage>& messages, std::string* why = nullptr) {
   while (true) {
     const Result<std::optional<LogMessage>> message = follower.poll();
@@ -56,7 +56,7 @@ bool drain(LogFollower& follower, std::vector<KeptMessage>& messages, std::strin
   }
 }
 
-/// What a recorder does to a file, write by write.
+/// A recorder's change to a file, write by write.
 class History {
  public:
   struct Write {
@@ -142,7 +142,7 @@ class History {
   const std::vector<Write>& writes() const { return writes_; }
   const std::vector<KeptMessage>& messages() const { return messages_; }
 
-  /// The file when the first `count` writes are done.
+  /// The file after the first `count` writes.
   Bytes after(std::size_t count) const {
     Bytes file;
     for (std::size_t i = 0; i < count; ++i) apply(file, writes_[i]);
@@ -176,13 +176,13 @@ class History {
     chunk.records = stored_;
     return chunk;
   }
-  /// `count` more messages of the chunk, as they are stored.
+  /// `count` more messages of the chunk, as stored.
   Bytes pieceOf(int count, ZSTD_EndDirective how) {
     Bytes plain;
     if (records_.empty()) mcap::append(plain, mcap::Channel{7, 0, "/udp/1/arm", "rk1", {}});
     for (int i = 0; i < count; ++i) {
       const auto n = static_cast<std::uint32_t>(messages_.size());
-      // Their bytes look like records: what tells them apart is their length alone.
+      // Their bytes look like records: only their length tells them apart.
       const std::string payload = "RK1 arm " + std::to_string(n) + " -\n" +
                                   std::string(n * 7 % 40, n % 2 == 0 ? '\x05' : '\x07');
       mcap::append(plain, mcap::Message{7, n, 1000 + n, 900 + n, bytesOf(payload)});
@@ -341,7 +341,7 @@ TEST_P(LogFollowerOfAGrowingFile, BearsEveryFlippedBit) {
     if (!follower.ok()) continue;
     std::vector<KeptMessage> messages;
     (void)drain(*follower, messages);
-    // Whatever comes is what was written, in its order: checksums stand over every message.
+    // Every message returned was written, in this order: checksums cover them all.
     std::size_t next = 0;
     for (const KeptMessage& message : messages) {
       while (next < history.messages().size() && history.messages()[next] != message) ++next;

@@ -10,7 +10,7 @@
 #include "core/mcap/stream_reader.h"
 #include "tests/core/log/log_support.h"
 
-// The worked example of docs/log-format.md: ROCINANTE_UPDATE=1 writes it there anew.
+// The worked example of docs/log-format.md: ROCINANTE_UPDATE=1 rewrites it there.
 namespace rocinante::test {
 namespace {
 
@@ -19,7 +19,7 @@ using mcap::Opcode;
 constexpr std::string_view kBegin = "<!-- the example begins -->\n";
 constexpr std::string_view kEnd = "<!-- the example ends -->\n";
 
-/// Lays bytes out one field a line: file offset, bytes, what they are.
+/// Prints bytes one field per line: file offset, bytes, meaning.
 class Listing {
  public:
   explicit Listing(ByteView file) : file_(file) {}
@@ -229,7 +229,7 @@ std::string example() {
                   .ok());
   EXPECT_TRUE(writer.close("interrupted").ok());
 
-  // Where the two differ is the head of the chunk.
+  // Only the head of the chunk differs between the two.
   std::size_t chunk = 0;
   for (std::uint64_t at = 8; static_cast<Opcode>(file[at]) != Opcode::chunk;) {
     at = mcap::recordAt(file, at)->end();

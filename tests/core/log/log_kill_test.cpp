@@ -47,7 +47,7 @@ class NotingSink final : public ByteSink {
   std::string name_ = "noted";
 };
 
-/// Puts the first `count` bytes of a write into the file.
+/// Applies the first `count` bytes of a write to the file.
 void apply(Bytes& file, const Write& write, std::size_t count) {
   const auto offset = static_cast<std::size_t>(write.offset);
   if (write.truncates) return file.resize(offset);
@@ -58,10 +58,10 @@ void apply(Bytes& file, const Write& write, std::size_t count) {
 struct Recording {
   std::vector<Write> writes;
   std::vector<KeptMessage> messages;
-  std::vector<std::size_t> flushed;  ///< messages that must stand there after write i
+  std::vector<std::size_t> flushed;  ///< messages that must be in the file after write i
 };
 
-/// Chunks that fill up at once, chunks that stay open over several flushes, and a metadata record
+/// Chunks that fill up at once, chunks that stay open over several flushes, with a metadata record
 /// and an attachment between them.
 Recording record(LogWriterOptions::Compression compression) {
   Recording out;
@@ -73,7 +73,7 @@ Recording record(LogWriterOptions::Compression compression) {
   EXPECT_TRUE(writer.ok());
   const auto noteFlushed = [&](std::size_t messages) {
     const std::size_t before = out.flushed.empty() ? 0 : out.flushed.back();
-    // Those of a flush stand there when its last write is done.
+    // The messages of a flush are in the file after its last write.
     out.flushed.resize(out.writes.size(), before);
     if (!out.flushed.empty()) out.flushed.back() = messages;
   };
@@ -94,7 +94,7 @@ Recording record(LogWriterOptions::Compression compression) {
       EXPECT_TRUE(writer->writeAttachment("cell.toml", "text/plain", at(1), bytesOf("abc")).ok());
     }
     now += options.sync;
-    // Slow, fast and slow again: open chunks, then such that fill up, then open ones.
+    // Slow, fast and slow again: open chunks, then full ones, then open ones.
     if (i % 3 == 2 && (i < 16 || i > 34)) {
       EXPECT_TRUE(writer->flushIfDue(now).ok());
       noteFlushed(out.messages.size());

@@ -35,7 +35,7 @@ RC_GTEST_PROP(LogProperty, TheSessionsIdentityDoesNotDependOnTheChunking, ()) {
 RC_GTEST_PROP(LogProperty, AWalkOverAKilledLogFindsWhatTheSummaryWouldHaveTold, ()) {
   const std::vector<Step> written = *steps();
   Bytes file = writeSteps(written, anyOptions());
-  // Without the last byte there is no closing magic, so that nothing of the summary counts.
+  // Without the last byte there is no closing magic, so the summary is ignored.
   file.pop_back();
   file.shrink_to_fit();
   LogReader reader = openLog(file);

@@ -79,7 +79,7 @@ TEST(LogReader, ReadsMessagesThatLieOutsideChunks) {
   EXPECT_THAT(payloads(reader), ElementsAre("one", "two", "three"));
   EXPECT_THAT(reader.damage(), IsEmpty());
   EXPECT_EQ(reader.summary().messages, 3U);
-  // Another writer's file is complete where it ends as a whole one does.
+  // Another writer's file is complete when it ends with the footer and the magic.
   EXPECT_TRUE(reader.summary().closed);
   EXPECT_TRUE(reader.summary().complete);
 }
@@ -102,7 +102,7 @@ TEST(LogReader, AChannelDefinedTwiceDifferentlyIsDamageAndTheFirstCounts) {
   const std::string one = "one";
   const Bytes file = FileMaker()
                          .add(channel(1, "/udp/1/a"))
-                         .add(channel(1, "/udp/1/a"))  // the same again is legal
+                         .add(channel(1, "/udp/1/a"))  // repeating it is legal
                          .add(mcap::Message{1, 0, 20, 20, bytesOf(one)})
                          .add(channel(1, "/udp/1/other"))
                          .end();
@@ -113,7 +113,8 @@ TEST(LogReader, AChannelDefinedTwiceDifferentlyIsDamageAndTheFirstCounts) {
 }
 
 TEST(LogReader, LargeChunksThatAlternateMessageByMessageAreReadInTime) {
-  // More than is held at first, so that each message would mean one expansion: hours of it.
+  // More than the initial limit: without raising it each message would mean an expansion, hours of
+  // it.
   constexpr std::size_t kChunks = 6;
   constexpr std::uint64_t kInEachChunk = 200'000;
   const std::string payload(32, 'x');
@@ -167,7 +168,7 @@ TEST(LogReader, ManyBombsTogetherAreExpandedWithinABudget) {
       records.size();
   ASSERT_LT(fit, kBombs);
   LogReader reader = openLog(bytes);
-  // Those that fit are read, and so is what is not compressed.
+  // Chunks within the budget are read, and uncompressed ones too.
   EXPECT_EQ(readAll(reader).size(), fit + 1);
   std::uint64_t refused = 0;
   for (const DamageSpan& span : reader.damage()) {
@@ -202,7 +203,7 @@ TEST(LogReader, AFormatThatIsNotKnownIsDamage) {
     EXPECT_THAT(payloads(reader), ElementsAre("ten"));
     EXPECT_EQ(reader.summary().format, format);
     EXPECT_EQ(reader.damage().empty(), std::string(format) == "1");
-    // Ours is closed by rocinante.end.
+    // Our files are closed by rocinante.end.
     EXPECT_TRUE(reader.summary().closed);
     EXPECT_FALSE(reader.summary().complete);
   }
@@ -252,7 +253,7 @@ TEST(LogReader, AChunkWhoseSizeOrTimesLieIsDamage) {
 }
 
 TEST(LogReader, RecordsOfALaterVersionWithMoreFieldsAreRead) {
-  // A Channel and a Chunk with three bytes behind their known fields.
+  // A Channel and a Chunk with three bytes after their known fields.
   Bytes records;
   const mcap::Chunk chunk = makeChunk(records, {{10, "ten"}});
   Bytes grown;
@@ -271,7 +272,7 @@ TEST(LogReader, RecordsOfALaterVersionWithMoreFieldsAreRead) {
   EXPECT_THAT(reader.damage(), IsEmpty());
 }
 
-/// Far more overlapping chunks than may be held expanded: they are let go and expanded again.
+/// Far more overlapping chunks than may be held expanded: they are released and expanded again.
 TEST(LogReader, VeryManyOverlappingChunksAreReadInOrderInBoundedMemory) {
   FileMaker maker;
   constexpr int kChunks = 24;
@@ -321,7 +322,7 @@ TEST(LogReader, ASummaryThatForgetsAChunkIsNotBelieved) {
     ASSERT_TRUE(writer->write({1, 0, i, i, bytesOf(payload)}).ok());
   }
   ASSERT_TRUE(writer->finish().ok());
-  // The summary of a file of three chunks, behind six of them.
+  // The summary of a file with three chunks, behind six of them.
   Bytes shorter;
   Result<mcap::Writer> other =
       mcap::Writer::start(makeMemorySink(shorter), options, {"rocinante", ""});
@@ -400,7 +401,7 @@ TEST(LogReader, ReadsFilesWhoseWriterLeftAnythingOut) {
   }
 }
 
-/// A chunk whose messages all lie in other ones' time, and one that says nothing of its own.
+/// Chunks whose times overlap, and whose messages are not in time order.
 TEST(LogReader, GoesBackwardsOverChunksThatOverlapAndComeOutOfOrder) {
   Bytes a, b, c;
   const Bytes file = FileMaker()

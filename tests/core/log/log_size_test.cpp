@@ -6,8 +6,8 @@
 namespace rocinante::test {
 namespace {
 
-/// The size of a log of `count` packets at `rate_hz`, looked at every 10 ms as the recorder does,
-/// or never.
+/// The size of a log of `count` packets at `rate_hz`, with flushIfDue() every 10 ms as the recorder
+/// does, or never.
 std::size_t logBytes(double rate_hz, std::size_t count, bool flushed) {
   Bytes file;
   LogWriter writer = makeWriter(file);
@@ -16,7 +16,7 @@ std::size_t logBytes(double rate_hz, std::size_t count, bool flushed) {
   constexpr Nanoseconds kLook = std::chrono::milliseconds(10);
   SteadyTime look{};
   for (std::size_t i = 0; i < count; ++i) {
-    // Stamps of a machine that has other things to do.
+    // Timestamps of a busy machine.
     const auto jitter = static_cast<std::int64_t>(i * 2'654'435'761U % 200'000U);
     const Nanoseconds since = period * static_cast<std::int64_t>(i);
     for (; flushed && look <= SteadyTime(since); look += kLook) {

@@ -9,7 +9,7 @@
 
 namespace rocinante::test {
 
-/// What a generated session does next.
+/// The next step of a generated session.
 struct Step {
   int channel;
   std::int64_t time_ns;
@@ -28,7 +28,7 @@ inline rc::Gen<std::vector<Step>> steps() {
 /// How a log ends.
 enum class Ending {
   closed,
-  without_magic,  ///< its last byte is missing, so that nothing of its summary counts
+  without_magic,  ///< its last byte is missing, so that its summary is ignored
   killed,         ///< after the last flush: the last chunk may be open
 };
 
@@ -57,7 +57,7 @@ inline Bytes writeSteps(const std::vector<Step>& steps, const LogWriterOptions& 
   return cutAt(file, file.size() - (ending == Ending::without_magic ? 1 : 0));
 }
 
-/// What must come back from `moment` on: by time, ties in order of writing.
+/// The messages expected from `moment` on: by time, ties in order of writing.
 inline std::vector<KeptMessage> expected(const std::vector<Step>& steps, std::int64_t moment = 0) {
   std::vector<KeptMessage> out;
   std::uint32_t sequence = 0;

@@ -10,7 +10,7 @@
 
 namespace rocinante::test {
 
-/// A message with its payload kept: what comes out of a reader, to be compared.
+/// A message with its own copy of the payload, for comparisons.
 struct KeptMessage {
   std::string topic;
   std::uint32_t sequence = 0;
@@ -32,7 +32,7 @@ inline KeptMessage keep(const LogMessage& message) {
           message.publish_time_ns, std::string(textOf(message.payload))};
 }
 
-/// Everything from where the reader stands.
+/// Every message from the reader's current position.
 inline std::vector<KeptMessage> readAll(LogReader& reader) {
   std::vector<KeptMessage> messages;
   while (true) {

@@ -10,7 +10,7 @@ std::filesystem::path keptLog(const char* name) {
   return std::filesystem::path(ROCINANTE_SOURCE_DIR) / "tests" / "data" / "logs" / name;
 }
 
-/// Made by the first writer. It must read the same for ever: never make it anew.
+/// Made by the first writer. It must read the same for ever: never regenerate it.
 TEST(LogVersions, TheFirstFormatReadsForEver) {
   Result<LogReader> reader = LogReader::open(keptLog("version-1.mcap"));
   ASSERT_TRUE(reader.ok()) << reader.error().text();
@@ -49,8 +49,8 @@ TEST(LogVersions, TheFirstFormatReadsForEver) {
   EXPECT_THAT(reader->damage(), ::testing::IsEmpty());
 }
 
-/// Recorders of the first format that were killed in an open chunk, the second of each log; it had
-/// been flushed several times. Never make them anew.
+/// Logs of the first format whose recorders were killed in an open chunk, the second one of each
+/// log, after several flushes. Never regenerate them.
 TEST(LogVersions, AKilledRecordersLogOfTheFirstFormatReadsForEver) {
   constexpr std::int64_t kOrigin = 1'770'091'506'000'000'000;
   for (const char* name : {"version-1-killed-plain.mcap", "version-1-killed-zstd.mcap"}) {

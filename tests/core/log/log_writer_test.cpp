@@ -17,7 +17,7 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-/// A disk with room for so many bytes: a write beyond it leaves what fits, and fails.
+/// A disk with limited room: a write beyond it leaves the part that fits, and fails.
 class FullSink final : public ByteSink {
  public:
   FullSink(Bytes& out, std::size_t room) : out_(out), room_(room) {}
@@ -47,7 +47,7 @@ struct FullDiskOutcome {
   Status closed;
 };
 
-/// Forty messages of some 100 bytes, then a loss, onto a disk with `room` bytes.
+/// Writes forty messages of about 100 bytes, then a loss, to a disk with `room` bytes.
 std::optional<FullDiskOutcome> recordOnto(std::size_t room) {
   FullDiskOutcome outcome;
   LogWriterOptions options;
@@ -85,7 +85,7 @@ TEST(LogWriter, ADiskThatFillsAtAnyByteLeavesAReadableLogAndAnExactAccount) {
     for (const KeptMessage& message : readAll(reader)) stored += message.topic == "/udp/1/a";
     EXPECT_EQ(stored + outcome->refused, 40U);
     if (reader.summary().complete) ++finished_all_the_same;
-    // Nothing torn: at most the end that never came is said.
+    // Nothing is torn: at most the missing end is reported.
     for (const DamageSpan& damage : reader.damage()) EXPECT_EQ(damage.from, damage.to);
   }
   EXPECT_GT(finished_all_the_same, 10U);
@@ -157,7 +157,7 @@ TEST(LogWriter, FlushedNowItIsFlushedInItsTimeAfterwards) {
 TEST(LogWriter, IntoAReadOnlyFolderFailsWithTheSystemsReason) {
   const TemporaryFolder folder;
   ASSERT_EQ(::chmod(folder.path().c_str(), 0555), 0);
-  // The administrator may write anywhere, so the test is nobody meanwhile.
+  // Root may write anywhere, so the test runs as nobody here.
   const bool was_root = ::geteuid() == 0;
   if (was_root) {
     ASSERT_EQ(::seteuid(65534), 0);

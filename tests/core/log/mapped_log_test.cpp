@@ -15,7 +15,7 @@ using ::testing::Not;
 
 constexpr int kMappedMessages = 3000;
 
-/// Some 400 KB in chunks of 8 KB, so that most of it lies on pages of its own.
+/// About 400 KB in chunks of 8 KB, so that most of it is on pages of its own.
 std::filesystem::path writeLog(const TemporaryFolder& folder,
                                LogWriterOptions::Compression compression) {
   const std::filesystem::path path = folder.path() / "session.mcap";
@@ -68,7 +68,7 @@ TEST_P(MappedLog, ThatIsOverwrittenDoesNotChangeWhatWasGivenOut) {
     file.write(garbage.data(), static_cast<std::streamsize>(garbage.size()));
   }
   EXPECT_EQ(keep(*first), before);
-  // What is read from now on fails its checksum, and nothing of it is given out.
+  // Later reads fail their checksum, and return nothing.
   for (const KeptMessage& each : readAll(*reader)) EXPECT_THAT(each.payload, Not(HasSubstr("?")));
   EXPECT_THAT(reader->damage(), Not(IsEmpty()));
 }

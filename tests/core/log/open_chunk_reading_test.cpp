@@ -18,12 +18,12 @@ using ::testing::SizeIs;
 
 constexpr std::size_t kMessages = 12;
 
-/// A log that ends in a chunk, made by hand from docs/log-format.md: as it is while it is open, and
-/// as it is when its header has been completed.
+/// A log that ends in a chunk, made by hand from docs/log-format.md: while the chunk is open, and
+/// after its header was completed.
 struct ChunkedLog {
   Bytes open, closed;
-  std::size_t head = 0, head_bytes = 0;   ///< where the header of the chunk lies
-  std::vector<std::size_t> message_ends;  ///< how much of the file holds message i, at the least
+  std::size_t head = 0, head_bytes = 0;   ///< position and size of the chunk's header
+  std::vector<std::size_t> message_ends;  ///< the shortest part of the file that holds message i
 };
 
 std::string payloadOf(std::size_t i) { return "RK1 arm@7f " + std::to_string(i) + " -\n"; }
@@ -129,13 +129,13 @@ TEST_P(ReadOpenChunk, CutAtEveryByteGivesBackEveryMessageFlushedBefore) {
     LogReader reader = openLog(cut);
     const auto whole = static_cast<std::size_t>(
         std::ranges::count_if(log.message_ends, [&](std::size_t end) { return end <= size; }));
-    // A compressed block is there whole or not at all.
+    // A compressed block is either whole or missing.
     ASSERT_THAT(payloads(reader), ElementsAreArray(firstPayloads(whole)));
     EXPECT_EQ(reader.summary().messages, whole);
   }
 }
 
-/// The header is completed in one write, which a power cut may tear at any byte, either side first.
+/// The header is completed in one write, which a power cut may tear at any byte, from either side.
 TEST_P(ReadOpenChunk, ATornHeaderLosesNothing) {
   const ChunkedLog log = chunkedLog(GetParam());
   for (std::size_t torn = 0; torn <= log.head_bytes; ++torn) {
@@ -200,7 +200,7 @@ TEST_P(ReadOpenChunk, AFlippedBitNeverChangesAPayloadSilently) {
       file[byte] ^= static_cast<std::byte>(1U << bit);
       LogReader reader = openLog(file);
       const std::vector<std::string> read = payloads(reader);
-      // Nothing covers an open chunk; that it is one is always told, or its bytes are.
+      // No checksum covers an open chunk, so damage there is always reported.
       ASSERT_TRUE(std::ranges::any_of(reader.damage(),
                                       [&](const DamageSpan& damage) {
                                         return damage.from <= byte &&
@@ -214,7 +214,7 @@ TEST_P(ReadOpenChunk, AFlippedBitNeverChangesAPayloadSilently) {
 INSTANTIATE_TEST_SUITE_P(Compression, ReadOpenChunk, ::testing::Bool(),
                          [](const auto& each) { return each.param ? "zstd" : "none"; });
 
-/// A small open chunk that would grow beyond all bounds.
+/// A small open chunk that would expand without limit.
 TEST(OpenChunkBomb, IsExpandedOnlyUpToTheLimit) {
   const Bytes zeros(std::size_t{300} << 20U);
   Bytes frame(ZSTD_compressBound(zeros.size()));

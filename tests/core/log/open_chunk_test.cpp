@@ -21,7 +21,7 @@ using mcap::Opcode;
 
 constexpr std::uint64_t kOpen = ~std::uint64_t{0};
 
-/// An MCAP file that is written message by message, every one on channel 3.
+/// An MCAP file written message by message, all on channel 3.
 struct Writing {
   explicit Writing(std::optional<int> zstd_level) {
     mcap::WriterOptions options;
@@ -131,7 +131,7 @@ TEST(OpenChunk, PlainStandsInTheFileByteForByteAtEachStage) {
                          log.file.begin() + static_cast<std::ptrdiff_t>(closed.size())));
 }
 
-/// What a zstd decoder makes of the bytes that are there, and whether the frame has ended.
+/// The output of a zstd decoder for the bytes so far, and whether the frame has ended.
 std::pair<Bytes, bool> expand(ByteView frame) {
   Bytes out(1U << 16U);
   ZSTD_DCtx* const zstd = ZSTD_createDCtx();
@@ -171,7 +171,7 @@ TEST(OpenChunk, CompressedCanBeExpandedUpToItsLastFlush) {
   }
   const std::size_t flushed = log.file.size();
   ASSERT_TRUE(log.writer->closeChunk().ok());
-  // Nothing waited, so the frame's end is an empty last block.
+  // Nothing was unflushed, so the frame's end is an empty last block.
   EXPECT_EQ(log.file[flushed], std::byte{1});
   EXPECT_EQ(log.file[flushed + 1], std::byte{0});
   EXPECT_EQ(log.file[flushed + 2], std::byte{0});
@@ -200,7 +200,7 @@ TEST(OpenChunk, ThatIsNeverFlushedIsWrittenInOnePiece) {
             chunk.uncompressed_size);
 }
 
-/// A sink that can only grow, as a pipe.
+/// A sink that can only grow, like a pipe.
 class PipeSink final : public ByteSink {
  public:
   explicit PipeSink(Bytes& out) : out_(out) {}
@@ -304,7 +304,7 @@ RC_GTEST_PROP(OpenChunk, AnyMessagesWithAnyFlushesReadBackEqual, ()) {
         break;
       case Act::flush: {
         RC_ASSERT(writer.flush().ok());
-        // Killed now, nothing is missing.
+        // If the recorder is killed now, no message is missing.
         const Bytes copy = cutAt(file, file.size());
         LogReader killed = openLog(copy);
         RC_ASSERT(readAll(killed).size() == payloads.size());

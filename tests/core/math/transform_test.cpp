@@ -69,7 +69,7 @@ TEST(Transform, OnlyQuaternionsWithADirectionCanBeNormalized) {
   EXPECT_FALSE(normalized(Quat{std::nan(""), 0, 0, 0}));
   EXPECT_FALSE(normalized(Vec3{0, HUGE_VAL, 0}));
   EXPECT_EQ(normalized(Quat{0, 0, 0, -2}), (Quat{0, 0, 0, -1}));
-  // Squares of these would be zero or infinite.
+  // The squares of these would be zero or infinite.
   EXPECT_EQ(normalized(Vec3{1e-200, 0, 0}), (Vec3{1, 0, 0}));
   EXPECT_EQ(normalized(Vec3{0, -1e200, 0}), (Vec3{0, -1, 0}));
 }

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// How far apart, in units of the last place of `want`.
+// The distance in units of the last place of `want`.
 double unitsApart(double got, long double want) {
   const double rounded = std::fabs(static_cast<double>(want));
   const double unit = std::nextafter(rounded, kInfinity) - rounded;
@@ -177,7 +177,8 @@ TEST(Trigonometry, AgreesWithLongDoublesOverManyRandomArguments) {
   EXPECT_LE(worst_tangent, 3.0);
 }
 
-// FNV-1a over the bits of results: short enough to write here, so that it depends on nothing else.
+// FNV-1a over the bits of results: short enough to write here, so that the test depends on nothing
+// else.
 class ResultHash {
  public:
   void add(double result) {
@@ -206,7 +207,7 @@ TEST(Trigonometry, GivesTheSameBitsOnEveryMachine) {
     hash.add(arcTangent(angle));
     hash.add(arcTangent2(value, 0.25 - value * value));
   }
-  // Whatever machine, compiler or optimisation changes this number changes pictures.
+  // A machine, compiler or optimisation that changes this number changes pictures.
   EXPECT_EQ(hash.value(), 0x4ed02208f9b1fa73ULL);
 }
 

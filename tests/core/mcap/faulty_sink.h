@@ -10,19 +10,19 @@
 
 namespace rocinante::test {
 
-/// How a disk in memory refuses.
+/// How a disk in memory fails.
 struct DiskFaults {
   static constexpr std::size_t kNever = std::numeric_limits<std::size_t>::max();
 
-  std::size_t room = kNever;        ///< bytes that it has in all
+  std::size_t room = kNever;        ///< its total size in bytes
   bool preallocates = true;         ///< false: a file system without fallocate
   std::size_t fails_at = kNever;    ///< the number of the write (append or overwrite) that fails
   bool fails_from_then_on = false;  ///< a disk that went away, not one write
-  bool takes_half = false;          ///< the first half of a failing write stands there
-  bool truncates = true;            ///< false: nothing can be taken back after the failing write
+  bool takes_half = false;          ///< the first half of a failing write is written
+  bool truncates = true;            ///< false: truncating fails after the failing write
 };
 
-/// A sink in memory that refuses as `faults` say, and counts its writes in `writes`.
+/// A sink in memory that fails according to `faults`, and counts its writes in `writes`.
 class FaultySink final : public ByteSink {
  public:
   FaultySink(Bytes& out, const DiskFaults& faults, std::size_t& writes)

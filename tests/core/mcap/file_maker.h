@@ -12,7 +12,7 @@
 
 namespace rocinante::test {
 
-/// Files of other writers, record by record.
+/// Makes files like those of other writers, record by record.
 class FileMaker {
  public:
   explicit FileMaker(std::string profile = "") {

@@ -34,7 +34,7 @@ struct SinkFile {
   std::unique_ptr<ByteSink> sink;
 };
 
-/// Interrupted at every other call; else it writes three bytes at most.
+/// Interrupted at every other call; otherwise writes at most three bytes.
 FileCalls stutteringCalls() {
   FileCalls calls = FileCalls::system();
   calls.pwrite = [count = 0](int file, const void* bytes, std::size_t size,

@@ -38,8 +38,9 @@ class Hand {
   Bytes bytes_;
 };
 
-/// The record makes exactly `expected`; those bytes, read and appended again, are the same; no
-/// shorter content is taken for whole, and a longer one only where the format lets records grow.
+/// The record is written as exactly `expected`; those bytes, read and appended again, are the same;
+/// no shorter content is accepted as whole, and a longer one only if the format lets the record
+/// grow.
 template <class T>
 void expectBytes(const T& record, const Bytes& expected, bool may_grow) {
   Bytes made;

@@ -8,7 +8,7 @@
 namespace rocinante::test {
 namespace {
 
-/// The room that is kept on the disk is exactly as good as this bound.
+/// The room reserved on the disk depends on this bound.
 RC_GTEST_PROP(McapSummary, IsNeverLargerThanItSaidAndHardlySmaller, ()) {
   mcap::WriterOptions options;
   options.statistics = *rc::gen::arbitrary<bool>();
@@ -48,7 +48,7 @@ RC_GTEST_PROP(McapSummary, IsNeverLargerThanItSaidAndHardlySmaller, ()) {
   if (refused) summary.leaveOutUnused();
 
   announced = summary.bytes(in_chunk);
-  // The chunk that was announced comes, with a message on each of its channels.
+  // The announced chunk arrives, with a message on each of its channels.
   summary.addChunk(last);
   for (const std::uint16_t id : in_chunk) summary.addMessages(id, 1);
   const std::uint64_t made = summary.build(12345).size();

@@ -13,7 +13,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-/// Takes what it is asked to reserve down, and has room for so much.
+/// Notes what it is asked to reserve, and has limited room.
 class AskedSink final : public ByteSink {
  public:
   AskedSink(std::vector<std::uint64_t>& asked, std::uint64_t room) : asked_(asked), room_(room) {}

@@ -55,7 +55,7 @@ TEST(AddressFilter, AZoneIsNoPartOfTheNetwork) {
   EXPECT_TRUE(filterOf({"fe80::/10"}).allows(sender));
 }
 
-/// Against the definition, bit by bit.
+/// Compared with the definition, bit by bit.
 TEST(AddressFilter, AgreesWithComparingBits) {
   std::mt19937 random(28);
   for (int round = 0; round < 3'000; ++round) {

@@ -143,7 +143,7 @@ TEST(Endpoint, ShowsHostileTextAsPrintableAndShort) {
   EXPECT_FALSE(Endpoint::parse(std::string(100'000, ':')).ok());
 }
 
-/// Any endpoint that can be built reads back as itself.
+/// Every endpoint that can be built parses back to itself.
 TEST(Endpoint, RoundTripsWhateverItsFields) {
   std::mt19937 random(1996);
   const auto byte = [&] { return static_cast<std::uint8_t>(random() & 0xFFU); };
@@ -198,7 +198,7 @@ TEST(Endpoint, WatchedTrafficRoundTripsWhateverItsFilterAndFile) {
   }
 }
 
-/// Whatever is accepted is canonical after one turn; nothing crashes.
+/// Every accepted text is canonical after one round; nothing crashes.
 TEST(Endpoint, AnyTextIsRefusedOrReadsBack) {
   std::mt19937 random(7);
   const std::string_view alphabet = "0123456789.:[]?&=%/-ufedpslo";
@@ -211,7 +211,7 @@ TEST(Endpoint, AnyTextIsRefusedOrReadsBack) {
       if (random() % 2 != 0) text.erase(at, 1);
       text.insert(std::min(at, text.size()), 1, alphabet[random() % alphabet.size()]);
     }
-    // Names would be looked up; this test stays off the network.
+    // Names would be looked up; this test does not use the network.
     const std::size_t scheme_end = text.find("://");
     const std::string host = scheme_end == text.npos ? text : text.substr(scheme_end + 3);
     const std::string before_port = host.substr(0, host.find(':'));

@@ -23,21 +23,21 @@ class FakeSource final : public DatagramSource {
     bool truncated = false;
   };
 
-  /// One batch: what one receive() gives.
+  /// Adds one batch: the result of one receive().
   void arrive(std::vector<Datagram> batch) { waiting_.push_back(std::move(batch)); }
-  /// What the kernel dropped: known with the next datagram, or only when asked for.
+  /// Kernel drops: known with the next datagram, or only when queried.
   void drop(std::uint64_t count, bool only_when_asked = false) {
     dropped_by_now_ += count;
     if (!only_when_asked) dropped_ = dropped_by_now_;
   }
   void fail() { failed_ = true; }
-  /// From here on everything is sent there: as watched traffic is.
+  /// From here on everything has this destination, as in watched traffic.
   void watch(const SocketAddress& destination) { destination_ = destination; }
-  /// As a capture file: after what waits, nothing comes any more.
+  /// Ends like a capture file: after the waiting datagrams nothing more arrives.
   void end() { ends_ = true; }
   void holdBack(Nanoseconds time) { held_back_ = time; }
   void grantBuffer(std::uint64_t bytes) { buffer_bytes_ = bytes; }
-  /// What the next tend() says.
+  /// The result of the next maintain().
   void mend(std::string sentence) { mended_ = std::move(sentence); }
 
   Result<std::span<const ReceivedDatagram>> receive() override {

@@ -5,7 +5,7 @@
 #include "core/net/udp_socket.h"
 #include "tests/support/network_namespace.h"
 
-// Groups on interfaces that come and go, in a network of the test's own.
+// Groups on interfaces that disappear and return, in the test's own network name space.
 namespace rocinante {
 namespace {
 
@@ -17,7 +17,8 @@ constexpr const char* kMake =
     "ip link set cell0 up && ip link set robot0 up && "
     "sysctl -qw net.ipv6.conf.cell0.accept_dad=0 && ip -6 addr add fd09::1/64 dev cell0 nodad";
 
-/// Tends until something is said, at most so long: the kernel tells of interfaces a little later.
+/// Calls maintain() until it returns a sentence, for a limited time: the kernel reports interfaces
+/// with a delay.
 std::string said(UdpReceiver& receiver, int within_ms = 5'000) {
   for (int waited = 0; waited < within_ms; waited += 5) {
     if (auto sentence = receiver.maintain()) return *sentence;
@@ -26,7 +27,7 @@ std::string said(UdpReceiver& receiver, int within_ms = 5'000) {
   return {};
 }
 
-/// Sends until one is heard: an interface that comes up needs a moment before it carries.
+/// Sends until one arrives: an interface that comes up needs a moment before it carries traffic.
 bool hears(UdpReceiver& receiver, const std::string& word) {
   for (int attempt = 0; attempt < 200; ++attempt) {
     Endpoint to = receiver.endpoint();
@@ -92,7 +93,7 @@ TEST(GroupMembership, AGroupOfALinkIsListenedToAnew) {
 TEST(GroupMembership, GoneAndBackBetweenTwoLooksIsNoticed) {
   const NetworkNamespace network;
   ROCINANTE_NEEDS_NETWORK_NAMESPACE(network);
-  // The same index too: nothing but the kernel's word tells that it is another.
+  // The index is the same too: only the kernel's notification shows that it is a new interface.
   const std::string make =
       "ip link add cell0 index 77 type veth peer name robot0 && ip link set robot0 up && ip addr "
       "add 10.9.0.1/24 dev cell0 && "

@@ -14,7 +14,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// What the kernel here charges for one waiting datagram.
+/// The kernel's charge for one waiting datagram on this machine.
 std::uint64_t measuredCharge(std::size_t payload_bytes) {
   auto receiver = UdpReceiver::open(Endpoint::parse("127.0.0.1:0").value()).value();
   Endpoint to = receiver.endpoint();
@@ -30,7 +30,7 @@ std::uint64_t measuredCharge(std::size_t payload_bytes) {
 }
 
 TEST(ReceiveBuffer, ChargesAsThisKernelDoes) {
-  // Kernels differ in how they round; a factor of two is what the advice rests on.
+  // Kernels round differently; the advice allows for a factor of two.
   for (const std::size_t bytes : {0U, 100U, 400U, 1'200U, 4'000U, 9'000U, 40'000U, 65'507U}) {
     SCOPED_TRACE(bytes);
     const std::uint64_t measured = measuredCharge(bytes);
@@ -44,7 +44,7 @@ TEST(ReceiveBuffer, NeedsWhatComesWhileTheReceiverIsAway) {
   EXPECT_EQ(neededReceiveBuffer({6'000, 100}, 50ms), 300U * 832);
   EXPECT_EQ(neededReceiveBuffer({6'000, 100}, 100ms), 600U * 832);
   EXPECT_EQ(neededReceiveBuffer({0, 0}), 0U);
-  // Less than one datagram is one.
+  // Less than one datagram counts as one.
   EXPECT_EQ(neededReceiveBuffer({1, 100}, 50ms), 832U);
 }
 

@@ -17,14 +17,14 @@ using ::testing::HasSubstr;
 
 Endpoint endpointOf(std::string_view text) { return Endpoint::parse(text).value(); }
 
-/// `to` with the port that `receiver` got.
+/// `to` with the port assigned to `receiver`.
 Endpoint reach(const UdpReceiver& receiver) {
   Endpoint to = receiver.endpoint();
   to.address.port = receiver.boundAddress().port;
   return to;
 }
 
-/// What arrives until `count` came or nothing did for two seconds.
+/// The datagrams received until there are `count`, or none arrived for two seconds.
 std::vector<std::string> receiveAll(UdpReceiver& receiver, std::size_t count) {
   std::vector<std::string> payloads;
   while (payloads.size() < count) {
@@ -37,7 +37,7 @@ std::vector<std::string> receiveAll(UdpReceiver& receiver, std::size_t count) {
   return payloads;
 }
 
-/// Sends datagrams of every awkward size and finds each byte-equal, in order.
+/// Sends datagrams of every awkward size and expects each back byte-equal, in order.
 void expectRoundTrip(const Endpoint& listen) {
   auto receiver = UdpReceiver::open(listen);
   ASSERT_TRUE(receiver.ok()) << receiver.error().text();
@@ -142,7 +142,7 @@ TEST(UdpReceiver, CountsEveryDropOfTheKernel) {
       received += batch->size();
     }
   }
-  // The last round's drops came after the last datagram that carries a count.
+  // The last round's drops came after the last datagram with a count.
   EXPECT_LT(receiver->dropped() + received, std::uint64_t{kRounds} * kEach);
   EXPECT_EQ(receiver->droppedByNow().value() + received, std::uint64_t{kRounds} * kEach);
   EXPECT_EQ(receiver->dropped() + received, std::uint64_t{kRounds} * kEach);
@@ -202,7 +202,7 @@ TEST(UdpReceiver, SaysWhichInterfaceIsNotThere) {
 }
 
 TEST(UdpReceiver, RefusesAnAddressOfAnotherMachine) {
-  // 192.0.2.0/24 is for documents; .199 belongs to no machine.
+  // 192.0.2.0/24 is for documentation; no machine has .199.
   const auto receiver = UdpReceiver::open(endpointOf("192.0.2.199:0"));
   ASSERT_FALSE(receiver.ok());
   EXPECT_THAT(receiver.error().what, HasSubstr("cannot listen here"));

@@ -1,4 +1,4 @@
-// docs/packet-format.md, section "The fold": what each statement does to the items.
+// docs/packet-format.md, section "The fold": the effect of each statement on the items.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -122,7 +122,7 @@ TEST_F(FoldItems, DrawingsAreTheirSourcesAndShareTheirIds) {
   say("a", "label x 1 2 3 \"hi\"\n");
   EXPECT_EQ(fold_.state.drawings().size(), 2U);
   EXPECT_EQ(fold_.state.drawings().at({"a", "x"}).kind, StatementKind::label);
-  // A label says no colour; without one of its own its text would not be seen.
+  // A label has no colour; without a default its text would be invisible.
   EXPECT_EQ(fold_.state.drawings().at({"a", "x"}).rgba, 0xFFFFFFFFU);
   EXPECT_EQ(fold_.state.drawings().at({"a", "x"}).text, "hi");
   say("b", "erase x\nerase y\n");

@@ -1,4 +1,4 @@
-// docs/packet-format.md, section "Restatements": what a whole one takes away, and what abandons it.
+// docs/packet-format.md, section "Restatements": what a complete one removes, and what abandons it.
 #include <gtest/gtest.h>
 
 #include "tests/core/packet/fold_text.h"

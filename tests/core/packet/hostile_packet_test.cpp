@@ -1,4 +1,4 @@
-// Nothing in a datagram is trusted: every cut and every flipped bit is read without harm.
+// Datagrams are not trusted: every cut and every flipped bit is read without harm.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -20,7 +20,7 @@ std::optional<double> numberOf(const std::string& text) {
   return number;
 }
 
-/// The C++ library's own answer; nothing for what it calls out of range.
+/// The C++ library's result; empty when it reports out of range.
 std::optional<double> nearest(const std::string& text) {
   double number = 0;
   const auto answer = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -89,7 +89,7 @@ TEST(PacketNumber, MinusZeroReadsAsZero) {
 }
 
 TEST(PacketNumber, IsTheSameInEveryLocale) {
-  // Where the locale is not installed this changes nothing, and the test still holds.
+  // If the locale is not installed this changes nothing, and the test still holds.
   const char* const before = std::setlocale(LC_ALL, nullptr);
   const std::string kept = before == nullptr ? "C" : before;
   std::setlocale(LC_ALL, "de_DE.UTF-8");

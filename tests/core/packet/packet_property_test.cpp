@@ -1,4 +1,4 @@
-// What must hold for any statement and any session, not only for those that somebody thought of.
+// Properties of every statement and every session, not only of chosen examples.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -14,7 +14,7 @@ namespace {
 using test::RandomSession;
 using test::TextFold;
 
-/// Names of any UTF-8 that a name may hold, biased to the bytes that matter.
+/// Names with any UTF-8 allowed in a name, biased to the bytes that matter.
 rc::Gen<std::string> name() {
   const auto piece = rc::gen::element<std::string>("a", "Z", "0", "_", ".", "-", ":", "/", "%", "@",
                                                    "=", " ", "#", "\"", "*", "\xC3\xA9",
@@ -50,7 +50,7 @@ rc::Gen<double> positive() {
   return rc::gen::map(number(), [](double value) { return value == 0 ? 1.0 : std::abs(value); });
 }
 
-/// A statement with storage for what it points to.
+/// A statement with storage for its views.
 struct OwnedStatement {
   std::vector<std::string> strings;
   std::vector<std::string_view> names;
@@ -220,7 +220,7 @@ RC_GTEST_PROP(AnySession, GoingOnFromAKeyframeIsGoingOn, (std::uint64_t seed)) {
   RandomSession session(seed);
   TextFold fold;
   foldSome(fold, session, session.below(200));
-  // Keyframes are written only where no restatement is unfinished.
+  // Keyframes are only written while no restatement is unfinished.
   while (fold.state.restatementOpen()) {
     const RandomSession::Datagram datagram = session.next();
     fold.fold(datagram.seconds, datagram.text);

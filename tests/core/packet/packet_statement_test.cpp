@@ -14,7 +14,7 @@ using ::testing::ElementsAre;
 
 class StatementText : public ::testing::Test {
  protected:
-  /// The one statement of `line`, which must be without fault.
+  /// The only statement of `line`, which must not have a fault.
   const Statement& read(const std::string& line) {
     text_ = "RK1 me - -\n" + line;
     const Packet* const packet = decoder_.decode(bytesOf(text_));

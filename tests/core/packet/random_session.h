@@ -6,8 +6,9 @@
 
 namespace rocinante::test {
 
-/// Writes packets that few sources, devices and names share, so that they collide: restarts, late
-/// and lost packets, restatements whole and broken, everything that the fold has a rule for.
+/// Writes packets in which few sources, devices and names are shared, so that they collide:
+/// restarts, late and lost packets, restatements whole and broken, everything that the fold has a
+/// rule for.
 class RandomSession {
  public:
   explicit RandomSession(std::uint64_t seed) : random_(seed) {}

@@ -23,7 +23,7 @@ class Restatement : public ::testing::Test {
   void say(const std::string& header, const std::string& statements) {
     fold_.fold(++second_, "RK1 " + header + "\n" + statements);
   }
-  /// Folding all restatements from nothing must give the very same state.
+  /// Folding all restatements from nothing must give the identical state.
   void expectKeyframeIsExact(const RestatementOptions& options) const {
     TextFold fresh;
     fresh.foldAll(1000, restateAll(fold_.state, options));
@@ -107,7 +107,7 @@ TEST_F(Restatement, KeepsToTheMtuUnlessOneStatementIsLarger) {
 TEST_F(Restatement, PositionalJointsUnderAnOrderStayPositional) {
   say("sim 1 -", "joints arm 1 2\norder arm a b\njoint arm c=3\n");
   expectKeyframeIsExact(keyframe());
-  // Also for a receiver that knows the order already.
+  // Also for a receiver that already knows the order.
   TextFold receiver;
   receiver.state = fold_.state;
   receiver.foldAll(1000, restateAll(fold_.state, keyframe()));
@@ -115,11 +115,11 @@ TEST_F(Restatement, PositionalJointsUnderAnOrderStayPositional) {
 }
 
 TEST_F(Restatement, WhatClearsOthersItemsComesBeforeThem) {
-  // The positions are z's, and a's named joint stands over them.
+  // The positions are z's, and a's named joint overrides them.
   say("z 1 -", "joints arm 1 2\n");
   say("a 1 -", "joint arm grip=3\n");
   expectKeyframeIsExact(keyframe());
-  // z removed the device; a went on about it.
+  // z removed the device; a continued to send about it.
   say("z 2 -", "remove arm\nremove tank\n");
   say("a 2 -", "pose arm 0 0 0 0 0 0 1\njoints arm 7\nhide tank/lid\ncolor tank #ff0000\n");
   say("m 1 -", "joint arm a=1\n");
@@ -140,7 +140,7 @@ TEST_F(Restatement, GoingBackwardsGivesTheEarlierState) {
   options.reset = true;
   options.by = "player";
   fold_.foldAll(50, restateAll(earlier, options));
-  // c is in the log too, but had said nothing by then.
+  // c is in the log too, but had not sent anything by then.
   fold_.foldAll(50, restate(earlier, "c", options));
   TextFold expected;
   expected.state = earlier;

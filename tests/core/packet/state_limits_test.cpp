@@ -1,4 +1,4 @@
-// docs/packet-format.md, section "Limits": what hostile senders cannot make the state hold.
+// docs/packet-format.md, section "Limits": bounds on the state that hostile senders cannot pass.
 #include <gtest/gtest.h>
 
 #include "core/packet/packet_limits.h"

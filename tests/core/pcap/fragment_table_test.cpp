@@ -101,7 +101,7 @@ TEST(FragmentTable, ContradictionsMakeThePacketNothing) {
     EXPECT_EQ(table.add(contradictions[i].first), Outcome::waiting);
     EXPECT_EQ(table.add(contradictions[i].second), Outcome::waiting);
     EXPECT_EQ(table.incomplete(), 1U);
-    // Nothing that comes later mends it.
+    // No later fragment repairs it.
     for (std::size_t at = 0; at < 64; at += 8) {
       EXPECT_EQ(table.add(part(whole, at, 8)), Outcome::waiting);
     }
@@ -142,7 +142,7 @@ struct Piece {
   Fragment fragment;
 };
 
-/// Packets of every size cut at every place, sent in any order, some twice: all come out whole.
+/// Packets of every size, cut anywhere, sent in any order, some twice: all are reassembled.
 TEST(FragmentTable, AnyOrderAndRepetitionGivesThePacketsBack) {
   std::mt19937 random(1996);
   for (int round = 0; round < 300; ++round) {
@@ -156,13 +156,13 @@ TEST(FragmentTable, AnyOrderAndRepetitionGivesThePacketsBack) {
       const ByteView whole = packets[i];
       for (std::size_t at = 0; at < whole.size();) {
         const std::size_t size = std::min(whole.size() - at, (1 + random() % 180) * 8);
-        // In one piece it would be no fragment.
+        // In one piece it would not be a fragment.
         const std::size_t kept = size == whole.size() ? 8 : size;
         pieces.push_back({i, part(whole, at, kept, static_cast<std::uint32_t>(i))});
         at += kept;
       }
     }
-    // Once the packet is whole, one that comes again would begin it anew.
+    // After the packet is whole, a repeated fragment would begin a new one.
     std::vector<std::size_t> missing(packets.size());
     for (const Piece& each : pieces) ++missing[each.packet];
     std::ranges::shuffle(pieces, random);
@@ -187,7 +187,7 @@ TEST(FragmentTable, AnyOrderAndRepetitionGivesThePacketsBack) {
   }
 }
 
-/// Fragments that nobody honest sends: nothing but what was all there comes out, within bounds.
+/// Malicious fragments: only complete packets are returned, within the limits.
 TEST(FragmentTable, HostileFragmentsStayWithinTheBounds) {
   std::mt19937 random(7);
   const Bytes bytes = payloadOf(66'000, 5);

@@ -22,7 +22,7 @@ constexpr WallTime kTime{std::chrono::seconds(1'700'000'000)};
 const Sent kIpv4 = sent("10.0.0.1", 4'000, "10.0.0.2", 5'000, "hello");
 const Sent kIpv6 = sent("fd00::1", 4'000, "ff15::7", 5'000, "hello");
 
-/// One datagram, seen as it was sent.
+/// A datagram captured unfragmented.
 void expectSeen(FrameReader& reader, ByteView frame, const Sent& expected) {
   const auto seen = reader.read(frame, kTime);
   ASSERT_TRUE(seen.has_value());
@@ -41,7 +41,7 @@ TEST(FrameReader, ReadsEveryKindOfLink) {
         {LinkType::ethernet, ethernetFrame(packet)},
         {LinkType::ethernet, ethernetFrame(packet, {7})},
         {LinkType::ethernet, ethernetFrame(packet, {1, 2, 3, 4})},
-        // The family in the order of a little-endian machine, and of a big-endian one.
+        // The family in little-endian order, and in big-endian order.
         {LinkType::bsd_null,
          FrameBytes().number(is_ipv6 ? 0x1E000000 : 0x02000000, 4).bytes(packet).take()},
         {LinkType::bsd_null, FrameBytes().number(is_ipv6 ? 10 : 2, 4).bytes(packet).take()},
@@ -141,7 +141,7 @@ TEST(FrameReader, WhatTheCaptureCutIsMarked) {
   const Bytes frame = ethernetFrame(ipPackets(kIpv4).at(0));
   FrameReader reader(LinkType::ethernet);
   for (std::size_t size = 0; size < frame.size(); ++size) {
-    // A buffer of its own: reading one byte beyond shows.
+    // A buffer of exactly this size, so that a sanitizer sees one byte too many.
     const Bytes part(frame.begin(), frame.begin() + static_cast<std::ptrdiff_t>(size));
     const auto seen = reader.read(part, kTime);
     const std::size_t headers = 14 + 20 + 8;
@@ -157,7 +157,7 @@ TEST(FrameReader, AFilterWithPortsTakesAllFragmentsOfItsDatagrams) {
   Sent other = sent("10.0.0.1", 4'000, "10.0.0.2", 6'000, "");
   wanted.payload.assign(5'000, 'w');
   other.payload.assign(5'000, 'o');
-  // As libpcap's `port 5000`: no fragment has ports.
+  // Like libpcap's `port 5000`: no fragment has ports.
   const auto filter = [](ByteView frame) {
     const bool whole = (std::to_integer<unsigned>(frame[20]) & 0x3FU) == 0 &&
                        std::to_integer<unsigned>(frame[21]) == 0;
@@ -177,13 +177,13 @@ TEST(FrameReader, AFilterWithPortsTakesAllFragmentsOfItsDatagrams) {
       }
     }
     EXPECT_EQ(seen, 1);
-    // Whole datagrams come filtered, or are asked about.
+    // Whole datagrams arrive filtered, or are checked here.
     const Bytes whole = ethernetFrame(ipPackets(sent("10.0.0.1", 1, "10.0.0.2", 2, "x")).at(0));
     EXPECT_EQ(reader.read(whole, kTime).has_value(), filtered == FrameReader::Filtered::before);
   }
 }
 
-/// Bytes of every kind: nothing crashes, and nothing longer than a datagram comes out.
+/// Bytes of every kind: nothing crashes, and no result is longer than a datagram.
 TEST(FrameReader, AnyBytesAreReadOrCounted) {
   std::mt19937 random(1'996);
   Sent large = kIpv6;

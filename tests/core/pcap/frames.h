@@ -9,7 +9,7 @@
 
 namespace rocinante::test {
 
-/// Frames as they stand on a wire, for those who read them. Numbers in network order.
+/// Makes frames as on a wire, for tests of their readers. Numbers in network order.
 class FrameBytes {
  public:
   FrameBytes& number(std::uint64_t value, unsigned bytes) {
@@ -53,7 +53,7 @@ inline Bytes udpOf(const Sent& datagram) {
       .take();
 }
 
-/// One IP packet of a payload that may be a part: `offset` in bytes.
+/// One IP packet with a payload that may be a part: `offset` in bytes.
 inline Bytes ipPacket(const Sent& datagram, ByteView part, std::uint32_t id, std::size_t offset,
                       bool more) {
   FrameBytes packet;
@@ -72,7 +72,7 @@ inline Bytes ipPacket(const Sent& datagram, ByteView part, std::uint32_t id, std
   return packet.bytes(part).take();
 }
 
-/// The packets of one datagram: one, or fragments of at most `most` bytes of payload each.
+/// The packets of one datagram: one, or fragments with at most `most` bytes of payload each.
 inline std::vector<Bytes> ipPackets(const Sent& datagram, std::size_t most = 65'535,
                                     std::uint32_t id = 7) {
   const Bytes udp = udpOf(datagram);
@@ -86,7 +86,7 @@ inline std::vector<Bytes> ipPackets(const Sent& datagram, std::size_t most = 65'
   return packets;
 }
 
-/// With the tags of its VLANs, outermost first.
+/// A frame with VLAN tags, outermost first.
 inline Bytes ethernetFrame(const Bytes& packet, const std::vector<unsigned>& vlans = {}) {
   FrameBytes frame;
   frame.number(0x020000000001, 6).number(0x020000000002, 6);

@@ -45,7 +45,8 @@ std::vector<Seen> receiveSome(DatagramSource& source) {
   return seen;
 }
 
-/// A capture file as libpcap's own tools write it, with nanoseconds, in this machine's order.
+/// A capture file as written by libpcap's own tools, with nanoseconds, in this machine's byte
+/// order.
 class CaptureFile {
  public:
   explicit CaptureFile(std::uint32_t link = 1) {
@@ -69,7 +70,7 @@ class CaptureFile {
     bytes_.resize(bytes_.size() - bytes);
     return *this;
   }
-  /// The endpoint that reads it.
+  /// The endpoint for this file.
   std::string write(const std::filesystem::path& path, std::string_view filter = {}) const {
     std::ofstream(path, std::ios::binary) << bytes_;
     Endpoint endpoint;
@@ -222,7 +223,7 @@ TEST(PcapSource, RefusesAnInterfaceWithoutNanoseconds) {
   EXPECT_THAT(source.error().what, HasSubstr("time stamp precision"));
 }
 
-/// Receives until `count` came or nothing did for two seconds.
+/// Receives until there are `count`, or none arrived for two seconds.
 std::vector<Seen> receiveAll(DatagramSource& source, std::size_t count) {
   std::vector<Seen> all;
   for (int idle = 0; all.size() < count && idle < 100; ++idle) {

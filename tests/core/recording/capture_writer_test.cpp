@@ -18,7 +18,7 @@ using test::logTime;
 
 const SocketAddress kSender = SocketAddress::parse("10.0.0.1", 5000).value();
 
-/// A sink that takes so many bytes and no more, like a full disk.
+/// A sink with room for this many bytes, like a full disk.
 class FullSink final : public ByteSink {
  public:
   FullSink(Bytes& out, std::size_t room) : out_(out), room_(room) {}
@@ -218,8 +218,8 @@ TEST(CaptureWriter, AClockStepIsAMessageInItsPlace) {
   EXPECT_EQ(step->payload, R"({"noticed_ns":1000005000000,"step_ns":-2000000000})");
 }
 
-/// Wherever the disk fills up: recorded + disk = given, and what stands in the file is what was
-/// reported as recorded.
+/// Wherever the disk fills up: recorded + disk = given, and the file holds what was reported as
+/// recorded.
 TEST(CaptureWriter, AccountsExactlyForWhatTheDiskRefuses) {
   for (std::size_t room = 300; room < 40'000; room += 531) {
     SCOPED_TRACE(room);

@@ -4,7 +4,7 @@
 
 namespace rocinante::test {
 
-/// Two clocks that only a test moves. Both begin at 1,000 s.
+/// Two clocks that only the test moves. Both begin at 1,000 s.
 class FakeClocks {
  public:
   void pass(Nanoseconds duration) {
@@ -13,7 +13,7 @@ class FakeClocks {
   }
   void setWall(Nanoseconds forward) { wall_ += forward; }
   WallTime wall() const { return wall_; }
-  /// A look 100 ns wide.
+  /// A reading 100 ns wide.
   ClockReading look(Nanoseconds width = Nanoseconds(100)) const {
     return {steady_ - width / 2, wall_, steady_ + width / 2};
   }

@@ -64,7 +64,7 @@ TEST(FlowTable, NamesWatchedTrafficByWhereItWasSent) {
   const auto second = table.channelOf({0, sender(4000), "arm", true, true, &group});
   EXPECT_EQ(table.channels()[second].topic, "/rocinante/restated/udp/239.1.2.3:5/arm");
   EXPECT_EQ(table.channels()[second].metadata.at("group"), "239.1.2.3");
-  // The same sender to another receiver is another flow; equal addresses are one.
+  // A different receiver makes a different flow; equal addresses are one.
   const SocketAddress other = sender(19'960, "10.0.0.10");
   const SocketAddress again = to;
   EXPECT_NE(table.channelOf({0, sender(4000), "arm", true, false, &other}), first);
@@ -101,7 +101,7 @@ TEST(FlowTable, AChannelIsEndpointSenderSourceAndEncoding) {
   std::set<std::size_t> seen;
   for (const Flow& flow : flows) EXPECT_TRUE(seen.insert(table.channelOf(flow)).second);
   for (const Flow& flow : flows) EXPECT_FALSE(seen.insert(table.channelOf(flow)).second);
-  // A sender that starts anew gets another port: the same topic, another channel.
+  // A restarted sender gets another port: the same topic, another channel.
   EXPECT_EQ(table.channels()[0].topic, table.channels()[2].topic);
 }
 
@@ -126,7 +126,7 @@ TEST(FlowTable, AFloodOfStrangersSharesOneChannelAnEndpoint) {
   EXPECT_EQ(table.channels()[octets].encoding, "octets");
   const auto restated = table.channelOf({0, sender(1), "zz", true, true});
   EXPECT_EQ(table.channels()[restated].topic, "/rocinante/restated/udp/8/_many");
-  // Those known before keep theirs, and other endpoints have their own room.
+  // Earlier flows keep their channels, and other endpoints have limits of their own.
   EXPECT_EQ(table.channelOf({0, sender(0), "s0", true, false}), 0U);
   const auto other = table.channelOf({1, sender(1), "zz", true, false});
   EXPECT_EQ(table.channels()[other].topic, "/udp/239.1.2.3:9/zz");

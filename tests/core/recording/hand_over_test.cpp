@@ -22,7 +22,7 @@ TEST(DatagramBlock, TakesTheLongestDatagramAndStopsWhenFull) {
   EXPECT_EQ(taken, DatagramBlock::kBytes / longest.size());
   block.clear();
   EXPECT_TRUE(block.empty());
-  // Empty datagrams take memory too.
+  // Empty datagrams use memory too.
   for (taken = 0; block.add(0, logTime(0ns), kHandedSender, {});) ++taken;
   EXPECT_EQ(taken, DatagramBlock::kArrivals);
 }

@@ -65,8 +65,8 @@ TEST(ReorderWindow, RaisesAndCountsWhatComesTooLate) {
   EXPECT_EQ(window.late(), 1U);
 }
 
-/// Whatever the spread over sockets and blocks, all come out once, sorted, each socket's own in
-/// the order it had.
+/// However they are spread over sockets and blocks, all are returned once, sorted, each socket's
+/// own in its order.
 TEST(ReorderWindow, GivesEverythingOnceInOrder) {
   std::mt19937 random(1996);
   for (int round = 0; round < 50; ++round) {

@@ -45,7 +45,7 @@ TEST(Retention, TheOldestGoUntilTheRestFitsTheQuota) {
   EXPECT_EQ(surplus(retention, 50), "");
   EXPECT_EQ(surplus(retention, 51), "a");
   EXPECT_EQ(retention.bytes(), 200U);
-  // The closed piece is larger than it was: its summary is there now.
+  // The closed piece is larger than before: it has its summary now.
   retention.settle(piece("c", 240));
   EXPECT_EQ(surplus(retention, 10), "");
   EXPECT_EQ(surplus(retention, 1'000), "bc");

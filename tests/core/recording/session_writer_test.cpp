@@ -44,7 +44,7 @@ KeyframeOptions every(std::uint64_t packets, Nanoseconds span = std::chrono::sec
   return options;
 }
 
-/// How many packets stand before each keyframe of a log.
+/// The number of packets before each keyframe of a log.
 std::vector<std::size_t> keyframePlaces(const Bytes& file) {
   LogReader reader = openLog(file);
   std::vector<std::size_t> places;
@@ -60,7 +60,7 @@ std::vector<std::size_t> keyframePlaces(const Bytes& file) {
   return places;
 }
 
-/// Every keyframe must be the fold of what stands before it. Gives their number.
+/// Every keyframe must be the fold of the messages before it. Returns the number of keyframes.
 std::size_t expectKeyframesAreTheFold(const Bytes& file, const SessionState& preceding = {}) {
   LogReader reader = openLog(file);
   KeyframeReader keyframes;
@@ -97,7 +97,7 @@ TEST(SessionWriter, WritesAKeyframeAfterSoManyPackets) {
   EXPECT_THAT(keyframePlaces(file), ::testing::ElementsAre(20, 40, 60));
   EXPECT_EQ(expectKeyframesAreTheFold(file), 3U);
   LogReader reader = openLog(file);
-  EXPECT_EQ(reader.summary().messages, 65U);  // they count in no number of messages
+  EXPECT_EQ(reader.summary().messages, 65U);  // keyframes do not count as messages
 }
 
 TEST(SessionWriter, WritesAKeyframeAfterSoMuchTimeIfAnythingCame) {
@@ -137,7 +137,7 @@ TEST(SessionWriter, WaitsForAnUnfinishedRestatement) {
   arm.say(5);  // no keyframe before any of these
   arm.say(1, " restated part=r:2/2");
   arm.say(1);
-  arm.say(8, " restated part=s:1/2");  // never completed, and not run out yet
+  arm.say(8, " restated part=s:1/2");  // never completed, and not timed out yet
   arm.wait(kSecond);
   arm.say(2);
   ASSERT_TRUE(session.log().close("finished").ok());

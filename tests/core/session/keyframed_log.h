@@ -9,7 +9,7 @@
 
 namespace rocinante::test {
 
-/// A session of random datagrams with keyframes, and filler so that they have room.
+/// A session of random datagrams with keyframes, and filler so that keyframes are allowed.
 struct KeyframedLog {
   Bytes file;
   std::vector<TimedDatagram> datagrams;

@@ -144,7 +144,7 @@ TEST_F(Marks, OnAFullDiskLeaveTheFileAsItWas) {
   const std::string before = content();
   const ::pid_t child = ::fork();
   if (child == 0) {
-    // As a full disk does, this lets a part of the line be written.
+    // Like a full disk, this allows only part of the line to be written.
     ::signal(SIGXFSZ, SIG_IGN);
     const struct rlimit limit { before.size() + 10, before.size() + 10 };
     ::setrlimit(RLIMIT_FSIZE, &limit);

@@ -13,8 +13,8 @@
 
 namespace rocinante::test {
 
-/// Ten seconds of a joint that says the second it is in, ten times a second, a chunk a second; and
-/// a keyframe at `keyframes`, in seconds.
+/// Ten seconds of a joint whose value is the current second, ten times a second, a chunk a second;
+/// and a keyframe at each of `keyframes`, in seconds.
 struct SecondsLog {
   explicit SecondsLog(const std::vector<int>& keyframes) {
     LogWriterOptions options;
@@ -40,7 +40,7 @@ struct SecondsLog {
   static LogTime moment(int milliseconds) {
     return LogTime(Nanoseconds(std::chrono::milliseconds(1'000'000 + milliseconds)));
   }
-  /// Spoils one bit of the text `a=SECOND` where it stands first.
+  /// Flips one bit of the first occurrence of the text `a=SECOND`.
   void spoil(int second) {
     const std::string text = "joint arm a=" + std::to_string(second);
     const auto found =

@@ -19,7 +19,7 @@ struct TimedDatagram {
   std::string text;
 };
 
-/// What RandomSession says, from one second on.
+/// The packets of RandomSession, from one second on.
 inline std::vector<TimedDatagram> randomDatagrams(std::uint64_t seed, std::size_t count) {
   RandomSession session(seed);
   std::vector<TimedDatagram> datagrams;

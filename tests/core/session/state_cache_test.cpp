@@ -29,7 +29,7 @@ TEST(StateCache, StaysBoundedAndSpreadOverTheWay) {
     cache.keep(placeAt(i), {}, kStart, static_cast<std::uint64_t>(i) * 1000);
   }
   EXPECT_LE(cache.count(), StateCache::kMaxStates);
-  // Of a way gone once no long piece is without a state.
+  // Along a path taken once, no long stretch is without a state.
   for (std::int64_t i = 200; i <= kCount; i += 100) {
     ASSERT_NE(cache.nearest(placeAt(i)), nullptr);
     EXPECT_GE(cache.nearest(placeAt(i))->first, placeAt(i - 100)) << i;

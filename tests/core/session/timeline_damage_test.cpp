@@ -15,7 +15,7 @@
 namespace rocinante::test {
 namespace {
 
-/// A message by what damage leaves of it: its place in the file changes when a chunk is lost.
+/// Identifies a message in spite of damage: its position in the file changes when a chunk is lost.
 using MessageName = std::tuple<std::int64_t, std::string, std::string>;  // time, topic, payload
 
 struct NamedMessage {
@@ -35,7 +35,7 @@ std::vector<NamedMessage> messagesOf(LogReader reader) {
   return messages;
 }
 
-/// What a timeline answers at one moment.
+/// A timeline's answer at one moment.
 struct Answer {
   std::string state;
   StateDamage damage;
@@ -47,12 +47,12 @@ Answer ask(Timeline& timeline, LogTime moment) {
   const Result<const SessionState*> state = timeline.stateAt(moment, &answer.damage);
   EXPECT_TRUE(state.ok());
   answer.state = (*state)->identityText();
-  // Who does not ask for the damage gets no damaged state.
+  // Without the `damage` argument there is no damaged state.
   EXPECT_EQ(timeline.stateAt(moment).ok(), answer.damage.empty());
   return answer;
 }
 
-/// Damages a file in one of the ways that files are damaged.
+/// Damages a file in one of the usual ways.
 Bytes damaged(Bytes file) {
   const auto size = static_cast<int>(file.size());
   const auto anyByte = [&] { return static_cast<std::size_t>(*rc::gen::inRange(8, size)); };
@@ -75,7 +75,7 @@ Bytes damaged(Bytes file) {
       file.resize(anyByte());
       file.shrink_to_fit();
       return file;
-    default: {  // a piece is gone, so that nothing stands where the summary says
+    default: {  // a piece is missing, so that the summary's offsets are wrong
       const std::size_t from = anyByte();
       const std::size_t to = std::min<std::size_t>(
           file.size(), from + static_cast<std::size_t>(*rc::gen::inRange(1, 20'000)));
@@ -87,7 +87,7 @@ Bytes damaged(Bytes file) {
   }
 }
 
-/// When a state is damaged, reckoned from the messages of the sound log and those that are left.
+/// When a state is damaged, computed from the messages of the sound log and those that are left.
 class Oracle {
  public:
   Oracle(const std::vector<NamedMessage>& all, const std::vector<NamedMessage>& left) {
@@ -102,7 +102,7 @@ class Oracle {
     }
   }
 
-  /// A folded message is missing behind the last keyframe that is left.
+  /// A folded message is missing behind the last remaining keyframe.
   bool lacks(LogTime moment) const {
     bool lacks = false;
     for (const Message& message : order_) {
@@ -112,7 +112,7 @@ class Oracle {
     }
     return lacks;
   }
-  /// A keyframe that is left stands behind all that is lost, and not after the moment.
+  /// A remaining keyframe is behind everything lost, and not after the moment.
   bool isMended(LogTime moment) const {
     bool mended = false;
     for (const Message& message : order_) {
@@ -136,13 +136,13 @@ RC_GTEST_PROP(TimelineDamage, IsToldTheSameAloneInOrderAndShuffledAndNeverForgot
   const KeyframedLog log = makeKeyframedLog(seed, 60);
   const Bytes file = damaged(log.file);
   Result<LogReader> opened = LogReader::openBytes(file, "damaged.mcap");
-  if (!opened) return;  // not one byte of it is read as a log
+  if (!opened) return;  // nothing in it can be read as a log
   const Oracle oracle(messagesOf(openLog(log.file)), messagesOf(std::move(*opened)));
   Timeline whole = Timeline::of(openLog(file));
   StateDamage ignored;
   RC_ASSERT(whole.events(&ignored).ok());  // reads all of it
-  // Bytes that are no record may have been anything: only what is known to have cost nothing
-  // counts.
+  // Bytes that are not a record may have been anything: only damage that is known to have cost
+  // nothing counts.
   const bool cost_nothing = std::ranges::all_of(whole.log().damage(), [&](const DamageSpan& each) {
     return each.messages_lost == std::uint64_t{0} || each.to == file.size();
   });
@@ -161,9 +161,9 @@ RC_GTEST_PROP(TimelineDamage, IsToldTheSameAloneInOrderAndShuffledAndNeverForgot
     Timeline timeline = Timeline::of(openLog(file));
     const Answer answer = ask(timeline, moment);
     const bool is_told = !answer.damage.empty();
-    // Of a file that was cut one of two messages of the last moment may be left.
+    // A cut file may have only one of two messages of the last moment.
     if (moment != last && oracle.lacks(moment)) RC_ASSERT(is_told);
-    // Behind the last message, bytes that are no record may have held another of its moment.
+    // Behind the last message, bytes that are not a record may have held another one of its moment.
     const bool is_mended = oracle.isMended(moment) && (moment != last || cost_nothing);
     if (is_mended || (cost_nothing && any_left && moment <= last)) RC_ASSERT(!is_told);
     if (!is_told && moment != last) RC_ASSERT(answer.state == ask(sound, moment).state);
@@ -177,7 +177,7 @@ RC_GTEST_PROP(TimelineDamage, IsToldTheSameAloneInOrderAndShuffledAndNeverForgot
   for (const LogTime moment : moments) RC_ASSERT(ask(one, moment) == alone[moment]);
   Timeline another = Timeline::of(openLog(file));
   for (const LogTime moment : moments) RC_ASSERT(ask(another, moment) == alone[moment]);
-  // What else was read makes no difference.
+  // Other reads make no difference.
   StateDamage hiding;
   RC_ASSERT(another.events(&hiding).ok());
   for (const LogTime moment : moments) RC_ASSERT(ask(another, moment) == alone[moment]);
@@ -236,7 +236,7 @@ TEST(TimelineDamage, OfALogThatWasCutIsBehindItsEnd) {
 TEST(TimelineDamage, WithoutOneMessageThatCanBeReadIsEverywhere) {
   SecondsLog log({0});
   for (int second = 0; second < 10; ++second) {
-    // Each of its chunks, of which a second may have two.
+    // Breaks every chunk of the second; there may be two.
     const std::string text = "joint arm a=" + std::to_string(second);
     for (auto from = log.file.begin();;) {
       from = std::search(from, log.file.end(), bytesOf(text).begin(), bytesOf(text).end());
@@ -245,7 +245,7 @@ TEST(TimelineDamage, WithoutOneMessageThatCanBeReadIsEverywhere) {
     }
   }
   for (const int moment : {0, 100, 5000, 9900}) EXPECT_TRUE(log.isToldAt(moment)) << moment;
-  // Of one that ends behind its header too.
+  // Also for one that ends after its header.
   log.file.resize(60);
   log.file.shrink_to_fit();
   EXPECT_TRUE(log.isToldAt(0));

@@ -12,7 +12,7 @@
 namespace rocinante::test {
 namespace {
 
-/// Two sources, restarts, late packets, a device that leaves: every 10 ns a packet from 1,000.
+/// Two sources, restarts, late packets, a device that is removed: a packet every 10 ns from 1,000.
 Bytes makeLog(int count) {
   Bytes file;
   LogWriterOptions options;
@@ -25,7 +25,7 @@ Bytes makeLog(int count) {
   for (int i = 0; i < count; ++i) {
     const std::int64_t time_ns = 1000 + 10 * (i / 2);  // ties of two
     const bool first = i % 3 == 0;
-    const int sequence = static_cast<int>(random() % 10) == 0 ? i / 2 : i;  // some come late
+    const int sequence = static_cast<int>(random() % 10) == 0 ? i / 2 : i;  // some are late
     std::string text =
         std::string("RK1 ") + (first ? "a" : "b") + "@1 " + std::to_string(sequence) + " -\n";
     if (i % 500 == 250) {
@@ -112,7 +112,7 @@ TEST(Timeline, OfAMissingFileIsNotFound) {
   EXPECT_EQ(timeline.error().kind, ErrorKind::not_found);
 }
 
-/// Asks a timeline for `moments` in their order; each answer must be the fold by hand.
+/// Queries a timeline at `moments` in this order; each state must be the fold by hand.
 void expectTheFold(Timeline& timeline, const KeyframedLog& log, std::vector<LogTime> moments,
                    const SessionState& preceding = {}) {
   std::map<LogTime, SessionState> expected;
@@ -172,7 +172,7 @@ TEST(Timeline, OfAPieceGoesOnFromWhatPreceded) {
   for (const TimedDatagram& said : randomDatagrams(77, 300)) {
     before.fold(at(said.time.time_since_epoch().count() / 1000), bytesOf(said.text));
   }
-  // What a log cannot tell: an unfinished restatement is abandoned by the cut.
+  // A log cannot express this: the cut abandons an unfinished restatement.
   const std::string text = keyframeText(before.state);
   const SessionState preceding = KeyframeReader().read(bytesOf(text), at(999'999'999)).value();
   const KeyframedLog log = makeKeyframedLog(5, 200, preceding);
@@ -182,7 +182,7 @@ TEST(Timeline, OfAPieceGoesOnFromWhatPreceded) {
   expectTheFold(timeline, log, moments, preceding);
 }
 
-/// One source says `value` on its arm.
+/// One source sends `value` for its arm.
 std::string say(int sequence, int value) {
   return "RK1 arm - -\njoints arm" + std::to_string(sequence) + " " + std::to_string(value);
 }
@@ -209,7 +209,7 @@ constexpr const char* kLie =
     "RK1 liar - - restated part=k:1/1 by=keyframe\njoints arm9 9\nseen arm9 5\n";
 
 TEST(Timeline, AKeyframeIsBelievedInEveryDirection) {
-  // Nobody can tell that it is a lie; but the answer must not depend on the way.
+  // The lie cannot be detected; but the answer must not depend on the path.
   HandLog log;
   log.put(log.packets, 10, say(1, 1));
   log.put(log.keyframes, 20, kLie);
@@ -304,7 +304,7 @@ TEST(Timeline, GoesOnAfterDamageFromTheNextKeyframe) {
   Timeline fresh = Timeline::of(openLog(log.file));
   const LogTime last = log.datagrams.back().time;
   expectTheFold(fresh, log, {last});
-  // The same by another way: through the damage.
+  // The same result by another path: through the damage.
   Timeline through = Timeline::of(openLog(log.file));
   StateDamage damage;
   for (const TimedDatagram& said : log.datagrams) {

@@ -86,7 +86,7 @@ int writeFile(const char* path) {
   Result<mcap::Writer> writer = Error{ErrorKind::damaged, "the first record is no Header", path};
   for (const Json& each : json.at("records")) {
     const Description record(each);
-    if (record.type() == "DataEnd") break;  // what follows is the writer's own doing
+    if (record.type() == "DataEnd") break;  // the writer makes the rest itself
     if (record.type() == "Header") {
       writer = mcap::Writer::start(makeMemorySink(file), optionsOf(json.at("meta").at("variant")),
                                    {record.text("profile"), record.text("library")});

@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 std::optional<Json> recordJson(const mcap::Record& record);
 Json messageJson(const mcap::Message& message);
 
-/// The whole of a file; says why on stderr and ends the program with 2 when it cannot be read.
+/// Reads a whole file; prints why on stderr and exits with 2 when that fails.
 std::string readWhole(const char* path);
 
 }  // namespace rocinante::test
