@@ -42,7 +42,7 @@ struct SessionWriter::Impl {
   bool went_back = false;              ///< a message earlier than `last_time` was written
   LogTime keyframe_time = kBeforeAll;  ///< of the last keyframe, or of the first message
   std::uint64_t packets_since = 0;     ///< folded since then
-  std::uint64_t message_bytes = 0;     ///< payloads that are no keyframes
+  std::uint64_t message_bytes = 0;     ///< payloads except keyframes
   std::uint64_t keyframe_bytes = 0;    ///< payloads of keyframes that were due
   std::uint64_t expected_bytes = 0;    ///< of the next one, by the size of the last one made
 

@@ -49,7 +49,7 @@ class Reading {
       for (std::size_t i = 0; i < kPacketFaultCount; ++i) {
         const auto kind = static_cast<PacketFault>(i);
         if (counts.faults[i] == 0 || kind == PacketFault::unknown_statement) continue;
-        return damaged(fmt::format("what it says cannot be kept: {}", nameOf(kind)));
+        return damaged(fmt::format("its contents cannot be kept: {}", nameOf(kind)));
       }
     }
     for (const auto& device : state_.devices()) {

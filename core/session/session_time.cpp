@@ -28,7 +28,7 @@ Result<LogTime> parseSessionTime(std::string_view text, LogTime origin, LogTime 
   const LogTime base = text.starts_with('-') ? end : origin;
   std::int64_t moment = 0;
   if (__builtin_add_overflow(base.time_since_epoch().count(), duration->count(), &moment)) {
-    return Error{ErrorKind::bad_argument, "the time lies beyond what a log can hold",
+    return Error{ErrorKind::bad_argument, "the time is beyond what a log can hold",
                  std::string(text)};
   }
   return LogTime(Nanoseconds(moment));
