@@ -6,11 +6,11 @@
 
 namespace rocinante {
 
-/// Whether `pattern` describes `text`. One language for names, topics, events and paths alike:
+/// Whether `pattern` matches `text`. One language for names, topics, events and paths alike:
 /// - a pattern equal to the text matches it, whatever characters it holds;
 /// - `*` is any run of bytes (`/` among them), `?` any one byte;
-/// - `[abc]`, `[a-z]` is one byte of the set, `[!a-z]` or `[^a-z]` one that is not in it; `]` is a
-///   member when it comes first, and a `[` without its `]` is itself;
+/// - `[abc]`, `[a-z]` is one byte of the set, `[!a-z]` or `[^a-z]` one outside it; `]` is a member
+///   when it comes first, and a `[` without its `]` is itself;
 /// - `\x` is the byte x itself; a `\` at the end matches nothing.
 /// Bytes are compared, not characters. Takes time in proportion to the product of both lengths at
 /// worst; allocates nothing. Any thread.

@@ -8,9 +8,9 @@
 
 namespace rocinante {
 
-/// The recorder's wall clock was set: a message on profile::kClockTopic (docs/log-format.md).
+/// A step of the recorder's wall clock: a message on profile::kClockTopic (docs/log-format.md).
 struct ClockStep {
-  LogTime at;        ///< on the session's line: when it was noticed
+  LogTime at;        ///< on the session's time line: when it was noticed
   Nanoseconds step;  ///< positive: the wall clock was set forward
 };
 

@@ -60,7 +60,7 @@ TEST(Keyframe, IsRefusedWhereItIsNoneWithTheReason) {
       {"RK1 a - - restated part=k:1/1 by=k\njoints d x\n",
        "datagram 1 has a fault in its line 2: bad_number"},
       {"RK1 a - - restated part=k:1/1 by=k\norder d j\njoints d 1 2\nseen d 1\n",
-       "what it says cannot be kept: order_mismatch"},
+       "its contents cannot be kept: order_mismatch"},
       {"RK1 a - - restated part=k:1/1 by=k\njoints d 1\n", "a device lacks its last write"},
   };
   for (const auto& [text, reason] : cases) {
