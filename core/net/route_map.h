@@ -8,7 +8,7 @@
 
 namespace rocinante {
 
-/// A topic that goes to another endpoint when a log is played: a shell pattern and the endpoint.
+/// A topic that goes to another endpoint when a log is played: a pattern and the endpoint.
 struct RouteMap {
   std::string pattern;
   Endpoint to;

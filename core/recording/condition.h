@@ -14,11 +14,11 @@ namespace rocinante {
 /// docs/programs/record.md, "Conditions".
 struct Condition {
   enum class Kind : std::uint8_t { event, source, device, silence } kind = Kind::event;
-  std::string pattern;    ///< glob(7) for the event's text, the SOURCE or the DEVICE
+  std::string pattern;    ///< core/base/pattern.h; for the event's text, the SOURCE or the DEVICE
   Nanoseconds silence{};  ///< the time without a datagram
 
-  /// "event=TEXT", "source=NAME", "device=NAME", "silence=DURATION"; without such a prefix the
-  /// whole is an event's text.
+  /// "event=TEXT", "source=NAME", "device=NAME", "silence=DURATION"; a text without '=' is an
+  /// event's text. bad_argument for another word before the '='.
   static Result<Condition> parse(std::string_view text);
   std::string text() const;
 };
