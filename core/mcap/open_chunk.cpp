@@ -10,7 +10,7 @@
 namespace rocinante::mcap {
 namespace {
 
-/// Of the content, without the compression's name and the records.
+/// The size of the content without the compression's name and the records.
 constexpr std::uint64_t kFixedBytes = 8 + 8 + 8 + 4 + 4 + 8;
 
 // A chunk that had at most this when it was begun belongs to a slow session (600 packets a second),

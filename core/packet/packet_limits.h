@@ -24,7 +24,7 @@ inline constexpr std::size_t kPaths = 262144;  ///< of visibility, and as many o
 inline constexpr std::size_t kDrawings = 65536;
 inline constexpr std::size_t kViews = 4096;
 inline constexpr std::size_t kEvents = 65536;  ///< not taken yet
-/// Of the whole state, as the table counts it: one sum, whatever the mix of the items above.
+/// Limit of the whole state, as the table counts it: one sum for any mix of the items above.
 inline constexpr std::uint64_t kStateBytes = std::uint64_t{256} << 20U;
 
 /// A SEQUENCE further below the highest than this is a restart, not a late datagram.
