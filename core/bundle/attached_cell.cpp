@@ -59,7 +59,7 @@ Result<Bytes> readByHash(const LogReader& log, const AttachmentNumbers& numbers,
   if (fault) return *fault;
   return Error{
       ErrorKind::damaged,
-      fmt::format("the log's cell is not whole: attachment {} is missing", plainText(name)),
+      fmt::format("the log's cell is incomplete: attachment {} is missing", plainText(name)),
       log.name()};
 }
 
@@ -117,7 +117,7 @@ namespace {
 Result<CellBundle> readLogsCell(const std::filesystem::path& path, const CellOptions& options) {
   if (!options.search.empty() || !options.packages.empty()) {
     return Error{ErrorKind::bad_argument,
-                 fmt::format("a cell inside a log has all its files: {} means nothing to it",
+                 fmt::format("a cell inside a log carries all its files: {} has no effect on it",
                              options.search.empty() ? "--package" : "--search"),
                  path.string()};
   }

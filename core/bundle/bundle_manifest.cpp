@@ -64,7 +64,7 @@ class ManifestReader {
   std::string text(const Json& object, const char* key) {
     const auto found = object.is_object() ? object.find(key) : object.end();
     if (found != object.end() && found->is_string()) return found->get<std::string>();
-    fail(fmt::format("it lacks the text `{}`", key));
+    fail(fmt::format("it lacks the string `{}`", key));
     return {};
   }
 
@@ -72,11 +72,11 @@ class ManifestReader {
     static const Json kNone = Json::array();
     const auto found = root_.find(key);
     if (found == root_.end() || !found->is_array()) {
-      fail(fmt::format("it lacks the list `{}`", key));
+      fail(fmt::format("it lacks the array `{}`", key));
       return kNone;
     }
     if (found->size() > most) {
-      fail(fmt::format("its list `{}` is longer than {}", key, most));
+      fail(fmt::format("its array `{}` is longer than {}", key, most));
       return kNone;
     }
     return *found;
@@ -91,11 +91,11 @@ class ManifestReader {
     if (!files_.insert(file.name).second) return fail(file.name + " is in it twice");
     if (file.sha256.size() != kSha256Digits ||
         file.sha256.find_first_not_of("0123456789abcdef") != std::string::npos) {
-      return fail("the SHA-256 of " + file.name + " is none");
+      return fail("the SHA-256 of " + file.name + " is not a SHA-256");
     }
     const auto size = each.find("bytes");
     if (size == each.end() || !size->is_number_unsigned()) {
-      return fail("the size of " + file.name + " is none");
+      return fail("the size of " + file.name + " is not a whole number");
     }
     file.bytes = size->get<std::uint64_t>();
     if (file.bytes > kMaxBundledBytes - total_bytes_) {
@@ -116,7 +116,7 @@ class ManifestReader {
     name.why = reason->first;
     if (isFound(name.why)) name.means = text(each, "means");
     if (isFound(name.why) && !files_.contains(name.means)) {
-      return fail("a name in it means a file that it has not");
+      return fail("a name in it means a file that it does not have");
     }
     if (!isFolderName(name.in)) return fail("a folder in it has a name that is not allowed");
     manifest.names.push_back(std::move(name));
@@ -136,7 +136,7 @@ class ManifestReader {
     const auto found = root_.find("packages");
     if (found == root_.end()) return;
     if (!found->is_object() || found->size() > kMaxBundledFiles) {
-      return fail("its `packages` is no list of folders");
+      return fail("its `packages` is not an array of folders");
     }
     for (const auto& [name, folder] : found->items()) {
       if (!folder.is_string() || !isFolderName(folder.get_ref<const std::string&>())) {
@@ -196,10 +196,10 @@ Result<BundleManifest> parseManifest(ByteView text, const std::string& where) {
   };
   if (text.size() > kMaxManifestBytes) return refuse(ErrorKind::damaged, "it is too large");
   const Json root = Json::parse(textOf(text), nullptr, false);
-  if (!root.is_object()) return refuse(ErrorKind::damaged, "it is no JSON object");
+  if (!root.is_object()) return refuse(ErrorKind::damaged, "it is not a JSON object");
   const auto format = root.find("format");
   if (format == root.end() || !format->is_number_unsigned()) {
-    return refuse(ErrorKind::damaged, "it does not say its format");
+    return refuse(ErrorKind::damaged, "it states no format");
   }
   if (*format != 1) {
     return refuse(ErrorKind::unsupported,

@@ -88,7 +88,7 @@ Error firstErrorOf(const Cell& cell) {
   std::string where = first->file;
   if (first->line > 0) where += fmt::format(":{}", first->line);
   if (first->line > 0 && first->column > 0) where += fmt::format(":{}", first->column);
-  std::string what = "the cell does not load whole, so it is not attached: " + first->text;
+  std::string what = "the cell loads with errors, so it is not attached: " + first->text;
   if (count > 1) what += fmt::format("; {} errors in all, rocinante check lists them", count);
   return {ErrorKind::damaged, std::move(what), std::move(where)};
 }
@@ -163,7 +163,7 @@ Status noteNames(const FileLookups& noted, const BundleNames& names, BundleManif
   }
   if (known.size() > kMaxBundledNames) {
     return Error{ErrorKind::unsupported,
-                 fmt::format("the cell names files {} times; at most {} can be attached",
+                 fmt::format("the cell names files {} times; at most {} names can be attached",
                              known.size(), kMaxBundledNames),
                  ""};
   }

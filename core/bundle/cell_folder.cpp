@@ -77,7 +77,7 @@ Status layOut(const CellBundle& bundle, const fs::path& folder) {
     addFoldersOf(name, folders);
     if (folders.size() > kMaxBundledFolders) {
       return Error{ErrorKind::unsupported,
-                   fmt::format("the cell's files lie in more than {} folders", kMaxBundledFolders),
+                   fmt::format("the cell's files are in more than {} folders", kMaxBundledFolders),
                    folder.string()};
     }
   }

@@ -242,7 +242,7 @@ Result<Cell> loadCell(const fs::path& path, const CellOptions& options) {
     return Error{ErrorKind::not_found, "there is no such cell", path.string()};
   }
   if (!fs::is_regular_file(status)) {
-    return Error{ErrorKind::bad_argument, "a cell is a file, and this is none", path.string()};
+    return Error{ErrorKind::bad_argument, "a cell is a file, and this is not one", path.string()};
   }
   const std::string ending = endingOf(path);
   if (ending == ".toml") {

@@ -39,7 +39,7 @@ void addRoots(TomlTable& root, const fs::path& folder, bool are_used, FileSearch
   if (!are_used) return;
   for (const std::string& entry : entries) {
     if (entry.find('\0') != std::string::npos || entry.empty()) {
-      root.error("cell.bad-root", "search", "a search root is empty or no path");
+      root.error("cell.bad-root", "search", "a search root is empty or not a path");
       continue;
     }
     const fs::path path = (folder / entry).lexically_normal();
@@ -67,7 +67,7 @@ void addPackages(TomlTable& root, const fs::path& folder, bool are_used, FileSea
     if (!is_path) {
       root.faults().error(
           "cell.bad-root", value.place,
-          fmt::format("the folder of package {} is empty or no path", quotedInFault(entry.key)));
+          fmt::format("the folder of package {} is empty or not a path", quotedInFault(entry.key)));
       continue;
     }
     if (!are_used) continue;
@@ -104,7 +104,7 @@ Status CellFiles::readMain(ByteView bytes, const fs::path& path) {
   CellFile& file = add(path, std::move(*document));
   TomlTable& root = *file.root;
   if (!root.has("format") && !root.has("device") && !root.has("model")) {
-    return Error{ErrorKind::damaged, "this is no cell: it has neither `format` nor a [[device]]",
+    return Error{ErrorKind::damaged, "this is not a cell: it has neither `format` nor a [[device]]",
                  path.string()};
   }
   if (Status format = checkFormat(root, path); !format.ok()) return format;
@@ -149,7 +149,7 @@ void CellFiles::readInclude(std::size_t number, const TomlNode& name, std::size_
       from.faults->error("cell.include-loop", name.place,
                          fmt::format("{} is not included: it is {}", quoted,
                                      placeInLoop(above - reading_.begin())),
-                         "files may not include each other in a circle");
+                         "files cannot include each other in a circle");
     }
     return;
   }
@@ -182,7 +182,7 @@ void CellFiles::readInclude(std::size_t number, const TomlNode& name, std::size_
 std::string CellFiles::placeInLoop(std::ptrdiff_t at) const {
   const CellFile& file = *files_[reading_[static_cast<std::size_t>(at)]];
   if (at + 1 == std::ssize(reading_)) return "this very file";
-  return fmt::format("what includes this file, at {}:{}", file.path.string(),
+  return fmt::format("the file that includes this one, at {}:{}", file.path.string(),
                      file.root->place("include").line);
 }
 

@@ -92,7 +92,7 @@ void readInsets(TomlTable& root, Cell& cell) {
       if (named) inset.corner = *named;
       if (!named) {
         table.error("cell.unknown-word", "corner",
-                    fmt::format("{} is no corner", quotedInFault(*corner)),
+                    fmt::format("{} is not a corner", quotedInFault(*corner)),
                     "top-right, top-left, bottom-right or bottom-left");
       }
     }

@@ -27,7 +27,7 @@ void readCollision(TomlTable& table, LayerLook& look) {
     look.collision = CollisionLook::over;
   } else {
     table.error("cell.unknown-word", "collision",
-                fmt::format("{} is no way to draw collision geometry", quotedInFault(*word)),
+                fmt::format("{} is not a way to draw collision geometry", quotedInFault(*word)),
                 "off, only or over");
   }
 }
@@ -38,7 +38,7 @@ void readOpacity(TomlTable& table, LayerLook& look) {
   if (*opacity >= 0 && *opacity <= 1) {
     look.opacity = static_cast<float>(*opacity);
   } else {
-    table.error("cell.bad-number", "opacity", "`opacity` lies between 0 and 1");
+    table.error("cell.bad-number", "opacity", "`opacity` is between 0 and 1");
   }
 }
 
@@ -113,7 +113,7 @@ void LayerReader::readMembers(TomlTable& table, CellLayer& layer,
     if (!path.ok() || path->path.is_layer) {
       table.faults().error(
           "cell.bad-name", item.place,
-          fmt::format("{} is nothing that a layer holds", quotedInFault(item.text)),
+          fmt::format("{} cannot be a member of a layer", quotedInFault(item.text)),
           "DEVICE, DEVICE/LINK, either with #GROUP, and * for every device");
       continue;
     }
@@ -153,7 +153,7 @@ bool LayerReader::isThere(const TomlTable& table, Place place, const LayerMember
     if (!isGhost(cell_, member.device)) {
       // A session may add it.
       faults.warning("cell.unknown-device", place,
-                     fmt::format("`members` of [[layer]] names {}, which the cell has not",
+                     fmt::format("`members` of [[layer]] names {}, which the cell does not have",
                                  quotedInFault(member.device)),
                      deviceHint(table, cell_, member.device));
     }
@@ -179,7 +179,7 @@ bool LayerReader::isThere(const TomlTable& table, Place place, const LayerMember
   }
   if (!any_read) return true;
   faults.error("cell.unknown-group", place,
-               fmt::format("{} is no group of those meshes", quotedInFault(member.group)));
+               fmt::format("{} is not a group of those meshes", quotedInFault(member.group)));
   return false;
 }
 

@@ -23,7 +23,7 @@ void readLights(TomlTable& root, CellNames& names, Cell& cell) {
       if (*strength >= 0 && *strength <= kMaxStrength) {
         light.strength = *strength;
       } else {
-        table.error("cell.bad-number", "strength", "`strength` lies between 0 and 100");
+        table.error("cell.bad-number", "strength", "`strength` is between 0 and 100");
       }
     }
     table.finish();

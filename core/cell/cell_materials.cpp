@@ -87,7 +87,7 @@ void CellMaterials::read(TomlTable& root, const std::filesystem::path& folder, M
       if (*shininess >= 0.0 && *shininess <= 1000.0) {
         what.shininess = static_cast<float>(*shininess);
       } else {
-        table.error("cell.bad-number", "shininess", "`shininess` lies between 0 and 1000");
+        table.error("cell.bad-number", "shininess", "`shininess` is between 0 and 1000");
       }
     }
     if (const auto texture = table.text("texture")) {
@@ -148,8 +148,8 @@ void CellMaterials::apply(Cell& cell) {
   for (const Change& change : changes_) {
     if (change.used) continue;
     change.table.faults().warning("cell.unused-material", change.table.place(),
-                                  "nothing of the cell is what this [[material]] is for",
-                                  "`device`, `link`, `group` and `material` must all fit");
+                                  "this [[material]] matches nothing in the cell",
+                                  "`device`, `link`, `group` and `material` must all match");
   }
 }
 

@@ -117,8 +117,8 @@ std::string CellModels::use(const std::string& name, const TomlTable& table,
   } else if (hint.empty()) {
     hint = "`model` is a .urdf, .sdf, .dae, .gltf or .glb file or the name of a [[model]]";
   }
-  table.error("cell.unknown-model", "model", fmt::format("no model is {}", quotedInFault(name)),
-              std::move(hint));
+  table.error("cell.unknown-model", "model",
+              fmt::format("no model is named {}", quotedInFault(name)), std::move(hint));
   used_.emplace(key, nullptr);
   return key;
 }

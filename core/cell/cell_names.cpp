@@ -20,14 +20,14 @@ std::optional<std::string> CellNames::take(TomlTable& table, const std::string& 
   if (!same_file && files_.includes(owner.file, file)) {
     table.faults().note(
         "cell.replaced", place,
-        fmt::format("{} {} is that of {}:{}, which includes this file", table.what(),
+        fmt::format("{} {} is replaced by that of {}:{}, which includes this file", table.what(),
                     quotedInFault(name), owner.file, owner.place.line));
     return std::nullopt;
   }
   table.error("cell.duplicate-name", "name",
               fmt::format("a second {} is named {}", table.what(), quotedInFault(name)),
-              same_file ? "the first one stands"
-                        : fmt::format("that of {}:{} stands", owner.file, owner.place.line));
+              same_file ? "the first one is used"
+                        : fmt::format("that of {}:{} is used", owner.file, owner.place.line));
   return std::nullopt;
 }
 

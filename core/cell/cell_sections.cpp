@@ -39,7 +39,7 @@ void checkTarget(const TomlTable& table, std::string_view key, const Cell& cell,
   const CellDevice* device = cell.findDevice(device_name);
   if (device == nullptr) {
     table.error("cell.unknown-device", key,
-                fmt::format("`{}` of {} names {}, which is no device of the cell", key,
+                fmt::format("`{}` of {} names {}, which is not a device of the cell", key,
                             table.what(), quotedInFault(device_name)),
                 deviceHint(table, cell, device_name));
     device_name.clear();
@@ -78,10 +78,10 @@ void checkCarriers(const Cell& cell,
       at = cell.findDevice(at->on_device);
     }
     if (at == nullptr || at->on_device.empty() || turn.at(at->name) != first) continue;
-    carried[first].first.error(
-        "cell.carrier-loop", "on",
-        fmt::format("device {} carries itself in the end", quotedInFault(at->name)),
-        "all of the loop stand in the world");
+    carried[first].first.error("cell.carrier-loop", "on",
+                               fmt::format("device {} carries itself, directly or through others",
+                                           quotedInFault(at->name)),
+                               "all devices of the loop are placed in the world");
   }
 }
 
@@ -96,11 +96,12 @@ void readGhost(const TomlTable& table, const TomlNode::Entry& ghost, const Cell&
                CellSource& source) {
   if (ghost.value.kind != TomlNode::Kind::text) {
     table.faults().error("cell.wrong-kind", ghost.value.place,
-                         fmt::format("{} of ghost_of is {}, where a device is wanted",
+                         fmt::format("{} of ghost_of is {}, where a device is expected",
                                      quotedInFault(ghost.key), nameOf(ghost.value.kind)));
   } else if (cell.findDevice(ghost.value.text) == nullptr) {
     table.faults().error("cell.unknown-device", ghost.value.place,
-                         fmt::format("{} is to be a ghost of {}, which is no device of the cell",
+                         fmt::format("{} should be a ghost of {}, which is not a device of the "
+                                     "cell",
                                      quotedInFault(ghost.key), quotedInFault(ghost.value.text)),
                          deviceHint(table, cell, ghost.value.text));
   } else {
@@ -122,7 +123,7 @@ std::optional<CellCamera> readCamera(TomlTable& table, CellNames& names) {
     if (*fov > 0.0 && *fov < 180.0) {
       camera.fov_deg = *fov;
     } else {
-      table.error("cell.bad-number", "fov_deg", "`fov_deg` must lie between 0 and 180");
+      table.error("cell.bad-number", "fov_deg", "`fov_deg` must be between 0 and 180");
     }
   }
   camera.ortho_height_m = table.number("ortho_height_m");
@@ -246,7 +247,8 @@ void readSources(TomlTable& root, CellNames& names, Cell& cell) {
     for (const std::string& device : source.devices) {
       if (cell.findDevice(device) != nullptr || source.ghost_of.contains(device)) continue;
       table.faults().warning("cell.unknown-device", table.place("devices"),
-                             fmt::format("`devices` of [[source]] names {}, which the cell has not",
+                             fmt::format("`devices` of [[source]] names {}, which the cell does "
+                                         "not have",
                                          quotedInFault(device)),
                              deviceHint(table, cell, device));
     }
@@ -274,7 +276,7 @@ void readScene(TomlTable& root, Cell& cell) {
     const bool knows = root.has("light") || table->faults().file() == cell.file;
     if (!cell.scene.lights.empty() && knows) {
       table->faults().warning("cell.useless-light", table->place("light"),
-                              "`light` of [scene] lights nothing: the cell has [[light]]s",
+                              "`light` of [scene] has no effect: the cell has [[light]]s",
                               "the first [[light]] is the key light");
     }
   }

@@ -27,7 +27,7 @@ std::optional<double> readUnit(TomlTable& table) {
   const TomlNode* given = table.node("unit");
   if (given == nullptr) {
     table.error("cell.missing-key", "unit", fmt::format("{} lacks `unit`", table.what()),
-                "OBJ and STL do not say theirs: \"m\", \"cm\", \"mm\", \"in\", \"ft\", or metres");
+                "OBJ and STL files state none: \"m\", \"cm\", \"mm\", \"in\", \"ft\", or metres");
     return std::nullopt;
   }
   if (given->kind != TomlNode::Kind::text) {
@@ -42,7 +42,8 @@ std::optional<double> readUnit(TomlTable& table) {
   for (const Unit& unit : kUnits) {
     if (unit.name == given->text) return unit.metres;
   }
-  table.error("cell.unknown-word", "unit", fmt::format("{} is no unit", quotedInFault(given->text)),
+  table.error("cell.unknown-word", "unit",
+              fmt::format("{} is not a unit", quotedInFault(given->text)),
               "units are \"m\", \"cm\", \"mm\", \"in\", \"ft\", or a number of metres");
   return std::nullopt;
 }
@@ -58,7 +59,7 @@ std::optional<UpAxis> readUp(TomlTable& table) {
   if (!up) return std::nullopt;
   if (*up == "y") return UpAxis::y;
   if (*up == "z") return UpAxis::z;
-  table.error("cell.unknown-word", "up", fmt::format("{} is no up axis", quotedInFault(*up)),
+  table.error("cell.unknown-word", "up", fmt::format("{} is not an up axis", quotedInFault(*up)),
               "\"y\" or \"z\"");
   return std::nullopt;
 }
@@ -75,7 +76,7 @@ std::optional<JointType> readJointType(TomlTable& table) {
   std::string hint = didYouMean(*name, names);
   if (hint.empty()) hint = "types are fixed, revolute, continuous, prismatic, planar, floating";
   table.error("cell.unknown-word", "type",
-              fmt::format("{} is no type of joint", quotedInFault(*name)), std::move(hint));
+              fmt::format("{} is not a joint type", quotedInFault(*name)), std::move(hint));
   return std::nullopt;
 }
 
@@ -116,7 +117,9 @@ void readJointLimits(TomlTable& table, Joint& joint) {
     }
   }
   if (limits_deg && joint.type == JointType::prismatic) {
-    table.error("cell.useless-limits", "limits_deg", "a prismatic joint slides: it has no degrees",
+    table.error("cell.useless-limits", "limits_deg",
+                "a prismatic joint slides: it takes no "
+                "degrees",
                 "use `limits`, in metres");
     return;
   }
@@ -227,8 +230,9 @@ class InlineModelReader {
   void refuseUnit() {
     for (const char* key : {"unit", "up"}) {
       if (table_.node(key) == nullptr) continue;
-      table_.error("cell.useless-unit", key,
-                   fmt::format("`{}` means nothing: the file says its own unit and up axis", key));
+      table_.error(
+          "cell.useless-unit", key,
+          fmt::format("`{}` has no effect: the file states its own unit and up axis", key));
     }
   }
 
@@ -237,7 +241,7 @@ class InlineModelReader {
     if (!geometry || *geometry == "world") return true;
     if (*geometry == "link") return false;
     table_.error("cell.unknown-word", "geometry",
-                 fmt::format("{} is no kind of geometry", quotedInFault(*geometry)),
+                 fmt::format("{} is not a kind of geometry", quotedInFault(*geometry)),
                  "\"world\" (as assembled at zero joints) or \"link\" (each in its link's space)");
     return true;
   }
@@ -280,7 +284,7 @@ class InlineModelReader {
       link.error(
           "cell.missing-key", "parent",
           fmt::format("{} {} has a joint but no `parent`", link.what(), quotedInFault(groups.link)),
-          "the link without a parent is the root, and is held by nothing");
+          "the link without a parent is the root and needs no joint");
     }
     if (joint) {
       auto draft = readJoint(*joint, parent.value_or(""), groups.link);
@@ -364,7 +368,7 @@ class InlineModelReader {
     table_.faults().error("cell.group-taken-twice", second.place,
                           fmt::format("group {} belongs to links {} and {}", quotedInFault(group),
                                       quotedInFault(first.link), quotedInFault(second.link)),
-                          "the first one has it");
+                          "the first one keeps it");
   }
 
   void reportUnmatched(const std::vector<std::vector<bool>>& matched, const Mesh& mesh) {

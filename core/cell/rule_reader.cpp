@@ -14,11 +14,11 @@ constexpr std::size_t kMaxRules = 1000;
 void readWord(const TomlNode& value, FaultList& faults, CellRule& rule) {
   if (value.kind != TomlNode::Kind::text) {
     faults.error("cell.wrong-kind", value.place,
-                 fmt::format("the severity of {} is {}, where a string is wanted",
+                 fmt::format("the severity of {} is {}, where a string is expected",
                              quotedInFault(rule.id), nameOf(value.kind)));
   } else if (!readSeverity(value.text, rule)) {
     faults.error("cell.unknown-word", value.place,
-                 fmt::format("{} is no severity", quotedInFault(value.text)),
+                 fmt::format("{} is not a severity", quotedInFault(value.text)),
                  didYouMean(value.text, {"off", "note", "warning", "error"}));
   }
 }
@@ -33,9 +33,10 @@ void readTable(const TomlNode& value, FaultList& faults, CellRule& rule) {
     const bool is_number =
         entry.value.kind == TomlNode::Kind::number || entry.value.kind == TomlNode::Kind::integer;
     if (!is_number) {
-      faults.error("cell.wrong-kind", entry.value.place,
-                   fmt::format("{} of {} is {}, where a number is wanted", quotedInFault(entry.key),
-                               quotedInFault(rule.id), nameOf(entry.value.kind)));
+      faults.error(
+          "cell.wrong-kind", entry.value.place,
+          fmt::format("{} of {} is {}, where a number is expected", quotedInFault(entry.key),
+                      quotedInFault(rule.id), nameOf(entry.value.kind)));
     } else if (!(entry.value.number > 0.0) || !std::isfinite(entry.value.number)) {
       faults.error("cell.bad-number", entry.value.place,
                    fmt::format("{} of {} must be above 0", quotedInFault(entry.key),

@@ -40,7 +40,7 @@ Result<ViewPath> parseViewPath(std::string_view text) {
     return Error{
         ErrorKind::bad_argument,
         "`" + std::string(text) +
-            "` is no PATH: DEVICE, DEVICE/LINK or layer/NAME (#GROUP behind it for a part)",
+            "` is not a PATH: DEVICE, DEVICE/LINK or layer/NAME (#GROUP behind it for a part)",
         {}};
   };
   ViewPath wanted;

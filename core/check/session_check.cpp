@@ -261,13 +261,15 @@ void SessionCheck::reportSources(const SessionRoster& roster,
   for (const auto& [name, source] : sources_) source.judge.report(end_, findings);
   if (refused_.count > 0) {
     findings.push_back(
-        refused_.finding("source.refused", "", "packets of more sources than there is room for"));
+        refused_.finding("source.refused", "", "packets of more sources than the limit allows"));
   }
   std::uint64_t relay_gap = 0;
   for (const auto& [relay, counts] : state_.relays()) relay_gap += counts.gap;
   if (relay_gap > 0) {
-    findings.push_back(relay_gap_.finding(
-        "source.relay-gap", "", "packets that a relay sent on, by its own count, and never came"));
+    findings.push_back(
+        relay_gap_.finding("source.relay-gap", "",
+                           "packets that a relay sent on, by its own count, and that never "
+                           "arrived"));
     findings.back().count = relay_gap;
   }
   reportMissing(roster, findings);
@@ -287,10 +289,11 @@ void SessionCheck::reportMissing(const SessionRoster& roster,
       if (instead.empty()) instead = device->second.stranger();
     }
     if (is_told) continue;
-    std::string text = fmt::format("the cell expects source {}, which never spoke", source.name);
+    std::string text =
+        fmt::format("the cell expects source {}, which never sent a packet", source.name);
     if (!instead.empty()) text += fmt::format("; {} writes its devices", instead);
     findings.push_back(makeFinding("source.missing", source.name, std::move(text)));
-    if (!instead.empty()) findings.back().hint = "one of the two names it otherwise";
+    if (!instead.empty()) findings.back().hint = "one of the two uses another name for it";
   }
 }
 

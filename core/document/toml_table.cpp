@@ -55,7 +55,7 @@ const TomlNode* TomlTable::find(std::string_view key, TomlNode::Kind kind) {
   if (value == nullptr || value->kind == kind) return value;
   if (kind == TomlNode::Kind::number && value->kind == TomlNode::Kind::integer) return value;
   faults_->error("cell.wrong-kind", value->place,
-                 fmt::format("`{}` of {} is {}, where {} is wanted", key, what_,
+                 fmt::format("`{}` of {} is {}, where {} is expected", key, what_,
                              nameOf(value->kind), nameOf(kind)));
   return nullptr;
 }
@@ -92,7 +92,7 @@ std::optional<std::string> TomlTable::requiredName(std::string_view key) {
   auto value = requiredText(key);
   if (!value) return value;
   if (value->size() <= kLongestName && value->find('/') == std::string::npos) return value;
-  error("cell.bad-name", key, fmt::format("{} is no name", quotedInFault(*value)),
+  error("cell.bad-name", key, fmt::format("{} is not a valid name", quotedInFault(*value)),
         "names have at most 255 bytes and no slash");
   return std::nullopt;
 }
@@ -174,7 +174,7 @@ std::vector<std::string> TomlTable::texts(std::string_view key) {
       values.push_back(item.text);
     } else {
       faults_->error("cell.wrong-kind", item.place,
-                     fmt::format("`{}` of {} holds {}, where strings are wanted", key, what_,
+                     fmt::format("`{}` of {} holds {}, where strings are expected", key, what_,
                                  nameOf(item.kind)));
     }
   }
@@ -192,7 +192,7 @@ std::optional<glm::vec4> TomlTable::color(std::string_view key) {
     color[static_cast<int>(i / 2)] = static_cast<float>(high * 16 + low) / 255.0F;
   }
   if (sound) return color;
-  error("cell.bad-color", key, fmt::format("{} is no colour", quotedInFault(*value)),
+  error("cell.bad-color", key, fmt::format("{} is not a colour", quotedInFault(*value)),
         "colours are \"#rrggbb\" or \"#rrggbbaa\"");
   return std::nullopt;
 }
@@ -219,7 +219,7 @@ Pose TomlTable::pose() {
       pose.orientation = *unit;
     } else {
       error("cell.zero-quaternion", "quaternion", "the quaternion is zero",
-            "no turn is [0, 0, 0, 1]: x y z w");
+            "the identity rotation is [0, 0, 0, 1]: x y z w");
     }
   }
   return pose;

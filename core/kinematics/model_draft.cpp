@@ -67,7 +67,7 @@ class TreeBuilder {
       if (!model_.link_by_name.emplace(link.link.name, model_.links.size()).second) {
         faults_.error(rule("duplicate-link"), link.place,
                       fmt::format("a second link is named {}", quotedInFault(link.link.name)),
-                      "the first one stands");
+                      "the first one is used");
         continue;
       }
       model_.links.push_back(std::move(link.link));
@@ -79,7 +79,7 @@ class TreeBuilder {
                                        const JointDraft& joint, std::string_view role) {
     if (const auto found = model_.findLink(name)) return found;
     faults_.error(rule("unknown-link"), place,
-                  fmt::format("the {} of joint {} is {}, which is no link", role,
+                  fmt::format("the {} of joint {} is {}, which is not a link", role,
                               quotedInFault(joint.joint.name), quotedInFault(name)),
                   hintFrom(name, model_.link_by_name, faults_, rule("unknown-link")));
     return std::nullopt;
@@ -95,7 +95,7 @@ class TreeBuilder {
       const std::string name = quotedInFault(joint.joint.name);
       if (model_.joint_by_name.contains(joint.joint.name)) {
         faults_.error(rule("duplicate-joint"), joint.place,
-                      fmt::format("a second joint is named {}", name), "the first one stands");
+                      fmt::format("a second joint is named {}", name), "the first one is used");
         continue;
       }
       if (const auto other = model_.links[*child].parent_joint) {
@@ -103,7 +103,7 @@ class TreeBuilder {
             rule("two-parents"), joint.place,
             fmt::format("joint {} gives link {} a second parent; joint {} is its first", name,
                         quotedInFault(joint.child), quotedInFault(model_.joints[*other].name)),
-            "a link hangs on one joint");
+            "a link has one parent joint");
         continue;
       }
       if (joined.setOf(*parent) == joined.setOf(*child)) {
@@ -128,10 +128,10 @@ class TreeBuilder {
       const std::string name = quotedInFault(model_.joints[i].name);
       const auto followed = model_.findJoint(draft->joint);
       if (!followed) {
-        faults_.error(
-            rule("unknown-mimic"), draft->place,
-            fmt::format("joint {} mimics {}, which is no joint", name, quotedInFault(draft->joint)),
-            hintFrom(draft->joint, model_.joint_by_name, faults_, rule("unknown-mimic")));
+        faults_.error(rule("unknown-mimic"), draft->place,
+                      fmt::format("joint {} mimics {}, which is not a joint", name,
+                                  quotedInFault(draft->joint)),
+                      hintFrom(draft->joint, model_.joint_by_name, faults_, rule("unknown-mimic")));
       } else if (valueCount(model_.joints[i].type) != 1 ||
                  valueCount(model_.joints[*followed].type) != 1) {
         faults_.error(
@@ -156,10 +156,10 @@ class TreeBuilder {
         at = model_.joints[at].mimic->joint;
       }
       if (!model_.joints[at].mimic || turn[at] != first + 1) continue;
-      faults_.error(
-          rule("mimic-loop"), draft_.joints[draft_of_[at]].mimic->place,
-          fmt::format("joint {} mimics itself in the end", quotedInFault(model_.joints[at].name)),
-          "it is taken as driven");
+      faults_.error(rule("mimic-loop"), draft_.joints[draft_of_[at]].mimic->place,
+                    fmt::format("joint {} mimics itself, directly or through others",
+                                quotedInFault(model_.joints[at].name)),
+                    "it is taken as driven");
       model_.joints[at].mimic.reset();
     }
   }
@@ -180,9 +180,9 @@ class TreeBuilder {
       }
       faults_.error(
           rule("two-roots"), link_places_[i],
-          fmt::format("link {} hangs on no joint, and neither does {}",
+          fmt::format("link {} has no parent joint, and neither has {}",
                       quotedInFault(model_.links[i].name), quotedInFault(model_.links[*root].name)),
-          "join it with a joint; it stands at the model's origin");
+          "connect it with a joint; it is drawn at the model's origin");
     }
     model_.root = root.value_or(0);
     for (std::size_t next = 0; next < reached.size(); ++next) {

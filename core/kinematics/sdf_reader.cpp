@@ -43,7 +43,7 @@ struct SdfModule {
     if (abi != nullptr && abi() == ROCINANTE_SDF_ABI) {
       read = reinterpret_cast<RocinanteSdfRead>(functionOf(*loaded, "rocinante_sdf_read"));
     }
-    if (read == nullptr) reason = "librocinante_sdformat.so is of another version";
+    if (read == nullptr) reason = "librocinante_sdformat.so has a different version";
   }
 };
 
@@ -271,7 +271,7 @@ std::optional<std::string> withoutIncludes(std::string text, FaultList& faults) 
       faults.error("sdf.invalid", {},
                    "the file is too large: libsdformat would take more than half a minute for its "
                    "elements",
-                   "one file a model is read much faster");
+                   "one file per model reads much faster");
       return std::nullopt;
     }
     if (tag.starts && from == nullptr && tag.name == "include") {

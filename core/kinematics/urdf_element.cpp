@@ -28,7 +28,7 @@ std::optional<UrdfElement> UrdfElement::child(const char* name) const {
   if (first == nullptr) return std::nullopt;
   if (const tinyxml2::XMLElement* second = first->NextSiblingElement(name)) {
     faults().error("urdf.repeated-element", context_->places.of(*second),
-                   fmt::format("<{}> has a second <{}>", tag(), name), "the first one stands");
+                   fmt::format("<{}> has a second <{}>", tag(), name), "the first one is used");
   }
   return UrdfElement(*first, *context_);
 }
@@ -90,7 +90,7 @@ bool UrdfElement::numbers(const char* attribute, double* values, std::size_t cou
   const std::string_view hint = isTemplate(text) ? kTemplateHint : std::string_view();
   faults().error(
       "urdf.bad-number", place(attribute),
-      fmt::format("`{}` of <{}> is {}, where {} wanted", attribute, tag(), quotedInFault(text),
+      fmt::format("`{}` of <{}> is {}, where {} expected", attribute, tag(), quotedInFault(text),
                   count == 1 ? "a number is" : fmt::format("{} numbers are", count)),
       std::string(hint));
   return false;

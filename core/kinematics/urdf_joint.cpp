@@ -83,9 +83,9 @@ void readLimits(const UrdfElement& element, const std::string& quoted, Joint& jo
     if (!limit->has("lower") && !limit->has("upper")) {
       element.faults().warning(
           "urdf.no-motion", limit->place(),
-          fmt::format("the limit of joint {} has neither `lower` nor `upper`: it may not move",
+          fmt::format("the limit of joint {} has neither `lower` nor `upper`: it cannot move",
                       quoted),
-          "both are 0 where they are left out");
+          "both default to 0");
     }
     if (limits.lower > limits.upper) {
       element.faults().error(

@@ -68,9 +68,9 @@ void UrdfLinkReader::define(const UrdfElement& element, const Material& material
   } else if (known->second != material) {
     element.faults().warning(
         "urdf.material-redefined", element.place(),
-        fmt::format("material {} was defined otherwise in line {}", quotedInFault(material.name),
+        fmt::format("material {} was defined differently in line {}", quotedInFault(material.name),
                     material_places_[material.name].line),
-        "the first one stands where only the name is given");
+        "the first one is used where only the name is given");
   }
 }
 
@@ -138,7 +138,7 @@ std::shared_ptr<const Mesh> UrdfLinkReader::readShape(const UrdfElement& shape, 
     if (scale[i] != 0.0 && std::abs(scale[i]) < 1e9) continue;
     shape.faults().error("urdf.bad-size", shape.place("scale"),
                          scale[i] == 0.0 ? "`scale` of <mesh> must not be 0 in any direction"
-                                         : "`scale` of <mesh> must lie between -1e9 and 1e9");
+                                         : "`scale` of <mesh> must be between -1e9 and 1e9");
     return nullptr;
   }
   sound = true;
@@ -160,15 +160,14 @@ std::optional<Visual> UrdfLinkReader::readGeometry(const UrdfElement& owner,
       if (below.tag() != known) continue;
       if (shape) {
         owner.faults().error("urdf.several-shapes", below.place(), "<geometry> has a second shape",
-                             "one shape a <visual>; a link may have several visuals");
+                             "one shape per <visual>; a link may have several visuals");
       } else {
         shape = below;
       }
     }
   });
   if (!shape) {
-    owner.faults().error("urdf.no-shape", geometry->place(),
-                         "<geometry> has no shape that is known",
+    owner.faults().error("urdf.no-shape", geometry->place(), "<geometry> has no known shape",
                          "shapes are box, cylinder, sphere, capsule, mesh");
     return std::nullopt;
   }

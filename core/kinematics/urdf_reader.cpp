@@ -27,7 +27,7 @@ std::string problemOf(tinyxml2::XMLError error) {
     case tinyxml2::XML_ERROR_PARSING_CDATA:
       return "the XML breaks off here: a CDATA section does not end";
     default:
-      return "the XML breaks off here: this is no well-formed element";
+      return "the XML breaks off here: this is not a well-formed element";
   }
 }
 

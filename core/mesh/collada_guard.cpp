@@ -62,7 +62,7 @@ class NodeGraph {
     if (node.size > 0) return true;
     if (node.counting || depth > kLongestChain) {
       problem_ = node.counting ? "a <node> contains itself by way of <instance_node>"
-                               : "its nodes stand for nodes in a chain of more than 1000";
+                               : "its nodes instance each other in a chain of more than 1000";
       return false;
     }
     node.counting = true;
@@ -77,7 +77,7 @@ class NodeGraph {
       if (!count(each, depth + 1)) return false;
       size += nodes_[each].size;
       if (size <= kMaxNodes) continue;
-      problem_ = fmt::format("its nodes stand for more than {} nodes", kMaxNodes);
+      problem_ = fmt::format("its nodes expand to more than {} nodes", kMaxNodes);
       return false;
     }
     node.counting = false;
@@ -162,7 +162,7 @@ std::string problemOfCollada(ByteView bytes) {
   for (XmlTag tag; tags.next(tag);) {
     if (tag.starts && !tag.ends && (tag.name == "p" || tag.name == "vcount") &&
         !holdsIndices(text, tag)) {
-      return fmt::format("a <{}> holds what is no index", tag.name);
+      return fmt::format("a <{}> holds something that is not an index", tag.name);
     }
     if (tag.starts) {
       arrays.add(tag);

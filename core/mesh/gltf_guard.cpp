@@ -42,7 +42,7 @@ Result<GltfParts> partsOf(ByteView bytes) {
                  {}};
   }
   if (numberAt(bytes, 16) != kJsonChunk) {
-    return Error{ErrorKind::damaged, "its first chunk is no JSON", {}};
+    return Error{ErrorKind::damaged, "its first chunk is not JSON", {}};
   }
   const std::size_t text_bytes = numberAt(bytes, 12);
   GltfParts parts{textOf(bytes.subspan(20, text_bytes)), {}};
@@ -148,7 +148,7 @@ class GltfJudge {
     if (found->is_number_unsigned() && found->get<std::uint64_t>() <= kMaxBufferBytes) {
       return found->get<std::uint64_t>();
     }
-    fail(fmt::format("{}: `{}` is no sound number", place, key));
+    fail(fmt::format("{}: `{}` is not a valid number", place, key));
     return fallback;
   }
 
@@ -156,15 +156,16 @@ class GltfJudge {
                                      const std::string& place) {
     const std::uint64_t index = number(object, key, kMaxBufferBytes, place);
     if (index < countOf(array)) return static_cast<std::size_t>(index);
-    fail(fmt::format("{}: `{}` is none of the {} {}", place, key, countOf(array), array));
+    fail(fmt::format("{}: `{}` is not an index into the {} {}", place, key, countOf(array), array));
     return std::nullopt;
   }
 
   void indices(const Json& list, const char* array, const std::string& place) {
-    if (!list.is_array()) return fail(fmt::format("{}: `{}` is no list", place, array));
+    if (!list.is_array()) return fail(fmt::format("{}: `{}` is not an array", place, array));
     for (const Json& index : list) {
       if (!index.is_number_unsigned() || index.get<std::uint64_t>() >= countOf(array)) {
-        return fail(fmt::format("{}: names none of the {} {}", place, countOf(array), array));
+        return fail(fmt::format("{}: holds something that is not an index into the {} {}", place,
+                                countOf(array), array));
       }
     }
   }
@@ -172,7 +173,7 @@ class GltfJudge {
   void requireText(const Json& object, const char* key, const std::string& place) {
     const auto found = object.find(key);
     if (found != object.end() && !found->is_string()) {
-      fail(fmt::format("{}: `{}` is no text", place, key));
+      fail(fmt::format("{}: `{}` is not a string", place, key));
     }
   }
 
@@ -180,10 +181,10 @@ class GltfJudge {
   void each(const char* array, const Each& judge) {
     const auto found = root_.find(array);
     if (found == root_.end()) return;
-    if (!found->is_array()) return fail(fmt::format("`{}` is no list", array));
+    if (!found->is_array()) return fail(fmt::format("`{}` is not an array", array));
     for (std::size_t i = 0; i < found->size() && problem_.empty(); ++i) {
       const std::string place = fmt::format("{}[{}]", array, i);
-      if (!(*found)[i].is_object()) return fail(place + " is no object");
+      if (!(*found)[i].is_object()) return fail(place + " is not an object");
       (*found)[i].erase("extras");
       if (std::string_view(array) != "textures" && std::string_view(array) != "materials") {
         (*found)[i].erase("extensions");
@@ -249,7 +250,7 @@ class GltfJudge {
     const std::size_t index_bytes =
         componentBytes(number((*sparse)["indices"], "componentType", 0, place));
     if (changed == 0 || changed > count || index_bytes == 0) {
-      return fail(place + ": `sparse` has no sound count or type");
+      return fail(place + ": `sparse` has no valid count or type");
     }
     spans((*sparse)["indices"], changed, index_bytes, place);
     spans((*sparse)["values"], changed, bytes, place);
@@ -295,7 +296,7 @@ class GltfJudge {
     const auto primitives = mesh.find("primitives");
     if (primitives == mesh.end() || !primitives->is_array()) return fail(place + ": no primitives");
     for (Json& primitive : *primitives) {
-      if (!primitive.is_object()) return fail(place + ": a primitive is no object");
+      if (!primitive.is_object()) return fail(place + ": a primitive is not an object");
       for (const char* key : {"targets", "extensions", "extras"}) primitive.erase(key);
       if (primitive.contains("material")) indexIn(primitive, "material", "materials", place);
       if (number(primitive, "mode", 4, place) > 6) fail(place + ": an unknown kind of primitive");
@@ -330,7 +331,7 @@ class GltfJudge {
       if (!sound) return fail(fmt::format("{}: {} has the wrong type", place, key));
       kept[name] = *index;
       if (accessor.count != accessors_[kept["POSITION"].get<std::size_t>()].count) {
-        return fail(fmt::format("{}: {} are not as many as the positions", place, key));
+        return fail(fmt::format("{}: {} and POSITION differ in count", place, key));
       }
     }
     *found = std::move(kept);
@@ -370,7 +371,7 @@ class GltfJudge {
     }
     for (std::size_t depth = 0; !level.empty(); ++depth) {
       if (depth >= kDeepestJson) {
-        return fail(fmt::format("nodes lie deeper than {} below each other", kDeepestJson));
+        return fail(fmt::format("nodes are nested deeper than {}", kDeepestJson));
       }
       reached += level.size();
       std::vector<std::size_t> next;
@@ -379,7 +380,7 @@ class GltfJudge {
       }
       level = std::move(next);
     }
-    if (reached < below.size()) fail("a node is a child of itself in the end");
+    if (reached < below.size()) fail("a node is its own descendant");
   }
 
   void numbers(const Json& list, std::size_t count, const std::string& place) {
@@ -397,18 +398,18 @@ class GltfJudge {
 };
 
 std::string judge(Json& root, ByteView binary) {
-  if (!root.is_object()) return "is no JSON object";
+  if (!root.is_object()) return "is not a JSON object";
   const auto asset = root.find("asset");
   if (asset == root.end() || !asset->is_object() || !asset->contains("version") ||
       !(*asset)["version"].is_string()) {
-    return "is no glTF: it does not say its version";
+    return "is not glTF: it states no version";
   }
   if (!(*asset)["version"].get<std::string>().starts_with("2")) {
     return "is glTF " + (*asset)["version"].get<std::string>().substr(0, 10) + "; only 2 is read";
   }
   root["asset"] = {{"version", "2.0"}};
   if (const auto required = root.find("extensionsRequired"); required != root.end()) {
-    if (!required->is_array()) return "`extensionsRequired` is no list";
+    if (!required->is_array()) return "`extensionsRequired` is not an array";
     for (const Json& name : *required) {
       if (name == "KHR_texture_transform") continue;
       const std::string text = name.is_string() ? name.get<std::string>().substr(0, 60) : "?";
@@ -447,7 +448,7 @@ Result<Bytes> sanitizedGltf(ByteView bytes) {
     return Error{ErrorKind::damaged, "the JSON is nested deeper than 100", {}};
   }
   Json root = Json::parse(text, nullptr, false);
-  if (root.is_discarded()) return Error{ErrorKind::damaged, "is no sound JSON", {}};
+  if (root.is_discarded()) return Error{ErrorKind::damaged, "is not valid JSON", {}};
   if (std::string problem = judge(root, parts->binary); !problem.empty()) {
     return Error{ErrorKind::damaged, std::move(problem), {}};
   }

@@ -48,7 +48,7 @@ class WholeFile {
     struct stat facts {};
     if (::fstat(file_, &facts) != 0) return systemError("cannot read", path);
     if (!S_ISREG(facts.st_mode)) {
-      return Error{ErrorKind::unreadable, "is no regular file", path.string()};
+      return Error{ErrorKind::unreadable, "is not a regular file", path.string()};
     }
     if (static_cast<std::uint64_t>(facts.st_size) > kLargestBytes) {
       return Error{ErrorKind::unsupported, "the file is larger than the 4 GiB that are read",
@@ -96,7 +96,7 @@ void judgeTriangles(const Mesh& mesh, FaultList& faults) {
   if (flat * 100 < mesh.triangleCount() || flat == 0) return;
   faults.note("mesh.degenerate-triangles", {},
               fmt::format("{} of the {} triangles have no area", flat, mesh.triangleCount()),
-              "remove them where the mesh is made; nothing is seen of them");
+              "they are invisible; remove them where the mesh is made");
 }
 
 Result<Mesh> readByEnding(ByteView bytes, const std::filesystem::path& path,
@@ -106,7 +106,7 @@ Result<Mesh> readByEnding(ByteView bytes, const std::filesystem::path& path,
   if (ending == ".stl" || ending == ".stlb") return readStl(bytes, path, options, mesh_faults);
   if (saysItsUnit(path)) return readScene(bytes, path, options, mesh_faults);
   return Error{ErrorKind::unsupported,
-               "is no mesh that can be read: .obj, .stl, .dae, .gltf and .glb are, not " +
+               "is not a mesh that can be read: .obj, .stl, .dae, .gltf and .glb are, not " +
                    (ending.empty() ? "a file without an ending" : quotedInFault(ending)),
                path.string()};
 }

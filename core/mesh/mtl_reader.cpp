@@ -63,7 +63,7 @@ class MtlReader {
     if (std::find(kPassedOver.begin(), kPassedOver.end(), keyword) != kPassedOver.end()) return;
     if (!begun_) {
       add(Severity::warning, "mtl.no-material",
-          quotedInFault(keyword) + " stands before any newmtl");
+          quotedInFault(keyword) + " comes before any newmtl");
       return;
     }
     double value = 0;
@@ -92,7 +92,7 @@ class MtlReader {
     } else if (keyword == "map_Kd" || keyword == "map_kd") {
       readTexture();
     } else {
-      add(Severity::note, "mtl.unknown-keyword", quotedInFault(keyword) + " is not known here");
+      add(Severity::note, "mtl.unknown-keyword", quotedInFault(keyword) + " is unknown in MTL");
     }
   }
 

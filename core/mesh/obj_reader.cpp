@@ -96,7 +96,7 @@ class ObjReader {
     glm::vec3 position = inMetres(p);
     if (!std::isfinite(position.x) || !std::isfinite(position.y) || !std::isfinite(position.z)) {
       if (!std::isnan(p.x)) {
-        add(Severity::error, "obj.bad-number", "v lies outside what can be drawn");
+        add(Severity::error, "obj.bad-number", "v is outside the range that can be drawn");
       }
       // The point keeps its number, so that the faces after it mean what they meant.
       position.x = NAN;
@@ -113,8 +113,7 @@ class ObjReader {
     const glm::vec4 color(numbers[0], numbers[1], numbers[2], 1.0);
     for (const double component : numbers) {
       if (component >= 0 && component <= 1) continue;
-      add(Severity::warning, "obj.color-range",
-          "a colour of v is outside 0 to 1, and is taken as the nearest");
+      add(Severity::warning, "obj.color-range", "a colour of v is outside 0 to 1 and is clamped");
       break;
     }
     loose_.colors.resize(loose_.positions.size(), kWhite);
@@ -191,7 +190,7 @@ class ObjReader {
     if (!scan_.integer(number)) return badCorner();
     if (!resolveIndex(number, loose_.positions.size(), "point", corner.position)) return false;
     if (std::isnan(loose_.positions[corner.position].x)) {
-      add(Severity::error, "obj.bad-face", "a face uses a point that is no number");
+      add(Severity::error, "obj.bad-face", "a face uses a point that is not a number");
       return false;
     }
     if (scan_.take('/')) {
@@ -212,7 +211,7 @@ class ObjReader {
 
   bool badCorner() {
     add(Severity::error, "obj.bad-face",
-        "a face's corner is no V, V/T, V//N or V/T/N: " + quotedInFault(scan_.word()));
+        "a face's corner is not V, V/T, V//N or V/T/N: " + quotedInFault(scan_.word()));
     return false;
   }
 
@@ -335,7 +334,7 @@ class ObjReader {
             fmt::format("`{}` (free-form geometry or a render setting) is passed over", keyword));
       }
     }
-    add(Severity::warning, "obj.unknown-keyword", quotedInFault(keyword) + " is not known in OBJ");
+    add(Severity::warning, "obj.unknown-keyword", quotedInFault(keyword) + " is unknown in OBJ");
   }
 
   void add(Severity severity, std::string_view rule, std::string text) {

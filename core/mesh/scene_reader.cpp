@@ -249,7 +249,7 @@ class SceneReader {
       }
       if (!sound) {
         faults_.error("mesh.bad-triangle", {},
-                      fmt::format("triangle {} of {} has a corner that is no point", i,
+                      fmt::format("triangle {} of {} has a corner that is not finite", i,
                                   quotedInFault(mesh.mName.C_Str())),
                       "it is left out");
         continue;
@@ -413,7 +413,7 @@ Result<Mesh> importScene(ByteView bytes, const fs::path& path, const std::string
   const char up = is_gltf ? 'Y' : upAxisOfCollada(bytes);
   if (!is_gltf && up != 'Z') {
     faults.note("mesh.up-axis", {}, fmt::format("the file says {}_UP and is turned to z up", up),
-                "RViz shows such files as they are: export with z up, and all agree");
+                "RViz does not turn such files: export with z up to look the same everywhere");
   }
   return SceneReader(*scene, is_gltf, path, resolve, options, faults).read(zUpFrom(up));
 }

@@ -77,10 +77,10 @@ class StlReader {
     const std::uint64_t held = (bytes_.size() - kHeaderBytes) / kFacetBytes;
     if (claimed > held) {
       faults_.add(Severity::error, "stl.truncated", {},
-                  fmt::format("says {} triangles and holds {}", claimed, held));
+                  fmt::format("the header says {} triangles, the file holds {}", claimed, held));
     } else if (bytes_.size() - kHeaderBytes != claimed * kFacetBytes) {
       faults_.add(Severity::warning, "stl.trailing-bytes", {},
-                  fmt::format("{} bytes follow the {} triangles that it says",
+                  fmt::format("{} bytes follow the {} triangles of the header",
                               bytes_.size() - kHeaderBytes - claimed * kFacetBytes, claimed));
     }
     const std::uint64_t count = std::min(claimed, held);
@@ -132,7 +132,7 @@ class StlReader {
       } else if (word != "facet" && word != "outer" && word != "endloop" && word != "solid" &&
                  word != "endsolid") {
         faults_.add(Severity::warning, "stl.unknown-keyword", {line},
-                    quotedInFault(word) + " is not known in STL");
+                    quotedInFault(word) + " is unknown in STL");
       }
     }
     if (corners > 0) {
@@ -149,7 +149,7 @@ class StlReader {
       if (!std::isfinite(points[c].x) || !std::isfinite(points[c].y) ||
           !std::isfinite(points[c].z)) {
         faults_.add(Severity::error, "stl.bad-number", {line},
-                    fmt::format("triangle {} has a corner that is no number", number));
+                    fmt::format("triangle {} has a corner that is not a number", number));
         return;
       }
     }

@@ -131,7 +131,7 @@ Status FileSearch::addRoot(const fs::path& root) {
   const fs::path canonical = fs::canonical(root, error);
   if (error) return Error{ErrorKind::not_found, "the search root does not exist", root.string()};
   if (!fs::is_directory(canonical, error)) {
-    return Error{ErrorKind::bad_argument, "the search root is no folder", root.string()};
+    return Error{ErrorKind::bad_argument, "the search root is not a folder", root.string()};
   }
   for (const Root& known : roots_) {
     if (known.canonical == canonical) return Status{};
@@ -277,7 +277,7 @@ Result<Bytes> readWholeFile(const fs::path& path, std::size_t most_bytes) {
     return Error{ErrorKind::not_found, "there is no such file", path.string()};
   }
   if (!fs::is_regular_file(status)) {
-    return Error{ErrorKind::unsupported, "this is no regular file", path.string()};
+    return Error{ErrorKind::unsupported, "this is not a regular file", path.string()};
   }
   const std::uintmax_t size = fs::file_size(path, error);
   if (error) return Error{ErrorKind::unreadable, "its size cannot be read", path.string()};

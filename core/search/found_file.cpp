@@ -10,13 +10,13 @@ std::string FoundFile::problem() const {
     case Why::missing:
       return detail.empty() ? "there is no such file within the search roots" : detail;
     case Why::outside:
-      return "it lies outside the search roots";
+      return "it is outside the search roots";
     case Why::no_file:
-      return "it is no regular file";
+      return "it is not a regular file";
     case Why::remote:
       return "files are not fetched from the network";
     case Why::expression:
-      return "its name is an expression of a template";
+      return "its name is a template expression";
   }
   return {};
 }

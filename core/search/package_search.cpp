@@ -99,7 +99,7 @@ FoundFile FileSearch::lookInPackage(const Package& package, const std::string& p
     found.detail =
         fmt::format("package {} is {}, which has no such file", quotedInFault(package.name),
                     quotedPathInFault(package.folder.given.string()));
-    found.advice = "look at --package, and at [packages] of the cell";
+    found.advice = "check --package and [packages] of the cell";
   }
   return found;
 }
@@ -150,8 +150,8 @@ void FileSearch::explain(const std::string& name, const std::string& path, const
     return;
   }
   missing.detail = fmt::format(
-      "no package {} is found: no folder above the file or in a search root has this name, or says "
-      "it in its package.xml",
+      "package {} is not found: no folder above the file or in a search root has this name or "
+      "declares it in its package.xml",
       quotedInFault(name));
   const auto has_it = std::find_if(near.begin(), near.end(),
                                    [&](const fs::path& folder) { return isFile(folder / path); });

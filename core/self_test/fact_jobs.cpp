@@ -63,14 +63,15 @@ RunningJob start(const FactJob& job) {
   RunningJob running;
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
-    running.failure = fmt::format("no pipe: {}", std::strerror(errno));
+    running.failure = fmt::format("cannot create a pipe: {}", std::strerror(errno));
     return running;
   }
   running.child = ::fork();
   if (running.child == 0) beChild(job, ends[1]);
   ::close(ends[1]);
   running.output = ends[0];
-  if (running.child < 0) running.failure = fmt::format("no process: {}", std::strerror(errno));
+  if (running.child < 0)
+    running.failure = fmt::format("cannot start a process: {}", std::strerror(errno));
   return running;
 }
 

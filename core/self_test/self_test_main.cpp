@@ -86,7 +86,7 @@ Result<std::vector<FactJob>> jobsFor(const std::vector<std::string>& only) {
   if (!only.empty() && found < only.size()) {
     for (const std::string& name : only) {
       if ((", " + known + ",").find(", " + name + ",") == std::string::npos) {
-        return Error{ErrorKind::bad_argument, "there is no fact `" + name + "`; there are " + known,
+        return Error{ErrorKind::bad_argument, "unknown fact `" + name + "`; the facts are " + known,
                      "--only"};
       }
     }
@@ -97,11 +97,11 @@ Result<std::vector<FactJob>> jobsFor(const std::vector<std::string>& only) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Tells what works on this machine, and what to do about the rest.",
+  CLI::App app("Reports what works on this machine, and how to fix the rest.",
                "rocinante-self-test");
   std::vector<std::string> only;
   bool json = false;
-  app.add_option("--only", only, "look at these facts alone, with commas between")
+  app.add_option("--only", only, "check only these facts, separated by commas")
       ->type_name("FACT,...")
       ->delimiter(',')
       ->allow_extra_args(false);

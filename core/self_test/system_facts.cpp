@@ -44,7 +44,7 @@ SelfTestFact schedulingFact(const std::filesystem::path& programs) {
   sched_param parameters{};
   parameters.sched_priority = kPlayPriority;
   if (::sched_setscheduler(0, SCHED_FIFO | SCHED_RESET_ON_FORK, &parameters) == 0) {
-    return {"scheduling", State::ok, "SCHED_FIFO is permitted: play keeps its microseconds", ""};
+    return {"scheduling", State::ok, "SCHED_FIFO is permitted: play keeps microsecond timing", ""};
   }
   const std::string reason = std::strerror(errno);
   const auto play = programs / "rocinante-play";
@@ -80,7 +80,7 @@ SelfTestFact judgeClock(bool is_synchronised, std::int64_t most_error_us) {
             ""};
   }
   return {"clock", State::limited,
-          "nothing keeps the wall clock right: logs of several machines will not fit each other",
+          "the wall clock is not synchronised: logs of several machines will not line up",
           "install chrony, or: sudo timedatectl set-ntp true (in a container or a virtual machine: "
           "on the host)"};
 }
@@ -139,7 +139,7 @@ SelfTestFact sdfFact() {
   }
   const auto abi = reinterpret_cast<RocinanteSdfAbi>(functionOf(*module, "rocinante_sdf_abi"));
   if (abi == nullptr || abi() != ROCINANTE_SDF_ABI) {
-    return {"sdf", State::limited, "librocinante_sdformat.so is of another version",
+    return {"sdf", State::limited, "librocinante_sdformat.so has a different version",
             "install programs and modules of one version"};
   }
   return {"sdf", State::ok, "SDF models can be read", ""};

@@ -63,8 +63,8 @@ class JointDrift {
         if (!looksRenamed(recorded_, was, given_, is, i == k)) continue;
         pair(i, k);
         drift_.add("drift.joint-renamed",
-                   fmt::format("joint {} of {} is called {} now: what the log says of it by name "
-                               "would move nothing",
+                   fmt::format("joint {} of {} was renamed to {}: values under its old name would "
+                               "move nothing",
                                was.name, drift_.subject(), is.name));
         break;
       }
@@ -81,7 +81,7 @@ class JointDrift {
     return was == is ? std::string()
                      : fmt::format(
                            "the log's `joints` have {} values and the model takes {}: "
-                           "{} would stand still",
+                           "{} would not move",
                            was, is, drift_.subject());
   }
 
@@ -92,8 +92,9 @@ class JointDrift {
       drift_.add(
           "drift.joint-removed",
           fmt::format("joint {} of {} is gone: {}", joint.name, drift_.subject(),
-                      isMovable(joint) ? "what the log says of it would move nothing"
-                                       : "what hung on it would be drawn elsewhere, or not at all"),
+                      isMovable(joint) ? "its values in the log would move nothing"
+                                       : "everything attached to it would be drawn elsewhere, or "
+                                         "not at all"),
           isMovable(joint) ? countConsequence() : "");
     }
   }
@@ -105,8 +106,8 @@ class JointDrift {
       drift_.add("drift.joint-added",
                  fmt::format("joint {} of {} is new: {}", joint.name, drift_.subject(),
                              isMovable(joint) ? "the log never drives it"
-                                              : "what hangs on it was not there when the session "
-                                                "was recorded"),
+                                              : "what is attached to it was not there when the "
+                                                "session was recorded"),
                  isMovable(joint) ? countConsequence() : "");
     }
   }
@@ -122,13 +123,13 @@ class JointDrift {
     compareAxis(name, was, is);
     if (const std::string moved = poseDrift(was.origin, is.origin); !moved.empty()) {
       drift_.add("drift.joint-origin",
-                 fmt::format("{} {}: all that hangs on it would be drawn there", name, moved));
+                 fmt::format("{} {}: everything attached to it would be drawn there", name, moved));
     }
     const std::size_t parent = mappedLink(was.parent);
     if (parent != is.parent) {
       drift_.add("drift.joint-parent",
-                 fmt::format("{} hung on link {} and hangs on {}: it would move with that", name,
-                             parentOf(recorded_, was), parentOf(given_, is)));
+                 fmt::format("{} had parent link {} and has {}: it would move with the new one",
+                             name, parentOf(recorded_, was), parentOf(given_, is)));
     }
     compareLimits(name, was, is);
     compareMimic(name, was, is);
@@ -137,9 +138,9 @@ class JointDrift {
   static std::string_view typeConsequence(JointType was, JointType is) {
     if (valueCount(is) == 0) return "its value would move nothing";
     if (valueCount(was) == 0) return "it waits for a value that the log does not have";
-    if (valueCount(was) != valueCount(is)) return "it takes another number of values";
+    if (valueCount(was) != valueCount(is)) return "it takes a different number of values";
     const bool slid = was == JointType::prismatic, slides = is == JointType::prismatic;
-    if (slid == slides) return "it would move alike, within other bounds";
+    if (slid == slides) return "it would move the same way, within other bounds";
     return slides ? "its radians would be taken for metres"
                   : "its metres would be taken for radians";
   }
@@ -180,14 +181,11 @@ class JointDrift {
           isSameNumber(was.limits->velocity.value_or(-1), is.limits->velocity.value_or(-1)) &&
           isSameNumber(was.limits->effort.value_or(-1), is.limits->effort.value_or(-1))));
     if (same) return;
-    std::string before = text(was), after = text(is);
-    if (before == after) {
-      before = "of another effort";
-      after = "of this one";
-    }
+    std::string before = text(was);
+    const std::string after = text(is);
+    if (before == after) before += " with another effort";
     drift_.add("drift.joint-limits",
-               fmt::format("the limits of {} were {} and are {}: what was judged sound may not be, "
-                           "and the other way round",
+               fmt::format("the limits of {} changed from {} to {}: findings about them may differ",
                            name, before, after));
   }
 
@@ -196,8 +194,8 @@ class JointDrift {
       drift_.add("drift.joint-mimic",
                  is.mimic ? fmt::format("{} mimics {} now: its own value would move nothing", name,
                                         given_.joints[is.mimic->joint].name)
-                          : fmt::format("{} mimicked {} and does not any more: it waits for a "
-                                        "value that the log does not have",
+                          : fmt::format("{} no longer mimics {}: it waits for a value that the "
+                                        "log does not have",
                                         name, recorded_.joints[was.mimic->joint].name),
                  countConsequence());
       return;
@@ -209,7 +207,7 @@ class JointDrift {
     if (same) return;
     drift_.add("drift.joint-mimic",
                fmt::format("{} was {:.6g} times {} plus {:.6g} and is {:.6g} times {} plus {:.6g}: "
-                           "it would stand elsewhere",
+                           "it would be drawn elsewhere",
                            name, was.mimic->multiplier, recorded_.joints[was.mimic->joint].name,
                            was.mimic->offset, is.mimic->multiplier,
                            given_.joints[is.mimic->joint].name, is.mimic->offset));
@@ -236,8 +234,8 @@ class JointDrift {
     }
     const std::size_t first = astray.front();
     drift_.add("drift.joint-order",
-               fmt::format("the joints of {} are in another order: {} values of `joints` would "
-                           "drive another joint, value {} {} in place of {}",
+               fmt::format("the joints of {} are in a different order: {} values of `joints` "
+                           "would drive a different joint, value {} {} instead of {}",
                            drift_.subject(), astray.size(), first + 1,
                            given_.joints[is[first]].name, joint(first)));
   }

@@ -83,16 +83,16 @@ void LookDrift::add(const Model& recorded, const Model& given,
     if (!is) {
       drift.add(
           "drift.link-removed",
-          fmt::format("link {} of {} is gone: it would not be drawn, and what hangs `in {}/{}` "
-                      "would stand in the world",
+          fmt::format("link {} of {} is gone: it would not be drawn, and what is drawn `in {}/{}` "
+                      "would be placed in the world",
                       was.name, drift.subject(), drift.subject(), was.name));
       continue;
     }
     met[name] = true;
     if (name != was.name) {
       drift.add("drift.link-renamed",
-                fmt::format("link {} of {} is called {} now: what the log shows, hides, colours or "
-                            "hangs there by name would miss it",
+                fmt::format("link {} of {} was renamed to {}: what the log shows, hides, colours "
+                            "or attaches by the old name would miss it",
                             was.name, drift.subject(), name));
     }
     compareLinks(was, given.links[*is], drift);
@@ -109,7 +109,7 @@ void LookDrift::add(const Model& recorded, const Model& given,
 void LookDrift::compareLinks(const Link& was, const Link& is, DriftList& drift) {
   const std::string name = fmt::format("link {} of {}", is.name, drift.subject());
   if (const std::string shape = shapeDrift(was.visuals, is.visuals); !shape.empty()) {
-    drift.add("drift.geometry", fmt::format("{} {}: it would look otherwise", name, shape));
+    drift.add("drift.geometry", fmt::format("{} {}: it would be drawn differently", name, shape));
   }
   if (const std::string shape = shapeDrift(was.collisions, is.collisions); !shape.empty()) {
     drift.add("drift.collision", fmt::format("the collision shape of {} {}", name, shape));
@@ -123,18 +123,18 @@ void LookDrift::compareLinks(const Link& was, const Link& is, DriftList& drift) 
 
 std::string LookDrift::shapeDrift(const std::vector<Visual>& was, const std::vector<Visual>& is) {
   if (was.size() != is.size()) {
-    return fmt::format("had {} shapes and has {}", was.size(), is.size());
+    return fmt::format("had {} shapes, now has {}", was.size(), is.size());
   }
   for (std::size_t i = 0; i < was.size(); ++i) {
     const bool had = was[i].mesh != nullptr, has = is[i].mesh != nullptr;
     if (had != has) return has ? "has a mesh that was missing" : "lacks its mesh";
     if (had && shapeOf(was[i]) != shapeOf(is[i])) {
-      return fmt::format("has another shape: {} triangles were, {} are{}", trianglesOf(was[i]),
+      return fmt::format("has a different shape: had {} triangles, now {}{}", trianglesOf(was[i]),
                          trianglesOf(is[i]), sizeText(was[i], is[i]));
     }
     const Vec3 &a = was[i].scale, &b = is[i].scale;
     if (!isSameNumber(a.x, b.x) || !isSameNumber(a.y, b.y) || !isSameNumber(a.z, b.z)) {
-      return fmt::format("was scaled by {:.6g} {:.6g} {:.6g} and is by {:.6g} {:.6g} {:.6g}", a.x,
+      return fmt::format("has changed scale from {:.6g} {:.6g} {:.6g} to {:.6g} {:.6g} {:.6g}", a.x,
                          a.y, a.z, b.x, b.y, b.z);
     }
     if (const std::string moved = poseDrift(was[i].origin, is[i].origin); !moved.empty()) {
@@ -166,7 +166,8 @@ void LookDrift::compareMaterials(const Visual& was, const Visual& is, const std:
                 fmt::format("the texture of {} {}", name,
                             a.diffuse_map.empty()   ? "is new"
                             : b.diffuse_map.empty() ? "is gone"
-                                                    : "is another picture, or lies otherwise"));
+                                                    : "is a different image, or is mapped "
+                                                      "differently"));
     }
   }
 }

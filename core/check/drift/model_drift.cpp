@@ -34,7 +34,7 @@ class CellDrift {
       if (is == given_.models.end()) {
         DriftList(findings_, name)
             .add("drift.model-removed",
-                 fmt::format("no model is called {} any more: `add` of it would bring nothing",
+                 fmt::format("no model is named {} any more: `add` of it would bring nothing",
                              name));
       } else {
         compareModels(was.get(), is->second.get(), name);
@@ -50,41 +50,41 @@ class CellDrift {
     DriftList drift(findings_, was.name);
     const CellDevice* const is = given_.findDevice(was.name);
     if (is == nullptr) {
-      drift.add("drift.device-removed",
-                fmt::format("device {} is gone: what the log says of it would be drawn nowhere",
-                            was.name),
-                renamedHint(was));
+      drift.add(
+          "drift.device-removed",
+          fmt::format("device {} is gone: what the log says of it would draw nothing", was.name),
+          renamedHint(was));
       return;
     }
     compareModels(recorded_.modelOf(was), given_.modelOf(*is), was.name);
     const bool same_carrier = was.on_device == is->on_device && was.on_link == is->on_link;
     const std::string moved = poseDrift(was.pose, is->pose);
     if (!same_carrier) {
-      drift.add("drift.device-moved", fmt::format("device {} stands on {} in place of {}", was.name,
-                                                  carrierText(*is), carrierText(was)));
+      drift.add("drift.device-moved", fmt::format("device {} is mounted on {} instead of {}",
+                                                  was.name, carrierText(*is), carrierText(was)));
     } else if (!moved.empty()) {
       drift.add("drift.device-moved",
                 fmt::format("device {} {}: it would be drawn there until the log gives it a pose",
                             was.name, moved));
     }
     if (was.layer != is->layer) {
-      drift.add("drift.layer", fmt::format("device {} is on layer `{}` in place of `{}`: what the "
+      drift.add("drift.layer", fmt::format("device {} is on layer `{}` instead of `{}`: what the "
                                            "log shows or hides by layer would differ",
                                            was.name, is->layer, was.layer));
     }
     if (was.tags != is->tags) {
       drift.add("drift.layer",
-                fmt::format("device {} has other tags than it had: what the log shows or hides by "
+                fmt::format("the tags of device {} have changed: what the log shows or hides by "
                             "layer would differ",
                             was.name));
     }
     if (was.color != is->color) {
-      drift.add("drift.material", fmt::format("the cell colours device {} otherwise", was.name));
+      drift.add("drift.material", fmt::format("the cell colours device {} differently", was.name));
     }
     if (was.optional != is->optional) {
       drift.add("drift.device-optional",
-                is->optional ? fmt::format("device {} waits for `add` now, which the log need not "
-                                           "say",
+                is->optional ? fmt::format("device {} now waits for `add`, which the log may not "
+                                           "contain",
                                            was.name)
                              : fmt::format("device {} no longer waits for `add`: it would be drawn "
                                            "before the log adds it",
@@ -123,7 +123,7 @@ class CellDrift {
         if (is.name != was.name || is.members == was.members) continue;
         DriftList(findings_, was.name)
             .add("drift.layer",
-                 fmt::format("layer {} holds other links or parts than it did", was.name));
+                 fmt::format("the links or parts of layer {} have changed", was.name));
       }
     }
   }
@@ -144,7 +144,7 @@ class CellDrift {
                         was.follow_device == is->follow_device &&
                         was.follow_link == is->follow_link && was.look_device == is->look_device &&
                         was.look_link == is->look_link;
-      if (!same) report(was.name, "looks from elsewhere, or otherwise");
+      if (!same) report(was.name, "has a different view");
     }
     for (const CellCamera& is : given_.cameras) {
       if (recorded_.findCamera(is.name) == nullptr) report(is.name, "is new");

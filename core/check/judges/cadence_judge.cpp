@@ -142,7 +142,7 @@ void CadenceJudge::report(const std::string& source, LogTime end,
     const auto [low, high] = *thresholds_.rate_hz;
     findings.push_back(rate_.finding(
         "source.rate", source,
-        fmt::format("source {} sends {:.3g} packets per second, where the cell wants {:.6g} to "
+        fmt::format("source {} sends {:.3g} packets per second, where the cell expects {:.6g} to "
                     "{:.6g}",
                     source, worst_rate_hz_, low, high)));
   }
@@ -150,7 +150,7 @@ void CadenceJudge::report(const std::string& source, LogTime end,
   if (uneven_.count >= kLeastUneven && part > kUnevenPart) {
     findings.push_back(uneven_.finding(
         "source.jitter", source,
-        fmt::format("{:.0f} % of the packets of source {} come more than {:.6g} ms off their "
+        fmt::format("{:.0f} % of the packets of source {} arrive more than {:.6g} ms off their "
                     "period; the worst by {:.3g} ms",
                     part * 100, source, *thresholds_.jitter_s * 1e3, worst_uneven_s_ * 1e3)));
   }

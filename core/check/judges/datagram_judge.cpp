@@ -76,8 +76,8 @@ void DatagramJudge::report(std::vector<Finding>& findings) const {
   add(not_finite_, "packet.not-finite", "lines with a number that is nan or infinite",
       not_finite_column_);
   for (const auto& [encoding, tally] : undecoded_) {
-    findings.push_back(tally.finding("packet.unknown-protocol", encoding,
-                                     "datagrams that nothing here can decode"));
+    findings.push_back(
+        tally.finding("packet.unknown-protocol", encoding, "datagrams in an unknown protocol"));
   }
 }
 

@@ -130,7 +130,7 @@ void DeviceJudge::judgeJoints(std::span<const double> values, bool ordered,
 std::string DeviceJudge::expectedOrder() const {
   std::vector<std::string> names;
   for (const Value& value : values_) names.push_back(value.judge.name());
-  return names.empty() ? std::string("the model has no joint that is driven")
+  return names.empty() ? std::string("the model has no driven joint")
                        : "`joints` takes them in this order: " + listed(names);
 }
 

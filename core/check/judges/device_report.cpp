@@ -52,13 +52,14 @@ void DeviceJudge::reportNames(std::vector<Finding>& findings) const {
       fmt::format("`add` gives device {} the model {}, which the cell does not know", name_,
                   unknown_model_name_));
   add(other_kinematics_, "packet.other-kinematics",
-      fmt::format("the sender's kinematics of device {} are not those of the model here", name_),
+      fmt::format("the sender's kinematics of device {} differ from those of the model here",
+                  name_),
       "one of the two has another version of the model file");
   add(presence_.beforeAdd(), "packet.before-add",
-      fmt::format("device {} is spoken of before the same source adds it", name_),
+      fmt::format("device {} is used before the same source adds it", name_),
       "say `add` first: until it comes, nothing is drawn");
   add(presence_.afterRemove(), "packet.after-remove",
-      fmt::format("device {} is spoken of after it was removed", name_));
+      fmt::format("device {} is used after it was removed", name_));
   add(joint_count_, "packet.joint-count",
       fmt::format("device {} gets {}", name_, joint_count_text_), joint_count_hint_);
   add(repeated_joint_, "packet.repeated-joint",
@@ -77,8 +78,7 @@ void DeviceJudge::reportNames(std::vector<Finding>& findings) const {
   }
   for (const auto& [joint, tally] : undrivable_joints_) {
     add(tally, "packet.undrivable-joint",
-        fmt::format("joint {} of device {} is fixed, or mimics another: what is said of it moves "
-                    "nothing",
+        fmt::format("joint {} of device {} is fixed, or mimics another: its value moves nothing",
                     joint, name_));
   }
   for (const auto& [link, tally] : unknown_links_) {
@@ -116,7 +116,7 @@ bool DeviceJudge::reportDegrees(std::vector<Finding>& findings) const {
       fmt::format("the joint values of device {} are up to {:.6g}, which fits its limits as "
                   "degrees",
                   name_, largest)));
-  findings.back().hint = "packets say radians";
+  findings.back().hint = "packets give angles in radians";
   for (const Value& value : values_) {
     if (!value.judge.isAngle()) value.judge.report(name_, findings);
   }
@@ -127,13 +127,13 @@ void DeviceJudge::reportUndriven(const SessionRoster& roster,
                                  std::vector<Finding>& findings) const {
   if (isUndriven()) {
     findings.push_back(makeFinding("device.undriven", name_,
-                                   fmt::format("device {} has {}, and nobody drives it", name_,
+                                   fmt::format("device {} has {}, and no source drives it", name_,
                                                countText(values_.size(), "joint value"))));
-    findings.back().hint = "if it is meant to stand still, let its source say so once";
+    findings.back().hint = "if it is meant to stand still, let its source send its values once";
     for (const std::string& owner : owners_.names) {
       if (!roster.missing.contains(owner)) continue;
       findings.back().hint =
-          fmt::format("its source {} never spoke; {}", owner, findings.back().hint);
+          fmt::format("its source {} never sent a packet; {}", owner, findings.back().hint);
     }
     return;
   }
@@ -149,9 +149,8 @@ void DeviceJudge::reportUndriven(const SessionRoster& roster,
   }
   if (count == 0) return;
   if (count > 8) names += fmt::format(" and {} more", count - 8);
-  findings.push_back(
-      makeFinding("joint.undriven", name_,
-                  fmt::format("device {} is driven, but nothing ever drives {}", name_, names)));
+  findings.push_back(makeFinding(
+      "joint.undriven", name_, fmt::format("device {} is driven, but never its {}", name_, names)));
 }
 
 std::string DeviceJudge::stranger() const {

@@ -7,11 +7,11 @@ namespace {
 
 // In the order of PacketFault.
 constexpr std::array<FaultRule, kPacketFaultCount> kFaultRules = {{
-    {"packet.not-a-packet", "datagrams that begin like packet text and are none"},
+    {"packet.not-a-packet", "datagrams that begin like packet text but are not packets"},
     {"packet.bad-header", "datagrams whose first line is malformed"},
-    {"packet.unknown-statement", "statements of a kind that is not known here"},
+    {"packet.unknown-statement", "statements of an unknown kind"},
     {"packet.missing-field", "lines that end too soon"},
-    {"packet.extra-field", "lines with more fields than they may have"},
+    {"packet.extra-field", "lines with too many fields"},
     {"packet.bad-name", "lines with a malformed name"},
     {"packet.bad-number", "lines with a malformed number"},
     {"packet.bad-color", "lines with a malformed colour"},
@@ -20,8 +20,8 @@ constexpr std::array<FaultRule, kPacketFaultCount> kFaultRules = {{
     {"packet.zero-quaternion", "poses whose quaternion is zero"},
     {"packet.unnormalised-quaternion",
      "poses whose quaternion is off unit length by more than 0.001; they are normalised"},
-    {"packet.too-many", "what exceeds a limit of the packet format"},
-    {"packet.joint-count", "joints with another count than their order"},
+    {"packet.too-many", "packets or statements that exceed a limit of the packet format"},
+    {"packet.joint-count", "`joints` whose count differs from their order"},
 }};
 
 }  // namespace

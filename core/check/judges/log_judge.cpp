@@ -28,8 +28,8 @@ void LogJudge::report(std::vector<Finding>& findings) const {
   if (clock_steps_.first) {
     Finding finding = makeFinding(
         "log.clock-step", "",
-        fmt::format("the recorder's wall clock was set {} by {:.6g} s; the log's own times are not "
-                    "bent by it",
+        fmt::format("the recorder's wall clock was set {} by {:.6g} s; the log's own times are "
+                    "unaffected",
                     worst_step_s_ < 0 ? "back" : "forward", std::abs(worst_step_s_)));
     finding.count = clock_steps_.count;
     finding.first = clock_steps_.first;
@@ -59,7 +59,7 @@ void LogJudge::reportLoss(const std::string& endpoint, const std::vector<LossSpa
   std::string text = fmt::format(
       "datagrams to {} that were not recorded: {} by the kernel, {} by the queue, {} by the disk",
       endpoint, sum.kernel, sum.queue, sum.disk);
-  if (sum.truncated > 0) text += fmt::format("; {} more are cut short", sum.truncated);
+  if (sum.truncated > 0) text += fmt::format("; {} more are truncated", sum.truncated);
   Finding finding = makeFinding("log.loss", endpoint, std::move(text));
   finding.count = lost > 0 ? lost : sum.truncated;
   finding.first = spans.front().from;

@@ -91,11 +91,11 @@ void SourceJudge::report(LogTime end, std::vector<Finding>& findings) const {
     findings.push_back(tally.finding(rule, name_, std::move(text)));
     findings.back().count = count;
   };
-  add(gap_, seen_.gap, "source.gap", fmt::format("packets of source {} that never came", name_));
+  add(gap_, seen_.gap, "source.gap", fmt::format("packets of source {} that never arrived", name_));
   add(late_, seen_.late - seen_.duplicates, "source.late",
-      fmt::format("packets of source {} that came late, and were dropped", name_));
+      fmt::format("packets of source {} that arrived late and were dropped", name_));
   add(duplicate_, seen_.duplicates, "source.duplicate",
-      fmt::format("packets of source {} that came twice; the second was dropped", name_));
+      fmt::format("packets of source {} that arrived twice; the second was dropped", name_));
   add(restart_, seen_.restarts, "source.restart", fmt::format("restarts of source {}", name_));
   clock_.report(name_, findings);
   cadence_.report(name_, end, findings);
@@ -110,11 +110,11 @@ void SourceJudge::report(LogTime end, std::vector<Finding>& findings) const {
     longest_s = std::max(longest_s, at_end_s);
   }
   add(unrestated, unrestated.count, "source.unrestated",
-      fmt::format("source {} said nothing again for {:.4g} s; {:.6g} s are expected at most", name_,
+      fmt::format("source {} restated nothing for {:.4g} s; {:.6g} s are expected at most", name_,
                   longest_s, restate_s_));
   if (unrestated.count > 0) {
     findings.back().hint =
-        "whoever joins sees none of what it said once: restate it every two seconds";
+        "a receiver that joins late misses what it sent once: restate it every two seconds";
   }
 }
 

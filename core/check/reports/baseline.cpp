@@ -132,16 +132,16 @@ Result<Baseline> Baseline::parse(ByteView bytes, const std::string& name) {
   try {
     json = Json::parse(text);
   } catch (const Json::parse_error& fault) {
-    return damaged(name + placeIn(text, fault.byte), "the baseline is no JSON");
+    return damaged(name + placeIn(text, fault.byte), "the baseline is not JSON");
   }
   if (!json.is_object() || !json.contains("format") || !json["format"].is_number_integer()) {
-    return damaged(name, "this is no baseline: it does not say its format");
+    return damaged(name, "this is not a baseline: it states no format");
   }
   if (json["format"] != 1) {
-    return Error{ErrorKind::unsupported, "the baseline has another format than 1", name};
+    return Error{ErrorKind::unsupported, "the baseline does not have format 1", name};
   }
   if (!json.contains("accepted") || !json["accepted"].is_array()) {
-    return damaged(name, "the baseline has no list `accepted`");
+    return damaged(name, "the baseline has no array `accepted`");
   }
   Baseline baseline;
   baseline.name_ = name;
@@ -192,9 +192,9 @@ void Baseline::applyTo(CheckReport& report) const {
     finding.rule = kStale;
     finding.severity = Severity::note;
     finding.subject = key.subject;
-    finding.text = fmt::format("the baseline accepts what is no longer found: {} [{}]",
+    finding.text = fmt::format("the baseline accepts a finding that no longer occurs: {} [{}]",
                                key.sentence, key.rule);
-    finding.hint = "--update-baseline takes it out";
+    finding.hint = "--update-baseline removes it";
     finding.file = name_;
     report.findings.push_back(std::move(finding));
   }

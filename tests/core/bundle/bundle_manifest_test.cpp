@@ -67,14 +67,14 @@ TEST(BundleManifest, LongNamesAreRefused) {
 
 TEST(BundleManifest, RefusalsSayWhatIsWrong) {
   const auto says = [](const char* text) { return testing::HasSubstr(text); };
-  EXPECT_THAT(refusalOf("no json"), says("it is no JSON object"));
-  EXPECT_THAT(refusalOf("[]"), says("it is no JSON object"));
-  EXPECT_THAT(refusalOf("{}"), says("it does not say its format"));
+  EXPECT_THAT(refusalOf("no json"), says("it is not a JSON object"));
+  EXPECT_THAT(refusalOf("[]"), says("it is not a JSON object"));
+  EXPECT_THAT(refusalOf("{}"), says("it states no format"));
   EXPECT_THAT(refusalOf(changed("\"format\": 1", "\"format\": 2")), says("it has format 2"));
   EXPECT_THAT(refusalOf(changed("\"main\": \"demo.cell.toml\"", "\"main\": \"other\"")),
               says("its main file is not among its files"));
   EXPECT_THAT(refusalOf(changed("\"main\": \"demo.cell.toml\"", "\"main\": 7")),
-              says("it lacks the text `main`"));
+              says("it lacks the string `main`"));
   EXPECT_THAT(
       refusalOf(changed("\"demo.cell.toml\",\n   \"bytes\"", "\"arm/base.obj\",\n   \"bytes\"")),
       says("arm/base.obj is in it twice"));
@@ -87,9 +87,9 @@ TEST(BundleManifest, RefusalsSayWhatIsWrong) {
   EXPECT_THAT(refusalOf(changed("\"why\": \"missing\"", "\"why\": \"lost\"")),
               says("it gives an unknown reason"));
   EXPECT_THAT(refusalOf(changed("\"means\": \"arm/base.obj\"", "\"means\": \"arm/other.obj\"")),
-              says("a name in it means a file that it has not"));
+              says("a name in it means a file that it does not have"));
   EXPECT_THAT(refusalOf(changed("\"search\": [", "\"search\": 1, \"x\": [")),
-              says("it lacks the list `search`"));
+              says("it lacks the array `search`"));
 }
 
 TEST(BundleManifest, TextCutAnywhereIsRefused) {
@@ -111,7 +111,7 @@ TEST(BundleManifest, DeepNestingIsRefusedNotFollowed) {
 TEST(BundleManifest, ManyKeysAreReadInReasonableTime) {
   std::string text = "{\"format\":1";
   for (int i = 0; i < 500'000; ++i) text += ",\"" + std::to_string(i) + "\":0";
-  EXPECT_THAT(refusalOf(text + "}"), testing::HasSubstr("it lacks the text `main`"));
+  EXPECT_THAT(refusalOf(text + "}"), testing::HasSubstr("it lacks the string `main`"));
 }
 
 TEST(ManifestWord, LeavesTextAndEncodesTheRest) {

@@ -165,7 +165,7 @@ TEST_F(CellBundleTest, ACellThatDoesNotLoadWholeIsRefusedNamingWhatIsMissing) {
   test::writeFile(folder_ / "arm.urdf", test::armWith("meshes/gone.obj"));
   const auto bundle = collectCell(folder_ / "arm.urdf", {});
   ASSERT_FALSE(bundle.ok());
-  EXPECT_THAT(bundle.error().what, HasSubstr("does not load whole"));
+  EXPECT_THAT(bundle.error().what, HasSubstr("loads with errors"));
   EXPECT_THAT(bundle.error().what, HasSubstr("meshes/gone.obj"));
   EXPECT_THAT(bundle.error().where, HasSubstr("arm.urdf:2"));
 }

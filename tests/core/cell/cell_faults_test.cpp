@@ -45,8 +45,8 @@ TEST_F(CellFaults, EachKindOfFaultSaysWhereAndWhat) {
       {"[[device]]\nname = 'a'\n",
        "test.cell.toml:2:1: error: [[device]] lacks `model` [cell.missing-key]\n"},
       {"[[device]]\nname = 'a/b'\nmodel = 'arm.urdf'\n",
-       "test.cell.toml:3:8: error: `a/b` is no name (names have at most 255 bytes and no slash) "
-       "[cell.bad-name]\n"},
+       "test.cell.toml:3:8: error: `a/b` is not a valid name (names have at most 255 bytes and no "
+       "slash) [cell.bad-name]\n"},
       {"[[device]]\nname = 'a'\nmodel = 'amr.urdf'\n",
        "test.cell.toml:4:9: error: the model `amr.urdf` is not used: there is no such file within "
        "the search roots (add its folder to `search` in the cell, or use --search) "
@@ -56,15 +56,16 @@ TEST_F(CellFaults, EachKindOfFaultSaysWhereAndWhat) {
        "used: there is no such file within the search roots (add its folder to `search` in the "
        "cell, or use --search) [cell.missing-file]\n"},
       {"[[device]]\nname = 'a'\nmodel = 'tank.obj'\n",
-       "test.cell.toml:4:9: error: no model is `tank.obj` (write a [[model]] with its name, unit "
-       "and up axis, and use that) [cell.unknown-model]\n"},
+       "test.cell.toml:4:9: error: no model is named `tank.obj` (write a [[model]] with its name, "
+       "unit and up axis, and use that) [cell.unknown-model]\n"},
       {"[[device]]\nname = 'a'\nmodel = 'arm.urdf'\n[[device]]\nname = 'a'\nmodel = 'arm.urdf'\n",
-       "test.cell.toml:6:8: error: a second [[device]] is named `a` (the first one stands) "
+       "test.cell.toml:6:8: error: a second [[device]] is named `a` (the first one is used) "
        "[cell.duplicate-name]\n"},
       {"[[device]]\nname = 'a'\nmodel = 'arm.urdf'\noptional = 'yes'\ncolor = 'red'\n",
        "test.cell.toml:5:12: error: `optional` of [[device]] is a string, where true or false is "
-       "wanted [cell.wrong-kind]\n"
-       "test.cell.toml:6:9: error: `red` is no colour (colours are \"#rrggbb\" or \"#rrggbbaa\") "
+       "expected [cell.wrong-kind]\n"
+       "test.cell.toml:6:9: error: `red` is not a colour (colours are \"#rrggbb\" or "
+       "\"#rrggbbaa\") "
        "[cell.bad-color]\n"},
       {"[[device]]\nname = 'a'\nmodel = 'arm.urdf'\n"
        "pose = { xyz = [1, 2], rpy = [0, 0, inf], quaternion = [0, 0, 0, 0] }\n",
@@ -72,16 +73,16 @@ TEST_F(CellFaults, EachKindOfFaultSaysWhereAndWhat) {
        "[cell.two-orientations]\n"
        "test.cell.toml:5:16: error: `xyz` of pose must be 3 finite numbers [cell.bad-number]\n"
        "test.cell.toml:5:30: error: `rpy` of pose must be 3 finite numbers [cell.bad-number]\n"
-       "test.cell.toml:5:56: error: the quaternion is zero (no turn is [0, 0, 0, 1]: x y z w) "
-       "[cell.zero-quaternion]\n"},
+       "test.cell.toml:5:56: error: the quaternion is zero (the identity rotation is [0, 0, 0, 1]: "
+       "x y z w) [cell.zero-quaternion]\n"},
       {"[[device]]\nname = 'a'\nmodel = 'arm.urdf'\non = 'b/tip'\n"
        "[[device]]\nname = 'b'\nmodel = 'arm.urdf'\non = 'a/tpi'\n",
        "test.cell.toml:9:6: error: device `a` has no link `tpi` (did you mean `tip`?) "
        "[cell.unknown-link]\n"},
       {"[[device]]\nname = 'a'\nmodel = 'arm.urdf'\non = 'b'\n"
        "[[device]]\nname = 'b'\nmodel = 'arm.urdf'\non = 'a'\n",
-       "test.cell.toml:5:6: error: device `a` carries itself in the end (all of the loop stand in "
-       "the world) [cell.carrier-loop]\n"},
+       "test.cell.toml:5:6: error: device `a` carries itself, directly or through others (all "
+       "devices of the loop are placed in the world) [cell.carrier-loop]\n"},
       {"search = ['none', '/']\n",
        "test.cell.toml:2:10: error: the search root does not exist: `none` [cell.bad-root]\n"
        "test.cell.toml:2:10: error: the whole file system cannot be a search root "
@@ -90,15 +91,15 @@ TEST_F(CellFaults, EachKindOfFaultSaysWhereAndWhat) {
        "test.cell.toml:2:10: error: `device` of the cell must be tables (write [[device]]) "
        "[cell.wrong-kind]\n"},
       {"[[model]]\nname = 't'\nobj = 'tank.obj'\n",
-       "test.cell.toml:2:1: error: [[model]] lacks `unit` (OBJ and STL do not say theirs: \"m\", "
+       "test.cell.toml:2:1: error: [[model]] lacks `unit` (OBJ and STL files state none: \"m\", "
        "\"cm\", \"mm\", \"in\", \"ft\", or metres) [cell.missing-key]\n"
        "test.cell.toml:2:1: error: [[model]] lacks `up` (OBJ and STL do not say which axis points "
        "up: \"y\" or \"z\") [cell.missing-key]\n"},
       {"[[model]]\nname = 't'\nobj = 'tank.obj'\nunit = 'yard'\nup = 'x'\ngeometry = 'wrld'\n",
-       "test.cell.toml:5:8: error: `yard` is no unit (units are \"m\", \"cm\", \"mm\", \"in\", "
+       "test.cell.toml:5:8: error: `yard` is not a unit (units are \"m\", \"cm\", \"mm\", \"in\", "
        "\"ft\", or a number of metres) [cell.unknown-word]\n"
-       "test.cell.toml:6:6: error: `x` is no up axis (\"y\" or \"z\") [cell.unknown-word]\n"
-       "test.cell.toml:7:12: error: `wrld` is no kind of geometry (\"world\" (as assembled at "
+       "test.cell.toml:6:6: error: `x` is not an up axis (\"y\" or \"z\") [cell.unknown-word]\n"
+       "test.cell.toml:7:12: error: `wrld` is not a kind of geometry (\"world\" (as assembled at "
        "zero joints) or \"link\" (each in its link's space)) [cell.unknown-word]\n"},
       {"[[model]]\nname = 't'\n",
        "test.cell.toml:2:1: error: [[model]] names no file (give one of `obj`, `stl`, `mesh` "
@@ -107,18 +108,19 @@ TEST_F(CellFaults, EachKindOfFaultSaysWhereAndWhat) {
       {"[[camera]]\nname = 'c'\neye = [0, 0, 1]\ntarget = [0, 0, 1]\n",
        "test.cell.toml:5:10: error: `eye` and `target` are the same point [cell.no-direction]\n"},
       {"[[camera]]\nname = 'c'\neye = [0, 0, 1]\ntarget = [0, 0, 0]\nfov_deg = 180\non = 'arm'\n",
-       "test.cell.toml:6:11: error: `fov_deg` must lie between 0 and 180 [cell.bad-number]\n"
-       "test.cell.toml:7:6: error: `on` of [[camera]] names `arm`, which is no device of the cell "
-       "[cell.unknown-device]\n"},
+       "test.cell.toml:6:11: error: `fov_deg` must be between 0 and 180 [cell.bad-number]\n"
+       "test.cell.toml:7:6: error: `on` of [[camera]] names `arm`, which is not a device of the "
+       "cell [cell.unknown-device]\n"},
       {"[[source]]\nname = 's'\nrate_hz = [70, 50]\ndevices = ['a', 3]\nghost_of = { p = 'b' }\n",
        "test.cell.toml:4:11: error: `rate_hz` of [[source]] is [lowest, highest], but 70 is above "
        "50 [cell.bad-range]\n"
-       "test.cell.toml:5:11: warning: `devices` of [[source]] names `a`, which the cell has not "
+       "test.cell.toml:5:11: warning: `devices` of [[source]] names `a`, which the cell does not "
+       "have "
        "[cell.unknown-device]\n"
        "test.cell.toml:5:17: error: `devices` of [[source]] holds an integer, where strings are "
-       "wanted [cell.wrong-kind]\n"
-       "test.cell.toml:6:18: error: `p` is to be a ghost of `b`, which is no device of the cell "
-       "[cell.unknown-device]\n"},
+       "expected [cell.wrong-kind]\n"
+       "test.cell.toml:6:18: error: `p` should be a ghost of `b`, which is not a device of the "
+       "cell [cell.unknown-device]\n"},
       {"[scene]\nlight = [0, 0, 0]\ngrid_step_m = 0\ngrid_size_m = 1e9\n",
        "test.cell.toml:3:9: error: `light` has no direction [cell.no-direction]\n"
        "test.cell.toml:4:15: error: `grid_step_m` must be above 0 [cell.bad-number]\n"
@@ -164,14 +166,14 @@ TEST_F(CellFaults, LinksOverGroupsAreHeldToTheFile) {
        "joint = { name = 'x', type = 'prismatc', axis = [1, 0, 0] }\n",
        "test.cell.toml:10:10: error: no group of the file is `brigde_left` (did you mean "
        "`bridge_left`?) [cell.unknown-group]\n"
-       "test.cell.toml:11:30: error: `prismatc` is no type of joint (did you mean `prismatic`?) "
+       "test.cell.toml:11:30: error: `prismatc` is not a joint type (did you mean `prismatic`?) "
        "[cell.unknown-word]\n"},
       {"[[model.link]]\nname = 'a'\nparent = 'bsae'\n"
        "joint = { name = 'x', type = 'revolute' }\n",
-       "test.cell.toml:8:8: error: link `a` hangs on no joint, and neither does `base` (join it "
-       "with a joint; it stands at the model's origin) [cell.two-roots]\n"
-       "test.cell.toml:9:10: error: the parent of joint `x` is `bsae`, which is no link (did you "
-       "mean `base`?) [cell.unknown-link]\n"
+       "test.cell.toml:8:8: error: link `a` has no parent joint, and neither has `base` (connect "
+       "it with a joint; it is drawn at the model's origin) [cell.two-roots]\n"
+       "test.cell.toml:9:10: error: the parent of joint `x` is `bsae`, which is not a link (did "
+       "you mean `base`?) [cell.unknown-link]\n"
        "test.cell.toml:10:9: error: joint lacks `axis` [cell.missing-key]\n"},
       {"[[model.link]]\nname = 'root'\ngroups = ['frame', 'bridge*']\n"
        "[[model.link]]\nname = 'b'\nparent = 'root'\ngroups = ['*_left']\n"
@@ -180,13 +182,13 @@ TEST_F(CellFaults, LinksOverGroupsAreHeldToTheFile) {
        "the `groups` of a link, or leave them out of the root, which then takes all) "
        "[cell.unused-group]\n"
        "test.cell.toml:13:10: error: group `bridge_left` belongs to links `root` and `b` (the "
-       "first one has it) [cell.group-taken-twice]\n"
+       "first one keeps it) [cell.group-taken-twice]\n"
        "test.cell.toml:14:48: error: a fixed joint has no limits [cell.useless-limits]\n"},
       {"[[model.link]]\nname = 'a'\nparent = 'base'\n",
        "test.cell.toml:7:1: error: [[model.link]] `a` has a parent but no `joint` (joint = { name "
        "= \"...\", type = \"fixed\" } holds it in place) [cell.missing-key]\n"
-       "test.cell.toml:8:8: error: link `a` hangs on no joint, and neither does `base` (join it "
-       "with a joint; it stands at the model's origin) [cell.two-roots]\n"},
+       "test.cell.toml:8:8: error: link `a` has no parent joint, and neither has `base` (connect "
+       "it with a joint; it is drawn at the model's origin) [cell.two-roots]\n"},
   };
   for (const CellFaultCase& each : cases) {
     SCOPED_TRACE(each.text);

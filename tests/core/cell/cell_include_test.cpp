@@ -79,16 +79,16 @@ grid_size_m = 4
   EXPECT_FALSE(cell->scene.grid);
   EXPECT_EQ(cell->scene.grid_size_m, 4.0);
   EXPECT_EQ(test::printed(cell->faults, folder_.path()),
-            "below.cell.toml:3:8: note: [[camera]] `overview` is that of test.cell.toml:4, which "
-            "includes this file [cell.replaced]\n");
+            "below.cell.toml:3:8: note: [[camera]] `overview` is replaced by that of "
+            "test.cell.toml:4, which includes this file [cell.replaced]\n");
 }
 
 TEST_F(CellInclude, TwoIncludedFilesMayNotClaimOneName) {
   test::writeFile(folder_ / "a.cell.toml", "format = 1\n[[layer]]\nname = 'l'\n");
   test::writeFile(folder_ / "b.cell.toml", "format = 1\n[[layer]]\nname = 'l'\nvisible = false\n");
   EXPECT_EQ(faultsOf("format = 1\ninclude = ['a.cell.toml', 'b.cell.toml']\n"),
-            "b.cell.toml:3:8: error: a second [[layer]] is named `l` (that of a.cell.toml:3 "
-            "stands) [cell.duplicate-name]\n");
+            "b.cell.toml:3:8: error: a second [[layer]] is named `l` (that of a.cell.toml:3 is "
+            "used) [cell.duplicate-name]\n");
 }
 
 TEST_F(CellInclude, AFileThatSeveralIncludeIsReadOnce) {
@@ -107,12 +107,12 @@ TEST_F(CellInclude, ACircleIsRefusedWithBothPlaces) {
   test::writeFile(folder_ / "a.cell.toml", "format = 1\ninclude = ['b.cell.toml']\n");
   test::writeFile(folder_ / "b.cell.toml", "format = 1\n\ninclude = ['./a.cell.toml']\n");
   EXPECT_EQ(faultsOf("format = 1\ninclude = ['a.cell.toml']\n"),
-            "b.cell.toml:3:12: error: `./a.cell.toml` is not included: it is what includes this "
-            "file, at a.cell.toml:2 (files may not include each other in a circle) "
+            "b.cell.toml:3:12: error: `./a.cell.toml` is not included: it is the file that "
+            "includes this one, at a.cell.toml:2 (files cannot include each other in a circle) "
             "[cell.include-loop]\n");
   EXPECT_EQ(faultsOf("format = 1\ninclude = ['test.cell.toml']\n"),
             "test.cell.toml:2:12: error: `test.cell.toml` is not included: it is this very file "
-            "(files may not include each other in a circle) [cell.include-loop]\n");
+            "(files cannot include each other in a circle) [cell.include-loop]\n");
 }
 
 TEST_F(CellInclude, DepthAndNumberAreBounded) {
@@ -161,7 +161,7 @@ TEST_F(CellInclude, ThreeLinesAreACell) {
   EXPECT_EQ(cell->devices[0].name, "arm");
   EXPECT_EQ(
       faultsOf("format = 1\n[[device]]\nmodel = 'arm.urdf'\n[[device]]\nmodel = 'arm.urdf'\n"),
-      "test.cell.toml:4:1: error: a second [[device]] is named `arm` (the first one stands) "
+      "test.cell.toml:4:1: error: a second [[device]] is named `arm` (the first one is used) "
       "[cell.duplicate-name]\n");
 }
 

@@ -152,21 +152,21 @@ collision = "in"
 )"),
             "test.cell.toml:22:12: error: device `arm` has no link `tipp` [cell.unknown-link]\n"
             "test.cell.toml:22:24: warning: `members` of [[layer]] names `garm`, which the cell "
-            "has not (did you mean `arm`?) [cell.unknown-device]\n"
-            "test.cell.toml:22:32: error: `brigde*` is no group of those meshes "
+            "does not have (did you mean `arm`?) [cell.unknown-device]\n"
+            "test.cell.toml:22:32: error: `brigde*` is not a group of those meshes "
             "[cell.unknown-group]\n"
-            "test.cell.toml:22:50: error: `layer/x` is nothing that a layer holds (DEVICE, "
+            "test.cell.toml:22:50: error: `layer/x` cannot be a member of a layer (DEVICE, "
             "DEVICE/LINK, either with #GROUP, and * for every device) [cell.bad-name]\n"
-            "test.cell.toml:22:61: error: `arm/` is nothing that a layer holds (DEVICE, "
+            "test.cell.toml:22:61: error: `arm/` cannot be a member of a layer (DEVICE, "
             "DEVICE/LINK, either with #GROUP, and * for every device) [cell.bad-name]\n"
             "test.cell.toml:22:69: error: `members` of [[layer]] holds an integer, where strings "
-            "are wanted [cell.wrong-kind]\n"
+            "are expected [cell.wrong-kind]\n"
             "test.cell.toml:22:72: error: no device has a link `none` [cell.unknown-link]\n"
             "test.cell.toml:23:13: error: `wireframe` of [[layer]] is a string, where true or "
-            "false is wanted [cell.wrong-kind]\n"
-            "test.cell.toml:24:11: error: `opacity` lies between 0 and 1 [cell.bad-number]\n"
-            "test.cell.toml:25:13: error: `in` is no way to draw collision geometry (off, only or "
-            "over) [cell.unknown-word]\n");
+            "false is expected [cell.wrong-kind]\n"
+            "test.cell.toml:24:11: error: `opacity` is between 0 and 1 [cell.bad-number]\n"
+            "test.cell.toml:25:13: error: `in` is not a way to draw collision geometry (off, only "
+            "or over) [cell.unknown-word]\n");
   EXPECT_EQ(faultsOf(head),
             "test.cell.toml:6:8: warning: no [[layer]] is named `left` [cell.unknown-layer]\n");
 }
@@ -192,9 +192,9 @@ TEST_F(CellLayers, LightsAreHeldToTheirLimits) {
                      "[[light]]\nname = 'b'\ndirection = [0, 0, 1]\nstrength = -1\n"
                      "[[light]]\nname = 'c'\n[scene]\nlight = [0, 0, 1]\n"),
             "test.cell.toml:4:13: error: `direction` has no length [cell.no-direction]\n"
-            "test.cell.toml:8:12: error: `strength` lies between 0 and 100 [cell.bad-number]\n"
+            "test.cell.toml:8:12: error: `strength` is between 0 and 100 [cell.bad-number]\n"
             "test.cell.toml:9:1: error: [[light]] lacks `direction` [cell.missing-key]\n"
-            "test.cell.toml:12:9: warning: `light` of [scene] lights nothing: the cell has "
+            "test.cell.toml:12:9: warning: `light` of [scene] has no effect: the cell has "
             "[[light]]s (the first [[light]] is the key light) [cell.useless-light]\n");
   std::string many = "format = 1\n";
   for (int i = 0; i < 9; ++i) {

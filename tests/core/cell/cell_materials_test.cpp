@@ -138,12 +138,12 @@ shininess = -1
   EXPECT_EQ(faults,
             "test.cell.toml:24:1: error: [[material]] changes nothing (give it a color, texture, "
             "specular, emission or shininess) [cell.missing-key]\n"
-            "test.cell.toml:26:1: warning: nothing of the cell is what this [[material]] is for "
-            "(`device`, `link`, `group` and `material` must all fit) [cell.unused-material]\n"
+            "test.cell.toml:26:1: warning: this [[material]] matches nothing in the cell "
+            "(`device`, `link`, `group` and `material` must all match) [cell.unused-material]\n"
             "test.cell.toml:30:11: warning: the texture `none.png` is not used: there is no such "
             "file within the search roots (add its folder to `search` in the cell, or use "
             "--search) [model.missing-texture]\n"
-            "test.cell.toml:31:13: error: `shininess` lies between 0 and 1000 [cell.bad-number]\n");
+            "test.cell.toml:31:13: error: `shininess` is between 0 and 1000 [cell.bad-number]\n");
 }
 
 }  // namespace

@@ -203,7 +203,8 @@ TEST_F(CellTest, WhatIsNoCellIsRefused) {
   EXPECT_EQ(faultsOf("format = 2\n"),
             "REFUSED: the cell has format 2; this program reads format 1 (test.cell.toml)");
   EXPECT_EQ(faultsOf("[case]\nname = 'x'\n"),
-            "REFUSED: this is no cell: it has neither `format` nor a [[device]] (test.cell.toml)");
+            "REFUSED: this is not a cell: it has neither `format` nor a [[device]] "
+            "(test.cell.toml)");
   const std::string broken = faultsOf("format = 1\n[[device]\n");
   EXPECT_TRUE(broken.starts_with("REFUSED: ")) << broken;
   EXPECT_NE(broken.find("(test.cell.toml:2:"), std::string::npos) << broken;

@@ -212,7 +212,7 @@ TEST_F(SessionCheckTest, NamesADeviceThatNobodyDrives) {
   say("pose arm 0 0 0 0 0 0 1");
   const CheckReport found = report();
   ASSERT_THAT(rules(found), ElementsAre("device.undriven")) << "an optional one may stand still";
-  EXPECT_EQ(found.findings[0].text, "device arm has 3 joint values, and nobody drives it");
+  EXPECT_EQ(found.findings[0].text, "device arm has 3 joint values, and no source drives it");
   EXPECT_EQ(found.verdict, CheckVerdict::incompatible);
 }
 

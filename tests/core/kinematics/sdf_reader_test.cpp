@@ -120,7 +120,7 @@ TEST(SdfReader, WhatIsNoSdfIsRefusedWithItsReason) {
   for (int i = 0; i < 10000; ++i) many += "<model name='m'><link name='l'/></model>";
   EXPECT_EQ(ReadSdf(many + "</sdf>").faultText(),
             "arm.sdf: error: the file is too large: libsdformat would take more than half a minute "
-            "for its elements (one file a model is read much faster) [sdf.invalid]\n");
+            "for its elements (one file per model reads much faster) [sdf.invalid]\n");
 }
 
 TEST(SdfReader, WhatUrdfdomSaysOfAUrdfIsAFaultAndNotALineOnStandardError) {

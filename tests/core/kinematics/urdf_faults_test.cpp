@@ -36,7 +36,7 @@ TEST(UrdfFaults, AllFaultsOfAFileAreListedWithTheirPlacesAndTheRestIsLoaded) {
             "clamped) [urdf.color-range]\n"
             "robot.urdf:7:5: warning: <link> has an unknown element <visaul> (did you mean "
             "`visual`?) [urdf.unknown-element]\n"
-            "robot.urdf:5:22: error: `size` of <box> is `1 2`, where 3 numbers are wanted "
+            "robot.urdf:5:22: error: `size` of <box> is `1 2`, where 3 numbers are expected "
             "[urdf.bad-number]\n"
             "robot.urdf:10:3: error: <link> lacks its attribute `name` [urdf.missing-attribute]\n"
             "robot.urdf:11:20: error: joint `j1` has the unknown type `revolut`; it is taken as "
@@ -45,8 +45,8 @@ TEST(UrdfFaults, AllFaultsOfAFileAreListedWithTheirPlacesAndTheRestIsLoaded) {
             "unlimited (URDF requires one; other readers refuse the file) [urdf.missing-limit]\n"
             "robot.urdf:8:54: error: no material is named `bleu` (did you mean `blue`?) "
             "[urdf.unknown-material]\n"
-            "robot.urdf:19:12: error: the child of joint `j2` is `amr`, which is no link (did you "
-            "mean `arm`?) [urdf.unknown-link]\n");
+            "robot.urdf:19:12: error: the child of joint `j2` is `amr`, which is not a link (did "
+            "you mean `arm`?) [urdf.unknown-link]\n");
   ASSERT_TRUE(read.model);
   EXPECT_EQ(read.model->links.size(), 2U);
   ASSERT_EQ(read.model->joints.size(), 1U);
@@ -65,11 +65,11 @@ TEST(UrdfFaults, EachKindOfFaultSaysWhereAndWhat) {
        "robot.urdf:1:1: warning: <robot> has no name (URDF requires one; other readers refuse the "
        "file) [urdf.no-name]\n"},
       {"<robot name='r'><link name='a'/><link name='a'/></robot>",
-       "robot.urdf:1:33: error: a second link is named `a` (the first one stands) "
+       "robot.urdf:1:33: error: a second link is named `a` (the first one is used) "
        "[urdf.duplicate-link]\n"},
       {"<robot name='r'><link name='a'/><link name='b'/></robot>",
-       "robot.urdf:1:33: error: link `b` hangs on no joint, and neither does `a` (join it with a "
-       "joint; it stands at the model's origin) [urdf.two-roots]\n"},
+       "robot.urdf:1:33: error: link `b` has no parent joint, and neither has `a` (connect it "
+       "with a joint; it is drawn at the model's origin) [urdf.two-roots]\n"},
       {"<robot name='r'><link name='a'/><link name='b'/>\n"
        "<joint name='x' type='fixed'><parent link='a'/><child link='b'/></joint>\n"
        "<joint name='y' type='fixed'><parent link='b'/><child link='a'/></joint></robot>",
@@ -79,8 +79,8 @@ TEST(UrdfFaults, EachKindOfFaultSaysWhereAndWhat) {
        "<joint name='x' type='fixed'><parent link='a'/><child link='b'/></joint>\n"
        "<joint name='z' type='fixed'><parent link='a'/><child link='c'/></joint>\n"
        "<joint name='y' type='fixed'><parent link='c'/><child link='b'/></joint></robot>",
-       "robot.urdf:4:1: error: joint `y` gives link `b` a second parent; joint `x` is its first (a "
-       "link hangs on one joint) [urdf.two-parents]\n"},
+       "robot.urdf:4:1: error: joint `y` gives link `b` a second parent; joint `x` is its first "
+       "(a link has one parent joint) [urdf.two-parents]\n"},
       {"<robot name='r'><link name='a'/>\n"
        "<joint name='x' type='fixed'><parent link='a'/><child link='a'/></joint></robot>",
        "robot.urdf:2:1: error: joint `x` closes a loop (links must form a tree) "
@@ -92,28 +92,28 @@ TEST(UrdfFaults, EachKindOfFaultSaysWhereAndWhat) {
       {"<robot name='r'><link name='a'/><link name='b'/>\n"
        "<joint name='x' type='continuous'><parent link='a'/><child link='b'/>"
        "<mimic joint='x'/></joint></robot>",
-       "robot.urdf:2:77: error: joint `x` mimics itself in the end (it is taken as driven) "
-       "[urdf.mimic-loop]\n"},
+       "robot.urdf:2:77: error: joint `x` mimics itself, directly or through others (it is taken "
+       "as driven) [urdf.mimic-loop]\n"},
       {"<robot name='r'><link name='a'/><link name='b'/>\n"
        "<joint name='x' type='planar'><parent link='a'/><child link='b'/>"
        "<mimic joint='y'/></joint></robot>",
-       "robot.urdf:2:73: error: joint `x` mimics `y`, which is no joint [urdf.unknown-mimic]\n"},
+       "robot.urdf:2:73: error: joint `x` mimics `y`, which is not a joint [urdf.unknown-mimic]\n"},
       {"<robot name='r'><link name='a'/><link name='b'/>\n"
        "<joint name='x' type='prismatic'><parent link='a'/><child link='b'/>"
        "<limit/><limit/></joint></robot>",
-       "robot.urdf:2:77: error: <joint> has a second <limit> (the first one stands) "
+       "robot.urdf:2:77: error: <joint> has a second <limit> (the first one is used) "
        "[urdf.repeated-element]\n"
        "robot.urdf:2:69: warning: the limit of joint `x` lacks `effort` (URDF requires it; other "
        "readers refuse the file) [urdf.missing-limit-attribute]\n"
        "robot.urdf:2:69: warning: the limit of joint `x` lacks `velocity` (URDF requires it; other "
        "readers refuse the file) [urdf.missing-limit-attribute]\n"
-       "robot.urdf:2:69: warning: the limit of joint `x` has neither `lower` nor `upper`: it may "
-       "not move (both are 0 where they are left out) [urdf.no-motion]\n"},
+       "robot.urdf:2:69: warning: the limit of joint `x` has neither `lower` nor `upper`: it "
+       "cannot move (both default to 0) [urdf.no-motion]\n"},
       {"<robot name='r'><link name='a'><visual/></link></robot>",
        "robot.urdf:1:32: error: <visual> has no <geometry> [urdf.missing-element]\n"},
       {"<robot name='r'><link "
        "name='a'><visual><geometry><cone/></geometry></visual></link></robot>",
-       "robot.urdf:1:40: error: <geometry> has no shape that is known (shapes are box, cylinder, "
+       "robot.urdf:1:40: error: <geometry> has no known shape (shapes are box, cylinder, "
        "sphere, capsule, mesh) [urdf.no-shape]\n"},
       {"<robot name='r'><link name='a'><visual><geometry><sphere radius='-1'/></geometry></visual>"
        "</link></robot>",
@@ -121,16 +121,16 @@ TEST(UrdfFaults, EachKindOfFaultSaysWhereAndWhat) {
        "[urdf.bad-size]\n"},
       {"<robot name='r'><link name='a'><visual><geometry><mesh filename='a.stl' scale='1 1 1e308'/>"
        "</geometry></visual></link></robot>",
-       "robot.urdf:1:73: error: `scale` of <mesh> must lie between -1e9 and 1e9 "
+       "robot.urdf:1:73: error: `scale` of <mesh> must be between -1e9 and 1e9 "
        "[urdf.bad-size]\n"},
       {"<robot name='r'><link name='a'><visual><geometry><sphere radius='nan'/></geometry></visual>"
        "</link></robot>",
-       "robot.urdf:1:58: error: `radius` of <sphere> is `nan`, where a number is wanted "
+       "robot.urdf:1:58: error: `radius` of <sphere> is `nan`, where a number is expected "
        "[urdf.bad-number]\n"},
       {"<robot name='r'><link name='a'><visual><geometry><sphere "
        "radius='${r}'/></geometry></visual>"
        "</link></robot>",
-       "robot.urdf:1:58: error: `radius` of <sphere> is `${r}`, where a number is wanted (expand "
+       "robot.urdf:1:58: error: `radius` of <sphere> is `${r}`, where a number is expected (expand "
        "the template first: xacro model.xacro > model.urdf) [urdf.bad-number]\n"},
       {"<robot name='r'><link name='a'><visual><geometry><mesh filename='no.stl'/></geometry>"
        "</visual></link></robot>",
@@ -139,12 +139,12 @@ TEST(UrdfFaults, EachKindOfFaultSaysWhereAndWhat) {
        "[model.missing-file]\n"},
       {"<robot name='r'><link name='a'><visual><geometry><mesh filename='$(find p)/a.stl'/>"
        "</geometry></visual></link></robot>",
-       "robot.urdf:1:56: error: the mesh `$(find p)/a.stl` is not used: its name is an expression "
-       "of a template (expand the template first: xacro model.xacro > model.urdf) "
+       "robot.urdf:1:56: error: the mesh `$(find p)/a.stl` is not used: its name is a template "
+       "expression (expand the template first: xacro model.xacro > model.urdf) "
        "[model.missing-file]\n"},
       {"<robot name='r'><link name='a'><visual><geometry><mesh filename='/dev/zero'/>"
        "</geometry></visual></link></robot>",
-       "robot.urdf:1:56: error: the mesh `/dev/zero` is not used: it lies outside the search roots "
+       "robot.urdf:1:56: error: the mesh `/dev/zero` is not used: it is outside the search roots "
        "(add its folder to `search` in the cell, or use --search) [model.missing-file]\n"},
   };
   for (const FaultCase& each : cases) {
@@ -184,7 +184,7 @@ TEST(UrdfFaults, PlacesStandAlsoBesideCommentsAndQuotedBrackets) {
       "\t<link name='a'><visual><geometry>\n    <sphere\n  radius='one'/></geometry></visual>"
       "</link></robot>");
   EXPECT_EQ(read.faultText(),
-            "robot.urdf:5:3: error: `radius` of <sphere> is `one`, where a number is wanted "
+            "robot.urdf:5:3: error: `radius` of <sphere> is `one`, where a number is expected "
             "[urdf.bad-number]\n");
 }
 

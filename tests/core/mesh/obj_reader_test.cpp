@@ -284,7 +284,7 @@ TEST(ObjReader, ReadsColoursAtThePoints) {
       readObjText("v 0 0 0 1\nv 1 0 0 1 0 0\nv 0 1 0 0 0.5 1\nv 1 1 0 255 0 0\nf 1 2 3\nf 2 4 3\n");
   EXPECT_THAT(read.rules(), ElementsAre("obj.color-range"));
   ASSERT_EQ(read.mesh.colors.size(), read.mesh.vertices.size());
-  EXPECT_EQ(read.mesh.colors[0], 0xFFFFFFFFU) << "a weight is no colour";
+  EXPECT_EQ(read.mesh.colors[0], 0xFFFFFFFFU) << "a weight is not a colour";
   EXPECT_EQ(read.mesh.colors[1], 0xFF0000FFU);
   EXPECT_EQ(read.mesh.colors[2], 0x0080FFFFU);
   EXPECT_EQ(read.mesh.colors[3], 0xFF0000FFU);

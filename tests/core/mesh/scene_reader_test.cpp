@@ -136,7 +136,7 @@ TEST(ColladaReader, NodesThatContainThemselvesAreRefused) {
   const auto mesh =
       readMeshBytes(bytesOf(collada(1, "Z_UP", kWedge, self, doubling)), "a.dae", {}, faults);
   ASSERT_FALSE(mesh.ok());
-  EXPECT_EQ(mesh.error().what, "its nodes stand for more than 1000000 nodes");
+  EXPECT_EQ(mesh.error().what, "its nodes expand to more than 1000000 nodes");
 }
 
 TEST(ColladaReader, AListOfIndicesThatIsNoneIsRefusedAtOnce) {
@@ -145,7 +145,7 @@ TEST(ColladaReader, AListOfIndicesThatIsNoneIsRefusedAtOnce) {
   ModelFaults faults;
   const auto mesh = readMeshBytes(bytesOf(text), "a.dae", {}, faults);
   ASSERT_FALSE(mesh.ok());
-  EXPECT_EQ(mesh.error().what, "a <p> holds what is no index");
+  EXPECT_EQ(mesh.error().what, "a <p> holds something that is not an index");
 }
 
 TEST(ColladaReader, AnAccessorThatReadsBeyondItsArrayIsRefused) {
@@ -340,14 +340,16 @@ TEST(GltfReader, NumbersThatLeadNowhereAreRefusedBeforeTheLibrarySeesThem) {
            {R"("buffers":[{"byteLength":)", R"("buffers":[{"byteLength":9)",
             "buffers[0]: says 9120 bytes, and the binary chunk has 120"},
            {R"("POSITION":0)", R"("POSITION":9)",
-            "meshes[0]: `POSITION` is none of the 4 accessors"},
+            "meshes[0]: `POSITION` is not an index into the 4 accessors"},
            {R"("TEXCOORD_0":1)", R"("TEXCOORD_0":3)", "meshes[0]: TEXCOORD_0 has the wrong type"},
-           {R"("mesh":0)", R"("mesh":7)", "nodes[0]: `mesh` is none of the 1 meshes"},
-           {R"("mesh":0)", R"("mesh":0,"children":[0])", "a node is a child of itself in the end"},
+           {R"("mesh":0)", R"("mesh":7)", "nodes[0]: `mesh` is not an index into the 1 meshes"},
+           {R"("mesh":0)", R"("mesh":0,"children":[0])", "a node is its own descendant"},
            {R"("mesh":0)", R"("mesh":0,"matrix":[1])", "nodes[0]: a transform is not 16 numbers"},
-           {R"("nodes":[0])", R"("nodes":[1])", "scenes[0]: names none of the 1 nodes"},
+           {R"("nodes":[0])", R"("nodes":[1])",
+            "scenes[0]: holds something that is not an index "
+            "into the 1 nodes"},
            {R"("material":0)", R"("material":5)",
-            "meshes[0]: `material` is none of the 1 materials"},
+            "meshes[0]: `material` is not an index into the 1 materials"},
            {R"("version":"2.0")", R"("version":"1.0")", "is glTF 1.0; only 2 is read"},
            {R"("scene":0)", R"("extensionsRequired":["KHR_draco_mesh_compression"])",
             "requires KHR_draco_mesh_compression, which is not read"},

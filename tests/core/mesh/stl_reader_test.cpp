@@ -66,10 +66,10 @@ TEST(StlReader, ReadsWhatIsThereOfAFileThatLiesAboutItsCount) {
   EXPECT_EQ(cut.mesh.triangleCount(), 2U);
   ASSERT_EQ(cut.faults.size(), 1U);
   EXPECT_EQ(cut.faults[0].rule, "stl.truncated");
-  EXPECT_EQ(cut.faults[0].text, "says 4294967295 triangles and holds 2");
+  EXPECT_EQ(cut.faults[0].text, "the header says 4294967295 triangles, the file holds 2");
   const ReadMesh more = test::readMesh(binaryStl("x", 1, kTwoFacets), "a.stl");
   EXPECT_EQ(more.mesh.triangleCount(), 1U);
-  EXPECT_EQ(more.faults[0].text, "50 bytes follow the 1 triangles that it says");
+  EXPECT_EQ(more.faults[0].text, "50 bytes follow the 1 triangles of the header");
 }
 
 TEST(StlReader, LeavesOutTrianglesThatAreNoNumbers) {
@@ -78,7 +78,7 @@ TEST(StlReader, LeavesOutTrianglesThatAreNoNumbers) {
   const ReadMesh read = test::readMesh(binaryStl("x", 2, facets), "a.stl");
   EXPECT_EQ(read.mesh.triangleCount(), 1U);
   EXPECT_THAT(read.rules(), ElementsAre("stl.bad-number"));
-  EXPECT_EQ(read.faults[0].text, "triangle 0 has a corner that is no number");
+  EXPECT_EQ(read.faults[0].text, "triangle 0 has a corner that is not a number");
 }
 
 TEST(StlReader, LeavesOutAsciiFacetsThatAreNotThreeCorners) {
@@ -167,7 +167,7 @@ TEST(MeshFile, RefusesOtherEndingsAndMissingFiles) {
   EXPECT_EQ(step.error().kind, ErrorKind::unsupported);
   EXPECT_EQ(
       step.error().text(),
-      "is no mesh that can be read: .obj, .stl, .dae, .gltf and .glb are, not `.step` (a.step)");
+      "is not a mesh that can be read: .obj, .stl, .dae, .gltf and .glb are, not `.step` (a.step)");
   const Result<Mesh> missing = readMeshFile("/nowhere/a.obj", {}, faults);
   ASSERT_FALSE(missing.ok());
   EXPECT_EQ(missing.error().kind, ErrorKind::not_found);

@@ -66,7 +66,7 @@ TEST_F(FileSearchTest, FindsAbsoluteNamesOfOtherMachinesByTheirLastParts) {
 }
 
 TEST_F(FileSearchTest, OpensNothingOutsideTheRoots) {
-  const std::string outside = "it lies outside the search roots";
+  const std::string outside = "it is outside the search roots";
   EXPECT_EQ(found("../outside/secret.obj", cell()), outside);
   EXPECT_EQ(found("meshes/../../outside/secret.obj", cell()), outside);
   EXPECT_EQ(found("package://../outside/secret.obj", cell()), outside);
@@ -81,11 +81,11 @@ TEST_F(FileSearchTest, OpensNothingOutsideTheRoots) {
 }
 
 TEST_F(FileSearchTest, RefusesWhatIsNoFileAndWhatIsNoName) {
-  EXPECT_EQ(found("meshes", cell()), "it is no regular file");
+  EXPECT_EQ(found("meshes", cell()), "it is not a regular file");
   ASSERT_EQ(::mkfifo((cell() / "pipe.obj").c_str(), 0600), 0);
-  EXPECT_EQ(found("pipe.obj", cell()), "it is no regular file");
+  EXPECT_EQ(found("pipe.obj", cell()), "it is not a regular file");
   EXPECT_EQ(found("https://example.org/a.stl", cell()), "files are not fetched from the network");
-  EXPECT_EQ(found("$(find arm)/a.stl", cell()), "its name is an expression of a template");
+  EXPECT_EQ(found("$(find arm)/a.stl", cell()), "its name is a template expression");
   for (const std::string& name : {std::string(), std::string("a\0b", 3), std::string(5000, 'a')}) {
     EXPECT_EQ(found(name, cell()), "there is no such file within the search roots");
   }
@@ -133,8 +133,8 @@ TEST_F(FileSearchTest, APackageIsCalledWhatItsPackageXmlSays) {
   const FoundFile missing = search_.find(name, irb / "urdf");
   EXPECT_EQ(
       missing.problem(),
-      "no package `abb_irb140_support` is found: no folder above the file or in a search root "
-      "has this name, or says it in its package.xml");
+      "package `abb_irb140_support` is not found: no folder above the file or in a search root "
+      "has this name or declares it in its package.xml");
   EXPECT_EQ(missing.hint(), "the folder `" + fs::canonical(irb).string() +
                                 "` has such a file: --package abb_irb140_support=" +
                                 fs::canonical(irb).string() + ", or [packages] in the cell");
@@ -172,7 +172,7 @@ TEST_F(FileSearchTest, PackagesMeanTheFoldersThatTheyWereGiven) {
   EXPECT_EQ(found("package://abb/meshes/none.stl", cell()),
             "package `abb` is `" + (folder_ / "far/irb").string() + "`, which has no such file");
   EXPECT_EQ(found("package://abb/../../outside/secret.obj", cell()),
-            "it lies outside the search roots");
+            "it is outside the search roots");
   const Status refused = search_.addPackage({"gone", folder_ / "none"});
   ASSERT_FALSE(refused.ok());
   EXPECT_EQ(refused.error().what, "the folder of package `gone` does not exist");
