@@ -13,11 +13,11 @@
 namespace rocinante {
 
 /// The cell that a log carries, read whole and checked: every size, checksum and SHA-256. Empty
-/// when the log has none; damaged when it should have one, naming the attachment. Of several the
-/// first counts.
+/// when the log has none; damaged when it should have one, naming the attachment. Of several cells
+/// the first is used.
 Result<std::optional<CellBundle>> readAttachedCell(const LogReader& log);
 
-/// The bundle of whatever a program is given as a cell: collectCell(), or what a log carries.
+/// The bundle of a program's cell argument: collectCell(), or the cell that a log carries.
 Result<CellBundle> collectCellOrLog(const std::filesystem::path& path, const CellOptions& options);
 
 }  // namespace rocinante

@@ -11,7 +11,7 @@
 namespace rocinante {
 namespace {
 
-// Not ordered_json, which takes the square of the number of keys that a stranger's text has.
+// Not ordered_json: its time is quadratic in the number of keys, which untrusted text chooses.
 using Json = nlohmann::json;
 using Why = FoundFile::Why;
 
@@ -37,7 +37,7 @@ bool isFound(Why why) { return why == Why::found || why == Why::found_elsewhere;
 
 bool isFolderName(std::string_view name) { return name.empty() || isBundleName(name); }
 
-/// Takes a manifest apart and remembers the first fault.
+/// Reads a manifest and keeps the first fault.
 class ManifestReader {
  public:
   explicit ManifestReader(const Json& root) : root_(root) {}
@@ -131,7 +131,7 @@ class ManifestReader {
     }
   }
 
-  // Absent where each package lies in a folder of its name.
+  // Absent where each package is in a folder of its name.
   void readPackages(std::map<std::string, std::string>& packages) {
     const auto found = root_.find("packages");
     if (found == root_.end()) return;

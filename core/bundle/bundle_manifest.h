@@ -12,7 +12,7 @@
 
 namespace rocinante {
 
-/// What a cell inside a log may take: more is neither attached nor unpacked.
+/// Limits of a cell inside a log: a larger one is neither attached nor unpacked.
 inline constexpr std::size_t kMaxBundledFiles = 10'000;
 inline constexpr std::size_t kMaxBundledFolders = 20'000;
 inline constexpr std::uint64_t kMaxBundledBytes = std::uint64_t{1} << 30;
@@ -38,16 +38,16 @@ struct BundleManifest {
   std::string main;         ///< the file that is the cell
   std::vector<File> files;  ///< by name
   std::vector<Name> names;  ///< by `in` and `says`, each pair once
-  /// Folders that were search roots of whoever attached the cell (--search).
+  /// Folders that were search roots when the cell was attached (--search).
   std::vector<std::string> search;
-  /// Folders that the cell names as search roots, whether a file lies there or not.
+  /// Folders that the cell names as search roots, with or without files in them.
   std::vector<std::string> folders;
-  /// Folders of packages that are not named as their packages are.
+  /// Folders of packages whose names differ from their packages'.
   std::map<std::string, std::string> packages;
   bool operator==(const BundleManifest&) const = default;
 };
 
-/// True for a name that stays below the folder it is laid out in: parts between `/`, none of them
+/// True for a name that stays below the folder it is unpacked into: parts between `/`, none of them
 /// empty, `.` or `..`, at most 255 bytes each and 1,024 in all, without control characters and
 /// backslashes.
 bool isBundleName(std::string_view name);
@@ -55,7 +55,7 @@ bool isBundleName(std::string_view name);
 /// The manifest as JSON text: the same bytes for the same manifest.
 std::string manifestText(const BundleManifest& manifest);
 
-/// Reads it back, trusting nothing: damaged or unsupported, with a sentence. `where` names it.
+/// Reads it back without trusting it: damaged or unsupported, with a message. `where` names it.
 Result<BundleManifest> parseManifest(ByteView text, const std::string& where);
 
 }  // namespace rocinante

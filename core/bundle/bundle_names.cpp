@@ -57,7 +57,7 @@ BundleNames::BundleNames(fs::path main_folder) : common_(std::move(main_folder))
 
 void BundleNames::addOwnRoot(const fs::path& root) {
   const fs::path common = commonOf(common_, root);
-  // Nothing in common but the whole file system: its folders are nobody's business.
+  // Only the file system's root is in common: the names of its folders are not revealed.
   if (common == common.root_path() && common_ != common) {
     addOtherRoot(root);
   } else {

@@ -26,8 +26,8 @@ fs::path canonicalOf(const fs::path& path) {
   return error ? fs::absolute(path, error).lexically_normal() : canonical;
 }
 
-/// Where the cell's own file lies: links in its folder are followed, but not itself, since the
-/// names in it are looked for beside the link.
+/// The path of the cell's own file: links in its folder are followed, but the file itself is not,
+/// since the names in it are looked for beside the link.
 fs::path placeOf(const fs::path& path) {
   return canonicalOf(path.has_parent_path() ? path.parent_path() : ".") / path.filename();
 }
@@ -44,7 +44,7 @@ std::string packageOf(std::string_view name) {
   return {};
 }
 
-/// The roots that somebody gave, without links.
+/// The roots given by the user, without links.
 Result<std::set<fs::path>> givenRoots(const CellOptions& options) {
   FileLookups noted;
   FileSearch search;
@@ -171,19 +171,19 @@ Status noteNames(const FileLookups& noted, const BundleNames& names, BundleManif
   return {};
 }
 
-/// What tells whether two loads came to the same.
+/// What must be equal for two loads to be the same.
 auto outcomeOf(const Cell& cell) {
   std::vector<std::tuple<Severity, std::string, int, int>> faults;
   for (const ModelFault& fault : cell.faults) {
     faults.emplace_back(fault.severity, fault.rule, static_cast<int>(fault.line),
                         static_cast<int>(fault.column));
   }
-  // By their files' names they may stand otherwise: those are not the same.
+  // Their order may depend on file names, which differ here.
   std::sort(faults.begin(), faults.end());
   return std::tuple(faults, cell.files.size(), cell.devices.size(), cell.models.size());
 }
 
-/// An attachment that turns out useless when the original is gone helps nobody: loads it now.
+/// Loads the bundle now, while the original exists: an attachment that does not load is useless.
 Status prove(const CellBundle& bundle, const Cell& cell, const ParallelFor& parallel) {
   CellOptions options;
   options.parallel = parallel;

@@ -17,7 +17,7 @@ namespace rocinante {
 struct CellBundle {
   BundleManifest manifest;
   std::vector<Bytes> contents;  ///< as manifest.files
-  ModelFaults warnings;         ///< what the cell lacks that it can be drawn without
+  ModelFaults warnings;         ///< missing parts that the cell can be drawn without
 };
 
 /// Loads the cell as `options` say and collects every file that was read, and what every name
@@ -27,7 +27,7 @@ struct CellBundle {
 /// not used.
 Result<CellBundle> collectCell(const std::filesystem::path& path, CellOptions options);
 
-/// The first of its warnings for people, a line each, and how many there are besides.
+/// The first warnings as text, one per line, and the number of the rest.
 std::vector<std::string> bundleWarnings(const CellBundle& bundle);
 
 /// A file as it is attached.

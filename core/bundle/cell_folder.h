@@ -11,12 +11,12 @@
 namespace rocinante {
 
 /// Writes the bundle's files below `folder`, which exists. Never follows or replaces anything that
-/// is there.
+/// exists.
 Status layOut(const CellBundle& bundle, const std::filesystem::path& folder);
 
-/// Loads a bundle by way of a private folder: names mean what its manifest says, and no other file
-/// is opened. The cell keeps the folder until the last of it is gone. Faults and errors name files
-/// as `shown_as` + their name. Of `options` its roots and lookups mean nothing here.
+/// Loads a bundle through a private folder: its manifest resolves all names, and no other file is
+/// opened. The folder lives as long as the cell and its copies. Faults and errors name files as
+/// `shown_as` + their name. The roots and lookups of `options` are ignored.
 Result<Cell> loadBundle(const CellBundle& bundle, const std::string& shown_as,
                         const CellOptions& options);
 

@@ -10,9 +10,9 @@ namespace rocinante {
 /// True for a file that begins as a log does, or is named *.mcap.
 bool isLog(const std::filesystem::path& path);
 
-/// Loads a cell from whatever a program is given as one: a file as loadCell() takes it, or a log
-/// with a cell in it. Faults of the latter name files as LOG:cell/NAME. `search` roots mean nothing
-/// to a cell in a log, and are refused with it.
+/// Loads a cell from a program's argument: a file that loadCell() takes, or a log that carries a
+/// cell. Faults of the latter name files as LOG:cell/NAME. `search` roots are refused with a cell
+/// in a log.
 Result<Cell> loadCellOrLog(const std::filesystem::path& path, const CellOptions& options);
 
 }  // namespace rocinante

@@ -20,10 +20,10 @@ namespace fs = std::filesystem;
 
 constexpr const char* kPrefix = "rocinante-cell-";
 constexpr const char* kLockName = ".lock";
-// Between making a folder and locking it lies a moment in which it must not be taken for abandoned.
+// A folder younger than this may not be locked yet and must not be taken for abandoned.
 constexpr std::time_t kYoungSeconds = 60;
 
-/// True when the folder is ours, not of this minute, and nobody holds its lock.
+/// True when the folder is ours, older than a minute, and no process holds its lock.
 bool isAbandoned(const fs::path& folder) {
   struct stat facts {};
   if (::lstat(folder.c_str(), &facts) != 0 || !S_ISDIR(facts.st_mode)) return false;
@@ -70,7 +70,7 @@ Result<std::shared_ptr<const PrivateFolder>> PrivateFolder::make() {
   }
   const fs::path path = name;
   const int lock = ::open((path / kLockName).c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
-  // Where locks are not to be had the folder is only never taken for abandoned.
+  // Without a lock the folder is simply never taken for abandoned.
   if (lock >= 0 && ::flock(lock, LOCK_EX | LOCK_NB) != 0) ::unlink((path / kLockName).c_str());
   return std::shared_ptr<const PrivateFolder>(new PrivateFolder(path, lock));
 }

@@ -7,9 +7,9 @@
 
 namespace rocinante {
 
-/// A folder of this process alone, in the system's folder for temporary files, gone with all that
-/// is in it when this object goes. A process that is killed leaves it behind: the next one that
-/// makes such a folder removes those whose process has ended.
+/// A folder of this process alone, in the system's folder for temporary files, deleted with its
+/// contents when this object is destroyed. A process that is killed leaves it behind: the next one
+/// that makes such a folder removes those whose process has ended.
 class PrivateFolder {
  public:
   static Result<std::shared_ptr<const PrivateFolder>> make();

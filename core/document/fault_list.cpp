@@ -55,7 +55,7 @@ std::string quotedInFault(std::string_view text) {
 
 std::string quotedPathInFault(std::string_view path) {
   if (path.size() <= kQuotedBytes) return quotedInFault(path);
-  // From a slash on, where one is left: never from the middle of a folder's name.
+  // Cut at a slash where possible, not in the middle of a folder's name.
   std::string_view end = path.substr(path.size() - kQuotedBytes);
   const std::size_t slash = end.find_first_of("/\\");
   if (slash != std::string_view::npos) {

@@ -8,14 +8,14 @@
 
 namespace rocinante {
 
-/// Where in a file something stands, from 1; zeros when nowhere.
+/// A place in a file, from 1; zeros when there is none.
 struct Place {
   int line = 0;
   int column = 0;
 };
 
 /// Adds the faults of one cell, model or mesh file to a list: the first hundred of each rule, then
-/// one line that counts the rest, so that a hostile file cannot fill the memory with sentences.
+/// one line that counts the rest, so that a hostile file cannot fill the memory with messages.
 class FaultList {
  public:
   FaultList(ModelFaults& faults, std::string file) : faults_(faults), file_(std::move(file)) {}
@@ -35,7 +35,7 @@ class FaultList {
     add(Severity::note, rule, place, std::move(text), std::move(hint));
   }
 
-  /// Whether one more of this rule would be listed: hints for the rest are not worth their time.
+  /// Whether one more of this rule would be listed: hints for the rest are not computed.
   bool lists(std::string_view rule) const;
 
   const std::string& file() const { return file_; }
@@ -52,7 +52,7 @@ class FaultList {
   std::map<std::string, Count, std::less<>> counts_;
 };
 
-/// `text` in backquotes for a fault's sentence: control characters escaped, cut when very long.
+/// `text` in backquotes for a fault's message: control characters escaped, cut when very long.
 std::string quotedInFault(std::string_view text);
 /// The same of a file's name or path: a long one loses its first folders, and keeps the file's own
 /// name.

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <optional>
 
-// The library asserts what a file may break (a header `[= 1]`), and with NDEBUG lets clang assume
-// it; what follows each assertion refuses the text properly. So neither.
+// The library asserts conditions that a file can break (a header `[= 1]`), and with NDEBUG lets
+// clang assume them. The code after each assertion refuses the text properly, so both are disabled.
 #undef NDEBUG
 #define TOML_ASSERT(expr) static_assert(true)
 #define TOML_EXCEPTIONS 0
@@ -21,8 +21,8 @@ Place placeOf(const toml::source_region& region) {
   return {static_cast<int>(region.begin.line), static_cast<int>(region.begin.column)};
 }
 
-/// Each dot of a key opens a table, and the library, which bounds the depth of values alone, goes
-/// down through all of them by recursion: so much at once is no cell.
+/// Each dot of a key opens a table, and the library bounds only the depth of values: it recurses
+/// through the parts of a key. No real cell has more parts than this.
 constexpr std::size_t kMaxKeyDots = 16;
 
 /// The offset behind the string that begins at `at`.
@@ -35,7 +35,7 @@ std::size_t endOfString(std::string_view text, std::size_t at) {
       ++at;
     } else if (is_long && text.substr(at, 3) == three) {
       at += 3;
-      // Up to two quotes of the string's own may stand before the three that close it.
+      // Up to two quotes of the string itself may precede the three that close it.
       for (int own = 0; own < 2 && at < text.size() && text[at] == quote; ++own) ++at;
       return at;
     } else if (!is_long && (text[at] == quote || text[at] == '\n')) {
@@ -50,9 +50,9 @@ struct TextFault {
   std::size_t at = 0;
 };
 
-/// What the library would not survive, though it is a plain mistake: a key of too many parts, and
-/// a letter beyond ASCII outside strings and comments, for which its tables of Unicode hold paths
-/// that it declares unreachable.
+/// Mistakes that would crash the library: a key of too many parts, and a letter beyond ASCII
+/// outside strings and comments, for which its Unicode tables have paths that it declares
+/// unreachable.
 std::optional<TextFault> faultBeforeParsing(std::string_view text) {
   const auto is_of_key = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||

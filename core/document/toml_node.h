@@ -32,10 +32,10 @@ struct TomlNode::Entry {
   TomlNode value;
 };
 
-/// "a string", "a number" and so on, for sentences.
+/// "a string", "a number" and so on, for messages.
 std::string_view nameOf(TomlNode::Kind kind);
 
-/// The outermost table of `text`. `damaged` with "FILE:LINE:COLUMN" when it is no TOML.
+/// The outermost table of `text`. `damaged` with "FILE:LINE:COLUMN" when it is not TOML.
 Result<TomlNode> parseToml(std::string_view text, const std::string& file);
 
 }  // namespace rocinante

@@ -23,8 +23,8 @@ int hexDigit(char c) {
   return -1;
 }
 
-/// Scaled to unit length; but numbers that are as near to it as rounding lets them come are kept,
-/// so that a turn which a program wrote is read back to the bit.
+/// Scaled to unit length, unless the length is already 1 within rounding: a rotation that a program
+/// wrote is then read back to the bit.
 template <class T>
 std::optional<T> unitOf(const T& given, double length_squared) {
   constexpr double kRounding = 2e-15;
@@ -68,7 +68,7 @@ Place TomlTable::place(std::string_view key) const {
 bool TomlTable::has(std::string_view key) const { return find(key) != nullptr; }
 
 void TomlTable::missing(std::string_view key) const {
-  if (has(key)) return;  // it has the wrong kind, which was said
+  if (has(key)) return;  // it has the wrong type, already reported
   faults_->error("cell.missing-key", place(), fmt::format("{} lacks `{}`", what_, key));
 }
 

@@ -16,7 +16,7 @@ namespace rocinante {
 /// node and the faults.
 class TomlTable {
  public:
-  /// `what` names the table in sentences: "[[device]]".
+  /// `what` names the table in messages: "[[device]]".
   TomlTable(const TomlNode& node, std::string what, FaultList& faults)
       : node_(&node), what_(std::move(what)), faults_(&faults) {}
 
@@ -51,8 +51,8 @@ class TomlTable {
   std::vector<TomlTable> tables(std::string_view key, const std::string& what);
   const TomlNode* node(std::string_view key);
 
-  /// Reports the keys that nothing asked for, but for x-*: with one that was meant, else with all
-  /// that there are.
+  /// Reports the keys that nothing asked for, except x-*, with the likely intended key or all valid
+  /// ones.
   void finish() const;
 
   void error(std::string_view rule, std::string_view key, std::string text,

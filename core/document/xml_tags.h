@@ -10,7 +10,7 @@ inline constexpr std::string_view kXmlBlanks = " \t\r\n";
 /// One start or end tag; views into the text.
 struct XmlTag {
   std::string_view name;   ///< without the slash
-  std::string_view inner;  ///< what stands between the name and the bracket
+  std::string_view inner;  ///< the text between the name and the bracket
   bool ends = false;       ///< an end tag, or one that is both
   bool starts = false;
 };

@@ -15,10 +15,10 @@ namespace rocinante {
 namespace {
 
 constexpr std::size_t kDeepestXml = 100;      // elements in elements
-constexpr std::size_t kLongestChain = 1000;   // of nodes that stand for nodes
-constexpr std::size_t kMaxNodes = 1'000'000;  // once all is in place
+constexpr std::size_t kLongestChain = 1000;   // of instanced nodes
+constexpr std::size_t kMaxNodes = 1'000'000;  // after all instances are expanded
 
-/// The nodes of a COLLADA file, and those that stand for others (<instance_node>).
+/// The nodes of a COLLADA file and their instances (<instance_node>).
 class NodeGraph {
  public:
   std::size_t open(const XmlTag& tag, std::size_t parent) {
@@ -91,8 +91,8 @@ class NodeGraph {
   std::string problem_;
 };
 
-/// The arrays of a COLLADA file and what its accessors read of them: assimp reads that without a
-/// look at what is there.
+/// The arrays of a COLLADA file and what its accessors read of them: assimp does not check the
+/// bounds.
 class ArrayReads {
  public:
   void add(const XmlTag& tag) {
@@ -139,8 +139,8 @@ class ArrayReads {
   std::vector<Read> reads_;
 };
 
-/// Whether the element holds whole numbers and nothing else: assimp reads an index list until its
-/// end, and never gets past a letter.
+/// Whether the element holds whole numbers and nothing else: assimp reads an index list to its end
+/// and loops forever at a letter.
 bool holdsIndices(std::string_view text, const XmlTag& tag) {
   const auto from = static_cast<std::size_t>(tag.inner.data() + tag.inner.size() + 1 - text.data());
   const std::size_t end = text.find_first_not_of("0123456789+- \t\r\n", from);
@@ -158,7 +158,7 @@ std::string problemOfCollada(ByteView bytes) {
   XmlTags tags(text);
   NodeGraph graph;
   ArrayReads arrays;
-  std::vector<std::size_t> open;  // by element: the node that it is or lies in
+  std::vector<std::size_t> open;  // by element: the node that it is or is in
   for (XmlTag tag; tags.next(tag);) {
     if (tag.starts && !tag.ends && (tag.name == "p" || tag.name == "vcount") &&
         !holdsIndices(text, tag)) {

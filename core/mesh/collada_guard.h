@@ -6,15 +6,15 @@
 
 namespace rocinante {
 
-// assimp trusts the files that it reads. What follows keeps from it those that would end the
-// program or fill the memory; for glTF, core/mesh/gltf_guard.h does.
+// assimp trusts the files that it reads. This keeps files from it that would crash the program or
+// fill the memory. For glTF: core/mesh/gltf_guard.h.
 
-/// What makes a COLLADA file unfit: nodes that contain themselves, nesting that would overflow the
-/// stack, a shape that is repeated a million times, numbers read that an array lacks. A sentence;
-/// empty when there is nothing.
+/// Why a COLLADA file is refused: nodes that contain themselves, nesting that would overflow the
+/// stack, a shape that is repeated a million times, numbers read that an array lacks. Empty when
+/// there is no reason.
 std::string problemOfCollada(ByteView bytes);
 
-/// The `<up_axis>` of a COLLADA file: 'X', 'Y' (also where it says none) or 'Z'.
+/// The `<up_axis>` of a COLLADA file: 'X', 'Y' (also the default) or 'Z'.
 char upAxisOfCollada(ByteView bytes);
 
 }  // namespace rocinante

@@ -102,7 +102,8 @@ std::size_t componentsOf(const std::string& type) {
   return type == "MAT4" ? 16 : 0;
 }
 
-/// Holds every number of the document to what it counts. The first problem is kept.
+/// Checks every index and length of the document against what it refers to. Keeps the first
+/// problem.
 class GltfJudge {
  public:
   GltfJudge(Json& root, ByteView binary) : root_(root), binary_(binary) {}
@@ -254,7 +255,7 @@ class GltfJudge {
     }
     spans((*sparse)["indices"], changed, index_bytes, place);
     spans((*sparse)["values"], changed, bytes, place);
-    // Which elements they change only the bytes say: assimp writes wherever they point.
+    // Only the bytes say which elements change, and assimp writes wherever they point.
     fail(place + ": is sparse, which is not read");
   }
 
@@ -361,7 +362,7 @@ class GltfJudge {
     if (problem_.empty()) checkDepth(below, has_parent);
   }
 
-  /// With one parent each, what no walk from above reaches goes round in circles.
+  /// Each node has one parent, so a node that no walk from a root reaches is part of a cycle.
   void checkDepth(const std::vector<std::vector<std::size_t>>& below,
                   const std::vector<bool>& has_parent) {
     std::vector<std::size_t> level;

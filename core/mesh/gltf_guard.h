@@ -5,13 +5,13 @@
 
 namespace rocinante {
 
-// Keeps from assimp what would end the program or fill the memory (for COLLADA:
+// Keeps files from assimp that would crash the program or fill the memory (for COLLADA:
 // core/mesh/collada_guard.h).
 
-/// A glTF file, text or binary, of the same kind without what is not drawn (skins, animations,
-/// morph targets, cameras, extensions but for KHR_texture_transform). damaged when a number leads
-/// out of what it counts, a length is more than there is, nodes do not form trees, or nesting is
-/// deep; unsupported when it is no glTF 2 or requires an extension.
+/// The same glTF file, text or binary, without parts that are not drawn (skins, animations, morph
+/// targets, cameras, extensions except KHR_texture_transform). damaged when an index is out of
+/// range, a length exceeds its buffer, nodes do not form trees, or nesting is too deep; unsupported
+/// when it is not glTF 2 or requires an extension.
 Result<Bytes> sanitizedGltf(ByteView bytes);
 
 }  // namespace rocinante

@@ -11,8 +11,8 @@
 
 namespace rocinante {
 
-/// How a surface looks. Colours are display values (sRGB-encoded) in [0, 1], as MTL, URDF and
-/// people write them.
+/// How a surface looks. Colours are display values (sRGB-encoded) in [0, 1], as MTL and URDF write
+/// them.
 struct Material {
   std::string name;
   glm::vec4 diffuse{0.8F, 0.8F, 0.8F, 1.0F};  ///< rgb and opacity
@@ -20,9 +20,9 @@ struct Material {
   glm::vec3 emission{0.0F, 0.0F, 0.0F};
   float shininess = 0.0F;             ///< MTL's Ns, 0 to 1000
   std::filesystem::path diffuse_map;  ///< resolved file; empty: none
-  std::string missing_map;            ///< the name of a picture that is not used; then no map
-  /// The picture's own bytes (PNG, JPEG ...) when it lies inside the mesh's file; diffuse_map is
-  /// then no file but a name for it: "arm.glb#2".
+  std::string missing_map;  ///< the name of an image that is not used; diffuse_map is then empty
+  /// The image's bytes (PNG, JPEG ...) when it is embedded in the mesh's file; diffuse_map is then
+  /// not a file but a name for it: "arm.glb#2".
   std::shared_ptr<const Bytes> diffuse_bytes;
   glm::vec2 map_scale{1.0F, 1.0F};   ///< map_Kd -s
   glm::vec2 map_offset{0.0F, 0.0F};  ///< map_Kd -o
@@ -32,7 +32,7 @@ struct Material {
 struct Vertex {
   glm::vec3 position;
   glm::vec3 normal;
-  glm::vec2 texture;  ///< v up, as OBJ has it: (0, 0) is the picture's bottom left
+  glm::vec2 texture;  ///< v up, as OBJ has it: (0, 0) is the image's bottom left
 };
 static_assert(sizeof(Vertex) == 32);
 
@@ -41,7 +41,7 @@ struct MeshPart {
   std::string group;              ///< OBJ `g` (or `o`) name; empty when none was given
   std::uint32_t material = 0;     ///< into Mesh::materials
   std::uint32_t first_index = 0;  ///< into Mesh::indices
-  std::uint32_t index_count = 0;  ///< three a triangle
+  std::uint32_t index_count = 0;  ///< three per triangle
 };
 
 struct Bounds {
@@ -52,8 +52,8 @@ struct Bounds {
   void add(const Bounds& other);
 };
 
-/// Triangles with everything needed to draw them, in metres, z up: a file's unit and up axis are
-/// applied on reading. Counter-clockwise triangles face outward. Normals are unit length.
+/// Triangles with everything needed to draw them, in metres, z up: the reader applies the file's
+/// unit and up axis. Counter-clockwise triangles face outward. Normals are unit length.
 struct Mesh {
   std::vector<Vertex> vertices;
   std::vector<std::uint32_t> indices;
@@ -65,7 +65,7 @@ struct Mesh {
   Bounds bounds;
 
   std::size_t triangleCount() const { return indices.size() / 3; }
-  /// What it holds in memory, pictures inside it once each.
+  /// Bytes in memory, each embedded image counted once.
   std::size_t memoryBytes() const;
 };
 

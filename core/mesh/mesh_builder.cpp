@@ -7,7 +7,7 @@ namespace rocinante {
 namespace {
 
 /// How many different corners of one point are compared before one is kept unshared: bounds the
-/// work on a file that puts every corner of a million on one point.
+/// work for a file with a million corners on one point.
 constexpr int kComparedCorners = 64;
 
 struct SharedVertex {

@@ -17,14 +17,14 @@ struct Corner {
   std::uint32_t normal = kNone;  ///< kNone: to be computed from the faces around
 };
 
-/// A mesh as a file tells it: separate arrays of positions, texture coordinates and normals, and
+/// A mesh as files store it: separate arrays of positions, texture coordinates and normals, and
 /// triangles that pick from each. Already in metres, z up.
 struct LooseMesh {
   std::vector<glm::vec3> positions;
   std::vector<glm::vec2> textures;
   std::vector<glm::vec3> normals;     ///< unit length
   std::vector<std::uint32_t> colors;  ///< 0xRRGGBBAA by position; empty: none
-  std::vector<Corner> corners;        ///< three a triangle
+  std::vector<Corner> corners;        ///< three per triangle
   std::vector<MeshPart> parts;        ///< first_index and index_count count corners
   std::vector<Material> materials;
 };

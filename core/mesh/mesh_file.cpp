@@ -27,9 +27,9 @@ std::string endingOfMesh(const std::filesystem::path& path) {
   return ending;
 }
 
-/// A whole file in memory of its own. Not the mapped file, which would end the program if it shrank
-/// meanwhile; and in huge pages where the system has them, since a hundred megabytes of small ones
-/// take longer to get than to fill.
+/// A whole file in its own memory. Not a mapped file: the program would crash if it shrank
+/// meanwhile. In huge pages where available, since allocating a hundred megabytes of small pages
+/// takes longer than filling them.
 class WholeFile {
  public:
   static constexpr std::uint64_t kLargestBytes = std::uint64_t{1} << 32U;
@@ -84,7 +84,7 @@ class WholeFile {
   std::size_t capacity_ = 0, size_ = 0;
 };
 
-/// Some triangles without area are in every export; one in a hundred is worth a word.
+/// Every export has some triangles without area; one in a hundred is worth a note.
 void judgeTriangles(const Mesh& mesh, FaultList& faults) {
   std::size_t flat = 0;
   for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {

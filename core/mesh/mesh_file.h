@@ -20,7 +20,7 @@ using ResolveFile =
     std::function<FoundFile(const std::string& name, const std::filesystem::path& beside)>;
 
 struct MeshReadOptions {
-  double unit_m = 1.0;  ///< metres a file's unit is
+  double unit_m = 1.0;  ///< metres per unit of the file
   UpAxis up = UpAxis::z;
   ResolveFile resolve;  ///< for mtllib and textures; empty: in the file's folder or below only
   double smooth_angle_deg = 40;  ///< missing normals: faces that meet at less are smoothed
@@ -28,13 +28,12 @@ struct MeshReadOptions {
 
 /// By the file's ending: .obj .stl .stlb .dae .gltf .glb.
 bool isMeshFile(const std::filesystem::path& path);
-/// COLLADA and glTF do; OBJ and STL say neither their unit nor their up axis.
+/// True for COLLADA and glTF; OBJ and STL state neither unit nor up axis.
 bool saysItsUnit(const std::filesystem::path& path);
 
 /// Reads .obj (with .mtl), .stl, binary and ASCII, .dae, .gltf or .glb by the file's ending. Faults
 /// of the file are added to `faults` with their lines and as much as is sound is returned; an error
-/// only when nothing can be used. What each format's reader makes of a file: obj_reader.h,
-/// stl_reader.h, scene_reader.h.
+/// only when nothing can be used. Details per format: obj_reader.h, stl_reader.h, scene_reader.h.
 Result<Mesh> readMeshFile(const std::filesystem::path& path, const MeshReadOptions& options,
                           ModelFaults& faults);
 

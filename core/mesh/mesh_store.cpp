@@ -83,7 +83,7 @@ void MeshStore::readAhead(const std::vector<MeshWanted>& wanted) {
     found_by_path.try_emplace(found.path, found);
   }
   if (fresh.empty()) return;
-  // The largest first, so that no thread is left with it in the end.
+  // The largest first, so that no thread starts it last.
   struct Job {
     const Key* key;
     Loaded* loaded;
@@ -167,7 +167,7 @@ std::shared_ptr<const Mesh> MeshStore::shape(const ShapeSize& wanted, Vec3& scal
                    "give them fewer sizes, or make each of a cylinder and two spheres");
       return nullptr;
     }
-    // What is drawn of the first sizes keeps its very numbers: scaling would round otherwise.
+    // The first sizes keep their exact vertices: scaling would round differently.
     made.size = {1, 1, 1};
     scale = {wanted.size[0], wanted.size[1], wanted.size[2]};
   }

@@ -27,8 +27,8 @@ struct MeshWanted {
   UpAxis up = UpAxis::z;
 };
 
-/// A shape by its kind and sizes in metres: sides of a box; a radius, thrice, of a sphere; radius,
-/// radius and length of the others.
+/// A shape by its kind and sizes in metres: sides of a box; three times the radius of a sphere;
+/// radius, radius and length of the others.
 struct ShapeSize {
   enum class Kind : std::uint8_t { box, sphere, cylinder, capsule };
   Kind kind = Kind::box;
@@ -42,18 +42,17 @@ class MeshStore {
   /// `search` is borrowed. With `geometry` false names are looked up but no mesh is opened.
   MeshStore(const FileSearch& search, bool geometry) : search_(search), geometry_(geometry) {}
 
-  /// What readAhead reads with, and whom it tells.
+  /// Threads and progress callback for readAhead.
   void readWith(ParallelFor parallel, TellLoadProgress tell);
 
   const FileSearch& search() const { return search_; }
 
-  /// Reads meshes that are going to be asked for, several at once. Changes nothing but the time
-  /// that load() takes: faults, files and lookups are told when, and in the order in which, the
-  /// meshes are asked for.
+  /// Reads meshes that load() will ask for, several at once. Only makes load() faster: faults,
+  /// files and lookups are still reported by load(), in its order.
   void readAhead(const std::vector<MeshWanted>& wanted);
 
-  /// The mesh that `name`, said at `place` of a file in folder `beside`, means; null with a fault
-  /// in `faults` when there is none, null without one when no geometry is wanted.
+  /// The mesh `name`, named at `place` of a file in folder `beside`. Null with a fault in `faults`
+  /// when it cannot be read; null without a fault when geometry is off.
   std::shared_ptr<const Mesh> load(const std::string& name, const std::filesystem::path& beside,
                                    double unit_m, UpAxis up, Place place, FaultList& faults);
 
@@ -61,9 +60,9 @@ class MeshStore {
   std::filesystem::path texture(const std::string& name, const std::filesystem::path& beside,
                                 Place place, FaultList& faults);
 
-  /// A shape that is made, not read; those of one size share a mesh. Past the first 1,000 sizes of
-  /// a kind it is one of size 1, and `scale` becomes what makes it as large; a capsule, which no
-  /// scale makes of another, is then a fault and null.
+  /// A generated shape; equal sizes share a mesh. After the first 1,000 sizes of a kind the mesh
+  /// has size 1 and `scale` is set to match; a capsule, which cannot be scaled to another, is then
+  /// a fault and null.
   std::shared_ptr<const Mesh> shape(const ShapeSize& wanted, Vec3& scale, Place place,
                                     FaultList& faults);
 
@@ -75,7 +74,7 @@ class MeshStore {
   struct Loaded {
     std::shared_ptr<const Mesh> mesh;
     std::string problem;
-    bool told = false;  ///< what follows has been passed on
+    bool told = false;  ///< the results below have been passed on
     ModelFaults faults;
     std::vector<FileLookup> lookups;
   };

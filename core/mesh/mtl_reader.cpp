@@ -83,7 +83,7 @@ class MtlReader {
     } else if (keyword == "d" || keyword == "Tr") {
       if (scan_.skipBlanks() && scan_.take('-')) scan_.word();  // d -halo
       if (readNumber(keyword, value)) {
-        // Some exporters write the opacity into Tr too: where both stand, d is meant.
+        // Some exporters write the opacity into Tr too: where both are given, d is used.
         if (keyword == "Tr" && opacity_said_) return;
         opacity_said_ = opacity_said_ || keyword == "d";
         const double opacity = keyword == "d" ? value : 1.0 - value;
@@ -163,7 +163,7 @@ class MtlReader {
   void keepMaterial() {
     if (!begun_) return;
     begun_ = false;
-    // Exporters write a black Kd beside a picture, which it would make black.
+    // Exporters write a black Kd beside an image, which would make it black.
     if (!material_.diffuse_map.empty() && glm::vec3(material_.diffuse) == glm::vec3(0)) {
       material_.diffuse = glm::vec4(1, 1, 1, material_.diffuse.a);
     }

@@ -30,7 +30,7 @@ class ObjReader {
         options_(options),
         resolve_(resolverOf(options)),
         faults_(faults) {
-    // What a file of that size usually holds; memory that is not touched costs nothing.
+    // What a file of that size usually holds; untouched memory costs nothing.
     loose_.positions.reserve(bytes.size() / 70);
     loose_.corners.reserve(bytes.size() / 24);
   }
@@ -45,7 +45,7 @@ class ObjReader {
     if (loose_.corners.empty()) {
       return Error{ErrorKind::damaged, "holds no face that can be drawn", path_.string()};
     }
-    // Colours at the points are meant as they are, not darkened by a grey that nobody wrote.
+    // Vertex colours are used as they are, not darkened by a default grey.
     for (const std::size_t grey : loose_.colors.empty() ? std::vector<std::size_t>() : greys_) {
       loose_.materials[grey].diffuse = glm::vec4(1.0F);
     }
@@ -55,7 +55,7 @@ class ObjReader {
 
  private:
   void readStatement(std::string_view keyword) {
-    // Nearly every line is one of these; to compare them as texts would take a while.
+    // Nearly every line is one of these; comparing strings would be slow.
     const char first = keyword.empty() ? '\0' : keyword[0];
     const char second = keyword.size() == 2 ? keyword[1] : '\0';
     if (keyword.size() == 1 && first == 'v') return readPosition();
@@ -98,7 +98,7 @@ class ObjReader {
       if (!std::isnan(p.x)) {
         add(Severity::error, "obj.bad-number", "v is outside the range that can be drawn");
       }
-      // The point keeps its number, so that the faces after it mean what they meant.
+      // The point keeps its index, so that later faces stay right.
       position.x = NAN;
     }
     loose_.positions.push_back(position);
@@ -106,7 +106,7 @@ class ObjReader {
     if (!loose_.colors.empty()) loose_.colors.resize(loose_.positions.size(), kWhite);
   }
 
-  /// What stands behind a position: a weight, which is passed over, or red, green and blue.
+  /// Behind a position: a weight, which is ignored, or red, green and blue.
   void readColor() {
     double numbers[3] = {0, 0, 0};
     if (!scan_.number(numbers[0]) || !scan_.number(numbers[1]) || !scan_.number(numbers[2])) return;
@@ -124,7 +124,7 @@ class ObjReader {
     Vec3 n(0.0);
     if (!readNumbers("vn", n.x, n.y, n.z)) n = Vec3(0.0);
     const double length = std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
-    // One without a direction, or far too long to have one, is computed like a missing one.
+    // A normal of length zero, or too long to normalise, is computed like a missing one.
     const bool sound = length > 0 && std::isfinite(length);
     loose_.normals.push_back(sound ? glm::vec3(turned(n / length)) : glm::vec3(NAN));
   }
@@ -184,7 +184,7 @@ class ObjReader {
     }
   }
 
-  /// V, V/T, V//N or V/T/N; on a fault the face is given up.
+  /// V, V/T, V//N or V/T/N; on a fault the face is left out.
   bool readCorner(Corner& corner) {
     std::int64_t number = 0;
     if (!scan_.integer(number)) return badCorner();
@@ -195,7 +195,7 @@ class ObjReader {
     }
     if (scan_.take('/')) {
       if (scan_.integer(number)) {
-        // Some exporters write V/V/V and no vt at all: that is no texture coordinate.
+        // Some exporters write V/V/V without any vt: those have no texture coordinates.
         if (!loose_.textures.empty() &&
             !resolveIndex(number, loose_.textures.size(), "texture coordinate", corner.texture)) {
           return false;
@@ -247,7 +247,8 @@ class ObjReader {
   std::uint32_t materialNumber(const std::string& name) {
     const auto known = material_numbers_.find(name);
     if (known != material_numbers_.end()) return known->second;
-    // Exporters without materials still write usemtl; only a file that has some misses one.
+    // Exporters without materials still write usemtl: a missing one is a fault only if the file has
+    // materials.
     if (any_library_) {
       add(Severity::warning, "obj.unknown-material",
           "no material file defines " + quotedInFault(name));
@@ -265,7 +266,7 @@ class ObjReader {
     return number;
   }
 
-  /// Ends the run of triangles of the group and material in force.
+  /// Ends the run of triangles of the current group and material.
   void closePart() {
     const auto end = static_cast<std::uint32_t>(loose_.corners.size());
     part_.index_count = end - part_.first_index;
@@ -350,7 +351,7 @@ class ObjReader {
   LooseMesh loose_;
   std::string object_;
   MeshPart part_;          ///< the one being filled
-  bool used_any_ = false;  ///< part_.material means something
+  bool used_any_ = false;  ///< part_.material is valid
   bool any_library_ = false;
   std::map<std::string, std::uint32_t> material_numbers_;
   std::map<fs::path, bool> libraries_;

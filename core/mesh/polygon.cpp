@@ -66,8 +66,9 @@ void PolygonCutter::clipEars() {
   std::uint32_t corner = 0;
   std::uint32_t refused = 0;  // in a row: a full round without an ear means there is none
   for (std::uint32_t left = count; left > 3;) {
-    // A round without an ear: corners in a straight line are cut off. A second one: the polygon
-    // crosses itself, and any corner is, so that something is drawn and the loop ends.
+    // After a round without an ear, corners on a straight line are cut off. After a second one the
+    // polygon crosses itself, and any corner is cut off, so that something is drawn and the loop
+    // ends.
     const bool straight = refused >= left && isStraight(corner);
     if (refused < 2 * left && !straight && !isEar(corner)) {
       ++refused;
@@ -77,7 +78,7 @@ void PolygonCutter::clipEars() {
     triangles_.insert(triangles_.end(), {previous_[corner], corner, next_[corner]});
     next_[previous_[corner]] = next_[corner];
     previous_[next_[corner]] = previous_[corner];
-    // One on, not back: cutting all round gives better shapes than a fan from one corner.
+    // Forward, not back: cutting all around gives better shapes than a fan from one corner.
     corner = next_[next_[corner]];
     refused = 0;
     --left;

@@ -9,15 +9,15 @@
 namespace rocinante {
 
 /// Cuts one polygon into triangles: a fan where it is convex, ear clipping where it is not. A
-/// concave polygon of more than 2,048 corners is only fanned (ears cost the square of them).
+/// concave polygon of more than 2,048 corners is only fanned (ear clipping is quadratic).
 class PolygonCutter {
  public:
-  /// Three indices into `corners` a triangle, count - 2 triangles, wound as the polygon is. Always
-  /// the same for the same input, also for polygons that cross themselves. At least 3 corners.
-  /// Valid until the next call.
+  /// Three indices into `corners` per triangle, count - 2 triangles, wound like the polygon.
+  /// Deterministic, also for polygons that cross themselves. At least 3 corners. Valid until the
+  /// next call.
   std::span<const std::uint32_t> cut(std::span<const glm::vec3> corners);
 
-  /// True when the last polygon was concave and too large for ears.
+  /// True when the last polygon was concave and too large for ear clipping.
   bool gaveUp() const { return gave_up_; }
 
  private:

@@ -8,8 +8,8 @@
 
 namespace rocinante {
 
-/// Numbers different positions from 0 in the order in which they first come. Equal means equal
-/// floats: no tolerance, so the answer does not depend on the order of the file; -0 equals 0.
+/// Numbers distinct positions from 0 in the order of first use. Equal means equal floats: no
+/// tolerance, so the answer does not depend on the order of the file; -0 equals 0.
 class PositionIndex {
  public:
   explicit PositionIndex(std::size_t expected) {

@@ -63,7 +63,7 @@ class MemoryStream : public Assimp::IOStream {
   std::size_t at_ = 0;
 };
 
-/// Gives assimp the file itself and what options.resolve finds beside it; nothing else is there.
+/// Gives assimp only the file itself and what options.resolve finds beside it.
 class FoundFiles : public Assimp::IOSystem {
  public:
   FoundFiles(std::string name, ByteView bytes, const fs::path& path, const ResolveFile& resolve)
@@ -89,7 +89,7 @@ class FoundFiles : public Assimp::IOSystem {
     const std::unique_ptr<Assimp::IOStream> ends(stream);
   }
 
-  /// The last file that was asked for and not given; empty when none was.
+  /// The last file that was asked for but refused; empty when none was.
   const std::string& refused() const { return refused_; }
 
  private:
@@ -100,7 +100,7 @@ class FoundFiles : public Assimp::IOSystem {
   std::string refused_;
 };
 
-/// Whether it is one of the two that we asked for; the others are not to guess at our files.
+/// Whether it is one of the two importers in use; others must not guess at our files.
 bool isWanted(const aiImporterDesc* facts) {
   if (facts == nullptr || facts->mName == nullptr) return false;
   const std::string_view name = facts->mName;
@@ -115,7 +115,7 @@ void keepWantedLoaders(Assimp::Importer& importer) {
   }
 }
 
-/// assimp's sentence without its file name and line ends.
+/// assimp's message without its file name and line ends.
 std::string reasonOf(const char* given) {
   std::string_view text = given;
   const std::size_t dash = text.find(" - ");
@@ -168,7 +168,7 @@ class SceneReader {
     std::string group;
   };
 
-  // Depth first, as the file has them, without the stack.
+  // Depth first, in file order, without recursion.
   Status addNodes(const Mat4& to_ours) {
     std::vector<Visit> visits;
     if (scene_.mRootNode != nullptr) visits.push_back({scene_.mRootNode, to_ours, ""});
@@ -178,7 +178,8 @@ class SceneReader {
       const aiNode& node = *visit.node;
       const Mat4 to_root = visit.above * matrixOfNode(node.mTransformation);
       const std::string_view name = node.mName.C_Str();
-      // The outermost node is assimp's own: always in COLLADA, in glTF where there are several.
+      // The outermost node is made by assimp: always in COLLADA, in glTF when there are several
+      // roots.
       const bool is_own = node.mParent == nullptr && (!is_gltf_ || name == "ROOT");
       if (!is_own && !name.empty()) visit.group = name;
       for (unsigned i = 0; i < node.mNumMeshes; ++i) {
@@ -301,13 +302,13 @@ class SceneReader {
     const bool is_opaque = given.Get(AI_MATKEY_GLTF_ALPHAMODE, mode) == aiReturn_SUCCESS &&
                            std::string_view(mode.C_Str()) == "OPAQUE";
     if (given.Get(AI_MATKEY_OPACITY, opacity) == aiReturn_SUCCESS && std::isfinite(opacity)) {
-      // Some exporters say 0 where they mean nothing at all.
+      // Some exporters write 0 for an unset value.
       if (!is_opaque && opacity > 0) material.diffuse.a = std::min(opacity, 1.0F);
     }
     if (!is_gltf_ && given.Get(AI_MATKEY_COLOR_SPECULAR, color) == aiReturn_SUCCESS) {
       material.specular = shown(color);
     }
-    // An emission that a picture shapes would light the whole surface without it.
+    // An emission with a texture would light the whole surface without it.
     if (given.GetTextureCount(aiTextureType_EMISSIVE) == 0 &&
         given.Get(AI_MATKEY_COLOR_EMISSIVE, color) == aiReturn_SUCCESS) {
       material.emission = shown(color);
@@ -321,14 +322,14 @@ class SceneReader {
     loose_.materials.push_back(std::move(material));
   }
 
-  /// The set of texture coordinates that the material's picture uses.
+  /// The set of texture coordinates that the material's image uses.
   unsigned readTexture(const aiMaterial& given, Material& material) {
     aiString name;
     if (given.Get(AI_MATKEY_TEXTURE(aiTextureType_DIFFUSE, 0), name) != aiReturn_SUCCESS ||
         name.length == 0) {
       return 0;
     }
-    // COLLADA has a colour or a picture, never both.
+    // COLLADA has a colour or an image, never both.
     if (!is_gltf_) material.diffuse = glm::vec4(1, 1, 1, material.diffuse.a);
     aiUVTransform placed;
     if (given.Get(AI_MATKEY_UVTRANSFORM(aiTextureType_DIFFUSE, 0), placed) == aiReturn_SUCCESS) {

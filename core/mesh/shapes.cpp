@@ -8,7 +8,7 @@
 namespace rocinante {
 namespace {
 
-constexpr std::uint32_t kSegments = 48;  // round the axis
+constexpr std::uint32_t kSegments = 48;  // around the axis
 constexpr std::uint32_t kCapRings = 12;  // from a pole to the equator
 
 /// Cosine and sine of turn i of `count`; the last is exactly the first, so that seams close.
@@ -40,8 +40,8 @@ class ShapeBuilder {
     return first;
   }
 
-  /// The band between two rings, `low` below `high`. A ring that is a pole gives one triangle a
-  /// segment, not two with one empty.
+  /// The band between two rings, `low` below `high`. A ring that is a pole gives one triangle per
+  /// segment, not two with one degenerate.
   void band(std::uint32_t low, std::uint32_t high, bool low_is_pole, bool high_is_pole) {
     for (std::uint32_t i = 0; i < kSegments; ++i) {
       if (!low_is_pole) triangle(low + i, low + i + 1, high + i + 1);

@@ -62,7 +62,7 @@ void smoothNormals(LooseMesh& loose, double angle_deg) {
   bool complete = true;
   for (const Corner& corner : loose.corners) complete = complete && corner.normal != kNone;
   if (complete) return;
-  // A hair below the cosine: faces that meet at exactly the angle are smoothed.
+  // Slightly below the cosine: faces that meet at exactly the angle are smoothed.
   const double least_cosine = cosine(radiansOf(angle_deg)) - 1e-9;
 
   PositionIndex points(loose.positions.size());
@@ -98,7 +98,7 @@ void smoothNormals(LooseMesh& loose, double angle_deg) {
       if (around.size() > kSmoothedCorners) {
         sum = unit[face];
       } else {
-        // A face without area has no direction of its own and takes part in all.
+        // A face without area has no normal and is smoothed with all others.
         const bool any_direction = unit[face] == Vec3(0.0);
         for (const std::uint32_t other : around) {
           const std::size_t neighbour = other / 3;

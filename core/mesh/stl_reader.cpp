@@ -63,7 +63,7 @@ class StlReader {
     TextScanner scan(text);
     scan.skipBlanks();
     if (scan.word() != "solid") return true;
-    // A binary file of the wrong length may still begin with "solid": a text has no zero bytes.
+    // A binary file of the wrong length may also begin with "solid"; text has no zero bytes.
     return text.substr(0, 1024).find('\0') != std::string_view::npos;
   }
 
@@ -111,7 +111,7 @@ class StlReader {
           scan.skipBlanks();
           faults_.add(Severity::error, "stl.bad-number", {line},
                       "vertex needs three numbers, not " + quotedInFault(scan.word()));
-          // Too many corners: the facet is left out with the fault that was just told.
+          // Too many corners: the facet is left out; its fault was just reported.
           corners = facet.size() + 1;
         } else if (corners < facet.size()) {
           facet[corners++] = p;

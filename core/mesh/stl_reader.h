@@ -8,10 +8,10 @@
 
 namespace rocinante {
 
-/// Reads an STL file, binary or ASCII. It is binary when its length is what its count of triangles
-/// says, whatever its header claims (many binary files begin with "solid"). Points with equal
-/// coordinates are joined; normals come from the winding, smoothed by angle: the file's own are one
-/// a face and often zero. One part without a name, one grey material.
+/// Reads an STL file, binary or ASCII. It is binary when its length matches its count of triangles,
+/// even if its header begins with "solid", as many binary files do. Points with equal coordinates
+/// are joined; normals come from the winding, smoothed by angle: the file's own normals are one per
+/// face and often zero. One part without a name, one grey material.
 Result<Mesh> readStl(ByteView bytes, const std::filesystem::path& path,
                      const MeshReadOptions& options, FaultList& faults);
 

@@ -12,7 +12,8 @@ namespace rocinante {
 
 /// Walks through the text of an OBJ, MTL or ASCII STL file line by line. Lines end with LF, CR LF
 /// or CR; a backslash before the line's end continues it. Numbers are decimal, read exactly and
-/// independently of locale. Never reads past the end; allocates only for names that are continued.
+/// independently of locale. Never reads past the end; allocates only for names that continue over a
+/// line end.
 class TextScanner {
  public:
   explicit TextScanner(std::string_view text) : at_(text.data()), end_(text.data() + text.size()) {
@@ -44,14 +45,14 @@ class TextScanner {
     }
   }
 
-  /// The word here: what stands before the next blank or the line's end.
+  /// The word here, up to the next blank or the line's end.
   std::string_view word() {
     const char* from = at_;
     while (at_ != end_ && !isBlankOrEnd(*at_) && !(*at_ == '\\' && continues())) ++at_;
     return {from, static_cast<std::size_t>(at_ - from)};
   }
 
-  /// What is left of the line without blanks around it; a continued line end becomes a space.
+  /// The rest of the line without blanks around it; a continued line end becomes a space.
   std::string restOfLine() {
     skipBlanks();
     std::string rest;
@@ -104,8 +105,8 @@ class TextScanner {
     return true;
   }
 
-  /// A decimal integer; one that does not fit becomes the largest or smallest that does, which no
-  /// index can be. False when there is none here. Blanks are not skipped.
+  /// A decimal integer, clamped to the range of the type; no valid index has that value. False when
+  /// there is no integer here. Blanks are not skipped.
   bool integer(std::int64_t& value) {
     const char* at = at_;
     const bool negative = at != end_ && *at == '-';
@@ -114,7 +115,7 @@ class TextScanner {
     std::uint64_t magnitude = 0;
     while (at != end_ && isDigit(*at)) magnitude = magnitude * 10 + digitOf(*at++);
     if (at == digits_from) return false;
-    // Zeros in front aside, so many digits always fit.
+    // Without leading zeros, this many digits always fit.
     constexpr std::ptrdiff_t kFitting = std::numeric_limits<std::int64_t>::digits10;
     if (at - digits_from > kFitting) magnitude = saturated(digits_from, at);
     at_ = at;
@@ -123,7 +124,7 @@ class TextScanner {
     return true;
   }
 
-  /// True, and past it, when the next character is `c`.
+  /// Skips the next character if it is `c`; true then.
   bool take(char c) {
     if (at_ == end_ || *at_ != c) return false;
     ++at_;
@@ -140,7 +141,7 @@ class TextScanner {
                                             1e7,  1e8,  1e9,  1e10, 1e11, 1e12, 1e13,
                                             1e14, 1e15, 1e16, 1e17, 1e18, 1e19};
 
-  /// Of digits that may be too many: the largest that fits at most.
+  /// Digits to a number, clamped to the largest that fits.
   static std::uint64_t saturated(const char* from, const char* end) {
     constexpr auto kLargest = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
     std::uint64_t value = 0;

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 constexpr int kMaxFoldersUp = 16;
 
-// A file's name taken apart.
+// The parts of a file's name.
 struct ParsedName {
   std::string path;     // with `/` and nothing before it when package is set
   std::string package;  // of package:// and model://
@@ -90,7 +90,7 @@ std::vector<fs::path> candidatesFor(const ParsedName& name, const fs::path& besi
                                     const std::vector<fs::path>& roots) {
   std::vector<fs::path> places;
   if (!name.package.empty()) {
-    // A model usually lies within the package that it names, so upwards from it first.
+    // A model is usually inside the package that it names, so search upwards first.
     fs::path folder = beside;
     for (int up = 0; up < kMaxFoldersUp && !folder.empty(); ++up) {
       if (folder.filename() == name.package) places.push_back(folder / name.path);
@@ -144,7 +144,7 @@ Status FileSearch::addRoot(const fs::path& root) {
 void FileSearch::addEnvironmentRoots() {
   struct Variable {
     const char* name;
-    bool prefix;  // of an installation: packages lie in share
+    bool prefix;  // of an installation: packages are in share
   };
   for (const Variable& variable :
        {Variable{"ROCINANTE_PATH", false}, Variable{"AMENT_PREFIX_PATH", true},
@@ -156,7 +156,7 @@ void FileSearch::addEnvironmentRoots() {
       const fs::path root = rest.substr(0, colon);
       rest.remove_prefix(std::min(colon + 1, rest.size()));
       if (root.empty()) continue;
-      // Entries that do not exist are common there and mean nothing.
+      // Entries that do not exist are common there and ignored.
       if (variable.prefix) static_cast<void>(addRoot(root / "share").ok());
       static_cast<void>(addRoot(root).ok());
     }
@@ -226,12 +226,12 @@ FoundFile FileSearch::lookFor(const std::string& given, const fs::path& beside,
     if (!parsed.package.empty()) addPackagesAbove(parsed.package, roots);
     std::vector<fs::path> folders;
     for (const Root& root : roots) folders.push_back(root.canonical);
-    // Whoever named a package's folder lets in what is in it.
+    // Naming a package's folder permits everything in it.
     for (const Package& each : packages_) roots.push_back(each.folder);
     if (within != nullptr && !within->root.empty()) {
       roots.push_back({within->root_as_given, within->root});
     }
-    // What is found is the answer; of refusals the first that is not "missing".
+    // A found file is the answer; otherwise the first refusal that is not "missing".
     const auto isAnswer = [&](const fs::path& place, const fs::path& package_folder) {
       FoundFile found = checkIn(roots, place);
       found.package = package_folder;
@@ -253,7 +253,7 @@ FoundFile FileSearch::lookFor(const std::string& given, const fs::path& beside,
       }
     }
     if (!parsed.absolute) continue;
-    // Made on another machine: as many of its last parts as lead to a file here.
+    // Made on another machine: the longest tail of the path that is a file here.
     std::string_view rest = parsed.path;
     for (std::size_t slash = rest.find('/'); slash != std::string_view::npos;
          slash = rest.find('/')) {

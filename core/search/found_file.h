@@ -8,7 +8,7 @@
 
 namespace rocinante {
 
-/// What became of a name that a cell or model gives for a file.
+/// The result of looking for a file that a cell or model names.
 struct FoundFile {
   enum class Why : std::uint8_t {
     found,
@@ -21,32 +21,32 @@ struct FoundFile {
   };
   Why why = Why::missing;
   std::filesystem::path path;  ///< empty unless found; begins as the root was given
-  std::filesystem::path root;  ///< in which it lies, without links; empty unless found
+  std::filesystem::path root;  ///< that contains it, without links; empty unless found
   std::filesystem::path root_as_given;
-  /// The folder, without links, of the package that the name says, where the folder itself is named
-  /// otherwise; else empty.
+  /// The folder, without links, of the named package when the folder's own name differs; else
+  /// empty.
   std::filesystem::path package;
-  /// What is known besides about a file that is missing: parts of problem() and hint().
+  /// More about a missing file, for problem() and hint().
   std::string detail, advice;
-  /// "there is no such file within the search roots", for a fault's sentence; empty when found.
+  /// "there is no such file within the search roots", for a fault's message; empty when found.
   std::string problem() const;
   std::string hint() const;
 };
 
-/// A name that was looked for, and what became of it.
+/// A name that was looked for, and the result.
 struct FileLookup {
-  std::filesystem::path beside;  ///< the folder of the file that says the name
+  std::filesystem::path beside;  ///< the folder of the file that contains the name
   std::string name;
   FoundFile found;
 };
 
-/// What a search did, for those who must do it again elsewhere.
+/// What a search did, so that it can be repeated elsewhere.
 struct FileLookups {
   std::vector<std::filesystem::path> roots;  ///< without links, in the order they are looked into
   std::vector<FileLookup> lookups;           ///< each as often as it came
 };
 
-/// What the names mean where that is known beforehand: FileLookup::found by name and folder.
+/// Results known beforehand: FileLookup::found by name and folder.
 using FileAnswers =
     std::function<FoundFile(const std::string& name, const std::filesystem::path& beside)>;
 

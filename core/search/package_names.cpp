@@ -10,7 +10,7 @@ namespace rocinante {
 namespace {
 
 constexpr std::size_t kMaxFolders = 4096;
-constexpr std::size_t kMaxPackageBytes = 64 * 1024;  // <name> stands at the top
+constexpr std::size_t kMaxPackageBytes = 64 * 1024;  // <name> is at the top
 constexpr std::size_t kMaxPackageName = 255;
 
 /// The text of <package><name>, without blanks around it.

@@ -8,13 +8,13 @@
 
 namespace rocinante {
 
-/// What folders say in their package.xml to be called. Looks at each folder once. Any number of
-/// threads at once.
+/// The package names that folders declare in their package.xml. Looks at each folder once. Any
+/// number of threads at once.
 class PackageNames {
  public:
   /// The <name> in the folder's package.xml; empty where there is none that can be read.
   std::string nameOf(const std::filesystem::path& folder);
-  /// The folders in `folder`, by name; of very many the first 4,096 that the system gives.
+  /// The folders in `folder`, by name; at most the first 4,096 that the system lists.
   std::vector<std::filesystem::path> foldersIn(const std::filesystem::path& folder);
 
  private:

@@ -7,7 +7,7 @@
 #include "core/search/file_search.h"
 #include "core/search/package_names.h"
 
-// Which folder a package's name means, where no folder has that name.
+// Finds the folder of a package when no folder has the package's name.
 
 namespace rocinante {
 namespace {
@@ -28,7 +28,7 @@ std::vector<fs::path> foldersUpFrom(fs::path folder, int most) {
   return folders;
 }
 
-/// As somebody in the current folder would type it.
+/// As typed from the current folder.
 std::string typedPath(const fs::path& path) {
   std::error_code error;
   const fs::path here = fs::current_path(error);
