@@ -178,7 +178,7 @@ auto outcomeOf(const Cell& cell) {
     faults.emplace_back(fault.severity, fault.rule, static_cast<int>(fault.line),
                         static_cast<int>(fault.column));
   }
-  // Their order may depend on file names, which differ here.
+  // Sorted: the order may depend on file names, which differ in the bundle.
   std::sort(faults.begin(), faults.end());
   return std::tuple(faults, cell.files.size(), cell.devices.size(), cell.models.size());
 }

@@ -45,7 +45,7 @@ FileSearch searchFor(const CellOptions& options) {
   return search;
 }
 
-// Packages named by whoever runs the program: before those of a cell, which they outrank.
+// Packages named by the user: added before those of the cell, which they override.
 Status addPackages(const CellOptions& options, FileSearch& search) {
   for (const PackageFolder& package : options.packages) {
     if (Status added = search.addPackage(package); !added.ok()) return added;
@@ -53,7 +53,7 @@ Status addPackages(const CellOptions& options, FileSearch& search) {
   return Status{};
 }
 
-// Roots named by whoever runs the program.
+// Roots named by the user.
 Status addRoots(const CellOptions& options, FileSearch& search) {
   for (const fs::path& root : options.search) {
     if (Status added = search.addRoot(root); !added.ok()) return added;
@@ -86,7 +86,8 @@ Status refuseFaulty(const Cell& cell, const fs::path& path, const CellOptions& o
   return first;
 }
 
-// Of the cell first, then of each file as it was come to; in each from top to bottom.
+// The cell's faults first, then those of each file in the order of reading; each from top to
+// bottom.
 void sortFaults(Cell& cell) {
   std::map<std::string, std::size_t> order{{cell.file, 0}};
   for (const ModelFault& fault : cell.faults) order.emplace(fault.file, order.size());
@@ -219,7 +220,7 @@ Result<Cell> readCell(ByteView bytes, const fs::path& path, const CellOptions& o
   layers.finish();
   for (const CellFile* file : files.inOrder()) readInsets(*file->root, cell);
   CellMaterials materials;
-  // What is read later stands over what was read before.
+  // Later files override earlier ones.
   for (auto at = files.inOrder().rbegin(); at != files.inOrder().rend(); ++at) {
     const CellFile& file = **at;
     readRules(*file.root, cell);

@@ -30,8 +30,8 @@ struct CellDevice {
   bool optional = false;          ///< waits for `add`
   /// Carried from the start: `pose` is in the space of this device's link (empty: its root).
   std::string on_device, on_link;
-  std::optional<glm::vec4> color;  ///< in place of its materials' own
-  /// The model with what [[material]] tables change of this device's looks; null: nothing.
+  std::optional<glm::vec4> color;  ///< replaces its materials' colours
+  /// The model with this device's [[material]] changes; null: no changes.
   std::shared_ptr<const Model> dressed;
 };
 
@@ -53,7 +53,7 @@ struct CellInset {
   std::string camera;  ///< of the cell, a `view` of the session, or built in: "map", "fit",
                        ///< "fit:DEVICE"
   InsetCorner corner = InsetCorner::top_right;
-  double width = 0.3, height = 0.3;  ///< parts of the picture's; pixels when `in_pixels`
+  double width = 0.3, height = 0.3;  ///< fractions of the picture's; pixels when `in_pixels`
   bool in_pixels = false;
   int margin_px = 12;                ///< from the picture's edges, and between insets
   std::optional<std::string> title;  ///< without: the camera's name; empty: none
@@ -69,14 +69,14 @@ enum class CollisionLook : std::uint8_t {
   over,  ///< both, the collision geometry translucent
 };
 
-/// How the cell has a layer drawn. What is empty is as without it.
+/// How the cell draws a layer. Empty values change nothing.
 struct LayerLook {
   std::optional<bool> wireframe;
   std::optional<float> opacity;            ///< 0 to 1, times the surfaces' own
-  std::optional<CollisionLook> collision;  ///< means nothing of parts
+  std::optional<CollisionLook> collision;  ///< ignored for parts
   bool operator==(const LayerLook&) const = default;
 
-  /// What `nearer` says stands over this.
+  /// Values of `nearer` override these.
   void add(const LayerLook& nearer) {
     if (nearer.wireframe) wireframe = nearer.wireframe;
     if (nearer.opacity) opacity = nearer.opacity;
@@ -108,11 +108,11 @@ struct CellSource {
   std::map<std::string, std::string> ghost_of;  ///< device drawn as a ghost of another
 };
 
-/// A light so far away that it has a direction alone.
+/// A light at infinity: it has only a direction.
 struct CellLight {
   Vec3 direction{0, 0, 1};            ///< towards it, of any length but zero; world space
   glm::vec3 color{1.0F, 1.0F, 1.0F};  ///< display values
-  double strength = 1;                ///< 1: as bright as the light that is there without any
+  double strength = 1;                ///< 1: as bright as the default light
 };
 
 struct CellScene {
@@ -133,9 +133,9 @@ struct Cell {
   std::vector<CellDevice> devices;  ///< as the file has them
   /// Names to places in `devices`; loading fills it, a cell made by hand may leave it empty.
   std::map<std::string, std::size_t, std::less<>> device_by_name;
-  /// By the names that `add DEVICE MODEL` may use: of each [[model]] its name; of each file that a
-  /// device uses the text that it writes, the file's name, and that without `.urdf`. A short name
-  /// that would mean two models means neither.
+  /// By the names that `add DEVICE MODEL` may use: the name of each [[model]]; for each file that a
+  /// device uses, the text as written, the file's name, and that without `.urdf`. A short name that
+  /// fits two models means neither.
   std::map<std::string, std::shared_ptr<const Model>> models;
   std::vector<CellCamera> cameras;
   std::vector<CellInset> insets;  ///< as the files have them
@@ -143,40 +143,40 @@ struct Cell {
   std::vector<CellSource> sources;
   std::vector<CellRule> rules;  ///< as the file has them
   CellScene scene;
-  ModelFaults faults;  ///< of the cell and all that it names
+  ModelFaults faults;  ///< of the cell and all files that it names
   /// Every file that was read, for attaching and hashing; sorted.
   std::vector<std::filesystem::path> files;
-  /// Of a cell that came out of a log: keeps the folder that `files` lie in while they are needed,
-  /// and says how people know that folder, each with a `/` behind it.
+  /// For a cell from a log: keeps the folder of `files` while they are needed, and the name that
+  /// users know it by, each with a trailing `/`.
   std::shared_ptr<const void> keeps_files;
   std::string files_below, files_shown_as;
 
-  /// The model of a device as it looks; null when it could not be read.
+  /// The model of a device with its appearance; null when it could not be read.
   const Model* modelOf(const CellDevice& device) const;
   const CellDevice* findDevice(std::string_view name) const;
   const CellCamera* findCamera(std::string_view name) const;
-  /// `text` with files named as people know them: they may lie elsewhere for a while.
+  /// `text` with files named as users know them: they may be in a temporary folder.
   std::string shown(std::string text) const;
 };
 
 struct CellOptions : ModelSearch {
   bool geometry = true;  ///< false: kinematics only, no mesh is opened (check without GL is fast)
-  /// Reads meshes on several threads; empty: one after the other. What is loaded, and which faults
-  /// in which order, does not depend on it. `answers` is then called by any of them.
+  /// Reads meshes on several threads; empty: one after the other. The result and the order of
+  /// faults do not depend on it. Any of the threads may call `answers`.
   ParallelFor parallel;
   TellLoadProgress progress;       ///< of the meshes; may be empty
   bool strict = false;             ///< an error when any fault is one
-  FileLookups* lookups = nullptr;  ///< borrowed: told of every root and name that is looked for
-  FileAnswers answers;             ///< what names mean, in place of looking; then no root counts
+  FileLookups* lookups = nullptr;  ///< borrowed: receives every root and name that is looked for
+  FileAnswers answers;             ///< resolves names instead of searching; roots are then ignored
 };
 
 /// Loads a *.cell.toml, or a bare .urdf, .obj or .stl as a cell of one device named after the file.
-/// Faults stand in the cell and as much as is sound is loaded; an error only when nothing is
-/// (the file is missing, or is no cell at all).
+/// Faults are listed in the cell, and everything valid is loaded; an error only when nothing is
+/// valid (the file is missing or not a cell).
 Result<Cell> loadCell(const std::filesystem::path& path, const CellOptions& options);
 
 /// A cell from the bytes of a *.cell.toml; `path` names them, and names in them are looked for in
-/// its folder. Touches the file only in what it names.
+/// its folder. Does not open `path` itself.
 Result<Cell> readCell(ByteView bytes, const std::filesystem::path& path,
                       const CellOptions& options);
 

@@ -16,7 +16,7 @@ fs::path withoutLinks(const fs::path& path) {
   return error ? path.lexically_normal() : canonical;
 }
 
-// What follows from `format`; an error when the file is of a later one.
+// Checks `format`; an error when it is a later one.
 Status checkFormat(TomlTable& root, const fs::path& path) {
   const TomlNode* format = root.node("format");
   const bool is_number = format != nullptr && format->kind == TomlNode::Kind::integer;
@@ -123,7 +123,7 @@ void CellFiles::readIncludesOf(std::size_t number, std::size_t depth) {
   reading_.push_back(number);
   TomlTable& root = *files_[number]->root;
   if (const TomlNode* given = root.node("include")) {
-    static_cast<void>(root.texts("include"));  // tells of what is no string
+    static_cast<void>(root.texts("include"));  // reports entries that are not strings
     for (const TomlNode& name : given->items) {
       if (name.kind == TomlNode::Kind::text) readInclude(number, name, depth + 1);
     }
@@ -187,7 +187,7 @@ std::string CellFiles::placeInLoop(std::ptrdiff_t at) const {
 }
 
 void CellFiles::putInOrder() {
-  // Deepest first, last include first; then turned about.
+  // Deepest first, last include first; then reversed.
   std::vector<bool> seen(files_.size(), false);
   const auto visit = [&](const auto& self, std::size_t number) -> void {
     if (seen[number]) return;

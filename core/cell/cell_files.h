@@ -19,7 +19,7 @@ inline constexpr std::size_t kMaxCellBytes = std::size_t{4} << 20;
 inline constexpr std::size_t kMaxCellFiles = 64;
 inline constexpr std::size_t kMaxIncludeDepth = 16;
 
-/// A file of a cell: itself, or one that it includes.
+/// A file of a cell: the cell itself or an included one.
 struct CellFile {
   std::filesystem::path path, folder;
   TomlNode document;
@@ -36,14 +36,14 @@ class CellFiles {
   CellFiles(FileSearch& search, ModelFaults& faults, bool own_roots)
       : search_(search), faults_(faults), own_roots_(own_roots) {}
 
-  /// The cell itself; an error when it is none. Its own roots are added to the search.
+  /// Reads the cell itself; an error when it is not one. Its own roots are added to the search.
   Status readMain(ByteView bytes, const std::filesystem::path& path);
-  /// What it includes, and what that includes; what cannot be read is a fault.
+  /// Reads all included files, transitively; one that cannot be read is a fault.
   void readIncluded();
 
   /// The cell first, and every file before those that it includes.
   const std::vector<CellFile*>& inOrder() const { return order_; }
-  /// Whether `above` includes `below` in the end: names of FaultList::file.
+  /// Whether `above` includes `below`, directly or not: names of FaultList::file.
   bool includes(const std::string& above, const std::string& below) const;
   /// Reports keys that nothing asked for, and closes the lists of faults.
   void finish();
@@ -52,7 +52,7 @@ class CellFiles {
   CellFile& add(const std::filesystem::path& path, TomlNode document);
   void readIncludesOf(std::size_t file, std::size_t depth);
   void readInclude(std::size_t file, const TomlNode& name, std::size_t depth);
-  /// What file `at` of those being read is to the one that includes it again.
+  /// Describes file `at` of those being read to the file that includes it again.
   std::string placeInLoop(std::ptrdiff_t at) const;
   void putInOrder();
 

@@ -5,7 +5,7 @@
 
 namespace rocinante {
 
-/// Reads the `[[inset]]`s of one file of a cell into `cell`, when the cameras of all files were
+/// Reads the `[[inset]]`s of one file of a cell into `cell`, after the cameras of all files were
 /// read.
 void readInsets(TomlTable& root, Cell& cell);
 

@@ -13,7 +13,7 @@
 namespace rocinante {
 namespace {
 
-// Of all layers: those of every device are asked for at each device of each frame.
+// For all layers together: members for every device (`*`) cost time at each device of each frame.
 constexpr std::size_t kMaxMembers = 4096;
 
 void readCollision(TomlTable& table, LayerLook& look) {
@@ -42,7 +42,7 @@ void readOpacity(TomlTable& table, LayerLook& look) {
   }
 }
 
-// Whether a link of that name is in the model, or any when there is no name.
+// Whether the model has a link of that name, or any link when the name is empty.
 bool hasLink(const Model& model, const std::string& link) {
   return link.empty() || model.findLink(link).has_value();
 }
@@ -104,7 +104,7 @@ void LayerReader::read(TomlTable& root) {
 
 void LayerReader::readMembers(TomlTable& table, CellLayer& layer,
                               std::vector<const TomlNode*>& at) {
-  static_cast<void>(table.texts("members"));  // tells of what is no string
+  static_cast<void>(table.texts("members"));  // reports entries that are not strings
   const TomlNode* const array = table.node("members");
   if (array == nullptr || array->kind != TomlNode::Kind::array) return;
   for (const TomlNode& item : array->items) {
@@ -159,7 +159,7 @@ bool LayerReader::isThere(const TomlTable& table, Place place, const LayerMember
     }
     return true;
   }
-  // What could not be read has faults of its own.
+  // Models that could not be read have their own faults.
   if (models.empty()) return true;
   std::erase_if(models, [&](const Model* model) { return !hasLink(*model, member.link); });
   if (models.empty()) {

@@ -16,7 +16,7 @@ class LayerReader {
   LayerReader(Cell& cell, CellNames& names) : cell_(cell), names_(names) {}
 
   void read(TomlTable& root);
-  /// When devices and sources of all files were read: leaves out what there is not.
+  /// After the devices and sources of all files were read: drops members that do not exist.
   void finish();
 
  private:
@@ -34,8 +34,8 @@ class LayerReader {
   std::size_t members_ = 0;  // of all layers
 };
 
-/// Layers need no [[layer]]; where a cell has some, another name at the table's `key` is likely a
-/// slip.
+/// Layers need no [[layer]]; where a cell has some, any other name at the table's `key` is probably
+/// a typo.
 void checkLayer(const TomlTable& table, std::string_view key, const Cell& cell,
                 const std::string& layer);
 }  // namespace rocinante

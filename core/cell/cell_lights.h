@@ -8,7 +8,7 @@ namespace rocinante {
 
 /// Reads the `[[light]]`s of one file of a cell into `cell`, before [scene].
 void readLights(TomlTable& root, CellNames& names, Cell& cell);
-/// When all files were read: the key light is the first that there is.
+/// After all files were read: the key light is the first of them.
 void finishLights(Cell& cell);
 
 }  // namespace rocinante

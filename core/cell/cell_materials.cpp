@@ -25,7 +25,7 @@ std::optional<glm::vec2> readPair(TomlTable& table, std::string_view key) {
 void change(const MaterialChange& by, Material& material) {
   if (by.color) {
     material.diffuse = *by.color;
-    // As everywhere, a colour stands in place of the picture.
+    // As everywhere, a colour replaces the texture.
     if (!by.texture) {
       material.diffuse_map.clear();
       material.missing_map.clear();
@@ -34,7 +34,7 @@ void change(const MaterialChange& by, Material& material) {
   if (by.texture) {
     material.diffuse_map = *by.texture;
     material.missing_map.clear();
-    // A picture is seen as it is where no colour was asked for.
+    // Without a colour of its own, the texture is drawn unmodified.
     if (!by.color && !by.texture->empty()) {
       material.diffuse = glm::vec4(1.0F, 1.0F, 1.0F, material.diffuse.a);
     }
@@ -140,7 +140,7 @@ void CellMaterials::apply(Cell& cell) {
     if (chosen.size() > of_all.size()) device.dressed = dress(model->second, chosen);
   }
   if (!of_all.empty()) {
-    // Last: until here devices were dressed from what files say.
+    // Last: until here devices were dressed from the models as read.
     for (auto& [name, model] : cell.models) {
       if (model) model = dress(model, of_all);
     }

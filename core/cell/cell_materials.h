@@ -11,13 +11,13 @@
 
 namespace rocinante {
 
-/// What one `[[material]]` changes, and of what: patterns, empty for all.
+/// One `[[material]]`: its changes, and patterns for the things it changes, empty for all.
 struct MaterialChange {
   std::string device, link, group, material;
   std::optional<glm::vec4> color;
   std::optional<glm::vec3> specular, emission;
   std::optional<float> shininess;
-  std::optional<std::filesystem::path> texture;  ///< an empty one takes the texture away
+  std::optional<std::filesystem::path> texture;  ///< an empty one removes the texture
   std::optional<glm::vec2> texture_scale, texture_offset;
 };
 
@@ -25,7 +25,7 @@ struct MaterialChange {
 /// looks they change are replaced by copies that share geometry; kinematics stay as they are.
 class CellMaterials {
  public:
-  /// Those of one file of the cell, in `folder`: a later change stands over an earlier one.
+  /// Reads those of one file of the cell, in `folder`: later changes override earlier ones.
   void read(TomlTable& root, const std::filesystem::path& folder, MeshStore& meshes);
   /// When models and devices are known: changes Cell::models and CellDevice::dressed.
   void apply(Cell& cell);

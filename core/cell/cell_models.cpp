@@ -63,7 +63,7 @@ std::shared_ptr<const Model> CellModels::readModelFile(const std::string& name,
                                                        Place place, FaultList& faults) {
   if (endsIn(name, ".urdf") || endsIn(name, ".sdf"))
     return readTreeFile(name, folder, place, faults);
-  // A mesh that says its unit is a rigid thing.
+  // A mesh that states its unit is a rigid model.
   auto mesh = meshes_.load(name, folder, 1.0, UpAxis::z, place, faults);
   const std::filesystem::path file(name);
   return std::make_shared<const Model>(rigidModel(file.stem().string(), name, std::move(mesh)));
@@ -135,7 +135,7 @@ std::map<std::string, std::shared_ptr<const Model>> CellModels::named() const {
     }
   }
   for (const std::string& name : ambiguous) names.erase(name);
-  // Later lines outrank: what a device writes, then what a [[model]] is called.
+  // Later lines override: names that devices write, then names of [[model]]s.
   for (const auto& [name, model] : used_) {
     if (model) names[name] = model;
   }

@@ -22,8 +22,8 @@ class CellModels {
 
   /// Reads one `[[model]]` of a file in `folder`.
   void readModel(TomlTable table, const std::filesystem::path& folder);
-  /// The model that a device means by `name`, said at the table's `model` in a file in `folder`: a
-  /// [[model]], or a file, which is then read. A fault when there is none. Returns its key.
+  /// The model that a device names with `name`, at the table's `model` in a file in `folder`: a
+  /// [[model]], or a file, which is then read. A fault when neither exists. Returns its key.
   std::string use(const std::string& name, const TomlTable& table,
                   const std::filesystem::path& folder);
 

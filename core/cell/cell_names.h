@@ -10,14 +10,14 @@
 
 namespace rocinante {
 
-/// The names of a cell's tables, over all its files. A file outranks what it includes; else the
-/// first table of a name stands.
+/// The names of a cell's tables, over all its files. A file overrides the files that it includes;
+/// otherwise the first table of a name is used.
 class CellNames {
  public:
   explicit CellNames(const CellFiles& files) : files_(files) {}
 
-  /// The table's `name` (or `name`, which then stands for it) when it is the table's to have; empty
-  /// when another has it, with a fault.
+  /// The table's `name` (or the argument `name` instead of it); empty, with a fault, when another
+  /// table already has it.
   std::optional<std::string> take(TomlTable& table);
   std::optional<std::string> take(TomlTable& table, const std::string& name);
 

@@ -9,18 +9,18 @@
 
 namespace rocinante {
 
-/// What `[rules]` of a cell says of one rule of `check`. Which rules there are, `check` knows.
+/// One entry of a cell's `[rules]`. Only `check` knows which rules exist.
 struct CellRule {
   std::string id;
   bool is_off = false;
-  std::optional<Severity> severity;  ///< empty: as it is by default, unless it is off
+  std::optional<Severity> severity;  ///< empty: the default, unless it is off
   std::string threshold_key;         ///< "ms"; empty: none is given
   double threshold = 0;
-  std::string file;          ///< that says so: the cell, or one that it includes
-  int line = 0, column = 0;  ///< of the rule's id there; 0: not from a file
+  std::string file;          ///< with this entry: the cell, or an included file
+  int line = 0, column = 0;  ///< of the rule's id in it; 0: not from a file
 };
 
-/// "off", "note", "warning" or "error" into `rule`; false when `word` is none of these.
+/// "off", "note", "warning" or "error" into `rule`; false when `word` is another word.
 bool readSeverity(std::string_view word, CellRule& rule);
 
 /// What `check` expects of the packets of a source, beyond its rate. Empty: the rule's threshold.

@@ -32,7 +32,7 @@ Target readTarget(TomlTable& table, std::string_view key) {
   return target;
 }
 
-// Clears a target that the cell has not.
+// Clears a target that the cell does not have.
 void checkTarget(const TomlTable& table, std::string_view key, const Cell& cell,
                  std::string& device_name, std::string& link_name) {
   if (device_name.empty()) return;
@@ -60,7 +60,7 @@ void checkTarget(const TomlTable& table, std::string_view key, const Cell& cell,
   link_name.clear();
 }
 
-// "arm" of "robots/arm.urdf", and of a [[model]] its name.
+// "arm" for "robots/arm.urdf"; for a [[model]] its name.
 std::string nameFromModel(const std::string& model) {
   const std::size_t slash = model.find_last_of("/\\");
   const std::string file = slash == std::string::npos ? model : model.substr(slash + 1);
@@ -152,7 +152,7 @@ std::optional<CellCamera> readCamera(TomlTable& table, CellNames& names) {
   camera.eye = *eye;
   camera.target = *target;
   camera.up = up.value_or(Vec3{0, 0, 1});
-  // Where it looks at something, the line of sight is another one from moment to moment.
+  // With a look target the line of sight changes from moment to moment.
   if (table.has("look_at")) return camera;
   if (*eye == *target) {
     table.error("cell.no-direction", "target", "`eye` and `target` are the same point");
@@ -179,7 +179,7 @@ std::string deviceHint(const TomlTable& table, const Cell& cell, std::string_vie
 void DeviceReader::read(TomlTable& root, const std::filesystem::path& folder) {
   for (TomlTable& table : root.tables("device", "[[device]]")) {
     CellDevice device;
-    // What is alone of its kind needs no name of its own.
+    // The only one of its kind needs no name.
     const auto model = table.requiredText("model");
     const auto name = table.has("name") ? names_.take(table)
                       : model           ? names_.take(table, nameFromModel(*model))
@@ -272,7 +272,7 @@ void readScene(TomlTable& root, Cell& cell) {
     } else {
       table->error("cell.no-direction", "light", "`light` has no direction");
     }
-    // An included file does not know of lights that stand in place of its own.
+    // Not for an included file: it cannot know of lights that replace its own.
     const bool knows = root.has("light") || table->faults().file() == cell.file;
     if (!cell.scene.lights.empty() && knows) {
       table->faults().warning("cell.useless-light", table->place("light"),

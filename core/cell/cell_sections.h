@@ -20,7 +20,7 @@ class DeviceReader {
       : cell_(cell), models_(models), names_(names) {}
 
   void read(TomlTable& root, const std::filesystem::path& folder);
-  /// When all files were read: fills Cell::models.
+  /// After all files were read: fills Cell::models.
   void finish();
 
  private:
@@ -30,11 +30,11 @@ class DeviceReader {
   std::vector<std::pair<TomlTable, std::string>> carried_;  // tables that say `on`, and the device
 };
 
-/// "did you mean ...?" of a device that the cell has not, while more faults are listed.
+/// "did you mean ...?" for a device that the cell does not have, while more faults are listed.
 std::string deviceHint(const TomlTable& table, const Cell& cell, std::string_view name);
 
-/// Reads the other sections of one file of a cell into `cell`, and checks what they name. Of
-/// [scene] what is given stands over what was read before.
+/// Reads the other sections of one file of a cell into `cell`, and checks what they name. Values of
+/// [scene] override those read before.
 void readCameras(TomlTable& root, CellNames& names, Cell& cell);
 void readSources(TomlTable& root, CellNames& names, Cell& cell);
 void readScene(TomlTable& root, Cell& cell);

@@ -8,7 +8,7 @@
 namespace rocinante {
 namespace {
 
-// What packets say about one path, if anything.
+// The packets' settings for one path, if any.
 template <class T>
 const T* said(const std::map<Path, Item<T>>& items, bool is_layer, std::string_view first) {
   const auto found = items.find(Path{is_layer, is_layer ? "layer" : std::string(first),
@@ -23,7 +23,7 @@ bool shown(const Visibility* visibility, bool by_default) {
 
 }  // namespace
 
-// How all links of a device are drawn, before one is spoken of by itself.
+// How the links of a device are drawn unless one has settings of its own.
 struct DeviceAppearance::Whole {
   bool visible = true;
   Own color;
@@ -119,7 +119,7 @@ void DeviceAppearance::dressByLayers(PosedDevice& device) const {
   }
 }
 
-// Only what was said about links of this device: a range of the ordered paths.
+// Only paths of links of this device: a range of the ordered paths.
 void DeviceAppearance::dressBySession(PosedDevice& device, const Own& own) const {
   const Path begin{false, device.name, {}};
   for (auto it = state_.visibility().upper_bound(begin);

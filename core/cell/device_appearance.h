@@ -11,17 +11,18 @@
 
 namespace rocinante {
 
-/// What of a device is seen, and how: docs/cell-format.md, section "What is drawn". Packets outrank
-/// the cell; what is said of a link outranks what is said of its device. A layer stands directly
-/// below what it holds, and of several the last one counts; but for a link to be seen, all must be
-/// shown: it, its device and their layers. Borrows both for its life.
+/// Which parts of a device are visible, and how: docs/cell-format.md, section "What is drawn".
+/// Packets override the cell, and settings of a link override those of its device. A layer's
+/// settings rank directly below those of the things that it holds, and the last of several layers
+/// wins. A link is visible only if it, its device and all their layers are shown. Borrows both for
+/// its life.
 class DeviceAppearance {
  public:
   DeviceAppearance(const LayerIndex& layers, const SessionState& state)
       : layers_(layers), state_(state) {}
 
-  /// Fills all of `device` that is not about where it is. `own`: the cell's colour; `of_cell`: the
-  /// cell's device that it is, or is a ghost of; null when it is neither.
+  /// Fills all of `device` except its place. `own`: the cell's colour; `of_cell`: the cell's device
+  /// that it is, or is a ghost of; null when it is neither.
   void dress(PosedDevice& device, std::optional<std::uint32_t> own,
              const CellDevice* of_cell) const;
 

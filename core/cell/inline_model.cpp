@@ -182,7 +182,7 @@ std::optional<JointDraft> readJoint(TomlTable& table, const std::string& parent,
 // Comparisons of a group with a pattern, of one model.
 constexpr std::size_t kMaxMatches = 100'000'000;
 
-// Which parts of the mesh each link takes.
+// The parts of the mesh that each link takes.
 struct LinkGroups {
   std::string link;
   std::vector<std::string> patterns;

@@ -18,7 +18,7 @@ std::shared_ptr<const Model> readInlineModel(TomlTable& table, const std::string
                                              MeshStore& meshes);
 
 /// The meshes that readInlineModel will ask for, of all tables of a cell's `document`: to be read
-/// ahead. What is wrong in them is left out here.
+/// ahead. Invalid ones are skipped.
 std::vector<MeshWanted> meshesOfInlineModels(const TomlNode& document,
                                              const std::filesystem::path& folder);
 

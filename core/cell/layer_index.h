@@ -14,10 +14,10 @@ namespace rocinante {
 /// The names of all layers of a cell: those that it lists, and `layer` and `tags` of its devices.
 std::set<std::string, std::less<>> layerNames(const Cell& cell);
 
-/// That a layer holds a device, or some of its links or parts. Borrows from the cell.
+/// A layer's membership of a device, or of some of its links or parts. Borrows from the cell.
 struct LayerShare {
   std::string_view layer;
-  const CellLayer* listed = nullptr;    ///< null: no [[layer]] says anything of it
+  const CellLayer* listed = nullptr;    ///< null: no [[layer]] has this name
   const LayerMember* member = nullptr;  ///< null: the whole device
 };
 
@@ -29,7 +29,7 @@ class LayerIndex {
 
   /// Null when no [[layer]] has the name.
   const CellLayer* find(std::string_view layer) const;
-  /// What layers hold by their members of the device called so, in the order of the cell.
+  /// Memberships of the device of that name, in the order of the cell.
   std::vector<LayerShare> sharesOf(std::string_view device) const;
 
  private:

@@ -15,13 +15,13 @@ namespace {
 
 constexpr std::uint32_t kGhostColor = 0x66A3FF59;
 
-// A device that is there, before its place in the world is known.
+// A present device, before its place in the world is known.
 struct Standing {
   PosedDevice device;
   Pose pose;
   std::string carrier, carrier_link;    // empty carrier: the world
   std::optional<std::uint32_t> color;   // the cell's own
-  const CellDevice* of_cell = nullptr;  // itself, or what it is a ghost of; null: neither
+  const CellDevice* of_cell = nullptr;  // itself, or the device it is a ghost of; null: neither
   std::vector<Mat4> links;              // in the device's space; those of `known` where it has some
   ScenePoseCache::Known* known = nullptr;  // null: nothing is kept
   bool links_moved = true;
@@ -100,7 +100,7 @@ class ScenePoser {
     return standing;
   }
 
-  /// The links of a device as they were kept, or anew.
+  /// The links of a device, from the cache or computed.
   static void reckonLinks(Standing& standing, ScenePoseCache::Known& known,
                           const JointVector& joints) {
     const Model* model = standing.device.model;
@@ -118,7 +118,7 @@ class ScenePoser {
       if (isRemoved(state) || (device.optional && !isAdded(state))) continue;
       const Model* model = cell_.modelOf(device);
       if (isAdded(state)) {
-        // The cell's own model by any of its names keeps what the cell makes of its looks.
+        // The cell's own model, by any of its names, keeps the cell's changes of its looks.
         const Model* added = modelNamed(state->presence->value.model);
         if (added != nullptr && added != modelNamed(device.model)) model = added;
       }
@@ -142,7 +142,7 @@ class ScenePoser {
     }
   }
 
-  // A ghost stands where its original would, until it is told otherwise.
+  // A ghost is placed like its original until a packet moves it.
   void addGhosts() {
     for (const CellSource& source : cell_.sources) {
       for (const auto& [ghost, original] : source.ghost_of) {
@@ -174,7 +174,7 @@ class ScenePoser {
     }
   }
 
-  // The device that carries one; empty when it stands in the world.
+  // The carrier of a device; empty when it is placed in the world.
   std::optional<std::size_t> carrierOf(const Standing& standing) const {
     if (standing.carrier.empty()) return std::nullopt;
     const auto found = scene_.device_by_name.find(standing.carrier);
@@ -186,7 +186,8 @@ class ScenePoser {
     return found->second;
   }
 
-  // Walks up each chain of carriers once, then places downwards. All of a loop stand in the world.
+  // Walks up each chain of carriers once, then places downwards. All devices of a loop are placed
+  // in the world.
   void placeAll() {
     enum class Mark : std::uint8_t { fresh, on_chain, placed };
     std::vector<Mark> marks(standing_.size(), Mark::fresh);
@@ -326,7 +327,7 @@ PosedScene ScenePoseCache::pose(const SessionState& state) {
   ScenePoser poser(*cell_, layers_, state, &known_);
   PosedScene scene = poser.pose();
   moved_ = poser.moved();
-  // A session may name ever new devices: those that are gone are forgotten.
+  // A session may name new devices without end: absent ones are dropped from the cache.
   if (known_.size() > scene.devices.size()) {
     std::erase_if(known_,
                   [&](const auto& known) { return scene.findDevice(known.first) == nullptr; });

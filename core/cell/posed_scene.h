@@ -13,21 +13,22 @@
 
 namespace rocinante {
 
-/// That a layer holds a device, a link or parts of it, besides PosedDevice::layer, in this state.
+/// A layer's membership of a device, a link or parts of it, besides PosedDevice::layer, in this
+/// state.
 struct PosedShare {
   std::string_view layer;           ///< borrowed from the cell
   std::optional<std::size_t> link;  ///< empty: all links
   std::string_view group;           ///< a pattern of MeshPart::group; empty: whole links
   bool visible = true;              ///< the layer is shown
-  bool says_color = false;          ///< packets do: `color` then stands
+  bool says_color = false;          ///< packets set a colour: `color` is valid
   bool recolors = false;            ///< and it is not `default`
   std::optional<std::uint32_t> color;
   LayerLook look;
 
   bool ofParts() const { return !group.empty(); }
-  /// Whether it holds that whole link.
+  /// Whether it holds the whole link.
   bool holds(std::size_t of_link) const { return !ofParts() && (!link || *link == of_link); }
-  /// Whether it holds parts, that one among them.
+  /// Whether it holds parts, including that one.
   bool holdsPart(std::size_t of_link, std::string_view part_group) const;
 };
 
@@ -44,14 +45,15 @@ struct PosedDevice {
   bool visible = true;  ///< the device and its layer are shown; single links may still be hidden
   bool ghost = false;   ///< another source's device, drawn as a ghost (CellSource::ghost_of)
   std::vector<PosedShare> shares;    ///< further layers: its tags, then as the cell lists them
-  bool has_parts = false;            ///< some of them hold parts: those are asked for one by one
+  bool has_parts = false;            ///< some of them hold parts, which are judged one by one
   std::vector<LayerLook> link_look;  ///< by link; empty: none has any
-  /// By link, where layers have looks: packets set its colour, which outranks opacities of layers.
+  /// By link, where layers have looks: whether packets set its colour, which overrides layer
+  /// opacity.
   std::vector<bool> link_recolored;
 
   /// Whether the layer holds the link, be it with all of the device.
   bool inLayer(std::string_view wanted, std::size_t link) const;
-  /// Of a part of a link, by its group: what is said of the link, but for layers that hold parts.
+  /// For a part of a link, by its group: the link's values, unless a layer holds the part.
   bool partVisible(std::size_t link, std::string_view group) const;
   std::optional<std::uint32_t> partColor(std::size_t link, std::string_view group) const;
   LayerLook partLook(std::size_t link, std::string_view group) const;
@@ -90,12 +92,12 @@ struct PosedScene {
   bool has_collision = false;  ///< which is, that its collision geometry is drawn
 };
 
-/// Puts the cell into the state. World space is right-handed, z up, in metres. Pure.
-/// Unknown devices and joints are left out (check tells of them);
-/// a device whose positional values are not as many as its model has stands as if it had none;
-/// limits are not enforced, since a picture is evidence. A carried device whose carrier is missing
-/// or carries it in turn stands in the world. Devices that were removed, and optional ones that
-/// were not added, are not there at all. Defined by docs/cell-format.md, section "What is drawn".
+/// Puts the cell into the state. World space is right-handed, z up, in metres. Pure. Unknown
+/// devices and joints are left out (check reports them); a device with the wrong number of
+/// positional values is drawn as if it had none; limits are not enforced, since a picture is
+/// evidence. A carried device whose carrier is missing, or carries it in turn, is placed in the
+/// world. Removed devices and optional ones that were not added are absent. Defined by
+/// docs/cell-format.md, section "What is drawn".
 PosedScene poseScene(const Cell& cell, const SessionState& state);
 
 /// All joint values of a device in a state: positional ones, named ones over them, mimics last.

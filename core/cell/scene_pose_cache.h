@@ -10,17 +10,17 @@
 
 namespace rocinante {
 
-/// poseScene() for state after state: reckons anew only the links of devices that moved since the
-/// last call, and answers the same bits as poseScene() (tested), whatever came before. One cell for
-/// its life, which must outlive it. One thread.
+/// poseScene() for one state after another: recomputes only the links of devices that moved since
+/// the last call. The result equals that of poseScene() bit for bit (tested). For one cell, which
+/// must outlive it. One thread.
 class ScenePoseCache {
  public:
   explicit ScenePoseCache(const Cell& cell) : cell_(&cell), layers_(cell) {}
   PosedScene pose(const SessionState& state);
-  /// Devices that the last pose() put elsewhere than the one before, new ones among them.
+  /// Devices that the last pose() moved, including new ones.
   std::size_t moved() const { return moved_; }
 
-  /// What the links of a device came from, and where that put them.
+  /// The inputs of a device's links, and the resulting transforms.
   struct Known {
     const Model* model = nullptr;
     std::vector<double> joints;

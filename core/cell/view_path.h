@@ -11,8 +11,8 @@ namespace rocinante {
 
 /// What a PATH of a view names: DEVICE, DEVICE/LINK, layer/NAME, with `#GROUP` behind the first two
 /// only the parts of a mesh group, and `*` in place of DEVICE every device. Names are
-/// percent-encoded as in a packet, leniently, because people type these: any byte but `#` may stand
-/// for itself. Packets know no `#` and no `*`, so neither clashes with a name that they carry.
+/// percent-encoded as in a packet, leniently, because users type these: any byte but `#` may be
+/// written as it is. Packets have neither `#` nor `*`, so neither clashes with a name in a packet.
 struct ViewPath {
   Path path;               ///< decoded; `first` is empty for every device
   std::string group;       ///< a pattern (core/base/pattern.h) of MeshPart::group; empty: all parts
@@ -21,7 +21,7 @@ struct ViewPath {
 
   bool operator==(const ViewPath&) const = default;
 
-  /// Whether the link is named, be it alone, by its device or by a layer; parts apart.
+  /// Whether the link is named: by itself, by its device or by a layer; ignores parts.
   bool namesLink(const PosedDevice& device, std::size_t link) const;
   /// Whether a part of that link is named.
   bool namesPart(const PosedDevice& device, std::size_t link, std::string_view part_group) const;
@@ -31,7 +31,7 @@ struct ViewPath {
                         std::string_view part_group) const;
 };
 
-/// bad_argument for what is no PATH.
+/// bad_argument when the text is not a PATH.
 Result<ViewPath> parseViewPath(std::string_view text);
 
 }  // namespace rocinante

@@ -9,7 +9,7 @@
 
 namespace rocinante {
 
-/// Values of all joints, mimic ones included: valueCount(type) a joint, at first_value[joint].
+/// Values of all joints, mimic ones included: valueCount(type) per joint, at first_value[joint].
 struct JointVector {
   std::vector<double> values;
   std::vector<std::size_t> first_value;
@@ -17,7 +17,7 @@ struct JointVector {
 
 /// All joints at zero (a floating joint at identity); mimic joints at their offset.
 JointVector zeroJoints(const Model& model);
-/// Sets mimic joints from the ones that they follow, along chains.
+/// Sets mimic joints from the joints that they mimic, along chains.
 void applyMimics(const Model& model, JointVector& joints);
 /// The pose of each link in the model's own space: double, exact on every CPU (docs/decisions/003).
 std::vector<Mat4> linkPoses(const Model& model, const JointVector& joints);

@@ -10,7 +10,7 @@ namespace rocinante {
 namespace {
 
 constexpr double kMaxOverOther = 8, kMaxOverMiddle = 20, kMaxOverReach = 5;
-constexpr std::size_t kLeastJoints = 3, kLeastMeshes = 3;  // to judge by
+constexpr std::size_t kLeastJoints = 3, kLeastMeshes = 3;  // below these nothing is judged
 constexpr const char* kHint =
     "the file may be in millimetres or inches: say so with `scale` of its <mesh>";
 

@@ -8,7 +8,7 @@
 
 namespace rocinante {
 
-/// Where a file gives a mesh to a link.
+/// A mesh that a file gives to a link.
 struct MeshUse {
   std::string link;
   std::string file;  ///< as it is named
@@ -17,10 +17,9 @@ struct MeshUse {
   Place place;
 };
 
-/// Warns of meshes that cannot be in the unit that they are read in (`model.scale`): one that is
-/// eight times as large as the other kind of geometry of its link, or twenty times as large as what
-/// the model's meshes are in the middle; and all of them when that middle is five times the model's
-/// reach.
+/// Warns of meshes that cannot be in the unit that they are read in (`model.scale`): a mesh eight
+/// times as large as the other kind of geometry of its link, or twenty times the model's median
+/// mesh; and all meshes when the median is five times the model's reach.
 void judgeScale(const Model& model, const std::vector<MeshUse>& uses, FaultList& faults);
 
 }  // namespace rocinante

@@ -41,8 +41,8 @@ struct Joint {
   std::size_t parent = 0;  ///< into Model::links
   std::size_t child = 0;
   Pose origin;  ///< of the child in the parent at zero
-  /// Unit length, in the child's space: what it turns about or slides along. Of a planar joint the
-  /// normal of its plane; its x and y are then as docs/cell-format.md, section "Joints", says.
+  /// Unit length, in the child's space: the axis it turns about or slides along. For a planar joint
+  /// the normal of its plane; docs/cell-format.md, section "Joints", defines its x and y.
   Vec3 axis{1, 0, 0};
   std::optional<JointLimits> limits;
   std::optional<Mimic> mimic;
@@ -55,7 +55,7 @@ struct Visual {
   Vec3 scale{1, 1, 1};                  ///< negative mirrors
   std::shared_ptr<const Mesh> mesh;     ///< null when its file is missing (a fault says so)
   std::vector<std::size_t> mesh_parts;  ///< which parts of the mesh; empty: all
-  std::optional<Material> material;     ///< in place of the mesh's own
+  std::optional<Material> material;     ///< replaces the mesh's own
 };
 
 struct Link {
@@ -79,12 +79,13 @@ struct Model {
   std::vector<Joint> joints;              ///< as the file has them (the order of positional values)
   std::size_t root = 0;                   ///< into links
   std::vector<std::size_t> update_order;  ///< joints so that each comes after its parent's
-  /// Names to places in `links` and `joints`; readers fill them, lookups are by hand without.
+  /// Names to places in `links` and `joints`; readers fill them; when empty, lookups search
+  /// linearly.
   std::map<std::string, std::size_t, std::less<>> link_by_name, joint_by_name;
 
   std::optional<std::size_t> findLink(std::string_view link_name) const;
   std::optional<std::size_t> findJoint(std::string_view joint_name) const;
-  /// The value that `joint NAME=q` and `order` mean: the joint of that name when it has one value,
+  /// The value that `joint NAME=q` and `order` name: the joint of that name when it has one value,
   /// else NAME.x NAME.y NAME.yaw of a planar and NAME.x .y .z .qx .qy .qz .qw of a floating joint.
   /// Empty for unknown, fixed and mimic joints.
   std::optional<JointValue> findJointValue(std::string_view value_name) const;

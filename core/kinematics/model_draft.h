@@ -9,7 +9,7 @@
 
 namespace rocinante {
 
-/// More than any machine has; a file that goes past is refused (docs/cell-format.md, "Limits").
+/// More than any machine has; a file with more is refused (docs/cell-format.md, "Limits").
 inline constexpr std::size_t kMaxLinks = 65536;
 
 struct MimicDraft {
@@ -18,7 +18,7 @@ struct MimicDraft {
   Place place;
 };
 
-/// A joint as a file writes it: by names, which may lead nowhere.
+/// A joint as a file writes it: by names, which may not exist.
 struct JointDraft {
   Joint joint;
   std::string parent, child;  ///< names of links
@@ -41,9 +41,8 @@ struct ModelDraft {
   std::vector<JointDraft> joints;
 };
 
-/// Joins names to a tree. Joints that cannot stand (unknown or equal links, a second parent, a
-/// loop) are left out and mimics that cannot be followed are taken off, each with a fault. Empty
-/// when there is no link at all.
+/// Joins names to a tree. Invalid joints (unknown or equal links, a second parent, a loop) are left
+/// out and invalid mimics are removed, each with a fault. Empty when there is no link.
 std::optional<Model> finishModel(ModelDraft&& draft, FaultList& faults);
 
 }  // namespace rocinante

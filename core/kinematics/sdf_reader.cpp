@@ -18,8 +18,8 @@ namespace rocinante {
 namespace {
 
 constexpr std::size_t kDeepestSdf = 100;
-// What libsdformat 12 takes to make an element with all its defaults, measured: 45 kB of small
-// models are 7 s. The file is refused before that.
+// libsdformat 12 is slow to make an element with all its defaults: 45 kB of small models took 7 s.
+// Larger files are refused before that.
 constexpr std::pair<std::string_view, int> kSdfMicroseconds[] = {
     {"world", 14'000}, {"model", 4'000}, {"population", 3'100},
     {"state", 3'100},  {"actor", 2'900}, {"link", 2'000},
@@ -209,8 +209,8 @@ class SdfReader {
     joints_.push_back(std::move(joint));
   }
 
-  /// In SDF links and joints have spaces of their own; ours has a link stand where its joint does,
-  /// and the root where the model does.
+  /// In SDF links and joints have their own spaces; here a link's space is that of its joint, and
+  /// the root's that of the model.
   void toOurSpaces() {
     if (needs_world_) {
       links_.insert(links_.begin(), SdfLink{});
@@ -251,9 +251,9 @@ std::int64_t sdfMicroseconds(std::string_view element) {
   return known == std::end(kSdfMicroseconds) ? kOtherSdfMicroseconds : known->second;
 }
 
-/// The text with its `<include>`s blanked out, since libsdformat would open whatever they name;
-/// lines keep their numbers. Empty with a fault when it is nested too deep, or more than
-/// libsdformat makes in half a minute.
+/// The text with its `<include>`s blanked out, since libsdformat would open the files that they
+/// name; line numbers stay. Empty with a fault when it is nested too deep, or more than libsdformat
+/// makes in half a minute.
 std::optional<std::string> withoutIncludes(std::string text, FaultList& faults) {
   XmlTags tags(text);
   std::vector<std::pair<const char*, const char*>> cut;

@@ -164,9 +164,9 @@ void tellModel(const RocinanteSdfSink& sink, const sdf::Model& model) {
   }
 }
 
-/// libsdformat opens ~/.sdformat/sdformat.log when it is first spoken to: a judge writes nothing
-/// that nobody asked for, and its home may not be writable. Programs load cells before they start
-/// threads that look into the environment.
+/// libsdformat opens ~/.sdformat/sdformat.log on first use. A check must not write files that were
+/// not asked for, and its home may not be writable. Programs load cells before they start threads
+/// that read the environment.
 void keepQuiet() {
   const char* const home = std::getenv("HOME");
   const std::string before = home != nullptr ? home : "";

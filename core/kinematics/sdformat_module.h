@@ -3,7 +3,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-// What librocinante_sdformat.so offers, in C: the module is loaded with dlopen and shares no C++
+// The C interface of librocinante_sdformat.so: the module is loaded with dlopen and shares no C++
 // with the program. Metres and radians; texts are borrowed for the call.
 
 #define ROCINANTE_SDF_ABI 1
@@ -16,7 +16,7 @@ struct RocinanteSdfPose {
 };
 
 struct RocinanteSdfJoint {
-  const char *name, *parent, *child;  ///< a parent "world" is no link
+  const char *name, *parent, *child;  ///< a parent "world" is not a link
   /// SDF's word: "revolute", "ball" ...
   const char* type;
   struct RocinanteSdfPose in_model;
@@ -37,11 +37,12 @@ struct RocinanteSdfShape {
   float color[4];
 };
 
-/// Told of what is in the file, in its order; shapes follow their link.
+/// Callbacks for the contents of the file, in its order; shapes follow their link.
 struct RocinanteSdfSink {
   void* to;
   void (*fault)(void* to, int32_t is_error, int32_t line, const char* sentence);
-  void (*model)(void* to, const char* name);  ///< each; links and joints follow the first alone
+  void (*model)(void* to,
+                const char* name);  ///< for each model; links and joints follow only the first
   void (*link)(void* to, const char* name, const struct RocinanteSdfPose* in_model);
   void (*shape)(void* to, const struct RocinanteSdfShape* shape);
   void (*joint)(void* to, const struct RocinanteSdfJoint* joint);

@@ -33,9 +33,9 @@ class UrdfElement {
   }
   FaultList& faults() const { return context_->faults; }
 
-  /// The child element named so; a fault when there are several (the first stands).
+  /// The child element of that name; a fault when there are several (the first is used).
   std::optional<UrdfElement> child(const char* name) const;
-  /// Calls `use` for each child element named so.
+  /// Calls `use` for each child element of that name.
   template <class Use>
   void each(const char* name, Use use) const {
     for (const auto* e = element_->FirstChildElement(name); e; e = e->NextSiblingElement(name)) {
@@ -48,7 +48,7 @@ class UrdfElement {
       use(UrdfElement(*e, *context_));
     }
   }
-  /// Warns of children that look like a slip of one of `known`; others are extensions.
+  /// Warns of children that look like a typo of one of `known`; others are extensions.
   void expectChildren(std::initializer_list<std::string_view> known) const;
 
   bool has(const char* attribute) const { return element_->Attribute(attribute) != nullptr; }

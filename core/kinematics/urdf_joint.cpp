@@ -35,7 +35,7 @@ JointType typeOf(const UrdfElement& element, const std::string& quoted) {
 
 void readAxis(const UrdfElement& element, const std::string& quoted, Joint& joint) {
   const auto axis = element.child("axis");
-  // Without an axis URDF says x; for planar joints everyone reads x and y as of a floor.
+  // Without an axis URDF means x; for planar joints all readers take the floor's x and y.
   if (joint.type == JointType::planar) joint.axis = {0, 0, 1};
   if (!axis || joint.type == JointType::fixed || joint.type == JointType::floating) return;
   if (!axis->has("xyz")) {

@@ -11,7 +11,7 @@
 namespace rocinante {
 namespace {
 
-// A mesh that says how it looks keeps its own materials, as in RViz; the URDF's are for the rest.
+// A mesh with materials of its own keeps them, as in RViz; the URDF's are for the rest.
 bool hasOwnMaterials(const Mesh& mesh) {
   return std::any_of(mesh.materials.begin(), mesh.materials.end(), [](const Material& material) {
     Material plain;

@@ -19,12 +19,13 @@ class UrdfLinkReader {
   UrdfLinkReader(MeshStore& meshes, std::filesystem::path folder)
       : meshes_(meshes), folder_(std::move(folder)) {}
 
-  /// A `<material>` of the robot or of a visual: its name then means it everywhere in the file.
+  /// A `<material>` of the robot or of a visual: its name is valid everywhere in the file.
   void addMaterial(const UrdfElement& element);
   std::optional<LinkDraft> readLink(const UrdfElement& element);
-  /// Every file that a visual or a collision shows, and how large it is there.
+  /// Every mesh file of a visual or a collision, and its size there.
   const std::vector<MeshUse>& meshUses() const { return mesh_uses_; }
-  /// Once all is read: gives visuals the materials that they name, wherever those are defined.
+  /// After everything is read: gives visuals the materials that they name, wherever those are
+  /// defined.
   void resolveMaterials(std::vector<LinkDraft>& links, FaultList& faults) const;
 
  private:

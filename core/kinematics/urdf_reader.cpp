@@ -31,7 +31,7 @@ std::string problemOf(tinyxml2::XMLError error) {
   }
 }
 
-// The first element of xacro, which no reader of URDF understands.
+// The first xacro element, which no URDF reader understands.
 const tinyxml2::XMLElement* xacroElement(const tinyxml2::XMLElement& robot) {
   const tinyxml2::XMLElement* element = &robot;
   while (element != nullptr) {
@@ -46,7 +46,7 @@ const tinyxml2::XMLElement* xacroElement(const tinyxml2::XMLElement& robot) {
   return nullptr;
 }
 
-// What the meshes of its visuals and collisions are.
+// The meshes of its visuals and collisions.
 std::vector<MeshWanted> meshesOf(const tinyxml2::XMLElement& robot,
                                  const std::filesystem::path& folder) {
   std::vector<MeshWanted> wanted;
@@ -63,7 +63,7 @@ std::vector<MeshWanted> meshesOf(const tinyxml2::XMLElement& robot,
   return wanted;
 }
 
-// Whether the reading may go on to the links.
+// Whether reading can continue with the links.
 bool isUrdf(const tinyxml2::XMLElement& robot, const XmlPlaces& places, FaultList& faults) {
   const std::string_view tag = robot.Name();
   if (tag != "robot") {

@@ -14,8 +14,8 @@ inline constexpr std::size_t kMaxUrdfBytes = std::size_t{64} << 20;
 inline constexpr std::size_t kMaxUrdfElements = std::size_t{1} << 20;
 
 /// Reads URDF (docs/cell-format.md, section "URDF") from bytes; `path` names them, and names in
-/// them are looked for beside it. All faults are added, with line and column, and as much as is
-/// sound is returned; empty when nothing is: no XML, no <robot>, no link, or a xacro template.
+/// them are looked for beside it. All faults are added, with line and column, and everything valid
+/// is returned; empty when nothing is: no XML, no <robot>, no link, or a xacro template.
 std::optional<Model> readUrdf(ByteView bytes, const std::filesystem::path& path, MeshStore& meshes,
                               ModelFaults& faults);
 

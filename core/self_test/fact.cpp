@@ -26,7 +26,7 @@ nlohmann::ordered_json jsonOf(std::span<const SelfTestFact> facts) {
 }
 
 std::string dumped(const nlohmann::ordered_json& json, int indent) {
-  // Names of files are in it, which need not be UTF-8.
+  // It contains file names, which need not be UTF-8.
   return json.dump(indent, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 

@@ -9,13 +9,13 @@
 
 namespace rocinante {
 
-/// One thing that the programs want of a machine, as `rocinante --self-test` found it
+/// One property of the machine that the programs need, as `rocinante --self-test` found it
 /// (docs/self-test.md).
 struct SelfTestFact {
   enum class State : std::uint8_t {
     ok,       ///< as it should be
-    limited,  ///< programs run, and do less: less exact, smaller, fewer kinds of files
-    missing   ///< what needs it does not run here
+    limited,  ///< programs run with less: less exact, smaller, fewer file formats
+    missing   ///< programs that need it do not run here
   };
 
   std::string name;  ///< stable: "receive_buffer"
@@ -27,15 +27,15 @@ struct SelfTestFact {
 
 std::string_view nameOf(SelfTestFact::State state);
 
-/// A line for each, and how many there are of each state.
+/// One line per fact, and the count of each state.
 std::string factsText(std::span<const SelfTestFact> facts);
 /// The same as a JSON object: `format`, `facts`, `ok`.
 std::string factsJson(std::span<const SelfTestFact> facts);
 
-/// How a program that looks at some of the facts hands them to the one that tells all: a JSON array
-/// on one line.
+/// How a program that checks some of the facts passes them to the one that reports all: a JSON
+/// array on one line.
 std::string factsWire(std::span<const SelfTestFact> facts);
-/// Empty when `line` is not that.
+/// Empty when `line` is not one.
 std::optional<std::vector<SelfTestFact>> factsOfWire(std::string_view line);
 
 }  // namespace rocinante

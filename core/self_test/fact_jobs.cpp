@@ -22,18 +22,18 @@ namespace {
 
 using SteadyClock = std::chrono::steady_clock;
 
-// More than all facts together take by far; a driver that talks without end fills no memory.
+// Far more than all facts together need; a driver that prints without end cannot fill the memory.
 constexpr std::size_t kMaxOutput = 1 << 20;
-// Of what is no answer, so much is told.
+// This much of an invalid answer is reported.
 constexpr std::size_t kMaxQuoted = 200;
-// What a shell answers when it cannot run a program.
+// A shell's exit code when it cannot run a program.
 constexpr int kCannotRun = 127;
 
 struct RunningJob {
   pid_t child = -1;
   int output = -1;  ///< the reading end; -1 once it has ended
   std::string said;
-  std::string failure;  ///< why nothing was said
+  std::string failure;  ///< why there is no answer
 };
 
 [[noreturn]] void beChild(const FactJob& job, int output) {
@@ -75,7 +75,7 @@ RunningJob start(const FactJob& job) {
   return running;
 }
 
-/// Reads what is there; closes the pipe at its end.
+/// Reads the available output; closes the pipe at its end.
 void readSome(RunningJob& running) {
   std::array<char, 4096> piece;
   const ssize_t got = ::read(running.output, piece.data(), piece.size());
@@ -88,7 +88,7 @@ void readSome(RunningJob& running) {
   running.output = -1;
 }
 
-/// Until every job has ended what it says, or `until`.
+/// Waits until every job has closed its output, or `until`.
 void readAll(std::vector<RunningJob>& jobs, SteadyClock::time_point until) {
   for (;;) {
     std::vector<pollfd> waiting;
@@ -107,7 +107,7 @@ void readAll(std::vector<RunningJob>& jobs, SteadyClock::time_point until) {
   }
 }
 
-/// Until the child has ended, or `until`; false then.
+/// Waits until the child has ended, or `until`; false then.
 bool waitFor(pid_t child, int& status, SteadyClock::time_point until) {
   for (;;) {
     const pid_t ended = ::waitpid(child, &status, WNOHANG);
@@ -118,14 +118,14 @@ bool waitFor(pid_t child, int& status, SteadyClock::time_point until) {
   }
 }
 
-/// Ends the child, and says what was wrong with it.
+/// Ends the child and says what went wrong with it.
 void finish(RunningJob& running, SteadyClock::time_point until, Nanoseconds limit) {
   const bool is_open = running.output >= 0;
   if (is_open) ::close(running.output);
   if (running.child < 0) return;
   int status = 0;
   if (is_open || !waitFor(running.child, status, until)) {
-    // What a device keeps cannot even be killed, and is not waited for.
+    // A child that is stuck in a device cannot be killed and is not waited for.
     ::kill(running.child, SIGKILL);
     running.failure = fmt::format("no answer within {} s", secondsText(limit));
   } else if (WIFSIGNALED(status)) {
@@ -136,7 +136,7 @@ void finish(RunningJob& running, SteadyClock::time_point until, Nanoseconds limi
   }
 }
 
-/// The last line that is facts; and of what is none the first line.
+/// The last line that holds facts; from other output the first line.
 std::optional<std::vector<SelfTestFact>> answerOf(const std::string& said, std::string& other) {
   std::optional<std::vector<SelfTestFact>> answer;
   for (std::size_t at = 0; at < said.size();) {

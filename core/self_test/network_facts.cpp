@@ -20,10 +20,10 @@ using State = SelfTestFact::State;
 using SteadyClock = std::chrono::steady_clock;
 
 constexpr auto kLongestWait = std::chrono::seconds(1);
-// What a datagram of a robot's joint values is about.
+// About the size of a datagram of a robot's joint values.
 constexpr double kUsualBytes = 100;
 
-/// Sends a datagram from and to this machine, and hears it. `listen_at` has port 0.
+/// Sends a datagram from and to this machine and receives it. `listen_at` has port 0.
 Status sendAndHear(const Endpoint& listen_at) {
   UdpReceiver::Options options;
   options.receive_buffer_bytes = 1 << 16;
@@ -84,7 +84,7 @@ SelfTestFact judgeReceiveBuffer(std::uint64_t granted_bytes, std::uint64_t asked
                     ""};
   if (granted_bytes >= asked_bytes) return fact;
   fact.state = State::limited;
-  // The kernel doubles what it is asked for, up to net.core.rmem_max.
+  // The kernel doubles the requested size, up to net.core.rmem_max.
   fact.advice = fmt::format(
       "for more: sudo sysctl -w net.core.rmem_max={0}, and for good: echo net.core.rmem_max={0} | "
       "sudo tee /etc/sysctl.d/60-rocinante.conf",

@@ -8,15 +8,15 @@
 
 namespace rocinante {
 
-/// What the network of this machine gives to the programs. Each opens sockets of its own on free
-/// ports, so that no listener on this machine hears of it, and waits a second at most. `programs`:
-/// the folder that ours lie in, for the advice.
+/// What the network of this machine gives to the programs. Each opens its own sockets on free
+/// ports, so that it disturbs no listener, and waits at most a second. `programs`: the folder of
+/// our programs, for the advice.
 
 /// A datagram to the standard group comes back through the loopback interface.
 SelfTestFact multicastFact();
 /// A datagram to [::1] does.
 SelfTestFact ipv6Fact();
-/// What the kernel grants of the receive buffer that listeners ask for.
+/// How much of the requested receive buffer the kernel grants.
 SelfTestFact receiveBufferFact();
 /// The right to watch traffic (pcap://).
 SelfTestFact captureFact(const std::filesystem::path& programs);

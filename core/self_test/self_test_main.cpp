@@ -1,6 +1,6 @@
-// rocinante-self-test: what `rocinante --self-test` runs. Tells what works on this machine, and
-// what to do about the rest. What draws is looked at by a program of its own, which lies beside
-// this one where something that draws is installed.
+// rocinante-self-test: what `rocinante --self-test` runs. Reports what works on this machine, and
+// how to fix the rest. A separate program checks drawing; it is installed beside this one together
+// with the programs that draw.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -25,7 +25,7 @@ constexpr std::string_view kExamples =
     "  rocinante --self-test --only context,key,frame   does this machine draw?\n"
     "  rocinante --self-test --json\n";
 
-// Everything together takes a fraction of a second; on a machine that does much else, a few.
+// Everything together takes a fraction of a second; on a busy machine, a few seconds.
 constexpr Nanoseconds kLimit = std::chrono::seconds(10);
 
 std::filesystem::path folderOfPrograms() {
@@ -39,7 +39,7 @@ std::vector<FactJob> allJobs() {
   const auto add = [&](const char* name, std::function<SelfTestFact()> find) {
     jobs.push_back({{name}, [find] { return std::vector{find()}; }, {}, {}, {}});
   };
-  // Pictures apart: their library takes as long as all the rest.
+  // Pictures are separate: their library takes as long as all the rest.
   for (std::vector<std::string> names :
        {std::vector<std::string>{"context", "key", "frame", "cache"}, {"pictures"}}) {
     jobs.push_back({std::move(names),

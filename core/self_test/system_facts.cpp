@@ -23,7 +23,7 @@ namespace {
 
 using State = SelfTestFact::State;
 
-// What player/send/realtime.cpp and recorder/capture/prompt_thread.cpp ask for.
+// As requested by player/send/realtime.cpp and recorder/capture/prompt_thread.cpp.
 constexpr int kPlayPriority = 10;
 constexpr int kRecordNice = -10;
 // One chunk of a log's end, as log_writer allocates ahead.

@@ -7,14 +7,14 @@
 
 namespace rocinante {
 
-/// What the system of this machine gives to the programs. `programs`: the folder that ours lie in.
+/// What the system of this machine gives to the programs. `programs`: the folder of our programs.
 
-/// SCHED_FIFO, by which `play` keeps its microseconds. Changes this process's own scheduling: for a
-/// child that ends afterwards.
+/// SCHED_FIFO, which gives `play` microsecond timing. Changes the scheduling of this process: call
+/// it in a child that ends afterwards.
 SelfTestFact schedulingFact(const std::filesystem::path& programs);
-/// nice -10, by which a killed `record` loses less on a busy machine. The same.
+/// nice -10, with which a killed `record` loses less on a busy machine. Also only for a child.
 SelfTestFact priorityFact(const std::filesystem::path& programs);
-/// Whether something keeps the wall clock right.
+/// Whether the wall clock is synchronised.
 SelfTestFact clockFact();
 /// Whether logs can be written in `folder`: by this user, with locks, and room allocated ahead.
 SelfTestFact filesFact(const std::filesystem::path& folder);
