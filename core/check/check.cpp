@@ -9,10 +9,8 @@
 namespace rocinante {
 namespace {
 
-/// How often progress is told.
+/// How often progress is reported.
 constexpr std::uint64_t kProgressMessages = 2048;
-
-/// Where a recorder notes that its wall clock was set (docs/programs/record.md).
 
 Finding findingOf(const ModelFault& fault) {
   Finding finding;
@@ -55,7 +53,7 @@ CheckReport checkSession(const Cell& cell, const SessionCheck& session) {
 
 namespace {
 
-/// A piece of a session opens with what preceded it, said as packets: judged like any restatement.
+/// A piece of a session opens with the preceding state as packets: judged like any restatement.
 void addPreceding(SessionCheck& session, const LogMessage& keyframe) {
   if (!KeyframeReader().read(keyframe.payload, keyframe.log_time)) return;
   for (const std::string_view datagram : keyframeDatagrams(keyframe.payload)) {
@@ -95,8 +93,8 @@ Result<CheckReport> checkLog(const Cell& cell, LogReader& log,
   for (const LossSpan& loss : log.losses()) session.addLoss(loss);
   const std::uint64_t file_bytes = log.storage().file_bytes;
   for (const DamageSpan& damage : log.damage()) {
-    // log.incomplete tells of what a recorder leaves that is killed: no summary, which makes no
-    // byte unusable, and a chunk at the end of the file that is open, and read.
+    // A killed recorder leaves no summary and an open last chunk, which is read. log.incomplete
+    // reports both; neither is damage.
     const bool at_end = damage.to == file_bytes && !damage.messages_lost;
     const bool is_torn_end = !log.summary().complete && at_end;
     if (damage.from != damage.to && !is_torn_end) session.addDamage(damage);

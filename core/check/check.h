@@ -9,12 +9,12 @@
 
 namespace rocinante {
 
-/// The cell alone: its faults, and those of all that it names. Compatible without an error.
+/// The cell alone: its faults and those of all files that it names. Compatible without an error.
 CheckReport checkCell(const Cell& cell);
 
 /// The cell and a whole recorded session. nothing_judged when no packet of it can be decoded.
-/// `progress` is told now and then how much is done, 0 to 1; when it answers false, judging stops
-/// and the report says that it was interrupted.
+/// `progress` is called now and then with the finished part, 0 to 1; when it returns false, judging
+/// stops and the report says that it was interrupted.
 Result<CheckReport> checkLog(const Cell& cell, LogReader& log,
                              const std::function<bool(double)>& progress = {});
 

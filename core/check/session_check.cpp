@@ -7,7 +7,7 @@
 namespace rocinante {
 namespace {
 
-/// Devices that are told apart; a hostile session has more, nobody reads them.
+/// Most devices that are counted separately; only a hostile session has more.
 constexpr std::size_t kMaxDevices = 10000;
 
 bool isStatic(StatementKind kind) {
@@ -138,7 +138,7 @@ void SessionCheck::add(LogTime time, std::string_view encoding, bool captured, B
   place.line = 1;
   place.sequence = packet->header.sequence.value_or(0);
   source.judge.take(packet->header, applied, *source.counts, place);
-  // A late packet is dropped whole: what it says reaches nobody.
+  // A late packet is dropped whole and has no effect.
   if (applied == Applied::late) return;
   for (const Statement& statement : packet->statements) {
     place.line = statement.line;
@@ -213,7 +213,7 @@ void SessionCheck::judgeAdd(const Statement& statement, DeviceJudge& device,
   const bool had_model = device.hasModel();
   device.appearByAdd(model, statement, place);
   if (had_model) return;
-  // What was said before the device had a model is kept, and counts from now on.
+  // Values sent before the device had a model are kept and count from now on.
   const auto said = state_.devices().find(statement.name);
   if (said == state_.devices().end()) return;
   const DeviceState& earlier = said->second;
@@ -279,7 +279,7 @@ void SessionCheck::reportMissing(const SessionRoster& roster,
                                  std::vector<Finding>& findings) const {
   for (const CellSource& source : cell_.sources) {
     if (!roster.missing.contains(source.name)) continue;
-    // A device that nobody drives says so itself.
+    // A device that no source drives reports that itself.
     std::string instead;
     bool is_told = false;
     for (const std::string& name : source.devices) {

@@ -23,27 +23,26 @@
 namespace rocinante {
 
 /// Judges a session against a cell while it folds it, datagram by datagram, from a log or live:
-/// hands each packet to the judges of its source, its devices and its layers.
-/// No allocation a packet once everything in it has been seen. The cell must outlive it.
-/// One thread.
+/// hands each packet to the judges of its source, its devices and its layers. No allocation per
+/// packet once everything in it has been seen. The cell must outlive it. One thread.
 class SessionCheck {
  public:
   explicit SessionCheck(const Cell& cell);
   ~SessionCheck();
 
-  /// The next datagram in time order. `captured`: it came from outside (LogChannel::captured); the
-  /// others that are folded are restatements by a recorder, judged but not counted.
+  /// The next datagram in time order. `captured`: it came from outside (LogChannel::captured); all
+  /// others are restatements by a recorder, judged but not counted.
   void add(LogTime time, std::string_view encoding, bool captured, ByteView datagram);
 
-  // What the log says of its own recording.
+  // What the log says about its own recording.
   void addLoss(const LossSpan& span) { log_.takeLoss(span); }
   void addDamage(const DamageSpan& span) { log_.takeDamage(span); }
   /// A message on /rocinante/clock.
   void addClockStep(LogTime time, ByteView payload) { log_.takeClockStep(time, payload); }
-  /// Its recorder did not close it.
+  /// Call it when the recorder did not close the log.
   void noteIncomplete() { log_.noteIncomplete(); }
 
-  /// What was found about the session, in no order; the cell's own faults are not in it. Fills
+  /// Reports the findings about the session, unsorted, without the cell's own faults. Fills
   /// datagrams, packets, sources and findings of `report`.
   void finish(CheckReport& report) const;
 
@@ -74,7 +73,7 @@ class SessionCheck {
   void judgeJoints(const Statement& statement, const SourceJudge& source, DeviceJudge& device,
                    const PacketPlace& place);
   void judgeAdd(const Statement& statement, DeviceJudge& device, const PacketPlace& place);
-  /// What was lost behind a relay, by its own count.
+  /// Losses behind a relay, by the relay's own count.
   std::uint64_t relayGap(std::string_view relay) const;
   void judgePath(const PathView& path, const PacketPlace& place);
   void reportSources(const SessionRoster& roster, std::vector<Finding>& findings) const;
@@ -84,7 +83,7 @@ class SessionCheck {
   RuleSettings rules_;
   MotionThresholds motion_;
   SessionState state_;
-  Names bound_sources_;  ///< of the cell, that name their devices
+  Names bound_sources_;  ///< sources of the cell that list their devices
   ByName<std::unique_ptr<Decoder>> decoders_;
   ByName<Source> sources_;
   std::vector<std::string> source_names_;  ///< by number

@@ -41,8 +41,7 @@ struct RocinanteSdfShape {
 struct RocinanteSdfSink {
   void* to;
   void (*fault)(void* to, int32_t is_error, int32_t line, const char* sentence);
-  void (*model)(void* to,
-                const char* name);  ///< for each model; links and joints follow only the first
+  void (*model)(void* to, const char* name);  ///< each; links and joints of the first only
   void (*link)(void* to, const char* name, const struct RocinanteSdfPose* in_model);
   void (*shape)(void* to, const struct RocinanteSdfShape* shape);
   void (*joint)(void* to, const struct RocinanteSdfJoint* joint);

@@ -10,7 +10,7 @@
 
 namespace rocinante {
 
-/// Collects what has drifted about one subject: a device, or a model that only `add` may bring.
+/// Collects the drift of one subject: a device, or a model that only `add` can bring.
 class DriftList {
  public:
   DriftList(std::vector<Finding>& findings, std::string subject)

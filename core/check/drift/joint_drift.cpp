@@ -22,8 +22,8 @@ const std::string& childOf(const Model& model, const Joint& joint) {
 
 bool isMovable(const Joint& joint) { return valueCount(joint.type) > 0 && !joint.mimic; }
 
-/// Two joints of different names that can only be the same one: of one type and sense, between the
-/// same links, or with the same place in the file and in space.
+/// Two joints of different names that are probably the same: same type, both mimics or neither, and
+/// the same child link, or the same number in the file, origin and axis.
 bool looksRenamed(const Model& recorded, const Joint& was, const Model& given, const Joint& is,
                   bool same_number) {
   if (was.type != is.type || was.mimic.has_value() != is.mimic.has_value()) return false;
@@ -161,7 +161,7 @@ class JointDrift {
   }
 
   void compareLimits(const std::string& name, const Joint& was, const Joint& is) {
-    if (was.type != is.type) return;  // told already
+    if (was.type != is.type) return;  // already reported
     const auto text = [](const Joint& joint) {
       if (!joint.limits) return std::string("unlimited");
       const bool turns = joint.type != JointType::prismatic;
@@ -219,7 +219,7 @@ class JointDrift {
     if (recorded_.positionalCount() != given_.positionalCount() || was.size() != is.size()) return;
     std::vector<std::size_t> astray;
     for (std::size_t i = 0; i < was.size(); ++i) {
-      // One that has no counterpart is told as removed.
+      // One without a counterpart is reported as removed.
       if (given_of_[was[i]] != kNone && given_of_[was[i]] != is[i]) astray.push_back(i);
     }
     if (astray.empty()) return;
@@ -240,7 +240,7 @@ class JointDrift {
                            given_.joints[is[first]].name, joint(first)));
   }
 
-  /// The link of `given_` that a recorded link is: by name, else as the child of the same joint.
+  /// The counterpart in `given_` of a recorded link: by name, else the child of the same joint.
   std::size_t mappedLink(std::size_t recorded_link) const {
     const Link& link = recorded_.links[recorded_link];
     if (const auto same = given_.findLink(link.name)) return *same;
@@ -255,7 +255,7 @@ class JointDrift {
       const std::size_t link = mappedLink(i);
       if (link == kNone) continue;
       const std::string& name = given_.links[link].name;
-      // A link that bears a recorded name is that one, and no other renamed.
+      // A link with a recorded name is that link, not another one renamed.
       if (name != recorded_.links[i].name && !recorded_.findLink(name)) {
         names.emplace(recorded_.links[i].name, name);
       }

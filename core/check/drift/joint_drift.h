@@ -8,8 +8,8 @@
 
 namespace rocinante {
 
-/// What has drifted in the joints: names, order, types, axes, origins, limits, mimics. Answers with
-/// the names of links that have others now: recorded name to given name.
+/// Reports drift of the joints: names, order, types, axes, origins, limits, mimics. Returns the
+/// renamed links: recorded name to given name.
 std::map<std::string, std::string> addJointDrift(const Model& recorded, const Model& given,
                                                  DriftList& drift);
 

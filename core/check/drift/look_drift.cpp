@@ -12,7 +12,7 @@
 namespace rocinante {
 namespace {
 
-/// Numbers of the parts of its mesh that a visual draws.
+/// Indices of the mesh parts that a visual draws.
 std::vector<std::size_t> partsOf(const Visual& visual) {
   if (!visual.mesh_parts.empty() || visual.mesh == nullptr) return visual.mesh_parts;
   std::vector<std::size_t> all(visual.mesh->parts.size());
@@ -34,7 +34,7 @@ double lengthOf(const Visual& visual) {
   return std::max({size.x, size.y, size.z});
 }
 
-/// "is 25.4 times as large", when that is all that can be said by size.
+/// ", 25.4 times as large" when the sizes differ; else empty.
 std::string sizeText(const Visual& was, const Visual& is) {
   const double before = lengthOf(was), after = lengthOf(is);
   if (before <= 0 || after <= 0) return "";
@@ -176,7 +176,7 @@ bool LookDrift::comparePointColors(const Visual& was, const Visual& is, const st
                                    DriftList& drift) {
   const bool had = was.mesh != nullptr && !was.mesh->colors.empty();
   const bool has = is.mesh != nullptr && !is.mesh->colors.empty();
-  // Of another shape that is told already the colours are others too.
+  // A different shape has different colours too, and is already reported.
   const bool same = had == has && (!has || shapeOf(was) != shapeOf(is) ||
                                    pointColorsOf(was) == pointColorsOf(is));
   if (same) return false;
@@ -210,7 +210,7 @@ LookDrift::Digest LookDrift::shapeOf(const Visual& visual) {
 LookDrift::Digest LookDrift::partOf(const Mesh& mesh, std::size_t part) {
   const auto [known, is_new] = parts_.try_emplace({&mesh, part});
   if (!is_new) return known->second;
-  // By its corners: vertices are numbered anew when another part of the file changes.
+  // By its corners: vertices are renumbered when another part of the file changes.
   const MeshPart& run = mesh.parts[part];
   std::vector<Vertex> corners;
   corners.reserve(run.index_count);

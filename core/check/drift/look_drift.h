@@ -11,12 +11,12 @@
 
 namespace rocinante {
 
-/// What has drifted in how models look: links, shapes, materials, textures. Remembers what it has
-/// hashed, since devices share meshes. Hashes what is drawn, not files: a mesh that was saved anew
-/// and decodes to the same triangles has not drifted.
+/// Reports drift in how models look: links, shapes, materials, textures. Caches hashes, since
+/// devices share meshes. Hashes the decoded triangles, not files: a mesh that was saved again with
+/// the same triangles has not drifted.
 class LookDrift {
  public:
-  /// `renamed`: links by their recorded names that have others now.
+  /// `renamed`: renamed links by their recorded names.
   void add(const Model& recorded, const Model& given,
            const std::map<std::string, std::string>& renamed, DriftList& drift);
 
@@ -24,19 +24,20 @@ class LookDrift {
   using Digest = std::array<std::byte, 16>;
 
   void compareLinks(const Link& was, const Link& is, DriftList& drift);
-  /// What differs between two lists of visuals, as a sentence's end; empty when nothing does.
+  /// The difference between two lists of visuals, as the end of a message; empty when there is
+  /// none.
   std::string shapeDrift(const std::vector<Visual>& was, const std::vector<Visual>& is);
-  /// `color_told`: a colour that has changed is told already.
+  /// `color_told`: a changed colour is already reported.
   void compareMaterials(const Visual& was, const Visual& is, const std::string& name,
                         bool color_told, DriftList& drift);
-  /// Of meshes that have colours at their points (OBJ, COLLADA, glTF).
-  /// True when it told something: without such colours a grey material is another grey.
+  /// For meshes with vertex colours (OBJ, COLLADA, glTF). True when it reported something: losing
+  /// vertex colours also changes the default material.
   bool comparePointColors(const Visual& was, const Visual& is, const std::string& name,
                           DriftList& drift);
   static Digest pointColorsOf(const Visual& visual);
   Digest shapeOf(const Visual& visual);
   Digest partOf(const Mesh& mesh, std::size_t part);
-  /// Of the picture's bytes; of its name when it cannot be read.
+  /// Of the image's bytes; of its name when it cannot be read.
   Digest textureOf(const Material& material);
 
   std::map<std::pair<const Mesh*, std::size_t>, Digest> parts_;

@@ -28,7 +28,7 @@ class CellDrift {
                           "was recorded",
                           is.name));
     }
-    // What `add` may bring.
+    // Models that `add` can bring.
     for (const auto& [name, was] : recorded_.models) {
       const auto is = given_.models.find(name);
       if (is == given_.models.end()) {
@@ -97,7 +97,7 @@ class CellDrift {
     return device.on_device + (device.on_link.empty() ? "" : "/" + device.on_link);
   }
 
-  /// A device that is new and is all that this one was.
+  /// A hint when a new device has the model and place of this one.
   std::string renamedHint(const CellDevice& was) const {
     for (const CellDevice& is : given_.devices) {
       if (recorded_.findDevice(is.name) != nullptr || is.model != was.model) continue;
@@ -109,7 +109,7 @@ class CellDrift {
     return "";
   }
 
-  /// Devices share models: a pair is told of once, of the first that has it.
+  /// Devices share models: a pair is reported once, for its first device.
   void compareModels(const Model* was, const Model* is, const std::string& who) {
     if (was == nullptr || is == nullptr || !compared_.insert({was, is}).second) return;
     DriftList drift(findings_, who);

@@ -10,7 +10,7 @@
 namespace rocinante {
 namespace {
 
-// Exporters print six digits or so.
+// Exporters print about six digits.
 constexpr double kSameRatio = 1e-9;
 constexpr double kSameLength_m = 1e-7;
 constexpr double kSameAngle_deg = 1e-4;

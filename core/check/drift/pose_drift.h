@@ -6,14 +6,13 @@
 
 namespace rocinante {
 
-/// "has moved by 12 mm and turned by 3.5 degrees"; empty when the two are the same place but for
-/// rounding.
+/// "has moved by 12 mm and turned by 3.5 degrees"; empty when the two are the same within rounding.
 std::string poseDrift(const Pose& recorded, const Pose& given);
 
-/// Between two unit vectors, in degrees; 0 when they are the same but for rounding.
+/// Between two unit vectors, in degrees; 0 when they are the same within rounding.
 double angleDrift_deg(const Vec3& recorded, const Vec3& given);
 
-/// True when two numbers are the same but for rounding.
+/// True when two numbers are the same within rounding.
 bool isSameNumber(double a, double b);
 
 }  // namespace rocinante

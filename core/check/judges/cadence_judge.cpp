@@ -8,19 +8,19 @@
 namespace rocinante {
 namespace {
 
-/// The rate is that of windows this long, and of at least so many packets.
+/// The rate is measured over windows at least this long, with at least this many packets.
 constexpr double kWindow_s = 2;
 constexpr double kWindowPackets = 20;
-/// What the edges of a window may do to its rate.
+/// The error that a window's edges can cause in its rate.
 constexpr double kRateSlack = 0.05;
-/// A source spoke often when it said this much in its run, so often.
+/// A source sent often if its run has this many packets, with at most this mean interval.
 constexpr std::uint64_t kOftenPackets = 20;
 constexpr double kOften_s = 1;
 /// The mean period is known after this many intervals, and follows about as many.
 constexpr std::uint64_t kKnownIntervals = 32;
-/// An interval of so many periods is a pause, not an uneven one.
+/// An interval of this many periods is a pause, not jitter.
 constexpr double kPausePeriods = 10;
-/// Told when more than this part of the packets comes unevenly.
+/// Reported when more than this fraction of the packets is uneven.
 constexpr double kUnevenPart = 0.05;
 constexpr std::uint64_t kLeastUneven = 10;
 
@@ -33,7 +33,7 @@ void CadenceJudge::begin(const PacketPlace& place) {
   packets_ = 1;
   ++all_packets_;
   window_sent_ = 0;
-  // What waited for the source to be listened to comes at once.
+  // Packets that queued before the listener started arrive at once.
   window_has_pause_ = true;
   was_long_ = false;
   intervals_ = 0;

@@ -11,7 +11,7 @@ namespace rocinante {
 
 struct CadenceThresholds {
   double silence_s = 10;
-  bool is_silence_given = false;  ///< by the cell, for this source: then whatever its rate is
+  bool is_silence_given = false;  ///< by the cell for this source: judged at any rate
   std::optional<std::pair<double, double>> rate_hz;
   std::optional<double> jitter_s;
 };
@@ -21,10 +21,10 @@ class CadenceJudge {
  public:
   explicit CadenceJudge(const CadenceThresholds& thresholds) : thresholds_(thresholds) {}
 
-  /// The next packet of the source itself that is no restatement. `lost`: how many before it never
-  /// came.
+  /// The next packet of the source that is not a restatement. `lost`: how many before it never
+  /// arrived.
   void take(const PacketPlace& place, std::uint64_t lost);
-  /// A restatement, which comes between and shows that the source lives.
+  /// A restatement: does not count for the rate, but shows that the source is alive.
   void takeRestatement(const PacketPlace& place);
 
   /// `end`: of the session.
@@ -35,14 +35,14 @@ class CadenceJudge {
   void judgeSilence(const PacketPlace& place);
   void judgeRate(const PacketPlace& place, std::uint64_t sent, double interval_s);
   void judgeJitter(const PacketPlace& place, double interval_s, std::uint64_t sent, bool is_pause);
-  /// Whether a silence of this source is worth telling: it spoke often until then.
+  /// Whether a silence of this source is a fault: it sent often until then.
   bool isExpected() const;
 
   CadenceThresholds thresholds_;
   bool is_begun_ = false;
   std::uint32_t stretch_ = 0;
   LogTime began_{}, last_{}, last_sign_{};
-  std::uint64_t packets_ = 0, all_packets_ = 0;  ///< of this run, and of all
+  std::uint64_t packets_ = 0, all_packets_ = 0;  ///< of this run, and of all runs
   PacketPlace last_place_;
 
   LogTime window_began_{};

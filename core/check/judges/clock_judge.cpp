@@ -11,18 +11,18 @@
 namespace rocinante {
 namespace {
 
-/// A TIME before the year 2000 is a simulation's own, which no clock has.
+/// A TIME before the year 2000 belongs to a simulation, not to a clock.
 constexpr std::int64_t kFirstWallTime_ns = std::int64_t{946'684'800} * 1'000'000'000;
-/// What must have been seen of a clock before it is said to have been set: at the start of a
-/// session the first packets may all be late.
+/// How much of a clock must have been seen before a step is reported: the first packets of a
+/// session may all be late.
 constexpr std::uint64_t kKnownPackets = 20;
 constexpr Nanoseconds kKnownSpan = std::chrono::seconds(2);
-/// A drift is told when it has come to this much, over this long.
+/// A drift is reported when it has reached this much, over this long.
 constexpr double kLeastDrift_s = 0.02;
 constexpr double kLeastSpan_s = 10;
 constexpr std::size_t kLeastBins = 8;
 
-/// Saturating: a hostile TIME may lie 292 years off.
+/// Saturating: a hostile TIME may be 292 years off.
 std::int64_t difference(std::int64_t a, std::int64_t b) {
   std::int64_t result = 0;
   if (!__builtin_sub_overflow(a, b, &result)) return result;
@@ -84,7 +84,7 @@ bool ClockJudge::steps(const PacketPlace& place, std::int64_t delay_ns) {
   if (!is_wall_ || count_ < kKnownPackets || place.time - began_ < kKnownSpan) return false;
   const double ahead = secondsOf(difference(least_ns_, delay_ns));
   const double drifted = secondsOf((place.time - least_at_).count()) * thresholds_.drift_ppm * 1e-6;
-  // A clock that runs fast moves on by a part of each period; one that is set, at once.
+  // A fast clock gains a fraction of each period; a clock that is set jumps at once.
   const double period = secondsOf((place.time - last_).count());
   if (ahead <= thresholds_.step_s + drifted + period) return false;
   worst_step_s_ = std::abs(worst_step_s_) < ahead ? ahead : worst_step_s_;
@@ -138,7 +138,8 @@ void ClockJudge::report(const std::string& source, std::vector<Finding>& finding
   if (steps_.count == 0) reportDrift(source, findings);
 }
 
-// The median of the slopes between all pairs (Theil and Sen): a few delayed spans do not bend it.
+// The median of the slopes between all pairs (Theil and Sen): a few delayed intervals do not change
+// it.
 void ClockJudge::reportDrift(const std::string& source, std::vector<Finding>& findings) const {
   std::vector<Least> points;
   for (const Least& least : bins_) {

@@ -14,15 +14,15 @@ struct ClockThresholds {
   double step_s = 0.5;
 };
 
-/// Holds a source's TIME against the arrival of its packets. What networks and schedulers delay
-/// comes late, never early: the least delayed packets show the clock.
+/// Compares a source's TIME with the arrival of its packets. Networks and schedulers only delay
+/// packets: the least delayed ones show the clock.
 class ClockJudge {
  public:
   explicit ClockJudge(const ClockThresholds& thresholds) : thresholds_(thresholds) {}
 
   /// The next packet that has a TIME, in order.
   void take(const PacketPlace& place);
-  /// It is played again: TIME says nothing of a clock any more.
+  /// The source is a replay: its TIME no longer shows a clock.
   void ignore() { is_ignored_ = true; }
 
   void report(const std::string& source, std::vector<Finding>& findings) const;
@@ -43,7 +43,7 @@ class ClockJudge {
   LogTime began_{}, last_{}, least_at_{};
   std::uint64_t count_ = 0;
   std::int64_t least_ns_ = 0;
-  /// The least delay of each span of time, in spans that double as the session grows.
+  /// The least delay of each interval; intervals double as the session grows.
   struct Least {
     std::int64_t at_ns = 0, delay_ns = 0;
     bool is_set = false;

@@ -9,10 +9,10 @@
 namespace rocinante {
 namespace {
 
-/// Encodings that are told apart.
+/// Most encodings that are counted separately.
 constexpr std::size_t kMaxEncodings = 200;
 
-/// The bytes of a datagram from a place that a fault names.
+/// The bytes of a datagram from the place of a fault.
 std::string_view textAt(ByteView datagram, const FaultAt& at) {
   std::string_view text = textOf(datagram);
   for (std::uint32_t line = 1; line < at.line; ++line) {
@@ -24,7 +24,7 @@ std::string_view textAt(ByteView datagram, const FaultAt& at) {
   return text.substr(at.column - 1);
 }
 
-/// Whether a number begins as C's printf writes one that is none: nan, inf, Infinity.
+/// Whether a number begins like nan, inf or Infinity, as C's printf writes them.
 bool isNotFinite(std::string_view text) {
   // A named value: `joint arm elbow=nan`.
   const std::size_t word = std::min(text.find_first_of(" \t\r\n"), text.size());

@@ -12,7 +12,7 @@
 
 namespace rocinante {
 
-/// Judges datagrams by what their decoder made of them.
+/// Judges datagrams by the result of their decoder.
 class DatagramJudge {
  public:
   void takeUndecoded(std::string_view encoding, const PacketPlace& place);

@@ -13,9 +13,9 @@
 namespace rocinante {
 namespace {
 
-/// As that of a pose (docs/packet-format.md).
+/// The same as for a pose (docs/packet-format.md).
 constexpr double kUnitSlack = 1e-3;
-/// Names that are told apart in one device; a hostile session has more, nobody reads them.
+/// Most names that are counted separately per device; only a hostile session has more.
 constexpr std::size_t kMaxDeviceNames = 200;
 constexpr std::size_t kMaxStrangers = 20;
 
@@ -205,7 +205,7 @@ void DeviceJudge::resolve(Order& order) const {
 std::size_t DeviceJudge::valueNamed(std::string_view value_name, const PacketPlace& place) {
   const auto found = value_by_name_.find(value_name);
   if (found != value_by_name_.end()) return found->second;
-  // A fixed joint or one that mimics another is there, but nothing that a sender says moves it.
+  // A fixed or mimic joint exists, but no value of a sender moves it.
   hitName(model_->findJoint(value_name) ? undrivable_joints_ : unknown_joints_, value_name, place);
   return kNoValue;
 }

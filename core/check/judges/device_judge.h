@@ -15,20 +15,21 @@
 
 namespace rocinante {
 
-/// What of the cell's `[[source]]` bears on one device.
+/// The part of the cell's `[[source]]`s that concerns one device.
 struct DeviceOwners {
   std::vector<std::string> names;  ///< sources whose `devices` name it
-  /// Sources that name devices at all: what they do not name is not theirs. Borrowed.
+  /// Sources that list devices at all: devices that they do not list are not theirs. Borrowed.
   const std::set<std::string, std::less<>>* bound = nullptr;
 
   bool allow(std::string_view source) const;
 };
 
-/// What is known only at the end.
+/// Facts that are known only at the end.
 struct SessionRoster {
-  const std::vector<std::string>& sources;            ///< names by number
-  const std::set<std::string, std::less<>>& missing;  ///< sources of the cell that never spoke
-  const std::vector<std::string_view>& devices;       ///< that the cell has
+  const std::vector<std::string>& sources;  ///< names by number
+  const std::set<std::string, std::less<>>&
+      missing;                                   ///< sources of the cell that never sent a packet
+  const std::vector<std::string_view>& devices;  ///< that the cell has
 };
 
 /// Judges what a session says about one device against its model. Findings come at the end, when
@@ -40,8 +41,8 @@ class DeviceJudge {
 
   enum class Standing : std::uint8_t {
     there,     ///< from the start
-    optional,  ///< it waits for `add`, and nobody need drive it
-    ghost,     ///< from when its source speaks
+    optional,  ///< it waits for `add` and need not be driven
+    ghost,     ///< from its source's first packet on
   };
   void appearInCell(const Model* model, Standing standing);
   void setOwners(DeviceOwners owners) { owners_ = std::move(owners); }
@@ -50,20 +51,20 @@ class DeviceJudge {
   void appearByAdd(const Model* model, const Statement& add, const PacketPlace& place);
   void disappear(const PacketPlace& place);
 
-  /// Any statement that names the device, but for `add` and `remove`.
+  /// Any statement that names the device, except `add` and `remove`.
   void mention(const PacketPlace& place) {
     if (mentioned_.count == 0 || !is_known_) mentioned_.hit(place);
     presence_.mention(place);
   }
   void judgeLink(std::string_view link, const PacketPlace& place);
-  /// By the names of the order that this source last gave, when `ordered` says that the state
-  /// still holds one; else positional.
+  /// By the names of this source's last order if `ordered` (the state still holds one); else
+  /// positional.
   void judgeJoints(std::span<const double> values, bool ordered, const PacketPlace& place);
   void judgeNamed(std::span<const std::string_view> names, std::span<const double> values,
                   const PacketPlace& place);
   void judgeOrder(std::span<const std::string_view> names, const PacketPlace& place);
   void judgePose(const PacketPlace& place);
-  /// A value that was said before the device had a model.
+  /// A value that was sent before the device had a model.
   void judgeEarlier(std::string_view value_name, double value, const PacketPlace& place);
 
   bool hasModel() const { return model_ != nullptr; }
@@ -71,10 +72,10 @@ class DeviceJudge {
 
   /// Drives or poses the device: a source's number and name.
   void writtenBy(std::string_view source_name, const PacketPlace& place);
-  /// A device of the cell that nobody drives though it could be driven, and should.
+  /// A movable device of the cell that should be driven and is not.
   bool isUndriven() const;
   const std::vector<std::string>& owners() const { return owners_.names; }
-  /// A source that writes it though the cell gives it to others; empty: none.
+  /// A source that writes it although the cell gives it to others; empty: none.
   std::string stranger() const;
 
   void report(const SessionRoster& roster, std::vector<Finding>& findings) const;
@@ -88,7 +89,7 @@ class DeviceJudge {
     std::uint32_t writer = kNobody;
     std::uint64_t said_in = 0;  ///< number of the last statement that gave it
   };
-  /// What `joints` of each source mean: numbers in `values_`, kNoValue for a name that is none.
+  /// The order of each source's `joints`: indices into `values_`, kNoValue for an unknown name.
   struct Order {
     std::vector<std::string> names;
     std::vector<std::size_t> values;
@@ -112,7 +113,7 @@ class DeviceJudge {
   void judgeValue(std::size_t value, double number, const PacketPlace& place);
   void judgeUnitQuaternions(const PacketPlace& place);
   void noteWriter(std::uint32_t& writer, TwoSources& two, const PacketPlace& place);
-  /// Number of the value in `values_`; kNoValue, with the fault counted, when there is none.
+  /// Index of the value in `values_`; kNoValue, with the fault counted, when there is none.
   std::size_t valueNamed(std::string_view value_name, const PacketPlace& place);
 
   void reportNames(std::vector<Finding>& findings) const;
@@ -129,7 +130,7 @@ class DeviceJudge {
   PresenceJudge presence_;
   const Model* model_ = nullptr;
   std::vector<Value> values_;
-  std::vector<std::size_t> quaternions_;  ///< the first of four values that are one
+  std::vector<std::size_t> quaternions_;  ///< the first of four values that form one
   std::map<std::string, std::size_t, std::less<>> value_by_name_;
   std::map<std::uint32_t, Order> orders_;
   std::uint32_t pose_writer_ = kNobody, writer_ = kNobody;
@@ -140,7 +141,7 @@ class DeviceJudge {
   Tally mentioned_, unknown_model_, other_kinematics_, joint_count_, repeated_joint_, not_unit_;
   std::string unknown_model_name_, joint_count_text_, joint_count_hint_, repeated_joint_name_;
   NameTallies unknown_links_, unknown_joints_, undrivable_joints_;
-  NameTallies early_links_, early_joints_;  ///< said before there was a model to judge them
+  NameTallies early_links_, early_joints_;  ///< sent before there was a model to judge them
   TwoSources two_drivers_, two_posers_;
   std::vector<Finding> earlier_;  ///< about the values of a model that it no longer has
 };

@@ -1,4 +1,4 @@
-// What DeviceJudge says at the end. One cause is told by one rule: what follows from it is not.
+// The report of DeviceJudge. One cause is reported by one rule; its consequences are not.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -12,7 +12,7 @@
 namespace rocinante {
 namespace {
 
-/// What drives a joint has said so by then.
+/// After this many statements every driven joint has got a value.
 constexpr std::uint64_t kKnownStatements = 20;
 
 }  // namespace
@@ -95,8 +95,7 @@ void DeviceJudge::reportValues(std::vector<Finding>& findings) const {
   for (const Value& value : values_) value.judge.report(name_, findings);
 }
 
-// Degrees go far beyond the limits of radians, and are well within them when they are taken for
-// what they are.
+// Degrees are far beyond the limits in radians, but well within them when read as degrees.
 bool DeviceJudge::reportDegrees(std::vector<Finding>& findings) const {
   std::size_t angles = 0, beyond = 0;
   double largest = 0;
@@ -137,7 +136,7 @@ void DeviceJudge::reportUndriven(const SessionRoster& roster,
     }
     return;
   }
-  // A name or a count that is wrong is why values are missing.
+  // A wrong name or count explains missing values.
   const bool is_explained =
       joint_count_.count > 0 || !unknown_joints_.empty() || !undrivable_joints_.empty();
   if (!is_driven_ || is_explained || statements_ < kKnownStatements) return;
@@ -158,7 +157,7 @@ std::string DeviceJudge::stranger() const {
 }
 
 void DeviceJudge::reportWriters(const SessionRoster& roster, std::vector<Finding>& findings) const {
-  // Where an owner never spoke, another name for it is the likely cause, and source.missing tells.
+  // Where an owner never sent a packet, a different name is the likely cause: see source.missing.
   const bool has_missing_owner =
       std::any_of(owners_.names.begin(), owners_.names.end(),
                   [&](const std::string& owner) { return roster.missing.contains(owner); });
@@ -175,7 +174,7 @@ void DeviceJudge::reportWriters(const SessionRoster& roster, std::vector<Finding
   }
   const auto two = [&](const TwoSources& found, const char* what) {
     if (found.tally.count == 0) return;
-    // Who has no business there was told.
+    // Sources that the cell does not list for it are already reported.
     if (strangers_.contains(found.before) || strangers_.contains(found.now)) return;
     findings.push_back(found.tally.finding(
         "packet.two-sources", name_,

@@ -12,9 +12,9 @@
 namespace rocinante {
 namespace {
 
-/// A value is outside its limits when it is so by more than this: senders round.
+/// Values outside their limits by less than this are accepted: senders round.
 constexpr double kLimitSlack = 1e-6;
-/// A joint whose model gives no velocity is not believed to cross its whole range faster.
+/// A joint without a velocity limit may not cross its whole range faster than this.
 constexpr double kRangeTime_s = 0.2;
 
 constexpr std::array kPlanar = {".x", ".y", ".yaw"};
@@ -38,7 +38,7 @@ JointJudge::JointJudge(const Joint& joint, std::size_t component,
     lower_ = joint.limits->lower;
     upper_ = joint.limits->upper;
   }
-  // Planar and floating joints have no velocity; a limit of zero is one that was left out.
+  // Planar and floating joints have no velocity; a limit of zero means none.
   if (!is_planar && !is_floating && joint.limits && joint.limits->velocity.value_or(0) > 0) {
     velocity_limit_ = *joint.limits->velocity;
     motion.speed = *velocity_limit_ * thresholds.velocity_factor;
@@ -59,11 +59,11 @@ void JointJudge::judge(double value, const PacketPlace& place) {
   most_ = std::max(most_, value);
   const double excess = std::max(lower_ - value, value - upper_);
   if (excess <= kLimitSlack) {
-    // What is said again says nothing of motion.
+    // Restated values do not show motion.
     if (!place.is_restated) judgeMotion(value, place);
     return;
   }
-  // How it got there is no second fault.
+  // The motion that led there is not a second fault.
   motion_.forget();
   beyond_.hit(place);
   if (excess > worst_excess_) {

@@ -10,7 +10,7 @@
 
 namespace rocinante {
 
-/// What the rules of motion measure against.
+/// Thresholds of the rules of motion.
 struct MotionThresholds {
   double velocity_factor = 1.1;  ///< of the model's velocity limit
   double acceleration = 0;       ///< rad/s^2 or m/s^2; 0: not judged
@@ -29,20 +29,20 @@ class JointJudge {
   bool isLimited() const { return lower_ > -std::numeric_limits<double>::infinity(); }
   bool isAngle() const { return is_angle_; }
   double value() const { return value_; }
-  /// Whether a value lay beyond its limits.
+  /// Whether any value was beyond the limits.
   bool wasBeyond() const { return beyond_.count > 0; }
-  /// All values that it had are well within reach when they are taken for degrees.
+  /// Whether all its values are within the limits when read as degrees.
   bool fitsAsDegrees() const;
   double largest() const;
-  /// What was found but for `limit`, when the values are degrees.
+  /// Adds the tallies of all faults, when the values are degrees.
   void collect(Tally& all) const;
 
   void report(const std::string& device, std::vector<Finding>& findings) const;
 
  private:
-  /// Which packets have nearly one TIME, where that made the last fault of motion.
+  /// The packets with nearly the same TIME, if they caused the last fault of motion.
   std::string twinsText() const;
-  /// A value as people read it: "12.5°", "0.3 m".
+  /// A value as text: "12.5°", "0.3 m".
   std::string valueText(double value) const;
 
   std::string name_;
@@ -58,7 +58,7 @@ class JointJudge {
   Tally beyond_, jump_, velocity_, acceleration_;
   double worst_excess_ = 0, worst_ = 0;
   double jump_distance_ = 0, jump_s_ = 0, worst_velocity_ = 0, velocity_s_ = 0;
-  /// Of the worst, where it is the packets' TIMEs that are too near: which packets.
+  /// The packets of the worst fault, if their TIMEs are too near.
   std::string jump_twins_, velocity_twins_;
   double worst_acceleration_ = 0;
 

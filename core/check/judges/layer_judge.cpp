@@ -7,7 +7,7 @@
 namespace rocinante {
 namespace {
 
-/// Layers that are told apart; a hostile session has more, nobody reads them.
+/// Most layers that are counted separately; only a hostile session has more.
 constexpr std::size_t kMaxLayerNames = 200;
 
 }  // namespace

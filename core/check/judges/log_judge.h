@@ -9,7 +9,7 @@
 
 namespace rocinante {
 
-/// Judges what a log says of its own recording: losses, steps of the wall clock, damage.
+/// Judges the recording itself: losses, steps of the wall clock, damage.
 class LogJudge {
  public:
   void takeLoss(const LossSpan& span) { losses_[span.endpoint].push_back(span); }

@@ -8,20 +8,19 @@
 namespace rocinante {
 namespace {
 
-/// A TIME says when a value was so, give or take this; an arrival is delayed by networks and by
-/// senders that send in bursts.
+/// Slack of a TIME, and of an arrival, which networks and bursty senders delay.
 constexpr double kSentSlack_s = 0.05;
 constexpr double kArrivalSlack_s = 0.25;
 /// Sensors and senders round.
 constexpr double kResolution = 1e-4;
-/// A single step at that many times the speed is a jump; a slower one is a speed.
+/// A single step at this many times the speed limit is a jump; a slower one is a velocity fault.
 constexpr double kJumpFactor = 3;
-/// Velocities are measured over spans at least this long, so that noise is not acceleration.
+/// Velocities are measured over intervals at least this long, so that noise is not acceleration.
 constexpr double kVelocitySpan_s = 0.05;
-/// A value of which nothing was said for longer was not followed.
+/// A value that was not sent for longer is not followed across the gap.
 constexpr double kLongestSpan_s = 0.5;
 constexpr double kNoise = 1e-3;
-/// So many intervals say what is usual.
+/// This many intervals show the usual one.
 constexpr std::uint32_t kUsualIntervals = 4;
 constexpr double kNearTimes_s = 1e-3;
 
@@ -79,7 +78,7 @@ MotionJudge::Answer MotionJudge::judge(double value, const PacketPlace& place) {
   }
 
   const double step = std::abs(moved);
-  // Nearly always: no faster than it may be, and it was not before, so that nothing below changes.
+  // The usual case: not too fast now nor before, so that nothing below changes.
   if (step <= limits_.speed * seconds && up_.by == 0 && down_.by == 0 &&
       limits_.acceleration == std::numeric_limits<double>::infinity()) {
     return Answer::sound;
@@ -93,7 +92,7 @@ MotionJudge::Answer MotionJudge::judge(double value, const PacketPlace& place) {
     return Answer::jump;
   }
   if (limits_.only_jumps) return Answer::sound;
-  // Both directions are followed, whatever the first one says.
+  // Both directions are updated, even if the first one is a fault.
   const bool is_up = take(up_, moved, seconds, slack_s);
   const bool is_down = take(down_, -moved, seconds, slack_s);
   if (is_up || is_down) {
@@ -121,7 +120,7 @@ bool MotionJudge::take(Ahead& ahead, double moved, double seconds, double slack_
   return true;
 }
 
-// The mean velocities of two spans that touch differ by at most acceleration * half of both.
+// The mean velocities of two adjacent intervals differ by at most acceleration * half of both.
 MotionJudge::Answer MotionJudge::judgeAcceleration(double moved, double seconds) {
   span_moved_ += moved;
   span_s_ += seconds;

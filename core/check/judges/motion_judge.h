@@ -9,17 +9,17 @@ namespace rocinante {
 /// How a joint value can move. Radians or metres, seconds.
 struct MotionLimits {
   double speed = std::numeric_limits<double>::infinity();
-  bool only_jumps = false;  ///< `speed` is a guess: only what is far beyond it is told
+  bool only_jumps = false;  ///< `speed` is a guess: only motion far beyond it is reported
   double acceleration = std::numeric_limits<double>::infinity();
-  bool wraps = false;  ///< angles that differ by a turn are the same
+  bool wraps = false;  ///< angles that differ by a full turn are equal
 };
 
-/// Follows one joint value through time and says when it moves as no machine can.
+/// Follows one joint value through time and detects motion that is not possible.
 ///
-/// Time is the sender's TIME; where there is none, or it stands still, the arrival, which is
-/// trusted less. Robust against noise and uneven packets: what is told is a stretch of time T in
-/// which the value went farther than speed * (T + slack). Late and lost packets never make one;
-/// restatements, other sources and new runs are the caller's to keep away: see begin().
+/// Time is the sender's TIME; without one, or when it does not advance, the arrival, which is
+/// trusted less. Robust against noise and uneven packets: a fault is an interval T in which the
+/// value moved farther than speed * (T + slack). Late and lost packets never cause one; the caller
+/// must keep out restatements, other sources and new runs: see begin().
 class MotionJudge {
  public:
   enum class Answer : std::uint8_t { sound, jump, velocity, acceleration };
@@ -28,19 +28,17 @@ class MotionJudge {
 
   /// The value at `place`, taken without judging: another source, a new run.
   void begin(double value, const PacketPlace& place);
-  /// The next begins anew.
+  /// The next value starts a new sequence.
   void forget() { is_begun_ = false; }
   Answer judge(double value, const PacketPlace& place);
 
-  /// Of the last answer that was not sound: how far, in what time, and, for an acceleration, how
-  /// much per second squared.
+  /// The last fault: distance, time, and for an acceleration the amount per second squared.
   double distance() const { return distance_; }
   double seconds() const { return seconds_; }
   double acceleration() const { return worst_acceleration_; }
-  /// Of the last jump or velocity, and the two values that made it: whether their TIMEs are far
-  /// nearer to each other than TIMEs of this source usually are, so that it is the TIME and not the
-  /// value that is wrong; how near, in seconds; how far the value moved between them; and the
-  /// SEQUENCEs that said them.
+  /// The two values that caused the last jump or velocity fault: whether their TIMEs are much
+  /// nearer to each other than usual for this source, so that the TIME and not the value is wrong;
+  /// how near, in seconds; and their SEQUENCEs.
   bool timesWereNear() const { return near_times_; }
   double interval() const { return interval_s_; }
   std::uint64_t sequenceBefore() const { return sequence_before_; }
@@ -61,10 +59,10 @@ class MotionJudge {
     double by = 0, moved = 0, seconds = 0;
   };
   Ahead up_, down_;
-  /// The span over which the velocity is being measured, and that of the one before it.
+  /// The interval over which the velocity is measured, and the one before it.
   double span_moved_ = 0, span_s_ = 0, velocity_ = 0, velocity_span_s_ = 0;
   double distance_ = 0, seconds_ = 0, worst_acceleration_ = 0;
-  /// TIMEs since begin(), for what is usual.
+  /// TIMEs since begin(), to know the usual interval.
   double sent_span_s_ = 0, interval_s_ = 0;
   std::uint32_t intervals_ = 0;
   bool is_interval_sent_ = false, near_times_ = false;

@@ -8,7 +8,7 @@
 
 namespace rocinante {
 
-/// Which statement is being judged, and who said it when. Borrowed from the packet.
+/// The statement being judged, its sender and time. Borrowed from the packet.
 struct PacketPlace {
   LogTime time{};            ///< arrival
   std::uint64_t packet = 0;  ///< captured datagrams from 1
@@ -17,8 +17,8 @@ struct PacketPlace {
   std::uint64_t sequence = 0;           ///< SEQUENCE; 0 where there is none
   std::optional<std::int64_t> sent_ns;  ///< TIME: nanoseconds since the epoch on its clock
   std::uint32_t source = 0;             ///< number of the source
-  std::uint32_t stretch = 0;            ///< another one after each restart and each `reset`
-  bool is_restated = false;             ///< said before, by itself or by somebody else
+  std::uint32_t stretch = 0;            ///< changes at each restart and each `reset`
+  bool is_restated = false;             ///< a restatement, by the source or by another program
 };
 
 }  // namespace rocinante

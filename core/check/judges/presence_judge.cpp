@@ -9,7 +9,7 @@ constexpr Nanoseconds kRemovalKnown = std::chrono::seconds(1);
 }  // namespace
 
 void PresenceJudge::add(const PacketPlace& place) {
-  // An `add` that is restated was first said before the session was listened to.
+  // A restated `add` was first sent before the session was listened to.
   const bool is_wrong_order = state_ == State::unknown && !place.is_restated &&
                               waiting_source_ == place.source && waiting_stretch_ == place.stretch;
   if (is_wrong_order) before_add_.merge(waiting_);
@@ -18,7 +18,7 @@ void PresenceJudge::add(const PacketPlace& place) {
 }
 
 void PresenceJudge::remove(const PacketPlace& place) {
-  if (state_ == State::removed) return;  // said again
+  if (state_ == State::removed) return;  // a repetition
   state_ = State::removed;
   remover_ = place.source;
   removed_at_ = place.time;

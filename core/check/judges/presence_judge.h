@@ -4,11 +4,11 @@
 
 namespace rocinante {
 
-/// Whether statements about a device come while it is there. Sources may start at any moment and
-/// a session in the middle of them: only what one source said in the wrong order counts.
+/// Judges whether statements about a device come while it exists. Sources may start at any moment,
+/// and a session may begin in the middle: only the order within one source counts.
 class PresenceJudge {
  public:
-  /// It stands in the cell from the start.
+  /// The device is in the cell from the start.
   void beThere() { state_ = State::there; }
 
   void add(const PacketPlace& place);
@@ -19,7 +19,7 @@ class PresenceJudge {
   }
 
   bool everThere() const { return state_ != State::unknown; }
-  /// Said by the source that then added it.
+  /// Statements by the source that then added it.
   const Tally& beforeAdd() const { return before_add_; }
   const Tally& afterRemove() const { return after_remove_; }
 
@@ -29,7 +29,7 @@ class PresenceJudge {
   void mentionAbsent(const PacketPlace& place);
 
   State state_ = State::unknown;
-  Tally waiting_;  ///< said while it was not there, by the first source that did
+  Tally waiting_;  ///< statements while it was absent, by the first source that made one
   std::uint32_t waiting_source_ = 0, waiting_stretch_ = 0;
   std::uint32_t remover_ = 0;
   LogTime removed_at_{};

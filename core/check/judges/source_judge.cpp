@@ -19,7 +19,7 @@ SourceThresholds SourceThresholds::of(const RuleSettings& rules, const CellSourc
   all.cadence.is_silence_given = limits.silence_s.has_value();
   all.restate_s = limits.restate_s.value_or(rules.threshold("source.unrestated"));
   if (source != nullptr) all.cadence.rate_hz = source->rate_hz;
-  // A source that may speak whenever it likes has no period to be off.
+  // A source without a declared rate has no period to deviate from.
   if (limits.jitter_ms || all.cadence.rate_hz || rules.hasOwnThreshold("source.jitter")) {
     all.cadence.jitter_s = limits.jitter_ms.value_or(rules.threshold("source.jitter")) * 1e-3;
   }

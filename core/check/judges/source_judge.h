@@ -13,17 +13,17 @@ namespace rocinante {
 
 class RuleSettings;
 
-/// What one source is held to.
+/// Thresholds for one source.
 struct SourceThresholds {
   ClockThresholds clock;
   CadenceThresholds cadence;
   double restate_s = 10;
 
-  /// Those of the rules, and what the cell says of this source: null where it says nothing.
+  /// Those of the rules, overridden by the cell's limits for this source; null: the cell has none.
   static SourceThresholds of(const RuleSettings& rules, const CellSource* source);
 };
 
-/// Judges the stream of one source: its numbers, its clock, when it speaks and what it says again.
+/// Judges the stream of one source: sequence numbers, clock, cadence and restatements.
 class SourceJudge {
  public:
   SourceJudge(std::string name, std::uint32_t number, const SourceThresholds& thresholds);
@@ -31,10 +31,10 @@ class SourceJudge {
   const std::string& name() const { return name_; }
   std::uint32_t number() const { return number_; }
 
-  /// The next packet, after the fold has counted it. Fills in what `place` says of its sender.
+  /// The next packet, after the fold has counted it. Fills in the sender's fields of `place`.
   void take(const PacketHeader& header, Applied applied, const SourceCounts& counts,
             PacketPlace& place);
-  /// A statement that a late joiner misses when it is not said again.
+  /// A statement that a late joiner misses when it is not restated.
   void takeStatic(const PacketPlace& place);
 
   /// `end`: of the session.
@@ -58,7 +58,7 @@ class SourceJudge {
   ClockJudge clock_;
   CadenceJudge cadence_;
   bool has_statics_ = false;
-  LogTime said_again_{};  ///< when statics were last restated, or first said
+  LogTime said_again_{};  ///< when static state was last restated, or first sent
   Tally unrestated_;
   double longest_unrestated_s_ = 0;
 };

@@ -52,7 +52,7 @@ Finding Tally::finding(std::string_view rule, std::string subject, std::string t
   finding.first = first;
   finding.last = last;
   finding.when = when;
-  // What a recorder restated before the first datagram has no number.
+  // Restatements of a recorder before the first datagram have no number.
   if (packet > 0) finding.packet = packet;
   finding.example = example;
   return finding;

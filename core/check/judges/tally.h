@@ -10,11 +10,11 @@
 
 namespace rocinante {
 
-/// A finding of a rule, as severe as the list of rules says.
+/// A finding of a rule, with its default severity.
 Finding makeFinding(std::string_view rule, std::string subject, std::string text);
 
-/// How often something happened, when, and its first example. Counting allocates only the first
-/// time: a session whose every packet is wrong is judged as fast as a sound one.
+/// How often something happened, when, and its first example. Only the first hit allocates: a
+/// session in which every packet is wrong is judged as fast as a valid one.
 struct Tally {
   std::uint64_t count = 0;
   LogTime first{}, last{};
@@ -24,9 +24,9 @@ struct Tally {
 
   /// True the first time.
   bool hit(const PacketPlace& place);
-  /// Adds what another counted.
+  /// Adds the counts of another.
   void merge(const Tally& other);
-  /// A finding with what was counted.
+  /// A finding with these counts.
   Finding finding(std::string_view rule, std::string subject, std::string text) const;
 };
 

@@ -18,13 +18,13 @@ constexpr std::string_view kStale = "baseline.stale";
 constexpr std::uint64_t kMaxBytes = std::uint64_t{64} << 20U;
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
-/// What a name may hold: a digit beside one of these is part of a name such as joint_1 or arm/7.
+/// Characters of names: a digit beside one of these is part of a name such as joint_1 or arm/7.
 bool isNamePart(char c) {
   return isDigit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' || c == '/' ||
          (static_cast<unsigned char>(c) & 0x80U) != 0;
 }
 
-/// The end of a number that begins at `at`, or `at` when none does.
+/// The end of a number that begins at `at`, or `at` if there is none.
 std::size_t endOfNumber(std::string_view text, std::size_t at) {
   std::size_t end = at;
   if (end < text.size() && (text[end] == '-' || text[end] == '+')) ++end;
@@ -52,8 +52,8 @@ std::size_t endOfNumber(std::string_view text, std::size_t at) {
   return end < text.size() && isNamePart(text[end]) ? at : end;
 }
 
-/// Without what follows a number as its unit of an angle: sentences said radians once, and what was
-/// accepted then stays so.
+/// Skips the angle unit after a number: earlier messages gave radians, and baselines from then stay
+/// valid.
 std::string withoutAngleUnits(std::string_view text) {
   std::string plain;
   for (std::size_t i = 0; i < text.size();) {
@@ -89,10 +89,10 @@ std::string withoutNumbers(std::string_view text) {
   return plain;
 }
 
-/// A file as every machine names it.
+/// A file's name that is the same on every machine.
 std::string fileOf(const CheckReport& report, const std::string& file) {
   if (file.empty()) return "";
-  // Of a cell inside a log: LOG:cell/NAME.
+  // For a cell inside a log: LOG:cell/NAME.
   if (const std::size_t inside = file.find(":cell/"); inside != file.npos) {
     return file.substr(inside + 6);
   }

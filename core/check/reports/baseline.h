@@ -11,34 +11,34 @@
 
 namespace rocinante {
 
-/// What a finding is known by from one run to the next: neither counts nor times nor lines, which
-/// change with every session and edit.
+/// What identifies a finding from one run to the next: no counts, times or lines, which change with
+/// every session and edit.
 struct BaselineKey {
   std::string rule;
   std::string subject;
-  std::string file;      ///< below the cell's folder as seen from there, else its name alone
+  std::string file;      ///< relative to the cell's folder if below it, else the name alone
   std::string sentence;  ///< the finding's, with `#` for every number that stands alone
 
   auto operator<=>(const BaselineKey&) const = default;
-  std::string text() const;  ///< of all, for hashing
+  std::string text() const;  ///< all fields, for hashing
 };
 BaselineKey baselineKeyOf(const CheckReport& report, const Finding& finding);
 
-/// Findings that are known and accepted: a JSON file (docs/programs/check.md, "Baselines").
+/// Known and accepted findings: a JSON file (docs/programs/check.md, "Baselines").
 class Baseline {
  public:
-  /// not_found or unreadable; damaged with the place when it is no baseline. `path` names it.
+  /// not_found or unreadable; damaged, with the place, when it is not a baseline. `path` names it.
   static Result<Baseline> read(const std::filesystem::path& path);
   static Result<Baseline> parse(ByteView bytes, const std::string& name);
-  /// Errors, warnings, what would fail, and what a baseline accepts already; not the notes that a
+  /// Errors, warnings, findings that would fail, and those already accepted; not the notes that a
   /// baseline is stale.
   static Baseline of(const CheckReport& report);
 
-  /// Marks what it accepts, and adds a note for each entry that nothing matches any more; then the
-  /// report needs another conclude().
+  /// Marks accepted findings and adds a note for each entry that no longer matches. Call conclude()
+  /// afterwards.
   void applyTo(CheckReport& report) const;
 
-  /// As read() takes it; sorted, an entry a line, so that two versions differ by what changed.
+  /// As read() takes it; sorted, one entry per line, so that diffs are small.
   std::string text() const;
   std::size_t size() const { return accepted_.size(); }
 

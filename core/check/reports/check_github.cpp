@@ -8,7 +8,7 @@
 namespace rocinante {
 namespace {
 
-/// The runner takes these back: https://github.com/actions/toolkit, "command.ts".
+/// The runner decodes these: https://github.com/actions/toolkit, "command.ts".
 std::string escapedData(std::string_view text) {
   std::string escaped;
   for (const char c : text) {

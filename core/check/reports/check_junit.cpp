@@ -23,7 +23,7 @@ struct Counts {
   std::size_t tests = 0, failures = 0, errors = 0, skipped = 0;
 };
 
-/// The test case of one rule, with what was found by it.
+/// The test case of one rule, with its findings.
 std::string testCase(const CheckReport& report, std::string_view rule,
                      const std::vector<const Finding*>& findings, Counts& counts) {
   ++counts.tests;
@@ -65,7 +65,7 @@ std::string checkJunit(const CheckReport& report) {
   Counts counts;
   std::string cases;
   for (const auto& [rule, findings] : by_rule) cases += testCase(report, rule, findings, counts);
-  // Without it, a session that nobody judged would look like one without faults.
+  // Without it, a session that was not judged would look like one without faults.
   ++counts.tests;
   cases += "    <testcase classname=\"rocinante.check\" name=\"judged\" time=\"0\"";
   if (report.verdict == CheckVerdict::nothing_judged ||

@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// SARIF's own words.
+/// SARIF's names of the severities.
 std::string levelOf(Severity severity) { return std::string(nameOf(severity)); }
 
 std::string textOf(std::string_view paragraphs, std::string_view otherwise) {
@@ -43,7 +43,7 @@ Json ruleJson(const Rule& rule, const std::string& pages) {
 Json locationOf(const CheckReport& report, const Finding& finding) {
   Json location;
   Json& physical = location["physicalLocation"];
-  // Code scanning shows nothing without a file: what is wrong in a session is shown at its cell.
+  // Code scanning shows nothing without a file: a session's findings are shown at its cell.
   physical["artifactLocation"]["uri"] = uriOf(finding.file.empty() ? report.cell : finding.file);
   physical["region"]["startLine"] = std::max(finding.line, 1);
   if (finding.line > 0 && finding.column > 0) physical["region"]["startColumn"] = finding.column;
@@ -69,7 +69,7 @@ Json resultJson(const CheckReport& report, const Finding& finding,
   json["message"]["text"] = text;
   json["locations"] = {locationOf(report, finding)};
   json["occurrenceCount"] = finding.count;
-  // What a baseline would know it by: code scanning tells a known alert from a new one so.
+  // The key of a baseline: code scanning uses it to tell known alerts from new ones.
   const std::string identity = baselineKeyOf(report, finding).text();
   json["partialFingerprints"]["rocinanteFinding/v1"] = hexOf(xxh3(bytesOf(identity)));
   if (finding.accepted) json["suppressions"] = {{{"kind", "external"}, {"status", "accepted"}}};

@@ -17,14 +17,14 @@ std::string plural(std::uint64_t count, std::string_view noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
-/// To the millisecond: finer digits only make a report hard to read.
+/// To the millisecond: more digits only make a report hard to read.
 std::string rounded(Nanoseconds duration) {
   return secondsText(std::chrono::round<std::chrono::milliseconds>(duration), 3);
 }
 
 bool beginsCharacter(char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }
 
-/// Writes paragraphs that are broken at the style's width.
+/// Writes paragraphs wrapped at the style's width.
 class TextWriter {
  public:
   explicit TextWriter(const TextStyle& style) : style_(style) {}

@@ -8,24 +8,24 @@
 
 namespace rocinante {
 
-/// How a report is laid out for people.
+/// The layout of a text report.
 struct TextStyle {
   bool color = false;
   bool unicode = false;          ///< block characters in time strips; else ASCII
   std::size_t columns = 0;       ///< lines are broken at this width; 0: never
-  std::size_t most_a_rule = 10;  ///< findings shown of one rule and severity; 0: all
+  std::size_t most_a_rule = 10;  ///< findings shown per rule and severity; 0: all
   bool quiet = false;            ///< counts and verdict alone
 };
 
-/// For people: grouped by severity, then by subject. Ends with the verdict.
+/// Text: grouped by severity, then by subject. Ends with the verdict.
 std::string checkText(const CheckReport& report, const TextStyle& style = {});
 /// One JSON object that starts with "format": 1.
 std::string checkJson(const CheckReport& report);
 /// JUnit XML, as Jenkins and GitLab read it: every rule is a test case.
 std::string checkJunit(const CheckReport& report);
-/// SARIF 2.1.0. `pages`: where the pages of docs/rules lie on the web; empty: nowhere.
+/// SARIF 2.1.0. `pages`: the URL of docs/rules; empty: none.
 std::string checkSarif(const CheckReport& report, const std::string& pages = {});
-/// Workflow commands of GitHub Actions, a line a finding, and the verdict.
+/// Workflow commands of GitHub Actions, one line per finding, and the verdict.
 std::string checkGithub(const CheckReport& report, std::size_t most_a_rule = 10);
 
 /// A line of a log that GitHub Actions shows beside a file's line.
@@ -40,9 +40,9 @@ std::string githubCommand(const GithubCommand& command);
 /// A path as a URI reference (RFC 3986): relative as it was written, absolute ones by file:.
 std::string uriOf(std::string_view path);
 
-/// The conclusion for people: "incompatible", or a sentence where nothing can be concluded.
+/// The conclusion as text: "incompatible", or a message when there is no verdict.
 std::string verdictText(CheckVerdict verdict);
-/// "3 times, first at 1.2 s (packet 7), last at 9 s"; empty for what is wrong with the model.
+/// "3 times, first at 1.2 s (packet 7), last at 9 s"; empty for model faults.
 std::string whenText(const CheckReport& report, const Finding& finding);
 /// "part.obj:6:2", as compilers write it; empty without a file.
 std::string placeText(const Finding& finding);

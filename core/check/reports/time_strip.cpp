@@ -16,7 +16,7 @@ constexpr std::array<std::string_view, 8> kAscii = {".", ":", "-", "=", "+", "*"
 std::string timeStrip(const TimeHistogram& when, LogTime origin, Nanoseconds duration,
                       std::size_t width, bool unicode) {
   if (when.counts().empty() || duration.count() <= 0 || width == 0) return "";
-  // In cells of the strip. A bin that is wider than one is spread over those that it covers.
+  // In cells of the strip. A bin wider than a cell is spread over all cells that it covers.
   const double cell = static_cast<double>(duration.count()) / static_cast<double>(width);
   const double bin_width = static_cast<double>(when.width().count()) / cell;
   const double start = static_cast<double>((when.start() - origin).count()) / cell;

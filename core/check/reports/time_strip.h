@@ -7,8 +7,8 @@
 
 namespace rocinante {
 
-/// Where in a session something happened, `width` characters for its whole duration: a space where
-/// nothing did, higher blocks (or darker ASCII) where more did. Empty without hits or duration.
+/// When in a session something happened, as `width` characters for its whole duration: a space for
+/// none, higher blocks (or darker ASCII) for more. Empty without hits or duration.
 std::string timeStrip(const TimeHistogram& when, LogTime origin, Nanoseconds duration,
                       std::size_t width, bool unicode);
 

@@ -33,7 +33,7 @@ std::size_t CheckReport::countOfAccepted() const {
 void conclude(CheckReport& report) {
   report.rules.apply(report.findings);
   const auto key = [](const Finding& f) {
-    // Errors first; what is wrong with the model before what is wrong with the session.
+    // Errors first; model faults before session faults.
     return std::tuple(-static_cast<int>(f.severity), f.first.has_value(),
                       f.first.value_or(LogTime{}), std::string_view(f.file), f.line, f.column,
                       std::string_view(f.rule), std::string_view(f.subject),

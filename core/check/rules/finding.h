@@ -18,7 +18,7 @@ struct Finding {
   std::string rule;  ///< stable id: "packet.unknown-device"
   Severity severity = Severity::error;
   std::uint64_t count = 1;
-  std::optional<LogTime> first, last;   ///< empty for what is wrong with the model
+  std::optional<LogTime> first, last;   ///< empty for model faults
   TimeHistogram when;                   ///< of the session's findings; may hold fewer than `count`
   std::optional<std::uint64_t> packet;  ///< of the first: captured datagrams of the log from 1
   std::string subject;                  ///< device, source or endpoint; may be empty
@@ -27,18 +27,18 @@ struct Finding {
   std::string hint;                     ///< what to do about it; may be empty
   std::string file;                     ///< of a model fault
   int line = 0, column = 0;             ///< in `file`; 0: none
-  bool accepted = false;                ///< by a baseline: shown, and no reason to say no
+  bool accepted = false;                ///< by a baseline: shown, but not a reason to fail
 };
 
 enum class CheckVerdict : std::uint8_t {
   compatible,
-  incompatible,    ///< a finding of severity error, or of what was said to fail
+  incompatible,    ///< a finding of severity `fail_on` or above
   nothing_judged,  ///< no packet could be decoded: never the same as compatible
-  interrupted,     ///< stopped before the end: what was found so far is true, and not all
+  interrupted,     ///< stopped before the end: the findings are valid but not complete
 };
 std::string_view nameOf(CheckVerdict verdict);
 
-/// What `check` found.
+/// The result of `check`.
 struct CheckReport {
   std::string cell;     ///< as the user named it
   std::string session;  ///< log or endpoint; empty when the model alone was judged
@@ -49,10 +49,10 @@ struct CheckReport {
   LogTime origin{};
   Nanoseconds duration{0};
   std::vector<Finding> findings;  ///< errors first, then by first time, then by rule
-  RuleSettings rules;             ///< what the cell makes of the rules; conclude() applies it
+  RuleSettings rules;             ///< the rules as the cell sets them; conclude() applies them
   bool has_baseline = false;
   bool interrupted = false;
-  Severity fail_on = Severity::error;  ///< a finding as severe as that makes it incompatible
+  Severity fail_on = Severity::error;  ///< a finding this severe makes it incompatible
   CheckVerdict verdict = CheckVerdict::nothing_judged;
 
   /// Findings that no baseline accepts.
@@ -63,8 +63,8 @@ struct CheckReport {
   }
 };
 
-/// Gives the findings the severities that the rules are set to, removes those of rules that are
-/// off, puts them in order and draws the verdict from them. May be called again.
+/// Sets the severities of the findings, removes those of rules that are off, sorts them and
+/// computes the verdict. May be called again.
 void conclude(CheckReport& report);
 
 }  // namespace rocinante

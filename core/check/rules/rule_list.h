@@ -7,13 +7,13 @@
 
 namespace rocinante {
 
-/// The number that a rule measures against, where it has one. A cell may set another in `[rules]`.
+/// The threshold of a rule, where it has one. A cell may set another in `[rules]`.
 struct RuleThreshold {
-  std::string_view key;  ///< as the cell writes it, with its unit: "ms"
+  std::string_view key;  ///< as the cell writes it, named after its unit: "ms"
   double value = 0;      ///< where the cell says nothing
 };
 
-/// One thing that `check` can find.
+/// A rule of `check`.
 struct Rule {
   std::string_view id;  ///< stable: scripts, cells and baselines name it
   Severity severity;    ///< where the cell says nothing, and a model's reader no other

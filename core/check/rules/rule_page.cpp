@@ -22,7 +22,7 @@ const RulePage* findRulePage(std::string_view rule) {
 }
 
 std::string_view meaningOf(const RulePage& page) {
-  // Behind the heading and the paragraph that begins with the severity.
+  // After the heading and the paragraph that begins with the severity.
   const std::string_view text = page.markdown;
   const std::size_t severity = text.find("\n**");
   const std::size_t from = text.find("\n\n", severity == text.npos ? 0 : severity);

@@ -6,7 +6,7 @@
 
 namespace rocinante {
 
-/// docs/rules/ID.md, which the library holds so that a program can explain its rules anywhere.
+/// docs/rules/ID.md, embedded in the library so that a program can explain its rules anywhere.
 struct RulePage {
   std::string_view rule;
   std::string_view markdown;

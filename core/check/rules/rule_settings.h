@@ -12,21 +12,21 @@ namespace rocinante {
 
 struct Finding;
 
-/// How severe each rule is, and what it measures against: the list of rules, as a cell's `[rules]`
-/// change it. The one place where a severity is set.
+/// The severity and threshold of each rule: the list of rules, as a cell's `[rules]` change it. The
+/// only place where a severity is set.
 class RuleSettings {
  public:
-  /// As the list of rules says.
+  /// The defaults of the list of rules.
   RuleSettings() = default;
-  /// As `rules` change it, the later ones over the earlier.
+  /// The defaults changed by `rules`; later entries override earlier ones.
   explicit RuleSettings(const std::vector<CellRule>& rules);
 
-  /// What `rules` say that there is not: unknown ids, thresholds that a rule does not have.
+  /// Faults in `rules`: unknown ids, thresholds that a rule does not have.
   const ModelFaults& faults() const { return faults_; }
 
-  /// Of a rule that has one.
+  /// For a rule that has one.
   double threshold(std::string_view id) const;
-  /// Whether the cell gave it.
+  /// Whether the cell sets it.
   bool hasOwnThreshold(std::string_view id) const;
 
   /// Gives each finding its severity, and removes those of rules that are off.

@@ -13,10 +13,10 @@ class TimeHistogram {
  public:
   static constexpr std::size_t kMaxBins = 64;
 
-  /// `time` should not lie before the first hit; what does counts in the first bin.
+  /// `time` should not be before the first hit; earlier ones count in the first bin.
   void hit(LogTime time, std::uint32_t times = 1);
 
-  /// Adds what another counted, each bin at its start.
+  /// Adds the counts of another, each bin at its start.
   void merge(const TimeHistogram& other);
 
   /// How often in [start + i * width, start + (i + 1) * width). The last bin is not zero; empty
