@@ -26,7 +26,7 @@ class AttachedCellTest : public testing::Test {
     fs::remove_all(folder_ / "cell");
   }
   fs::path log() const { return folder_ / "session.mcap"; }
-  /// The log as writeLog() makes it, with one thing done to what is attached.
+  /// The log as writeLog() makes it, with one change to its attachments.
   void writeLogWith(const std::vector<BundleAttachment>& attachments, const LogMetadata& metadata) {
     auto writer = LogWriter::create(log(), {}, "session-1");
     ASSERT_TRUE(writer.ok());
@@ -87,7 +87,7 @@ TEST_F(AttachedCellTest, ALogWithoutOneSaysHowToGiveOne) {
 TEST_F(AttachedCellTest, AKilledRecordersLogHasItsCell) {
   test::writeLog(log(), &bundle_);
   const std::string whole = test::fileText(log());
-  // Behind the metadata record nothing is needed; before its end there is no cell yet.
+  // After the metadata record nothing more is needed; before its end there is no cell yet.
   const std::size_t record = whole.find("rocinante.cell");
   ASSERT_NE(record, std::string::npos);
   test::writeFile(log(), whole.substr(0, record + 400));
@@ -151,7 +151,7 @@ TEST_F(AttachedCellTest, SearchRootsAreRefusedWithACellThatHasAllItsFiles) {
 }
 
 TEST_F(AttachedCellTest, NothingInALogOpensAFileOfTheMachine) {
-  // A manifest that was made by hand: its cell names a file that is really there.
+  // A manifest made by hand: its cell names a file that exists.
   test::writeFile(folder_ / "secret.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   CellBundle made;
   const std::string cell_text = "format = 1\nsearch = [\"" + folder_.path().string() +

@@ -19,7 +19,8 @@ inline std::string fileText(const std::filesystem::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// A triangle with a material library and a texture: an OBJ with all that it can name.
+/// A triangle with a material library and a texture: an OBJ with every kind of file that it can
+/// name.
 inline void writeTank(const std::filesystem::path& folder, const std::string& texture) {
   writeFile(folder / "tank.obj",
             "mtllib tank.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n"

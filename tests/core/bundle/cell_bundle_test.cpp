@@ -25,7 +25,7 @@ class CellBundleTest : public testing::Test {
     EXPECT_TRUE(bundle.ok()) << bundle.error().text();
     return bundle.ok() ? std::move(*bundle) : CellBundle{};
   }
-  /// Loads the bundle when nothing of what it was made of is there any more.
+  /// Loads the bundle after its original files are gone.
   Cell loadedAlone(const CellBundle& bundle) {
     fs::remove_all(folder_.path());
     auto cell = loadBundle(bundle, "log:", {});

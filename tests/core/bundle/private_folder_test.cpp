@@ -54,7 +54,7 @@ TEST_F(PrivateFolderTest, IsItsOwnersAloneAndGoesWithAllThatIsInIt) {
 TEST_F(PrivateFolderTest, OneInUseOrYoungIsLeftAlone) {
   const auto first = PrivateFolder::make();
   ASSERT_TRUE(first.ok());
-  // As a process that made its folder and did not come to lock it.
+  // Like a process that made its folder and ended before locking it.
   fs::create_directory(temporary_ / "rocinante-cell-young");
   std::ofstream(temporary_ / "rocinante-cell-young/.lock") << "";
   const auto second = PrivateFolder::make();
@@ -70,7 +70,7 @@ TEST_F(PrivateFolderTest, WhatAKilledProcessLeftBehindIsRemoved) {
   fs::create_directories(temporary_ / "rocinante-cell-killed/a");
   std::ofstream(temporary_ / "rocinante-cell-killed/.lock") << "";
   fs::last_write_time(temporary_ / "rocinante-cell-killed", old);
-  // One without a lock, a link, and another name are none of these.
+  // A folder without a lock, a link, and another name are not abandoned folders.
   fs::create_directory(temporary_ / "rocinante-cell-other");
   fs::last_write_time(temporary_ / "rocinante-cell-other", old);
   fs::create_directory_symlink(temporary_ / "rocinante-cell-other",

@@ -145,7 +145,7 @@ TEST_F(CellFaults, KeysNestedSoDeepThatReadingThemWouldOverrunTheStackAreRefused
   EXPECT_EQ(faultsOf("format = 1\n\nx-a = { " + deep + " = 1 }\n"), refused + "139)");
   EXPECT_EQ(faultsOf("format = 1\nx-a = " + std::string(100, '[')),
             "REFUSED: values are nested deeper than 64 (test.cell.toml:2:71)");
-  // Dots in numbers, strings and comments are no keys.
+  // Dots in numbers, strings and comments are not keys.
   std::string dots, numbers;
   for (int i = 0; i < 100; ++i) {
     dots += "a.";
@@ -154,7 +154,7 @@ TEST_F(CellFaults, KeysNestedSoDeepThatReadingThemWouldOverrunTheStackAreRefused
   EXPECT_EQ(faultsOf("format = 1 # " + dots + "\nx-a = \"\\\"" + dots + "\"\nx-b = [" + numbers +
                      "]\nx-c = '''\n'" + dots + "'''\nx-d = \"\"\"\n" + dots + "\"\"\"\n"),
             "");
-  // Nor are letters there that are not ASCII, behind quotes that end a long string too.
+  // Letters beyond ASCII there are not keys either, also after quotes that end a long string.
   EXPECT_EQ(faultsOf("format = 1 # \xC3\xA9\nx-a = [\"\"\"\xC3\xA9\"\"\"\"\", '\xC3\xA9']\n"), "");
 }
 

@@ -14,7 +14,7 @@
 
 namespace rocinante::test {
 
-/// A state made by the lines of one packet.
+/// A state made from the lines of one packet.
 inline SessionState stateOf(std::string_view lines) {
   PacketTextDecoder decoder;
   SessionState state;
@@ -48,7 +48,7 @@ class CellFolder : public testing::Test {
     writeFile(folder_ / "test.cell.toml", text);
     return loadCell(folder_ / "test.cell.toml", {});
   }
-  /// The faults of a cell that has them; "REFUSED: why" when nothing loads.
+  /// The faults of a cell; "REFUSED: why" when nothing loads.
   std::string faultsOf(std::string_view text) {
     const auto cell = load(text);
     if (cell.ok()) return printed(cell->faults, folder_.path());

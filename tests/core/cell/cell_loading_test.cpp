@@ -1,5 +1,4 @@
-// How cells are loaded: strictly or as far as is sound, on several threads, and into how much
-// memory.
+// Loading cells: strictly or as far as they are valid, on several threads, and the memory used.
 #include <fmt/format.h>
 
 #include <atomic>
@@ -21,7 +20,7 @@ class CellLoading : public test::CellFolder {
     options.strict = true;
     return loadCell(folder_ / name, options);
   }
-  /// A grid of 2 * side * side triangles, somewhere of its own.
+  /// A grid of 2 * side * side triangles at a place of its own.
   static std::string gridOf(int side, int where) {
     std::string text;
     for (int y = 0; y <= side; ++y) {
@@ -37,7 +36,7 @@ class CellLoading : public test::CellFolder {
     }
     return text;
   }
-  /// A robot of so many links, each with a mesh of its own.
+  /// A robot whose links each have their own mesh.
   void writeRobot(int links, int side) {
     std::string robot = "<robot name=\"many\"><link name=\"base\"/>\n";
     for (int i = 0; i < links; ++i) {

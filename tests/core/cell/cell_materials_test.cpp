@@ -50,7 +50,7 @@ joint = { name = "hinge", type = "revolute", axis = [0, 0, 1] }
     text.append(materials);
     return load(text);
   }
-  // The looks of a link's parts, in the order in which they are drawn.
+  // The looks of a link's parts, in drawing order.
   static std::vector<Material> looks(const Model& model, std::size_t link) {
     std::vector<Material> found;
     for (const Visual& visual : model.links[link].visuals) {

@@ -1,4 +1,4 @@
-// Posing only what moved gives what posing everything gives, to the last bit.
+// Posing only moved devices gives the same bits as posing everything.
 #include "core/cell/scene_pose_cache.h"
 
 #include <gtest/gtest.h>

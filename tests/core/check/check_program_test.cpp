@@ -64,7 +64,7 @@ TEST(CheckProgram, JudgesWhatArrivesForAWhile) {
 
 TEST(CheckProgram, AnInterruptionTellsWhatWasFoundAndIsNeverYes) {
   LiveCheck fits("60s", "RK1 me@a - -\njoints arm 1\n");
-  // Until it has come, there is nothing to stop for.
+  // Until the packet has arrived, there is nothing to stop for.
   ASSERT_TRUE(test::waitUntilTaken(fits.port()));
   const test::ProgramResult stopped = fits.program().stop();
   EXPECT_EQ(stopped.exit_code, 2);

@@ -1,5 +1,5 @@
-// Small faults put into a sound cell and session, one at a time: the rule that is meant for it
-// finds it, and nothing else fires.
+// Small faults in a valid cell and session, one at a time: the intended rule finds each, and no
+// other fires.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -67,7 +67,7 @@ const Mutation kMutations[] = {
     // The cell and its models.
     {"a device renamed in the cell", "packet.unknown-device",
      [](SoundSession& s) {
-       // Optional, so that nobody misses it under its new name.
+       // Optional, so that the new name does not fire device.undriven.
        s.replace(s.cell, "name = \"part\"\n", "name = \"piece\"\n");
        s.replace(s.cell, "[\"part\", ", "[\"piece\", ");
        for (SaidPacket* p : s.of("planner"))
@@ -132,7 +132,7 @@ const Mutation kMutations[] = {
                  "lower=\"-1.5\" upper=\"1.5\"");
      }},
 
-    // What the packets say.
+    // The contents of packets.
     {"a stale device name", "packet.unknown-device",
      [](SoundSession& s) { s.say("planner", 3, "pose old_part 0 0 0 0 0 0 1"); }},
     {"a stale link name", "packet.unknown-link",
@@ -251,7 +251,7 @@ const Mutation kMutations[] = {
        s.insert(p);
      }},
 
-    // Who says it, and when.
+    // The senders and their timing.
     {"a second source that drives a robot", "source.unlisted-device",
      [](SoundSession& s) {
        for (SaidPacket* p : s.of(kRight, 4, 6))
@@ -343,7 +343,7 @@ const Mutation kMutations[] = {
      }},
 };
 
-/// What happens to sound sessions every day, and is no fault.
+/// Everyday events in valid sessions that are not faults.
 const Mutation kHarmless[] = {
     {"the recording begins in the middle", "",
      [](SoundSession& s) {
@@ -367,7 +367,7 @@ const Mutation kHarmless[] = {
        double until_s = 0;
        for (SaidPacket& p : s.packets) {
          p.time = "-";
-         // A queue that is stopped now and then, and lets out all that waits.
+         // A queue that is stopped now and then, and then releases everything at once.
          const double phase_s = std::fmod(p.arrives_s, 1.7);
          if (phase_s < 0.2) p.arrives_s += 0.2 - phase_s;
          p.arrives_s = until_s = std::max(until_s, p.arrives_s);

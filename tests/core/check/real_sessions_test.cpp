@@ -1,5 +1,5 @@
-// Recordings and robots that nobody here made, through the program: what fits is clean, or has
-// findings that are true and explained here; what does not fit is said loudly.
+// Recordings and robots from other projects, through the program: matching ones are clean or have
+// correct findings, explained here; mismatches are reported clearly.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -26,10 +26,10 @@ using ::testing::UnorderedElementsAre;
 constexpr const char* kPandaMotion = "recordings/panda_exciting_trajectory/panda_joints.csv";
 constexpr const char* kKukaMotion = "recordings/kuka_block_grasp/block_grasp_log.csv";
 
-/// What one source says, packet by packet.
+/// The packets of one source.
 struct Script {
   std::string source;
-  std::string order;  ///< statements that are said first, and again now and then
+  std::string order;  ///< statements sent first and restated now and then
   std::vector<std::pair<double, std::string>> packets;  ///< seconds, and the other statements
 };
 
@@ -56,12 +56,12 @@ void writeLog(const fs::path& path, const Script& script) {
   ASSERT_TRUE(writer.log().close("done"));
 }
 
-/// What `check` answers: its verdict, and what it found.
+/// The result of `check`: verdict and findings.
 struct Judged {
   int exit_code = -1;
   std::string verdict, text;
   std::uint64_t packets = 0;
-  std::map<std::string, int> findings;  ///< by rule; one counts once, however often it came
+  std::map<std::string, int> findings;  ///< by rule; each finding counts once, whatever its count
 };
 
 /// Judges the script against a cell whose devices have models of the robots' folder.
@@ -105,7 +105,7 @@ std::string joined(const std::vector<std::string>& fields, std::size_t from, std
   return text;
 }
 
-/// Seven joints of real hardware, as `source --csv` would say them of this device.
+/// Seven joints of real hardware, as `source --csv` would send them for this device.
 Script pandaScript(const std::string& device) {
   const auto rows = rowsOf(test::sharedData(kPandaMotion));
   Script script{device, "order " + device + joined(rows[0], 1, 7) + "\n", {}};
@@ -122,8 +122,8 @@ TEST(RealPandaSession, FitsThePanda) {
   EXPECT_EQ(judged.exit_code, 0) << judged.text;
   EXPECT_EQ(judged.verdict, "compatible");
   EXPECT_EQ(judged.packets, 20'544U);
-  // True: the recording has the seven joints of the arm and not that of its fingers, and nine
-  // OBJ files of its collision shapes name material libraries that did not come along.
+  // Correct: the recording has the arm's seven joints but not its fingers', and nine OBJ files of
+  // collision shapes name missing material libraries.
   EXPECT_THAT(judged.findings,
               UnorderedElementsAre(Pair("joint.undriven", 1), Pair("obj.missing-mtllib", 9)))
       << judged.text;
@@ -167,7 +167,7 @@ TEST(RealKukaSession, FitsTheArmItsGripperAndWhatItGrasps) {
   if (judged.findings.contains("sdf.no-module")) GTEST_SKIP() << "built without ROCINANTE_SDF";
   EXPECT_EQ(judged.exit_code, 0) << judged.text;
   EXPECT_EQ(judged.packets, 2'105U);
-  // True: the SDF names its meshes from the root of another machine.
+  // Correct: the SDF names its meshes by absolute paths of another machine.
   EXPECT_THAT(judged.findings, UnorderedElementsAre(Pair("model.absolute-path", 1))) << judged.text;
 }
 
@@ -185,7 +185,7 @@ TEST(RealKukaSession, ElevenValuesDoNotFitSevenJoints) {
   EXPECT_THAT(judged.findings, Contains(Pair("packet.joint-count", 1))) << judged.text;
 }
 
-/// Nobody recorded these two: a slow motion of the named joints, each about a middle.
+/// There is no recording of these two: a slow motion of the named joints, each about its middle.
 struct Swing {
   const char* joint;
   double middle, width;

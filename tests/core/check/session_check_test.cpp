@@ -43,7 +43,7 @@ model = "arm.urdf"
 optional = true
 )";
 
-/// A cell of the tests' own, and the datagrams of a session.
+/// A test cell and the datagrams of a session.
 class SessionCheckTest : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -119,7 +119,7 @@ TEST_F(SessionCheckTest, KnowsDevicesThatAnAddBringsLater) {
   say("add second arm.urdf");
   say("joints second 0 0 0");
   const CheckReport found = report();
-  // What was said before the device appeared counts when it does.
+  // Values sent before the device appeared count once it does.
   ASSERT_THAT(rules(found), ElementsAre("packet.joint-count", "packet.before-add"));
   EXPECT_EQ(found.findings[0].count, 1U);
   EXPECT_EQ(found.findings[0].text, "device second gets 2 values, and its model arm takes 3");
@@ -246,7 +246,7 @@ TEST_F(SessionCheckTest, CountsFaultsOfPacketTextByKind) {
 TEST_F(SessionCheckTest, CountsGapsLatePacketsAndRestarts) {
   say("me@a 0 1", "joints arm 0 0 0");
   say("me@a 5 1", "joints arm 0 0 0");
-  say("me@a 5 1", "joints nobody 0 0 0");  // dropped whole: what it says is not judged
+  say("me@a 5 1", "joints nobody 0 0 0");  // dropped whole and not judged
   say("me@b 0 1", "joints arm 0 0 0");
   const CheckReport found = report();
   ASSERT_THAT(rules(found), ElementsAre("source.gap", "source.duplicate", "source.restart"));
@@ -324,7 +324,7 @@ TEST_F(SessionCheckTest, APieceIsJudgedWithWhatPrecededItAndKeyframesAreNotCount
   ASSERT_TRUE(piece.beginWith(preceding, now_).ok());
   const auto channel = piece.addChannel("/udp/1/me", "rk1", {});
   for (std::uint32_t i = 0; i < 50; ++i) {
-    // Two of three joints: only the order, said before, makes that right.
+    // Two of three joints: only the earlier order makes that correct.
     const std::string text = fmt::format("RK1 me@a {} -\njoints arm 0.1 1\n", i + 1);
     ASSERT_TRUE(piece.write(*channel, i, now_, 0, bytesOf(text)).ok());
   }

@@ -113,7 +113,7 @@ SoundSession::SoundSession() : urdf(kUrdf), obj(kObj), cell(kCell) {
       packet.source = source;
       packet.sequence = std::to_string(sequence++);
       packet.time = timeText(t);
-      // Networks delay by a little, and never by nothing.
+      // Networks always delay a little.
       packet.arrives_s = t + 0.002 + 0.001 * static_cast<double>(sequence % 3);
       packet.statements.push_back(is_planner ? floatAt(t) : jointsAt(device, t));
       if (t == 0) packet.statements.insert(packet.statements.begin(), statics);

@@ -9,7 +9,7 @@
 
 namespace rocinante::test {
 
-/// One packet of the sound session, in parts that a fault can be put into.
+/// One packet of the valid session, in parts that a fault can be put into.
 struct SaidPacket {
   double arrives_s = 0;  ///< from the start
   std::string source, run = "a", sequence, time, words;
@@ -17,8 +17,8 @@ struct SaidPacket {
   std::string encoding = "rk1";
 };
 
-/// A cell of two robots and a planner, and fourteen seconds of its session, in which nothing is
-/// wrong: what a fault is put into, to see which rule finds it.
+/// A cell of two robots and a planner, and fourteen seconds of its session without any fault. Tests
+/// put a fault into it to see which rule finds it.
 struct SoundSession {
   SoundSession();
 
@@ -36,7 +36,7 @@ struct SoundSession {
   /// Appends a statement to the first packet of a source at or after a moment.
   void say(std::string_view source, double at_s, std::string statement);
   void erase(std::string_view source, double from_s, double until_s);
-  /// Sends what `packet` says from another source, at another time, in order of arrival.
+  /// Sends the statements of `packet` from another source at another time, in order of arrival.
   void insert(SaidPacket packet);
   void sort();
 

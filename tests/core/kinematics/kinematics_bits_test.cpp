@@ -17,7 +17,7 @@
 namespace rocinante {
 namespace {
 
-// Every type of joint, origins and axes that no coordinate of is round, a mimic that scales.
+// Every type of joint, origins and axes without round coordinates, a mimic that scales.
 constexpr std::string_view kEveryJoint = R"(<robot name="every">
 <link name="a"/><link name="b"/><link name="c"/><link name="d"/><link name="e"/><link name="f"/>
 <link name="g"/>
@@ -37,7 +37,7 @@ constexpr std::string_view kEveryJoint = R"(<robot name="every">
   <mimic joint="turn" multiplier="1.7" offset="-0.3"/></joint>
 </robot>)";
 
-/// Numbers from -8 to 8 by lot, the same everywhere: all of their 53 bits are used.
+/// Random numbers from -8 to 8, the same everywhere: all 53 bits are used.
 class Lot {
  public:
   double next() {

@@ -93,7 +93,7 @@ TEST(Kinematics, TheHashToldBySendersChangesWithEveryPartOfTheKinematicsAndNothi
   const Model model = oneJoint("revolute", inside);
   EXPECT_EQ(kinematicsHash(model), 0xc6235d03203e0787ULL);
 
-  // The same, by docs/cell-format.md.
+  // The same text, as docs/cell-format.md defines it.
   std::string text = "rocinante kinematics 1\n1:j8:revolute1:a1:b";
   const auto add = [&](double number) {
     for (int shift = 56; shift >= 0; shift -= 8) {
@@ -133,7 +133,7 @@ TEST(Kinematics, TheHashToldBySendersChangesWithEveryPartOfTheKinematicsAndNothi
 }
 
 TEST(Kinematics, ALongChainOfMimicsIsFollowedOnce) {
-  // Names sorted against the order of the chain, so that each is met before what it follows.
+  // Names sorted against the order of the chain, so that each comes before the joint it mimics.
   std::string text = "<robot name='r'><link name='l0'/>";
   const int count = 20000;
   for (int i = 1; i <= count; ++i) text += "<link name='l" + std::to_string(i) + "'/>";

@@ -61,7 +61,7 @@ TEST(ModelScale, CoarseCollisionShapesAreNoFault) {
   const Model model = chainOf(1);
   EXPECT_THAT(judged(model, {visual("a", 0.5), collision("a", 3.9)}), IsEmpty());
   EXPECT_THAT(judged(model, {visual("a", 3.9), collision("a", 0.5)}), IsEmpty());
-  // A link of two parts is held against the larger one.
+  // A link of two parts is compared with the larger one.
   EXPECT_THAT(judged(model, {visual("a", 0.01), visual("a", 0.5), collision("a", 0.6)}), IsEmpty());
 }
 

@@ -15,7 +15,7 @@
 
 namespace rocinante::test {
 
-/// The faults as a program lists them, one a line, without the folder `within`.
+/// The faults as a program lists them, one per line, without the folder `within`.
 inline std::string printed(const ModelFaults& faults, const std::filesystem::path& within = {}) {
   std::string text;
   for (const ModelFault& fault : faults) text += fault.print() + "\n";

@@ -37,7 +37,7 @@ struct ReadSdf {
   std::optional<Model> model;
 };
 
-// Links have poses in the model, and joints poses in their child: neither is so in URDF.
+// Links have poses in the model, and joints poses in their child, unlike in URDF.
 constexpr const char* kArm = R"(<sdf version='1.7'>
 <model name='arm'>
   <link name='base'><pose>1 0 0 0 0 0</pose>
@@ -73,8 +73,8 @@ TEST(SdfReader, LinksStandWhereTheFileHasThemAndJointsTurnThemAboutTheirOwnPlace
   EXPECT_EQ(base.visuals[0].material->diffuse, glm::vec4(1, 0.5, 0, 1));
   ASSERT_EQ(model.links[1].collisions.size(), 1U);
 
-  // At zero the sphere is at upper's place; a quarter turn carries it round the joint, which is
-  // half a metre along upper's x, the model's y: at (1, 0.5, 2).
+  // At zero the sphere is at upper's place; a quarter turn moves it around the joint, which is half
+  // a metre along upper's x, the model's y: at (1, 0.5, 2).
   JointVector joints = zeroJoints(model);
   const auto sphereAt = [&] {
     return transformPoint(
@@ -115,7 +115,7 @@ TEST(SdfReader, WhatIsNoSdfIsRefusedWithItsReason) {
   for (int i = 0; i < 100000; ++i) deep += "<a>";
   EXPECT_EQ(ReadSdf(deep).faultText(),
             "arm.sdf: error: the XML is nested deeper than 100 elements [sdf.invalid]\n");
-  // libsdformat makes some hundred of these a second.
+  // libsdformat makes about a hundred of these per second.
   std::string many = "<sdf version='1.7'>";
   for (int i = 0; i < 10000; ++i) many += "<model name='m'><link name='l'/></model>";
   EXPECT_EQ(ReadSdf(many + "</sdf>").faultText(),
@@ -151,7 +151,7 @@ TEST(SdfReader, TheKukaWithItsGripperIsTheArmOfItsUrdf) {
   const auto other = loadCell(test::sharedData("robots/kuka_iiwa/model.urdf"), options);
   ASSERT_TRUE(other.ok());
   const Model& arm = *other->modelOf(other->devices.at(0));
-  // The flange is where the URDF has it, for every way to stand. The SDF names its joints J0 to J6.
+  // The flange is where the URDF has it, in every posture. The SDF names its joints J0 to J6.
   std::mt19937_64 random(14);
   std::uniform_real_distribution<double> values(-2, 2);
   for (int turn = 0; turn < 20; ++turn) {

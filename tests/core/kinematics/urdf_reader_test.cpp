@@ -136,13 +136,13 @@ TEST(UrdfReader, ShapesOfManySizesAreOneShapeScaled) {
   ASSERT_TRUE(read.model);
   const Link& link = read.model->links[0];
   ASSERT_EQ(link.visuals.size(), 1002U);
-  // The first thousand have their very sizes; the others share one.
+  // The first thousand have exact sizes; the others share one mesh.
   EXPECT_EQ(link.visuals[999].scale, Vec3(1, 1, 1));
   EXPECT_NE(link.visuals[998].mesh, link.visuals[999].mesh);
   EXPECT_EQ(link.visuals[1000].mesh, link.visuals[1001].mesh);
   EXPECT_EQ(link.visuals[1001].scale, Vec3(1.002, 1.002, 1.002));
   EXPECT_EQ(link.visuals[1001].mesh->bounds.max.z, 1.0);
-  // No scale makes one capsule of another.
+  // A capsule cannot be scaled to another.
   EXPECT_EQ(link.collisions[999].mesh->bounds.max.x, 1.0);
   EXPECT_EQ(link.collisions[1000].mesh, nullptr);
   EXPECT_EQ(read.faults.size(), 2U);

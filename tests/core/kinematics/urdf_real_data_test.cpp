@@ -21,7 +21,7 @@ struct RobotFile {
 };
 
 // As data/README.md counts them with urdfdom and assimp. Of R2D2's 952 triangles 144 are its twelve
-// shapes, counted there as boxes; how finely a cylinder is cut is ours to choose.
+// shapes, counted there as boxes; the tessellation of a cylinder is our choice.
 constexpr RobotFile kRobots[] = {
     {"robots/puma560_description/urdf/puma560_robot.urdf", 7, 6, 6, 8116},
     {"robots/kuka_iiwa/model.urdf", 8, 7, 7, 14758},
@@ -61,7 +61,7 @@ Mat4 matrixOfUrdf(const urdf::Pose& pose) {
                    {pose.rotation.w, pose.rotation.x, pose.rotation.y, pose.rotation.z}});
 }
 
-// Forward kinematics by the judge's own tree and the C library's trigonometry.
+// Forward kinematics with a tree of the test's own and the C library's trigonometry.
 Mat4 judgedPose(const urdf::ModelInterface& judge, const std::string& link_name, const Model& model,
                 const JointVector& values) {
   const auto link = judge.getLink(link_name);

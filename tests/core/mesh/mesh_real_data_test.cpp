@@ -40,7 +40,7 @@ std::size_t trianglesOf(const fs::path& folder, const std::vector<std::string>& 
 TEST(RealMeshes, TheWasteYardLoadsWithItsMaterialsAndTextures) {
   ROCINANTE_NEEDS_SHARED_DATA("env/waste_yard");
   const ReadMesh read = readShared("env/waste_yard/waste_yard.obj");
-  // True: its power plant was cut by a program that left slivers behind.
+  // Correct: a program cut its power plant and left slivers.
   ASSERT_THAT(read.rules(), testing::ElementsAre("mesh.degenerate-triangles"));
   EXPECT_EQ(read.faults[0].text, "408 of the 29960 triangles have no area");
   expectSound(read.mesh);
@@ -101,7 +101,7 @@ TEST(RealMeshes, TheFingersOfR2D2Load) {
   EXPECT_EQ(trianglesOf("robots/r2d2", {"l_finger", "l_finger_tip"}, ".stl"), 253U + 151U);
 }
 
-/// How large the triangles of one group are, by the corners that they use.
+/// The bounds of one group's triangles, from the corners that they use.
 Vec3 sizeOfGroup(const Mesh& mesh, const std::string& group) {
   Bounds bounds;
   for (const MeshPart& part : mesh.parts) {
@@ -116,7 +116,7 @@ Vec3 sizeOfGroup(const Mesh& mesh, const std::string& group) {
 TEST(RealSizes, AnInchColladaMeasuresAsItsMetreTwinInObj) {
   ROCINANTE_NEEDS_SHARED_DATA("env/gazebo_originals/reactor/meshes/reactor.dae");
   ROCINANTE_NEEDS_SHARED_DATA("env/waste_yard/waste_yard.obj");
-  // The scene was made of the same reactor by other hands, and put elsewhere.
+  // Someone else modelled the same reactor in this scene, at a different place.
   const Bounds inches = readShared("env/gazebo_originals/reactor/meshes/reactor.dae").mesh.bounds;
   const Vec3 metres = sizeOfGroup(readShared("env/waste_yard/waste_yard.obj").mesh, "reactor_1");
   EXPECT_LT(glm::length(inches.max - inches.min - metres), 1e-4);
@@ -125,7 +125,7 @@ TEST(RealSizes, AnInchColladaMeasuresAsItsMetreTwinInObj) {
 
 TEST(RealSizes, ThePumaOfInchesIsAsLargeAsThePumaOfMetres) {
   ROCINANTE_NEEDS_SHARED_DATA("robots/puma560_description");
-  // Two sets of meshes of one arm, from different hands: STL in inches, COLLADA in metres.
+  // Two sets of meshes of one arm, by different authors: STL in inches, COLLADA in metres.
   MeshReadOptions inches;
   inches.unit_m = 0.0254;
   const auto stl = [&](int link) {
@@ -141,7 +141,7 @@ TEST(RealSizes, ThePumaOfInchesIsAsLargeAsThePumaOfMetres) {
   EXPECT_LT(glm::length(stl(7).max - collada(7).max), 1e-6);
   EXPECT_LT(glm::length(stl(7).min - collada(7).min), 1e-6);
   EXPECT_NEAR(stl(7).max.x - stl(7).min.x, 2 * 0.0254, 1e-6);
-  // The others were drawn anew: a wrong unit would make them 39 times as large.
+  // The others were modelled again: a wrong unit would make them 39 times as large.
   for (int link = 1; link <= 7; ++link) {
     const Vec3 a = stl(link).max - stl(link).min, b = collada(link).max - collada(link).min;
     EXPECT_NEAR(glm::length(a) / glm::length(b), 1, 0.13) << "link " << link;

@@ -11,7 +11,7 @@
 
 namespace rocinante::test {
 
-/// A mesh read from text, with what was wrong with it.
+/// A mesh read from text, with its faults.
 struct ReadMesh {
   Mesh mesh;
   ModelFaults faults;
@@ -59,7 +59,7 @@ inline void expectSound(const Mesh& mesh) {
   ASSERT_EQ(next, mesh.indices.size());
 }
 
-/// Twice the area of all triangles, seen along z: what a flat polygon must keep when it is cut.
+/// Twice the area of all triangles, seen along z: cutting a flat polygon must not change it.
 inline double flatArea(const Mesh& mesh) {
   double sum = 0;
   for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {

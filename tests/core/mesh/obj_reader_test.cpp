@@ -110,7 +110,7 @@ TEST(ObjReader, FansConvexPolygons) {
 }
 
 TEST(ObjReader, CutsConcavePolygonsWithoutCoveringTheirNotch) {
-  // An L, given from a corner where a fan would leave it.
+  // An L, starting at a corner where a fan would leave it.
   for (int first = 0; first < 6; ++first) {
     SCOPED_TRACE(first);
     std::string text = "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\nf";
@@ -158,7 +158,7 @@ TEST(ObjReader, CutsAConcavePolygonInAnyPlane) {
       sum += normal;
       area += std::sqrt(glm::dot(normal, normal));
     }
-    // No triangle overlaps another or is turned over: the sum's length is the sum of lengths.
+    // No triangle overlaps another or is flipped: the length of the sum is the sum of the lengths.
     EXPECT_DOUBLE_EQ(area, 6.0);
     EXPECT_DOUBLE_EQ(std::sqrt(glm::dot(sum, sum)), 6.0);
   }
@@ -335,7 +335,7 @@ TEST(ObjReader, DrawsAFaceOfAMillionCorners) {
   std::string text;
   std::string face = "f";
   for (int i = 0; i < 1000000; ++i) {
-    // A comb: concave everywhere, far beyond what ears are clipped from.
+    // A comb: concave everywhere, far too large for ear clipping.
     text += fmt::format("v {} {} 0\n", i, i % 2);
     face += fmt::format(" {}", i + 1);
   }

@@ -56,7 +56,7 @@ void expectSize(const Mesh& mesh, const Vec3& min, const Vec3& max) {
   }
 }
 
-/// Six times what the triangles enclose; negative when they are turned inside out.
+/// Six times the enclosed volume; negative when the triangles face inward.
 double sixVolumes(const Mesh& mesh) {
   double sum = 0;
   for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
@@ -183,7 +183,7 @@ TEST(ColladaReader, WhatAssimpCannotReadIsToldInOneSentence) {
   }
 }
 
-/// glTF of the same wedge, y up in metres as the format has it.
+/// glTF of the same wedge, y up in metres as the format demands.
 struct Gltf {
   std::string binary;
   std::string images, textures,

@@ -10,7 +10,7 @@ namespace {
 
 using test::expectSound;
 
-/// Six times the volume that the triangles enclose: positive when they face outward.
+/// Six times the enclosed volume: positive when the triangles face outward.
 double volume(const Mesh& mesh) {
   double sum = 0;
   for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {

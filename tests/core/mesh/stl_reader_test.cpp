@@ -23,7 +23,7 @@ std::string binaryStl(std::string header, std::uint32_t count,
   for (const auto& facet : facets) {
     header.append(12, '\0');  // normal: 0 0 0
     header.append(reinterpret_cast<const char*>(facet.data()), 36);
-    header.append("\xAB\xCD", 2);  // attributes: passed over
+    header.append("\xAB\xCD", 2);  // attributes: ignored
   }
   return header;
 }

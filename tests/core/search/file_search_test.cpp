@@ -28,7 +28,7 @@ class FileSearchTest : public testing::Test {
   fs::path cell() const { return folder_ / "cell"; }
   fs::path urdf() const { return cell() / "models/arm_description/urdf"; }
 
-  // What is found, from the search root on; or why nothing is.
+  // The found path, relative to the search root; or why nothing is found.
   std::string found(const std::string& name, const fs::path& beside) const {
     const FoundFile file = search_.find(name, beside);
     if (file.path.empty()) return file.problem();
@@ -118,7 +118,7 @@ TEST_F(FileSearchTest, WhatLiesBesideAMeshOfAPackageMayBeOpened) {
   EXPECT_EQ(fs::canonical(skin.path),
             fs::canonical(folder_ / "data/robots/anymal/meshes/skin.jpg"));
   EXPECT_EQ(search.find("skin2.png", meshes, &mesh).why, Why::found) << "../materials/textures";
-  // And nothing but the package.
+  // And only the package.
   EXPECT_EQ(search.find("../../../../outside/secret.obj", meshes, &mesh).why, Why::outside);
   EXPECT_EQ(search.find("/etc/passwd", meshes, &mesh).why, Why::outside);
   fs::create_symlink("/etc/passwd", folder_ / "data/robots/anymal/meshes/link.png");

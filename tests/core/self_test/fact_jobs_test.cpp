@@ -12,7 +12,7 @@ namespace {
 
 using State = SelfTestFact::State;
 
-// Nothing of a test that goes well waits for it.
+// A passing test never waits this long.
 constexpr Nanoseconds kLong = std::chrono::seconds(60);
 
 FactJob answering(const char* name) {

@@ -40,11 +40,11 @@ TEST(SelfTestFact, TextHasALineForEachAndCounts) {
 }
 
 TEST(SelfTestFact, AReceiveBufferIsJudgedByWhatWasAskedFor) {
-  // 32 MiB asked for, and counted twice by the kernel.
+  // 32 MiB requested, which the kernel counts twice.
   const SelfTestFact all = judgeReceiveBuffer(67'108'864, 67'108'864);
   EXPECT_EQ(all.state, State::ok);
   EXPECT_EQ(all.advice, "");
-  // What a user gets by default: 212992, counted twice; a datagram of 100 bytes takes 832.
+  // The default: 212992, counted twice; a datagram of 100 bytes takes 832.
   const SelfTestFact less = judgeReceiveBuffer(425'984, 67'108'864);
   EXPECT_EQ(less.state, State::limited);
   EXPECT_THAT(less.says, testing::HasSubstr("50 ms of 10240 datagrams/s of 100 bytes"));
@@ -63,7 +63,7 @@ TEST(FileCapability, IsReadFromTheAttribute) {
   EXPECT_TRUE(givesCapability(bytes, 13));
   EXPECT_FALSE(givesCapability(bytes, 23));
   EXPECT_FALSE(givesCapability(bytes.first(11), 13));
-  // `setcap cap_net_raw+p`: permitted, and not there from the start.
+  // `setcap cap_net_raw+p`: permitted, but not effective from the start.
   unsigned char not_effective[20] = {0, 0, 0, 2, 0, 0x20, 0, 0};
   EXPECT_FALSE(givesCapability(std::as_bytes(std::span(not_effective)), 13));
   // Bit 5 of the upper permitted word is 37.

@@ -1,5 +1,4 @@
-// Small changes to a sound model, one at a time: each is found by the rule meant for it, and by no
-// other.
+// Small changes to a valid model, one at a time: the intended rule finds each, and no other does.
 #include "core/check/drift/model_drift.h"
 
 #include <gmock/gmock.h>
@@ -62,7 +61,7 @@ Files soundFiles() {
           {"part.obj", std::string(kPart)}};
 }
 
-/// A cell in a folder of its own, which lives as long as this.
+/// A cell in its own folder, which lives as long as this object.
 struct LoadedCell {
   explicit LoadedCell(const Files& files) {
     for (const auto& [name, text] : files) std::ofstream(folder / name) << text;
@@ -323,7 +322,7 @@ TEST(ModelDrift, FindsEachSmallChangeAndNothingElse) {
        "v 0 0 0 1 0 0\n",
        {"drift.material"},
        "the colours at the points of link"},
-      // What changes nothing.
+      // Changes without effect.
       {"a comment", "arm.urdf", "</robot>", "<!-- checked --> </robot>", {}, ""},
       {"a number written otherwise", "arm.urdf", "xyz=\"0 0 0.4\"", "xyz=\"0 -0 4.0e-1\"", {}, ""},
       {"an axis of another length", "arm.urdf", "axis xyz=\"0 1 0\"", "axis xyz=\"0 2 0\"", {}, ""},

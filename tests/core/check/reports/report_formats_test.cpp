@@ -30,7 +30,7 @@ Finding findingOf(std::string rule, Severity severity, std::string text) {
   return finding;
 }
 
-/// A session with an error of a sender that means harm, a warning and a note of the model.
+/// A session with an error of a malicious sender, and a warning and a note of the model.
 CheckReport hostileReport() {
   CheckReport report;
   report.cell = "cells/a b.cell.toml";
@@ -60,7 +60,7 @@ CheckReport hostileReport() {
   return report;
 }
 
-/// The elements and attributes of the schema that Jenkins' xUnit plugin holds files to.
+/// The elements and attributes of the schema that Jenkins' xUnit plugin enforces.
 void expectJunitElement(const tinyxml2::XMLElement& element) {
   static const std::map<std::string, std::set<std::string>> kAttributes = {
       {"testsuites", {"name", "time", "tests", "failures", "disabled", "errors"}},
@@ -102,7 +102,7 @@ TEST(CheckJunit, IsWhatJenkinsReadsHoweverHostileTheSession) {
     ++cases;
     failures += each->FirstChildElement("failure") != nullptr;
     errors += each->FirstChildElement("error") != nullptr;
-    // The schema has them in this order: skipped, error or failure, then system-out.
+    // The schema demands this order: skipped, error or failure, then system-out.
     if (const auto* out = each->FirstChildElement("system-out")) {
       EXPECT_EQ(out->NextSiblingElement(), nullptr);
     }
@@ -241,7 +241,7 @@ TEST(Baseline, KnowsAFindingAgainWhateverItsNumbers) {
       << "what was accepted in radians stays accepted in degrees";
   EXPECT_EQ(key("j moves at 5 rad/s for 0.3 s"), key("j moves at 286.479°/s for 0.3 s"));
   EXPECT_EQ(key("has turned by 4 degrees"), key("has turned by 4°"));
-  // Numbers in names are names.
+  // Numbers in names belong to the name.
   EXPECT_EQ(key("arm/joint_1 and arm2 and x.7 and 3d"), "arm/joint_1 and arm2 and x.7 and 3d");
   EXPECT_EQ(key("bytes 700 to 708 of `12`."), "bytes # to # of `#`.");
 }
@@ -249,7 +249,7 @@ TEST(Baseline, KnowsAFindingAgainWhateverItsNumbers) {
 TEST(Baseline, WhatItWritesAcceptsTheSameAndNothingElse) {
   CheckReport report = hostileReport();
   const Baseline written = Baseline::of(report);
-  EXPECT_EQ(written.size(), 2U);  // the note is no reason to fail
+  EXPECT_EQ(written.size(), 2U);  // a note is not a reason to fail
   const std::string text = written.text();
   const Result<Baseline> read = Baseline::parse(bytesOf(text), "known.json");
   ASSERT_TRUE(read.ok()) << read.error().text();

@@ -50,7 +50,7 @@ class SessionText {
   Status end() {
     if (Status sent = send(); !sent) return sent;
     if (is_open_) {
-      // As a recorder that was killed leaves it: flushed, and not closed.
+      // As a killed recorder leaves it: flushed, not closed.
       for (const SteadyTime now : {SteadyTime{}, SteadyTime{std::chrono::hours(1)}}) {
         if (Status flushed = writer_.log().flushIfDue(now); !flushed) return flushed;
       }
@@ -148,7 +148,7 @@ class SessionText {
 
 Status writeLog(const RuleExample& example, const std::filesystem::path& folder,
                 const std::filesystem::path& log) {
-  // Small chunks, as they are: damage then costs little and is at a place that a page can name.
+  // Small uncompressed chunks: damage then costs little, at an offset that a page can name.
   LogWriterOptions options;
   options.compression = LogWriterOptions::Compression::none;
   options.chunk_bytes = 4096;
@@ -177,7 +177,7 @@ Result<CheckReport> judgeExample(const RuleExample& example) {
     std::filesystem::create_directories((folder / name).parent_path());
     std::ofstream(folder / name, std::ios::binary) << bytes;
   }
-  // What the recorded cell does not have of its own it has in common with the other.
+  // The recorded cell shares all files that it does not have itself.
   for (const auto& [name, bytes] : example.files) {
     const std::filesystem::path recorded = folder / ("recorded/" + name);
     if (!std::filesystem::exists(folder / "recorded") || name.starts_with("recorded/")) continue;

@@ -6,9 +6,8 @@
 
 namespace rocinante::test {
 
-/// Judges an example as the program would: its cell, and its session as a real log, which carries
-/// the cell below `recorded/` where the example has one. Files lie in a folder of their own, which
-/// is gone afterwards.
+/// Judges an example like the program: its cell, and its session as a real log, which carries the
+/// cell below `recorded/` if there is one. Files are in a temporary folder.
 Result<CheckReport> judgeExample(const RuleExample& example);
 
 }  // namespace rocinante::test

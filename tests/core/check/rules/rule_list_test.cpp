@@ -28,7 +28,7 @@ std::set<std::string> rulesInTheSource() {
       std::ifstream file(entry.path());
       std::string line;
       while (std::getline(file, line)) {
-        // A comment may give an example of a rule that never was.
+        // A comment may give an example of a rule that does not exist.
         if (line.find("//") < line.find('"')) continue;
         for (std::size_t from = line.find('"'); from != std::string::npos;) {
           const std::size_t until = line.find('"', from + 1);

@@ -10,9 +10,8 @@
 namespace rocinante::test {
 namespace {
 
-/// Lines between `%repeat N` and `%end` stand N times, `%i` in them is 0, 1, 2 ...; within a line
-/// `%times N WORD` is WORD N times, and
-/// `%numbers N` is 1 to N.
+/// Lines between `%repeat N` and `%end` are repeated N times, with `%i` as 0, 1, 2 ...; within a
+/// line `%times N WORD` is WORD N times, and `%numbers N` is 1 to N.
 Result<std::string> expanded(const std::string& text) {
   std::istringstream lines(text);
   std::string all, repeated;
@@ -65,7 +64,7 @@ Result<std::string> bytesOfHex(const std::string& text) {
   return bytes;
 }
 
-/// Adds a fenced block to an example. `info` is what stands behind the opening fence.
+/// Adds a fenced block to an example. `info` is the text after the opening fence.
 Status addBlock(RuleExample& example, const std::string& info, const std::string& text) {
   std::istringstream words(info);
   std::string kind, name, role;
@@ -128,7 +127,7 @@ struct PageReader {
       page.rule = line.substr(2);
     } else if (line.starts_with("## ")) {
       section = line.substr(3);
-      // What the second example does not name stands as in the first.
+      // Blocks that the second example lacks are those of the first.
       if (section == "Does not fire") {
         page.silent = page.fires;
         page.silent.also.clear();

@@ -9,8 +9,8 @@
 
 namespace rocinante::test {
 
-/// One side of a rule's page: a cell, and what a session says. docs/rules/README.md, section "How a
-/// page is written", defines the notation.
+/// One example of a rule's page: a cell and a session. docs/rules/README.md, section "How a page is
+/// written", defines the notation.
 struct RuleExample {
   std::map<std::string, std::string> files;  ///< by name, as bytes
   std::string cell = "cell.toml";            ///< which of them is the cell
@@ -28,8 +28,8 @@ struct RulePage {
   RuleExample fires, silent;
 };
 
-/// Reads a page. `defaults` are what an example is made of where the page says nothing itself:
-/// those of docs/rules/README.md. An error names the page and line.
+/// Reads a page. `defaults` are the blocks that a page does not have itself: those of
+/// docs/rules/README.md. An error names the page and line.
 Result<RulePage> readRulePage(const std::filesystem::path& path, const RuleExample& defaults);
 
 /// The blocks of docs/rules/README.md before its first section.

@@ -1,4 +1,4 @@
-// Holds every page of docs/rules to what it shows: its examples are judged as the program would.
+// Checks every page of docs/rules: the program judges its examples.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -49,7 +49,7 @@ TEST_P(RulePages, ShowWhatFiresTheRuleAndWhatDoesNot) {
   ASSERT_TRUE(read.ok()) << read.error().text();
   EXPECT_EQ(read->rule, GetParam());
   const Rule* const rule = findRule(GetParam());
-  ASSERT_NE(rule, nullptr) << "no rule is called that";
+  ASSERT_NE(rule, nullptr) << "no rule has this id";
   EXPECT_EQ(read->severity, nameOf(rule->severity));
   const std::string set = fmt::format("\"{}\" = \"", GetParam());
   EXPECT_NE(read->text.find(set), read->text.npos) << "it does not say how its severity is set";

@@ -37,7 +37,7 @@ TEST(TimeHistogram, WidensItsBinsAndLosesNoHit) {
   EXPECT_LE(histogram.counts().size(), TimeHistogram::kMaxBins);
   EXPECT_GT(histogram.counts().size(), TimeHistogram::kMaxBins / 2);
   EXPECT_EQ(total(histogram), 100000U);
-  // Even hits stay even, but for the last bin, which is not full.
+  // Even hits stay even, except in the last bin, which is not full.
   const auto [low, high] =
       std::minmax_element(histogram.counts().begin(), histogram.counts().end() - 1);
   EXPECT_LE(*high - *low, 3U);
