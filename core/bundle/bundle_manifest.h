@@ -19,7 +19,7 @@ inline constexpr std::uint64_t kMaxBundledBytes = std::uint64_t{1} << 30;
 inline constexpr std::size_t kMaxBundledNames = 200'000;
 inline constexpr std::size_t kMaxManifestBytes = std::size_t{32} << 20;
 
-/// A list of what belongs to a cell inside a log, and of what the names in it mean
+/// The list of the files of a cell inside a log, and of the meaning of the names in them
 /// (docs/log-format.md, section "The cell"). Names of files and folders are relative, with `/`.
 struct BundleManifest {
   struct File {

@@ -12,19 +12,18 @@
 
 namespace rocinante {
 
-/// A cell with all files that it names, transitively, in memory: what a log carries so that it can
-/// be looked at alone (docs/log-format.md, section "The cell").
+/// A cell with all files that it names, transitively, in memory. A log carries it so that it can be
+/// viewed alone (docs/log-format.md, section "The cell").
 struct CellBundle {
   BundleManifest manifest;
   std::vector<Bytes> contents;  ///< as manifest.files
   ModelFaults warnings;         ///< missing parts that the cell can be drawn without
 };
 
-/// Loads the cell as `options` say and collects every file that was read, and what every name
-/// meant. Names hold no folder of this machine above the one that the files have in common. An
-/// error when the cell does not load without errors, when it is too large (bundle_manifest.h), or
-/// when what was collected does not load as the cell does. options.lookups and options.answers are
-/// not used.
+/// Loads the cell with `options` and collects every file that was read and the meaning of every
+/// name. Names hold no folder of this machine above the one that the files have in common. An error
+/// when the cell does not load without errors, when it is too large (bundle_manifest.h), or when
+/// the collected files do not load like the cell. options.lookups and options.answers are not used.
 Result<CellBundle> collectCell(const std::filesystem::path& path, CellOptions options);
 
 /// The first warnings as text, one per line, and the number of the rest.

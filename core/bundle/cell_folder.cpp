@@ -46,7 +46,7 @@ void addFoldersOf(const std::string& name, std::set<std::string>& folders) {
   }
 }
 
-/// What names mean, by folder and name, as the manifest says.
+/// The meaning of names, by folder and name, from the manifest.
 FileAnswers answersOf(const BundleManifest& manifest, const fs::path& root) {
   using Key = std::pair<std::string, std::string>;
   auto known = std::make_shared<std::map<Key, FoundFile>>();

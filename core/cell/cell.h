@@ -84,7 +84,7 @@ struct LayerLook {
   }
 };
 
-/// What a layer holds besides devices that name it: a device, a link, or parts of their meshes.
+/// A member of a layer, besides devices that name it: a device, a link, or parts of their meshes.
 struct LayerMember {
   std::string device;  ///< empty: every device
   std::string link;    ///< empty: all links

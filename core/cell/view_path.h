@@ -9,10 +9,10 @@
 
 namespace rocinante {
 
-/// What a PATH of a view names: DEVICE, DEVICE/LINK, layer/NAME, with `#GROUP` behind the first two
-/// only the parts of a mesh group, and `*` in place of DEVICE every device. Names are
-/// percent-encoded as in a packet, leniently, because users type these: any byte but `#` may be
-/// written as it is. Packets have neither `#` nor `*`, so neither clashes with a name in a packet.
+/// A PATH of a view: DEVICE, DEVICE/LINK or layer/NAME. `#GROUP` after the first two means only the
+/// parts of a mesh group, and `*` as DEVICE every device. Names are percent-encoded as in a packet,
+/// leniently, because users type these: any byte but `#` may be written as it is. Packets have
+/// neither `#` nor `*`, so neither clashes with a name in a packet.
 struct ViewPath {
   Path path;               ///< decoded; `first` is empty for every device
   std::string group;       ///< a pattern (core/base/pattern.h) of MeshPart::group; empty: all parts

@@ -9,7 +9,7 @@ namespace rocinante {
 enum class Severity : std::uint8_t { note, warning, error };
 std::string_view nameOf(Severity severity);
 
-/// Something wrong with a model or cell file. Reading goes on after it: all are listed.
+/// A fault of a model or cell file. Reading continues after it: all faults are listed.
 struct ModelFault {
   Severity severity = Severity::error;
   std::string rule;  ///< stable id: "urdf.unknown-link"

@@ -58,7 +58,7 @@ Mat4 matrixOfSdf(const RocinanteSdfPose& pose) {
   return matrixOf({{p[0], p[1], p[2]}, {q[3], q[0], q[1], q[2]}});
 }
 
-/// What the file says, link by link, in SDF's own frames.
+/// The contents of the file, link by link, in SDF's own frames.
 struct SdfLink {
   LinkDraft draft;
   Mat4 in_model{1.0};

@@ -13,7 +13,7 @@
 
 namespace rocinante {
 
-/// What reading elements of one URDF file needs; borrowed by the readers of its parts.
+/// The context for reading one URDF file; borrowed by the readers of its parts.
 struct UrdfContext {
   const XmlPlaces& places;
   FaultList& faults;

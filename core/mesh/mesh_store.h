@@ -19,7 +19,7 @@
 
 namespace rocinante {
 
-/// A mesh that a file names: what MeshStore::load will be asked for.
+/// A mesh that a file names; MeshStore::load will be called for it.
 struct MeshWanted {
   std::string name;
   std::filesystem::path beside;  ///< the folder of the file that names it

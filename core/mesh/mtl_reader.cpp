@@ -107,7 +107,7 @@ class MtlReader {
     double red = 0;
     if (!readNumber(keyword, red)) return;
     double green = red, blue = red;
-    // One number stands for all three.
+    // One number is used for all three.
     if (scan_.skipBlanks() && (!readNumber(keyword, green) || !readNumber(keyword, blue))) return;
     const auto display = [](double value) {
       return static_cast<float>(std::clamp(value, 0.0, 1.0));

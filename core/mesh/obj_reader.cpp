@@ -30,7 +30,7 @@ class ObjReader {
         options_(options),
         resolve_(resolverOf(options)),
         faults_(faults) {
-    // What a file of that size usually holds; untouched memory costs nothing.
+    // Typical counts for a file of that size; untouched memory costs nothing.
     loose_.positions.reserve(bytes.size() / 70);
     loose_.corners.reserve(bytes.size() / 24);
   }

@@ -40,7 +40,7 @@ struct FileLookup {
   FoundFile found;
 };
 
-/// What a search did, so that it can be repeated elsewhere.
+/// The record of a search, so that it can be repeated elsewhere.
 struct FileLookups {
   std::vector<std::filesystem::path> roots;  ///< without links, in the order they are looked into
   std::vector<FileLookup> lookups;           ///< each as often as it came

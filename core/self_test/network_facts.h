@@ -8,9 +8,9 @@
 
 namespace rocinante {
 
-/// What the network of this machine gives to the programs. Each opens its own sockets on free
-/// ports, so that it disturbs no listener, and waits at most a second. `programs`: the folder of
-/// our programs, for the advice.
+/// Facts about the network of this machine. Each check opens its own sockets on free ports, so that
+/// it disturbs no listener, and waits at most a second. `programs`: the folder of our programs, for
+/// the advice.
 
 /// A datagram to the standard group comes back through the loopback interface.
 SelfTestFact multicastFact();

@@ -7,7 +7,7 @@
 
 namespace rocinante {
 
-/// What the system of this machine gives to the programs. `programs`: the folder of our programs.
+/// Facts about the system of this machine. `programs`: the folder of our programs.
 
 /// SCHED_FIFO, which gives `play` microsecond timing. Changes the scheduling of this process: call
 /// it in a child that ends afterwards.

@@ -8,9 +8,9 @@
 namespace rocinante {
 
 /// The differences between the cell that a log carries and the cell that it is viewed with, each
-/// with what a replay would show wrong. Numbers that differ only by rounding and unit conversion
-/// are the same; geometry is the same when it decodes to the same triangles. Opens textures of both
-/// cells, whose files must still be there.
+/// with its effect on a replay. Numbers that differ only by rounding and unit conversion are the
+/// same; geometry is the same when it decodes to the same triangles. Opens textures of both cells,
+/// whose files must still be there.
 std::vector<Finding> modelDrift(const Cell& recorded, const Cell& given);
 
 }  // namespace rocinante

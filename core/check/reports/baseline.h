@@ -17,7 +17,7 @@ struct BaselineKey {
   std::string rule;
   std::string subject;
   std::string file;      ///< relative to the cell's folder if below it, else the name alone
-  std::string sentence;  ///< the finding's, with `#` for every number that stands alone
+  std::string sentence;  ///< the finding's, with `#` for every number that is not part of a name
 
   auto operator<=>(const BaselineKey&) const = default;
   std::string text() const;  ///< all fields, for hashing

@@ -103,7 +103,7 @@ constexpr auto kRules = std::to_array<Rule>({
     {"log.damage", kError, "bytes of the log cannot be used"},
     {"log.incomplete", kNote, "the recorder did not close the log"},
     {"log.loss", kWarning, "the recorder lost datagrams"},
-    {"mesh.bad-triangle", kError, "a triangle of a mesh has a corner that is no point"},
+    {"mesh.bad-triangle", kError, "a triangle of a mesh has a corner that is not finite"},
     {"mesh.degenerate-triangles", kNote, "many triangles of a mesh have no area"},
     {"mesh.missing-texture", kWarning, "a texture of a COLLADA or glTF mesh is not found"},
     {"mesh.up-axis", kNote, "a mesh that is not z up is turned"},

@@ -15,7 +15,7 @@ struct RulePage {
 /// Null when there is no page of that rule.
 const RulePage* findRulePage(std::string_view rule);
 
-/// What the rule means: the page between its first paragraph and "Mend". Markdown.
+/// The explanation of the rule: the page between its first paragraph and "Mend". Markdown.
 std::string_view meaningOf(const RulePage& page);
 /// The paragraphs below "## `section`"; empty when there is none.
 std::string_view sectionOf(const RulePage& page, std::string_view section);
