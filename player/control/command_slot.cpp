@@ -28,8 +28,9 @@ Result<std::unique_ptr<CommandSlot>> CommandSlot::make() {
   const int wake = ::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC);
   const int told = ::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC);
   if (wake < 0 || told < 0) {
-    return Error{
-        ErrorKind::refused, std::string("no control is possible: ") + std::strerror(errno), {}};
+    return Error{ErrorKind::refused,
+                 std::string("cannot set up the player's control: ") + std::strerror(errno),
+                 {}};
   }
   return std::unique_ptr<CommandSlot>(new CommandSlot(wake, told));
 }

@@ -27,7 +27,7 @@ Result<ControlAddress> ControlAddress::parse(std::string_view text) {
   const Result<Endpoint> endpoint = Endpoint::parse(text);
   if (!endpoint) return endpoint.error();
   if (endpoint->isMulticast()) {
-    return Error{ErrorKind::bad_argument, "a player cannot be controlled by a multicast group",
+    return Error{ErrorKind::bad_argument, "a control endpoint cannot be a multicast group",
                  std::string(text)};
   }
   parsed.endpoint = *endpoint;

@@ -47,8 +47,9 @@ class UdpControl final : public ControlInput {
       }
       if (told_) {
         // Once: a stranger must not fill a terminal.
-        std::exchange(told_, {})("a command from " + withoutMapping(fromSystem(from)).hostText() +
-                                 " was refused: --control-allow lets other machines command");
+        std::exchange(told_, {})("refused a command from " +
+                                 withoutMapping(fromSystem(from)).hostText() +
+                                 ": allow its address with --control-allow");
       }
       if (const auto now = std::chrono::steady_clock::now(); now >= refuse_again_) {
         refuse_again_ = now + std::chrono::seconds(1);
@@ -115,7 +116,7 @@ Result<ControlSocket> openUdpControl(const Endpoint& endpoint, AddressFilter all
   sockaddr_storage system{};
   const socklen_t length = toSystem(endpoint.address, system);
   if (::bind(socket->descriptor(), reinterpret_cast<sockaddr*>(&system), length) != 0) {
-    if (errno != EADDRINUSE) return systemError("cannot hear commands", endpoint);
+    if (errno != EADDRINUSE) return systemError("cannot listen for commands", endpoint);
     const std::optional<PortHolder> holder = portHolder(endpoint.address);
     return Error{ErrorKind::refused,
                  "port " + std::to_string(endpoint.address.port) + " is held by " +

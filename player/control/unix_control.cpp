@@ -132,7 +132,7 @@ Result<ControlSocket> openUnixControl(const std::filesystem::path& path) {
       ::bind(socket.descriptor(), reinterpret_cast<const sockaddr*>(&address), sizeof address);
   ::umask(former);
   if (bound != 0 || ::listen(socket.descriptor(), static_cast<int>(kMaxConnections)) != 0) {
-    return unixError("cannot hear commands", path);
+    return unixError("cannot listen for commands", path);
   }
   ControlSocket control;
   control.where = "unix:" + path.string();

@@ -156,7 +156,7 @@ Result<PlayReport> play(const PlayOptions& options, const SendSurroundings& surr
   for (const auto& log : options.logs) report.inputs.push_back(log.string());
   report.damage = logs->damage();
   if (!finder->stateDamage().empty()) {
-    report.damage.push_back("a state that was sent may be older: " + finder->stateDamage().text());
+    report.damage.push_back("a restated state may be outdated: " + finder->stateDamage().text());
   }
   return report;
 }

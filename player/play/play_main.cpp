@@ -54,12 +54,12 @@ void declareWhat(CLI::App& app, Arguments& my) {
   app.add_option("--from", my.options.from, "begin at this session time (12.5s, -1s, RFC 3339)")
       ->option_text("TIME");
   app.add_option("--until", my.options.until, "end before this session time")->option_text("TIME");
-  app.add_option("--loop", my.loop, "play this often (0: until stopped), or a part A-B endlessly")
+  app.add_option("--loop", my.loop, "play N times (0: until stopped), or repeat the part A-B")
       ->option_text("N|A-B=1");
-  app.add_option("--channel", my.options.channels.only, "only topics like this; repeatable")
+  app.add_option("--channel", my.options.channels.only, "only topics that match; repeatable")
       ->allow_extra_args(false)
       ->option_text("PATTERN");
-  app.add_option("--mute", my.options.channels.muted, "no topics like this; repeatable")
+  app.add_option("--mute", my.options.channels.muted, "not the topics that match; repeatable")
       ->allow_extra_args(false)
       ->option_text("PATTERN");
 }
@@ -67,7 +67,7 @@ void declareWhat(CLI::App& app, Arguments& my) {
 void declareWhere(CLI::App& app, Arguments& my) {
   app.add_option("--to", my.to, "where to send: udp://HOST:PORT, HOST:PORT or a multicast group")
       ->option_text("EP");
-  app.add_option("--map", my.maps, "send topics like this elsewhere; repeatable")
+  app.add_option("--map", my.maps, "send topics that match elsewhere; repeatable")
       ->allow_extra_args(false)
       ->option_text("PATTERN=EP");
   app.add_flag("--keep-ports", my.options.keep_ports,
@@ -78,29 +78,30 @@ void declareHow(CLI::App& app, Arguments& my) {
   auto* speed = app.add_option("--speed", my.speed, "log seconds per second, 0.01 to 1000")
                     ->option_text("X=1");
   auto* at_once = app.add_flag("--asap", my.options.at_once,
-                               "as fast as the network takes them, not on schedule")
+                               "as fast as the network takes them, without a schedule")
                       ->excludes(speed)
                       ->option_text(" ");
   auto* lockstep = app.add_flag("--lockstep", my.options.lockstep,
-                                "say `step N` at the control endpoint after each, wait for `ack N`")
+                                "after each, send `step N` to the controller and wait for `ack N`")
                        ->excludes(speed)
                        ->excludes(at_once)
                        ->option_text(" ");
   app.add_option("--ack-timeout", my.ack_timeout, "how long to wait for an ack, then exit 1")
       ->needs(lockstep)
       ->option_text("TIME=1s");
-  app.add_option("--gap-limit", my.gap_limit, "no silence lasts longer than this when played")
+  app.add_option("--gap-limit", my.gap_limit, "shorten silences to at most this")
       ->option_text("TIME");
   app.add_option("--restate", my.restate,
-                 "say every source's state first, and again this often; 0: only first; off")
+                 "restate every source's state first, then this often; 0: only first; off")
       ->option_text("TIME=2s");
   app.add_option("--realtime", my.realtime, "run before other threads: auto, on or off")
       ->check(CLI::IsMember({"auto", "on", "off"}))
       ->option_text("WHEN=auto");
   auto* control = app.add_option("--control", my.control,
-                                 "hear commands here: udp://127.0.0.1:PORT or unix:PATH")
+                                 "listen for commands on udp://127.0.0.1:PORT or unix:PATH")
                       ->option_text("EP");
-  app.add_option("--control-allow", my.control_allow, "let these addresses command too; repeatable")
+  app.add_option("--control-allow", my.control_allow,
+                 "accept commands from this network too; repeatable")
       ->needs(control)
       ->allow_extra_args(false)
       ->option_text("CIDR");
@@ -191,13 +192,13 @@ Status openControl(Arguments& my, Inputs& inputs) {
     inputs.push_back(std::move(control->input));
     // In lockstep the end of the log is the end of the work.
     my.options.stays = !my.options.lockstep;
-    if (!my.quiet) std::fprintf(stderr, "hearing commands at %s\n", control->where.c_str());
+    if (!my.quiet) std::fprintf(stderr, "listening for commands on %s\n", control->where.c_str());
   }
   if (my.options.progress) {
     if (auto keys = TerminalKeys::open()) inputs.push_back(std::move(keys));
   }
   if (my.options.start_paused && inputs.empty()) {
-    return Error{ErrorKind::bad_argument, "nobody could end the pause: no terminal, no --control",
+    return Error{ErrorKind::bad_argument, "a paused start needs a terminal or --control to resume",
                  "--start-paused"};
   }
   return {};
@@ -213,7 +214,7 @@ Result<PlayReport> playWithControl(Arguments& my) {
   PlayControl control;
   if (!inputs.empty()) control = {slot->get(), (*slot)->wake()};
   // Where a log is opened, or the state of a place is folded, nothing looks for a stop.
-  const cli::StopDeadline deadline("stopped in the middle of reading, so there is no report",
+  const cli::StopDeadline deadline("stopped while reading the log; no report was made",
                                    giveTerminalBack);
   const ControlThread thread(**slot, std::move(inputs));
   SendSurroundings surroundings;

@@ -280,7 +280,7 @@ Status Playhead::goToEvent(bool forwards, SteadyTime now) {
 }
 
 Status Playhead::setSpeed(const PlaybackSpeed& speed, SteadyTime now) {
-  if (!isScheduled()) return refused("there is no speed to change: nothing is on a schedule");
+  if (!isScheduled()) return refused("the speed cannot change: nothing is sent on a schedule");
   freeze(now);
   options_.speed = speed;
   // What is said again, and how long silences last, was reckoned for the old speed.
@@ -294,10 +294,10 @@ Status Playhead::setSpeed(const PlaybackSpeed& speed, SteadyTime now) {
 Status Playhead::setLoop(const PlayedSpan& loop, SteadyTime now) {
   const PlayedSpan within{std::max(loop.from, options_.span.from),
                           std::min(loop.until, options_.span.until)};
-  if (within.from >= within.until) return refused("the loop lies outside of what is played");
+  if (within.from >= within.until) return refused("the loop is outside the played range");
   const Result<bool> any = finder_->anyIn(within.from, within.until);
   if (!any) return any.error();
-  if (!*any) return refused("no message lies in the loop");
+  if (!*any) return refused("the loop contains no message");
   freeze(now);
   options_.loop = within;
   if (time_ >= within.until || state() == State::ended) return jumpTo(within.from, now);
@@ -372,7 +372,7 @@ Status Playhead::execute(const PlayheadCommand& command, SteadyTime now) {
       quit_ = true;
       return {};
     case Kind::ack:
-      if (!options_.lockstep) return refused("there is no step to acknowledge");
+      if (!options_.lockstep) return refused("ack is for --lockstep only");
       if (awaited_ && command.count > *awaited_) {
         return refused("step " + std::to_string(command.count) + " has not been sent yet");
       }

@@ -97,11 +97,11 @@ Result<PlayheadCommand> parsePlayheadCommand(std::string_view line, LogTime orig
   }
   if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
   Words words = wordsOf(line);
-  if (words.empty()) return bad("an empty line is no command");
+  if (words.empty()) return bad("the command is empty");
   const auto* const word = std::find_if(std::begin(kWords), std::end(kWords),
                                         [&](const Word& each) { return each.text == words[0]; });
   if (word == std::end(kWords)) {
-    return bad("there is no command " + plainText(std::string(words[0].substr(0, 40))));
+    return bad("unknown command " + plainText(std::string(words[0].substr(0, 40))));
   }
   PlayheadCommand command;
   command.kind = word->kind;
@@ -113,7 +113,7 @@ Result<PlayheadCommand> parsePlayheadCommand(std::string_view line, LogTime orig
   }
   const std::size_t least = command.kind == Kind::loop ? 2 : word->least;
   if (words.size() < least || words.size() > word->most) {
-    return bad("it is written " + std::string(word->use));
+    return bad("usage: " + std::string(word->use));
   }
   Status read;
   switch (command.kind) {
@@ -127,7 +127,7 @@ Result<PlayheadCommand> parsePlayheadCommand(std::string_view line, LogTime orig
     case Kind::loop:
       read = readTime(words[0], origin, end, command.from);
       if (read) read = readTime(words[1], origin, end, command.until);
-      if (read && command.from >= command.until) read = bad("a loop ends after it begins");
+      if (read && command.from >= command.until) read = bad("a loop must end after it begins");
       break;
     case Kind::speed: {
       const Result<PlaybackSpeed> speed = PlaybackSpeed::parse(words[0]);
@@ -137,7 +137,7 @@ Result<PlayheadCommand> parsePlayheadCommand(std::string_view line, LogTime orig
     }
     case Kind::ack: {
       const auto count = wholeNumber(words[0]);
-      if (!count) return bad("it is written ack N");
+      if (!count) return bad("usage: ack N");
       command.count = *count;
       break;
     }

@@ -62,9 +62,9 @@ class Lockstep {
       if (awaited_ > 0 && source_ != nullptr) source_->tell("step " + std::to_string(awaited_));
     }
     if (now - since_ <= timeout_) return {};
-    const std::string what = awaited_ == 0 ? std::string("nobody spoke at the control endpoint")
-                                           : "no ack " + std::to_string(awaited_) + " came";
-    return Error{ErrorKind::refused, what + " in time (--ack-timeout)", {}};
+    const std::string what = awaited_ == 0 ? std::string("no command reached the control endpoint")
+                                           : "ack " + std::to_string(awaited_) + " did not arrive";
+    return Error{ErrorKind::refused, what + " within --ack-timeout", {}};
   }
 
  private:

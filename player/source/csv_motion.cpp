@@ -103,7 +103,7 @@ class Reader {
     return {ErrorKind::bad_argument, std::move(what),
             fmt::format("{}, line {}, column {}", name_, line_, column)};
   }
-  Error badQuotes() const { return fault("a quoted field does not end", fields_.back().column); }
+  Error badQuotes() const { return fault("a quoted field is not closed", fields_.back().column); }
 
   Status readHeader(const std::vector<std::string>& columns);
   Status chooseJoints(const std::vector<std::string>& columns);
@@ -122,7 +122,7 @@ class Reader {
 };
 
 Status Reader::readHeader(const std::vector<std::string>& columns) {
-  if (!nextLine()) return Error{ErrorKind::bad_argument, "the file holds no header row", name_};
+  if (!nextLine()) return Error{ErrorKind::bad_argument, "the file has no header row", name_};
   if (!split_) return badQuotes();
   for (const CsvField& field : fields_) {
     std::string name = field.unescaped();
@@ -157,9 +157,9 @@ Status Reader::chooseJoints(const std::vector<std::string>& columns) {
     }
     joints_at_.push_back(at);
   }
-  if (joints_at_.empty()) return fault("there is no column beside the time", 1);
+  if (joints_at_.empty()) return fault("the table has no joint column", 1);
   if (joints_at_.size() > limits::kJointValues) {
-    return fault(fmt::format("there are {} joints and a packet says at most {}", joints_at_.size(),
+    return fault(fmt::format("{} joints, but a packet holds at most {}", joints_at_.size(),
                              limits::kJointValues),
                  1);
   }
@@ -171,7 +171,7 @@ Status Reader::readRow() {
   if (!split_) return badQuotes();
   if (fields_.size() != names_.size()) {
     return fault(
-        fmt::format("the row has {} fields and the header has {}", fields_.size(), names_.size()),
+        fmt::format("the row has {} fields, the header has {}", fields_.size(), names_.size()),
         fields_.back().column);
   }
   const CsvField& moment = fields_[time_at_];
@@ -180,7 +180,7 @@ Status Reader::readRow() {
     return fault(fmt::format("{} is not a time in seconds", shown(moment.text)), moment.column);
   }
   if (!motion_.rows.empty() && *time < motion_.rows.back().time) {
-    return fault(fmt::format("the time goes back: {} follows a later one", shown(moment.text)),
+    return fault(fmt::format("the time goes back: {} follows a later time", shown(moment.text)),
                  moment.column);
   }
   const std::size_t begin = motion_.values.size();
@@ -190,7 +190,7 @@ Status Reader::readRow() {
     const char* read = field.text.data();
     const char* end = read + field.text.size();
     if (!readNumber(read, end, ignored) || read != end) {
-      return fault(fmt::format("{} is not a number that packet text can say, in {}",
+      return fault(fmt::format("{} is not a number that packet text allows, in {}",
                                shown(field.text), shown(names_[at])),
                    field.column);
     }

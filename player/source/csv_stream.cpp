@@ -16,7 +16,7 @@ constexpr std::size_t kNumbersBytes = 41;
 
 Status checkName(const char* option, const std::string& name) {
   if (!name.empty() && name.size() <= limits::kNameBytes) return {};
-  return Error{ErrorKind::bad_argument, "a name has 1 to 255 bytes", option};
+  return Error{ErrorKind::bad_argument, "a name must be 1 to 255 bytes long", option};
 }
 
 /// The bytes that a packet of `line` takes at most.
@@ -29,7 +29,7 @@ std::size_t packetBytes(const CsvStream::Options& options, std::size_t line_byte
 
 Error tooLarge(std::size_t bytes, const CsvStream::Options& options) {
   return {ErrorKind::bad_argument,
-          fmt::format("a packet takes up to {} bytes and --mtu is {}: choose fewer --columns, or "
+          fmt::format("a packet needs up to {} bytes, but --mtu is {}: choose fewer --columns or "
                       "raise it",
                       bytes, options.mtu_bytes),
           options.device};

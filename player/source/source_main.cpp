@@ -39,7 +39,7 @@ void declareTable(CLI::App& app, Arguments& my) {
                      ->needs(csv)
                      ->option_text("NAME");
   csv->needs(device);
-  app.add_option("--source", my.csv.source, "the name to speak as; default the device's")
+  app.add_option("--source", my.csv.source, "the SOURCE name; default the device's")
       ->needs(csv)
       ->option_text("NAME");
   app.add_option("--columns", my.csv.columns,
@@ -47,10 +47,10 @@ void declareTable(CLI::App& app, Arguments& my) {
       ->delimiter(',')
       ->needs(csv)
       ->option_text("A,B,...");
-  app.add_option("--restate", my.restate, "say everything again this often; 0: never")
+  app.add_option("--restate", my.restate, "restate everything this often; 0: never")
       ->needs(csv)
       ->option_text("TIME=2s");
-  app.add_flag("--stamp-clock", my.csv.stamp_clock, "TIME is the clock's when sending")
+  app.add_flag("--stamp-clock", my.csv.stamp_clock, "TIME is the wall clock when sending")
       ->needs(csv)
       ->option_text(" ");
   app.add_option("--demo", my.demo, "the built-in motion: arm, gantry, planner or all (default)")
@@ -67,15 +67,14 @@ void declare(CLI::App& app, Arguments& my) {
       ->option_text("EP");
   app.add_option("--speed", my.speed, "seconds of the motion per second, 0.01 to 1000")
       ->option_text("X=1");
-  app.add_option(
-         "--loop", my.options.turns,
-         "send the motion this often; 0: until stopped; default 1 for a table, 0 for a demo")
+  app.add_option("--loop", my.options.turns,
+                 "send the motion N times; 0: until stopped; default 1 for a table, 0 for a demo")
       ->option_text("N");
   app.add_option("--duration", my.duration, "end after this much of the motion")
       ->option_text("TIME");
   app.add_option("--run", my.options.run, "the RUN token; default a random one")
       ->option_text("TOKEN");
-  app.add_option("--mtu", my.options.mtu_bytes, "no datagram is larger, 64 to 65507")
+  app.add_option("--mtu", my.options.mtu_bytes, "largest datagram, 64 to 65507 bytes")
       ->check(CLI::Range(64, 65'507))
       ->option_text("BYTES=1200");
   app.add_option("--realtime", my.realtime, "run before other threads: auto, on or off")
@@ -104,7 +103,7 @@ Status readOptions(Arguments& my, bool loop_given) {
     const auto duration = parseDuration(my.duration);
     if (!duration) return duration.error();
     if (duration->count() <= 0) {
-      return Error{ErrorKind::bad_argument, "--duration must be more than nothing", my.duration};
+      return Error{ErrorKind::bad_argument, "--duration must be greater than zero", my.duration};
     }
     my.options.duration = *duration;
   }
@@ -131,7 +130,7 @@ Result<cli::Exit> run(Arguments& my, bool loop_given) {
   for (const DemoPart part : kDemoParts) {
     if (my.demo == "all" || my.demo == nameOf(part)) parts.push_back(part);
   }
-  std::optional<cli::StopDeadline> deadline("stopped in the middle of reading");
+  std::optional<cli::StopDeadline> deadline("stopped while reading the table");
   const Result<PlayReport> report = my.demo.empty() ? sendCsv(my.csv, my.options, surroundings)
                                                     : sendDemo(parts, my.options, surroundings);
   deadline.reset();

@@ -14,7 +14,7 @@ rocinante play log.mcap --to 127.0.0.1:"$port" --start-paused --control 127.0.0.
   >report 2>said &
 player=$!
 until grep -qs '^playing' said; do sleep 0.02; done
-control=$(sed -n 's/hearing commands at udp:..\(.*\)/\1/p' said)
+control=$(sed -n 's/listening for commands on udp:..\(.*\)/\1/p' said)
 exec 3<>"/dev/udp/${control%:*}/${control#*:}"
 ask() {
   printf '%s\n' "$1" >&3

@@ -15,7 +15,7 @@ begin() {
     >report 2>said &
   player=$!
   until grep -qs '^playing' said; do sleep 0.02; done
-  control=$(sed -n 's/hearing commands at udp:..\(.*\)/\1/p' said)
+  control=$(sed -n 's/listening for commands on udp:..\(.*\)/\1/p' said)
   exec 3<>"/dev/udp/${control%:*}/${control#*:}"
 }
 end() {

@@ -141,7 +141,7 @@ std::string answerToAnotherHost(const std::filesystem::path& log, std::vector<st
     options.insert(options.begin(),
                    {log.string(), "--to", "127.0.0.1:9", "--control", control, "--start-paused"});
     Program player = Program::start("rocinante-play", options);
-    const std::string line = player.waitForLine("hearing commands at ");
+    const std::string line = player.waitForLine("listening for commands on ");
     const auto port = static_cast<std::uint16_t>(std::atoi(line.c_str() + line.rfind(':') + 1));
     EXPECT_EQ(::write(go[1], &port, sizeof port), static_cast<ssize_t>(sizeof port));
     const ssize_t size = ::read(answers[0], said.data(), said.size());

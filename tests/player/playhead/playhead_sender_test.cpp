@@ -142,7 +142,7 @@ TEST_F(SendPlayheadTest, AnswersWhenWhatWasAskedForIsDone) {
   FakeCommands commands({"step 2", "nonsense", "back", "quit"});
   EXPECT_EQ(send(kThree, options, edge, journal, &commands, true).value(), SendEnd::stopped);
   EXPECT_THAT(commands.answers, ElementsAre("ok t=1.000000000 state=paused speed=1 sent=2",
-                                            "error there is no command nonsense",
+                                            "error unknown command nonsense",
                                             "ok t=0.000000000 state=paused speed=1 sent=2",
                                             "ok t=0.000000000 state=paused speed=1 sent=2"));
 }
@@ -191,7 +191,7 @@ TEST_F(SendPlayheadTest, WithoutAnAckItGivesUp) {
   FakeCommands commands({"status", "status", "status"});
   const auto end = send(kThree, options, edge, journal, &commands);
   ASSERT_FALSE(end.ok());
-  EXPECT_EQ(end.error().what, "no ack 1 came in time (--ack-timeout)");
+  EXPECT_EQ(end.error().what, "ack 1 did not arrive within --ack-timeout");
   EXPECT_THAT(commands.told, ElementsAre("step 1"));
 }
 

@@ -150,10 +150,10 @@ TEST_F(PlayheadTest, LoopsAPartUntilItIsToldNotTo) {
 
 TEST_F(PlayheadTest, LoopsThatCannotBeAreRefused) {
   auto deck = this->deck(kFour);
-  EXPECT_EQ(deck.say("loop 2s 2s"), "error a loop ends after it begins");
-  EXPECT_EQ(deck.say("loop 0.1s 0.9s"), "error no message lies in the loop");
-  EXPECT_EQ(deck.say("loop 100s 200s"), "error the loop lies outside of what is played");
-  EXPECT_EQ(deck.say("loop 2s"), "error it is written loop FROM UNTIL, or loop off");
+  EXPECT_EQ(deck.say("loop 2s 2s"), "error a loop must end after it begins");
+  EXPECT_EQ(deck.say("loop 0.1s 0.9s"), "error the loop contains no message");
+  EXPECT_EQ(deck.say("loop 100s 200s"), "error the loop is outside the played range");
+  EXPECT_EQ(deck.say("loop 2s"), "error usage: loop FROM UNTIL, or loop off");
   EXPECT_EQ(deck.say("loop -1s 100s"), "ok t=0.000000000 state=playing speed=1 sent=0");
 }
 
@@ -290,7 +290,7 @@ TEST_F(PlayheadTest, InLockstepEachMessageWaitsForItsAck) {
   deck.say("ack 1");
   deck.playFor(0s);
   EXPECT_THAT(deck.payloads(), ElementsAre("a", "b"));
-  EXPECT_EQ(deck.say("speed 2"), "error there is no speed to change: nothing is on a schedule");
+  EXPECT_EQ(deck.say("speed 2"), "error the speed cannot change: nothing is sent on a schedule");
 }
 
 TEST_F(PlayheadTest, WithoutAScheduleAllIsDueAtOnce) {

@@ -68,25 +68,25 @@ TEST(CsvMotion, RefusesWhatIsNoTime) {
 
 TEST(CsvMotion, SaysLineAndColumnOfWhatItRefuses) {
   EXPECT_EQ(errorOf("t,a,b\n0,1,2\n1,1\n"),
-            "the row has 2 fields and the header has 3 (m.csv, line 3, column 3)");
+            "the row has 2 fields, the header has 3 (m.csv, line 3, column 3)");
   EXPECT_EQ(errorOf("t,a,b\n0,1,2\n\n1,1,2x\n"),
-            "`2x` is not a number that packet text can say, in `b` (m.csv, line 4, column 5)");
+            "`2x` is not a number that packet text allows, in `b` (m.csv, line 4, column 5)");
   EXPECT_EQ(errorOf("t,a\n0,\n"),
-            "an empty field is not a number that packet text can say, in `a` (m.csv, line 2, "
+            "an empty field is not a number that packet text allows, in `a` (m.csv, line 2, "
             "column 3)");
   EXPECT_EQ(errorOf("t,a\n0,nan\n"),
-            "`nan` is not a number that packet text can say, in `a` (m.csv, line 2, column 3)");
+            "`nan` is not a number that packet text allows, in `a` (m.csv, line 2, column 3)");
   EXPECT_EQ(errorOf("x,a\n0,1\n"),
             "no column is named `t` or `time` (seconds) (m.csv, line 1, column 1)");
   EXPECT_EQ(errorOf("t,a\n1,1\n0.5,1\n"),
-            "the time goes back: `0.5` follows a later one (m.csv, line 3, column 1)");
+            "the time goes back: `0.5` follows a later time (m.csv, line 3, column 1)");
   EXPECT_EQ(errorOf("t,a\nsoon,1\n"), "`soon` is not a time in seconds (m.csv, line 2, column 1)");
   EXPECT_EQ(errorOf("t,a,a\n"), "two columns are named `a` (m.csv, line 1, column 5)");
   EXPECT_EQ(errorOf("t,,a\n"), "a column has no name (m.csv, line 1, column 3)");
-  EXPECT_EQ(errorOf("t\n0\n"), "there is no column beside the time (m.csv, line 1, column 1)");
+  EXPECT_EQ(errorOf("t\n0\n"), "the table has no joint column (m.csv, line 1, column 1)");
   EXPECT_EQ(errorOf("t,a\n"), "there is no row below the header (m.csv, line 1, column 1)");
-  EXPECT_EQ(errorOf(""), "the file holds no header row (m.csv)");
-  EXPECT_EQ(errorOf("t,\"a\n0,1\n"), "a quoted field does not end (m.csv, line 1, column 3)");
+  EXPECT_EQ(errorOf(""), "the file has no header row (m.csv)");
+  EXPECT_EQ(errorOf("t,\"a\n0,1\n"), "a quoted field is not closed (m.csv, line 1, column 3)");
 }
 
 TEST(CsvMotion, ChoosesColumnsInTheOrderAsked) {
