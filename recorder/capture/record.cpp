@@ -380,13 +380,13 @@ Result<RecordSummary> record(const RecordOptions& options, const RecordEvents& e
   if (const Endpoint& first = options.endpoints[0]; !first.file.empty()) {
     if (!tees->empty()) {
       return Error{ErrorKind::bad_argument,
-                   "a capture file is not sent on by --tee: record it, then play the log",
+                   "--tee cannot forward a capture file: record it, then play the log",
                    first.text()};
     }
     const auto begins = firstMoment(first);
     if (!begins) return begins.error();
     if (!*begins) {
-      return Error{ErrorKind::refused, "this capture file holds no UDP datagram", first.text()};
+      return Error{ErrorKind::refused, "the capture file contains no UDP datagram", first.text()};
     }
     file_begins = *begins;
   }

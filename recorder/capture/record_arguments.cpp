@@ -48,21 +48,21 @@ Result<std::shared_ptr<const CellBundle>> loadCell(const RecordArguments& argume
 
 void addRecordArguments(CLI::App& app, RecordArguments& arguments) {
   app.add_option("EP", arguments.endpoints,
-                 "endpoints to listen at: udp://HOST:PORT, HOST:PORT, :PORT, or a multicast\n"
+                 "endpoints to listen on: udp://HOST:PORT, HOST:PORT, :PORT, or a multicast\n"
                  "group; interfaces to watch: pcap://eth0?filter=EXPR; or one capture file:\n"
                  "pcap://./FILE; default " +
                      Endpoint::standard().text())
       ->type_name("");
   app.add_option("--allow", arguments.allow,
-                 "record only senders of this network (10.0.0.0/8); may be repeated")
+                 "record only senders in this network (10.0.0.0/8); may be repeated")
       ->type_name("CIDR")
       ->allow_extra_args(false);
   app.add_option("--tee", arguments.tees,
-                 "send everything received on to this endpoint; may be repeated")
+                 "forward everything received to this endpoint; may be repeated")
       ->type_name("EP")
       ->allow_extra_args(false);
   app.add_option("--wait-interface", arguments.wait_interface,
-                 "wait at most so long for network interfaces that do not exist yet")
+                 "wait at most TIME for network interfaces that do not exist yet")
       ->type_name("TIME");
   app.add_option("-o,--output", arguments.output,
                  "the log: a file, a folder or a name with %Y%m%dT%H%M%S (UTC) and %n\n"
@@ -72,7 +72,7 @@ void addRecordArguments(CLI::App& app, RecordArguments& arguments) {
                  "attach this cell and every file it names: the log then replays alone")
       ->type_name("CELL");
   cli::addSearchOptions(app, arguments);
-  app.add_option("--duration", arguments.duration, "end after so long (12.5s, 1m30s)")
+  app.add_option("--duration", arguments.duration, "end after TIME (12.5s, 1m30s)")
       ->type_name("TIME");
   app.add_option("--max-packets", arguments.max_packets, "end after exactly N packets")
       ->type_name("N")
@@ -84,12 +84,11 @@ void addRecordArguments(CLI::App& app, RecordArguments& arguments) {
   app.add_option("--compression", arguments.compression, "zstd, zstd:LEVEL (1 to 22) or none")
       ->type_name("KIND")
       ->capture_default_str();
-  app.add_option("--sync", arguments.sync, "a crash loses at most about the last so long")
+  app.add_option("--sync", arguments.sync, "a crash loses at most about the last TIME")
       ->type_name("TIME")
       ->capture_default_str();
   addSessionArguments(app, arguments.session);
-  app.add_option("--status", arguments.status, "a line on how it stands, every so often")
-      ->type_name("TIME");
+  app.add_option("--status", arguments.status, "print a status line every TIME")->type_name("TIME");
   app.add_flag("--force", arguments.force, "replace an existing log");
   app.add_flag("--json", arguments.json, "print the summary as JSON");
   app.add_flag("--quiet", arguments.quiet, "print nothing but errors (and --json)");
@@ -147,7 +146,7 @@ Result<RecordOptions> readRecordArguments(const RecordArguments& arguments) {
   if (!arguments.cell.empty()) {
     options.load_cell = [&arguments] { return loadCell(arguments); };
   } else if (const std::vector<std::string> words = cli::searchWords(arguments); !words.empty()) {
-    return Error{ErrorKind::bad_argument, words.front() + " goes with --cell", {}};
+    return Error{ErrorKind::bad_argument, words.front() + " needs --cell", {}};
   }
   return options;
 }

@@ -21,8 +21,8 @@ namespace {
 using namespace rocinante;
 
 constexpr std::string_view kExamples =
-    "  rocinante record                               what this machine's own group says\n"
-    "  rocinante record :19960 -o cell.mcap           whatever is sent to port 19960\n"
+    "  rocinante record                               the local multicast group\n"
+    "  rocinante record :19960 -o cell.mcap           everything sent to port 19960\n"
     "  rocinante record '239.1.2.3:5000?interface=eth0' [::]:5000 --duration 1m\n"
     "  rocinante record --cell demo.cell.toml -o demo.mcap\n"
     "  rocinante record -o logs/ --min-packets 1 --max-loss 0 --json\n"
@@ -128,7 +128,7 @@ cli::Exit judge(const RecordArguments& arguments, const RecordSummary& summary) 
 
 int main(int argc, char** argv) {
   CLI::App app(
-      "Records what arrives by UDP: every datagram, with the kernel's own arrival time,\n"
+      "Records UDP: every datagram that arrives, with the kernel's own arrival time,\n"
       "and an account of anything lost. Ctrl-C ends the recording cleanly.",
       "rocinante-record");
   RecordArguments arguments;

@@ -36,7 +36,8 @@ std::string filesText(const RecordSummary& summary) {
                         countText(deleted.packets, "packet"), sizeText(deleted.bytes));
   }
   if (summary.packets_before > 0) {
-    text += fmt::format("; {} came before", countText(summary.packets_before, "packet"));
+    text +=
+        fmt::format("; {} before the start condition", countText(summary.packets_before, "packet"));
   }
   return text;
 }
@@ -85,13 +86,14 @@ std::string inputText(const RecordSummary& summary) {
       if (count > 0)
         text += fmt::format("\n{} at {}", fmt::format(fmt::runtime(what), count), each.endpoint);
     };
-    say(each.counts.refused, "{} not recorded: not of --allow");
+    say(each.counts.refused, "{} not recorded: sender not in --allow");
     say(each.counts.echoes, "{} not recorded: sent by --tee itself");
-    say(each.counts.incomplete, "{} of which fragments never came");
-    say(each.counts.malformed, "{} frames broke the rules of IP or UDP");
+    say(each.counts.incomplete, "{} with missing fragments");
+    say(each.counts.malformed, "{} malformed IP or UDP frames");
   }
   for (const Tee::Account& each : summary.tees) {
-    text += fmt::format("\nsent on to {}: {}, {} dropped", each.to.text(), each.sent, each.dropped);
+    text +=
+        fmt::format("\nforwarded to {}: {}, {} dropped", each.to.text(), each.sent, each.dropped);
     if (each.trouble) text += fmt::format(" ({})", each.trouble->what);
   }
   return text;
@@ -106,9 +108,9 @@ std::string summaryText(const RecordSummary& summary) {
   for (const EndpointAccount& each : summary.endpoints) {
     const LossCounts& lost = each.losses;
     if (lost == LossCounts{}) continue;
-    text += fmt::format("\nlost at {}: {} in the kernel, {} in the queue, {} on the disk; {} cut",
-                        endpointText(each.listened), lost.kernel, lost.queue, lost.disk,
-                        lost.truncated);
+    text += fmt::format(
+        "\nlost at {}: {} in the kernel, {} in the queue, {} on the disk; {} truncated",
+        endpointText(each.listened), lost.kernel, lost.queue, lost.disk, lost.truncated);
   }
   return text + inputText(summary);
 }

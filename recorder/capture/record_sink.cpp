@@ -58,17 +58,16 @@ Status checkSizes(const RecordOptions& options, const SplitRule& split) {
   const std::uint64_t each = options.attach_once ? 0 : cell;
   if (options.limits.disk_quota_bytes && each >= *options.limits.disk_quota_bytes) {
     return Error{ErrorKind::bad_argument,
-                 fmt::format("not even one log fits --disk-quota {}: its cell alone takes {}",
+                 fmt::format("--disk-quota {} is too small for one log: its cell alone takes {}",
                              sizeText(*options.limits.disk_quota_bytes), sizeText(cell)),
                  {}};
   }
   if (!options.ring && split.size_bytes > 0 && each >= split.size_bytes) {
-    return Error{
-        ErrorKind::bad_argument,
-        fmt::format("the cell takes {} of each piece, which is to be of {}: split by more, "
-                    "or --attach-once",
-                    sizeText(cell), sizeText(split.size_bytes)),
-        {}};
+    return Error{ErrorKind::bad_argument,
+                 fmt::format("the cell takes {} of each piece of {}: use larger pieces or "
+                             "--attach-once",
+                             sizeText(cell), sizeText(split.size_bytes)),
+                 {}};
   }
   return {};
 }
@@ -92,7 +91,7 @@ Status checkFolder(const RecordOptions& options, LogTime now) {
     return {};
   }
   return Error{ErrorKind::unreadable,
-               std::string("no file can be made there: ") + std::strerror(errno), folder.string()};
+               std::string("cannot create a file there: ") + std::strerror(errno), folder.string()};
 }
 
 }  // namespace

@@ -46,7 +46,7 @@ std::string RecordStatus::text(const RecordProgress& now) {
   std::string text =
       fmt::format("{:.1f} s   {:.0f} packets/s   {} packets   {} lost   {}", secondsOf(now.elapsed),
                   rate, now.packets, now.lost, sizeText(now.log_bytes));
-  if (!now.started) text += "   waiting to begin";
+  if (!now.started) text += "   waiting to start";
   if (now.held > Nanoseconds(0)) text += fmt::format("   holding {:.1f} s", secondsOf(now.held));
   text += fmt::format("   queue {:.0f} %", 100 * now.queue_fill);
   if (now.disk_free_bytes) {

@@ -44,13 +44,13 @@ Status readSplit(const SessionArguments& arguments, RecordOptions& options) {
     if (!time) return time.error();
     options.split.time = *time;
   }
-  if (arguments.keep == 0U) return badArgument("--keep leaves at least one piece");
+  if (arguments.keep == 0U) return badArgument("--keep must be at least 1");
   options.limits.keep = arguments.keep;
   if (!arguments.disk_quota.empty()) {
     const auto quota = readSize(arguments.disk_quota, "--disk-quota", kLeastQuotaBytes);
     if (!quota) return quota.error();
     if (options.split.size_bytes > *quota) {
-      return badArgument("not even one piece of --split-size fits --disk-quota");
+      return badArgument("--split-size must not exceed --disk-quota");
     }
     options.limits.disk_quota_bytes = *quota;
   }
@@ -68,7 +68,7 @@ Status readRing(const SessionArguments& arguments, RecordOptions& options) {
   if (arguments.ring.empty()) {
     const bool lonely =
         !arguments.ring_after.empty() || !arguments.ring_size.empty() || !arguments.ring_on.empty();
-    return lonely ? Status(badArgument("--ring-on, --ring-after and --ring-size go with --ring"))
+    return lonely ? Status(badArgument("--ring-on, --ring-after and --ring-size need --ring"))
                   : Status();
   }
   RingRule ring;
@@ -86,7 +86,7 @@ Status readRing(const SessionArguments& arguments, RecordOptions& options) {
     ring.max_bytes = *size;
   }
   if (options.split.size_bytes > 0 || options.split.time > Nanoseconds(0)) {
-    return badArgument("--ring writes whole files: it does not go with --split-size, --split-time");
+    return badArgument("--ring writes whole files: leave out --split-size and --split-time");
   }
   auto triggers = readConditions(arguments.ring_on);
   if (!triggers) return triggers.error();
@@ -101,7 +101,7 @@ Result<Nanoseconds> readSpan(const std::string& text, const char* option) {
   const Result<Nanoseconds> duration = parseDuration(text);
   if (!duration) return duration.error();
   if (*duration <= Nanoseconds(0)) {
-    return Error{ErrorKind::bad_argument, std::string(option) + " must be more than nothing", text};
+    return Error{ErrorKind::bad_argument, std::string(option) + " must be greater than zero", text};
   }
   return *duration;
 }
@@ -111,23 +111,23 @@ void addSessionArguments(CLI::App& app, SessionArguments& arguments) {
     return app.add_option(name, value, help)->type_name(type)->allow_extra_args(false);
   };
   add("--start-on", arguments.start_on, "COND",
-      "record from the datagram on that meets event=TEXT, source=NAME\nor device=NAME "
+      "start with the first datagram that matches event=TEXT, source=NAME\nor device=NAME "
       "(patterns)");
   add("--stop-on", arguments.stop_on, "COND",
-      "end with the datagram that meets it, or silence=TIME");
-  add("--split-size", arguments.split_size, "SIZE",
-      "a new piece about every so much (1GB, 512MiB)");
-  add("--split-time", arguments.split_time, "TIME", "a new piece every so often");
-  add("--keep", arguments.keep, "N", "the newest N pieces stay");
+      "end with the first datagram that matches, or after silence=TIME");
+  add("--split-size", arguments.split_size, "SIZE", "a new piece about every SIZE (1GB, 512MiB)");
+  add("--split-time", arguments.split_time, "TIME", "a new piece every TIME");
+  add("--keep", arguments.keep, "N", "keep only the newest N pieces");
   add("--disk-quota", arguments.disk_quota, "SIZE",
-      "the oldest pieces go when all take more than this");
-  app.add_flag("--attach-once", arguments.attach_once, "the cell goes into the first piece alone");
+      "delete the oldest pieces when all take more than SIZE");
+  app.add_flag("--attach-once", arguments.attach_once, "attach the cell to the first piece only");
   add("--ring", arguments.ring, "TIME",
-      "write nothing; hold the last TIME in memory, for a file of\nits own on SIGUSR1 or "
-      "--ring-on");
-  add("--ring-on", arguments.ring_on, "COND", "also when this is met");
-  add("--ring-after", arguments.ring_after, "TIME", "such a file goes on for so long");
-  add("--ring-size", arguments.ring_size, "SIZE", "of memory at most; default 256MiB");
+      "hold the last TIME in memory; write it to a file of its own\nonly on SIGUSR1 or --ring-on");
+  add("--ring-on", arguments.ring_on, "COND", "write the ring when this matches, too");
+  add("--ring-after", arguments.ring_after, "TIME",
+      "continue the ring's file for TIME after the trigger");
+  add("--ring-size", arguments.ring_size, "SIZE",
+      "most memory that the ring takes; default 256MiB");
 }
 
 Status readSessionArguments(const SessionArguments& arguments, RecordOptions& options) {

@@ -131,7 +131,7 @@ Status checkTee(const Endpoint& to, const std::vector<DatagramSource*>& sources)
     if (hears) {
       return Error{ErrorKind::bad_argument,
                    "--tee would send to " + boundText(*source) +
-                       ", at which this listens: it would hear itself without end",
+                       ", where this recorder listens: it would receive itself endlessly",
                    to.text()};
     }
   }

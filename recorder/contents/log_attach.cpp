@@ -36,10 +36,11 @@ Status checkNames(const LogReader& reader, const AttachOptions& attach) {
   for (const NewAttachment& each : attach.files) {
     if (each.name == profile::kCellManifest || each.name.starts_with(profile::kCellFolder)) {
       return Error{ErrorKind::bad_argument,
-                   "such names belong to the log's cell; --name gives another", each.name};
+                   "this name is reserved for the log's cell; choose another with --name",
+                   each.name};
     }
     if (!names.insert(each.name).second) {
-      return Error{ErrorKind::bad_argument, "two files would be attached under one name",
+      return Error{ErrorKind::bad_argument, "two files would be attached with the same name",
                    each.name};
     }
   }
@@ -48,13 +49,12 @@ Status checkNames(const LogReader& reader, const AttachOptions& attach) {
   for (const LogAttachment& each : reader.attachments()) {
     if (!replaced.has(each)) continue;
     const bool is_file = names.contains(each.name);
-    return Error{ErrorKind::refused,
-                 is_file ? fmt::format("the log has an attachment \"{}\"; --replace puts the new "
-                                       "one in its place",
-                                       plainText(each.name))
-                         : std::string("the log carries a cell; --replace puts the new one in its "
-                                       "place"),
-                 reader.name()};
+    return Error{
+        ErrorKind::refused,
+        is_file ? fmt::format("the log already has an attachment \"{}\"; --replace replaces it",
+                              plainText(each.name))
+                : std::string("the log already carries a cell; --replace replaces it"),
+        reader.name()};
   }
   return {};
 }

@@ -94,7 +94,7 @@ Result<std::size_t> findAttachment(const LogReader& log, const std::string& name
     if (*index >= 1 && *index <= attachments.size()) return *index - 1;
     return Error{
         ErrorKind::not_found,
-        fmt::format("there is no attachment {}: the log has {}", *index, attachments.size()),
+        fmt::format("no attachment has index {}: the log has {}", *index, attachments.size()),
         log.name()};
   }
   std::optional<std::size_t> found;
@@ -129,7 +129,7 @@ Result<ExtractReport> extractAll(const LogReader& log, const FolderOutput& to) {
     const std::string& name = log.attachments()[i].name;
     if (!isBundleName(name)) {
       return Error{ErrorKind::refused,
-                   fmt::format("attachment {0} is named {1}, which is no name for a file here "
+                   fmt::format("attachment {0} is named {1}, which cannot be a file name here "
                                "(--index {0} -o FILE extracts it)",
                                i + 1, quoted(name)),
                    log.name()};

@@ -71,7 +71,7 @@ void addLosses(std::string& out, const LogInfo& info) {
                        grouped(losses.truncated), counted(info.loss_spans.size(), "span"));
   }
   if (info.source_gap > 0) {
-    out += fmt::format("; the sources' own numbers miss {}", grouped(info.source_gap));
+    out += fmt::format("; the sources' sequence numbers miss {}", grouped(info.source_gap));
   }
   out += "\n";
 }
@@ -83,9 +83,9 @@ std::string completeText(const LogSummary& summary) {
   }
   const std::string writer = summary.library.empty() ? "its writer" : plainText(summary.library);
   if (summary.complete) return fmt::format("yes (closed by {})", writer);
-  if (!summary.closed && is_ours) return "no: it was not closed by its recorder";
+  if (!summary.closed && is_ours) return "no: its recorder did not close it";
   if (!summary.closed) return fmt::format("no: it was not closed by {}", writer);
-  return "no: it was closed, but rocinante.end is not in it";
+  return "no: it was closed, but rocinante.end is missing";
 }
 
 void addDamage(std::string& out, const LogInfo& info) {
@@ -94,7 +94,7 @@ void addDamage(std::string& out, const LogInfo& info) {
   for (const DamageSpan& span : info.damage) {
     out += fmt::format("  bytes {} to {}: {}", span.from, span.to, plainText(span.cause));
     if (!span.messages_lost) {
-      out += "; what that cost is not known";
+      out += "; messages lost: unknown";
     } else if (*span.messages_lost > 0) {
       out += "; lost: " + counted(*span.messages_lost, "message");
     }

@@ -15,14 +15,14 @@ Result<MarkMade> markLog(const std::filesystem::path& log, std::string_view time
   if (!reader) return reader.error();
   const LogSummary& summary = reader->summary();
   if (summary.messages == 0) {
-    return Error{ErrorKind::bad_argument, "nothing was captured, so there is no moment to mark",
+    return Error{ErrorKind::bad_argument, "the log has no captured message, so no moment to mark",
                  log.string()};
   }
   const Result<LogTime> moment = parseSessionTime(time, summary.origin, summary.end);
   if (!moment) return moment.error();
   if (*moment < summary.start || *moment > summary.end) {
     return Error{ErrorKind::bad_argument,
-                 fmt::format("the time lies outside the log, which goes from {} s to {} s",
+                 fmt::format("the time is outside the log, which covers {} s to {} s",
                              secondsText(summary.start - summary.origin, 3),
                              secondsText(summary.end - summary.origin, 3)),
                  std::string(time)};

@@ -47,8 +47,7 @@ Status CopySource::findOpening() {
   std::string fault;
   const Result<std::optional<LogMessage>> keyframe = openingKeyframe(reader_, fault);
   if (!keyframe) return keyframe.error();
-  if (!fault.empty())
-    notes_.push_back("a keyframe that the log begins with cannot be read: " + fault);
+  if (!fault.empty()) notes_.push_back("cannot read an opening keyframe of the log: " + fault);
   if (!*keyframe) return {};
   const ByteView payload = (*keyframe)->payload;
   const LogTime moment = (*keyframe)->log_time;
@@ -73,11 +72,11 @@ Status CopySource::findPreceding(const CopyProgress& progress) {
   if (!found) return found.error();
   preceding_ = std::move(*found);
   if (!preceding_->damage.empty()) {
-    notes_.push_back("the state that the piece begins with may be older: " +
+    notes_.push_back("the state at the start of the piece may be outdated: " +
                      preceding_->damage.text());
   }
   if (preceding_->restatement_cut) {
-    notes_.push_back("a restatement that is unfinished where the piece begins is cut off");
+    notes_.push_back("a restatement in progress at the start of the piece was cut off");
   }
   return {};
 }

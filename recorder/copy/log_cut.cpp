@@ -26,7 +26,7 @@ Result<CopyReport> cutLog(const std::filesystem::path& log, const SelectionOptio
       makeLog(sources, make, {make.log, make.keyframes, *session_id, sources.front().origin()},
               reason, false);
   if (report && !hiding.empty()) {
-    report->notes.push_back("another event of that text may be missing: " + hiding.text());
+    report->notes.push_back("another matching event may be missing: " + hiding.text());
   }
   return report;
 }

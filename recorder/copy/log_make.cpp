@@ -32,12 +32,11 @@ Status knownFormat(const LogReader& reader) {
     return record.name == profile::kSession;
   });
   if (!has_session || reader.summary().format == profile::kFormat) return {};
-  return Error{
-      ErrorKind::unsupported,
-      fmt::format("the log has format \"{}\"; only format {} is copied, because a copy says "
-                  "that it has that format",
-                  plainText(reader.summary().format.substr(0, 40)), profile::kFormat),
-      reader.name()};
+  return Error{ErrorKind::unsupported,
+               fmt::format("the log has format \"{}\"; only format {} can be copied, because a "
+                           "copy claims that format",
+                           plainText(reader.summary().format.substr(0, 40)), profile::kFormat),
+               reader.name()};
 }
 
 Result<OpenedLog> openForCopy(const std::filesystem::path& log) {

@@ -84,7 +84,7 @@ std::optional<DamageSpan> dataSectionDamage(ByteView file) {
   const ByteView data = file.first(static_cast<std::size_t>(record->offset));
   if (crc32(data) == data_end.data_section_crc) return std::nullopt;
   return DamageSpan{0, record->offset,
-                    "the data section fails its checksum, and no chunk does: something between "
+                    "the data section fails its checksum but no chunk does: something between "
                     "the chunks has changed",
                     std::nullopt};
 }
@@ -131,9 +131,10 @@ Result<CopyReport> recoverBytes(ByteView bytes, std::string name, std::vector<Ev
       copyLogs(sources, std::move(sink), {log, keyframes, *session_id, sources.front().origin()},
                end_reason.empty() ? "rocinante log recover" : end_reason, progress);
   if (!report) return report;
-  if (!known) report->notes.push_back(known.error().what + ": this one may mean something else");
+  if (!known)
+    report->notes.push_back(known.error().what + ": its contents may mean something else");
   if (report->counts.messages == 0 && !extras && !complete) {
-    return Error{ErrorKind::damaged, "nothing in it can be read", name};
+    return Error{ErrorKind::damaged, "nothing in the log can be read", name};
   }
   if (report->gaps.empty()) {
     if (std::optional<DamageSpan> damage = dataSectionDamage(bytes)) {

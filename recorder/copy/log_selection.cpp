@@ -26,7 +26,7 @@ Result<LogTime> timeOfEvent(const std::string& pattern, LogTime from,
   }
   return Error{ErrorKind::not_found,
                from == TimeRange{}.from ? "no event matches"
-                                        : "no event matches behind the beginning of the range",
+                                        : "no event matches after the start of the range",
                pattern};
 }
 

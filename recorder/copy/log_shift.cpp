@@ -62,7 +62,7 @@ Result<CopyReport> shiftLog(const std::filesystem::path& log, const ShiftOptions
   if (__builtin_add_overflow(bounds->first.time_since_epoch().count(), by, &moved) || moved < 0 ||
       __builtin_add_overflow(bounds->last.time_since_epoch().count(), by, &moved)) {
     return Error{ErrorKind::bad_argument,
-                 "the log would reach before 1970 or beyond 2262, where a log has no times",
+                 "the log would begin before 1970 or end after 2262, which a log cannot store",
                  shift.by.empty() ? shift.to : shift.by};
   }
   const Result<std::string> session_id = sessionIdOf(opened->reader);

@@ -218,7 +218,7 @@ class Split {
         fmt::format("a piece repeats what it needs to stand alone, {} bytes where piece {} begins: "
                     "--size must be at least {}kB{}",
                     repeated, outputs_.size(), wanted,
-                    carries ? "; --attach-once puts the attachments into the first alone" : ""),
+                    carries ? "; --attach-once puts the attachments into the first only" : ""),
         log_.string()};
   }
 
@@ -257,11 +257,11 @@ class Split {
     constexpr std::size_t kNamed = 10;
     for (std::size_t i = 0; i < std::min(cut_pieces_.size(), kNamed); ++i) {
       report_.whole.notes.push_back(fmt::format(
-          "a restatement that is unfinished where piece {} begins is cut off", cut_pieces_[i]));
+          "a restatement in progress at the start of piece {} was cut off", cut_pieces_[i]));
     }
     if (cut_pieces_.size() > kNamed) {
       report_.whole.notes.push_back(
-          fmt::format("and so are those where {} further pieces begin, up to piece {}",
+          fmt::format("and so were those at the start of {} further pieces, up to piece {}",
                       cut_pieces_.size() - kNamed, cut_pieces_.back()));
     }
   }
@@ -373,7 +373,7 @@ Result<SplitReport> splitLog(const std::filesystem::path& log, const SplitOption
       Split(log, split, make, std::move(*source), std::move(*session_id)).run(*events);
   if (report) folder.keep();
   if (report && !hiding.empty()) {
-    report->whole.notes.push_back("another event of that text may be missing: " + hiding.text());
+    report->whole.notes.push_back("another matching event may be missing: " + hiding.text());
   }
   return report;
 }

@@ -104,7 +104,7 @@ Status OutputFile::commit() {
   if (renamed != 0) {
     if (errno == EEXIST) return alreadyThere(path_);
     return Error{ErrorKind::unreadable,
-                 std::string("cannot give the output its name: ") + std::strerror(errno),
+                 std::string("cannot rename the finished output: ") + std::strerror(errno),
                  path_.string()};
   }
   unfinished_.keep();

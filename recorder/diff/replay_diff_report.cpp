@@ -58,19 +58,19 @@ std::string replayText(const ReplayDiff& diff) {
   out += table.text();
   for (const ReplaySource& source : diff.sources) {
     if (!source.differs) continue;
-    out += fmt::format("{} parts first\n  in a: {}\n  in b: {}\n", sourceName(source),
+    out += fmt::format("{} first differs\n  in a: {}\n  in b: {}\n", sourceName(source),
                        partingText(source.first_a, diff.origin_a),
                        partingText(source.first_b, diff.origin_b));
   }
   if (diff.lost_b > 0) {
-    out += fmt::format("losses   the recorder of b says that it lost {}\n",
+    out += fmt::format("losses   the recorder of b reports a loss of {}\n",
                        counted(diff.lost_b, "datagram"));
   }
   out += diff.stream_a == diff.stream_b
              ? "stream   the same payloads in the same order over all sources\n"
-             : "stream   other payloads, or in another order over all sources\n";
+             : "stream   different payloads, or a different order over all sources\n";
   if (diff.otherSpeed()) {
-    out += fmt::format("speed    {:g} was said, and b ran at about {:.3g}: --speed\n", diff.speed,
+    out += fmt::format("speed    --speed is {:g}, but b ran at about {:.3g}\n", diff.speed,
                        *diff.measured_speed);
   }
   const bool late = !diff.same() && std::ranges::none_of(diff.sources, &ReplaySource::differs);

@@ -57,7 +57,7 @@ Result<cli::Exit> runAttach(const AttachArguments& my) {
     return refuse("--name and --media-type go with one FILE");
   }
   const std::vector<std::string> where = cli::searchWords(my.search);
-  if (my.cell.empty() && !where.empty()) return refuse(where.front() + " goes with --cell");
+  if (my.cell.empty() && !where.empty()) return refuse(where.front() + " needs --cell");
   AttachOptions attach;
   attach.replace = my.replace;
   auto files = readFiles(my);

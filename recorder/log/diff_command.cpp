@@ -33,8 +33,7 @@ DiffBy byOf(const std::string& text) {
 }
 
 Error nothingToCompare(const std::string& log) {
-  return Error{ErrorKind::not_found, "neither log holds a message, so nothing can be compared",
-               log};
+  return Error{ErrorKind::not_found, "neither log contains a message: nothing to compare", log};
 }
 
 /// Tells what is broken in either; true when something is.
@@ -117,24 +116,26 @@ Result<cli::Exit> runDiff(const DiffOptions& options) {
 LogCommand addDiffCommand(CLI::App& program) {
   auto options = std::make_shared<DiffOptions>();
   CLI::App* const app =
-      program.add_subcommand("diff", "where two logs part: messages, their times, their states");
+      program.add_subcommand("diff", "compare two logs: messages, their times, their states");
   app->add_option("A", options->a, "a log")->required();
   app->add_option("B", options->b, "another log")->required();
   CLI::Option* const by = app->add_option("--by", options->by, "what to compare")
                               ->check(CLI::IsMember({"payload", "time", "state", "all"}))
                               ->capture_default_str();
   CLI::Option* const replay = app->add_flag(
-      "--replay", options->replay, "B is a recording of A played: to other ports, at any speed");
+      "--replay", options->replay, "B recorded A as it was played, to other ports, at any speed");
   replay->excludes(by);
-  app->add_option("--speed", options->speed, "what A was played with")
+  app->add_option("--speed", options->speed, "the --speed that A was played with")
       ->needs(replay)
       ->type_name("X")
       ->capture_default_str();
-  app->add_option("--map", options->maps, "what A was played with (PATTERN=EP); repeatable")
+  app->add_option("--map", options->maps,
+                  "the --map that A was played with (PATTERN=EP); repeatable")
       ->needs(replay)
       ->allow_extra_args(false)
       ->type_name("PATTERN=EP");
-  app->add_option("--within", options->within, "differ when a message came further off than this")
+  app->add_option("--within", options->within,
+                  "report a difference when a message is further off than this")
       ->needs(replay)
       ->type_name("TIME");
   app->add_flag("--json", options->json, "for scripts");

@@ -42,7 +42,7 @@ Result<SplitReport> split(SplitArguments& arguments) {
     const Result<Nanoseconds> time = parseDuration(arguments.time);
     if (!time) return time.error();
     if (*time <= Nanoseconds(0)) {
-      return Error{ErrorKind::bad_argument, "--time must be more than nothing", arguments.time};
+      return Error{ErrorKind::bad_argument, "--time must be greater than zero", arguments.time};
     }
     arguments.split.time = *time;
   }

@@ -167,7 +167,7 @@ Result<cli::Exit> run(const Arguments& arguments) {
     const Result<Nanoseconds> read = parseDuration(arguments.duration);
     if (!read) return read.error();
     if (*read <= Nanoseconds(0)) {
-      return Error{ErrorKind::bad_argument, "--duration must be more than nothing",
+      return Error{ErrorKind::bad_argument, "--duration must be greater than zero",
                    arguments.duration};
     }
     duration = *read;
@@ -204,12 +204,12 @@ int main(int argc, char** argv) {
       "rocinante-spy");
   Arguments arguments;
   app.add_option("EP", arguments.endpoints,
-                 "endpoints to listen at, interfaces to watch (pcap://eth0) or a capture file\n"
+                 "endpoints to listen on, interfaces to watch (pcap://eth0) or a capture file\n"
                  "(pcap://./FILE); default " +
                      Endpoint::standard().text())
       ->type_name("");
   app.add_option("--allow", arguments.allow,
-                 "hear only senders of this network (10.0.0.0/8); may be repeated")
+                 "accept only senders in this network (10.0.0.0/8); may be repeated")
       ->type_name("CIDR")
       ->allow_extra_args(false);
   app.add_option("--duration", arguments.duration, "report after so long (5s); else at Ctrl-C")

@@ -114,7 +114,7 @@ TEST(RecordInputs, ATeeToItselfIsRefused) {
       "rocinante-record",
       {":" + port, "--tee", "127.0.0.1:" + port, "-o", (folder / "log.mcap").string()});
   EXPECT_EQ(result.exit_code, 2);
-  EXPECT_THAT(result.err, HasSubstr("it would hear itself without end"));
+  EXPECT_THAT(result.err, HasSubstr("it would receive itself endlessly"));
   EXPECT_FALSE(std::filesystem::exists(folder / "log.mcap"));
 }
 

@@ -39,7 +39,7 @@ TEST(RecordReport, SaysWhatWasLostWhere) {
   EXPECT_EQ(summaryText(lossy),
             "recorded 1 packet on 1 channel in 1.5 s: a.mcap (600 B)\n"
             "lost at udp://239.1.2.3:7?interface=lo: 1 in the kernel, 2 in the queue, 3 on the "
-            "disk; 4 cut");
+            "disk; 4 truncated");
 }
 
 TEST(RecordReport, JsonHoldsTheWholeAccount) {

@@ -157,7 +157,7 @@ TEST(Tee, OneThatWouldBeHeardByTheRecordingIsRefused) {
     const Status checked = checkTee(endpointOf(each.to), {&source});
     EXPECT_EQ(checked.ok(), !each.refused);
     if (!checked) {
-      EXPECT_THAT(checked.error().what, HasSubstr("it would hear itself without end"));
+      EXPECT_THAT(checked.error().what, HasSubstr("it would receive itself endlessly"));
     }
   }
 }

@@ -192,7 +192,7 @@ TEST_F(KnownLog, AnEventThatIsNotThereIsRefused) {
   EXPECT_THAT(refusal(selection), HasSubstr("no event matches (drop)"));
   selection.from_event = "place";
   selection.until_event = "place";
-  EXPECT_THAT(refusal(selection), HasSubstr("no event matches behind the beginning"));
+  EXPECT_THAT(refusal(selection), HasSubstr("no event matches after the start"));
 }
 
 TEST_F(KnownLog, ARangeThatIsEmptyOrHoldsNothingIsRefused) {

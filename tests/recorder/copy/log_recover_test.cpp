@@ -189,11 +189,11 @@ TEST(LogRecover, WhereNothingCanBeReadNothingIsMade) {
     return report.ok() ? std::string() : report.error().text();
   };
   EXPECT_THAT(refusal(""), HasSubstr("empty"));
-  EXPECT_THAT(refusal("notes of a day"), HasSubstr("nothing in it can be read"));
-  EXPECT_THAT(refusal(std::string(100'000, '\x05')), HasSubstr("nothing in it can be read"));
+  EXPECT_THAT(refusal("notes of a day"), HasSubstr("nothing in the log can be read"));
+  EXPECT_THAT(refusal(std::string(100'000, '\x05')), HasSubstr("nothing in the log can be read"));
   writeRandomLog(folder / "log.mcap", 4, {.attach = false});
   const std::string begin(textOf(bytesOfFile(folder / "log.mcap")).substr(0, 60));
-  EXPECT_THAT(refusal(begin), HasSubstr("nothing in it can be read"));
+  EXPECT_THAT(refusal(begin), HasSubstr("nothing in the log can be read"));
   const Result<CopyReport> missing = recoverLog(folder / "no.mcap", makeAt(folder / "out.mcap"));
   ASSERT_FALSE(missing.ok());
   EXPECT_EQ(missing.error().kind, ErrorKind::not_found);

@@ -444,7 +444,7 @@ TEST(PieceSequence, PiecesThatNothingFitsIntoAreRefusedAtOnce) {
   options.limits.disk_quota_bytes = 9'000;
   CaptureRig tight(options);
   ASSERT_TRUE(tight.refusal);
-  EXPECT_NE(tight.refusal->text().find("not even one log fits"), std::string::npos);
+  EXPECT_NE(tight.refusal->text().find("is too small for one log"), std::string::npos);
 }
 
 }  // namespace
