@@ -21,10 +21,10 @@ namespace {
 using namespace rocinante;
 
 constexpr std::string_view kExamples =
-    "  rocinante spy                          what this machine's own group says, live\n"
-    "  rocinante spy :19960                   what is sent to port 19960\n"
-    "  rocinante spy pcap://eth0              traffic of others, with its own receivers\n"
-    "  rocinante spy pcap://./cell.pcapng     what a capture file holds\n"
+    "  rocinante spy                          the local multicast group, live\n"
+    "  rocinante spy :19960                   everything sent to port 19960\n"
+    "  rocinante spy pcap://eth0              traffic that other programs receive\n"
+    "  rocinante spy pcap://./cell.pcapng     the contents of a capture file\n"
     "  rocinante spy --duration 5s            a report after five seconds\n"
     "  rocinante spy --duration 5s --json     the same for scripts\n";
 
@@ -138,7 +138,7 @@ Result<SpyReport> watch(const Sources& sources, std::optional<Nanoseconds> durat
   } else {
     std::vector<std::string> names;
     for (const auto& each : sources) names.push_back(boundText(*each));
-    cli::tell(fmt::format("listening at {}\n", fmt::join(names, " ")));
+    cli::tell(fmt::format("listening on {}\n", fmt::join(names, " ")));
   }
   const auto start = std::chrono::steady_clock::now();
   auto shown = start - kRefresh;
@@ -199,8 +199,8 @@ Result<cli::Exit> run(const Arguments& arguments) {
 
 int main(int argc, char** argv) {
   CLI::App app(
-      "Listens and says what arrives, without any model: who sends, which sources and devices\n"
-      "speak, what is wrong with what they say, and why nothing may move. Live on a terminal.",
+      "Listens and reports what arrives, without a model: who sends, which sources and devices\n"
+      "are active, what is wrong with their packets, and why nothing moves. Live on a terminal.",
       "rocinante-spy");
   Arguments arguments;
   app.add_option("EP", arguments.endpoints,
@@ -212,7 +212,7 @@ int main(int argc, char** argv) {
                  "accept only senders in this network (10.0.0.0/8); may be repeated")
       ->type_name("CIDR")
       ->allow_extra_args(false);
-  app.add_option("--duration", arguments.duration, "report after so long (5s); else at Ctrl-C")
+  app.add_option("--duration", arguments.duration, "report after TIME (5s); default at Ctrl-C")
       ->type_name("TIME");
   app.add_flag("--json", arguments.json, "the report as JSON");
   return cli::run(app, argc, argv, kExamples, [&] { return run(arguments); });

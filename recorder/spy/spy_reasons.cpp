@@ -24,11 +24,11 @@ constexpr Nanoseconds kRestatements = std::chrono::seconds(5);
 std::string_view hintFor(PacketFault fault) {
   switch (fault) {
     case PacketFault::not_a_packet:
-      return "the first line is RK1 SOURCE SEQUENCE TIME; the least is: RK1 me - -";
+      return "the first line must be RK1 SOURCE SEQUENCE TIME; the shortest is: RK1 me - -";
     case PacketFault::bad_header:
       return "SOURCE[@RUN], then a count from 0 or -, then seconds since the epoch or -";
     case PacketFault::unknown_statement:
-      return "a statement of a later version, or a slip of the pen: it is skipped";
+      return "a typing error, or a statement of a later version: it is skipped";
     case PacketFault::missing_field:
       return "the line ends too early: see docs/packet-format.md for its fields";
     case PacketFault::extra_field:
@@ -40,15 +40,15 @@ std::string_view hintFor(PacketFault fault) {
     case PacketFault::bad_color:
       return "#RRGGBB or #RRGGBBAA";
     case PacketFault::bad_string:
-      return "between double quotes, with \\\" \\\\ and \\n as the only escapes";
+      return "put it in double quotes, with \\\" \\\\ and \\n as the only escapes";
     case PacketFault::bad_path:
       return "DEVICE, DEVICE/LINK or layer/NAME";
     case PacketFault::zero_quaternion:
-      return "no rotation is 0 0 0 1: x y z w, w last";
+      return "the identity rotation is 0 0 0 1: x y z w, w last";
     case PacketFault::unnormalised_quaternion:
       return "it is normalised and used; is the order x y z w, w last?";
     case PacketFault::too_many:
-      return "a bound of docs/packet-format.md is passed: the rest is left out";
+      return "a limit of docs/packet-format.md is exceeded: the rest is ignored";
     case PacketFault::order_mismatch:
       return "joints and order of one device differ in number: nothing is applied";
   }
@@ -82,36 +82,36 @@ class Reasons {
       say("nothing_arrives",
           fmt::format("nothing has come to {} for {:.0f} s", endpoint.endpoint, seconds()),
           endpoint.watched ? "does it pass this interface, and does filter= let it through? on the "
-                             "machine of the receiver it does"
+                             "receiver's machine it does pass"
           : endpoint.multicast
               ? "does the sender send to this group and port, out of the interface named here "
                 "(interface=), with a ttl that reaches this machine? 'ip maddr' shows the groups "
                 "joined"
               : "does the sender send to this machine and this port? a firewall in between ('nft "
-                "list ruleset') drops in silence");
+                "list ruleset') drops silently");
     } else if (endpoint.silent && *endpoint.silent >= kPatience) {
       say("silent",
           fmt::format("nothing has come to {} for the last {} s", endpoint.endpoint,
                       secondsText(rounded(*endpoint.silent), 1)),
-          "the sender stopped, or the way to here is cut");
+          "the sender stopped, or the network path is broken");
     }
     if (endpoint.counts.refused > 0) {
       say("refused",
           fmt::format("{} at {} came from senders that --allow does not name",
                       counted(endpoint.counts.refused, "datagram"), endpoint.endpoint),
-          "whoever is meant to be heard needs a network of --allow around its address");
+          "name a network with --allow for every sender that should be accepted");
     }
     if (endpoint.counts.incomplete > 0) {
       say("incomplete",
-          fmt::format("of {} at {} some fragments never came",
+          fmt::format("{} at {} lost some of their fragments",
                       counted(endpoint.counts.incomplete, "datagram"), endpoint.endpoint),
           "lost on the way; datagrams within the MTU (1,472 bytes on Ethernet) need no fragments");
     }
     if (endpoint.counts.malformed > 0) {
       say("malformed",
-          fmt::format("{} at {} broke the rules of IP or UDP",
+          fmt::format("{} at {} were malformed IP or UDP",
                       counted(endpoint.counts.malformed, "frame"), endpoint.endpoint),
-          "a capture that kept only the beginning of each frame (tcpdump -s) looks so");
+          "a capture may have kept only the beginning of each frame (tcpdump -s)");
     }
     if (endpoint.dropped > 0) {
       say("kernel_drops",
@@ -138,7 +138,7 @@ class Reasons {
     const std::string name = plainText(source.name);
     if (source.turns > 0) {
       say("two_senders",
-          fmt::format("{} and {} take turns speaking as {}: {} dropped as late, {}",
+          fmt::format("{} and {} take turns sending as {}: {} dropped as late, {}",
                       source.senders[0], source.senders[1], name, counted(source.late, "packet"),
                       counted(source.restarts, "restart")),
           "give every sender a SOURCE of its own");
@@ -154,9 +154,9 @@ class Reasons {
     }
     if (source.restarts > 1 && source.restarts * 4 >= source.packets) {
       say("restarts",
-          fmt::format("{} began anew {} times in {}", name, source.restarts,
+          fmt::format("{} restarted {} times in {}", name, source.restarts,
                       counted(source.packets, "packet")),
-          "RUN is chosen once, when the source starts");
+          "choose RUN once, when the source starts");
     }
     if (source.clock_offset && std::chrono::abs(*source.clock_offset) >= kClockOff) {
       const bool ahead = *source.clock_offset > Nanoseconds(0);
@@ -168,7 +168,7 @@ class Reasons {
     }
     if (source.packets > 0 && source.restated == 0 && report_.watched >= kRestatements) {
       say("never_restates", fmt::format("{} has restated nothing in {:.0f} s", name, seconds()),
-          "whoever joins late does not learn what was said once: add, order, colours, drawings");
+          "late joiners miss what was sent only once: add, order, colours, drawings");
     }
   }
 
@@ -193,13 +193,13 @@ class Reasons {
       say("two_sources",
           fmt::format("{} and {} both write {}", plainText(device.sources[0]),
                       plainText(device.sources[1]), name),
-          "the last to write wins: it will jump between them");
+          "the last write wins: the device will jump between them");
     }
     if (device.statements > 1 && device.changes == 0 && report_.watched >= kPatience) {
       say("constant",
-          fmt::format("{} was told {} times where it stands, and always the same", name,
+          fmt::format("{} received {} statements, all with the same values", name,
                       device.statements),
-          "the machine stands still, or its sender reads values that do not change");
+          "the machine is at rest, or its sender reads values that do not change");
     }
   }
 

@@ -125,7 +125,7 @@ TEST_F(SpyTest, DevicesShowTheirLastValuesAndWhetherTheyMove) {
   EXPECT_EQ(report.devices[2].pose->position.z, 3);
   EXPECT_EQ(report.devices[2].carrier, "a/tool");
   EXPECT_THAT(report.reasons, Contains(AllOf(reason("constant"),
-                                             Field(&SpyReason::text, HasSubstr("a was told")))));
+                                             Field(&SpyReason::text, HasSubstr("a received")))));
 }
 
 TEST_F(SpyTest, EachKindOfFaultKeepsItsFirstLineWithItsColumn) {
