@@ -26,15 +26,15 @@ void ChunkRules::chunk(const mcap::Record& record) {
     return unreadable();
   }
   if (profile_ != nullptr && chunk.compression != "" && chunk.compression != "zstd") {
-    report_.add("profile-compression", offset_, "a chunk of ours is compressed with zstd, or not");
+    report_.add("profile-compression", offset_,
+                "a chunk of this profile is compressed with zstd or not at all");
     return unreadable();
   }
   if (!budget_.take(chunk)) {
-    report_.add(
-        "chunk-unread", offset_,
-        fmt::format("it was not expanded: with those before it, it claims more than {} bytes "
-                    "and {} times the file's size",
-                    mcap::ExpansionBudget::kFreeBytes, mcap::ExpansionBudget::kMaxGrowth));
+    report_.add("chunk-unread", offset_,
+                fmt::format("it was not expanded: the chunks up to it claim more than {} bytes "
+                            "and {} times the file's size",
+                            mcap::ExpansionBudget::kFreeBytes, mcap::ExpansionBudget::kMaxGrowth));
     return unreadable();
   }
   // Its checksum is looked at apart from its content.
@@ -80,7 +80,8 @@ void ChunkRules::records(const mcap::Chunk& chunk, ByteView records) {
       message(*record, offset_);
     } else if (record->opcode == Opcode::schema) {
       definitions_.addSchema(*record, offset_);
-      if (profile_ != nullptr) report_.add("profile-schema", offset_, "a Schema; ours have none");
+      if (profile_ != nullptr)
+        report_.add("profile-schema", offset_, "a Schema, which this profile does not allow");
     } else if (record->opcode == Opcode::channel) {
       if (const std::optional<mcap::Channel> channel = definitions_.addChannel(*record, offset_)) {
         defined_in_[channel->id] = number();
@@ -88,7 +89,7 @@ void ChunkRules::records(const mcap::Chunk& chunk, ByteView records) {
       }
     } else if (record->opcode <= Opcode::data_end) {
       report_.add("chunk-records", offset_,
-                  fmt::format("a {} lies in a chunk", mcap::nameOf(record->opcode)));
+                  fmt::format("a {} is inside a chunk", mcap::nameOf(record->opcode)));
     }
   }
   times(chunk);
@@ -138,7 +139,7 @@ void ChunkRules::times(const mcap::Chunk& chunk) {
 
 void ChunkRules::index(const mcap::Record& record) {
   if (!open_) {
-    report_.add("record-place", record.offset, "a MessageIndex follows no chunk");
+    report_.add("record-place", record.offset, "a MessageIndex does not follow a chunk");
     return;
   }
   mcap::MessageIndex index;
@@ -184,7 +185,7 @@ void ChunkRules::end() {
     const std::uint16_t channel = at->channel;
     if (indexed_in_[channel] != number()) {
       report_.add("index-missing", offset_,
-                  fmt::format("channel {} has messages in the chunk and no MessageIndex behind it",
+                  fmt::format("channel {} has messages in the chunk but no MessageIndex after it",
                               channel));
     }
     at = std::find_if(at, entries_.end(),

@@ -35,7 +35,7 @@ void DataWalk::begin() {
   mcap::Header header;
   if (!first || first->opcode != Opcode::header) {
     if (first || endsAsAWholeFile()) {
-      report_.add("header", position_, "the first record is no Header");
+      report_.add("header", position_, "the first record is not a Header");
     }
   } else {
     position_ = first->end();
@@ -58,7 +58,8 @@ void DataWalk::record(const mcap::Record& record) {
   switch (record.opcode) {
     case Opcode::schema:
       definitions_.addSchema(record, record.offset);
-      if (profile_) report_.add("profile-schema", record.offset, "a Schema; ours have none");
+      if (profile_)
+        report_.add("profile-schema", record.offset, "a Schema, which this profile does not allow");
       break;
     case Opcode::channel:
       if (const auto channel = definitions_.addChannel(record, record.offset);
@@ -69,7 +70,7 @@ void DataWalk::record(const mcap::Record& record) {
     case Opcode::message:
       if (facts_.loose_messages++ == 0) facts_.first_loose_offset = record.offset;
       if (profile_) {
-        report_.add("loose-message", record.offset, "a message lies outside the chunks");
+        report_.add("loose-message", record.offset, "a message is outside the chunks");
       }
       chunks_->message(record, record.offset);
       break;

@@ -14,7 +14,7 @@ namespace rocinante {
 
 void checkText(DoctorReport& report, std::uint64_t offset, std::string_view text) {
   if (isUtf8(bytesOf(text))) return;
-  report.add("utf8", offset, fmt::format("\"{}\" is no UTF-8", plainText(text.substr(0, 100))));
+  report.add("utf8", offset, fmt::format("\"{}\" is not UTF-8", plainText(text.substr(0, 100))));
 }
 
 void checkStringMap(DoctorReport& report, std::uint64_t offset, ByteView content) {
@@ -29,7 +29,7 @@ void checkStringMap(DoctorReport& report, std::uint64_t offset, ByteView content
     checkText(report, offset, value);
     if (!keys.insert(key).second) {
       report.add("map-key", offset,
-                 fmt::format("the key \"{}\" stands twice", plainText(key.substr(0, 100))));
+                 fmt::format("the key \"{}\" appears twice", plainText(key.substr(0, 100))));
     }
   }
 }
@@ -42,7 +42,7 @@ void checkNumberMap(DoctorReport& report, std::uint64_t offset, ByteView content
     const auto key = cursor.number<std::uint16_t>();
     cursor.number<std::uint64_t>();
     if (cursor.ok() && !keys.insert(key).second) {
-      report.add("map-key", offset, fmt::format("the key {} stands twice", key));
+      report.add("map-key", offset, fmt::format("the key {} appears twice", key));
     }
   }
 }
@@ -78,7 +78,7 @@ std::optional<mcap::Channel> Definitions::addChannel(const mcap::Record& record,
   }
   if (!define(channels_, channel.id, channel)) {
     report_.add("redefined", offset,
-                fmt::format("channel {} is defined again as another", channel.id));
+                fmt::format("channel {} is defined again with other fields", channel.id));
   }
   return channel;
 }
@@ -90,7 +90,7 @@ bool Definitions::addSchema(const mcap::Record& record, std::uint64_t offset) {
     return false;
   }
   if (schema.id == 0) {
-    report_.add("schema-id", offset, "a Schema has id 0, which means none");
+    report_.add("schema-id", offset, "a Schema has id 0, which means \"no schema\"");
     return false;
   }
   if (!hasSchema(schema.id)) {
@@ -103,7 +103,7 @@ bool Definitions::addSchema(const mcap::Record& record, std::uint64_t offset) {
   }
   if (!define(schemas_, schema.id, schema)) {
     report_.add("redefined", offset,
-                fmt::format("schema {} is defined again as another", schema.id));
+                fmt::format("schema {} is defined again with other fields", schema.id));
   }
   return true;
 }

@@ -77,7 +77,7 @@ std::string doctorText(const DoctorReport& report) {
     }
   }
   if (const std::string hint = hintFor(report); !hint.empty()) {
-    out += fmt::format("  `{}` makes a whole file of it\n", hint);
+    out += fmt::format("  `{}` makes a whole file from it\n", hint);
   }
   return out;
 }

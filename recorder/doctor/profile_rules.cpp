@@ -50,8 +50,9 @@ void ProfileRules::channel(const mcap::Channel& channel, std::uint64_t offset) {
   Known& mine = channels_[channel.id];
   const LogChannel& as_read = mine.channel;
   if (channel.schema_id != 0) {
-    report_.add("profile-schema", offset,
-                fmt::format("channel {} has a schema; none of ours has", channel.id));
+    report_.add(
+        "profile-schema", offset,
+        fmt::format("channel {} has a schema, which this profile does not allow", channel.id));
   }
   if (!as_read.topic.starts_with('/')) {
     report_.add("topic", offset,
@@ -96,7 +97,7 @@ void ProfileRules::session(const mcap::Metadata& metadata, std::uint64_t offset)
   const std::optional<std::string> format = entryOf(*session_, profile::kFormatKey);
   if (format != profile::kFormat) {
     report_.add("session", offset,
-                fmt::format("rocinante.session has the format \"{}\"; 1 is known",
+                fmt::format("rocinante.session has the format \"{}\"; only 1 is known",
                             plainText(format.value_or("").substr(0, 40))));
   }
   if (entryOf(*session_, profile::kSessionIdKey).value_or("").empty()) {
@@ -105,12 +106,12 @@ void ProfileRules::session(const mcap::Metadata& metadata, std::uint64_t offset)
   const std::optional<std::string> origin = entryOf(*session_, profile::kOriginKey);
   if (origin && !isOrigin(*origin)) {
     report_.add("session", offset,
-                fmt::format("origin_ns is \"{}\", no decimal number of nanoseconds",
+                fmt::format("origin_ns is \"{}\", not a decimal number of nanoseconds",
                             plainText(origin->substr(0, 40))));
   }
   if (any_captured_) {
     report_.add("session-place", offset,
-                "rocinante.session stands behind the first captured message");
+                "rocinante.session comes after the first captured message");
   }
 }
 
@@ -126,19 +127,19 @@ void ProfileRules::closing(const mcap::Metadata& metadata, std::uint64_t offset)
   if (!session_) return;
   for (const std::string_view key : {profile::kSessionIdKey, profile::kOriginKey}) {
     if (entryOf(metadata.metadata, key) != entryOf(*session_, key)) {
-      report_.add("origin", offset, fmt::format("{} is another than in rocinante.session", key));
+      report_.add("origin", offset, fmt::format("{} differs from that of rocinante.session", key));
     }
   }
 }
 
 void ProfileRules::end(std::uint64_t offset, std::uint64_t last_offset) {
-  if (!session_) report_.add("session", offset, "there is no rocinante.session");
+  if (!session_) report_.add("session", offset, "rocinante.session is missing");
   if (session_ && any_captured_ && !session_->contains(std::string(profile::kOriginKey))) {
     report_.add("session", offset,
-                "messages were captured, and rocinante.session has no origin_ns");
+                "the log has captured messages, but rocinante.session has no origin_ns");
   }
   if (!end_offset_) {
-    report_.add("end", offset, "there is no rocinante.end");
+    report_.add("end", offset, "rocinante.end is missing");
   } else if (*end_offset_ != last_offset) {
     report_.add("end", *end_offset_, "rocinante.end is not the last record before DataEnd");
   }
@@ -157,7 +158,7 @@ void ProfileRules::message(const mcap::Message& message, std::uint64_t offset) {
   const bool is_keyframe = known.channel.topic == profile::kKeyframeTopic;
   if (message.log_time < last_time_ && !is_keyframe) {
     report_.add("time-order", offset,
-                fmt::format("a message lies {} ns before one that stands before it",
+                fmt::format("a message is {} ns earlier than one before it",
                             last_time_ - message.log_time));
   }
   last_time_ = std::max(last_time_, message.log_time);
@@ -174,13 +175,13 @@ void ProfileRules::message(const mcap::Message& message, std::uint64_t offset) {
 void ProfileRules::captured(const Known& known, const mcap::Message& message,
                             std::uint64_t offset) {
   if (!any_captured_ && !session_) {
-    report_.add("session-place", offset, "a captured message stands before rocinante.session");
+    report_.add("session-place", offset, "a captured message comes before rocinante.session");
   }
   any_captured_ = true;
   const bool judged = known.channel.encoding == "rk1" || known.channel.encoding == "octets";
   if (judged && encodingOf(message.data) != known.channel.encoding) {
     report_.add("encoding", offset,
-                fmt::format("message {} on channel {} is {}, and the channel says {}",
+                fmt::format("message {} on channel {} is {}, but the channel says {}",
                             message.sequence, message.channel_id, encodingOf(message.data),
                             plainText(known.channel.encoding)));
   }
@@ -192,7 +193,7 @@ void ProfileRules::fold(const Known& known, const mcap::Message& message, std::u
   if (packet == nullptr) return;
   if (known.channel.captured() && !packet->header.by.empty()) {
     report_.add("restated", offset,
-                fmt::format("message {} on channel {} is somebody's restatement (by=), which "
+                fmt::format("message {} on channel {} is restated by another (by=), which "
                             "belongs on /rocinante/restated/...",
                             message.sequence, message.channel_id));
   }
@@ -217,37 +218,38 @@ void ProfileRules::keyframe(const mcap::Message& message, std::uint64_t offset) 
   }
   if (message.log_time < *last_folded_time_ || message.log_time > last_other_time_) {
     report_.add("keyframe-time", offset,
-                fmt::format("a keyframe has the time {}, and the last message before it {}",
+                fmt::format("a keyframe has the time {}, but the last message before it {}",
                             message.log_time, last_other_time_));
     return;
   }
   if (!fold_ordered_) {
-    report_.add("keyframe-place", offset,
-                "a keyframe follows messages that are not in order of time");
+    report_.add("keyframe-place", offset, "a keyframe follows messages that are not in time order");
     return;
   }
   if (state_.restatementOpen(timeOf(*last_folded_time_))) {
-    report_.add("keyframe-place", offset, "a keyframe stands inside an unfinished restatement");
+    report_.add("keyframe-place", offset, "a keyframe is inside an unfinished restatement");
     return;
   }
   if (state_.sameAs(*told)) return;
-  report_.add("keyframe-state", offset,
-              report_.broke("keyframe-state")
-                  ? std::string("a keyframe is not the fold of what stands before it")
-                  : fmt::format("a keyframe is not the fold of what stands before it: the fold has "
-                                "\"{}\"",
-                                firstDifference(state_.identityText(), told->identityText())));
+  report_.add(
+      "keyframe-state", offset,
+      report_.broke("keyframe-state")
+          ? std::string("a keyframe is not the fold of the messages before it")
+          : fmt::format("a keyframe is not the fold of the messages before it: the fold has "
+                        "\"{}\"",
+                        firstDifference(state_.identityText(), told->identityText())));
 }
 
 void ProfileRules::own(const Known& known, const mcap::Message& message, std::uint64_t offset) {
   if (known.channel.topic == profile::kLossTopic && !parseLoss(message.data)) {
     report_.add(
         "loss", offset,
-        fmt::format("message {} on {} tells no loss", message.sequence, profile::kLossTopic));
+        fmt::format("message {} on {} is not a valid loss", message.sequence, profile::kLossTopic));
   }
   if (known.channel.topic == profile::kMarkTopic && !parseMark(message.data)) {
-    report_.add("mark", offset,
-                fmt::format("message {} on {} is no mark", message.sequence, profile::kMarkTopic));
+    report_.add(
+        "mark", offset,
+        fmt::format("message {} on {} is not a valid mark", message.sequence, profile::kMarkTopic));
   }
 }
 

@@ -75,7 +75,7 @@ void SummaryRules::record(const mcap::Record& record) {
     case Opcode::metadata:
     case Opcode::data_end:
       report_.add("record-place", record.offset,
-                  fmt::format("a {} lies behind DataEnd", mcap::nameOf(record.opcode)));
+                  fmt::format("a {} comes after DataEnd", mcap::nameOf(record.opcode)));
       break;
     case Opcode::footer:
       break;
@@ -91,11 +91,11 @@ void SummaryRules::place(const mcap::Record& record) {
       groups_, [&](const Group& group) { return group.opcode == record.opcode; });
   if (again) {
     report_.add("summary-group", record.offset,
-                fmt::format("{} records do not stand together", mcap::nameOf(record.opcode)));
+                fmt::format("{} records are not contiguous", mcap::nameOf(record.opcode)));
   }
   if (!groups_.empty() && groups_.back().opcode == Opcode::summary_offset) {
     report_.add("summary-group", record.offset,
-                fmt::format("a {} stands behind the SummaryOffsets", mcap::nameOf(record.opcode)));
+                fmt::format("a {} comes after the SummaryOffsets", mcap::nameOf(record.opcode)));
   }
   if (groups_.size() < kMaxGroups) {
     groups_.push_back({record.opcode, record.offset, record.end(), false});
@@ -107,7 +107,7 @@ bool SummaryRules::point(const std::vector<std::uint64_t>& offsets, std::vector<
   const auto found = std::ranges::lower_bound(offsets, pointed);
   if (found == offsets.end() || *found != pointed) {
     report_.add(rule, offset,
-                fmt::format("it points at byte {}, where no such record is", pointed));
+                fmt::format("it points at byte {}, which is not such a record", pointed));
     return false;
   }
   const auto at = static_cast<std::size_t>(found - offsets.begin());
@@ -140,7 +140,7 @@ void SummaryRules::compareWithChunk(const mcap::ChunkIndex& index, const mcap::R
   const auto differs = [&](bool same, std::string_view field) {
     if (same) return;
     report_.add("chunk-index", record.offset,
-                fmt::format("its {} is another than that of the chunk at byte {}", field,
+                fmt::format("its {} differs from that of the chunk at byte {}", field,
                             index.chunk_start_offset));
   };
   differs(index.chunk_length == mcap::kPrefixBytes + chunk_record->content.size(), "chunk_length");
@@ -188,7 +188,7 @@ void SummaryRules::attachmentIndex(const mcap::Record& record) {
                     index.media_type == attachment.media_type;
   if (same) return;
   report_.add("attachment-index", record.offset,
-              fmt::format("it does not tell the attachment at byte {}", index.offset));
+              fmt::format("it does not match the attachment at byte {}", index.offset));
 }
 
 void SummaryRules::metadataIndex(const mcap::Record& record) {
@@ -210,7 +210,7 @@ void SummaryRules::metadataIndex(const mcap::Record& record) {
     return;
   }
   report_.add("metadata-index", record.offset,
-              fmt::format("it does not tell the metadata at byte {}", index.offset));
+              fmt::format("it does not match the metadata at byte {}", index.offset));
 }
 
 void SummaryRules::statistics(const mcap::Record& record) {
@@ -231,7 +231,7 @@ void SummaryRules::compareStatistics() {
   checkNumberMap(report_, offset, statistics_->content.subspan(42));
   const auto differs = [&](std::uint64_t told, std::uint64_t is, std::string_view field) {
     if (told == is) return;
-    report_.add("statistics", offset, fmt::format("{} is {} where it says {}", field, is, told));
+    report_.add("statistics", offset, fmt::format("{} is {}, but it says {}", field, is, told));
   };
   differs(said.schema_count, definitions_.schemas(), "schema_count");
   differs(said.channel_count, definitions_.channels(), "channel_count");
@@ -271,13 +271,14 @@ void SummaryRules::summaryOffset(const mcap::Record& record) {
   const std::string_view kind = mcap::nameOf(offset.group_opcode);
   if (group == groups_.end()) {
     report_.add("summary-offset", record.offset,
-                fmt::format("it points at {} records, of which there are none", kind));
+                fmt::format("it points at {} records, but there are none", kind));
   } else if (group->pointed_at) {
-    report_.add("summary-offset", record.offset, fmt::format("a second one for {}", kind));
+    report_.add("summary-offset", record.offset,
+                fmt::format("a second SummaryOffset for {} records", kind));
   } else if (group->start != offset.group_start ||
              group->end - group->start != offset.group_length) {
     report_.add("summary-offset", record.offset,
-                fmt::format("{} records stand from byte {} to {}, not where it says", kind,
+                fmt::format("{} records are at bytes {} to {}, not where it says", kind,
                             group->start, group->end));
     group->pointed_at = true;
   } else {
@@ -323,9 +324,8 @@ void SummaryRules::footer(const mcap::Record& record) {
   } else if (!std::ranges::equal(behind.first(magic_bytes), mcap::magic())) {
     report_.add("magic", record.end(), "no magic follows the Footer");
   } else if (behind.size() > magic_bytes) {
-    report_.add(
-        "trailing-bytes", record.end() + magic_bytes,
-        fmt::format("{} bytes stand behind the closing magic", behind.size() - magic_bytes));
+    report_.add("trailing-bytes", record.end() + magic_bytes,
+                fmt::format("{} bytes follow the closing magic", behind.size() - magic_bytes));
   }
 }
 
@@ -347,15 +347,14 @@ void SummaryRules::complete(std::uint64_t offset) {
   missing(facts_.metadata_offsets, metadata_seen_, facts_.ours || any_metadata_index_,
           "metadata-index", "this metadata");
   if (any_chunk_index_ && !facts_.ours && facts_.loose_messages > 0) {
-    report_.add(
-        "loose-message", facts_.first_loose_offset,
-        countText(facts_.loose_messages, "message") + " outside the chunks that are indexed");
+    report_.add("loose-message", facts_.first_loose_offset,
+                countText(facts_.loose_messages, "message") + " outside the indexed chunks");
   }
   if (facts_.ours || (any_chunk_index_ && any_channel_)) {
     for (const auto& [channel, count] : facts_.messages) {
       if (definitions_.hasChannel(channel) && !channels_repeated_.contains(channel)) {
         report_.add("summary-channel", start_,
-                    fmt::format("channel {} has messages and is not in the summary", channel));
+                    fmt::format("channel {} has messages but is not in the summary", channel));
       }
     }
   }
@@ -366,7 +365,7 @@ void SummaryRules::complete(std::uint64_t offset) {
   }
   const auto channels = std::ranges::find(groups_, Opcode::channel, &Group::opcode);
   if (statistics_ && channels != groups_.end() && channels->start > statistics_->offset) {
-    report_.add("statistics", statistics_->offset, "the Statistics stand before the channels");
+    report_.add("statistics", statistics_->offset, "the Statistics come before the channels");
   }
   for (const Group& group : groups_) {
     if (!facts_.ours || group.pointed_at || group.opcode == Opcode::summary_offset) continue;

@@ -69,7 +69,7 @@ Status PieceSequence::seam(LogTime time) {
     retry_at_ = time + kRetry;
     const std::string trouble = made.error().text();
     if (trouble != last_trouble_) {
-      notes_.warn(fmt::format("the next piece cannot be made, {} goes on: {}",
+      notes_.warn(fmt::format("cannot create the next piece; recording goes on in {}: {}",
                               piece_->file().path.string(), trouble));
       last_trouble_ = trouble;
     }

@@ -135,7 +135,7 @@ void RingRecording::startFile(LogTime moment, const std::string& why) {
   const auto ours = [&](const std::filesystem::path& path) { return shelf_.holds(path); };
   Result<MadePiece> made = options_.make(moment, ours);
   if (!made) {
-    notes_.warn(fmt::format("{}: the ring cannot be kept: {}", why, made.error().text()));
+    notes_.warn(fmt::format("{}: cannot write the ring: {}", why, made.error().text()));
     return;
   }
   file_ = std::make_unique<PieceLog>(std::move(*made), options_.keyframes);
@@ -154,8 +154,8 @@ void RingRecording::startFile(LogTime moment, const std::string& why) {
       fmt::format("{}: {:.1f} s to {}", why, secondsOf(moment - std::max(from, opening)),
                   file_->file().path.string());
   if (about_file_.cut_short) {
-    text += fmt::format(", not {} s: {} of memory hold no more (--ring-size)",
-                        secondsText(options_.ring.span), sizeText(ring_.maxBytes()));
+    text += fmt::format(", not {} s: --ring-size {} was full", secondsText(options_.ring.span),
+                        sizeText(ring_.maxBytes()));
   }
   notes_.say(std::move(text));
   if (Status begun = file_->begin(state, opening, origin_); !begun) {

@@ -215,7 +215,7 @@ TEST(LogSplit, RestatementsThatOverlapWithoutAnEndAreNotRepeatedWithoutAnEnd) {
     EXPECT_LT(bytesIn(folder / "pieces"), 3 * whole + (std::uint64_t{16} << 20U));
     if (by_size) {
       EXPECT_LT(report->pieces.size(), 2 * whole / split.size_bytes + 3);
-      EXPECT_THAT(report->whole.notes, Contains(HasSubstr("piece 2 begins is cut off")));
+      EXPECT_THAT(report->whole.notes, Contains(HasSubstr("start of piece 2 was cut off")));
     }
     EXPECT_LE(report->whole.notes.size(), 11U);
     std::vector<KeptMessage> together;
