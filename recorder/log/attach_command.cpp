@@ -51,10 +51,10 @@ Result<cli::Exit> runAttach(const AttachArguments& my) {
     return Error{ErrorKind::bad_argument, std::move(why), {}};
   };
   if (my.files.empty() && my.cell.empty()) {
-    return refuse("what to attach? FILE..., --cell CELL, or both");
+    return refuse("nothing to attach: give FILE..., --cell CELL, or both");
   }
   if (my.files.size() != 1 && !(my.name.empty() && my.media_type.empty())) {
-    return refuse("--name and --media-type go with one FILE");
+    return refuse("--name and --media-type need exactly one FILE");
   }
   const std::vector<std::string> where = cli::searchWords(my.search);
   if (my.cell.empty() && !where.empty()) return refuse(where.front() + " needs --cell");
@@ -86,7 +86,7 @@ Result<cli::Exit> runAttach(const AttachArguments& my) {
 LogCommand addAttachCommand(CLI::App& program) {
   auto my = std::make_shared<AttachArguments>();
   CLI::App* const app =
-      program.add_subcommand("attach", "a log that carries files, or the cell it belongs to");
+      program.add_subcommand("attach", "copy a log and attach files, or its cell");
   app->add_option("LOG", my->log, "the log; it is not changed")->required();
   app->add_option("FILE", my->files, "files to attach, each under its name without folders");
   app->add_option("--cell", my->cell, "attach this cell and every file it names")

@@ -51,7 +51,7 @@ Result<cli::Exit> runCat(CatCommandOptions& options) {
 
 LogCommand addCatCommand(CLI::App& program) {
   auto options = std::make_shared<CatCommandOptions>();
-  CLI::App* const app = program.add_subcommand("cat", "the messages of a log, one a line");
+  CLI::App* const app = program.add_subcommand("cat", "print the messages of a log, one per line");
   app->add_option("LOG", options->logs, "logs to print, one after another")->required();
   app->add_option("--from", options->cat.selection.from,
                   "begin at this session time (12.5s, -1s, RFC 3339)")
@@ -59,14 +59,14 @@ LogCommand addCatCommand(CLI::App& program) {
   app->add_option("--until", options->cat.selection.until, "end before this session time")
       ->type_name("TIME");
   app->add_option("--channel", options->cat.selection.channels,
-                  "only topics that match this pattern, as a shell's; may be repeated")
+                  "only topics that match this shell pattern; may be repeated")
       ->type_name("PATTERN")
       ->allow_extra_args(false);
   app->add_option("--device", options->cat.selection.devices,
-                  "only packets about a device that matches this pattern; may be repeated")
+                  "only packets about a device that matches; may be repeated")
       ->type_name("PATTERN")
       ->allow_extra_args(false);
-  app->add_option("--format", options->format, "json: one object a line")
+  app->add_option("--format", options->format, "json: one object per line")
       ->check(CLI::IsMember({"text", "json", "csv"}))
       ->capture_default_str();
   return {app, [options] { return runCat(*options); }};

@@ -35,7 +35,7 @@ void addCopyArguments(CLI::App& app, CopyArguments& arguments) {
   app.add_option("--compression", arguments.compression, "zstd, zstd:LEVEL (1 to 22) or none")
       ->type_name("KIND")
       ->capture_default_str();
-  app.add_flag("--json", arguments.json, "say what was made as JSON");
+  app.add_flag("--json", arguments.json, "print what was made as JSON");
 }
 
 void addTimeArguments(CLI::App& app, SelectionOptions& selection) {
@@ -60,8 +60,8 @@ void addChoiceArguments(CLI::App& app, SelectionOptions& selection) {
     app.add_option(name, patterns, description)->type_name("PATTERN")->allow_extra_args(false);
   };
   add("--channel", selection.channels,
-      "only topics that match, as a shell's patterns do; may be repeated, like those below");
-  add("--not-channel", selection.not_channels, "no topics that match");
+      "only topics that match this shell pattern; may be repeated, like those below");
+  add("--not-channel", selection.not_channels, "not the topics that match");
   add("--source", selection.sources, "only packets of a SOURCE that matches");
   add("--device", selection.devices, "only packets that say something about a device that matches");
   add("--encoding", selection.encodings, "only messages of this encoding: rk1 or octets");

@@ -30,21 +30,19 @@ std::shared_ptr<CutArguments> addArguments(CLI::App& app) {
   addTimeArguments(app, arguments->selection);
   addChoiceArguments(app, arguments->selection);
   addCopyArguments(app, arguments->copy);
-  app.add_flag("--no-attachments", arguments->copy.without_attachments,
-               "leave out what is attached");
+  app.add_flag("--no-attachments", arguments->copy.without_attachments, "leave out attachments");
   return arguments;
 }
 
 }  // namespace
 
 LogCommand addCutCommand(CLI::App& program) {
-  CLI::App* const app =
-      program.add_subcommand("cut", "a part of a log, by time or events, that stands alone");
+  CLI::App* const app = program.add_subcommand("cut", "copy a part of a log, by time or events");
   const auto arguments = addArguments(*app);
   return {app, [arguments]() -> Result<cli::Exit> {
             if (!arguments->selection.anyTime()) {
               return Error{ErrorKind::bad_argument,
-                           "nothing says where to cut: give --from, --until, --from-event or "
+                           "give a range to cut: --from, --until, --from-event or "
                            "--until-event",
                            {}};
             }
@@ -54,12 +52,12 @@ LogCommand addCutCommand(CLI::App& program) {
 
 LogCommand addFilterCommand(CLI::App& program) {
   CLI::App* const app =
-      program.add_subcommand("filter", "a log of some of the messages, by channel, source, device");
+      program.add_subcommand("filter", "copy some of the messages, by channel, source, device");
   const auto arguments = addArguments(*app);
   return {app, [arguments]() -> Result<cli::Exit> {
             if (!arguments->selection.anyChoice()) {
               return Error{ErrorKind::bad_argument,
-                           "nothing says what to keep: give --channel, --not-channel, --source, "
+                           "give what to keep: --channel, --not-channel, --source, "
                            "--device or --encoding",
                            {}};
             }

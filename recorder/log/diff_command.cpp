@@ -138,7 +138,7 @@ LogCommand addDiffCommand(CLI::App& program) {
                   "report a difference when a message is further off than this")
       ->needs(replay)
       ->type_name("TIME");
-  app->add_flag("--json", options->json, "for scripts");
+  app->add_flag("--json", options->json, "print JSON");
   return {app, [options] { return runDiff(*options); }};
 }
 

@@ -32,10 +32,10 @@ Result<cli::Exit> runDoctor(const DoctorOptions& options) {
 
 LogCommand addDoctorCommand(CLI::App& program) {
   auto options = std::make_shared<DoctorOptions>();
-  CLI::App* const app = program.add_subcommand(
-      "doctor", "whether a log keeps every rule of its format, and where not");
+  CLI::App* const app =
+      program.add_subcommand("doctor", "check a log against every rule of its format");
   app->add_option("LOG", options->logs, "logs to examine; other MCAP files too")->required();
-  app->add_flag("--json", options->json, "for scripts; of several logs, one object a line");
+  app->add_flag("--json", options->json, "print JSON; for several logs, one object per line");
   return {app, [options] { return runDoctor(*options); }};
 }
 

@@ -26,12 +26,12 @@ Status checkArguments(const ExtractArguments& my) {
   const int chosen =
       int{!my.name.empty()} + int{my.index.has_value()} + int{my.all} + int{my.cell} + int{my.list};
   if (chosen != 1) {
-    return badArgument("what to extract? one of NAME, --index N, --all, --cell and --list");
+    return badArgument("give exactly one of NAME, --index N, --all, --cell and --list");
   }
   if (my.list != my.output.empty()) {
-    return badArgument(my.list ? "--list writes no file" : "where to? (-o PATH)");
+    return badArgument(my.list ? "--list does not write a file" : "give the output: -o PATH");
   }
-  if (my.json && !my.list) return badArgument("--json goes with --list");
+  if (my.json && !my.list) return badArgument("--json needs --list");
   return {};
 }
 
@@ -113,18 +113,18 @@ Result<cli::Exit> runExtract(const ExtractArguments& my) {
 
 LogCommand addExtractCommand(CLI::App& program) {
   auto my = std::make_shared<ExtractArguments>();
-  CLI::App* const app = program.add_subcommand("extract", "files that are attached to a log");
+  CLI::App* const app = program.add_subcommand("extract", "extract the files attached to a log");
   app->add_option("LOG", my->log, "a log")->required();
   app->add_option("NAME", my->name, "the attachment of that name");
   app->add_option("--index", my->index, "the attachment of that number in --list")->type_name("N");
   app->add_flag("--all", my->all, "every attachment, into a folder");
   app->add_flag("--cell", my->cell, "the cell that the log carries, into a folder");
-  app->add_flag("--list", my->list, "say what is attached");
+  app->add_flag("--list", my->list, "list the attachments");
   app->add_option("-o,--output", my->output,
                   "a file, a folder for --all and --cell, or -: standard output")
       ->type_name("PATH");
   app->add_flag("--force", my->force, "replace what is there");
-  app->add_flag("--json", my->json, "--list for scripts");
+  app->add_flag("--json", my->json, "print --list as JSON");
   return {app, [my] { return runExtract(*my); }};
 }
 

@@ -34,7 +34,7 @@ Result<cli::Exit> runFollow(FollowCommandOptions& options) {
                           : options.format == "csv" ? CatFormat::csv
                                                     : CatFormat::text;
   cli::catchStopSignals();
-  const cli::StopDeadline deadline("stopped where nobody takes the output");
+  const cli::StopDeadline deadline("stopped while standard output was blocked");
   Result<LogFollower> follower = LogFollower::open(
       options.log, options.from_start ? LogFollower::From::start : LogFollower::From::now);
   if (!follower) return follower.error();
@@ -57,15 +57,15 @@ Result<cli::Exit> runFollow(FollowCommandOptions& options) {
 
 LogCommand addFollowCommand(CLI::App& program) {
   auto options = std::make_shared<FollowCommandOptions>();
-  CLI::App* const app = program.add_subcommand(
-      "follow", "the messages of a log that is being recorded, as they come");
+  CLI::App* const app =
+      program.add_subcommand("follow", "print the messages of a log while it is recorded");
   app->add_option("LOG", options->log, "the log, which may still grow")->required();
-  app->add_flag("--from-start", options->from_start, "with those that stand there already");
+  app->add_flag("--from-start", options->from_start, "print the messages already there first");
   app->add_option("--channel", options->follow.channels,
-                  "only topics that match this pattern, as a shell's; may be repeated")
+                  "only topics that match this shell pattern; may be repeated")
       ->type_name("PATTERN")
       ->allow_extra_args(false);
-  app->add_option("--format", options->format, "json: one object a line")
+  app->add_option("--format", options->format, "json: one object per line")
       ->check(CLI::IsMember({"text", "json", "csv"}))
       ->capture_default_str();
   return {app, [options] { return runFollow(*options); }};

@@ -38,9 +38,9 @@ Result<cli::Exit> runInfo(const InfoOptions& options) {
 LogCommand addInfoCommand(CLI::App& program) {
   auto options = std::make_shared<InfoOptions>();
   CLI::App* const app =
-      program.add_subcommand("info", "what is in a log: channels, rates, losses, damage");
+      program.add_subcommand("info", "describe a log: channels, rates, losses, damage");
   app->add_option("LOG", options->logs, "logs to describe")->required();
-  app->add_flag("--json", options->json, "for scripts; of several logs, one object a line");
+  app->add_flag("--json", options->json, "print JSON; for several logs, one object per line");
   return {app, [options] { return runInfo(*options); }};
 }
 

@@ -20,14 +20,14 @@
 namespace {
 
 constexpr const char* kExamples =
-    "  rocinante log info session.mcap                 what is in it, and whether it is whole\n"
+    "  rocinante log info session.mcap                 its contents, and whether it is whole\n"
     "  rocinante log info --json session.mcap          the same for scripts\n"
     "  rocinante log cat session.mcap --from 12.5s --until 14s\n"
     "  rocinante log cat session.mcap --channel '/udp/*/arm' --format json\n"
-    "  rocinante log state session.mcap --at 12.5s     what holds at that moment\n"
-    "  rocinante log doctor session.mcap               whether it keeps every rule\n"
-    "  rocinante log diff before.mcap after.mcap       where they part\n"
-    "  rocinante log follow session.mcap               what its recorder adds, as it comes\n"
+    "  rocinante log state session.mcap --at 12.5s     the state at that moment\n"
+    "  rocinante log doctor session.mcap               check every rule of the format\n"
+    "  rocinante log diff before.mcap after.mcap       where they differ\n"
+    "  rocinante log follow session.mcap               messages while they are recorded\n"
     "  rocinante log mark session.mcap 12.5s 'the gripper slipped'\n"
     "  rocinante log cut session.mcap -o pick.mcap --from-event pick --until-event place\n"
     "  rocinante log filter session.mcap -o arm.mcap --source arm\n"
@@ -42,7 +42,7 @@ constexpr const char* kExamples =
 
 int main(int argc, char** argv) {
   using namespace rocinante;
-  CLI::App app("Looks into logs, and makes logs out of logs. A log that is there is never changed.",
+  CLI::App app("Inspects logs, and makes new logs from logs. An existing log is never changed.",
                "rocinante-log");
   app.require_subcommand(1);
   const std::vector<LogCommand> commands{

@@ -31,7 +31,7 @@ Result<cli::Exit> runMark(const MarkOptions& options) {
 
 LogCommand addMarkCommand(CLI::App& program) {
   auto options = std::make_shared<MarkOptions>();
-  CLI::App* const app = program.add_subcommand("mark", "put an event beside a log, into LOG.marks");
+  CLI::App* const app = program.add_subcommand("mark", "add an event beside a log, in LOG.marks");
   app->add_option("LOG", options->log, "the log; it is not changed")->required();
   app->add_option("TIME", options->time, "12.5s from the origin, -1s from the end, or RFC 3339")
       ->required();

@@ -27,12 +27,11 @@ Result<cli::Exit> runMerge(const MergeArguments& arguments) {
 LogCommand addMergeCommand(CLI::App& program) {
   auto arguments = std::make_shared<MergeArguments>();
   CLI::App* const app =
-      program.add_subcommand("merge", "several logs as one, by time: pieces, or machines");
-  app->add_option("LOG", arguments->logs, "the logs; at one time the first named comes first")
+      program.add_subcommand("merge", "merge logs by time: pieces, or several machines");
+  app->add_option("LOG", arguments->logs, "the logs; for equal times the first named comes first")
       ->required();
   addCopyArguments(*app, arguments->copy);
-  app->add_flag("--no-attachments", arguments->copy.without_attachments,
-                "leave out what is attached");
+  app->add_flag("--no-attachments", arguments->copy.without_attachments, "leave out attachments");
   return {app, [arguments] { return runMerge(*arguments); }};
 }
 

@@ -42,7 +42,7 @@ Result<cli::Exit> runRecover(const RecoverArguments& arguments) {
 LogCommand addRecoverCommand(CLI::App& program) {
   auto arguments = std::make_shared<RecoverArguments>();
   CLI::App* const app = program.add_subcommand(
-      "recover", "a whole log out of one that is cut off, damaged or never closed");
+      "recover", "copy what is left of a truncated, damaged or unclosed log");
   app->add_option("LOG", arguments->log, "the log; it is not changed")->required();
   addCopyArguments(*app, arguments->copy);
   return {app, [arguments] { return runRecover(*arguments); }};

@@ -26,14 +26,14 @@ Result<cli::Exit> runShift(const ShiftArguments& arguments) {
 
 LogCommand addShiftCommand(CLI::App& program) {
   auto arguments = std::make_shared<ShiftArguments>();
-  CLI::App* const app = program.add_subcommand("shift", "a log at another time");
+  CLI::App* const app = program.add_subcommand("shift", "move a log in time");
   app->add_option("LOG", arguments->log, "the log; it is not changed")->required();
   CLI::Option_group* const distance = app->add_option_group("how far", "How far (one of these)");
   distance
       ->add_option("--by", arguments->shift.by,
-                   "this much later, or with a minus earlier (0.25s, -1h)")
+                   "this much later, or earlier with a minus (0.25s, -1h)")
       ->type_name("TIME");
-  distance->add_option("--to", arguments->shift.to, "so that its origin was then (RFC 3339)")
+  distance->add_option("--to", arguments->shift.to, "so that its origin is at this time (RFC 3339)")
       ->type_name("TIME");
   distance->require_option(1);
   app->add_flag("--publish", arguments->shift.publish, "move the senders' times too");

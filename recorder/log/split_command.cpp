@@ -25,7 +25,7 @@ struct SplitArguments {
 Result<std::uint64_t> readSize(const std::string& text) {
   Result<std::uint64_t> size = parseSize(text);
   if (size && *size < kLeastPieceBytes) {
-    return Error{ErrorKind::bad_argument, "a piece has at least 4096 bytes", text};
+    return Error{ErrorKind::bad_argument, "a piece must be at least 4096 bytes", text};
   }
   return size;
 }
@@ -71,11 +71,9 @@ Result<cli::Exit> runSplit(SplitArguments& arguments) {
 
 LogCommand addSplitCommand(CLI::App& program) {
   auto arguments = std::make_shared<SplitArguments>();
-  CLI::App* const app =
-      program.add_subcommand("split", "a log in pieces, each of which stands alone");
+  CLI::App* const app = program.add_subcommand("split", "split a log into self-contained pieces");
   app->add_option("LOG", arguments->log, "the log; it is not changed")->required();
-  CLI::Option_group* const where =
-      app->add_option_group("where", "Where it is parted (one of these)");
+  CLI::Option_group* const where = app->add_option_group("where", "Where to split (one of these)");
   where->add_option("--size", arguments->size, "pieces of about this size (100MB, 64MiB)")
       ->type_name("SIZE");
   where
@@ -88,7 +86,7 @@ LogCommand addSplitCommand(CLI::App& program) {
       ->type_name("PATTERN");
   where->require_option(1);
   app->add_flag("--attach-once", arguments->split.attach_once,
-                "attachments go into the first piece alone");
+                "put attachments into the first piece only");
   addCopyArguments(*app, arguments->copy);
   app->get_option("--output")
       ->description(

@@ -31,7 +31,7 @@ Result<cli::Exit> runState(const StateCommandOptions& options) {
   if (*moment < session->start() || *moment > session->end()) {
     const auto shown = [&](LogTime time) { return secondsText(time - session->origin(), 3); };
     return Error{ErrorKind::bad_argument,
-                 fmt::format("{} is outside the log, which has {} to {} s", options.at,
+                 fmt::format("{} is outside the log, which covers {} to {} s", options.at,
                              shown(session->start()), shown(session->end())),
                  options.log};
   }
@@ -44,7 +44,7 @@ Result<cli::Exit> runState(const StateCommandOptions& options) {
     return printed.error();
   }
   for (const KeyframeFault& fault : session->keyframeFaults()) {
-    cli::warn(fmt::format("the keyframe at {} s does not count: {} ({})",
+    cli::warn(fmt::format("the keyframe at {} s is ignored: {} ({})",
                           secondsText(fault.time - session->origin(), 3), fault.cause,
                           options.log));
   }
@@ -59,12 +59,12 @@ Result<cli::Exit> runState(const StateCommandOptions& options) {
 
 LogCommand addStateCommand(CLI::App& program) {
   auto options = std::make_shared<StateCommandOptions>();
-  CLI::App* const app = program.add_subcommand("state", "the folded state at a moment");
-  app->add_option("LOG", options->log, "the log to look into")->required();
+  CLI::App* const app = program.add_subcommand("state", "print the state at a moment");
+  app->add_option("LOG", options->log, "the log to read")->required();
   app->add_option("--at", options->at, "the moment: a session time (12.5s, -1s, RFC 3339)")
       ->type_name("TIME")
       ->required();
-  app->add_flag("--json", options->json, "for scripts");
+  app->add_flag("--json", options->json, "print JSON");
   return {app, [options] { return runState(*options); }};
 }
 
