@@ -9,14 +9,14 @@ namespace rocinante {
 
 namespace {
 
-/// Far from where nanoseconds of 64 bits end, so that a little can be added to it.
+/// Well below the limit of 64-bit nanoseconds, so that adding a little cannot overflow.
 constexpr Nanoseconds kLatest = std::chrono::seconds(9'200'000'000);
 
 }  // namespace
 
 LogTime CaptureTime::at(WallTime stamp) {
-  // A log has no times before 1970, nor beyond kLatest, which a clock that is set back over and
-  // over would reach.
+  // Log times lie between 1970 and kLatest. A clock that is set back again and again would exceed
+  // it.
   const Nanoseconds since = std::clamp(stamp.time_since_epoch(), Nanoseconds(0), kLatest);
   const LogTime seen(std::min(since, kLatest - shift_) + shift_);
   if (!reached_) reached_ = seen;
@@ -43,7 +43,7 @@ Result<bool> CaptureFileLoop::pass() {
 }
 
 bool CaptureFileLoop::keep(const ReceivedDatagram& datagram) {
-  // First the room: a time is asked for once.
+  // Make room first: time_.at() may be called only once per datagram.
   const std::size_t most = datagram.payload.size() + sizeof(SocketAddress);
   if (block_ && !block_->hasRoom(most)) handOverBlock();
   if (!block_) block_ = out_.freeBlock();
@@ -60,7 +60,7 @@ bool CaptureFileLoop::keep(const ReceivedDatagram& datagram) {
 }
 
 void CaptureFileLoop::handOverBlock() {
-  // Nothing earlier follows, so nothing has to wait for it.
+  // Nothing earlier follows, so the writer need not hold these datagrams back.
   out_.give(std::move(block_), losses_, steps_, reached_ + ReorderWindow::kWidth);
 }
 

@@ -8,16 +8,16 @@
 
 namespace rocinante {
 
-/// The time line of a capture file: its own stamps, on which time does not go back. Stamps a little
-/// out of order (several network cards, several processors) are raised to the time reached; where
-/// the clock was set back, everything after goes on from there, and that is told as a step. Pure.
+/// The time line of a capture file: its own timestamps, made monotonic. Timestamps slightly out of
+/// order (several network cards, several processors) are raised to the time reached; where the
+/// clock was set back, time continues from there and the jump is reported as a step. Pure.
 class CaptureTime {
  public:
-  /// More than this is no disorder.
+  /// A larger step back is a clock that was set, not disorder.
   static constexpr Nanoseconds kDisorder = std::chrono::milliseconds(20);
 
   LogTime at(WallTime stamp);
-  /// The step that the last stamp showed, if it did.
+  /// The clock step that the last timestamp revealed, if any.
   std::optional<ClockStep> takeStep() { return std::exchange(step_, std::nullopt); }
 
  private:
@@ -26,14 +26,14 @@ class CaptureTime {
   std::optional<ClockStep> step_;
 };
 
-/// Reads a capture file into a HandOver, in the place of a ReceiveLoop: as fast as it is written,
-/// and nothing is dropped. One thread; reads no clock.
+/// Reads a capture file into a HandOver in place of a ReceiveLoop: as fast as the log is written,
+/// without dropping anything. One thread; reads no clock.
 class CaptureFileLoop {
  public:
   /// Both must outlive the loop.
   CaptureFileLoop(DatagramSource& source, HandOver& out) : source_(source), out_(out) {}
 
-  /// Reads some. False when there was no room: try again a little later.
+  /// Reads one batch. False when the queue was full: try again later.
   Result<bool> pass();
   bool ended() const { return left_.empty() && source_.ended(); }
   /// Hands over what is left; call it also after a failure.
@@ -47,7 +47,7 @@ class CaptureFileLoop {
   HandOver& out_;
   CaptureTime time_;
   LogTime reached_{};
-  std::span<const ReceivedDatagram> left_;  ///< of the last batch: there was no room
+  std::span<const ReceivedDatagram> left_;  ///< rest of the last batch, for which there was no room
   std::unique_ptr<DatagramBlock> block_;
   std::vector<EndpointLoss> losses_;
   std::vector<ClockStep> steps_;

@@ -10,15 +10,16 @@
 
 namespace rocinante {
 
-/// What came to an endpoint and is neither recorded nor lost, and whether its buffer was enough.
+/// Counts of datagrams that an endpoint neither recorded nor lost, and whether its buffer was large
+/// enough.
 struct InputAccount {
-  std::string endpoint;  ///< with the port that was bound
+  std::string endpoint;  ///< with the bound port
   InputCounts counts;
-  std::uint64_t buffer_granted_bytes = 0;  ///< 0: it has none of this kind
-  std::uint64_t buffer_needed_bytes = 0;   ///< for a stall in its busiest second
+  std::uint64_t buffer_granted_bytes = 0;  ///< 0: no receive buffer
+  std::uint64_t buffer_needed_bytes = 0;   ///< to survive a stall in its busiest second
 };
 
-/// By source. Not while the loop runs.
+/// One per source. Not while the loop runs.
 std::vector<InputAccount> inputAccounts(const std::vector<DatagramSource*>& sources,
                                         const ReceiveLoop& loop);
 

@@ -13,9 +13,9 @@ namespace rocinante {
 namespace {
 
 constexpr int kWantedNice = -10;
-constexpr std::uint64_t kSliceNs = 100'000;  // the least that Linux takes
+constexpr std::uint64_t kSliceNs = 100'000;  // the smallest that Linux accepts
 
-/// Of linux/sched/types.h, which does not go with the C library's sched.h.
+/// From linux/sched/types.h, which conflicts with the C library's sched.h.
 struct SchedulingAttributes {
   std::uint32_t size;
   std::uint32_t policy;
@@ -39,7 +39,7 @@ bool ask(int nice) {
 }  // namespace
 
 void askToRunPromptly() {
-  // Whoever chose another policy for the whole program (chrt) knows better.
+  // A policy chosen for the whole program (chrt) takes precedence.
   if (::sched_getscheduler(0) != SCHED_OTHER) return;
   errno = 0;
   const int nice = ::getpriority(PRIO_PROCESS, 0);

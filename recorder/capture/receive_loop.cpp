@@ -12,7 +12,7 @@ constexpr int kBatchesATurn = 64;
 constexpr Nanoseconds kBlockAge = std::chrono::milliseconds(5);
 constexpr Nanoseconds kAskForDrops = std::chrono::milliseconds(50);
 constexpr Nanoseconds kRateSpan = std::chrono::seconds(1);
-// A flood that goes on must not keep a recording from ending.
+// A continuing flood must not keep a recording from ending.
 constexpr Nanoseconds kLastPasses = std::chrono::milliseconds(500);
 
 }  // namespace
@@ -48,7 +48,7 @@ Result<bool> ReceiveLoop::pass() {
   for (const Listener& each : listeners_) {
     drained_until = std::min(drained_until, each.drained_until);
   }
-  // A block that is held back must not be overtaken by the word that all has been handed over.
+  // `drained_until` must not overtake a block that is still held back.
   if (!block_) {
     out_.give(nullptr, losses_, steps_, drained_until);
   } else if (clock_.now() - block_began_ >= kBlockAge) {
@@ -71,7 +71,7 @@ Result<bool> ReceiveLoop::drain(std::uint32_t endpoint) {
     received = true;
     if (callbacks_.tee) callbacks_.tee(*batch);
     listener.datagrams += batch->size();
-    // Now, so that no stamp of the batch lies ahead of the last look.
+    // Read the clocks now, so that no timestamp of the batch is later than the last reading.
     lookAgain();
     for (const ReceivedDatagram& datagram : *batch) keep(endpoint, datagram);
     listener.drained_until = listener.last;

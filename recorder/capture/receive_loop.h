@@ -12,46 +12,44 @@
 
 namespace rocinante {
 
-/// Empties sockets into a HandOver as fast as they fill, and accounts for what was dropped. It does
-/// nothing else: what a datagram means is the writing thread's business. One thread; reads no
-/// clock but through `look`.
+/// Empties sockets into a HandOver as fast as they fill, and counts dropped datagrams. The writing
+/// thread interprets the datagrams. One thread; reads clocks only through `look`.
 class ReceiveLoop {
  public:
   using Look = std::function<ClockReading()>;
   struct Callbacks {
-    /// Everything received, batch by batch, before anything else is done with it.
+    /// Called first with every batch received.
     std::function<void(std::span<const ReceivedDatagram>)> tee;
-    /// Sentences for people: an interface is gone, the receive buffer is small for the rate.
+    /// Sentences for the user: an interface is gone, the receive buffer is too small for the rate.
     std::function<void(const std::string&)> note;
   };
 
-  /// `sources` (index = endpoint) and `out` must outlive the loop. What `callbacks` holds may be
-  /// null.
+  /// `sources` (index = endpoint) and `out` must outlive the loop. The functions in `callbacks` may
+  /// be empty.
   ReceiveLoop(std::vector<DatagramSource*> sources, Look look, HandOver& out, Callbacks callbacks);
   ReceiveLoop(std::vector<DatagramSource*> sources, Look look, HandOver& out)
       : ReceiveLoop(std::move(sources), std::move(look), out, Callbacks()) {}
 
-  /// Receives what waits at every source, or much of it. True when there was something: call again
-  /// at once; else sleep a little. Fails when a socket does.
+  /// Receives what waits at every source, up to a limit. True when datagrams came: call again at
+  /// once; else sleep briefly. Fails when a socket fails.
   Result<bool> pass();
 
-  /// Takes what still waits, asks for the final drop counts, hands everything over. Call it also
-  /// after a failure: what was received is kept.
+  /// Receives what still waits, reads the final drop counts and hands everything over. Call it also
+  /// after a failure: received datagrams are kept.
   Status finish();
 
   const SessionClock& clock() const { return clock_; }
-  /// The busiest second of an endpoint so far, as far as seconds are over.
+  /// The busiest complete second of an endpoint so far.
   const ReceiveRate& busiest(std::uint32_t endpoint) const { return listeners_[endpoint].busiest; }
-  /// For so long the system may keep what has arrived: before finish(), whoever wants all of it
-  /// waits.
+  /// Longest the kernel may delay delivery. Wait this long before finish() to receive everything.
   Nanoseconds deliveryDelay() const;
 
  private:
   struct Listener {
     DatagramSource* source;
-    LogTime last{};           ///< of the latest datagram: times of one socket do not go back
-    LogTime drained_until{};  ///< whatever arrived before this has been received
-    LogTime checked{};        ///< when drops were last asked for
+    LogTime last{};           ///< time of the latest datagram; never goes back within a socket
+    LogTime drained_until{};  ///< everything that arrived before this was received
+    LogTime checked{};        ///< when drops were last read
     std::uint64_t dropped = 0;
     std::uint64_t datagrams = 0, bytes = 0;  ///< since rate_since
     LogTime rate_since{};

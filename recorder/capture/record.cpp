@@ -22,9 +22,9 @@ namespace {
 
 using std::chrono::milliseconds;
 
-// Every endpoint takes a receive buffer; MCAP's channels are bounded too.
+// Every endpoint needs a receive buffer, and MCAP limits the number of channels.
 constexpr std::size_t kMaxEndpoints = 256;
-// Drained and slept: half the cost of waking up for each datagram, and 600,000 a second.
+// Draining and sleeping costs half as much as waking for each datagram, and takes 600,000 a second.
 constexpr Nanoseconds kReceiveSleep = std::chrono::microseconds(500);
 constexpr Nanoseconds kIdleSleep = milliseconds(2);
 constexpr int kIdlePasses = 200;
@@ -37,7 +37,7 @@ constexpr Nanoseconds kNarrowLook = std::chrono::microseconds(2);
 
 SteadyTime steadyClockNow() { return std::chrono::steady_clock::now(); }
 
-/// The narrowest of a few looks: one that was interrupted tells the offset badly.
+/// The narrowest of a few readings: an interrupted one measures the offset poorly.
 ClockReading lookAtClocks() {
   ClockReading best{};
   for (int attempt = 0; attempt < 4; ++attempt) {
@@ -52,14 +52,14 @@ ClockReading lookAtClocks() {
   return best;
 }
 
-/// What the threads tell each other beside the datagrams.
+/// State that the threads share besides the datagrams.
 struct Shared {
   std::atomic<bool> stop{false};
   std::atomic<bool> receiver_failed{false};
   std::atomic<bool> file_ended{false};
   std::atomic<bool> writer_over{false};
   std::atomic<bool> started{false};
-  std::atomic<std::uint32_t> seams{0};     ///< asked for so far
+  std::atomic<std::uint32_t> seams{0};     ///< requested so far
   std::atomic<std::uint32_t> triggers{0};  ///< likewise
   std::atomic<std::uint64_t> packets{0};
   std::atomic<std::uint64_t> lost{0};
@@ -80,13 +80,13 @@ Status receiveUntilStopped(ReceiveLoop& loop, Shared& shared) {
     idle = *busy ? 0 : std::min(idle + 1, kIdlePasses);
     std::this_thread::sleep_for(idle == kIdlePasses ? kIdleSleep : kReceiveSleep);
   }
-  // What the system still keeps of what has arrived.
+  // Datagrams that have arrived may not be delivered yet.
   std::this_thread::sleep_for(loop.deliveryDelay());
   Status finished = loop.finish();
   return ended ? finished : ended;
 }
 
-/// The same of a capture file.
+/// The same for a capture file.
 Status readUntilEnded(DatagramSource& file, HandOver& queue, Shared& shared) {
   CaptureFileLoop loop(file, queue);
   Status broken;
@@ -96,7 +96,7 @@ Status readUntilEnded(DatagramSource& file, HandOver& queue, Shared& shared) {
       broken = passed.error();
       break;
     }
-    // A queue that is full waits for the disk.
+    // The queue is full until the disk catches up.
     if (!*passed) std::this_thread::sleep_for(kReceiveSleep);
   }
   loop.finish();
@@ -132,7 +132,7 @@ void writeUntilFinished(CaptureWriter& writer, HandOver& queue, Shared& shared) 
 std::optional<std::uint64_t> diskFree(const std::filesystem::path& log) {
   struct statvfs facts {};
   std::filesystem::path folder = log;
-  // Of a pattern, the folder above whatever is filled in.
+  // For a name pattern, use the folder above the parts that are filled in.
   while (!folder.empty() && ::statvfs(folder.c_str(), &facts) != 0) {
     folder = folder.has_parent_path() ? folder.parent_path() : std::filesystem::path();
   }
@@ -140,14 +140,14 @@ std::optional<std::uint64_t> diskFree(const std::filesystem::path& log) {
   return std::uint64_t{facts.f_bavail} * facts.f_frsize;
 }
 
-/// The caller's side of a recording that goes on.
+/// The caller's side of a running recording.
 class Control {
  public:
   Control(const RecordOptions& options, const RecordEvents& events, NoteBox& notes, HandOver& queue,
           Shared& shared)
       : options_(options), events_(events), notes_(notes), queue_(queue), shared_(shared) {}
 
-  /// Waits for a reason to end, and says which.
+  /// Waits for a reason to end, and returns it.
   std::string waitForEnd(SteadyTime start) {
     std::optional<SteadyTime> begun;
     SteadyTime told = start;
@@ -172,7 +172,7 @@ class Control {
     }
   }
 
-  /// Between the program and the threads, both ways.
+  /// Passes requests from the program to the threads, and notes back.
   void passOn() {
     shared_.seams.store(events_.seams_requested());
     shared_.triggers.store(events_.triggers_requested());
@@ -231,14 +231,14 @@ RecordSummary summaryOf(const CaptureWriter& writer, const Status& received) {
   return summary;
 }
 
-/// Of a capture file: by its own time.
+/// Duration of a capture file on its own time line.
 Nanoseconds spanOf(const RecordedFiles& files, LogTime begins) {
   LogTime ends = begins;
   for (const PieceFacts& each : files.pieces) ends = std::max(ends, each.end.value_or(begins));
   return ends - begins;
 }
 
-/// The receiving half of a recording: listens from its first moment to its last.
+/// The receiving half of a recording. Listens during its whole lifetime.
 class Reception {
  public:
   Reception(const std::vector<DatagramSource*>& sources, TeeSet& tees, const RecordOptions& options,
@@ -258,7 +258,7 @@ class Reception {
   Reception(const Reception&) = delete;
   Reception& operator=(const Reception&) = delete;
 
-  /// Ends it, once; fails where a socket did.
+  /// Stops receiving. Idempotent; returns the failure of a socket.
   Status stop() {
     shared_.stop.store(true);
     if (thread_.joinable()) thread_.join();
@@ -294,7 +294,7 @@ class Reception {
   SteadyTime start_;
   LogTime begins_;
   Status received_;
-  std::thread thread_;  ///< last: it uses what stands above
+  std::thread thread_;  ///< last: it uses the members above
 };
 
 RecordSummary recordInto(std::unique_ptr<CaptureSink> sink, const std::string& name,
@@ -359,7 +359,7 @@ Result<RecordSummary> record(const RecordOptions& options, const RecordEvents& e
     return Error{ErrorKind::bad_argument,
                  fmt::format("1 to {} endpoints can be recorded", kMaxEndpoints), ""};
   }
-  // Sockets first: a port that is taken must not leave an empty log behind.
+  // Open the sockets first: a port in use must not leave an empty log behind.
   Result<TeeSet> tees = TeeSet::open(options.tees);
   if (!tees) return tees.error();
   if (options.wait_interface) {

@@ -22,66 +22,66 @@ namespace rocinante {
 
 struct RecordOptions {
   std::vector<Endpoint> endpoints;
-  std::filesystem::path log;  ///< a file, a folder or a pattern: recordPath()
+  std::filesystem::path log;  ///< a file, a folder or a name pattern: recordPath()
   LogWriterOptions writing;
-  /// Attached before anything is recorded; null: none.
+  /// Attached before anything is recorded; null for none.
   std::shared_ptr<const CellBundle> cell;
-  /// Gives `cell` in its place, on the caller's thread, while the endpoints are heard already: what
-  /// comes meanwhile waits in the queue. Empty: `cell` holds.
+  /// Loads the cell on the caller's thread, in place of `cell`, after the endpoints are bound:
+  /// datagrams wait in the queue meanwhile. Empty: `cell` is used.
   std::function<Result<std::shared_ptr<const CellBundle>>()> load_cell;
-  bool attach_once = false;  ///< to the first log alone
-  /// How long to wait for network interfaces that do not exist yet; empty: one is refused at once.
+  bool attach_once = false;  ///< attach the cell to the first log only
+  /// How long to wait for network interfaces that do not exist yet; empty: a missing one is an
+  /// error.
   std::optional<Nanoseconds> wait_interface;
   SplitRule split;
   RetentionLimits limits;
-  /// Nothing is written but what is asked for; `split` means nothing then.
+  /// Writes only on a trigger; `split` is ignored.
   std::optional<RingRule> ring;
   std::vector<Condition> ring_on;
   std::vector<Condition> start_on;
   std::vector<Condition> stop_on;
   UdpReceiver::Options receiving;
-  AddressFilter allow;                  ///< from elsewhere nothing is recorded
-  std::vector<Endpoint> tees;           ///< everything received is sent on there
-  std::optional<Nanoseconds> duration;  ///< of the session's time line, from where it begins
+  AddressFilter allow;                  ///< datagrams from other senders are not recorded
+  std::vector<Endpoint> tees;           ///< everything received is forwarded there
+  std::optional<Nanoseconds> duration;  ///< on the session's time line, from its beginning
   std::optional<std::uint64_t> max_packets;
-  std::size_t queue_blocks = 256;  ///< of DatagramBlock: 230 MB at most
+  std::size_t queue_blocks = 256;  ///< DatagramBlocks: 230 MB at most
 };
 
-/// How a recording that goes on stands.
+/// Progress of a running recording.
 struct RecordProgress {
   Nanoseconds elapsed{};
   std::uint64_t packets = 0;
-  std::uint64_t lost = 0;       ///< by kernel, queue and disk
-  std::uint64_t log_bytes = 0;  ///< ever written
-  bool started = true;          ///< false while a condition is waited for
-  Nanoseconds held{};           ///< what a ring holds
-  double queue_fill = 0;        ///< 0 to 1: at 1 datagrams are lost
+  std::uint64_t lost = 0;       ///< by the kernel, the queue and the disk
+  std::uint64_t log_bytes = 0;  ///< written in total
+  bool started = true;          ///< false while waiting for a start condition
+  Nanoseconds held{};           ///< span held by a ring
+  double queue_fill = 0;        ///< 0 to 1; datagrams are lost at 1
   std::optional<std::uint64_t> disk_free_bytes;
 };
 
 struct RecordSummary {
-  std::filesystem::path log;  ///< the last one written; empty when there is none
+  std::filesystem::path log;  ///< the last one written; empty for none
   RecordedFiles files;
   std::vector<EndpointAccount> endpoints;
-  std::vector<InputAccount> inputs;  ///< by endpoint too
+  std::vector<InputAccount> inputs;  ///< one per endpoint
   std::vector<Tee::Account> tees;
-  std::uint64_t packets = 0;         ///< recorded: what the disk refused is not among them
-  std::uint64_t restated = 0;        ///< of what was given to the log: said by someone else (`by=`)
-  std::uint64_t payload_bytes = 0;   ///< of what was given to the log
-  std::uint64_t packets_before = 0;  ///< heard before the recording began, and not recorded
-  std::uint64_t log_bytes = 0;       ///< of the files that stay
+  std::uint64_t packets = 0;         ///< recorded; those the disk refused are not counted
+  std::uint64_t restated = 0;        ///< given to the log and restated by another sender (`by=`)
+  std::uint64_t payload_bytes = 0;   ///< of datagrams given to the log
+  std::uint64_t packets_before = 0;  ///< received before the start condition, and not recorded
+  std::uint64_t log_bytes = 0;       ///< of the files that are kept
   std::size_t channels = 0;
   Nanoseconds duration{};  ///< from the first moment to the last
   LossCounts losses;
-  std::size_t late = 0;  ///< came too late to stand at their own time
-  std::string reason;    ///< as rocinante.end has it
-  /// What ended the recording before its time: the log or a socket refused.
+  std::size_t late = 0;  ///< came too late to be written at their own time
+  std::string reason;    ///< as in rocinante.end
+  /// The failure of the log or a socket that ended the recording early.
   std::optional<Error> trouble;
-  /// What was not done beside that, though everything received was kept: a file not made or
-  /// deleted.
+  /// File operations that failed (a file not made or deleted); no datagram was lost.
   std::vector<std::string> warnings;
 
-  /// Everything that was recorded stands in the files.
+  /// True if the files hold everything that was recorded.
   bool complete() const {
     return !trouble && std::ranges::none_of(files.pieces,
                                             [](const PieceFacts& each) { return !!each.trouble; });
@@ -89,30 +89,30 @@ struct RecordSummary {
   std::uint64_t lost() const { return losses.kernel + losses.queue + losses.disk; }
 };
 
-/// What a recording asks of the program around it. All are called on the caller's thread.
+/// Callbacks of a recording, all called on the caller's thread.
 struct RecordEvents {
-  /// The endpoints are bound and heard, and a cell is read before anything is written.
+  /// The endpoints are bound and receiving; the cell is loaded next, before anything is written.
   std::function<void(const std::vector<std::string>&)> listening = [](const auto&) {};
-  /// Everything is bound and open; the endpoints with the ports that were bound, and the log.
+  /// Everything is bound and open. Arguments: the endpoints with their bound ports, and the log.
   std::function<void(const std::vector<std::string>&, const std::string&)> ready =
       [](const auto&, const auto&) {};
-  /// What happens to the files, as it happens: one sentence.
+  /// One sentence for each event of the files, as it happens.
   std::function<void(const NoteBox::Note&)> note = [](const auto&) {};
   /// A few times a second.
   std::function<void(const RecordProgress&)> progress = [](const auto&) {};
-  /// Asked often; true ends the recording cleanly.
+  /// Polled often; true ends the recording cleanly.
   std::function<bool()> stop_requested = [] { return false; };
-  /// How often a new piece, and the ring, have been asked for since the beginning.
+  /// How many new pieces, and ring files, were requested since the beginning.
   std::function<std::uint32_t()> seams_requested = [] { return 0U; };
   std::function<std::uint32_t()> triggers_requested = [] { return 0U; };
 };
 
-/// Binds the endpoints, listens, loads the cell, makes the log and records until a limit or a stop.
-/// Starts two threads: one receives, one writes; with pieces a third, which closes and deletes
-/// them. Fails when nothing could be recorded; what goes wrong later is in the summary.
+/// Binds the endpoints, listens, loads the cell, creates the log and records until a limit or a
+/// stop. Starts two threads: one receives, one writes; with pieces a third, which closes and
+/// deletes them. Fails when nothing could be recorded; later failures are in the summary.
 Result<RecordSummary> record(const RecordOptions& options, const RecordEvents& events);
 
-/// The same from sources already open, into a log already made, which stays the only one.
+/// The same from open sources into an existing log, the only one of the recording.
 RecordSummary recordFrom(const std::vector<DatagramSource*>& sources, LogWriter log,
                          const RecordOptions& options, const RecordEvents& events);
 

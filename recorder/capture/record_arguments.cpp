@@ -30,7 +30,6 @@ Status readCompression(std::string_view text, LogWriterOptions& options) {
                std::string(text)};
 }
 
-/// The cell with all its files.
 Result<std::shared_ptr<const CellBundle>> loadCell(const RecordArguments& arguments) {
   CellOptions search;
   static_cast<ModelSearch&>(search) = arguments;

@@ -15,7 +15,7 @@ class App;
 
 namespace rocinante {
 
-/// What the command line of rocinante-record says, as it stands there.
+/// The command line of rocinante-record, unparsed.
 struct RecordArguments : ModelSearch {
   std::vector<std::string> endpoints;
   std::vector<std::string> allow;
@@ -35,14 +35,14 @@ struct RecordArguments : ModelSearch {
   bool quiet = false;
 };
 
-/// Its options, with their help. `arguments` must outlive the parsing.
+/// Adds the options with their help. `arguments` must outlive parsing.
 void addRecordArguments(CLI::App& app, RecordArguments& arguments);
 
-/// How often a line of its own says how the recording stands; empty: never.
+/// Period of the status lines; empty: none.
 Result<std::optional<Nanoseconds>> readStatusPeriod(const RecordArguments& arguments);
 
-/// What they ask for. Reads no file, binds and makes nothing. `arguments` must outlive it: the cell
-/// is loaded later.
+/// Parses the arguments. Reads, binds and creates nothing. `arguments` must outlive the result,
+/// which loads the cell later.
 Result<RecordOptions> readRecordArguments(const RecordArguments& arguments);
 
 }  // namespace rocinante

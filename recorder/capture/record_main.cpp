@@ -30,7 +30,7 @@ constexpr std::string_view kExamples =
     "  rocinante record -o 'crash-%n.mcap' --ring 30s --ring-after 5s --ring-on "
     "'event=*collision*'\n";
 
-/// SIGHUP asks for a new piece; but when the terminal went away, it says that.
+/// SIGHUP requests a new piece, except when it reports that the terminal is gone.
 class Terminal {
  public:
   Terminal() : was_there_(isThere()) {}
@@ -45,7 +45,7 @@ class Terminal {
   bool was_there_;
 };
 
-/// On a terminal the line that stands below all others, written over and over.
+/// Clears the status line at the bottom of a terminal.
 void clearStatusLine() {
   if (::isatty(STDERR_FILENO) == 1) cli::tell("\r\x1b[K");
 }
@@ -97,7 +97,7 @@ RecordEvents eventsFor(const RecordArguments& arguments, const RecordOptions& op
       clearStatusLine();
       cli::tell(text + "\n");
     }
-    // To the line's beginning, and what a longer line left behind is cleared.
+    // Returns to the line's start and clears the rest of a longer line.
     if (on_terminal) cli::tell(cli::statusLine(text));
     std::fflush(stderr);
   };
@@ -111,7 +111,7 @@ cli::Exit judge(const RecordArguments& arguments, const RecordSummary& summary) 
     exit = cli::Exit::no;
   };
   if (summary.trouble) no(summary.trouble->text());
-  // They were told when they came.
+  // The warnings were printed when they occurred.
   if (!summary.warnings.empty()) exit = cli::Exit::no;
   if (summary.packets < arguments.min_packets) {
     no(fmt::format("recorded {}, fewer than --min-packets {}", countText(summary.packets, "packet"),
@@ -142,7 +142,7 @@ int main(int argc, char** argv) {
     cli::catchStopSignals();
     cli::countSignal(SIGHUP);
     cli::countSignal(SIGUSR1);
-    // Whoever reads only the first lines (`| head`) must not end the recording.
+    // A reader that closes the pipe early (`| head`) must not end the recording.
     ::signal(SIGPIPE, SIG_IGN);
     const Result<RecordSummary> summary =
         record(*options, eventsFor(arguments, *options, *status_period));

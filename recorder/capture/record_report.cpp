@@ -78,7 +78,7 @@ void addInput(Json& object, const InputAccount& input) {
                               {"needed_bytes", input.buffer_needed_bytes}};
 }
 
-/// What was not recorded and is no loss, and what became of the tees; a line each.
+/// One line each for datagrams that were not recorded without being lost, and for the tees.
 std::string inputText(const RecordSummary& summary) {
   std::string text;
   for (const InputAccount& each : summary.inputs) {
@@ -118,7 +118,7 @@ std::string summaryText(const RecordSummary& summary) {
 std::string summaryJson(const RecordSummary& summary) {
   Json object;
   object["format"] = 1;
-  // A ring that was never triggered has written none.
+  // A ring that was never triggered wrote no log.
   object["log"] = summary.log.empty() ? Json(nullptr) : Json(summary.log.string());
   object["packets"] = summary.packets;
   object["restated"] = summary.restated;
@@ -152,7 +152,7 @@ std::string summaryJson(const RecordSummary& summary) {
       {"pieces", deleted.count}, {"packets", deleted.packets}, {"bytes", deleted.bytes}};
   object["packets_before"] = summary.packets_before;
   object["warnings"] = summary.warnings;
-  // A file name that is no UTF-8 must not throw.
+  // A file name that is not UTF-8 must not throw.
   return object.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -6,9 +6,9 @@
 
 namespace rocinante {
 
-/// What a recording says of itself. Texts end without a newline.
+/// The summary of a recording. Texts end without a newline.
 
-/// A few lines for a person.
+/// A few lines for the user.
 std::string summaryText(const RecordSummary& summary);
 
 /// docs/programs/record.md, "JSON".

@@ -18,17 +18,17 @@
 namespace rocinante {
 namespace {
 
-/// A loss of one endpoint as it stands in the log, its index with it.
+/// Bytes of one endpoint's loss message in the log, with its index.
 constexpr std::uint64_t kLossBytes = 512;
-/// A chunk holds at most this part of a piece, so that pieces come near their size.
+/// Chunks to aim for in a piece, so that pieces come close to their size.
 constexpr std::uint64_t kChunksInPiece = 16;
 constexpr std::uint64_t kLeastChunkBytes = 4'096;
-/// Of a disk quota: pieces so large that losing the oldest loses little of the whole.
+/// Pieces per disk quota: deleting the oldest loses a small part of the whole.
 constexpr std::uint64_t kPiecesInQuota = 8;
 
 std::string newSessionId() {
   std::array<std::byte, 16> bytes{};
-  // 16 bytes come whole or not at all, and only an early boot makes it wait.
+  // 16 bytes are read whole or not at all; only early boot makes it wait.
   if (::getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) {
     const auto now = std::chrono::steady_clock::now().time_since_epoch().count();
     std::memcpy(bytes.data(), &now, sizeof now);
@@ -52,7 +52,7 @@ SplitRule splitOf(const RecordOptions& options) {
   return split;
 }
 
-/// Pieces that are full before anything was recorded in them would follow one another for ever.
+/// A piece that the cell alone fills would be followed by another without end.
 Status checkSizes(const RecordOptions& options, const SplitRule& split) {
   const std::uint64_t cell = cellBytes(options);
   const std::uint64_t each = options.attach_once ? 0 : cell;
@@ -72,17 +72,17 @@ Status checkSizes(const RecordOptions& options, const SplitRule& split) {
   return {};
 }
 
-/// A flight recorder that finds out at the accident that it cannot write is none.
+/// A flight recorder must find out before the accident that it cannot write.
 Status checkFolder(const RecordOptions& options, LogTime now) {
   const auto path = recordPath(options.log.string(), WallTime(now.time_since_epoch()));
   if (!path) return path.error();
   std::filesystem::path folder = path->has_parent_path() ? path->parent_path() : ".";
   std::error_code ignored;
-  // The last folder would be made.
+  // The last folder will be created.
   if (!std::filesystem::exists(folder, ignored)) {
     folder = folder.has_parent_path() ? folder.parent_path() : ".";
   }
-  // Tried, not asked for: what the system says of rights is not all that can refuse.
+  // Create a file: permission bits do not tell everything that can refuse.
   std::string probe = (folder / ".rocinante-XXXXXX").string();
   const int file = ::mkstemp(probe.data());
   if (file >= 0) {

@@ -7,17 +7,17 @@
 
 namespace rocinante {
 
-/// What a recording is to go into, made ready.
+/// The open sink of a recording.
 struct RecordSink {
   std::unique_ptr<CaptureSink> sink;
-  std::string name;  ///< of the log, or of what a ring's files will be called
+  std::string name;  ///< of the log, or the pattern of a ring's files
 };
 
-/// Makes the first log, or looks whether a ring's files can be made. `now` is the session's time;
-/// `notes` must outlive the sink. Fails where not even one piece would be as the options want it.
+/// Creates the first log, or checks that a ring's files can be created. `now` is the session's
+/// time; `notes` must outlive the sink. Fails when not even one piece can satisfy the options.
 Result<RecordSink> makeSink(const RecordOptions& options, LogTime now, NoteBox& notes);
 
-/// For a log that was made already, which stays the only one.
+/// For an existing log, the only one of the recording.
 std::unique_ptr<CaptureSink> sinkOf(LogWriter log, const RecordOptions& options, NoteBox& notes);
 
 }  // namespace rocinante

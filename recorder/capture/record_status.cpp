@@ -18,7 +18,7 @@ double perSecond(std::uint64_t now, std::uint64_t before, Nanoseconds span) {
                                : 0;
 }
 
-/// "43 s", "12 min", "5.2 h", "12 days", "over a year": what a person wants to know of it.
+/// "43 s", "12 min", "5.2 h", "12 days", "over a year".
 std::string roughly(double span_s) {
   if (span_s < 120) return fmt::format("{:.0f} s", span_s);
   if (span_s < 7'200) return fmt::format("{:.0f} min", span_s / 60);
@@ -29,7 +29,7 @@ std::string roughly(double span_s) {
 
 }  // namespace
 
-/// What was told nearest to `elapsed`, but not after it; or the first of all.
+/// The latest progress up to `elapsed`, or else the first.
 const RecordProgress& RecordStatus::before(Nanoseconds elapsed) const {
   const auto later = std::ranges::find_if(
       told_, [&](const RecordProgress& each) { return each.elapsed > elapsed; });

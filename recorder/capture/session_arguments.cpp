@@ -8,7 +8,7 @@
 namespace rocinante {
 namespace {
 
-/// As of `log split`: below it a piece is hardly more than its beginning and end.
+/// As for `log split`: a smaller piece is hardly more than its beginning and end.
 constexpr std::uint64_t kLeastPieceBytes = 4'096;
 constexpr std::uint64_t kLeastQuotaBytes = 64 << 10U;
 

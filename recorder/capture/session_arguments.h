@@ -13,8 +13,8 @@ class App;
 
 namespace rocinante {
 
-/// Of the command line of rocinante-record, as it stands there: what is recorded when, in which
-/// files, and what of it stays.
+/// The part of rocinante-record's command line about when to record, into which files, and which of
+/// them to keep; unparsed.
 struct SessionArguments {
   std::string split_size, split_time;
   std::optional<std::uint64_t> keep;
@@ -24,13 +24,13 @@ struct SessionArguments {
   std::vector<std::string> ring_on, start_on, stop_on;
 };
 
-/// Its options, with their help. `arguments` must outlive the parsing.
+/// Adds the options with their help. `arguments` must outlive parsing.
 void addSessionArguments(CLI::App& app, SessionArguments& arguments);
 
-/// Fills in what they ask for. bad_argument for what cannot be, alone or together.
+/// Fills in `options`. bad_argument for invalid values or combinations.
 Status readSessionArguments(const SessionArguments& arguments, RecordOptions& options);
 
-/// A duration of more than nothing; `option` is named when it is not.
+/// A duration greater than zero; the error names `option`.
 Result<Nanoseconds> readSpan(const std::string& text, const char* option);
 
 }  // namespace rocinante

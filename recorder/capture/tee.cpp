@@ -66,7 +66,7 @@ void Tee::forward(std::span<const ReceivedDatagram> batch) {
   news_.notify_one();
 }
 
-/// Everything that waits; false when nothing does, and nothing will.
+/// Takes all waiting blocks. False when none are left and none will come.
 bool Tee::take(std::vector<std::unique_ptr<DatagramBlock>>& blocks) {
   std::unique_lock lock(mutex_);
   for (auto& each : blocks) {
@@ -119,7 +119,7 @@ void Tee::send(const DatagramBlock& block) {
 Status checkTee(const Endpoint& to, const std::vector<DatagramSource*>& sources) {
   for (const DatagramSource* source : sources) {
     const SocketAddress& bound = source->boundAddress();
-    // Watched traffic hears the tee too; there its datagrams are told by where they come from.
+    // Watched traffic includes the tee's own, which is recognised by its source address.
     if (source->endpoint().isPcap() || bound.port != to.address.port ||
         bound.is_ipv6 != to.address.is_ipv6) {
       continue;

@@ -15,38 +15,38 @@
 
 namespace rocinante {
 
-/// Sends on what is received, verbatim and in order, from a thread of its own behind a bounded
-/// queue: a network that is slow costs the tee datagrams, counted, and the recording none.
+/// Forwards received datagrams, verbatim and in order, from its own thread behind a bounded queue:
+/// a slow network makes the tee drop datagrams, which are counted, and costs the recording none.
 class Tee {
  public:
   struct Options {
-    std::size_t queue_blocks = 64;  ///< of DatagramBlock: 57 MB at most
-    /// At the end, for what still waits.
+    std::size_t queue_blocks = 64;  ///< DatagramBlocks: 57 MB at most
+    /// Time for the waiting datagrams at the end.
     Nanoseconds patience = std::chrono::milliseconds(500);
   };
   struct Account {
     Endpoint to;
     std::uint64_t sent = 0;
-    std::uint64_t dropped = 0;     ///< the queue was full, or the system refused to send them
+    std::uint64_t dropped = 0;     ///< queue full, or refused by the system
     std::optional<Error> trouble;  ///< the first refusal
   };
 
-  /// bad_argument or refused as UdpSender::open says.
+  /// Fails as UdpSender::open: bad_argument or refused.
   static Result<std::unique_ptr<Tee>> open(const Endpoint& to, const Options& options);
   static Result<std::unique_ptr<Tee>> open(const Endpoint& to) { return open(to, Options()); }
   ~Tee();
   Tee(const Tee&) = delete;
   Tee& operator=(const Tee&) = delete;
 
-  /// For one receiving thread: copies the datagrams, never waits for the network.
+  /// Copies the datagrams; never waits for the network. For one receiving thread.
   void forward(std::span<const ReceivedDatagram> batch);
 
-  /// Sends what still waits, within Options::patience, and ends the thread.
+  /// Sends waiting datagrams within Options::patience, then ends the thread.
   void close();
   /// Exact after close().
   Account account() const;
 
-  /// Where the datagrams come from, as a receiver on this machine sees it.
+  /// The datagrams' source address, as a receiver on this machine sees it.
   const SocketAddress& localAddress() const { return sender_.localAddress(); }
 
  private:
@@ -65,11 +65,11 @@ class Tee {
   std::size_t made_ = 0;
   std::optional<SteadyTime> closed_;
   Account account_;
-  std::vector<ByteView> payloads_;  ///< of the thread
+  std::vector<ByteView> payloads_;  ///< used by the thread
   std::thread thread_;
 };
 
-/// Says why `to` cannot be a tee of a recording that listens at `sources`: it would hear itself.
+/// Fails if a recording that listens on `sources` would receive what it sends to `to`.
 Status checkTee(const Endpoint& to, const std::vector<DatagramSource*>& sources);
 
 }  // namespace rocinante

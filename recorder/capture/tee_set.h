@@ -7,23 +7,23 @@
 
 namespace rocinante {
 
-/// All tees of a recording; none is the rule. Each has its own queue and thread, so that a slow one
-/// costs the others nothing.
+/// All tees of a recording, usually none. Each has its own queue and thread, so a slow one does not
+/// affect the others.
 class TeeSet {
  public:
-  /// All or none; fails as Tee::open does.
+  /// Opens all or none; fails as Tee::open.
   static Result<TeeSet> open(const std::vector<Endpoint>& endpoints);
 
   bool empty() const { return tees_.empty(); }
-  /// What must not be heard again (InputOptions::own).
+  /// Addresses whose datagrams must not be recorded again (InputOptions::own).
   std::vector<SocketAddress> localAddresses() const;
-  /// Says why a recording that listens at `sources` would hear itself.
+  /// Fails if a recording that listens on `sources` would receive its own tee.
   Status check(const std::vector<DatagramSource*>& sources) const;
 
   void forward(std::span<const ReceivedDatagram> batch) {
     for (const auto& each : tees_) each->forward(batch);
   }
-  /// Sends what still waits, for a moment. Not while something forwards.
+  /// Sends waiting datagrams for a moment. Not while another thread forwards.
   void close() {
     for (const auto& each : tees_) each->close();
   }

@@ -7,12 +7,12 @@
 
 namespace rocinante {
 
-/// What a recording that goes on has to say to people, handed from its threads to the caller's.
+/// Notes for the user, handed from the threads of a running recording to the caller's.
 class NoteBox {
  public:
   struct Note {
     std::string text;
-    bool is_trouble = false;  ///< something was not done that was asked for
+    bool is_trouble = false;  ///< a requested operation failed
   };
 
   void say(std::string text) { add({std::move(text), false}); }
@@ -23,7 +23,7 @@ class NoteBox {
   }
 
  private:
-  // A program that never asks must not fill the memory.
+  // Bounds the memory when the program never calls take().
   static constexpr std::size_t kMax = 10'000;
 
   void add(Note note) {

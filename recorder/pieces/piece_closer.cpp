@@ -33,7 +33,7 @@ void PieceCloser::add(Job job) {
   changed_.notify_all();
 }
 
-/// Ends when asked to and nothing is left to do.
+/// Returns when asked to end and nothing is left to do.
 void PieceCloser::work() {
   std::unique_lock lock(mutex_);
   while (true) {

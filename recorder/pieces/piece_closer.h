@@ -14,16 +14,15 @@
 
 namespace rocinante {
 
-/// Closes pieces and deletes them in a thread of its own, one thing after another in the order
-/// asked for: closing waits for the disk, and what is recorded must not wait with it. The thread
-/// begins with the first thing to do.
+/// Closes and deletes pieces in its own thread, in the order requested: closing waits for the disk,
+/// and recording must not. The thread starts with the first request.
 class PieceCloser {
  public:
   struct Done {
-    std::unique_ptr<PieceLog> piece;  ///< that was closed; null: the file of `facts` was deleted
-    PieceFacts facts;                 ///< as they are in the end
+    std::unique_ptr<PieceLog> piece;  ///< the closed piece; null: the file of `facts` was deleted
+    PieceFacts facts;                 ///< final
     Status status;
-    bool was_gone = false;  ///< another file stands there by now, or none: nothing was deleted
+    bool was_gone = false;  ///< the file was missing or replaced by another, so nothing was deleted
   };
 
   PieceCloser() = default;
@@ -31,15 +30,15 @@ class PieceCloser {
   PieceCloser(const PieceCloser&) = delete;
   PieceCloser& operator=(const PieceCloser&) = delete;
 
-  /// `facts` beside what the piece itself knows: its triggers. Waits while kMaxWaiting others
-  /// wait, so that a disk that is too slow is met by the recorder's queue, which counts.
+  /// `facts` holds what the piece does not know: its triggers. Blocks while kMaxWaiting others
+  /// wait, so that a slow disk fills the recorder's queue, which counts losses.
   void close(std::unique_ptr<PieceLog> piece, std::string reason, PieceFacts facts);
-  /// Deletes the file, if it is still the one that was made.
+  /// Deletes the file if it is still the recorder's own.
   void remove(PieceFacts facts);
 
   /// What was done since the last call.
   std::vector<Done> takeDone();
-  /// The same once everything asked for is done.
+  /// The same after everything requested is done.
   std::vector<Done> finish();
 
   static constexpr std::size_t kMaxWaiting = 8;

@@ -31,7 +31,7 @@ Result<MadePiece> PieceMaker::make(LogTime start, const PieceNamer::Ours& ours) 
   const PieceFile file = PieceFile::at(*path);
   if (options_.cell && !(options_.attach_once && attached_)) {
     if (Status attached = AttachedBundle(*options_.cell).writeTo(*log, start); !attached) {
-      // A log that did not get its cell is none.
+      // A log without its cell is not kept.
       if (file.isThere()) std::filesystem::remove(*path, ignored);
       return failed(attached.error());
     }

@@ -10,23 +10,22 @@
 
 namespace rocinante {
 
-/// Makes the logs of one session, one after another: each with a name of its own, the session's
-/// id, and the cell.
+/// Creates the logs of one session: each with its own name, the session's id and the cell.
 class PieceMaker {
  public:
   struct Options {
     PieceNamer::Options naming;
     LogWriterOptions writing;
     std::string session_id;
-    std::shared_ptr<const CellBundle> cell;  ///< attached to each; null: none
-    bool attach_once = false;                ///< to the first alone
-    NoteBox* notes = nullptr;                ///< null: nobody listens
+    std::shared_ptr<const CellBundle> cell;  ///< attached to each log; null for none
+    bool attach_once = false;                ///< to the first only
+    NoteBox* notes = nullptr;                ///< may be null
   };
 
   explicit PieceMaker(Options options) : options_(std::move(options)), namer_(options_.naming) {}
 
-  /// One that begins at `start`. Its folder is made when only that is missing. What could not be
-  /// made whole is not left behind.
+  /// A log that begins at `start`. Creates its folder if only the last one is missing. Leaves no
+  /// incomplete file behind.
   Result<MadePiece> make(LogTime start, const PieceNamer::Ours& ours);
 
  private:

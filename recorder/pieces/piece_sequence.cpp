@@ -10,10 +10,11 @@ namespace {
 
 using std::chrono::seconds;
 
-/// A restatement runs out after a second, so only an unbroken chain of them keeps a seam longer.
+/// A restatement is abandoned after a second, so only an unbroken chain of them delays a seam
+/// longer.
 constexpr Nanoseconds kMaxWait = seconds(1);
 constexpr Nanoseconds kRetry = seconds(1);
-/// Of a piece that another follows, as rocinante.end has it.
+/// Reason in rocinante.end of a piece that another follows.
 constexpr const char* kSplitReason = "split";
 
 LogTime cellBegin(LogTime time, LogTime origin, Nanoseconds span) {
@@ -50,7 +51,7 @@ bool PieceSequence::seamDue(LogTime time) {
     asked_ = false;
     return false;
   }
-  // What came at one time stays together.
+  // Datagrams of one time stay together.
   if (time <= piece_->lastTime()) return false;
   if (retry_at_ && time < *retry_at_) return false;
   if (!wanted_since_) wanted_since_ = time;
@@ -61,8 +62,9 @@ Status PieceSequence::seam(LogTime time) {
   const auto ours = [&](const std::filesystem::path& path) {
     return (piece_->file().path == path && piece_->file().isThere()) || shelf_.holds(path);
   };
-  // Before the next is made, which may take a while with a large cell: a kill meanwhile takes
-  // nothing that was given to this one. And what the disk refuses of it can still be told in it.
+  // Flush before the next piece is created, which may take a while with a large cell: a kill
+  // meanwhile loses nothing given to this one, and what the disk refuses can still be reported in
+  // it.
   if (Status flushed = piece_->flushAll(); !flushed) return flushed;
   Result<MadePiece> made = options_.make_next(time, ours);
   if (!made) {
@@ -99,8 +101,8 @@ Status PieceSequence::write(const CapturedDatagram& datagram) {
   return written;
 }
 
-/// A piece is full when one more step such as its largest would make it larger than wanted; but it
-/// holds at least as much as it opens with, or nothing but openings would be written.
+/// A piece is full when one more step as large as its largest would exceed the wanted size. It
+/// holds at least as much as its opening, or only openings would be written.
 void PieceSequence::noteSize() {
   const std::uint64_t bytes = piece_->bytes();
   if (bytes == seen_bytes_) return;
@@ -124,7 +126,7 @@ Status PieceSequence::flush(LogTime, SteadyTime now) {
 Status PieceSequence::close(const std::string& reason) {
   Status closed = piece_->close(reason);
   tellDisturbance();
-  // Its end counts too.
+  // The end of the piece counts too.
   shelf_.keepLimits(piece_->bytes());
   Status settled = shelf_.finish();
   return closed ? settled : closed;

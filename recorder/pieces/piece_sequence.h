@@ -13,18 +13,17 @@
 
 namespace rocinante {
 
-/// Where a recording parts of itself; with neither it does so only when asked.
+/// When a recording begins a new piece by itself; with neither, only on request.
 struct SplitRule {
-  std::uint64_t size_bytes = 0;  ///< 0: never. About the size of a piece
-  Nanoseconds time{0};           ///< 0: never. Every so often, counted from the session's origin
+  std::uint64_t size_bytes = 0;  ///< 0: never. Approximate size of a piece
+  Nanoseconds time{0};           ///< 0: never. Interval, counted from the session's origin
 };
 
-/// A recording in logs one after another, each of which stands alone: it opens with a keyframe of
-/// what preceded it. One log is a sequence of one. A seam lies between two log times, at which no
-/// restatement is unfinished, if there is such a place within a second; no datagram is in two
-/// pieces or in none. The old piece is closed, and what the limits want gone is deleted, in another
-/// thread. Where the next piece cannot be made, the recording goes on in the old one, says so, and
-/// tries again.
+/// Records into a sequence of self-contained logs: each opens with a keyframe of what preceded it.
+/// A single log is a sequence of one. A seam lies between two log times where no restatement is
+/// unfinished, if such a place comes within a second; every datagram is in exactly one piece.
+/// Another thread closes the old piece and deletes pieces beyond the limits. When the next piece
+/// cannot be created, the recording continues in the old one, reports it and tries again.
 class PieceSequence final : public CaptureSink {
  public:
   using MakePiece = std::function<Result<MadePiece>(LogTime start, const PieceNamer::Ours& ours)>;
@@ -33,7 +32,7 @@ class PieceSequence final : public CaptureSink {
     SplitRule split;
     RetentionLimits limits;
     KeyframeOptions keyframes;
-    MakePiece make_next;  ///< empty: there is one piece alone
+    MakePiece make_next;  ///< empty: a single piece
   };
 
   /// `notes` must outlive it.
@@ -64,14 +63,14 @@ class PieceSequence final : public CaptureSink {
   std::unique_ptr<PieceLog> piece_;
   PieceShelf shelf_;
   std::optional<LogTime> origin_;     ///< of the session: its first captured datagram
-  std::optional<LogTime> time_cell_;  ///< where the span of --split-time begins that we are in
+  std::optional<LogTime> time_cell_;  ///< start of the current --split-time interval
   bool asked_ = false;
   bool full_ = false;
-  std::uint64_t opening_bytes_ = 0;  ///< of this piece before its first datagram
+  std::uint64_t opening_bytes_ = 0;  ///< bytes of this piece before its first datagram
   std::uint64_t seen_bytes_ = 0;
-  std::uint64_t largest_step_ = 0;  ///< by which the piece ever grew at once
+  std::uint64_t largest_step_ = 0;  ///< largest growth of the piece in one step
   std::optional<LogTime> wanted_since_;
-  std::optional<LogTime> retry_at_;  ///< the next piece could not be made; not before this
+  std::optional<LogTime> retry_at_;  ///< earliest retry after the next piece could not be created
   std::string last_trouble_;
 };
 

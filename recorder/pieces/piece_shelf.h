@@ -11,27 +11,27 @@
 
 namespace rocinante {
 
-/// The finished pieces of a recording: closes them in the background, deletes those that the limits
-/// want gone, and says so.
+/// The finished pieces of a recording: closes them in the background, deletes those beyond the
+/// limits, and notes both.
 class PieceShelf {
  public:
   /// `notes` must outlive it.
   PieceShelf(RetentionLimits limits, NoteBox& notes);
 
-  /// Takes a piece that nothing will be added to. `about`: what it does not know of itself.
+  /// Takes a finished piece. `about` holds what the piece does not know.
   void put(std::unique_ptr<PieceLog> piece, std::string reason, const PieceFacts& about = {});
-  /// While another is being written that holds `current_bytes`.
+  /// Enforces the limits while a piece of `current_bytes` is being written.
   void keepLimits(std::optional<std::uint64_t> current_bytes);
-  /// Looks at what was done since. The first piece that could not be closed well is the answer.
+  /// Collects finished work. Returns the first failure to close a piece.
   Status settle();
-  /// The same once everything is done.
+  /// The same after everything is done.
   Status finish();
 
-  /// A piece of this recording lies there.
+  /// True if a piece of this recording has this path.
   bool holds(const std::filesystem::path& path) const { return retention_.holds(path); }
-  /// Of everything ever put here.
+  /// Total over all pieces put here.
   std::uint64_t bytesEver() const { return bytes_ever_; }
-  /// What the disk refused of it, by flow.
+  /// Datagrams of those that the disk refused, by flow.
   const std::vector<std::uint64_t>& refusedByFlow() const { return refused_; }
   RecordedFiles files() const;
 

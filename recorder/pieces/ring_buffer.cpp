@@ -65,7 +65,7 @@ bool RingBuffer::add(const Item& item) {
   return true;
 }
 
-/// The same place, where the item behind it lies: a block's end is the beginning of the next.
+/// The same place, normalised: a block's end becomes the beginning of the next block.
 RingBuffer::Place RingBuffer::found(const Place& place) const {
   if (place.number == first_) return begin();
   const Block& block = blocks_[place.block - first_block_];

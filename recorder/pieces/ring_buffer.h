@@ -10,8 +10,8 @@
 
 namespace rocinante {
 
-/// What was told a recording, oldest first, in memory of a fixed size: datagrams and what stands
-/// between them. Things are taken away at the front and added at the end. Pure.
+/// The items of a recording (datagrams, losses, clock steps) in memory of fixed size, oldest first.
+/// Items are removed at the front and added at the end. Pure.
 class RingBuffer {
  public:
   enum class Kind : std::uint32_t { datagram, loss, step };
@@ -22,12 +22,12 @@ class RingBuffer {
     std::int64_t publish_time_ns = 0;
     std::uint32_t flow = 0;
     std::uint32_t sequence = 0;
-    ByteView payload;  ///< borrowed until the item is taken away
+    ByteView payload;  ///< borrowed until the item is removed
   };
 
-  /// A place between two items. One that lies before the front means nothing any more.
+  /// A place between two items. Invalid once it lies before the front.
   struct Place {
-    std::uint64_t number = 0;  ///< of the item behind it, counted from the first ever added
+    std::uint64_t number = 0;  ///< of the next item, counted from the first ever added
     std::uint64_t block = 0;   ///< counted likewise
     std::uint32_t offset = 0;
     bool operator==(const Place& other) const { return number == other.number; }
@@ -35,10 +35,10 @@ class RingBuffer {
 
   static constexpr std::size_t kBlockBytes = std::size_t{1} << 20U;
 
-  /// At least four blocks, so that any datagram fits and little is lost with one.
+  /// Uses at least four blocks, so that any datagram fits and dropping a block loses little.
   explicit RingBuffer(std::uint64_t max_bytes);
 
-  /// False when it does not fit: then something at the front has to go first.
+  /// False when it does not fit: remove items at the front first.
   bool add(const Item& item);
   /// The first item. Not for an empty ring.
   Item front() const { return at(begin()); }
@@ -46,13 +46,13 @@ class RingBuffer {
 
   bool empty() const { return first_ == next_.number; }
   std::uint64_t size() const { return next_.number - first_; }
-  /// Of the blocks in use.
+  /// Memory of the blocks in use.
   std::uint64_t bytes() const { return blocks_.size() * kBlockBytes; }
   std::uint64_t maxBytes() const { return max_blocks_ * kBlockBytes; }
 
   Place begin() const { return {first_, first_block_, front_offset_}; }
   Place end() const { return next_; }
-  /// What stands behind `place`, which is not the end.
+  /// The item after `place`, which is not the end.
   Item at(const Place& place) const;
   Place after(const Place& place) const;
 
@@ -78,7 +78,7 @@ class RingBuffer {
 
   std::uint64_t max_blocks_;
   std::deque<Block> blocks_;
-  std::unique_ptr<std::byte[]> spare_;  ///< a ring that turns asks for no memory
+  std::unique_ptr<std::byte[]> spare_;  ///< avoids allocation while the ring turns
   std::uint64_t first_block_ = 0;       ///< number of blocks_.front()
   std::uint32_t front_offset_ = 0;
   std::uint64_t first_ = 0;  ///< number of the first item

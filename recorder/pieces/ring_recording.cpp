@@ -13,10 +13,10 @@
 namespace rocinante {
 namespace {
 
-/// More than the span is kept, so that a file can begin where no restatement is unfinished: one
-/// runs out after a second.
+/// Kept beyond the span, so that a file can begin where no restatement is unfinished: one is
+/// abandoned after a second.
 constexpr Nanoseconds kMargin = std::chrono::seconds(1);
-/// Written at a time: a few milliseconds, in which the queue takes what comes.
+/// Items written at a time: a few milliseconds, during which the queue buffers datagrams.
 constexpr std::uint64_t kItemsATime = 8'192;
 constexpr const char* kRingReason = "ring";
 
@@ -39,7 +39,7 @@ void RingRecording::fold(const RingBuffer::Item& item, SessionState& state) {
   if (channels_[item.flow]->encoding != decoder_.encoding()) return;
   if (const Packet* const packet = decoder_.decode(item.payload)) {
     state.apply(item.time, *packet);
-    (void)state.takeEvents();  // they would pile up
+    (void)state.takeEvents();  // or they would accumulate
   }
 }
 
@@ -59,7 +59,7 @@ void RingRecording::add(const RingBuffer::Item& item) {
   last_ = item.time;
   dropOld(item.time);
   while (!ring_.add(item)) {
-    // The file comes before the ring: what it still has to take is not given up.
+    // The file takes precedence: write its items before the ring drops them.
     while (file_ && next_ == ring_.begin()) writeSome(kItemsATime);
     dropped_early_ = ring_.front().time;
     dropFront();
@@ -79,7 +79,7 @@ Status RingRecording::write(const CapturedDatagram& datagram) {
   return {};
 }
 
-/// Before anything of its span is dropped.
+/// Called before anything of the span is dropped.
 void RingRecording::triggerBySilence(LogTime reached) {
   if (const Condition* const met = triggers_.metBySilence(reached)) {
     trigger(triggers_.moment(), met->text());
@@ -107,8 +107,8 @@ void RingRecording::trigger(LogTime moment, const std::string& why) {
   startFile(moment, why);
 }
 
-/// The last place up to `from` at which no restatement is unfinished, or else the first one within
-/// kMargin behind it; `state` becomes the fold of everything before.
+/// The last place up to `from` where no restatement is unfinished, or else the first one within
+/// kMargin after it; `state` becomes the fold of everything before.
 RingBuffer::Place RingRecording::placeToBegin(LogTime from, SessionState& state) {
   state = tail_;
   std::optional<RingBuffer::Place> closed;
@@ -188,7 +188,7 @@ Status RingRecording::writeItem(const RingBuffer::Item& item) {
   return file_->write(datagram, /*decoded=*/false);
 }
 
-/// Gives the file what it has not had yet, `most` things at most, and closes it when it has all.
+/// Writes the file's next items, at most `most`, and closes it when it is complete.
 void RingRecording::writeSome(std::uint64_t most) {
   for (; file_ && !(next_ == ring_.end()) && most > 0; --most) {
     const RingBuffer::Item item = ring_.at(next_);

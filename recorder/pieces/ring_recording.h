@@ -13,23 +13,23 @@
 
 namespace rocinante {
 
-/// What a ring keeps.
+/// Limits of a ring.
 struct RingRule {
   Nanoseconds span{};  ///< before a trigger
   Nanoseconds after{0};
-  std::uint64_t max_bytes = std::uint64_t{256} << 20U;  ///< of memory, whatever the rate
+  std::uint64_t max_bytes = std::uint64_t{256} << 20U;  ///< memory, at any rate
 };
 
-/// A flight recorder: keeps the last `span` of a session in memory and writes nothing, until it is
-/// triggered; then all of that, and what comes for `after` more, becomes a log of its own, which
-/// opens with a keyframe of the state before its first datagram. Triggered again while that file is
-/// being written, it goes on in the same one; later, in a new one. The file is written little by
-/// little, as datagrams come: what is in memory at its end stays there for the next.
+/// A flight recorder: keeps the last `span` of a session in memory and writes nothing until it is
+/// triggered. Then that span, and the next `after`, become a log of their own, which opens with a
+/// keyframe of the state before its first datagram. A trigger while that file is being written
+/// extends it; a later trigger starts a new file. The file is written gradually as datagrams come;
+/// memory is kept for the next file.
 class RingRecording final : public CaptureSink {
  public:
   struct Options {
     RingRule ring;
-    RetentionLimits limits;  ///< of the files
+    RetentionLimits limits;  ///< for the files
     KeyframeOptions keyframes;
     PieceSequence::MakePiece make;
     std::vector<Condition> triggers;
@@ -40,7 +40,8 @@ class RingRecording final : public CaptureSink {
   Status begin(const SessionState& preceding, LogTime moment) override;
   bool seamDue(LogTime) override { return false; }
   Status seam(LogTime) override { return {}; }
-  /// None of these fails: a file that cannot be made or written is told, and the ring goes on.
+  /// None of these fails: a file that cannot be created or written is noted, and the ring
+  /// continues.
   Status write(const CapturedDatagram& datagram) override;
   Status writeLoss(const LossSpan& span) override;
   Status writeStep(const ClockStep& step) override;
@@ -52,7 +53,7 @@ class RingRecording final : public CaptureSink {
   std::uint64_t bytesWritten() const override {
     return shelf_.bytesEver() + (file_ ? file_->bytes() : 0);
   }
-  /// Of files, not of the session: what the ring holds is not lost.
+  /// Files refuse datagrams, but the session has not lost what the ring holds.
   std::vector<std::uint64_t> refusedByFlow() const override { return {}; }
   RecordedFiles files() const override { return shelf_.files(); }
   Nanoseconds held() const override;
@@ -74,14 +75,14 @@ class RingRecording final : public CaptureSink {
   ConditionWatch triggers_;
   RingBuffer ring_;
   std::vector<std::optional<FlowChannel>> channels_;  ///< by flow
-  SessionState tail_;  ///< the fold of everything that has left the ring
+  SessionState tail_;                                 ///< fold of everything that has left the ring
   PacketTextDecoder decoder_;
   LogTime last_{};                        ///< of any item
-  std::optional<LogTime> dropped_early_;  ///< the latest item that had to go before its time
+  std::optional<LogTime> dropped_early_;  ///< the latest item that was dropped early
 
   std::unique_ptr<PieceLog> file_;
-  RingBuffer::Place next_;  ///< what the file takes next
-  LogTime until_{};         ///< what comes later is not for the file
+  RingBuffer::Place next_;  ///< next item for the file
+  LogTime until_{};         ///< end of the file's span
   PieceFacts about_file_;
   std::optional<LogTime> origin_;
 

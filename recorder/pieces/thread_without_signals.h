@@ -8,7 +8,8 @@
 
 namespace rocinante {
 
-/// A thread that leaves signals to the caller's. `name` has at most 15 letters.
+/// A thread that blocks all signals, leaving them to the caller's thread. `name` has at most 15
+/// characters.
 template <class Body>
 std::thread threadWithoutSignals(const char* name, Body body) {
   sigset_t all;
