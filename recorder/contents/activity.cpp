@@ -7,7 +7,7 @@
 namespace rocinante {
 namespace {
 
-/// Apart by this many parts or more, two messages are no stream: a whole part lies between them.
+/// Two messages this many parts apart or more are not a stream: a whole part lies between them.
 constexpr double kSilentParts = 2;
 
 std::size_t partAt(double place) {
@@ -34,7 +34,7 @@ void Activity::addAlone(std::array<Part, kActivityParts>& parts, double place) {
 
 void Activity::addFlow(double from, double to) {
   if (!(to > from)) {
-    // At one moment: a message more, and no more time.
+    // Same time as the last message: one more message, no more time.
     parts_[partAt(from)].messages += 1;
     return;
   }
@@ -66,7 +66,7 @@ Activity::Parts Activity::parts() const {
   if (last_ && !last_has_neighbour_) addAlone(all, *last_);
   Parts rates{};
   for (std::size_t i = 0; i < kActivityParts; ++i) {
-    // What came at one moment alone has the whole part to itself.
+    // Messages of a single moment count for the whole part.
     const double flowed = all[i].flowed > 0 ? std::min(all[i].flowed, 1.0) : 1.0;
     rates[i] = all[i].messages / flowed;
   }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::string_view kReason = "rocinante log attach";
 
-/// What of the log's own does not go over, because something new stands in its place.
+/// Attachments of the log that are not copied because new ones replace them.
 class Replaced {
  public:
   explicit Replaced(const AttachOptions& attach) : new_cell_(attach.cell != nullptr) {

@@ -9,7 +9,7 @@
 
 namespace rocinante {
 
-/// The largest file that is attached.
+/// The largest file that can be attached.
 inline constexpr std::uint64_t kMaxAttachedBytes = std::uint64_t{1} << 30;
 
 struct NewAttachment {
@@ -18,15 +18,15 @@ struct NewAttachment {
   Bytes data;
 };
 
-/// What a log is to carry besides what it has.
+/// Files to add to a log.
 struct AttachOptions {
   std::vector<NewAttachment> files;
-  const CellBundle* cell = nullptr;  ///< borrowed; null: none
-  /// In place of what the log has under the same names, or as its cell; else that is refused.
+  const CellBundle* cell = nullptr;  ///< borrowed; null for none
+  /// Replace attachments of the same names, or the cell; otherwise these are refused.
   bool replace = false;
 };
 
-/// The log with more attached to it, as `make` says. Attachments count for no time of the session.
+/// Copies the log with more attachments, as `make` says. Attachments do not extend the session.
 Result<CopyReport> attachToLog(const std::filesystem::path& log, const AttachOptions& attach,
                                const MakeOptions& make);
 

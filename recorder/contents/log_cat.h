@@ -13,18 +13,18 @@
 namespace rocinante {
 
 struct CatOptions {
-  /// Of it from, until, channels (none: the captured ones) and devices.
+  /// Uses from, until, channels (none: the captured ones) and devices.
   SelectionOptions selection;
   CatFormat format = CatFormat::text;
-  bool name_log = false;  ///< several logs are given: say with each message whose it is
+  bool name_log = false;  ///< several logs are given: name the log of each message
 };
 
-/// Takes the next piece of output; an error ends the work.
+/// Receives the next piece of output; an error ends the work.
 using TextSink = std::function<Status(std::string_view)>;
 
-/// Gives the chosen messages of a log, in order, one a line (of a CSV file: one a row, and its
-/// first line names the columns when `with_header`). Marks beside the log are messages on
-/// /rocinante/mark, at their times, behind the log's own. Answers how many there were.
+/// Prints the chosen messages of a log in order, one per line (one per row in CSV, after a line
+/// with the column names if `with_header`). Marks beside the log are messages on /rocinante/mark,
+/// after the log's own of the same time. Returns the number of messages.
 Result<std::uint64_t> catLog(LogReader& reader, const CatOptions& options, bool with_header,
                              const TextSink& out);
 

@@ -27,7 +27,7 @@ std::string sha256Of(ByteView bytes) {
   return hexOf(sha256.finish());
 }
 
-/// Every file anew into a folder that is not there yet.
+/// Writes every file into a new folder.
 Status writeNewFolder(const CellBundle& files, const fs::path& path) {
   std::string beside = path.lexically_normal().string();
   while (beside.size() > 1 && beside.back() == '/') beside.pop_back();
@@ -42,7 +42,7 @@ Status writeNewFolder(const CellBundle& files, const fs::path& path) {
   if (!written) {
     written = Error{written.error().kind, written.error().what, path.string()};
   } else {
-    // Takes the place of an empty folder, never of another.
+    // rename() replaces an empty folder, never any other.
     fs::rename(beside, path, error);
     if (error) {
       written =

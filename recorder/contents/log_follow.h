@@ -11,20 +11,19 @@
 namespace rocinante {
 
 struct FollowOptions {
-  std::vector<std::string> channels;  ///< patterns of topics, as a shell's; empty: captured ones
+  std::vector<std::string> channels;  ///< shell patterns of topics; empty: the captured ones
   CatFormat format = CatFormat::text;
-  bool with_header = true;  ///< a CSV file's first line
+  bool with_header = true;  ///< print CSV's line of column names
 };
 
-/// What happens beside the messages.
 struct FollowEvents {
-  /// Nothing new is there: waits a little; false ends the work.
+  /// Called when nothing new is there: waits a little; false ends the work.
   std::function<bool()> wait;
   std::function<void(const DamageSpan&)> damaged;
 };
 
-/// Gives the chosen messages of a growing log, one a line, until its recorder closes it. What is
-/// there is handed over before each wait. Answers how many there were.
+/// Prints the chosen messages of a growing log, one per line, until its recorder closes it.
+/// Everything available is printed before each wait. Returns the number of messages.
 Result<std::uint64_t> followLog(LogFollower& follower, const FollowOptions& options,
                                 const FollowEvents& events, const TextSink& out);
 

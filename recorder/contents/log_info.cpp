@@ -57,7 +57,7 @@ class Collector {
     for (Event& event : state_.takeEvents()) addEvent(std::move(event));
   }
 
-  /// Those of LOG.marks, which lie in order among the others; at one time behind them.
+  /// Merges the marks of LOG.marks in time order, after other events of equal time.
   void addMarks(std::vector<Event> marks) {
     info_.events += marks.size();
     info_.marks += marks.size();

@@ -12,7 +12,7 @@
 
 namespace rocinante {
 
-/// So many events are kept one by one.
+/// Events beyond these are only counted.
 inline constexpr std::size_t kMaxEvents = 1000;
 
 struct ChannelInfo {
@@ -21,27 +21,27 @@ struct ChannelInfo {
   LogTime first{};
   LogTime last{};
   Activity::Parts activity{};
-  Nanoseconds longest_gap{0};  ///< between one message and the next
+  Nanoseconds longest_gap{0};  ///< between consecutive messages
   LogTime gap_from{};          ///< the message before it
 
-  /// Messages a second between the first and the last; 0 when there are fewer than two.
+  /// Messages per second between the first and the last; 0 with fewer than two.
   double rateHz() const;
 };
 
-/// What `rocinante log info` tells of a log (docs/programs/log.md). Counted by reading every
-/// message, so that it is true of damaged logs too.
+/// The facts of `rocinante log info` (docs/programs/log.md). Counted by reading every message, so
+/// that they are true of damaged logs too.
 struct LogInfo {
   std::string name;
-  LogSummary summary;  ///< as the log says of itself
+  LogSummary summary;  ///< as the log states it
   LogStorage storage;
   std::uint64_t messages = 0;             ///< captured, as read
   std::vector<ChannelInfo> channels;      ///< captured, by id
   std::vector<ChannelInfo> own_channels;  ///< /rocinante/...
   std::uint64_t keyframes = 0;
   std::uint64_t packets = 0;  ///< captured messages that could be decoded
-  std::uint64_t events = 0;   ///< in packets, and marks: in the log and beside it
-  std::uint64_t marks = 0;    ///< of those
-  /// The first of them, in order of time.
+  std::uint64_t events = 0;   ///< in packets, and marks in the log and beside it
+  std::uint64_t marks = 0;    ///< of the events
+  /// The first kMaxEvents, in time order.
   std::vector<Event> first_events;
   LossCounts losses;
   std::uint64_t source_gap = 0;  ///< SEQUENCE numbers that never came, over all sources
@@ -49,11 +49,11 @@ struct LogInfo {
   std::vector<LogAttachment> attachments;
   std::vector<DamageSpan> damage;
   std::string content_sha256;
-  std::string stream_sha256;  ///< of the payloads alone, as the player's report has it
+  std::string stream_sha256;  ///< of the payloads only, as in the player's report
 };
 
-/// Reads the whole log, and its marks. An error when those are malformed. `progress` is told now
-/// and then which part of it is done, 0 to 1.
+/// Reads the whole log and its marks. Fails when the marks are malformed. `progress` is called with
+/// the fraction done, 0 to 1.
 Result<LogInfo> logInfo(const std::filesystem::path& path,
                         const std::function<void(double)>& progress = {});
 

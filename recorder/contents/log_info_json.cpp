@@ -15,7 +15,7 @@ std::string metadataOf(const LogChannel& channel, const char* key) {
   return found == channel.metadata.end() ? std::string() : found->second;
 }
 
-/// Thousandths are as much as a rate means; the digits behind them only change between libraries.
+/// Thousandths are as precise as a rate is; further digits only differ between libraries.
 double thousandths(double value) { return std::round(value * 1000) / 1000; }
 
 Json channelJson(const ChannelInfo& info) {
@@ -120,7 +120,7 @@ std::string logInfoJson(const LogInfo& info, bool indented) {
   out["stored_bytes"] = info.storage.stored_bytes;
   out["expanded_bytes"] = info.storage.expanded_bytes;
   out["damage"] = damageJson(info.damage);
-  // Names come from a stranger's file: what is no UTF-8 is replaced, and must not throw.
+  // Names come from an untrusted file: invalid UTF-8 is replaced, and must not throw.
   return out.dump(indented ? 2 : -1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -6,7 +6,7 @@
 
 namespace rocinante {
 
-/// For scripts: one JSON object, indented or on one line, with its LF.
+/// One JSON object for scripts, indented or on one line, with LF.
 std::string logInfoJson(const LogInfo& info, bool indented);
 
 }  // namespace rocinante

@@ -6,7 +6,7 @@
 
 namespace rocinante {
 
-/// For people: several lines, the last with its LF.
+/// Several lines for the user, each with LF.
 std::string logInfoText(const LogInfo& info);
 
 }  // namespace rocinante

@@ -11,11 +11,11 @@ namespace rocinante {
 
 struct MarkMade {
   Event mark;
-  LogTime origin{};  ///< of the log
+  LogTime origin{};  ///< the log's
 };
 
 /// Adds a mark to LOG.marks at the session time `time` ("12.5s", "-1s", RFC 3339). The log is read,
-/// never written. bad_argument when the time is none, or lies outside the log.
+/// never written. bad_argument when the time is invalid or outside the log.
 Result<MarkMade> markLog(const std::filesystem::path& log, std::string_view time, std::string text);
 
 }  // namespace rocinante

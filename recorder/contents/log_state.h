@@ -8,7 +8,7 @@
 
 namespace rocinante {
 
-/// The state of a session at a moment, to be shown.
+/// The state of a session at a moment, for display.
 struct ShownState {
   std::string log;
   LogTime origin{};

@@ -6,10 +6,10 @@
 
 namespace rocinante {
 
-/// One object (docs/programs/log.md, "state"), with its line end. Numbers are exact.
+/// One object (docs/programs/log.md, "state"), with LF. Numbers are exact.
 std::string stateJson(const ShownState& shown);
 
-/// SHA-256 of the identity's text: equal exactly where two states are the same.
+/// SHA-256 of the identity's text: equal if and only if two states are the same.
 std::string identityHash(const SessionState& state);
 
 }  // namespace rocinante

@@ -10,7 +10,7 @@
 namespace rocinante {
 namespace {
 
-/// The listing, line by line. The statement that says an item again is what shows it best.
+/// The listing, line by line. Each item is shown as the statement that would restate it.
 class StateLines {
  public:
   explicit StateLines(const ShownState& shown) : shown_(shown) {}

@@ -6,9 +6,9 @@
 
 namespace rocinante {
 
-/// For people: sources, then devices one after another with what was said about them, then paths,
-/// drawings and views; names and strings as packet text writes them, so that nothing a sender said
-/// can move a terminal's cursor.
+/// A listing for the user: sources, then each device with its statements, then paths, drawings and
+/// views. Names and strings are escaped as in packet text, so that a sender cannot move the
+/// terminal's cursor.
 std::string stateText(const ShownState& shown);
 
 }  // namespace rocinante

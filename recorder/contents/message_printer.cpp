@@ -12,7 +12,7 @@
 namespace rocinante {
 namespace {
 
-/// RFC 4180: quoted where it must be, quotes doubled.
+/// RFC 4180: quoted where necessary, quotes doubled.
 std::string csvField(std::string_view text) {
   if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
   std::string out = "\"";

@@ -9,19 +9,19 @@ namespace rocinante {
 
 enum class CatFormat { text, json, csv };
 
-/// Writes messages, one a line (docs/programs/log.md, "log cat"). Fields of a stranger come out
-/// harmless: a datagram ends no line and moves no cursor.
+/// Prints messages, one per line (docs/programs/log.md, "log cat"). Untrusted fields are escaped: a
+/// datagram cannot end a line or move the cursor.
 class MessagePrinter {
  public:
-  /// `name` stands before every message, unless it is empty; text counts seconds from `origin`.
+  /// `name` precedes every message unless it is empty; text counts seconds from `origin`.
   MessagePrinter(CatFormat format, std::string name, LogTime origin)
       : format_(format), name_(std::move(name)), origin_(origin) {}
 
-  /// In text, topics take at least as much room as the widest that was told here.
+  /// Widens the topic column of text output to fit this channel.
   void makeRoomFor(const LogChannel& channel);
   void setOrigin(LogTime origin) { origin_ = origin; }
 
-  /// Appends the line that names the columns: CSV has one.
+  /// Appends the line of column names, for CSV.
   void header(std::string& out) const;
   void message(const LogMessage& message, std::string& out) const;
 

@@ -8,8 +8,8 @@
 
 namespace rocinante {
 
-/// A payload on one line. Packet text has its lines joined by " | "; other bytes are given in
-/// hexadecimal, the first 32 of them, with the length.
+/// A payload on one line. Lines of packet text are joined by " | "; other payloads are shown as
+/// their first 32 bytes in hexadecimal, with the length.
 std::string payloadLine(ByteView payload, bool is_text);
 
 /// RFC 4648, with padding.

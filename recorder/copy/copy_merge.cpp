@@ -9,7 +9,7 @@
 namespace rocinante {
 namespace {
 
-/// A channel as what it is a part of: without /rocinante/restated.
+/// The channel's topic without /rocinante/restated.
 std::string_view plainTopic(const LogChannel& channel) {
   std::string_view topic = channel.topic;
   if (topic.starts_with(profile::kRestatedPrefix))
@@ -29,7 +29,7 @@ void addText(Bytes& out, std::string_view text) {
   out.insert(out.end(), bytes.begin(), bytes.end());
 }
 
-/// Equal for items that are one when two pieces of a session hold them.
+/// Equal for items that count as one when two pieces of a session hold them.
 std::array<std::byte, 16> identityOf(const CopyItem& item) {
   Bytes all;
   if (isMessage(item.kind)) {
@@ -58,7 +58,7 @@ std::array<std::byte, 16> identityOf(const CopyItem& item) {
 CopyMerge::CopyMerge(std::vector<CopySource>& sources)
     : sources_(sources), heads_(sources.size(), nullptr) {}
 
-/// Puts the next of every source that was taken from into heads_; at first, of all.
+/// Refills heads_ from every source whose head was taken; from all sources at first.
 Status CopyMerge::refill() {
   for (std::size_t i = filled_ && taken_ ? *taken_ : 0; i < sources_.size(); ++i) {
     if (taken_) sources_[i].pop();
@@ -72,7 +72,7 @@ Status CopyMerge::refill() {
   return {};
 }
 
-/// An opening goes before everything of its time: it tells what was before.
+/// An opening precedes everything of its time, because it states what was before.
 std::optional<std::size_t> CopyMerge::earliest() const {
   std::optional<std::size_t> best;
   for (std::size_t i = 0; i < heads_.size(); ++i) {
@@ -115,7 +115,7 @@ bool CopyMerge::othersAt(std::size_t source, LogTime time) const {
 
 bool CopyMerge::isRepeated(std::size_t source, const CopyItem& item) {
   if (item.kind == CopyItem::Kind::opening) {
-    // While another piece of its session goes on, the fold holds what this one opens with.
+    // While another piece of the session continues, the fold already holds this opening.
     for (std::size_t i = 0; i < heads_.size(); ++i) {
       const bool goes_on = heads_[i] != nullptr && sources_[i].reader().summary().start < item.time;
       if (i != source && goes_on && sameSession(i, source)) return true;
@@ -127,7 +127,8 @@ bool CopyMerge::isRepeated(std::size_t source, const CopyItem& item) {
     seen_time_ = item.time;
   }
   if (seen_.empty() && !othersAt(source, item.time)) return false;
-  // One that is said again stands in no place of a captured one; the other way round it does.
+  // A restated datagram does not stand in for a captured one, but a captured one does for a
+  // restated.
   const bool captured =
       isMessage(item.kind) && item.message.channel->captured() && item.kind != CopyItem::Kind::lead;
   std::vector<Seen>& equal = seen_[identityOf(item)];
@@ -137,7 +138,7 @@ bool CopyMerge::isRepeated(std::size_t source, const CopyItem& item) {
   if (captured) ++own->captured;
   return std::ranges::any_of(equal, [&](const Seen& other) {
     if (other.source == source) return false;
-    // A person's mark is one whatever sessions it was set in.
+    // Equal marks count as one across sessions.
     if (item.kind != CopyItem::Kind::mark && !sameSession(source, other.source)) return false;
     return captured ? other.captured >= own->captured : other.all >= own->all;
   });

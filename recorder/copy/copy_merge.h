@@ -11,19 +11,19 @@
 
 namespace rocinante {
 
-/// Several sources as one: (time, argument order, their own order).
+/// Merges several sources, ordered by time, argument order, and their own order.
 class CopyMerge {
  public:
-  /// The sources must outlive it and stay where they are.
+  /// The sources must outlive the merge and must not move.
   explicit CopyMerge(std::vector<CopySource>& sources);
 
-  /// The next item, or null at the end; valid until the next call. What several pieces of one
-  /// session hold is given once.
+  /// The next item, or null at the end; valid until the next call. Items that several pieces of one
+  /// session hold are given once.
   Result<const CopyItem*> next();
   std::uint64_t repeated() const { return repeated_; }
 
  private:
-  /// What equal items came at one time from one source.
+  /// Equal items of one time from one source.
   struct Seen {
     std::size_t source = 0;
     std::uint64_t captured = 0;
@@ -38,9 +38,9 @@ class CopyMerge {
 
   std::vector<CopySource>& sources_;
   std::vector<const CopyItem*> heads_;
-  bool filled_ = false;               ///< every source was looked at
-  std::optional<std::size_t> taken_;  ///< whose head was given last
-  /// By the hash of what makes items equal: those at seen_time_, where another source may repeat.
+  bool filled_ = false;               ///< heads_ was filled from every source
+  std::optional<std::size_t> taken_;  ///< source of the item returned last
+  /// Items at seen_time_, which another source may repeat, by identityOf().
   std::map<std::array<std::byte, 16>, std::vector<Seen>> seen_;
   LogTime seen_time_{};
   std::uint64_t repeated_ = 0;

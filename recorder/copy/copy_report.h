@@ -8,13 +8,13 @@
 
 namespace rocinante {
 
-/// For scripts: one JSON object with its LF (docs/programs/log.md).
+/// One JSON object for scripts, with LF (docs/programs/log.md).
 std::string copyReportJson(const std::string& output, const CopyReport& report);
 std::string splitReportJson(const SplitReport& report);
 /// The same with `recovered` and `lost`.
 std::string recoverReportJson(const std::string& output, const CopyReport& report);
 
-/// For people: "piece.mcap: 1200 messages of 3 channels, 2.000 s", with its LF.
+/// For the user: "piece.mcap: 1200 messages of 3 channels, 2.000 s", with LF.
 std::string copyReportText(const std::string& output, const PieceCounts& counts);
 
 /// "bytes 600 to 720 of session.mcap: chunk 3 fails its checksum (12 messages lost)".

@@ -25,7 +25,7 @@ Result<CopySource> CopySource::of(LogReader reader, Options options,
   source.preceding_ = std::move(preceding);
   if (!source.preceding_) {
     if (Status found = source.findOpening(); !found) return found.error();
-    // One that stands inside the range opens the copy too.
+    // A keyframe inside the range opens the copy too.
     const TimeRange& range = source.options_.range;
     const bool inside =
         source.preceding_ && source.preceding_->moment - source.options_.shift >= range.from;
@@ -98,7 +98,7 @@ Status CopySource::start() {
   return range.opened() ? reader_.seek(range.from) : reader_.rewind();
 }
 
-/// Fills message_ with the next one that is wanted.
+/// Fills message_ with the next wanted one.
 Status CopySource::takeMessage() {
   while (!message_ && !at_end_) {
     const Result<std::optional<LogMessage>> read = reader_.next();
@@ -109,7 +109,7 @@ Status CopySource::takeMessage() {
     }
     const LogMessage& message = **read;
     const std::string& topic = message.channel->topic;
-    // Made anew, and told by reader().losses().
+    // Keyframes are made anew, and losses come from reader().losses().
     if (topic == profile::kKeyframeTopic || topic == profile::kLossTopic) continue;
     message_is_lead_ = message.log_time < options_.range.from;
     if (message_is_lead_) {

@@ -16,27 +16,27 @@
 
 namespace rocinante {
 
-/// Told now and then which part of the work is done, 0 to 1. An error ends the work.
+/// Called with the fraction of the work done, 0 to 1. An error ends the work.
 using CopyProgress = std::function<Status(double)>;
 
-/// What stood in a log before a moment, so that a piece that begins there stands alone.
+/// The state before a moment of a log, which makes a piece that begins there self-contained.
 struct Preceding {
   SessionState state;
-  LogTime moment{};  ///< of the keyframe that says it
-  /// A restatement that began behind this place is not complete at the moment asked for. No
-  /// keyframe can say that: `state` is that of this place, and the messages from here to the
-  /// moment are said again on /rocinante/restated/..., so that the fold goes on as it did.
+  LogTime moment{};  ///< of the keyframe that states it
+  /// A restatement that began after this place is incomplete at the requested moment, which a
+  /// keyframe cannot express: `state` is that of this place, and the messages from here to the
+  /// moment are repeated on /rocinante/restated/..., so that the fold continues as it did.
   std::optional<LogPosition> lead;
-  /// The restatements overlap without an end: one of them is taken as abandoned.
+  /// The restatements overlap without end: one of them is treated as abandoned.
   bool restatement_cut = false;
-  /// What the state lacks because the log is damaged before the moment.
+  /// Damage before the moment, for which the state may be incomplete.
   StateDamage damage;
 };
 
-/// The next thing that goes from a log to the output. Times are those of the output.
+/// The next item copied from a log to the output. Times are those of the output.
 struct CopyItem {
   enum class Kind : std::uint8_t {
-    opening,  ///< the keyframe that the log, or the chosen range, begins with: `preceding`
+    opening,  ///< opening keyframe of the log or the chosen range: `preceding`
     lead,     ///< a message from before the range; see Preceding::lead
     message,
     loss,
@@ -45,33 +45,31 @@ struct CopyItem {
   Kind kind = Kind::message;
   LogTime time{};
   std::int64_t publish_time_ns = 0;
-  LogMessage message;  ///< lead, message; as it was read, borrowed until the source moves on
+  LogMessage message;  ///< lead, message; as read, borrowed until the source advances
   const Preceding* preceding = nullptr;
   const LossSpan* loss = nullptr;
   const Event* mark = nullptr;
 };
 
-/// One log that is copied from: what is chosen of it, one thing after another in the order in which
-/// it belongs into the output: by time; at one time first a loss, then messages in the file's
-/// order, then marks. Keyframes are left out but for an opening one. A loss counts at the end of
-/// its span, and belongs to a range [from, until) when that lies in (from, until].
-/// What peek() gives points into the source, which must not be moved from then on.
+/// An input log of a copy: its chosen items in output order, that is by time; at equal times a loss
+/// first, then messages in file order, then marks. Keyframes are left out except an opening one. A
+/// loss counts at the end of its span, and belongs to a range [from, until) if that end is in
+/// (from, until]. Results of peek() point into the source, which must not be moved afterwards.
 class CopySource {
  public:
   struct Options {
     SelectionOptions selection;
     TimeRange range;
-    std::vector<Event> marks;  ///< oldest first; those that the log holds already are left out
+    std::vector<Event> marks;  ///< oldest first; those already in the log are left out
     Nanoseconds shift{0};      ///< added to every log time
     bool shift_publish = false;
   };
 
-  /// Finds what the copy opens with, which reads what stands before the range unless `preceding`
-  /// is given.
+  /// Finds the opening of the copy. Reads the log before the range unless `preceding` is given.
   static Result<CopySource> of(LogReader reader, Options options,
                                std::optional<Preceding> preceding, const CopyProgress& progress);
 
-  /// The next thing, or null at the end. The same until pop().
+  /// The next item, or null at the end. The same until pop().
   Result<const CopyItem*> peek();
   void pop();
 
@@ -79,9 +77,9 @@ class CopySource {
   const LogReader& reader() const { return reader_; }
   const Options& options() const { return options_; }
   LogTime shifted(LogTime time) const { return time + options_.shift; }
-  /// Empty when the log knows none.
+  /// Empty when the log has none.
   std::optional<LogTime> origin() const;
-  /// What could not be used beside what reader().damage() tells.
+  /// Sentences about what could not be used, besides reader().damage().
   const std::vector<std::string>& notes() const { return notes_; }
 
  private:
@@ -96,17 +94,17 @@ class CopySource {
   LogReader reader_;
   Options options_;
   Selection selection_;
-  std::vector<LossSpan> losses_;  ///< in order of their ends, shifted
+  std::vector<LossSpan> losses_;  ///< ordered by their ends, shifted
   std::size_t next_loss_ = 0;
   std::size_t next_mark_ = 0;
   std::optional<Preceding> preceding_;
   bool opening_given_ = false;
-  std::optional<LogMessage> message_;  ///< looked at, not given yet
+  std::optional<LogMessage> message_;  ///< read, not returned yet
   bool message_is_lead_ = false;
   bool at_end_ = false;
   Event baked_mark_;
-  std::string moved_payload_;  ///< of a clock step whose time is shifted
-  /// Texts of marks given at the time of the last: one that stands in the log and beside it is one.
+  std::string moved_payload_;  ///< of a clock step with shifted time
+  /// Texts of the marks at the last mark's time: a mark in the log and beside it counts once.
   std::vector<std::string> given_marks_;
   LogTime given_marks_time_{};
   bool has_item_ = false;

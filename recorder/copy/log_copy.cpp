@@ -49,7 +49,7 @@ Status copyExtras(const std::vector<CopySource>& sources, PieceWriter& piece, bo
       if (!copied.emplace(attachment.name, attachment.media_type, hexOf(digest)).second) {
         continue;
       }
-      // One that was made outside the session's time stays where it was.
+      // An attachment from outside the session's time is not shifted.
       const std::int64_t time = attachment.log_time.time_since_epoch().count();
       if (time != 0) attachment.log_time = std::max(source.shifted(attachment.log_time), LogTime{});
       if (Status written = piece.addAttachment(attachment, *data); !written) return written;
@@ -61,7 +61,7 @@ Status copyExtras(const std::vector<CopySource>& sources, PieceWriter& piece, bo
 void addGaps(const std::vector<CopySource>& sources, CopyReport& report) {
   for (const CopySource& source : sources) {
     for (const DamageSpan& span : source.reader().damage()) {
-      // What has no bytes, or is known to have cost no message, is whole in the output.
+      // Damage without bytes, or known to have cost no message, leaves the output complete.
       const bool costs = span.to > span.from && span.messages_lost != std::uint64_t{0};
       report.gaps.push_back({source.reader().name(), span, costs});
     }

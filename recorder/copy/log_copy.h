@@ -8,7 +8,7 @@
 #include "recorder/copy/output_file.h"
 #include "recorder/copy/piece_writer.h"
 
-/// How a log is made out of others: what cut, filter, merge, split, shift and recover share.
+/// Makes a log from others: the shared part of cut, filter, merge, split, shift and recover.
 ///
 ///   LogReader -> CopySource -+                      +-> PieceWriter (SessionWriter) -> OutputFile
 ///   LogReader -> CopySource -+-> CopyMerge: items -+-> PieceWriter of the next piece ...
@@ -18,10 +18,10 @@
 /// everything stands in it. Inputs are only read. Memory does not grow with the logs.
 namespace rocinante {
 
-/// Something of an input that did not go over.
+/// A part of an input that was not copied.
 struct CopyGap {
   std::string input;
-  DamageSpan span;    ///< from and to are 0 when the place is not known
+  DamageSpan span;    ///< from and to are 0 when the place is unknown
   bool costs = true;  ///< false: nothing is missing in the output
 };
 
@@ -29,26 +29,26 @@ struct CopyReport {
   std::string session_id;
   std::optional<LogTime> origin;
   PieceCounts counts;
-  std::uint64_t repeated = 0;  ///< messages that several pieces of one session held
-  std::vector<CopyGap> gaps;   ///< damage of the inputs
+  std::uint64_t repeated = 0;  ///< messages that several pieces of one session hold
+  std::vector<CopyGap> gaps;   ///< damage in the inputs
   std::vector<std::string> notes;
 };
 
-/// Makes one log out of the sources. The sink is closed on success. `attachments` false
-/// leaves those out.
+/// Makes one log from the sources. Closes the sink on success. `attachments` false leaves
+/// attachments out.
 Result<CopyReport> copyLogs(std::vector<CopySource>& sources, std::unique_ptr<ByteSink> sink,
                             const PieceOptions& options, const std::string& reason,
                             const CopyProgress& progress, bool attachments = true);
 
-/// The metadata that is not ours and, if `attachments`, those, each that is equal once. What cannot
-/// be read of them goes to `gaps`.
+/// Copies foreign metadata and, if `attachments`, attachments; equal ones once. Unreadable ones go
+/// to `gaps`.
 Status copyExtras(const std::vector<CopySource>& sources, PieceWriter& piece, bool attachments,
                   std::vector<CopyGap>& gaps);
 
-/// What of the sources could not be used, once they are read.
+/// Adds the damage of the sources. Call after they are read.
 void addGaps(const std::vector<CopySource>& sources, CopyReport& report);
 
-/// Which part of the sources' time lies before `time`, 0 to 1.
+/// The fraction of the sources' time before `time`, 0 to 1.
 class CopySpan {
  public:
   explicit CopySpan(const std::vector<CopySource>& sources);
@@ -59,7 +59,7 @@ class CopySpan {
   LogTime end_{};
 };
 
-/// How often progress is told, in items.
+/// Items between two progress calls.
 inline constexpr std::uint64_t kProgressItems = 4096;
 
 }  // namespace rocinante

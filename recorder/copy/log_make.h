@@ -9,7 +9,7 @@
 
 namespace rocinante {
 
-/// How an output is to be made, whichever tool makes it.
+/// Options of an output, for every tool.
 struct MakeOptions {
   std::filesystem::path output;
   bool overwrite = false;
@@ -19,26 +19,26 @@ struct MakeOptions {
   CopyProgress progress;
 };
 
-/// Every event of a log, oldest first, if `needed`: those of its datagrams, and the marks that
-/// people set. Damage of the log that may hide one is added to `hiding`.
+/// Every event of a log, oldest first, if `needed`: events in datagrams, and marks. Damage that may
+/// hide an event is added to `hiding`.
 Result<std::vector<Event>> eventsOf(const std::filesystem::path& log, bool needed,
                                     StateDamage& hiding);
 
-/// A log opened to be copied from, with the marks beside it; nothing chosen yet.
+/// An input log with the marks beside it; nothing chosen yet.
 struct OpenedLog {
   LogReader reader;
   CopySource::Options options;
 };
-/// unsupported when the log has a format that we do not know: its copy would claim to have ours.
+/// unsupported when the log has an unknown format: its copy would claim to have ours.
 Result<OpenedLog> openForCopy(const std::filesystem::path& log);
 Status knownFormat(const LogReader& reader);
 
-/// What names the session of a log that does not say it itself (one made by another program): the
-/// beginning of its content_sha256.
+/// The log's session id, or the beginning of its content_sha256 if another program wrote it without
+/// one.
 Result<std::string> sessionIdOf(LogReader& reader);
 
-/// copyLogs() into the file that `make` names: it appears whole or not at all. not_found, and no
-/// file, when no captured message was chosen, unless `may_be_empty`.
+/// Runs copyLogs() into the file that `make` names, which appears whole or not at all. not_found,
+/// and no file, when no captured message was chosen, unless `may_be_empty`.
 Result<CopyReport> makeLog(std::vector<CopySource>& sources, const MakeOptions& make,
                            const PieceOptions& piece, const std::string& reason, bool may_be_empty);
 

@@ -8,7 +8,7 @@
 namespace rocinante {
 namespace {
 
-/// That of all, or one that follows from theirs and their order.
+/// The common session id, or one derived from all ids and their order.
 std::string mergedSessionId(const std::vector<std::string>& ids) {
   if (std::ranges::all_of(ids, [&](const std::string& id) { return id == ids.front(); })) {
     return ids.front();
@@ -22,8 +22,8 @@ std::string mergedSessionId(const std::vector<std::string>& ids) {
   return hexOf(hash.finish()).substr(0, 32);
 }
 
-/// Pieces of one session among the logs, in the order of their beginnings: what two of them hold
-/// comes from the earlier one, which also holds what is around it.
+/// Orders the pieces of each session by their start: a shared message comes from the earlier piece,
+/// which also holds its neighbours.
 void sortPieces(std::vector<OpenedLog>& logs) {
   std::map<std::string, std::vector<std::size_t>> places;
   for (std::size_t i = 0; i < logs.size(); ++i) {
@@ -60,7 +60,7 @@ Result<CopyReport> mergeLogs(const std::vector<std::filesystem::path>& logs,
     Result<CopySource> source =
         CopySource::of(std::move(opened.reader), std::move(opened.options), std::nullopt, {});
     if (!source) return source.error();
-    // A log in which nothing was captured is of no session.
+    // A log without captured messages does not count as part of a session.
     if (source->reader().summary().messages > 0) ids.push_back(*id);
     if (const std::optional<LogTime> its = source->origin()) {
       origin = origin ? std::min(*origin, *its) : *its;

@@ -7,9 +7,10 @@
 
 namespace rocinante {
 
-/// Several logs as one. Those of one session stay that session, and what several of them hold is
-/// taken once; else a new one, named by theirs. Times count from the earliest origin. At one time
-/// the log named first comes first, and of pieces of one session the one that begins first.
+/// Merges several logs. Pieces of one session give that session, and shared messages are taken
+/// once; different sessions give a new one whose id is derived from theirs. Times count from the
+/// earliest origin. At equal times the log named first comes first, and among pieces of one session
+/// the one that begins first.
 Result<CopyReport> mergeLogs(const std::vector<std::filesystem::path>& logs,
                              const MakeOptions& make);
 

@@ -14,13 +14,13 @@ namespace {
 
 using std::chrono::seconds;
 
-/// How far back the beginning of an unfinished restatement is looked for. Each is abandoned after a
+/// How far back to search for the beginning of an unfinished restatement. Each is abandoned after a
 /// second, so only an unbroken chain of them reaches further.
 constexpr Nanoseconds kMaxLead = seconds(10);
 
 constexpr std::uint64_t kProgressEvery = 4096;
 
-/// Reads from where the reader stands; `take` answers whether to go on.
+/// Reads from the reader's position; `take` returns whether to continue.
 Status readWhile(LogReader& reader, const std::function<Result<bool>(const LogMessage&)>& take) {
   while (true) {
     const Result<std::optional<LogMessage>> message = reader.next();
@@ -34,8 +34,8 @@ Status readWhile(LogReader& reader, const std::function<Result<bool>(const LogMe
 
 constexpr LogTime kBeforeAll = LogTime::min();
 
-/// Folds on from `start`, the state of everything up to and with `base`, to `from`, and finds the
-/// lead when a restatement is open then.
+/// Continues the fold `start`, of everything up to and including `base`, to `from`; finds the lead
+/// if a restatement is open there.
 Result<Preceding> foldUpTo(LogReader& reader, Selection& selection, const SessionState& start,
                            LogTime base, LogTime from, const CopyProgress& progress) {
   const auto go_to_start = [&] {
@@ -44,9 +44,9 @@ Result<Preceding> foldUpTo(LogReader& reader, Selection& selection, const Sessio
   const LogTime begin = reader.summary().start;
   const double span = static_cast<double>(std::max<std::int64_t>((from - begin).count(), 1));
   std::uint64_t count = 0;
-  /// The last place behind which no restatement was open; the start when it is empty.
+  /// The last place after which no restatement was open; empty: the start.
   std::optional<LogPosition> closed;
-  std::optional<LogTime> first_open;  ///< of the first message behind it
+  std::optional<LogTime> first_open;  ///< of the first message after it
   bool was_ever_closed = !start.restatementOpen();
   SelectionFold fold(selection, start);
   if (Status there = go_to_start(); !there) return there.error();
@@ -111,7 +111,7 @@ void SelectionFold::fold(const LogMessage& message) {
   const Packet* const packet = decoder_.decode(message.payload);
   if (packet == nullptr) return;
   state_.apply(message.log_time, *packet);
-  // They would pile up.
+  // Events would accumulate.
   (void)state_.takeEvents();
 }
 
@@ -132,7 +132,7 @@ SessionState wantedKeyframeState(ByteView payload, LogTime moment, const Selecti
     }
     Packet wanted = *packet;
     wanted.statements = statements;
-    // What is left of a restatement never comes to its end, and has nothing to take away.
+    // The selected rest of a restatement is never completed, so it must not remove anything.
     wanted.header.part.reset();
     state.apply(moment + shift, wanted);
   }
@@ -169,7 +169,7 @@ Result<Preceding> precedingOf(const std::filesystem::path& path, LogTime from) {
   Selection all;
   for (const Nanoseconds back : {Nanoseconds(seconds(1)), Nanoseconds(seconds(3)), kMaxLead}) {
     const LogTime base = from - back;
-    // What the log begins with is no fold of its messages.
+    // The log's opening state is not a fold of its messages.
     const bool at_start = base <= beginning;
     if (!at_start) {
       state = timeline->stateAt(base, &preceding.damage);

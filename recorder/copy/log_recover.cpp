@@ -18,7 +18,7 @@
 namespace rocinante {
 namespace {
 
-/// A file in memory that can be written there without the file changing.
+/// A private mapping of a file: writing to the memory does not change the file.
 class PrivateFile {
  public:
   static Result<PrivateFile> open(const std::filesystem::path& path) {
@@ -64,7 +64,7 @@ class PrivateFile {
   std::size_t size_ = 0;
 };
 
-/// A checksum over everything before DataEnd that does not hold, where nothing else tells why.
+/// The failure of the data section's checksum, for when no other damage explains it.
 std::optional<DamageSpan> dataSectionDamage(ByteView file) {
   if (file.size() < mcap::kFileEndBytes) return std::nullopt;
   const std::optional<mcap::Record> last = mcap::recordAt(file, file.size() - mcap::kFileEndBytes);
@@ -150,7 +150,7 @@ Result<CopyReport> recoverLog(const std::filesystem::path& log, const MakeOption
   if (!file) return file.error();
   const std::span<std::byte> bytes = file->bytes();
   const ByteView magic = mcap::magic();
-  // Its first eight bytes are the same in every log: what stands there instead costs nothing.
+  // The first eight bytes are the same in every log, so overwriting them loses nothing.
   const bool begins_wrongly =
       bytes.size() > magic.size() && !std::ranges::equal(bytes.first(magic.size()), magic);
   if (begins_wrongly) std::ranges::copy(magic, bytes.begin());

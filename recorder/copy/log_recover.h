@@ -6,13 +6,13 @@
 
 namespace rocinante {
 
-/// What can be read of a log that is cut off, damaged, without an index or never closed, as a whole
-/// log. Its end reason is the input's where that is known. Marks beside it are baked in.
-/// damaged when nothing in it can be read. The report's gaps that cost something are what is
-/// missing; the checksum of the whole data section is looked at too.
+/// Copies the readable part of a log that is cut off, damaged, without an index or never closed
+/// into a complete log. Keeps the input's end reason if it is known. Marks beside the log are
+/// copied into it. damaged when nothing can be read. The report's gaps that cost something are what
+/// is missing; the checksum of the whole data section is checked too.
 Result<CopyReport> recoverLog(const std::filesystem::path& log, const MakeOptions& make);
 
-/// The same over bytes in memory, onto any sink; `name` is for messages to people.
+/// The same for bytes in memory, into any sink; `name` is used in messages.
 Result<CopyReport> recoverBytes(ByteView bytes, std::string name, std::vector<Event> marks,
                                 std::unique_ptr<ByteSink> sink, const LogWriterOptions& log,
                                 const KeyframeOptions& keyframes, const CopyProgress& progress);

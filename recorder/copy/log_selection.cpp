@@ -12,12 +12,12 @@
 namespace rocinante {
 namespace {
 
-/// Nothing asked for, or one of them.
+/// True without patterns, or if one of them matches.
 bool allows(const std::vector<std::string>& patterns, const std::string& text) {
   return patterns.empty() || anyPatternMatches(patterns, text);
 }
 
-/// The first event from `from` on whose text matches; the text itself always matches.
+/// The first event at or after `from` whose text matches; the exact text always matches.
 Result<LogTime> timeOfEvent(const std::string& pattern, LogTime from,
                             const std::vector<Event>& events) {
   for (const Event& event : events) {
@@ -95,7 +95,7 @@ Selection::Selection(const SelectionOptions& options, const std::vector<LogChann
     : sources_(options.sources), devices_(options.devices) {
   if (!options.anyChoice()) return;
   decoder_ = std::make_unique<PacketTextDecoder>();
-  // What an opening keyframe tells may be more than any channel of this log does.
+  // An opening keyframe may state more than the channels of this log do.
   wants_all_ = sources_.empty() && devices_.empty();
   std::set<std::string> wanted_sources;
   std::set<std::string> unwanted_sources;

@@ -13,17 +13,17 @@
 
 namespace rocinante {
 
-/// What of a log is wanted, as a person says it (docs/programs/log.md, "Choosing messages").
-/// Patterns are a shell's. Several of one kind: any of them; of different kinds: all of them.
+/// The user's choice of messages (docs/programs/log.md, "Choosing messages"), as patterns.
+/// Several of one kind: any of them; different kinds: all of them.
 struct SelectionOptions {
   std::string from;        ///< a session time; empty: the start
   std::string until;       ///< not included; empty: with the last message
-  std::string from_event;  ///< pattern of an event's text, in place of `from`
+  std::string from_event;  ///< pattern of an event's text, instead of `from`
   std::string until_event;
   std::vector<std::string> channels;      ///< topics to keep
   std::vector<std::string> not_channels;  ///< topics to drop
   std::vector<std::string> sources;       ///< SOURCEs to keep
-  std::vector<std::string> devices;       ///< datagrams that say something about such a device
+  std::vector<std::string> devices;       ///< keep datagrams with statements about such a device
   std::vector<std::string> encodings;     ///< "rk1", "octets"
 
   bool anyChoice() const {
@@ -45,27 +45,27 @@ struct TimeRange {
   bool holds(LogTime time) const { return time >= from && time < until; }
 };
 
-/// The range that the options name in a log; `events` are the log's, oldest first, and are looked
-/// at only when an event is asked for. bad_argument when a time cannot be read or nothing lies
-/// between the two; not_found when no event matches.
+/// The range that the options name in a log; `events` are the log's, oldest first, and used only
+/// when the options name an event. bad_argument when a time cannot be read or the range is empty;
+/// not_found when no event matches.
 Result<TimeRange> rangeOf(const SelectionOptions& options, const LogSummary& summary,
                           const std::vector<Event>& events);
 
-/// Which messages of one log are wanted, whatever their time. A datagram is wanted whole or not at
-/// all. Of the recorder's own channels, those that tell of losses, clock steps and marks are always
-/// wanted unless `not_channels` names them; a restated datagram is taken as its channel without
-/// /rocinante/restated would be. Holds a decoder: one a thread.
+/// Which messages of one log are wanted, regardless of time. A datagram is wanted whole or not at
+/// all. The recorder's own channels of losses, clock steps and marks are always wanted unless
+/// `not_channels` names them; a restated datagram is treated like its channel without
+/// /rocinante/restated. Holds a decoder: use one per thread.
 class Selection {
  public:
-  /// Everything.
+  /// Wants everything.
   Selection() = default;
-  /// The channels are the log's; they are looked at now.
+  /// `channels` are the log's, and need not outlive the call.
   Selection(const SelectionOptions& options, const std::vector<LogChannel>& channels);
 
   bool wants(const LogMessage& message);
-  /// The same of a datagram that stands in a keyframe, and so on no channel.
+  /// The same for a datagram inside a keyframe, which has no channel.
   bool wantsRestated(const Packet& packet) const;
-  /// True when no message that is folded can be left out.
+  /// True when no folded message can be left out.
   bool wantsAll() const { return wants_all_; }
 
  private:
@@ -78,7 +78,7 @@ class Selection {
   std::vector<Answer> by_channel_;         ///< by channel id
   std::vector<std::string> sources_;       ///< patterns; empty: any
   std::vector<std::string> devices_;       ///< patterns; empty: any
-  std::vector<std::string> gone_sources_;  ///< sorted: only channels that are not wanted are theirs
+  std::vector<std::string> gone_sources_;  ///< sorted; sources that only unwanted channels name
   std::unique_ptr<PacketTextDecoder> decoder_;  ///< null when everything is wanted
 };
 

@@ -9,7 +9,7 @@
 namespace rocinante {
 namespace {
 
-/// Everything in the log that has a time: the earliest and the latest.
+/// The earliest and the latest time of anything in the log.
 struct TimeBounds {
   LogTime first = LogTime::max();
   LogTime last{};

@@ -16,18 +16,18 @@ namespace {
 
 constexpr const char* kReason = "rocinante log split";
 
-/// A chunk holds at most this part of a piece, so that pieces come near their size.
+/// Chunks to aim for in a piece, so that pieces come close to their size.
 constexpr std::uint64_t kChunksInPiece = 16;
 constexpr std::uint64_t kLeastChunkBytes = 4096;
 
-/// What a piece of a given size repeats is at most this part of it.
+/// A piece may repeat at most 1/kRepeatedPart of its size.
 constexpr std::uint64_t kRepeatedPart = 2;
-/// And of restatements that were under way, this part.
+/// For restatements in progress, at most 1/kLeadPart.
 constexpr std::uint64_t kLeadPart = 4;
-/// Pieces by time or event may repeat as much of restatements as they hold, and this.
+/// Pieces by time or event may repeat restatements up to their own content plus this.
 constexpr std::uint64_t kMaxLeadBeyond = std::uint64_t{16} << 20U;
 
-/// Where pieces begin, asked item by item.
+/// Decides for each item whether it begins a piece.
 class Boundaries {
  public:
   Boundaries(const SplitOptions& split, LogTime origin, const std::vector<Event>& events)
@@ -42,9 +42,10 @@ class Boundaries {
 
   bool hasEvents() const { return !moments_.empty(); }
 
-  /// When the item begins a new piece: since when. `last` is the time of the item before it.
+  /// If the item begins a new piece, the start of that piece. `last` is the time of the previous
+  /// item.
   std::optional<LogTime> before(const CopyItem& item, LogTime last, const PieceWriter& piece) {
-    // A loss counts at the end of its span, which is still of the piece before.
+    // A loss counts at the end of its span, which still belongs to the previous piece.
     const bool loss = item.kind == CopyItem::Kind::loss;
     const LogTime time = loss ? item.time - Nanoseconds(1) : item.time;
     if (split_.size_bytes > 0) {
@@ -76,7 +77,7 @@ class Boundaries {
 
   const SplitOptions& split_;
   LogTime origin_;
-  LogTime cell_ = LogTime::max();  ///< where the span of the last item begins; max: none yet
+  LogTime cell_ = LogTime::max();  ///< start of the last item's interval; max: none yet
   std::vector<LogTime> moments_;
   std::size_t next_moment_ = 0;
 };
@@ -121,7 +122,7 @@ class Split {
       }
       if (item.kind != CopyItem::Kind::opening) {
         if (const std::optional<LogTime> moment = boundaries.before(item, last, *piece_)) {
-          // A boundary before everything parts nothing.
+          // A boundary before the first item separates nothing.
           if (last != LogTime::min()) {
             if (Status on = nextPiece(*moment); !on) return on.error();
           }
@@ -150,7 +151,7 @@ class Split {
     if (!piece) return outputs_.back().named(piece.error());
     piece_.emplace(std::move(*piece));
     const bool first = outputs_.size() == 1;
-    // What cannot be read of them is told once.
+    // Unreadable ones are reported once.
     std::vector<CopyGap> again;
     Status copied =
         copyExtras(sources_, *piece_, make_.attachments && (first || !split_.attach_once),
@@ -180,8 +181,8 @@ class Split {
     return boundRepeated();
   }
 
-  /// How many bytes of payloads a piece may repeat to finish a restatement. Where restatements
-  /// overlap without an end, each piece would repeat all that stands before it.
+  /// Payload bytes that a piece may repeat to finish a restatement. Where restatements overlap
+  /// without end, each piece would repeat everything before it.
   std::uint64_t leadRoom() const {
     if (split_.size_bytes > 0) return split_.size_bytes / kLeadPart;
     const std::uint64_t most = copied_bytes_ + kMaxLeadBeyond;
@@ -204,14 +205,13 @@ class Split {
     return found;
   }
 
-  /// A piece that repeats more than it adds is refused where that is seen: pieces nearly all the
-  /// same help nobody.
+  /// Refuses a piece that repeats more than it adds: the pieces would all be nearly the same.
   Status boundRepeated() const {
     const bool carries = make_.attachments && piece_->counts().attachments > 0;
     const std::uint64_t repeated = piece_->bytesSoFar();
     const bool once = split_.attach_once && carries;
     if (split_.size_bytes == 0 || once || repeated <= split_.size_bytes / kRepeatedPart) return {};
-    // Rounded up, with room for the parts of chunks, which grow with the size.
+    // Rounded up, with room for chunk overhead, which grows with the size.
     const std::uint64_t wanted = repeated * (kRepeatedPart + 1) / 1000 + 1;
     return Error{
         ErrorKind::refused,
@@ -222,7 +222,7 @@ class Split {
         log_.string()};
   }
 
-  /// Gives what is folded behind one place and before a time.
+  /// Calls back for each folded message after a place and before a time.
   Status eachOfLead(LogPosition behind, LogTime until,
                     const std::function<Status(const LogMessage&)>& take) const {
     Result<LogReader> reader = LogReader::open(log_);
@@ -252,7 +252,7 @@ class Split {
     return added;
   }
 
-  /// So many are named one by one.
+  /// Notes the cut restatements: the first ones one by one, the rest as a count.
   void tellCuts() {
     constexpr std::size_t kNamed = 10;
     for (std::size_t i = 0; i < std::min(cut_pieces_.size(), kNamed); ++i) {
@@ -299,13 +299,13 @@ class Split {
   std::vector<OutputFile> outputs_;
   std::optional<PieceWriter> piece_;
   SplitReport report_;
-  std::uint64_t copied_bytes_ = 0;       ///< payloads that went into a piece as its own
-  std::uint64_t lead_bytes_ = 0;         ///< and those that were repeated to finish a restatement
-  std::uint64_t open_bytes_ = 0;         ///< payloads since no restatement was open, at least
-  std::vector<std::size_t> cut_pieces_;  ///< at whose beginning a restatement was cut off, from 1
+  std::uint64_t copied_bytes_ = 0;       ///< payload bytes that a piece holds as its own
+  std::uint64_t lead_bytes_ = 0;         ///< payload bytes repeated to finish a restatement
+  std::uint64_t open_bytes_ = 0;         ///< payload bytes since no restatement was open, at least
+  std::vector<std::size_t> cut_pieces_;  ///< from 1; a restatement was cut off at their beginning
 };
 
-/// A pattern that names a folder: one that is there, or that no file's name looks like.
+/// True if the pattern names a folder: an existing one, or a name that no file would have.
 bool namesFolder(const std::string& pattern) {
   std::error_code ignored;
   return pattern.ends_with('/') || std::filesystem::is_directory(pattern, ignored) ||
@@ -313,8 +313,8 @@ bool namesFolder(const std::string& pattern) {
           !std::filesystem::path(pattern).has_extension());
 }
 
-/// The pieces' folder, made when it is not there; taken back, unless something lies in it by then,
-/// when it was not kept.
+/// Creates the pieces' folder if it is missing. It is removed again if it is empty and was not
+/// kept.
 Result<UnfinishedPath> makeFolder(const std::filesystem::path& path) {
   std::error_code fault;
   if (std::filesystem::create_directory(path, fault)) return UnfinishedPath(path);

@@ -6,9 +6,8 @@
 
 namespace rocinante {
 
-/// The error that says that a choice holds no message of a log, and why, as far as it can be seen:
-/// the log is empty or could not be read, the time lies outside it, or no topic matches.
-/// Once the log has been read.
+/// The error for a selection without messages, with the reason if it can be seen: the log is empty
+/// or unreadable, the time is outside it, or no topic matches. Call after reading the log.
 Error nothingChosen(const LogReader& log, const SelectionOptions& selection,
                     const TimeRange& range);
 

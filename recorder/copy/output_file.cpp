@@ -20,8 +20,8 @@ Error alreadyThere(const fs::path& path) {
   return Error{ErrorKind::refused, "the file exists; --force overwrites it", path.string()};
 }
 
-/// The name must outlive a power cut too. A folder that cannot be synced is no reason to fail: the
-/// file itself is safe.
+/// Makes the name survive a power cut. A folder that cannot be synced is not an error: the file
+/// itself is safe.
 void syncFolderOf(const fs::path& path) {
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
   const int file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -95,7 +95,7 @@ Status OutputFile::commit() {
     renamed = ::rename(beside_.c_str(), path_.c_str());
   } else {
     renamed = ::renameat2(AT_FDCWD, beside_.c_str(), AT_FDCWD, path_.c_str(), RENAME_NOREPLACE);
-    // File systems that cannot promise it: the look at the beginning has to do.
+    // Some file systems do not support RENAME_NOREPLACE: check for an existing file instead.
     if (renamed != 0 && (errno == EINVAL || errno == ENOSYS) &&
         ::access(path_.c_str(), F_OK) != 0) {
       renamed = ::rename(beside_.c_str(), path_.c_str());

@@ -11,17 +11,16 @@
 
 namespace rocinante {
 
-/// refused when something stands at `path` that is one of `inputs`, that is no file, or that
-/// `overwrite` does not allow to be replaced. Looked at before the work, so that a refusal does not
-/// take a minute to come.
+/// refused when `path` exists and is one of `inputs`, is not a regular file, or may not be replaced
+/// without `overwrite`. Called before the work, so that the refusal comes at once.
 Status checkOutput(const std::filesystem::path& path, bool overwrite,
                    std::span<const std::filesystem::path> inputs);
 
-/// A file that appears whole or not at all: written under another name beside `path`, which it
-/// gets by commit(); removed when that never comes. Not for sharing between threads.
+/// A file that appears whole or not at all: written under another name beside `path`, renamed by
+/// commit(), and removed without it. Not for sharing between threads.
 class OutputFile {
  public:
-  /// As checkOutput(); unreadable when the system will not make it.
+  /// Fails as checkOutput(); unreadable when the file cannot be created.
   static Result<OutputFile> create(std::filesystem::path path, bool overwrite,
                                    std::span<const std::filesystem::path> inputs);
 
@@ -30,13 +29,13 @@ class OutputFile {
 
   const std::filesystem::path& path() const { return path_; }
 
-  /// Where its bytes go; to be taken once. Its close() hands them to the disk.
+  /// The sink for the file's bytes; take it once. Its close() syncs them to the disk.
   std::unique_ptr<ByteSink> takeSink() { return std::move(sink_); }
 
-  /// Gives the file its name, once the sink is closed. Looks again whether the name is free.
+  /// Renames the file after the sink is closed. Checks again that the name is free.
   Status commit();
 
-  /// `error` with the name that the user knows in place of the one beside it.
+  /// `error` with the user's file name instead of the temporary one.
   Error named(Error error) const;
 
  private:
@@ -45,7 +44,7 @@ class OutputFile {
   std::filesystem::path path_;
   std::filesystem::path beside_;
   bool overwrite_ = false;
-  UnfinishedPath unfinished_;  ///< beside_; removed when the sink is gone
+  UnfinishedPath unfinished_;  ///< beside_; removed after the sink is destroyed
   std::unique_ptr<ByteSink> sink_;
 };
 

@@ -9,9 +9,9 @@
 namespace rocinante {
 namespace {
 
-/// A message's place in the index of its chunk.
+/// Bytes of a message's entry in its chunk's index.
 constexpr std::uint64_t kIndexBytes = 16;
-/// Statistics, chunk indexes and rocinante.end of a small log.
+/// Bytes of the statistics, chunk indexes and rocinante.end of a small log.
 constexpr std::uint64_t kEndBytes = 1024;
 
 }  // namespace
@@ -121,7 +121,7 @@ void PieceWriter::forgetInputs() {
 void PieceWriter::countBytes(std::size_t payload_bytes) {
   const std::uint64_t written = session_.log().bytesWritten();
   if (written != chunk_start_) {
-    // The chunk stands there, with its indexes.
+    // The chunk is in the file, with its indexes.
     chunk_start_ = written;
     pending_bytes_ = 0;
     index_bytes_ = 0;

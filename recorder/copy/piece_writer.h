@@ -12,7 +12,7 @@
 
 namespace rocinante {
 
-/// What a log that is made of others is to be.
+/// Options of an output log.
 struct PieceOptions {
   LogWriterOptions log;
   KeyframeOptions keyframes;
@@ -20,7 +20,7 @@ struct PieceOptions {
   std::optional<LogTime> origin;  ///< empty: that of its first captured message
 };
 
-/// What went into one.
+/// Counts of one output.
 struct PieceCounts {
   std::uint64_t messages = 0;  ///< captured
   std::uint64_t restated = 0;
@@ -33,32 +33,32 @@ struct PieceCounts {
   LogTime start{}, end{};      ///< of its captured messages
 };
 
-/// Writes one output of a copy: channels that are equal (topic, encoding, metadata) become one,
-/// keyframes are made anew, everything else goes over as it is.
+/// Writes one output of a copy: equal channels (topic, encoding, metadata) become one, keyframes
+/// are made anew, everything else is copied unchanged.
 class PieceWriter {
  public:
   static Result<PieceWriter> start(std::unique_ptr<ByteSink> sink, const PieceOptions& options);
 
-  /// What precedes the piece, before anything else of the session.
+  /// Writes the state before the piece. Call before anything else of the session.
   Status begin(const SessionState& preceding, LogTime moment);
-  /// An opening that comes when something stands there already is said again, on
-  /// /rocinante/restated/keyframe, unless the fold says the same.
+  /// An opening that follows other items is repeated on /rocinante/restated/keyframe, unless it
+  /// equals the fold.
   Status add(const CopyItem& item);
   Status addAttachment(const LogAttachment& attachment, ByteView data);
   Status addMetadata(const LogMetadata& metadata) { return session_.log().writeMetadata(metadata); }
-  /// The readers whose messages came so far may go: nothing of them is held any more.
+  /// Drops all references to the readers whose messages were added, so that they may be destroyed.
   void forgetInputs();
-  /// Closes the log. Nothing may be called after it but counts().
+  /// Closes the log. Only counts() may be called afterwards.
   Status finish(std::string reason);
 
   const SessionState& state() const { return session_.state(); }
   const PieceCounts& counts() const { return counts_; }
-  /// About what the file would have if it were finished now.
+  /// Approximate size of the file if it were finished now.
   std::uint64_t bytesSoFar() const;
 
  private:
   using ChannelKey = std::tuple<std::string, std::string, std::map<std::string, std::string>>;
-  /// How channels of the inputs are called here. Those of readers stay where they are.
+  /// Output ids of the inputs' channels. Readers do not move their channels.
   using ChannelIds = std::unordered_map<const LogChannel*, ChannelId>;
 
   explicit PieceWriter(SessionWriter session) : session_(std::move(session)) {}
@@ -76,9 +76,9 @@ class PieceWriter {
   PieceCounts counts_;
   bool begun_ = false;
   std::uint32_t said_again_ = 0;
-  std::uint64_t chunk_start_ = 0;    ///< bytes written when the open chunk was begun
+  std::uint64_t chunk_start_ = 0;    ///< bytes written before the open chunk
   std::uint64_t pending_bytes_ = 0;  ///< of records in the open chunk
-  std::uint64_t index_bytes_ = 0;    ///< of indexes that are still to be written
+  std::uint64_t index_bytes_ = 0;    ///< of indexes still to be written
 };
 
 }  // namespace rocinante
