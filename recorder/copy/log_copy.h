@@ -13,9 +13,9 @@
 ///   LogReader -> CopySource -+                      +-> PieceWriter (SessionWriter) -> OutputFile
 ///   LogReader -> CopySource -+-> CopyMerge: items -+-> PieceWriter of the next piece ...
 ///
-/// A CopySource gives what is chosen of one log, in order; CopyMerge puts several together; a
-/// PieceWriter writes one output and makes its keyframes; an OutputFile appears under its name once
-/// everything stands in it. Inputs are only read. Memory does not grow with the logs.
+/// A CopySource gives the chosen items of one log in order; CopyMerge merges several; a PieceWriter
+/// writes one output and makes its keyframes; an OutputFile gets its name once it is complete.
+/// Inputs are only read. Memory does not grow with the logs.
 namespace rocinante {
 
 /// A part of an input that was not copied.

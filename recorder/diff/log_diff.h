@@ -11,39 +11,39 @@
 
 namespace rocinante {
 
-/// Where a message stands, for a report.
+/// A message's place in a log, for a report.
 struct DiffPlace {
   std::uint64_t number = 0;  ///< of the captured message in its log, from 0
   LogTime time{};
   std::string topic;
-  std::string payload;  ///< its beginning
+  std::string payload;  ///< its first bytes
 };
 
-/// Whether two logs hold the same captured messages, in the same order, whatever their times.
+/// Whether two logs hold the same captured messages in the same order, regardless of their times.
 struct PayloadDiff {
-  std::uint64_t same = 0;    ///< messages of both
-  std::uint64_t only_a = 0;  ///< and of one alone
+  std::uint64_t same = 0;    ///< messages in both
+  std::uint64_t only_a = 0;  ///< and in only one
   std::uint64_t only_b = 0;
-  /// The first place where they part; empty on the side that has ended.
+  /// The first difference; empty on the side that has ended.
   bool differs = false;
   std::optional<DiffPlace> first_a, first_b;
 };
 
-/// Of the messages that both hold: whether their times are the same.
+/// Whether the messages that both hold have the same times.
 struct TimeDiff {
   std::uint64_t moved = 0;
   Nanoseconds least{0}, most{0};       ///< time in b minus time in a, over all that both hold
   std::optional<DiffPlace> first_a;    ///< the first that moved
-  std::optional<DiffPlace> largest_a;  ///< that which moved furthest, first of equals
+  std::optional<DiffPlace> largest_a;  ///< the one that moved furthest; the first of equals
   Nanoseconds first_shift{0}, largest_shift{0};
 };
 
-/// Whether the fold of one is that of the other at every log time.
+/// Whether both logs fold to the same state at every log time.
 struct StateDiff {
   bool differs = false;
   bool ends_differ = false;  ///< the states at the end of both
-  LogTime first{};           ///< the first moment at which they are not the same
-  /// The items of the states at that moment that only one has; each at most kMaxItems.
+  LogTime first{};           ///< the first moment at which the states differ
+  /// Items of the states at that moment that only one log has; at most kMaxItems each.
   std::vector<std::string> only_a, only_b;
   std::uint64_t items_only_a = 0, items_only_b = 0;
 };
@@ -54,7 +54,7 @@ struct LogDiff {
   std::string name_a, name_b;
   LogTime origin_a{}, origin_b{};
   std::uint64_t messages_a = 0, messages_b = 0;
-  /// Empty where it was not asked for.
+  /// Empty when not requested.
   std::optional<PayloadDiff> payload;
   std::optional<TimeDiff> time;
   std::optional<StateDiff> state;
@@ -68,9 +68,9 @@ struct LogDiff {
 enum class DiffBy { payload, time, state, all };
 
 /// Compares the captured messages (and, by state, all folded ones) of two logs. Messages are
-/// matched in order: where the logs part, the nearest place within a few thousand messages where
-/// they go on together is looked for. By time alone, messages that only one holds are a difference
-/// too. Memory is bounded whatever the logs' size.
+/// matched in order: after a difference, the nearest place within a few thousand messages where the
+/// logs match again is searched for. When comparing by time only, messages that only one log holds
+/// are a difference too. Memory is bounded for logs of any size.
 Result<LogDiff> diffLogs(LogReader& a, LogReader& b, DiffBy by,
                          const std::function<void(double)>& progress = {});
 

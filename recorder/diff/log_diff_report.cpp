@@ -141,7 +141,7 @@ std::string diffJson(const LogDiff& diff) {
         {"items_only_a", diff.state->items_only_a},
         {"items_only_b", diff.state->items_only_b}};
   }
-  // Payloads are cut anywhere: what is no UTF-8 is replaced, and must not throw.
+  // Payloads are cut at any byte: invalid UTF-8 is replaced, and must not throw.
   return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

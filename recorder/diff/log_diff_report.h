@@ -6,9 +6,9 @@
 
 namespace rocinante {
 
-/// For people: several lines, the last with its LF.
+/// Several lines for the user, each with LF.
 std::string diffText(const LogDiff& diff);
-/// For scripts: one JSON object with its LF.
+/// One JSON object for scripts, with LF.
 std::string diffJson(const LogDiff& diff);
 
 }  // namespace rocinante

@@ -80,8 +80,8 @@ Result<std::optional<MessageMatch::Step>> MessageMatch::next() {
   return std::optional<Step>(std::move(step));
 }
 
-/// The nearest pair of equal messages ahead, by how many are passed over in all; what lies before
-/// it is alone. Without one, all that was looked at is.
+/// Finds the pair of equal messages ahead that skips the fewest messages. The skipped ones are in
+/// one log only; without a pair, everything in the window is.
 Status MessageMatch::resynchronise() {
   for (std::size_t side = 0; side < sides_.size(); ++side) {
     if (Status filled = fill(side, kWindow); !filled) return filled;

@@ -14,22 +14,22 @@
 
 namespace rocinante {
 
-/// A captured message, as far as two logs are compared by it.
+/// The parts of a captured message by which two logs are compared.
 struct MatchItem {
-  std::array<std::uint64_t, 2> digest{};  ///< of topic and payload, or of the payload alone
+  std::array<std::uint64_t, 2> digest{};  ///< of topic and payload, or of the payload only
   DiffPlace place;
 };
 
 /// Walks over two logs at once and matches their captured messages in order.
 class MessageMatch {
  public:
-  /// Both are borrowed, and read from where they stand.
+  /// Both are borrowed and read from their current positions.
   MessageMatch(LogReader& a, LogReader& b) : sides_{Side{a}, Side{b}} {}
-  /// Those alone that are on the chosen channels of each, by id; their topics are not compared.
+  /// Matches only messages on the chosen channels of each, by id, without comparing topics.
   MessageMatch(LogReader& a, LogReader& b, std::array<std::vector<bool>, 2> chosen)
       : sides_{Side{a}, Side{b}}, chosen_(std::move(chosen)) {}
 
-  /// A message of both, or of one alone.
+  /// A message of both logs, or of only one.
   struct Step {
     std::optional<MatchItem> a, b;
   };
@@ -38,14 +38,14 @@ class MessageMatch {
 
   std::uint64_t count(std::size_t side) const { return sides_[side].count; }
 
-  /// What stands in either log where they part for the first time: empty where it has ended.
+  /// The message of either log at the first difference; empty where that log has ended.
   struct Parting {
     std::optional<DiffPlace> a, b;
   };
   const std::optional<Parting>& firstParting() const { return first_parting_; }
 
  private:
-  /// So many messages ahead are looked at for a place where the logs go on together.
+  /// Messages ahead that are searched for a place where the logs match again.
   static constexpr std::size_t kWindow = 4096;
 
   struct Side {
@@ -62,7 +62,7 @@ class MessageMatch {
 
   std::array<Side, 2> sides_;
   std::optional<std::array<std::vector<bool>, 2>> chosen_;
-  /// Messages that only one has, known to come before the logs go on together.
+  /// Messages of only one log, known to precede the place where the logs match again.
   std::array<std::size_t, 2> alone_{0, 0};
   std::optional<Parting> first_parting_;
 };

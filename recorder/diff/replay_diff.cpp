@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kMaxAlone = 1'000'000;
 constexpr double kOtherSpeed = 0.1;
 
-/// SOURCE, and the place that it is mapped to.
+/// SOURCE, and the endpoint it is mapped to.
 using StreamKey = std::pair<std::string, std::string>;
 
 /// "PORT" or "GROUP:PORT": how a topic names the endpoint.
@@ -30,7 +30,7 @@ std::string placeOfTopic(const std::string& topic) {
   return topic.substr(kUdp.size(), topic.find('/', kUdp.size()) - kUdp.size());
 }
 
-/// The channels of both logs that belong together.
+/// The channels of both logs that correspond.
 struct Streams {
   std::map<StreamKey, std::array<std::vector<bool>, 2>> by_key;  ///< in each log, by channel id
 
@@ -67,7 +67,7 @@ struct Moment {
   LogTime a{}, b{};
 };
 
-/// Those that only one log has, to be found again elsewhere in the other.
+/// Messages of only one log, to be matched with the other out of order.
 class Alone {
  public:
   void add(std::size_t side, const MatchItem& item) {
@@ -106,7 +106,7 @@ class Comparison {
       }
       if (Status compared = compare(key, channels); !compared) return compared.error();
     }
-    // A channel of another session may be defined and have no message.
+    // A channel may be defined without having messages.
     std::erase_if(diff_.sources, [](const ReplaySource& source) {
       return source.messages_a == 0 && source.messages_b == 0;
     });

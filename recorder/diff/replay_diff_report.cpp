@@ -112,7 +112,7 @@ std::string replayJson(const ReplayDiff& diff) {
   out["measured_speed"] = diff.measured_speed ? Json(*diff.measured_speed) : Json(nullptr);
   out["lost_b"] = diff.lost_b;
   out["sources"] = std::move(sources);
-  // Payloads are cut anywhere: what is no UTF-8 is replaced, and must not throw.
+  // Payloads are cut at any byte: invalid UTF-8 is replaced, and must not throw.
   return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -6,9 +6,9 @@
 
 namespace rocinante {
 
-/// For people: several lines, the last with its LF.
+/// Several lines for the user, each with LF.
 std::string replayText(const ReplayDiff& diff);
-/// For scripts: one JSON object with its LF.
+/// One JSON object for scripts, with LF.
 std::string replayJson(const ReplayDiff& diff);
 
 }  // namespace rocinante

@@ -21,13 +21,13 @@ class Fold {
     return advance();
   }
 
-  /// The time of the next message that is folded.
+  /// The time of the next folded message.
   std::optional<LogTime> next() const {
     if (!message_) return std::nullopt;
     return message_->log_time;
   }
 
-  /// Folds every message of this moment; `told` is what they said, in order.
+  /// Folds every message of this moment; `told` collects their payloads, in order.
   Status fold(LogTime moment, Bytes& told) {
     told.clear();
     while (message_ && message_->log_time == moment) {
@@ -65,7 +65,7 @@ class Fold {
   }
 
   LogReader& reader_;
-  std::optional<LogMessage> message_;  ///< the next that is folded
+  std::optional<LogMessage> message_;  ///< the next to be folded
   std::map<std::string, std::unique_ptr<Decoder>, std::less<>> decoders_;
   SessionState state_;
 };
@@ -110,7 +110,7 @@ Result<StateDiff> diffStates(LogReader& a, LogReader& b,
     const LogTime moment = std::min(fold_a.next().value_or(never), fold_b.next().value_or(never));
     if (Status folded = fold_a.fold(moment, told_a); !folded) return folded.error();
     if (Status folded = fold_b.fold(moment, told_b); !folded) return folded.error();
-    // What was the same and is told the same stays the same.
+    // Equal states that fold equal messages stay equal.
     if (!diff.differs && told_a != told_b && !fold_a.state().sameAs(fold_b.state())) {
       diff.differs = true;
       diff.first = moment;

@@ -8,8 +8,8 @@
 
 namespace rocinante {
 
-/// Folds two logs side by side, each from its beginning, and finds the first log time at which
-/// their states are not the same.
+/// Folds two logs side by side from their beginnings, and finds the first log time at which their
+/// states differ.
 Result<StateDiff> diffStates(LogReader& a, LogReader& b,
                              const std::function<void(LogTime)>& progress);
 

@@ -37,7 +37,7 @@ void ChunkRules::chunk(const mcap::Record& record) {
                             mcap::ExpansionBudget::kFreeBytes, mcap::ExpansionBudget::kMaxGrowth));
     return unreadable();
   }
-  // Its checksum is looked at apart from its content.
+  // The checksum is checked separately from the content.
   mcap::Chunk unchecked = chunk;
   unchecked.uncompressed_crc = 0;
   const Result<ByteView> expanded = expander_.expand(unchecked, scratch_);
@@ -54,7 +54,7 @@ void ChunkRules::chunk(const mcap::Record& record) {
     report_.add("chunk-crc", offset_,
                 fmt::format("the chunk fails its checksum ({:08x}, stored {:08x})", found,
                             chunk.uncompressed_crc));
-    // What it says is not to be believed.
+    // Its contents cannot be trusted.
     return unreadable();
   }
   readable_ = true;
@@ -118,7 +118,7 @@ void ChunkRules::message(const mcap::Record& record, std::uint64_t offset) {
     report_.add(
         "chunk-alone", offset,
         fmt::format("channel {} is used in a chunk that does not define it", message.channel_id));
-    defined_in_[message.channel_id] = number();  // said once a chunk
+    defined_in_[message.channel_id] = number();  // reported once per chunk
   }
   profile_->message(message, offset);
 }
@@ -152,7 +152,7 @@ void ChunkRules::index(const mcap::Record& record) {
                 fmt::format("a second MessageIndex of channel {}", index.channel_id));
     return;
   }
-  // They are to be compared channel by channel.
+  // Sorted to compare them channel by channel.
   if (!any_index_) std::ranges::sort(entries_);
   any_index_ = true;
   indexed_in_[index.channel_id] = number();

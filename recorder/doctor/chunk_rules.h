@@ -10,10 +10,10 @@
 
 namespace rocinante {
 
-/// Looks at one chunk after another, and at the message indexes that follow each. Holds one chunk.
+/// Checks each chunk and the message indexes that follow it. Holds one chunk.
 class ChunkRules {
  public:
-  /// `profile` is null for files that are not ours. All are borrowed.
+  /// `profile` is null for files of another profile. All are borrowed.
   ChunkRules(DoctorReport& report, DoctorFacts& facts, Definitions& definitions,
              ProfileRules* profile, std::uint64_t file_bytes)
       : report_(report),
@@ -22,18 +22,18 @@ class ChunkRules {
         profile_(profile),
         budget_(file_bytes) {}
 
-  /// A Chunk record at its place in the file.
+  /// Checks a Chunk record.
   void chunk(const mcap::Record& record);
-  /// A MessageIndex that follows it, or another of them.
+  /// Checks a MessageIndex after the chunk.
   void index(const mcap::Record& record);
-  /// All its indexes were given.
+  /// Call after the chunk's last index.
   void end();
 
-  /// A message of a chunk, or one outside: of a channel that is known, counted.
+  /// Checks and counts a message inside or outside a chunk.
   void message(const mcap::Record& record, std::uint64_t offset);
 
  private:
-  /// A message of the chunk, as its index must have it.
+  /// A message of the chunk, as its index must list it.
   struct Entry {
     std::uint16_t channel;
     std::uint64_t time;
@@ -42,7 +42,7 @@ class ChunkRules {
   };
 
   std::uint64_t number() const { return facts_.chunk_offsets.size(); }
-  /// Its messages cannot be known.
+  /// Notes a chunk whose messages cannot be read.
   void unreadable();
   void records(const mcap::Chunk& chunk, ByteView records);
   void times(const mcap::Chunk& chunk);

@@ -155,7 +155,7 @@ void DataWalk::dataEnd(const mcap::Record& record) {
   summary_start_ = record.end();
 }
 
-/// How the file ends at position_, where a whole record should stand.
+/// Describes how the file ends at position_, where a whole record is expected.
 std::string DataWalk::cutOff() const {
   if (position_ >= file_.size()) return "the file ends before its DataEnd";
   const std::optional<ChunkHead> chunk = chunkHeadAt(file_, position_);
@@ -176,7 +176,7 @@ bool DataWalk::endsAsAWholeFile() const {
          std::ranges::equal(file_.last(mcap::magic().size()), mcap::magic());
 }
 
-/// No record stands at position_. Goes on at the next one; false when the file was never closed.
+/// Skips to the next record when there is none at position_; false when the file was never closed.
 bool DataWalk::skipBroken() {
   chunks_->end();
   if (!endsAsAWholeFile()) {

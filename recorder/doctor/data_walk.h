@@ -13,14 +13,14 @@
 
 namespace rocinante {
 
-/// Goes over the data section of a file, record by record, and past what is no record.
+/// Walks the data section of a file record by record, skipping bytes that are not a record.
 class DataWalk {
  public:
   DataWalk(ByteView file, DoctorReport& report, DoctorFacts& facts, Definitions& definitions)
       : file_(file), report_(report), facts_(facts), definitions_(definitions), probe_(file) {}
 
-  /// Where the summary begins: behind DataEnd. Empty when the file ends before; that is a breach.
-  /// `progress` is told now and then how many bytes are done.
+  /// Returns the offset of the summary, after DataEnd. Empty when the file ends earlier, which is a
+  /// breach. `progress` is called with the bytes done.
   std::optional<std::uint64_t> run(const std::function<void(std::uint64_t)>& progress);
 
  private:
@@ -41,7 +41,7 @@ class DataWalk {
   std::optional<ProfileRules> profile_;
   std::optional<ChunkRules> chunks_;
   std::uint64_t position_ = 0;
-  std::uint64_t last_offset_ = 0;  ///< of the record before this one
+  std::uint64_t last_offset_ = 0;  ///< of the previous record
   std::optional<std::uint64_t> summary_start_;
 };
 

@@ -50,7 +50,7 @@ void checkNumberMap(DoctorReport& report, std::uint64_t offset, ByteView content
 template <class T>
 bool Definitions::define(std::map<std::uint16_t, Digest>& known, std::uint16_t id,
                          const T& definition) {
-  // As we would write it: the order of a map's keys means nothing.
+  // Normalised as we would write it, because the order of a map's keys is irrelevant.
   scratch_.clear();
   mcap::append(scratch_, definition);
   const Digest digest = xxh3(scratch_);

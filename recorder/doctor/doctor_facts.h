@@ -12,10 +12,10 @@
 
 namespace rocinante {
 
-/// What the data section of a file holds, for the summary to be held against it.
+/// Contents of a file's data section, to compare the summary with.
 struct DoctorFacts {
-  bool ours = false;                                ///< of the profile `rocinante`
-  bool all_read = true;                             ///< false: messages are missing in the counts
+  bool ours = false;                                ///< the profile is `rocinante`
+  bool all_read = true;                             ///< false: the counts lack messages
   std::vector<std::uint64_t> chunk_offsets;         ///< ascending
   std::vector<std::uint64_t> attachment_offsets;    ///< ascending
   std::vector<std::uint64_t> metadata_offsets;      ///< ascending
@@ -27,13 +27,12 @@ struct DoctorFacts {
   std::uint64_t end_time = 0;
 };
 
-/// Schemas and channels of the whole file, each id with one meaning.
+/// Schemas and channels of the whole file. An id must not change its meaning.
 class Definitions {
  public:
   explicit Definitions(DoctorReport& report) : report_(report) {}
 
-  /// Reads the record, says what is wrong with it, keeps what it defines. Empty when it cannot be
-  /// read.
+  /// Reads and checks the record, and keeps its definition. Empty when it cannot be read.
   std::optional<mcap::Channel> addChannel(const mcap::Record& record, std::uint64_t offset);
   bool addSchema(const mcap::Record& record, std::uint64_t offset);
 
@@ -48,15 +47,15 @@ class Definitions {
   bool define(std::map<std::uint16_t, Digest>& known, std::uint16_t id, const T& definition);
 
   DoctorReport& report_;
-  /// By what they say, so that a file of very long definitions takes no memory.
+  /// Digests of the definitions, so that very long ones take no memory.
   std::map<std::uint16_t, Digest> channels_;
   std::map<std::uint16_t, Digest> schemas_;
   Bytes scratch_;
 };
 
-/// Says where a text is no UTF-8.
+/// Reports text that is not UTF-8.
 void checkText(DoctorReport& report, std::uint64_t offset, std::string_view text);
-/// Says where a map of strings has one key twice; `content` from the map's length on.
+/// Reports duplicate keys in a map of strings; `content` begins with the map's length.
 void checkStringMap(DoctorReport& report, std::uint64_t offset, ByteView content);
 /// The same for a map from channels to numbers.
 void checkNumberMap(DoctorReport& report, std::uint64_t offset, ByteView content);

@@ -8,14 +8,14 @@
 
 namespace rocinante {
 
-/// A rule of the format or of the profile, broken at one place.
+/// A breach of a rule of the format or the profile at one place.
 struct Breach {
   std::string rule;          ///< its id (docs/programs/log.md, "log doctor")
-  std::uint64_t offset = 0;  ///< in the file: of the record, or of the chunk that holds it
+  std::uint64_t offset = 0;  ///< in the file; of the record, or of the chunk that holds it
   std::string what;          ///< one sentence
 };
 
-/// What an examination of a log found. Of each rule the first breaches are kept, and all counted.
+/// The result of examining a log. Keeps the first breaches of each rule, and counts all.
 class DoctorReport {
  public:
   static constexpr std::uint64_t kMaxListed = 20;
@@ -30,13 +30,13 @@ class DoctorReport {
 
   bool clean() const { return counts_.empty(); }
   bool broke(std::string_view rule) const { return counts_.find(rule) != counts_.end(); }
-  /// In the order in which they were found.
+  /// In the order found.
   const std::vector<Breach>& breaches() const { return breaches_; }
-  /// Of every rule that is broken: how often.
+  /// Number of breaches of every broken rule.
   const std::map<std::string, std::uint64_t, std::less<>>& counts() const { return counts_; }
 
   std::string name;     ///< of the file
-  std::string profile;  ///< of its header: rules of ours are looked at where it is `rocinante`
+  std::string profile;  ///< of its header; our rules apply if it is `rocinante`
   std::uint64_t file_bytes = 0;
   std::uint64_t chunks = 0;
   std::uint64_t messages = 0;

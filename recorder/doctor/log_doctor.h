@@ -10,19 +10,19 @@
 
 namespace rocinante {
 
-/// Holds a file against every rule of the MCAP format and, where it is ours, of the profile
-/// (docs/programs/log.md, "log doctor"). All of it is read; one chunk is held in memory at a time.
-/// damaged when it does not begin as an MCAP file does: then there is nothing to judge. `progress`
-/// is told now and then which part is done, 0 to 1.
+/// Checks a file against every rule of the MCAP format and, for our logs, of the profile
+/// (docs/programs/log.md, "log doctor"). Reads the whole file, holding one chunk in memory at a
+/// time. damaged when the file does not begin as an MCAP file, so that nothing can be judged.
+/// `progress` is called with the fraction done, 0 to 1.
 Result<DoctorReport> examineLog(const std::filesystem::path& path,
                                 const std::function<void(double)>& progress = {});
-/// The same of bytes in memory.
+/// The same for bytes in memory.
 Result<DoctorReport> examineBytes(ByteView file, std::string name,
                                   const std::function<void(double)>& progress = {});
 
-/// For people: a line a breach, the last with its LF.
+/// One line per breach for the user, each with LF.
 std::string doctorText(const DoctorReport& report);
-/// For scripts: one JSON object, indented or on one line, with its LF.
+/// One JSON object for scripts, indented or on one line, with LF.
 std::string doctorJson(const DoctorReport& report, bool indented);
 
 }  // namespace rocinante

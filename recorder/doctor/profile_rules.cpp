@@ -62,7 +62,7 @@ void ProfileRules::channel(const mcap::Channel& channel, std::uint64_t offset) {
   if (as_read.topic == profile::kKeyframeTopic) wanted = profile::kKeyframeEncoding;
   if (as_read.topic == profile::kMarkTopic) wanted = profile::kMarkEncoding;
   if (as_read.topic == profile::kLossTopic) wanted = profile::kLossEncoding;
-  // A copy of another writer's log keeps its encodings; what they mean is not judged.
+  // A copy of another writer's log keeps its encodings, which are not judged.
   if (!wanted.empty() && as_read.encoding != wanted) {
     report_.add("encoding", offset,
                 fmt::format("channel {}, {}, has the message encoding \"{}\"", channel.id,
@@ -211,7 +211,7 @@ void ProfileRules::keyframe(const mcap::Message& message, std::uint64_t offset) 
     return;
   }
   if (!last_folded_time_ || !fold_known_) {
-    // It opens a piece, or follows what could not be read: from here on it is what is known.
+    // The keyframe opens a piece, or follows unreadable data: continue from its state.
     state_ = std::move(*told);
     fold_known_ = true;
     return;

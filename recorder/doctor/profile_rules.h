@@ -15,8 +15,8 @@
 
 namespace rocinante {
 
-/// The rules of the profile `rocinante` (docs/log-format.md) over the records of a data section,
-/// told in the file's order.
+/// Checks the rules of the profile `rocinante` (docs/log-format.md) on the records of a data
+/// section, given in file order.
 class ProfileRules {
  public:
   explicit ProfileRules(DoctorReport& report) : report_(report) {}
@@ -24,15 +24,15 @@ class ProfileRules {
   void channel(const mcap::Channel& channel, std::uint64_t offset);
   void message(const mcap::Message& message, std::uint64_t offset);
   void metadata(const mcap::Metadata& metadata, std::uint64_t offset);
-  /// Messages are missing here: what the session was before is no longer known.
+  /// Messages are missing here, so the session's state is no longer known.
   void gap() { fold_known_ = false; }
-  /// The data section ends at `offset`; its last record stands at `last_offset`.
+  /// The data section ends at `offset`; its last record is at `last_offset`.
   void end(std::uint64_t offset, std::uint64_t last_offset);
 
  private:
   struct Known {
     LogChannel channel;
-    Decoder* decoder = nullptr;  ///< of folded channels, where there is one
+    Decoder* decoder = nullptr;  ///< for folded channels; may be null
   };
 
   void session(const mcap::Metadata& metadata, std::uint64_t offset);
@@ -50,7 +50,7 @@ class ProfileRules {
   std::optional<std::uint64_t> end_offset_;
   bool any_captured_ = false;
   std::uint64_t last_time_ = 0;
-  std::uint64_t last_other_time_ = 0;  ///< of messages that are no keyframes
+  std::uint64_t last_other_time_ = 0;  ///< of messages other than keyframes
 
   SessionState state_;
   KeyframeReader keyframe_reader_;

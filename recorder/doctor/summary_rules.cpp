@@ -15,7 +15,7 @@ using mcap::Opcode;
 
 namespace {
 
-constexpr std::size_t kMaxGroups = 64;  ///< a hostile file has as many as it likes
+constexpr std::size_t kMaxGroups = 64;  ///< bounds the memory for a hostile file
 
 }  // namespace
 
@@ -160,7 +160,7 @@ void SummaryRules::compareWithChunk(const mcap::ChunkIndex& index, const mcap::R
     position = next->end();
   }
   differs(index.message_index_length == position - chunk_record->end(), "message_index_length");
-  // An empty map says nothing; ours say it.
+  // Other writers may leave the map empty; ours may not.
   if (!index.message_index_offsets.empty() || facts_.ours) {
     differs(index.message_index_offsets == offsets, "message_index_offsets");
   }
@@ -238,13 +238,13 @@ void SummaryRules::compareStatistics() {
   differs(said.attachment_count, facts_.attachment_offsets.size(), "attachment_count");
   differs(said.metadata_count, facts_.metadata_offsets.size(), "metadata_count");
   differs(said.chunk_count, facts_.chunk_offsets.size(), "chunk_count");
-  // What a broken chunk held is not known.
+  // The messages of a broken chunk are unknown.
   if (!facts_.all_read) return;
   const bool any = facts_.message_count > 0;
   differs(said.message_count, facts_.message_count, "message_count");
   differs(said.message_start_time, any ? facts_.start_time : 0, "message_start_time");
   differs(said.message_end_time, any ? facts_.end_time : 0, "message_end_time");
-  // An empty map says nothing; ours say it.
+  // Other writers may leave the map empty; ours may not.
   if (said.channel_message_counts.empty() && !facts_.ours) return;
   for (const auto& [channel, count] : facts_.messages) {
     const auto told = said.channel_message_counts.find(channel);
@@ -338,7 +338,7 @@ void SummaryRules::missing(const std::vector<std::uint64_t>& offsets, const std:
   }
 }
 
-/// What must be there, given what is.
+/// Checks that nothing required is missing.
 void SummaryRules::complete(std::uint64_t offset) {
   missing(facts_.chunk_offsets, chunks_seen_, facts_.ours || any_chunk_index_, "chunk-index",
           "this chunk");

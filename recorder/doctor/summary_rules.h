@@ -10,18 +10,18 @@
 
 namespace rocinante {
 
-/// Looks at everything behind DataEnd, and holds it against the data section.
+/// Checks everything after DataEnd against the data section.
 class SummaryRules {
  public:
   SummaryRules(ByteView file, DoctorReport& report, const DoctorFacts& facts,
                Definitions& definitions)
       : file_(file), report_(report), facts_(facts), definitions_(definitions) {}
 
-  /// `start`: behind DataEnd.
+  /// `start` is the offset after DataEnd.
   void run(std::uint64_t start);
 
  private:
-  /// A run of records of one kind.
+  /// Consecutive records of one kind.
   struct Group {
     mcap::Opcode opcode = mcap::Opcode::invalid;
     std::uint64_t start = 0;
@@ -40,8 +40,8 @@ class SummaryRules {
   void footer(const mcap::Record& record);
   void complete(std::uint64_t offset);
   void compareStatistics();
-  /// Marks the record at `pointed` as indexed; false, with a breach, when there is none in
-  /// `offsets` or it was indexed before.
+  /// Marks the record at `pointed` as indexed. False, with a breach, when it is not in `offsets` or
+  /// was indexed before.
   bool point(const std::vector<std::uint64_t>& offsets, std::vector<bool>& seen,
              std::uint64_t pointed, std::uint64_t offset, std::string_view rule);
   void missing(const std::vector<std::uint64_t>& offsets, const std::vector<bool>& seen,

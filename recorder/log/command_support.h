@@ -9,7 +9,7 @@ namespace rocinante {
 
 using cli::ProgressLine;
 
-/// A TextSink: all of `text` goes to standard output, or it is an error.
+/// A TextSink that writes all of `text` to standard output, or fails.
 Status toStandardOutput(std::string_view text);
 
 }  // namespace rocinante

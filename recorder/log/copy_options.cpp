@@ -49,7 +49,7 @@ void addTimeArguments(CLI::App& app, SelectionOptions& selection) {
       ->type_name("PATTERN")
       ->excludes(from);
   app.add_option("--until-event", selection.until_event,
-                 "end before the first such event after that; instead of --until")
+                 "end before the first matching event after that; instead of --until")
       ->type_name("PATTERN")
       ->excludes(until);
 }

@@ -14,7 +14,7 @@ class App;
 
 namespace rocinante {
 
-/// What every subcommand that makes a log takes: -o, --force, --compression, --json.
+/// Options of every subcommand that makes a log: -o, --force, --compression, --json.
 struct CopyArguments {
   std::string output;
   bool force = false;
@@ -24,23 +24,23 @@ struct CopyArguments {
 };
 
 void addCopyArguments(CLI::App& app, CopyArguments& arguments);
-/// --from and --until, by time or event; and which messages.
+/// Add --from and --until, by time or event, and the options that choose messages.
 void addTimeArguments(CLI::App& app, SelectionOptions& selection);
 void addChoiceArguments(CLI::App& app, SelectionOptions& selection);
 
-/// Reads the arguments, catches Ctrl-C, shows a progress line while `work` runs.
+/// Parses the arguments, catches Ctrl-C, and shows a progress line while `work` runs.
 Result<CopyReport> runCopy(const CopyArguments& arguments, const std::string& doing,
                            const std::function<Result<CopyReport>(const MakeOptions&)>& work);
 Result<MakeOptions> readCopyArguments(const CopyArguments& arguments);
-/// What is said when the user has asked to stop.
+/// The error after the user asked to stop.
 inline constexpr const char* kStopped = "stopped; nothing was made";
-/// A line on the terminal, and an error once the user has asked to stop.
+/// Shows a progress line, and fails once the user has asked to stop.
 CopyProgress stoppableProgress(const std::string& doing);
 
-/// Says on standard output what was made, and on standard error what could not be used; answers
-/// with the exit code: no when something is missing or was damaged.
+/// Reports the output on standard output, and unusable input on standard error. Returns Exit::no
+/// when something is missing or was damaged.
 Result<cli::Exit> tellCopy(const CopyArguments& arguments, const CopyReport& report);
-/// The second half of it.
+/// The part of tellCopy() for unusable input.
 cli::Exit tellGaps(const CopyReport& report);
 
 }  // namespace rocinante

@@ -23,7 +23,7 @@ Result<cli::Exit> runCut(const CutArguments& arguments, const std::string& reaso
   return tellCopy(arguments.copy, *report);
 }
 
-/// Both take the same options; they differ in which of them must be there.
+/// `cut` and `filter` take the same options, and differ in which are required.
 std::shared_ptr<CutArguments> addArguments(CLI::App& app) {
   auto arguments = std::make_shared<CutArguments>();
   app.add_option("LOG", arguments->log, "the log; it is not changed")->required();

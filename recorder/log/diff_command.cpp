@@ -36,7 +36,7 @@ Error nothingToCompare(const std::string& log) {
   return Error{ErrorKind::not_found, "neither log contains a message: nothing to compare", log};
 }
 
-/// Tells what is broken in either; true when something is.
+/// Warns about damage in either log; true if there is any.
 bool tellDamage(const LogReader& a, const LogReader& b) {
   for (const LogReader* reader : {&a, &b}) {
     for (const DamageSpan& span : reader->damage()) {

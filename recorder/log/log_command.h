@@ -11,8 +11,8 @@ class App;
 
 namespace rocinante {
 
-/// A subcommand of `rocinante log`: its options, already added to the program, and what it does
-/// once they are read. Each lies in a file of its own, NAME_command.h.
+/// A subcommand of `rocinante log`: its options, already added to the program, and the function to
+/// run once they are parsed. Each has its own NAME_command.h.
 struct LogCommand {
   CLI::App* app = nullptr;
   std::function<Result<cli::Exit>()> run;

@@ -35,7 +35,7 @@ Result<cli::Exit> runState(const StateCommandOptions& options) {
                              shown(session->start()), shown(session->end())),
                  options.log};
   }
-  StateDamage damage;  // of all that was met is told below
+  StateDamage damage;  // all damage found is reported below
   const Result<const SessionState*> state = session->stateAt(*moment, &damage);
   if (!state) return state.error();
   const ShownState shown{options.log, session->origin(), *moment, *state};

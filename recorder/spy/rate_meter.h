@@ -7,7 +7,7 @@
 
 namespace rocinante {
 
-/// How often something happens a second, over about the last two seconds. Times do not go back.
+/// Events per second over about the last two seconds. Times must not go back.
 class RateMeter {
  public:
   void hit(LogTime time) {
@@ -16,17 +16,17 @@ class RateMeter {
     ++counts_[static_cast<std::size_t>(slot_) % kSlots];
   }
 
-  /// Over the whole of the span, or over what there was of it when it began later.
+  /// Over the whole span, or since the first event if that is shorter.
   double perSecond(LogTime now) {
     if (first_ == LogTime{}) return 0;
     advance(now);
     std::uint64_t sum = 0;
     for (const std::uint32_t count : counts_) sum += count;
-    // The slot that is being filled is not over yet.
+    // The current slot is not complete yet.
     const Nanoseconds span = now.time_since_epoch() - (slot_ - kSlots + 1) * kSlot;
     const Nanoseconds since_first = now - first_;
     const Nanoseconds over = since_first < span ? since_first : span;
-    // Before there is half a second to judge by, a count is no rate.
+    // Less than half a second is too short to measure a rate.
     if (over < std::chrono::milliseconds(500)) return 0;
     return static_cast<double>(sum) / std::chrono::duration<double>(over).count();
   }

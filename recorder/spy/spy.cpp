@@ -14,20 +14,20 @@
 namespace rocinante {
 namespace {
 
-// Beyond these, further ones are counted and not told apart.
+// Further senders are counted together.
 constexpr std::size_t kSenders = 4'096;
 constexpr std::size_t kNamesKept = 4;
 constexpr std::size_t kFirstBytes = 16;
 constexpr std::size_t kEvents = 200;
 constexpr std::size_t kShownBytes = 200;
 
-/// A statement or an event that fits a line.
+/// A statement or an event, cut to fit a line.
 std::string shownText(std::string_view text) {
   const std::string plain = plainText(text.substr(0, kShownBytes));
   return text.size() > kShownBytes ? plain + "..." : plain;
 }
 
-/// The first bytes, so that a person can compare them with what is meant to be sent.
+/// The first bytes, so that the user can compare them with what should have been sent.
 std::string firstBytes(ByteView payload) {
   if (payload.empty()) return "an empty datagram";
   const ByteView first = payload.first(std::min(payload.size(), kFirstBytes));
@@ -94,7 +94,7 @@ Spy::Sender* Spy::senderFor(std::size_t endpoint, const ReceivedDatagram& datagr
 }
 
 void Spy::add(std::size_t endpoint, const ReceivedDatagram& datagram, LogTime arrived) {
-  // The fold wants times that do not go back; several sockets give them nearly so.
+  // The fold needs monotonic times; those of several sockets are only nearly so.
   reached_ = arrived = std::max(arrived, reached_);
   ++datagrams_;
   SpyEndpoint& at = endpoints_[endpoint];
@@ -140,7 +140,7 @@ void Spy::readPacket(const Packet& packet, ByteView payload, const std::string& 
     source.rate.hit(arrived);
     source.last = arrived;
     if (header.restated) ++source.restated;
-    // Whoever restates for others does not speak for them.
+    // A sender that restates for others is not a sender of their SOURCE.
     if (header.by.empty()) hearSender(source, sender);
     if (header.time_ns && header.by.empty()) {
       source.clock_offset = Nanoseconds(*header.time_ns) - arrived.time_since_epoch();
@@ -171,7 +171,7 @@ void Spy::readEvents(LogTime arrived) {
   }
 }
 
-/// A source that starts anew has another port and keeps it; two that share a name take turns.
+/// A source that restarts keeps its new port; two senders that share a name take turns.
 void Spy::hearSender(Source& source, const std::string& sender) {
   if (sender == source.last_sender) return;
   if (std::ranges::find(source.senders, sender) != source.senders.end()) ++source.turns;
@@ -196,7 +196,7 @@ void Spy::readStatement(const Statement& statement, std::string_view source, Log
   const auto state = state_.devices().find(statement.name);
   if (state == state_.devices().end()) return;
   const std::size_t values = valuesHash(state->second);
-  // The first says where it stands; only another says that it moves.
+  // The first values are not a change.
   if (device.values && *device.values != values) ++device.changes;
   device.values = values;
 }
@@ -212,7 +212,7 @@ void Spy::readFaults(std::span<const FaultAt> faults, ByteView payload, const st
   }
 }
 
-/// What only the fold can find: joints in another number than the order they stand under.
+/// Reports joints whose number differs from that of `order`, which only the fold can tell.
 void Spy::readMismatches(const Packet& packet, ByteView payload, const std::string& sender) {
   const auto counts = state_.counts().find(packet.header.source);
   const auto source = sources_.find(packet.header.source);

@@ -15,16 +15,16 @@
 
 namespace rocinante {
 
-/// Watches datagrams and keeps what explains them: who sends, which sources and devices speak and
-/// how often, what is wrong with what they say. Needs no model and keeps no datagram; its memory is
-/// bounded however many strangers send. One thread; reads no clock.
+/// Watches datagrams and keeps statistics: who sends, which sources and devices are active and how
+/// often, and the faults in their packets. Needs no model and keeps no datagram; memory is bounded
+/// for any number of senders. One thread; reads no clock.
 class Spy {
  public:
-  /// `began` is the moment from which it watches; no later time may lie before it.
+  /// `began` is the start of watching; no later time may precede it.
   Spy(const std::vector<ListenedEndpoint>& endpoints, LogTime began);
 
   void add(std::size_t endpoint, const ReceivedDatagram& datagram, LogTime arrived);
-  /// The endpoint's drop count so far, and what else did not come through.
+  /// Sets the endpoint's drop count so far, and its other input counts.
   void setDropped(std::size_t endpoint, std::uint64_t dropped, const InputCounts& counts = {});
 
   SpyReport report(LogTime now);
@@ -40,7 +40,7 @@ class Spy {
     std::string last_sender;
     std::uint64_t turns = 0;
     std::uint64_t restated = 0;
-    std::uint64_t mismatches = 0;  ///< of the fold's, those told
+    std::uint64_t mismatches = 0;  ///< mismatches of the fold already reported
     RateMeter rate;
     LogTime last{};
     std::optional<Nanoseconds> clock_offset;
@@ -49,7 +49,7 @@ class Spy {
     std::vector<std::string> sources;
     std::uint64_t statements = 0, changes = 0;
     RateMeter rate;
-    std::optional<std::size_t> values;  ///< a hash of where it stood after the last of them
+    std::optional<std::size_t> values;  ///< hash of the values after the last statement
   };
 
   struct Event {

@@ -121,7 +121,7 @@ std::string spyJson(const SpyReport& report, bool indented) {
   for (const SpyReason& each : report.reasons) {
     json["reasons"].push_back({{"reason", each.name}, {"text", each.text}, {"hint", each.hint}});
   }
-  // Names are UTF-8 by the packet format, but interface names need not be.
+  // The packet format guarantees UTF-8 names, but interface names need not be UTF-8.
   return json.dump(indented ? 2 : -1, ' ', false, Json::error_handler_t::replace);
 }
 

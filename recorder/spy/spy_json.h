@@ -6,7 +6,7 @@
 
 namespace rocinante {
 
-/// For scripts: one JSON object (docs/programs/spy.md), indented or on one line, without LF.
+/// One JSON object for scripts (docs/programs/spy.md), indented or on one line, without LF.
 std::string spyJson(const SpyReport& report, bool indented);
 
 }  // namespace rocinante

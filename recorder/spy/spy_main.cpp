@@ -42,7 +42,8 @@ LogTime wallNow() {
   return LogTime(std::chrono::duration_cast<Nanoseconds>(now));
 }
 
-/// The live table: on the terminal's other screen, so that what was there comes back.
+/// Shows the live table on the terminal's alternate screen, so that the previous contents come
+/// back.
 class Screen {
  public:
   Screen() { write("\x1b[?1049h\x1b[?25l"); }
@@ -78,7 +79,7 @@ class Screen {
   }
 };
 
-/// Gives everything that waits at the sources to the spy.
+/// Passes all waiting datagrams of the sources to the spy.
 Status drain(const Sources& sources, Spy& spy) {
   for (std::size_t i = 0; i < sources.size(); ++i) {
     DatagramSource& source = *sources[i];
@@ -104,13 +105,13 @@ std::vector<ListenedEndpoint> listenedTo(const Sources& sources) {
   return listened;
 }
 
-/// A capture file, by its own time.
+/// Reads a capture file on its own time line.
 Result<SpyReport> read(DatagramSource& source, const std::vector<ListenedEndpoint>& listened) {
   std::optional<Spy> spy;
   LogTime last{};
   while (!source.ended() && !cli::stopRequested()) {
     const auto batch = source.receive();
-    // What stands before a break is worth a report.
+    // The part before a break still gets a report.
     if (!batch && !spy) return batch.error();
     if (!batch) {
       cli::warn(batch.error().text());
@@ -191,7 +192,7 @@ Result<cli::Exit> run(const Arguments& arguments) {
   if (!report) return report.error();
   const std::string text = arguments.json ? spyJson(*report, true) + "\n" : spyText(*report, 0, 0);
   cli::say(text);
-  // Nothing that can be read is nothing judged.
+  // Without a readable packet nothing was judged.
   return report->packets > 0 ? cli::Exit::done : cli::Exit::could_not_run;
 }
 

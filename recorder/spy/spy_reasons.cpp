@@ -15,10 +15,10 @@ namespace {
 using cli::counted;
 using cli::grouped;
 
-/// Shorter than this nothing can be said about what does not come.
+/// Silence shorter than this is not a reason yet.
 constexpr Nanoseconds kPatience = std::chrono::seconds(2);
 constexpr Nanoseconds kClockOff = std::chrono::seconds(1);
-/// Sources restate every two seconds unless told otherwise.
+/// Sources restate every two seconds by default.
 constexpr Nanoseconds kRestatements = std::chrono::seconds(5);
 
 std::string_view hintFor(PacketFault fault) {
@@ -173,7 +173,8 @@ class Reasons {
   }
 
   void judge(const SpyFault& fault) {
-    if (fault.kind == PacketFault::not_a_packet && report_.packets == 0) return;  // said above
+    if (fault.kind == PacketFault::not_a_packet && report_.packets == 0)
+      return;  // reported by sayNotPacketText()
     const std::string where =
         fault.column > 0 ? fmt::format("line {}, column {}", fault.line_number, fault.column)
                          : fmt::format("line {}", fault.line_number);

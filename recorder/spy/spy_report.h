@@ -13,9 +13,9 @@
 
 namespace rocinante {
 
-/// What has come to one listening endpoint.
+/// Traffic of one listening endpoint.
 struct SpyEndpoint {
-  std::string endpoint;  ///< with the port that was bound
+  std::string endpoint;  ///< with the bound port
   bool multicast = false;
   bool watched = false;  ///< pcap://: traffic that has another receiver
   std::uint64_t datagrams = 0;
@@ -26,43 +26,43 @@ struct SpyEndpoint {
   std::optional<Nanoseconds> silent;  ///< since the last datagram; empty when none came
 };
 
-/// Who sends: one address and port at one endpoint.
+/// A sender: one address and port at one endpoint.
 struct SpySender {
   std::size_t endpoint = 0;  ///< index in SpyReport::endpoints
   std::string address;
-  std::string to;  ///< of watched traffic: where it sends
+  std::string to;  ///< destination of watched traffic
   std::uint64_t datagrams = 0;
-  std::uint64_t packets = 0;  ///< of those, packet text
+  std::uint64_t packets = 0;  ///< of these, packet text
   double rate_hz = 0;         ///< over the last two seconds
   std::size_t smallest_bytes = 0;
   std::size_t largest_bytes = 0;
   Nanoseconds silent{};
-  std::string first_bytes;  ///< of the first datagram that is no packet; safe to print
+  std::string first_bytes;  ///< of the first datagram that is not a packet; safe to print
 };
 
-/// One SOURCE, whoever speaks for it.
+/// One SOURCE, from any sender.
 struct SpySource {
   std::string name;
   std::string run;
   std::vector<std::string> senders;  ///< the first few addresses
-  std::uint64_t turns = 0;           ///< times that an earlier sender spoke again after another
+  std::uint64_t turns = 0;           ///< times that an earlier sender sent again after another
   std::uint64_t packets = 0;         ///< applied
   double rate_hz = 0;
   std::uint64_t gap = 0, late = 0, restarts = 0, faults = 0;
   std::uint64_t restated = 0;  ///< packets that restate
   std::uint64_t by_others = 0;
   Nanoseconds silent{};
-  /// TIME less the arrival, of the last packet: the difference of the clocks, less the way.
+  /// TIME minus the arrival of the last packet: the clock difference minus the transit time.
   std::optional<Nanoseconds> clock_offset;
 };
 
 struct SpyDevice {
   std::string name;
-  std::vector<std::string> sources;  ///< the first few that wrote about it
+  std::vector<std::string> sources;  ///< the first few that wrote to it
   std::uint64_t statements = 0;      ///< joints, joint and pose
   double rate_hz = 0;
-  std::uint64_t changes = 0;   ///< of those, such as said something new
-  Nanoseconds silent{};        ///< since the last of any statement about it
+  std::uint64_t changes = 0;   ///< of these, those with new values
+  Nanoseconds silent{};        ///< since the last statement about it
   std::string presence;        ///< "added MODEL", "removed" or empty
   std::vector<double> joints;  ///< last positional values, radians and metres
   std::map<std::string, double> named_joints;
@@ -70,14 +70,14 @@ struct SpyDevice {
   std::string carrier;  ///< "arm/tool", or empty for the world; safe to print
 };
 
-/// Something that a source draws and has not taken back.
+/// A drawing that a source has not removed.
 struct SpyDrawing {
   std::string name, source;
-  std::size_t parts = 0;  ///< of it that have come
-  std::string text;       ///< the statement that draws the first of them; safe to print, cut
+  std::size_t parts = 0;  ///< parts received
+  std::string text;       ///< the statement of its first part; safe to print, cut
 };
 
-/// What a source said with `event`, however often.
+/// An `event` text of a source, with its count.
 struct SpyEvent {
   std::string text, source;  ///< `text` safe to print, cut
   std::uint64_t count = 0;
@@ -89,32 +89,32 @@ struct SpyFault {
   PacketFault kind{};
   std::uint64_t count = 0;
   std::string sender;
-  std::string line;  ///< safe to print; empty when the datagram is no text
+  std::string line;  ///< safe to print; empty when the datagram is not text
   std::uint32_t line_number = 0;
   std::uint32_t column = 0;  ///< in bytes, from 1; 0: the whole line
   std::string hint;
 };
 
-/// A reason why something may not move, the likeliest first.
+/// A reason why something may not move, likeliest first.
 struct SpyReason {
   std::string name;  ///< stable, for scripts: "nothing_arrives", "not_packet_text" ...
   std::string text;
   std::string hint;
 };
 
-/// What a spy has seen up to a moment.
+/// The observations of a spy up to a moment.
 struct SpyReport {
   Nanoseconds watched{};
   std::uint64_t datagrams = 0;
   std::uint64_t packets = 0;
   std::vector<SpyEndpoint> endpoints;
   std::vector<SpySender> senders;    ///< in order of appearance
-  std::uint64_t more_senders = 0;    ///< beyond what is kept
+  std::uint64_t more_senders = 0;    ///< datagrams of senders beyond those kept
   std::vector<SpySource> sources;    ///< by name
   std::vector<SpyDevice> devices;    ///< by name
   std::vector<SpyDrawing> drawings;  ///< by source and name
   std::vector<SpyEvent> events;      ///< by source and text
-  std::uint64_t more_events = 0;     ///< beyond what is told apart
+  std::uint64_t more_events = 0;     ///< events beyond those kept
   std::vector<SpyFault> faults;      ///< the most frequent first
   std::vector<SpyReason> reasons;
 };

@@ -48,7 +48,7 @@ std::string valuesCell(const SpyDevice& device) {
   return text;
 }
 
-/// Writes the parts of a report one under the other, none longer than `rows` lines.
+/// Writes the sections of a report one below the other, none longer than `rows` lines.
 class Page {
  public:
   Page(const SpyReport& report, std::size_t rows, std::size_t columns)
@@ -72,7 +72,7 @@ class Page {
     return std::string(columns_ > 0 ? cli::firstPlaces(text, columns_) : text) + "\n";
   }
 
-  /// The table, at most rows_ of it, under an empty line.
+  /// Appends an empty line and at most rows_ rows of the table.
   void add(TextTable table, std::string_view what) {
     if (table.rows.size() == 1) return;
     const std::size_t count = table.rows.size() - 1;

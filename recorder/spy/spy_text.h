@@ -7,7 +7,8 @@
 
 namespace rocinante {
 
-/// For people: tables with at most `rows` lines (0: all) of at most `columns` characters (0: any).
+/// Tables for the user, with at most `rows` lines (0: all) of at most `columns` characters (0:
+/// any).
 std::string spyText(const SpyReport& report, std::size_t rows, std::size_t columns);
 
 }  // namespace rocinante
