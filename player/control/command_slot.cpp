@@ -12,11 +12,11 @@ namespace {
 
 void raise(int descriptor) {
   const std::uint64_t one = 1;
-  // Full is as good as raised.
+  // A full counter is already raised.
   [[maybe_unused]] const auto written = ::write(descriptor, &one, sizeof one);
 }
 
-/// Answers how often it had been raised.
+/// Returns how often it had been raised.
 std::int64_t lower(int descriptor) {
   std::int64_t count = 0;
   return ::read(descriptor, &count, sizeof count) == sizeof count ? count : 0;
@@ -51,14 +51,14 @@ std::string CommandSlot::ask(std::string line) {
   if (state_.load(std::memory_order_acquire) != kAnswered) return {};
   std::string said = std::move(answer_);
   state_.compare_exchange_strong(answered, kIdle, std::memory_order_acq_rel);
-  // The sender may be waiting to close.
+  // Wakes close(), which may be waiting.
   state_.notify_all();
   return said;
 }
 
 std::optional<std::string_view> CommandSlot::asked() {
-  // A command may be seen before its wake is raised: one left standing would let nobody sleep.
-  // First the wakes, then the command: one that is taken early belongs to a command seen below.
+  // A command may be seen before its wake is raised, and a pending wake would prevent sleeping.
+  // Take the wakes first, then the command: an early wake belongs to a command seen below.
   takeWakes();
   if (state_.load(std::memory_order_acquire) != kAsked) return std::nullopt;
   if (!std::exchange(seen_, true)) {
@@ -94,7 +94,7 @@ std::vector<std::string> CommandSlot::takeTold() {
 }
 
 void CommandSlot::close() {
-  // An answer that was just given is still to be taken.
+  // An answer just given must still be delivered.
   int state = state_.load(std::memory_order_acquire);
   while (state == kAnswered) {
     state_.wait(kAnswered, std::memory_order_acquire);

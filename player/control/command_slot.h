@@ -13,8 +13,8 @@
 
 namespace rocinante {
 
-/// One command on its way from the thread that hears it to the one that sends, and its answer back.
-/// The sender never waits here: it looks at one atomic number.
+/// Passes one command from the listening thread to the sending thread, and its answer back. The
+/// sender never blocks: it reads one atomic number.
 class CommandSlot final : public CommandSource {
  public:
   static Result<std::unique_ptr<CommandSlot>> make();
@@ -24,20 +24,20 @@ class CommandSlot final : public CommandSource {
 
   /// Readable while a command waits for the sender.
   int wake() const { return wake_; }
-  /// Readable when something was told, and when the slot is closed.
+  /// Readable after tell(), and when the slot is closed.
   int told() const { return told_; }
 
-  // The one that hears:
-  /// Hands a line over and waits for its answer. Empty: there is none.
+  // The listening thread:
+  /// Hands over a line and waits for its answer; empty for none.
   std::string ask(std::string line);
   std::vector<std::string> takeTold();
   bool closed() const { return state_.load(std::memory_order_acquire) == kClosed; }
 
-  // The one that sends:
+  // The sending thread:
   std::optional<std::string_view> asked() override;
   void answer(std::string line) override;
   void tell(std::string line) override;
-  /// Nobody will answer any more.
+  /// No more answers will come.
   void close();
 
  private:
@@ -48,9 +48,9 @@ class CommandSlot final : public CommandSource {
 
   int wake_, told_;
   std::atomic<int> state_{kIdle};
-  // The sender's own:
+  // Used by the sending thread only:
   bool seen_ = false;
-  std::int64_t wakes_owed_ = 0;  ///< of commands seen, wakes that were not taken yet
+  std::int64_t wakes_owed_ = 0;  ///< wakes of seen commands that were not taken yet
 
   std::string line_, answer_;
   std::mutex mutex_;

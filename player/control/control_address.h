@@ -8,15 +8,15 @@
 
 namespace rocinante {
 
-/// Where a player hears commands: udp://HOST:PORT (also HOST:PORT), or unix:PATH.
+/// Where a player listens for commands: udp://HOST:PORT (also HOST:PORT), or unix:PATH.
 struct ControlAddress {
-  std::filesystem::path path;  ///< of a Unix socket; empty: `endpoint`
+  std::filesystem::path path;  ///< of a Unix socket; empty: use `endpoint`
   Endpoint endpoint;
 
   static Result<ControlAddress> parse(std::string_view text);
 };
 
-/// True of this machine's own addresses: loopback, and those of its interfaces.
+/// True for this machine's own addresses: loopback, and those of its interfaces.
 bool isOwnAddress(const SocketAddress& address);
 
 }  // namespace rocinante

@@ -9,19 +9,19 @@
 
 namespace rocinante {
 
-/// A way by which commands come to a running player: a socket, or a keyboard. One thread.
+/// An input for commands to a running player: a socket or a keyboard. One thread.
 class ControlInput {
  public:
   virtual ~ControlInput() = default;
 
-  /// Does one line's command and gives its answer; empty when there is none.
+  /// Executes one command line and returns its answer; empty for none.
   using Ask = std::function<std::string(std::string)>;
 
-  /// What to wait for. A descriptor may not be negative.
+  /// Adds the descriptors to poll, none of them negative.
   virtual void addDescriptors(std::vector<pollfd>& descriptors) const = 0;
-  /// Something has come, here or elsewhere: serves what there is without waiting.
+  /// Serves pending input without waiting. Called when any input is ready.
   virtual void serve(const Ask& ask) = 0;
-  /// Says something unasked to who spoke last, or as soon as somebody does.
+  /// Sends an unrequested line to the last client, or to the next one if there is none yet.
   virtual void tell(const std::string& line) = 0;
 };
 

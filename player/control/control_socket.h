@@ -11,15 +11,16 @@
 
 namespace rocinante {
 
-/// Hears commands at a UDP port or a Unix socket, and says where ("udp://127.0.0.1:5000"). Over UDP
-/// a datagram holds up to 16 lines and is answered by one; strangers (neither this machine nor in
-/// `allowed`) are refused, at most one a second told so. A Unix socket is the user's alone (mode
-/// 0600), takes 8 connections and is removed at the end; one that a dead player left is replaced.
+/// Listens for commands on a UDP port or a Unix socket; `where` is its address
+/// ("udp://127.0.0.1:5000"). Over UDP a datagram holds up to 16 lines and gets one answer; other
+/// hosts (not this machine and not in `allowed`) are refused, with at most one answer a second. A
+/// Unix socket belongs to the user (mode 0600), accepts 8 connections and is removed at the end;
+/// one left by a dead player is replaced.
 struct ControlSocket {
   std::unique_ptr<ControlInput> input;
   std::string where;
 
-  /// `told` is given a sentence when a stranger is refused for the first time, on the thread that
+  /// `told` is called once, with a sentence, when the first host is refused; on the thread that
   /// serves the socket.
   static Result<ControlSocket> open(const ControlAddress& address, AddressFilter allowed,
                                     std::function<void(std::string)> told = {});

@@ -9,7 +9,7 @@
 
 namespace rocinante {
 
-/// Hears commands while a player runs, in a thread of its own.
+/// Listens for commands in its own thread while a player runs.
 class ControlThread {
  public:
   /// `slot` must outlive this.

@@ -27,13 +27,13 @@ constexpr Key kKeys[] = {
     {"n", "next"},         {"p", "previous"},    {"q", "quit"},
 };
 
-// For signal handlers: written before they are set, and never while they are.
+// Read by signal handlers, so written only while they are not installed.
 termios former_mode;
 termios key_mode;
 std::atomic<bool> in_key_mode{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "read by a signal handler");
 
-/// What ends the program at once, or may.
+/// Signals that end the program at once, or may.
 constexpr std::array kEnding = {SIGHUP, SIGQUIT, SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL};
 constexpr std::array kStopping = {SIGINT, SIGTERM};
 std::array<struct sigaction, kEnding.size()> former_ending;
@@ -53,7 +53,7 @@ void onEnding(int number) {
   ::raise(number);
 }
 
-/// The first is the program's own business, the second ends it.
+/// The program handles the first signal itself; the second ends it.
 void onStopping(int number) {
   const int saved = errno;
   if (stops.fetch_add(1) > 0) {
@@ -63,7 +63,7 @@ void onStopping(int number) {
   } else {
     const auto& former = former_stopping[number == SIGINT ? 0 : 1];
     if (former.sa_handler != SIG_DFL && former.sa_handler != SIG_IGN) former.sa_handler(number);
-    // It set the default for the next one, which would leave the terminal as it is.
+    // The program's handler restored the default, which would not restore the terminal.
     struct sigaction again {};
     again.sa_handler = onStopping;
     ::sigaction(number, &again, nullptr);
@@ -97,7 +97,7 @@ std::string_view KeyReader::take(char key) {
   if (sequence_.empty() && key != '\x1b')
     sequence_ = key;
   else if (key == '\x1b')
-    sequence_ = key;  // whatever was begun is no sequence we know
+    sequence_ = key;  // the previous bytes are not a known sequence
   else
     sequence_ += key;
   bool may_go_on = false;
@@ -108,7 +108,7 @@ std::string_view KeyReader::take(char key) {
     }
     may_go_on = may_go_on || each.typed.starts_with(sequence_);
   }
-  // The rest of a longer sequence (of a function key) is passed over up to its last letter.
+  // Skip the rest of a longer sequence (a function key) up to its final letter.
   const bool is_long = sequence_.size() > 2 && sequence_.size() < 16 && sequence_[1] == '[' &&
                        (key < '@' || key > '~');
   if (!may_go_on && !is_long) sequence_.clear();
@@ -118,11 +118,11 @@ std::string_view KeyReader::take(char key) {
 void giveTerminalBack() { restoreMode(); }
 
 std::unique_ptr<TerminalKeys> TerminalKeys::open() {
-  // To change the terminal from the background would stop the program.
+  // Changing the terminal from the background would stop the program.
   if (::isatty(kKeyboard) != 1 || !isForeground()) return nullptr;
   if (::tcgetattr(kKeyboard, &former_mode) != 0) return nullptr;
   key_mode = former_mode;
-  // Signals stay: Ctrl-C is still Ctrl-C.
+  // ISIG stays set: Ctrl-C still sends its signal.
   key_mode.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);
   key_mode.c_cc[VMIN] = 0;
   key_mode.c_cc[VTIME] = 0;
@@ -165,7 +165,7 @@ void TerminalKeys::serve(const Ask& ask) {
     const std::string_view command = reader_.take(typed[static_cast<std::size_t>(i)]);
     if (command.empty()) continue;
     const std::string said = ask(std::string(command));
-    // The status is on the line that is drawn anyway.
+    // The progress line shows the status anyway.
     if (said.starts_with("error ")) tell(said.substr(6));
   }
 }

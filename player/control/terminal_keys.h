@@ -8,28 +8,28 @@
 
 namespace rocinante {
 
-/// What a person typed, as commands: space toggles, the arrows right and left step a message on and
-/// back, up and down a second, + and - change the speed, n and p go to the next event and the one
-/// before, q quits. An arrow may come in pieces.
+/// Translates keys to commands: space toggles, the right and left arrows step a message forwards
+/// and back, up and down a second, + and - change the speed, n and p go to the next and the
+/// previous event, q quits. The bytes of an arrow may come separately.
 class KeyReader {
  public:
-  /// The command that `key` completes; empty when there is none (yet).
+  /// The command that `key` completes; empty for none (yet).
   std::string_view take(char key);
 
  private:
   std::string sequence_;  ///< the beginning of an escape sequence
 };
 
-/// Makes the terminal what it was before TerminalKeys, if they are open. For signal handlers too.
+/// Restores the terminal if TerminalKeys are open. Safe in signal handlers.
 void giveTerminalBack();
 
-/// The keyboard of the terminal that the program runs in. While this lives the terminal gives each
-/// key at once and shows none; what it was like before comes back at the end, however that comes:
-/// also by a second Ctrl-C, another signal, or while the program is stopped (Ctrl-Z).
+/// The keyboard of the controlling terminal. While this lives the terminal delivers each key at
+/// once without echo; its former mode is restored at the end, including after a second Ctrl-C or
+/// another signal, and while the program is stopped (Ctrl-Z).
 class TerminalKeys final : public ControlInput {
  public:
-  /// Null when there is no terminal to read from, or the program runs in its background. One at a
-  /// time. After cli::catchStopSignals().
+  /// Null without a terminal, or when the program runs in its background. One at a time. Call after
+  /// cli::catchStopSignals().
   static std::unique_ptr<TerminalKeys> open();
   ~TerminalKeys() override;
 

@@ -17,7 +17,7 @@ namespace rocinante {
 namespace {
 
 constexpr std::size_t kMaxLines = 16;
-/// Served at a time, so that no flood keeps the others waiting.
+/// Datagrams served at a time, so that a flood does not delay other inputs.
 constexpr int kMaxDatagrams = 64;
 
 class UdpControl final : public ControlInput {
@@ -35,7 +35,7 @@ class UdpControl final : public ControlInput {
       socklen_t length = sizeof from;
       const ssize_t size = ::recvfrom(socket_.descriptor(), buffer_.data(), buffer_.size(),
                                       MSG_DONTWAIT, reinterpret_cast<sockaddr*>(&from), &length);
-      if (size < 0 && errno == ECONNREFUSED) continue;  // who asked is gone
+      if (size < 0 && errno == ECONNREFUSED) continue;  // the client is gone
       if (size < 0) return;
       const std::string_view text(buffer_.data(), static_cast<std::size_t>(size));
       if (mayControl(fromSystem(from))) {
@@ -46,7 +46,7 @@ class UdpControl final : public ControlInput {
         continue;
       }
       if (told_) {
-        // Once: a stranger must not fill a terminal.
+        // Once only: other hosts must not fill the terminal.
         std::exchange(told_, {})("refused a command from " +
                                  withoutMapping(fromSystem(from)).hostText() +
                                  ": allow its address with --control-allow");
@@ -74,7 +74,7 @@ class UdpControl final : public ControlInput {
   };
 
   bool mayControl(const SocketAddress& from) const {
-    // Empty, it would allow everybody.
+    // An empty filter would allow every host.
     return isOwnAddress(from) || (!allowed_.empty() && allowed_.allows(from));
   }
 
@@ -92,7 +92,7 @@ class UdpControl final : public ControlInput {
   }
 
   void send(const std::string& text, const sockaddr_storage& to, socklen_t length) {
-    // Who does not take an answer does without.
+    // An answer that cannot be sent is dropped.
     [[maybe_unused]] const auto sent =
         ::sendto(socket_.descriptor(), text.data(), text.size(), MSG_DONTWAIT,
                  reinterpret_cast<const sockaddr*>(&to), length);
@@ -100,7 +100,7 @@ class UdpControl final : public ControlInput {
 
   SystemSocket socket_;
   AddressFilter allowed_;
-  std::function<void(std::string)> told_;  ///< empty once it was told
+  std::function<void(std::string)> told_;  ///< empty after the first call
   std::array<char, 65'536> buffer_{};
   std::optional<Peer> peer_;
   std::string untold_;

@@ -31,7 +31,7 @@ struct Connection {
     const std::string text = line + "\n";
     const ssize_t sent =
         ::send(socket.descriptor(), text.data(), text.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
-    // Half a line would put all later answers out of step.
+    // After half a line all later answers would be misread.
     if (sent != static_cast<ssize_t>(text.size())) over = true;
   }
 };
@@ -99,7 +99,7 @@ class UnixControl final : public ControlInput {
   SystemSocket socket_;
   UnfinishedPath path_;
   std::list<Connection> connections_;
-  Connection* speaker_ = nullptr;  ///< who spoke last
+  Connection* speaker_ = nullptr;  ///< the client of the last command
   std::string untold_;
 };
 
@@ -107,7 +107,7 @@ Error unixError(std::string_view what, const std::filesystem::path& path) {
   return {ErrorKind::refused, std::string(what) + ": " + std::strerror(errno), path.string()};
 }
 
-/// True when nobody listens at a socket that is there.
+/// True when the socket exists but no process listens on it.
 bool isLeftOver(const std::filesystem::path& path, const sockaddr_un& address) {
   struct stat status {};
   if (::lstat(path.c_str(), &status) != 0 || !S_ISSOCK(status.st_mode)) return false;
@@ -126,7 +126,7 @@ Result<ControlSocket> openUnixControl(const std::filesystem::path& path) {
   SystemSocket socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
   if (socket.descriptor() < 0) return unixError("cannot make a Unix socket", path);
   if (isLeftOver(path, address)) ::unlink(path.c_str());
-  // Of the user alone from its first moment on.
+  // Private to the user from its creation on.
   const mode_t former = ::umask(0177);
   const int bound =
       ::bind(socket.descriptor(), reinterpret_cast<const sockaddr*>(&address), sizeof address);

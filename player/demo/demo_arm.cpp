@@ -70,7 +70,7 @@ std::optional<ArmJoints> armJointsFor(const Pose& tip) {
   // (c5, s5 s6, s5 c6).
   const double sine5 = std::sqrt(hand[0][1] * hand[0][1] + hand[0][2] * hand[0][2]);
   if (sine5 < 1e-9) {
-    return std::nullopt;  // the wrist is straight: q4 and q6 turn about one line
+    return std::nullopt;  // the wrist is straight: q4 and q6 share an axis
   }
   return ArmJoints{q1,
                    q2,

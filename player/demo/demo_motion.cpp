@@ -14,13 +14,13 @@ namespace {
 constexpr Nanoseconds kArmPeriod = std::chrono::milliseconds(10);
 constexpr Nanoseconds kGantryPeriod = std::chrono::milliseconds(20);
 constexpr Nanoseconds kRestatePeriod = std::chrono::seconds(2);
-/// The sources start one after the other, as on a real cell: no two datagrams at one moment.
+/// The sources start one after the other, as in a real cell: no two datagrams at one moment.
 constexpr Nanoseconds kGantryPhase = std::chrono::milliseconds(3);
 constexpr std::size_t kLeastMtuBytes = 512;
 
 double motionSeconds(Nanoseconds at) { return static_cast<double>(at.count()) * 1e-9; }
 
-/// Micrometres and microradians: what an encoder would give, and short to write.
+/// Rounds to micrometres and microradians, as an encoder would; short to write.
 template <std::size_t N>
 std::array<double, N> rounded(std::array<double, N> values) {
   for (double& value : values) {
@@ -47,7 +47,7 @@ void sayArm(DemoSpeaker& speaker, Nanoseconds start) {
   }
 }
 
-/// Where the canister is, as the gantry says it when that changes.
+/// The canister's pose, as the gantry sends it when it changes.
 struct CanisterPose {
   PathView carrier;
   std::array<double, 7> numbers;  ///< x y z qx qy qz qw
@@ -71,7 +71,8 @@ void sayGantry(DemoSpeaker& speaker, Nanoseconds start) {
   order.name = "gantry";
   order.names = kOrder;
 
-  double before = -1;  // of the last datagram; the canister is said when it changed since
+  double before =
+      -1;  // time of the last datagram; the canister's pose is sent when it changed since
   for (Nanoseconds at = kGantryPhase; at < kDemoLength; at += kGantryPeriod) {
     const double seconds = motionSeconds(at);
     const GantryJoints joints = rounded(gantryJointsAt(seconds));
@@ -134,7 +135,7 @@ std::vector<DemoDatagram> demoDatagrams(const std::vector<DemoPart>& parts,
   std::vector<DemoDatagram> all;
   for (const DemoPart part : kDemoParts) {
     if (std::find(parts.begin(), parts.end(), part) == parts.end()) continue;
-    // Every turn holds as many datagrams as the first.
+    // Every turn has as many datagrams as the first.
     const std::uint64_t before =
         options.turn == 0 ? 0 : options.turn * datagramsOf(part, bounded, 0, 0).size();
     for (DemoDatagram& datagram : datagramsOf(part, bounded, options.turn, before)) {

@@ -17,7 +17,7 @@ enum class DemoPart : std::uint8_t {
 };
 inline constexpr DemoPart kDemoParts[] = {DemoPart::arm, DemoPart::gantry, DemoPart::planner};
 
-/// The SOURCE that a part speaks as: "arm", "gantry", "planner".
+/// The SOURCE of a part: "arm", "gantry", "planner".
 std::string_view nameOf(DemoPart part);
 
 /// One turn of the motion. The next turn may follow at once: it begins as the first one did.
@@ -25,9 +25,10 @@ inline constexpr Nanoseconds kDemoLength = std::chrono::seconds(20);
 
 struct DemoOptions {
   std::int64_t epoch_ns = 0;  ///< TIME of the motion's zero, nanoseconds since the epoch
-  std::string run;            ///< RUN token; empty: none is written
-  std::uint64_t turn = 0;  ///< for endless demos: SEQUENCE, TIME and `at` go on from turn to turn
-  std::size_t mtu_bytes = 1200;  ///< no datagram is larger; under 512 counts as 512
+  std::string run;            ///< RUN token; empty: no RUN
+  std::uint64_t turn =
+      0;  ///< for endless demos: SEQUENCE, TIME and `at` continue from turn to turn
+  std::size_t mtu_bytes = 1200;  ///< largest datagram; values under 512 count as 512
 };
 
 /// One datagram, and when it is due after the motion's zero.
@@ -38,8 +39,8 @@ struct DemoDatagram {
 };
 
 /// All datagrams of one turn of `parts`, in order of `at` (ties: in order of DemoPart). A pure
-/// function of its arguments, with the same bytes on every CPU. Each part says everything at its
-/// first datagram, changes at once, and all that it owns again every 2 s.
+/// function of its arguments, with the same bytes on every CPU. Each part sends everything with its
+/// first datagram, changes at once, and restates all it owns every 2 s.
 std::vector<DemoDatagram> demoDatagrams(const std::vector<DemoPart>& parts,
                                         const DemoOptions& options);
 

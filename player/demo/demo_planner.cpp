@@ -12,22 +12,22 @@
 namespace rocinante {
 namespace {
 
-/// The planner speaks a little after the gantry and the arm: what it tells of has happened.
+/// The planner sends a little after the gantry and the arm, so that its statements follow theirs.
 constexpr Nanoseconds kPhase = std::chrono::milliseconds(6);
 constexpr std::uint32_t kCarryColor = 0x00B7FFE0;
 constexpr std::uint32_t kPathColor = 0xFFD400FF;
 constexpr std::uint32_t kWaypointColor = 0xFFFFFFFF;
 /// A point as text: three numbers of up to eight characters with a space each.
 constexpr std::size_t kPointBytes = 27;
-/// Room for the header line and for what a line statement says before its points.
+/// Room for the header line and the part of a line statement before its points.
 constexpr std::size_t kLineHeadBytes = 240;
 
-/// Numbers with what they belong to kept alive: a Statement only borrows them.
+/// The coordinates of the points. A Statement only borrows them.
 std::vector<double> numbersOf(const std::vector<Vec3>& points) {
   std::vector<double> numbers;
   for (const Vec3& point : points) {
     for (const double value : {point.x, point.y, point.z}) {
-      // A tenth of a millimetre is finer than anyone sees, and half as long to write.
+      // A tenth of a millimetre is finer than visible, and half as long to write.
       numbers.push_back(std::floor(value * 1e4 + 0.5) / 1e4 + 0.0);
     }
   }
@@ -114,7 +114,7 @@ class Planner {
              erase("to")});
   }
 
-  /// `left` of 1 is the whole colour.
+  /// `left` is the remaining opacity; 1 is the full colour.
   void fadePath(double at, double left) {
     const auto alpha = static_cast<std::uint32_t>(left * 255.0);
     sayPath(at, (kPathColor & 0xFFFFFF00U) | alpha);
@@ -133,7 +133,7 @@ class Planner {
     speaker_.say(start_ + kPhase + offset, statements);
   }
 
-  /// The path is longer than a datagram: it goes in parts that share their end points.
+  /// The path is longer than a datagram: it is sent in parts that share their end points.
   void sayPath(double at, std::uint32_t rgba) {
     const std::size_t points = path_.size() / 3;
     const std::size_t steps = points_a_part_ - 1;

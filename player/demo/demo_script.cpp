@@ -37,7 +37,7 @@ double valueAt(double seconds, double start, std::span<const Move> moves) {
 
 constexpr double kHomeX = -0.5;
 constexpr double kHomeY = 0.9;
-/// Lowered so far that the gripper's palm is just above the lid.
+/// Lowered until the gripper's palm is just above the lid.
 constexpr double kLoweredAtPallet = kGripperAtZero.z + kCanisterInGripper.z - kCanisterAtPallet.z;
 constexpr double kLoweredAtStation = kGripperAtZero.z + kCanisterInGripper.z - kCanisterAtStation.z;
 
@@ -66,13 +66,13 @@ constexpr double kFoldEnds = 19.4;
 
 /// The trace over the lid: once round along its rim, once round in a spiral to the bung.
 constexpr double kBallRadius = 0.008;
-constexpr double kLidRecess = 0.012;  ///< the lid lies below the chime
+constexpr double kLidRecess = 0.012;  ///< depth of the lid below the chime
 constexpr double kRimRadius = 0.110;
 constexpr double kInnerRadius = 0.055;
 constexpr double kApproachHeight = 0.16;
 constexpr double kTilt = radiansOf(16);
 
-/// Arm space of a world point: the arm is turned half round about z.
+/// A world point in arm space: the arm is turned half round about z.
 Vec3 inArmSpace(const Vec3& world) {
   const Vec3 d = world - kArmBase;
   return {-d.x, -d.y, d.z};
@@ -93,7 +93,7 @@ Pose overLid(double turns, double height, double tilt) {
               toolPointing(lean.sine * outwards - Vec3{0, 0, lean.cosine})};
 }
 
-/// The tip on the straight ways down and up and on the trace between, from kAboveLid to kPathEnds.
+/// The tip on the straight lines down and up and on the trace between, from kAboveLid to kPathEnds.
 Pose tipOverLid(double seconds) {
   const double down = quinticBetween(seconds, kAboveLid, DemoMoment::kTraceBegins);
   const double up = quinticBetween(seconds, kLiftBegins, DemoMoment::kPathEnds);
@@ -103,7 +103,7 @@ Pose tipOverLid(double seconds) {
 }
 
 ArmJoints jointsOverLid(double seconds) {
-  // The lid is in the middle of the reach: a test walks the whole path.
+  // The lid is well within reach: a test walks the whole path.
   return armJointsFor(tipOverLid(seconds)).value_or(kWaiting);
 }
 
@@ -115,7 +115,8 @@ ArmJoints between(const ArmJoints& from, const ArmJoints& to, double fraction) {
   return joints;
 }
 
-/// Keeps a polyline within `tolerance_m` of a finely sampled way: the farthest sample splits it.
+/// Simplifies a finely sampled path to a polyline within `tolerance_m`, splitting at the farthest
+/// sample.
 void simplify(std::span<const Vec3> way, double tolerance_m, std::vector<Vec3>& kept) {
   const Vec3 chord = way.back() - way.front();
   const double chord_squared = glm::dot(chord, chord);

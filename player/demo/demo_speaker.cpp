@@ -33,8 +33,8 @@ void DemoSpeaker::sayAgain(Nanoseconds at) {
   RestatementOptions options;
   const std::string part_id = fmt::format("r{}", restatements_++);
   options.part_id = part_id;
-  // The parts come with the last datagram's header. Ours may be longer: by `restated` where that
-  // one has none, by a digit of SEQUENCE, by the decimals of TIME.
+  // The parts have the last datagram's header. Ours may be longer: by `restated`, by a digit of
+  // SEQUENCE, by the decimals of TIME.
   options.mtu_bytes = options_.mtu_bytes - 32;
   const std::vector<std::string> parts = restate(state_, nameOf(part_), options);
   for (std::size_t i = 0; i < parts.size(); ++i) {

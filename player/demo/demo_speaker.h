@@ -11,17 +11,18 @@
 
 namespace rocinante {
 
-/// One source of the demo speaking: numbers and stamps its datagrams, keeps them to the MTU, and
-/// remembers what it said so as to say it again.
+/// One source of the demo: numbers and timestamps its datagrams, keeps them within the MTU, and
+/// remembers its state to restate it.
 class DemoSpeaker {
  public:
   /// `options` must outlive it.
   DemoSpeaker(DemoPart part, const DemoOptions& options, std::uint64_t first_sequence);
 
-  /// The statements in one datagram, or in several when they exceed the MTU. `at` must not go back.
+  /// Sends the statements in one datagram, or in several when they exceed the MTU. `at` must not go
+  /// back.
   void say(Nanoseconds at, const std::vector<Statement>& statements);
 
-  /// Everything that this source owns, as one whole restatement.
+  /// Restates everything that this source owns, as one complete restatement.
   void sayAgain(Nanoseconds at);
 
   std::vector<DemoDatagram> take() { return std::move(datagrams_); }

@@ -8,7 +8,7 @@
 
 namespace rocinante {
 
-/// The demo's motion as datagrams to be sent, turn after turn without a gap.
+/// The datagrams of the demo's motion, turn after turn without a gap.
 class DemoStream final : public DatagramStream {
  public:
   struct Options {
@@ -28,7 +28,7 @@ class DemoStream final : public DatagramStream {
 
   Options options_;
   std::uint32_t turn_ = 0;
-  std::vector<DemoDatagram> datagrams_;  ///< of this turn
+  std::vector<DemoDatagram> datagrams_;  ///< of the current turn
   std::size_t next_ = 0;
 };
 

@@ -13,7 +13,7 @@ MessageFolder::Folded MessageFolder::fold(SessionState& state, const LogMessage&
   if (packet == nullptr) return {};
   const Folded folded{state.apply(message.log_time, *packet) == Applied::yes,
                       packet->header.part.has_value()};
-  // They would pile up otherwise.
+  // Events would accumulate.
   state.takeEvents();
   return folded;
 }

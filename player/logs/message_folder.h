@@ -10,14 +10,14 @@
 
 namespace rocinante {
 
-/// Folds a log's messages into a state, each by its encoding. One thread.
+/// Folds a log's messages into a state, decoding each by its encoding. One thread.
 class MessageFolder {
  public:
   struct Folded {
-    bool applied = false;  ///< false: nobody can decode it, or it came late
+    bool applied = false;  ///< false: it cannot be decoded, or it came late
     bool is_part = false;  ///< of a restatement
   };
-  /// Events are not kept: a player never says one again.
+  /// Events are dropped: a player never restates them.
   Folded fold(SessionState& state, const LogMessage& message);
 
  private:

@@ -121,7 +121,7 @@ Status MultiLogReader::stand(TapePosition place) {
     } else if (i >= place.log) {
       put = reader.seek(place.time);
     } else {
-      // Of equal times, the log named first goes first: here they are behind us.
+      // At equal times the log named first goes first; its messages are behind this place.
       put = reader.seekAfter({place.time, ~std::uint64_t{0}});
     }
     if (!put) return put;
@@ -144,7 +144,7 @@ Result<std::optional<LogMessage>> MultiLogReader::next() {
     if (const Status read = advance(*std::exchange(taken_, nullptr)); !read) return read.error();
   }
   for (Input& input : inputs_) {
-    // Not <=: of equal times, the log named first goes first.
+    // Not <=: at equal times the log named first goes first.
     if (input.head && (taken_ == nullptr || input.head->log_time < taken_->head->log_time)) {
       taken_ = &input;
     }
@@ -159,7 +159,7 @@ TapePosition MultiLogReader::place() const {
           taken_->head->file_offset};
 }
 
-/// The heads are each log's last message behind us.
+/// The heads are each log's last message before this place.
 Result<std::optional<TapePosition>> MultiLogReader::previous() {
   const auto goBack = [this](Input& input) -> Status {
     while (true) {

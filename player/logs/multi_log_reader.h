@@ -14,9 +14,8 @@
 
 namespace rocinante {
 
-/// Which channels of the logs are there at all; the others are as if they had not been recorded.
-/// Patterns are a shell's and match topics; a restated channel (/rocinante/restated/...) goes with
-/// the one that it restates.
+/// The channels to play; others are treated as if they had not been recorded. Shell patterns of
+/// topics; a restated channel (/rocinante/restated/...) follows the one it restates.
 struct ChannelChoice {
   std::vector<std::string> only;   ///< any of these; empty: all
   std::vector<std::string> muted;  ///< and none of these
@@ -25,16 +24,16 @@ struct ChannelChoice {
   bool holds(std::string_view topic) const;
 };
 
-/// Several logs read as one: in order of (log_time, place among the arguments, file offset).
-/// Not for sharing between threads.
+/// Reads several logs as one, ordered by (log_time, argument order, file offset). Not for sharing
+/// between threads.
 class MultiLogReader {
  public:
   enum class Which : std::uint8_t {
-    captured,  ///< what was sent to the recorder
-    folded,    ///< what the state is made of: the captured, and restatements of others
+    captured,  ///< sent to the recorder
+    folded,    ///< makes up the state: captured messages and restatements by others
   };
 
-  /// Fails as LogReader::open does, on the first log that cannot be read.
+  /// Fails as LogReader::open for the first log that cannot be read.
   static Result<MultiLogReader> open(const std::vector<std::filesystem::path>& paths,
                                      ChannelChoice choice = {});
 
@@ -43,30 +42,30 @@ class MultiLogReader {
   LogTime end() const { return end_; }        ///< the last captured message of all
   bool empty() const { return empty_; }       ///< no captured message
   std::size_t logs() const { return inputs_.size(); }
-  /// Of the whole log, chosen or not.
+  /// All channels of the log, chosen or not.
   const std::vector<LogChannel>& channels(std::size_t log) const {
     return inputs_[log].reader.channels();
   }
   bool chosen(std::size_t log, ChannelId channel) const;
   /// Every SOURCE that the chosen channels name, sorted.
   std::set<std::string> sources() const;
-  /// Breaks found in any of the logs so far, as sentences with file and bytes.
+  /// Damage found in the logs so far, as sentences with file and bytes.
   std::vector<std::string> damage() const;
 
-  /// Goes to the first of `which` at or behind `place`.
+  /// Goes to the first message of `which` at or after `place`.
   Status seek(TapePosition place, Which which);
   /// The next message; its payload is borrowed until the next call. Empty at the end.
   Result<std::optional<LogMessage>> next();
-  /// Of the message that next() returned last.
+  /// The place of the message that next() returned last.
   TapePosition place() const;
 
   struct Earlier {
-    std::uint64_t messages = 0;     ///< how many were found, at most as many as were asked for
-    TapePosition place{};           ///< of the earliest of them; where one was, when there are none
-    std::optional<LogTime> before;  ///< the time of the one before that
+    std::uint64_t messages = 0;     ///< number found, at most `count`
+    TapePosition place{};           ///< of the earliest found; the given place when none was
+    std::optional<LogTime> before;  ///< time of the message before it
   };
-  /// The captured message that lies `count` of them before `place`, not earlier than `floor`. Where
-  /// next() goes on is undefined until the next seek.
+  /// The captured message `count` messages before `place`, not earlier than `floor`. The position
+  /// of next() is undefined until the next seek.
   Result<Earlier> back(TapePosition place, std::uint64_t count, LogTime floor);
 
  private:
@@ -85,7 +84,7 @@ class MultiLogReader {
 
   std::vector<Input> inputs_;
   Which which_ = Which::captured;
-  Input* taken_ = nullptr;  ///< whose head was handed out last; it moves on at the next call
+  Input* taken_ = nullptr;  ///< whose head was returned last; advanced by the next call
   LogTime origin_{}, start_{}, end_{};
   bool empty_ = true;
 };

@@ -6,10 +6,10 @@
 namespace rocinante {
 namespace {
 
-// Each is an open socket.
+// Each route is an open socket.
 constexpr std::size_t kMaxRoutes = 1000;
 
-/// The port in "127.0.0.1:5000" or "[::1]:5000"; 0 when there is none.
+/// The port in "127.0.0.1:5000" or "[::1]:5000"; 0 for none.
 std::uint16_t portOf(const LogChannel& channel) {
   const auto remote = channel.metadata.find("remote");
   if (remote == channel.metadata.end()) return 0;

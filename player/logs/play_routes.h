@@ -14,13 +14,13 @@
 
 namespace rocinante {
 
-/// By which socket each datagram leaves. Numbers index `all`.
+/// The socket for each datagram. Numbers index `all`.
 struct PlayRoutes {
   std::vector<Route> all;
   std::vector<std::vector<std::uint16_t>> played;  ///< by log, by channel id
-  /// By SOURCE: wherever something of it goes, once each.
+  /// By SOURCE: every route that carries its datagrams, once each.
   std::map<std::string, std::vector<std::uint16_t>, std::less<>> restated;
-  std::vector<std::uint16_t> restated_elsewhere;  ///< of a SOURCE that no channel names
+  std::vector<std::uint16_t> restated_elsewhere;  ///< for a SOURCE that no channel names
 
   const std::vector<std::uint16_t>& restatedOf(std::string_view source) const {
     const auto found = restated.find(source);

@@ -18,15 +18,15 @@ struct Block {
   };
   std::vector<Item> items;
   Bytes bytes;
-  std::optional<Error> error;  ///< what ended the stream, if anything did
+  std::optional<Error> error;  ///< the failure that ended the stream, if any
   bool last = false;
 };
 
-// Blocks are handed over whole, so the sender takes the lock once in many datagrams.
+// Blocks are handed over whole, so the sender locks once for many datagrams.
 constexpr std::size_t kBlocks = 16;
 constexpr std::size_t kBlockBytes = 256 * 1024;
 constexpr std::size_t kBlockItems = 4096;
-// The first is small, so that whoever waits for it waits shortly.
+// The first block is small, so that it is ready soon.
 constexpr std::size_t kFirstBlockItems = 32;
 
 }  // namespace
@@ -44,7 +44,7 @@ struct ReadAhead::Impl {
   bool ended = false;
   bool stop = false;
 
-  Block current;  ///< the sender's own
+  Block current;  ///< used by the sender only
   std::size_t position = 0;
 
   std::thread thread;

@@ -15,7 +15,7 @@ std::vector<RestatedDatagram> restatedBlock(const SessionState& state,
   std::vector<std::string> texts = restateAll(state, how);
   for (const std::string& source : sources) {
     if (state.sources().contains(source)) continue;
-    // A source that speaks only later must be forgotten too by who listened before.
+    // Receivers must also forget a source that has not sent yet at this place.
     for (std::string& part : restate(state, source, how)) texts.push_back(std::move(part));
   }
   std::vector<RestatedDatagram> block;

@@ -11,16 +11,16 @@
 
 namespace rocinante {
 
-/// One datagram of a restatement, and by which socket it leaves.
+/// One datagram of a restatement, and its route.
 struct RestatedDatagram {
   std::string text;
   std::uint16_t route = 0;
 };
 
-/// What a player says so that every receiver has `state` whatever it knew: by=player, reset, of
-/// every source of the state, then of those of `sources` that have not spoken by then
-/// (docs/packet-format.md, "Restatements"). `part_id` is to be another one each time: a part that
-/// was lost must not be made up for by the next one's.
+/// The player's datagrams that give every receiver `state`, regardless of what it knew: by=player,
+/// reset, for every source of the state, then for those of `sources` that have not sent yet
+/// (docs/packet-format.md, "Restatements"). `part_id` must differ each time: a part of the next
+/// restatement must not replace a lost one of this.
 std::vector<RestatedDatagram> restatedBlock(const SessionState& state,
                                             const std::set<std::string>& sources,
                                             const PlayRoutes& routes, std::string_view part_id);

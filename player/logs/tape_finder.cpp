@@ -6,9 +6,9 @@
 namespace rocinante {
 namespace {
 
-/// Between two of them lie 16,384 messages at most of every 8 million: some milliseconds to fold.
+/// For 8 million messages they are at most 16,384 messages apart: some milliseconds to fold.
 constexpr std::size_t kMaxKept = 1024;
-/// What all that is kept may weigh, as the states count it; one that is too heavy is not kept.
+/// Memory limit of the kept states, as they report it; one that is too large is not kept.
 constexpr std::uint64_t kMaxKeptBytes = std::uint64_t{64} << 20U;
 constexpr std::uint64_t kHeaviest = kMaxKeptBytes / 16;
 
@@ -46,7 +46,7 @@ Result<SessionState> TapeFinder::nearestBefore(TapePosition place, TapePosition&
   from = TapePosition::at(LogTime::min());
   if (place <= from) return SessionState();
   if (timeline_) {
-    // The timeline folds whole moments; what is as early as the place itself is folded by place.
+    // The timeline folds whole moments; messages at the place's own time are folded by place.
     from = TapePosition::at(place.time);
     Result<const SessionState*> state =
         timeline_->stateAt(place.time - Nanoseconds(1), &state_damage_);

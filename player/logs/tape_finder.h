@@ -16,31 +16,29 @@
 
 namespace rocinante {
 
-/// Answers what a player asks about places it is not at: the state there, what lies before it, the
-/// events. Reads the logs by readers of its own, so that what is being read ahead is not disturbed.
-/// One thread.
+/// Answers queries about other places of the logs: the state there, the messages before it, the
+/// events. Uses its own readers, so that reading ahead is not disturbed. One thread.
 class TapeFinder {
  public:
   static Result<TapeFinder> open(std::vector<std::filesystem::path> paths, ChannelChoice choice);
 
-  /// The fold of every message before `place`, so that playing from there continues it. Of a single
-  /// log that is played whole it begins at a keyframe; else at the last state kept on the way of an
-  /// earlier question, or at the start.
+  /// The fold of every message before `place`, so that playing from there continues it. For a
+  /// single log that is played whole it starts at a keyframe; otherwise at the nearest state kept
+  /// by an earlier query, or at the start.
   Result<SessionState> stateBefore(TapePosition place);
-  /// Every SOURCE that is named by the logs or was met in a state: who must be reset.
+  /// Every SOURCE named by the logs or found in a state: the ones to reset.
   const std::set<std::string>& sources() const { return sources_; }
 
-  /// True when a captured message lies in [from, until).
+  /// True when there is a captured message in [from, until).
   Result<bool> anyIn(LogTime from, LogTime until);
   /// MultiLogReader::back.
   Result<MultiLogReader::Earlier> back(TapePosition place, std::uint64_t count, LogTime floor);
 
-  /// When something is marked on the time line: events and marks, oldest first, each moment once.
-  /// The first call reads the logs once.
+  /// The times of events and marks, oldest first, each once. The first call reads the logs.
   Result<const std::vector<LogTime>*> eventTimes();
 
   std::vector<std::string> damage() const { return merge_.damage(); }
-  /// What the states that were asked for may lack because a log is damaged; known of a single log.
+  /// Damage that may affect the states returned so far; known for a single log only.
   const StateDamage& stateDamage() const { return state_damage_; }
 
  private:
@@ -54,14 +52,14 @@ class TapeFinder {
   ChannelChoice choice_;
   MultiLogReader merge_;
   MessageFolder folder_;
-  std::optional<Timeline> timeline_;  ///< of a single log that is played whole
+  std::optional<Timeline> timeline_;  ///< for a single log that is played whole
   StateDamage state_damage_;
   std::set<std::string> sources_;
   std::optional<std::vector<LogTime>> event_times_;
 
-  /// States along the way of several logs, whose keyframes know one log alone: two that speak of
-  /// one device cannot be put together without what lies between. Where there are too many, every
-  /// other one goes and they are kept half as often.
+  /// States of several logs at intervals. Keyframes know one log only: those of two logs about one
+  /// device cannot be combined without the messages between. When there are too many states, every
+  /// other one is dropped and the interval doubles.
   std::map<TapePosition, SessionState> kept_;
   std::uint64_t kept_bytes_ = 0;
   std::uint64_t keep_each_ = 1024;

@@ -6,9 +6,9 @@
 namespace rocinante {
 namespace {
 
-// A turn of nothing would be repeated as fast as the machine can.
+// An empty turn would be repeated as fast as the machine can.
 constexpr Nanoseconds kLeastTurn = std::chrono::milliseconds(1);
-// Sources whose restatements overlap without end would make us say everything again and again.
+// Sources whose restatements overlap without end would make us restate endlessly.
 constexpr std::uint32_t kMaxSettled = 64;
 
 }  // namespace
@@ -31,7 +31,7 @@ Status TapeStream::beginTurn() {
   ++run_.span;
   after_turn_ = true;
   if (!run_.endless) --run_.turns_left;
-  // The turn's beginning lies on the end of what was played; a first span may be shorter.
+  // The turn begins where the previous span ended; a first span may be shorter.
   const LogTime end_on_line = run_.bounds.until + shift_;
   const Nanoseconds played = run_.bounds.until - run_.start;
   shift_ = end_on_line - run_.turn.from + std::max(Nanoseconds(0), kLeastTurn - played);
@@ -65,7 +65,7 @@ void TapeStream::makeBlock(TapePosition place, LogTime moment) {
   settling_ = run_.state->restatementOpen(moment);
 }
 
-/// Folds what is not played on the way. Nothing when the span is at its end.
+/// Reads the next message to play, folding others on the way. Empty at the end of the span.
 Status TapeStream::readHead() {
   while (true) {
     Result<std::optional<LogMessage>> message = logs_->next();
@@ -110,7 +110,7 @@ Result<std::optional<Due>> TapeStream::due() {
       makeBlock(logs_->place(), head_->log_time);
       continue;
     }
-    // A turn without a message would be gone through for ever.
+    // A turn without a message would loop forever.
     over_ = (!run_.endless && run_.turns_left == 0) || (after_turn_ && !any_in_turn_);
     if (over_) break;
     if (const Status begun = beginTurn(); !begun) return begun.error();

@@ -15,25 +15,25 @@
 
 namespace rocinante {
 
-/// What is played from a place on, if nobody interferes.
+/// The plan for playing from a place, without further commands.
 struct TapeRun {
-  TapePosition from;       ///< the first message at or behind this
-  LogTime start{};         ///< what the line begins with: the moment of `from`
-  PlayedSpan bounds;       ///< of the span begun; playing it ends at `bounds.until`
+  TapePosition from;       ///< the first message is at or after this
+  LogTime start{};         ///< start of the time line: the moment of `from`
+  PlayedSpan bounds;       ///< of the first span, which ends at `bounds.until`
   std::uint32_t span = 0;  ///< its number
 
-  PlayedSpan turn;  ///< what comes at the end, again and again
+  PlayedSpan turn;  ///< span to repeat afterwards
   std::uint32_t turns_left = 0;
   bool endless = false;
 
-  /// The state at `from`, and at the beginning of each turn: restatements are made of them. Empty:
-  /// none are made.
+  /// The states at `from` and at the beginning of each turn, to make restatements of. Empty: no
+  /// restatements.
   std::optional<SessionState> state;
   std::optional<SessionState> turn_state;
-  std::set<std::string> sources;         ///< that are reset
-  std::optional<Nanoseconds> repeat;     ///< log time after which everything is said again
-  std::string part_id = "player";        ///< what IDs of restatements begin with
-  std::optional<Nanoseconds> gap_limit;  ///< no silence lasts longer, in log time
+  std::set<std::string> sources;         ///< to be reset
+  std::optional<Nanoseconds> repeat;     ///< log time between restatements
+  std::string part_id = "player";        ///< prefix of restatement IDs
+  std::optional<Nanoseconds> gap_limit;  ///< longest silence, in log time
 };
 
 /// The log's captured messages from a place on, byte for byte and in order, turn after turn. Turns
