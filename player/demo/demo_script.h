@@ -37,14 +37,13 @@ inline constexpr Vec3 kArmBase{2.3, -1.0, 0.1};
 /// kWeighed, kLowered and kMeasured: at these moments a frame of a live recording does not depend
 /// on how its datagrams were delayed.
 struct DemoMoment {
-  static constexpr double kCarryShown = 0.3;  ///< the planner shows the gantry's path
-  static constexpr double kPicked = 4.6;      ///< the fingers are closed
-  static constexpr double kWeighed = 7.7;     ///< half way: the gantry stops to weigh
-  static constexpr double kPathShown = 9.4;   ///< the planner shows the arm's path
-  static constexpr double kLowered =
-      10.8;                                ///< the canister is on the floor, the fingers are closed
-  static constexpr double kPlaced = 11.1;  ///< the fingers begin to open
-  static constexpr double kPathBegins = 11.4;   ///< the arm sets out along the path
+  static constexpr double kCarryShown = 0.3;   ///< the planner shows the gantry's path
+  static constexpr double kPicked = 4.6;       ///< the fingers are closed
+  static constexpr double kWeighed = 7.7;      ///< half way: the gantry stops to weigh
+  static constexpr double kPathShown = 9.4;    ///< the planner shows the arm's path
+  static constexpr double kLowered = 10.8;     ///< the canister is set down, the fingers are closed
+  static constexpr double kPlaced = 11.1;      ///< the fingers begin to open
+  static constexpr double kPathBegins = 11.4;  ///< the arm sets out along the path
   static constexpr double kTraceBegins = 13.5;  ///< the ball touches the lid
   static constexpr double kMeasured = 15.1;     ///< once round: the arm stops to measure
   static constexpr double kSpiralBegins = 15.4;

@@ -36,16 +36,15 @@ struct TapeRun {
   std::optional<Nanoseconds> gap_limit;  ///< longest silence, in log time
 };
 
-/// The log's captured messages from a place on, byte for byte and in order, turn after turn. Turns
-/// follow each other without a gap and without drift on one line of time; too long silences are
-/// cut out of it. Between messages stand restatements by the player:
+/// Streams the log's captured messages from a place on, unchanged and in order, turn after turn.
+/// Turns follow each other without a gap and without drift on one time line; long silences are cut
+/// out of it. The player's restatements come between messages:
 /// - of the state at the beginning of each turn;
-/// - when `repeat` has gone by since the last, before the next message;
-/// - where the log holds what others restated, which is folded and never played: whoever hears the
-///   player has only this;
-/// - after each part of a source's own restatement, while one is unfinished that had begun before
-///   the last of ours: a receiver has only its rest and cannot tell what it forgets. At most 64
-///   times.
+/// - when `repeat` has passed since the last one, before the next message;
+/// - where the log holds restatements by others, which are folded but not played: a receiver of the
+///   player has no other source for them;
+/// - after each part of a source's own restatement that was unfinished when the player's last one
+///   came: a receiver has only the rest of it and cannot tell what to forget. At most 64 times.
 /// The restatement of the state at `from` itself is left to the caller.
 class TapeStream final : public DatagramStream {
  public:
@@ -72,11 +71,11 @@ class TapeStream final : public DatagramStream {
   bool after_turn_ = false;
   bool any_in_turn_ = false;
   Nanoseconds shift_{};        ///< from log time to the stream's line
-  LogTime last_on_line_{};     ///< of the last message
+  LogTime last_on_line_{};     ///< time of the last message
   LogTime last_block_{};       ///< log time of the last restatement
-  bool unsaid_ = false;        ///< something was folded that is not played
-  bool settling_ = false;      ///< the last restatement broke off one of a source's own
-  std::uint32_t settled_ = 0;  ///< restatements for that reason, in this turn
+  bool unsaid_ = false;        ///< a message was folded that is not played
+  bool settling_ = false;      ///< the last restatement interrupted one of a source's own
+  std::uint32_t settled_ = 0;  ///< restatements for that reason in this turn
   std::uint64_t blocks_ = 0;
 
   std::vector<RestatedDatagram> block_;

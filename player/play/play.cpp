@@ -86,7 +86,7 @@ std::string mannerOf(const PlayOptions& options) {
 }  // namespace
 
 Result<PlayedSpan> parseLoop(std::string_view text, LogTime origin, LogTime end) {
-  // A hyphen also begins a time from the end, and stands in dates: the first cut that fits counts.
+  // Negative times and dates contain hyphens too: use the first split that parses.
   for (std::size_t cut = text.find('-', 1); cut < text.size(); cut = text.find('-', cut + 1)) {
     const auto from = parseSessionTime(text.substr(0, cut), origin, end);
     const auto until = parseSessionTime(text.substr(cut + 1), origin, end);
@@ -113,7 +113,7 @@ Result<PlayReport> play(const PlayOptions& options, const SendSurroundings& surr
 
   PlayheadOptions how;
   how.span = *span;
-  // Who loops a part begins with it.
+  // Looping a part begins with the part.
   if (*loop && !options.from) how.start = (*loop)->from;
   how.turns = options.turns;
   how.loop = *loop;

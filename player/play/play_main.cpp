@@ -114,7 +114,6 @@ void declareHow(CLI::App& app, Arguments& my) {
   app.add_flag("--quiet", my.quiet, "print nothing but errors (and --json)");
 }
 
-/// A duration of at least `least`.
 Result<Nanoseconds> durationOf(const char* option, const std::string& text, Nanoseconds least) {
   const Result<Nanoseconds> duration = parseDuration(text);
   if (!duration) return duration.error();
@@ -134,7 +133,7 @@ Status readTimes(Arguments& my) {
       return Error{ErrorKind::bad_argument, "--loop takes up to 4294967295 turns", my.loop};
     }
   } else {
-    // Where it lies is seen when the log is open.
+    // The range is checked after the log is opened.
     if (my.loop.find('-', 1) == my.loop.npos) return parseLoop(my.loop, {}, {}).error();
     my.options.loop = my.loop;
   }
@@ -190,7 +189,7 @@ Status openControl(Arguments& my, Inputs& inputs) {
                  : [](const std::string& sentence) { cli::warn(sentence); });
     if (!control) return control.error();
     inputs.push_back(std::move(control->input));
-    // In lockstep the end of the log is the end of the work.
+    // In lockstep the player ends with the log.
     my.options.stays = !my.options.lockstep;
     if (!my.quiet) std::fprintf(stderr, "listening for commands on %s\n", control->where.c_str());
   }
@@ -213,7 +212,7 @@ Result<PlayReport> playWithControl(Arguments& my) {
   if (const Status opened = openControl(my, inputs); !opened) return opened.error();
   PlayControl control;
   if (!inputs.empty()) control = {slot->get(), (*slot)->wake()};
-  // Where a log is opened, or the state of a place is folded, nothing looks for a stop.
+  // Opening a log or folding a state does not check for a stop.
   const cli::StopDeadline deadline("stopped while reading the log; no report was made",
                                    giveTerminalBack);
   const ControlThread thread(**slot, std::move(inputs));
@@ -229,7 +228,7 @@ Result<cli::Exit> run(Arguments& my) {
   if (const Status understood = read(my); !understood) return understood.error();
   const bool to_stdout = my.json || my.report == "-";
   const bool to_file = !my.report.empty() && my.report != "-";
-  // Asked before playing: an hour later is too late to learn it.
+  // Check before playing, not after an hour.
   if (to_file) {
     if (const Status may = mayWriteFile(my.report, my.force); !may) return may.error();
   }

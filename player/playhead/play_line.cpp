@@ -13,7 +13,7 @@ namespace rocinante {
 namespace {
 
 constexpr Nanoseconds kTenth = std::chrono::milliseconds(100);
-/// A silence that lasts longer has its countdown.
+/// A longer silence shows a countdown.
 constexpr Nanoseconds kLongSilence = std::chrono::seconds(2);
 
 std::string tenths(Nanoseconds span) { return secondsText(span / kTenth * kTenth, 1); }

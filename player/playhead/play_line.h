@@ -10,8 +10,8 @@
 
 namespace rocinante {
 
-/// A line on a terminal that says where a player is, five times a second, from a thread of its own:
-/// a slow terminal must not delay a deadline. In a long silence it counts down to its end.
+/// A terminal line with the player's position, five times a second, from its own thread: a slow
+/// terminal must not delay a deadline. Counts down in a long silence.
 class PlayLine {
  public:
   /// `status` must outlive the line. Draws only when `visible`, on stderr.
@@ -21,7 +21,7 @@ class PlayLine {
   PlayLine(const PlayLine&) = delete;
   PlayLine& operator=(const PlayLine&) = delete;
 
-  /// What it shows, at `now`.
+  /// The text of the line at `now`.
   static std::string text(const PlayStatus& status, LogTime origin, LogTime end, SteadyTime now);
 
  private:

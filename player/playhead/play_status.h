@@ -5,7 +5,7 @@
 
 namespace rocinante {
 
-/// Where a player is, for another thread to show. Written by the one that sends.
+/// The player's position, for another thread to show. Written by the sending thread.
 struct PlayStatus {
   std::atomic<std::int64_t> position_ns{0};  ///< log time
   std::atomic<std::uint64_t> sent{0};

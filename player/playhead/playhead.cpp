@@ -11,11 +11,11 @@ namespace {
 
 using Kind = PlayheadCommand::Kind;
 
-/// From a restatement to the first message after it, so that it delays none.
+/// Time between a restatement and the next message, so that it delays none.
 constexpr Nanoseconds kLead = std::chrono::milliseconds(5);
-/// A restatement that waits for a silence begins only in one that is longer.
+/// A deferred restatement begins only in a silence longer than this.
 constexpr Nanoseconds kSilence = std::chrono::milliseconds(100);
-/// `previous` while playing: what has just gone by is not meant.
+/// While playing, `previous` skips events that have just passed.
 constexpr Nanoseconds kJustNow = std::chrono::seconds(1);
 
 Error refused(std::string what) { return {ErrorKind::refused, std::move(what), {}}; }
@@ -54,14 +54,14 @@ Result<std::unique_ptr<Playhead>> Playhead::open(MultiLogReader& tape, TapeFinde
   return playhead;
 }
 
-/// Plays from `place` on from now; after a jump everything is said again first.
+/// Plays on from `place`, starting now; restates everything first after a jump.
 Status Playhead::begin(TapePosition place, LogTime moment, bool jump, SteadyTime now) {
   run_.reset();
   next_.reset();
   TapeRun run;
   run.from = place_ = place;
   run.start = time_ = line_ = moment;
-  // What was being said would stay unfinished.
+  // An interrupted restatement must be repeated.
   const bool says = jump || in_block_;
   in_block_ = false;
   if (jump && runs_ > 0) ++span_;
@@ -104,7 +104,7 @@ Status Playhead::begin(TapePosition place, LogTime moment, bool jump, SteadyTime
   Result<TapeStream> tape = TapeStream::open(*tape_, *routes_, std::move(run));
   if (!tape) return tape.error();
   run_ = std::make_unique<Run>(std::move(*tape));
-  // At the very start there is time to fill the memory before the first deadline.
+  // At the start there is time to fill the memory before the first deadline.
   if (options_.read_ahead) run_->ahead.emplace(run_->tape, runs_ == 1 && options_.speed);
   asked_at_ = now;
   starts_ = starts_ || jump;
@@ -121,7 +121,7 @@ std::optional<Due> Playhead::head() {
   return head ? *head : std::nullopt;
 }
 
-/// Where the clock is on the run's line: never beyond what is to be sent next.
+/// The clock's position on the run's time line, never beyond the next datagram.
 LogTime Playhead::line(SteadyTime now) {
   if (!playing_ || !isScheduled()) return line_;
   const std::optional<Due> head = this->head();
@@ -162,12 +162,12 @@ std::string Playhead::status(SteadyTime now) {
 bool Playhead::isImmediate(const Due& head) const {
   if (steps_ > 0 || in_block_) return true;
   if (through_ && head.span == span_ && head.place.time <= *through_) return true;
-  // What restates because of the message just sent belongs to it.
+  // A restatement caused by the message just sent belongs to it.
   return head.restated && head.place == last_told_;
 }
 
-/// Says everything again when it is time to and there is time for it: when paused, or in a silence.
-/// While messages come, the run does it itself.
+/// Restates everything when it is due and there is time: while paused, or in a silence. While
+/// messages come, the run does it itself.
 Status Playhead::repeatIfDue(const std::optional<Due>& head, SteadyTime now) {
   if (!options_.restate || options_.repeat.count() <= 0 || now < repeat_at_) return {};
   const bool runs = playing_ && head && !awaited_;
@@ -178,7 +178,7 @@ Status Playhead::repeatIfDue(const std::optional<Due>& head, SteadyTime now) {
   block_taken_ = 0;
   asked_at_ = now;
   repeat_at_ = now + options_.repeat;
-  // This breaks off the restatement that a source has begun: the run must say what comes of it.
+  // This interrupts a restatement of a source, so the run must restate until that is complete.
   if (state->restatementOpen(time_)) {
     freeze(now);
     return begin(place_, time_, false, now);
@@ -190,7 +190,7 @@ Result<std::optional<Playhead::Next>> Playhead::next(SteadyTime now) {
   next_.reset();
   if (quit_) return next_;
   if (std::exchange(starts_, false)) {
-    // Reading and folding took their time, which is not to be made up for.
+    // The time for reading and folding must not be made up for.
     asked_at_ = now;
     anchor(block_taken_ < block_.size() ? now + kLead : now);
   }
@@ -232,7 +232,7 @@ ByteView Playhead::take(SteadyTime now) {
   const ByteView payload = run_->stream().take();
   if (due.restated) {
     in_block_ = due.continues;
-    // It also says what lies before the next message and is not played: what others restated.
+    // It also covers messages before the next one that are not played: restatements by others.
     if (!in_block_) place_ = std::max(place_, due.place);
     return payload;
   }
@@ -261,7 +261,7 @@ Status Playhead::goToEvent(bool forwards, SteadyTime now) {
   const Result<const std::vector<LogTime>*> events = finder_->eventTimes();
   if (!events) return events.error();
   const std::vector<LogTime>& times = **events;
-  // Told are the moments up to here, with it.
+  // Events up to and including this time have been played.
   LogTime told = time(now);
   if (const std::optional<Due> head = this->head(); head && head->span == span_) {
     told = std::min(told, head->place.time - Nanoseconds(1));
@@ -283,7 +283,7 @@ Status Playhead::setSpeed(const PlaybackSpeed& speed, SteadyTime now) {
   if (!isScheduled()) return refused("the speed cannot change: nothing is sent on a schedule");
   freeze(now);
   options_.speed = speed;
-  // What is said again, and how long silences last, was reckoned for the old speed.
+  // Restatements and silences were computed for the old speed.
   if (options_.gap_limit || (options_.restate && options_.repeat.count() > 0)) {
     return begin(place_, time_, false, now);
   }

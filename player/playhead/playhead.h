@@ -22,34 +22,34 @@
 namespace rocinante {
 
 struct PlayheadOptions {
-  PlayedSpan span;                 ///< what there is to be played
-  std::optional<LogTime> start;    ///< where to begin; empty: with the span
-  std::uint32_t turns = 1;         ///< of the whole span; 0: endless
-  std::optional<PlayedSpan> loop;  ///< played endlessly once it is reached; within `span`
-  LogTime origin{}, end{};         ///< that times in commands and answers count from
+  PlayedSpan span;                 ///< the range to play
+  std::optional<LogTime> start;    ///< where to begin; empty: at the start of `span`
+  std::uint32_t turns = 1;         ///< over the whole span; 0: endless
+  std::optional<PlayedSpan> loop;  ///< repeated endlessly once it is reached; within `span`
+  LogTime origin{}, end{};         ///< reference of the times in commands and answers
   std::optional<PlaybackSpeed> speed = PlaybackSpeed();  ///< empty: without a schedule
   bool start_paused = false;
-  bool lockstep = false;  ///< after each message it waits for its `ack`; no schedule then
+  bool lockstep = false;  ///< wait for an `ack` after each message, without a schedule
   bool restate = true;    ///< at the start, after a seek, at each turn
-  Nanoseconds repeat = std::chrono::seconds(2);  ///< real time between two restatements; 0: none
+  Nanoseconds repeat = std::chrono::seconds(2);  ///< real time between restatements; 0: none
   std::optional<Nanoseconds> gap_limit;          ///< real time
-  bool read_ahead = true;                        ///< in a thread of its own
+  bool read_ahead = true;                        ///< in a separate thread
 };
 
-/// A player's tape deck: where it stands in the logs, whether it runs, and what is to be sent next.
-/// It neither reads a clock nor waits nor sends: it is told what time it is, and asked.
+/// A player's position in the logs, whether it runs, and what to send next. It does not read a
+/// clock, wait or send: callers pass the time and ask.
 ///
-/// It stands between two messages. All before that place has been told: sent, or said by the
-/// restatement after the last jump, so that a receiver which folds everything from here has the
-/// state of the place. `t` is the moment that goes with it: that of the last message sent, or that
-/// was gone to, or what the clock says on the way from one message to the next.
+/// The position lies between two messages. Everything before it has been sent, or was covered by
+/// the restatement after the last jump, so a receiver has the state of that place. `t` is the
+/// matching moment: that of the last message sent, the target of a jump, or the clock's time
+/// between two messages.
 ///
-/// One thread, but for the reading ahead.
+/// One thread, except for reading ahead.
 class Playhead {
  public:
   enum class State : std::uint8_t { playing, paused, ended };
 
-  /// Borrows the three; `tape` belongs to it alone.
+  /// Borrows all three; nothing else may use `tape`.
   static Result<std::unique_ptr<Playhead>> open(MultiLogReader& tape, TapeFinder& finder,
                                                 const PlayRoutes& routes,
                                                 const PlayheadOptions& options, SteadyTime now);
@@ -57,36 +57,36 @@ class Playhead {
   struct Next {
     Due due;
     SteadyTime deadline;
-    bool immediate = false;  ///< a command asked for it: it goes also when paused
+    bool immediate = false;  ///< a command asked for it: send even while paused
   };
-  /// The next datagram, and when it is to go. Empty while nothing goes of itself: paused, ended,
-  /// waiting for an `ack`. Asked again before take(), the same unless a command came.
+  /// The next datagram and its due time. Empty while nothing is due: paused, ended, or waiting for
+  /// an `ack`. The same until take() or a command.
   Result<std::optional<Next>> next(SteadyTime now);
-  /// Takes what next() told; valid until the next call of anything.
+  /// Takes the datagram of next(); valid until the next call of any function.
   ByteView take(SteadyTime now);
 
-  /// Does what a command asks for, but for the sending. An error leaves all as it was, unless the
-  /// logs could not be read.
+  /// Executes a command, except for sending. An error changes nothing, unless the logs could not be
+  /// read.
   Status execute(const PlayheadCommand& command, SteadyTime now);
 
-  /// The process was stopped at `stopped` and went on at `now`: what would have been played in
-  /// between is not made up for.
+  /// The process was stopped at `stopped` and continued at `now`: the time between is not made up
+  /// for.
   void skipTime(SteadyTime stopped, SteadyTime now);
 
   /// "ok t=12.345678901 state=playing speed=1 sent=N"
   std::string status(SteadyTime now);
   LogTime time(SteadyTime now);
   State state();
-  TapePosition place() const { return place_; }  ///< the next message lies at or behind it
+  TapePosition place() const { return place_; }  ///< the next message is at or after it
   std::uint64_t sent() const { return sent_; }
   std::optional<PlaybackSpeed> speed() const { return options_.speed; }
-  bool isPlaying() const { return playing_; }  ///< no pause was asked for, also at the end
+  bool isPlaying() const { return playing_; }  ///< not paused; also true at the end
   bool hasQuit() const { return quit_; }
-  /// Lockstep: which message's `ack` it waits for; 0: for a peer to speak at all.
+  /// In lockstep, the message whose `ack` is awaited; 0: the first line from a peer.
   std::optional<std::uint64_t> awaited() const { return awaited_; }
 
  private:
-  /// What is being played; the tape is free again when it goes.
+  /// The stream being played. Its destruction frees the tape.
   struct Run {
     explicit Run(TapeStream stream) : tape(std::move(stream)) {}
     TapeStream tape;
@@ -124,26 +124,26 @@ class Playhead {
   std::unique_ptr<Run> run_;
   bool playing_ = false;
   bool quit_ = false;
-  bool starts_ = false;  ///< after a jump: time goes on when next() is asked
+  bool starts_ = false;  ///< after a jump: time starts at the next call of next()
   PlaybackClock clock_{LogTime{}, SteadyTime{}, PlaybackSpeed()};
 
-  TapePosition place_;      ///< where it stands
-  TapePosition last_told_;  ///< the last message that was sent
-  LogTime time_{};          ///< the moment of that, and ...
-  LogTime line_{};          ///< ... where it lies on the run's own line
+  TapePosition place_;      ///< the position
+  TapePosition last_told_;  ///< the last message sent
+  LogTime time_{};          ///< its moment, and ...
+  LogTime line_{};          ///< ... its time on the run's own line
   std::uint32_t span_ = 0;
-  PlayedSpan bounds_;  ///< of the span
+  PlayedSpan bounds_;  ///< of the current span
   std::uint32_t turns_left_ = 0;
   std::uint64_t sent_ = 0;
   std::uint64_t runs_ = 0;
 
-  std::vector<RestatedDatagram> block_;  ///< said before anything of the run
+  std::vector<RestatedDatagram> block_;  ///< restatement sent before the run
   std::size_t block_taken_ = 0;
-  SteadyTime asked_at_{};  ///< since when it is due, and what commands ask for
+  SteadyTime asked_at_{};  ///< due time of the restatement and of datagrams that commands ask for
   SteadyTime repeat_at_{};
   bool in_block_ = false;           ///< a restatement of the run has begun
-  std::uint64_t steps_ = 0;         ///< messages still to go at once
-  std::optional<LogTime> through_;  ///< all of this moment is to go at once
+  std::uint64_t steps_ = 0;         ///< messages still to send at once
+  std::optional<LogTime> through_;  ///< send all messages up to this moment at once
   std::optional<std::uint64_t> awaited_;
   std::optional<Next> next_;
 };

@@ -19,7 +19,7 @@ using Words = std::vector<std::string_view>;
 struct Word {
   std::string_view text;
   Kind kind;
-  std::size_t least, most;  ///< words behind it
+  std::size_t least, most;  ///< number of arguments
   std::string_view use;
 };
 
@@ -63,7 +63,7 @@ std::optional<std::uint64_t> wholeNumber(std::string_view text) {
   return number;
 }
 
-/// `step` and `back`: a number of messages, or a time when it has a unit.
+/// The argument of `step` and `back`: a number of messages, or a time with a unit.
 Status readSteps(std::string_view text, PlayheadCommand& command) {
   if (const auto count = wholeNumber(text)) {
     if (*count == 0 || *count > kMaxSteps) {

@@ -10,26 +10,26 @@
 
 namespace rocinante {
 
-/// What can be asked of a running player (docs/programs/play.md, "Control").
+/// A command to a running player (docs/programs/play.md, "Control").
 struct PlayheadCommand {
   enum class Kind : std::uint8_t {
     play,
     pause,
     toggle,
-    step,      ///< `count` messages on
+    step,      ///< `count` messages forwards
     back,      ///< `count` messages back
-    move,      ///< by `duration` of log time, also negative
+    move,      ///< by `duration` of log time, may be negative
     next,      ///< to the next event
-    previous,  ///< to the event before
+    previous,  ///< to the previous event
     seek,      ///< to `from`
     speed,     ///< to `speed`
     faster,    ///< to the next of the usual speeds
     slower,
-    loop,  ///< [from, until), again and again
+    loop,  ///< repeat [from, until)
     loop_off,
     status,
     quit,
-    ack,  ///< `count` messages have been dealt with (lockstep)
+    ack,  ///< message `count` has been processed (lockstep)
   };
 
   Kind kind = Kind::status;
@@ -39,12 +39,12 @@ struct PlayheadCommand {
   PlaybackSpeed speed;
 };
 
-/// Longer ones are refused: so many datagrams at once are no stepping any more.
+/// Most messages of one step.
 inline constexpr std::uint64_t kMaxSteps = 1'000'000;
 inline constexpr std::size_t kMaxCommandBytes = 256;
 
-/// Reads one line, without its line end. Session times count from `origin`, negative ones from
-/// `end`. bad_argument, with one sentence, when it is none.
+/// Parses one line, without its line end. Session times count from `origin`, negative ones from
+/// `end`. bad_argument, with one sentence, for an invalid command.
 Result<PlayheadCommand> parsePlayheadCommand(std::string_view line, LogTime origin, LogTime end);
 
 }  // namespace rocinante

@@ -12,7 +12,7 @@ class PendingCommand {
   PendingCommand(CommandSource* source, const PlayheadRules& rules)
       : source_(source), rules_(rules) {}
 
-  /// True when there was one.
+  /// True when there was a command.
   bool take(Playhead& playhead, SteadyTime now) {
     if (source_ == nullptr || open_) return false;
     const std::optional<std::string_view> line = source_->asked();
@@ -26,7 +26,7 @@ class PendingCommand {
     return true;
   }
 
-  /// Answers when all that was asked for is done.
+  /// Answers when the command is done.
   void settle(Playhead& playhead, SteadyTime now, bool done) {
     if (!open_ || !done) return;
     open_ = false;
@@ -42,7 +42,7 @@ class PendingCommand {
   std::string error_;
 };
 
-/// Waits for acknowledgements, and says what is to be acknowledged.
+/// Announces each message and waits for its acknowledgement.
 class Lockstep {
  public:
   Lockstep(CommandSource* source, Nanoseconds timeout) : source_(source), timeout_(timeout) {}
@@ -114,7 +114,7 @@ Result<SendEnd> sendPlayhead(Playhead& playhead, const PlayheadRules& rules, Sen
       publish_at = now + kPublishEach;
     }
     if (!*next) {
-      // Who stepped to the end may want to step back.
+      // After stepping to the end the user may want to step back.
       const bool over =
           playhead.state() == Playhead::State::ended && playhead.isPlaying() && !playhead.awaited();
       if (over && !rules.stays) return SendEnd::finished;

@@ -11,29 +11,29 @@
 
 namespace rocinante {
 
-/// Where a running player's commands come from: another thread, which waits for the answer of one
-/// line before it hands over the next, so that no flood of them delays a deadline for long.
+/// The source of a running player's commands: another thread, which waits for each answer before it
+/// hands over the next line, so that a flood of commands cannot delay a deadline for long.
 class CommandSource {
  public:
   virtual ~CommandSource() = default;
 
-  /// A line that waits for its answer; the same until it is answered.
+  /// The line waiting for an answer; the same until answer().
   virtual std::optional<std::string_view> asked() = 0;
-  /// Answers it. Empty: nothing is to be said.
+  /// Answers the line; empty for no answer.
   virtual void answer(std::string line) = 0;
-  /// Says something unasked to whoever controls.
+  /// Sends an unrequested line to the controlling client.
   virtual void tell(std::string line) = 0;
 };
 
 struct PlayheadRules {
-  bool stays = false;  ///< at the end it waits for commands
+  bool stays = false;  ///< wait for commands at the end
   LogTime origin{}, end{};
   Nanoseconds ack_timeout = std::chrono::seconds(1);
 };
 
-/// Sends what the transport says when it says so, and hands it the commands. Nothing early, nothing
-/// dropped, nothing out of order. `commands` may be null. Returns at the end, when told to stop or
-/// to quit (stopped); fails when the logs or the network do, or no `ack` came in time.
+/// Sends what the playhead says when it says so, and passes it the commands. Nothing is sent early,
+/// dropped or reordered. `commands` may be null. Returns at the end, or on a stop or a quit command
+/// (stopped); fails when the logs or the network fail, or no `ack` comes in time.
 Result<SendEnd> sendPlayhead(Playhead& playhead, const PlayheadRules& rules, SendPort& edge,
                              SendJournal& journal, CommandSource* commands, PlayStatus& status);
 

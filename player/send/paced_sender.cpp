@@ -6,7 +6,7 @@
 namespace rocinante {
 namespace {
 
-/// False when a stop was asked for first.
+/// False when stopped first.
 bool waitFor(SteadyTime deadline, Pacing& pacing, SendPort& edge) {
   while (!edge.stopRequested()) {
     const Pacing::Step step = pacing.step(edge.now(), deadline);

@@ -11,7 +11,7 @@
 
 namespace rocinante {
 
-/// The world that sending acts on: a clock, a sleep and a socket. A test hands in its own.
+/// The clock, sleep and sockets of a sender. Tests substitute their own.
 class SendPort {
  public:
   virtual ~SendPort() = default;
@@ -20,15 +20,15 @@ class SendPort {
   /// May return early (a signal), never much later.
   virtual void sleepUntil(SteadyTime moment) = 0;
   virtual bool stopRequested() = 0;
-  /// True once after this process was stopped by a signal and went on.
+  /// True once after this process was stopped by a signal and continued.
   virtual bool hasResumed() { return false; }
-  /// Sends all by one route, in order; writes when each left into `sent_at`, which is as long as
-  /// `payloads`.
+  /// Sends all payloads by one route, in order; writes their send times into `sent_at`, which has
+  /// the same length.
   virtual Status send(std::uint16_t route, std::span<const ByteView> payloads,
                       std::span<SteadyTime> sent_at) = 0;
 };
 
-/// Told of everything that was sent, in order.
+/// Notified of everything sent, in order.
 class SendJournal {
  public:
   virtual ~SendJournal() = default;
@@ -37,14 +37,14 @@ class SendJournal {
 
 enum class SendEnd : std::uint8_t { finished, stopped };
 
-/// Sends a stream on its schedule: nothing early, nothing dropped, nothing out of order. What is
-/// due together goes in one call. When it cannot keep up, everything is late and still in order.
-/// Fails when the stream or the socket does.
+/// Sends a stream on its schedule: nothing early, dropped or reordered. Datagrams due together go
+/// in one call. When it cannot keep up, everything is late and still in order. Fails when the
+/// stream or the socket fails.
 Result<SendEnd> sendOnSchedule(DatagramStream& stream, const PlaybackClock& clock, SendPort& edge,
                                SendJournal& journal);
 
-/// The same without a schedule: as fast as the socket takes them. Each deadline is then the moment
-/// it was taken up.
+/// The same without a schedule: as fast as the socket accepts. The deadline of each datagram is
+/// then the moment it was taken from the stream.
 Result<SendEnd> sendAtOnce(DatagramStream& stream, SendPort& edge, SendJournal& journal);
 
 }  // namespace rocinante

@@ -24,7 +24,7 @@ void Pacing::sent(SteadyTime deadline) {
 }
 
 void Pacing::woke(SteadyTime asked, SteadyTime now) {
-  // Steps up and down whose lengths are as 199 to 1 settle where one in 200 is above.
+  // Steps up and down in the ratio 199 to 1 settle where one sample in 200 is above.
   constexpr Nanoseconds kUp{15'920};
   constexpr Nanoseconds kDown{80};
   // Woken by a command, or a signal.

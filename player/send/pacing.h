@@ -8,25 +8,24 @@
 namespace rocinante {
 
 /// Decides how to wait for a deadline: a timer wakes some microseconds late, so the last stretch is
-/// spun. Pure: it sees the clock only through its arguments.
+/// spent spinning. Pure: it sees the clock only through its arguments.
 ///
 /// How late a timer wakes depends on the machine (measured: 10 us on a busy one, 100 us on an idle
-/// one, whose processor has to be woken too), so the last stretch is as long as was needed in 199
-/// of 200 cases so far. A thread that spins most of the time is throttled by the kernel (a
-/// real-time one for 50 ms of each second) and burns a core, so spinning takes little more than a
-/// third of the time: the closer the deadlines lie, the shorter the last stretch. Above 16,000 a
-/// second the calls alone fill much of the time, and it only sleeps. What is due together is sent
-/// together.
+/// one, whose processor has to wake up too), so the last stretch is as long as was needed in 199 of
+/// 200 cases so far. A thread that spins most of the time is throttled by the kernel (a real-time
+/// one for 50 ms of each second) and burns a core, so spinning takes little more than a third of
+/// the time: the closer the deadlines, the shorter the last stretch. Above 16,000 a second the
+/// calls alone fill much of the time, and it only sleeps. Datagrams due together are sent together.
 class Pacing {
  public:
-  /// The last stretch is never longer, nor, at low rates, shorter.
+  /// The longest stretch, and at low rates the shortest.
   static constexpr Nanoseconds kMaxSpin{300'000};
   static constexpr Nanoseconds kLeastSpin{40'000};
-  /// What it is before anything was learnt.
+  /// The stretch before anything was learnt.
   static constexpr Nanoseconds kFirstSpin{120'000};
-  /// Closer deadlines are not spun for (measured: at 60,000/s it made the kernel throttle).
+  /// No spinning for closer deadlines (measured: at 60,000/s it made the kernel throttle).
   static constexpr Nanoseconds kLeastGap{60'000};
-  /// No sleep is longer, so that a stop or a progress line never waits.
+  /// The longest sleep, so that a stop or a progress line does not wait.
   static constexpr Nanoseconds kLongestSleep{100'000'000};
 
   enum class Action : std::uint8_t { send, spin, sleep };
@@ -35,15 +34,15 @@ class Pacing {
     SteadyTime until;  ///< sleep: wake at this moment; at or before the deadline
   };
 
-  /// What to do at `now` about something due at `deadline`.
+  /// How to wait at `now` for something due at `deadline`.
   Step step(SteadyTime now, SteadyTime deadline) const;
 
-  /// Says that what was due at `deadline` was sent: learns how far deadlines lie apart.
+  /// Call after sending what was due at `deadline`: learns the distance of deadlines.
   void sent(SteadyTime deadline);
-  /// Says that a sleep until `asked` ended at `now`: learns how late timers wake.
+  /// Call when a sleep until `asked` ended at `now`: learns how late timers wake.
   void woke(SteadyTime asked, SteadyTime now);
 
-  /// The last stretch before a deadline, by what was learnt so far.
+  /// The current length of the last stretch before a deadline.
   Nanoseconds spin() const {
     return mean_gap_ < kLeastGap ? Nanoseconds(0) : std::min(wakes_late_, mean_gap_ * 9 / 25);
   }

@@ -10,7 +10,8 @@
 namespace rocinante {
 namespace {
 
-// An endless loop must not grow the report for ever: the first spans are kept, the counts go on.
+// An endless loop must not grow the report forever: only the first spans are kept, and counting
+// continues.
 constexpr std::size_t kMaxSpans = 10'000;
 
 double microseconds(Nanoseconds duration) { return static_cast<double>(duration.count()) / 1e3; }
@@ -48,7 +49,7 @@ void PlayJournal::sent(const Due& due, ByteView payload, SteadyTime deadline, St
 void PlayJournal::closeSpan(bool whole) {
   const std::string sha256 = hexOf(span_hash_.finish());
   PlayedSpan span = bounds_;
-  // One that was left is as long as it was played.
+  // An unfinished span is as long as it was played.
   if (says_bounds_ && !whole) span.until = last_told_ + Nanoseconds(1);
   if (spans_.size() < kMaxSpans) spans_.push_back({span.from, span.until, span_sent_, sha256});
   span_sent_ = 0;
@@ -85,7 +86,7 @@ std::string jsonText(const PlayReport& report) {
   json["restatements"] = report.restatements;
   json["duration_s"] = seconds(report.duration);
   json["achieved_rate_hz"] = report.achievedRateHz();
-  // Without a schedule nothing can be late.
+  // Nothing is late without a schedule.
   Json late = nullptr;
   Json bins = nullptr;
   Json drift = nullptr;

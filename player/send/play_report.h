@@ -14,19 +14,19 @@
 
 namespace rocinante {
 
-/// One span that was played, and what went out of it.
+/// One played span, and what was sent of it.
 struct PlayedSpanReport {
   LogTime from{};
   LogTime until{};
   std::uint64_t sent = 0;
-  std::string sha256;  ///< over the payloads in order; lower-case hexadecimal
+  std::string sha256;  ///< of the payloads in order; lower-case hexadecimal
 };
 
-/// What a player or a source sent and how well it kept its schedule (docs/programs/play.md). A
-/// restatement is the sender's own: it is in `restatements` and nowhere else.
+/// What a player or a source sent, and how well it kept its schedule (docs/programs/play.md). The
+/// sender's own restatements count in `restatements` only.
 struct PlayReport {
   std::vector<std::string> inputs;  ///< the logs, or the file, or "demo"
-  std::string source;               ///< who spoke, and its RUN: of a source only
+  std::string source;               ///< SOURCE and RUN; set by a source only
   std::string run;
   std::string to;
   std::optional<PlaybackSpeed> speed;  ///< empty: without a schedule
@@ -42,9 +42,9 @@ struct PlayReport {
   std::vector<PlayedSpanReport> spans;
   std::string timing_source;        ///< "kernel", "clock" or "kernel and clock"
   std::string scheduling;           ///< "fifo" or "other"
-  bool interrupted = false;         ///< ended by a signal, or told to quit
-  std::vector<std::string> damage;  ///< what could not be read of the logs
-  /// What ended it before its end: the network, or the logs, or nobody acknowledged a step.
+  bool interrupted = false;         ///< ended by a signal or a quit command
+  std::vector<std::string> damage;  ///< unreadable parts of the logs
+  /// The failure that ended it early: the network, the logs, or a missing acknowledgement.
   std::optional<Error> failure;
 
   double achievedRateHz() const;
@@ -54,20 +54,20 @@ struct PlayReport {
 
 /// The report as JSON, with a line end. `format` comes first.
 std::string jsonText(const PlayReport& report);
-/// The report in a few lines for a person.
+/// The report in a few lines for the user.
 std::string summaryText(const PlayReport& report);
-/// What to say when sending did not keep up.
+/// The warning when sending did not keep up.
 std::string behindText(const PlayReport& report);
 
-/// Counts, hashes and times what is sent. Its memory does not grow with the number of datagrams.
+/// Counts, hashes and times sent datagrams. Memory does not grow with their number.
 class PlayJournal final : public SendJournal {
  public:
-  /// The times of the spans of streams that do not say them.
+  /// `from` and `until` are the span of streams that do not give bounds.
   PlayJournal(LogTime from, LogTime until) : bounds_{from, until} {}
 
   void sent(const Due& due, ByteView payload, SteadyTime deadline, SteadyTime sent_at) override;
 
-  /// Fills what the journal knows. Call once, at the end; `whole` when the last span was played to
+  /// Fills in what the journal knows. Call once, at the end; `whole` if the last span was played to
   /// its end.
   void writeTo(PlayReport& report, bool whole = true);
 
@@ -75,8 +75,8 @@ class PlayJournal final : public SendJournal {
   void closeSpan(bool whole);
 
   PlayedSpan bounds_;         ///< of the span being played
-  LogTime last_told_{};       ///< the log time of its last message
-  bool says_bounds_ = false;  ///< the stream does
+  LogTime last_told_{};       ///< log time of its last message
+  bool says_bounds_ = false;  ///< the stream gives bounds
   Sha256 stream_hash_;
   Sha256 span_hash_;
   std::uint32_t span_ = 0;

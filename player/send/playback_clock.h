@@ -5,7 +5,7 @@
 
 namespace rocinante {
 
-/// Says when each moment of a session is due. Pure arithmetic: it neither sleeps nor reads a
+/// Computes when each moment of a session is due. Pure arithmetic: it neither sleeps nor reads a
 /// clock, so a test can play an hour in a microsecond.
 ///
 /// Every deadline is measured from one anchor and never from the previous deadline, so rounding
@@ -21,7 +21,7 @@ class PlaybackClock {
     return real_anchor_ + speed_.realDuration(moment - log_anchor_);
   }
 
-  /// What is due at `now`: within a nanosecond of log time, or of real time, the reverse.
+  /// The moment due at `now`: the inverse of deadline(), within a nanosecond of log or real time.
   LogTime moment(SteadyTime now) const {
     return log_anchor_ + speed_.logDuration(now - real_anchor_);
   }

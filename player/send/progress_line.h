@@ -10,11 +10,11 @@
 
 namespace rocinante {
 
-/// A line on a terminal that says where sending is, five times a second, from a thread of its own:
-/// a slow terminal must not delay a deadline. Passes everything on to the journal behind it.
+/// A terminal line with the position of sending, five times a second, from its own thread: a slow
+/// terminal must not delay a deadline. Forwards everything to the journal behind it.
 class ProgressLine final : public SendJournal {
  public:
-  /// `origin` is what the shown seconds count from. Draws only when `visible`, on stderr.
+  /// Seconds are shown from `origin`. Draws only when `visible`, on stderr.
   ProgressLine(SendJournal& behind, LogTime origin, LogTime end, bool visible);
   /// Clears the line.
   ~ProgressLine() override;

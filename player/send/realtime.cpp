@@ -15,10 +15,10 @@
 namespace rocinante {
 namespace {
 
-// Above the ordinary threads and below what a machine's own control loops usually take.
+// Above ordinary threads, and below the usual priority of a machine's control loops.
 constexpr int kPriority = 10;
 
-/// linux/sched/types.h, which does not go with <sched.h>.
+/// From linux/sched/types.h, which conflicts with <sched.h>.
 struct SchedulingAttributes {
   std::uint32_t size = sizeof(SchedulingAttributes);
   std::uint32_t policy = SCHED_OTHER;
@@ -28,8 +28,8 @@ struct SchedulingAttributes {
   std::uint64_t runtime_ns = 0, deadline_ns = 0, period_ns = 0;
 };
 
-/// Ordinary threads are given the processor the sooner the less of it they ask for at a time (Linux
-/// from 6.12 on; before, it changes nothing). The default is some milliseconds.
+/// An ordinary thread with a shorter time slice runs sooner (since Linux 6.12; without effect
+/// before). The default is some milliseconds.
 void askForShortSlices() {
   SchedulingAttributes attributes;
   attributes.nice = ::getpriority(PRIO_PROCESS, 0);
@@ -47,7 +47,7 @@ Realtime realtimeOf(std::string_view text) {
 Result<PacingThread> PacingThread::begin(Realtime realtime) {
   PacingThread thread;
   thread.former_slack_ns_ = ::prctl(PR_GET_TIMERSLACK);
-  // The default slack of 50 us would be in every deadline.
+  // The default slack of 50 us would delay every deadline.
   ::prctl(PR_SET_TIMERSLACK, 1);
   askForShortSlices();
   if (realtime == Realtime::off) return thread;
@@ -70,7 +70,7 @@ PacingThread::PacingThread(PacingThread&& other) noexcept
 PacingThread::~PacingThread() {
   if (!owner_) return;
   leaveRealtime();
-  // 0 would mean the thread's default, which is what a negative answer asks for.
+  // 0 restores the thread's default, for a negative (failed) reading.
   ::prctl(PR_SET_TIMERSLACK, former_slack_ns_ > 0 ? former_slack_ns_ : 0);
 }
 

@@ -7,18 +7,18 @@
 
 namespace rocinante {
 
-/// Whether a thread that paces asks to run before all others.
+/// Whether a pacing thread asks for real-time scheduling.
 enum class Realtime : std::uint8_t {
-  automatic,  ///< when the system permits it, silently without
+  automatic,  ///< if the system permits it; silently without
   on,         ///< or fail
   off,
 };
 
-/// "auto", "on" and "off", as options write them; anything else is automatic.
+/// Parses "auto", "on" and "off"; anything else is automatic.
 Realtime realtimeOf(std::string_view text);
 
-/// Makes the calling thread fit for pacing while it lives: timers without slack, short slices and,
-/// when permitted, SCHED_FIFO (not for threads started from it). One at a time; belongs to the
+/// Prepares the calling thread for pacing during its lifetime: timers without slack, short slices
+/// and, when permitted, SCHED_FIFO (not inherited by threads it starts). One at a time; for the
 /// thread that made it.
 class PacingThread {
  public:
@@ -29,8 +29,8 @@ class PacingThread {
   PacingThread& operator=(PacingThread&& other) = delete;
 
   bool isRealtime() const { return realtime_; }
-  /// Back to ordinary scheduling: a real-time thread that never sleeps starves its machine, and is
-  /// stopped by the kernel for 50 ms of each second.
+  /// Returns to ordinary scheduling: a real-time thread that never sleeps starves the machine, and
+  /// the kernel stops it for 50 ms of each second.
   void leaveRealtime();
 
  private:

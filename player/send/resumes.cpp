@@ -15,7 +15,7 @@ static_assert(std::atomic<std::uint32_t>::is_always_lock_free, "written by a sig
 void watchResumes() {
   struct sigaction action {};
   action.sa_handler = [](int) { noteResume(); };
-  // A call of another thread is not to fail for this.
+  // System calls of other threads must not fail because of this signal.
   action.sa_flags = SA_RESTART;
   ::sigaction(SIGCONT, &action, nullptr);
 }

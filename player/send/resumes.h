@@ -4,9 +4,9 @@
 
 namespace rocinante {
 
-/// How often this process went on after it was stopped (Ctrl-Z and fg, SIGSTOP and SIGCONT). Counts
-/// from watchResumes() on, which handles SIGCONT; whoever handles it in its place calls
-/// noteResume(), which may be called by a signal handler.
+/// Counts how often this process continued after a stop (Ctrl-Z and fg, SIGSTOP and SIGCONT), from
+/// watchResumes() on, which handles SIGCONT. Another handler of SIGCONT must call noteResume(),
+/// which is safe in signal handlers.
 void watchResumes();
 void noteResume();
 std::uint32_t resumeCount();

@@ -6,11 +6,11 @@
 
 namespace rocinante {
 
-/// A socket to send by: where to, and from which port.
+/// A socket to send from: its destination and local port.
 struct Route {
   Endpoint to;
   std::uint16_t local_port = 0;  ///< 0: any
-  bool restating = false;        ///< the player's own: a receiver can tell it from the session's
+  bool restating = false;        ///< for the player's restatements, which receivers can tell apart
   bool operator==(const Route&) const = default;
 };
 

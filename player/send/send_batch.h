@@ -7,7 +7,8 @@
 
 namespace rocinante {
 
-/// Datagrams that go together. Holds copies: a stream's bytes last only until its next step.
+/// Datagrams to send together. Holds copies, because a stream's bytes last only until its next
+/// call.
 class SendBatch {
  public:
   static constexpr std::size_t kMax = 64;
@@ -17,8 +18,8 @@ class SendBatch {
 
   void add(const Due& due, SteadyTime deadline, ByteView payload);
 
-  /// Sends all, in order, in one call for each run of one route, and tells the journal of what went
-  /// out. Empty afterwards, also when it fails.
+  /// Sends all in order, with one call for consecutive datagrams of one route, and notifies the
+  /// journal. Empty afterwards, even on failure.
   Status send(SendPort& edge, SendJournal& journal);
 
  private:

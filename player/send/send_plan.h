@@ -13,27 +13,27 @@
 
 namespace rocinante {
 
-/// What a running sender asks of and tells its surroundings.
+/// Callbacks of a running sender.
 struct SendSurroundings {
-  std::function<bool()> stop;                  ///< asked often; true ends the sending
-  std::function<void(std::string_view)> told;  ///< one line for a person
+  std::function<bool()> stop;                  ///< polled often; true ends sending
+  std::function<void(std::string_view)> told;  ///< receives one line for the user
 };
 
-/// Where and how fast a stream is to be sent.
+/// Where and how fast to send a stream.
 struct SendPlan {
   Endpoint to;
   std::optional<PlaybackSpeed> speed;  ///< empty: without a schedule
-  LogTime first{};                     ///< the moment that is due first
-  LogTime from{}, until{};             ///< one turn: what the report calls a span
-  LogTime origin{};                    ///< that the progress line counts from
-  LogTime last{};                      ///< the end that the progress line shows
+  LogTime first{};                     ///< the first due moment
+  LogTime from{}, until{};             ///< one turn: a span in the report
+  LogTime origin{};                    ///< reference of the progress line
+  LogTime last{};                      ///< end shown by the progress line
   Realtime realtime = Realtime::automatic;
   bool progress = false;
-  std::function<void()> began;  ///< called once the socket is there; may be empty
+  std::function<void()> began;  ///< called once the socket is open; may be empty
 };
 
-/// Opens the socket, makes the calling thread the pacing one, sends `stream` and fills all of the
-/// report but its inputs and damage. Returns when all is sent or `stop` says so.
+/// Opens the socket, paces in the calling thread, sends `stream` and fills the report except its
+/// inputs and damage. Returns when everything is sent or `stop` returns true.
 Result<PlayReport> sendPlan(DatagramStream& stream, const SendPlan& plan,
                             const std::function<bool()>& stop);
 

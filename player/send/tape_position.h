@@ -8,19 +8,18 @@
 
 namespace rocinante {
 
-/// A place on the tape of several logs, in the order in which they are played: before every message
-/// that is later, or as early and of a later log, or behind it in the same file. A position of a
-/// player is such a place and not a time: of equal times each message can be gone to.
+/// A position in several logs played as one, ordered by time, then log, then place in the file. A
+/// player's position is not just a time: each of several messages of equal time can be reached.
 struct TapePosition {
   LogTime time{};
-  std::uint32_t log = 0;          ///< which of the arguments, from 0
+  std::uint32_t log = 0;          ///< index of the argument, from 0
   std::uint64_t file_offset = 0;  ///< LogMessage::file_offset
 
   auto operator<=>(const TapePosition&) const = default;
 
   /// Before every message of `moment`.
   static constexpr TapePosition at(LogTime moment) { return {moment, 0, 0}; }
-  /// Right behind the message at `place`.
+  /// Right after the message at `place`.
   static constexpr TapePosition behind(TapePosition place) {
     if (place.file_offset < std::numeric_limits<std::uint64_t>::max()) ++place.file_offset;
     return place;

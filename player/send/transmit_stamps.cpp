@@ -20,7 +20,7 @@ Nanoseconds nanosecondsIn(const timespec& time) {
   return std::chrono::seconds(time.tv_sec) + Nanoseconds(time.tv_nsec);
 }
 
-/// What to add to the wall clock to get the steady one, now.
+/// The current offset from the wall clock to the steady clock.
 Nanoseconds steadyMinusWall() {
   timespec before{};
   timespec wall{};
@@ -31,7 +31,7 @@ Nanoseconds steadyMinusWall() {
   return (nanosecondsIn(before) + nanosecondsIn(after)) / 2 - nanosecondsIn(wall);
 }
 
-/// When a datagram left, and its number among those of its socket.
+/// A datagram's transmit time, and its number within its socket.
 struct Stamp {
   std::uint32_t number = 0;
   Nanoseconds wall{};
@@ -66,7 +66,7 @@ std::optional<Stamp> stampIn(msghdr& message) {
 struct Answers {
   std::array<Stamp, kMax> stamps{};
   std::size_t count = 0;
-  bool overrun = false;  ///< more than were asked for
+  bool overrun = false;  ///< more stamps than requested
 
   /// Exactly one for each of `wanted`.
   bool areWhole(std::size_t wanted) const {
@@ -75,8 +75,8 @@ struct Answers {
   }
 };
 
-/// Empties the socket's error queue. What was sent before `first` is left out: a device that was
-/// busy told of it late.
+/// Empties the socket's error queue. Ignores datagrams before `first`, which a busy device reported
+/// late.
 Answers readAnswers(int descriptor, std::uint32_t first, std::size_t wanted) {
   constexpr std::size_t kBatch = 32;
   Answers answers;
@@ -99,7 +99,7 @@ Answers readAnswers(int descriptor, std::uint32_t first, std::size_t wanted) {
         answers.stamps[answers.count++] = *stamp;
       }
     }
-    // Few answers come for few datagrams: a second look would cost another call each time.
+    // A short batch means that the queue is empty; reading again would cost another call.
     if (static_cast<std::size_t>(count) < kBatch) return answers;
   }
 }
@@ -123,7 +123,7 @@ void TransmitStamps::collect(std::span<SteadyTime> sent_at) {
         sent_at[i] = SteadyTime(answers.stamps[i].wall + offset);
       }
       stamped_ += sent_at.size();
-      // A datagram that the system refused at first took a number too.
+      // A datagram that the system first refused also used a number.
       next_number_ = answers.stamps[answers.count - 1].number + 1;
       return;
     }

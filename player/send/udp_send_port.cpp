@@ -11,8 +11,8 @@
 namespace rocinante {
 namespace {
 
-// A real-time thread that runs longer without a sleep is close to being throttled (950 ms of each
-// second). What counts is its own running: a machine that stood still did not starve anybody.
+// A real-time thread that runs for 950 ms of a second is throttled; stop well before. Only the
+// thread's CPU time counts: a suspended machine starved no other thread.
 constexpr Nanoseconds kAwake = std::chrono::milliseconds(100);
 constexpr Nanoseconds kMaxRunning = std::chrono::milliseconds(200);
 

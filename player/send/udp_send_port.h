@@ -14,11 +14,11 @@
 
 namespace rocinante {
 
-/// The real world to send into: the steady clock, a timer and a UDP socket for each route.
+/// The real SendPort: the steady clock, a timer and a UDP socket for each route.
 class UdpSendPort final : public SendPort {
  public:
-  /// Makes the calling thread the pacing one. `wake`, when not negative, is a descriptor that ends
-  /// a sleep by becoming readable; it is not read. It must outlive the edge.
+  /// Makes the calling thread the pacing one. `wake`, if not negative, is a descriptor that ends a
+  /// sleep by becoming readable; it is not read. It must outlive the port.
   static Result<UdpSendPort> open(const std::vector<Route>& routes, Realtime realtime,
                                   std::function<bool()> stop, int wake = -1);
 
@@ -29,10 +29,10 @@ class UdpSendPort final : public SendPort {
   Status send(std::uint16_t route, std::span<const ByteView> payloads,
               std::span<SteadyTime> sent_at) override;
 
-  /// Where the times of `sent_at` came from, restatements aside: "kernel", "clock" or "kernel and
-  /// clock".
+  /// Source of the times in `sent_at`, except those of restatements: "kernel", "clock" or "kernel
+  /// and clock".
   std::string timingSource() const;
-  /// "fifo" when the thread was real-time all the time, else "other".
+  /// "fifo" if the thread was real-time throughout, else "other".
   std::string scheduling() const { return thread_.isRealtime() ? "fifo" : "other"; }
 
  private:
@@ -53,7 +53,7 @@ class UdpSendPort final : public SendPort {
   std::function<bool()> stop_;
   int wake_;
   SteadyTime last_sleep_;
-  std::optional<Nanoseconds> ran_until_;  ///< since the last sleep, when it was looked at first
+  std::optional<Nanoseconds> ran_until_;  ///< CPU time when first checked since the last sleep
   std::uint32_t resumes_;
 };
 

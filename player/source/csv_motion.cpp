@@ -15,8 +15,8 @@ namespace {
 
 __extension__ using Wide = __int128;
 
-/// Seconds as any program prints them ("12.5", "1e-05", "0.30000000000000004"), to the nearest
-/// nanosecond without passing through a double. Empty when it is no number or too large.
+/// Parses seconds as programs print them ("12.5", "1e-05", "0.30000000000000004"), to the nearest
+/// nanosecond without going through a double. Empty for invalid or too large numbers.
 std::optional<Nanoseconds> parseSeconds(std::string_view text) {
   double ignored = 0;
   const char* at = text.data();
@@ -35,7 +35,7 @@ std::optional<Nanoseconds> parseSeconds(std::string_view text) {
       in_fraction = true;
       continue;
     }
-    // 30 digits hold every time there is, to far below the nanosecond.
+    // 30 digits hold every possible time to well below a nanosecond.
     any_dropped = digits >= Wide{1'000'000'000'000'000} * 1'000'000'000'000'000;
     if (!any_dropped) digits = digits * 10 + (text[i] - '0');
     exponent += (any_dropped ? 1 : 0) - (in_fraction ? 1 : 0);
@@ -63,7 +63,7 @@ std::optional<Nanoseconds> parseSeconds(std::string_view text) {
   return Nanoseconds(negative ? -count : count);
 }
 
-/// A field as a sentence shows it: not a megabyte of it.
+/// A field for an error message, shortened.
 std::string shown(std::string_view text) {
   constexpr std::size_t kMax = 40;
   if (text.empty()) return "an empty field";
@@ -71,13 +71,13 @@ std::string shown(std::string_view text) {
                              : fmt::format("`{}...`", text.substr(0, kMax));
 }
 
-/// Reads one text; keeps where it is, for the sentences.
+/// Reads one text; keeps its position for error messages.
 class Reader {
  public:
   Reader(std::string_view text, const std::string& name) : rest_(text), name_(name) {}
 
   Result<CsvMotion> read(const std::vector<std::string>& columns) {
-    // A byte order mark is no part of the first column's name.
+    // A byte order mark is not part of the first column's name.
     if (rest_.starts_with("\xEF\xBB\xBF")) rest_.remove_prefix(3);
     if (const Status header = readHeader(columns); !header) return header.error();
     while (nextLine()) {

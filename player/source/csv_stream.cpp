@@ -19,7 +19,7 @@ Status checkName(const char* option, const std::string& name) {
   return Error{ErrorKind::bad_argument, "a name must be 1 to 255 bytes long", option};
 }
 
-/// The bytes that a packet of `line` takes at most.
+/// The largest size of a packet with a line of `line_bytes`.
 std::size_t packetBytes(const CsvStream::Options& options, std::size_t line_bytes) {
   PacketHeader header;
   header.source = options.source;
@@ -75,7 +75,7 @@ Nanoseconds CsvStream::rowTime() const { return motion_->rows[row_].time + perio
 
 std::optional<std::int64_t> CsvStream::timeToSay(Nanoseconds time) const {
   const Nanoseconds said = options_.wall_now ? options_.wall_now().time_since_epoch() : time;
-  // Packet text knows no time before the epoch.
+  // Packet text has no times before the epoch.
   if (said.count() < 0) return std::nullopt;
   return said.count();
 }

@@ -12,28 +12,28 @@
 
 namespace rocinante {
 
-/// A table of joint values as the packets of one source: `order` first, then one packet a row, at
-/// the row's own time; in between, every `restate`, all that the source has said, again.
+/// A table of joint values as the packets of one source: first `order`, then one packet per row at
+/// the row's time, and every `restate` a restatement of the source's state.
 class CsvStream final : public DatagramStream {
  public:
   struct Options {
     std::string device;
     std::string source;
     std::string run;
-    Nanoseconds restate{};  ///< between two restatements, in the motion's time; 0: never
+    Nanoseconds restate{};  ///< between restatements, in the motion's time; 0: never
     std::size_t mtu_bytes = 1200;
     std::uint32_t turns = 1;  ///< 0: endless
-    /// TIME at the moment of sending; when empty, TIME is the file's own time.
+    /// Gives TIME when sending; empty: TIME is the file's own time.
     std::function<WallTime()> wall_now;
   };
 
-  /// bad_argument when a row does not fit the MTU or a name is none. `motion` must outlive this.
+  /// bad_argument when a row does not fit the MTU or a name is invalid. `motion` must outlive this.
   static Result<CsvStream> open(const CsvMotion& motion, Options options);
 
   Result<std::optional<Due>> due() override;
   ByteView take() override;
 
-  /// How long one turn takes: the file's span and one mean step, so that turns join evenly.
+  /// Length of one turn: the file's span plus one mean step, so that turns join evenly.
   Nanoseconds period() const { return period_; }
 
  private:
@@ -56,11 +56,11 @@ class CsvStream final : public DatagramStream {
   std::uint64_t restatements_ = 0;
   Nanoseconds next_restatement_{};
   bool restating_ = false;
-  std::vector<std::string> parts_;  ///< of the restatement that is being sent; empty until then
+  std::vector<std::string> parts_;  ///< remaining parts of the restatement being sent
   std::size_t parts_taken_ = 0;
   std::string payload_;
   std::unique_ptr<PacketTextDecoder> decoder_;
-  SessionState state_;  ///< what was said so far, as a receiver has it
+  SessionState state_;  ///< everything sent so far, as a receiver has it
 };
 
 }  // namespace rocinante

@@ -4,7 +4,7 @@
 
 namespace rocinante {
 
-/// Another stream up to a moment of it, which itself is out.
+/// Another stream up to, but not including, a moment.
 class CutStream final : public DatagramStream {
  public:
   /// `stream` must outlive this.

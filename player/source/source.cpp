@@ -17,7 +17,7 @@ namespace {
 
 WallTime wallNow() { return std::chrono::system_clock::now(); }
 
-/// Chosen anew at each start, so that a receiver can tell a restart from lateness.
+/// Chosen at each start, so that a receiver can tell a restart from late packets.
 std::string randomRun() {
   std::array<unsigned char, 5> random{};
   if (::getrandom(random.data(), random.size(), 0) != static_cast<ssize_t>(random.size())) {

@@ -14,12 +14,12 @@
 
 namespace rocinante {
 
-/// What both kinds of information source share.
+/// Options of both kinds of information source.
 struct SourceOptions {
   Endpoint to = Endpoint::standard();
   PlaybackSpeed speed;
   std::uint32_t turns = 1;              ///< how often the motion is sent; 0: endless
-  std::optional<Nanoseconds> duration;  ///< of the motion's own time; empty: all of it
+  std::optional<Nanoseconds> duration;  ///< in the motion's own time; empty: all of it
   std::string run;                      ///< RUN; empty: a random token
   std::size_t mtu_bytes = 1200;
   Realtime realtime = Realtime::automatic;
@@ -31,13 +31,13 @@ struct CsvSourceOptions {
   std::string device;
   std::string source;                ///< SOURCE; empty: the device's name
   std::vector<std::string> columns;  ///< joints; empty: all but the time
-  /// Real time between two restatements of all that was said; 0: never.
+  /// Real time between restatements; 0: never.
   Nanoseconds restate = std::chrono::seconds(2);
   bool stamp_clock = false;  ///< TIME is the wall clock when sending, not the file's time
 };
 
-/// Sends a table of joint values on its own schedule (docs/programs/source.md). Everything that is
-/// wrong with the table is refused before the first datagram.
+/// Sends a table of joint values on its own schedule (docs/programs/source.md). Refuses a faulty
+/// table before the first datagram.
 Result<PlayReport> sendCsv(const CsvSourceOptions& csv, const SourceOptions& options,
                            const SendSurroundings& surroundings);
 

@@ -107,7 +107,7 @@ Status readOptions(Arguments& my, bool loop_given) {
     }
     my.options.duration = *duration;
   }
-  // A table is a record and ends; the demo is a machine and goes on.
+  // By default a table is sent once, and the demo runs until stopped.
   if (!loop_given) my.options.turns = my.demo.empty() ? 1 : 0;
   my.options.realtime = realtimeOf(my.realtime);
   my.options.progress = !my.quiet && ::isatty(STDERR_FILENO) == 1;
