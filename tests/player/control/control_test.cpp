@@ -1,4 +1,4 @@
-// What comes from outside of a running player: addresses, keys, sockets.
+// Inputs of a running player: addresses, keys, sockets.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <poll.h>
@@ -45,7 +45,7 @@ TEST(ControlAddress, KnowsThisMachinesOwn) {
   EXPECT_FALSE(isOwnAddress(SocketAddress::parse("2001:db8::1", 1).value()));
 }
 
-/// A sender that answers "ok LINE" until it is told to quit.
+/// A sender that answers "ok LINE" until a quit command.
 void answerUntilQuit(CommandSlot& slot) {
   while (true) {
     const auto line = slot.asked();
@@ -64,7 +64,7 @@ TEST(CommandSlot, AWakeThatComesAfterItsCommandWasAnsweredKeepsNobodyAwake) {
   std::thread hearer([&] { EXPECT_EQ(slot->ask("status"), "ok"); });
   pollfd wake{slot->wake(), POLLIN, 0};
   ASSERT_EQ(::poll(&wake, 1, 10'000), 1);
-  // As if the hearing thread had been held up between handing over and waking.
+  // As if the listening thread had been delayed between handing over and waking.
   std::uint64_t late = 0;
   ASSERT_EQ(::read(slot->wake(), &late, sizeof late), static_cast<ssize_t>(sizeof late));
   ASSERT_TRUE(slot->asked());
@@ -113,7 +113,7 @@ TEST(ControlSocket, AUnixSocketTakesLinesInAnyPieces) {
     ASSERT_TRUE(control.ok());
     EXPECT_EQ(std::filesystem::status(path).permissions(),
               std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
-    // A second player does not take the first one's place.
+    // A second player does not replace the first one's socket.
     EXPECT_FALSE(
         ControlSocket::open(ControlAddress::parse("unix:" + path.string()).value(), {}).ok());
     std::vector<std::unique_ptr<ControlInput>> inputs;

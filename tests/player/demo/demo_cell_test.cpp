@@ -12,7 +12,7 @@
 #include "player/demo/demo_script.h"
 
 // The demo's cell (examples/demo) and its motion (player/demo/demo_script.h) repeat each other's
-// lengths and places: these tests hold the two together.
+// lengths and places: these tests compare them.
 namespace rocinante {
 namespace {
 
@@ -33,7 +33,7 @@ class DemoCell : public ::testing::Test {
     return *cell_->models.at(cell_->findDevice(device)->model);
   }
 
-  /// The cell as the motion has it at a moment.
+  /// The cell at a moment of the motion.
   static SessionState stateAt(double seconds) {
     static const std::vector<DemoDatagram> datagrams = demoDatagrams(
         std::vector<DemoPart>(std::begin(kDemoParts), std::end(kDemoParts)), DemoOptions{});
@@ -144,7 +144,7 @@ TEST_F(DemoCell, TheCanisterHangsInTheGripperAndThenStandsOnTheStation) {
 TEST_F(DemoCell, TheProbeTouchesTheLid) {
   const PosedScene scene = poseScene(*cell_, stateAt(15.2));
   const double tip = positionOf(scene.find("arm", "tip").value()).z;
-  // The ball's radius is 8 mm; the lid is the highest part of the canister but for chime and bung.
+  // The ball's radius is 8 mm; the lid is the highest part of the canister except chime and bung.
   EXPECT_NEAR(tip - 0.008, kCanisterAtStation.z + 0.488, 1e-6);
 }
 

@@ -27,7 +27,7 @@ DemoOptions optionsOf(std::uint64_t turn = 0) {
   return options;
 }
 
-/// The state after everything up to and at `until`.
+/// The state after everything up to and including `until`.
 SessionState stateAt(const std::vector<DemoDatagram>& datagrams, double until) {
   PacketTextDecoder decoder;
   SessionState state;

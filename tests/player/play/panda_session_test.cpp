@@ -1,4 +1,4 @@
-// A real robot's recording through the true programs: source, record, play, record again.
+// A real robot's motion through the real programs: source, record, play, record again.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -77,8 +77,8 @@ std::string sha256Of(const std::vector<std::string>& payloads) {
   return hexOf(hash.finish());
 }
 
-/// How far the arrivals of `later` lie from those of `first` played at `speed`, in microseconds,
-/// measured from the median so that the travel time of the first one is in no figure.
+/// Time errors of the arrivals of `later` against those of `first` played at `speed`, in
+/// microseconds, relative to the median, so that the transit time of the first one does not count.
 struct TimingError {
   double p50, p99, max;
 };
@@ -108,7 +108,7 @@ void show(const std::string& what, const nlohmann::json& report, const TimingErr
       error.p50, error.p99, error.max);
 }
 
-/// The rows of the file, taken from it by other means than the source's own.
+/// The rows of the file, parsed independently of the source.
 void expectEveryRowInOrder(const std::vector<std::string>& payloads, const std::string& csv) {
   std::size_t next = 0;
   std::string_view rest = csv;

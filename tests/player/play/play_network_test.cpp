@@ -1,4 +1,4 @@
-// What a player does to ports, to other hosts and to a stop, through the true program.
+// Ports, other hosts and a stop of the process, with the real program.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ using testing::HasSubstr;
 
 Endpoint at(const std::string& text) { return Endpoint::parse(text).value(); }
 
-/// A log of `count` messages, each `gap` after the one before, from this port of 127.0.0.1.
+/// A log of `count` messages, `gap` apart, from this port of 127.0.0.1.
 std::filesystem::path writeSession(const std::filesystem::path& path, std::uint16_t port, int count,
                                    Nanoseconds gap) {
   auto writer = LogWriter::create(path, LogWriterOptions(), "session").value();
@@ -45,7 +45,7 @@ std::filesystem::path writeSession(const std::filesystem::path& path, std::uint1
   return path;
 }
 
-/// A port that nobody had a moment ago.
+/// A port that was free a moment ago.
 std::uint16_t freePort() {
   return UdpReceiver::open(at("127.0.0.1:0")).value().boundAddress().port;
 }
@@ -80,18 +80,18 @@ TEST(PlayNetwork, AStopOfTheProcessBecomesNoBurst) {
   Program player = Program::start(
       "rocinante-play",
       {log.string(), "--to", receiver.boundAddress().text(), "--restate", "off", "--report", "-"});
-  // Stopped when it has begun, and more than two seconds are to come.
+  // Stopped after it has begun, with more than two seconds left.
   pollfd first{receiver.fileDescriptor(), POLLIN, 0};
   ASSERT_EQ(::poll(&first, 1, 30'000), 1);
   player.signal(SIGSTOP);
-  std::this_thread::sleep_for(3s);  // what the stop lasts
+  std::this_thread::sleep_for(3s);  // length of the stop
   player.signal(SIGCONT);
   const auto result = player.finish();
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const auto report = nlohmann::json::parse(result.out);
   EXPECT_EQ(report["sent"], 60);
   EXPECT_GE(report["duration_s"].get<double>(), 4.5);
-  // What was made up for would be three seconds late.
+  // Datagrams sent to make up for the stop would be three seconds late.
   EXPECT_LT(report["late_us"]["p90"].get<double>(), 1e6);
 }
 
@@ -122,7 +122,7 @@ TEST(PlayNetwork, AStopOfTheProcessBecomesNoBurst) {
   ::_exit(::write(answers, said.data(), said.size()) > 0 ? 0 : 2);
 }
 
-/// What a player that was started with `options` answers to another host.
+/// The answer of a player started with `options` to another host.
 std::string answerToAnotherHost(const std::filesystem::path& log, std::vector<std::string> options,
                                 const std::string& control = "0.0.0.0:0") {
   int ready[2], go[2], answers[2];
@@ -150,7 +150,7 @@ std::string answerToAnotherHost(const std::filesystem::path& log, std::vector<st
   }
   ::kill(asker, SIGKILL);
   ::waitpid(asker, nullptr, 0);
-  // Our end goes when the kernel comes to it, and the next one has the same name.
+  // The kernel removes our end later, and the next one has the same name.
   EXPECT_EQ(std::system("ip link delete near 2>/dev/null; "
                         "for i in $(seq 250); do ip link show near >/dev/null 2>&1 || exit 0; "
                         "sleep 0.02; done; exit 1"),
@@ -169,7 +169,7 @@ TEST(PlayNetwork, AnotherHostCommandsOnlyWhenItIsAllowedTo) {
               testing::StartsWith("ok t=0.000000000 state=paused"));
   EXPECT_THAT(answerToAnotherHost(log, {"--control-allow", "10.79.0.0/24"}),
               testing::StartsWith("error only this machine"));
-  // A socket of IPv6 hears IPv4 too, and names its senders ::ffff:10.78.0.2.
+  // An IPv6 socket receives IPv4 too, with senders such as ::ffff:10.78.0.2.
   EXPECT_THAT(answerToAnotherHost(log, {}, "[::]:0"),
               testing::StartsWith("error only this machine"));
   EXPECT_THAT(answerToAnotherHost(log, {"--control-allow", "10.78.0.0/24"}, "[::]:0"),

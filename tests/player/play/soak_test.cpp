@@ -1,4 +1,4 @@
-// A session played into a recorder for as long as one likes, at 6,000 datagrams a second.
+// A session played into a recorder for a chosen time, at 6,000 datagrams a second.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sched.h>
@@ -27,7 +27,7 @@ std::chrono::seconds soakTime() {
   return std::chrono::seconds(text == nullptr ? 15 : std::max(5, std::atoi(text)));
 }
 
-/// A network of the test's own with nothing but a loopback; without the rights, the usual one.
+/// A private network namespace with only a loopback; without the rights, the usual network.
 void enterOwnNetwork() {
   if (::unshare(CLONE_NEWNET) != 0) return;
   if (std::system("ip link set lo up") != 0) FAIL() << "no loopback in a namespace of its own";
@@ -45,8 +45,7 @@ std::filesystem::path writeSession(const std::filesystem::path& path) {
   return test::writeLog(path, messages);
 }
 
-/// With nothing beside it: how much memory there is, how late packets are and whether any is lost
-/// depend on what else a machine does.
+/// Without other load: memory, lateness and losses depend on what else a machine does.
 bool isNightly() { return std::getenv("ROCINANTE_NIGHTLY") != nullptr; }
 
 struct Memory {
@@ -105,7 +104,7 @@ TEST(PlaySoak, ARecorderKeepsAllThatAPlayerSendsInConstantMemoryAndWithoutDrift)
   for (const LossSpan& loss : reader.losses()) {
     dropped += static_cast<std::int64_t>(loss.counts.kernel + loss.counts.queue);
   }
-  // What was lost is counted, restatements with it.
+  // Losses are counted, including restatements.
   const auto recorded_messages = static_cast<std::int64_t>(reader.summary().messages);
   EXPECT_LE(recorded_messages, sent);
   EXPECT_GE(recorded_messages + dropped, sent);

@@ -1,4 +1,4 @@
-// A log that is damaged in the middle, under the player's hands.
+// Playing a log that is damaged in the middle.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ std::string payloadOf(int number) {
   return "RK1 arm@r1 " + std::to_string(number) + " -\njoints arm " + std::to_string(number) + "\n";
 }
 
-/// 400 messages, 10 ms apart, in chunks of some dozen; a byte of the middle one is another.
+/// 400 messages, 10 ms apart, in chunks of about a dozen; one byte of the middle chunk is changed.
 std::filesystem::path writeDamaged(const std::filesystem::path& path) {
   LogWriterOptions options;
   options.chunk_bytes = 2048;
@@ -64,7 +64,7 @@ class DamagedLog : public testing::Test {
   std::filesystem::path log_;
   std::vector<std::string> all_, damage_;
   std::vector<LogTime> times_;
-  std::size_t hole_ = 0;  ///< the first message behind the damage
+  std::size_t hole_ = 0;  ///< the first message after the damage
 };
 
 TEST_F(DamagedLog, IsPlayedAroundItsDamage) {

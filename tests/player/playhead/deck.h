@@ -16,8 +16,7 @@
 
 namespace rocinante::test {
 
-/// A transport with a clock that moves only when it is told to, and a receiver that hears and folds
-/// everything.
+/// A playhead with a simulated clock, and a receiver that folds everything sent.
 class Deck {
  public:
   explicit Deck(std::vector<std::filesystem::path> logs, PlayheadOptions options = {},
@@ -42,14 +41,14 @@ class Deck {
   TapeFinder& finder() { return *finder_; }
   PlayedSpan span() const { return span_; }
 
-  /// Lets time go by, and sends what is due in it, each exactly when it is due.
+  /// Advances the time, and sends each datagram exactly when it is due.
   void playFor(Nanoseconds span, std::size_t most = 1'000'000) {
     const SteadyTime until = now_ + span;
     // A sender also looks when nothing is due.
     constexpr Nanoseconds kLook = std::chrono::milliseconds(50);
     while (true) {
       const auto next = playhead_->next(now_).value();
-      // What has been begun is not left in the middle.
+      // Immediate datagrams complete what was begun.
       if (most == 0 && !(next && next->immediate)) return;
       if (next && next->deadline <= now_) {
         if (most > 0) --most;
@@ -62,10 +61,10 @@ class Deck {
     }
   }
 
-  /// The machine does something else.
+  /// Advances the time without asking the playhead, as on a busy machine.
   void sleepFor(Nanoseconds span) { now_ += span; }
 
-  /// One command, all that it asks for at once, and the answer.
+  /// Executes one command with everything due at once, and returns the answer.
   std::string say(const std::string& line) {
     const auto command = parsePlayheadCommand(line, origin_, end_);
     if (!command) return "error " + command.error().text();
@@ -80,7 +79,7 @@ class Deck {
 
   const std::vector<std::string>& payloads() const { return payloads_; }
   const std::vector<std::string>& restatements() const { return restatements_; }
-  /// Of each message sent.
+  /// One for each message sent.
   const std::vector<Due>& dues() const { return dues_; }
   std::vector<std::uint32_t> spans() const {
     std::vector<std::uint32_t> spans;
@@ -90,13 +89,13 @@ class Deck {
 
   const SessionState& receiver() const { return receiver_; }
 
-  /// Whoever heard everything knows what the fold of the logs gives for this place.
+  /// Expects the receiver's state to be the fold of the logs at this place.
   void expectStateOfPlace() {
     const SessionState wanted = finder_->stateBefore(playhead_->place()).value();
     EXPECT_EQ(itemsOf(receiver_), itemsOf(wanted));
   }
 
-  /// The items and the memory of sources, as text: what a state is, without when it was heard.
+  /// The items and sources of a state as text, without times of arrival.
   static std::string itemsOf(const SessionState& state) {
     std::string text;
     const std::string identity = state.identityText();
@@ -104,7 +103,7 @@ class Deck {
       const std::size_t end = identity.find('\n', begin);
       const std::string line = identity.substr(begin, end - begin + 1);
       if (line.starts_with("item ")) text += line;
-      // A source that was only reset is known without having said anything.
+      // A source that was only reset is known without having sent anything.
       if (line.starts_with("source ") && !line.ends_with(" - -\n")) text += line;
       begin = end == identity.npos ? identity.size() : end + 1;
     }
@@ -118,7 +117,7 @@ class Deck {
     if (next.due.restated) {
       restatements_.push_back(text);
     } else {
-      // As far apart as in the log, whatever the speed: a restatement lasts a second of log time.
+      // Spaced as in the log at any speed: a restatement lasts a second of log time.
       const Nanoseconds gap = next.due.place.time - heard_.time;
       if (heard_.time != LogTime{} && gap.count() > 0) heard_at_ += gap;
       heard_ = next.due.place;

@@ -1,4 +1,4 @@
-// An hour of 6,000 datagrams a second against a clock that moves only when somebody waits.
+// An hour of 6,000 datagrams a second with a clock that advances only while waiting.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -33,7 +33,7 @@ std::vector<test::WrittenMessage> minute() {
   return messages;
 }
 
-/// Judges each deadline by arithmetic of its own (an hour times ten fits 64 bits), and passes it
+/// Checks each deadline with independent arithmetic (an hour times ten fits 64 bits), and passes it
 /// on.
 class ExactJournal final : public SendJournal {
  public:
@@ -49,7 +49,7 @@ class ExactJournal final : public SendJournal {
     wrong += (deadline - first).count() != exact;
     early += sent_at < deadline;
     last = deadline;
-    // A minute's blocks have come and gone, so that what is kept for reuse is there.
+    // After a minute all blocks kept for reuse exist.
     if (++count == 5'000'000) bytes_early = test::anonymousBytes();
   }
 
@@ -85,7 +85,7 @@ TEST(PlayHour, EndsOnTheExactNanosecondAtEverySpeedAndInConstantMemory) {
     options.speed = PlaybackSpeed::parse(speed.text).value();
     test::FakeSendPort edge;
     edge.keep_payloads = false;
-    edge.look_costs = 15us;  // a spin is few looks
+    edge.look_costs = 15us;  // a spin takes few clock readings
     edge.send_costs = 100ns;
     auto playhead = Playhead::open(tape, finder, routes, options, edge.now()).value();
     PlayJournal report(options.span.from, options.span.until);
@@ -101,7 +101,7 @@ TEST(PlayHour, EndsOnTheExactNanosecondAtEverySpeedAndInConstantMemory) {
     EXPECT_EQ(journal.early, 0U);
     EXPECT_EQ((journal.last - journal.first).count(),
               (kTurns * kTurn - 1ns).count() * speed.real_part / speed.log_part);
-    // As much as is read ahead; a byte for each datagram would be four times that.
+    // The size of the read-ahead; a byte for each datagram would be four times that.
     EXPECT_LT(bytes_late, journal.bytes_early + (4U << 20U));
     std::printf("%sx: %lu datagrams, %.3f s; %.1f MiB at first, %.1f at last\n", speed.text,
                 journal.count, std::chrono::duration<double>(journal.last - journal.first).count(),

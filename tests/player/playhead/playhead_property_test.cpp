@@ -1,5 +1,5 @@
-// Whatever is asked of a player: the receiver ends with the state that the fold of the log gives,
-// and every span that was played holds exactly the log's messages of it.
+// For any commands to a player, the receiver ends with the state of the log's fold, and every
+// played span holds exactly its messages of the log.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
@@ -29,7 +29,7 @@ std::vector<WrittenMessage> randomMessages(std::uint64_t seed, std::size_t count
     const bool by_others = said.text.find(" by=") < said.text.find('\n');
     const std::string topic = (by_others ? "/rocinante/restated" : std::string()) + "/udp/1/" +
                               (source == "z%20z" ? "z z" : source);
-    // Some share their moment with the one before.
+    // Some have the same time as the previous one.
     last = session.below(4) == 0 ? std::max(last, 1ns) : time;
     messages.push_back({last, said.text, topic});
   }
@@ -57,7 +57,7 @@ rc::Gen<std::string> anyCommand() {
           [](std::pair<int, int> loop) {
             return "loop " + randomTime(loop.first) + " " + randomTime(loop.first + loop.second);
           }),
-      // Time goes by.
+      // Advances the time.
       map(inRange(0, 2'000), [](int ms) { return "wait " + std::to_string(ms); }));
 }
 
@@ -88,15 +88,15 @@ void expectSpansWhole(const Deck& deck, const std::vector<Told>& all) {
     RC_ASSERT(due.place.time < due.bounds.until);
     const bool follows = i > 0 && deck.dues()[i - 1].span == due.span;
     if (follows) RC_ASSERT(index[due.place] == index[deck.dues()[i - 1].place] + 1);
-    // A span that begins leaves nothing out.
+    // A new span leaves nothing out.
     if (!follows && index[due.place] > 0) {
       RC_ASSERT(all[index[due.place] - 1].place.time <= due.bounds.from);
     }
     if (due.after_turn && i > 0 && deck.dues()[i - 1].span + 1 == due.span) {
       const std::size_t last = index[deck.dues()[i - 1].place];
-      // Both turns end alike; the message before may have been sent under the bounds before that.
+      // Both turns end alike; the previous message may have been sent under the earlier bounds.
       const LogTime until = due.bounds.until;
-      // RC_ASSERT looks at both sides of an "or".
+      // RC_ASSERT evaluates both sides of an "or".
       const bool at_its_end = last + 1 == all.size() || all[last + 1].place.time >= until;
       RC_ASSERT(at_its_end);
     }

@@ -19,7 +19,7 @@ using test::FakeJournal;
 using test::FakeSendPort;
 using testing::ElementsAre;
 
-/// Commands that wait from the beginning on, and what was answered.
+/// Commands that wait from the start, and their answers.
 class FakeCommands final : public CommandSource {
  public:
   explicit FakeCommands(std::deque<std::string> lines) : lines_(std::move(lines)) {}
@@ -97,7 +97,7 @@ TEST_F(SendPlayheadTest, AnHourInTurnsEndsOnTheExactNanosecondAtEverySpeed) {
       if (count == 0) first = deadline;
       ++count;
       early += sent_at < deadline;
-      // The time on the line is exact; so must the deadline be, whatever turn it is.
+      // The time on the line is exact; so must the deadline be, in every turn.
       const Nanoseconds at = due.place.time - LogTime(1s) + due.span * Nanoseconds(1min);
       wrong += deadline - first != speed.realDuration(at);
       last = deadline;

@@ -143,7 +143,7 @@ TEST_F(PlayheadTest, LoopsAPartUntilItIsToldNotTo) {
   EXPECT_EQ(deck.say("loop off"), "ok t=1.500000000 state=playing speed=1 sent=6");
   deck.playFor(10s);
   EXPECT_THAT(deck.payloads(), ElementsAre("a", "b", "c", "b", "c", "b", "c", "d"));
-  // Behind its end it begins with its beginning.
+  // After its end it starts again at its beginning.
   EXPECT_EQ(deck.say("loop 0s 1s"), "ok t=0.000000000 state=playing speed=1 sent=8");
   EXPECT_EQ(deck.say("seek 3s"), "ok t=3.000000000 state=playing speed=1 sent=8");
 }

@@ -9,7 +9,7 @@
 
 namespace rocinante::test {
 
-/// A world in which time passes only when somebody waits or sends.
+/// A simulated SendPort in which time passes only while waiting or sending.
 class FakeSendPort : public SendPort {
  public:
   SteadyTime now() override {
@@ -49,9 +49,9 @@ class FakeSendPort : public SendPort {
   Nanoseconds wakes_late{10'000};
   Nanoseconds send_costs{1'000};
   std::size_t stop_after_sends = static_cast<std::size_t>(-1);
-  std::size_t stopped_after_sends = 0;  ///< the process is stopped then, for `stopped_for`
+  std::size_t stopped_after_sends = 0;  ///< stop the process then, for `stopped_for`
   Nanoseconds stopped_for{};
-  std::size_t fail_send = 0;  ///< which call fails, from 1
+  std::size_t fail_send = 0;  ///< number of the call that fails, from 1
   bool keep_payloads = true;
 
   std::vector<std::string> sent;
@@ -63,7 +63,7 @@ class FakeSendPort : public SendPort {
   SteadyTime time_{};
 };
 
-/// A stream of what a test wrote down.
+/// A stream of the test's datagrams.
 class FakeStream : public DatagramStream {
  public:
   struct Item {
@@ -78,7 +78,7 @@ class FakeStream : public DatagramStream {
     return std::optional(items_[next_].due);
   }
   ByteView take() override {
-    // Fresh memory each time, so that holding on to a former payload shows under ASan.
+    // Allocates anew each time, so that use of a former payload shows under ASan.
     current_ = std::make_unique<std::string>(items_[next_++].payload);
     return bytesOf(*current_);
   }
@@ -91,7 +91,7 @@ class FakeStream : public DatagramStream {
   std::unique_ptr<std::string> current_;
 };
 
-/// Writes down what it is told.
+/// Keeps what it is notified of.
 class FakeJournal : public SendJournal {
  public:
   struct Line {

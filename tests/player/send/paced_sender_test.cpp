@@ -104,7 +104,7 @@ TEST(SendOnSchedule, AnHourOfSixThousandASecondEndsOnTheExactNanosecond) {
 }
 
 TEST(SendOnSchedule, SpinsLessThanHalfOfTheTime) {
-  // 60,000 a second: were it to spin before each, it would never sleep.
+  // 60,000 a second: spinning before each would leave no sleep.
   std::vector<FakeStream::Item> items;
   for (int i = 0; i < 60'000; ++i) items.push_back(item(i * 1'000'000'000ns / 60'000, "x"));
   FakeStream stream(items);

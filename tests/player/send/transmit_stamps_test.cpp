@@ -9,7 +9,7 @@
 namespace rocinante {
 namespace {
 
-constexpr SteadyTime kClock{};  // what a datagram has that no stamp came for
+constexpr SteadyTime kClock{};  // time of a datagram without a timestamp
 
 struct Sending {
   UdpReceiver receiver = UdpReceiver::open(Endpoint::parse("127.0.0.1:0").value()).value();
@@ -41,9 +41,9 @@ TEST(TransmitStamps, ALateStampIsNoLaterDatagrams) {
   Sending sending;
   sending.send();
   if (sending.collectOne() == kClock) GTEST_SKIP() << "no transmit stamps here";
-  // Asked for before the device has told: there is none.
+  // Read before the device has reported: there is no timestamp.
   EXPECT_EQ(sending.collectOne(), kClock);
-  // Now the device tells of that one, and has not told of the one that is asked for.
+  // The device now reports the first datagram, but not yet the requested one.
   sending.send();
   EXPECT_EQ(sending.collectOne(), kClock);
   EXPECT_EQ(sending.stamps.stamped(), 1U);

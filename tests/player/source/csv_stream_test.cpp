@@ -61,7 +61,7 @@ TEST(CsvStream, RestatesAllThatWasSaidUnderItsOwnNumbers) {
   auto stream = CsvStream::open(motion, options).value();
   const auto all = takeAll(stream);
   ASSERT_EQ(all.size(), 8U);
-  // Due together, the restatement of what was goes before what comes.
+  // When both are due, the restatement precedes the next row.
   EXPECT_TRUE(all[3].restated);
   EXPECT_EQ(all[3].time, LogTime(2s));
   EXPECT_EQ(all[3].text, "RK1 arm@r 3 2 restated part=r1:1/1\norder arm a\njoint arm a=2\n");

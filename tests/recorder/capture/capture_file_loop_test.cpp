@@ -51,7 +51,7 @@ TEST(CaptureTime, StampsBeyondWhatNanosecondsCountAreAtTheLastMomentThereIs) {
   CaptureTime time;
   const LogTime last = time.at(WallTime::max());
   EXPECT_GT(last + 1h, last);
-  // Set back, and to the end again, over and over: nothing adds up to more.
+  // The clock is set back and forward to the end repeatedly: times must not overflow.
   for (int i = 0; i < 3; ++i) {
     EXPECT_EQ(time.at(stamp(0s)), last);
     EXPECT_EQ(time.at(WallTime::max()), last);

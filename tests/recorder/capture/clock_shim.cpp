@@ -1,7 +1,7 @@
 // Loaded before a program (LD_PRELOAD), it moves the program's wall clock as settimeofday would
-// move the system's: CLOCK_REALTIME and the kernel's stamps on datagrams alike, by the nanoseconds
-// that stand in the file ROCINANTE_TEST_CLOCK. Time name spaces do not cover this clock, and a test
-// must not set that of the machine.
+// move the system's: CLOCK_REALTIME and the kernel's timestamps on datagrams alike, by the
+// nanoseconds in the file ROCINANTE_TEST_CLOCK. Time namespaces do not cover this clock, and a test
+// must not set the machine's.
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <sys/mman.h>

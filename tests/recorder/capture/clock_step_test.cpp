@@ -13,7 +13,7 @@
 #include "tests/support/programs.h"
 #include "tests/support/udp_queue.h"
 
-// The true program, whose wall clock is set while it records (clock_shim.cpp).
+// The real program, whose wall clock is set while it records (clock_shim.cpp).
 namespace rocinante {
 namespace {
 
@@ -21,7 +21,7 @@ using namespace std::chrono_literals;
 using test::Program;
 using test::TemporaryFolder;
 
-/// A recorder whose wall clock can be set, and what is sent to it.
+/// A recorder whose wall clock can be set, and its sender.
 class SettableRecorder {
  public:
   explicit SettableRecorder(std::vector<std::string> options) {
@@ -32,7 +32,7 @@ class SettableRecorder {
     EXPECT_NE(memory_, MAP_FAILED);
     ::setenv("ROCINANTE_TEST_CLOCK", clock.c_str(), 1);
     ::setenv("LD_PRELOAD", ROCINANTE_CLOCK_SHIM, 1);
-    // A sanitizer wants to be loaded first, and can do without.
+    // A sanitizer runtime must be loaded first; it does not need the preload.
     ::setenv("ASAN_OPTIONS", "verify_asan_link_order=0", 0);
     options.insert(options.begin(), {"127.0.0.1:0", "--json"});
     program_.emplace(Program::start("rocinante-record", options));
@@ -54,7 +54,7 @@ class SettableRecorder {
     auto* const offset = static_cast<volatile std::int64_t*>(memory_);
     *offset = *offset + by.count();
   }
-  /// Answers when the recorder has taken it.
+  /// Returns when the recorder has received it.
   void send() {
     for (int i = 0; i < 40; ++i) {
       ASSERT_TRUE(sender_->send(bytesOf("x")).ok());
@@ -73,7 +73,7 @@ class SettableRecorder {
   std::optional<UdpSender> sender_;
 };
 
-/// How many steps of the clock stand in a log that is being recorded.
+/// Number of clock steps in a log that is being recorded.
 std::size_t stepsIn(const std::filesystem::path& path) {
   std::size_t told = 0;
   auto log = LogReader::open(path);
@@ -119,7 +119,7 @@ TEST(ClockStep, SettingTheClockBendsNothingAndIsTold) {
   }
   ASSERT_EQ(times.size(), 120U);
   for (std::size_t i = 1; i < times.size(); ++i) EXPECT_LE(times[i - 1], times[i]);
-  // As long as it truly took: neither an hour more nor a day less.
+  // The duration is the real one: neither an hour more nor a day less.
   EXPECT_GE(times.back() - times.front(), Nanoseconds(200ms));
   EXPECT_LE(times.back() - times.front(), took + 100ms);
   ASSERT_EQ(steps.size(), 2U);
@@ -134,7 +134,7 @@ TEST(ClockStep, NeitherPiecesNorARingNorSilenceGoByTheWallClock) {
   const std::vector<std::vector<std::string>> ways{
       {"-o", (folder / "piece-%n.mcap").string(), "--split-time", "50ms"},
       {"-o", (folder / "ring-%n.mcap").string(), "--ring", "1h", "--ring-after", "1h"},
-      // An hour ahead is no silence of half an hour.
+      // A clock set an hour ahead is not half an hour of silence.
       {"-o", (folder / "log.mcap").string(), "--stop-on", "silence=30m"}};
   for (const std::vector<std::string>& way : ways) {
     SCOPED_TRACE(way[1]);

@@ -12,7 +12,7 @@ namespace {
 
 int niceOfThisThread() { return ::getpriority(PRIO_PROCESS, 0); }
 
-/// On a thread of its own: what it may not have there stays with it.
+/// Uses its own thread, so that lowered limits stay there.
 template <class Body>
 auto onAThread(Body body) {
   decltype(body()) answer{};

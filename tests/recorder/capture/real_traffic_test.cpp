@@ -14,8 +14,8 @@
 #include "tests/support/programs.h"
 #include "tests/support/shared_data.h"
 
-// Traffic that nobody here made, put on a wire of the test's own by tcpreplay, recorded as its
-// receiver and by watching, and held against what tshark says of the capture.
+// Captured real traffic, put on a virtual wire by tcpreplay, recorded as its receiver and by
+// watching, and compared with tshark's reading of the capture.
 namespace rocinante {
 namespace {
 
@@ -24,12 +24,12 @@ using test::Program;
 using test::ProgramResult;
 using test::TemporaryFolder;
 
-/// Payloads in hexadecimal, in order, by where they were sent ("236.6.7.8:6678").
+/// Payloads in hexadecimal, in order, by destination ("236.6.7.8:6678").
 using Traffic = std::map<std::string, std::vector<std::string>>;
 
 bool hasTool(const std::string& name) { return NetworkNamespace::run("command -v " + name); }
 
-/// What tshark finds in a capture, fragments put together.
+/// The payloads that tshark finds in a capture, with fragments reassembled.
 Traffic byTshark(const std::filesystem::path& capture, const std::filesystem::path& folder) {
   Traffic traffic;
   const std::filesystem::path text = folder / "tshark.txt";
@@ -48,7 +48,7 @@ Traffic byTshark(const std::filesystem::path& capture, const std::filesystem::pa
   return traffic;
 }
 
-/// What a log holds, by the same names.
+/// The payloads of a log, by the same keys.
 Traffic inLog(const std::filesystem::path& path) {
   Traffic traffic;
   auto log = LogReader::open(path);
@@ -146,7 +146,7 @@ TEST_F(RealTraffic, ARadarOnThreeGroupsInFragments) {
                                     adapted.string() + "' --fixcsum"));
   expectRecorded(adapted, expected);
 
-  // The file itself, read as one.
+  // The capture file, read directly.
   const ProgramResult read = test::runProgram(
       "rocinante-record", {"pcap://" + capture.string(), "-o", (folder / "read.mcap").string()});
   EXPECT_EQ(read.exit_code, 0) << read.err;
@@ -156,7 +156,7 @@ TEST_F(RealTraffic, ARadarOnThreeGroupsInFragments) {
 TEST_F(RealTraffic, ALidarOfLargeDatagrams) {
   const auto capture = test::sharedData("captures") / "ouster/OS-1-32-G_v2.1.1_1024x10.pcap";
   const std::filesystem::path adapted = folder / "lidar.pcap";
-  // It was captured on a loopback: no address of it is taken from a wire.
+  // It was captured on a loopback: the kernel accepts none of its addresses from a wire.
   ASSERT_TRUE(NetworkNamespace::run(
       "tcprewrite -i '" + capture.string() + "' -o '" + adapted.string() +
       "' --srcipmap=127.0.0.1/32:10.9.0.2/32 --dstipmap=127.0.0.1/32:10.9.0.1/32 "

@@ -18,7 +18,7 @@ struct Receiving {
 
   /// Everything handed over so far.
   TakenOver take() { return queue.take(0ns); }
-  /// Time goes on, and the loop makes a pass.
+  /// Advances the time and makes a pass.
   bool passAfter(Nanoseconds duration) {
     clocks.pass(duration);
     const Result<bool> busy = loop.pass();
@@ -204,7 +204,7 @@ struct Told {
   std::string teed;
 };
 
-/// The same with callbacks that keep what they are told.
+/// The same with callbacks that keep their arguments.
 ReceiveLoop telling(Receiving& setup, Told& told) {
   return {{&setup.first, &setup.second},
           [&setup] { return setup.clocks.look(); },

@@ -10,14 +10,14 @@
 #include "tests/support/programs.h"
 #include "tests/support/udp_queue.h"
 
-// The true program on a true disk that fills up.
+// The real program on a real disk that fills up.
 namespace rocinante {
 namespace {
 
 using Json = nlohmann::json;
 using std::chrono::milliseconds;
 
-/// A disk of 2 MiB, where this process may make one.
+/// A disk of 2 MiB, if this process may create one.
 class SmallDisk {
  public:
   SmallDisk() {
@@ -37,8 +37,8 @@ class SmallDisk {
   bool mounted_ = false;
 };
 
-/// Records noise until the program ends of itself, `payload_bytes` a datagram, `burst` of them in
-/// each millisecond.
+/// Records noise until the program ends by itself: datagrams of `payload_bytes`, `burst` per
+/// millisecond.
 void fillUp(const std::string& compression, std::size_t payload_bytes, int burst) {
   const SmallDisk disk;
   if (!disk.mounted()) GTEST_SKIP() << "no file system can be mounted here";
@@ -64,7 +64,7 @@ void fillUp(const std::string& compression, std::size_t payload_bytes, int burst
     if (!sender.send(views)) break;
     sent += views.size();
     std::this_thread::sleep_for(milliseconds(1));
-    // Nothing piles up before a recorder that does not get to run.
+    // Datagrams must not accumulate before a recorder that does not get to run.
     ASSERT_TRUE(test::waitUntilTaken(bound.address.port));
   }
   const test::ProgramResult result = program.finish();
@@ -90,8 +90,8 @@ void fillUp(const std::string& compression, std::size_t payload_bytes, int burst
   }
   EXPECT_EQ(found, summary["packets"]);
   EXPECT_TRUE(log->damage().empty());
-  // The room that was kept is not wasted: what was stored fills nearly all of the disk but the last
-  // chunk, which fast senders fill in one piece.
+  // The reserved space is not wasted: the stored data fills nearly all of the disk except the last
+  // chunk, which fast senders fill at once.
   EXPECT_GT(std::filesystem::file_size(disk.log()), 800'000U);
 }
 

@@ -9,7 +9,7 @@
 #include "recorder/capture/record.h"
 #include "tests/support/programs.h"
 
-// What other programs do to the file that a recording goes to, and a cell that takes its time.
+// Other programs change the file of a recording, and a cell loads slowly.
 namespace rocinante {
 namespace {
 
@@ -34,7 +34,7 @@ struct OneRecording {
     UdpSender sender = senderTo(endpoint);
     for (int i = 0; i < count; ++i) ASSERT_TRUE(sender.send(bytesOf("x")).ok());
   }
-  /// Waits until something of the session stands in the file.
+  /// Waits until the file holds some of the session.
   void waitUntilWritten() const {
     const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(60);
     while (capturedIn(log) == 0) {
@@ -74,7 +74,7 @@ TEST(RecordedFile, ASecondRecorderIsRefusedForcedOrNot) {
   first.send(10);
   EXPECT_EQ(first.program->stop().exit_code, 0);
   EXPECT_EQ(OneRecording::capturedIn(first.log), 30U);
-  // It is over, so the name is free for who may overwrite.
+  // The recording is over, so --force may replace the file.
   EXPECT_EQ(test::runProgram("rocinante-record", {"127.0.0.1:0", "-o", first.log.string(),
                                                   "--force", "--duration", "1ms"})
                 .exit_code,
@@ -155,7 +155,7 @@ struct SlowCell {
     options.log = log;
     events.listening = [this](const std::vector<std::string>& names) { endpoint = names.at(0); };
   }
-  /// What is heard while the cell is being read.
+  /// Datagrams received while the cell is being read.
   void hear() {
     UdpSender sender = senderTo(endpoint);
     for (int i = 0; i < 10; ++i) ASSERT_TRUE(sender.send(bytesOf("x")).ok());

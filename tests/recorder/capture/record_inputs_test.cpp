@@ -12,7 +12,7 @@
 #include "tests/support/network_namespace.h"
 #include "tests/support/programs.h"
 
-// What the true program hears, refuses and sends on, over true sockets.
+// What the real program receives, refuses and forwards, over real sockets.
 namespace rocinante {
 namespace {
 
@@ -59,7 +59,7 @@ struct Recording {
 };
 
 UdpSender senderFrom(std::string_view host, Endpoint to) {
-  // Only a group's endpoint names a source; a unicast sender is bound by where it goes.
+  // Only a group's endpoint names a source; a unicast sender is bound by its destination.
   to.address.address = SocketAddress::parse(host, 0).value().address;
   return std::move(UdpSender::open(to).value());
 }
@@ -132,7 +132,7 @@ TEST(RecordInputs, WatchesWhatHasItsReceiverAndNotItsOwnTee) {
     sent.push_back("RK1 arm " + std::to_string(i) + " -\njoints arm 1\n");
     ASSERT_TRUE(sender.send(bytesOf(sent.back())).ok());
   }
-  // Stopped at once: what the kernel still holds is recorded too.
+  // Stopped at once: datagrams still in the kernel are recorded too.
   const Json summary = recording.finish();
   EXPECT_EQ(summary["packets"], 300);
   EXPECT_EQ(summary["tees"][0]["sent"], 300);
@@ -167,7 +167,7 @@ TEST(RecordInputs, GoesOnWhenAnInterfaceIsMadeAnew) {
   ASSERT_TRUE(other.send(bytesOf("meanwhile")).ok());
   ASSERT_TRUE(NetworkNamespace::run(make));
   recording.program.waitForLine("joined udp://239.1.2.3:5000?interface=cell0 again");
-  // An interface that comes up needs a moment before it carries.
+  // An interface that comes up needs a moment before it has a carrier.
   for (int i = 0; i < 20; ++i) {
     send("after");
     ::poll(nullptr, 0, 10);

@@ -15,7 +15,7 @@
 #include "tests/support/programs.h"
 #include "tests/support/udp_queue.h"
 
-// The true program, killed: docs/log-format.md, "The open chunk".
+// The real program, killed: docs/log-format.md, "The open chunk".
 namespace rocinante {
 namespace {
 
@@ -23,13 +23,13 @@ using std::chrono::milliseconds;
 
 constexpr Nanoseconds kSync = milliseconds(100);
 constexpr Nanoseconds kGrace = milliseconds(50);
-/// The same beside programs that take every processor: docs/programs/record.md.
+/// The same beside programs that occupy every processor: docs/programs/record.md.
 constexpr Nanoseconds kGraceUnderLoad = milliseconds(150);
 
 SteadyTime steadyNow() { return std::chrono::steady_clock::now(); }
 
-/// The longest that this machine kept a thread waiting that only wanted to wake up: a recorder that
-/// does not get to run cannot write.
+/// The longest delay of a thread's wake-up on this machine: a recorder that does not get to run
+/// cannot write.
 class StallWatch {
  public:
   StallWatch() : thread_([this] { watch(); }) {}
@@ -44,7 +44,7 @@ class StallWatch {
  private:
   void watch() {
     constexpr Nanoseconds kSleep = milliseconds(1);
-    // Without a gap from when it was made: waiting to run for the first time is a stall too.
+    // Measured from the thread's creation: waiting to run for the first time is a stall too.
     SteadyTime before = made_;
     do {
       std::this_thread::sleep_for(kSleep);
@@ -65,7 +65,7 @@ struct SentUntil {
 };
 
 /// Sends `rate_hz` packets a second, evenly, in bursts of a millisecond: for `span`, and as much
-/// longer as this machine stalls, so that something is always safe in the end.
+/// longer as this machine stalls, so that something is always on the disk at the end.
 std::vector<SentUntil> sendFor(UdpSender& sender, double rate_hz, Nanoseconds span,
                                const StallWatch& stalls) {
   std::vector<SentUntil> sent;
@@ -90,7 +90,7 @@ std::vector<SentUntil> sendFor(UdpSender& sender, double rate_hz, Nanoseconds sp
   }
 }
 
-/// The sequences that stand in a killed log, in its order.
+/// The sequence numbers in a killed log, in order.
 std::vector<std::uint64_t> sequencesIn(const std::filesystem::path& path) {
   std::vector<std::uint64_t> sequences;
   auto log = LogReader::open(path);
@@ -108,7 +108,7 @@ std::vector<std::uint64_t> sequencesIn(const std::filesystem::path& path) {
   return sequences;
 }
 
-/// What one kill left is judged.
+/// Checks what one kill left.
 void killOnce(double rate_hz, Nanoseconds after, const std::string& compression,
               Nanoseconds grace) {
   const test::TemporaryFolder folder;
@@ -157,7 +157,7 @@ void killAtRandomMoments(double rate_hz, Nanoseconds grace = kGrace) {
   const unsigned seed = random();
   SCOPED_TRACE(::testing::Message() << "seed " << seed);
   std::mt19937 generator(seed);
-  // Past the first datagrams, and past one whole chunk at 100,000 a second.
+  // After the first datagrams, and after one whole chunk at 100,000 a second.
   std::uniform_int_distribution<int> moment_ms(400, rate_hz < 10 ? 2'500 : 1'200);
   for (int i = 0; i < rounds; ++i) {
     for (const char* compression : {"zstd", "none"}) {
@@ -174,7 +174,7 @@ TEST(RecordKilled, AtAHundredThousandPacketsASecondLosesAtMostSync) {
   killAtRandomMoments(100'000);
 }
 
-/// Processes that compute and never sleep, as long as it lives.
+/// Processes that compute and never sleep, during its lifetime.
 class BusyLoops {
  public:
   explicit BusyLoops(int count) {
@@ -199,7 +199,7 @@ class BusyLoops {
   std::vector<::pid_t> children_;
 };
 
-// Only where asked for: what else a machine has to do then is not known here.
+// Only on request: the other load of the machine is unknown here.
 void killBesideBusyLoops(double rate_hz) {
   if (std::getenv("ROCINANTE_KILLS") == nullptr) GTEST_SKIP() << "ROCINANTE_KILLS is not set";
   const BusyLoops loops(4);

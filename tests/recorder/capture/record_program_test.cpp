@@ -13,7 +13,7 @@
 #include "tests/support/programs.h"
 #include "tests/support/udp_queue.h"
 
-// The true program, over true sockets on loopback.
+// The real program, over real sockets on loopback.
 namespace rocinante {
 namespace {
 
@@ -115,8 +115,8 @@ std::vector<std::string> datagrams(std::size_t count) {
   return made;
 }
 
-/// Each batch is taken before the next is sent: a machine that may not force its buffers holds some
-/// 250 datagrams, and a busy one lets a recorder wait.
+/// Each batch is received before the next is sent: without the right to force its buffers a socket
+/// holds about 250 datagrams, and a busy machine lets a recorder wait.
 void sendAll(UdpSender& sender, std::uint16_t port, const std::vector<std::string>& payloads) {
   std::vector<ByteView> views;
   for (const std::string& each : payloads) views.push_back(bytesOf(each));
@@ -239,7 +239,7 @@ TEST(RecordProgram, KillsNothingWhenStoppedBySigterm) {
 }
 
 TEST(RecordProgram, ADiskThatRefusesIsNo) {
-  // /dev/full takes any open and refuses every write.
+  // /dev/full can be opened but refuses every write.
   Program program =
       Program::start("rocinante-record", {"127.0.0.1:0", "-o", "/dev/full", "--force",
                                           "--compression", "none", "--duration", "2s", "--json"});
@@ -255,7 +255,7 @@ TEST(RecordProgram, ADiskThatRefusesIsNo) {
 }
 
 TEST(RecordProgram, AccountsForADiskThatFillsUp) {
-  // The limit on file sizes, which the program inherits, stands for a disk that fills up.
+  // The inherited limit on file sizes simulates a disk that fills up.
   struct rlimit limit {};
   ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &limit), 0);
   const struct rlimit before = limit;
@@ -270,7 +270,7 @@ TEST(RecordProgram, AccountsForADiskThatFillsUp) {
   const std::string payload(1'000, 'x');
   const std::vector<ByteView> batch(20, bytesOf(payload));
   std::uint64_t sent = 0;
-  // It ends of itself when the disk refuses, or is stopped: whichever comes first.
+  // It ends by itself when the disk refuses, or is stopped: whichever comes first.
   for (; sent < 400; sent += batch.size()) {
     ASSERT_TRUE(sender.send(batch).ok());
     ASSERT_TRUE(test::waitUntilTaken(recording.bound[0].address.port));
@@ -283,7 +283,7 @@ TEST(RecordProgram, AccountsForADiskThatFillsUp) {
   EXPECT_EQ(summary["reason"], "refused");
   EXPECT_GT(summary["losses"]["disk"], 0);
   EXPECT_GT(summary["packets"], 0);
-  // What came after the refusal is no longer of the session, and in no count.
+  // Datagrams after the refusal are not part of the session, and are not counted.
   EXPECT_LE(
       summary["packets"].get<std::uint64_t>() + summary["losses"]["disk"].get<std::uint64_t>(),
       sent);

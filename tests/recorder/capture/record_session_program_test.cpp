@@ -16,7 +16,7 @@
 #include "tests/support/programs.h"
 #include "tests/support/udp_queue.h"
 
-// The true program: its pieces, its ring and its conditions, over true sockets on loopback.
+// The real program: its pieces, its ring and its conditions, over real sockets on loopback.
 namespace rocinante {
 namespace {
 
@@ -49,8 +49,8 @@ class Recording {
 
   void say(const std::string& payload) { ASSERT_TRUE(sender->send(bytesOf(payload)).ok()); }
 
-  /// "N padding", up to `rate_hz` a second in bursts of a millisecond, until `until` says so. No
-  /// more waits at the port than a machine holds that may not force its buffers.
+  /// Sends "N padding", up to `rate_hz` a second in bursts of a millisecond, until `until` returns
+  /// true. No more datagrams wait at the port than fit without the right to force its buffers.
   template <class Until>
   std::uint64_t talk(std::uint64_t rate_hz, Until until) {
     const auto start = std::chrono::steady_clock::now();
@@ -64,7 +64,7 @@ class Recording {
         std::vector<ByteView> views;
         while (sent < due && payloads.size() < 64) payloads.push_back(numbered(sent++));
         for (const std::string& each : payloads) views.push_back(bytesOf(each));
-        // It may have ended of itself.
+        // It may have ended by itself.
         if (!sender->send(views)) return sent;
         EXPECT_TRUE(test::waitUntilTaken(port, 150'000));
       }
@@ -79,7 +79,7 @@ class Recording {
     return Json::parse(result.out, nullptr, false);
   }
 
-  /// A hundred bytes that zstd makes little of.
+  /// A hundred bytes that zstd can hardly compress.
   static std::string numbered(std::uint64_t number) {
     std::string payload = std::to_string(number) + " ";
     std::mt19937_64 random(number);
@@ -118,7 +118,7 @@ std::vector<fs::path> logsIn(const fs::path& folder) {
   return logs;
 }
 
-/// The numbers that the datagrams of a log begin with, in its order.
+/// The leading numbers of a log's datagrams, in order.
 std::vector<std::uint64_t> numbersIn(const fs::path& path, bool complete = true) {
   std::vector<std::uint64_t> numbers;
   auto log = LogReader::open(path);
@@ -137,7 +137,7 @@ TEST(RecordPieces, ABlowOfSighupBeginsANewPiece) {
   const TemporaryFolder folder;
   Recording recording((folder / "log.mcap").string(), {});
   recording.say("0 before");
-  // What waits is taken before the seam, which the next datagram brings.
+  // Waiting datagrams belong before the seam, which comes with the next datagram.
   ASSERT_TRUE(waitUntil([&] { return fs::file_size(folder / "log.mcap") > 150; }));
   recording.program.signal(SIGHUP);
   std::uint64_t sent = 1;
@@ -166,7 +166,7 @@ TEST(RecordPieces, RotatingAtAHundredThousandASecondEachIsStoredOrCounted) {
   const Json summary = recording.finish();
   const Json& losses = summary["losses"];
   EXPECT_EQ(losses["disk"], 0);
-  // Where nothing else runs, the queue holds whatever comes while pieces are closed.
+  // Without other load the queue holds all datagrams that come while pieces are closed.
   if (std::getenv("ROCINANTE_NIGHTLY") != nullptr) {
     EXPECT_EQ(losses["queue"], 0);
   }
@@ -203,7 +203,7 @@ TEST(RecordPieces, KilledWhilePiecesRotateAllButTheLastAreWhole) {
     std::vector<std::uint64_t> numbers;
     std::size_t incomplete = 0;
     for (const fs::path& each : logs) {
-      // The last may have been made and nothing more.
+      // The last piece may have been created and be empty.
       if (each == logs.back() && fs::is_empty(each)) break;
       auto log = LogReader::open(each);
       ASSERT_TRUE(log.ok()) << log.error().text();
@@ -227,7 +227,7 @@ TEST(RecordPieces, ADiskThatFillsUpInALaterPieceLeavesAllWhole) {
   {
     Recording recording((folder / "p-%n.mcap").string(),
                         {"--split-size", "1MB", "--compression", "none"});
-    // It ends of itself, and nobody is at the port then.
+    // It ends by itself, and then no process has the port.
     recording.talk(20'000, until([&] { return !test::udpQueueAt(recording.port); }));
     const ProgramResult result = recording.program.stop();
     EXPECT_EQ(result.exit_code, 1);

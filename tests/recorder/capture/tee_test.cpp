@@ -77,7 +77,7 @@ TEST(Tee, WhatStillWaitsAtTheEndIsSent) {
 TEST(Tee, AFullQueueCostsTheTeeAndIsCounted) {
   auto receiver = UdpReceiver::open(endpointOf("127.0.0.1:0"));
   ASSERT_TRUE(receiver.ok());
-  // Without a block nothing can wait: as if the network stood still.
+  // Without a block nothing can wait, as if the network were blocked.
   auto tee = Tee::open(reach(*receiver), {.queue_blocks = 0, .patience = 10ms});
   ASSERT_TRUE(tee.ok());
   for (int i = 0; i < 10; ++i) (*tee)->forward(batchOf({"a", "b"}));
@@ -142,7 +142,7 @@ TEST(Tee, OneThatWouldBeHeardByTheRecordingIsRefused) {
            Case{"127.0.0.1:5000", "127.0.0.2:5000", false},
            Case{":5000", "127.0.0.1:5000", true},
            Case{":5000", "127.7.7.7:5000", true},
-           Case{":5000", "192.0.2.199:5000", false},  // of no machine: an example's address
+           Case{":5000", "192.0.2.199:5000", false},  // a documentation address, of no machine
            Case{":5000", "239.1.2.3:5000", true},
            Case{":5000", "[::1]:5000", false},
            Case{"[::]:5000", "[::1]:5000", true},

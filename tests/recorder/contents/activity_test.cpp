@@ -26,7 +26,7 @@ std::string repeated(const char* sign, int count) {
   return line;
 }
 
-/// From `first` on, evenly, each a little early or late by turns of a fixed sequence.
+/// Evenly from `first` on, each a little early or late by a fixed sequence.
 std::vector<Nanoseconds> steady(double hz, Nanoseconds first, Nanoseconds until,
                                 double jitter = 0) {
   std::vector<Nanoseconds> times;
@@ -63,7 +63,7 @@ TEST(Activity, ARateThatHalvesIsSeen) {
 TEST(Activity, ASilenceIsDots) {
   std::vector<Nanoseconds> times = steady(100, 0s, 8s);
   for (const Nanoseconds time : steady(100, 16s, 24s)) times.push_back(time);
-  // At 8 s and at 24 s a last message stands on the edge of a part.
+  // At 8 s and at 24 s a last message is on the edge of a part.
   EXPECT_EQ(strip(24s, times), repeated("█", 8) + repeated("·", 8) + repeated("█", 8));
 }
 

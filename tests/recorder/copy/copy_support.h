@@ -32,7 +32,7 @@ struct RandomLogOptions {
   std::string remote = "127.0.0.1:4000";
 };
 
-/// A recorded session at `path` with everything that a log can hold: several sources on several
+/// Writes a session to `path` with everything that a log can hold: several sources on several
 /// channels, restated datagrams, other bytes, losses, clock steps, an attachment, foreign metadata,
 /// keyframes, equal times.
 inline void writeRandomLog(const std::filesystem::path& path, std::uint64_t seed,
@@ -144,8 +144,8 @@ inline std::string hashOf(const std::filesystem::path& path) {
   return reader.ok() ? contentSha256(*reader).value_or("") : "";
 }
 
-/// Both logs tell the same state at the times of the messages in [from, until) and just before
-/// the next.
+/// Expects the same states in both logs at the times of the messages in [from, until) and just
+/// before the next.
 inline void expectSameStates(const std::filesystem::path& expected,
                              const std::filesystem::path& actual, std::int64_t from,
                              std::int64_t until) {
@@ -177,7 +177,7 @@ inline MakeOptions makeAt(const std::filesystem::path& path) {
   return make;
 }
 
-/// `nanoseconds` as a session time that a person could write.
+/// `nanoseconds` as a session time for the command line.
 inline std::string rfcOf(std::int64_t nanoseconds) {
   return rfc3339Text(WallTime(Nanoseconds(nanoseconds)));
 }

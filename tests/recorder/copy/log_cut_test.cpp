@@ -77,7 +77,7 @@ TEST(LogCut, APieceOfAPieceIsThatOfTheWhole) {
   }
 }
 
-/// The fold of what a selection keeps, by hand.
+/// The fold of the messages that a selection keeps, computed here.
 SessionState foldOfKept(const std::filesystem::path& path, const std::vector<std::string>& topics,
                         std::int64_t until) {
   SessionState state;
@@ -122,7 +122,7 @@ TEST(LogCut, WhereChannelsAreDroppedTheStateIsTheFoldOfWhatIsKept) {
   }
 }
 
-/// A small session whose every part is known.
+/// A small session whose contents are all known.
 class KnownLog : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -206,7 +206,7 @@ TEST_F(KnownLog, IsFilteredBySourceDeviceAndEncoding) {
   selection.sources = {"arm"};
   EXPECT_EQ(cutTimes(selection), (Times{1000, 4000, 6000}));
   selection.sources.clear();
-  // The tray is carried by the puma: that says something about both.
+  // The puma carries the tray: the statement is about both.
   selection.devices = {"puma"};
   EXPECT_EQ(cutTimes(selection), (Times{1000, 4000, 5000}));
   selection.devices = {"belt", "tray"};
@@ -236,8 +236,8 @@ TEST_F(KnownLog, MarksBesideItAreBakedInOnce) {
   cutTimes(between(1000, 6500));
   std::vector<KeptMessage> messages = messagesOf(out());
   ASSERT_EQ(countOn(messages, "/rocinante/mark"), 1U);
-  EXPECT_EQ(messages[2].topic, "/rocinante/mark");  // behind the message of its time
-  // Marks that were baked in stay, and are not doubled by the same one beside the log.
+  EXPECT_EQ(messages[2].topic, "/rocinante/mark");  // after the message of its time
+  // Marks in the log are kept, and an equal one beside the log is not added again.
   ASSERT_TRUE(addMark(out(), {at(2000), {}, "slipped"}).ok());
   ASSERT_TRUE(addMark(out(), {at(2000), {}, "twice"}).ok());
   const std::filesystem::path again = folder_ / "again.mcap";

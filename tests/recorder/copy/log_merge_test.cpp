@@ -150,7 +150,7 @@ TEST(MultiLogReader, WhatALaterPieceOpensWithIsSaidAgain) {
   writeRandomLog(folder / "whole.mcap", 5);
   writeRandomLog(folder / "other.mcap", 6, {.session_id = "session-2", .remote = "h:2"});
   const std::vector<KeptMessage> whole = capturedOf(folder / "whole.mcap");
-  // Two pieces with a hole between them: the second knows what the hole had said.
+  // Two pieces with a hole between them: the second has the state of the hole.
   SelectionOptions first;
   first.until = rfcOf(whole[100].log_time_ns);
   SelectionOptions second;
@@ -166,7 +166,7 @@ TEST(MultiLogReader, WhatALaterPieceOpensWithIsSaidAgain) {
   const LogTime moment = at(whole[210].log_time_ns);
   const SessionState& in_b = **expected->stateAt(moment);
   const SessionState& in_m = **actual->stateAt(moment);
-  // Last writes aside, all that the piece knows is there.
+  // Except for last writes, everything in the piece's state is there.
   EXPECT_EQ(in_m.drawings(), in_b.drawings());
   EXPECT_EQ(in_m.colors(), in_b.colors());
   for (const auto& [name, device] : in_b.devices()) {

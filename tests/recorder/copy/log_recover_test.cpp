@@ -35,7 +35,7 @@ Result<CopyReport> recoverInto(Bytes& out, ByteView bytes) {
   return recoverBytes(bytes, "cut.mcap", {}, makeMemorySink(out), log, {true, 10, {}}, {});
 }
 
-/// Reads by the letter of the format; the messages that are not ours.
+/// Reads strictly by the MCAP format; returns the messages of other channels than ours.
 std::vector<std::string> strictPayloads(ByteView file) {
   std::vector<std::string> payloads;
   Result<mcap::StreamReader> reader = mcap::StreamReader::open(file);
@@ -210,7 +210,7 @@ TEST(LogRecover, MarksThatCannotBeReadAreLeftOutAndTold) {
   EXPECT_THAT(report->notes.front(), HasSubstr("marks"));
 }
 
-/// A disk with room for so many bytes.
+/// A disk with room for a number of bytes.
 class SmallDisk final : public ByteSink {
  public:
   SmallDisk(std::unique_ptr<ByteSink> below, std::size_t room)

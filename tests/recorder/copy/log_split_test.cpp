@@ -16,8 +16,8 @@ using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-/// The pieces' captured messages, one after another, are the log's; and each tells, in its time,
-/// the states of the log.
+/// Expects the pieces' captured messages in order to be the log's, and each piece to have the log's
+/// states in its time.
 void expectSplit(const std::filesystem::path& log, const SplitReport& report) {
   std::vector<KeptMessage> together;
   std::vector<LossSpan> losses;
@@ -173,8 +173,8 @@ std::uint64_t bytesIn(const std::filesystem::path& folder) {
   return bytes;
 }
 
-/// Restatements of two sources, a part every 4 ms, none of which is ever complete, of text that
-/// does not compress: what a piece repeats to finish them would be all that stands before it.
+/// Restatements of two sources, a part every 4 ms, never complete, of text that does not compress:
+/// a piece would repeat everything before it to finish them.
 void writeOverlappingRestatements(const std::filesystem::path& path, int parts) {
   Result<LogWriter> writer = LogWriter::create(path, {}, "s");
   ASSERT_TRUE(writer.ok());

@@ -151,7 +151,7 @@ TEST(LogDiff, FindsTheMomentAndTheItemsWhereStatesPart) {
 }
 
 TEST(LogDiff, StatesAreTheSameHoweverTheyWereTold) {
-  // Other payloads, the same fold: a comment, and two statements in another order.
+  // Different payloads, the same fold: a comment, and two statements in another order.
   const std::vector<Given> a = {{10, "RK1 arm 0 -\nadd a x\nadd b y"}};
   const std::vector<Given> b = {{10, "RK1 arm 0 -\n# a comment\nadd b y\nadd a x"}};
   const LogDiff diff = diffOf(a, b);

@@ -65,7 +65,7 @@ std::vector<Said> twoSources(int count) {
   return messages;
 }
 
-/// The same elsewhere: another port, another beginning, `speed` times as fast.
+/// The same messages replayed: another port, another start, `speed` times as fast.
 std::vector<Said> played(std::vector<Said> messages, int speed) {
   const std::int64_t begin = messages.front().time_ms;
   for (Said& each : messages) {
@@ -144,7 +144,7 @@ TEST(ReplayDiff, MapsTellTwoPlacesOfOneSourceApart) {
   ASSERT_EQ(diff.sources.size(), 2U);
   EXPECT_EQ(diff.sources[1].to, "7001");
   EXPECT_EQ(diff.sources[1].same, 10U);
-  // What went to the wrong place is missing in one and extra in the other.
+  // A message at the wrong place is missing in one and extra in the other.
   std::swap(replay[4].port, replay[5].port);
   const ReplayDiff wrong = replayOf(session, replay, options);
   EXPECT_FALSE(wrong.same());

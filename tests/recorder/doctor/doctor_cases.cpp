@@ -53,7 +53,7 @@ void addOwnMessage(HandMade& log, const char* topic, const char* encoding, std::
 
 const std::vector<DoctorCase>& doctorCases() {
   static const std::vector<DoctorCase> kCases = {
-      // How the file is put together.
+      // The structure of the file.
       {"not-closed", {}, [](Bytes& file) { file.pop_back(); }},
       {"not-closed", {}, [](Bytes& file) { file.resize(file.size() - 100); }},
       {"not-closed", {}, [](Bytes& file) { file.resize(300); }},
@@ -90,7 +90,7 @@ const std::vector<DoctorCase>& doctorCases() {
          log.change_data_end = [](mcap::DataEnd& end) { end.data_section_crc ^= 1; };
        },
        {}},
-      // What is defined.
+      // Definitions.
       {"utf8", [](HandMade& log) { log.attachments[0].name = "\xff"; }, {}},
       {"map-key",
        [](HandMade& log) {

@@ -8,7 +8,7 @@
 
 namespace rocinante::test {
 
-/// A rule, and how a sound log is made to break that one alone.
+/// A rule, and a change of a sound log that breaks only this rule.
 struct DoctorCase {
   std::string rule;
   std::function<void(HandMade&)> change;
@@ -18,7 +18,7 @@ struct DoctorCase {
 /// Every rule at least once.
 const std::vector<DoctorCase>& doctorCases();
 
-/// As every MCAP file is judged.
+/// Makes the file one without our profile.
 inline void foreign(HandMade& log) { log.profile = ""; }
 
 /// A message of our own on a channel of its own, in the second chunk.

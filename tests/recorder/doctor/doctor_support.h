@@ -22,9 +22,8 @@ inline void PrintTo(const Breach& breach, std::ostream* out) {
   *out << breach.rule << " at " << breach.offset << ": " << breach.what;
 }
 
-/// A file of the profile, put together by hand, so that a test can break one rule of it and leave
-/// everything else as it must be: checksums, offsets and counts are those of what is there, unless
-/// a test overrides them.
+/// A file of the profile, assembled by hand, so that a test can break one rule and leave everything
+/// else correct: checksums, offsets and counts match the contents unless a test overrides them.
 class HandMade {
  public:
   struct Message {
@@ -35,7 +34,7 @@ class HandMade {
   struct Chunk {
     std::vector<mcap::Channel> channels;
     std::vector<Message> messages;
-    Bytes extra;  ///< records behind the messages
+    Bytes extra;  ///< records after the messages
     std::function<void(mcap::Chunk&)> change;
     std::function<void(std::vector<mcap::MessageIndex>&)> change_indexes;
     std::function<void(mcap::ChunkIndex&)> change_chunk_index;
@@ -60,7 +59,7 @@ class HandMade {
   bool with_statistics = true;
   bool statistics_first = false;
 
-  /// One that keeps every rule: two channels, two chunks, an attachment.
+  /// A file that keeps every rule: two channels, two chunks, an attachment.
   static HandMade sound() {
     HandMade log;
     const mcap::Channel arm{1, 0, "/udp/1/arm", "rk1", {{"source", "arm"}}};
@@ -208,7 +207,7 @@ class HandMade {
   }
 };
 
-/// After a test has changed bytes of the data section: its checksum is theirs again.
+/// Updates the checksum after a test has changed bytes of the data section.
 inline Bytes resealed(Bytes file) {
   std::uint64_t at = mcap::magic().size();
   while (const auto record = mcap::recordAt(file, at)) {

@@ -121,7 +121,7 @@ TEST(LogDoctor, BearsAnyBytes) {
   }
 }
 
-/// What our own writers make, with keyframes, opening ones too, in many chunks.
+/// Output of our own writers, with keyframes, including opening ones, in many chunks.
 TEST(LogDoctor, FindsNothingInTheLogsThatWeWrite) {
   for (const auto compression :
        {LogWriterOptions::Compression::none, LogWriterOptions::Compression::zstd}) {

@@ -7,7 +7,7 @@
 #include "core/net/udp_socket.h"
 #include "tests/support/programs.h"
 
-// A log is followed beside the recorder that writes it, both as programs, over loopback.
+// Follows a log while a recorder writes it, both as programs, over loopback.
 namespace rocinante::test {
 namespace {
 

@@ -33,7 +33,7 @@ class CaptureRig {
                    std::vector<ListenedEndpoint>{{endpoint, endpoint.address}}, std::move(limits));
   }
 
-  /// Time goes on by what lies between two arrivals.
+  /// Advances the time between two arrivals.
   void arrive(Nanoseconds at, std::string_view payload, std::uint16_t port = 5'000) {
     const SocketAddress sender = SocketAddress::parse("10.0.0.1", port).value();
     if (!taken.blocks.empty() &&
@@ -75,7 +75,7 @@ struct ReadMessage {
   std::string payload;
 };
 
-/// The captured messages of a log, which must be whole.
+/// The captured messages of a log, which must be undamaged.
 inline std::vector<ReadMessage> messagesOf(const std::filesystem::path& path,
                                            std::string* content = nullptr) {
   std::vector<ReadMessage> messages;

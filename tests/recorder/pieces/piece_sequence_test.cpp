@@ -22,7 +22,7 @@ using test::ReadMessage;
 
 namespace fs = std::filesystem;
 
-/// Payloads of `pieces`, one piece after another.
+/// Payloads of `pieces`, in order.
 std::vector<ReadMessage> allMessages(const RecordedFiles& files) {
   std::vector<ReadMessage> all;
   for (const PieceFacts& piece : files.pieces) {
@@ -118,7 +118,7 @@ std::string contentOfOne(const Session& session) {
   return content;
 }
 
-/// Everything that was said is in the pieces, once, in order; each stands alone; together they are
+/// Everything sent is in the pieces, once and in order; each is self-contained; together they are
 /// the session again.
 void expectWholeSession(const Session& session, CaptureRig& rig, const RecordedFiles& files) {
   EXPECT_FALSE(rig.writer->trouble());
@@ -145,7 +145,7 @@ TEST(PieceSequence, PartsByTimeCountedFromTheOrigin) {
   for (const PieceFacts& piece : files.pieces) {
     const std::int64_t cell = (*piece.start - origin) / 500ms;
     EXPECT_GT(cell, last);
-    // A restatement that is unfinished may keep the piece for its three milliseconds.
+    // An unfinished restatement may extend the piece by its three milliseconds.
     EXPECT_LT(*piece.end - origin, (cell + 1) * 500ms + 4ms);
     last = cell;
   }
@@ -229,7 +229,7 @@ TEST(PieceSequence, ASeamWaitsForAnUnfinishedRestatementButNotForEver) {
   rig.arrive(4ms, Session::restatement(1, 2), 5'001);
   rig.arrive(5ms, Session::restatement(1, 3), 5'001);
   rig.arrive(6ms, "RK1 other@r 3 -\njoints arm 1\n");
-  // Never finished: it runs out a second after its beginning.
+  // Never finished: it is abandoned a second after its beginning.
   rig.arrive(7ms, Session::restatement(2, 1), 5'001);
   rig.write(8ms);
   rig.writer->askForSeam();
@@ -254,7 +254,7 @@ TEST(PieceSequence, LossesAndClockStepsStandInThePieceOfTheirTime) {
   rig.lose(125ms, 130ms, 4);
   rig.taken.steps.push_back({logTime(70ms), 5s});
   rig.taken.steps.push_back({logTime(130ms), 6s});
-  // All in one turn: the seam lies within it.
+  // All in one write: the seam lies within it.
   rig.write(200ms);
   const RecordedFiles files = rig.close();
   ASSERT_EQ(files.pieces.size(), 2U);
@@ -311,7 +311,7 @@ TEST(PieceSequence, DeletesNothingThatItDidNotWrite) {
   CaptureRig rig(options);
   rig.arrive(0ms, "a");
   rig.write(1ms);
-  // Someone took the piece away and left another file of its name.
+  // Another program replaced the piece with a file of the same name.
   fs::rename(rig.folder / "log-001.mcap", rig.folder / "mine.mcap");
   std::ofstream(rig.folder / "log-001.mcap") << "precious";
   std::ofstream(rig.folder / "log-002.mcap") << "precious too";
@@ -330,7 +330,7 @@ TEST(PieceSequence, WhereTheNextPieceCannotBeMadeTheOldOneGoesOn) {
   RecordOptions options;
   options.split.time = 100ms;
   CaptureRig rig(options);
-  // Its folder is another one by now, in which no file can be made.
+  // The folder was replaced by one in which no file can be created.
   rig.arrive(0ms, "a");
   rig.write(1ms);
   const fs::path moved = rig.folder.path().string() + "-moved";
@@ -367,7 +367,7 @@ TEST(PieceSequence, TheOldPieceThatGoesOnIsFlushedInItsTime) {
   rig.write(50ms);
   fs::rename(folder / "gone", folder / "away");
   std::ofstream(folder / "gone") << "no folder";
-  // The seam that is due here fails behind a flush.
+  // The seam that is due here fails after a flush.
   rig.arrive(150ms, "two");
   rig.write(160ms);
   const std::uint64_t before = rig.writer->logBytes();

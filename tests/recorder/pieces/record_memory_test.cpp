@@ -12,7 +12,7 @@
 #include "tests/support/live_blocks.h"
 #include "tests/support/process_memory.h"
 
-// Hours of a session as fast as they go: sockets and clocks are the test's own.
+// Hours of a session at full speed: sockets and clocks are simulated.
 namespace rocinante {
 namespace {
 
@@ -21,11 +21,11 @@ using namespace std::chrono_literals;
 constexpr std::uint64_t kRate = 6'000;
 constexpr Nanoseconds kStep = 5ms;
 
-/// kRate datagrams a second of a six-joint arm, on clocks that only the test moves.
+/// kRate datagrams a second of a six-joint arm, on simulated clocks.
 class SteadySource final : public DatagramSource {
  public:
   explicit SteadySource(const test::FakeClocks& clocks) : clocks_(clocks), begin_(clocks.wall()) {
-    // A second's worth, said over and over: what is measured is the recorder.
+    // One second of datagrams, repeated: the test measures the recorder.
     for (std::size_t i = 0; i < kRate; ++i) packets_.push_back(test::jointPacket(i, kRate));
   }
 
@@ -72,8 +72,8 @@ std::size_t filesIn(const std::filesystem::path& folder) {
   return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder), {}));
 }
 
-/// What a recording holds in one part of its time. The least blocks are the recorder's own: the
-/// most hold what the closing thread has in hand, which is the scheduler's.
+/// The memory of a recording in one part of its time. The least blocks are the recorder's own; the
+/// most include those that the closing thread is working on, which depend on scheduling.
 struct Held {
   std::int64_t least_blocks = std::numeric_limits<std::int64_t>::max();
   std::int64_t most_blocks = 0;
@@ -87,18 +87,18 @@ struct Held {
   }
 };
 
-/// Nightly, with nothing beside it, an hour; and then megabytes are judged too, which on a busy
-/// machine are the allocator's and the scheduler's as much as the recorder's.
+/// Nightly, without other load, an hour; then the megabytes are checked too, which on a busy
+/// machine depend on the allocator and the scheduler as much as on the recorder.
 bool isNightly() { return std::getenv("ROCINANTE_NIGHTLY") != nullptr; }
 Nanoseconds sessionLength() { return isNightly() ? Nanoseconds(1h) : Nanoseconds(60s); }
 
-/// What it may hold more in the last third than in the second, for where in a chunk each of them
-/// ends; one block kept of each piece, or of each second, would be twenty and more.
+/// Blocks allowed beyond those of the second third, for where in a chunk each third ends; a leak of
+/// one block per piece or per second would be twenty and more.
 constexpr std::int64_t kOfItsPhase = 8;
 
-/// Records for so long, behind a third in which every piece has grown to its end and every buffer
-/// to its size: what is held is counted, block by block. Whenever the thread that closes pieces has
-/// done what it was asked to, `kept` files are there at the most, and `open` of them are open.
+/// Records after a first third in which every piece has reached its end and every buffer its size,
+/// and counts the blocks held. Whenever the closing thread is idle, there are at most `kept` files,
+/// of which `open` are open.
 void recordFor(Nanoseconds span, RecordOptions options, std::size_t kept, std::size_t open) {
   test::CaptureRig rig(std::move(options));
   test::FakeClocks clocks;
@@ -113,7 +113,7 @@ void recordFor(Nanoseconds span, RecordOptions options, std::size_t kept, std::s
     rig.writer->write(rig.queue.take(0ns), rig.queue);
     const SteadyTime now(1h + kStep * step);
     rig.writer->flush(now);
-    // Closing takes as long as the disk lets it: another machine would be elsewhere by now.
+    // Closing takes as long as the disk needs, so wait for it.
     while (openFilesIn(rig.folder.path()) > open || filesIn(rig.folder.path()) > kept) {
       std::this_thread::yield();
       rig.writer->flush(now);

@@ -49,7 +49,7 @@ TEST(RingBuffer, HoldsNoMoreThanItsBytes) {
   EXPECT_EQ(ring.bytes(), ring.maxBytes());
 }
 
-/// Against a plain queue: whatever is added and taken, and wherever a reader stands.
+/// Compared with a plain queue, for any additions, removals and reader positions.
 TEST(RingBuffer, IsAQueueWithPlaces) {
   for (unsigned seed = 0; seed < 6; ++seed) {
     SCOPED_TRACE(seed);
@@ -62,7 +62,7 @@ TEST(RingBuffer, IsAQueueWithPlaces) {
     for (int round = 0; round < 4'000; ++round) {
       const unsigned action = random() % 8;
       if (action < 4) {
-        // Sizes that fill a block exactly come too.
+        // Includes sizes that fill a block exactly.
         const std::size_t bytes = random() % 16 == 0 ? random() % 65'508 : random() % 4'000;
         const std::string payload(bytes, static_cast<char>('a' + added % 26));
         if (ring.add(item(added, payload))) {

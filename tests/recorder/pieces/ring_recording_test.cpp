@@ -64,7 +64,7 @@ TEST(RingRecording, KeepsTheLastSpanWithTheStateBeforeIt) {
   EXPECT_EQ(file.file.path.filename(), "log-001.mcap");
   EXPECT_FALSE(file.cut_short);
   EXPECT_EQ(file.triggers, 1U);
-  // Triggered when everything before 5 s and the 20 ms of the window had come.
+  // Triggered after everything before 5 s and the 20 ms of the window had come.
   EXPECT_EQ(*file.start, logTime(4'020ms));
   EXPECT_EQ(*file.end, logTime(5'010ms));
   EXPECT_EQ(messagesOf(file.file.path).size(), 100U);
@@ -175,8 +175,8 @@ TEST(RingRecording, SaysWhenItsMemoryHeldLess) {
   EXPECT_NE(said.find("not 10 s: --ring-size 4.2 MB was full"), std::string::npos) << said;
 }
 
-/// Against the one recording that has everything: whenever it is triggered, a file holds what that
-/// says of its span, opens with its state, and loses nothing while it is written.
+/// Compared with a complete recording: for any trigger, a file holds the same messages in its span,
+/// opens with the same state, and loses nothing while it is written.
 TEST(RingRecording, AnyTriggerGivesAPartOfTheWholeSession) {
   for (unsigned seed = 0; seed < 4; ++seed) {
     SCOPED_TRACE(seed);
