@@ -1,4 +1,4 @@
-# Nothing is made where something would be lost, or where it is not clear what is wanted.
+# Nothing is made if something would be lost, or if the arguments are ambiguous.
 cp "$SRC/tests/data/logs/version-1.mcap" session.mcap
 printf 'one\n' >notes.md
 rocinante log attach session.mcap notes.md -o with.mcap

@@ -1,4 +1,4 @@
-# Chunks that claim hundreds of megabytes out of a few kilobytes are expanded within a budget; the rest is told.
+# Chunks that claim hundreds of megabytes out of a few kilobytes are expanded within a budget; the rest is reported.
 cat > make.py <<'PYTHON'
 import os, sys
 sys.path.insert(0, os.environ['SRC'] + '/tests/support')

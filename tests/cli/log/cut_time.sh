@@ -1,4 +1,4 @@
-# A piece has the messages of its time, the origin of its session, and opens with what preceded.
+# A piece has the messages of its time, the origin of its session, and opens with the state before it.
 cp "$SRC/tests/data/logs/version-1.mcap" session.mcap
 rocinante log cut session.mcap -o piece.mcap --from 0.3s --until 0.55s
 rocinante log cat piece.mcap

@@ -1,4 +1,4 @@
-# Where two logs part: a log without its second half, one that was moved in time, and itself.
+# Compares a log with itself without its second half, moved in time, and unchanged.
 log=$SRC/tests/data/logs/version-1.mcap
 cp "$log" a.mcap
 rocinante log diff a.mcap a.mcap

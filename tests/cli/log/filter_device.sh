@@ -1,4 +1,4 @@
-# Datagrams that say something about a device, whole; and as JSON what was made.
+# Keeps whole datagrams with statements about a device; prints the result as JSON.
 cp "$SRC/tests/data/logs/version-1.mcap" session.mcap
 rocinante log filter session.mcap -o out.mcap --source planner --json | sed -e '/"bytes"/d'
 rocinante log cat out.mcap

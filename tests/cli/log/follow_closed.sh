@@ -1,4 +1,4 @@
-# A log that is closed already: what stands there when it is asked for, and the end.
+# A log that is closed already: its messages if requested, and the end.
 cp "$SRC/tests/data/logs/version-1.mcap" session.mcap
 rocinante log follow session.mcap
 rocinante log follow session.mcap --from-start --channel '/udp/*/planner' --channel '/rocinante/*'

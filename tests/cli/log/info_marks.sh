@@ -1,4 +1,4 @@
-# Marks beside a log are among its events; a malformed one is told.
+# Marks beside a log are among its events; a malformed one is reported.
 cp "$SRC/tests/data/logs/version-1.mcap" session.mcap
 rocinante log mark session.mcap 0.3s "slipped" > /dev/null
 rocinante log info session.mcap | sed -n '/^  events/p;/^  .* s  /p'

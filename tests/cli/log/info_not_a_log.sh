@@ -1,3 +1,3 @@
-# What is no log cannot be described.
+# A file that is not a log cannot be described.
 echo 'not a log' > notes.txt
 rocinante log info notes.txt

@@ -1,4 +1,4 @@
-# A file that is no log, but something else that is known, is called by its name.
+# A file of another known kind is refused by the name of its kind.
 try() { rocinante log "$@" || echo "exit $?"; }
 exec 2>&1
 printf '\xd4\xc3\xb2\xa1\x02\x00\x04\x00' >cell.pcap

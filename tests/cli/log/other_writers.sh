@@ -1,4 +1,4 @@
-# MCAP files of other writers: what is said of them is true, and every tool keeps their messages.
+# MCAP files of other writers are described correctly, and every tool keeps their messages.
 cat > make.py <<'PYTHON'
 import os, sys
 sys.path.insert(0, os.environ['SRC'] + '/tests/support')

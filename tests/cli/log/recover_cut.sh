@@ -1,4 +1,4 @@
-# Of a log that ends inside a chunk, what can be read; and what is missing.
+# Recovers the readable part of a log that ends inside a chunk, and names the rest.
 head -c 1200 "$SRC/tests/data/logs/version-1.mcap" > killed.mcap
 status=0
 rocinante log recover killed.mcap -o whole.mcap --json | sed '/"bytes"/d' || status=$?

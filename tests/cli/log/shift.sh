@@ -1,4 +1,4 @@
-# Every log time moves, and what would lie before 1970 is refused.
+# Every log time moves; times before 1970 are refused.
 cp "$SRC/tests/data/logs/version-1.mcap" session.mcap
 rocinante log shift session.mcap -o out.mcap --to 2001-02-03T04:05:06Z
 rocinante log info --json out.mcap | grep -E '"(origin_ns|start_ns|end_ns)"'

@@ -1,2 +1,2 @@
-# What must be given stands in the usage line; examples are those of the subcommand.
+# The usage line shows required arguments; the examples are those of the subcommand.
 rocinante log split --help

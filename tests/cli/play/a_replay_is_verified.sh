@@ -16,9 +16,9 @@ stream a.json
 [ "$(stream a.json)" = "$(stream b.json)" ] && echo "the recorder has it"
 rocinante log diff --replay "$log" replay.mcap --speed 4 --json >diff.json && echo "exit 0"
 grep -E '"(same|source|in_both|missing|extra|out_of_order)"' diff.json
-# Without the speed it is the same still; that the speed is another is told.
+# Without --speed it is still the same; the other speed is reported.
 rocinante log diff --replay "$log" replay.mcap | grep -c -e '^speed .*--speed$' -e '^replay   the same$'
-# One is missing, and a limit that nothing keeps.
+# One message is missing, and a limit is exceeded.
 rocinante log cut replay.mcap -o short.mcap --from 0s --until -0s >/dev/null
 rocinante log diff --replay "$log" short.mcap --speed 4 >diff.txt || echo "exit $?"
 tail -n 1 diff.txt

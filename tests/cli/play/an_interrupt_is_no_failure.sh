@@ -17,6 +17,6 @@ wait $player || status=$?
 echo "exit $status"
 grep interrupted report
 sed 's/127.0.0.1:[0-9]*/HOST:PORT/' said
-# Outside of what was recorded there is nothing.
+# Outside the recorded range there is nothing to play.
 rocinante play log.mcap --from 10s --until 20s --to 127.0.0.1:"$port" || echo "exit $?"
 rocinante play log.mcap --from 0.2s --until 0.1s --to 127.0.0.1:"$port" || echo "exit $?"

@@ -1,4 +1,4 @@
-# A log of which nothing can be read is not merely empty: the damage is told.
+# An unreadable log is not reported as empty: the damage is named.
 cp "$SRC/tests/data/logs/version-1.mcap" session.mcap
 rocinante log cut session.mcap -o holed.mcap --from 0 >/dev/null
 printf 'XXXXXXXX' | dd of=holed.mcap bs=1 seek=320 conv=notrunc status=none

@@ -1,5 +1,5 @@
-# Closed standard streams, a full disk below them, a reader that has left: what the recorder says is
-# lost, and least of all written into the log; the recording goes on to its end.
+# Closed standard streams, a full disk behind them, a reader that has left: the recorder's messages are
+# lost, and never written into the log; the recording continues to its end.
 mkfifo left
 exec 3<>left 4>left 3<&-  # a pipe whose reader has gone
 for said in '>&-' '2>&-' '>&- 2>&-' '<&- >&- 2>&-' '>/dev/full 2>&1' '>&4 2>&4'; do

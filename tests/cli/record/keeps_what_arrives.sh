@@ -1,4 +1,4 @@
-# Three datagrams, each from a socket of its own; the summary says what became of them.
+# Three datagrams, each from its own socket, are all in the summary.
 rocinante record 127.0.0.1:0 -o log.mcap --json >summary.json 2>said &
 recorder=$!
 until grep -qs '^recording' said; do sleep 0.05; done

@@ -1,5 +1,5 @@
-# Every example of docs/programs/record.md that records is taken as it stands, for a moment, in a network of
-# its own, where its ports are free and its interfaces are there.
+# Runs every recording example of docs/programs/record.md unchanged, for a moment, in a private network
+# namespace, where its ports are free and its interfaces exist.
 if ! unshare -n true 2>/dev/null; then
   echo "skipped: no network name space here: needs root"
   exit 77

@@ -1,4 +1,4 @@
-# Each piece stands alone, and all of them are the session again; of the newest two, two stay.
+# Each piece is self-contained, and all of them are the session again; --keep keeps the newest two.
 say() {
   printf 'RK1 arm@run %s 5.5\njoints puma %s\n' "$1" "$1" >datagram
   cat datagram >/dev/udp/127.0.0.1/"$port"

@@ -1,4 +1,4 @@
-# Nothing is written until an event triggers it; then the log opens with what was said before.
+# Nothing is written until an event triggers the ring; then the log opens with the state before it.
 rocinante record 127.0.0.1:0 -o 'crash-%n.mcap' --ring 30s --ring-on 'event=*collision*' >said.out 2>said &
 recorder=$!
 until grep -qs '^recording' said; do sleep 0.05; done

@@ -1,4 +1,4 @@
-# From the event that begins a cycle to the one that ends it; what was said before is in the opening keyframe.
+# Records from the event that begins a cycle to the one that ends it, with the state before in the opening keyframe.
 rocinante record 127.0.0.1:0 -o cycle.mcap --start-on 'event=cycle begins' --stop-on 'event=cycle ends' \
   --stop-on silence=60s >said.out 2>said &
 recorder=$!

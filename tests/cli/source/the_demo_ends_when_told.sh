@@ -1,6 +1,6 @@
 rocinante source --demo --duration 0.05s --to 127.0.0.1:9 --json >report
 grep -e '"source"' -e '"interrupted"' report
-# Interrupted when the first packet of it has come.
+# Interrupted after its first packet has come.
 rocinante record 127.0.0.1:0 -o log.mcap --max-packets 1 >/dev/null 2>said &
 recorder=$!
 until grep -qs '^recording' said; do kill -0 $recorder; sleep 0.02; done

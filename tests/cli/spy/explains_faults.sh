@@ -1,4 +1,4 @@
-# Everything that can be wrong with what comes is shown once, with its place and what to do.
+# Every kind of fault is shown once, with its place and a hint.
 rocinante spy 127.0.0.1:0 --duration 60s >report 2>said &
 spy=$!
 until grep -qs '^listening' said; do kill -0 $spy; sleep 0.05; done
