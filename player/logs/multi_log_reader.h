@@ -14,7 +14,7 @@
 
 namespace rocinante {
 
-/// The channels to play; others are treated as if they had not been recorded. Shell patterns of
+/// The channels to play; others are treated as if they had not been recorded. Patterns of
 /// topics; a restated channel (/rocinante/restated/...) follows the one it restates.
 struct ChannelChoice {
   std::vector<std::string> only;   ///< any of these; empty: all

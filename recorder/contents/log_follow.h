@@ -11,7 +11,7 @@
 namespace rocinante {
 
 struct FollowOptions {
-  std::vector<std::string> channels;  ///< shell patterns of topics; empty: the captured ones
+  std::vector<std::string> channels;  ///< patterns of topics; empty: the captured ones
   CatFormat format = CatFormat::text;
   bool with_header = true;  ///< print CSV's line of column names
 };

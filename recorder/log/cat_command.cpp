@@ -59,7 +59,7 @@ LogCommand addCatCommand(CLI::App& program) {
   app->add_option("--until", options->cat.selection.until, "end before this session time")
       ->type_name("TIME");
   app->add_option("--channel", options->cat.selection.channels,
-                  "only topics that match this shell pattern; may be repeated")
+                  "only topics that match this pattern; may be repeated")
       ->type_name("PATTERN")
       ->allow_extra_args(false);
   app->add_option("--device", options->cat.selection.devices,

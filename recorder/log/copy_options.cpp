@@ -60,7 +60,7 @@ void addChoiceArguments(CLI::App& app, SelectionOptions& selection) {
     app.add_option(name, patterns, description)->type_name("PATTERN")->allow_extra_args(false);
   };
   add("--channel", selection.channels,
-      "only topics that match this shell pattern; may be repeated, like those below");
+      "only topics that match this pattern; may be repeated, like those below");
   add("--not-channel", selection.not_channels, "not the topics that match");
   add("--source", selection.sources, "only packets of a SOURCE that matches");
   add("--device", selection.devices, "only packets that say something about a device that matches");

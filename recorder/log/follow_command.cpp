@@ -62,7 +62,7 @@ LogCommand addFollowCommand(CLI::App& program) {
   app->add_option("LOG", options->log, "the log, which may still grow")->required();
   app->add_flag("--from-start", options->from_start, "print the messages already there first");
   app->add_option("--channel", options->follow.channels,
-                  "only topics that match this shell pattern; may be repeated")
+                  "only topics that match this pattern; may be repeated")
       ->type_name("PATTERN")
       ->allow_extra_args(false);
   app->add_option("--format", options->format, "json: one object per line")
