@@ -181,12 +181,13 @@ class JointDrift {
           isSameNumber(was.limits->velocity.value_or(-1), is.limits->velocity.value_or(-1)) &&
           isSameNumber(was.limits->effort.value_or(-1), is.limits->effort.value_or(-1))));
     if (same) return;
-    std::string before = text(was);
+    const std::string before = text(was);
     const std::string after = text(is);
-    if (before == after) before += " with another effort";
-    drift_.add("drift.joint-limits",
-               fmt::format("the limits of {} changed from {} to {}: findings about them may differ",
-                           name, before, after));
+    const std::string change =
+        before == after
+            ? fmt::format("the effort limit of {} changed", name)
+            : fmt::format("the limits of {} changed from {} to {}", name, before, after);
+    drift_.add("drift.joint-limits", change + ": findings about them may differ");
   }
 
   void compareMimic(const std::string& name, const Joint& was, const Joint& is) {
