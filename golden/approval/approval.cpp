@@ -110,8 +110,7 @@ Status Approval::nameFiles(const Manifest& now, Staged& staged) const {
   while (taken.contains(goldenFileName(staged.case_name, accepted.key, turn))) ++turn;
   if (turn > kMaxOfOneKey) {
     return Error{ErrorKind::refused,
-                 fmt::format("{} pictures are accepted already: what differs so much is no golden",
-                             kMaxOfOneKey),
+                 fmt::format("this case already has {} accepted pictures, the limit", kMaxOfOneKey),
                  "case " + staged.case_name};
   }
   accepted.picture = goldenFileName(staged.case_name, accepted.key, turn);

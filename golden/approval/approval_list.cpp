@@ -40,15 +40,15 @@ Result<ApprovalList> parseApprovalList(std::string_view text, const std::string&
     const std::string_view name = line.substr(0, gap);
     const std::string_view hash = gap == line.npos ? "" : trimmed(line.substr(gap));
     if (!isPixelHash(hash)) {
-      return wrong(fmt::format("`{}` is no frame and its pixel hash of 32 digits",
+      return wrong(fmt::format("`{}` is not a frame name and a pixel hash of 32 digits",
                                plainText(line.substr(0, 120))));
     }
     if (!list.emplace(name, hash).second) {
-      return wrong(fmt::format("frame {} stands in the list twice", plainText(name)));
+      return wrong(fmt::format("the list has frame {} twice", plainText(name)));
     }
   }
   if (list.empty()) {
-    return Error{ErrorKind::bad_argument, "the list names no frame: nothing would be approved",
+    return Error{ErrorKind::bad_argument, "the list has no frames, so nothing would be approved",
                  file};
   }
   return list;

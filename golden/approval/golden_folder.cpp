@@ -22,7 +22,7 @@ Result<Picture> readOne(const std::filesystem::path& file, const std::string& pi
   }
   if (isLfsPointer(bytesOf(*bytes))) {
     return Error{ErrorKind::unsupported,
-                 fmt::format("golden {} is a Git LFS pointer and not the picture; `git lfs pull` "
+                 fmt::format("golden {} is a Git LFS pointer, not the picture; `git lfs pull` "
                              "fetches it",
                              file.string()),
                  {}};
@@ -34,10 +34,9 @@ Result<Picture> readOne(const std::filesystem::path& file, const std::string& pi
                  {}};
   }
   if (pictureXxh3(*picture) != pixels) {
-    return Error{
-        ErrorKind::damaged,
-        fmt::format("golden {} is not the picture that the manifest accepted", file.string()),
-        {}};
+    return Error{ErrorKind::damaged,
+                 fmt::format("golden {} is not the picture that the manifest lists", file.string()),
+                 {}};
   }
   return picture;
 }

@@ -106,10 +106,10 @@ Result<Json> parseOnce(std::string_view text, const std::filesystem::path& file)
     return mergeConflictIn(text, file.string(), "the manifest of goldens",
                            "take one side of the folder (`git checkout --ours` or `--theirs`, "
                            "pictures too), then approve what is drawn")
-        .value_or(broken(file.string() + placeIn(text, fault.byte), "it is no JSON"));
+        .value_or(broken(file.string() + placeIn(text, fault.byte), "it is not JSON"));
   }
   if (!twice.empty()) {
-    return broken(file, fmt::format("case `{}` stands there twice", plainText(twice)));
+    return broken(file, fmt::format("it has case `{}` twice", plainText(twice)));
   }
   return root;
 }
@@ -143,7 +143,7 @@ Result<Manifest> Manifest::parse(std::string_view text, const std::filesystem::p
   std::set<std::string> files;
   for (const auto& [name, pictures] : cases->items()) {
     if (!pictures.is_array()) {
-      return broken(file, fmt::format("case `{}` is no list", plainText(name)));
+      return broken(file, fmt::format("case `{}` is not a list", plainText(name)));
     }
     for (const Json& entry : pictures) {
       auto accepted = acceptedOf(entry, name, file);
@@ -152,7 +152,8 @@ Result<Manifest> Manifest::parse(std::string_view text, const std::filesystem::p
       // share a file by its hash.
       if (!files.insert(accepted->picture).second &&
           accepted->picture != accepted->pixels + ".png") {
-        return broken(file, fmt::format("two goldens are in {}", plainText(accepted->picture)));
+        return broken(file,
+                      fmt::format("two goldens share the file {}", plainText(accepted->picture)));
       }
       manifest.cases[name].push_back(std::move(*accepted));
     }

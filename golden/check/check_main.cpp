@@ -87,7 +87,7 @@ Result<CheckReport> judge(const CheckArguments& my) {
     const Result<Nanoseconds> duration = parseDuration(my.duration);
     if (!duration) return duration.error();
     if (duration->count() <= 0) {
-      return Error{ErrorKind::bad_argument, "must be longer than nothing", "--duration"};
+      return Error{ErrorKind::bad_argument, "must be greater than zero", "--duration"};
     }
     return checkLive(*cell, my.live, *duration);
   }
@@ -158,7 +158,7 @@ Result<cli::Exit> run(CheckArguments& my) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Says whether a session fits a model: devices, joints, limits, losses.",
+  CLI::App app("Checks whether a session fits a model: devices, joints, limits, losses.",
                "rocinante-check");
   CheckArguments my;
   declareCheck(app, my);

@@ -40,7 +40,7 @@ Result<std::vector<CheckOutput>> readOutputs(const CheckArguments& arguments) {
         std::find(kFormats.begin(), kFormats.end(), output.format) != kFormats.end();
     if (!is_known || output.file.empty()) {
       return Error{ErrorKind::bad_argument,
-                   "an output is FORMAT=FILE, of text, json, junit, sarif or github",
+                   "must be FORMAT=FILE with text, json, junit, sarif or github",
                    "--output " + text};
     }
     std::error_code ignored;
@@ -102,7 +102,7 @@ void printRules(bool as_json) {
 Status explainRule(const std::string& rule) {
   const RulePage* const page = findRulePage(rule);
   if (page == nullptr) {
-    return Error{ErrorKind::not_found, "there is no such rule (see --list-rules)", rule};
+    return Error{ErrorKind::not_found, "unknown rule (see --list-rules)", rule};
   }
   std::fwrite(page->markdown.data(), 1, page->markdown.size(), stdout);
   return {};

@@ -84,8 +84,8 @@ Result<std::string> suiteText(const AddArguments& arguments) {
   }
   if (!is_new && names_files) {
     return Error{ErrorKind::bad_argument,
-                 "the suite is there already, with its cell and log: --cell and --log begin a new "
-                 "one",
+                 "the suite exists and names its cell and log; --cell and --log are for a new "
+                 "suite",
                  arguments.suite.string()};
   }
   return readFile(arguments.suite, kMaxSuiteBytes);
@@ -94,7 +94,7 @@ Result<std::string> suiteText(const AddArguments& arguments) {
 }  // namespace
 
 CLI::App* addCaseCommand(CLI::App& app, AddArguments& arguments) {
-  CLI::App* command = app.add_subcommand("add", "append a case to a suite; never a picture");
+  CLI::App* command = app.add_subcommand("add", "append a case to a suite, without a picture");
   const auto list = [&](const char* option, std::vector<std::string>& values, const char* text) {
     command->add_option(option, values, text)->allow_extra_args(false);
   };
@@ -102,24 +102,32 @@ CLI::App* addCaseCommand(CLI::App& app, AddArguments& arguments) {
   command->add_option("--case", arguments.name, "the case's name")->required();
   command->add_option("--at", arguments.at, "a session time");
   command->add_option("--event", arguments.event, "the event with this text");
-  command->add_option("--occurrence", arguments.occurrence, "which of them: 1 first, -1 last");
-  command->add_option("--events", arguments.events, "a glob: a frame for each event");
-  command->add_option("--after", arguments.after, "so long after the event");
-  command->add_option("--every", arguments.every, "a frame every so often");
-  list("--camera", arguments.cameras, "of the cell or the session; repeatable");
-  command->add_option("--size", arguments.size, "pixels, as 640x480");
+  command->add_option("--occurrence", arguments.occurrence,
+                      "which of several such events: 1 "
+                      "first, -1 last");
+  command->add_option("--events", arguments.events,
+                      "one frame per event whose text matches this "
+                      "glob");
+  command->add_option("--after", arguments.after, "delay after the event");
+  command->add_option("--every", arguments.every, "one frame per period, as 500ms");
+  list("--camera", arguments.cameras, "a camera of the cell or the session; repeatable");
+  command->add_option("--size", arguments.size, "picture size in pixels, as 640x480");
   command->add_option("--samples", arguments.samples, "1 or 4");
-  list("--layer", arguments.layers, "only these layers are drawn; repeatable");
-  list("--hide", arguments.hide, "PATH not to draw; repeatable");
-  list("--show", arguments.show, "PATH to draw; repeatable");
-  list("--mask", arguments.mask, "PATH not to judge; repeatable");
-  list("--style", arguments.style, "a look, as KEY=VALUE; repeatable");
-  command->add_option("--tolerance", arguments.tolerance, "exact, rounding, cpu, loose or a name");
-  command->add_option("--expect", arguments.expect, "different, with --reason");
-  command->add_option("--reason", arguments.reason, "why it is expected to differ");
+  list("--layer", arguments.layers, "draw only this layer; repeatable");
+  list("--hide", arguments.hide, "do not draw PATH; repeatable");
+  list("--show", arguments.show, "draw PATH even if hidden; repeatable");
+  list("--mask", arguments.mask, "do not judge PATH; repeatable");
+  list("--style", arguments.style, "a style, as KEY=VALUE; repeatable");
+  command->add_option("--tolerance", arguments.tolerance,
+                      "exact, rounding, cpu, loose or a "
+                      "tolerance of the suite");
+  command->add_option("--expect", arguments.expect,
+                      "`different`: expect a difference; needs "
+                      "--reason");
+  command->add_option("--reason", arguments.reason, "why a difference is expected");
   list("--tag", arguments.tags, "repeatable");
-  command->add_option("--cell", arguments.cell, "begins a suite that is not there yet");
-  command->add_option("--log", arguments.log, "begins a suite that is not there yet");
+  command->add_option("--cell", arguments.cell, "of a new suite");
+  command->add_option("--log", arguments.log, "of a new suite");
   return command;
 }
 

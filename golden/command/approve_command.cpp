@@ -34,7 +34,7 @@ Error refusal(const SuiteFrame& frame, std::string why) {
 Status mayApprove(SuiteSession& session, const SuiteFrame& frame, const Picture& drawn) {
   const auto rule = session.instability(frame, drawn);
   if (!rule.ok()) return rule.error();
-  if (!rule->empty()) return refusal(frame, "unstable, so not approved: " + *rule);
+  if (!rule->empty()) return refusal(frame, "not approved because it is unstable: " + *rule);
   return {};
 }
 
@@ -113,7 +113,7 @@ class Approver {
     const auto left_alone = approval_.commit();
     if (!left_alone.ok()) return left_alone.error();
     for (const std::string& name : *left_alone) {
-      cli::warn("somebody else approved it in the meantime: left alone (case " + name + ")");
+      cli::warn("another approve changed it meanwhile, so it was left alone (case " + name + ")");
       std::erase(told_, name);
     }
     for (const std::string& name : told_) fmt::print("approved {}\n", name);
@@ -126,7 +126,7 @@ class Approver {
   Status approveOne(const SuiteFrame& frame) {
     if (!frame.time) return refusal(frame, frame.why);
     if (!session_.incomplete().empty()) {
-      return refusal(frame, session_.incomplete() + "; --incomplete approves it all the same");
+      return refusal(frame, session_.incomplete() + "; --incomplete approves it anyway");
     }
     const auto drawer = session_.drawer();
     if (!drawer.ok()) return drawer.error();
@@ -156,7 +156,7 @@ class Approver {
       return {};
     }
     if (list_ && list_->find(frame.name)->second != accepted.pixels) {
-      return refusal(frame, "what is drawn now is not the picture that the list accepts");
+      return refusal(frame, "the frame drawn now is not the picture that the list accepts");
     }
     if (auto may = mayApprove(session_, frame, *drawn); !may) return may;
     if (arguments_.interactive) {
@@ -215,23 +215,22 @@ Result<std::optional<ApprovalList>> listOf(const ApproveArguments& arguments) {
 }  // namespace
 
 CLI::App* addApproveCommand(CLI::App& app, ApproveArguments& arguments) {
-  CLI::App* command = app.add_subcommand("approve", "accept what is drawn now as goldens");
+  CLI::App* command = app.add_subcommand("approve", "accept the frames drawn now as goldens");
   addSuiteOptions(*command, arguments.suite);
   addIncompleteOption(*command, arguments.suite);
   command->add_option("-m,--message", arguments.message, "why; kept in the manifest")->required();
   command
       ->add_option("--from", arguments.from,
-                   "only the frames of this list, and only with its pixels (the report's copy)")
+                   "only frames of this list whose pixels match it (as copied from the report)")
       ->type_name("LIST");
-  command->add_flag("--also", arguments.also, "beside the pictures that are accepted already");
-  command->add_flag("-i,--interactive", arguments.interactive, "ask about one after the other");
+  command->add_flag("--also", arguments.also, "keep the pictures accepted so far");
+  command->add_flag("-i,--interactive", arguments.interactive, "ask about each frame");
   return command;
 }
 
 Result<cli::Exit> runApproveCommand(const ApproveArguments& arguments) {
   if (arguments.interactive && ::isatty(STDIN_FILENO) != 1) {
-    return Error{
-        ErrorKind::refused, "--interactive asks on a terminal, and standard input is none", {}};
+    return Error{ErrorKind::refused, "--interactive needs a terminal as standard input", {}};
   }
   auto list = listOf(arguments);
   if (!list.ok()) return list.error();
@@ -247,7 +246,7 @@ Result<cli::Exit> runApproveCommand(const ApproveArguments& arguments) {
           session->frames().end()) {
         continue;
       }
-      cli::warn("the list names a frame that the suite does not have: " + name);
+      cli::warn("the suite has no frame named in the list: " + name);
       ++unknown;
     }
   }
@@ -256,7 +255,7 @@ Result<cli::Exit> runApproveCommand(const ApproveArguments& arguments) {
   const std::size_t refused = counts->refused + unknown;
   fmt::print("{} approved, {} refused; goldens in {}\n", counts->approved + counts->unchanged,
              refused, session->suite().goldens.lexically_normal().string());
-  if (counts->skipped > 0) fmt::print("{} left as they were\n", counts->skipped);
+  if (counts->skipped > 0) fmt::print("{} left unchanged\n", counts->skipped);
   return refused > 0 ? cli::Exit::no : cli::Exit::done;
 }
 

@@ -96,7 +96,7 @@ Result<std::vector<Nanoseconds>> momentsOfBoth(const BisectArguments& arguments)
   const auto others = changesOf(arguments.other_log);
   if (!others.ok()) return others.error();
   if (moments->empty() || others->empty()) {
-    return Error{ErrorKind::not_found, "a log without messages draws nothing",
+    return Error{ErrorKind::not_found, "the log has no messages, so there is nothing to draw",
                  moments->empty() ? arguments.log.string() : arguments.other_log};
   }
   // Where both are: a moment outside one of them is no moment of it.
@@ -121,7 +121,7 @@ Status limitMoments(const BisectArguments& arguments, const Timeline& session,
     std::erase_if(moments, [&](Nanoseconds moment) { return session.origin() + moment >= *until; });
   }
   if (!moments.empty()) return {};
-  return Error{ErrorKind::not_found, "there is no moment to draw between these times",
+  return Error{ErrorKind::not_found, "no moment to draw between --from and --until",
                arguments.log.string()};
 }
 
@@ -193,17 +193,17 @@ std::string answerText(const BisectAnswer& answer, const std::vector<StateChange
     return fmt::format("no difference: {} of {} drawn, with the same pictures\n", answer.frames,
                        countText(answer.moments, "moment"));
   }
-  text = fmt::format("the pictures part at {}\n", seconds(*answer.first));
+  text = fmt::format("the pictures first differ at {}\n", seconds(*answer.first));
   if (answer.last_alike) {
-    text += fmt::format("at {}, the moment before that was drawn, they are the same\n",
+    text += fmt::format("they are the same at {}, the last moment drawn before it\n",
                         seconds(*answer.last_alike));
   }
   text += answer.is_first_since_probe
-              ? fmt::format("every moment since {} was looked at\n", seconds(answer.searched_from))
-              : "found by halving: there may be an earlier one\n";
+              ? fmt::format("every moment since {} was compared\n", seconds(answer.searched_from))
+              : "found by bisection; an earlier difference is possible\n";
   text += fmt::format("{} of {} drawn\n", answer.frames, countText(answer.moments, "moment"));
   if (changes.empty()) return text;
-  text += "what differs there:\n";
+  text += "differences there:\n";
   for (std::size_t i = 0; i < std::min(changes.size(), kMaxChanges); ++i) {
     text += "  " + plainText(changes[i].text) + "\n";
   }
@@ -308,22 +308,22 @@ Result<BisectQuestion> bisectQuestion(const BisectArguments& arguments) {
 
 CLI::App* addBisectCommand(CLI::App& app, BisectArguments& arguments) {
   CLI::App* command = app.add_subcommand(
-      "bisect", "the first time at which two logs, cells or builds draw different pictures");
+      "bisect", "find the first time at which two logs, cells or builds draw different pictures");
   command->add_option("LOG", arguments.log, "the session")->required();
-  command->add_option("CELL", arguments.cell, "the cell; by default the one that LOG carries");
-  command->add_option("--other-log", arguments.other_log, "against this log");
-  command->add_option("--other-cell", arguments.other_cell, "against this cell");
+  command->add_option("CELL", arguments.cell, "the cell; default: the one that LOG carries");
+  command->add_option("--other-log", arguments.other_log, "compare with this log");
+  command->add_option("--other-cell", arguments.other_cell, "compare with this cell");
   command->add_option("--other-render", arguments.other_render,
-                      "against this rocinante-render, of another build");
-  command->add_option("--camera", arguments.camera, "of the cell; by default its first");
-  command->add_option("--size", arguments.size, "of the pictures")->capture_default_str();
+                      "compare with this rocinante-render of another build");
+  command->add_option("--camera", arguments.camera, "a camera of the cell; default: its first");
+  command->add_option("--size", arguments.size, "picture size")->capture_default_str();
   command->add_option("--samples", arguments.samples, "multisampling: 1 or 4")
       ->capture_default_str();
-  command->add_option("--from", arguments.from, "begin here, a session time");
-  command->add_option("--until", arguments.until, "end before it");
+  command->add_option("--from", arguments.from, "start at this session time");
+  command->add_option("--until", arguments.until, "end before this session time");
   command
       ->add_option("--most-frames", arguments.most_frames,
-                   "draw at most so many moments one by one; more are halved")
+                   "compare up to this many moments one by one; bisect longer ranges")
       ->capture_default_str();
   cli::addSearchOptions(*command, arguments);
   command->add_flag("--json", arguments.json, "answer as JSON");
@@ -334,7 +334,7 @@ Result<cli::Exit> runBisectCommand(const BisectArguments& arguments) {
   if (arguments.other_log.empty() && arguments.other_cell.empty() &&
       arguments.other_render.empty()) {
     return Error{ErrorKind::bad_argument,
-                 "against what? --other-log, --other-cell or --other-render", ""};
+                 "one of --other-log, --other-cell and --other-render is required", ""};
   }
   const auto question = bisectQuestion(arguments);
   if (!question.ok()) return question.error();

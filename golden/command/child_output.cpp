@@ -35,7 +35,7 @@ struct Pipe {
 
 Error cannotRun(const std::string& program, int code) {
   return {code == ENOENT ? ErrorKind::not_found : ErrorKind::refused,
-          std::string("cannot be run: ") + std::strerror(code), program};
+          std::string("cannot run it: ") + std::strerror(code), program};
 }
 
 int waitFor(::pid_t pid) {
@@ -85,7 +85,7 @@ Result<ChildOutput> childOutput(const std::vector<std::string>& words, std::uint
     if (output.out.size() + output.err.size() > most_bytes) {
       ::kill(pid, SIGKILL);
       waitFor(pid);
-      return Error{ErrorKind::refused, "says more than is read", words.front()};
+      return Error{ErrorKind::refused, "printed more output than is accepted", words.front()};
     }
   }
   output.exit_code = waitFor(pid);

@@ -91,10 +91,10 @@ CLI::App* addCompareCommand(CLI::App& app, CompareArguments& arguments) {
                    "X,Y,WIDTHxHEIGHT: leave these pixels out; repeatable")
       ->type_name("RECT")
       ->allow_extra_args(false);
-  command->add_option("--difference", arguments.difference, "write a picture of what differs");
-  command->add_flag("--force", arguments.force, "replace the file of --difference");
-  command->add_flag("-q,--quiet", arguments.quiet, "the verdict alone: no figures, no map; faster");
-  command->add_flag("--json", arguments.json, "answer with every figure as JSON");
+  command->add_option("--difference", arguments.difference, "write a picture of the differences");
+  command->add_flag("--force", arguments.force, "replace an existing --difference file");
+  command->add_flag("-q,--quiet", arguments.quiet, "only the verdict, no figures or map; faster");
+  command->add_flag("--json", arguments.json, "print all figures as JSON");
   return command;
 }
 
@@ -108,7 +108,7 @@ Result<cli::Exit> runCompareCommand(const CompareArguments& arguments) {
     masks.push_back(*rectangle);
   }
   if (arguments.frame == "-" && arguments.golden == "-") {
-    return Error{ErrorKind::bad_argument, "standard input is one picture, not two", {}};
+    return Error{ErrorKind::bad_argument, "only one picture can be standard input", {}};
   }
   const auto fileOf = [](const std::filesystem::path& path) {
     return path == "-" ? std::filesystem::path("/dev/stdin") : path;

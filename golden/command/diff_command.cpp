@@ -39,12 +39,12 @@ Result<Picture> pictureThen(const GitRevision& revision, const GoldenFolder& fol
   if (!bytes.ok()) return bytes.error();
   if (isLfsPointer(bytesOf(*bytes))) {
     return Error{ErrorKind::unsupported,
-                 "a Git LFS pointer and not the picture; `git lfs fetch` gets it", file.string()};
+                 "a Git LFS pointer, not the picture; `git lfs fetch` fetches it", file.string()};
   }
   auto picture = decodePng(bytesOf(*bytes), file.string());
   if (!picture.ok()) return picture.error();
   if (pictureXxh3(*picture) == accepted.pixels) return picture;
-  return Error{ErrorKind::damaged, "is not the picture that the manifest accepted then",
+  return Error{ErrorKind::damaged, "is not the picture that the manifest listed at that revision",
                file.string()};
 }
 
@@ -123,9 +123,11 @@ Result<std::vector<JudgedFrame>> allChanges(const DiffArguments& arguments) {
 }  // namespace
 
 CLI::App* addDiffCommand(CLI::App& app, DiffArguments& arguments) {
-  CLI::App* command = app.add_subcommand("diff", "which goldens changed since a git revision");
+  CLI::App* command = app.add_subcommand("diff",
+                                         "list the goldens that changed since a git "
+                                         "revision");
   command->add_option("REV", arguments.revision, "a commit, branch or tag")->required();
-  command->add_option("SUITE", arguments.suite, "without it, every suite of the repository");
+  command->add_option("SUITE", arguments.suite, "default: every suite of the repository");
   command->add_option("--report", arguments.report, "folder for index.html and the pictures");
   command
       ->add_option("--json", arguments.json_file, "write the changes as JSON; - is standard output")
@@ -140,7 +142,7 @@ Result<cli::Exit> runDiffCommand(const DiffArguments& arguments) {
   const std::size_t goldens = frames->size();
   if (goldens == 0) {
     return Error{ErrorKind::not_found,
-                 fmt::format("there are no goldens, neither now nor at {}: nothing to compare",
+                 fmt::format("no goldens now or at {}, so there is nothing to compare",
                              plainText(arguments.revision)),
                  arguments.suite.string()};
   }

@@ -43,7 +43,7 @@ Result<GitRevision> GitRevision::open(const std::filesystem::path& folder,
       git(around, {"rev-parse", "--verify", "--quiet", "--end-of-options", revision + "^{commit}"});
   if (!commit.ok()) {
     return Error{ErrorKind::refused,
-                 fmt::format("`{}` names no commit of this repository", plainText(revision)),
+                 fmt::format("`{}` is not a commit of this repository", plainText(revision)),
                  firstLine(*root)};
   }
   return GitRevision(firstLine(*root), firstLine(*commit));
@@ -54,14 +54,15 @@ Result<std::string> GitRevision::file(const std::filesystem::path& file) const {
   const auto whole = std::filesystem::weakly_canonical(file, fault);
   const auto below = whole.lexically_relative(std::filesystem::weakly_canonical(root_, fault));
   if (fault || below.empty() || *below.begin() == "..") {
-    return Error{ErrorKind::refused, "lies outside the repository", file.string()};
+    return Error{ErrorKind::refused, "is outside the repository", file.string()};
   }
   const auto output = childOutput({"git", "-C", root_.string(), "cat-file", "--filters",
                                    commit_ + ":" + below.generic_string()});
   if (!output.ok()) return output.error();
   if (output->exit_code == 0) return output->out;
   return Error{ErrorKind::not_found,
-               fmt::format("commit {} has no such file", commit_.substr(0, 12)), file.string()};
+               fmt::format("commit {} does not have this file", commit_.substr(0, 12)),
+               file.string()};
 }
 
 Result<std::vector<std::filesystem::path>> GitRevision::filesThatEndWith(

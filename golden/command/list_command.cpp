@@ -74,10 +74,10 @@ void printJson(const SuiteSession& session, const std::vector<std::string>& faul
 
 CLI::App* addListCommand(CLI::App& app, ListArguments& arguments) {
   CLI::App* command =
-      app.add_subcommand("list", "the frames of a suite, their goldens, and what is stale");
+      app.add_subcommand("list", "list the frames of a suite, their goldens and stale files");
   addSuiteOptions(*command, arguments.suite);
-  command->add_flag("--verify", arguments.verify, "read every golden, and hold it to its hash");
-  command->add_flag("--json", arguments.json, "answer as JSON");
+  command->add_flag("--verify", arguments.verify, "read every golden and check its hash");
+  command->add_flag("--json", arguments.json, "print the answer as JSON");
   return command;
 }
 
@@ -97,7 +97,7 @@ Result<cli::Exit> runListCommand(const ListArguments& arguments) {
   } else {
     printTable(*session);
     for (const std::string& fault : faults) fmt::print("{}\n", fault);
-    fmt::print("{}, {} without a golden, {} amiss\n",
+    fmt::print("{}, {} without a golden, {} faults\n",
                cli::counted(session->frames().size(), "frame"), without, faults.size());
   }
   return faults.empty() && without == 0 ? cli::Exit::done : cli::Exit::no;

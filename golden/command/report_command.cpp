@@ -13,8 +13,8 @@
 namespace rocinante {
 
 CLI::App* addReportCommand(CLI::App& app, ReportArguments& arguments) {
-  CLI::App* command = app.add_subcommand("report", "put the reports of shards together");
-  command->add_option("DIR", arguments.folders, "what `run --report DIR` wrote; several")
+  CLI::App* command = app.add_subcommand("report", "merge the reports of shards");
+  command->add_option("DIR", arguments.folders, "folders written by `run --report DIR`")
       ->required();
   addReportFiles(*command, arguments.files);
   return command;
@@ -26,7 +26,7 @@ Result<cli::Exit> runReportCommand(const ReportArguments& arguments) {
     std::error_code ignored;
     if (!arguments.files.folder.empty() &&
         std::filesystem::equivalent(folder, arguments.files.folder, ignored)) {
-      return Error{ErrorKind::bad_argument, "the whole cannot lie where a part lies",
+      return Error{ErrorKind::bad_argument, "--report must not be an input folder",
                    arguments.files.folder};
     }
     auto part = readReport(folder);

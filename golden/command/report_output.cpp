@@ -22,7 +22,7 @@ void addReportFiles(CLI::App& command, ReportFiles& files) {
           .add_option("--json", files.json_file, "write the verdicts as JSON; - is standard output")
           ->expected(0, 1)
           ->default_str("-");
-  command.add_flag("--github", files.github, "annotate the suite's lines in GitHub Actions")
+  command.add_flag("--github", files.github, "annotate the suite file in GitHub Actions")
       ->excludes(json);
 }
 

@@ -101,11 +101,13 @@ Result<std::vector<JudgedFrame>> judgeFrames(SuiteSession& session, int jobs, bo
 }  // namespace
 
 CLI::App* addRunCommand(CLI::App& app, RunArguments& arguments) {
-  CLI::App* command = app.add_subcommand("run", "draw every case and judge it");
+  CLI::App* command = app.add_subcommand("run", "draw and judge every case");
   addSuiteOptions(*command, arguments.suite);
   addIncompleteOption(*command, arguments.suite);
   command
-      ->add_option("-j,--jobs", arguments.jobs, "processes that draw; 0: by frames and processors")
+      ->add_option("-j,--jobs", arguments.jobs,
+                   "drawing processes; 0: chosen from the frames "
+                   "and processors")
       ->check(CLI::Range(0, 64))
       ->capture_default_str();
   addReportFiles(*command, arguments.files);

@@ -29,7 +29,10 @@ Result<SessionQuestion> questionOf(const SessionArguments& arguments) {
   const auto step = parseDuration(arguments.step);
   if (!step.ok()) return step.error();
   if (*slack < Nanoseconds(0) || *step <= Nanoseconds(0)) {
-    return Error{ErrorKind::bad_argument, "--slack is not below zero, --step above", ""};
+    return Error{ErrorKind::bad_argument,
+                 "--slack must be at least zero, --step greater than "
+                 "zero",
+                 ""};
   }
   question.limits.slack = *slack;
   question.limits.step = *step;
@@ -48,26 +51,28 @@ CLI::App* addSessionCommand(CLI::App& app, SessionArguments& arguments) {
   CLI::App* command = app.add_subcommand(
       "session", "compare two recordings of one scenario, aligned by their events");
   command->add_option("A", arguments.a, "the accepted recording")->required();
-  command->add_option("B", arguments.b, "the new one")->required();
-  command->add_option("CELL", arguments.cell, "the cell; by default the one that A carries");
-  command->add_option("--radians", arguments.radians, "how far a joint may turn elsewhere")
+  command->add_option("B", arguments.b, "the new recording")->required();
+  command->add_option("CELL", arguments.cell, "the cell; default: the one that A carries");
+  command->add_option("--radians", arguments.radians, "largest difference of a joint angle")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  command->add_option("--metres", arguments.metres, "how far a joint or device may stand elsewhere")
+  command->add_option("--metres", arguments.metres, "largest difference of a position")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  command->add_option("--slack", arguments.slack, "how much earlier or later a value may come")
+  command->add_option("--slack", arguments.slack, "largest time shift of a value")
       ->capture_default_str();
-  command->add_option("--step", arguments.step, "how often the states are compared")
+  command->add_option("--step", arguments.step, "period at which states are compared")
       ->capture_default_str();
-  command->add_option("--tier", arguments.tier, std::string("of the pictures: ") + kTierNames)
+  command
+      ->add_option("--tier", arguments.tier,
+                   std::string("tolerance of the pictures: ") + kTierNames)
       ->capture_default_str();
-  command->add_option("--camera", arguments.camera, "of the cell; by default its first");
-  command->add_option("--size", arguments.size, "of the pictures")->capture_default_str();
-  command->add_flag("--no-pictures", arguments.no_pictures, "compare events and states alone");
+  command->add_option("--camera", arguments.camera, "a camera of the cell; default: its first");
+  command->add_option("--size", arguments.size, "picture size")->capture_default_str();
+  command->add_flag("--no-pictures", arguments.no_pictures, "compare only events and states");
   command->add_option("--report", arguments.report, "folder for index.html and the pictures");
   cli::addSearchOptions(*command, arguments);
-  command->add_flag("--json", arguments.json, "answer as JSON");
+  command->add_flag("--json", arguments.json, "print the answer as JSON");
   return command;
 }
 

@@ -17,22 +17,20 @@
 namespace rocinante {
 void addSuiteOptions(CLI::App& app, SuiteArguments& arguments) {
   app.add_option("SUITE", arguments.suite, "the suite's TOML file")->required();
-  app.add_option("--cell", arguments.cell, "take this cell in place of the suite's");
-  app.add_option("--log", arguments.log, "take this log in place of the suite's");
-  app.add_option("--only", arguments.only, "glob over the names of frames and cases; repeatable")
+  app.add_option("--cell", arguments.cell, "use this cell instead of the suite's");
+  app.add_option("--log", arguments.log, "use this log instead of the suite's");
+  app.add_option("--only", arguments.only, "only frames and cases that match this glob; repeatable")
       ->allow_extra_args(false);
   app.add_option("--tag", arguments.tags, "only cases with this tag; repeatable")
       ->allow_extra_args(false);
   app.add_option("--not-tag", arguments.not_tags, "only cases without this tag; repeatable")
       ->allow_extra_args(false);
-  app.add_option("--shard", arguments.shard, "the I-th of N parts of the cases")
-      ->option_text("I/N");
+  app.add_option("--shard", arguments.shard, "part I of N of the cases")->option_text("I/N");
   cli::addSearchOptions(app, arguments);
 }
 
 void addIncompleteOption(CLI::App& app, SuiteArguments& arguments) {
-  app.add_flag("--incomplete", arguments.incomplete,
-               "take frames as they are although a visual mesh is missing");
+  app.add_flag("--incomplete", arguments.incomplete, "accept frames with missing visual meshes");
 }
 
 Result<SuiteOptions> suiteOptions(const SuiteArguments& arguments) {

@@ -162,7 +162,7 @@ Comparison compare(const Picture& frame, const Picture& golden, const Tolerance&
   }
   if (frame.width <= 0 || frame.height <= 0 || frame.rgba.size() != rgbaBytes(frame) ||
       golden.rgba.size() != rgbaBytes(frame)) {
-    found.rule = "a picture without pixels";
+    found.rule = "the picture has no pixels";
     return found;
   }
   if (mask == nullptr) {
@@ -176,7 +176,7 @@ Comparison compare(const Picture& frame, const Picture& golden, const Tolerance&
   }
   found.masked = mask->hiddenPixels();
   if (mask->hidesEverything()) {
-    found.rule = "the masks hide every pixel: nothing would be judged";
+    found.rule = "the masks hide every pixel, so nothing would be judged";
     return found;
   }
   judgePixels(mask->applied(frame, golden), golden, tolerance, found);
@@ -203,7 +203,7 @@ Comparison compareFine(const FinePicture& frame, const FinePicture& golden,
                               picture->not_finite, whose, picture->not_finite_x,
                               picture->not_finite_y));
   }
-  if (frame.samples.size() != golden.samples.size()) return refuse("a picture without samples");
+  if (frame.samples.size() != golden.samples.size()) return refuse("the picture has no samples");
   measureFine(frame, golden, mask, found);
   if (tolerance.exact && found.fine_differing > 0) {
     found.verdict = Verdict::different;

@@ -73,8 +73,8 @@ Result<GoldenPlace> GoldenPlace::fromEnvironment(const char* compiled_in) {
   place.goldens = environment("ROCINANTE_GOLDEN_DIR");
   if (place.goldens.empty() && compiled_in != nullptr) place.goldens = compiled_in;
   if (place.goldens.empty()) {
-    return Error{ErrorKind::bad_argument,
-                 "no folder of goldens: define or set ROCINANTE_GOLDEN_DIR", ""};
+    return Error{ErrorKind::bad_argument, "no golden folder: define or set ROCINANTE_GOLDEN_DIR",
+                 ""};
   }
   place.results = environment("ROCINANTE_GOLDEN_RESULTS");
   if (place.results.empty()) place.results = "golden-results";
@@ -89,7 +89,8 @@ Result<GoldenPlace> GoldenPlace::fromEnvironment(const char* compiled_in) {
 GoldenAnswer checkGolden(const PictureView& frame, std::string_view name,
                          const Tolerance& tolerance, const GoldenPlace& place) {
   if (!isGoldenName(name)) {
-    return {false, fmt::format("\"{}\" is no golden's name: letters, digits, _ - .", name)};
+    return {false,
+            fmt::format("\"{}\" is not a valid golden name: use letters, digits, _ - .", name)};
   }
   if (frame.width <= 0 || frame.height <= 0 || frame.rgba == nullptr ||
       std::abs(frame.row_bytes) < std::ptrdiff_t{frame.width} * 4) {
@@ -106,7 +107,7 @@ GoldenAnswer checkGolden(const PictureView& frame, std::string_view name,
     if (golden.error().kind != ErrorKind::not_found) {
       return {false, "the golden cannot be read: " + golden.error().text()};
     }
-    return {false, fmt::format("no golden was ever accepted: {}\n", golden_file.string()) +
+    return {false, fmt::format("no golden was accepted yet: {}\n", golden_file.string()) +
                        written("frame", stem + ".frame.png", shown) +
                        "look at it, then accept it with ROCINANTE_APPROVE=1\n"};
   }

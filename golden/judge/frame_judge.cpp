@@ -103,8 +103,8 @@ std::string otherShapesRule(const std::vector<const AcceptedPicture*>& goldens,
     keys.insert(golden->key);
     if (rendererOf(golden->key) == rendererOf(wanted)) own_shapes.insert(shapeOf(golden->key));
   }
-  return fmt::format("no golden of this size and samples; wanted: {}, there is {}: approve it",
-                     wanted, fmt::join(own_shapes.empty() ? keys : own_shapes, ", "));
+  return fmt::format("no golden of this size and samples for {} (have {}); approve one", wanted,
+                     fmt::join(own_shapes.empty() ? keys : own_shapes, ", "));
 }
 
 /// A golden of another key can tell that a frame is the same. That it changed, it tells only where
@@ -116,8 +116,8 @@ void doubtForeignGolden(JudgedFrame& judged) {
   std::string why = found.rule.empty() ? judged.rule : found.rule;
   if (found.differing > 0) why += fmt::format(", limit from {}", judged.limit_from);
   judged.rule = fmt::format(
-      "no golden of this renderer; wanted: {}, there is {}: {}; run where that one draws, approve "
-      "here too (both are kept), or name a tolerance",
+      "no golden of this renderer ({}); against {}: {}; run on that renderer, approve here too "
+      "(both are kept), or set a tolerance",
       judged.key, rendererOf(judged.golden->key), why);
 }
 
@@ -141,7 +141,7 @@ void judgeDrawn(const Manifest& manifest, const GoldenFolder& folder, const Case
   const auto all = manifest.findAll(name);
   if (all.empty()) {
     judged.verdict = FrameVerdict::missing;
-    judged.rule = "no golden was ever approved for this case";
+    judged.rule = "no golden was approved for this case yet";
     return;
   }
   auto goldens = manifest.find(name, judged.key);

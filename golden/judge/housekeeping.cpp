@@ -39,8 +39,8 @@ void addLooseLimits(std::span<const JudgedFrame> judged, std::vector<std::string
       continue;
     }
     notes.push_back(fmt::format(
-        "tolerance {} ({}) is loose: of tile_mean {:.2f} at most {:.2f} was needed, of "
-        "tile_over {} at most {}",
+        "tolerance {} ({}) is loose: tile_mean {:.2f}, needed at most {:.2f}; tile_over {}, "
+        "needed at most {}",
         limits.name, from, limits.tile_mean, need.tile_mean, limits.tile_over, need.tile_over));
   }
 }
@@ -73,10 +73,11 @@ void addStrayFiles(const std::filesystem::path& folder, const std::set<std::stri
     const std::string name = entry.path().filename().string();
     if (isLeftOver(entry.path())) {
       faults.push_back(
-          fmt::format("{} was left by an approve that was interrupted; the next one clears it",
+          fmt::format("{} was left by an interrupted approve; the next approve removes it",
                       plainText(entry.path().string())));
     } else if (name.ends_with(".png") && !known.contains(name)) {
-      faults.push_back(fmt::format("file {} is no golden", plainText(entry.path().string())));
+      faults.push_back(
+          fmt::format("file {} is not a golden of the manifest", plainText(entry.path().string())));
     }
   }
 }

@@ -192,7 +192,7 @@ Status readWire(ByteView bytes, JudgedFrame& judged) {
   WireReader reader(bytes);
   WireWriter::fields(reader, judged);
   if (reader.readAll()) return {};
-  return Error{ErrorKind::damaged, "a job sent no whole judgement", {}};
+  return Error{ErrorKind::damaged, "a job sent an incomplete judgement", {}};
 }
 
 }  // namespace rocinante

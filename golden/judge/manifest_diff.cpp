@@ -108,7 +108,7 @@ std::vector<JudgedFrame> manifestChanges(const Manifest& then, const ReadAccepte
       judged.comparison = compare(*judged.drawn, *judged.accepted, Tolerance::exactly());
       judged.verdict = FrameVerdict::different;
       judged.rule = judged.comparison.verdict == Verdict::same
-                        ? "another number of accepted pictures"
+                        ? "a different number of accepted pictures"
                         : judged.comparison.rule;
       judged.rule += fmt::format(" since {}, {}", since, acceptedText(shown));
     }

@@ -54,7 +54,7 @@ std::optional<std::string> meetingNames(const Instability& found, const Identity
   const auto most =
       std::ranges::max_element(counts, {}, [](const auto& counted) { return counted.second; });
   if (most == counts.end() || most->second * 2 < found.pixels) return std::nullopt;
-  return fmt::format("{} of them where {} and {} meet", most->second,
+  return fmt::format("{} of them at the border of {} and {}", most->second,
                      nameText(frame, most->first.first), nameText(frame, most->first.second));
 }
 
@@ -111,7 +111,7 @@ std::string instabilityRule(const Instability& found, const SceneIdentity* ident
   if (meeting) {
     rule += "coplanar surfaces";
   } else if (found.after_another && !found.in_fresh_context) {
-    rule += "state that another frame left behind";
+    rule += "state left by another frame";
   } else {
     rule += "uninitialised state";
   }

@@ -195,7 +195,7 @@ class JobRunner {
     }
     if (options_.stop && options_.stop()) return interrupted();
     for (std::size_t place = 0; place < order_.size(); ++place) {
-      if (!gatherer_.has(place)) gatherer_.giveUp(place, "every job died before it was judged");
+      if (!gatherer_.has(place)) gatherer_.giveUp(place, "every job died before judging it");
     }
     return gatherer_.take();
   }
@@ -271,7 +271,7 @@ class JobRunner {
       MessageHead head;
       std::memcpy(&head, job.received.data() + used, sizeof head);
       if (head.place >= order_.size() || head.bytes > kMaxMessageBytes) {
-        return Error{ErrorKind::damaged, "a job sent what is no message", {}};
+        return Error{ErrorKind::damaged, "a job sent an invalid message", {}};
       }
       if (job.received.size() - used - sizeof head < head.bytes) break;
       const ByteView body(job.received.data() + used + sizeof head, head.bytes);
@@ -303,7 +303,7 @@ class JobRunner {
         job.finished = true;
         return {};
       default:
-        return Error{ErrorKind::damaged, "a job sent what is no message", {}};
+        return Error{ErrorKind::damaged, "a job sent an invalid message", {}};
     }
   }
 

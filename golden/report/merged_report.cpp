@@ -29,7 +29,8 @@ Status checkShards(const std::vector<SuiteReport>& parts) {
     };
     const SuiteReport& one = *first.emplace(part.suite, &part).first->second;
     if (part.shards != one.shards) {
-      return refuse(fmt::format("shards of {} and of {} are no one run", one.shards, part.shards));
+      return refuse(fmt::format("shards come from different runs (of {} and of {} shards)",
+                                one.shards, part.shards));
     }
     if (part.session != one.session) return refuse("the shards judged different sessions");
     if (part.renderer != one.renderer) {
@@ -37,7 +38,7 @@ Status checkShards(const std::vector<SuiteReport>& parts) {
                                 one.renderer, part.renderer));
     }
     if (!seen[part.suite].insert(part.shard).second) {
-      return refuse(fmt::format("shard {}/{} is there twice", part.shard, part.shards));
+      return refuse(fmt::format("shard {}/{} was given twice", part.shard, part.shards));
     }
   }
   for (const auto& [suite, shards] : seen) {
@@ -84,8 +85,8 @@ Result<SuiteReport> mergeReports(std::vector<SuiteReport> parts) {
           return Error{ErrorKind::refused,
                        is_one_suite
                            ? fmt::format("two reports have a frame {}", judged.frame.name)
-                           : fmt::format("two suites have a frame {}: one page has each name once, "
-                                         "so rename one or report them apart",
+                           : fmt::format("two suites have a frame {}; a report needs unique "
+                                         "names: rename one, or write two reports",
                                          judged.frame.name),
                        suite};
         }

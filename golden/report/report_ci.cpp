@@ -17,13 +17,12 @@ namespace {
 using SarifJson = nlohmann::ordered_json;
 
 constexpr std::array kFailures = {
-    std::pair{FrameVerdict::different, "The frame is not its golden."},
-    std::pair{FrameVerdict::missing, "No golden was ever approved for the frame."},
+    std::pair{FrameVerdict::different, "The frame differs from its golden."},
+    std::pair{FrameVerdict::missing, "No golden was approved for the frame yet."},
     std::pair{FrameVerdict::unstable, "Drawn again, the frame differs from itself."},
     std::pair{FrameVerdict::incomparable, "The frame could not be judged."},
     std::pair{FrameVerdict::unexpected,
-              "The frame is its golden, though its case expects a "
-              "difference."}};
+              "The frame equals its golden, though its case expects a difference."}};
 
 std::string ruleOf(FrameVerdict verdict) { return "golden." + std::string(nameOf(verdict)); }
 

@@ -93,9 +93,9 @@ Json factsJson(const JudgedFrame& judged) {
   if (golden.key != judged.key) add("golden of", golden.key);
   if (!isFine(judged.verdict)) {
     add("drawn from", golden.inputs == judged.inputs
-                          ? "the same textures, glyphs and geometry as the golden"
-                          : "other textures, glyphs or geometry than the golden");
-    if (golden.session != judged.session) add("session", "another recording than the golden's");
+                          ? "same textures, glyphs and geometry as the golden"
+                          : "different textures, glyphs or geometry");
+    if (golden.session != judged.session) add("session", "a different recording");
   }
   return facts;
 }

@@ -19,7 +19,7 @@ constexpr std::uint64_t kMaxReportBytes = std::uint64_t{256} << 20U;
 constexpr char kReportFileName[] = "report.json";
 
 Error brokenReport(const std::filesystem::path& file, std::string what) {
-  return {ErrorKind::damaged, "is no report of `golden run`: " + std::move(what), file.string()};
+  return {ErrorKind::damaged, "is not a report of `golden run`: " + std::move(what), file.string()};
 }
 
 /// A field of an object, if it is there and of its kind.
@@ -168,13 +168,13 @@ void readGolden(const ReportJson& entry, JudgedFrame& judged) {
 
 Result<JudgedFrame> frameOf(const ReportJson& entry, const std::string& session,
                             const std::filesystem::path& file) {
-  if (!entry.is_object()) return brokenReport(file, "a frame is no object");
+  if (!entry.is_object()) return brokenReport(file, "a frame is not an object");
   JudgedFrame judged;
   judged.frame.name = fieldOf<std::string>(entry, "name");
   // It names the files beside it.
   if (judged.frame.name.empty() || judged.frame.name.size() > 240 ||
       judged.frame.name.front() == '.' || !isFileText(judged.frame.name)) {
-    return brokenReport(file, "a frame has no name that a file can have");
+    return brokenReport(file, "a frame's name cannot be a file name");
   }
   const auto verdict = verdictNamed(fieldOf<std::string>(entry, "verdict"));
   if (!verdict) return brokenReport(file, "frame " + judged.frame.name + " has no verdict");
@@ -212,8 +212,7 @@ Status readPictures(const std::filesystem::path& folder, JudgedFrame& judged) {
     auto found = readPng(file);
     if (!found.ok()) return found.error();
     if (!pixels.empty() && pictureXxh3(*found) != pixels) {
-      return Error{ErrorKind::damaged, "is not the picture that report.json tells of",
-                   file.string()};
+      return Error{ErrorKind::damaged, "is not the picture that report.json lists", file.string()};
     }
     picture = std::move(*found);
     return {};
@@ -248,7 +247,7 @@ Result<SuiteReport> parseReport(std::string_view text, const std::filesystem::pa
     report.shard = fieldOf<int>(*shard, "number", 1);
     report.shards = fieldOf<int>(*shard, "of", 1);
     if (report.shard < 1 || report.shard > report.shards || report.shards > kMaxShards) {
-      return brokenReport(file, "its shard is none");
+      return brokenReport(file, "its shard is not valid");
     }
   }
   const auto frames = root.find("frames");
@@ -264,7 +263,7 @@ Result<SuiteReport> parseReport(std::string_view text, const std::filesystem::pa
 Result<SuiteReport> readReport(const std::filesystem::path& folder) {
   const auto text = readFile(folder / kReportFileName, kMaxReportBytes);
   if (!text.ok() && text.error().kind == ErrorKind::not_found) {
-    return Error{ErrorKind::not_found, "holds no report of `golden run`", folder.string()};
+    return Error{ErrorKind::not_found, "has no report of `golden run`", folder.string()};
   }
   if (!text.ok()) return text.error();
   auto report = parseReport(*text, folder / kReportFileName);

@@ -25,7 +25,7 @@ constexpr const char* kReport =
     "please report it, with the picture of `rocinante self-test draw -o frame.png`";
 
 SelfTestFact unknownFact(const char* name, const char* first) {
-  return {name, State::missing, "not known", fmt::format("mend {} first", first)};
+  return {name, State::missing, "not known", fmt::format("fix {} first", first)};
 }
 
 std::string versionsOf(const RendererKey& key) {
@@ -70,21 +70,20 @@ SelfTestFact judgeTestFrame(const Picture& drawn, const std::string& key) {
   }
   if (by_bits != known.end()) {
     return {"frame", State::ok,
-            fmt::format("{}: this renderer is not among the known ones, and draws as {} does",
-                        sha256, by_bits->where),
+            fmt::format("{}: this renderer is not known, but draws the same frame as {}", sha256,
+                        by_bits->where),
             ""};
   }
   const auto reference = referenceFrame();
   if (!reference) return {"frame", State::missing, reference.error().text(), kReport};
   const Comparison difference = compare(drawn, *reference, Tolerance::rounding());
   const std::string what = fmt::format(
-      "{}: this renderer is not among the known ones; of {} pixels {} differ from {}, by at most "
-      "{} of 255",
+      "{}: this renderer is not known; of {} pixels {} differ from {}, by at most {} of 255",
       sha256, drawn.rgba.size() / 4, difference.differing, known.front().where, difference.max);
   if (difference.verdict != Verdict::same) return {"frame", State::missing, what, kReport};
-  return {"frame", State::limited, what + ", which is rounding",
-          "goldens of other machines are judged within rounding here; for exact ones accept them "
-          "here too (rocinante golden approve)"};
+  return {"frame", State::limited, what + ", within rounding",
+          "goldens of other machines are judged within rounding here; for exact equality approve "
+          "them here too (rocinante golden approve)"};
 }
 
 std::vector<SelfTestFact> drawingFacts(Picture* drawn) {
@@ -129,8 +128,8 @@ SelfTestFact cacheFact() {
   const std::filesystem::path folder = DetailCache::ofUser().folder();
   const char* advice = "set XDG_CACHE_HOME to a folder that you may write to";
   if (folder.empty()) {
-    return {"cache", State::limited,
-            "there is no folder: view makes coarser meshes anew each time that it starts", advice};
+    return {"cache", State::limited, "no cache folder: view rebuilds coarser meshes at every start",
+            advice};
   }
   // It is made on first use: what is asked is whether it can be.
   std::filesystem::path there = folder;
@@ -142,8 +141,8 @@ SelfTestFact cacheFact() {
     return {"cache", State::ok, folder.string(), ""};
   }
   return {"cache", State::limited,
-          fmt::format("{}: {}: view makes coarser meshes anew each time that it starts",
-                      folder.string(), errno != 0 ? std::strerror(errno) : "not a folder"),
+          fmt::format("{}: {}: view rebuilds coarser meshes at every start", folder.string(),
+                      errno != 0 ? std::strerror(errno) : "not a folder"),
           advice};
 }
 

@@ -14,22 +14,22 @@
 namespace {
 
 constexpr std::string_view kExamples =
-    "  rocinante --self-test                      tells this part with the others\n"
-    "  rocinante self-test draw -o frame.png      keeps the frame that it draws\n";
+    "  rocinante --self-test                      reports this part with the others\n"
+    "  rocinante self-test draw -o frame.png      keeps the drawn frame\n";
 
 }  // namespace
 
 int main(int argc, char** argv) {
   using namespace rocinante;
-  CLI::App app("Draws a small frame that is built in, and prints facts as one line of JSON.",
+  CLI::App app("Draws a small built-in frame and prints facts as one line of JSON.",
                "rocinante-self-test-draw");
   std::vector<std::string> only;
   std::filesystem::path output;
-  app.add_option("--only", only, "context, key, frame, cache, pictures; default all of them")
+  app.add_option("--only", only, "context, key, frame, cache, pictures; default: all of them")
       ->type_name("FACT,...")
       ->delimiter(',')
       ->allow_extra_args(false);
-  app.add_option("-o,--output", output, "write the frame, as PNG")->type_name("FILE");
+  app.add_option("-o,--output", output, "write the frame as PNG")->type_name("FILE");
   addContextOption(app);
   return cli::run(app, argc, argv, kExamples, [&]() -> Result<cli::Exit> {
     const auto wanted = [&](const char* name) {

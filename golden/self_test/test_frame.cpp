@@ -60,7 +60,7 @@ Result<Cell> testCell() {
   cell.file = name;
   auto model = readUrdf(ByteView(rocinante_self_test_model, rocinante_self_test_model_end), name,
                         meshes, cell.faults);
-  if (!model) return Error{ErrorKind::damaged, "the model that is built in cannot be read", name};
+  if (!model) return Error{ErrorKind::damaged, "the built-in model cannot be read", name};
   cell.models[name] = std::make_shared<const Model>(std::move(*model));
   CellDevice device;
   device.name = "arm";

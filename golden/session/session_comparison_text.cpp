@@ -55,7 +55,7 @@ void addEvents(const SessionComparison& comparison, std::string& out) {
   list("a", events.only_a, comparison.origin_a);
   list("b", events.only_b, comparison.origin_b);
   if (events.matched.empty()) {
-    out += "time      no event is in both: the first packets are laid on each other\n";
+    out += "time      no event is in both; aligned at the first packets\n";
   } else if (events.matched.size() > 1) {
     const auto [least, most] = paceOf(events);
     out += fmt::format("time      between events b takes {:.4f} to {:.4f} times as long as a\n",
@@ -70,7 +70,7 @@ void addState(const SessionComparison& comparison, std::string& out) {
                      countText(state.items, "item"), countText(state.samples, "moment"),
                      at(state.from), at(state.until), secondsText(state.step));
   if (state.beyond.empty()) {
-    out += "  all within their limits";
+    out += "  all within limits";
     if (state.largest_within && state.largest_within->largest.value_or(0) > 0) {
       out += fmt::format("; the nearest to its limit: {}, {}", state.largest_within->item,
                          amountText(*state.largest_within));
@@ -78,8 +78,8 @@ void addState(const SessionComparison& comparison, std::string& out) {
     out += "\n";
     return;
   }
-  out += fmt::format("  they part at {} s: {} beyond {}\n", at(state.beyond.front().first_at),
-                     countText(state.beyond.size(), "item"),
+  out += fmt::format("  they first differ at {} s: {} beyond {}\n",
+                     at(state.beyond.front().first_at), countText(state.beyond.size(), "item"),
                      state.beyond.size() == 1 ? "its limit" : "their limits");
   for (std::size_t i = 0; i < std::min(state.beyond.size(), kMaxLines); ++i) {
     const Deviation& item = state.beyond[i];

@@ -20,7 +20,7 @@ void readFiles(SuiteTable& root, Suite& suite) {
   if (const auto cell = root.text("cell")) suite.cell = folder / *cell;
   if (const auto log = root.text("log")) suite.log = folder / *log;
   if (suite.cell.empty() && !suite.log) {
-    root.complainHere("a suite names its `cell`, or a `log` that carries one");
+    root.complainHere("a suite needs a `cell`, or a `log` that carries one");
   }
   suite.goldens = folder / root.text("goldens").value_or("goldens");
   if (const auto store = root.text("store")) suite.store = folder / *store;
@@ -31,7 +31,7 @@ void readTolerances(SuiteTable& root, Suite& suite) {
   if (tolerances == nullptr) return;
   for (const TomlNode::Entry& entry : tolerances->entries) {
     if (entry.value.kind != TomlNode::Kind::table || !isCaseName(entry.key)) {
-      root.complain(entry.value, "tolerances are written as [tolerance.NAME]");
+      root.complain(entry.value, "tolerances must be tables: [tolerance.NAME]");
     } else if (Tolerance::named(entry.key).ok()) {
       root.complain(entry.value, fmt::format("`{}` is a tier: choose another name", entry.key));
     } else {
@@ -47,7 +47,7 @@ void readCases(SuiteTable& root, const SuiteCase& defaults, Suite& suite) {
   if (cases->kind != TomlNode::Kind::array ||
       !std::ranges::all_of(
           cases->items, [](const TomlNode& item) { return item.kind == TomlNode::Kind::table; })) {
-    root.complain(*cases, "cases are written as [[case]]");
+    root.complain(*cases, "cases must be tables: [[case]]");
     return;
   }
   std::set<std::string> names;
@@ -70,7 +70,7 @@ Result<Suite> parseSuite(std::string_view text, const std::filesystem::path& pat
   const std::string file = path.string();
   const auto root_node = parseToml(text, file);
   if (!root_node.ok()) {
-    return mergeConflictIn(text, file, "the suite", "keep what shall be of both sides")
+    return mergeConflictIn(text, file, "the suite", "keep what you want of both sides")
         .value_or(root_node.error());
   }
 
@@ -78,7 +78,7 @@ Result<Suite> parseSuite(std::string_view text, const std::filesystem::path& pat
   SuiteTable root(*root_node, file, fault);
   root.onlyKeys({"format", "cell", "log", "goldens", "store", "defaults", "tolerance", "case"});
   if (root.integer("format").value_or(0) != 1) {
-    root.complainHere("a suite begins with `format = 1`");
+    root.complainHere("a suite must begin with `format = 1`");
   }
   Suite suite;
   suite.file = path;
@@ -90,7 +90,7 @@ Result<Suite> parseSuite(std::string_view text, const std::filesystem::path& pat
     readDefaults(table, suite, defaults);
   }
   readCases(root, defaults, suite);
-  if (suite.cases.empty()) root.complainHere("a suite has at least one [[case]]");
+  if (suite.cases.empty()) root.complainHere("a suite needs at least one [[case]]");
   if (fault) return *fault;
   return suite;
 }

@@ -19,7 +19,7 @@ std::optional<Nanoseconds> durationOf(SuiteTable& table, std::string_view key) {
   if (!text) return std::nullopt;
   const auto duration = parseDuration(*text);
   if (duration.ok()) return *duration;
-  table.complain(*table.node(key), fmt::format("`{}` is a duration, such as \"0.5s\"", key));
+  table.complain(*table.node(key), fmt::format("`{}` must be a duration, such as \"0.5s\"", key));
   return std::nullopt;
 }
 
@@ -30,18 +30,18 @@ void readMoment(SuiteTable& table, SuiteCase& made) {
   moment.events = table.text("events");
   moment.every = durationOf(table, "every");
   if (moment.every && *moment.every <= Nanoseconds(0)) {
-    table.complain(*table.node("every"), "`every` is a duration above zero, such as \"0.5s\"");
+    table.complain(*table.node("every"), "`every` must be a duration above zero, such as \"0.5s\"");
   }
   if (const auto after = durationOf(table, "after")) {
     moment.after = *after;
     if (!moment.event && !moment.events) {
-      table.complain(*table.node("after"), "`after` goes with `event` or `events`");
+      table.complain(*table.node("after"), "`after` needs `event` or `events`");
     }
   }
   if (const auto occurrence = table.integer("occurrence")) {
     if (!moment.event || *occurrence == 0 || std::abs(*occurrence) > 1'000'000) {
       table.complain(*table.node("occurrence"),
-                     "`occurrence` goes with `event`: 1 is the first, -1 the last");
+                     "`occurrence` needs `event` and is 1 for the first, -1 for the last");
     } else {
       moment.occurrence = static_cast<int>(*occurrence);
     }
@@ -49,7 +49,10 @@ void readMoment(SuiteTable& table, SuiteCase& made) {
   const auto given = std::ranges::count_if(
       std::initializer_list<std::string_view>{"at", "event", "events", "every"},
       [&](std::string_view key) { return table.has(key); });
-  if (given > 1) table.complainHere("a case has one of `at`, `event`, `events` and `every`");
+  if (given > 1)
+    table.complainHere(
+        "a case can have only one of `at`, `event`, `events` and "
+        "`every`");
 }
 
 /// Whole numbers of a list of exactly `count`; empty and a fault when it is something else.
@@ -81,27 +84,29 @@ void readArea(SuiteTable& owner, const TomlNode& node, std::string_view key,
       if (sides && (*sides)[2] > 0 && (*sides)[3] > 0) {
         area.rectangle = MaskRectangle{(*sides)[0], (*sides)[1], (*sides)[2], (*sides)[3]};
       } else {
-        table.complain(*rectangle, "`rectangle` is [x, y, width, height] in pixels");
+        table.complain(*rectangle, "`rectangle` must be [x, y, width, height] in pixels");
       }
     }
     const auto grow = table.integer("grow").value_or(0);
     if (grow < 0 || grow > kMaxGrowPx) {
-      table.complain(*table.node("grow"), fmt::format("`grow` is 0 to {} pixels", kMaxGrowPx));
+      table.complain(*table.node("grow"), fmt::format("`grow` must be 0 to {} pixels", kMaxGrowPx));
     } else {
       area.grow_px = static_cast<int>(grow);
     }
     if (table.has("path") == table.has("rectangle")) {
-      table.complainHere("an area has either a `path` or a `rectangle`");
+      table.complainHere("an area needs either a `path` or a `rectangle`");
     }
   } else {
-    owner.complain(node, fmt::format("`{}` is a list of PATHs and of {{ path = ... }} or "
-                                     "{{ rectangle = [x, y, width, height] }}",
+    owner.complain(node, fmt::format("`{}` must be a list of PATHs and of {{ path = ... }} or {{ "
+                                     "rectangle = [x, y, width, height] }}",
                                      key));
   }
   if (!area.rectangle && (area.path == "layer/grid" || area.path == "layer/gnomon")) {
-    owner.complain(node, fmt::format("`hide` {}: what is not drawn needs no mask", area.path));
+    owner.complain(node, fmt::format("`hide` {} instead: it then needs no mask", area.path));
   } else if (!area.rectangle && area.path.empty()) {
-    owner.complain(node, "an area's PATH is DEVICE, DEVICE/LINK, layer/NAME or drawing/SOURCE/ID");
+    owner.complain(node,
+                   "an area's PATH must be DEVICE, DEVICE/LINK, layer/NAME or "
+                   "drawing/SOURCE/ID");
   }
   areas.push_back(std::move(area));
 }
@@ -140,7 +145,7 @@ void readStyle(SuiteTable& table, RenderStyle& style) {
   const auto set = [&](const std::string& key, const TomlNode& value) {
     const auto text = styleValue(value);
     if (!text) {
-      table.complain(value, fmt::format("`{}` of a style is a string or true or false", key));
+      table.complain(value, fmt::format("`{}` of a style must be a string, true or false", key));
     } else if (auto done = setStyle(style, key, *text); !done) {
       table.complain(value, done.error().what);
     }
@@ -179,7 +184,7 @@ void readTolerance(SuiteTable& table, const Suite& suite, SuiteCase& made) {
   std::string own_names;
   for (const auto& [own, limits] : suite.tolerances) own_names += fmt::format("\"{}\", ", own);
   table.complain(*node,
-                 fmt::format("`tolerance` is {}\"exact\", \"rounding\", \"cpu\", \"loose\" or "
+                 fmt::format("`tolerance` must be {}\"exact\", \"rounding\", \"cpu\", \"loose\" or "
                              "{{ tile_mean = ..., tile_over = ... }}",
                              own_names));
 }
@@ -189,14 +194,16 @@ void readExpectation(SuiteTable& table, SuiteCase& made) {
   const auto reason = table.text("reason");
   made.reason = reason.value_or("");
   if (!expect) {
-    if (reason) table.complain(*table.node("reason"), "`reason` goes with `expect`");
+    if (reason) table.complain(*table.node("reason"), "`reason` needs `expect`");
     return;
   }
   made.expect_different = *expect == "different";
   if (*expect != "different" && *expect != "same") {
-    table.complain(*table.node("expect"), "`expect` is \"same\" or \"different\"");
+    table.complain(*table.node("expect"), "`expect` must be \"same\" or \"different\"");
   } else if (made.expect_different && made.reason.empty()) {
-    table.complain(*table.node("expect"), "who expects a difference says why: `reason = \"...\"`");
+    table.complain(*table.node("expect"),
+                   "a case that expects a difference needs `reason = "
+                   "\"...\"`");
   }
 }
 
@@ -220,7 +227,7 @@ Tolerance readLimits(SuiteTable& table, std::string name) {
                  table.integer("tile_over").value_or(0)};
   if (!(made.tile_mean >= 0 && made.tile_mean <= 255) || made.tile_over < 0 ||
       made.tile_over > 256) {
-    table.complainHere("tile_mean lies in 0 to 255, tile_over in 0 to 256");
+    table.complainHere("tile_mean must be 0 to 255, tile_over 0 to 256");
   }
   return made;
 }
@@ -232,12 +239,12 @@ void readCaseLook(SuiteTable& table, const Suite& suite, SuiteCase& made) {
       made.width = (*sides)[0];
       made.height = (*sides)[1];
     } else {
-      table.complain(*size, "`size` is [width, height], each from 1 to 8192");
+      table.complain(*size, "`size` must be [width, height], each from 1 to 8192");
     }
   }
   if (const auto samples = table.integer("samples")) {
     if (*samples != 1 && *samples != 2 && *samples != 4 && *samples != 8) {
-      table.complain(*table.node("samples"), "`samples` is 1, 2, 4 or 8");
+      table.complain(*table.node("samples"), "`samples` must be 1, 2, 4 or 8");
     }
     made.samples = static_cast<int>(*samples);
   }
@@ -268,7 +275,7 @@ void readCase(SuiteTable& table, const Suite& suite, SuiteCase& made) {
                   "tolerance", "expect", "reason", "tags"});
   made.name = table.text("name").value_or("");
   if (!isCaseName(made.name)) {
-    table.complainHere("a case has a `name` of at most 100 letters, digits, `_`, `-` and `.`");
+    table.complainHere("a case needs a `name` of at most 100 letters, digits, `_`, `-` and `.`");
   }
   readMoment(table, made);
   readCaseLook(table, suite, made);

@@ -97,7 +97,7 @@ Result<std::vector<NamedMoment>> momentsAtEvents(const CaseMoment& moment, Timel
   }
   if (moments.empty()) {
     moments.push_back(
-        {"", {}, fmt::format("no event of the log is \"{}\"", plainText(*moment.events))});
+        {"", {}, fmt::format("no event of the log matches \"{}\"", plainText(*moment.events))});
   }
   // One that is hidden would also change which turn the others are.
   if (!hiding.empty()) {
@@ -114,7 +114,7 @@ Result<std::vector<NamedMoment>> momentsOf(const SuiteCase& made, Timeline* sess
   const bool wants_time = moment.at || moment.event || moment.events || moment.every;
   if (session == nullptr) {
     if (!wants_time) return std::vector<NamedMoment>{{"", LogTime{}}};
-    return std::vector<NamedMoment>{{"", {}, "the case names a moment, but the suite has no log"}};
+    return std::vector<NamedMoment>{{"", {}, "the case has a moment, but the suite has no log"}};
   }
   if (moment.event) return momentsAtEvent(moment, *session);
   if (moment.events) return momentsAtEvents(moment, *session);
@@ -128,7 +128,7 @@ Result<std::vector<NamedMoment>> momentsOf(const SuiteCase& made, Timeline* sess
   }
   if (!moment.at) {
     return std::vector<NamedMoment>{
-        {"", {}, "a case over a log has one of `at`, `event`, `events` and `every`"}};
+        {"", {}, "a case over a log needs one of `at`, `event`, `events` and `every`"}};
   }
   const auto time = parseSessionTime(*moment.at, session->origin(), session->end());
   if (!time.ok()) return time.error();
@@ -138,7 +138,7 @@ Result<std::vector<NamedMoment>> momentsOf(const SuiteCase& made, Timeline* sess
 /// Nothing judged is never yes: a moment outside the log is no moment.
 void refuseMomentOutside(const Timeline& session, SuiteFrame& frame) {
   if (!frame.time || (*frame.time >= session.start() && *frame.time <= session.end())) return;
-  frame.why = fmt::format("its moment lies outside the log, at {} s of {} s",
+  frame.why = fmt::format("its moment is outside the log: {} s of {} s",
                           secondsText(*frame.time - session.origin(), 3),
                           secondsText(session.end() - session.origin(), 3));
   frame.time.reset();
@@ -170,7 +170,7 @@ Result<std::pair<int, int>> parseShard(std::string_view text) {
       return std::pair(shard, shards);
     }
   }
-  return Error{ErrorKind::bad_argument, "a shard is I/N, from 1/N to N/N", std::string(text)};
+  return Error{ErrorKind::bad_argument, "a shard must be I/N, from 1/N to N/N", std::string(text)};
 }
 
 Result<std::vector<SuiteFrame>> planFrames(const Suite& suite, Timeline* session) {
@@ -217,7 +217,7 @@ Result<std::vector<SuiteFrame>> selectFrames(std::vector<SuiteFrame> frames,
            hasAnyTag(frame, selection.not_tags);
   });
   if (frames.empty()) {
-    return Error{ErrorKind::bad_argument, "no case is selected: nothing would be judged",
+    return Error{ErrorKind::bad_argument, "no case is selected, so nothing would be judged",
                  suite.file.string()};
   }
   if (selection.shards == 1) return frames;

@@ -62,7 +62,7 @@ std::vector<std::string> fileChanges(const FileHashes& golden, const FileHashes&
     if (before == golden.end()) {
       lines.push_back(name + ": the " + role + " is new");
     } else if (now == frame.end()) {
-      lines.push_back(name + ": the " + role + " is no part of the cell any more");
+      lines.push_back(name + ": the " + role + " is no longer part of the cell");
     } else if (before->second != now->second) {
       lines.push_back(name + ": the " + role + (role.ends_with('s') ? " have" : " has") +
                       " changed");

@@ -22,10 +22,10 @@ std::string_view sentenceOf(GoldenBasis basis) {
              "sides are known.";
     case GoldenBasis::inputs:
       return "The golden's own cell and session are at hand, but this renderer draws them "
-             "otherwise.";
+             "differently.";
     case GoldenBasis::guessed:
-      return "The golden's own cell or session is not at hand: what its pixels belong to is taken "
-             "from today's, and movements are estimated from the pictures.";
+      return "The golden's own cell or session is not at hand: its pixels are attributed by "
+             "today's, and movements are estimated from the pictures.";
   }
   return "";
 }

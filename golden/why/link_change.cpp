@@ -69,7 +69,7 @@ std::string whatText(const LinkChange& change) {
     case ChangeKind::vanished:
       return "vanished";
     case ChangeKind::shape:
-      return "another shape";
+      return "shape changed";
     case ChangeKind::drawing:
       return "text or drawing";
     case ChangeKind::camera:
@@ -78,7 +78,7 @@ std::string whatText(const LinkChange& change) {
       break;
   }
   const auto& shift = change.color_shift;
-  return fmt::format("colour, by ({:+.0f}, {:+.0f}, {:+.0f})", rounded(shift[0], 1),
+  return fmt::format("colour changed by ({:+.0f}, {:+.0f}, {:+.0f})", rounded(shift[0], 1),
                      rounded(shift[1], 1), rounded(shift[2], 1));
 }
 

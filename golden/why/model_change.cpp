@@ -100,7 +100,7 @@ std::vector<std::string> modelChanges(const FileHashes& golden, const FileTexts&
   addTo(lines, fileChanges(golden, files_today));
   if (put_back.unknown() > 0) {
     lines.push_back(
-        "what changed in these texts is not known: the golden was accepted before they were kept");
+        "changes in these texts are unknown: the golden was accepted before texts were kept");
   }
   return lines;
 }

@@ -178,7 +178,7 @@ class StateComparison {
       const auto there = before.model->findLink(now.model->links[link].name);
       const std::string item = now.name + "/" + now.model->links[link].name;
       if (!there) {
-        add(item, item + ": the golden's model has no such link");
+        add(item, item + ": link not in the golden's model");
         continue;
       }
       if (before.visible == now.visible && before.link_visible[*there] != now.link_visible[link]) {
@@ -192,8 +192,7 @@ class StateComparison {
     }
     for (const Link& link : before.model->links) {
       const std::string item = now.name + "/" + link.name;
-      if (!now.model->findLink(link.name))
-        add(item, item + ": the model has no such link any more");
+      if (!now.model->findLink(link.name)) add(item, item + ": link no longer in the model");
     }
   }
 
@@ -209,7 +208,7 @@ class StateComparison {
         add(itemOf(key),
             fmt::format("{}: \"{}\" -> \"{}\"", itemOf(key), found->second.text, drawing.text));
       } else if (!(found->second == drawing)) {
-        add(itemOf(key), itemOf(key) + ": drawn otherwise");
+        add(itemOf(key), itemOf(key) + ": drawn differently");
       }
     }
     for (const auto& [key, drawing] : before) {

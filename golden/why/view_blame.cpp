@@ -161,7 +161,7 @@ double angleBetween(const Vec3& a, const Vec3& b) {
 
 std::string cameraChange(const CameraView& golden, const CameraView& frame, int height_px) {
   if (golden.ortho_height_m.has_value() != frame.ortho_height_m.has_value()) {
-    return "its camera has another projection";
+    return "its camera's projection changed";
   }
   const double moved = glm::length(frame.eye - golden.eye);
   const Vec3 before = directionOf(golden.eye, golden.target);
@@ -207,14 +207,14 @@ Blame blameViews(const BlameSide& golden, const std::vector<PicturedView>& golde
       const auto in_golden = std::ranges::find_if(golden_views, its);
       const bool elsewhere = partnerOf(*in_golden, frame_views) != nullptr;
       append(wholePart(golden.picture, frame.picture, part,
-                       elsewhere ? "it lies elsewhere now" : "it is drawn no more"),
+                       elsewhere ? "it was moved" : "it is no longer drawn"),
              in_golden->camera, part, all);
       continue;
     }
     const PicturedView* const before = partnerOf(*in_frame, golden_views);
     std::string what = before == nullptr ? "it is new"
                        : before->part != part
-                           ? "it lies elsewhere now"
+                           ? "it was moved"
                            : cameraChange(before->from, in_frame->from, part.height);
     append(what.empty() ? blameLinks(cropOf(golden, part).side(), cropOf(frame, part).side(), moved)
                         : wholePart(golden.picture, frame.picture, part, std::move(what)),
@@ -232,7 +232,7 @@ Blame guessViews(const Picture& golden, const BlameSide& frame,
     if (!view.is_inset) continue;
     append(isFixed(view.camera, cell)
                ? guessBlame(cropOf(golden, view.part), cropOf(frame, view.part).side())
-               : wholePart(golden, frame.picture, view.part, "where its camera was is not known"),
+               : wholePart(golden, frame.picture, view.part, "its earlier camera is unknown"),
            view.camera, view.part, all);
   }
   return all;

@@ -12,7 +12,7 @@ namespace rocinante {
 /// Adds --context to a program or subcommand that draws without a window. It counts from parsing
 /// on, which must come before the first thread and context.
 inline void addContextOption(CLI::App& app) {
-  app.add_option("--context", "what draws: osmesa where that is there, else egl; the same bits")
+  app.add_option("--context", "how to draw: osmesa if available, else egl; both give the same bits")
       ->check(CLI::IsMember({"osmesa", "egl"}))
       ->each([](const std::string& wanted) { ::setenv(kContextVariable, wanted.c_str(), 1); });
 }

@@ -28,7 +28,7 @@ Error refusal(std::string what) { return Error{ErrorKind::refused, std::move(wha
 Result<EglTable> loadEgl() {
   // Never closed: drivers leave threads and exit handlers behind.
   void* library = ::dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
-  if (library == nullptr) return refusal("there is no libEGL.so.1 on this machine");
+  if (library == nullptr) return refusal("libEGL.so.1 is not installed");
   EglTable egl;
   egl.GetProcAddress =
       reinterpret_cast<PFNEGLGETPROCADDRESSPROC>(::dlsym(library, "eglGetProcAddress"));
@@ -87,7 +87,7 @@ Result<std::unique_ptr<RenderContext>> makeEglContext() {
   EGLDisplay display =
       egl->GetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
   if (display == EGL_NO_DISPLAY || egl->Initialize(display, nullptr, nullptr) != EGL_TRUE) {
-    return refusal("EGL has no display without a surface here");
+    return refusal("EGL has no surfaceless display here");
   }
   if (egl->BindAPI(EGL_OPENGL_API) != EGL_TRUE) return refusal("this EGL has no desktop GL");
   const std::array<EGLint, 5> wanted{EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, 0,
@@ -105,7 +105,7 @@ Result<std::unique_ptr<RenderContext>> makeEglContext() {
                                          EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                                          EGL_NONE};
   EGLContext handle = egl->CreateContext(display, config, EGL_NO_CONTEXT, attributes.data());
-  if (handle == EGL_NO_CONTEXT) return refusal("EGL gives no GL 3.3 core context");
+  if (handle == EGL_NO_CONTEXT) return refusal("EGL cannot create a GL 3.3 core context");
   std::unique_ptr<RenderContext> context = std::make_unique<EglContext>(*egl, display, handle);
   if (Status current = context->makeCurrent(); !current) return current.error();
   return context;

@@ -15,10 +15,10 @@ namespace {
 Error badFrame(std::string what) { return Error{ErrorKind::bad_argument, std::move(what), {}}; }
 
 Error noMemory(int width, int height, int samples) {
-  return {ErrorKind::refused,
-          fmt::format("there is no memory for a frame of {}x{} with {} samples", width, height,
-                      samples),
-          {}};
+  return {
+      ErrorKind::refused,
+      fmt::format("not enough memory for a frame of {}x{} with {} samples", width, height, samples),
+      {}};
 }
 
 /// What a frame takes at most: colour and depth of each sample, what they are resolved to, and the
@@ -62,12 +62,12 @@ Result<FrameBuffer> FrameBuffer::create(const GlTable& gl, int width, int height
   gl.GetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &max_side);
   gl.GetIntegerv(GL_MAX_SAMPLES, &max_samples);
   if (width < 1 || height < 1 || width > max_side || height > max_side) {
-    return badFrame(fmt::format("a frame of {}x{} cannot be drawn: each side is from 1 to {} here",
+    return badFrame(fmt::format("cannot draw a frame of {}x{}: each side must be 1 to {} here",
                                 width, height, max_side));
   }
   if (samples < 1 || samples > std::max(max_samples, 1)) {
     return badFrame(
-        fmt::format("{} samples cannot be drawn: this renderer has 1 to {}", samples, max_samples));
+        fmt::format("cannot draw {} samples: this renderer has 1 to {}", samples, max_samples));
   }
 
   // Ordinary sizes are not worth the question.
@@ -86,8 +86,7 @@ Result<FrameBuffer> FrameBuffer::create(const GlTable& gl, int width, int height
   const int depth = storeSamples(gl, &frame.depth_, GL_DEPTH_COMPONENT32F, width, height, samples);
   if (gl.GetError() == GL_OUT_OF_MEMORY) return noMemory(width, height, samples);
   if (color != samples || depth != samples) {
-    return badFrame(
-        fmt::format("{} samples cannot be drawn: this renderer takes {}", samples, color));
+    return badFrame(fmt::format("cannot draw {} samples: this renderer has {}", samples, color));
   }
   gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, frame.color_);
   gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, frame.depth_);
@@ -103,8 +102,8 @@ Result<FrameBuffer> FrameBuffer::create(const GlTable& gl, int width, int height
   if (gl.GetError() == GL_OUT_OF_MEMORY) return noMemory(width, height, samples);
   if (!complete) {
     return Error{ErrorKind::refused,
-                 fmt::format("the GL driver gives no framebuffer of {}x{} with {} samples", width,
-                             height, samples),
+                 fmt::format("the GL driver cannot create a framebuffer of {}x{} with {} samples",
+                             width, height, samples),
                  {}};
   }
   return frame;

@@ -31,7 +31,7 @@ Result<GlTable> fillGlTable(const GlProcFinder& find) {
   gl.GetIntegerv(GL_MINOR_VERSION, &minor);
   if (major * 10 + minor < 33) {
     return Error{ErrorKind::refused,
-                 "GL 3.3 is needed, and this context is " + std::to_string(major) + "." +
+                 "GL 3.3 is required, but this context is " + std::to_string(major) + "." +
                      std::to_string(minor),
                  {}};
   }

@@ -27,7 +27,7 @@ Result<OsmesaTable> loadOsmesa() {
     const char* reason = ::dlerror();
     return Error{
         ErrorKind::refused,
-        std::string("OSMesa cannot be loaded: ") + (reason != nullptr ? reason : "nobody says why"),
+        std::string("OSMesa cannot be loaded: ") + (reason != nullptr ? reason : "no reason given"),
         {}};
   }
   OsmesaTable osmesa;
@@ -86,7 +86,7 @@ Result<std::unique_ptr<RenderContext>> makeOsmesaContext() {
                               0};
   OSMesaContext handle = osmesa->CreateContextAttribs(attributes.data(), nullptr);
   if (handle == nullptr) {
-    return Error{ErrorKind::refused, "OSMesa gives no GL 3.3 core context", {}};
+    return Error{ErrorKind::refused, "OSMesa cannot create a GL 3.3 core context", {}};
   }
   std::unique_ptr<RenderContext> context = std::make_unique<OsmesaContext>(*osmesa, handle);
   if (Status current = context->makeCurrent(); !current) return current.error();

@@ -173,37 +173,36 @@ RendererKey rendererKey(const GlTable& gl) {
 
 Status requireReproducible(const RendererKey& key) {
   if (key.renderer != "llvmpipe") {
-    return Error{
-        ErrorKind::refused,
-        "the reproducible profile needs Mesa's llvmpipe, and this renderer calls itself \"" +
-            key.renderer + "\"",
-        {}};
+    return Error{ErrorKind::refused,
+                 "the reproducible profile needs Mesa's llvmpipe, but this renderer is \"" +
+                     key.renderer + "\"",
+                 {}};
   }
   if (key.architecture == "aarch64") {
     if (key.caps == kNoCaps) return {};
     return Error{ErrorKind::refused,
                  "the reproducible profile needs LP_NATIVE_VECTOR_WIDTH=128 set before the first "
-                 "context, and it is not",
+                 "context; it was not",
                  {}};
   }
   if (key.architecture != "x86_64") {
     return Error{ErrorKind::refused,
-                 "the reproducible profile draws the same bits on x86_64 and on aarch64, and this "
-                 "machine is \"" +
+                 "the reproducible profile draws the same bits only on x86_64 and aarch64, but "
+                 "this machine is \"" +
                      key.architecture + "\": --profile fast draws on any",
                  {}};
   }
   if (key.caps != "sse4.1" && key.caps != "sse2") {
     return Error{ErrorKind::refused,
-                 "the reproducible profile needs GALLIUM_OVERRIDE_CPU_CAPS pinned before the first "
-                 "context, and it is " +
+                 "the reproducible profile needs GALLIUM_OVERRIDE_CPU_CAPS set before the first "
+                 "context, but it is " +
                      (key.caps == "native" ? std::string("unset") : "\"" + key.caps + "\""),
                  {}};
   }
   if (key.caps == "sse4.1" && !processorDrawsAsSse41()) {
     return Error{ErrorKind::refused,
-                 "this processor is older than SSSE3 and would draw other bits than sse4.1 stands "
-                 "for: --caps sse2 draws those that every x86-64 machine can",
+                 "this processor lacks SSSE3, so it cannot draw the bits of sse4.1; --caps sse2 "
+                 "draws bits that every x86-64 machine can",
                  {}};
   }
   return {};

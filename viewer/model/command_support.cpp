@@ -16,10 +16,10 @@ namespace rocinante {
 
 void addFileOptions(CLI::App& app, ModelFileOptions& options) {
   app.add_option("FILE", options.file,
-                 "a model (.urdf, .obj, .stl ...), a *.cell.toml, or a log that carries its cell")
+                 "a model (.urdf, .obj, .stl ...), a *.cell.toml or a log that carries its cell")
       ->required();
   cli::addSearchOptions(app, options);
-  app.add_flag("--strict", options.strict, "refuse a model with errors in it");
+  app.add_flag("--strict", options.strict, "refuse a model with errors");
   app.add_option("--device", options.device, "only this device of a cell");
 }
 
@@ -42,13 +42,12 @@ Result<Cell> loadFile(const ModelFileOptions& options, bool geometry) {
 
 void addPoseOptions(CLI::App& app, PoseOptions& options) {
   app.add_option("--joints", options.positions,
-                 "all joint values, in the order of the file: \"0 -0.785 0 -2.356\"");
-  app.add_option("--joint", options.named, "NAME=VALUE of one joint; may be repeated");
-  app.add_flag("--degrees", options.degrees, "values of joints that turn are degrees");
-  app.add_option("--pose", options.base,
-                 "where the device stands: \"x y z\" or \"x y z qx qy qz qw\"");
-  auto* at = app.add_option("--at", options.at, "a moment of the session: 12.5s, -1s, RFC 3339");
-  app.add_option("--log", options.log, "take the joints from this session")->needs(at);
+                 "all joint values in the file's order: \"0 -0.785 0 -2.356\"");
+  app.add_option("--joint", options.named, "NAME=VALUE of one joint; repeatable");
+  app.add_flag("--degrees", options.degrees, "values of rotating joints are degrees");
+  app.add_option("--pose", options.base, "pose of the device: \"x y z\" or \"x y z qx qy qz qw\"");
+  auto* at = app.add_option("--at", options.at, "a session time: 12.5s, -1s, RFC 3339");
+  app.add_option("--log", options.log, "take joint values from this session")->needs(at);
 }
 
 Result<PoseRequest> poseRequestOf(const PoseOptions& options, const std::string& device) {
@@ -80,13 +79,14 @@ Result<PoseRequest> poseRequestOf(const PoseOptions& options, const std::string&
     const Result<std::vector<double>> v = parseNumbers(options.base);
     if (!v) return refused(v.error().what, "--pose");
     if (v->size() != 3 && v->size() != 7) {
-      return refused("a pose is x y z, or x y z qx qy qz qw", "--pose");
+      return refused("a pose must be x y z or x y z qx qy qz qw", "--pose");
     }
     Pose pose;
     pose.position = {(*v)[0], (*v)[1], (*v)[2]};
     if (v->size() == 7) {
       const auto turn = normalized(Quat{(*v)[6], (*v)[3], (*v)[4], (*v)[5]});
-      if (!turn) return refused("the quaternion is zero; no turn is 0 0 0 1", "--pose");
+      if (!turn)
+        return refused("the quaternion is zero; the identity rotation is 0 0 0 1", "--pose");
       pose.orientation = *turn;
     }
     request.base = pose;
@@ -105,7 +105,7 @@ Status toStandardOutput(std::string_view text) {
   const bool written =
       std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
   if (written) return Status{};
-  return Error{ErrorKind::refused, "standard output takes no more", "stdout"};
+  return Error{ErrorKind::refused, "cannot write to standard output", "stdout"};
 }
 
 }  // namespace rocinante

@@ -128,7 +128,9 @@ class Conversion {
 
   Status makeCell() {
     if (job_.pose.joints || !job_.pose.named.empty() || job_.pose.base || !job_.pose.log.empty()) {
-      return Error{ErrorKind::bad_argument, "a cell has its joints in it: values mean nothing here",
+      return Error{ErrorKind::bad_argument,
+                   "a cell keeps its joints, so joint values have no "
+                   "effect here",
                    job_.output.string()};
     }
     const CellDevice* device = nullptr;
@@ -140,14 +142,14 @@ class Conversion {
     if (device == nullptr || cell_.modelOf(*device) == nullptr) {
       return Error{
           ErrorKind::bad_argument,
-          fmt::format("of {} devices --device says whose model is written", cell_.devices.size()),
+          fmt::format("--device must name one of the {} devices to write", cell_.devices.size()),
           cell_.shown(cell_.file)};
     }
     const Model& model = *cell_.modelOf(*device);
     const std::vector<std::string> groups = addGroups(modelAlone(*device, model), "", false);
     for (const Link& link : model.links) {
       if (link.collisions.empty()) continue;
-      report_.warnings.push_back("collision shapes are left out: a cell shows what is seen");
+      report_.warnings.push_back("collision shapes are left out: a cell has only visual shapes");
       break;
     }
     const std::string obj_name = plain(stem_) + ".obj";
@@ -155,7 +157,7 @@ class Conversion {
     std::string text = cellText(*device, model, obj_name, groups);
     if (text.size() > kMaxCellBytes) {
       return Error{ErrorKind::unsupported,
-                   fmt::format("{} links make a cell file of more than {} MiB, which is not read",
+                   fmt::format("{} links make a cell file larger than {} MiB, the limit",
                                model.links.size(), kMaxCellBytes >> 20),
                    job_.output.string()};
     }
@@ -192,7 +194,7 @@ class Conversion {
   }
 
   Error nothing() const {
-    return {ErrorKind::unsupported, "there is no geometry to write", cell_.shown(cell_.file)};
+    return {ErrorKind::unsupported, "no geometry to write", cell_.shown(cell_.file)};
   }
 
   const Cell& cell_;

@@ -39,13 +39,13 @@ Result<cli::Exit> runConvert(const ConvertOptions& options) {
 ModelCommand addConvertCommand(CLI::App& program) {
   auto options = std::make_shared<ConvertOptions>();
   CLI::App* const app = program.add_subcommand(
-      "convert", "writes geometry, or geometry with kinematics, in another form");
+      "convert", "convert geometry, or geometry with kinematics, to another format");
   addFileOptions(*app, options->file);
   addPoseOptions(*app, options->pose);
   app->add_option("-o,--output", options->output,
-                  "OUT.obj (posed, a group a link), OUT.stl, or OUT.cell.toml (with kinematics)")
+                  "OUT.obj (posed, a group per link), OUT.stl or OUT.cell.toml (with kinematics)")
       ->required();
-  app->add_flag("--force", options->overwrite, "overwrite files that exist");
+  app->add_flag("--force", options->overwrite, "overwrite existing files");
   return {app, [options] { return runConvert(*options); }};
 }
 

@@ -24,8 +24,7 @@ Result<cli::Exit> runFk(const FkOptions& options) {
   if (!links) return links.error();
   std::vector<std::string> warnings;
   if (!damage.empty()) {
-    warnings.push_back(damage.what() + "; links may stand where they stood before (" +
-                       damage.where() + ")");
+    warnings.push_back(damage.what() + "; links may have stale poses (" + damage.where() + ")");
   }
   const std::string text =
       options.json ? forwardKinematicsJson(*links, warnings) : forwardKinematicsText(*links);
@@ -39,10 +38,10 @@ Result<cli::Exit> runFk(const FkOptions& options) {
 ModelCommand addFkCommand(CLI::App& program) {
   auto options = std::make_shared<FkOptions>();
   CLI::App* const app =
-      program.add_subcommand("fk", "where every link stands for given joint values");
+      program.add_subcommand("fk", "compute the pose of every link for given joint values");
   addFileOptions(*app, options->file);
   addPoseOptions(*app, options->pose);
-  app->add_flag("--json", options->json, "for scripts: LINK to {xyz, quaternion}");
+  app->add_flag("--json", options->json, "print JSON: LINK to {xyz, quaternion}");
   return {app, [options] { return runFk(*options); }};
 }
 

@@ -37,7 +37,7 @@ Result<std::vector<LinkPose>> forwardKinematics(const Cell& cell, const PoseRequ
     }
   }
   if (links.empty()) {
-    return Error{ErrorKind::bad_argument, "no device of the cell stands there at that moment",
+    return Error{ErrorKind::bad_argument, "the cell has no device at that moment",
                  cell.shown(cell.file)};
   }
   return links;

@@ -28,9 +28,9 @@ Result<cli::Exit> runInfo(const InfoOptions& options) {
 ModelCommand addInfoCommand(CLI::App& program) {
   auto options = std::make_shared<InfoOptions>();
   CLI::App* const app = program.add_subcommand(
-      "info", "what is in a model: tree, joints, limits, size, triangles, textures, faults");
+      "info", "show a model's tree, joints, limits, size, triangles, textures and faults");
   addFileOptions(*app, options->file);
-  app->add_flag("--json", options->json, "for scripts");
+  app->add_flag("--json", options->json, "print JSON");
   return {app, [options] { return runInfo(*options); }};
 }
 

@@ -9,8 +9,8 @@
 namespace {
 
 constexpr const char* kExamples =
-    "  rocinante model info arm.urdf                     what is in it\n"
-    "  rocinante model info demo.cell.toml --json        the same for scripts\n"
+    "  rocinante model info arm.urdf                     its contents\n"
+    "  rocinante model info demo.cell.toml --json        its contents as JSON\n"
     "  rocinante model tree arm.urdf                     links and joints as a tree\n"
     "  rocinante model fk arm.urdf --joints \"0 0.5 0 -1.2 0 0\"\n"
     "  rocinante model fk arm.urdf --degrees --joint elbow=90 --json\n"
@@ -22,7 +22,7 @@ constexpr const char* kExamples =
 
 int main(int argc, char** argv) {
   using namespace rocinante;
-  CLI::App app("Looks into models and cells.", "rocinante-model");
+  CLI::App app("Inspects and converts models and cells.", "rocinante-model");
   app.require_subcommand(1);
   const std::vector<ModelCommand> commands{addInfoCommand(app), addTreeCommand(app),
                                            addFkCommand(app), addConvertCommand(app)};

@@ -53,7 +53,7 @@ Result<std::vector<double>> positionalValues(const Model& model, const PoseReque
   std::vector<double> values = *request.joints;
   if (values.size() != model.positionalCount()) {
     const std::vector<std::string> names = valueNames(model);
-    std::string what = fmt::format("{} where the model takes {}",
+    std::string what = fmt::format("{}, but the model takes {}",
                                    cli::counted(values.size(), "joint value"), names.size());
     if (!names.empty() && names.size() <= 32) what += fmt::format(": {}", fmt::join(names, " "));
     return refused(std::move(what));
@@ -72,7 +72,7 @@ Error unknownJoint(const Model& model, const std::string& name) {
   if (const auto joint = model.findJoint(name)) {
     const Joint& found = model.joints[*joint];
     if (found.mimic) {
-      return refused(fmt::format("joint `{}` mimics `{}` and takes no value of its own",
+      return refused(fmt::format("joint `{}` mimics `{}` and cannot have its own value",
                                  plainText(name),
                                  plainText(model.joints[found.mimic->joint].name)));
     }
@@ -96,7 +96,7 @@ struct Posed {
 
 Result<Posed> posedDevice(const Cell& cell, const std::string& name) {
   if (name.empty() && cell.devices.size() != 1) {
-    return refused(fmt::format("the cell has {}: say by --device whose joints are meant",
+    return refused(fmt::format("the cell has {}: choose one with --device",
                                cli::counted(cell.devices.size(), "device")));
   }
   const CellDevice* device = name.empty() ? &cell.devices.front() : cell.findDevice(name);
@@ -118,7 +118,7 @@ Result<SessionState> sessionState(const PoseRequest& request, StateDamage* damag
   const auto moment = parseSessionTime(request.at, session->origin(), session->end());
   if (!moment) return moment.error();
   if (*moment < session->start() || *moment > session->end()) {
-    return refused(fmt::format("the session does not reach to `{}`", plainText(request.at)));
+    return refused(fmt::format("the session does not include `{}`", plainText(request.at)));
   }
   const auto state = session->stateAt(*moment, damage);
   if (!state) return state.error();
@@ -191,7 +191,7 @@ Result<std::vector<double>> parseNumbers(std::string_view text) {
     double value = 0;
     const auto [stop, fault] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (fault != std::errc() || stop != digits.data() + digits.size() || !std::isfinite(value)) {
-      return refused(fmt::format("`{}` is no number", plainText(word)));
+      return refused(fmt::format("`{}` is not a number", plainText(word)));
     }
     numbers.push_back(value);
     at = end;

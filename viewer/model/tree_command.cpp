@@ -52,9 +52,9 @@ Result<cli::Exit> runTree(const TreeOptions& options) {
 ModelCommand addTreeCommand(CLI::App& program) {
   auto options = std::make_shared<TreeOptions>();
   CLI::App* const app =
-      program.add_subcommand("tree", "the links as a tree, with the joints that hold them");
+      program.add_subcommand("tree", "print the links and their joints as a tree");
   addFileOptions(*app, options->file);
-  app->add_flag("--ascii", options->ascii, "no box-drawing characters");
+  app->add_flag("--ascii", options->ascii, "use only ASCII characters");
   return {app, [options] { return runTree(*options); }};
 }
 

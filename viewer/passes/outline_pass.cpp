@@ -145,7 +145,7 @@ Status OutlinePass::resize(int width, int height) {
   width_ = width;
   height_ = height;
   if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-    return Error{ErrorKind::refused, "the GL driver gives no framebuffer for outlines", {}};
+    return Error{ErrorKind::refused, "the GL driver cannot create a framebuffer for outlines", {}};
   }
   return {};
 }

@@ -48,7 +48,7 @@ Result<ShadowMap> ShadowMap::create(const GlTable& gl) {
   const bool complete = gl.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
   gl.BindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(bound));
   if (!complete) {
-    return Error{ErrorKind::refused, "the GL driver gives no framebuffer for shadows", {}};
+    return Error{ErrorKind::refused, "the GL driver cannot create a framebuffer for shadows", {}};
   }
   return map;
 }

@@ -44,7 +44,7 @@ struct Channels {
 
 /// Why a picture of such pixels is not read, or judged; empty: it is.
 std::string whyNot(const OIIO::ImageSpec& spec, bool to_judge) {
-  if (spec.deep) return "has several samples in a pixel (deep); only flat pictures are read";
+  if (spec.deep) return "has several samples per pixel (deep); only flat pictures are read";
   // TIFF 6.0: 5 separated inks, 8 to 10 kinds of CIELAB.
   const int tiff = spec.get_int_attribute("tiff:PhotometricInterpretation", 0);
   if (tiff >= 8 && tiff <= 10) return "has CIELAB colours; grey, RGB and CMYK are read";
@@ -58,7 +58,8 @@ std::string whyNot(const OIIO::ImageSpec& spec, bool to_judge) {
       spec.full_width == 0 || (spec.x == spec.full_x && spec.y == spec.full_y &&
                                spec.width == spec.full_width && spec.height == spec.full_height);
   return whole ? ""
-               : "has pixels of a part of its picture, or beyond it; only whole ones are judged";
+               : "has a data window that differs from its display window; only whole pictures "
+                 "are judged";
 }
 
 /// The library's GIF reader names a channel that is past the last.
@@ -231,13 +232,13 @@ void read(const char* path, const void* bytes, size_t size, int64_t max_pixels, 
       is_jpeg ? openJpeg(bytes, size)
               : OIIO::ImageInput::open(path, &wanted, bytes == nullptr ? nullptr : &memory);
   if (!input) {
-    return answer(
-        out, no_picture,
-        is_jpeg ? "is no JPEG that can be read" : "is no picture: " + firstLine(OIIO::geterror()));
+    return answer(out, no_picture,
+                  is_jpeg ? "is not a readable JPEG"
+                          : "is not a readable picture: " + firstLine(OIIO::geterror()));
   }
   const OIIO::ImageSpec& spec = input->spec();
   if (spec.width <= 0 || spec.height <= 0 || spec.depth > 1 || spec.nchannels < 1) {
-    return answer(out, no_picture, "is no flat picture");
+    return answer(out, no_picture, "is not a flat picture");
   }
   if (with_samples && spec.format.size() > 1) {
     max_pixels = std::min(max_pixels, rocinante::kMaxDeepPixels);

@@ -39,12 +39,11 @@ Result<bool> isPng(const std::filesystem::path& path) {
     return Error{ErrorKind::unreadable, "is an empty file", path.string()};
   }
   if (first.size() < kPngSignature.size()) {
-    return Error{ErrorKind::unreadable, "is no picture that can be read", path.string()};
+    return Error{ErrorKind::unreadable, "is not a readable picture", path.string()};
   }
   if (isLfsPointer(bytesOf(first))) {
     return Error{ErrorKind::unsupported,
-                 "is a Git LFS pointer and not the picture; `git lfs pull` fetches it",
-                 path.string()};
+                 "is a Git LFS pointer, not the picture; `git lfs pull` fetches it", path.string()};
   }
   return first.starts_with(kPngSignature);
 }
@@ -59,7 +58,7 @@ bool isPipe(const std::filesystem::path& path) {
 Result<std::string> pngFromPipe(const std::filesystem::path& path) {
   auto content = readFile(path, kMaxPipedBytes);
   if (!content.ok() || content->starts_with(kPngSignature)) return content;
-  return Error{ErrorKind::unsupported, "through a pipe only PNG is read", path.string()};
+  return Error{ErrorKind::unsupported, "only PNG can be read from a pipe", path.string()};
 }
 
 }  // namespace
@@ -94,7 +93,7 @@ Result<FinePicture> readFinePicture(const std::filesystem::path& path, std::int6
 
 std::string PictureEncoding::depthText() const {
   return floating ? std::to_string(bits) + "-bit floating point"
-                  : std::to_string(bits) + " bits a component";
+                  : std::to_string(bits) + " bits per component";
 }
 
 std::string_view PictureEncoding::componentsText() const {

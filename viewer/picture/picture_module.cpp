@@ -33,7 +33,7 @@ struct PictureModule {
         reinterpret_cast<RocinantePictureFree>(functionOf(library, "rocinante_picture_free"));
     if (abi == nullptr || abi() != ROCINANTE_PICTURE_ABI || found_read == nullptr ||
         found_free == nullptr) {
-      reason = std::string(kModuleName) + " is of another version";
+      reason = std::string(kModuleName) + " has a different version";
       return;
     }
     read = found_read;
@@ -87,7 +87,7 @@ Status askModule(const char* file, ByteView bytes, const std::string& name, std:
 
 /// What would go unjudged in the file; empty: nothing.
 std::string unjudged(const RocinantePictureOut& out) {
-  if (out.pictures > 1) return "holds several pictures; only files of one are judged";
+  if (out.pictures > 1) return "has several pictures; only files with one picture are judged";
   // A fourth one that is no alpha (depth, an ink) would not be looked at.
   const int colors = out.components - out.has_alpha;
   if (colors != 1 && colors != 3) {

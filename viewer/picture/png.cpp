@@ -96,7 +96,8 @@ Status checkPalette(ByteView bytes, const std::string& name) {
     code = spng_decode_image(context.get(), places.data(), places.size(), SPNG_FMT_RAW, 0);
   }
   if (code != 0) {
-    return Error{ErrorKind::damaged, std::string("is no sound PNG: ") + spng_strerror(code), name};
+    return Error{ErrorKind::damaged, std::string("is not a valid PNG: ") + spng_strerror(code),
+                 name};
   }
   // Rows begin with a byte; places smaller than one lie from its highest bits down.
   const std::size_t depth = header.bit_depth, row_bytes = size / header.height;
@@ -107,8 +108,8 @@ Status checkPalette(ByteView bytes, const std::string& name) {
         (std::uint32_t{places[y * row_bytes + x * depth / 8]} >> shift) & ((1U << depth) - 1);
     if (place < palette.n_entries) continue;
     return Error{ErrorKind::damaged,
-                 fmt::format("is no sound PNG: pixel ({}, {}) is colour {} of a palette of {}", x,
-                             y, place, palette.n_entries),
+                 fmt::format("is not a valid PNG: pixel ({}, {}) is colour {} of a palette of {}",
+                             x, y, place, palette.n_entries),
                  name};
   }
   return {};
@@ -121,10 +122,10 @@ Result<FinePicture> decode(ByteView bytes, const std::string& name, std::int64_t
     return Error{kind, std::move(what), name};
   };
   const auto damaged = [&](int code) {
-    return refusal(ErrorKind::damaged, std::string("is no sound PNG: ") + spng_strerror(code));
+    return refusal(ErrorKind::damaged, std::string("is not a valid PNG: ") + spng_strerror(code));
   };
   const Context context(spng_ctx_new(0));
-  if (!context) return refusal(ErrorKind::refused, "no memory to decode");
+  if (!context) return refusal(ErrorKind::refused, "not enough memory to decode");
   spng_set_chunk_limits(context.get(), kChunkBytes, kChunkBytes);
   spng_set_png_buffer(context.get(), bytes.data(), bytes.size());
   spng_ihdr header{};
@@ -141,7 +142,7 @@ Result<FinePicture> decode(ByteView bytes, const std::string& name, std::int64_t
   }
   // Checked before the pixels are allocated: deflate packs a thousandfold at best.
   if (pixels / 1100 / 8 > bytes.size()) {
-    return refusal(ErrorKind::damaged, "is no sound PNG: too short for its size");
+    return refusal(ErrorKind::damaged, "is not a valid PNG: too short for its size");
   }
   FinePicture fine;
   fine.picture = {static_cast<int>(header.width), static_cast<int>(header.height), {}};
@@ -212,7 +213,7 @@ Bytes encodeGreyPng(int width, int height, std::span<const std::uint16_t> grey) 
 
 Status writePng(const std::filesystem::path& path, const Picture& picture, bool overwrite) {
   const Bytes png = encodePng(picture);
-  if (png.empty()) return Error{ErrorKind::refused, "no memory to encode", path.string()};
+  if (png.empty()) return Error{ErrorKind::refused, "not enough memory to encode", path.string()};
   return writeFileWhole(path, png, overwrite);
 }
 

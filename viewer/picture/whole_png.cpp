@@ -71,7 +71,7 @@ class PixelCount {
 
   /// The next compressed bytes; what is wrong, or empty.
   std::string add(ByteView compressed) {
-    if (!is_ready_) return "no memory to inflate it";
+    if (!is_ready_) return "not enough memory to inflate it";
     // It only reads.
     stream_.next_in = const_cast<Bytef*>(reinterpret_cast<const Bytef*>(compressed.data()));
     stream_.avail_in = static_cast<uInt>(compressed.size());
@@ -80,11 +80,11 @@ class PixelCount {
       stream_.avail_out = static_cast<uInt>(thrown_away_.size());
       const int code = ::inflate(&stream_, Z_NO_FLUSH);
       count_ += thrown_away_.size() - stream_.avail_out;
-      if (count_ > expected_) return "it has more pixels than its size says";
+      if (count_ > expected_) return "it has more pixels than its header says";
       ended_ = code == Z_STREAM_END;
       // What Z_BUF_ERROR means: more input is needed.
       if (code == Z_BUF_ERROR || (code == Z_OK && stream_.avail_out > 0)) return "";
-      if (code != Z_OK && !ended_) return "the end of its compressed pixels is broken";
+      if (code != Z_OK && !ended_) return "its compressed pixels end wrongly";
     }
     if (stream_.avail_in == 0) return "";
     return countText(stream_.avail_in, "byte") + " after the end of its compressed pixels";
@@ -93,7 +93,7 @@ class PixelCount {
   /// When nothing comes any more.
   std::string finish() const {
     if (!ended_) return "its compressed pixels have no end";
-    return count_ == expected_ ? "" : "it has fewer pixels than its size says";
+    return count_ == expected_ ? "" : "it has fewer pixels than its header says";
   }
 
  private:
@@ -107,7 +107,7 @@ class PixelCount {
 
 Status checkWholePng(ByteView bytes, const std::string& name) {
   const auto damaged = [&](const std::string& what) {
-    return Error{ErrorKind::damaged, "is no sound PNG: " + what, name};
+    return Error{ErrorKind::damaged, "is not a valid PNG: " + what, name};
   };
   assert(bytes.size() >= kSignature + kAroundContent + kHeader);
   PixelCount pixels(filteredBytes(bytes.subspan(kSignature + 8, kHeader)));
@@ -134,7 +134,9 @@ Status checkWholePng(ByteView bytes, const std::string& name) {
     const ByteView rest = bytes.subspan(at);
     if (rest.empty()) return {};
     if (textOf(rest).starts_with("\x89PNG")) {
-      return Error{ErrorKind::unsupported, "holds several pictures; only files of one are judged",
+      return Error{ErrorKind::unsupported,
+                   "has several pictures; only files with one picture "
+                   "are judged",
                    name};
     }
     return damaged(countText(rest.size(), "byte") + " after its end (IEND)");

@@ -27,7 +27,7 @@ Json headOf(const std::filesystem::path& path, int width, int height, const Meas
 
 Status writeBoth(const std::filesystem::path& path, const Bytes& png, const Json& json,
                  bool overwrite, Sync sync) {
-  if (png.empty()) return Error{ErrorKind::refused, "no memory to encode", path.string()};
+  if (png.empty()) return Error{ErrorKind::refused, "not enough memory to encode", path.string()};
   if (Status written = writeFileWhole(path, png, overwrite, sync); !written) return written;
   const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
   return writeFileWhole(legendPath(path), bytesOf(text), overwrite, sync);

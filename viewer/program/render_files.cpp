@@ -61,7 +61,8 @@ Status RenderFiles::check(bool overwrite) const {
     std::error_code ignored;
     if (!answer) return;
     if (!files.insert(file.lexically_normal()).second) {
-      answer = Error{ErrorKind::bad_argument, "two pictures would be this file", file.string()};
+      answer =
+          Error{ErrorKind::bad_argument, "two pictures would have this file name", file.string()};
     } else if (!overwrite && std::filesystem::exists(file, ignored)) {
       answer = Error{ErrorKind::refused, "the file exists; --force replaces it", file.string()};
     }

@@ -37,14 +37,13 @@ Status checkMoments(const RenderJob& job) {
   const bool any_event = chosen.all_events || !chosen.events.empty();
   const bool any_span = !chosen.from.empty() || !chosen.until.empty();
   const bool any = chosen.any() || any_span || !job.video.empty();
-  if (job.log.empty() && any) return badJob("a time means nothing without a log");
+  if (job.log.empty() && any) return badJob("a time needs a log");
   if (job.log.empty()) return {};
   const int ways = (any_at ? 1 : 0) + (chosen.every.empty() ? 0 : 1) + (any_event ? 1 : 0);
-  if (ways > 1) return badJob("--at, --every and --events exclude each other");
-  if (!chosen.rate.empty() && job.video.empty()) return badJob("--fps is for --video alone");
-  if (ways == 0 && job.video.empty()) return badJob("which moment? (--at T, or --every D)");
-  if (any_span && any_at)
-    return badJob("--from and --until choose among --every, --events or --fps");
+  if (ways > 1) return badJob("only one of --at, --every and --events can be given");
+  if (!chosen.rate.empty() && job.video.empty()) return badJob("--fps needs --video");
+  if (ways == 0 && job.video.empty()) return badJob("a moment is required: --at T or --every D");
+  if (any_span && any_at) return badJob("--from and --until need --every, --events or --fps");
   return {};
 }
 
@@ -52,11 +51,14 @@ Status checkJob(const RenderJob& job) {
   if (Status fit = checkMoments(job); !fit) return fit;
   for (const auto* file : {&job.output, &job.sheet, &job.identity, &job.depth}) {
     if (!file->empty() && file->extension() != ".png" && file->extension() != ".PNG") {
-      return Error{ErrorKind::bad_argument, "pictures are written as .png", file->string()};
+      return Error{ErrorKind::bad_argument, "the picture's name must end with .png",
+                   file->string()};
     }
   }
   if (!job.video.empty() && !VideoFile::isVideo(job.video)) {
-    return Error{ErrorKind::bad_argument, "videos are written as .mp4, .mkv, .mov or .webm",
+    return Error{ErrorKind::bad_argument,
+                 "the video's name must end with .mp4, .mkv, .mov or "
+                 ".webm",
                  job.video.string()};
   }
   return {};
@@ -68,7 +70,7 @@ Result<FrameRate> videoRate(const MomentChoice& chosen) {
   if (chosen.every.empty()) return chosen.any() ? FrameRate{1, 1} : FrameRate{};
   const auto step = parseDuration(chosen.every);
   if (!step) return step.error();
-  if (step->count() <= 0) return badJob("--every needs a duration above zero");
+  if (step->count() <= 0) return badJob("--every needs a duration greater than zero");
   const std::int64_t common = std::gcd(std::int64_t{1'000'000'000}, step->count());
   return FrameRate{1'000'000'000 / common, step->count() / common};
 }
@@ -265,7 +267,7 @@ class RenderRun {
       if (wanted.empty()) return {};
       const Bytes png = encodePng(*picture);
       if (png.empty()) {
-        return Error{ErrorKind::refused, "no memory to encode", wanted.front().string()};
+        return Error{ErrorKind::refused, "not enough memory to encode", wanted.front().string()};
       }
       for (const auto& file : wanted) {
         if (Status written = writeFileWhole(file, png, job_.overwrite, sync_); !written) {
@@ -325,7 +327,7 @@ Result<std::pair<int, int>> parseSize(const std::string& text) {
     const int height = side(std::string_view(text).substr(cross + 1));
     if (width > 0 && height > 0) return std::pair(width, height);
   }
-  return badJob("`" + text + "` is no size: WIDTHxHEIGHT in pixels, as 640x480");
+  return badJob("`" + text + "` is not a size: use WIDTHxHEIGHT in pixels, as 640x480");
 }
 
 Result<RenderReport> render(const RenderJob& given,
@@ -347,7 +349,7 @@ Result<RenderReport> render(const RenderJob& given,
   auto moments = momentsOf(job, session ? &*session : nullptr, *rate, hiding);
   if (!moments) return moments.error();
   if (!job.output.empty() && moments->size() > 1) {
-    return badJob("-o holds one frame; for several there are --sheet FILE and --frames DIR");
+    return badJob("-o takes one frame; use --sheet FILE or --frames DIR for several");
   }
   RenderFiles files{job.output, job.sheet,  job.video,   job.identity,
                     job.depth,  job.frames, job.cameras, std::move(*moments)};

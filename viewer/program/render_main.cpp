@@ -136,66 +136,77 @@ int main(int argc, char** argv) {
   bool hash = false;
   bool json = false;
   Looks looks;
-  app.add_option("CELL", job.cell,
-                 "a .cell.toml, a bare .urdf or .obj, or a log that carries its cell")
+  app.add_option("CELL", job.cell, "a .cell.toml, a .urdf, an .obj or a log that carries its cell")
       ->required();
   app.add_option("LOG", job.log, "the session; without one, the cell at rest");
   app.add_option("--at", job.moments.at,
                  "a moment: 12.5, 1m02.5s, -1s from the end, or RFC 3339; repeatable")
       ->allow_extra_args(false);
-  app.add_option("--every", job.moments.every, "every so often, from the log's start to its end");
-  app.add_option("--at-file", job.moments.at_file, "more moments, one a line; # begins a comment");
+  app.add_option("--every", job.moments.every,
+                 "one frame per period, from the log's start to "
+                 "its end");
+  app.add_option("--at-file", job.moments.at_file,
+                 "a file of moments, one per line; # begins a "
+                 "comment");
   app.add_flag("--events", job.moments.all_events, "every event and mark of the log");
-  app.add_option("--event", job.moments.events, "those whose text is so (* and ?); repeatable")
+  app.add_option("--event", job.moments.events,
+                 "events whose text matches this glob (* and ?); "
+                 "repeatable")
       ->option_text("PATTERN")
       ->allow_extra_args(false);
-  app.add_option("--from", job.moments.from, "of --every, --events and --fps: from there on");
-  app.add_option("--until", job.moments.until, "and up to there, exclusive");
+  app.add_option("--from", job.moments.from, "start of the range for --every, --events and --fps");
+  app.add_option("--until", job.moments.until, "end of that range, exclusive");
   app.add_option("-o,--output", job.output, "one frame, as PNG");
-  app.add_option("--sheet", job.sheet, "all moments on one PNG, their times below");
-  app.add_option("--frames", job.frames, "a folder for frame-00001.png and on");
+  app.add_option("--sheet", job.sheet, "all moments on one PNG, with their times below");
+  app.add_option("--frames", job.frames, "a folder for frame-00001.png and the following");
   app.add_option("--video", job.video, "all moments as .mp4, .mkv, .mov or .webm, by ffmpeg");
-  app.add_option("--fps", job.moments.rate, "of --video: pictures a second, 25 or 30000/1001");
-  app.add_option("--identity", job.identity, "devices and links as colours: a PNG, a JSON legend");
-  app.add_option("--depth", job.depth, "metres along the view: a 16-bit PNG, its unit in JSON");
+  app.add_option("--fps", job.moments.rate, "of --video: frames per second, 25 or 30000/1001");
+  app.add_option("--identity", job.identity,
+                 "devices and links as colours: a PNG and a JSON "
+                 "legend");
+  app.add_option("--depth", job.depth, "depth along the view: a 16-bit PNG, its unit in JSON");
   app.add_option("--camera", job.cameras,
-                 "of the cell, a `view` of the session, map, fit or fit:DEVICE; repeatable")
+                 "a camera of the cell, a `view` of the session, map, fit or fit:DEVICE; "
+                 "repeatable")
       ->option_text("NAME")
       ->allow_extra_args(false);
-  app.add_option("--inset", job.insets, "a window over the view in place of the cell's; repeatable")
+  app.add_option("--inset", job.insets, "an inset that replaces the cell's; repeatable")
       ->option_text("CAMERA[:CORNER]")
       ->allow_extra_args(false);
-  app.add_flag("--no-insets", without_insets, "without the cell's insets");
+  app.add_flag("--no-insets", without_insets, "leave out the cell's insets");
   app.add_flag("--overlay", job.look.panel, "time, devices, joint values and rates in a corner");
-  app.add_option("--size", size, "in pixels")->capture_default_str();
+  app.add_option("--size", size, "size in pixels")->capture_default_str();
   app.add_option("--scale", job.look.scale,
-                 "of text, lines and all that has its size in pixels: 2 for twice as many pixels")
+                 "scale of text, lines and everything sized in pixels; 2 for twice as many pixels")
       ->check(CLI::Range(kLeastScale, kLargestScale))
       ->capture_default_str();
-  app.add_option("--samples", job.look.samples, "for each pixel: 1 or 4")->capture_default_str();
+  app.add_option("--samples", job.look.samples, "MSAA samples: 1 or 4 on llvmpipe")
+      ->capture_default_str();
   app.add_option("--detail", job.look.detail,
-                 "how much is drawn: 0 (everything) to 9, as `rocinante view` does it")
+                 "level of detail: 0 (everything) to 9, as in `rocinante view`")
       ->check(CLI::Range(0, kCoarsestRung))
       ->capture_default_str();
   app.add_option("--hide", job.look.hide,
-                 "PATH not to draw: DEVICE, DEVICE/LINK, layer/NAME; repeatable")
+                 "do not draw PATH: DEVICE, DEVICE/LINK, layer/NAME; repeatable")
       ->allow_extra_args(false);
-  app.add_option("--show", job.look.show, "PATH to draw whatever packets say; repeatable")
+  app.add_option("--show", job.look.show, "draw PATH even if packets hide it; repeatable")
       ->allow_extra_args(false);
-  app.add_option("--layers", job.layers, "only these layers, with commas between")
+  app.add_option("--layers", job.layers, "draw only these layers, separated by commas")
       ->option_text("NAME,...")
       ->delimiter(',')
       ->allow_extra_args(false);
   addLooks(app, looks);
-  app.add_option("--profile", profile, "reproducible: the same bits everywhere; fast: any GPU")
+  app.add_option("--profile", profile, "reproducible: the same bits everywhere; fast: any driver")
       ->check(CLI::IsMember({"reproducible", "fast"}))
       ->capture_default_str();
-  app.add_option("--caps", caps, "what the reproducible profile pins the processor to")
+  app.add_option("--caps", caps, "the processor features that the reproducible profile uses")
       ->check(CLI::IsMember(pinnableCaps()))
       ->capture_default_str();
   addContextOption(app);
   cli::addSearchOptions(app, job);
-  app.add_flag("--hash", hash, "print the SHA-256 of the RGBA rows, top to bottom, a line a frame");
+  app.add_flag("--hash", hash,
+               "print the SHA-256 of the RGBA rows, top to bottom, one line per "
+               "frame");
   app.add_flag("--force", job.overwrite, "replace existing files");
   app.add_flag("--json", json, "print a report as JSON");
 
@@ -217,12 +228,13 @@ int main(int argc, char** argv) {
         if (job.output.empty() && job.sheet.empty() && job.frames.empty() && job.video.empty() &&
             job.identity.empty() && job.depth.empty() && !job.hashes) {
           return Error{ErrorKind::bad_argument,
-                       "nothing to make: -o FILE, --sheet FILE, --frames DIR, --video FILE, "
+                       "no output: give -o FILE, --sheet FILE, --frames DIR, --video FILE, "
                        "--identity FILE, --depth FILE, --hash or --json",
                        {}};
         }
         if (!job.show_insets && !job.insets.empty()) {
-          return Error{ErrorKind::bad_argument, "--inset and --no-insets exclude each other", {}};
+          return Error{
+              ErrorKind::bad_argument, "--inset and --no-insets cannot be used together", {}};
         }
         job.parallel = cli::workerThreads();
         job.load_progress = cli::loadProgress(job.cell.string());

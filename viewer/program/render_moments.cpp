@@ -119,7 +119,7 @@ Status addEvents(const MomentChoice& choice, const LogPart& span, Timeline& sess
   }
   if (moments.empty()) {
     const std::string none =
-        choice.all_events ? "the log has no event there" : "no event is called so";
+        choice.all_events ? "the log has no event in this range" : "no event matches";
     if (damage.empty()) return badMoment(none, session.log().name());
     return badMoment(none + "; " + damage.what(), damage.where());
   }
@@ -152,7 +152,9 @@ Result<FrameRate> parseFrameRate(const std::string& text) {
   constexpr std::int64_t kMax = 1'000'000;
   if (rate.count < 1 || rate.seconds < 1 || rate.count > kMax * 10 || rate.seconds > kMax ||
       rate.count > 1000 * rate.seconds) {
-    return badMoment("`" + text + "` is no frame rate: 25, 29.97 or 30000/1001, at most 1000");
+    return badMoment("`" + text +
+                     "` is not a frame rate: use 25, 29.97 or 30000/1001, at most "
+                     "1000");
   }
   const std::int64_t common = std::gcd(rate.count, rate.seconds);
   return FrameRate{rate.count / common, rate.seconds / common};
@@ -175,7 +177,7 @@ Result<std::vector<RenderMoment>> renderMoments(const MomentChoice& choice, Time
   if (!choice.every.empty()) {
     const auto step = parseDuration(choice.every);
     if (!step) return step.error();
-    if (step->count() <= 0) return badMoment("--every needs a duration above zero");
+    if (step->count() <= 0) return badMoment("--every needs a duration greater than zero");
     // From the origin, not from the start, so that cutting a log does not shift the moments.
     addGrid([&](std::int64_t i) { return *step * i; }, *span, session.origin(),
             kLongest / step->count(), moments);
@@ -195,9 +197,9 @@ Result<std::vector<RenderMoment>> renderMoments(const MomentChoice& choice, Time
       return added.error();
     }
   }
-  if (moments.empty()) return badMoment("no moment lies in the log");
+  if (moments.empty()) return badMoment("no moment is in the log");
   if (moments.size() > kMaxFrames) {
-    return badMoment(fmt::format("that is more than {} frames", kMaxFrames));
+    return badMoment(fmt::format("more than {} frames", kMaxFrames));
   }
   return moments;
 }

@@ -81,7 +81,7 @@ struct VideoFile::Impl {
     const std::string how = WIFEXITED(status) ? fmt::format("exit {}", WEXITSTATUS(status))
                                               : fmt::format("signal {}", WTERMSIG(status));
     const std::string why = said();
-    return videoError("ffmpeg gave up (" + how + ")" + (why.empty() ? "" : ": " + why), path);
+    return videoError("ffmpeg failed (" + how + ")" + (why.empty() ? "" : ": " + why), path);
   }
 };
 
@@ -108,7 +108,7 @@ Result<VideoFile> VideoFile::create(const std::filesystem::path& path, int width
   std::array<int, 2> ends{-1, -1};
   // A socket and not a pipe: writing to one whose reader has died can be told not to raise SIGPIPE.
   if (impl->words < 0 || ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
-    return videoError(std::string("cannot reach ffmpeg: ") + std::strerror(errno), path);
+    return videoError(std::string("cannot write to ffmpeg: ") + std::strerror(errno), path);
   }
   impl->pictures = ends[0];
 
@@ -165,8 +165,8 @@ Result<VideoFile> VideoFile::create(const std::filesystem::path& path, int width
   if (fault != 0) {
     impl->child = -1;
     return videoError(fault == ENOENT
-                          ? std::string("--video needs ffmpeg, which is not installed here (not in "
-                                        "PATH); --frames DIR writes pictures for it")
+                          ? std::string("--video needs ffmpeg, which is not in PATH; --frames "
+                                        "DIR writes pictures for it")
                           : std::string("cannot run ffmpeg: ") + std::strerror(fault),
                       path);
   }
@@ -177,7 +177,7 @@ Status VideoFile::add(const Picture& picture) {
   Impl& my = *impl_;
   const auto* bytes = picture.rgba.data();
   std::size_t left = picture.rgba.size();
-  if (left != my.picture_bytes) return videoError("a picture is of another size", my.path);
+  if (left != my.picture_bytes) return videoError("a picture has a different size", my.path);
   while (left > 0) {
     const ssize_t sent = ::send(my.pictures, bytes, left, MSG_NOSIGNAL);
     if (sent < 0 && errno == EINTR) continue;
@@ -198,7 +198,7 @@ Status VideoFile::finish() {
   const bool synced = file >= 0 && ::fsync(file) == 0;
   if (file >= 0) ::close(file);
   if (!synced) {
-    return videoError(std::string("ffmpeg has left no file: ") + std::strerror(errno), my.path);
+    return videoError(std::string("ffmpeg wrote no file: ") + std::strerror(errno), my.path);
   }
   std::error_code ignored;
   if (!my.overwrite && std::filesystem::exists(my.path, ignored)) {

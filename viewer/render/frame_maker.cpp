@@ -158,7 +158,7 @@ Result<FoundFrame> FrameMaker::Impl::findDamaged(const FrameRequest& request, St
   if (Status inside = checkTime(request.time); !inside) return inside.error();
   if (!(request.scale >= kLeastScale && request.scale <= kLargestScale)) {
     return Error{ErrorKind::bad_argument,
-                 fmt::format("a scale is {} to {}", kLeastScale, kLargestScale),
+                 fmt::format("the scale must be {} to {}", kLeastScale, kLargestScale),
                  {}};
   }
   if (Status current = context->makeCurrent(); !current) return current.error();
@@ -218,7 +218,7 @@ void FrameMaker::Impl::addPanel(LogTime time, const FoundFrame& found, Picture& 
 Result<const DetailRung*> FrameMaker::Impl::prepareRung(int detail) {
   if (detail < 0 || detail > kCoarsestRung) {
     return Error{ErrorKind::bad_argument,
-                 fmt::format("a level of detail is 0 (everything) to {}", kCoarsestRung),
+                 fmt::format("the level of detail must be 0 (everything) to {}", kCoarsestRung),
                  {}};
   }
   const DetailRung& rung = kDetailRungs[static_cast<std::size_t>(detail)];

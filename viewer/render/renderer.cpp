@@ -103,8 +103,8 @@ Status Renderer::Impl::checkTriangles(std::span<const DrawnSet> sets) {
   for (const DrawnSet& set : sets) triangles += set.list->triangles;
   if (triangles <= kMaxFrameTriangles) return {};
   return Error{ErrorKind::unsupported,
-               fmt::format("the frame has {} triangles, and at most {} are drawn: hide what need "
-                           "not be seen, or draw less detail (--hide, --detail)",
+               fmt::format("the frame has {} triangles, more than the limit of {}: hide objects "
+                           "or lower the detail (--hide, --detail)",
                            triangles, kMaxFrameTriangles),
                {}};
 }

@@ -17,7 +17,7 @@ accept_elsewhere() {
 }
 run() {
   rocinante golden run suite.toml --jobs 1 "$@" |
-    sed "s/wanted: llvmpipe-[^ ]*/wanted: HERE/; s/-$(uname -m)-/-ARCH-/g; s/[0-9]* of 19200 pixels/N of 19200 pixels/; s/[0-9]* differing/N differing/; s/difference [0-9]* >/difference N >/; /^    /d; /^why/d" &&
+    sed "s/renderer (llvmpipe-[^ ]*/renderer (HERE/; s/samples for llvmpipe-[^ ]*/samples for HERE/; s/-$(uname -m)-/-ARCH-/g; s/[0-9]* of 19200 pixels/N of 19200 pixels/; s/[0-9]* differing/N differing/; s/difference [0-9]* >/difference N >/; /^    /d; /^why/d" &&
     echo "exit 0" || echo "exit $?"
 }
 cat >suite.toml <<'TOML'

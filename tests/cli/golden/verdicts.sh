@@ -42,7 +42,7 @@ TOML
 # What is estimated of why is another case's business.
 run() {
   rocinante golden run suite.toml --jobs 1 "$@" |
-    sed '/^    /d; /^why/d; s/llvmpipe-[^ ]*/KEY/; s/\.[0-9a-f]\{8\}\.png/.HASH.png/; s/[0-9]* differing/N differing/; s/mean [0-9.]* /mean M /; s/and [0-9]* <=/and N <=/' &&
+    sed '/^    /d; /^why/d; s/llvmpipe-[^ ]*/KEY/; s/\.[0-9a-f]\{8\}\.png/.HASH.png/; s/[0-9]* differing/N differing/; s/mean [0-9.]*\([ ,]\)/mean M\1/; s/and [0-9]* <=/and N <=/' &&
     echo "exit 0" || echo "exit $?"
 }
 rocinante golden approve suite.toml -m first | tail -1

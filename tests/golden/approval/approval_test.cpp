@@ -273,7 +273,7 @@ TEST_F(ApprovalTest, APointerOfLfsIsToldAsWhatItIs) {
   ASSERT_TRUE(writeFileWhole(root_ / "goldens" / pick_, bytesOf(pointer), true).ok());
   const auto read = folder_.read(*manifest().find("pick", kTinyKey).front());
   ASSERT_FALSE(read.ok());
-  EXPECT_THAT(read.error().text(), HasSubstr("is a Git LFS pointer and not the picture; `git lfs "
+  EXPECT_THAT(read.error().text(), HasSubstr("is a Git LFS pointer, not the picture; `git lfs "
                                              "pull` fetches it"));
 }
 
@@ -307,11 +307,13 @@ TEST(ApprovalList, RefusesWhatIsNone) {
     return list.ok() ? std::string("none") : list.error().text();
   };
   const std::string hash(32, 'a');
-  EXPECT_EQ(faultOf(""), "the list names no frame: nothing would be approved (list.txt)");
-  EXPECT_EQ(faultOf("\npick\n"), "`pick` is no frame and its pixel hash of 32 digits (list.txt:2)");
+  EXPECT_EQ(faultOf(""), "the list has no frames, so nothing would be approved (list.txt)");
+  EXPECT_EQ(faultOf("\npick\n"),
+            "`pick` is not a frame name and a pixel hash of 32 digits "
+            "(list.txt:2)");
   EXPECT_EQ(faultOf("pick " + hash + "0\n").substr(0, 6), "`pick ");
   EXPECT_EQ(faultOf("pick " + hash + " x\n").substr(0, 6), "`pick ");
-  EXPECT_EQ(faultOf("a " + hash + "\na\t" + hash), "frame a stands in the list twice (list.txt:2)");
+  EXPECT_EQ(faultOf("a " + hash + "\na\t" + hash), "the list has frame a twice (list.txt:2)");
 }
 
 }  // namespace

@@ -164,7 +164,7 @@ TEST(Manifest, ABrokenOneIsToldWithItsFile) {
     const auto manifest = Manifest::read(folder.path());
     return manifest.ok() ? std::string("none") : manifest.error().what;
   };
-  EXPECT_EQ(faultOf("{"), "the manifest of goldens is broken: it is no JSON");
+  EXPECT_EQ(faultOf("{"), "the manifest of goldens is broken: it is not JSON");
   EXPECT_EQ(faultOf("{\"format\": 2}"), "the manifest of goldens has a format other than 1");
   EXPECT_EQ(faultOf("{\"format\": 1}"), "the manifest of goldens is broken: it has no `cases`");
   EXPECT_EQ(faultOf("{\"format\":1,\"cases\":{\"a\":[{\"key\":\"k\",\"pixels\":\"p\","
@@ -193,10 +193,10 @@ TEST(Manifest, WhatAMergeLeftIsToldWithItsLine) {
             "(`git checkout --ours` or `--theirs`, pictures too), then approve what is drawn "
             "(goldens/manifest.json:3:1)");
   EXPECT_EQ(faultOf("{\"format\": 1,\n \"cases\": {},\n}"),
-            "the manifest of goldens is broken: it is no JSON (goldens/manifest.json:3:1)");
+            "the manifest of goldens is broken: it is not JSON (goldens/manifest.json:3:1)");
   // Of two of one name, one would be forgotten.
   EXPECT_EQ(faultOf("{\"format\":1,\"cases\":{\"a\":[],\"b\":[],\"a\":[]}}"),
-            "the manifest of goldens is broken: case `a` stands there twice "
+            "the manifest of goldens is broken: it has case `a` twice "
             "(goldens/manifest.json)");
   EXPECT_EQ(faultOf("{\"format\":1,\"cases\":{\"cases\":[]},\"cells\":{\"a\":{},\"a\":{}}}"),
             "none");
@@ -209,7 +209,8 @@ TEST(Manifest, TwoGoldensInOneFileAreRefused) {
   ASSERT_TRUE(writeFileWhole(folder / "manifest.json", bytesOf(text), true).ok());
   const auto manifest = Manifest::read(folder.path());
   ASSERT_FALSE(manifest.ok());
-  EXPECT_EQ(manifest.error().what, "the manifest of goldens is broken: two goldens are in a.png");
+  EXPECT_EQ(manifest.error().what,
+            "the manifest of goldens is broken: two goldens share the file a.png");
 }
 
 TEST(GoldenFileName, DiffersByKey) {

@@ -150,7 +150,7 @@ TEST_F(UnstableFrameTest, NamesItsLikelyCause) {
   EXPECT_EQ(run(), cli::Exit::no);
   EXPECT_THAT(std::string(verdict()["rule"]),
               HasSubstr("1 pixel differs at 1,0,1x1; after another frame, not in a fresh context; "
-                        "likely cause: state that another frame left behind"));
+                        "likely cause: state left by another frame"));
   flaw_ = Flaw::uninitialised;
   EXPECT_EQ(run(), cli::Exit::no);
   EXPECT_THAT(

@@ -346,7 +346,7 @@ TEST(CompareMasked, NothingLeftToJudgeIsIncomparable) {
   mask.hide(MaskRectangle{0, 0, 40, 30}, "all");
   const Comparison found = compare(golden, golden, Tolerance::loose(), &mask);
   EXPECT_EQ(found.verdict, Verdict::incomparable);
-  EXPECT_EQ(found.rule, "the masks hide every pixel: nothing would be judged");
+  EXPECT_EQ(found.rule, "the masks hide every pixel, so nothing would be judged");
 }
 
 TEST(CompareMasked, AMaskOfAnotherSizeIsIncomparable) {
@@ -369,7 +369,7 @@ TEST(CompareFine, SixteenBitsThatDifferBelowTheEighthAreNotExactlyTheSame) {
   frame.samples[4 * 20 + 2] = 25'701;
   const Comparison exact = compareFine(frame, golden, Tolerance::exactly());
   EXPECT_EQ(exact.verdict, Verdict::different);
-  EXPECT_EQ(exact.rule, "1 differing sample of 16 bits a component, 0 pixels at 8 bits (exact)");
+  EXPECT_EQ(exact.rule, "1 differing sample of 16 bits per component, 0 pixels at 8 bits (exact)");
   EXPECT_EQ(exact.fine_max, 1);
   EXPECT_EQ(compareFine(frame, golden, Tolerance::cpu()).verdict, Verdict::same);
   EXPECT_EQ(compareFine(frame, golden, Tolerance::cpu()).rule, "equal pixels at 8 bits (cpu)");
@@ -391,7 +391,7 @@ TEST(CompareFine, AnotherDepthIsIncomparableThoughEveryPixelIsEqual) {
   for (const Tolerance& tolerance : {Tolerance::exactly(), Tolerance::loose()}) {
     const Comparison found = compareFine(eight, golden, tolerance);
     EXPECT_EQ(found.verdict, Verdict::incomparable);
-    EXPECT_EQ(found.rule, "the frame has 8 bits a component, the golden 16 bits a component");
+    EXPECT_EQ(found.rule, "the frame has 8 bits per component, the golden 16 bits per component");
     EXPECT_EQ(compareFine(golden, eight, tolerance).verdict, Verdict::incomparable);
     EXPECT_EQ(compareFine(half, golden, tolerance).verdict, Verdict::incomparable);
   }

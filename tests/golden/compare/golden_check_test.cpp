@@ -36,7 +36,7 @@ class GoldenCheck : public ::testing::Test {
 TEST_F(GoldenCheck, AMissingGoldenFailsAndLeavesTheFrame) {
   const GoldenAnswer answer = check(noisePicture(30, 20, 1));
   EXPECT_FALSE(answer.passes);
-  EXPECT_THAT(answer.text, HasSubstr("no golden was ever accepted: "));
+  EXPECT_THAT(answer.text, HasSubstr("no golden was accepted yet: "));
   EXPECT_THAT(answer.text, HasSubstr("ROCINANTE_APPROVE=1"));
   EXPECT_TRUE(exists(folder_ / "results" / "gauge.frame.png"));
   EXPECT_FALSE(exists(folder_ / "goldens"));
@@ -79,7 +79,7 @@ TEST_F(GoldenCheck, ADamagedGoldenFails) {
   std::ofstream(folder_ / "goldens" / "gauge.png") << "\x89PNG\r\n\x1A\n and no more";
   const GoldenAnswer answer = check(noisePicture(30, 20, 1), Tolerance::loose());
   EXPECT_FALSE(answer.passes);
-  EXPECT_THAT(answer.text, HasSubstr("the golden cannot be read: is no sound PNG"));
+  EXPECT_THAT(answer.text, HasSubstr("the golden cannot be read: is not a valid PNG"));
 }
 
 TEST_F(GoldenCheck, ApprovingReplacesAndSaysSoOnlyWhenSomethingChanged) {

@@ -121,10 +121,11 @@ TEST_F(FrameJudgeTest, AnotherRenderersGoldenJudgesOnlyWithATolerance) {
   accept(evenPicture(10), kOtherKey);
   const JudgedFrame exact = judge(evenPicture(12));
   EXPECT_EQ(exact.verdict, FrameVerdict::incomparable);
-  EXPECT_EQ(exact.rule,
-            "no golden of this renderer; wanted: llvmpipe 32x32 1x, there is older: largest "
-            "difference 2 > 1 (rounding), limit from the default; run where that one draws, "
-            "approve here too (both are kept), or name a tolerance");
+  EXPECT_EQ(
+      exact.rule,
+      "no golden of this renderer (llvmpipe 32x32 1x); against older: largest difference 2 > 1 "
+      "(rounding), limit from the default; run on that renderer, approve here too (both are "
+      "kept), or set a tolerance");
   for (const Tolerance& named : {Tolerance::cpu(), Tolerance::rounding()}) {
     SCOPED_TRACE(named.name);
     tolerate(named);
@@ -165,8 +166,8 @@ TEST_F(FrameJudgeTest, EqualPixelsOfOtherSamplesAreTheSameAndTheWholeKeyIsNamed)
   setPixel(near, 3, 3, 11);
   EXPECT_EQ(judge(near).verdict, FrameVerdict::incomparable);
   EXPECT_EQ(judge(near).rule,
-            "no golden of this size and samples; wanted: llvmpipe 32x32 1x, there is 32x32 4x: "
-            "approve it");
+            "no golden of this size and samples for llvmpipe 32x32 1x (have 32x32 4x); approve "
+            "one");
 }
 
 TEST_F(FrameJudgeTest, AcrossKeysRoundingIsTheSameAndNothingBeyond) {
@@ -182,8 +183,8 @@ TEST_F(FrameJudgeTest, AcrossKeysRoundingIsTheSameAndNothingBeyond) {
   setPixel(drawn, 0, 31, 9);
   const JudgedFrame beyond = judge(drawn);
   EXPECT_EQ(beyond.verdict, FrameVerdict::incomparable);
-  EXPECT_THAT(beyond.rule, HasSubstr("there is older: 21 of 1024 pixels differ (> 2 %), by at "
-                                     "most 1 (rounding), limit from the default; run where"));
+  EXPECT_THAT(beyond.rule, HasSubstr("against older: 21 of 1024 pixels differ (> 2 %), by at "
+                                     "most 1 (rounding), limit from the default; run on"));
   // Why is found out with these.
   EXPECT_TRUE(beyond.drawn && beyond.accepted && beyond.golden);
   EXPECT_EQ(beyond.comparison.differing, 21);
@@ -211,9 +212,9 @@ TEST_F(FrameJudgeTest, AWrittenExactWantsEqualPixelsAcrossKeys) {
   const JudgedFrame judged = judge(drawn);
   EXPECT_EQ(judged.verdict, FrameVerdict::incomparable);
   EXPECT_EQ(judged.rule,
-            "no golden of this renderer; wanted: llvmpipe 32x32 1x, there is older: 1 differing "
-            "pixel (exact), limit from s.toml:9; run where that one draws, approve here too (both "
-            "are kept), or name a tolerance");
+            "no golden of this renderer (llvmpipe 32x32 1x); against older: 1 differing pixel "
+            "(exact), limit from s.toml:9; run on that renderer, approve here too (both are kept), "
+            "or set a tolerance");
 }
 
 TEST_F(FrameJudgeTest, OfSeveralKeysTheNearestGoldenIsTold) {
@@ -243,8 +244,9 @@ TEST_F(FrameJudgeTest, AForeignGoldenThatCannotBeReadJudgesNothing) {
   std::filesystem::remove(folder_.goldens() / accepted.picture);
   const JudgedFrame judged = judge(evenPicture(11));
   EXPECT_EQ(judged.verdict, FrameVerdict::incomparable);
-  EXPECT_THAT(judged.rule, HasSubstr("no golden of this renderer; wanted: llvmpipe 32x32 1x, there "
-                                     "is older: golden "));
+  EXPECT_THAT(judged.rule,
+              HasSubstr("no golden of this renderer (llvmpipe 32x32 1x); against older: "
+                        "golden "));
   EXPECT_THAT(judged.rule, HasSubstr("is missing"));
   // Another one that can be read judges.
   Picture near = evenPicture(11);
@@ -279,8 +281,8 @@ TEST_F(FrameJudgeTest, ACaseThatExpectsADifferenceIsNotMetByRounding) {
 TEST_F(FrameJudgeTest, AGoldenOfAnotherSizeIsNotAnotherRenderers) {
   accept(evenPicture(10, 16), "llvmpipe 16x16 1x");
   EXPECT_EQ(judge(evenPicture(10)).rule,
-            "no golden of this size and samples; wanted: llvmpipe 32x32 1x, there is 16x16 1x: "
-            "approve it");
+            "no golden of this size and samples for llvmpipe 32x32 1x (have 16x16 1x); approve "
+            "one");
 }
 
 TEST_F(FrameJudgeTest, OfSeveralAcceptedPicturesOneIsEnoughAndTheNearestIsTold) {
@@ -302,7 +304,7 @@ TEST_F(FrameJudgeTest, APictureThatNobodyAcceptedJudgesNothing) {
   case_.tolerance = Tolerance::loose();
   const JudgedFrame judged = judge(evenPicture(20));
   EXPECT_EQ(judged.verdict, FrameVerdict::incomparable);
-  EXPECT_THAT(judged.rule, HasSubstr("is not the picture that the manifest accepted"));
+  EXPECT_THAT(judged.rule, HasSubstr("is not the picture that the manifest lists"));
 }
 
 TEST_F(FrameJudgeTest, MasksHideTheirPixelsAndNoOthers) {
@@ -422,7 +424,7 @@ TEST(Stability, SaysWhichDrawingDiffersAndWhere) {
   ASSERT_TRUE(after);
   EXPECT_EQ(instabilityRule(*after, nullptr),
             "drawn again, 2 pixels differ at 3,5,2x2; after another frame, not in a fresh context; "
-            "likely cause: state that another frame left behind");
+            "likely cause: state left by another frame");
   const auto fresh = findInstability(evenPicture(1), evenPicture(1), other);
   ASSERT_TRUE(fresh);
   EXPECT_THAT(
@@ -441,8 +443,9 @@ TEST(Stability, BlamesSurfacesThatMeetWhereThePixelsLie) {
   const auto found = findInstability(evenPicture(1), other, other);
   ASSERT_TRUE(found);
   EXPECT_EQ(instabilityRule(*found, &identity),
-            "drawn again, 16 pixels differ at 8,4,1x16, 16 of them where arm/link6 and table/top "
-            "meet; both after another frame and in a fresh context; likely cause: coplanar "
+            "drawn again, 16 pixels differ at 8,4,1x16, 16 of them at the border of arm/link6 "
+            "and table/top; both after another frame and in a fresh context; likely cause: "
+            "coplanar "
             "surfaces");
 }
 

@@ -53,9 +53,10 @@ TEST(FolderFaults, TellsWhatIsStaleMissingStrayAndLeftOver) {
   const std::string at = root.path().string() + "/";
   EXPECT_THAT(
       folderFaults(manifest, folder, frames, false),
-      ElementsAre(at + ".staged-killed was left by an approve that was interrupted; the next one "
-                       "clears it",
-                  "file " + at + "spare.png is no golden", "golden " + at + "gone.png is missing",
+      ElementsAre(at + ".staged-killed was left by an interrupted approve; the next approve "
+                       "removes it",
+                  "file " + at + "spare.png is not a golden of the manifest",
+                  "golden " + at + "gone.png is missing",
                   "golden " + at + "old.png is stale: the suite has no frame old"));
   EXPECT_THAT(folderFaults(manifest, folder, frames, true),
               testing::Contains(HasSubstr("kept.png is not the picture")));
@@ -63,8 +64,8 @@ TEST(FolderFaults, TellsWhatIsStaleMissingStrayAndLeftOver) {
 
 TEST(SuiteNotes, TellsLimitsFourTimesLooserThanNeeded) {
   EXPECT_THAT(suiteNotes(std::vector{passed(0.5, 1), passed(0.9, 2)}),
-              ElementsAre("tolerance arm ([tolerance.arm], s.toml:9) is loose: of tile_mean 4.00 "
-                          "at most 0.90 was needed, of tile_over 8 at most 2"));
+              ElementsAre("tolerance arm ([tolerance.arm], s.toml:9) is loose: tile_mean 4.00, "
+                          "needed at most 0.90; tile_over 8, needed at most 2"));
   EXPECT_THAT(suiteNotes(std::vector{passed(0.5, 1), passed(1.0, 2)}), IsEmpty());
   EXPECT_THAT(suiteNotes(std::vector{passed(0.5, 3)}), IsEmpty());
   EXPECT_THAT(suiteNotes(std::vector{passed(0, 0, Tolerance::exactly())}), IsEmpty());

@@ -27,10 +27,10 @@ std::string mergeFault(std::vector<SuiteReport> parts) {
 TEST(MergeReports, NeedsEveryShardOnceOfOneRun) {
   EXPECT_EQ(mergeFault({shard(2, 2, "b"), shard(1, 2, "a")}), "none");
   EXPECT_EQ(mergeFault({shard(1, 2, "a")}), "shard 2/2 is missing");
-  EXPECT_EQ(mergeFault({shard(1, 2, "a"), shard(1, 2, "a")}), "shard 1/2 is there twice");
+  EXPECT_EQ(mergeFault({shard(1, 2, "a"), shard(1, 2, "a")}), "shard 1/2 was given twice");
   EXPECT_EQ(mergeFault({shard(1, 2, "a"), shard(2, 2, "a")}), "two reports have a frame a");
   EXPECT_EQ(mergeFault({shard(1, 2, "a"), shard(2, 3, "b")}),
-            "shards of 2 and of 3 are no one run");
+            "shards come from different runs (of 2 and of 3 shards)");
   SuiteReport other = shard(2, 2, "b");
   other.session = "def";
   EXPECT_EQ(mergeFault({shard(1, 2, "a"), other}), "the shards judged different sessions");
@@ -51,8 +51,8 @@ TEST(MergeReports, GivesFramesOfSeveralSuitesTheirOwnCommands) {
   EXPECT_EQ(merged->notes.size(), 2U);
   parts[1].frames[0].frame.name = "a";
   EXPECT_EQ(mergeFault(parts),
-            "two suites have a frame a: one page has each name once, so rename one or report them "
-            "apart");
+            "two suites have a frame a; a report needs unique names: rename one, or write two "
+            "reports");
 }
 
 }  // namespace

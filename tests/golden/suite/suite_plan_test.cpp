@@ -58,7 +58,7 @@ TEST(SuitePlan, SelectsByNameCaseAndTag) {
   EXPECT_THAT(selected(suite, {.tags = {"slow"}}), ElementsAre("a", "c"));
   EXPECT_THAT(selected(suite, {.tags = {"slow"}, .not_tags = {"arm"}}), ElementsAre("a"));
   EXPECT_THAT(selected(suite, {.only = {"x"}}),
-              ElementsAre("no case is selected: nothing would be judged (s.toml)"));
+              ElementsAre("no case is selected, so nothing would be judged (s.toml)"));
 }
 
 TEST(SuitePlan, ShardsTogetherAreTheWholeAndShareNothing) {

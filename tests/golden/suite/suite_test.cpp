@@ -143,43 +143,42 @@ TEST(ParseSuite, ALogMayBringItsCell) {
   ASSERT_TRUE(suite.ok()) << suite.error().text();
   EXPECT_TRUE(suite->cell.empty());
   EXPECT_EQ(faultOf("format = 1\n" + one_case),
-            "a suite names its `cell`, or a `log` that carries one (s.toml:1:1)");
+            "a suite needs a `cell`, or a `log` that carries one (s.toml:1:1)");
 }
 
 TEST(ParseSuite, EveryFaultNamesItsPlace) {
   const std::string head = kHead;
   const std::string named = head + "[[case]]\nname = \"a\"\n";
   EXPECT_EQ(faultOf("format = 2\ncell = \"c\"\n[[case]]\nname = \"a\"\n"),
-            "a suite begins with `format = 1` (s.toml:1:1)");
-  EXPECT_EQ(faultOf(head), "a suite has at least one [[case]] (s.toml:1:1)");
+            "a suite must begin with `format = 1` (s.toml:1:1)");
+  EXPECT_EQ(faultOf(head), "a suite needs at least one [[case]] (s.toml:1:1)");
   EXPECT_EQ(faultOf(named + "colour = 1\n"), "unknown key `colour` (s.toml:5:10)");
-  EXPECT_EQ(faultOf(named + "samples = 3\n"), "`samples` is 1, 2, 4 or 8 (s.toml:5:11)");
+  EXPECT_EQ(faultOf(named + "samples = 3\n"), "`samples` must be 1, 2, 4 or 8 (s.toml:5:11)");
   EXPECT_EQ(faultOf(named + "size = [0, 5]\n"),
-            "`size` is [width, height], each from 1 to 8192 (s.toml:5:8)");
+            "`size` must be [width, height], each from 1 to 8192 (s.toml:5:8)");
   EXPECT_EQ(faultOf(named + "at = 12.5\n"), "`at` is a string (s.toml:5:6)");
   EXPECT_EQ(faultOf(named + "every = \"0s\"\n"),
-            "`every` is a duration above zero, such as \"0.5s\" (s.toml:5:9)");
+            "`every` must be a duration above zero, such as \"0.5s\" (s.toml:5:9)");
   EXPECT_EQ(faultOf(named + "at = \"1\"\nevent = \"e\"\n"),
-            "a case has one of `at`, `event`, `events` and `every` (s.toml:3:1)");
+            "a case can have only one of `at`, `event`, `events` and `every` (s.toml:3:1)");
   EXPECT_EQ(faultOf(named + "tolerance = \"lax\"\n"),
-            "`tolerance` is \"exact\", \"rounding\", \"cpu\", \"loose\" or { tile_mean = ..., "
+            "`tolerance` must be \"exact\", \"rounding\", \"cpu\", \"loose\" or { tile_mean = ..., "
             "tile_over = ... } (s.toml:5:13)");
   EXPECT_EQ(faultOf(named + "[[case]]\nname = \"a\"\n"), "two cases are named `a` (s.toml:5:1)");
   EXPECT_EQ(faultOf(head + "[[case]]\nname = \"../up\"\n"),
-            "a case has a `name` of at most 100 letters, digits, `_`, `-` and `.` (s.toml:3:1)");
-  EXPECT_EQ(faultOf(named + "after = \"1s\"\n"),
-            "`after` goes with `event` or `events` (s.toml:5:9)");
+            "a case needs a `name` of at most 100 letters, digits, `_`, `-` and `.` (s.toml:3:1)");
+  EXPECT_EQ(faultOf(named + "after = \"1s\"\n"), "`after` needs `event` or `events` (s.toml:5:9)");
   EXPECT_EQ(faultOf(named + "occurrence = 0\nevent = \"e\"\n"),
-            "`occurrence` goes with `event`: 1 is the first, -1 the last (s.toml:5:14)");
+            "`occurrence` needs `event` and is 1 for the first, -1 for the last (s.toml:5:14)");
   EXPECT_EQ(faultOf(named + "expect = \"different\"\n"),
-            "who expects a difference says why: `reason = \"...\"` (s.toml:5:10)");
-  EXPECT_EQ(faultOf(named + "reason = \"why\"\n"), "`reason` goes with `expect` (s.toml:5:10)");
+            "a case that expects a difference needs `reason = \"...\"` (s.toml:5:10)");
+  EXPECT_EQ(faultOf(named + "reason = \"why\"\n"), "`reason` needs `expect` (s.toml:5:10)");
   EXPECT_EQ(faultOf(named + "mask = [\"layer/grid\"]\n"),
-            "`hide` layer/grid: what is not drawn needs no mask (s.toml:5:9)");
+            "`hide` layer/grid instead: it then needs no mask (s.toml:5:9)");
   EXPECT_EQ(faultOf(named + "mask = [{ rectangle = [0, 0, 0, 5] }]\n"),
-            "`rectangle` is [x, y, width, height] in pixels (s.toml:5:23)");
+            "`rectangle` must be [x, y, width, height] in pixels (s.toml:5:23)");
   EXPECT_EQ(faultOf(named + "mask = [{ grow = 1 }]\n"),
-            "an area has either a `path` or a `rectangle` (s.toml:5:9)");
+            "an area needs either a `path` or a `rectangle` (s.toml:5:9)");
   EXPECT_NE(faultOf(named + "style = { edges = \"bold\" }\n"), "none");
   EXPECT_NE(faultOf(named + "style = { glow = true }\n"), "none");
   EXPECT_EQ(faultOf(named + "[tolerance.cpu]\ntile_mean = 1.0\n"),

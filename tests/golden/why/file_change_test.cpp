@@ -13,7 +13,7 @@ TEST(FileChanges, NameWhatAFileIs) {
                           {{"a.obj", "2"}, {"a.mtl", "2"}, {"same.stl", "1"}, {"b.urdf", "1"}}),
               ElementsAre("a.mtl: the materials have changed", "a.obj: the mesh has changed",
                           "b.urdf: the kinematics is new",
-                          "t.PNG: the texture is no part of the cell any more"));
+                          "t.PNG: the texture is no longer part of the cell"));
 }
 
 }  // namespace

@@ -40,9 +40,11 @@ TEST(BlameLinks, KnowsAppearedVanishedColourDrawingAndShape) {
   for (const LinkChange& change : blameLinks(golden.side(), frame.side(), {}).changes) {
     texts.push_back(nameText(change.name) + " " + whatText(change));
   }
-  EXPECT_THAT(texts, testing::UnorderedElementsAre(
-                         "a/gone vanished", "a/new appeared", "a/dyed colour, by (+80, +0, +0)",
-                         "a/grown another shape", "drawing plan/goal text or drawing"));
+  EXPECT_THAT(texts, testing::UnorderedElementsAre("a/gone vanished", "a/new appeared",
+                                                   "a/dyed colour changed by (+80, "
+                                                   "+0, +0)",
+                                                   "a/grown shape changed",
+                                                   "drawing plan/goal text or drawing"));
 }
 
 TEST(BlameLinks, TheMaskTellsEachPixelsRow) {

@@ -62,13 +62,13 @@ TEST(BlameViews, InsetsThatComeGoOrLieElsewhereAreSaid) {
   Painting frame;
   const std::vector<PicturedView> with = viewsWith(0), without = {with.front()};
   EXPECT_THAT(textsOf(blameViews(golden.side(), with, frame.side(), without, {})),
-              ElementsAre("inset wrist: 100 of 100 differing pixels, it is drawn no more"));
+              ElementsAre("inset wrist: 100 of 100 differing pixels, it is no longer drawn"));
   EXPECT_THAT(textsOf(blameViews(golden.side(), without, frame.side(), with, {})),
               ElementsAre("inset wrist: 100 of 100 differing pixels, it is new"));
   std::vector<PicturedView> moved = with;
   moved.back().part.x = 0;
   EXPECT_THAT(textsOf(blameViews(golden.side(), with, frame.side(), moved, {})),
-              ElementsAre("inset wrist: 100 of 100 differing pixels, it lies elsewhere now"));
+              ElementsAre("inset wrist: 100 of 100 differing pixels, it was moved"));
 }
 
 TEST(CameraChange, SaysWhatShowsInThePicture) {

@@ -212,11 +212,11 @@ TEST_F(ConvertTest, WhatCannotBeWrittenIsRefused) {
   ASSERT_TRUE(cell.ok() && bare.ok());
   EXPECT_EQ(convert(*cell, "g.fbx").error().what,
             "the output must end in .obj, .stl or .cell.toml");
-  EXPECT_EQ(convert(*bare, "g.obj").error().what, "there is no geometry to write");
+  EXPECT_EQ(convert(*bare, "g.obj").error().what, "no geometry to write");
   PoseRequest pose;
   pose.named = {{"lift", 1.0}};
   EXPECT_EQ(convert(*bare, "g.cell.toml", pose).error().what,
-            "a cell has its joints in it: values mean nothing here");
+            "a cell keeps its joints, so joint values have no effect here");
 }
 
 }  // namespace

@@ -66,18 +66,18 @@ TEST_F(ForwardKinematicsTest, WrongValuesAreRefusedWithWhatIsRight) {
   PoseRequest request;
   request.joints = {1.0};
   EXPECT_EQ(answer("two.urdf", request),
-            "1 joint value where the model takes 5: turn slide drive.x drive.y drive.yaw");
+            "1 joint value, but the model takes 5: turn slide drive.x drive.y drive.yaw");
   request.joints.reset();
   request.named = {{"slied", 1.0}};
   EXPECT_EQ(answer("two.urdf", request), "the model has no joint `slied`; did you mean `slide`?");
   request.named = {{"copied", 1.0}};
   EXPECT_EQ(answer("two.urdf", request),
-            "joint `copied` mimics `slide` and takes no value of its own");
+            "joint `copied` mimics `slide` and cannot have its own value");
   request.named = {{"drive", 1.0}};
   EXPECT_EQ(answer("two.urdf", request),
             "joint `drive` is planar: its values are `drive.x` and so on");
-  EXPECT_EQ(parseNumbers("1 2x 3").error().what, "`2x` is no number");
-  EXPECT_EQ(parseNumbers("nan").error().what, "`nan` is no number");
+  EXPECT_EQ(parseNumbers("1 2x 3").error().what, "`2x` is not a number");
+  EXPECT_EQ(parseNumbers("nan").error().what, "`nan` is not a number");
   EXPECT_EQ(*parseNumbers(" -1,+2e3\t.5 "), (std::vector<double>{-1, 2000, 0.5}));
 }
 
@@ -98,8 +98,7 @@ optional = true
 )");
   PoseRequest request;
   request.named = {{"turn", 0.0}};
-  EXPECT_EQ(answer("cell.toml", request),
-            "the cell has 3 devices: say by --device whose joints are meant");
+  EXPECT_EQ(answer("cell.toml", request), "the cell has 3 devices: choose one with --device");
   request.device = "a";
   request.named = {{"slide", 0.5}};
   const auto cell = loadCell(folder_ / "cell.toml", {});

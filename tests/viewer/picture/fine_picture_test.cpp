@@ -62,7 +62,7 @@ TEST(FinePng, SaysWhichComponentsAndDepthAFileHas) {
 }
 
 TEST(FinePicture, WordsForPeople) {
-  EXPECT_EQ((PictureEncoding{4, 8, false}).depthText(), "8 bits a component");
+  EXPECT_EQ((PictureEncoding{4, 8, false}).depthText(), "8 bits per component");
   EXPECT_EQ((PictureEncoding{4, 32, true}).depthText(), "32-bit floating point");
   EXPECT_EQ((PictureEncoding{1, 8, false}).componentsText(), "grey");
   EXPECT_EQ((PictureEncoding{4, 8, false}).componentsText(), "RGBA");
@@ -79,7 +79,7 @@ TEST(FinePicture, FoldersAndFilesThatCannotBeReadGetASentence) {
   // Reading it fails, even for root.
   const auto refused = readFinePicture("/proc/self/mem");
   ASSERT_FALSE(refused.ok());
-  EXPECT_EQ(refused.error().what, "is no picture that can be read");
+  EXPECT_EQ(refused.error().what, "is not a readable picture");
   std::ofstream(folder / "empty.png");
   const auto empty = readFinePicture(folder / "empty.png");
   ASSERT_FALSE(empty.ok());
@@ -89,7 +89,7 @@ TEST(FinePicture, FoldersAndFilesThatCannotBeReadGetASentence) {
   const auto pointer = readFinePicture(folder / "pointer.png");
   ASSERT_FALSE(pointer.ok());
   EXPECT_EQ(pointer.error().what,
-            "is a Git LFS pointer and not the picture; `git lfs pull` fetches it");
+            "is a Git LFS pointer, not the picture; `git lfs pull` fetches it");
 }
 
 #ifdef ROCINANTE_HAS_OPENIMAGEIO
@@ -205,7 +205,8 @@ TEST_F(FineByModule, PixelsOfAPartOfThePictureAreNotJudged) {
   const auto part = read("part.exr", file);
   ASSERT_FALSE(part.ok());
   EXPECT_EQ(part.error().what,
-            "has pixels of a part of its picture, or beyond it; only whole ones are judged");
+            "has a data window that differs from its display window; only whole pictures are "
+            "judged");
   EXPECT_TRUE(readPicture(folder_ / "part.exr").ok());
 }
 

@@ -79,11 +79,11 @@ TEST(WholePng, TakesEverySizeDepthAndInterlacing) {
 
 TEST(WholePng, RefusesWhatFollowsTheEnd) {
   const std::string good = pngFile(3, 2, 8, 0, kRows);
-  EXPECT_EQ(refusal(good + "x"), "is no sound PNG: 1 byte after its end (IEND)");
+  EXPECT_EQ(refusal(good + "x"), "is not a valid PNG: 1 byte after its end (IEND)");
   EXPECT_EQ(refusal(good + good, ErrorKind::unsupported),
-            "holds several pictures; only files of one are judged");
+            "has several pictures; only files with one picture are judged");
   const std::string plain = pngFile(1, 1, 8, 2, std::string("\0\1\2\3", 4));
-  EXPECT_EQ(refusal(plain + kText), "is no sound PNG: 15 bytes after its end (IEND)");
+  EXPECT_EQ(refusal(plain + kText), "is not a valid PNG: 15 bytes after its end (IEND)");
 }
 
 TEST(WholePng, RefusesAnimations) {
@@ -94,15 +94,15 @@ TEST(WholePng, RefusesAnimations) {
 
 TEST(WholePng, RefusesPixelsThatAreNotOfThePicture) {
   EXPECT_EQ(refusal(pngFile(3, 2, 8, 0, kRows + "x")),
-            "is no sound PNG: it has more pixels than its size says");
+            "is not a valid PNG: it has more pixels than its header says");
   const std::string packed = zlibStream(kRows);
   EXPECT_EQ(refusal(greyOf(pngChunk("IDAT", packed + "xy"))),
-            "is no sound PNG: 2 bytes after the end of its compressed pixels");
+            "is not a valid PNG: 2 bytes after the end of its compressed pixels");
   EXPECT_EQ(refusal(greyOf(pngChunk("IDAT", packed) + pngChunk("IDAT", "x"))),
-            "is no sound PNG: 1 byte after the end of its compressed pixels");
+            "is not a valid PNG: 1 byte after the end of its compressed pixels");
   // Enough for every pixel, and no checksum behind it.
   EXPECT_EQ(refusal(greyOf(pngChunk("IDAT", packed.substr(0, packed.size() - 4)))),
-            "is no sound PNG: its compressed pixels have no end");
+            "is not a valid PNG: its compressed pixels have no end");
 }
 
 TEST(WholePng, RefusesColoursThatThePaletteDoesNotHave) {
@@ -110,9 +110,9 @@ TEST(WholePng, RefusesColoursThatThePaletteDoesNotHave) {
   // Three colours of two bits: 0 1 2 of three pixels, then 0 1 3.
   EXPECT_EQ(refusal(pngFile(3, 1, 2, 3, std::string("\0\x18", 2), palette)), "");
   EXPECT_EQ(refusal(pngFile(3, 1, 2, 3, std::string("\0\x1C", 2), palette)),
-            "is no sound PNG: pixel (2, 0) is colour 3 of a palette of 3");
+            "is not a valid PNG: pixel (2, 0) is colour 3 of a palette of 3");
   EXPECT_EQ(refusal(pngFile(2, 2, 8, 3, std::string("\0\0\1\0\2\3", 6), palette)),
-            "is no sound PNG: pixel (1, 1) is colour 3 of a palette of 3");
+            "is not a valid PNG: pixel (1, 1) is colour 3 of a palette of 3");
   // What fills a row's last byte is nobody's.
   EXPECT_EQ(refusal(pngFile(3, 1, 2, 3, std::string("\0\x1B", 2), palette)), "");
 }

@@ -143,7 +143,7 @@ TEST(FrameBuffer, SaysThatMemoryLacks) {
   const auto frame = FrameBuffer::create(*gl, 64, 64, 4);
   ASSERT_FALSE(frame.has_value());
   EXPECT_EQ(frame.error().kind, ErrorKind::refused);
-  EXPECT_EQ(frame.error().what, "there is no memory for a frame of 64x64 with 4 samples");
+  EXPECT_EQ(frame.error().what, "not enough memory for a frame of 64x64 with 4 samples");
 }
 
 }  // namespace
