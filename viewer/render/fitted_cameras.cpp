@@ -63,7 +63,7 @@ Result<CameraView> FittedCameras::view(std::string_view name, const ViewChoice& 
     if (points.empty()) {
       return Error{ErrorKind::not_found,
                    "camera `" + std::string(name) + "` sees nothing: no part of " + device +
-                       " is shown at any of the moments that the camera is fitted to",
+                       " is visible at any of the moments that the camera is fitted to",
                    {}};
     }
   } else if (name == "fit") {

@@ -65,8 +65,8 @@ std::string numbersOf(const Vec3& v) { return fmt::format("{},{},{}", v.x, v.y, 
 Result<CameraView> parseViewpoint(std::string_view text) {
   const Error bad{ErrorKind::bad_argument,
                   "`" + std::string(text) +
-                      "` is no viewpoint: @EX,EY,EZ/TX,TY,TZ, then /fov=DEG, /ortho=HEIGHT or "
-                      "/up=X,Y,Z",
+                      "` is not a viewpoint: use @EX,EY,EZ/TX,TY,TZ, then /fov=DEG, "
+                      "/ortho=HEIGHT or /up=X,Y,Z",
                   {}};
   if (!text.starts_with('@')) return bad;
   std::string_view left = text.substr(1);
@@ -103,7 +103,7 @@ Result<CameraView> chooseCamera(const std::string& name, const PosedScene& scene
   std::vector<std::string_view> names;
   for (const PosedCamera& camera : scene.cameras) names.emplace_back(camera.name);
   return Error{
-      ErrorKind::not_found, "no camera is called `" + name + "`: " + whatThereIs(name, names), {}};
+      ErrorKind::not_found, "unknown camera `" + name + "`: " + whatThereIs(name, names), {}};
 }
 
 }  // namespace rocinante

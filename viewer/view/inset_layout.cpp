@@ -109,7 +109,7 @@ Result<CellInset> parseInset(std::string_view text) {
   if (name.empty()) {
     return Error{
         ErrorKind::bad_argument,
-        "`" + std::string(text) + "` is no inset: CAMERA or CAMERA:CORNER, as map:top-left",
+        "`" + std::string(text) + "` is not an inset: use CAMERA or CAMERA:CORNER, as map:top-left",
         {}};
   }
   inset.camera = name;

@@ -148,7 +148,7 @@ std::string KnownNames::deviceHint(const std::string& name) const {
 
 Status KnownNames::checkLayer(const std::string& layer) const {
   if (layers_.contains(layer)) return {};
-  return unknownName("no layer is called `" + layer + "`", layer, {layers_.begin(), layers_.end()});
+  return unknownName("unknown layer `" + layer + "`", layer, {layers_.begin(), layers_.end()});
 }
 
 /// Link and group of a PATH whose device can be any of those models.
@@ -201,8 +201,9 @@ Status KnownNames::checkDevice(const std::string& device) {
     return checkDevice(device);
   }
   return Error{ErrorKind::not_found,
-               std::string("no device of the cell") + (log_.empty() ? "" : " or the log") +
-                   " is called `" + device + "`: " + deviceHint(device),
+               std::string(log_.empty() ? "the cell has no device `"
+                                        : "neither the cell nor the log has a device `") +
+                   device + "`: " + deviceHint(device),
                {}};
 }
 
@@ -235,7 +236,7 @@ Status KnownNames::checkCamera(const std::string& name) {
   if (views_.contains(name)) return {};
   std::vector<std::string_view> known(views_.begin(), views_.end());
   for (const CellCamera& camera : cell_.cameras) known.emplace_back(camera.name);
-  Error unknown = unknownName("no camera is called `" + name + "`", name, std::move(known));
+  Error unknown = unknownName("unknown camera `" + name + "`", name, std::move(known));
   // A camera that cannot stand is not in the cell.
   const auto fault = std::ranges::find_if(cell_.faults, [](const ModelFault& one) {
     return one.severity == Severity::error && one.rule.starts_with("cell.");
@@ -251,8 +252,8 @@ std::string KnownNames::doubtAbout(const std::string& text) const {
   if (!path || path->path.is_layer || path->all_devices || !others_may_come_) return {};
   const std::string& device = path->path.first;
   if (cell_.findDevice(device) != nullptr || others_.contains(device)) return {};
-  return "no device of the cell is called `" + device +
-         "`: it counts from when a source adds it; " + deviceHint(device);
+  return "the cell has no device `" + device +
+         "`; the option takes effect once a source adds it; " + deviceHint(device);
 }
 
 }  // namespace rocinante

@@ -15,20 +15,20 @@ namespace {
 constexpr Nanoseconds kLongestTrail = std::chrono::hours(24);
 
 constexpr std::array kKeys{
-    StyleKey{"shading", "standard|plain", "plain: one light and an even rest"},
+    StyleKey{"shading", "standard|plain", "plain: one light and even ambient light"},
     StyleKey{"shadows", "on|off", "shadows of the key light"},
     StyleKey{"edges", "on|only|off", "crisp edges; only: a line drawing"},
     StyleKey{"labels", "beside|apart", "apart: labels that do not cover each other"},
     StyleKey{"ghosts", "plain|clear", "clear: ghosts in one tone, behind the actual device"},
     StyleKey{"limits", "on|off", "links near a joint's limit amber, beyond it red"},
-    StyleKey{"scale-bar", "on|off", "a scale, true at the camera's target"},
-    StyleKey{"layer-looks", "on|off", "off: layers as if the cell said nothing of their looks"},
-    StyleKey{"outlined", "PATH[#GROUP]", "a line around it, also where it is hidden", true},
-    StyleKey{"wireframe", "PATH[#GROUP]", "its triangles' edges in place of surfaces", true},
-    StyleKey{"transparent", "PATH[#GROUP][@OPACITY]", "seen through; opacity 0.3", true},
-    StyleKey{"collision", "PATH", "collision geometry in place of visuals", true},
+    StyleKey{"scale-bar", "on|off", "a scale bar, true at the camera's target"},
+    StyleKey{"layer-looks", "on|off", "off: ignore the cell's styles of layers"},
+    StyleKey{"outlined", "PATH[#GROUP]", "an outline, also where the object is hidden", true},
+    StyleKey{"wireframe", "PATH[#GROUP]", "triangle edges instead of surfaces", true},
+    StyleKey{"transparent", "PATH[#GROUP][@OPACITY]", "see-through; default opacity 0.3", true},
+    StyleKey{"collision", "PATH", "collision geometry instead of visuals", true},
     StyleKey{"collision-over", "PATH", "collision geometry over visuals", true},
-    StyleKey{"trail", "PATH[@SECONDS]", "the way of a device or link; the last 5 s", true},
+    StyleKey{"trail", "PATH[@SECONDS]", "path of a device or link; default: the last 5 s", true},
 };
 
 Error badStyle(std::string what) { return Error{ErrorKind::bad_argument, std::move(what), {}}; }
@@ -43,8 +43,8 @@ const StyleKey* keyNamed(std::string_view key) {
 }
 
 Error badValue(const StyleKey& key, std::string_view value) {
-  return badStyle("`" + std::string(value) + "` is no value of the look `" + std::string(key.key) +
-                  "`: " + std::string(key.values));
+  return badStyle("`" + std::string(value) + "` is not a value of the style `" +
+                  std::string(key.key) + "`: " + std::string(key.values));
 }
 
 template <class T>
@@ -177,7 +177,7 @@ Status setStyle(RenderStyle& style, std::string_view key_text, std::string_view 
   if (key == nullptr) {
     std::string all;
     for (const StyleKey& one : kKeys) all += (all.empty() ? "" : ", ") + std::string(one.key);
-    return badStyle("`" + std::string(key_text) + "` is no look; there are: " + all);
+    return badStyle("`" + std::string(key_text) + "` is not a style; the styles are: " + all);
   }
   const bool shadows = style.shadows;
   const Shading shading = style.shading;
@@ -186,7 +186,7 @@ Status setStyle(RenderStyle& style, std::string_view key_text, std::string_view 
   if (changed && style.shadows && style.shading == Shading::plain) {
     style.shadows = shadows;
     style.shading = shading;
-    return badStyle("the plain shading draws no shadows: leave one of the two looks out");
+    return badStyle("plain shading draws no shadows: leave out one of the two styles");
   }
   return set;
 }

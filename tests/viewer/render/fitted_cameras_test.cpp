@@ -90,7 +90,7 @@ TEST_F(FitTest, WhereNothingCanMoveItShowsEverything) {
 TEST_F(FitTest, ADeviceThatIsNotThereOrNotSeenIsRefused) {
   FrameMaker maker = open(kHall);
   const std::string unknown = refusalOf(maker, "fit:arn");
-  EXPECT_NE(unknown.find("no device of the cell or the log is called `arn`"), std::string::npos)
+  EXPECT_NE(unknown.find("neither the cell nor the log has a device `arn`"), std::string::npos)
       << unknown;
   EXPECT_NE(unknown.find("arm"), std::string::npos) << unknown;
   const std::string hidden = refusalOf(maker, "fit:hall", {"hall"});

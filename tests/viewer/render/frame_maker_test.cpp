@@ -99,7 +99,7 @@ TEST_F(FrameMakerTest, ViewsOfTheSessionAreCamerasOnceTheyWereSaid) {
   request.time = test::sessionTime(4499);
   const auto early = maker.frame(request);
   ASSERT_FALSE(early.has_value());
-  EXPECT_EQ(early.error().what, "no camera is called `side`: there is none");
+  EXPECT_EQ(early.error().what, "unknown camera `side`: there is none");
 }
 
 TEST_F(FrameMakerTest, AnUnknownCameraIsAnsweredWithThoseThereAre) {
@@ -108,8 +108,7 @@ TEST_F(FrameMakerTest, AnUnknownCameraIsAnsweredWithThoseThereAre) {
   request.camera = "elsewhere";
   const auto frame = maker.frame(request);
   ASSERT_FALSE(frame.has_value());
-  EXPECT_EQ(frame.error().what,
-            "no camera is called `elsewhere`: there are top, riding, flat, front");
+  EXPECT_EQ(frame.error().what, "unknown camera `elsewhere`: there are top, riding, flat, front");
 }
 
 TEST_F(FrameMakerTest, TheInputsHashFollowsTheGeometryAlone) {

@@ -74,12 +74,12 @@ TEST_F(NamesOfAPicture, WhatTheCellHasIsKnown) {
 }
 
 TEST_F(NamesOfAPicture, ASlipIsToldWithAHint) {
-  EXPECT_EQ(said("amr"), "no device of the cell is called `amr`: did you mean `arm`?");
+  EXPECT_EQ(said("amr"), "the cell has no device `amr`: did you mean `arm`?");
   EXPECT_EQ(said("arm/hnad"), "`arm` has no link `hnad`: did you mean `hand`?");
   EXPECT_EQ(said("*/elbow"), "no device has a link `elbow`: there are base, hand, leaf");
   EXPECT_EQ(said("door#doors_*"),
             "`door` has no part in a group `doors_*`: there are door_left, frame");
-  EXPECT_EQ(said("layer/robot"), "no layer is called `robot`: did you mean `robots`?");
+  EXPECT_EQ(said("layer/robot"), "unknown layer `robot`: did you mean `robots`?");
   RenderStyle style;
   style.trails.push_back({"ram", std::chrono::seconds(5)});
   EXPECT_FALSE(names_->check(style));
@@ -93,13 +93,13 @@ TEST_F(NamesOfAPicture, WhatTheLogAddsIsKnownAtEachOfItsMoments) {
   EXPECT_EQ(said("part#frame"), "");
   EXPECT_EQ(said("part/hand"), "`part` has no link `hand`: there is only leaf");
   EXPECT_EQ(said("parts"),
-            "no device of the cell or the log is called `parts`: did you mean `part`?");
+            "neither the cell nor the log has a device `parts`: did you mean `part`?");
   EXPECT_NE(said("nothing"), "") << "an `add` of a model that the cell does not have draws nothing";
   EXPECT_TRUE(names_->checkCamera("side"));
   EXPECT_TRUE(names_->checkCamera("over"));
   EXPECT_TRUE(names_->checkCamera("@0,-5,1/0,0,0"));
   EXPECT_EQ(names_->checkCamera("sied").error().text(),
-            "no camera is called `sied`: did you mean `side`?");
+            "unknown camera `sied`: did you mean `side`?");
 }
 
 TEST_F(NamesOfAPicture, ACameraThatCannotStandIsNamedWithItsFault) {
@@ -108,7 +108,7 @@ TEST_F(NamesOfAPicture, ACameraThatCannotStandIsNamedWithItsFault) {
   const auto bad = loadCell(folder_ / "bad.toml", {});
   ASSERT_TRUE(bad.ok()) << bad.error().text();
   EXPECT_EQ(KnownNames(*bad).checkCamera("here").error().text(),
-            "no camera is called `here`: there is none; the cell has an error: " +
+            "unknown camera `here`: there is none; the cell has an error: " +
                 (folder_ / "bad.toml").string() +
                 ":5:10: error: `eye` and `target` are the same point [cell.no-direction]");
 }
@@ -117,7 +117,7 @@ TEST_F(NamesOfAPicture, InALiveSessionDevicesMayComeButNotLinksOfNoModel) {
   names_->expectOthers();
   EXPECT_EQ(said("amr"), "");
   EXPECT_EQ(names_->doubtAbout("amr"),
-            "no device of the cell is called `amr`: it counts from when a source adds it; did you "
+            "the cell has no device `amr`; the option takes effect once a source adds it; did you "
             "mean `arm`?");
   EXPECT_EQ(names_->doubtAbout("arm/hand"), "");
   EXPECT_NE(said("amr/elbow"), "");

@@ -25,14 +25,13 @@ std::string allOf(const std::vector<Endpoint>& endpoints) {
 
 std::string hintFor(const Endpoint& endpoint) {
   if (endpoint.isPcap()) {
-    return "does it pass this interface, and does filter= let it through?";
+    return "does the traffic pass this interface, and does filter= let it through?";
   }
   if (endpoint.isMulticast()) {
     return "does the sender send to this group and port, out of the interface named here "
            "(interface=), with a ttl that reaches this machine?";
   }
-  return "does the sender send to this machine and this port? a firewall in between drops in "
-         "silence";
+  return "does the sender send to this machine and port? a firewall drops packets silently";
 }
 
 }  // namespace
@@ -40,30 +39,30 @@ std::string hintFor(const Endpoint& endpoint) {
 std::optional<LiveReason> liveReason(const LiveFacts& facts) {
   if (facts.datagrams == 0) {
     if (facts.watched < kPatience || facts.endpoints.empty()) return std::nullopt;
-    return LiveReason{fmt::format("nothing has come to {} for {}", allOf(facts.endpoints),
+    return LiveReason{fmt::format("nothing received on {} for {}", allOf(facts.endpoints),
                                   wholeSeconds(facts.watched)),
                       hintFor(facts.endpoints.front())};
   }
   if (facts.undecoded == facts.datagrams) {
-    return LiveReason{
-        fmt::format("{} came, and none is a packet{}{}", countText(facts.datagrams, "datagram"),
-                    facts.undecoded_sample.empty() ? "" : "; the first begins ",
-                    facts.undecoded_sample),
-        "packet text begins with: RK1 SOURCE SEQUENCE TIME"};
+    return LiveReason{fmt::format("{} received, none of them a packet{}{}",
+                                  countText(facts.datagrams, "datagram"),
+                                  facts.undecoded_sample.empty() ? "" : "; the first begins ",
+                                  facts.undecoded_sample),
+                      "packet text must begin with: RK1 SOURCE SEQUENCE TIME"};
   }
   if (facts.silent >= kPatience) {
-    return LiveReason{fmt::format("nothing has come for the last {}", wholeSeconds(facts.silent)),
-                      "the sender stopped, or the way to here is cut; what is shown is what was "
-                      "said last"};
+    return LiveReason{fmt::format("nothing received for the last {}", wholeSeconds(facts.silent)),
+                      "the sender stopped, or the connection is cut; the last known state is "
+                      "shown"};
   }
   if (facts.devices_spoken_of == 0 && facts.watched >= kPatience) {
-    return LiveReason{"packets come, but none says anything about a device",
+    return LiveReason{"packets arrive, but none is about a device",
                       "joints DEVICE ..., joint DEVICE NAME=..., pose DEVICE ... make things move"};
   }
   if (!facts.unknown_device.empty()) {
     return LiveReason{
-        fmt::format("packets speak of {}, which this cell does not have", facts.unknown_device),
-        "names of devices are those of the cell, or of an `add` before"};
+        fmt::format("packets name {}, which is not in this cell", facts.unknown_device),
+        "a device must be in the cell or be added first with `add`"};
   }
   return std::nullopt;
 }

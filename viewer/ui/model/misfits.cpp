@@ -19,11 +19,11 @@ std::string whyUnseen(const Cell& cell, const std::string& name, const DeviceSta
                       bool with_hint) {
   const CellDevice* device = cell.findDevice(name);
   if (state.presence && device == nullptr) {
-    return fmt::format("was added as `{}`, a model that the cell does not have",
+    return fmt::format("was added with the model `{}`, which is not in the cell",
                        state.presence->value.model);
   }
   if (device != nullptr) return {};  // it waits for its `add`, or its model could not be read
-  std::string what = "is no device of the cell, and nobody added it";
+  std::string what = "is not a device of the cell and was not added";
   if (!with_hint) return what;
   std::vector<std::string_view> known;
   for (const CellDevice& one : cell.devices) known.emplace_back(one.name);
@@ -36,7 +36,7 @@ std::string whatDoesNotFit(const Model& model, const DeviceState& state) {
     const std::size_t came = state.joints->value.size();
     const std::size_t wanted = model.positionalCount();
     if (came != wanted) {
-      return fmt::format("gets {}, and its model has {}: none is used",
+      return fmt::format("received {}, but its model has {}, so none is used",
                          countText(came, "joint value"), wanted);
     }
   }

@@ -12,26 +12,26 @@ struct HelpLine {
 
 constexpr HelpLine kMouse[] = {{"left drag", "turn about the target"},
                                {"middle or right drag, Shift left", "pan"},
-                               {"wheel", "nearer, farther, where the mouse is"},
-                               {"click", "select what is there"},
+                               {"wheel", "zoom at the mouse"},
+                               {"click", "select the object there"},
                                {"double click", "turn about that point"}};
 constexpr HelpLine kTime[] = {{"Space", "play, pause"},
                               {"left, right", "a second; Shift: a tenth"},
                               {", .", "event before, after; Shift: packet"},
-                              {"Home, End", "start, end of the log"},
+                              {"Home, End", "start or end of the log"},
                               {"M", "a mark at this moment"}};
-constexpr HelpLine kLook[] = {{"1 to 9, 0", "cameras, the view at the start"},
-                              {"F", "show what can move; Shift: what is selected"},
-                              {"I", "insets on, off"},
+constexpr HelpLine kLook[] = {{"1 to 9, 0", "cameras; initial view"},
+                              {"F", "show all that moves; Shift: the selection"},
+                              {"I", "insets on or off"},
                               {"E", "edges off, on, only"},
                               {"D", "shadows"},
-                              {"L", "joints near their limits"},
+                              {"L", "joints near a limit"},
                               {"W, T, C", "wireframe, see-through, collision"},
-                              {"R", "trail of what is selected"},
-                              {"H", "hide it; Shift: show all again"},
-                              {"Esc", "close a list; select nothing"}};
-constexpr HelpLine kProgram[] = {{"S", "evidence picture by rocinante render"},
-                                 {"Tab", "panels on, off"},
+                              {"R", "trail of the selection"},
+                              {"H", "hide the selection; Shift: show all"},
+                              {"Esc", "close a list; clear the selection"}};
+constexpr HelpLine kProgram[] = {{"S", "evidence picture, by rocinante render"},
+                                 {"Tab", "panels on or off"},
                                  {"? or F1", "this help"},
                                  {"Q", "close"}};
 

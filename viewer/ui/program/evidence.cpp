@@ -83,7 +83,8 @@ Result<EvidenceRun> EvidenceRun::start(const EvidenceRequest& request) {
 
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
-    return Error{ErrorKind::refused, std::string("no pipe: ") + std::strerror(errno), {}};
+    return Error{
+        ErrorKind::refused, std::string("cannot create a pipe: ") + std::strerror(errno), {}};
   }
   posix_spawn_file_actions_t actions;
   ::posix_spawn_file_actions_init(&actions);
@@ -98,7 +99,7 @@ Result<EvidenceRun> EvidenceRun::start(const EvidenceRequest& request) {
   if (refused != 0) {
     ::close(ends[0]);
     return Error{ErrorKind::refused,
-                 std::string("rocinante-render cannot be started: ") + std::strerror(refused),
+                 std::string("cannot start rocinante-render: ") + std::strerror(refused),
                  program.string()};
   }
   EvidenceRun run;
@@ -134,7 +135,7 @@ std::optional<Result<EvidenceMade>> EvidenceRun::look(bool wait) {
   const std::string said(buffer.data(), got > 0 ? static_cast<std::size_t>(got) : 0);
   // The picture is there; what may be wrong with it is what was said first.
   std::string why = code == 1 ? firstSentence(said) : lastSentence(said);
-  if (why.empty()) why = "rocinante-render ended without a word";
+  if (why.empty()) why = "rocinante-render failed without a message";
   if (code == 1) return Result<EvidenceMade>(EvidenceMade{output_, std::move(why)});
   return Result<EvidenceMade>(Error{ErrorKind::refused, std::move(why), {}});
 }

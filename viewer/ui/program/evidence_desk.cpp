@@ -22,7 +22,7 @@ std::string sinceOrigin(const ViewModel& model) {
 Result<EvidenceRequest> EvidenceDesk::requestOf(ViewModel& model, const WindowSize& size) const {
   if (model.isLive()) {
     return Error{ErrorKind::bad_argument,
-                 "an evidence picture is made of a log: record the session, then view that",
+                 "an evidence picture needs a log: record the session, then view the log",
                  {}};
   }
   EvidenceRequest request;
@@ -45,7 +45,7 @@ Result<EvidenceRequest> EvidenceDesk::requestOf(ViewModel& model, const WindowSi
 }
 
 void EvidenceDesk::ask(ViewModel& model, const WindowSize& size, SteadyTime now) {
-  if (running_) return say("a picture is still being made", true, now);
+  if (running_) return say("the last picture is still being drawn", true, now);
   auto request = requestOf(model, size);
   if (!request.ok()) return say(request.error().text(), true, now);
   std::error_code ignored;
@@ -56,7 +56,7 @@ void EvidenceDesk::ask(ViewModel& model, const WindowSize& size, SteadyTime now)
   auto run = EvidenceRun::start(*request);
   if (!run.ok()) return say(run.error().text(), true, now);
   running_.emplace(std::move(*run));
-  say("rocinante render makes the picture ...", false, now);
+  say("rocinante render draws the picture ...", false, now);
 }
 
 Status EvidenceDesk::make(ViewModel& model, const WindowSize& size, const fs::path& file) {

@@ -20,7 +20,7 @@ Result<double> ScriptRunner::number(const ViewCommand& command, std::size_t word
   double value = 0;
   const auto [stop, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (fault != std::errc{} || stop != text.data() + text.size() || !std::isfinite(value)) {
-    return faultAt(command, fmt::format("`{}` is no number", text));
+    return faultAt(command, fmt::format("`{}` is not a number", text));
   }
   return value;
 }
@@ -52,7 +52,7 @@ Status ScriptRunner::applyLook(const ViewCommand& command, const ScriptStage& st
                                            ? std::optional<bool>()
                                            : std::optional<bool>(command.name == "show");
     if (!model.setVisible(first, wanted)) {
-      return faultAt(command, fmt::format("`{}` is no DEVICE, DEVICE/LINK or layer/NAME", first));
+      return faultAt(command, fmt::format("`{}` is not DEVICE, DEVICE/LINK or layer/NAME", first));
     }
   }
   return {};
@@ -63,10 +63,10 @@ Status ScriptRunner::applyPerson(const ViewCommand& command, const ScriptStage& 
   ViewModel& model = stage.model;
   if (command.name == "key") {
     const auto press = parseKey(command.words.front());
-    if (!press) return faultAt(command, fmt::format("`{}` is no key", command.words.front()));
+    if (!press) return faultAt(command, fmt::format("`{}` is not a key", command.words.front()));
     ViewerRequests requests;
     applyKey(model, *press, stage.now, requests);
-    if (requests.evidence) return faultAt(command, "`evidence FILE` makes such a picture");
+    if (requests.evidence) return faultAt(command, "use `evidence FILE` for an evidence picture");
     stage.grant(requests);
     return {};
   }
@@ -94,7 +94,7 @@ Status ScriptRunner::applyPlayback(const ViewCommand& command, const ScriptStage
   if (command.name == "loop") cursor->setLooping(command.words.front() != "off");
   if (command.name == "speed" && !cursor->setSpeed(command.words.front(), stage.now)) {
     return faultAt(command,
-                   fmt::format("`{}` is no speed from 0.01 to 1000", command.words.front()));
+                   fmt::format("`{}` is not a speed from 0.01 to 1000", command.words.front()));
   }
   if (command.name == "seek") {
     const auto moment =
@@ -120,7 +120,7 @@ Status ScriptRunner::apply(const ViewCommand& command, const ScriptStage& stage)
     ViewerRequests requests;
     requests.rung = parseDetailRung(command.words.front());
     if (!requests.rung) {
-      return faultAt(command, fmt::format("`{}` is no level of detail from 0 to {}",
+      return faultAt(command, fmt::format("`{}` is not a level of detail from 0 to {}",
                                           command.words.front(), kCoarsestRung));
     }
     stage.grant(requests);

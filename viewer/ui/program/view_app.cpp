@@ -184,7 +184,7 @@ Result<DrawCounts> ViewApp::drawScene() {
     return choice.shown && FittedCameras::knows(choice.inset.camera);
   });
   if (shows_fitted && !fit_damage_.empty()) {
-    model_.doubts.push_back("a fitted camera may miss what moved: " + fit_damage_.text());
+    model_.doubts.push_back("a fitted camera may miss movement: " + fit_damage_.text());
     fit_damage_ = {};
   }
   return view_.draw(renderer_, shownFrame(style));

@@ -56,7 +56,7 @@ Result<ViewOptions> viewOptions(const Arguments& arguments) {
   char end = 0;
   if (std::sscanf(arguments.size.c_str(), "%dx%d%c", &options.width, &options.height, &end) != 2 ||
       options.width < 64 || options.height < 64 || options.width > 8192 || options.height > 8192) {
-    return Error{ErrorKind::bad_argument, "a size is WIDTHxHEIGHT, each from 64 to 8192",
+    return Error{ErrorKind::bad_argument, "the size must be WIDTHxHEIGHT, each from 64 to 8192",
                  "--size " + arguments.size};
   }
   options.samples = arguments.samples;
@@ -68,9 +68,10 @@ Result<ViewOptions> viewOptions(const Arguments& arguments) {
   if (arguments.detail != "auto") {
     options.detail = parseDetailRung(arguments.detail);
     if (!options.detail) {
-      return Error{ErrorKind::bad_argument,
-                   fmt::format("a level of detail is auto, or 0 (everything) to {}", kCoarsestRung),
-                   "--detail " + arguments.detail};
+      return Error{
+          ErrorKind::bad_argument,
+          fmt::format("the level of detail must be auto, or 0 (everything) to {}", kCoarsestRung),
+          "--detail " + arguments.detail};
     }
   }
   options.profile = arguments.profile == "fast" ? Profile::fast : Profile::reproducible;
@@ -82,7 +83,7 @@ Result<ViewOptions> viewOptions(const Arguments& arguments) {
     options.script = std::move(*commands);
     options.script_name = arguments.script.string();
     if (options.script.empty()) {
-      return Error{ErrorKind::bad_argument, "the script holds no command", options.script_name};
+      return Error{ErrorKind::bad_argument, "the script has no commands", options.script_name};
     }
   }
   return options;
@@ -103,7 +104,7 @@ Result<Exit> view(const Arguments& arguments) {
   const auto options = viewOptions(arguments);
   if (!options.ok()) return options.error();
   if (arguments.is_live && !arguments.log.empty()) {
-    return Error{ErrorKind::bad_argument, "a log and --live exclude each other", ""};
+    return Error{ErrorKind::bad_argument, "a log and --live cannot be used together", ""};
   }
   CellOptions cell_options;
   static_cast<ModelSearch&>(cell_options) = arguments.where;
@@ -159,38 +160,41 @@ Result<Exit> view(const Arguments& arguments) {
 }
 
 int viewMain(int argc, char** argv) {
-  CLI::App app("Shows a cell, at rest, in a recorded session, or live.", "rocinante-view");
+  CLI::App app("Shows a cell at rest, in a recorded session or live.", "rocinante-view");
   Arguments arguments;
   app.add_option("CELL", arguments.cell,
-                 "a *.cell.toml, .urdf or .obj, or a log that carries its cell")
+                 "a *.cell.toml, a .urdf, an .obj or a log that carries its cell")
       ->required();
   app.add_option("LOG", arguments.log, "a recorded session");
   auto* live = app.add_option("--live", arguments.live,
-                              "listen; EP as in `rocinante record`, default the standard group")
+                              "show live packets; EP as in `rocinante record`, default: the "
+                              "standard group")
                    ->expected(0, 1);
   app.add_option("--profile", arguments.profile,
                  "fast: the driver as it is; reproducible: the same bits everywhere")
       ->check(CLI::IsMember({"fast", "reproducible"}))
       ->capture_default_str();
-  app.add_option("--camera", arguments.camera, "of the cell, or a view of the session");
-  app.add_option("--at", arguments.at, "begin at this session time");
-  app.add_option("--size", arguments.size, "of the window, WIDTHxHEIGHT")->capture_default_str();
-  app.add_option("--detail", arguments.detail,
-                 "auto: what holds --target-fps (fast profile); or a level, 0 (everything) to 9")
+  app.add_option("--camera", arguments.camera, "a camera of the cell or a view of the session");
+  app.add_option("--at", arguments.at, "start at this session time");
+  app.add_option("--size", arguments.size, "size of the window, WIDTHxHEIGHT")
       ->capture_default_str();
-  app.add_option("--target-fps", arguments.target_fps, "frames a second to hold, 1 to 240")
+  app.add_option("--detail", arguments.detail,
+                 "auto: as much as --target-fps allows (fast profile); or a level, 0 "
+                 "(everything) to 9")
+      ->capture_default_str();
+  app.add_option("--target-fps", arguments.target_fps, "frames per second to hold, 1 to 240")
       ->check(CLI::Range(1.0, 240.0))
       ->capture_default_str();
   app.add_option("--style", arguments.styles,
-                 "a look, KEY or KEY=VALUE, as `rocinante render` takes them; repeatable");
+                 "a style, KEY or KEY=VALUE, as in `rocinante render`; repeatable");
   app.add_option("--scale", arguments.scale,
-                 "of text, panels and lines, 1 to 4; without, as the screen asks for it")
+                 "scale of text, panels and lines, 1 to 4; default: the screen's")
       ->check(CLI::Range(1.0, 4.0));
   app.add_option("--samples", arguments.samples, "multisampling: 1, 2, 4 or 8")
       ->check(CLI::IsMember({1, 2, 4, 8}))
       ->capture_default_str();
-  app.add_option("--hide", arguments.hide, "leave out DEVICE, DEVICE/LINK or layer/NAME");
-  app.add_option("--show", arguments.show, "put in DEVICE, DEVICE/LINK or layer/NAME");
+  app.add_option("--hide", arguments.hide, "do not show DEVICE, DEVICE/LINK or layer/NAME");
+  app.add_option("--show", arguments.show, "show DEVICE, DEVICE/LINK or layer/NAME even if hidden");
   arguments.where.search_environment = true;
   cli::addSearchFolderOptions(app, arguments.where);
   app.add_option("--script", arguments.script, "drive the window from this file, then close it");

@@ -18,8 +18,7 @@ void onGlfwError(int /*code*/, const char* text) { last_glfw_error = text; }
 
 /// Xlib ends the program when its server is gone, whatever anybody answers here.
 int onServerGone(void* /*display*/) {
-  constexpr char kWhat[] =
-      "rocinante-view: the display is gone: its server ended, or the way there is cut\n";
+  constexpr char kWhat[] = "rocinante-view: the connection to the display is lost\n";
   (void)!::write(STDERR_FILENO, kWhat, std::strlen(kWhat));
   ::_exit(2);
 }
@@ -57,7 +56,7 @@ Result<std::unique_ptr<Window>> Window::open(const std::string& title, int width
     glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
   }
 #endif
-  if (glfwInit() != GLFW_TRUE) return windowError("there is no display to open a window on");
+  if (glfwInit() != GLFW_TRUE) return windowError("no display to open a window on");
   nameLossOfServer();
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);

@@ -30,10 +30,10 @@ TEST(Misfits, AreWhatWasSaidAndMovesNothing) {
   std::string text;
   for (const Misfit& one : found) text += one.device + " " + one.what + "\n";
   EXPECT_EQ(text,
-            "amr is no device of the cell, and nobody added it: did you mean `arm`?\n"
-            "arm gets 3 joint values, and its model has 1: none is used\n"
+            "amr is not a device of the cell and was not added: did you mean `arm`?\n"
+            "arm received 3 joint values, but its model has 1, so none is used\n"
             "other has no joint `trun`\n"
-            "part was added as `box`, a model that the cell does not have\n");
+            "part was added with the model `box`, which is not in the cell\n");
 }
 
 }  // namespace
