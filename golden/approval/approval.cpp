@@ -39,7 +39,7 @@ std::vector<AcceptedPicture> acceptedOf(const Manifest& manifest, const std::str
   return pictures;
 }
 
-/// These pixels, accepted under the same masks for whichever key.
+/// Accepted pictures with these pixels and the same masks, of any key.
 std::vector<const AcceptedPicture*> equalsOf(const Manifest& manifest, const std::string& case_name,
                                              const AcceptedPicture& accepted) {
   auto found = manifest.findPixels(case_name, accepted.pixels, accepted.key);
@@ -62,7 +62,7 @@ bool Approval::isAccepted(const std::string& case_name, const AcceptedPicture& a
 
 Result<std::filesystem::path> Approval::writeStaged(const Picture& picture) {
   if (!staging_) {
-    // Beside where they shall lie, since nothing is renamed across file systems.
+    // Beside their destination: a rename does not cross file systems.
     auto made = StagingFolder::make(folder_.hasStore() ? folder_.store() : folder_.goldens());
     if (!made.ok()) return made.error();
     staging_.emplace(std::move(*made));
@@ -101,7 +101,7 @@ Status Approval::nameFiles(const Manifest& now, Staged& staged) const {
     if (!staged.areas_file.empty()) accepted.areas = accepted.areas_pixels + ".png";
     return {};
   }
-  // What stays keeps its name, under whichever key it was accepted.
+  // Pictures that stay keep their names, of every key.
   std::set<std::string> taken;
   for (const AcceptedPicture* old : now.findAll(staged.case_name)) {
     if (staged.beside || old->key != accepted.key) taken.insert(old->picture);
@@ -120,7 +120,7 @@ Status Approval::nameFiles(const Manifest& now, Staged& staged) const {
 
 Status Approval::moveToArriving(const Staged& staged) const {
   const auto place = [&](const std::string& name, const std::string& pixels) {
-    // In a store a name is a hash: whoever wrote it first wrote the same.
+    // In a store the name is the hash, so an existing file has the same content.
     return folder_.isInStore(name, pixels) ? folder_.fileOf(name, pixels)
                                            : folder_.arrivingFile(name);
   };
@@ -136,7 +136,7 @@ Status Approval::moveToArriving(const Staged& staged) const {
 Result<std::vector<std::string>> Approval::commit() {
   std::vector<std::string> left_alone;
   if (staged_.empty()) {
-    // Nobody waits for this.
+    // Cleanup is optional: do not wait for the lock.
     const auto lock = FolderLock::tryTake(folder_.goldens());
     const auto now = Manifest::read(folder_.goldens());
     if (lock && now.ok()) cleanFolders(*now);
@@ -153,7 +153,7 @@ Result<std::vector<std::string>> Approval::commit() {
   Manifest after = *now;
   Status moved;
   for (Staged& staged : staged_) {
-    // Whoever came first accepted the same: nothing is left to do.
+    // Another process accepted the same picture first; nothing to do.
     if (!equalsOf(*now, staged.case_name, staged.accepted).empty() &&
         equalsOf(seen_, staged.case_name, staged.accepted).empty()) {
       continue;
@@ -194,7 +194,7 @@ Result<std::vector<std::string>> Approval::commit() {
 void Approval::cleanFolders(const Manifest& now) const {
   finishArrivals(folder_, now);
   removeAbandonedStaging(folder_.goldens());
-  // Only who holds the lock writes a manifest.
+  // Only the holder of the lock writes a manifest.
   std::error_code ignored;
   std::vector<std::filesystem::path> parts;
   for (const auto& entry : std::filesystem::directory_iterator(folder_.goldens(), ignored)) {
@@ -228,7 +228,7 @@ void finishArrivals(const GoldenFolder& folder, const Manifest& manifest) {
     const auto picture =
         wanted == pixels.end() ? Error{ErrorKind::not_found, {}, {}} : readPng(file);
     if (picture.ok() && pictureXxh3(*picture) == wanted->second) {
-      // Should this fail, GoldenFolder::read goes on finding it where it is.
+      // If this fails, GoldenFolder::read still finds the file under its arriving name.
       std::filesystem::rename(file, folder.goldens() / wanted->first, ignored);
     } else {
       removeFile(file);

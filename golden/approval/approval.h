@@ -13,13 +13,14 @@
 
 namespace rocinante {
 
-/// Makes pictures the goldens of their cases: all of it for a case, or none. Several may approve in
-/// one folder at once: what another approved since `seen` was read is never taken away.
+/// Makes pictures the goldens of their cases; each case is approved completely or not at all.
+/// Several processes may approve in one folder at once: goldens that another process approved since
+/// `seen` was read are kept.
 ///
-/// stage() writes a picture where nobody reads it. commit() locks the folder, reads the manifest
-/// anew, moves what is staged to `.NAME.new`, writes the manifest (from here on it counts: see
-/// GoldenFolder::read) and gives the pictures their names. Killed at any point, either the old
-/// goldens hold or the new ones do; what is left behind then, the next commit() takes away.
+/// stage() writes a picture to a private folder. commit() locks the golden folder, reads the
+/// manifest again, moves staged files to `.NAME.new`, writes the manifest (the new goldens are
+/// valid from here: see GoldenFolder::read) and renames the pictures. A process killed at any point
+/// leaves either the old or the new goldens valid; the next commit() removes its leftovers.
 class Approval {
  public:
   Approval(GoldenFolder folder, Manifest seen)
@@ -27,24 +28,24 @@ class Approval {
   Approval(const Approval&) = delete;
   Approval& operator=(const Approval&) = delete;
 
-  /// True when this very picture is accepted already, for whichever key, and lies there.
+  /// True when this picture is already accepted, for any key, and its file exists.
   bool isAccepted(const std::string& case_name, const AcceptedPicture& accepted) const;
 
-  /// Of what the pictures that are staged from now on were drawn: commit() writes it down too.
+  /// Sets the cell files that pictures staged from now on were drawn from; commit() records them.
   void describeCell(FileHashes files, FileTexts texts = {}) {
     cell_ = cellKey(files);
     cell_files_ = std::move(files);
     cell_texts_ = std::move(texts);
   }
 
-  /// `accepted` has everything but file names and cell. `areas` may be null. `beside`: accepted
-  /// pictures of its key stay. On an error nothing is staged.
+  /// `accepted` has all fields except file names and cell. `areas` may be null. `beside`: keep the
+  /// accepted pictures of its key. On an error nothing is staged.
   Status stage(const std::string& case_name, AcceptedPicture accepted, const Picture& picture,
                const Picture* areas, bool beside);
   std::size_t staged() const { return staged_.size(); }
 
-  /// The frames that somebody else approved in the meantime, and that were left alone. On an error
-  /// nothing is approved. Also with nothing staged it clears what was left by who was killed.
+  /// Returns the frames that another process approved meanwhile; they are left unchanged. On an
+  /// error nothing is approved. Removes leftovers of killed processes even when nothing is staged.
   Result<std::vector<std::string>> commit();
 
  private:
@@ -62,7 +63,7 @@ class Approval {
 
   GoldenFolder folder_;
   Manifest seen_;
-  std::optional<StagingFolder> staging_;  ///< where they lie: with a store, in the store
+  std::optional<StagingFolder> staging_;  ///< of staged files; in the store if there is one
   std::vector<Staged> staged_;
   std::string cell_;
   FileHashes cell_files_;
@@ -70,8 +71,8 @@ class Approval {
   std::size_t files_ = 0;
 };
 
-/// Gives the pictures that the manifest names but that were left as `.NAME.new` their names, and
-/// removes others of that kind. For who holds the folder's lock.
+/// Renames `.NAME.new` pictures that the manifest lists, and removes the other `.new` files.
+/// Requires the folder's lock.
 void finishArrivals(const GoldenFolder& folder, const Manifest& manifest);
 
 }  // namespace rocinante

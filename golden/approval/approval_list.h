@@ -8,11 +8,11 @@
 
 namespace rocinante {
 
-/// Pixel hashes by frame: what somebody saw and accepted, as the report's "select and copy" writes
-/// it (docs/golden-suites.md, section "Lists of approvals").
+/// Pixel hashes by frame name: the frames that a person accepted, as the report page copies them
+/// (docs/golden-suites.md, section "Lists of approvals").
 using ApprovalList = std::map<std::string, std::string, std::less<>>;
 
-/// bad_argument, with the line, for what is no such list.
+/// bad_argument, with the line, when the text is not such a list.
 Result<ApprovalList> parseApprovalList(std::string_view text, const std::string& file);
 std::string approvalListText(const ApprovalList& list);
 

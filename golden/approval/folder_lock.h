@@ -7,13 +7,13 @@
 
 namespace rocinante {
 
-/// Only one process holds a folder at a time. The lock is on the folder itself (flock), so that no
-/// file is left behind, and ends with the object or the process.
+/// Lock that one process at a time can hold on a folder. flock() is applied to the folder itself,
+/// so no file is left behind; the lock ends with the object or the process.
 class FolderLock {
  public:
-  /// Waits until whoever holds it is done. refused when the folder cannot be locked.
+  /// Waits until the current holder releases it. refused when the folder cannot be locked.
   static Result<FolderLock> take(const std::filesystem::path& folder);
-  /// Waits for nobody: empty when somebody holds it, or it cannot be locked.
+  /// Does not wait: empty when another process holds the lock or the folder cannot be locked.
   static std::optional<FolderLock> tryTake(const std::filesystem::path& folder);
 
   ~FolderLock();

@@ -62,7 +62,7 @@ Result<Picture> GoldenFolder::readVerified(const std::string& picture,
                                            const std::string& pixels) const {
   auto found = readOne(fileOf(picture, pixels), pixels);
   if (found.ok()) return found;
-  // Whoever approved was killed between the manifest and the last rename.
+  // An approve was killed between writing the manifest and the last rename.
   auto arriving = readOne(arrivingFile(picture), pixels);
   return arriving.ok() ? std::move(arriving) : std::move(found);
 }

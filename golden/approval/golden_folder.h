@@ -9,8 +9,8 @@
 
 namespace rocinante {
 
-/// Where a suite's accepted pictures lie: beside the manifest, or in a store, a folder of pictures
-/// named by their pixel hash that several suites may share. docs/golden-suites.md.
+/// Location of a suite's accepted pictures: beside the manifest, or in a store, which is a folder
+/// of pictures named by their pixel hash that several suites may share. docs/golden-suites.md.
 class GoldenFolder {
  public:
   GoldenFolder(std::filesystem::path goldens, std::filesystem::path store)
@@ -24,16 +24,16 @@ class GoldenFolder {
   bool isInStore(const std::string& picture, const std::string& pixels) const {
     return hasStore() && picture == pixels + ".png";
   }
-  /// Where a picture of the manifest lies.
+  /// Path of a picture of the manifest.
   std::filesystem::path fileOf(const std::string& picture, const std::string& pixels) const;
-  /// Where approving puts a picture until the manifest names it; see Approval.
+  /// Path of a picture until the manifest lists it; see Approval.
   std::filesystem::path arrivingFile(const std::string& picture) const;
   bool has(const AcceptedPicture& accepted) const;
 
-  /// The picture, only if it is the one that the manifest accepted: not_found when it is missing,
-  /// unsupported for a pointer of Git LFS, damaged else.
+  /// Reads the picture and checks its pixel hash against the manifest. not_found when it is
+  /// missing, unsupported for a Git LFS pointer, otherwise damaged.
   Result<Picture> read(const AcceptedPicture& accepted) const;
-  /// The same of its areasPicture.
+  /// The same for its areasPicture.
   Result<Picture> readAreas(const AcceptedPicture& accepted) const;
 
  private:

@@ -31,7 +31,7 @@ std::string textIn(const Json& object, const char* key) {
   return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
-/// What is read and replaced must lie in the folder and be a picture of ours.
+/// A picture that is read or replaced must be a PNG inside the folder.
 bool isPictureName(const std::string& name) {
   return name.size() > 4 && name.size() <= 255 && name.ends_with(".png") && name.front() != '.' &&
          isFileText(name);
@@ -59,7 +59,7 @@ Result<AcceptedPicture> acceptedOf(const Json& entry, const std::string& name,
   return accepted;
 }
 
-/// What is no hash of a file is left out: it explains failures, and judges nothing.
+/// Skips invalid entries: hashes only explain failures and decide no verdict.
 std::map<std::string, FileHashes> cellsOf(const Json& root) {
   std::map<std::string, FileHashes> cells;
   const auto found = root.find("cells");
@@ -74,7 +74,7 @@ std::map<std::string, FileHashes> cellsOf(const Json& root) {
   return cells;
 }
 
-/// A text that is not what its key says is left out: somebody edited it.
+/// Skips a text that does not match its hash: it was edited.
 FileTexts keptTexts(const Json& root) {
   FileTexts texts;
   const auto found = root.find("texts");
@@ -87,7 +87,7 @@ FileTexts keptTexts(const Json& root) {
   return texts;
 }
 
-/// As JSON, in which no case stands twice: of two, one would be forgotten.
+/// Parses JSON and refuses duplicate cases: the parser would keep only one of them.
 Result<Json> parseOnce(std::string_view text, const std::filesystem::path& file) {
   std::string of_root;
   std::string twice;
@@ -148,8 +148,8 @@ Result<Manifest> Manifest::parse(std::string_view text, const std::filesystem::p
     for (const Json& entry : pictures) {
       auto accepted = acceptedOf(entry, name, file);
       if (!accepted.ok()) return accepted.error();
-      // Replacing one golden must never take another's picture away. In a store equal pictures
-      // share a file by its hash.
+      // Replacing one golden must not remove another's picture. In a store equal pictures share a
+      // file named by their hash.
       if (!files.insert(accepted->picture).second &&
           accepted->picture != accepted->pixels + ".png") {
         return broken(file,
@@ -219,7 +219,7 @@ void Manifest::accept(const std::string& case_name, AcceptedPicture accepted, bo
     return old.key == accepted.key && (!beside || old.pixels == accepted.pixels);
   });
   pictures.push_back(std::move(accepted));
-  // Sorted: the order of approving must not reach the file.
+  // Sorted, so that the order of approval does not change the file.
   std::ranges::sort(pictures, [](const AcceptedPicture& a, const AcceptedPicture& b) {
     return std::tie(a.key, a.picture) < std::tie(b.key, b.picture);
   });

@@ -12,80 +12,80 @@
 
 namespace rocinante {
 
-/// A picture that somebody accepted for a case, on one kind of renderer.
+/// A picture accepted for a case and one renderer, size and sample count.
 struct AcceptedPicture {
   std::string key;      ///< renderer, size and samples: "llvmpipe-...-sse4.1 640x480 4x"
   std::string picture;  ///< file name in the manifest's folder
-  std::string pixels;   ///< pictureXxh3 of it
+  std::string pixels;   ///< its pictureXxh3
   std::string inputs;   ///< FrameMaker::inputsHash when it was drawn
   std::string session;  ///< content_sha256 of the log; empty without one
   std::string accepted_by, accepted_at, reason;
-  /// Where the case's masks lay (areasPicture): its file and pixel hash; empty without masks.
+  /// The areasPicture of the case's masks: file and pixel hash; empty without masks.
   std::string areas{}, areas_pixels{};
-  std::string cell{};  ///< key into Manifest::cells; empty: its files are not known
+  std::string cell{};  ///< key into Manifest::cells; empty: unknown files
   bool operator==(const AcceptedPicture&) const = default;
 };
 
-/// The files that a cell is made of: name below the cell's folder to SHA-256.
+/// The files of a cell: path relative to the cell's folder to SHA-256.
 using FileHashes = std::map<std::string, std::string>;
-/// What files say, by their SHA-256.
+/// Contents of text files by SHA-256.
 using FileTexts = std::map<std::string, std::string>;
 
-/// goldens/manifest.json: what was accepted, for which case and key (docs/golden-suites.md).
-/// Only `approve` writes it.
+/// goldens/manifest.json: accepted pictures by case and key (docs/golden-suites.md). Only `approve`
+/// writes it.
 struct Manifest {
   std::map<std::string, std::vector<AcceptedPicture>> cases;
-  /// What accepted pictures were drawn of, by a hash of the list: a failure then names the mesh,
-  /// material or texture that changed.
+  /// The cell files that accepted pictures were drawn from, by a hash of the list, so that a
+  /// failure can name the mesh, material or texture that changed.
   std::map<std::string, FileHashes> cells;
-  /// Of those files the ones that say kinematics and materials: a failure then tells what changed
-  /// in them. Files of goldens that were accepted before this was kept have none.
+  /// Contents of those files that define kinematics and materials, so that a failure can describe
+  /// the change. Goldens accepted by older versions have none.
   FileTexts texts;
 
-  /// Empty when the folder has none. Names of pictures that lead out of the folder, or are no
-  /// plain PNG's, and pictures that two cases name, are refused. Keys lose the package revisions
-  /// that older versions kept in them.
+  /// Empty when the folder has no manifest. Refuses picture names that leave the folder or do not
+  /// end in .png, and pictures shared by two cases. Removes the package revisions that older
+  /// versions kept in keys.
   static Result<Manifest> read(const std::filesystem::path& folder);
-  /// The same from the text of manifest.json; `file` is for the sentences.
+  /// The same from the text of manifest.json; `file` is used in messages.
   static Result<Manifest> parse(std::string_view text, const std::filesystem::path& file);
   Status write(const std::filesystem::path& folder) const;
 
   /// The accepted pictures of a case for one key; several when alternatives were approved.
   std::vector<const AcceptedPicture*> find(std::string_view case_name, std::string_view key) const;
-  /// Those of every key, in the order of the file.
+  /// The accepted pictures of every key, in file order.
   std::vector<const AcceptedPicture*> findAll(std::string_view case_name) const;
-  /// Those with these pixels, whatever their key; of `key` first.
+  /// The accepted pictures with these pixels, of any key; those of `key` first.
   std::vector<const AcceptedPicture*> findPixels(std::string_view case_name,
                                                  std::string_view pixels,
                                                  std::string_view key) const;
-  /// The files of the cell that a picture was accepted of; null when they are not known.
+  /// The files of the cell that an accepted picture was drawn from; null when unknown.
   const FileHashes* cellOf(const AcceptedPicture& accepted) const;
-  /// Puts `accepted` in place of the pictures of its case and key, or beside them.
+  /// Replaces the pictures of the same case and key with `accepted`, or adds it to them.
   void accept(const std::string& case_name, AcceptedPicture accepted, bool beside = false);
-  /// The names of all files that it uses: pictures and areas.
+  /// Names of all files used: pictures and areas.
   std::set<std::string> files() const;
-  /// Forgets cells that no picture names, and texts that no cell has.
+  /// Removes cells that no picture uses and texts that no cell uses.
   void dropUnusedCells();
 };
 
-/// True for what writing a manifest leaves when it is killed.
+/// True for a temporary file left by an interrupted write of a manifest.
 bool isManifestPart(const std::filesystem::path& file);
 
-/// SHA-256 in lower-case hexadecimal, as FileHashes has it.
+/// SHA-256 in lower-case hexadecimal, as in FileHashes.
 std::string fileSha256(ByteView content);
 
 /// The key of a list of files in Manifest::cells.
 std::string cellKey(const FileHashes& files);
 
-/// "llvmpipe-mesa22.3.6-llvm15.0.6-x86_64-sse4.1" of a key, and what follows: "640x480 4x".
+/// The parts of a key: "llvmpipe-mesa22.3.6-llvm15.0.6-x86_64-sse4.1" and "640x480 4x".
 std::string_view rendererOf(std::string_view key);
 std::string_view shapeOf(std::string_view key);
 /// "640x480 4x": the end of a key.
 std::string shapeText(int width, int height, int samples);
-/// Eight digits of a key's hash: what stands for it in names of files.
+/// Eight digits of the key's hash, used in file names.
 std::string keyDigits(std::string_view key);
-/// The golden's file name: the case and eight digits of the key's hash, so that keys never clash.
-/// `turn` tells several pictures of one key apart: the first has none.
+/// The golden's file name: the case and eight digits of the key's hash, so that keys do not clash.
+/// `turn` numbers several pictures of one key; the first has no number.
 std::string goldenFileName(std::string_view case_name, std::string_view key, int turn = 1);
 
 }  // namespace rocinante

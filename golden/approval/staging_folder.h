@@ -7,14 +7,14 @@
 
 namespace rocinante {
 
-/// A hidden folder inside another, for files until they get their names there. Its owner holds its
-/// lock, which ends with the process: one that nobody holds was left by a process that was killed.
+/// A hidden folder for files that are renamed into its parent later. Its owner holds a lock on it
+/// that ends with the process, so an unlocked one was left by a killed process.
 class StagingFolder {
  public:
-  /// Locks `folder` for as long as this takes.
+  /// Locks `folder` while creating it.
   static Result<StagingFolder> make(const std::filesystem::path& folder);
 
-  ~StagingFolder();  ///< removes it, with what is in it
+  ~StagingFolder();  ///< removes the folder and its contents
   StagingFolder(StagingFolder&&) noexcept = default;
   StagingFolder& operator=(StagingFolder&&) = delete;
 
@@ -28,9 +28,10 @@ class StagingFolder {
   FolderLock lock_;
 };
 
-/// True for a staging folder that no living process holds.
+/// True for a staging folder whose lock no process holds.
 bool isAbandonedStaging(const std::filesystem::path& path);
-/// Removes those in `folder`. For who holds the lock of `folder`: nobody is making one then.
+/// Removes abandoned staging folders in `folder`. Requires the lock of `folder`, so that none is
+/// being created.
 void removeAbandonedStaging(const std::filesystem::path& folder);
 
 }  // namespace rocinante

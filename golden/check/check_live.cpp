@@ -25,7 +25,7 @@ Result<CheckReport> checkLive(const Cell& cell, const std::string& where, Nanose
   DatagramSource& input = **source;
   const bool is_file = !endpoint->file.empty();
   cli::catchStopSignals();
-  // With the port that was bound: ":0" takes a free one.
+  // Shows the bound port: ":0" takes a free one.
   const std::string bound = boundText(input);
   cli::warn((is_file ? "reading " : "listening on ") + bound);
   SessionCheck session(cell);
@@ -34,7 +34,7 @@ Result<CheckReport> checkLive(const Cell& cell, const std::string& where, Nanose
   while (!cli::stopRequested() && !input.ended()) {
     const auto left =
         std::chrono::ceil<std::chrono::milliseconds>(deadline - std::chrono::steady_clock::now());
-    // A file is read to its end, however long that takes.
+    // A capture file is always read to its end.
     if (left.count() <= 0 && !is_file) break;
     if (const auto said = input.maintain()) cli::warn(*said);
     pollfd waiting{input.fileDescriptor(), POLLIN, 0};
@@ -45,7 +45,7 @@ Result<CheckReport> checkLive(const Cell& cell, const std::string& where, Nanose
       if (!datagrams) return datagrams.error();
       if (datagrams->empty()) break;
       for (const ReceivedDatagram& datagram : *datagrams) {
-        // The kernel's clock may be set back; a session's time line never goes back.
+        // The kernel's clock may be set back, but session time must not decrease.
         last = std::max(last.value_or(LogTime{}), logTimeOf(datagram.kernel_time));
         if (!first) first = last;
         session.add(*last, encodingOf(datagram.payload), true, datagram.payload);

@@ -8,8 +8,8 @@
 
 namespace rocinante {
 
-/// Judges what arrives at an endpoint for a while. A stop signal ends it early: the report then
-/// says that it was interrupted. Says on standard error where it listens.
+/// Judges the datagrams received at an endpoint for `duration`. A stop signal ends it early, and
+/// the report says that it was interrupted. Prints the bound endpoint on standard error.
 Result<CheckReport> checkLive(const Cell& cell, const std::string& endpoint, Nanoseconds duration);
 
 }  // namespace rocinante

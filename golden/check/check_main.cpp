@@ -31,7 +31,7 @@ constexpr const char* kExamples =
     "  rocinante check cell.toml --live :19960 --duration 10s\n"
     "  rocinante check --explain joint.limit\n";
 
-/// What differs between the cell that the log carries, if any, and the one that it is judged with.
+/// Differences between the cell attached to the log, if any, and the cell it is judged with.
 std::vector<Finding> driftOf(const LogReader& log, const Cell& given) {
   const auto unreadable = [&](const Error& error) {
     Finding finding;
@@ -65,7 +65,7 @@ Result<CheckReport> judgeLog(const CheckArguments& my, const Cell& cell) {
   }();
   if (!report) return report;
   report->session = my.log;
-  // A log that is judged with its own cell has not drifted from it.
+  // A log judged with its own cell cannot have drifted.
   if (my.log != my.cell) {
     std::vector<Finding> drift = driftOf(*log, cell);
     report->findings.insert(report->findings.end(), drift.begin(), drift.end());
@@ -94,7 +94,7 @@ Result<CheckReport> judge(const CheckArguments& my) {
   return my.log.empty() ? checkCell(*cell) : judgeLog(my, *cell);
 }
 
-/// Accepts what is known, and draws the verdict from the rest.
+/// Applies the baseline and sets the verdict from the remaining findings.
 Status concludeWith(const CheckArguments& my, const std::optional<Baseline>& baseline,
                     CheckReport& report) {
   report.fail_on = failOn(my);
@@ -138,7 +138,7 @@ Result<cli::Exit> run(CheckArguments& my) {
   if (my.cell.empty()) {
     return Error{ErrorKind::bad_argument, "CELL is required (see rocinante-check --help)", {}};
   }
-  // A log that carries its cell is judged alone.
+  // A log that carries its cell needs no other argument.
   if (my.log.empty() && my.live.empty() && isLog(my.cell)) my.log = my.cell;
   const Result<std::vector<CheckOutput>> outputs = readOutputs(my);
   if (!outputs) return outputs.error();

@@ -13,7 +13,7 @@ class App;
 
 namespace rocinante {
 
-/// The arguments of rocinante-check as they were typed.
+/// The command line arguments of rocinante-check.
 struct CheckArguments : ModelSearch {
   std::string cell, log, live;
   std::string duration = "2s";
@@ -37,7 +37,7 @@ struct CheckArguments : ModelSearch {
 
 void declareCheck(CLI::App& app, CheckArguments& arguments);
 
-/// What --rule says, as a cell would; bad_argument for a rule or severity that there is not.
+/// The rules given by --rule; bad_argument for an unknown rule or severity.
 Result<std::vector<CellRule>> readRuleArguments(const CheckArguments& arguments);
 Severity failOn(const CheckArguments& arguments);
 

@@ -9,16 +9,17 @@
 
 namespace rocinante {
 
-/// A file that --output asks for.
+/// A file requested by --output.
 struct CheckOutput {
   std::string format, file;
 };
 
-/// What --output says; bad_argument when it is not FORMAT=FILE, refused when the file exists and
-/// --force was not given: before anything is judged.
+/// Parses --output before anything is judged. bad_argument when it is not FORMAT=FILE, refused when
+/// the file exists and --force was not given.
 Result<std::vector<CheckOutput>> readOutputs(const CheckArguments& arguments);
 
-/// The report on standard output as --format says, and in every file, each whole or not at all.
+/// Writes the report to standard output in the format of --format, and to every --output file, each
+/// completely or not at all.
 Status writeReport(const CheckReport& report, const CheckArguments& arguments,
                    const std::vector<CheckOutput>& outputs);
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint64_t kMaxSuiteBytes = 16U << 20U;
 
-/// `style` as an inline table; a key that repeats becomes a list.
+/// The styles as an inline table; a repeated key becomes a list.
 Result<std::string> styleTable(const std::vector<std::string>& words) {
   RenderStyle style;
   for (const std::string& word : words) {
@@ -71,7 +71,8 @@ Result<NewCase> caseOf(const AddArguments& arguments) {
   return made;
 }
 
-/// The suite's text; what a new one begins with when there is none and a cell or log is named.
+/// The suite's text, or the first lines of a new suite when the file does not exist and a cell or
+/// log is given.
 Result<std::string> suiteText(const AddArguments& arguments) {
   std::error_code ignored;
   const bool is_new = !std::filesystem::exists(arguments.suite, ignored);

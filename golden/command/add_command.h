@@ -9,11 +9,11 @@
 
 namespace rocinante {
 
-/// What `rocinante golden add` was asked for (docs/programs/golden.md).
+/// Arguments of `rocinante golden add` (docs/programs/golden.md).
 struct AddArguments {
   std::filesystem::path suite;
   std::string name, at, event, after, events, every, size, tolerance, expect, reason;
-  std::string cell, log;  ///< of a suite that is not there yet
+  std::string cell, log;  ///< of a new suite
   int occurrence = 0, samples = 0;
   std::vector<std::string> cameras, layers, hide, show, mask, tags, style;
 };
@@ -21,7 +21,7 @@ struct AddArguments {
 /// Adds the sub-command `add` to `app`; parsing fills `arguments`, which must outlive it.
 CLI::App* addCaseCommand(CLI::App& app, AddArguments& arguments);
 
-/// Appends the case to the suite's file; draws nothing and approves nothing.
+/// Appends the case to the suite's file; does not draw or approve.
 Result<cli::Exit> runAddCommand(const AddArguments& arguments);
 
 }  // namespace rocinante

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::uint64_t kMaxListBytes = 16U << 20U;
 
-/// What a person answered about one frame.
+/// The user's answer about one frame.
 enum class Answer : std::uint8_t { yes, no, quit };
 
 struct Counts {
@@ -30,7 +30,7 @@ Error refusal(const SuiteFrame& frame, std::string why) {
   return {ErrorKind::refused, std::move(why), "case " + frame.name};
 }
 
-/// Whether what is drawn now may become a golden at all.
+/// Refuses unstable frames.
 Status mayApprove(SuiteSession& session, const SuiteFrame& frame, const Picture& drawn) {
   const auto rule = session.instability(frame, drawn);
   if (!rule.ok()) return rule.error();
@@ -38,7 +38,7 @@ Status mayApprove(SuiteSession& session, const SuiteFrame& frame, const Picture&
   return {};
 }
 
-/// Writes the pictures where a person can look at them, and says where.
+/// Writes the pictures to a temporary folder and prints their paths.
 Status showPictures(const JudgedFrame& judged) {
   std::string folder =
       (std::filesystem::temp_directory_path() / "rocinante-golden-XXXXXX").string();
@@ -92,8 +92,7 @@ class Approver {
     }
   }
 
-  /// A frame that may not be approved is counted; what cannot be written down ends it all, and
-  /// nothing is approved then.
+  /// Counts frames that may not be approved. A write error ends the run, and nothing is approved.
   Result<Counts> run() {
     const std::size_t frames = session_.frames().size();
     const bool shows_progress =
@@ -149,7 +148,7 @@ class Approver {
       areas_picture = areasPicture(*frame.suite_case, **areas);
       accepted.areas_pixels = pictureXxh3(*areas_picture);
     }
-    // Nothing changed: who accepted it first stays.
+    // Unchanged: keep the first acceptance.
     if (approval_.isAccepted(frame.name, accepted)) {
       ++counts_.unchanged;
       if (!arguments_.interactive) told_.push_back(frame.name);
@@ -187,7 +186,7 @@ class Approver {
   Result<Answer> askAbout(const SuiteFrame& frame) {
     auto judged = session_.judge(frame);
     if (!judged.ok()) return judged.error();
-    // Within its tolerance, but not the accepted pixels.
+    // Within the tolerance, though not the accepted pixels.
     if (!judged->drawn) return Answer::no;
     return ask(*judged);
   }
@@ -198,7 +197,7 @@ class Approver {
   Approval approval_;
   std::string by_, at_;
   Counts counts_;
-  std::vector<std::string> told_;  ///< names of frames that are accepted when all is written
+  std::vector<std::string> told_;  ///< frames accepted once commit() succeeds
   std::optional<Error> unwritten_;
   bool quit_ = false;
 };

@@ -9,19 +9,19 @@
 
 namespace rocinante {
 
-/// What `rocinante golden approve` was asked for (docs/programs/golden.md).
+/// Arguments of `rocinante golden approve` (docs/programs/golden.md).
 struct ApproveArguments {
   SuiteArguments suite;
   std::string message;
-  std::filesystem::path from;  ///< a list of approvals, as the report copies it
+  std::filesystem::path from;  ///< a list of approvals copied from the report
   bool interactive = false;
-  bool also = false;  ///< beside the pictures that are accepted already
+  bool also = false;  ///< keep the pictures accepted so far
 };
 
 /// Adds the sub-command `approve` to `app`; parsing fills `arguments`, which must outlive it.
 CLI::App* addApproveCommand(CLI::App& app, ApproveArguments& arguments);
 
-/// Makes what is drawn now the goldens of the selected frames.
+/// Makes the frames drawn now the goldens of the selected frames.
 Result<cli::Exit> runApproveCommand(const ApproveArguments& arguments);
 
 }  // namespace rocinante

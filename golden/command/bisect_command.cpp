@@ -25,7 +25,7 @@ namespace {
 
 constexpr std::size_t kMaxChanges = 8;
 
-/// Shared, since it outlives the function which draws with it.
+/// Shared, because the returned closures keep it alive.
 Result<std::shared_ptr<FrameMaker>> makerOf(const std::filesystem::path& cell,
                                             const std::filesystem::path& log,
                                             const CellOptions& options) {
@@ -48,7 +48,7 @@ DrawnHash drawnByUs(std::shared_ptr<FrameMaker> maker, const FrameRequest& asked
   };
 }
 
-/// The first 64 hexadecimal digits in a row that a program prints.
+/// The first run of 64 hexadecimal digits in a program's output.
 std::string hashIn(const std::string& text) {
   std::size_t digits = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -99,7 +99,7 @@ Result<std::vector<Nanoseconds>> momentsOfBoth(const BisectArguments& arguments)
     return Error{ErrorKind::not_found, "the log has no messages, so there is nothing to draw",
                  moments->empty() ? arguments.log.string() : arguments.other_log};
   }
-  // Where both are: a moment outside one of them is no moment of it.
+  // Only times within both logs.
   const Nanoseconds from = std::max(moments->front(), others->front());
   const Nanoseconds until = std::min(moments->back(), others->back());
   std::vector<Nanoseconds> both;
@@ -129,8 +129,8 @@ struct BisectSpan {
   Nanoseconds from, until;  // since the origin
 };
 
-/// What is looked through: what both logs have, within --from and --until. The moments may begin
-/// later and end sooner, where no message could be read.
+/// The searched range: the time covered by both logs, within --from and --until. The moments may
+/// begin later and end earlier, where no message could be read.
 Result<BisectSpan> bisectSpan(const BisectArguments& arguments, const Timeline& session,
                               const Timeline* other, const std::vector<Nanoseconds>& moments) {
   BisectSpan span{session.start() - session.origin(), session.end() - session.origin()};
@@ -146,7 +146,7 @@ Result<BisectSpan> bisectSpan(const BisectArguments& arguments, const Timeline& 
   return span;
 }
 
-/// Where messages are missing nobody knows when the pictures part.
+/// Refuses damaged ranges: missing messages may hide the first difference.
 Status checkWhole(Timeline& session, const BisectSpan& span) {
   StateDamage damage;
   const LogTime origin = session.origin();
@@ -155,8 +155,8 @@ Status checkWhole(Timeline& session, const BisectSpan& span) {
   return Error{ErrorKind::damaged, "incomparable: " + damage.what(), damage.where()};
 }
 
-/// What is not the same in the two sessions where their pictures part: joints by name, bases,
-/// drawings, cameras. Empty where only the build differs.
+/// Differences of the two sessions at the first different picture: joints by name, bases, drawings,
+/// cameras. Empty when only the build differs.
 Result<std::vector<StateChange>> partingItems(const BisectArguments& arguments, Nanoseconds at) {
   const std::filesystem::path log =
       arguments.other_log.empty() ? arguments.log : std::filesystem::path(arguments.other_log);
@@ -274,16 +274,16 @@ Result<BisectQuestion> bisectQuestion(const BisectArguments& arguments) {
   if (other) {
     if (Status whole = checkWhole(*other, *span); !whole) return whole.error();
   }
-  // They only say where to look first.
+  // Events only choose where to look first.
   StateDamage hiding;
   const auto events = session->events(&hiding);
   if (!events.ok()) return events.error();
   for (const Event& event : **events) question.probes.push_back(event.time - session->origin());
-  // And evenly: a session without events is no reason to draw all of it.
+  // Evenly spaced probes too, for sessions without events.
   for (std::size_t i = 1; i < 16; ++i) {
     question.probes.push_back(question.moments[question.moments.size() * i / 16]);
   }
-  // Of one cell and one build equal states are equal pictures, and nothing need be drawn.
+  // With one cell and one build, equal states give equal pictures and need not be drawn.
   if (other && arguments.other_cell.empty() && arguments.other_render.empty()) {
     const auto part = statesPart(*session, *other, question.moments);
     if (!part.ok()) return part.error();
@@ -298,7 +298,7 @@ Result<BisectQuestion> bisectQuestion(const BisectArguments& arguments) {
   }
   auto b = makerOf(other_cell, other_log, options);
   if (!b.ok()) return b.error();
-  // `question.a` keeps it.
+  // `question.a` owns *a.
   (*b)->fitLike(**a);
   question.b = drawnByUs(std::move(*b), request);
   return question;

@@ -10,7 +10,7 @@
 
 namespace rocinante {
 
-/// What `rocinante golden bisect` was asked for (docs/programs/golden.md).
+/// Arguments of `rocinante golden bisect` (docs/programs/golden.md).
 struct BisectArguments : ModelSearch {
   std::filesystem::path log;
   std::string cell, other_log, other_cell, other_render, camera, size = "640x480", from, until;

@@ -17,7 +17,7 @@ extern char** environ;
 namespace rocinante {
 namespace {
 
-/// Both ends of a pipe, closed when it goes.
+/// Both ends of a pipe, closed on destruction.
 struct Pipe {
   std::array<int, 2> ends{-1, -1};
   Pipe() = default;
@@ -45,7 +45,7 @@ int waitFor(::pid_t pid) {
   return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
 }
 
-/// Adds what there is to `text`; false at the end.
+/// Appends available output to `text`; false at the end.
 bool readSome(int pipe, std::string& text) {
   std::array<char, 1 << 16> buffer;
   const ssize_t got = ::read(pipe, buffer.data(), buffer.size());

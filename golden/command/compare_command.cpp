@@ -28,7 +28,7 @@ Json optionalNumber(const std::optional<double>& number) {
   return number ? Json(*number) : Json(nullptr);
 }
 
-/// The keys up to pixels_over are what scripts rely on; more are only ever added.
+/// Scripts rely on the keys up to pixels_over; later versions only add keys.
 Json answerJson(const CompareArguments& arguments, const FilesComparison& files,
                 const std::optional<PictureFigures>& figures) {
   const Comparison& found = files.comparison;
@@ -115,7 +115,7 @@ Result<cli::Exit> runCompareCommand(const CompareArguments& arguments) {
   };
   const FilesComparison files =
       compareFiles(fileOf(arguments.frame), fileOf(arguments.golden), *tolerance, masks);
-  // A script that reads the answer wants one in every case.
+  // With --json, print an answer in every case.
   if (files.unreadable && !arguments.json) return *files.unreadable;
   std::optional<PictureFigures> figures;
   if (files.comparable() && !arguments.quiet) {

@@ -10,12 +10,12 @@
 
 namespace rocinante {
 
-/// What `rocinante golden compare` was asked for (docs/programs/golden.md).
+/// Arguments of `rocinante golden compare` (docs/programs/golden.md).
 struct CompareArguments {
   std::filesystem::path frame, golden;
   std::string tier = "exact";
   std::vector<std::string> masks;
-  std::filesystem::path difference;  ///< empty: none is written
+  std::filesystem::path difference;  ///< empty: not written
   bool force = false, quiet = false, json = false;
 };
 

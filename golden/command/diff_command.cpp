@@ -32,7 +32,7 @@ Result<Manifest> manifestThen(const GitRevision& revision, const std::filesystem
 
 Result<Picture> pictureThen(const GitRevision& revision, const GoldenFolder& folder,
                             const AcceptedPicture& accepted) {
-  // A store keeps every picture that ever was accepted.
+  // A store keeps every picture ever accepted.
   if (folder.isInStore(accepted.picture, accepted.pixels)) return folder.read(accepted);
   const std::filesystem::path file = folder.goldens() / accepted.picture;
   const auto bytes = revision.file(file);
@@ -59,7 +59,8 @@ Result<std::vector<JudgedFrame>> changesIn(const GitRevision& revision, const Go
       [&](const AcceptedPicture& one) { return folder.read(one); }, since);
 }
 
-/// Whether a manifest.json is one of goldens, now or then: other programs name files so too.
+/// Whether a manifest.json is a manifest of goldens, now or at the revision: other programs use the
+/// name too.
 bool isOfGoldens(const GitRevision& revision, const std::filesystem::path& goldens) {
   const auto then = manifestThen(revision, goldens);
   if (then.ok() && !then->cases.empty()) return true;
@@ -67,14 +68,14 @@ bool isOfGoldens(const GitRevision& revision, const std::filesystem::path& golde
   return now.ok() && !now->cases.empty();
 }
 
-/// The stores that suites of the repository name, by their folders of goldens.
+/// The stores named by suites of the repository, by golden folder.
 Result<std::map<std::filesystem::path, std::filesystem::path>> storesIn(
     const GitRevision& revision) {
   const auto files = revision.filesThatEndWith(".toml");
   if (!files.ok()) return files.error();
   std::map<std::filesystem::path, std::filesystem::path> stores;
   for (const std::filesystem::path& file : *files) {
-    // What is no suite names none.
+    // Skip files that are not suites.
     const auto suite = readSuite(revision.root() / file);
     if (!suite.ok() || suite->store.empty()) continue;
     stores.emplace(std::filesystem::absolute(suite->goldens).lexically_normal(), suite->store);
@@ -101,7 +102,7 @@ Result<std::vector<JudgedFrame>> changesInRepository(const std::string& since) {
         since);
     if (!changes.ok()) return changes.error();
     for (JudgedFrame& judged : *changes) {
-      // Of which suite, in a name that may be a file's.
+      // The suite's path, in characters allowed in a file name.
       std::string place = file.parent_path().generic_string();
       std::ranges::replace(place, '/', '.');
       if (!place.empty()) judged.frame.name = safeName(place + "." + judged.frame.name);

@@ -8,7 +8,7 @@
 
 namespace rocinante {
 
-/// What `rocinante golden diff` was asked for (docs/programs/golden.md).
+/// Arguments of `rocinante golden diff` (docs/programs/golden.md).
 struct DiffArguments {
   std::string revision;
   std::filesystem::path suite;  ///< empty: every manifest of goldens in the repository
@@ -18,7 +18,7 @@ struct DiffArguments {
 /// Adds the sub-command `diff` to `app`; parsing fills `arguments`, which must outlive it.
 CLI::App* addDiffCommand(CLI::App& app, DiffArguments& arguments);
 
-/// Tells which goldens changed since a git revision: 0 none, 1 some.
+/// Prints which goldens changed since a git revision. Exit code 0: none, 1: some.
 Result<cli::Exit> runDiffCommand(const DiffArguments& arguments);
 
 }  // namespace rocinante

@@ -7,7 +7,7 @@
 #include "golden/command/compare_command.h"
 
 int main(int argc, char** argv) {
-  // The words of `rocinante-golden compare`, so that both answer with the same help and sentences.
+  // The arguments of `rocinante-golden compare`, so that both print the same help and messages.
   std::vector<char*> words(argv, argv + argc);
   char verb[] = "compare";
   words.insert(words.begin() + (argc > 0 ? 1 : 0), verb);

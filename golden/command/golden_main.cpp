@@ -54,12 +54,12 @@ int goldenMain(int argc, char** argv) {
   SessionArguments session_arguments;
   CLI::App* session = addSessionCommand(app, session_arguments);
 
-  // Those that draw.
+  // Subcommands that draw.
   for (CLI::App* command : {run, approve, diff, bisect, session}) addContextOption(*command);
 
   return cli::run(app, argc, argv, kExamples, [&]() -> Result<cli::Exit> {
     cli::catchStopSignals();
-    // A limit on the size of files is then an answer of write(), like a full disk.
+    // Makes write() report the file size limit as an error, like a full disk.
     std::signal(SIGXFSZ, SIG_IGN);
     if (run->parsed()) return runSuiteCommand(run_arguments);
     if (approve->parsed()) return runApproveCommand(approve_arguments);
@@ -78,7 +78,7 @@ int goldenMain(int argc, char** argv) {
 }  // namespace rocinante
 
 int main(int argc, char** argv) {
-  // Before any thread or context: what is judged must come out with the same bits everywhere.
+  // Before any thread or context, so that frames have the same bits everywhere.
   rocinante::pinRendererEnvironment();
   return rocinante::goldenMain(argc, argv);
 }

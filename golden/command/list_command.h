@@ -6,17 +6,17 @@
 
 namespace rocinante {
 
-/// What `rocinante golden list` was asked for (docs/programs/golden.md).
+/// Arguments of `rocinante golden list` (docs/programs/golden.md).
 struct ListArguments {
   SuiteArguments suite;
-  bool verify = false;  ///< read every golden and hold it against its hash
+  bool verify = false;  ///< read every golden and check its hash
   bool json = false;
 };
 
 /// Adds the sub-command `list` to `app`; parsing fills `arguments`, which must outlive it.
 CLI::App* addListCommand(CLI::App& app, ListArguments& arguments);
 
-/// Prints the frames with their goldens and what is wrong in the folder. Draws nothing.
+/// Prints the frames with their goldens and the faults of the folder. Draws nothing.
 Result<cli::Exit> runListCommand(const ListArguments& arguments);
 
 }  // namespace rocinante

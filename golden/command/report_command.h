@@ -10,7 +10,7 @@
 
 namespace rocinante {
 
-/// What `rocinante golden report` was asked for (docs/programs/golden.md).
+/// Arguments of `rocinante golden report` (docs/programs/golden.md).
 struct ReportArguments {
   std::vector<std::filesystem::path> folders;
   ReportFiles files;
@@ -19,7 +19,7 @@ struct ReportArguments {
 /// Adds the sub-command `report` to `app`; parsing fills `arguments`, which must outlive it.
 CLI::App* addReportCommand(CLI::App& app, ReportArguments& arguments);
 
-/// Puts the reports of shards together; the exit code is what one run would have answered.
+/// Merges the reports of shards; the exit code is that of a single run.
 Result<cli::Exit> runReportCommand(const ReportArguments& arguments);
 
 }  // namespace rocinante

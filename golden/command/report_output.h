@@ -8,7 +8,7 @@
 
 namespace rocinante {
 
-/// Where a subcommand writes its report; what is empty is not written.
+/// Output files of a report; empty ones are not written.
 struct ReportFiles {
   std::string folder;     ///< for index.html, report.json and pictures
   std::string junit;      ///< a file
@@ -23,7 +23,7 @@ void addReportFiles(CLI::App& command, ReportFiles& files);
 
 Status writeReportFiles(const SuiteReport& report, const ReportFiles& files);
 
-/// Notes, and how many frames had which verdict, on standard output.
+/// Prints the notes and the number of frames by verdict.
 void printReportSummary(const SuiteReport& report);
 
 }  // namespace rocinante

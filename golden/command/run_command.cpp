@@ -25,7 +25,7 @@ void printFrame(const JudgedFrame& judged) {
 std::vector<std::string> notesOf(const SuiteSession& session, const FrameSelection& selection,
                                  const std::vector<JudgedFrame>& judged) {
   std::vector<std::string> notes = suiteNotes(judged);
-  // A part of a suite says nothing about the rest of the folder.
+  // A partial run cannot judge the rest of the folder.
   if (!selection.isWhole()) return notes;
   for (std::string& fault :
        folderFaults(session.manifest(), session.folder(), session.allFrames(), false)) {
@@ -64,7 +64,7 @@ SuiteReport reportOf(const SuiteSession& session, const SuiteArguments& argument
   return report;
 }
 
-/// Says why and where, for each frame that failed: the reasons first, since a map fills a screen.
+/// Prints why and where each frame failed; reasons come first because a map fills a screen.
 void printWhy(const std::vector<JudgedFrame>& frames) {
   for (const JudgedFrame& judged : frames) {
     if (judged.why) {

@@ -7,7 +7,7 @@
 
 namespace rocinante {
 
-/// What `rocinante golden run` was asked for (docs/programs/golden.md).
+/// Arguments of `rocinante golden run` (docs/programs/golden.md).
 struct RunArguments {
   SuiteArguments suite;
   ReportFiles files;

@@ -10,7 +10,7 @@
 
 namespace rocinante {
 
-/// What `rocinante golden session` was asked for (docs/programs/golden.md).
+/// Arguments of `rocinante golden session` (docs/programs/golden.md).
 struct SessionArguments : ModelSearch {
   std::filesystem::path a, b;
   std::string cell, camera, tier = "loose", size = "640x480", report, slack = "50ms", step = "20ms";

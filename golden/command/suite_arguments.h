@@ -10,29 +10,29 @@
 
 namespace rocinante {
 
-/// What the subcommands that draw a suite's frames were asked for.
+/// Arguments of the subcommands that draw a suite's frames.
 struct SuiteArguments : ModelSearch {
   std::filesystem::path suite;
   std::string cell, log, shard;
   std::vector<std::string> only, tags, not_tags;
   bool incomplete = false;
-  MakeDrawer drawers{};  ///< a test's; empty: the cell's and log's own
+  MakeDrawer drawers{};  ///< for tests; empty: the cell's and log's own
 };
 
 /// Adds SUITE and its options to a subcommand; parsing fills `arguments`, which must outlive it.
 void addSuiteOptions(CLI::App& app, SuiteArguments& arguments);
-/// --incomplete, of those that judge or approve.
+/// Adds --incomplete to subcommands that judge or approve.
 void addIncompleteOption(CLI::App& app, SuiteArguments& arguments);
-/// bad_argument for a shard that is none.
+/// bad_argument for an invalid shard.
 Result<SuiteOptions> suiteOptions(const SuiteArguments& arguments);
-/// "rocinante golden VERB SUITE ..." with these arguments, as a shell takes it.
+/// "rocinante golden VERB SUITE ..." with these arguments, quoted for a shell.
 std::string commandText(const char* verb, const SuiteArguments& arguments);
 
-/// A steady clock.
+/// Milliseconds of a steady clock.
 double steadyMs();
 /// "2026-02-03T04:05:06Z".
 std::string nowText();
-/// Who approves: ROCINANTE_USER, USER, LOGNAME or "uid N".
+/// The approving user: ROCINANTE_USER, USER, LOGNAME or "uid N".
 std::string userName();
 /// One line on stderr when the cell has errors.
 void warnOfModelFaults(const Cell& cell);

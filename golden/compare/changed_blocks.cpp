@@ -7,7 +7,7 @@
 namespace rocinante {
 namespace {
 
-/// A block's planes of floats fit into the second cache; larger ones share more of their rims.
+/// A block's float planes fit into the L2 cache; larger blocks would share more of their borders.
 constexpr int kBlock = 128;
 
 bool differsWithin(const Picture& a, const Picture& b, const PixelBlock& block) {

@@ -14,9 +14,9 @@ struct PixelBlock {
   int height() const { return bottom - top; }
 };
 
-/// Calls `visit` for the blocks of `area`, row by row, around which the pictures differ: within
-/// `reach` pixels of the block. A figure that looks no further is zero (or one) in all the others
-/// and need not be computed there. The pictures are of one shape.
+/// Calls `visit`, row by row, for the blocks of `area` where the pictures differ within `reach`
+/// pixels of the block. A metric with a window of at most `reach` is zero (or one) in all other
+/// blocks and need not be computed there. The pictures must have one shape.
 void forEachChangedBlock(const Picture& a, const Picture& b, const PixelBlock& area, int reach,
                          const std::function<void(const PixelBlock&)>& visit);
 

@@ -20,7 +20,7 @@ std::int64_t countOver(const LevelCounts& counts, std::size_t limit) {
   return sum;
 }
 
-/// All figures of two pictures of one shape that are not the same.
+/// Measures two different pictures of one shape.
 void measure(const Picture& frame, const Picture& golden, const PixelDifferences& found_levels,
              Comparison& found) {
   const auto& [differences, counts] = found_levels;
@@ -45,7 +45,7 @@ void measure(const Picture& frame, const Picture& golden, const PixelDifferences
   found.worst_tile_over = tile.over;
 }
 
-/// `judged` pixels are those that no mask hides.
+/// `judged`: number of pixels that no mask hides.
 void decidePixels(const Tolerance& tolerance, std::int64_t judged, Comparison& found) {
   if (found.max > tolerance.level) {
     found.verdict = Verdict::different;
@@ -95,7 +95,7 @@ std::size_t rgbaBytes(const Picture& picture) {
   return static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height) * 4;
 }
 
-/// Two pictures of one shape; `found.masked` of their pixels were made equal.
+/// Judges two pictures of one shape, of which `found.masked` pixels were made equal.
 void judgePixels(const Picture& frame, const Picture& golden, const Tolerance& tolerance,
                  Comparison& found) {
   const PixelDifferences differences = pixelDifferences(frame, golden);
@@ -108,7 +108,7 @@ void judgePixels(const Picture& frame, const Picture& golden, const Tolerance& t
   decide(tolerance, std::int64_t{frame.width} * frame.height - found.masked, found);
 }
 
-/// Counts what differs beyond 8 bits, outside the mask.
+/// Counts differences beyond 8 bits outside the mask.
 void measureFine(const FinePicture& frame, const FinePicture& golden, const PictureMask* mask,
                  Comparison& found) {
   const int width = frame.picture.width;
@@ -137,7 +137,7 @@ std::string_view nameOf(Verdict verdict) {
 }
 
 Tolerance Tolerance::rounding() {
-  Tolerance made{"rounding", false, 255, 256};  // any tile: the pixels are limited
+  Tolerance made{"rounding", false, 255, 256};  // limits pixels, not tiles
   made.level = 1;
   made.percent = 2;
   return made;

@@ -8,7 +8,7 @@
 namespace rocinante {
 namespace {
 
-/// Nothing may leave a thread.
+/// No exception may leave a thread.
 Result<FinePicture> readOrSayWhy(const std::filesystem::path& path) {
   try {
     return readFinePicture(path);
@@ -17,7 +17,7 @@ Result<FinePicture> readOrSayWhy(const std::filesystem::path& path) {
   }
 }
 
-/// Everything but the files: both are read.
+/// Judges the two pictures, both already read.
 void judge(const Tolerance& tolerance, const std::vector<MaskRectangle>& rectangles,
            FilesComparison& result) {
   const FinePicture& frame = *result.frame;
@@ -48,7 +48,7 @@ FilesComparison compareFiles(const std::filesystem::path& frame,
                              const std::filesystem::path& golden, const Tolerance& tolerance,
                              const std::vector<MaskRectangle>& masks) {
   FilesComparison result;
-  // Decoding is nearly all of the time.
+  // Decoding takes nearly all of the time.
   Result<FinePicture> second = FinePicture{};
   std::thread reader([&] { second = readOrSayWhy(golden); });
   Result<FinePicture> first = readOrSayWhy(frame);

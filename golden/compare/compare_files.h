@@ -14,21 +14,20 @@ namespace rocinante {
 /// Two picture files, judged.
 struct FilesComparison {
   Comparison comparison;
-  std::optional<Error> unreadable;           ///< of the frame or else the golden: no verdict then
+  std::optional<Error> unreadable;           ///< the frame's, else the golden's
   std::optional<FinePicture> frame, golden;  ///< those that could be read
-  std::optional<Picture> masked_frame;       ///< with the golden's pixels where a mask hides
+  std::optional<Picture> masked_frame;       ///< with the golden's pixels where masked
   std::vector<PictureMask::Part> masks;
-  /// What a reader of the verdict should know besides: other components, a mask that hides nothing.
+  /// Notes beside the verdict: different components, a mask that hides nothing.
   std::vector<std::string> notes;
 
-  /// Both could be read, and are of one shape.
+  /// True when both were read and have one shape.
   bool comparable() const { return comparison.verdict != Verdict::incomparable; }
-  /// The frame as it was judged; of comparable pictures only.
+  /// The frame as judged; requires comparable().
   const Picture& judged() const { return masked_frame ? *masked_frame : frame->picture; }
 };
 
-/// Reads both files at once, one of them in a thread of its own, and judges the first against the
-/// second.
+/// Reads both files in parallel, one in its own thread, and compares the first with the second.
 FilesComparison compareFiles(const std::filesystem::path& frame,
                              const std::filesystem::path& golden, const Tolerance& tolerance,
                              const std::vector<MaskRectangle>& masks = {});

@@ -7,8 +7,8 @@
 
 namespace rocinante {
 
-/// How far and where two pictures differ, for people: lines of figures, and the map, each line
-/// ended. `judged` is the frame as it was judged. Empty when no pixel differs.
+/// Text of the differences: figures and the map, each line with its newline. `judged` is the frame
+/// as judged. Empty when no pixel differs.
 std::string differenceText(const Comparison& found, const PictureFigures& figures,
                            const Picture& judged, const Picture& golden);
 

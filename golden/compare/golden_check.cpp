@@ -40,7 +40,7 @@ Picture copyOf(const PictureView& view) {
   return picture;
 }
 
-/// Writes a picture into a folder that is made when it is missing; the line that says so.
+/// Writes a picture, creating its folder if necessary; returns a line that says so.
 std::string written(const char* what, const fs::path& path, const Picture& picture) {
   std::error_code fault;
   fs::create_directories(path.parent_path(), fault);

@@ -12,10 +12,10 @@
 //
 //   EXPECT_THAT(frame, rocinante::MatchesGolden("gripper-open"));
 //
-// `frame` is a rocinante::Picture, a rocinante::PictureView, or anything for whose type there is a
-// function `rocinante::PictureView viewOf(const Frame&)` beside the type. The folder of goldens is
-// the macro ROCINANTE_GOLDEN_DIR or the environment's variable of that name. Not part of the
-// library: who includes this links GTest::gmock.
+// `frame` is a rocinante::Picture, a rocinante::PictureView, or any type with a function
+// `rocinante::PictureView viewOf(const Frame&)` in its namespace. The golden folder is the macro
+// ROCINANTE_GOLDEN_DIR or the environment variable of that name. Not part of the library: including
+// this requires GTest::gmock.
 
 namespace rocinante {
 

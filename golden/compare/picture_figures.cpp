@@ -8,7 +8,7 @@
 namespace rocinante {
 namespace {
 
-/// The sum of squares of one component's differences; whether it is worth counting.
+/// The sum of squared differences of one component.
 struct ComponentError {
   std::int64_t squares = 0;
   bool opaque = true;  ///< 255 everywhere in both

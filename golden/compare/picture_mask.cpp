@@ -65,7 +65,7 @@ PictureMask::PictureMask(int width, int height)
 }
 
 void PictureMask::hide(const MaskRectangle& rectangle, std::string name) {
-  // In 64 bits: a rectangle may begin and reach as far as it likes.
+  // In 64 bits: a rectangle's corner and size may be any int.
   const auto inside = [](std::int64_t value, int limit) {
     return static_cast<int>(std::clamp<std::int64_t>(value, 0, limit));
   };

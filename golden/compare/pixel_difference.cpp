@@ -15,7 +15,7 @@ namespace rocinante {
 namespace {
 
 constexpr int kTile = 16;
-constexpr int kStride = 8;  // half a tile: a fault on the edge of one is whole in the next
+constexpr int kStride = 8;  // half a tile: a fault on a tile's edge is inside the next
 constexpr int kOver = 32;
 
 std::size_t indexOf(int x, int y, int width) {
@@ -23,7 +23,7 @@ std::size_t indexOf(int x, int y, int width) {
          static_cast<std::size_t>(x);
 }
 
-/// What a tile, or a quarter of one, adds up to.
+/// Sums of a tile or of a quarter of one.
 struct TileSums {
   std::int32_t difference = 0;
   std::int32_t over = 0;
@@ -63,7 +63,7 @@ __m128i largestOfFour(__m128i bytes) {
   return _mm_and_si128(largest, _mm_set1_epi32(0xFF));
 }
 
-/// Adds eight rows of sixteen pixels to the two quarters of tiles that they are.
+/// Adds eight rows of sixteen pixels to their two tile quarters.
 void addQuarters(const std::uint8_t* first, std::size_t row_bytes, TileSums* quarters) {
   const __m128i zero = _mm_setzero_si128();
   const __m128i limit = _mm_set1_epi8(kOver);
@@ -82,7 +82,7 @@ void addQuarters(const std::uint8_t* first, std::size_t row_bytes, TileSums* qua
 }
 #endif
 
-/// The sums of one row of 8x8 quarters of tiles, from pixel row `top` on.
+/// The sums of one row of 8x8 tile quarters that begins at pixel row `top`.
 void sumQuarters(std::span<const std::uint8_t> differences, int width, int top,
                  std::vector<TileSums>& quarters) {
   std::ranges::fill(quarters, TileSums{});
@@ -99,7 +99,7 @@ void sumQuarters(std::span<const std::uint8_t> differences, int width, int top,
   }
 }
 
-/// From here on a second thread costs less than it saves.
+/// From this many pixels a second thread saves more than it costs.
 constexpr std::size_t kLargePicture = 1'000'000;
 
 void countLevels(std::span<const std::uint8_t> levels, LevelCounts& counts) {
@@ -107,7 +107,7 @@ void countLevels(std::span<const std::uint8_t> levels, LevelCounts& counts) {
   for (; i + 8 <= levels.size(); i += 8) {
     std::uint64_t eight = 0;
     std::memcpy(&eight, levels.data() + i, sizeof eight);
-    if (eight == 0) {  // most of a picture is equal
+    if (eight == 0) {  // most pixels are equal
       counts[0] += 8;
       continue;
     }
@@ -119,7 +119,7 @@ void countLevels(std::span<const std::uint8_t> levels, LevelCounts& counts) {
 /// Pixels [first, end) of `found.levels`, counted in `counts`.
 void findDifferences(const Picture& a, const Picture& b, std::size_t first, std::size_t end,
                      PixelDifferences& found, LevelCounts& counts) {
-  constexpr std::size_t kPiece = 4096;  // still in the cache when its levels are counted
+  constexpr std::size_t kPiece = 4096;  // still cached when its levels are counted
   for (std::size_t at = first; at < end; at += kPiece) {
     const std::span<std::uint8_t> levels(found.levels.data() + at, std::min(kPiece, end - at));
     differenceRow(a.rgba.data() + at * 4, b.rgba.data() + at * 4, levels);
@@ -171,7 +171,7 @@ PixelDifferences pixelDifferences(const Picture& a, const Picture& b) {
   if (half < pixels) {
     try {
       other = std::jthread([&, half] { findDifferences(a, b, half, pixels, found, lower); });
-    } catch (const std::system_error&) {  // no thread is to be had
+    } catch (const std::system_error&) {  // no thread available
       half = pixels;
     }
   }
@@ -196,7 +196,7 @@ WorstTile worstTile(std::span<const std::uint8_t> differences, int width, int he
     worst.x = x;
     worst.y = y;
   };
-  // Tiles of the grid are four quarters each.
+  // Each tile of the grid has four quarters.
   std::vector<TileSums> above(static_cast<std::size_t>(width / kStride));
   std::vector<TileSums> below = above;
   for (int top = 0; top + kStride <= height; top += kStride) {
@@ -211,7 +211,7 @@ WorstTile worstTile(std::span<const std::uint8_t> differences, int width, int he
       weigh(tile, static_cast<int>(i) * kStride, top - kStride);
     }
   }
-  // Those flush with the far edges, and a picture that is smaller than a tile.
+  // Tiles flush with the far edges, and pictures smaller than a tile.
   const int last_x = width - tile_width;
   const int last_y = height - tile_height;
   const auto weighAt = [&](int x, int y) {

@@ -7,7 +7,7 @@
 
 namespace rocinante {
 
-/// One number a pixel, rows top to bottom.
+/// One number per pixel, rows top to bottom.
 template <class Number>
 struct Plane {
   int width = 0, height = 0;
@@ -28,14 +28,14 @@ struct Plane {
 };
 
 /// `plane` correlated with `horizontal` along its rows and with `vertical` down its columns, only
-/// where both lie inside: the result is smaller by their lengths less one.
+/// where both are inside: the result is smaller by their lengths minus one.
 template <class Number>
 Plane<Number> filtered(const Plane<Number>& plane, std::span<const Number> horizontal,
                        std::span<const Number> vertical) {
   const int across = static_cast<int>(horizontal.size());
   const int down = static_cast<int>(vertical.size());
   assert(plane.width >= across && plane.height >= down);
-  // Tap by tap over whole rows: a loop that the compiler turns into vector instructions.
+  // Tap by tap over whole rows, so that the compiler can vectorize the loop.
   Plane<Number> rows(plane.width - across + 1, plane.height);
   for (int y = 0; y < rows.height; ++y) {
     const Number* from = plane.row(y);

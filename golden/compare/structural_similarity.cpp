@@ -82,7 +82,7 @@ double sumOfIndex(const Picture& a, const Picture& b, const PixelBlock& windows,
 
 std::optional<double> structuralSimilarity(const Picture& a, const Picture& b) {
   assert(a.width == b.width && a.height == b.height);
-  // Where the windows' upper left pixels may lie.
+  // The possible upper left pixels of windows.
   const PixelBlock windows{0, 0, a.width - kWindow + 1, a.height - kWindow + 1};
   if (windows.right <= 0 || windows.bottom <= 0) return std::nullopt;
   const std::vector<double> weights = windowWeights();

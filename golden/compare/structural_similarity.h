@@ -11,12 +11,11 @@ namespace rocinante {
 /// Transactions on Image Processing 13(4), 2004. 1 for equal pictures, down to -1.
 ///
 /// As in the paper: 11x11 Gaussian window of standard deviation 1.5 whose weights add up to 1, at
-/// every pixel around which it lies wholly inside; C1 = (0.01 * 255)^2, C2 = (0.03 * 255)^2; the
-/// mean of
+/// every pixel where it lies wholly inside; C1 = (0.01 * 255)^2, C2 = (0.03 * 255)^2; the mean of
 ///   (2 ma mb + C1)(2 sab + C2) / ((ma^2 + mb^2 + C1)(sa^2 + sb^2 + C2))
-/// over all windows. Judged is luminance, 0.299 R + 0.587 G + 0.114 B of the encoded values (Rec.
-/// 601); alpha is not looked at, and the picture is not made smaller first. Empty when a side is
-/// shorter than 11 pixels: there is no window.
+/// over all windows. The index is of luminance, 0.299 R + 0.587 G + 0.114 B of the encoded values
+/// (Rec. 601); alpha is ignored, and the picture is not reduced first. Empty when a side is shorter
+/// than 11 pixels, the window.
 std::optional<double> structuralSimilarity(const Picture& a, const Picture& b);
 
 }  // namespace rocinante

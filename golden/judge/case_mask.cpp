@@ -38,7 +38,7 @@ PixelSet pixelsOf(const SuiteCase& made, const PictureArea& area, const SceneIde
   for (std::size_t i = 0; i < frame.names.size(); ++i) {
     wanted[i + 1] = pathNames(area.path, frame.names[i], identity->layers[i]);
   }
-  // One pixel more: multisampling mixes an edge into its neighbours.
+  // One more pixel: multisampling mixes an edge into its neighbours.
   return pixelsWithIds(frame.ids, wanted, frame.width, frame.height, 1 + area.grow_px);
 }
 

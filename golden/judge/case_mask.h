@@ -10,35 +10,36 @@
 
 namespace rocinante {
 
-/// Whose pixels a frame shows, and of which layer each name is.
+/// The object shown by each pixel of a frame, and the layers of each object.
 struct SceneIdentity {
   IdentityFrame frame;
-  /// By frame.names: those that hold it whole; of drawings "lines", "points", "labels".
+  /// Per entry of frame.names: the layers that contain all of it; for drawings "lines", "points",
+  /// "labels".
   std::vector<std::vector<std::string>> layers;
 };
 
 /// True when the case's areas name PATHs, so that an identity frame is needed to find them.
 bool needsIdentity(const SuiteCase& made);
 
-/// True when the glob `path` describes this name: DEVICE, DEVICE/LINK, layer/NAME or
-/// drawing/SOURCE/ID.
+/// True when the glob `path` (DEVICE, DEVICE/LINK, layer/NAME or drawing/SOURCE/ID) matches this
+/// name.
 bool pathNames(std::string_view path, const IdentityName& name,
                const std::vector<std::string>& layers);
 
-/// Where the areas of a case lie in one picture.
+/// The areas of a case in one picture.
 struct CaseAreas {
   std::vector<PixelSet> masked;  ///< one for each `mask`
-  PixelSet judged_only;          ///< of all `judge_only` together; empty when the case has none
+  PixelSet judged_only;          ///< union of all `judge_only`; empty when the case has none
 };
 /// `identity` may be null where no area names a PATH.
 CaseAreas findAreas(const SuiteCase& made, const SceneIdentity* identity);
 
-/// A golden remembers where its areas lay, so that a part that moved away is still masked where it
-/// stood: as a picture of its size, red what was masked, green what alone was judged.
+/// The areas as a picture of the frame's size, kept with a golden so that a part that moved is
+/// still masked at its old place: red where masked, green where `judge_only`.
 Picture areasPicture(const SuiteCase& made, const CaseAreas& areas);
 
-/// What is not judged: masked now or then; with `judge_only`, what lies in neither's areas.
-/// `accepted` is the golden's areasPicture, or null; another size than the case's counts as null.
+/// The pixels not judged: masked now or in the golden; with `judge_only`, pixels in neither's
+/// areas. `accepted` is the golden's areasPicture or null; one of a different size is ignored.
 PictureMask maskOf(const SuiteCase& made, const CaseAreas& areas, const Picture* accepted);
 
 }  // namespace rocinante

@@ -13,7 +13,7 @@ std::string_view layerOfDrawing(StatementKind kind) {
                                          : "lines";
 }
 
-/// The layers that hold a link whole; of a device that is gone, none.
+/// The layers that contain a whole link; none for a removed device.
 std::vector<std::string> layersOfLink(const PosedScene& scene, const IdentityName& name) {
   const PosedDevice* const device = scene.findDevice(name.device);
   if (device == nullptr) return {};
@@ -26,7 +26,7 @@ std::vector<std::string> layersOfLink(const PosedScene& scene, const IdentityNam
   return layers;
 }
 
-/// The layers of each name of an identity frame, as the scene at that moment has them.
+/// The layers of each name of an identity frame at that moment.
 std::vector<std::vector<std::string>> layersOf(const IdentityFrame& frame,
                                                const PosedScene& scene) {
   std::vector<std::vector<std::string>> layers;

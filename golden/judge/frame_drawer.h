@@ -10,7 +10,7 @@
 
 namespace rocinante {
 
-/// What draws the frames of a suite. A test hands in one of its own.
+/// Draws the frames of a suite. Tests substitute their own.
 class FrameDrawer {
  public:
   virtual ~FrameDrawer() = default;
@@ -20,14 +20,15 @@ class FrameDrawer {
   /// RendererKey::text.
   virtual std::string renderer() const = 0;
   virtual const std::string& inputsHash() const = 0;
-  /// Null when no FrameMaker draws.
+  /// Null without a FrameMaker.
   virtual FrameMaker* maker() { return nullptr; }
 };
 
-/// Makes a drawer with a context and a session of its own.
+/// Makes a drawer with its own context and session.
 using MakeDrawer = std::function<Result<std::unique_ptr<FrameDrawer>>()>;
 
-/// In the reproducible profile, each with its own context. `log` empty: the cell at rest.
+/// Makes drawers with the reproducible profile, each with its own context. `log` empty: the cell at
+/// rest.
 MakeDrawer sceneDrawers(Cell cell, std::optional<std::filesystem::path> log);
 
 }  // namespace rocinante

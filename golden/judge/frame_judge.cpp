@@ -22,14 +22,14 @@ FrameVerdict frameVerdict(Verdict verdict) {
   return FrameVerdict::incomparable;
 }
 
-/// The frame held against one accepted picture.
+/// The frame compared with one accepted picture.
 struct Held {
   Comparison found;
   std::optional<Picture> unmasked;
   std::vector<PictureMask::Part> masks;
 };
 
-/// With what the case's masks hide, now or when the golden was accepted, left out.
+/// Compares without the pixels that the case's masks hide now or hid in the golden.
 Held holdAgainst(const GoldenFolder& folder, const CaseAreas* areas, const AcceptedPicture& golden,
                  const Picture& accepted, const JudgedFrame& judged) {
   Held held;
@@ -52,8 +52,8 @@ Held holdAgainst(const GoldenFolder& folder, const CaseAreas* areas, const Accep
   return held;
 }
 
-/// Of several accepted pictures the nearest one is told: one that passes, else one that can be
-/// compared, and of these the one with the fewest differing pixels.
+/// The nearest of several accepted pictures is reported: first one that passes, then one that is
+/// comparable, then the one with the fewest differing pixels.
 bool isNearer(const Comparison& found, const Comparison& best) {
   const auto rank = [](const Comparison& one) {
     return one.verdict == Verdict::same ? 0 : one.verdict == Verdict::different ? 1 : 2;
@@ -61,7 +61,7 @@ bool isNearer(const Comparison& found, const Comparison& best) {
   return std::pair(rank(found), found.differing) < std::pair(rank(best), best.differing);
 }
 
-/// Which golden judged, where it is not one of the frame's own key.
+/// Names the golden's key when it is not the frame's.
 std::string foreignKeyText(const AcceptedPicture& golden, const std::string& key) {
   if (golden.key == key) return {};
   const bool is_shape = shapeOf(golden.key) == shapeOf(key);
@@ -74,7 +74,7 @@ void judgeAgainst(const std::vector<const AcceptedPicture*>& goldens, const Gold
   for (const AcceptedPicture* golden : goldens) {
     auto accepted = folder.read(*golden);
     if (!accepted.ok()) {
-      // A golden that nobody accepted must judge nothing.
+      // An unreadable or altered golden must not judge.
       if (!judged.golden) {
         judged.golden = *golden;
         judged.rule = accepted.error().text();
@@ -95,7 +95,7 @@ void judgeAgainst(const std::vector<const AcceptedPicture*>& goldens, const Gold
   }
 }
 
-/// What there is instead of a golden of this size and samples.
+/// Rule for a frame without a golden of its size and samples.
 std::string otherShapesRule(const std::vector<const AcceptedPicture*>& goldens,
                             const std::string& wanted) {
   std::set<std::string_view> own_shapes, keys;
@@ -107,8 +107,8 @@ std::string otherShapesRule(const std::vector<const AcceptedPicture*>& goldens,
                      fmt::join(own_shapes.empty() ? keys : own_shapes, ", "));
 }
 
-/// A golden of another key can tell that a frame is the same. That it changed, it tells only where
-/// the case names limits: otherwise it may be the renderer that changed.
+/// A golden of another key can show that a frame is the same, but a difference counts only if the
+/// case sets limits: otherwise the renderer may have changed.
 void doubtForeignGolden(JudgedFrame& judged) {
   if (judged.verdict == FrameVerdict::same) return;
   judged.verdict = FrameVerdict::incomparable;

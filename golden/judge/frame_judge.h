@@ -9,14 +9,14 @@
 
 namespace rocinante {
 
-/// Judges `judged.drawn` by the ladder of docs/golden-suites.md, section "Verdicts": fills in the
-/// verdict, its rule and figures, the nearest golden and its picture. What is drawn again to tell
-/// an unstable frame is not its business. `judged` has the frame, its tolerance, key and pixels;
-/// `areas` are those of the case, null when it has no masks.
+/// Judges `judged.drawn` by the rules of docs/golden-suites.md, section "Verdicts": sets the
+/// verdict, its rule and figures, the nearest golden and its picture. Does not test stability.
+/// `judged` must have the frame, its tolerance, key and pixels; `areas` is null when the case has
+/// no masks.
 void judgeDrawn(const Manifest& manifest, const GoldenFolder& folder, const CaseAreas* areas,
                 JudgedFrame& judged);
 
-/// Turns different into expected, and same into unexpected, for a case that expects a difference.
+/// Changes different to expected, and same to unexpected, for a case that expects a difference.
 void applyExpectation(JudgedFrame& judged);
 
 }  // namespace rocinante

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kLooseFactor = 4;
 
-/// The largest figures that any frame needed of one tolerance.
+/// The largest figures of any frame judged by one tolerance.
 struct Need {
   Tolerance tolerance;
   double tile_mean = 0;
@@ -25,7 +25,7 @@ void addLooseLimits(std::span<const JudgedFrame> judged, std::vector<std::string
   std::map<std::string, Need> needs;
   for (const JudgedFrame& one : judged) {
     if (one.verdict != FrameVerdict::same || one.tolerance.exact) continue;
-    if (one.tolerance.limitsPixels()) continue;  // nobody chose its limits
+    if (one.tolerance.limitsPixels()) continue;  // not chosen by the suite
     Need& need = needs[one.limit_from];
     need.tolerance = one.tolerance;
     need.tile_mean = std::max(need.tile_mean, one.comparison.worst_tile_mean);

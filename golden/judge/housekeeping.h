@@ -10,15 +10,15 @@
 
 namespace rocinante {
 
-/// What lies in a folder of goldens and should not, or should and does not, a sentence each,
-/// sorted: goldens of frames that the suite does not have, goldens without a file, pictures that no
-/// golden names, what an interrupted approve left. `frames` are all of the suite. `verify` reads
-/// every picture and holds it against its hash.
+/// Faults of a golden folder, one sentence each, sorted: goldens of frames that the suite does not
+/// have, goldens without a file, pictures that are not goldens, leftovers of an interrupted
+/// approve. `frames` must be all frames of the suite. `verify` also checks the hash of every
+/// picture.
 std::vector<std::string> folderFaults(const Manifest& manifest, const GoldenFolder& folder,
                                       std::span<const SuiteFrame> frames, bool verify);
 
-/// What a run shows about the suite itself, a sentence each: masks that hid nothing in any frame of
-/// their case, and limits more than four times what any frame that passed needed.
+/// Notes of a run on the suite itself, one sentence each: masks that hid nothing in any frame of
+/// their case, and limits more than four times the largest figure of a passing frame.
 std::vector<std::string> suiteNotes(std::span<const JudgedFrame> judged);
 
 }  // namespace rocinante

@@ -20,41 +20,42 @@ struct FrameWhy;
 enum class FrameVerdict : std::uint8_t {
   same,
   different,
-  missing,       ///< no golden was ever approved
+  missing,       ///< no golden was approved yet
   unstable,      ///< drawn again, the frame differs from itself
   incomparable,  ///< not judged: no such moment, no golden of this key, another shape ...
-  expected,      ///< different, as the case says it will be: no failure
-  unexpected     ///< same, though the case says that it will be different
+  expected,      ///< different, as the case expects: not a failure
+  unexpected     ///< same, though the case expects a difference
 };
 std::string_view nameOf(FrameVerdict verdict);
-/// False when a person is needed: all but same and expected.
+/// True for same and expected; a person must look at all others.
 bool isFine(FrameVerdict verdict);
 
-/// A judged frame: all that a report tells of it. Pictures are kept for those that are not fine.
+/// A judged frame with all data for reports. Pictures are kept unless the frame is `same`.
 struct JudgedFrame {
   SuiteFrame frame;
   FrameVerdict verdict = FrameVerdict::incomparable;
   std::string rule;         ///< the rule and figures that decided
-  Tolerance tolerance;      ///< what judged: the case's, or SuiteCase::across_keys
+  Tolerance tolerance;      ///< the case's, or SuiteCase::across_keys
   std::string limit_from;   ///< "the default", "s.toml:12", "[tolerance.arm] of s.toml:4"
-  std::string expectation;  ///< why the case is expected to differ; empty when it is not
+  std::string expectation;  ///< why a difference is expected; empty: it is not
   Comparison comparison;
-  /// How many pixels each mask hides: first the case's own, then what the golden's hid besides.
+  /// Pixels hidden by each mask: first the case's masks, then those the golden's masks hid in
+  /// addition.
   std::vector<PictureMask::Part> masks;
   std::size_t own_masks = 0;
   std::string key;                        ///< renderer, size, samples
-  std::string pixels;                     ///< hash of what was drawn
-  std::string inputs;                     ///< hash of what it was drawn from
+  std::string pixels;                     ///< hash of the drawn picture
+  std::string inputs;                     ///< hash of its textures, glyphs and geometry
   std::string session;                    ///< content_sha256 of the log
   std::optional<AcceptedPicture> golden;  ///< the nearest accepted one
   std::optional<Picture> drawn, accepted;
   std::optional<Picture> unmasked;      ///< drawn, with the golden's pixels where masks hide
-  std::optional<Picture> thumbnail;     ///< of a frame that is fine: small, for the report
-  std::shared_ptr<const FrameWhy> why;  ///< who and what differs, where that was asked for
-  /// What draws and what accepts this frame, where its report puts several suites together.
+  std::optional<Picture> thumbnail;     ///< small picture of a fine frame, for the report
+  std::shared_ptr<const FrameWhy> why;  ///< set by FrameExplainer for failures
+  /// Commands for this frame in a report of several suites.
   std::string run_command{}, approve_command{};
 
-  /// What was held against `accepted`: requires that something was drawn.
+  /// The picture compared with `accepted`; requires `drawn`.
   const Picture& compared() const { return unmasked ? *unmasked : *drawn; }
   double render_ms = 0, judge_ms = 0;
 };

@@ -37,7 +37,7 @@ class WireWriter {
   void item(const Comparison& found) { both(*this, found); }
   void item(const Tolerance& tolerance) { both(*this, tolerance); }
 
-  /// The fields of a value, for writer and reader alike: one list, so that they cannot part.
+  /// The fields of a value, shared by writer and reader so that they stay in step.
   template <class Wire, class Part>
   static void fields(Wire& wire, Part& part) requires
       std::is_same_v<std::remove_const_t<Part>, PictureMask::Part> {
@@ -122,7 +122,7 @@ class WireWriter {
   Bytes bytes_;
 };
 
-/// Reads what WireWriter wrote; after the first fault everything is left as it is.
+/// Reads the output of WireWriter; after the first fault it changes nothing.
 class WireReader {
  public:
   explicit WireReader(ByteView bytes) : bytes_(bytes) {}
@@ -144,7 +144,7 @@ class WireReader {
   void item(std::optional<T>& value) {
     std::uint8_t there = 0;
     item(there);
-    // Made apart: in emplace() of what came g++ 14 sees one destroyed that never was made.
+    // Read separately: with emplace(), g++ 14 warns that an uninitialized value is destroyed.
     std::optional<T> read;
     if (there != 0 && sound_) item(read.emplace());
     value = std::move(read);
@@ -162,7 +162,7 @@ class WireReader {
   bool readAll() const { return sound_ && bytes_.empty(); }
 
  private:
-  /// Never more than there are bytes: each item takes one at least.
+  /// Limited by the remaining bytes: each item takes at least one.
   std::size_t length() {
     std::uint64_t size = 0;
     item(size);

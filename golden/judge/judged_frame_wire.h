@@ -8,12 +8,11 @@
 
 namespace rocinante {
 
-/// A judged frame as bytes, from one process of a program to another of the same build: no format
-/// for files. What the receiver knows from its own suite (the frame, its limits and expectation) is
-/// left out.
+/// A judged frame as bytes, for another process of the same build; not a file format. Data that the
+/// receiver has from its own suite (the frame, its limits and expectation) is left out.
 Bytes wireBytes(const JudgedFrame& judged);
-/// Fills in what wireBytes() wrote. damaged when the bytes are no such frame; `judged` is then
-/// of no use.
+/// Fills in what wireBytes() wrote. damaged when the bytes are invalid; `judged` is then
+/// unspecified.
 Status readWire(ByteView bytes, JudgedFrame& judged);
 
 }  // namespace rocinante

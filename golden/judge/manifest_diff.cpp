@@ -29,7 +29,7 @@ std::multiset<std::string> pixelsOf(const Pictures& pictures) {
   return pixels;
 }
 
-/// The first picture that the others do not have; the first of all when they have each.
+/// The first picture not among `others`; the first one when all are.
 const AcceptedPicture& unlike(const Pictures& pictures, const Pictures& others) {
   const auto pixels = pixelsOf(others);
   const auto found = std::ranges::find_if(
@@ -42,7 +42,7 @@ std::string acceptedText(const AcceptedPicture& accepted) {
                      plainText(accepted.accepted_at), plainText(accepted.reason));
 }
 
-/// The picture, or the sentence why not as the frame's rule.
+/// Reads the picture; on an error sets the frame's rule and returns empty.
 std::optional<Picture> readOrTell(const ReadAccepted& read, const AcceptedPicture& accepted,
                                   JudgedFrame& judged) {
   auto picture = read(accepted);
@@ -77,7 +77,7 @@ std::vector<JudgedFrame> manifestChanges(const Manifest& then, const ReadAccepte
     const Pictures current = now.find(name, key);
     JudgedFrame& judged = frames.emplace_back();
     judged.frame.case_name = safeName(name);
-    // Goldens of two renderers are two frames.
+    // Goldens of two renderers become two frames.
     judged.frame.name = judged.frame.case_name;
     if (several.contains(name)) judged.frame.name += "." + keyDigits(key);
     judged.key = key;

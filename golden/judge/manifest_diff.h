@@ -13,15 +13,15 @@ namespace rocinante {
 /// Reads one accepted picture of a manifest.
 using ReadAccepted = std::function<Result<Picture>(const AcceptedPicture&)>;
 
-/// What became of the goldens between two manifests, as frames of a report, by case and key: `then`
-/// is the golden's side, `now` the frame's. Unchanged ones are `same`, without pictures; replaced
-/// ones `different`; added and removed ones `missing`; those whose pictures cannot be read
-/// `incomparable`. `since` names the older side in sentences.
+/// The changes between two manifests as frames of a report, by case and key: `then` is the golden's
+/// side, `now` the frame's. Unchanged ones are `same`, without pictures; replaced ones `different`;
+/// added and removed ones `missing`; those whose pictures cannot be read `incomparable`. `since`
+/// names the older side in messages.
 std::vector<JudgedFrame> manifestChanges(const Manifest& then, const ReadAccepted& read_then,
                                          const Manifest& now, const ReadAccepted& read_now,
                                          const std::string& since);
 
-/// A name that may stand in a file's: a manifest is anybody's text, and reports write files.
+/// A name safe in file names: reports write files named after the untrusted text of a manifest.
 std::string safeName(const std::string& name);
 
 }  // namespace rocinante

@@ -16,7 +16,7 @@ std::string nameText(const IdentityFrame& frame, std::uint32_t id) {
   return name.link.empty() ? name.device : name.device + "/" + name.link;
 }
 
-/// Two names within two pixels of (x, y), the lower one first; zeros when fewer meet there.
+/// Two names within two pixels of (x, y), the lower one first; zeros when there are fewer.
 NamePair namesAround(const IdentityFrame& frame, int x, int y) {
   constexpr int kReach = 2;
   NamePair found{};
@@ -37,7 +37,7 @@ NamePair namesAround(const IdentityFrame& frame, int x, int y) {
   return {};
 }
 
-/// The two names that most of the unstable pixels lie between, if most lie between two at all.
+/// The two names at whose border most of the unstable pixels lie, if there are such names.
 std::optional<std::string> meetingNames(const Instability& found, const IdentityFrame& frame) {
   if (frame.ids.size() != found.unstable.size()) return std::nullopt;
   std::map<NamePair, std::int64_t> counts;

@@ -10,22 +10,22 @@
 
 namespace rocinante {
 
-/// A frame that is not the same each time it is drawn.
+/// A frame that differs when it is drawn again.
 struct Instability {
-  std::int64_t pixels = 0;        ///< that differ between any two of the drawings
-  MaskRectangle where;            ///< around them
-  bool after_another = false;     ///< it differs when another frame was drawn in between
-  bool in_fresh_context = false;  ///< it differs in a context of its own
+  std::int64_t pixels = 0;        ///< that differ between any two drawings
+  MaskRectangle where;            ///< their bounding rectangle
+  bool after_another = false;     ///< differs after drawing another frame
+  bool in_fresh_context = false;  ///< differs in a fresh context
   PixelSet unstable;              ///< those pixels
 };
 
-/// Holds the first drawing against one after another frame and one in a fresh context. Empty when
+/// Compares the first drawing with one after another frame and one in a fresh context. Empty when
 /// all three are equal.
 std::optional<Instability> findInstability(const Picture& first, const Picture& after_another,
                                            const Picture& fresh);
 
-/// "drawn again, 34 pixels at 10,12,8x9 differ: ...", with the likely cause: what had state left in
-/// it, and, by `identity` (may be null), whether two parts meet where the pixels lie.
+/// "drawn again, 34 pixels at 10,12,8x9 differ: ...", with the likely cause: leftover state, or, by
+/// `identity` (may be null), two parts that touch at these pixels.
 std::string instabilityRule(const Instability& found, const SceneIdentity* identity);
 
 }  // namespace rocinante

@@ -24,10 +24,10 @@ namespace rocinante {
 namespace {
 
 constexpr std::uint64_t kMaxMessageBytes = std::uint64_t{4} << 30U;
-/// A context and its uploads cost as much as so many small frames.
+/// A context and its uploads cost as much as this many small frames.
 constexpr std::size_t kFramesThatPayForAJob = 12;
 
-/// What parent and jobs share: which frame is next in the order of the log.
+/// Shared by parent and jobs: the next frame in log order.
 struct Shared {
   std::atomic<std::uint32_t> next{0};
   std::atomic<bool> stop{false};
@@ -52,7 +52,7 @@ class SharedMemory {
   Shared* shared_ = nullptr;
 };
 
-/// Before each message: whose it is and how long.
+/// Header of each message: its frame and length.
 struct MessageHead {
   enum Kind : std::uint32_t { begun, judged, failed, finished };
   std::uint32_t kind = begun;
@@ -77,7 +77,7 @@ bool send(int pipe, MessageHead::Kind kind, std::size_t place, ByteView body) {
   return writeFully(pipe, &head, sizeof head) && writeFully(pipe, body.data(), body.size());
 }
 
-/// The life of a job: judges what is next until nothing is.
+/// Main function of a job: judges the next frame until none is left.
 void workInJob(SuiteSession& session, const std::vector<std::size_t>& order, Shared& shared,
                int pipe) {
   while (!shared.stop.load()) {
@@ -96,12 +96,12 @@ void workInJob(SuiteSession& session, const std::vector<std::size_t>& order, Sha
   send(pipe, MessageHead::finished, 0, {});
 }
 
-/// A job as its parent sees it.
+/// The parent's data of a job.
 struct Job {
   ::pid_t pid = -1;
   int pipe = -1;
   Bytes received;
-  std::optional<std::size_t> at;  ///< the frame that it is judging
+  std::optional<std::size_t> at;  ///< the frame being judged
   bool finished = false;
 };
 
@@ -113,7 +113,7 @@ std::string howItEnded(::pid_t pid) {
                              : fmt::format("exit code {}", WEXITSTATUS(status));
 }
 
-/// Gathers what the jobs send, and tells it in the order of the suite.
+/// Collects the results of jobs and reports them in suite order.
 class Gatherer {
  public:
   Gatherer(const SuiteSession& session, const JobOptions& options)
@@ -132,7 +132,7 @@ class Gatherer {
     }
   }
 
-  /// What every frame has before it is judged.
+  /// A frame's data before it is judged.
   JudgedFrame begin(std::size_t place) const {
     JudgedFrame judged;
     judged.frame = session_.frames()[place];
@@ -206,7 +206,7 @@ class JobRunner {
 
  private:
   Status startJobs() {
-    std::fflush(nullptr);  // what is buffered must not be written by each job again
+    std::fflush(nullptr);  // each job would write the buffered output again
     const unsigned processors = std::max(1U, std::thread::hardware_concurrency());
     const unsigned threads = std::max(1U, processors / static_cast<unsigned>(options_.jobs));
     for (int i = 0; i < options_.jobs; ++i) {
@@ -221,7 +221,7 @@ class JobRunner {
       if (pid == 0) {
         ::prctl(PR_SET_PDEATHSIG, SIGKILL);
         ::close(ends[0]);
-        // The cores are shared out: threads of one job would only wait for those of another.
+        // Divide the cores among the jobs, so that their threads do not compete.
         ::setenv("LP_NUM_THREADS", std::to_string(threads).c_str(), 0);
         workInJob(session_, order_, *memory_.get(), ends[1]);
         ::_exit(0);
@@ -246,7 +246,7 @@ class JobRunner {
       waiting.push_back({job.pipe, POLLIN, 0});
       whose.push_back(&job);
     }
-    // Short enough for Ctrl-C to be answered at once.
+    // Short enough to answer Ctrl-C promptly.
     if (::poll(waiting.data(), waiting.size(), 200) < 0 && errno != EINTR) {
       return Error{ErrorKind::refused, std::string("cannot wait: ") + std::strerror(errno), {}};
     }
@@ -260,7 +260,7 @@ class JobRunner {
   Status receive(Job& job) {
     std::array<std::byte, 1 << 16> buffer;
     const ssize_t got = ::read(job.pipe, buffer.data(), buffer.size());
-    if (got < 0) return {};  // interrupted: poll says again what there is
+    if (got < 0) return {};  // interrupted: poll reports the data again
     if (got == 0) {
       ended(job);
       return {};
@@ -280,7 +280,8 @@ class JobRunner {
     }
     job.received.erase(job.received.begin(),
                        job.received.begin() + static_cast<std::ptrdiff_t>(used));
-    // Not its end: Mesa's threads of the lowest priority may take seconds to die on a busy machine.
+    // Do not wait for its exit: Mesa's lowest-priority threads may take seconds to end on a busy
+    // machine.
     if (job.finished) ::close(std::exchange(job.pipe, -1));
     return {};
   }

@@ -11,21 +11,22 @@ namespace rocinante {
 
 struct JobOptions {
   int jobs = 1;
-  /// Asked between frames; true ends the run, which is then an error. May be empty.
+  /// Called between frames; true ends the run with an error. May be empty.
   std::function<bool()> stop;
-  /// Told of each frame of session.frames() when all before it are judged. May be empty.
+  /// Called for each frame of session.frames() in order, once all before it are judged. May be
+  /// empty.
   std::function<void(const JudgedFrame&)> tell;
   std::function<void(std::size_t done, std::size_t of)> progress;  ///< may be empty
 };
 
-/// Judges every frame of the session; the answers are in the order of its frames, and do not depend
-/// on the number of jobs. Each job goes through the log once, in its order. Above one job each is a
-/// process of its own (one llvmpipe has one rasteriser, which several contexts would wait for):
-/// nothing may have been drawn by the session yet, and the caller has no other threads. A job that
-/// dies leaves the frame that it was at as incomparable, and the others do its work.
+/// Judges every frame of the session; results are in frame order and do not depend on the number of
+/// jobs. Each job reads the log once, in time order. Two or more jobs run as processes (contexts of
+/// one process share llvmpipe's single rasterizer): the session must not have drawn anything yet,
+/// and the caller must have no other threads. The current frame of a job that dies becomes
+/// incomparable, and the other jobs take over its work.
 Result<std::vector<JudgedFrame>> judgeAll(SuiteSession& session, const JobOptions& options);
 
-/// One job for each processor, but none for fewer than a dozen frames.
+/// One job per processor, but at least a dozen frames per job.
 int usefulJobs(std::size_t frames, unsigned processors);
 
 }  // namespace rocinante

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kThumbnailPixels = 320;
 
-/// Frees what only people look at, once nobody needs to.
+/// Frees the pictures of `same` frames, except a thumbnail.
 void keepWhatReportsNeed(JudgedFrame& judged) {
   if (!isFine(judged.verdict) || judged.verdict == FrameVerdict::expected || !judged.drawn) return;
   judged.thumbnail = reducedPicture(*std::exchange(judged.drawn, std::nullopt), kThumbnailPixels);
@@ -120,7 +120,7 @@ Result<std::string> SuiteSession::instability(const SuiteFrame& frame, const Pic
   const auto draws = drawer();
   if (!draws.ok()) return draws.error();
   const FrameRequest wanted = request(frame);
-  // As unlike as it can be: what it leaves behind must not show.
+  // As different as possible, so that leftover state shows.
   FrameRequest other = wanted;
   other.width = std::max(16, wanted.width / 2);
   other.height = std::max(16, wanted.height / 3);
@@ -137,7 +137,7 @@ Result<std::string> SuiteSession::instability(const SuiteFrame& frame, const Pic
   if (!fresh.ok()) return fresh.error();
   const auto found = findInstability(drawn, *again, *fresh);
   if (!found) return std::string();
-  // Whose pixels they are only helps the sentence: it does without.
+  // The identity only improves the message, so an error is ignored.
   const auto identity = (*draws)->identity(wanted);
   return instabilityRule(*found, identity.ok() ? &*identity : nullptr);
 }
@@ -168,7 +168,7 @@ Result<JudgedFrame> SuiteSession::judge(const SuiteFrame& frame) {
   const double rendered = now_ms_();
   judged.render_ms = rendered - started;
   if (!drawn.ok()) {
-    // A camera that is not there is the suite's fault, not the renderer's: others go on.
+    // An unknown camera is the suite's fault, not the renderer's: other frames are still judged.
     judged.rule = drawn.error().text();
     return judged;
   }

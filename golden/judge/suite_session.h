@@ -19,17 +19,17 @@
 namespace rocinante {
 
 struct SuiteOptions : ModelSearch {
-  std::optional<std::filesystem::path> cell;  ///< in place of the suite's
+  std::optional<std::filesystem::path> cell;  ///< replaces the suite's
   std::optional<std::filesystem::path> log;
   FrameSelection selection;
-  bool incomplete = false;         ///< judge what there is, though a mesh is missing
+  bool incomplete = false;         ///< judge although a mesh is missing
   ParallelFor parallel;            ///< for loading the cell; may be empty
   std::function<double()> now_ms;  ///< a steady clock, for the report's timings
-  MakeDrawer drawers;              ///< a test's; empty: sceneDrawers()
+  MakeDrawer drawers;              ///< for tests; empty: sceneDrawers()
 };
 
-/// A suite with its cell, log and manifest open. Nothing is drawn, and no GL context is made,
-/// before it is needed: a process may fork after open(). One thread.
+/// A suite with its cell, log and manifest. open() creates no GL context and draws nothing, so the
+/// process may fork after it. Not thread-safe.
 class SuiteSession {
  public:
   static Result<SuiteSession> open(const std::filesystem::path& suite_file,
@@ -39,33 +39,33 @@ class SuiteSession {
   const Manifest& manifest() const { return manifest_; }
   const GoldenFolder& folder() const { return folder_; }
   const Cell& cell() const { return cell_; }
-  /// Why no frame may be judged or approved: a mesh is missing. Empty where none is, or where it
-  /// was said that this does not matter.
+  /// Why no frame may be judged or approved: a missing mesh. Empty when none is missing or with
+  /// `incomplete`.
   const std::string& incomplete() const { return incomplete_; }
   /// content_sha256 of the log; empty without one.
   const std::string& sessionHash() const { return session_hash_; }
-  /// Of the log; empty without one.
+  /// The log's origin; empty without a log.
   std::optional<LogTime> origin() const { return origin_; }
-  /// The selected frames in order of the suite, never empty; and all that the suite has.
+  /// The selected frames in suite order, never empty.
   const std::vector<SuiteFrame>& frames() const { return frames_; }
   const std::vector<SuiteFrame>& allFrames() const { return all_frames_; }
 
-  /// What draws; made by the first call. Valid as long as the session.
+  /// The drawer, made by the first call. Valid as long as the session.
   Result<FrameDrawer*> drawer();
-  /// A drawer with a context of its own, which nothing was drawn in.
+  /// A drawer with a fresh context.
   Result<std::unique_ptr<FrameDrawer>> freshDrawer() const { return make_drawer_(); }
-  /// What to ask of a drawer for a frame with a time.
+  /// The request that draws a frame with a time.
   FrameRequest request(const SuiteFrame& frame) const;
-  /// Renderer, size and samples: what a golden is kept under.
+  /// The key of a golden: renderer, size and samples.
   Result<std::string> key(const SuiteCase& suite_case);
-  /// Where the case's masks lie in this frame; empty for a case without any.
+  /// The areas of the case's masks in this frame; empty for a case without masks.
   Result<std::optional<CaseAreas>> areas(const SuiteFrame& frame);
 
-  /// Draws and judges one. What fails is drawn twice more, once after another frame and once in a
-  /// fresh context, so as to tell an unstable frame from a different one. An error only when the
-  /// renderer fails.
+  /// Draws and judges one frame. A failing frame is drawn twice more, once after another frame and
+  /// once in a fresh context, to tell an unstable frame from a different one. Returns an error only
+  /// when the renderer fails.
   Result<JudgedFrame> judge(const SuiteFrame& frame);
-  /// The same drawn twice more: the rule that says how it is unstable, or empty.
+  /// Draws the frame twice more: the rule that describes its instability, or empty.
   Result<std::string> instability(const SuiteFrame& frame, const Picture& drawn);
 
  private:

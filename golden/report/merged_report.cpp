@@ -12,7 +12,7 @@
 namespace rocinante {
 namespace {
 
-/// A command of one shard as one of the whole suite.
+/// A command of one shard, changed to one of the whole suite.
 std::string withoutShard(std::string command, const SuiteReport& part) {
   const std::string option = fmt::format(" --shard {}/{}", part.shard, part.shards);
   const std::size_t at = command.find(option);
@@ -65,7 +65,7 @@ Result<SuiteReport> mergeReports(std::vector<SuiteReport> parts) {
   for (std::string* command : {&merged.run_command, &merged.approve_command}) {
     *command = is_one_suite ? withoutShard(*command, parts.front()) : std::string();
   }
-  // A list of approvals is one suite's.
+  // A list of approvals belongs to one suite.
   if (!is_one_suite) {
     merged.run_one_command.clear();
     merged.approve_one_command.clear();
@@ -76,7 +76,7 @@ Result<SuiteReport> mergeReports(std::vector<SuiteReport> parts) {
     const std::string suite = part->suite;
     if (suite != parts.front().suite) merged.suite += ", " + suite;
     const std::size_t first = merged.frames.size();
-    // What a shard notes of masks and limits is true of its own frames only.
+    // A shard's notes on masks and limits hold only for its own frames.
     const bool is_whole = part->shards == 1;
     for (; part != parts.end() && part->suite == suite; ++part) {
       if (is_whole) std::ranges::move(part->notes, std::back_inserter(merged.notes));

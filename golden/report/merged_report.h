@@ -7,9 +7,9 @@
 
 namespace rocinante {
 
-/// One report of several: all shards of one run, or runs of several suites. refused when a shard
-/// is missing or there twice, when two have a frame of one name, and when shards of one run judged
-/// different sessions or with different renderers.
+/// Merges reports: all shards of one run, or runs of several suites. refused when a shard is
+/// missing or given twice, when two reports have a frame of the same name, and when shards of one
+/// run have different sessions or renderers.
 Result<SuiteReport> mergeReports(std::vector<SuiteReport> parts);
 
 }  // namespace rocinante

@@ -12,7 +12,7 @@ namespace {
 
 using PagesJson = nlohmann::json;
 
-/// Small enough that five hundred of them stay a few megabytes.
+/// Five hundred of them take a few megabytes.
 constexpr int kListPicturePixels = 112;
 
 std::optional<Picture> pictureIn(const PagesJson& frame, const char* key) {
@@ -69,7 +69,7 @@ void addPagePictures(std::string_view json, SuiteReport& report) {
     if (frame == frames->end() || !frame->is_object()) continue;
     if (isFine(judged.verdict)) judged.thumbnail = pictureIn(*frame, "small");
     if (!judged.drawn) continue;
-    // Their pixels are shown over those of the frame.
+    // Decoded over the frame's pixels.
     const auto pictureOver = [&](const char* key) {
       auto over = pictureIn(*frame, key);
       const bool fits =

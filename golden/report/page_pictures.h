@@ -8,16 +8,16 @@
 
 namespace rocinante {
 
-/// What the page shows that lies in no picture beside it: the small pictures of frames that are
-/// fine, whose the differing pixels are, and the frame as it was compared where masks hide some of
-/// it. `golden report` puts pages together with it:
-/// {"format": 1, "frames": {NAME: {"small": PNG, "blame": PNG, "compared": PNG}}}, PNG in base64.
+/// Pictures that only the page contains: small pictures of fine frames, attribution masks, and the
+/// compared frame where masks hide pixels. `golden report` merges pages with it: {"format": 1,
+/// "frames": {NAME: {"small": PNG, "blame": PNG, "compared": PNG}}}, PNG in base64.
 inline constexpr char kPagePicturesFile[] = "page-pictures.json";
 std::string pagePicturesJson(const SuiteReport& report);
-/// Gives them back to the frames of their names. What is none of it is left out: it judges nothing.
+/// Assigns them to the frames by name. Invalid entries are skipped, since no verdict depends on
+/// them.
 void addPagePictures(std::string_view json, SuiteReport& report);
 
-/// `picture` as small as the page's list shows it.
+/// `picture` reduced to the size of the page's list.
 Picture listPicture(const Picture& picture);
 std::string base64Text(ByteView bytes);
 

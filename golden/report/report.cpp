@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// How far and why, for scripts.
+/// The explanation as JSON.
 Json whyJsonOf(const FrameWhy& why) {
   Json links = Json::array();
   for (const LinkChange& change : why.blame.changes) {
@@ -92,7 +92,7 @@ Json frameJson(const JudgedFrame& judged) {
   return frame;
 }
 
-/// With which key and tier the frame was judged, as properties of its test case.
+/// The key and tolerance of the frame, as properties of its test case.
 std::string judgedBy(const JudgedFrame& judged) {
   std::string text;
   const auto add = [&](const char* name, std::string_view value) {

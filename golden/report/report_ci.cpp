@@ -26,7 +26,7 @@ constexpr std::array kFailures = {
 
 std::string ruleOf(FrameVerdict verdict) { return "golden." + std::string(nameOf(verdict)); }
 
-/// The rule that decided, and why: lines.
+/// The rule that decided and the explanation, as lines.
 std::string failureText(const JudgedFrame& judged) {
   std::string text = plainText(judged.frame.name + ": " + judged.rule);
   if (judged.why) {
@@ -52,7 +52,7 @@ SarifJson frameResult(const SuiteReport& report, const JudgedFrame& judged) {
     result["properties"] = {
         {"key", judged.key}, {"golden_key", judged.golden->key}, {"tier", judged.tolerance.name}};
   }
-  // Code scanning tells a known alert from a new one by it.
+  // Code scanning recognizes known alerts by it.
   result["partialFingerprints"]["rocinanteFrame/v1"] =
       hexOf(xxh3(bytesOf(report.suite + "\n" + judged.frame.name)));
   return result;

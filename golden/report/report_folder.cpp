@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* kPictureEndings[] = {".frame.png", ".golden.png", ".difference.png"};
 
-/// Files that come into a folder together, when all of them are written.
+/// Files that are moved into a folder together, after all of them are written.
 class ArrivingFiles {
  public:
   explicit ArrivingFiles(const std::filesystem::path& folder)
@@ -26,7 +26,7 @@ class ArrivingFiles {
 
   Status open() {
     std::error_code fault;
-    std::filesystem::remove_all(aside_, fault);  // of a run that was killed
+    std::filesystem::remove_all(aside_, fault);  // of a killed run
     std::filesystem::create_directories(aside_, fault);
     if (!fault) return {};
     return Error{ErrorKind::unreadable, "cannot create: " + fault.message(), folder_.string()};
@@ -36,7 +36,7 @@ class ArrivingFiles {
     names_.push_back(name);
     Status written = writeFileWhole(aside_ / name, bytes, true);
     if (written) return written;
-    // Where it would have stood is what a person knows.
+    // Name the final path, which the user knows.
     return Error{written.error().kind, written.error().what, (folder_ / name).string()};
   }
 
@@ -78,7 +78,7 @@ Status writePictures(const JudgedFrame& judged, ArrivingFiles& files) {
   return write(kPictureEndings[2], differencePicture(judged.compared(), *judged.accepted));
 }
 
-/// What the pictures of the report that lies in a folder are called, whether or not they are there.
+/// The picture names of the report in a folder, whether or not the files exist.
 std::set<std::string> picturesOfReport(const std::filesystem::path& folder) {
   std::set<std::string> names;
   const auto text = readFile(folder / "report.json");

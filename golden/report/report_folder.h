@@ -8,9 +8,9 @@
 namespace rocinante {
 
 /// Writes folder/index.html, report.json, page-pictures.json and, for each frame that is not fine,
-/// NAME.frame.png, NAME.golden.png and NAME.difference.png. The folder is made. All of it is
-/// written aside first: on an error the folder's old report stands, whole. Pictures of the old
-/// one that the new one does not have go.
+/// NAME.frame.png, NAME.golden.png and NAME.difference.png. Creates the folder. All files are
+/// written aside first: on an error the old report stays intact. Pictures of the old report that
+/// the new one does not have are removed.
 Status writeReport(const SuiteReport& report, const std::filesystem::path& folder);
 
 }  // namespace rocinante

@@ -20,10 +20,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The pictures of the page: each lies in it once, whoever shows it.
+/// The pictures of the page, each stored once.
 class PagePictures {
  public:
-  /// The number by which the page finds it.
+  /// Returns the picture's number in the page.
   std::size_t add(const Picture& picture) {
     const auto [found, is_new] = number_.try_emplace(pictureXxh3(picture), number_.size());
     if (is_new) {
@@ -166,7 +166,7 @@ Json environmentJson(const SuiteReport& report) {
   return entries;
 }
 
-/// What a person must look at is shown first, where there is any.
+/// Verdicts that a person must look at are shown first.
 Json shownFirst(const SuiteReport& report) {
   Json verdicts = Json::array();
   for (const FrameVerdict verdict : kFrameVerdicts) {
@@ -175,7 +175,7 @@ Json shownFirst(const SuiteReport& report) {
   return verdicts;
 }
 
-/// For a reader that runs no scripts: what is wrong, as text.
+/// Failures as text, for browsers without scripts.
 std::string plainHtml(const SuiteReport& report) {
   std::string html = fmt::format("<p>{}: {}.</p>\n<ul>\n", nameOf(report.verdict()),
                                  countText(report.frames.size(), "frame"));

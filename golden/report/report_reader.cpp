@@ -22,7 +22,7 @@ Error brokenReport(const std::filesystem::path& file, std::string what) {
   return {ErrorKind::damaged, "is not a report of `golden run`: " + std::move(what), file.string()};
 }
 
-/// A field of an object, if it is there and of its kind.
+/// A field of an object, if it exists and has the right type.
 template <class T>
 T fieldOf(const ReportJson& object, const char* key, T otherwise = {}) {
   const auto found = object.find(key);
@@ -56,7 +56,7 @@ std::optional<std::array<double, N>> numbersIn(const ReportJson& object, const c
   return numbers;
 }
 
-/// The object in a field; an empty one where there is none.
+/// The object in a field; empty when missing.
 ReportJson objectIn(const ReportJson& object, const char* key) {
   const auto found = object.find(key);
   return found != object.end() && found->is_object() ? *found : ReportJson::object();
@@ -157,7 +157,7 @@ void readGolden(const ReportJson& entry, JudgedFrame& judged) {
   golden.accepted_by = fieldOf<std::string>(*found, "accepted_by");
   golden.accepted_at = fieldOf<std::string>(*found, "accepted_at");
   golden.reason = fieldOf<std::string>(*found, "reason");
-  // Only whether they are equal is told.
+  // The report only says whether they are equal.
   const auto equal = [&](const char* key) {
     const auto flag = found->find(key);
     return flag != found->end() && *flag == true;
@@ -171,7 +171,7 @@ Result<JudgedFrame> frameOf(const ReportJson& entry, const std::string& session,
   if (!entry.is_object()) return brokenReport(file, "a frame is not an object");
   JudgedFrame judged;
   judged.frame.name = fieldOf<std::string>(entry, "name");
-  // It names the files beside it.
+  // The name is also used in file names.
   if (judged.frame.name.empty() || judged.frame.name.size() > 240 ||
       judged.frame.name.front() == '.' || !isFileText(judged.frame.name)) {
     return brokenReport(file, "a frame's name cannot be a file name");
@@ -200,7 +200,7 @@ Result<JudgedFrame> frameOf(const ReportJson& entry, const std::string& session,
   return judged;
 }
 
-/// The pictures that the run left; `pixels` empty: not known.
+/// Reads the pictures of the run; `pixels` empty: unknown.
 Status readPictures(const std::filesystem::path& folder, JudgedFrame& judged) {
   if (isFine(judged.verdict)) return {};
   const std::string stem = (folder / judged.frame.name).string();

@@ -131,7 +131,7 @@ SelfTestFact cacheFact() {
     return {"cache", State::limited, "no cache folder: view rebuilds coarser meshes at every start",
             advice};
   }
-  // It is made on first use: what is asked is whether it can be.
+  // It is created on first use: check whether it can be created.
   std::filesystem::path there = folder;
   std::error_code fault;
   while (!std::filesystem::exists(there, fault) && there.has_relative_path()) {

@@ -1,5 +1,5 @@
-// rocinante-self-test-draw: the part of `rocinante --self-test` that draws. A program of its own,
-// so that a machine without it can be told about too.
+// rocinante-self-test-draw: the part of `rocinante --self-test` that draws. A separate program, so
+// that `--self-test` also works on a machine without it.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
@@ -38,7 +38,7 @@ int main(int argc, char** argv) {
     std::vector<SelfTestFact> facts;
     Picture drawn;
     if (wanted("context") || wanted("key") || wanted("frame")) {
-      // Mesa reads its environment when the first context is made.
+      // Mesa reads the environment when the first context is made.
       pinRendererEnvironment();
       facts = drawingFacts(&drawn);
     }

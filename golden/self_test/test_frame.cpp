@@ -24,7 +24,7 @@ asm(".section .rodata\n" ROCINANTE_EMBED("model", "arm.urdf") ROCINANTE_EMBED("f
 #undef ROCINANTE_EMBED
 
 extern "C" {
-// Hidden: their distance is then a constant of the link, also in a shared library.
+// Hidden, so that their distance is a link-time constant in a shared library too.
 #define ROCINANTE_EMBEDDED(name)                                                             \
   extern const std::byte rocinante_self_test_##name[] __attribute__((visibility("hidden"))); \
   extern const std::byte rocinante_self_test_##name##_end[] __attribute__((visibility("hidden")));
@@ -37,7 +37,7 @@ ROCINANTE_EMBEDDED(picture)
 namespace rocinante {
 namespace {
 
-// A new one is added when `rocinante self-test draw -o` on that renderer was looked at.
+// Add a new one after looking at `rocinante self-test draw -o` on that renderer.
 constexpr std::string_view kDebianFrame =
     "5e2b146f1a44a53903d80ddc105371a360e8b75ae02661c3bd71f7ba532c656f";
 constexpr std::array kKnownFrames{

@@ -11,13 +11,12 @@
 
 namespace rocinante {
 
-/// A small cell that lies in the program: every shape, a translucent one among them, turned and
-/// standing on the ground.
+/// A small built-in cell: every shape, one of them translucent, rotated and placed on the ground.
 Result<Cell> testCell();
-/// How it is drawn: with shadows and all samples.
+/// Its request: with shadows and all samples.
 FrameRequest testFrameRequest();
 
-/// SHA-256 of that frame's rows for the renderers on which it was drawn and looked at.
+/// SHA-256 of that frame's rows for renderers whose frame was looked at.
 struct KnownFrame {
   std::string_view key;     ///< RendererKey::text()
   std::string_view sha256;  ///< pictureSha256()

@@ -5,7 +5,7 @@
 namespace rocinante {
 namespace {
 
-/// All of a state that a picture can depend on.
+/// Compares everything in a state that a picture can depend on.
 bool drawsAlike(const SessionState& a, const SessionState& b) {
   const auto sameDevice = [](const auto& left, const auto& right) {
     DeviceState first = left.second;

@@ -12,35 +12,35 @@
 
 namespace rocinante {
 
-/// One of two things that are drawn at the same moments: the pixel hash at a time from the log's
-/// origin. An error for a moment that cannot be drawn.
+/// Draws one side at a time from the log's origin and returns the pixel hash. An error for a moment
+/// that cannot be drawn.
 using DrawnHash = std::function<Result<std::string>(Nanoseconds since_origin)>;
 
 struct BisectQuestion {
   DrawnHash a, b;
-  /// Each moment from the origin at which the state of either changes, in order; see changesOf().
+  /// Times from the origin at which either state changes, in order; see changesOf().
   std::vector<Nanoseconds> moments;
   std::vector<Nanoseconds> probes;  ///< events and keyframes
-  Nanoseconds alike_before{0};      ///< known without drawing
+  Nanoseconds alike_before{0};      ///< known to be equal before it, without drawing
   std::size_t most_frames = 2000;
 };
 
 struct BisectAnswer {
-  std::optional<Nanoseconds> first;       ///< the pictures differ there; empty: nowhere
-  std::optional<Nanoseconds> last_alike;  ///< the state change before it, where they do not
+  std::optional<Nanoseconds> first;       ///< the first different pictures; empty: none
+  std::optional<Nanoseconds> last_alike;  ///< the last equal pictures before it
   bool is_first_since_probe = false;
   Nanoseconds searched_from{0};
   std::size_t frames = 0;  ///< moments drawn, of
   std::size_t moments = 0;
 };
 
-/// The first moment at which both draw different pictures, as findParting() looks for it.
+/// Finds the first moment at which both sides draw different pictures, by findParting().
 Result<BisectAnswer> bisectPictures(const BisectQuestion& question);
 
-/// Times from the origin of every message that the fold reads: between two of them nothing changes.
+/// Times from the origin of every message that the fold reads; the state is constant between them.
 Result<std::vector<Nanoseconds>> changesOf(const std::filesystem::path& log);
-/// The first time from the origin at which the states of two logs are not the same, but for when
-/// and by whom things were said; empty when they never part.
+/// The first time from the origin at which the states of two logs differ, ignoring times and
+/// sources of packets; empty when they never differ.
 Result<std::optional<Nanoseconds>> statesPart(Timeline& a, Timeline& b,
                                               const std::vector<Nanoseconds>& moments);
 

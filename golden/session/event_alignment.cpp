@@ -8,7 +8,7 @@ namespace {
 
 __extension__ using Wide = __int128;
 
-/// The table of longest common runs has a place for each pair.
+/// Size limit of the longest-common-subsequence table.
 constexpr std::size_t kMaxPairs = 16'000'000;
 
 std::vector<Event> withoutMarks(std::vector<Event> events) {
@@ -20,7 +20,7 @@ bool isSame(const Event& a, const Event& b) { return a.text == b.text && a.sourc
 
 using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
 
-/// The most events that both have in the same order.
+/// The longest common subsequence of events.
 Pairs longestCommon(const std::vector<Event>& a, const std::vector<Event>& b) {
   const std::size_t columns = b.size() + 1;
   std::vector<std::uint32_t> length((a.size() + 1) * columns);
@@ -46,7 +46,7 @@ Pairs longestCommon(const std::vector<Event>& a, const std::vector<Event>& b) {
   return pairs;
 }
 
-/// Of very many events: the next one of the other side within so many.
+/// For very many events: matches the next equal event of the other side within a window.
 Pairs nearestCommon(const std::vector<Event>& a, const std::vector<Event>& b) {
   constexpr std::size_t kLookAhead = 64;
   Pairs pairs;
@@ -70,7 +70,7 @@ LogTime EventAlignment::inB(LogTime in_a) const {
   const auto after = std::ranges::upper_bound(matched, in_a, {}, &MatchedEvent::a);
   const MatchedEvent& before = *std::prev(after);
   if (after == matched.end()) return before.b + (in_a - before.a);
-  // Hours in nanoseconds times hours in nanoseconds: more than 64 bits hold.
+  // Hours in nanoseconds, squared, exceed 64 bits.
   const auto product = Wide{(in_a - before.a).count()} * (after->b - before.b).count();
   return before.b + Nanoseconds(static_cast<std::int64_t>(product / (after->a - before.a).count()));
 }

@@ -14,18 +14,18 @@ struct MatchedEvent {
   LogTime a{}, b{};
 };
 
-/// How the times of one session belong to those of another of the same scenario: straight between
-/// two events that both have, one to one before the first and behind the last.
+/// Maps times of one session to another of the same scenario: linear between two common events, one
+/// to one before the first and after the last.
 struct EventAlignment {
-  std::vector<MatchedEvent> matched;  ///< times of neither go back
-  std::vector<Event> only_a, only_b;  ///< missing in the other one
-  LogTime anchor_a{}, anchor_b{};     ///< belong to each other where no event is matched
+  std::vector<MatchedEvent> matched;  ///< times do not decrease on either side
+  std::vector<Event> only_a, only_b;  ///< missing on the other side
+  LogTime anchor_a{}, anchor_b{};     ///< aligned with each other when no event is matched
 
   LogTime inB(LogTime in_a) const;
 };
 
-/// Matches events of one text and source, as many as can be without crossing. Marks, which a person
-/// set on one recording, do not count. Without any in both, the anchors are laid on each other.
+/// Matches as many events of equal text and source as possible without crossing. Marks, which a
+/// person set on one recording, are ignored. Without common events, the anchors are aligned.
 EventAlignment alignEvents(const std::vector<Event>& a, const std::vector<Event>& b,
                            LogTime anchor_a, LogTime anchor_b);
 

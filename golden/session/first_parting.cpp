@@ -47,7 +47,7 @@ Result<Parting> findParting(const PartingQuestion& question) {
     }
     parting.is_first_since_probe = true;
   } else {
-    // `alike` is alike and `first` differs all the way: they come together at such a change.
+    // Invariant: equal at `alike`, different at `first`.
     while (first - alike > 1) {
       const std::size_t middle = alike + (first - alike) / 2;
       const auto answer = differs(middle);

@@ -13,12 +13,12 @@
 namespace rocinante {
 namespace {
 
-/// So many of the worst items get a picture, so many events, and so many moments between.
+/// Largest numbers of pictures: of worst items, of events, and of moments between them.
 constexpr std::size_t kMaxWorst = 6;
 constexpr std::size_t kMaxEvents = 24;
 constexpr int kBetween = 3;
 constexpr int kSmallPicturePixels = 320;
-/// So many moments of the other session are looked at within the slack.
+/// Most moments of the other session that are compared within the slack.
 constexpr std::size_t kMaxInSlack = 256;
 constexpr const char* kWorst = "worst-";
 
@@ -32,7 +32,7 @@ std::string frameNameOf(const std::string& text) {
   return name.substr(0, 80);
 }
 
-/// Names of moments, each once.
+/// Moments with unique names.
 class MomentList {
  public:
   explicit MomentList(const SessionDeviation& state) : state_(state) {}
@@ -83,7 +83,7 @@ std::vector<std::pair<std::string, LogTime>> momentsToDraw(const SessionComparis
   return moments.inOrder();
 }
 
-/// One log with what draws it.
+/// The maker of frames of one log.
 Result<FrameMaker> makerOf(const std::filesystem::path& cell, const CellOptions& options,
                            const std::filesystem::path& log) {
   auto loaded = loadCellOrLog(cell, options);
@@ -93,15 +93,14 @@ Result<FrameMaker> makerOf(const std::filesystem::path& cell, const CellOptions&
   return FrameMaker::open(std::move(*loaded), std::move(*session), Profile::reproducible);
 }
 
-/// When b is looked at beside a moment of a. Packets come a little earlier or later, so while
-/// things move, pictures of one moment differ where the sessions do not.
+/// Chooses the moment of b to compare with a moment of a. Packets arrive slightly earlier or later,
+/// so during motion pictures of one moment differ although the sessions do not.
 class SlackMoments {
  public:
   SlackMoments(const SessionQuestion& question, FrameMaker& a, FrameMaker& b)
       : question_(question), a_(a), b_(b) {}
 
-  /// Of the moments of b within the slack around `in_b` the one at which its state is nearest to
-  /// that of a at `in_a`.
+  /// The moment of b within the slack around `in_b` whose state is nearest to that of a at `in_a`.
   Result<LogTime> nearest(LogTime in_a, LogTime in_b) {
     Timeline& b = *b_.session();
     if (changes_.empty()) {
@@ -129,7 +128,7 @@ class SlackMoments {
   std::vector<Nanoseconds> changes_;
 };
 
-/// `time_b` is set to when b was drawn.
+/// `time_b` is set to the time at which b was drawn.
 Result<JudgedFrame> judgeMoment(FrameMaker& maker_a, FrameMaker& maker_b, LogTime time_a,
                                 LogTime& time_b, const SessionQuestion& question,
                                 SlackMoments* slack_moments) {
@@ -140,7 +139,7 @@ Result<JudgedFrame> judgeMoment(FrameMaker& maker_a, FrameMaker& maker_b, LogTim
   request.samples = question.samples;
   request.time = time_a;
   FrameRequest request_b = request;
-  // Rounding at the very ends must not lead out of the log.
+  // Rounding at the ends must not leave the log.
   request_b.time = std::clamp(time_b, maker_b.session()->start(), maker_b.session()->end());
   time_b = request_b.time;
   JudgedFrame judged;
@@ -165,8 +164,8 @@ Result<JudgedFrame> judgeMoment(FrameMaker& maker_a, FrameMaker& maker_b, LogTim
     auto frame_beside = maker_b.frame(beside);
     if (!frame_beside.ok()) return frame_beside.error();
     Comparison found = compare(*frame_beside, *golden, question.tolerance);
-    // The slack only acquits. Where it does not, the moment itself is shown: beside it what moves
-    // would stand elsewhere, and what is amiss be less so.
+    // The slack can only make pictures equal. If they still differ, show the exact moment: at
+    // another one moving parts would differ too, and the fault would stand out less.
     if (found.verdict == Verdict::same) {
       judged.comparison = std::move(found);
       time_b = *nearest;
@@ -249,7 +248,7 @@ Result<SessionComparison> judgeSessions(const std::filesystem::path& cell,
   }
   for (const auto& [name, moment] : momentsToDraw(comparison)) {
     tell("picture " + name);
-    // The worst moments are beyond the slack, and shown as they are.
+    // The worst moments are beyond the slack and drawn exactly.
     SlackMoments* slack = name.starts_with(kWorst) ? nullptr : &slack_moments;
     LogTime time_b = comparison.events.inB(moment);
     auto judged = judgeMoment(*maker_a, *maker_b, moment, time_b, question, slack);

@@ -15,32 +15,32 @@ namespace rocinante {
 struct SessionQuestion {
   std::filesystem::path a, b;
   SessionLimits limits;
-  std::string camera;  ///< empty: as render chooses
+  std::string camera;  ///< empty: chosen as by `render`
   int width = 640, height = 480, samples = 4;
-  Tolerance tolerance = Tolerance::loose();  ///< of pictures
+  Tolerance tolerance = Tolerance::loose();  ///< for pictures
   bool pictures = true;
 };
 
-/// Two recordings of one scenario, compared by events, by state and by pictures
-/// (docs/programs/golden.md, "session"). a is what was accepted.
+/// Two recordings of one scenario, compared by events, state and pictures (docs/programs/golden.md,
+/// "session"). a is the accepted one.
 struct SessionComparison {
   EventAlignment events;
   LogTime origin_a{}, origin_b{};
   SessionDeviation state;
-  /// The moments at which both were drawn, as a suite's frames: names "start", "event-picked",
-  /// "worst-arm-elbow" ...; a is the golden.
+  /// The drawn moments as frames of a suite, named "start", "event-picked", "worst-arm-elbow" ...;
+  /// a is the golden.
   SuiteReport pictures;
-  std::vector<LogTime> times_b;  ///< of b, by picture: when it was drawn
-  /// Of either log, in the span that is compared, or where it may hide an event: what differs, and
-  /// what does not, may be by that.
+  std::vector<LogTime> times_b;  ///< by picture: the time of b
+  /// Damage of either log in the compared range, or where it may hide an event. It makes
+  /// differences and their absence uncertain.
   StateDamage damage;
 
-  /// incomparable where a log is damaged; same when no event is missing, nothing is beyond its
+  /// incomparable when a log is damaged; same when no event is missing, no deviation is beyond its
   /// limit and every picture is the same.
   Verdict verdict() const;
 };
 
-/// not_found when the two have no time in common. `progress` is told what is being done.
+/// not_found when the two have no time in common. `progress` receives the current step.
 Result<SessionComparison> judgeSessions(const std::filesystem::path& cell,
                                         const CellOptions& options, const SessionQuestion& question,
                                         const std::function<void(const std::string&)>& progress);

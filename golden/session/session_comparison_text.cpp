@@ -25,7 +25,7 @@ std::string amountText(const Deviation& item) {
   return fmt::format("up to {:.6f}{}{}", *item.largest, item.unit.empty() ? "" : " ", item.unit);
 }
 
-/// The smallest and largest span of b for a span of a, between two events.
+/// The smallest and largest ratio of b's duration to a's between two events.
 std::pair<double, double> paceOf(const EventAlignment& events) {
   double least = 1;
   double most = 1;

@@ -6,7 +6,7 @@
 
 namespace rocinante {
 
-/// For people, several lines; for scripts, one JSON object.
+/// Text of several lines, and one JSON object.
 std::string sessionText(const SessionComparison& comparison);
 std::string sessionJson(const SessionComparison& comparison);
 

@@ -14,14 +14,14 @@ namespace rocinante {
 namespace {
 
 constexpr std::size_t kMaxMoments = 100'000;
-/// Values of both sessions together: 400 MB.
+/// Most values of both sessions together: 400 MB.
 constexpr std::size_t kMaxValues = 50'000'000;
 
 constexpr double kAbsent = std::numeric_limits<double>::quiet_NaN();
 
 enum class ItemKind { measure, fact };
 
-/// An item's values in both sessions, by sample. Of a fact a number that stands for its text.
+/// An item's values in both sessions, by sample. A fact is a number that represents its text.
 struct ItemSeries {
   ItemKind kind = ItemKind::measure;
   std::string unit;
@@ -38,7 +38,7 @@ double factNumber(const std::string& text) {
   return static_cast<double>(number);  // 48 bits: exact
 }
 
-/// Takes down all items of a state, at one sample of one side.
+/// Records all items of a state at one sample of one side.
 class SampleWriter {
  public:
   SampleWriter(SeriesByItem& series, std::size_t samples, std::vector<double> ItemSeries::*side)
@@ -98,14 +98,14 @@ class SampleWriter {
       }
     }
     if (device_state == nullptr || !device_state->pose) return;
-    // As it was said: what carries a device is compared by itself.
+    // As received, not in world space: a device's carrier is compared separately.
     const Pose& pose = device_state->pose->value.pose;
     const Path& carrier = device_state->pose->value.carrier;
     fact("carrier of " + device.name, carrier.first + "/" + carrier.second);
     measure(device.name + ".x", "m", pose.position.x);
     measure(device.name + ".y", "m", pose.position.y);
     measure(device.name + ".z", "m", pose.position.z);
-    // q and -q are one orientation.
+    // q and -q are the same orientation.
     const double sign = pose.orientation.w < 0 ? -1 : 1;
     measure(device.name + ".qx", "", sign * pose.orientation.x);
     measure(device.name + ".qy", "", sign * pose.orientation.y);
@@ -127,7 +127,7 @@ class SampleWriter {
   std::size_t sample_ = 0;
 };
 
-/// How far `value` is from all that `others` has from `first` to `last`: 0 inside.
+/// Distance of `value` from the range of `others` from `first` to `last`; 0 inside.
 double distanceFrom(double value, const std::vector<double>& others, std::size_t first,
                     std::size_t last, ItemKind kind) {
   double least = std::numeric_limits<double>::infinity();
@@ -145,7 +145,7 @@ double distanceFrom(double value, const std::vector<double>& others, std::size_t
   }
   if (std::isnan(value)) return has_absent ? 0 : std::numeric_limits<double>::infinity();
   if (kind == ItemKind::fact) return least == 0 ? 0 : std::numeric_limits<double>::infinity();
-  // What goes from below to above has been there in between.
+  // A value that goes from below to above passes everything in between.
   return value >= lowest && value <= highest ? 0 : least;
 }
 
@@ -154,8 +154,8 @@ double limitOf(const ItemSeries& series, const SessionLimits& limits) {
   return series.unit == "rad" ? limits.radians : limits.metres;
 }
 
-/// How many samples the slack is. As many are taken behind the last one that is judged, where what
-/// came a little later in one session stands.
+/// The slack in samples. As many samples are recorded after the last judged one, for values that
+/// arrive later in one session.
 std::size_t reachOf(const SessionLimits& limits, const SessionDeviation& found) {
   const auto reach = (limits.slack + found.step - Nanoseconds(1)) / found.step;
   return std::min(static_cast<std::size_t>(reach), found.samples);
@@ -184,7 +184,7 @@ class DeviationFinder {
       }
       if (deviation.largest && apart > *deviation.largest) {
         deviation.largest_at = moment;
-        // Being there or not has no measure.
+        // Presence has no numeric measure.
         if (std::isinf(apart)) {
           deviation.largest.reset();
         } else {
@@ -213,7 +213,7 @@ Result<SessionDeviation> compareSessions(const Cell& cell, Timeline& a, Timeline
                                          const EventAlignment& alignment,
                                          const SessionLimits& limits, StateDamage& damage) {
   SessionDeviation found;
-  // Where both are; b's ends in a's time by the same map turned round.
+  // The common range; b's ends are converted to a's time by the inverse alignment.
   EventAlignment back;
   for (const MatchedEvent& event : alignment.matched) {
     back.matched.push_back({event.text, event.b, event.a});
@@ -226,7 +226,7 @@ Result<SessionDeviation> compareSessions(const Cell& cell, Timeline& a, Timeline
     return Error{ErrorKind::not_found, "the sessions have no time in common, aligned by events",
                  b.log().name()};
   }
-  // Values at one moment, to know how many moments memory is good for.
+  // Values at one moment, to compute how many moments fit in memory.
   SeriesByItem probe;
   const auto first_state = a.stateAt(found.from + (found.until - found.from) / 2, &damage);
   if (!first_state.ok()) return first_state.error();
@@ -250,7 +250,7 @@ Result<SessionDeviation> compareSessions(const Cell& cell, Timeline& a, Timeline
     if (!state_b.ok()) return state_b.error();
     into_b.write(cell, **state_b, i);
   }
-  // And of what lies between the samples: a value may have been elsewhere there.
+  // Also damage between the samples, where a value may have differed.
   for (const auto& [session, from, until] :
        {std::tuple(&a, found.from, found.until),
         std::tuple(&b, alignment.inB(found.from), alignment.inB(found.until))}) {
@@ -278,7 +278,7 @@ Result<LogTime> nearestMoment(const Cell& cell, Timeline& a, LogTime in_a, Timel
     into_b.write(cell, **state_b, i);
   }
   struct Apart {
-    std::size_t facts = 0;  ///< and things that only one of them has
+    std::size_t facts = 0;  ///< and items that only one of them has
     double most = 0;
     Nanoseconds away{0};
     auto operator<=>(const Apart&) const = default;

@@ -12,42 +12,41 @@
 
 namespace rocinante {
 
-/// How two recordings of one scenario may differ and still be the same.
+/// Limits within which two recordings of one scenario count as the same.
 struct SessionLimits {
   double radians = 1e-3;
   double metres = 1e-3;
-  /// Packets come a little earlier or later: a value counts as equal when the other session has one
-  /// like it within this time.
+  /// Packets arrive slightly earlier or later: a value counts as equal when the other session has a
+  /// matching one within this time.
   Nanoseconds slack{std::chrono::milliseconds(50)};
-  Nanoseconds step{std::chrono::milliseconds(20)};  ///< how often both are looked at
+  Nanoseconds step{std::chrono::milliseconds(20)};  ///< sampling period of both
 };
 
-/// One joint value, part of a base pose, or thing that is or is not so, that differs.
+/// A difference: of a joint value, a part of a base pose, or a fact.
 struct Deviation {
-  std::string item;  ///< "arm/elbow", "canister.x", "show arm/link3"
-  std::string unit;  ///< "rad", "m", "" for parts of a quaternion and what has no measure
-  std::optional<double> largest;     ///< empty for what has no measure
-  LogTime largest_at{}, first_at{};  ///< in a's time; `first_at`: beyond its limit
+  std::string item;                  ///< "arm/elbow", "canister.x", "show arm/link3"
+  std::string unit;                  ///< "rad", "m", "" for parts of a quaternion and facts
+  std::optional<double> largest;     ///< empty for facts
+  LogTime largest_at{}, first_at{};  ///< in a's time; `first_at`: first beyond its limit
 };
 
 struct SessionDeviation {
-  std::size_t items = 0;    ///< that were compared
+  std::size_t items = 0;    ///< compared items
   std::size_t samples = 0;  ///< moments
-  Nanoseconds step{0};      ///< between two of them: more than asked for in a very long session
-  LogTime from{}, until{};  ///< what both cover, in a's time
-  std::vector<Deviation> beyond;            ///< those beyond their limit, the first to part first
-  std::optional<Deviation> largest_within;  ///< of the others, relative to its limit
+  Nanoseconds step{0};      ///< period of samples; longer than requested for very long sessions
+  LogTime from{}, until{};  ///< the range covered by both, in a's time
+  std::vector<Deviation> beyond;            ///< those beyond their limit, by first_at
+  std::optional<Deviation> largest_within;  ///< of the others, relative to the limit
 };
 
-/// Compares the two as functions of aligned time. not_found when they have no time in common. What
-/// their states lack, because a log is damaged, is added to `damage`.
+/// Compares the two as functions of aligned time. not_found when they have no time in common.
+/// Damage of a log that affects their states is added to `damage`.
 Result<SessionDeviation> compareSessions(const Cell& cell, Timeline& a, Timeline& b,
                                          const EventAlignment& alignment,
                                          const SessionLimits& limits, StateDamage& damage);
 
-/// Which of `candidates`, times of b, finds b in the state most like that of a at `in_a`: the
-/// fewest facts that differ, then the smallest deviation in parts of its limit, then the nearest to
-/// `in_b`.
+/// The one of `candidates`, times of b, at which b's state is most like that of a at `in_a`: fewest
+/// different facts, then smallest deviation relative to its limit, then nearest to `in_b`.
 Result<LogTime> nearestMoment(const Cell& cell, Timeline& a, LogTime in_a, Timeline& b,
                               LogTime in_b, const std::vector<LogTime>& candidates,
                               const SessionLimits& limits);

@@ -8,8 +8,8 @@
 
 namespace rocinante {
 
-/// damaged, with the line, when git left a conflict in the text: a merge that nobody finished.
-/// `what` stands before " holds", `advice` behind it.
+/// damaged, with the line, when the text has a git conflict marker of an unfinished merge. `what`
+/// is put before " holds", `advice` at the end.
 std::optional<Error> mergeConflictIn(std::string_view text, const std::string& file,
                                      std::string_view what, std::string_view advice);
 

@@ -15,12 +15,12 @@
 
 namespace rocinante {
 
-/// Which moments a case draws: at most one of `at`, `event`, `events` and `every` is set.
+/// The moments that a case draws: at most one of `at`, `event`, `events` and `every` is set.
 struct CaseMoment {
   std::optional<std::string> at;      ///< a session time as text: its origin is the log's
   std::optional<std::string> event;   ///< the event with exactly this text
   int occurrence = 1;                 ///< of `event`: 1 the first, 2 the second, -1 the last
-  std::optional<std::string> events;  ///< a glob: a frame for each event whose text it describes
+  std::optional<std::string> events;  ///< a glob: one frame per event whose text matches
   std::optional<Nanoseconds> every;   ///< from the origin to the end of the log
   Nanoseconds after{0};               ///< added to the time of each event
 };
@@ -31,36 +31,37 @@ struct PictureArea {
   /// Without a rectangle, the pixels of this PATH: DEVICE, DEVICE/LINK, layer/NAME or
   /// drawing/SOURCE/ID, as a glob.
   std::string path;
-  int grow_px = 0;  ///< so many pixels more on every side
+  int grow_px = 0;  ///< pixels added on every side
   bool operator==(const PictureArea&) const = default;
-  /// As a sentence names it: "layer/labels", "0,0,64x20".
+  /// As named in messages: "layer/labels", "0,0,64x20".
   std::string text() const;
 };
 
 struct SuiteCase {
   std::string name;
   CaseMoment moment;
-  std::vector<std::string> cameras;  ///< a frame each; empty: one, as render chooses
+  std::vector<std::string> cameras;  ///< one frame each; empty: one, chosen as by `render`
   int width = 640, height = 480;
   int samples = 4;
-  std::optional<std::vector<std::string>> layers;  ///< only these are drawn
+  std::optional<std::vector<std::string>> layers;  ///< draw only these
   std::vector<std::string> hide, show;
-  bool insets = true;  ///< those of the cell
-  bool panel = false;  ///< of times and values
+  bool insets = true;  ///< draw the cell's insets
+  bool panel = false;  ///< draw the panel of times and values
   RenderStyle style;
   std::vector<PictureArea> mask;        ///< not judged
-  std::vector<PictureArea> judge_only;  ///< empty: everything that no mask covers is judged
+  std::vector<PictureArea> judge_only;  ///< empty: everything outside masks
   Tolerance tolerance;
-  /// The same for a golden of another key; what the case says itself holds for both.
+  /// The tolerance for a golden of another key; a tolerance of the case sets both.
   Tolerance across_keys = Tolerance::rounding();
-  std::string limit_from = "the default";  ///< where the tolerance was said
+  std::string limit_from = "the default";  ///< where the tolerance was set
   bool expect_different = false;
-  std::string reason;  ///< why it is expected to differ
+  std::string reason;  ///< why a difference is expected
   std::vector<std::string> tags;
   int line = 0;  ///< in the suite's file
 };
 
-/// What to draw and judge (docs/golden-suites.md). Paths are resolved against the suite's file.
+/// A suite of cases to draw and judge (docs/golden-suites.md). Paths are relative to the suite's
+/// file.
 struct Suite {
   std::filesystem::path file;
   std::filesystem::path cell;                ///< empty: the one that the log carries
@@ -72,7 +73,7 @@ struct Suite {
   std::vector<SuiteCase> cases;
 };
 
-/// Reads a suite; every fault names its line and column, and the first one is returned.
+/// Reads a suite. Returns the first fault, with its line and column.
 Result<Suite> readSuite(const std::filesystem::path& path);
 Result<Suite> parseSuite(std::string_view text, const std::filesystem::path& path);
 

@@ -39,7 +39,7 @@ void NewCase::addTexts(const std::string& key, const std::vector<std::string>& t
 
 Result<std::string> withCase(const std::string& suite, const NewCase& added,
                              const std::filesystem::path& path) {
-  // What was wrong before is told as that, not as a fault of the new case.
+  // Report faults of the existing suite as such, not as faults of the new case.
   const bool has_cases = suite.find("[[case]]") != std::string::npos;
   if (has_cases) {
     if (const auto before = parseSuite(suite, path); !before.ok()) return before.error();

@@ -10,7 +10,7 @@
 
 namespace rocinante {
 
-/// A [[case]] to come, as its keys and their values in TOML, in order.
+/// A new [[case]]: its keys and TOML values, in order.
 struct NewCase {
   std::string name;
   std::vector<std::pair<std::string, std::string>> keys;  ///< without `name`
@@ -23,8 +23,8 @@ struct NewCase {
 /// `text` as a TOML string.
 std::string tomlText(std::string_view text);
 
-/// The suite with the case behind all that it has, which stays byte for byte. bad_argument, with
-/// the place, when the suite would not be sound: a name that is taken, a value that cannot be.
+/// The suite with the case appended; existing bytes do not change. bad_argument, with the place,
+/// when the result would be invalid: a duplicate name, an invalid value.
 Result<std::string> withCase(const std::string& suite, const NewCase& added,
                              const std::filesystem::path& path);
 

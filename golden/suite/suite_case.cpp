@@ -55,7 +55,7 @@ void readMoment(SuiteTable& table, SuiteCase& made) {
         "`every`");
 }
 
-/// Whole numbers of a list of exactly `count`; empty and a fault when it is something else.
+/// The whole numbers of a list of exactly `count`; empty for anything else.
 template <std::size_t count>
 std::optional<std::array<int, count>> wholeNumbers(const TomlNode& node, int least, int most) {
   std::array<int, count> numbers{};
@@ -122,7 +122,7 @@ void readAreas(SuiteTable& table, std::string_view key, std::vector<PictureArea>
   for (const TomlNode& item : node->items) readArea(table, item, key, areas);
 }
 
-/// One value of a style's table as its vocabulary says it.
+/// One value of a style table as text.
 std::optional<std::string> styleValue(const TomlNode& node) {
   switch (node.kind) {
     case TomlNode::Kind::text:

@@ -8,19 +8,18 @@
 
 namespace rocinante {
 
-/// True for letters, digits, `_`, `-` and `.` alone: what may stand in a file's name.
+/// True when the text has only letters, digits, `_`, `-` and `.`, as allowed in file names.
 bool isFileText(std::string_view text);
-/// The same, at most 100 bytes, that does not begin with `.` or `-`: what may name a case.
+/// True for a case name: the same characters, at most 100 bytes, not starting with `.` or `-`.
 bool isCaseName(std::string_view name);
 
-/// The keys that [defaults] and a [[case]] share, where they are given. `limit_from` is where the
-/// table stands, for the verdicts' sentences.
+/// Reads the keys common to [defaults] and [[case]].
 void readCaseLook(SuiteTable& table, const Suite& suite, SuiteCase& made);
-/// A whole [[case]]; `made` holds the defaults.
+/// Reads a [[case]]; `made` holds the defaults.
 void readCase(SuiteTable& table, const Suite& suite, SuiteCase& made);
-/// [defaults].
+/// Reads [defaults].
 void readDefaults(SuiteTable& table, const Suite& suite, SuiteCase& made);
-/// The limits of a [tolerance.NAME] or of a case's own { ... }.
+/// Reads the limits of a [tolerance.NAME] or of a case's { ... }.
 Tolerance readLimits(SuiteTable& table, std::string name);
 
 }  // namespace rocinante

@@ -24,22 +24,22 @@ std::string momentName(Nanoseconds since_origin) {
   return fmt::format("{:05}.{:03}s", ms / 1000, ms % 1000);
 }
 
-/// A camera's name or an event's text as part of a file's name: what may not stand there is `_`.
+/// A camera's name or an event's text as part of a file name; other characters become `_`.
 std::string fileWord(std::string_view text) {
   std::string word;
   for (const char c : text.substr(0, 40)) word += isFileText({&c, 1}) ? c : '_';
   return word;
 }
 
-/// A moment of a case: what stands behind the case's name, and when it is.
+/// A moment of a case: the suffix of the frame's name, and the time.
 struct NamedMoment {
   std::string suffix;
   std::optional<LogTime> time{};
   std::string why{};
 };
 
-/// What hides events that would stand where a case looks for them: before the one that it means,
-/// or, when it counts from the end, behind.
+/// Damage that may hide events which would change the count: before the event, or after it when
+/// counting from the end.
 StateDamage hidingOne(const StateDamage& hiding, const CaseMoment& moment, Nanoseconds event) {
   return moment.occurrence > 0 ? hiding.within(Nanoseconds::min(), event)
                                : hiding.within(event, Nanoseconds::max());
@@ -89,7 +89,7 @@ Result<std::vector<NamedMoment>> momentsAtEvents(const CaseMoment& moment, Timel
   for (const Event& event : **events) {
     if (!patternMatches(*moment.events, event.text)) continue;
     if (moments.size() == kMaxFramesPerCase) break;
-    // Named by text and turn, not by time: a new recording has the same names.
+    // Named by text and occurrence, not by time, so that a new recording has the same names.
     const std::string word = fileWord(event.text);
     const int turn = ++seen[word];
     moments.push_back(
@@ -99,7 +99,7 @@ Result<std::vector<NamedMoment>> momentsAtEvents(const CaseMoment& moment, Timel
     moments.push_back(
         {"", {}, fmt::format("no event of the log matches \"{}\"", plainText(*moment.events))});
   }
-  // One that is hidden would also change which turn the others are.
+  // A hidden event would also change the numbers of the others.
   if (!hiding.empty()) {
     for (NamedMoment& each : moments) {
       each.time.reset();
@@ -135,7 +135,7 @@ Result<std::vector<NamedMoment>> momentsOf(const SuiteCase& made, Timeline* sess
   return std::vector<NamedMoment>{{"", *time}};
 }
 
-/// Nothing judged is never yes: a moment outside the log is no moment.
+/// A moment outside the log does not exist, so the frame cannot pass unjudged.
 void refuseMomentOutside(const Timeline& session, SuiteFrame& frame) {
   if (!frame.time || (*frame.time >= session.start() && *frame.time <= session.end())) return;
   frame.why = fmt::format("its moment is outside the log: {} s of {} s",
@@ -221,8 +221,8 @@ Result<std::vector<SuiteFrame>> selectFrames(std::vector<SuiteFrame> frames,
                  suite.file.string()};
   }
   if (selection.shards == 1) return frames;
-  // Whole cases, so that the frames of one stay together; dealt out in turn, so that what a shard
-  // has depends on nothing but the suite.
+  // Deal out whole cases in turn: frames of one case stay together, and a shard's content depends
+  // only on the suite.
   std::map<const SuiteCase*, int> turns;
   for (const SuiteFrame& frame : frames) {
     turns.emplace(frame.suite_case, static_cast<int>(turns.size()));

@@ -11,12 +11,12 @@
 
 namespace rocinante {
 
-/// Which frames of a suite a program works on.
+/// Selects frames of a suite.
 struct FrameSelection {
   std::vector<std::string> only{};      ///< globs over frames' and cases' names; empty: all
-  std::vector<std::string> tags{};      ///< one of these; empty: all
+  std::vector<std::string> tags{};      ///< any of these; empty: all
   std::vector<std::string> not_tags{};  ///< none of these
-  int shard = 1, shards = 1;            ///< the cases that are left are dealt out in turn
+  int shard = 1, shards = 1;            ///< the remaining cases are dealt out in turn
 
   bool isWhole() const { return only.empty() && tags.empty() && not_tags.empty() && shards == 1; }
 };
@@ -26,17 +26,16 @@ inline constexpr int kMaxShards = 10'000;
 /// "2/5".
 Result<std::pair<int, int>> parseShard(std::string_view text);
 
-/// Every frame of the suite in its order; moments that do not exist say why. bad_argument for a
-/// time that cannot be read, and when two frames would have one name. `session` may be null.
+/// All frames of the suite in its order; frames without a moment have a `why`. bad_argument for an
+/// invalid time, and when two frames would have the same name. `session` may be null.
 Result<std::vector<SuiteFrame>> planFrames(const Suite& suite, Timeline* session);
 
-/// Those that are selected, in the same order. Never empty: bad_argument then, since nothing judged
-/// is never yes.
+/// The selected frames in the same order. bad_argument when none is selected, so that an empty run
+/// cannot pass.
 Result<std::vector<SuiteFrame>> selectFrames(std::vector<SuiteFrame> frames,
                                              const FrameSelection& selection, const Suite& suite);
 
-/// Places in `frames` by time, those of one time in order: in this order a session is gone through
-/// once.
+/// Indices of `frames` sorted by time, stable, so that a session is read once.
 std::vector<std::size_t> inLogOrder(const std::vector<SuiteFrame>& frames);
 
 }  // namespace rocinante

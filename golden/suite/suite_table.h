@@ -12,8 +12,8 @@
 
 namespace rocinante {
 
-/// Reads one table of a suite strictly and keeps the first fault of the whole file, with its line
-/// and column. Borrows the table, the file's name and the fault.
+/// Strict reader of one table of a suite. Keeps the first fault of the whole file, with line and
+/// column. Borrows the table, the file's name and the fault.
 class SuiteTable {
  public:
   SuiteTable(const TomlNode& table, const std::string& file, std::optional<Error>& fault)
@@ -21,13 +21,13 @@ class SuiteTable {
 
   void complain(const TomlNode& node, const std::string& what);
   void complainHere(const std::string& what) { complain(table_, what); }
-  /// Every other key is a fault, but for x-*.
+  /// Any other key is a fault, except x-*.
   void onlyKeys(std::initializer_list<std::string_view> allowed);
 
   bool has(std::string_view key) const { return node(key) != nullptr; }
   /// Null when the table has no such key.
   const TomlNode* node(std::string_view key) const;
-  /// Empty when the key is absent, or of the wrong kind, which is a fault.
+  /// Empty when the key is missing; a wrong type is a fault.
   std::optional<std::string> text(std::string_view key);
   std::optional<std::int64_t> integer(std::string_view key);
   std::optional<double> number(std::string_view key);

@@ -5,7 +5,8 @@
 namespace rocinante {
 namespace {
 
-/// The state that a side is drawn in; a copy, since the next question to a session ends the last.
+/// The state in which a side is drawn. A copy: the next query of a session invalidates the last
+/// result.
 Result<SessionState> stateOf(const DrawableSide& side) {
   if (side.maker.session() == nullptr) return SessionState{};
   const auto state = side.maker.session()->stateAt(side.request.time);

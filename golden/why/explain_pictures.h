@@ -12,10 +12,11 @@ struct DrawableSide {
   FrameRequest request;
 };
 
-/// Both sides known: who the differing pixels belong to and how the sessions differ.
+/// Explains with both sides known: the owners of differing pixels and the differences of the
+/// sessions.
 Result<FrameWhy> explainBoth(const Picture& golden, const DrawableSide& golden_side,
                              const Picture& frame, const DrawableSide& frame_side);
-/// Only the frame's side known.
+/// Explains with only the frame's side known.
 Result<FrameWhy> explainByGuess(const Picture& golden, const Picture& frame,
                                 const DrawableSide& frame_side);
 

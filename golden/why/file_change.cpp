@@ -7,7 +7,7 @@
 namespace rocinante {
 namespace {
 
-/// What a file of a cell is, by the ending of its name.
+/// The kind of a file of a cell, by its extension.
 std::string_view roleOf(const std::string& name) {
   std::string ending = std::filesystem::path(name).extension().string();
   for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
@@ -57,7 +57,7 @@ std::vector<std::string> fileChanges(const FileHashes& golden, const FileHashes&
     const auto before = golden.find(file);
     const auto now = frame.find(file);
     const std::string role(roleOf(file));
-    // A manifest is anybody's text.
+    // The manifest's text is untrusted.
     const std::string name = plainText(file);
     if (before == golden.end()) {
       lines.push_back(name + ": the " + role + " is new");

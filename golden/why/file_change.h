@@ -12,13 +12,13 @@ namespace rocinante {
 
 /// The hashes of a cell's files.
 FileHashes hashesOf(const CellBundle& bundle);
-/// What its files say of kinematics and materials, of at most 1 MiB each and valid UTF-8: for a
+/// The contents of its kinematics and material files, of valid UTF-8 and at most 1 MiB each, for a
 /// manifest.
 FileTexts toldTexts(const CellBundle& bundle);
 /// True for the name of a file whose text toldTexts() keeps.
 bool isToldText(const std::string& name);
 
-/// "textures/floor.png: the texture has changed", one a file, by name.
+/// "textures/floor.png: the texture has changed", one per file, sorted by name.
 std::vector<std::string> fileChanges(const FileHashes& golden, const FileHashes& frame);
 
 }  // namespace rocinante

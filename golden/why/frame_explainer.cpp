@@ -10,8 +10,8 @@
 namespace rocinante {
 namespace {
 
-/// `frame` with the golden's pixels where another renderer only rounded differently: they are
-/// spread over the picture and would outvote what changed. As it is where nothing else differs.
+/// `frame` with the golden's pixels where another renderer only rounded differently: those pixels
+/// are spread over the picture and would outweigh the change. Unchanged when nothing else differs.
 Picture withoutRounding(const Picture& frame, const Picture& golden, int level) {
   Picture kept = frame;
   for (std::size_t i = 0; i < kept.rgba.size(); i += 4) {
@@ -54,7 +54,7 @@ void FrameExplainer::findCandidates() {
   attached.options = options_;
   attached.options.log.reset();
   attached.options.cell = *suite->log;
-  // What a log carries is whole: roots mean nothing to it.
+  // An attached cell is complete: search roots do not apply.
   static_cast<ModelSearch&>(attached.options) = {};
   candidates_.push_back(std::move(attached));
 }
@@ -95,7 +95,7 @@ Result<FrameExplainer::Found> FrameExplainer::findGolden(const JudgedFrame& judg
 }
 
 CellBundle* FrameExplainer::bundleToday() {
-  // Once: meshes are large, and many frames fail together.
+  // Only once: meshes are large, and many frames may fail.
   if (!collected_) {
     collected_ = true;
     auto bundle = collectSessionCell(now_, options_);

@@ -13,28 +13,28 @@
 
 namespace rocinante {
 
-/// The cell that a session draws, with its files; an error where it has faults: a cell with errors
-/// is drawn as far as it goes, and has no list of files.
+/// The cell that a session draws, with its files. An error when the cell has faults: it is drawn
+/// partially and has no list of files.
 Result<CellBundle> collectSessionCell(const SuiteSession& session, const SuiteOptions& options);
 
-/// Says why frames of a suite are not their goldens. The golden's own cell and session are looked
-/// for in what the suite names where --cell or --log stand in its place, and in the cell that the
-/// log carries; they count when they draw the accepted pixels again. One thread, as its session.
+/// Explains why frames of a suite differ from their goldens. It looks for the golden's own cell and
+/// session in the files named by the suite (when --cell or --log replace them) and in the cell
+/// attached to the log; they are used if they reproduce the accepted pixels. Not thread-safe.
 class FrameExplainer {
  public:
-  /// `session` is borrowed; it was opened of `suite_file` with `options`.
+  /// `session` is borrowed; it must have been opened from `suite_file` with `options`.
   FrameExplainer(SuiteSession& session, std::filesystem::path suite_file, SuiteOptions options);
 
-  /// Null where there are no two pictures of one size. An error only when the renderer fails.
+  /// Null without two pictures of one size. An error only when the renderer fails.
   Result<std::shared_ptr<const FrameWhy>> explain(const JudgedFrame& judged);
 
  private:
-  /// Something that the goldens may have been drawn of.
+  /// A cell and session that goldens may have been drawn from.
   struct Candidate {
     SuiteOptions options;
     std::unique_ptr<SuiteSession> session;  ///< opened when first needed
     bool is_unusable = false;
-    std::optional<std::vector<std::string>> changes;  ///< of the model since, once asked for
+    std::optional<std::vector<std::string>> changes;  ///< of the model; on demand
   };
   struct Found {
     Candidate* candidate = nullptr;
@@ -55,12 +55,11 @@ class FrameExplainer {
   bool looked_ = false;
   std::vector<Candidate> candidates_;
   bool collected_ = false;
-  std::optional<CellBundle> bundle_today_;                   ///< empty where the cell has faults
+  std::optional<CellBundle> bundle_today_;                   ///< empty when the cell has faults
   std::map<std::string, std::vector<std::string>> changes_;  ///< by a golden's key of its cell
 };
 
-/// Explains those that failed, where there is something to explain; at most `most` of them, since
-/// nobody reads more.
+/// Explains failed frames, at most `most` of them.
 Status explainFailures(FrameExplainer& explainer, std::vector<JudgedFrame>& frames,
                        std::size_t most = 200);
 

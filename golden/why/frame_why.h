@@ -10,24 +10,24 @@
 
 namespace rocinante {
 
-/// What the golden's side of an answer was made of.
+/// Source of the golden's side of an explanation.
 enum class GoldenBasis : std::uint8_t {
-  redrawn,  ///< its cell and session, drawn again, gave the accepted pixels, bit by bit
-  inputs,   ///< cell and session are those that the manifest names; the renderer is another
-  guessed   ///< neither is at hand: today's identity stands for it, and movements are estimated
+  redrawn,  ///< its cell and session reproduced the accepted pixels exactly
+  inputs,   ///< its cell and session, drawn by a different renderer
+  guessed   ///< not available: today's identity is used and movements are estimated
 };
 
-/// Why a frame is not its golden (docs/golden-suites.md, "Why").
+/// Why a frame differs from its golden (docs/golden-suites.md, "Why").
 struct FrameWhy {
   GoldenBasis basis = GoldenBasis::guessed;
   Blame blame;
   std::vector<StateChange> state;  ///< empty when guessed: the golden's session is unknown
-  std::vector<std::string> files;  ///< of the model that changed; as fileChanges() says it
+  std::vector<std::string> files;  ///< changed files of the model; lines of fileChanges()
 };
 
-/// A sentence about how far the answer can be trusted.
+/// A sentence about the reliability of the explanation.
 std::string_view sentenceOf(GoldenBasis basis);
-/// The answer as lines for people, at most `rows` of each kind.
+/// The explanation as lines of text, at most `rows` of each kind.
 std::vector<std::string> whyLines(const FrameWhy& why, std::size_t rows = 6);
 
 }  // namespace rocinante

@@ -59,7 +59,7 @@ std::string whatText(const LinkChange& change) {
   switch (change.kind) {
     case ChangeKind::moved:
       if (!change.moved_px) return "moved";
-      // Below the tenth of a pixel more digits are wanted: it moved, and must not say (0.0, 0.0).
+      // A movement below a tenth of a pixel must not print as (0.0, 0.0).
       return std::hypot((*change.moved_px)[0], (*change.moved_px)[1]) >= 0.1
                  ? fmt::format("moved by ({:.1f}, {:.1f}) px", rounded((*change.moved_px)[0], 0.1),
                                rounded((*change.moved_px)[1], 0.1))

@@ -23,7 +23,7 @@ std::vector<std::string> driftLines(const Cell& golden, const Cell& now) {
   return lines;
 }
 
-/// A bundle with the texts of the golden in place of its own, while this lives.
+/// Replaces the texts of a bundle with the golden's for the lifetime of this object.
 class GoldenTexts {
  public:
   GoldenTexts(CellBundle& bundle, const FileHashes& golden, const FileTexts& texts)
@@ -53,7 +53,7 @@ class GoldenTexts {
   GoldenTexts& operator=(const GoldenTexts&) = delete;
 
   bool any() const { return !kept_.empty(); }
-  /// Changed files whose texts are not there.
+  /// Number of changed files without a kept text.
   std::size_t unknown() const { return unknown_; }
 
  private:

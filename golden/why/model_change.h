@@ -9,18 +9,18 @@
 
 namespace rocinante {
 
-/// What `check` says of two cells (drift.*): "joint elbow_joint of ur10 has moved by 20 mm", a
-/// sentence each; before them what `now` lacks (cellFaults).
+/// The drift.* findings of two cells, such as "joint elbow_joint of ur10 has moved by 20 mm", one
+/// sentence each, after the faults of `now` (cellFaults).
 std::vector<std::string> modelChanges(const Cell& golden, const Cell& now);
 
-/// The same, where of the golden's cell only the hashes of its files and some of their texts are
-/// left, and behind it the files that changed (fileChanges): the golden's cell is put together from
-/// those texts and `today`'s other files. `today` is `now` with its files; it is changed and
-/// changed back. Says so where a text is not there.
+/// The same when only hashes of the golden's files and some of their texts are known, followed by
+/// the changed files (fileChanges): the golden's cell is rebuilt from those texts and `today`'s
+/// other files. `today` is `now` with its files; it is modified and restored. A line reports
+/// missing texts.
 std::vector<std::string> modelChanges(const FileHashes& golden, const FileTexts& texts,
                                       CellBundle& today, const Cell& now);
 
-/// A cell's errors, in the words of `check`: "arm.urdf:7: there is no file arm.stl".
+/// A cell's errors as printed by `check`: "arm.urdf:7: there is no file arm.stl".
 std::vector<std::string> cellFaults(const Cell& cell);
 
 }  // namespace rocinante

@@ -14,16 +14,16 @@
 namespace rocinante {
 namespace {
 
-/// A shift explains a change when it takes this share of the cost away.
+/// A shift explains a change when it removes this share of the cost.
 constexpr double kExplains = 0.7;
-/// Guessing takes more to believe: surfaces without marks look alike everywhere.
+/// Stricter when guessing: plain surfaces look alike everywhere.
 constexpr double kGuessExplains = 0.65;
-/// A pixel's edge samples reach half a pixel: neighbours are looked at, and theirs.
+/// Edge samples reach half a pixel, so neighbouring pixels are searched.
 constexpr int kReach = 1;
-/// Changed outline pixels for each of the outline: less is what an edge of others does.
+/// Share of changed outline pixels above which a link moved; edges of other links cause less.
 constexpr double kMovedOutline = 0.2;
 
-/// Finding how far a link went takes a while: for more links than these nobody reads it.
+/// Registration is slow, so it is limited to this many links.
 constexpr std::size_t kMaxRegistered = 48;
 
 bool samePixel(const Picture& a, const Picture& b, std::size_t i) {
@@ -32,13 +32,13 @@ bool samePixel(const Picture& a, const Picture& b, std::size_t i) {
 
 struct LinkPixels {
   std::int64_t golden = 0, frame = 0;  ///< pixels that show it
-  std::int64_t gained = 0, lost = 0;   ///< that show it in the frame alone, in the golden alone
+  std::int64_t gained = 0, lost = 0;   ///< that show it only in the frame, only in the golden
   std::int64_t outline = 0;            ///< of both pictures
-  std::int64_t owned = 0;              ///< differing pixels laid to it
+  std::int64_t owned = 0;              ///< differing pixels attributed to it
   std::array<double, 3> color_shift{};
-  std::int64_t in_place = 0;  ///< of those, that show it in both
+  std::int64_t in_place = 0;  ///< of those, pixels that show it in both
 
-  /// How much of its outline changed. What is there in one picture only changed altogether.
+  /// Share of its outline that changed; 1 when only one picture shows it.
   double change() const {
     if (golden == 0 || frame == 0) return 1e9;
     return static_cast<double>(gained + lost) /
@@ -46,7 +46,8 @@ struct LinkPixels {
   }
 };
 
-/// One comparison at work. Links are numbers: 0 is the background, the others 1 + a place in names.
+/// State of one comparison. Links are numbers: 0 is the background, others are 1 + an index into
+/// names.
 class BlameWork {
  public:
   BlameWork(const Picture& golden, const Picture& frame) : golden_(golden), frame_(frame) {
@@ -66,7 +67,7 @@ class BlameWork {
     links_.resize(names_.size());
     std::vector<std::uint32_t> ids(pixels_);
     for (std::size_t i = 0; i < pixels_; ++i) {
-      // A number without a name is nobody's.
+      // A number without a name is background.
       if (identity.ids[i] < numbers.size()) ids[i] = numbers[identity.ids[i]];
     }
     return ids;
@@ -97,10 +98,10 @@ class BlameWork {
     }
   }
 
-  /// For one whose outline in the golden is a guess.
+  /// For a link whose outline in the golden is estimated.
   void setShift(std::uint32_t link, double right, double down) { shifts_[link] = {right, down}; }
 
-  /// Whether it is known to have moved or, where nothing is known of any, looks like it.
+  /// Whether it is known to have moved or, if no movement is known, looks so.
   bool hasMoved(std::uint32_t link) const {
     if (link == 0) return false;
     const LinkPixels& its = links_[link];
@@ -143,7 +144,7 @@ class BlameWork {
     made.mask = {frame_.width, frame_.height, std::vector<std::uint8_t>(pixels_ * 4, 255)};
     for (std::size_t i = 0; i < pixels_; ++i) {
       made.mask.rgba[i * 4] = owner_[i] == kNobody ? std::uint8_t{0} : row[owner_[i]];
-      // The background has no outline to show.
+      // The background has no outline.
       made.mask.rgba[i * 4 + 1] = frame_ids_[i] == 0 ? std::uint8_t{0} : row[frame_ids_[i]];
       made.mask.rgba[i * 4 + 2] = golden_ids_[i] == 0 ? std::uint8_t{0} : row[golden_ids_[i]];
     }
@@ -167,7 +168,7 @@ class BlameWork {
     if (is_edge) ++links_[ids[i]].outline;
   }
 
-  /// Of two that share a pixel, the one that did it.
+  /// The more responsible of two links that share a pixel.
   std::uint32_t moreResponsible(std::uint32_t a, std::uint32_t b) const {
     if (a == b || b == 0) return a;
     if (a == 0) return b;
@@ -180,7 +181,8 @@ class BlameWork {
     const std::uint32_t g = golden_ids_[i];
     std::uint32_t owner = moreResponsible(f, g);
     if (hasMoved(owner)) return owner;
-    // Not by what its middle shows: then by one beside it that moved, or came or went.
+    // The pixel's centre shows no cause: look for a neighbouring link that moved, appeared or
+    // vanished.
     const auto width = static_cast<std::ptrdiff_t>(frame_.width);
     const auto x = static_cast<std::ptrdiff_t>(i) % width;
     const auto y = static_cast<std::ptrdiff_t>(i) / width;
@@ -253,7 +255,7 @@ class BlameWork {
   std::int64_t differing_ = 0;
 };
 
-/// Links with differing pixels of their own, most first, as many as are worth looking for.
+/// Links with differing pixels, most first, limited to kMaxRegistered.
 std::vector<std::uint32_t> linksToFind(const Picture& golden, const Picture& frame,
                                        const std::vector<std::uint32_t>& ids, std::size_t links) {
   std::vector<std::int64_t> differing(links);
@@ -270,7 +272,7 @@ std::vector<std::uint32_t> linksToFind(const Picture& golden, const Picture& fra
   return found;
 }
 
-/// Where the golden's own link would lie, if it looked as it does now.
+/// Writes the link's estimated pixels in the golden: its region moved back by the shift.
 void undoShift(const Region& region, const Shift& shift, int width, int height, std::uint32_t link,
                std::vector<std::uint32_t>& ids) {
   for (std::uint32_t& id : ids) {

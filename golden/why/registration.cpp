@@ -10,12 +10,12 @@
 namespace rocinante {
 namespace {
 
-/// More pixels than these say nothing more, and cost.
+/// More pixels cost time and do not improve the result.
 constexpr std::size_t kMaxSamples = 3000;
 constexpr int kNear = 3;
 constexpr int kRim = 2;
-/// An eighth of full scale in all three components is as bad as no fit: shaded surfaces differ by
-/// less from themselves.
+/// An eighth of full scale in all three components counts as no fit: a shaded surface differs less
+/// from itself.
 constexpr double kFullCost = 3 * 32.0;
 
 struct Pixel {
@@ -39,7 +39,7 @@ double colorCost(const Picture& a, std::size_t at_a, const Picture& b, std::size
   return std::min(1.0, sum / kFullCost);
 }
 
-/// Pixels of a region, spread evenly.
+/// Evenly spread pixels of a region.
 std::vector<Pixel> samplesOf(const Region& region, const Picture& picture) {
   std::vector<Pixel> all;
   for (int y = 0; y < picture.height; ++y) {
@@ -57,7 +57,7 @@ std::vector<Pixel> samplesOf(const Region& region, const Picture& picture) {
 
 using CostOf = std::function<double(int right, int down)>;
 
-/// Whole-pixel descent from `start` on costs that are computed once, then a parabola in x and y.
+/// Whole-pixel descent from `start` with cached costs, then an interpolated minimum in x and y.
 class ShiftSearch {
  public:
   explicit ShiftSearch(CostOf cost) : cost_(std::move(cost)) {}
@@ -98,8 +98,8 @@ class ShiftSearch {
     const double candidate = cost(right, down);
     if (candidate < cost(best_.first, best_.second)) best_ = {right, down};
   }
-  /// Of the two lines of equal steepness through three values: costs are sums of |a - b|, which
-  /// bend in a corner and not in a parabola.
+  /// Vertex of the two lines of equal slope through three values: costs are sums of |a - b|, so
+  /// their minimum is a corner, not a parabola.
   static double vertex(double before, double middle, double after) {
     const double steepest = std::max(before, after) - middle;
     return steepest > 0 ? (before - after) / (2 * steepest) : 0;
@@ -161,7 +161,7 @@ std::optional<Shift> registerRegions(const Picture& from, const Region& from_reg
   search.tryAround(0, 0, 1, 1);
   search.descend();
   Shift shift = search.shift();
-  // Whole and uncut outlines of one size: their centroids tell fractions better than costs do.
+  // For complete outlines of one size the centroids give fractions better than the costs.
   const double right = to_region.x - from_region.x;
   const double down = to_region.y - from_region.y;
   const double larger = static_cast<double>(std::max(from_region.pixels, to_region.pixels));
@@ -177,8 +177,8 @@ std::optional<Shift> registerRegions(const Picture& from, const Region& from_reg
 
 namespace {
 
-/// The cost of laying `samples` of one picture on another, between its pixels by their four
-/// neighbours: what moved by a fraction looks so, nearly.
+/// The cost of placing `samples` of one picture on another, with bilinear interpolation for
+/// fractional shifts.
 double costBetween(const Picture& from, const std::vector<Pixel>& samples, const Picture& to,
                    double right, double down) {
   const int whole_right = static_cast<int>(std::floor(right));
@@ -209,7 +209,7 @@ double costBetween(const Picture& from, const std::vector<Pixel>& samples, const
   return cost / static_cast<double>(samples.size());
 }
 
-/// Goes on from a whole shift by halves of a pixel, quarters and so on.
+/// Refines a whole-pixel shift by halves of a pixel, quarters and so on.
 void refine(const Picture& from, const std::vector<Pixel>& samples, const Picture& to,
             Shift& shift) {
   shift.cost = costBetween(from, samples, to, shift.right, shift.down);

@@ -8,7 +8,7 @@
 
 namespace rocinante {
 
-/// Where a link's pixels lie in one picture.
+/// A link's pixels in one picture.
 struct Region {
   std::vector<std::uint8_t> inside;  ///< by pixel, row by row: 0 or 1
   std::int64_t pixels = 0;
@@ -17,25 +17,25 @@ struct Region {
 };
 Region regionOf(const std::vector<std::uint32_t>& ids, int width, int height, std::uint32_t id);
 
-/// How far a region's pixels went from one picture to another of the same size.
+/// Movement of a region's pixels from one picture to another of the same size.
 struct Shift {
   double right = 0, down = 0;  ///< pixels, to a fraction
-  /// Mean cost of laying one over the other, 0 (equal) to 1 (nothing fits): with this shift, and
-  /// without any.
+  /// Mean cost of placing one over the other, 0 (equal) to 1 (no fit): with this shift and without
+  /// any.
   double cost = 0, cost_unmoved = 0;
 };
 
-/// Finds the shift that lays `from`'s region best over `to`'s: outlines and colours together,
-/// a few pixels around the difference of the centroids and around none. Empty when one is empty.
+/// Finds the shift that best places `from`'s region over `to`'s by outlines and colours, searching
+/// a few pixels around the difference of the centroids and around zero. Empty when one region is
+/// empty.
 std::optional<Shift> registerRegions(const Picture& from, const Region& from_region,
                                      const Picture& to, const Region& to_region);
 
-/// Each pixel with its neighbours, 1 2 1 in both directions: what moved by a part of a pixel is
-/// then found again where it is, jagged edges and all.
+/// Blurred by 1 2 1 in both directions, so that fractional movements of jagged edges can be found.
 Picture smoothed(const Picture& picture);
 
-/// Finds where the pixels of `from` inside a region are found in `to`, whose outlines are not
-/// known, at most `window` pixels away: by colours, and those of a rim of two pixels around it.
+/// Finds the shift of a region of `from` in `to`, whose outlines are unknown, at most `window`
+/// pixels away, by the colours of the region and of a border of two pixels around it.
 std::optional<Shift> findRegion(const Picture& from, const Region& region, const Picture& to,
                                 int window);
 

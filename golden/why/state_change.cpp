@@ -34,7 +34,7 @@ struct Component {
   std::string_view suffix, unit;
 };
 
-/// What the values of a joint are called and measured in.
+/// Names and units of a joint's values.
 std::vector<Component> componentsOf(JointType type) {
   switch (type) {
     case JointType::fixed:
@@ -62,7 +62,7 @@ double distance(const Mat4& a, const Mat4& b) {
   return std::hypot(a[3][0] - b[3][0], a[3][1] - b[3][1], a[3][2] - b[3][2]);
 }
 
-/// The angle of the turn from one orientation to the other, by the trace.
+/// The rotation angle between two orientations, by the trace.
 double turn(const Mat4& a, const Mat4& b) {
   double trace = 0;
   for (int column = 0; column < 3; ++column) {
@@ -131,7 +131,7 @@ class StateComparison {
   void compareDevice(const PosedDevice& before, const PosedDevice& now) {
     const double moved = distance(before.base, now.base);
     const double turned = turn(before.base, now.base);
-    // The trace loses half the digits: a turn below 1e-7 cannot be told from none.
+    // The trace loses half the digits: an angle below 1e-7 is indistinguishable from zero.
     if (moved > 0 || turned > 1e-7) {
       add(now.name,
           fmt::format("{}: base moved by {:.{}f} m, turned by {:.2f}°", now.name, moved,

@@ -14,7 +14,7 @@ namespace {
 constexpr double kRadians = 0.017453292519943295;
 constexpr double kLeastShift_px = 0.05;
 
-/// A part of one side, as a picture of its own.
+/// A part of one side as a separate picture.
 struct Crop {
   Picture picture;
   IdentityFrame identity;
@@ -49,7 +49,7 @@ Crop cropOf(const BlameSide& whole, const PixelRectangle& part) {
   return made;
 }
 
-/// Nobody's pixels, alike on both sides.
+/// Makes a part equal on both sides, without identity.
 void blankOut(const PixelRectangle& part, const Picture& golden, Crop& frame) {
   for (int y = 0; y < part.height; ++y) {
     const std::size_t at = placeIn(golden, part, y);
@@ -59,7 +59,7 @@ void blankOut(const PixelRectangle& part, const Picture& golden, Crop& frame) {
   }
 }
 
-/// The main view alone: insets cover it.
+/// The main view without the parts covered by insets.
 Crop mainView(const Picture& golden, const BlameSide& side, bool is_frame,
               const std::vector<PixelRectangle>& covered) {
   Crop made{side.picture, side.identity};
@@ -108,7 +108,7 @@ Blame wholePart(const Picture& golden, const Picture& frame, const PixelRectangl
   return made;
 }
 
-/// Puts a view's answer behind those that `all` has.
+/// Appends a view's result to `all`.
 void append(Blame view, const std::string& inset, const PixelRectangle& part, Blame& all) {
   const std::size_t before = all.changes.size();
   all.differing += view.differing;
@@ -140,7 +140,7 @@ const PicturedView* partnerOf(const PicturedView& inset, const std::vector<Pictu
   return found;
 }
 
-/// Whether the cell alone says where this camera stands.
+/// Whether the cell alone determines this camera's pose.
 bool isFixed(const std::string& camera, const Cell& cell) {
   const CellCamera* const its = cell.findCamera(camera);
   return its != nullptr && its->on_device.empty() && its->follow_device.empty() &&
@@ -200,7 +200,7 @@ Blame blameViews(const BlameSide& golden, const std::vector<PicturedView>& golde
   Blame all = blameLinks(mainView(golden.picture, golden, false, covered).side(),
                          mainView(golden.picture, frame, true, covered).side(), moved);
   for (const PixelRectangle& part : covered) {
-    // The frame's come first, so a part that both have is the frame's.
+    // The frame's parts come first, so a common part is found there.
     const auto its = [&](const PicturedView& view) { return view.is_inset && view.part == part; };
     const auto in_frame = std::ranges::find_if(frame_views, its);
     if (in_frame == frame_views.end()) {
