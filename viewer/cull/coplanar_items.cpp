@@ -17,13 +17,13 @@ namespace {
 constexpr std::uint32_t kMaxRanks = 15;
 constexpr std::size_t kMaxTests = 400'000;
 constexpr std::size_t kMaxTriangles = 20'000;
-/// Planes so near to each other are one: a twentieth of a millimetre, a thousandth of a small face,
-/// or what floats of a large one may be off by.
+/// Planes this close count as one: a twentieth of a millimetre, a thousandth of a small face, or
+/// the float error of a large one.
 constexpr double kNear_m = 5e-5;
 constexpr double kNearShare = 1e-3;
 constexpr double kRounding = 1e-6;
 
-/// An item with the box around it, world space.
+/// An item with its bounding box in world space.
 struct Candidate {
   DrawItem* item = nullptr;
   const CatalogPart* part = nullptr;
@@ -59,19 +59,19 @@ WorldFace worldFace(const DrawItem& item, const FlatFace& face) {
 
 bool boxesMeet(const Vec3& a, const Vec3& a_half, const Vec3& b, const Vec3& b_half, double slack) {
   for (int axis = 0; axis < 3; ++axis) {
-    // Written so that what is no number meets nothing.
+    // Negated so that NaN meets nothing.
     if (!(std::abs(a[axis] - b[axis]) <= a_half[axis] + b_half[axis] + slack)) return false;
   }
   return true;
 }
 
-/// How near the planes of two faces that cover each other must be; 0: they are not one plane.
+/// Largest distance of the planes of two faces that cover each other; 0: they are not one plane.
 double nearness(const WorldFace& above, const WorldFace& below) {
   const double small = 2 * std::min(lengthOf(above.half), lengthOf(below.half));
   const double large = 2 * std::max(lengthOf(above.half), lengthOf(below.half));
   const double near = std::max(std::min(kNear_m, kNearShare * small), kRounding * large);
   if (!boxesMeet(above.center, above.half, below.center, below.half, near)) return 0;
-  // Side by side is not one on the other: along at least two axes they share more than that.
+  // Faces side by side do not overlap: they must share more than that along at least two axes.
   int shared = 0;
   for (int axis = 0; axis < 3; ++axis) {
     const double overlap =
@@ -84,7 +84,7 @@ double nearness(const WorldFace& above, const WorldFace& below) {
   return off <= near && lengthOf(turned) * small <= 2 * near ? near : 0;
 }
 
-/// The triangles of a face that reach into a box, as seen along an axis of the world.
+/// The triangles of a face that reach into a box, projected along a world axis.
 std::vector<FlatCorners> flattened(const Candidate& one, const FlatFace& face, int along,
                                    const WorldFace& box) {
   std::vector<FlatCorners> triangles;
@@ -108,7 +108,8 @@ std::vector<FlatCorners> flattened(const Candidate& one, const FlatFace& face, i
   return triangles;
 }
 
-/// Whether two faces in one plane overlap. Too many triangles to look at count as if they did.
+/// Whether two faces in one plane overlap. Faces with too many triangles to test count as
+/// overlapping.
 bool cover(const Candidate& one, const FlatFace& face, const WorldFace& where,
            const Candidate& other, const FlatFace& other_face, const WorldFace& other_where,
            double slack) {
@@ -128,7 +129,7 @@ bool cover(const Candidate& one, const FlatFace& face, const WorldFace& where,
   return false;
 }
 
-/// How near the planes are in which `above` lies on `below`; 0: it does not.
+/// Distance limit of the planes in which `above` lies on `below`; 0: it does not.
 double liesOn(const Candidate& above, const Candidate& below) {
   std::vector<std::pair<const FlatFace*, WorldFace>> others;
   for (const FlatFace& face : below.part->faces.faces) {
@@ -144,7 +145,7 @@ double liesOn(const Candidate& above, const Candidate& below) {
     for (const auto& [b, other] : others) {
       const double facing = dotOf(face.normal, other.normal);
       if (!(std::abs(facing) > 0.9)) continue;
-      // Where solids touch, neither side can be seen.
+      // Where solids touch, neither side is visible.
       if (facing < 0 && !above.part->faces.sheet) continue;
       const double near = nearness(face, other);
       if (near > 0 && cover(above, a, face, below, *b, other, near)) return near;
@@ -158,13 +159,14 @@ bool ofOneVisual(const DrawItem& a, const DrawItem& b) {
          std::memcmp(&a.world, &b.world, sizeof a.world) == 0;
 }
 
-/// What is seen through is drawn later, and that decides where depths are the same bits.
+/// Translucent items are drawn later, which decides where depths are equal.
 bool fallTogether(const DrawItem& a, const DrawItem& b) {
   return a.mesh == b.mesh && a.translucent != b.translucent &&
          std::memcmp(&a.world, &b.world, sizeof a.world) == 0;
 }
 
-/// Nobody sees which of such two shows, but a lifted solid's other faces might show a little.
+/// Which of two equal-looking items shows is invisible, but other faces of a lifted solid might
+/// show.
 bool lookAlike(const DrawItem& a, const DrawItem& b) {
   const auto look = [](const DrawItem& item) {
     const Material& material = *item.material;
@@ -174,8 +176,7 @@ bool lookAlike(const DrawItem& a, const DrawItem& b) {
          !a.translucent && look(a) == look(b);
 }
 
-/// The order in which one lies on another: what is seen through on top, then the smaller, then by
-/// name.
+/// Which item lies on top: translucent over opaque, then the smaller one, then by name.
 bool belongsBelow(const Candidate& a, const Candidate& b, const PosedScene& scene) {
   if (a.item->translucent != b.item->translucent) return b.item->translucent;
   if (std::abs(a.area - b.area) > 1e-6 * (a.area + b.area)) return a.area > b.area;
@@ -185,7 +186,7 @@ bool belongsBelow(const Candidate& a, const Candidate& b, const PosedScene& scen
   return key(*a.item) < key(*b.item);
 }
 
-/// Units of depth (glPolygonOffset) that are so many metres at the item.
+/// `metres` at the item in units of depth (glPolygonOffset).
 float unitsOf(double metres, const DrawItem& item, const Camera& camera) {
   constexpr double kUnits = 1 << 24;
   double depth = 0;
@@ -197,7 +198,7 @@ float unitsOf(double metres, const DrawItem& item, const Camera& camera) {
   return static_cast<float>(std::min(depth, 1e-2) * kUnits);
 }
 
-/// The usual crowd: ten thousand parts that look alike.
+/// The common case of a crowd: thousands of parts that look alike.
 bool allLookAlike(std::span<const LiftedList> lists) {
   const DrawItem* first = nullptr;
   for (const LiftedList& one : lists) {
@@ -235,7 +236,7 @@ void liftCoplanarItems(std::span<const LiftedList> lists, const PosedScene& scen
                        const Camera& camera) {
   if (allLookAlike(lists)) return;
   std::vector<Candidate> candidates = candidatesOf(lists);
-  // A sweep along x: only boxes whose spans meet are looked at.
+  // Sweep along x: only boxes with overlapping ranges are tested.
   const auto left = [](const Candidate& one) { return one.center.x - one.half.x; };
   candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
                                   [&](const Candidate& one) { return std::isnan(left(one)); }),
@@ -264,7 +265,7 @@ void liftCoplanarItems(std::span<const LiftedList> lists, const PosedScene& scen
       if (near > 0) pairs.push_back({b_above ? b.item : a.item, b_above ? a.item : b.item, near});
     }
   }
-  // Each above all that it lies on, which may lie on others.
+  // Lift each item above all items below it, which may lie on others.
   bool changed = !pairs.empty();
   for (std::uint32_t round = 0; changed && round < kMaxRanks; ++round) {
     changed = false;

@@ -8,17 +8,16 @@
 
 namespace rocinante {
 
-/// A list whose items may be lifted, with what its numbers mean. Borrowed.
+/// A list whose items may be lifted, with its catalog. Borrowed.
 struct LiftedList {
   DrawList* list = nullptr;
   const SceneCatalog* catalog = nullptr;
 };
 
-/// Lifts surfaces of different visuals (of a link, of several links or devices) that lie in one
-/// plane now: docs/rendering.md, "Surfaces in one plane". What is near enough to be one plane is
-/// lifted by more than that, so that the same surface shows while poses tremble. Pure: the same
-/// items give the same lifts, whatever order devices have. Gives up looking (and finds nothing
-/// more) after some hundred thousand pairs of parts that are near each other.
+/// Lifts surfaces of different visuals (of a link, of several links or devices) that currently lie
+/// in one plane: docs/rendering.md, "Surfaces in one plane". The lift is larger than the distance
+/// limit, so that the same surface shows while poses vibrate. Pure: the same items give the same
+/// lifts in any order of devices. Stops after some hundred thousand pairs of neighbouring parts.
 void liftCoplanarItems(std::span<const LiftedList> lists, const PosedScene& scene,
                        const Camera& camera);
 

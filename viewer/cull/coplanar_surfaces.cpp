@@ -15,20 +15,20 @@ namespace {
 constexpr std::uint32_t kMaxRank = 15;
 constexpr std::size_t kMaxPairTests = 4'000'000;
 
-/// A triangle in its plane: the two axes other than the normal's largest.
+/// A triangle projected along the largest axis of its normal.
 struct FlatTriangle {
   std::uint32_t part = 0;
   std::uint32_t number = 0;  ///< of the triangle in the mesh
-  bool reversed = false;     ///< looks against the plane's normal
+  bool reversed = false;     ///< faces against the plane's normal
   FlatCorners corners;
   Vec2 min{1e300, 1e300}, max{-1e300, -1e300};
 };
 
-/// A plane, rounded. Both of its sides are one plane.
+/// A rounded plane; both sides give the same key.
 using PlaneKey = std::tuple<std::int64_t, std::int64_t, std::int64_t, std::int64_t>;
 using Planes = std::map<PlaneKey, std::vector<FlatTriangle>>;
 
-/// Sorts the triangles by plane and adds up the parts' areas.
+/// Sorts the triangles by plane and sums the parts' areas.
 Planes planesOf(const Mesh& mesh, double slack, std::vector<double>& area) {
   Planes planes;
   for (std::uint32_t part = 0; part < mesh.parts.size(); ++part) {
@@ -65,8 +65,8 @@ Planes planesOf(const Mesh& mesh, double slack, std::vector<double>& area) {
       PlaneKey key{whole(normal.x * 256 + 0.5), whole(normal.y * 256 + 0.5),
                    whole(normal.z * 256 + 0.5), whole(offset)};
       planes[key].push_back(flat);
-      // Also into the nearer of the neighbouring planes: two that lie together must meet in some
-      // plane, on whichever side of a rounding edge each falls.
+      // Also into the nearer neighbouring plane: two coplanar triangles must share a plane even if
+      // rounding separates them.
       std::get<3>(key) += offset - std::floor(offset) < 0.5 ? -1 : 1;
       planes[key].push_back(flat);
     }
@@ -79,7 +79,7 @@ using PartPair = std::pair<std::uint32_t, std::uint32_t>;  // lower number first
 void findOverlaps(std::vector<FlatTriangle>& triangles, const std::vector<std::uint32_t>& bodies,
                   double slack, std::size_t& tests, std::set<PartPair>& same_way,
                   CoplanarSurfaces& surfaces) {
-  // A sweep along x: only triangles whose spans meet are looked at.
+  // Sweep along x: only triangles with overlapping ranges are tested.
   std::stable_sort(triangles.begin(), triangles.end(),
                    [](const FlatTriangle& a, const FlatTriangle& b) { return a.min.x < b.min.x; });
   for (std::size_t i = 0; i < triangles.size(); ++i) {
@@ -101,7 +101,7 @@ void findOverlaps(std::vector<FlatTriangle>& triangles, const std::vector<std::u
   }
 }
 
-/// Each part one above the highest of those that it lies on.
+/// Ranks each part one above the highest part below it.
 void rankParts(const std::vector<double>& area, const std::set<PartPair>& same_way,
                std::vector<std::uint32_t>& ranks) {
   std::vector<std::uint32_t> order(area.size());
@@ -124,7 +124,7 @@ void rankParts(const std::vector<double>& area, const std::set<PartPair>& same_w
 
 }  // namespace
 
-// No edge of either separates them.
+// Separating axis test over the edges of both.
 bool trianglesOverlap(const FlatCorners& a, const FlatCorners& b, double slack) {
   for (const FlatCorners* triangle : {&a, &b}) {
     for (std::size_t i = 0; i < 3; ++i) {

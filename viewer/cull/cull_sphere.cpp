@@ -6,7 +6,7 @@
 namespace rocinante {
 namespace {
 
-/// Far above what rounding makes of sums and products in double, far below what matters.
+/// Far above the rounding errors in double, far below any visible size.
 constexpr double kSlack = 1e-9;
 
 double sizeOf(const Vec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
@@ -30,7 +30,7 @@ CullSphere deviceSphere(const PosedDevice& device, const LinkReaches& reaches) {
   for (std::size_t link = 0; link < reaches.size(); ++link) {
     if (reaches[link] < 0) continue;
     const Vec3 at(device.link_world[link][3]);
-    // Of what is not finite nothing can be said: the ball becomes as large.
+    // A value that is not finite makes the sphere infinite.
     if (!std::isfinite(sizeOf(at))) return {Vec3(0), HUGE_VAL};
     min = glm::min(min, at);
     max = glm::max(max, at);

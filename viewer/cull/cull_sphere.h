@@ -7,26 +7,26 @@
 
 namespace rocinante {
 
-/// A ball in the world that holds more than it must: what it holds can be seen only when it can.
+/// A conservative bounding sphere in world space: its content is visible only if the sphere is.
 struct CullSphere {
   Vec3 center{};
   double radius_m = 0;
 };
 
-/// By link of a model: how far from the link's origin its geometry reaches, in the link's own
-/// space; negative where it has none.
+/// By link of a model: the largest distance of its geometry from the link's origin, in link space;
+/// negative without geometry.
 using LinkReaches = std::vector<double>;
 
-/// The largest factor by which the matrix lengthens anything is at most this.
+/// Upper bound of the matrix's scale.
 double scaleBound(const Mat4& m);
 
-/// Around all geometry of a link.
+/// Bounds all geometry of a link.
 CullSphere linkSphere(const PosedDevice& device, std::size_t link, double reach);
-/// Around all geometry of a device, from where its links stand: no mesh is looked at.
+/// Bounds all geometry of a device by its link poses, without reading meshes.
 CullSphere deviceSphere(const PosedDevice& device, const LinkReaches& reaches);
 
-/// False only when Camera::sees() is false of every sphere inside, whatever rounding did. What is
-/// not finite may be seen.
+/// False only when Camera::sees() is false for every sphere inside, with any rounding. True for
+/// spheres that are not finite.
 bool mayBeSeen(const Camera& camera, const CullSphere& sphere);
 
 }  // namespace rocinante

@@ -13,7 +13,7 @@
 namespace rocinante {
 namespace {
 
-/// Below this an item is drawn as translucent.
+/// Items below this opacity are drawn as translucent.
 constexpr float kOpaqueAlpha = 0.999F;
 
 bool mirrors(const Mat4& m) {
@@ -26,7 +26,7 @@ bool mirrors(const Mat4& m) {
 }
 
 Mat4 visualWorld(const Mat4& link_world, const Visual& visual) {
-  // Most visuals of a large crowd stand where their link does; a product with 1 changes nothing.
+  // Most visuals have an identity origin; skip the product.
   const bool moved =
       visual.origin.position != Vec3(0) || visual.origin.orientation != Quat(1, 0, 0, 0);
   const Mat4 at = moved ? link_world * matrixOf(visual.origin) : link_world;
@@ -53,8 +53,8 @@ void applyLook(const PartLook& look, DrawItem& item) {
   item.diffuse.a *= look.opacity;
 }
 
-/// Calls each(visual, device number, link number, mesh number) for all that is visible, but for
-/// devices and links of which `camera` cannot see anything (null: it sees all).
+/// Calls each(visual, device number, link number, mesh number) for every visible visual, except of
+/// devices and links outside the view of `camera` (null: no culling).
 template <class Each>
 void forEachVisual(const PosedScene& scene, const SceneCatalog& catalog, const ViewChoice& choice,
                    const LinkLooks& looks, DrawnGeometry geometry, const Camera* camera,
@@ -92,7 +92,7 @@ void forEachPart(const Visual& visual, const CatalogMesh& mesh, const Each& each
   }
 }
 
-/// Numbers for looks, by their first appearance. The last one stands for all that come too late.
+/// Numbers looks by first appearance; all looks beyond the limit share the last number.
 class LookNumbers {
  public:
   static constexpr std::uint32_t kMax = 64;
@@ -111,7 +111,7 @@ class LookNumbers {
   }
 
  private:
-  /// Of the colour: items of one colour that shine otherwise are few.
+  /// Hash of the colour only: few items of one colour differ otherwise.
   static std::uint32_t hashOf(const DrawItem& item) {
     std::uint32_t hash = 0;
     for (int i = 0; i < 4; ++i) {
@@ -126,9 +126,9 @@ class LookNumbers {
   std::uint32_t latest_ = 0;
 };
 
-/// By state, what is equal in the order of the scene. Sorts small keys, since items are large.
+/// Stable sort by state. Sorts small keys because items are large.
 void sortByState(std::vector<DrawItem>& items, std::vector<DrawItem>& spare) {
-  // Rank and texture (none first), then mesh and place.
+  // Rank and texture (none first), then mesh and index.
   using Key = std::pair<std::uint64_t, std::uint64_t>;
   std::vector<Key> keys;
   keys.reserve(items.size());
@@ -216,7 +216,7 @@ void makeDrawList(DrawList& list, const PosedScene& scene, const SceneCatalog& c
             item.texture = static_cast<std::int32_t>(*texture);
           }
           if (color) {
-            // A colour that was set stands in place of the materials' own, picture included.
+            // A colour that was set replaces the material, including its texture.
             item.diffuse = colorOf(*color);
             item.texture = -1;
           }
@@ -233,7 +233,7 @@ void makeDrawList(DrawList& list, const PosedScene& scene, const SceneCatalog& c
           item.batched = item.texture < 0 && item.coarse == nullptr && mesh.isSmall();
           item.distance =
               camera.orthographic() ? camera.depthOf(center) : lengthOf(center - camera.eye());
-          // No number would have no place in an order.
+          // NaN has no order.
           if (std::isnan(item.distance)) item.distance = 0;
           if (item.diffuse.a <= 0.0F) return;
           list.triangles += triangleCount(item, run);

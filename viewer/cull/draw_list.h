@@ -18,64 +18,64 @@ struct DrawItem {
   std::uint32_t mesh = 0;     ///< into SceneCatalog::meshes
   std::uint32_t part = 0;     ///< of that mesh
   std::uint32_t device = 0;   ///< into PosedScene::devices
-  std::uint32_t link = 0;     ///< of its model: with `device`, whose pixels these are
-  bool tinted = false;        ///< by the colours at its points (Mesh::colors)
+  std::uint32_t link = 0;     ///< of its model
+  bool tinted = false;        ///< by its vertex colours (Mesh::colors)
   std::int32_t texture = -1;  ///< into SceneCatalog::textures; -1: none
   std::uint32_t coplanar_rank = 0;
-  float lift_units = 0;                ///< of depth, besides the rank's (liftCoplanarItems)
-  const CoarsePart* coarse = nullptr;  ///< drawn in the part's place; null: the part itself
+  float lift_units = 0;                ///< of depth, added to the rank (liftCoplanarItems)
+  const CoarsePart* coarse = nullptr;  ///< drawn instead of the part; null: the part
   const Material* material = nullptr;
-  glm::vec4 diffuse{};    ///< display values and opacity, after colours that were set
+  glm::vec4 diffuse{};    ///< display values and opacity, with overrides
   Mat4 world{1.0};        ///< of the mesh's vertices
-  double distance = 0;    ///< from the eye to the middle of the part
-  bool mirrored = false;  ///< `world` turns the front of triangles to their back
+  double distance = 0;    ///< from the eye to the part's centre
+  bool mirrored = false;  ///< `world` flips the winding of triangles
   bool translucent = false;
   bool outlined = false;  ///< RenderStyle::outlined
-  bool batched = false;   ///< may be drawn as one with others like it (ItemBatch)
+  bool batched = false;   ///< may be drawn in a batch (ItemBatch)
 };
 
-/// Whether two items without textures look the same, wherever they are.
+/// Whether two items without textures look the same, apart from their place.
 bool sameLook(const DrawItem& a, const DrawItem& b);
 
-/// What one frame draws of the geometry, in the order in which it is drawn.
+/// The geometry of one frame in drawing order.
 struct DrawList {
-  /// By state, so that few things change between draws; what is batched comes last, by look and
-  /// then as the scene has it, so that what lies side by side is drawn after one another.
+  /// Sorted by state, so that little changes between draws; batched items come last, by look and
+  /// then in scene order, so that neighbours are drawn together.
   std::vector<DrawItem> opaque;
   std::vector<DrawItem> translucent;  ///< from back to front
-  std::vector<DrawItem> wireframe;    ///< drawn as lines alone
+  std::vector<DrawItem> wireframe;    ///< drawn only as lines
   std::vector<DrawItem> ghosts;       ///< GhostStyle::clear
   std::uint64_t triangles = 0;
-  std::vector<DrawItem> spare;  ///< memory that sorting uses again
+  std::vector<DrawItem> spare;  ///< memory reused by sorting
 
-  /// Nothing is drawn; the memory stays.
+  /// Empties the lists and keeps their memory.
   void clear();
 };
 
-/// How what cannot be seen is found; the list is the same.
+/// How invisible parts are found; the list is the same.
 enum class Culling {
-  by_device,  ///< the device first, then the link, then the part: what is beside costs one test
-  by_part,    ///< every part by itself
+  by_device,  ///< device, then link, then part: an invisible device costs one test
+  by_part,    ///< every part separately
 };
 
 /// The cull stage. `translucent_textures`: by texture number, non-zero for pictures that are not
-/// opaque everywhere. Pure: the same scene, camera and detail give the same list, whatever was
-/// drawn before. The catalog must be of the same geometry.
+/// fully opaque. Pure: the same scene, camera and detail give the same list. The catalog must be of
+/// the same geometry.
 DrawList makeDrawList(const PosedScene& scene, const SceneCatalog& catalog,
                       const ViewChoice& choice, const Camera& camera,
                       const std::vector<std::uint8_t>& translucent_textures,
                       const LinkLooks& looks = {}, DrawnGeometry geometry = DrawnGeometry::visuals,
                       const DetailLevel& detail = {}, Culling culling = Culling::by_device);
 
-/// The same in place of what `list` held, in its memory.
+/// The same, replacing the content of `list` and reusing its memory.
 void makeDrawList(DrawList& list, const PosedScene& scene, const SceneCatalog& catalog,
                   const ViewChoice& choice, const Camera& camera,
                   const std::vector<std::uint8_t>& translucent_textures,
                   const LinkLooks& looks = {}, DrawnGeometry geometry = DrawnGeometry::visuals,
                   const DetailLevel& detail = {}, Culling culling = Culling::by_device);
 
-/// Corners of the boxes around everything visible, world space: what a fitted view must show.
-/// `devices`: of these alone; null: of all.
+/// Corners of the bounding boxes of everything visible, in world space, for fitted views.
+/// `devices`: only these; null: all.
 std::vector<Vec3> visibleCorners(const PosedScene& scene, const SceneCatalog& catalog,
                                  const ViewChoice& choice, const DeviceNames* devices = nullptr);
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kMaxFaces = 6;
 constexpr double kLeastShare = 1.0 / 50;
-/// Of the mesh's size: how thick a plane is.
+/// Thickness of a plane relative to the mesh's size.
 constexpr double kThickness = 1e-4;
 
 struct Plane {
@@ -23,8 +23,8 @@ struct Plane {
   Bounds bounds;
 };
 
-/// Close planes that look one way have one key, but where rounding parts them: then each half is a
-/// face of its own.
+/// Nearby planes with one direction have one key, unless rounding separates them; then each half is
+/// its own face.
 std::uint64_t keyOf(const Vec3& normal, double offset) {
   std::uint64_t key = 0;
   for (const double value : {normal.x * 256, normal.y * 256, normal.z * 256, offset}) {

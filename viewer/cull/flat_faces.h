@@ -7,12 +7,12 @@
 
 namespace rocinante {
 
-/// Triangles of one part that lie in one plane and look one way: in the mesh's space.
+/// Triangles of one part in one plane that face the same way, in mesh space.
 struct FlatFace {
-  Vec3 normal{};          ///< unit, as the triangles are wound
-  Vec3 center{}, half{};  ///< of their bounds
+  Vec3 normal{};          ///< unit length, by the winding
+  Vec3 center{}, half{};  ///< of the bounding box
   double area = 0;
-  std::vector<std::uint32_t> triangles;  ///< where their three indices begin in the mesh's own
+  std::vector<std::uint32_t> triangles;  ///< first of their three indices in the mesh
 };
 
 struct PartFaces {
@@ -21,8 +21,8 @@ struct PartFaces {
   bool sheet = false;           ///< all of it lies in one plane
 };
 
-/// The flat faces of a part that are large enough to lie on something: at most six, each a fiftieth
-/// of the part's area or more. Pure; looks at each triangle once.
+/// The large flat faces of a part: at most six, each at least a fiftieth of the part's area. Pure;
+/// visits each triangle once.
 PartFaces flatFaces(const Mesh& mesh, const MeshPart& part);
 
 }  // namespace rocinante

@@ -30,7 +30,7 @@ std::map<const Mesh*, std::vector<std::uint32_t>> bodiesOf(const Model& model,
   return bodies;
 }
 
-/// How many of the part's indices now stand at its end.
+/// Returns how many of the part's indices were moved to its end.
 std::uint32_t putOneSidedLast(const MeshPart& part, const std::vector<std::uint8_t>& one_sided,
                               std::vector<std::uint32_t>& indices) {
   std::vector<std::uint32_t> last;
@@ -79,7 +79,7 @@ void SceneCatalog::addModel(const Model& model, DrawnGeometry geometry) {
       for (const CatalogPart& part : mesh.parts) {
         const double size = scaleBound(in_link) * (lengthOf(part.center) + part.radius);
         const double farthest = lengthOf(Vec3(in_link[3])) + size;
-        // Of what is no number nothing can be said.
+        // NaN makes the reach infinite.
         reach = std::isfinite(farthest) ? std::max(reach, farthest) : HUGE_VAL;
       }
     }

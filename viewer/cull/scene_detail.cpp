@@ -7,7 +7,7 @@ namespace rocinante {
 bool tooSmall(const PartSphere& sphere, const Camera& camera, const DetailLevel& level) {
   if (level.cull_below_px <= 0) return false;
   const double depth = camera.depthOf(sphere.center);
-  // What surrounds the eye is not small, whatever its middle's depth says.
+  // A sphere around the eye is not small, whatever the depth of its centre.
   if (!camera.orthographic() && depth <= sphere.radius_m) return false;
   return 2 * sphere.radius_m < level.cull_below_px * camera.metersPerPixel(depth);
 }

@@ -6,19 +6,18 @@
 
 namespace rocinante {
 
-/// Where a part stands in the world, as culling sees it.
+/// Bounding sphere of a part in world space.
 struct PartSphere {
   Vec3 center{};
   double radius_m = 0;
-  double scale = 1;  ///< the largest factor by which the mesh is lengthened
+  double scale = 1;  ///< largest scale factor of the mesh
 };
 
-/// Whether the level leaves the part out: its sphere is less than cull_below_px pixels across.
+/// Whether the level leaves the part out: its sphere is smaller than cull_below_px across.
 bool tooSmall(const PartSphere& sphere, const Camera& camera, const DetailLevel& level);
 
-/// The coarsest version of the part that lies no more than geometry_error_px pixels off, judged
-/// where the part comes nearest to the eye; null: the part itself. Pure: the camera and the level
-/// alone decide, never what was drawn before.
+/// The coarsest version of the part with an error of at most geometry_error_px at its point nearest
+/// to the eye; null: the part itself. Pure: depends only on camera and level.
 const CoarsePart* coarseVersion(const CatalogPart& part, const PartSphere& sphere,
                                 const Camera& camera, const DetailLevel& level);
 

@@ -22,7 +22,7 @@ struct Box {
   double radius = 0;
 };
 
-/// A box with volume that the eye stands outside of, and its own space.
+/// A box with volume that does not contain the eye, and its local space.
 struct Container {
   Mat4 own_from_world;
   bool possible = false;
@@ -31,7 +31,7 @@ struct Container {
 bool isInside(const CatalogPart& part, const Vec3& at) {
   const Vec3 off = at - part.center;
   for (int axis = 0; axis < 3; ++axis) {
-    // Written so that what is no number is inside of nothing.
+    // Negated so that NaN is inside of nothing.
     if (!(std::abs(off[axis]) <= part.half[axis] * (1 + kInsideSlack))) return false;
   }
   return true;
@@ -49,7 +49,7 @@ Container containerOf(const Box& box, const Camera& camera) {
 }
 
 bool holds(const Box& outer, const Container& container, const Box& inner) {
-  // As large as itself it may be the same thing again.
+  // A box of equal size may be the same object.
   if (!(inner.radius < outer.radius * (1 - 1e-3))) return false;
   if (!(lengthOf(inner.center - outer.center) <= outer.radius)) return false;
   const Mat4 own = container.own_from_world * inner.item->world;
@@ -67,7 +67,7 @@ void sortFromBackToFront(std::vector<DrawItem>& items, const SceneCatalog& catal
                          const Camera& camera) {
   struct Place {
     double distance;
-    std::size_t held;  ///< how many it holds: of nested boxes the outer comes last
+    std::size_t held;  ///< number of boxes inside; of nested boxes the outer comes last
     std::size_t number;
   };
   std::vector<Place> places;
@@ -78,7 +78,7 @@ void sortFromBackToFront(std::vector<DrawItem>& items, const SceneCatalog& catal
     const Mat4& m = item.world;
     const Vec3 across(m[0] * part.half.x + m[1] * part.half.y + m[2] * part.half.z);
     boxes.push_back({&item, &part, transformPoint(m, part.center), 0});
-    // Of a box that is scaled unevenly another diagonal may be longer.
+    // In an unevenly scaled box another diagonal may be longer.
     double longest = lengthOf(across);
     for (int axis = 0; axis < 3; ++axis) {
       const Vec3 other = across - Vec3(m[axis]) * (2 * part.half[axis]);

@@ -7,9 +7,9 @@
 
 namespace rocinante {
 
-/// From back to front by DrawItem::distance; a box that holds others comes after all that it holds
-/// while the eye is outside of it: a glass cabin after the robot in it. What is equal keeps its
-/// order. Among more than two thousand items what others hold is not looked for.
+/// Sorts from back to front by DrawItem::distance; a box that contains others comes after them
+/// while the eye is outside: a glass cabin after the robot in it. Stable. Containment is not tested
+/// among more than two thousand items.
 void sortFromBackToFront(std::vector<DrawItem>& items, const SceneCatalog& catalog,
                          const Camera& camera);
 

@@ -28,7 +28,7 @@ struct DetailBuilder::Impl {
   std::condition_variable all_made;
   std::vector<ReadyDetail> ready;  // guarded by mutex
   std::size_t made = 0;            // guarded by mutex
-  std::size_t taken = 0;           // the caller's
+  std::size_t taken = 0;           // by the caller
   std::vector<std::jthread> threads;
 
   MeshDetail detailOf(const DetailInput& input) const {
@@ -40,7 +40,7 @@ struct DetailBuilder::Impl {
   }
 
   void work() {
-    // Of this thread alone, as Linux has it. Without the right to, it shares as any other.
+    // Linux sets the priority of this thread only. On failure it runs with normal priority.
     static_cast<void>(::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kBackgroundNice));
     for (std::size_t i = next++; i < order.size() && !stop; i = next++) {
       ReadyDetail one{order[i], detailOf(inputs[order[i]])};

@@ -8,28 +8,30 @@
 
 namespace rocinante {
 
-/// The detail of the mesh that was input number `number`.
+/// The detail of input mesh `number`.
 struct ReadyDetail {
   std::size_t number = 0;
   MeshDetail detail;
 };
 
-/// Makes the detail of many meshes in threads of its own, of low priority, so that no frame waits
-/// for it: from the cache where it is there, else anew. Who draws asks now and then what is ready.
+/// Makes the detail of many meshes in low-priority threads, from the cache or anew, so that frames
+/// do not wait for it. The drawing thread polls for results.
 class DetailBuilder {
  public:
-  /// Starts at once, the largest meshes first. What the inputs borrow must outlive the builder.
+  /// Starts immediately with the largest meshes. The inputs' borrowed data must outlive the
+  /// builder.
   DetailBuilder(std::vector<DetailInput> inputs, DetailCache cache, int threads);
-  /// Waits for the meshes in work, and begins no other.
+  /// Waits for the meshes in progress and starts no others.
   ~DetailBuilder();
   DetailBuilder(const DetailBuilder&) = delete;
   DetailBuilder& operator=(const DetailBuilder&) = delete;
 
-  /// What became ready since the last call; each mesh once. Does not wait. One caller.
+  /// Details that became ready since the last call, each mesh once. Does not wait. For one calling
+  /// thread.
   std::vector<ReadyDetail> takeReady();
-  /// The same, when all the rest is ready.
+  /// Waits for all remaining details.
   std::vector<ReadyDetail> waitForAll();
-  /// All that there is has been taken.
+  /// True when all details have been taken.
   bool finished() const;
 
  private:

@@ -21,8 +21,8 @@ std::optional<fs::path> absoluteFolder(const char* variable) {
   return fs::path(text);
 }
 
-/// Whether we named this file: nothing else is ever deleted. Also the unfinished ones of a process
-/// that was killed, which have more behind the extension.
+/// Whether the file name is ours: other files are never deleted. Includes unfinished files of a
+/// killed process, whose names continue after the extension.
 bool isOurs(const fs::path& file) {
   const std::string name = file.filename().string();
   return name.size() >= kKeyDigits + kExtension.size() &&
@@ -54,7 +54,7 @@ std::optional<MeshDetail> DetailCache::load(const std::string& key,
   if (!content.ok()) return std::nullopt;
   auto detail = decodeDetail(bytesOf(*content), key, input);
   std::error_code ignored;
-  // Newly used, so that it goes last. Not allowed in a folder that cannot be written: no matter.
+  // Mark as recently used. Fails harmlessly in a read-only folder.
   if (detail) fs::last_write_time(file, fs::file_time_type::clock::now(), ignored);
   return detail;
 }
@@ -67,7 +67,7 @@ void DetailCache::store(const std::string& key, const MeshDetail& detail) const 
   fs::create_directories(folder_, refused);
   if (refused) return;
   makeRoom(bytes.size());
-  // Kept for the next time only: when it cannot be written, it is made again then.
+  // Ignore write errors: the detail is only made again next time.
   static_cast<void>(writeFileWhole(fileOf(key), bytes, true).has_value());
 }
 

@@ -9,22 +9,21 @@
 
 namespace rocinante {
 
-/// Keeps what makeMeshDetail() made from one run of a program to the next: one file a mesh, named
-/// after its key. Nothing here can fail for its user: a damaged, foreign or unreadable file is as
-/// none, and where nothing can be written nothing is kept. Several threads and processes may use
-/// one folder at a time; files appear whole.
+/// Keeps results of makeMeshDetail() between runs: one file per mesh, named after its key. Never
+/// fails: a damaged, foreign or unreadable file counts as missing, and write errors are ignored.
+/// Several threads and processes may use one folder at a time; files appear whole.
 class DetailCache {
  public:
   static constexpr std::uint64_t kDefaultBytes = std::uint64_t{512} << 20;
 
-  /// Keeps nothing.
+  /// A cache that keeps nothing.
   DetailCache() = default;
-  /// When the files take more than `most_bytes`, those longest unused go.
+  /// Deletes the least recently used files when they take more than `most_bytes`.
   explicit DetailCache(std::filesystem::path folder, std::uint64_t most_bytes = kDefaultBytes)
       : folder_(std::move(folder)), most_bytes_(most_bytes) {}
 
-  /// XDG_CACHE_HOME/rocinante/lod, else HOME/.cache/rocinante/lod; one that keeps nothing where
-  /// neither is an absolute path.
+  /// XDG_CACHE_HOME/rocinante/lod, else HOME/.cache/rocinante/lod; keeps nothing if neither is an
+  /// absolute path.
   static DetailCache ofUser();
 
   const std::filesystem::path& folder() const { return folder_; }

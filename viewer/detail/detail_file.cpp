@@ -31,7 +31,7 @@ void put(Bytes& bytes, Number number) {
   append(bytes, std::as_bytes(std::span(&number, 1)));
 }
 
-/// Takes numbers from the front; after the end, zeros, and ok() is false.
+/// Reads numbers from the front; returns zeros after the end, and ok() becomes false.
 class NumberReader {
  public:
   explicit NumberReader(ByteView bytes) : left_(bytes) {}

@@ -12,9 +12,8 @@ namespace rocinante {
 /// and the key, the parts, the indices, and the XXH3 of all of it. Little-endian.
 Bytes encodeDetail(const MeshDetail& detail, std::string_view key);
 
-/// Empty for anything but what encodeDetail() made for this very mesh: another version, another
-/// key, damage, a cut, or an index past the mesh's vertices. Lengths are checked before anything is
-/// allocated.
+/// Empty unless encodeDetail() wrote the bytes for this mesh: for another version or key, damage,
+/// truncation, or an index past the mesh's vertices. Lengths are checked before allocation.
 std::optional<MeshDetail> decodeDetail(ByteView bytes, std::string_view key,
                                        const DetailInput& input);
 

@@ -6,30 +6,30 @@
 
 namespace rocinante {
 
-/// How much of what is there a frame draws. The default is everything, as the files have it.
+/// The level of detail of a frame. The default draws everything as in the files.
 struct DetailLevel {
-  /// Geometry may lie so many pixels off its true place: coarser meshes are drawn where they do no
-  /// worse. 0: the files' own triangles.
+  /// Largest error of geometry in pixels: coarser meshes are drawn within it. 0: the files' own
+  /// triangles.
   double geometry_error_px = 0;
-  /// What is less than so many pixels across is left out. 0: nothing.
+  /// Parts smaller than this many pixels across are left out. 0: none.
   double cull_below_px = 0;
-  /// Textures with the cheapest filter that still uses mipmaps.
+  /// Filter textures with the cheapest mode that uses mipmaps.
   bool plain_filtering = false;
   bool operator==(const DetailLevel&) const = default;
 };
 
-/// One rung of the ladder on which a window goes down to hold its frame rate.
+/// One rung of the ladder that a window descends to hold its frame rate.
 struct DetailRung {
-  double resolution = 1;     ///< of width and height of the 3D view; scaled up below the interface
-  bool multisampled = true;  ///< as many samples as were asked for; else one
+  double resolution = 1;     ///< of the 3D view's sides; scaled up below the interface
+  bool multisampled = true;  ///< the requested samples; else one
   DetailLevel level;
-  /// What it costs of rung 0 at best, where what it saves is all that costs: a bound by which
-  /// several rungs may be taken at once without going too far.
+  /// Lower bound of its cost relative to rung 0, used to descend several rungs at once without
+  /// going too far.
   double best_cost = 1;
 };
 
-/// From everything (0) to the least: first resolution, samples and filtering, which pay most in
-/// software, then coarser geometry, then leaving out what is small.
+/// From everything (0) to the least: first resolution, samples and filtering, which save most in
+/// software, then coarser geometry, then dropping small parts.
 constexpr std::array kDetailRungs{
     DetailRung{1.00, true, {0, 0, false}, 1.0},       //
     DetailRung{0.85, true, {0, 0, false}, 0.72},      //

@@ -6,17 +6,17 @@
 namespace rocinante {
 namespace {
 
-/// A median needs so many frames to say more than a hiccup does; it is taken of at most so many.
+/// Smallest and largest number of frames in a median.
 constexpr std::size_t kEnoughFrames = 5;
 constexpr std::size_t kWindow = 9;
-/// Frames that are this much too dear, three in a row, are no hiccup.
+/// Three frames in a row that exceed the target by this factor are not a hiccup.
 constexpr double kFarTooDear = 2;
 constexpr std::size_t kFewFrames = 3;
-/// Of the target, what the next finer rung may be reckoned to cost.
+/// Estimated cost of the next finer rung must be below this share of the target.
 constexpr double kMargin = 0.85;
 constexpr int kBasePatience = 45;
 constexpr int kLongestPatience = 1 << 20;
-/// An ascent that lasted so many times its patience was right.
+/// An ascent that lasted this many times its patience was right.
 constexpr int kHeldFor = 16;
 
 double medianOf(std::vector<double> costs) {
@@ -44,7 +44,7 @@ bool Governor::overloaded() const {
 }
 
 int Governor::cheapEnoughRung() const {
-  // By the last few: what was cheap before a load came must not count.
+  // Use the last few frames only: cheap frames before a new load must not count.
   const double now = medianOf({costs_.end() - kFewFrames, costs_.end()});
   const double here = kDetailRungs[static_cast<std::size_t>(rung_)].best_cost;
   int rung = rung_ + 1;
@@ -59,8 +59,8 @@ int Governor::cheapEnoughRung() const {
 bool Governor::ascentWouldHold() const {
   if (rung_ == 0 || costs_.size() < kEnoughFrames) return false;
   const auto finer = static_cast<std::size_t>(rung_ - 1);
-  // Unknown: half of the way (of a factor) between nothing and all that it can save. When that is
-  // wrong, the attempt tells how much it really is.
+  // Unknown saving: assume the geometric mean of none and the largest possible. The attempt
+  // measures the real value.
   const double saved = saved_[finer].value_or(
       std::sqrt(kDetailRungs[finer].best_cost / kDetailRungs[finer + 1].best_cost));
   return typicalMs() * saved <= kMargin * settings_.target_ms;
@@ -79,7 +79,7 @@ void Governor::learnWhatWasSaved() {
 
 void Governor::moveTo(int rung) {
   if (rung > rung_ && frames_since_ascent_ >= 0) {
-    // The ascent had to be taken back.
+    // The ascent had to be reverted.
     int& patience = patience_[static_cast<std::size_t>(rung_)];
     patience = std::min(patience * 2, kLongestPatience);
   }

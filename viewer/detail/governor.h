@@ -9,15 +9,15 @@
 
 namespace rocinante {
 
-/// Chooses the rung of detail that holds a target frame time: the cost of each frame drawn goes in,
-/// the rung of the next one comes out. Pure: reads no clock, so that it can be tried on simulated
+/// Chooses the rung of detail that holds a target frame time: takes the cost of each drawn frame
+/// and returns the rung of the next. Reads no clock, so that it can be tested on simulated
 /// machines.
 ///
-/// It goes down as soon as frames are too dear for longer than a hiccup, several rungs at once when
-/// they are far too dear. It goes up one rung at a time, and only when the cost there, reckoned
-/// from what going down saved when it did, has stayed within the target by a margin for a while. So
-/// where a machine's cost depends on the rung alone, it comes to rest; and where the load itself
-/// comes and goes, each ascent that had to be taken back doubles the wait for the next.
+/// It descends as soon as frames exceed the target for longer than a hiccup, several rungs at once
+/// when they exceed it by far. It ascends one rung at a time, only after the cost there, estimated
+/// from the saving measured during the descent, has stayed within the target by a margin for a
+/// while. So it settles when the cost depends only on the rung; with a varying load, each reverted
+/// ascent doubles the wait for the next.
 class Governor {
  public:
   struct Settings {
@@ -28,16 +28,16 @@ class Governor {
   explicit Governor(const Settings& settings) : settings_(settings) {}
 
   int rung() const { return rung_; }
-  /// Typical cost of the last frames on this rung; 0 before there are any.
+  /// Typical cost of the last frames on this rung; 0 without frames.
   double typicalMs() const;
 
-  /// The frame just drawn on rung() cost so much. Answers the rung of the next one.
+  /// Takes the cost of the frame just drawn on rung() and returns the rung of the next one.
   int frameDrawn(double cost_ms);
 
-  /// What was learnt counts no more, because the person changed what is drawn (size, samples,
-  /// layers) or more can be saved now (coarser meshes are ready). The rung stays.
+  /// Discards all measurements, because the user changed what is drawn (size, samples, layers) or
+  /// coarser meshes became ready. Keeps the rung.
   void forget();
-  /// Another target, and forget().
+  /// Sets the target and calls forget().
   void setTarget(double target_ms);
 
  private:
@@ -51,15 +51,15 @@ class Governor {
 
   Settings settings_;
   int rung_ = 0;
-  int skip_ = 2;               ///< frames still to be ignored: they pay for being the first
+  int skip_ = 2;               ///< frames to ignore, since first frames cost more
   std::vector<double> costs_;  ///< of the last frames on this rung, oldest first
-  int calm_frames_ = 0;        ///< for so many the next finer rung would have held
+  int calm_frames_ = 0;        ///< frames for which the next finer rung would have held
 
   /// Cost on rung i by cost on rung i + 1, measured when last going from one to the other.
   std::array<std::optional<double>, kRungs> saved_{};
-  /// Calm frames wanted before rung i is entered from below.
+  /// Calm frames required before ascending to rung i.
   std::array<int, kRungs> patience_ = basePatience();
-  /// Where we came from, and what frames cost there, until this rung's own cost is known.
+  /// The previous rung and its cost, until this rung's cost is known.
   std::optional<double> cost_before_;
   int rung_before_ = 0;
   int frames_since_ascent_ = -1;  ///< negative: none to judge

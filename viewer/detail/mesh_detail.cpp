@@ -11,15 +11,15 @@
 namespace rocinante {
 namespace {
 
-/// Fewer triangles are not worth a draw of their own.
+/// Fewer triangles are not worth a separate draw call.
 constexpr std::size_t kFewestTriangles = 64;
 constexpr std::size_t kMaxVersions = 8;
-/// Of the part's size: past that a version is no picture of the part.
+/// Largest error relative to the part's size.
 constexpr float kLargestError = 0.05F;
-/// A version must save at least this of the one before it.
+/// A version must be at most this share of the one before it.
 constexpr double kWorthwhile = 0.8;
 
-/// Some triangles with the vertices that they use, and nothing else.
+/// Some triangles with only the vertices that they use.
 struct Patch {
   std::vector<glm::vec3> positions;
   std::vector<std::uint32_t> originals;  // of the mesh's vertices, by position
@@ -64,7 +64,7 @@ std::vector<Version> coarserVersions(const Mesh& mesh, std::span<const std::uint
   while (versions.size() < kMaxVersions && current.size() / 3 >= kFewestTriangles / 2) {
     std::vector<std::uint32_t> coarser(current.size());
     float added = 0;
-    // Half of the triangles, each time from the version before: its error adds to this one's.
+    // Halve the triangles of the previous version; errors add up.
     const std::size_t size = meshopt_simplify(
         coarser.data(), current.data(), current.size(), positions, count, sizeof(glm::vec3),
         current.size() / 6 * 3, kLargestError - error, options, &added);
@@ -82,7 +82,7 @@ std::vector<Version> coarserVersions(const Mesh& mesh, std::span<const std::uint
   return versions;
 }
 
-/// The coarsest version that is no worse; null: the part as it is.
+/// The coarsest version within the error; null: the part itself.
 const Version* versionWithin(const std::vector<Version>& versions, double error_m) {
   const Version* best = nullptr;
   for (const Version& version : versions) {
@@ -114,7 +114,7 @@ MeshDetail makeMeshDetail(const DetailInput& input) {
     const bool lock = several || (!both.empty() && !front.empty());
     const std::vector<Version> of_both = coarserVersions(mesh, both, lock);
     const std::vector<Version> of_front = coarserVersions(mesh, front, lock);
-    // One list of the two: at every error at which either becomes coarser.
+    // Merge both lists: one entry per error at which either becomes coarser.
     std::vector<double> errors;
     for (const auto* versions : {&of_both, &of_front}) {
       for (const Version& version : *versions) errors.push_back(version.error_m);
@@ -138,7 +138,7 @@ MeshDetail makeMeshDetail(const DetailInput& input) {
 }
 
 std::string detailKey(const DetailInput& input) {
-  // Each array by itself first: they are large, and lie in different places.
+  // Hash each array separately: they are large and not contiguous.
   Bytes all;
   const auto add = [&](ByteView bytes) {
     const auto hash = xxh3(bytes);

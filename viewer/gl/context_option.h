@@ -9,8 +9,8 @@
 
 namespace rocinante {
 
-/// Adds --context to a program or subcommand that draws without a window. It counts from parsing
-/// on, which must come before the first thread and context.
+/// Adds --context to a program or subcommand that draws without a window. It takes effect when
+/// parsed, which must be before the first thread and context.
 inline void addContextOption(CLI::App& app) {
   app.add_option("--context", "how to draw: osmesa if available, else egl; both give the same bits")
       ->check(CLI::IsMember({"osmesa", "egl"}))

@@ -6,7 +6,7 @@
 
 namespace rocinante {
 
-/// Lifts triangles off what they lie in, towards the eye, by `ranks` (negative: behind it): see
+/// Moves triangles towards the eye by `ranks` (negative: away), off the surface they lie in: see
 /// docs/rendering.md, "Surfaces in one plane". A tenth of the surface's slope across a pixel covers
 /// the rounding of its corners to 1/256 pixel; the units cover that of the depth. Depth grows
 /// towards the eye, so a positive offset lifts.

@@ -1,7 +1,7 @@
 #include "viewer/gl/egl_context.h"
 
-// EGL without a surface: a GPU on a machine without display. libEGL is loaded, not linked, so that
-// programs start where it is absent.
+// Surfaceless EGL: a GPU on a machine without display. libEGL is loaded, not linked, so that
+// programs start without it.
 #define EGL_NO_X11
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
@@ -26,7 +26,7 @@ struct EglTable {
 Error refusal(std::string what) { return Error{ErrorKind::refused, std::move(what), {}}; }
 
 Result<EglTable> loadEgl() {
-  // Never closed: drivers leave threads and exit handlers behind.
+  // Never closed, because drivers leave threads and exit handlers behind.
   void* library = ::dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr) return refusal("libEGL.so.1 is not installed");
   EglTable egl;
@@ -60,7 +60,7 @@ class EglContext final : public RenderContext {
   ~EglContext() override {
     egl_.MakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
     egl_.DestroyContext(display_, context_);
-    // The display stays: it is shared by every context of the process.
+    // The display stays open: all contexts of the process share it.
   }
 
   Status makeCurrent() override {

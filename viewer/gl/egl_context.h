@@ -7,8 +7,9 @@
 
 namespace rocinante {
 
-/// A GPU (or Mesa's software, where pinRendererEnvironment() was called) without display, by
-/// EGL_MESA_platform_surfaceless. libEGL is loaded on the first call; refused where there is none.
+/// Makes a context on a GPU (or Mesa's software renderer after pinRendererEnvironment()) without
+/// display, by EGL_MESA_platform_surfaceless. libEGL is loaded on the first call; refused when it
+/// is missing.
 Result<std::unique_ptr<RenderContext>> makeEglContext();
 
 }  // namespace rocinante

@@ -21,15 +21,15 @@ Error noMemory(int width, int height, int samples) {
       {}};
 }
 
-/// What a frame takes at most: colour and depth of each sample, what they are resolved to, and the
-/// picture that is read from it.
+/// Upper bound of a frame's memory: colour and depth of each sample, the resolved buffers and the
+/// read picture.
 std::uint64_t memoryOf(int width, int height, int samples) {
   const auto pixels = static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
   return pixels * (static_cast<std::uint64_t>(samples) * 8 + 8);
 }
 
-/// Memory that a software renderer can still have; everything when Linux does not say. Asked
-/// because large allocations succeed here and kill the process later.
+/// Available memory; unlimited when Linux does not report it. Checked because large allocations
+/// succeed first and kill the process later.
 std::uint64_t availableBytes() {
   std::ifstream file("/proc/meminfo");
   for (std::string line; std::getline(file, line);) {
@@ -41,8 +41,8 @@ std::uint64_t availableBytes() {
   return ~std::uint64_t{0};
 }
 
-/// Storage of a new renderbuffer, left bound. Answers how many samples it got: a renderer may round
-/// up.
+/// Allocates a new renderbuffer and leaves it bound. Returns its number of samples: a renderer may
+/// round up.
 int storeSamples(const GlTable& gl, GLuint* name, GLenum format, int width, int height,
                  int samples) {
   gl.GenRenderbuffers(1, name);
@@ -70,7 +70,7 @@ Result<FrameBuffer> FrameBuffer::create(const GlTable& gl, int width, int height
         fmt::format("cannot draw {} samples: this renderer has 1 to {}", samples, max_samples));
   }
 
-  // Ordinary sizes are not worth the question.
+  // Ordinary sizes need no check.
   constexpr std::uint64_t kLarge = std::uint64_t{1} << 30;
   const std::uint64_t bytes = memoryOf(width, height, samples);
   if (bytes > kLarge && bytes > availableBytes()) return noMemory(width, height, samples);
@@ -191,7 +191,7 @@ void FrameBuffer::stretchPartTo(const PixelRectangle& part, const FrameBuffer& t
                                 const PixelRectangle& target_part) const {
   gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, resolved());
   gl_->BindFramebuffer(GL_DRAW_FRAMEBUFFER, target.resolved());
-  // A copy is cut by the scissor too.
+  // The scissor clips copies too.
   gl_->Disable(GL_SCISSOR_TEST);
   const int bottom = height_ - part.y - part.height;
   const int target_bottom = target.height_ - target_part.y - target_part.height;

@@ -7,14 +7,14 @@
 
 namespace rocinante {
 
-/// Where every frame is drawn: a framebuffer object of ours, so that frames are byte-identical
-/// whatever context they were drawn in (a default framebuffer is not). RGBA8 without sRGB and
-/// 32-bit float depth; with more than one sample, a second, resolved one to read from. Bound to the
-/// context of its GlTable, which must be current whenever it is used or destroyed.
+/// The framebuffer object of all frames, so that frames are byte-identical in every context (a
+/// default framebuffer differs). RGBA8 without sRGB and 32-bit float depth; with more than one
+/// sample, a second, resolved buffer to read from. Its context must be current whenever it is used
+/// or destroyed.
 class FrameBuffer {
  public:
-  /// bad_argument when the renderer has not exactly these samples, or not this size; refused when
-  /// memory lacks.
+  /// bad_argument when the renderer does not support exactly these samples or this size; refused
+  /// when memory is insufficient.
   static Result<FrameBuffer> create(const GlTable& gl, int width, int height, int samples);
 
   ~FrameBuffer();
@@ -25,20 +25,20 @@ class FrameBuffer {
   int height() const { return height_; }
   int samples() const { return samples_; }
 
-  /// Drawing goes here: all samples, viewport set.
+  /// Binds it for drawing with all samples, and sets the viewport.
   void bind() const;
-  /// Averages the samples, then draws to the resolved pixels: for what needs no smoothing, such as
-  /// a user interface. No depth there when samples > 1.
+  /// Averages the samples, then binds the resolved pixels for drawing without multisampling, such
+  /// as a user interface. Without depth when samples > 1.
   void resolve() const;
-  /// The resolved pixels, top row first. Call resolve() before.
+  /// The resolved pixels, top row first. Requires resolve().
   Picture read() const;
-  /// Copies the resolved pixels one to one into framebuffer `target` (0: the window), at its bottom
-  /// left.
+  /// Copies the resolved pixels unscaled to the bottom left of framebuffer `target` (0: the
+  /// window).
   void blitTo(GLuint target) const;
-  /// Fills all of `target`, which has one sample a pixel, with the resolved pixels, interpolated
-  /// where its size is another.
+  /// Fills all of `target`, which must have one sample per pixel, with the resolved pixels,
+  /// interpolated if the sizes differ.
   void stretchTo(const FrameBuffer& target) const;
-  /// The same of a part of each; drawing to `target` goes on then.
+  /// The same for a part of each; leaves `target` bound for drawing.
   void stretchPartTo(const PixelRectangle& part, const FrameBuffer& target,
                      const PixelRectangle& target_part) const;
 

@@ -35,7 +35,7 @@ Result<GlTable> fillGlTable(const GlProcFinder& find) {
                      std::to_string(minor),
                  {}};
   }
-  // A driver may return an address for what it does not support, so ask for the feature first.
+  // A driver may return addresses of unsupported functions, so check the feature first.
   if (major * 10 + minor >= 45 || gl.hasExtension("GL_ARB_clip_control")) {
     gl.ClipControl = reinterpret_cast<PFNGLCLIPCONTROLPROC>(find("glClipControl"));
   }

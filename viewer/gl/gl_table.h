@@ -10,10 +10,10 @@
 namespace rocinante {
 
 using GlProc = void (*)();
-/// Finds a GL function by its full name ("glClear"); null when the driver has none.
+/// Finds a GL function by its full name ("glClear"); null when the driver lacks it.
 using GlProcFinder = std::function<GlProc(const char* name)>;
 
-// The functions that we call, as X(type, name without "gl").
+// The functions we call, as X(type, name without "gl").
 #define ROCINANTE_GL_FUNCTIONS(X)                                            \
   X(PFNGLACTIVETEXTUREPROC, ActiveTexture)                                   \
   X(PFNGLATTACHSHADERPROC, AttachShader)                                     \
@@ -108,14 +108,14 @@ struct GlTable {
   ROCINANTE_GL_FUNCTIONS(ROCINANTE_GL_MEMBER)
 #undef ROCINANTE_GL_MEMBER
 
-  /// GL 4.5 or ARB_clip_control: null where the driver has neither.
+  /// Of GL 4.5 or ARB_clip_control; null when the driver has neither.
   PFNGLCLIPCONTROLPROC ClipControl = nullptr;
 
   bool hasExtension(const char* name) const;
 };
 
-/// Needs a current context. refused, naming the first missing function or the version, when the
-/// context is less than 3.3.
+/// Requires a current context. refused, naming the first missing function or the version, when the
+/// context is older than 3.3.
 Result<GlTable> fillGlTable(const GlProcFinder& find);
 
 }  // namespace rocinante

@@ -8,8 +8,8 @@
 
 namespace rocinante {
 
-/// Adds up what a picture is made from (vertex buffers, decoded textures, glyphs), piece by piece:
-/// XXH3-128 of the pieces' own XXH3-128, so that pieces need not lie together.
+/// Hash of a picture's inputs (vertex buffers, decoded textures, glyphs), added piece by piece:
+/// XXH3-128 of the pieces' XXH3-128, so that pieces need not be contiguous.
 class InputsHash {
  public:
   void add(ByteView piece) {

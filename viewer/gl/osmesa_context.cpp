@@ -1,5 +1,5 @@
-// The one file that knows OSMesa, which newer Mesa drops. It is loaded, not linked, so that
-// programs start where it is absent and can say so.
+// The only file that uses OSMesa, which newer Mesa drops. It is loaded, not linked, so that
+// programs start without it and can report it.
 #include "viewer/gl/osmesa_context.h"
 // Last, because GL/osmesa.h brings in GL/gl.h, which hides the function types of glcorearb.h.
 #include <GL/osmesa.h>
@@ -10,7 +10,7 @@
 namespace rocinante {
 namespace {
 
-/// What an OSMesa of these years is called.
+/// The file name of current OSMesa.
 constexpr const char* kLibrary = "libOSMesa.so.8";
 
 struct OsmesaTable {
@@ -61,7 +61,7 @@ class OsmesaContext final : public RenderContext {
   std::string_view name() const override { return "OSMesa"; }
 
  private:
-  // OSMesa wants a default framebuffer; nothing is ever drawn to it.
+  // OSMesa requires a default framebuffer; nothing is drawn to it.
   static constexpr int kSide = 4;
   OsmesaTable osmesa_;
   OSMesaContext context_;

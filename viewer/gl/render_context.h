@@ -7,9 +7,9 @@
 
 namespace rocinante {
 
-/// A GL 3.3 core context, whoever made it: OSMesa, EGL without a surface, or a window. We draw into
-/// framebuffer objects of our own, so the context's default framebuffer does not matter to a frame.
-/// Bound to one thread at a time: the one that called makeCurrent() last.
+/// A GL 3.3 core context of OSMesa, surfaceless EGL or a window. Frames are drawn into our own
+/// framebuffer objects, so the context's default framebuffer does not matter. Bound to one thread
+/// at a time: the one that called makeCurrent() last.
 class RenderContext {
  public:
   RenderContext() = default;
@@ -18,9 +18,9 @@ class RenderContext {
   RenderContext& operator=(const RenderContext&) = delete;
 
   virtual Status makeCurrent() = 0;
-  /// Null when the driver has no such function.
+  /// Null when the driver lacks the function.
   virtual GlProc procAddress(const char* name) const = 0;
-  /// "OSMesa", "EGL", "GLFW": for messages to people.
+  /// "OSMesa", "EGL", "GLFW", for messages.
   virtual std::string_view name() const = 0;
 };
 

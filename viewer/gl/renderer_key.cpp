@@ -13,7 +13,7 @@
 namespace rocinante {
 namespace {
 
-/// What follows `word` up to a space, comma or parenthesis; empty when it is not there.
+/// The text after `word` up to a space, comma or parenthesis; empty when `word` is missing.
 std::string after(const std::string& text, std::string_view word) {
   const std::size_t at = text.find(word);
   if (at == std::string::npos) return {};
@@ -27,8 +27,8 @@ bool isPackageRevision(std::string_view part) {
   return !part.empty() && part.front() >= '0' && part.front() <= '9';
 }
 
-/// Mesa's drivers take each option of a drirc as a variable too, which all are lower case:
-/// "force_glsl_version". Nothing else of ours is called so.
+/// Mesa's drivers read each drirc option as an environment variable too, all in lower case:
+/// "force_glsl_version". No variable of ours has such a name.
 bool mayBeDrircOption(std::string_view name) {
   const bool is_lower = std::ranges::all_of(
       name, [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; });
@@ -47,8 +47,8 @@ bool isRendererVariable(std::string_view name) {
   return false;
 }
 
-/// The pin takes away what a processor has beyond it and cannot add what is missing. SSSE3 to
-/// SSE4.2 draw the same bits (emulated core2duo to Westmere), those before others (Opteron_G3).
+/// The pin disables newer CPU features and cannot add missing ones. SSSE3 to SSE4.2 draw the same
+/// bits (emulated core2duo to Westmere), older processors different ones (Opteron_G3).
 bool processorDrawsAsSse41() {
 #if defined(__x86_64__)
   return __builtin_cpu_supports("ssse3") != 0;
@@ -59,8 +59,8 @@ bool processorDrawsAsSse41() {
 
 constexpr std::string_view kNoCaps = "none";
 
-/// What the environment pins the processor to; empty without the pin. Where there is no such choice
-/// the width of vectors is what tells.
+/// The CPU features pinned by the environment; empty without the pin. On architectures without that
+/// choice, the pinned vector width shows it.
 std::string pinnedCaps() {
 #if defined(__x86_64__)
   const char* caps = ::getenv("GALLIUM_OVERRIDE_CPU_CAPS");
@@ -72,8 +72,8 @@ std::string pinnedCaps() {
 #endif
 }
 
-/// How libglvnd's libEGL finds Mesa, where it looks by itself. Of several vendors the first that
-/// has a display without surface would draw, which may be a GPU's.
+/// libglvnd's file for Mesa, at its default place. Of several vendors the first one with a
+/// surfaceless display would draw, which may be a GPU's.
 const char* mesaVendorFile() {
   for (const char* file :
        {"/etc/glvnd/egl_vendor.d/50_mesa.json", "/usr/share/glvnd/egl_vendor.d/50_mesa.json"}) {
@@ -82,7 +82,7 @@ const char* mesaVendorFile() {
   return nullptr;
 }
 
-/// A renderer's name as part of a file name: GPUs have spaces and slashes in theirs.
+/// A renderer's name as part of a file name: names of GPUs have spaces and slashes.
 std::string fileNameOf(const std::string& name) {
   std::string safe;
   for (const char c : name) {
@@ -120,7 +120,7 @@ void pinRendererEnvironment(const std::string& caps) {
   ::setenv("GALLIUM_DRIVER", "llvmpipe", 1);
   ::setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
   ::setenv("LP_NATIVE_VECTOR_WIDTH", "128", 1);
-  // A folder that is not there: no drirc is read, from Mesa 23 on.
+  // A missing folder: from Mesa 23 on, no drirc is read.
   ::setenv("DRIRC_CONFIGDIR", "/nonexistent", 1);
   if (const char* file = mesaVendorFile()) ::setenv("__EGL_VENDOR_LIBRARY_FILENAMES", file, 1);
 }
@@ -148,7 +148,7 @@ RendererKey parseRendererKey(const std::string& renderer, const std::string& ver
 
 std::string withoutPackageRevisions(std::string_view text) {
   const std::size_t end =
-      std::min(text.find(' '), text.size());  // a golden's key has its size next
+      std::min(text.find(' '), text.size());  // the size follows in a golden's key
   std::string kept;
   for (std::size_t at = 0; at <= end;) {
     const std::size_t next = std::min(text.find('-', at), end);

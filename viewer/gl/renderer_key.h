@@ -9,25 +9,27 @@
 
 namespace rocinante {
 
-/// reproducible: the same bits on every x86-64 processor with SSSE3, and other ones on every arm64
-/// processor, and one version of Mesa and LLVM (docs/rendering.md). fast: the driver as it is.
+/// reproducible: with one version of Mesa and LLVM, the same bits on every x86-64 processor with
+/// SSSE3, and the same (different) bits on every arm64 processor (docs/rendering.md). fast: the
+/// driver as it is.
 enum class Profile { fast, reproducible };
 
-/// What the reproducible profile can pin this machine's processor to, the default first: sse4.1,
-/// and sse2 for machines older than 2008. Only "none" off x86-64: Mesa lets no one choose there.
+/// The CPU features to which the reproducible profile can pin this machine, the default first:
+/// sse4.1, and sse2 for machines older than 2008. Only "none" on other architectures than x86-64,
+/// where Mesa has no choice.
 const std::vector<std::string>& pinnableCaps();
 
-/// Sets the environment that makes Mesa draw the same bits everywhere (docs/rendering.md): pins
-/// what must be, and clears every other variable by which Mesa's renderers, compilers and state
-/// tracker are told something, but LP_NUM_THREADS. Call it first thing in main, before any thread
-/// or context; reproducible profile only. `caps` is one of pinnableCaps().
+/// Sets the environment that makes Mesa draw the same bits everywhere (docs/rendering.md): pins CPU
+/// features and vector width, and clears all other variables of Mesa's renderers, compilers and
+/// state tracker except LP_NUM_THREADS. Call it first in main, before any thread or context;
+/// reproducible profile only. `caps` is one of pinnableCaps().
 void pinRendererEnvironment(const std::string& caps = pinnableCaps().front());
 
-/// Which renderer made a frame: goldens are kept per key.
+/// The renderer of a frame: goldens are kept per key.
 struct RendererKey {
   std::string renderer;      ///< "llvmpipe"
-  std::string mesa;          ///< "22.3.6" of upstream; empty when it is not Mesa
-  std::string llvm;          ///< "15.0.6"; empty when it uses none
+  std::string mesa;          ///< upstream's version, "22.3.6"; empty when not Mesa
+  std::string llvm;          ///< "15.0.6"; empty without LLVM
   std::string architecture;  ///< "x86_64", "aarch64"
   std::string caps;          ///< "sse4.1"; "none" pinned off x86-64; "native" without the pin
 
@@ -42,12 +44,12 @@ RendererKey rendererKey(const GlTable& gl);
 RendererKey parseRendererKey(const std::string& renderer, const std::string& version,
                              const std::string& caps);
 
-/// A version, or a key's text, without what a distribution adds to versions: "25.0.7-2+deb13u1" is
-/// "25.0.7", since packaging changes no pixel. "25.1.0-rc1" and "-devel" are upstream's and stay.
+/// A version or a key's text without a distribution's revision: "25.0.7-2+deb13u1" is "25.0.7",
+/// since packaging changes no pixel. "25.1.0-rc1" and "-devel" are upstream's and stay.
 std::string withoutPackageRevisions(std::string_view text);
 
-/// refused, naming the renderer, unless it is llvmpipe, pinned, on an architecture that is known to
-/// draw the same bits on all of its processors.
+/// refused, naming the renderer, unless it is llvmpipe, pinned, on an architecture known to draw
+/// the same bits on all its processors.
 Status requireReproducible(const RendererKey& key);
 
 }  // namespace rocinante

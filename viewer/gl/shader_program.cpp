@@ -43,7 +43,7 @@ Result<ShaderProgram> ShaderProgram::link(const GlTable& gl, std::string_view na
   gl.AttachShader(program.program_, *vertex_shader);
   gl.AttachShader(program.program_, *fragment_shader);
   gl.LinkProgram(program.program_);
-  // They live on for as long as the program does.
+  // The program keeps them alive.
   gl.DeleteShader(*vertex_shader);
   gl.DeleteShader(*fragment_shader);
   GLint done = 0;

@@ -10,7 +10,7 @@ namespace rocinante {
 /// A linked GLSL program. Its context must be current whenever it is used or destroyed.
 class ShaderProgram {
  public:
-  /// refused with the compiler's own words. `name` is for them.
+  /// refused with the compiler's message. `name` is used in messages.
   static Result<ShaderProgram> link(const GlTable& gl, std::string_view name,
                                     std::string_view vertex, std::string_view fragment);
 

@@ -5,7 +5,7 @@
 
 namespace rocinante {
 
-/// From here on GL draws and clears in this part of a framebuffer of that height alone.
+/// Restricts drawing and clearing to this part of a framebuffer of that height.
 inline void setViewport(const GlTable& gl, const PixelRectangle& part, int frame_height) {
   const int bottom = frame_height - part.y - part.height;
   gl.Viewport(part.x, bottom, part.width, part.height);

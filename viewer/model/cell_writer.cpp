@@ -57,7 +57,7 @@ std::string jointText(const Model& model, const Joint& joint) {
   return text + " }";
 }
 
-// The root, then what each joint holds: the order of joints is that of their values.
+// The root, then the child of each joint, so that the joints keep the order of their values.
 std::vector<std::size_t> linksInOrder(const Model& model) {
   std::vector<std::size_t> links;
   for (std::size_t i = 0; i < model.links.size(); ++i) {
@@ -98,7 +98,7 @@ std::string cellText(const CellDevice& device, const Model& model, const std::st
   for (const std::size_t i : linksInOrder(model)) {
     const Link& link = model.links[i];
     text += fmt::format("\n[[model.link]]\nname = {}\n", tomlText(link.name));
-    // Said also where there are none: a root without `groups` would take what is left.
+    // Written even when empty: a root without `groups` would take the remaining groups.
     const std::string group = groups[i].empty() ? "" : tomlText(groups[i]);
     text += fmt::format("groups = [{}]\n", group);
     if (!link.parent_joint) continue;

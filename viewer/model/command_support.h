@@ -16,13 +16,13 @@ class App;
 
 namespace rocinante {
 
-/// A subcommand of `rocinante model`: options, and what is done when it was given.
+/// A subcommand of `rocinante model`: its options and action.
 struct ModelCommand {
   CLI::App* app = nullptr;
   std::function<Result<cli::Exit>()> run;
 };
 
-/// The file that every subcommand looks at, and how.
+/// The file of a subcommand and how to load it.
 struct ModelFileOptions : ModelSearch {
   std::string file;
   bool strict = false;
@@ -32,7 +32,7 @@ void addFileOptions(CLI::App& app, ModelFileOptions& options);
 /// Loads it, with or without the meshes. `device` must be one of the cell's.
 Result<Cell> loadFile(const ModelFileOptions& options, bool geometry);
 
-/// Where its joints stand, as people write it.
+/// Joint values and poses from the command line.
 struct PoseOptions {
   std::string positions;
   std::vector<std::string> named;
@@ -43,10 +43,11 @@ struct PoseOptions {
 void addPoseOptions(CLI::App& app, PoseOptions& options);
 Result<PoseRequest> poseRequestOf(const PoseOptions& options, const std::string& device);
 
-/// Errors and warnings of the cell on standard error, a line each; notes are for `info`.
+/// Prints errors and warnings of the cell on standard error, one per line; notes only appear in
+/// `info`.
 void warnOfFaults(const Cell& cell);
 
-/// All of `text` goes to standard output, or it is an error.
+/// Writes all of `text` to standard output or returns an error.
 Status toStandardOutput(std::string_view text);
 
 }  // namespace rocinante

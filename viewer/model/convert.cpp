@@ -41,7 +41,7 @@ std::string stemOf(const fs::path& output) {
   return name;
 }
 
-// All of them or none; what was there before stays when one cannot be written.
+// Writes all files or none; on an error existing files are kept.
 Status writeAll(const std::vector<OutputFile>& files, bool overwrite) {
   for (const OutputFile& file : files) {
     if (!overwrite && fs::exists(fs::symlink_status(file.path))) {
@@ -68,7 +68,7 @@ Status writeAll(const std::vector<OutputFile>& files, bool overwrite) {
   return Status{};
 }
 
-// A device as a model alone has it: at zero joints, in its own space.
+// A device at zero joints and the identity pose.
 PosedDevice modelAlone(const CellDevice& device, const Model& model) {
   PosedDevice posed;
   posed.name = device.name;
@@ -86,7 +86,7 @@ class Conversion {
         job_(job),
         folder_(job.output.parent_path()),
         stem_(stemOf(job.output)),
-        // Names in OBJ, MTL and cell, of files of ours.
+        // Names of our files in OBJ, MTL and cell.
         obj_(plain(stem_) + ".mtl", plain(stem_) + ".textures") {}
 
   Result<ConvertReport> run(Form form) {
@@ -165,7 +165,7 @@ class Conversion {
     return Status{};
   }
 
-  // The group of each link, empty where it has no geometry.
+  // The group of each link, empty without geometry.
   std::vector<std::string> addGroups(const PosedDevice& device, const std::string& before,
                                      bool shown_only) {
     std::vector<std::string> groups(device.model->links.size());

@@ -10,20 +10,20 @@
 namespace rocinante {
 
 struct ConvertJob {
-  /// Its ending says the form: .obj (with .mtl and textures), .stl, .cell.toml (with those of
-  /// .obj).
+  /// Its extension selects the format: .obj (with .mtl and textures), .stl, .cell.toml (with the
+  /// files of .obj).
   std::filesystem::path output;
   bool overwrite = false;
   PoseRequest pose;
 };
 
 struct ConvertReport {
-  std::vector<std::filesystem::path> files;  ///< as they were written, `output` last
+  std::vector<std::filesystem::path> files;  ///< in the order written, `output` last
   std::uint64_t triangles = 0;
-  std::vector<std::string> warnings;  ///< what the form cannot hold
+  std::vector<std::string> warnings;  ///< losses of the format
 };
 
-/// Writes what a cell shows, or the model of one device with its kinematics, in another form
+/// Writes the geometry of a cell, or the model of one device with its kinematics, in another format
 /// (docs/programs/model.md, "convert"). All files appear or none; refused when one exists and
 /// `overwrite` is false. The same input gives the same bytes.
 Result<ConvertReport> convertModel(const Cell& cell, const ConvertJob& job);

@@ -13,7 +13,7 @@
 namespace rocinante {
 namespace {
 
-// A zero without its sign.
+// Removes the sign of zero.
 double plainZero(double value) { return value == 0.0 ? 0.0 : value; }
 
 std::string sixDecimals(double value) {
@@ -62,7 +62,7 @@ std::string forwardKinematicsText(const std::vector<LinkPose>& links) {
 std::string forwardKinematicsJson(const std::vector<LinkPose>& links,
                                   const std::vector<std::string>& warnings) {
   using Json = nlohmann::ordered_json;
-  // A line a link: people read it too.
+  // One line per link, for readability.
   const auto dumped = [](const Json& json) {
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);
   };

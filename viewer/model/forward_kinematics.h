@@ -8,19 +8,19 @@
 
 namespace rocinante {
 
-/// A link where it stands in the world.
+/// A link's pose in world space.
 struct LinkPose {
-  std::string link;  ///< "LINK", or "DEVICE/LINK" where several devices are told
+  std::string link;  ///< "LINK", or "DEVICE/LINK" with several devices
   Pose pose;
 };
 
-/// Of every link of the device that is asked for, or of all devices that are there; in the order of
-/// cell and model. `damage` as posedState() has it.
+/// Poses of every link of the requested device, or of all present devices, in the order of cell and
+/// model. `damage` as in posedState().
 Result<std::vector<LinkPose>> forwardKinematics(const Cell& cell, const PoseRequest& request,
                                                 StateDamage* damage = nullptr);
 
-/// A table in metres for people; for scripts an object of links with `format` before them, which a
-/// link of that very name takes the place of; so it is with `warnings`, where there are any.
+/// A table in metres, and a JSON object of links after `format` and `warnings` (if any). A link
+/// named `format` or `warnings` replaces that entry.
 std::string forwardKinematicsText(const std::vector<LinkPose>& links);
 std::string forwardKinematicsJson(const std::vector<LinkPose>& links,
                                   const std::vector<std::string>& warnings = {});

@@ -28,7 +28,7 @@ std::vector<InfoJoint> jointsOf(const Model& model) {
   return joints;
 }
 
-// Gathers what a cell's models are made of, each thing once.
+// Collects the parts of a cell's models, each once.
 class Gathering {
  public:
   explicit Gathering(ModelInfo& info) : info_(info) {}
@@ -81,8 +81,8 @@ class Gathering {
   std::set<std::string> missing_;
 };
 
-// The bounds of parts in the world, to the vertex. What stands beside another of its kind, turned
-// alike, is only moved: thousands of devices of one model cost little.
+// Exact bounds of parts in world space. Bounds of an equal part with the same orientation are only
+// translated, so thousands of devices of one model cost little.
 class PartBounds {
  public:
   void add(const PosedPart& part, Bounds& bounds) {

@@ -21,7 +21,7 @@ Json boundsJson(const Bounds& bounds) {
   return {{"min", vectorJson(bounds.min)}, {"max", vectorJson(bounds.max)}};
 }
 
-// A name as packets would need it when there are several devices.
+// A name, prefixed with its device if there are several.
 std::string named(const ModelInfo& info, const InfoDevice& device, const std::string& name) {
   return info.severalDevices() ? device.device->name + "/" + name : name;
 }
@@ -138,7 +138,7 @@ std::string modelInfoJson(const ModelInfo& info) {
   out["cameras"] = std::move(cameras);
   out["layers"] = std::move(layers);
   out["faults"] = faultsJson(info);
-  // Names come from files of strangers: what is no UTF-8 is replaced, and must not throw.
+  // Names are untrusted: replace invalid UTF-8 instead of throwing.
   return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -6,7 +6,7 @@
 
 namespace rocinante {
 
-/// For scripts.
+/// The information as JSON.
 std::string modelInfoJson(const ModelInfo& info);
 
 }  // namespace rocinante

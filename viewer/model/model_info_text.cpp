@@ -17,7 +17,7 @@ using cli::counted;
 using cli::grouped;
 
 std::string pointText(const Vec3& point) {
-  // Adding zero takes the sign from a zero that rounding left.
+  // Adding zero removes the sign of a rounded zero.
   const auto rounded = [](double value) { return std::round(value * 1e4) / 1e4 + 0.0; };
   return fmt::format("{:.4f} {:.4f} {:.4f}", rounded(point.x), rounded(point.y), rounded(point.z));
 }
@@ -77,7 +77,7 @@ std::string unitOf(JointType type) {
   return type == JointType::planar ? "m, °" : type == JointType::floating ? "m" : "-";
 }
 
-/// The place in a positional `joints`, from 1: "1", "4-6"; "-" when it takes none.
+/// The position in `joints`, from 1: "1", "4-6"; "-" without values.
 std::string placeText(const InfoJoint& entry) {
   if (!entry.first_value) return "-";
   const std::size_t count = valueCount(entry.model->joints[entry.joint].type);
@@ -202,7 +202,7 @@ std::string modelInfoText(const ModelInfo& info) {
   if (!cell.layers.empty()) out += "  layers    " + namesOf(cell.layers) + "\n";
   out += fmt::format("  faults    {}\n", faultCounts(cell.faults));
   addDevices(out, info);
-  // A table for each model, also where thousands of devices share it.
+  // One table per model, even if thousands of devices share it.
   std::vector<const Model*> told;
   for (const InfoDevice& device : info.devices) {
     if (device.joints.empty() || std::ranges::find(told, device.model) != told.end()) continue;

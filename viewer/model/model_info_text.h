@@ -6,7 +6,7 @@
 
 namespace rocinante {
 
-/// For people.
+/// The information as text.
 std::string modelInfoText(const ModelInfo& info);
 
 }  // namespace rocinante

@@ -19,12 +19,12 @@ struct Strokes {
 constexpr Strokes kBoxes{"├─ ", "└─ ", "│  ", "   "};
 constexpr Strokes kAscii{"|- ", "`- ", "|  ", "   "};
 
-// A link that is yet to be drawn.
+// A link still to be drawn.
 struct Waiting {
   std::size_t link = 0;
   std::size_t depth = 0;
   bool last = false;      // of its parent's children
-  std::string beginning;  // what stands before its children, as deep as is drawn
+  std::string beginning;  // prefix of its children, up to the drawn depth
 };
 
 std::vector<std::vector<std::size_t>> childrenOf(const Model& model) {
@@ -53,7 +53,7 @@ std::string treeText(const Model& model, bool ascii) {
   for (std::size_t i = model.links.size(); i-- > 0;) {
     if (!model.links[i].parent_joint) waiting.push_back({i, 0, true, ""});
   }
-  // The root stands first, whatever other links hang on nothing.
+  // The root comes first, before other links without a parent.
   std::stable_partition(waiting.begin(), waiting.end(),
                         [&](const Waiting& w) { return w.link != model.root; });
   while (!waiting.empty()) {

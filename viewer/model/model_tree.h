@@ -6,9 +6,9 @@
 
 namespace rocinante {
 
-/// The links of a model as a tree, one a line, each with the joint that holds it, its type and its
-/// limits. Drawn with box-drawing characters, or with ASCII alone. Past 64 levels the drawing goes
-/// no further to the right, and says how deep it is.
+/// The links of a model as a tree, one per line, each with its joint, the joint's type and limits.
+/// Drawn with box-drawing characters or only ASCII. Beyond 64 levels lines are not indented further
+/// but show their depth.
 std::string treeText(const Model& model, bool ascii);
 
 }  // namespace rocinante

@@ -11,11 +11,11 @@
 
 namespace rocinante {
 
-/// Makes names of letters, digits, `_`, `.` and `-` that are all different, so that they need no
-/// quotes in any file and mean themselves as patterns.
+/// Makes unique names of letters, digits, `_`, `.` and `-`, which need no quotes in any file and
+/// match themselves as patterns.
 class PlainNames {
  public:
-  /// `name` with other bytes as `_`, and a number behind it where it was given before.
+  /// `name` with other bytes as `_`, and a number appended to repeated names.
   std::string of(std::string_view name);
 
  private:
@@ -26,16 +26,16 @@ class PlainNames {
 /// back as the same float. The same input gives the same bytes.
 class ObjWriter {
  public:
-  /// `material_file` is the MTL's name; textures are named as in `texture_folder` beside it.
+  /// `material_file` is the MTL's name; textures are in `texture_folder` beside it.
   ObjWriter(std::string material_file, std::string texture_folder);
 
-  /// Parts belong to this group from now on.
+  /// Starts the group of the following parts.
   void beginGroup(std::string_view name);
   void add(const PosedPart& part);
 
   const std::string& objText() const { return obj_; }
   const std::string& mtlText() const { return mtl_; }
-  /// Pictures that the MTL names: where each is now, and its name there.
+  /// Pictures used by the MTL: source path and name in the MTL.
   const std::vector<std::pair<std::filesystem::path, std::string>>& textures() const {
     return textures_;
   }
@@ -47,7 +47,7 @@ class ObjWriter {
 
   std::string texture_folder_;
   std::string obj_, mtl_;
-  std::map<std::string, std::string> materials_;  // by what they look like
+  std::map<std::string, std::string> materials_;  // by appearance
   std::map<std::filesystem::path, std::string> texture_names_;
   std::vector<std::pair<std::filesystem::path, std::string>> textures_;
   PlainNames material_names_, picture_names_;

@@ -18,7 +18,7 @@ namespace {
 
 Error refused(std::string what) { return {ErrorKind::bad_argument, std::move(what), ""}; }
 
-// The names of the values that a positional `joints` gives, in order.
+// The names of the values of a positional `joints`, in order.
 std::vector<std::string> valueNames(const Model& model) {
   std::vector<std::string> names;
   for (const std::size_t i : model.movableJoints()) {
@@ -88,7 +88,7 @@ Error unknownJoint(const Model& model, const std::string& name) {
                              hint.empty() ? "" : "; ", hint));
 }
 
-// The device that values are for, and its model.
+// The device that receives the values, and its model.
 struct Posed {
   const CellDevice* device = nullptr;
   const Model* model = nullptr;
@@ -142,7 +142,7 @@ Result<SessionState> posedState(const Cell& cell, const PoseRequest& request, St
     statement.name = posed->device->name;
     return statement;
   };
-  // Who asks for a device wants to see it, also one that waits for `add`.
+  // A requested device is added, even if it waits for `add`.
   if (posed->device->optional && request.log.empty()) {
     say(StatementKind::add).text = posed->device->model;
   }
@@ -175,7 +175,7 @@ Result<SessionState> posedState(const Cell& cell, const PoseRequest& request, St
   Packet packet;
   packet.header.source = "rocinante-model";
   packet.statements = statements;
-  // After all that a log may hold.
+  // After everything that a log may contain.
   state->apply(LogTime::max() - std::chrono::hours(1), packet);
   return state;
 }

@@ -14,8 +14,7 @@ Material materialOf(const PosedDevice& device, std::size_t link, const Visual& v
     material = visual.mesh->materials[part.material];
   }
   if (const auto rgba = device.link_color[link]) {
-    // As it is drawn: a colour that was set stands in place of the material's own, picture
-    // included.
+    // As drawn: a colour that was set replaces the material, including its texture.
     for (int i = 0; i < 4; ++i) {
       material.diffuse[i] = static_cast<float>(*rgba >> (24 - 8 * i) & 0xFFU) / 255.0F;
     }
@@ -60,7 +59,7 @@ Vec3 worldPoint(const PosedPart& part, const glm::vec3& point) {
 }
 
 Vec3 worldNormal(const PosedPart& part, const glm::vec3& normal) {
-  // By the matrix of cofactors, so that uneven scales keep normals upright on their surface.
+  // By the cofactor matrix, so that normals stay perpendicular under uneven scales.
   const Vec3 x(part.to_world[0]), y(part.to_world[1]), z(part.to_world[2]);
   Vec3 turned = crossOf(y, z) * static_cast<double>(normal.x) +
                 crossOf(z, x) * static_cast<double>(normal.y) +

@@ -6,23 +6,23 @@
 
 namespace rocinante {
 
-/// A run of triangles of one material, where it stands in the world. Borrows from scene and model.
+/// A run of triangles of one material with its world transform. Borrows from scene and model.
 struct PosedPart {
   const PosedDevice* device = nullptr;
   std::size_t link = 0;  ///< of the device's model
   const Mesh* mesh = nullptr;
   const MeshPart* part = nullptr;
-  Material material;      ///< with the colour that cell or session give it
+  Material material;      ///< with overrides of cell or session
   Mat4 to_world{1.0};     ///< with the visual's scale
-  bool mirrored = false;  ///< to_world turns triangles inside out
+  bool mirrored = false;  ///< to_world flips the winding
 };
 
-/// Calls `each` for every part of the visuals of one device: links in the model's order. With
-/// `shown_only`, what is hidden is left out.
+/// Calls `each` for every part of one device's visuals, links in model order. `shown_only` leaves
+/// out hidden ones.
 void forEachPart(const PosedDevice& device, bool shown_only,
                  const std::function<void(const PosedPart&)>& each);
 
-/// A point of a mesh in the world, and the direction of a normal there (unit length; zero stays).
+/// A mesh point in world space, and a normal there (unit length; zero stays zero).
 Vec3 worldPoint(const PosedPart& part, const glm::vec3& point);
 Vec3 worldNormal(const PosedPart& part, const glm::vec3& normal);
 

@@ -30,7 +30,7 @@ Vec3 normalOf(const std::array<Vec3, 3>& p) {
 }  // namespace
 
 StlWriter::StlWriter() : bytes_("binary STL, metres, z up") {
-  // Never "solid", by which readers know the text form.
+  // Not "solid", which marks the text format.
   bytes_.resize(kHeaderBytes, ' ');
   addNumber(bytes_, 0);
 }

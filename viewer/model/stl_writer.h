@@ -8,12 +8,12 @@
 namespace rocinante {
 
 /// Posed geometry as binary STL: metres, z up; without groups, colours and smooth normals, which
-/// that format has not.
+/// the format lacks.
 class StlWriter {
  public:
   StlWriter();
   void add(const PosedPart& part);
-  /// The whole file; nothing is added any more.
+  /// Returns the file; nothing can be added afterwards.
   std::string finish();
   std::uint64_t triangles() const { return triangles_; }
 

@@ -1,7 +1,7 @@
 #include "viewer/overlay/embedded_font.h"
 
-// ROCINANTE_FONT_FILE is set by CMakeLists.txt. The assembler reads the file as it is: an array in
-// C++ would take seconds to compile.
+// ROCINANTE_FONT_FILE is set by CMakeLists.txt. The assembler embeds the file: a C++ array would
+// take seconds to compile.
 asm(".section .rodata\n"
     ".balign 16\n"
     ".global rocinante_font_begin\n"
@@ -14,7 +14,7 @@ asm(".section .rodata\n"
     ".previous\n");
 
 extern "C" {
-// Hidden: their distance is then a constant of the link, also in a shared library.
+// Hidden, so that their distance is a link-time constant in a shared library too.
 extern const std::byte rocinante_font_begin[] __attribute__((visibility("hidden")));
 extern const std::byte rocinante_font_end[] __attribute__((visibility("hidden")));
 }

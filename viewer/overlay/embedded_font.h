@@ -4,9 +4,8 @@
 
 namespace rocinante {
 
-/// DejaVu Sans, a TrueType file, as it was on the machine that built us: every picture's text is
-/// drawn from these bytes, whatever fonts the machine has that runs us. Lives as long as the
-/// process.
+/// DejaVu Sans, a TrueType file of the build machine: text in every picture is drawn from these
+/// bytes, independent of installed fonts. Valid as long as the process.
 ByteView embeddedFont();
 
 }  // namespace rocinante

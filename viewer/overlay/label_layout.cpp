@@ -9,10 +9,10 @@ namespace {
 
 constexpr int kPaddingX = 4;
 constexpr int kPaddingY = 2;
-/// Between plates.
+/// Pixels between plates.
 constexpr int kPlateGap = 2;
 
-/// Plates by the squares of the picture that they touch, so that asking is quick.
+/// Plates by the grid squares of the picture that they touch, for fast lookup.
 class TakenPlaces {
  public:
   TakenPlaces(int width, int height)
@@ -41,7 +41,7 @@ class TakenPlaces {
     return static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_);
   }
 
-  /// False as soon as `each` is.
+  /// False as soon as `each` returns false.
   template <class Each>
   bool forEachSquare(const ScreenBox& box, const Each& each) const {
     const int last_column = std::clamp((box.right - 1) / kSquare, 0, columns_ - 1);
@@ -59,7 +59,7 @@ class TakenPlaces {
   std::vector<std::vector<ScreenBox>> squares_;
 };
 
-/// Beside the anchor first as labels without any layout stand: up and to the right.
+/// First the default place of labels: up and to the right of the anchor.
 struct PlateSide {
   int x, y;  ///< -1: left of and above the anchor, 0: centred, 1: right of and below
 };

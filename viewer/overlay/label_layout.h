@@ -7,7 +7,7 @@
 
 namespace rocinante {
 
-/// Whole pixels, top left inside, bottom right outside.
+/// Whole pixels; top left inclusive, bottom right exclusive.
 struct ScreenBox {
   int left = 0, top = 0, right = 0, bottom = 0;
   bool overlaps(const ScreenBox& other) const {
@@ -21,10 +21,9 @@ struct LabelAnchor {
   TextSize text;
 };
 
-/// Where the plate of each label goes so that none covers another, one of `taken`, or the
-/// picture's edge: beside its anchor, else a little farther off; empty when it finds no place. The
-/// earlier in the list the better the place. Pure; takes time in proportion to the number of
-/// labels.
+/// Places the plate of each label so that it does not cover another plate, one of `taken` or the
+/// picture's edge: beside its anchor, else a little farther away; empty when there is no place.
+/// Earlier labels get better places. Pure; linear in the number of labels.
 std::vector<std::optional<ScreenBox>> layOutLabels(const std::vector<LabelAnchor>& anchors,
                                                    const std::vector<ScreenBox>& taken, int width,
                                                    int height);

@@ -11,7 +11,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "abgr is written as bytes R, G, B, A");
 
-/// Part of its distance by which a line or point is drawn nearer.
+/// Share of the distance by which a line or point is drawn nearer.
 constexpr double kLift = 5e-4;
 constexpr double kMaxWidthPx = 256;
 constexpr std::uint32_t kLabelPlate = 0x14181CC8;
@@ -64,7 +64,7 @@ void Overlay::addQuad(const OverlayVertex& a, const OverlayVertex& b, const Over
 
 Vec4 Overlay::liftedClip(const Vec3& world) const {
   if (camera_.orthographic()) {
-    // The whole picture's height stands in for the distance, which has no meaning here.
+    // Use the picture's height, since an orthographic view has no distance.
     return camera_.clipOf(world - camera_.forward() *
                                       (kLift * camera_.metersPerPixel(0) * camera_.height()));
   }
@@ -73,7 +73,7 @@ Vec4 Overlay::liftedClip(const Vec3& world) const {
 }
 
 void Overlay::addSegment(Vec4 from, Vec4 to, std::uint32_t rgba, double width_px) {
-  // Cut off what is nearer than the near plane, or behind the eye.
+  // Clip at the near plane or behind the eye.
   const double near = camera_.orthographic() ? 0.5 : camera_.near();
   if (from.w < near && to.w < near) return;
   if (from.w < near) from += (to - from) * ((near - from.w) / (to.w - from.w));
@@ -94,7 +94,7 @@ void Overlay::addSegment(Vec4 from, Vec4 to, std::uint32_t rgba, double width_px
 
 void Overlay::addLine(const std::vector<Vec3>& points, std::uint32_t rgba, double width_px) {
   const double width = boundedWidth(width_px);
-  // Discs round the corners of wide lines; on translucent ones they would show as darker dots.
+  // Discs round off corners of wide lines; on translucent lines they would show as darker dots.
   const bool round = width >= 3 && (rgba & 0xFFU) == 0xFFU;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Vec4 clip = liftedClip(points[i]);
@@ -118,7 +118,7 @@ void Overlay::addRibbon(const std::vector<RibbonPoint>& points) {
       before.reset();
       continue;
     }
-    // Where it comes from behind the eye or goes there it is cut at the near plane.
+    // Clip at the near plane where it crosses behind the eye.
     if (before && (before->first.w < near) != (clip.w < near)) {
       const double part = (near - before->first.w) / (clip.w - before->first.w);
       run.emplace_back(before->first + (clip - before->first) * part, point);
@@ -131,7 +131,7 @@ void Overlay::addRibbon(const std::vector<RibbonPoint>& points) {
 }
 
 void Overlay::addRibbonRun(const std::vector<std::pair<Vec4, RibbonPoint>>& run) {
-  /// Nearer than this two points say nothing of a direction.
+  /// Points closer than this give no direction.
   constexpr double kLeastStep = 0.75;
   struct Corner {
     ScreenPoint at;
@@ -173,8 +173,7 @@ void Overlay::addRibbonRun(const std::vector<std::pair<Vec4, RibbonPoint>>& run)
     bool sharp = false;
     if (i + 1 < corners.size()) {
       next = direction(i);
-      // Both sides' normals added up: to the mitre's tip it is one over the cosine of half the
-      // turn.
+      // Sum of both sides' normals: the mitre's length is one over the cosine of half the angle.
       const Vec2 sum = across + Vec2(-next.y, next.x);
       const double squared = sum.x * sum.x + sum.y * sum.y;
       sharp = squared < 1;
@@ -189,7 +188,7 @@ void Overlay::addRibbonRun(const std::vector<std::pair<Vec4, RibbonPoint>>& run)
 
 void Overlay::addDisc(const ScreenPoint& center, std::uint32_t rgba, double size_px) {
   if (!std::isfinite(center.x) || !std::isfinite(center.y)) return;
-  // Half a pixel more on each side, over which the edge fades.
+  // Half a pixel more on each side, where the edge fades.
   const double half = size_px / 2 + 0.5;
   const auto corner = [&](double x, double y) {
     OverlayVertex vertex =
@@ -224,7 +223,7 @@ void Overlay::addLabel(const TextAtlas& atlas, const Vec3& world, std::uint32_t 
 
   constexpr int kPadding = 4;
   const TextSize size = measure(atlas, text);
-  // Up and to the right of its point, but inside of the picture where it fits.
+  // Up and to the right of its point, inside the picture if it fits.
   const int wanted_x = static_cast<int>(std::floor(anchor->x)) + 10;
   const int wanted_y = static_cast<int>(std::floor(anchor->y)) - 10 - size.height;
   const int right = static_cast<int>(width_) - size.width - 2 * kPadding;
@@ -282,7 +281,7 @@ void Overlay::addScreenRectangle(Vec2 top_left, Vec2 bottom_right, std::uint32_t
 void Overlay::addScreenText(const TextAtlas& atlas, int x, int y, std::uint32_t rgba,
                             std::string_view text) {
   const ScreenPoint front{0, 0, 0, 1};
-  // On whole pixels of the picture, so that it is sharp.
+  // On whole pixels, for sharp text.
   const double left = std::floor(x * scale_ + 0.5);
   const double top = std::floor(y * scale_ + 0.5);
   for (const GlyphQuad& glyph : atlas.layout(text)) {
@@ -302,7 +301,7 @@ void Overlay::addGnomon(const TextAtlas& atlas, int raised_px) {
   constexpr double kLength = 26;
   constexpr double kInset = 42;
   if (width_ < 200 || height_ < 150) return;
-  // A letter stands on a plate of its own: in its arrow's colour it would be lost on wood or sky.
+  // Each letter has a plate: in its arrow's colour it would be illegible on wood or sky.
   constexpr double kPlatePx = 17;
   constexpr std::uint32_t kPlate = 0x14181CE6;
   struct Arrow {
@@ -341,7 +340,7 @@ void Overlay::addScaleBar(const TextAtlas& atlas, const ScaleBar& bar, int raise
   constexpr double kTick = 7;
   constexpr std::uint32_t kBarInk = 0xF2F4F6FF;
   const TextSize size = measure(atlas, bar.text);
-  // Whole pixels, so that its ends are sharp.
+  // Whole pixels, for sharp ends.
   const double length = std::floor(bar.pixels + 0.5);
   const double inner = std::max(length, static_cast<double>(size.width));
   const double right = width_ - kInset;

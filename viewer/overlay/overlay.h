@@ -24,16 +24,16 @@ struct OverlayVertex {
 };
 static_assert(sizeof(OverlayVertex) == 32);
 
-/// A corner of a line that changes colour and width on its way.
+/// A corner of a line of varying colour and width.
 struct RibbonPoint {
   Vec3 world{};
   std::uint32_t rgba = 0xFFFFFFFF;
   double width_px = 1;
 };
 
-/// Builds triangles for what has its size in pixels: lines, points, text. Plain values, no GL.
-/// Pixels here are those of a screen of scale 1: with `scale` 2 each is two of the picture wide,
-/// and atlases must have been made for that scale.
+/// Builds triangles for lines, points and text whose size is in pixels. Plain values, no GL. Pixels
+/// are those of scale 1: with `scale` 2 each is two picture pixels wide, and atlases must be made
+/// for that scale.
 class Overlay {
  public:
   explicit Overlay(const Camera& camera, double scale = 1)
@@ -45,24 +45,24 @@ class Overlay {
   double width() const { return width_; }
   double height() const { return height_; }
   double scale() const { return scale_; }
-  /// What it will take of the picture, rounded up.
+  /// Size of the text in pixels of scale 1, rounded up.
   TextSize measure(const TextAtlas& atlas, std::string_view text) const;
 
-  /// World points joined by a line of `width_px`, depth-tested, a hair nearer than it is so that a
-  /// line on a surface shows.
+  /// Joins world points by a depth-tested line of `width_px`, slightly nearer so that a line on a
+  /// surface shows.
   void addLine(const std::vector<Vec3>& points, std::uint32_t rgba, double width_px);
   void addPoint(const Vec3& world, std::uint32_t rgba, double size_px);
-  /// Depth-tested as a line is, but with mitred corners: where it is translucent, nothing of it
-  /// covers itself. A point that is not finite is a gap.
+  /// A depth-tested line with mitred corners that does not overlap itself, for translucent colours.
+  /// A point that is not finite makes a gap.
   void addRibbon(const std::vector<RibbonPoint>& points);
   /// Text on a plate beside a world point, upright and facing the camera; nothing when the point is
-  /// behind it.
+  /// behind the camera.
   void addLabel(const TextAtlas& atlas, const Vec3& world, std::uint32_t rgba,
                 std::string_view text);
-  /// Where the label of a world point would begin: pixels from the top left; empty when the point
-  /// is not in the picture.
+  /// Anchor of a world point's label in pixels from the top left; empty when the point is not in
+  /// the picture.
   std::optional<Vec2> labelAnchor(const Vec3& world) const;
-  /// A label on a plate that layOutLabels() found, with a line to its point; without one a dot.
+  /// A label on a plate from layOutLabels(), with a line to its point; without a plate, a dot.
   void addLabelAt(const TextAtlas& atlas, const Vec2& anchor, const std::optional<ScreenBox>& plate,
                   std::uint32_t rgba, std::string_view text);
 
@@ -71,16 +71,15 @@ class Overlay {
   void addScreenRectangle(Vec2 top_left, Vec2 bottom_right, std::uint32_t rgba);
   void addScreenText(const TextAtlas& atlas, int x, int y, std::uint32_t rgba,
                      std::string_view text);
-  /// Arrows of the world's axes in the bottom left corner, when there is room; so many pixels
-  /// higher.
+  /// Arrows of the world axes in the bottom left corner, if there is room; raised by `raised_px`.
   void addGnomon(const TextAtlas& atlas, int raised_px = 0);
-  /// In the bottom right corner, when there is room; so many pixels higher.
+  /// In the bottom right corner, if there is room; raised by `raised_px`.
   void addScaleBar(const TextAtlas& atlas, const ScaleBar& bar, int raised_px = 0);
 
-  /// Vertices from here on belong to this owner, whatever the caller numbers; at first to 0.
+  /// Sets the owner of the following vertices, a number of the caller's; initially 0.
   void setOwner(std::uint32_t owner);
 
-  /// Three a triangle.
+  /// Three per triangle.
   const std::vector<OverlayVertex>& vertices() const { return vertices_; }
   /// By vertex.
   std::vector<std::uint32_t> owners() const;

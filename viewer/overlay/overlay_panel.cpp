@@ -14,7 +14,7 @@ constexpr int kPanelMarginPx = 8, kPanelPaddingPx = 8, kColumnGapPx = 18;
 constexpr std::uint32_t kPanelPlate = 0x14181CC8, kPanelInk = 0xE8ECF0FF,
                         kPanelHeadingInk = 0xFFD27FFF;
 
-/// -0.000 is 0.000: a picture must not tell the two zeros apart.
+/// Prints -0.000 as 0.000, so that pictures do not depend on the sign of zero.
 std::string fixedText(double value, int decimals) {
   if (!std::isfinite(value)) return "not a number";
   std::string text = fmt::format("{:.{}f}", value, decimals);

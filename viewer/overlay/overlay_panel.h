@@ -11,21 +11,20 @@
 
 namespace rocinante {
 
-/// A line of the panel: a name and what it has.
+/// A line of the panel: a name and its values.
 struct PanelRow {
   std::string name, value;
   bool heading = false;
 };
 
-/// What the panel says: the time, each visible device that has joints or was spoken of, with its
-/// joints (degrees for what turns, metres for what slides), each source's datagrams in the last
-/// second. `time` empty: the cell at rest. Pure.
+/// Content of the panel: the time, each visible device that has joints or received packets, with
+/// its joint values (degrees or metres), each source's datagrams in the last second. `time` empty:
+/// the cell at rest. Pure.
 std::vector<PanelRow> panelRows(const std::string& time, const PosedScene& scene,
                                 const SessionState& state,
                                 const std::map<std::string, std::uint64_t>& rates);
 
-/// Draws them on a plate in the picture's upper left; rows that find no room are counted on the
-/// last one.
+/// Draws the rows on a plate in the picture's upper left; the last row counts rows without room.
 void drawPanel(Picture& picture, const std::vector<PanelRow>& rows, const TextAtlas& atlas,
                double scale = 1);
 

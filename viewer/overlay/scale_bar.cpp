@@ -31,7 +31,7 @@ std::optional<ScaleBar> scaleBar(double metres_per_pixel, double longest_px) {
   for (const int thousands : {1, 10, 100, 1000}) {
     for (const int step : {1, 2, 5}) consider(step * thousands * 1000, kUnits.back());
   }
-  // The longest of all is too short to say anything, or too small a number of pixels to be drawn.
+  // Even the longest is too short to be useful or to be drawn.
   if (!best || best->pixels < longest_px / 10) return std::nullopt;
   return best;
 }

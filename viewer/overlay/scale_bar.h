@@ -12,8 +12,8 @@ struct ScaleBar {
   std::string text;  ///< "500 mm", "2 m", "10 km"
 };
 
-/// The longest that takes at most `longest_px`; empty where a pixel's size is no number, or beyond
-/// nanometres and a million kilometres.
+/// The longest bar of at most `longest_px`; empty when a pixel's size is NaN or outside nanometres
+/// to a million kilometres.
 std::optional<ScaleBar> scaleBar(double metres_per_pixel, double longest_px);
 
 }  // namespace rocinante

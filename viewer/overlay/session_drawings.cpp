@@ -52,12 +52,12 @@ void addLabelsApart(Overlay& overlay, const std::vector<PlacedLabel>& labels,
     seen.push_back(&*label);
     anchors.push_back({anchor->x, anchor->y, overlay.measure(atlas, label->drawing->text)});
   }
-  // The corners where gnomon and scale bar stand.
+  // The corners of gnomon and scale bar.
   const int w = static_cast<int>(overlay.width());
   const int h = static_cast<int>(overlay.height());
   const std::vector<ScreenBox> taken{{0, h - 84, 84, h}, {w - 200, h - 50, w, h}};
   const auto plates = layOutLabels(anchors, taken, w, h);
-  // Dots before plates, so that none stands on a text.
+  // Dots before plates, so that no dot covers a text.
   for (const bool placed : {false, true}) {
     for (std::size_t i = seen.size(); i-- > 0;) {
       if (plates[i].has_value() != placed) continue;
@@ -68,7 +68,7 @@ void addLabelsApart(Overlay& overlay, const std::vector<PlacedLabel>& labels,
   }
 }
 
-/// Strong and apart from each other, on light and dark grounds.
+/// Distinct colours, visible on light and dark backgrounds.
 constexpr std::array<std::uint32_t, 6> kTrailColors{0xF0641EFF, 0x1C86EEFF, 0x2FA84FFF,
                                                     0xB03AC8FF, 0xE0A800FF, 0x10A5A5FF};
 constexpr double kTrailWidthPx = 3.5;
@@ -122,7 +122,7 @@ void addLabels(Overlay& overlay, const std::vector<PosedDrawing>& drawings,
     for (const auto& part : posed.drawing->parts) {
       if (!part) continue;
       forEachPoint(*part, posed.to_world, [&](const Vec3& point) {
-        // What stands at no number has no place among the others.
+        // NaN has no order.
         const double depth = camera.depthOf(point);
         if (std::isfinite(depth)) labels.push_back({point, depth, posed.drawing, i + 1});
       });

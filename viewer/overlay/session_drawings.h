@@ -10,19 +10,19 @@
 
 namespace rocinante {
 
-// What is added belongs (Overlay::setOwner) to 1 + its drawing's place in `drawings`.
+// The owner (Overlay::setOwner) of added vertices is 1 + the index in `drawings`.
 
-/// The sources' lines and points, in the order of the scene. A part that never came is a gap.
+/// Adds the sources' lines and points in scene order. A missing part makes a gap.
 void addLinesAndPoints(Overlay& overlay, const std::vector<PosedDrawing>& drawings,
                        const ViewChoice& choice);
 
-/// Their labels, the farthest first, so that nearer ones cover farther ones; apart, the nearer
-/// ones get the better places.
+/// Adds their labels, the farthest first, so that nearer labels cover farther ones; with `apart`
+/// layout, nearer labels get better places.
 void addLabels(Overlay& overlay, const std::vector<PosedDrawing>& drawings,
                const ViewChoice& choice, const Camera& camera, const TextAtlas& atlas,
                LabelStyle style = LabelStyle::beside);
 
-/// Trails as ribbons that fade towards their old end, each in a colour of its own by its place.
+/// Adds trails as ribbons that fade towards their old end, each with a colour by its index.
 void addTrails(Overlay& overlay, const std::vector<Trail>& trails);
 
 }  // namespace rocinante

@@ -53,7 +53,8 @@ TextAtlas::TextAtlas(int line_px) : line_px_(std::clamp(line_px, 6, 96)), width_
   stbtt_GetFontVMetrics(&font, &ascent_units, &descent_units, &gap_units);
   const int ascent = rounded(static_cast<float>(ascent_units) * scale);
 
-  // Shelves: glyphs side by side, a new shelf when a row is full. One empty pixel between them.
+  // Shelf packing: glyphs side by side, a new shelf when a row is full, one empty pixel between
+  // them.
   int pen_x = 1;
   int pen_y = 1;
   int shelf = 0;

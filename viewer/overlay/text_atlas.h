@@ -9,8 +9,8 @@
 
 namespace rocinante {
 
-/// One glyph of a laid-out text. Pixels, whole ones, so that text is sharp and the same everywhere;
-/// x to the right, y down from the top of the first line.
+/// One glyph of a laid-out text. Whole pixels, so that text is sharp and the same everywhere; x to
+/// the right, y down from the top of the first line.
 struct GlyphQuad {
   int x = 0, y = 0;  ///< top left on the target
   int width = 0, height = 0;
@@ -22,7 +22,7 @@ struct TextSize {
 };
 
 /// The glyphs of the embedded font at one size, drawn on the CPU: Latin, Greek, Cyrillic and common
-/// signs. A character that it lacks shows as U+FFFD. Immutable; any thread may read it.
+/// symbols. A missing character shows as U+FFFD. Immutable; any thread may read it.
 class TextAtlas {
  public:
   /// `line_px`: from the top of one line to the top of the next, 6 to 96.
@@ -56,7 +56,7 @@ class TextAtlas {
   std::map<char32_t, Glyph> glyphs_;
 };
 
-/// The next character of UTF-8 at `at`, which moves behind it; U+FFFD for a malformed byte.
+/// Reads the UTF-8 character at `at` and advances `at`; U+FFFD for a malformed byte.
 char32_t nextCharacter(std::string_view text, std::size_t& at);
 
 }  // namespace rocinante
