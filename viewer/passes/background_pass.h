@@ -8,9 +8,9 @@
 
 namespace rocinante {
 
-/// Fills a part of whatever framebuffer is bound with the cell's gradient. Each gradient is drawn
-/// once and copied into later frames: in software that takes a quarter of the time. Its context
-/// must be current whenever it is used or destroyed.
+/// Fills a part of the bound framebuffer with the cell's gradient. Each gradient is drawn once and
+/// copied into later frames, which takes a quarter of the time in software. Its context must be
+/// current whenever it is used or destroyed.
 class BackgroundPass {
  public:
   static Result<BackgroundPass> create(const GlTable& gl);
@@ -18,12 +18,12 @@ class BackgroundPass {
   BackgroundPass(BackgroundPass&& other) noexcept;
   BackgroundPass& operator=(BackgroundPass&&) = delete;
 
-  /// All colours and alpha of the part, of RGBA8; its depths stay. Leaves the viewport and the
-  /// scissor on the part (setViewport).
+  /// Overwrites colour and alpha of the part in RGBA8; keeps its depths. Leaves the viewport and
+  /// the scissor on the part (setViewport).
   void draw(const CellScene& look, const PixelRectangle& part, int frame_height);
 
  private:
-  /// A gradient in a framebuffer of its own.
+  /// A gradient in its own framebuffer.
   struct Kept {
     glm::vec3 top, bottom;
     int width = 0, height = 0;

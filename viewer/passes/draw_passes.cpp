@@ -34,11 +34,11 @@ void DrawPasses::beginOnTop(const PixelRectangle& part, int frame_height) const 
   gl.Disable(GL_BLEND);
   gl.Disable(GL_POLYGON_OFFSET_FILL);
   gl.ActiveTexture(GL_TEXTURE0);
-  // A frame is opaque, whatever is blended into it.
+  // A frame stays opaque under blending.
   gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);
   gl.BlendEquation(GL_FUNC_ADD);
   gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-  // What is drawn later wins where depths are equal: the order of drawing is fixed.
+  // Later draws win at equal depths: the drawing order is fixed.
   gl.DepthFunc(GL_GEQUAL);
 }
 

@@ -8,22 +8,22 @@
 
 namespace rocinante {
 
-/// The draw stage: GL calls and nothing else. Every pass draws into whatever framebuffer is bound.
-/// Call begin() before the first pass and end() after the last. Its context must be current.
+/// The draw stage: only GL calls. Every pass draws into the bound framebuffer. Call begin() before
+/// the first pass and end() after the last. Its context must be current.
 struct DrawPasses {
   static Result<DrawPasses> create(const GlTable& gl, const TextAtlas& atlas);
 
-  /// What a Camera must be made with for these passes.
+  /// The depth range that a Camera must have for these passes.
   ClipDepth clipDepth() const {
     return gl.ClipControl != nullptr ? ClipDepth::zero_to_one : ClipDepth::minus_one_to_one;
   }
 
-  /// Gives a part of the framebuffer its background and clears its depths; all passes draw there
-  /// alone until the next call.
+  /// Draws the background of a part of the framebuffer and clears its depths; all passes draw only
+  /// there until the next call.
   void begin(const CellScene& look, const PixelRectangle& part, int frame_height);
-  /// Before the overlay pass alone, over pixels that are there already: clears nothing.
+  /// For the overlay pass alone, over existing pixels; clears nothing.
   void beginOnTop(const PixelRectangle& part, int frame_height) const;
-  /// Leaves GL's state as a guest expects it: no depth test, no blending, nothing bound.
+  /// Restores a neutral GL state: no depth test, no blending, nothing bound.
   void end() const;
 
   const GlTable& gl;

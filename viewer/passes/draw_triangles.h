@@ -5,9 +5,9 @@
 
 namespace rocinante {
 
-/// Draws the triangles of item after item with whatever program is in use: those that are seen from
-/// their front alone with culling, which is off before, and when this is destroyed. An item's mesh
-/// must be bound (MeshBuffers::bind). Borrows both.
+/// Draws the triangles of items with the program in use, one-sided triangles with culling. Culling
+/// must be off before and is off after destruction. An item's mesh must be bound
+/// (MeshBuffers::bind). Borrows its arguments.
 class TriangleDrawer {
  public:
   TriangleDrawer(const GlTable& gl, const SceneCatalog& catalog) : gl_(gl), catalog_(catalog) {}
@@ -16,8 +16,8 @@ class TriangleDrawer {
   TriangleDrawer& operator=(const TriangleDrawer&) = delete;
 
   void draw(const DrawItem& item);
-  /// Culls as draw() would, for who draws the item's triangles by other means: all of them are of
-  /// one kind.
+  /// Sets culling as draw() would, for items drawn by other means whose triangles are all one-sided
+  /// or all two-sided.
   void cullFor(const DrawItem& item);
 
  private:
@@ -30,10 +30,10 @@ class TriangleDrawer {
 
   const GlTable& gl_;
   const SceneCatalog& catalog_;
-  Culled culled_ = Culled::nothing;  // as GL was told
+  Culled culled_ = Culled::nothing;  // GL's current state
 };
 
-/// One item by itself.
+/// Draws a single item.
 inline void drawTriangles(const GlTable& gl, const DrawItem& item, const SceneCatalog& catalog) {
   TriangleDrawer(gl, catalog).draw(item);
 }

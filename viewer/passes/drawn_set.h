@@ -5,7 +5,7 @@
 
 namespace rocinante {
 
-/// A draw list with what its numbers mean. Borrowed.
+/// A draw list with its catalog. Borrowed.
 struct DrawnSet {
   const DrawList* list = nullptr;
   const SceneCatalog* catalog = nullptr;

@@ -12,7 +12,7 @@
 namespace rocinante {
 namespace {
 
-/// Edges in a row of the texture that holds them, so many texels each.
+/// Edges per row of their texture, and texels per edge.
 constexpr int kEdgesInRow = 1024;
 constexpr int kMaxRows = 8192;
 constexpr int kTexels = 4;
@@ -60,7 +60,7 @@ const EdgePass::Edges& EdgePass::edgesOf(const Mesh& mesh) {
   const auto rows = static_cast<int>(
       std::min<std::size_t>((found.edges.size() + kEdgesInRow - 1) / kEdgesInRow, kMaxRows));
   const std::size_t room = static_cast<std::size_t>(rows) * kEdgesInRow;
-  // Past eight million edges lines are left out, the last parts' first.
+  // Beyond eight million edges, lines of the last parts are left out.
   for (PartEdges& part : found.parts) {
     const std::size_t left = room > part.first ? room - part.first : 0;
     part.all = static_cast<std::uint32_t>(std::min<std::size_t>(part.all, left));
@@ -91,7 +91,7 @@ void EdgePass::setItem(const DrawItem& item, const Camera& camera) const {
   const Mat4 relative = camera.relative(item.world);
   const glm::mat4 clip_from_model(camera.clipFromRelative() * relative);
   gl_.UniformMatrix4fv(uniforms_.clip_from_model, 1, GL_FALSE, glm::value_ptr(clip_from_model));
-  // Outlines are found in the model's own space, whatever its scale. A flat one has no inside.
+  // Outlines are found in model space, which works for any scale except a flat one.
   glm::vec4 eye(0, 0, 0, 0);
   if (glm::determinant(glm::dmat3(relative)) != 0) {
     const glm::dmat4 model = glm::affineInverse(glm::dmat4(relative));
@@ -118,8 +118,8 @@ void EdgePass::draw(const std::vector<DrawItem>& items, const SceneCatalog& cata
   gl_.Uniform1f(uniforms_.low, zero_to_one ? 0 : 1);
   gl_.Uniform1i(uniforms_.every_edge, choice == EdgeChoice::all ? 1 : 0);
   gl_.Uniform1i(uniforms_.alone, choice == EdgeChoice::features_alone ? 1 : 0);
-  // Nearer by a ten-thousandth of the distance. An orthographic camera has none: by as much of the
-  // depth there is as a pixel is wide.
+  // Nearer by a ten-thousandth of the distance; for an orthographic camera, by the width of a
+  // pixel.
   constexpr double kLift = 1e-4;
   const glm::dvec4 axis(camera.forward(), 0);
   const double depth_a_metre =
@@ -136,12 +136,12 @@ void EdgePass::draw(const std::vector<DrawItem>& items, const SceneCatalog& cata
     if (count == 0) continue;
     gl_.BindTexture(GL_TEXTURE_2D, edges.texture);
     setItem(item, camera);
-    // Of a matrix that scales evenly the bound is the root of three times its scale.
+    // For a uniform scale the bound is the scale times the square root of three.
     gl_.Uniform1f(uniforms_.unit_px,
                   static_cast<float>(scaleBound(item.world) / std::sqrt(3.0) * metre_px));
     const glm::vec4 shade = color_of(item);
     gl_.Uniform4f(uniforms_.color, shade.r, shade.g, shade.b, shade.a);
-    // With the surface that they are on; a unit is at most so much of a depth.
+    // Lifted with their surface; a unit is at most this much depth.
     const float more = item.lift_units * (camera.orthographic() ? 0x1p-24F : 0x1p-23F);
     gl_.Uniform2f(uniforms_.lift, lift.x + (camera.orthographic() ? 0 : more),
                   lift.y + (camera.orthographic() ? more : 0));

@@ -13,16 +13,16 @@ namespace rocinante {
 
 enum class EdgeChoice {
   features,        ///< borders, creases, and outlines as seen from the camera
-  features_alone,  ///< those, where surfaces are not seen: fading less with distance
+  features_alone,  ///< the same without surfaces: fades less with distance
   all,             ///< every edge of every triangle
 };
 
-/// Draws edges of meshes as lines of one width in pixels, depth-tested, into whatever framebuffer
-/// is bound. The edges of a mesh are found and uploaded when it is first drawn so. Its context must
-/// be current whenever it is used or destroyed.
+/// Draws edges of meshes as depth-tested lines of constant pixel width into the bound framebuffer.
+/// The edges of a mesh are found and uploaded on first use. Its context must be current whenever it
+/// is used or destroyed.
 class EdgePass {
  public:
-  /// How far surfaces stand back for the sake of lines on them (setDepthLift).
+  /// How far surfaces are moved back behind their lines (setDepthLift).
   static constexpr float kSurfaceRanks = -10;
 
   static Result<EdgePass> create(const GlTable& gl);
@@ -48,7 +48,7 @@ class EdgePass {
   const GlTable& gl_;
   ShaderProgram program_;
   GLuint empty_array_ = 0;
-  std::map<const Mesh*, Edges> edges_;  // looked up, never walked through but to delete
+  std::map<const Mesh*, Edges> edges_;  // lookup only, iterated only to delete
   struct Uniforms {
     GLint clip_from_model, eye, first_edge, every_edge, color, viewport, near, lift, low, unit_px,
         alone;

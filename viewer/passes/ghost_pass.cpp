@@ -32,7 +32,7 @@ void GhostPass::draw(const std::vector<DrawItem>& items, const SceneCatalog& cat
   gl_.Enable(GL_BLEND);
   gl_.Enable(GL_POLYGON_OFFSET_FILL);
   setDepthLift(gl_, kBehindRanks);
-  // All depths before the first colour: link does not show through link.
+  // All depths before the first colour, so that links do not show through each other.
   for (const bool colors : {false, true}) {
     const GLboolean mask = colors ? GL_TRUE : GL_FALSE;
     gl_.ColorMask(mask, mask, mask, GL_FALSE);
@@ -40,7 +40,7 @@ void GhostPass::draw(const std::vector<DrawItem>& items, const SceneCatalog& cat
       const Mat4 relative = camera.relative(item.world);
       const glm::mat4 clip_from_model(camera.clipFromRelative() * relative);
       const glm::mat4 relative_from_model(relative);
-      // Good enough for a rim, whatever the scale.
+      // Good enough for rims at any scale.
       const glm::mat3 normal_from_model(relative_from_model);
       gl_.UniformMatrix4fv(clip, 1, GL_FALSE, glm::value_ptr(clip_from_model));
       gl_.UniformMatrix4fv(relative_place, 1, GL_FALSE, glm::value_ptr(relative_from_model));

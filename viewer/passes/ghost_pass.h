@@ -7,15 +7,13 @@
 
 namespace rocinante {
 
-/// Draws ghosts (GhostStyle::clear) into whatever framebuffer is bound: one tone, clear where it
-/// faces the eye and denser at the rims, so that its shape is read without hiding what it stands
-/// before. Of all ghosts only the nearest surface shows. They stand a hair behind where they are,
-/// and so behind the actual device wherever both are in one place. Its context must be current
-/// whenever it is used or destroyed.
+/// Draws ghosts (GhostStyle::clear) into the bound framebuffer: one tone, clear where it faces the
+/// eye and denser at the rims, so that its shape is visible without hiding the scene. Only the
+/// nearest surface of all ghosts shows. Ghosts are moved back slightly, behind the actual device
+/// where both coincide. Its context must be current whenever it is used or destroyed.
 class GhostPass {
  public:
-  /// Behind by twice a surface's slope across a pixel, and what rounding of nearly equal poses
-  /// makes (setDepthLift).
+  /// Twice a surface's slope across a pixel plus the rounding of nearly equal poses (setDepthLift).
   static constexpr float kBehindRanks = -20;
 
   static Result<GhostPass> create(const GlTable& gl);

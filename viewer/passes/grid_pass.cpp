@@ -44,7 +44,7 @@ GridPass::~GridPass() {
 Status GridPass::draw(const Camera& camera, const CellScene& look, double scale,
                       const ShadowLookup* shadows) {
   if (!(look.grid_size_m > 0) || !(look.grid_step_m > 0)) return {};
-  // A light from below casts nothing on the ground.
+  // A light from below casts no shadow on the ground.
   const bool dark = shadows != nullptr && look.light_direction.z > 0;
   if (dark && !with_shadows_) {
     auto made = ShaderProgram::link(gl_, "grid", shader::withShadows(shader::kGridVertex, false),

@@ -9,8 +9,8 @@
 
 namespace rocinante {
 
-/// Draws the ground grid into whatever framebuffer is bound, between DrawPasses::begin() and end().
-/// Its context must be current whenever it is used or destroyed.
+/// Draws the ground grid into the bound framebuffer, between DrawPasses::begin() and end(). Its
+/// context must be current whenever it is used or destroyed.
 class GridPass {
  public:
   static Result<GridPass> create(const GlTable& gl);
@@ -18,8 +18,8 @@ class GridPass {
   GridPass(GridPass&& other) noexcept;
   GridPass& operator=(GridPass&&) = delete;
 
-  /// Nothing when the cell's grid has no size or no step.
-  /// With `shadows` they fall on the ground that it covers.
+  /// Draws nothing when the cell's grid has no size or no step. `shadows`, if not null, fall on the
+  /// ground that the grid covers.
   Status draw(const Camera& camera, const CellScene& look, double scale,
               const ShadowLookup* shadows);
 
@@ -28,7 +28,7 @@ class GridPass {
 
   const GlTable& gl_;
   ShaderProgram program_;
-  std::optional<ShaderProgram> with_shadows_;  // made when it is first asked for
+  std::optional<ShaderProgram> with_shadows_;  // made on first use
   GLuint array_ = 0, vertices_ = 0;
 };
 

@@ -14,7 +14,7 @@
 namespace rocinante {
 namespace {
 
-// The position is made as the scene's shader makes it, so that depths agree.
+// Computes the position like the scene's shader, so that depths are equal.
 constexpr std::string_view kSurfaceVertex = R"(#version 330 core
 layout(location = 0) in vec3 position;
 layout(location = 2) in vec2 texture_place;
@@ -56,7 +56,7 @@ void main() {
 }
 )";
 
-// Text stands on a plate of the same drawing.
+// Text is on a plate of the same drawing.
 constexpr std::string_view kFlatFragment = R"(#version 330 core
 in vec2 place;
 flat in vec4 number;
@@ -105,7 +105,7 @@ void IdentityPass::begin(const PixelRectangle& part, int frame_height) const {
   setViewport(gl_, part, frame_height);
   gl_.Disable(GL_CULL_FACE);
   gl_.Disable(GL_BLEND);
-  gl_.BlendFunc(GL_ONE, GL_ZERO);  // for passes that would blend
+  gl_.BlendFunc(GL_ONE, GL_ZERO);  // other passes may enable blending
   gl_.Disable(GL_POLYGON_OFFSET_FILL);
   gl_.ActiveTexture(GL_TEXTURE0);
   gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
@@ -118,7 +118,7 @@ void IdentityPass::begin(const PixelRectangle& part, int frame_height) const {
 }
 
 glm::vec4 IdentityPass::colorOf(std::uint32_t number) {
-  // A byte over 255 in a float comes back as that byte: 8-bit components round to the nearest.
+  // A byte divided by 255 as a float reads back exactly: 8-bit components round to nearest.
   const auto component = [&](unsigned shift) {
     return static_cast<float>(number >> shift & 255U) / 255.0F;
   };
@@ -155,7 +155,7 @@ void IdentityPass::drawItem(const DrawItem& item, float depth_ranks, const Drawn
 void IdentityPass::drawOverlay(const Overlay& overlay, const std::vector<std::uint32_t>& numbers,
                                bool in_scene) const {
   assert(numbers.size() == overlay.vertices().size());
-  // Memory holds R, G, B, A from the number's lowest byte on: as readNumbers() takes them.
+  // R, G, B, A in memory start at the number's lowest byte, as read by readNumbers().
   std::vector<OverlayVertex> vertices;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     if (numbers[i] == 0) continue;

@@ -15,26 +15,26 @@
 
 namespace rocinante {
 
-/// What was drawn at a pixel, from the top left of the frame.
+/// The number and depth of a pixel, from the top left of the frame.
 struct NumberedPixel {
   int x = 0, y = 0;
   std::uint32_t number = 0;  ///< 0: nothing
-  double depth_m = 0;        ///< along the view; infinity where nothing was drawn
+  double depth_m = 0;        ///< along the view; infinity: nothing drawn
 };
 
-/// Draws numbers in place of colours: a pixel's four bytes are a number, exactly. With what a frame
-/// draws (its draw list, its overlays), so that the two agree. Draws into the framebuffer that is
-/// bound, which must have one sample a pixel; its context must be current.
+/// Draws numbers instead of colours: a pixel's four bytes are exactly a number. Uses a frame's draw
+/// list and overlays, so that both agree. Draws into the bound framebuffer, which must have one
+/// sample per pixel; its context must be current.
 class IdentityPass {
  public:
   static Result<IdentityPass> create(const GlTable& gl);
   IdentityPass(IdentityPass&& other) noexcept;
   IdentityPass& operator=(IdentityPass&&) = delete;
 
-  /// Clears a part of the framebuffer to 0, and draws there alone until the next call.
+  /// Clears a part of the framebuffer to 0, and draws only there until the next call.
   void begin(const PixelRectangle& part, int frame_height) const;
-  /// `number_of(item)` for each that is drawn as a surface; the nearest has a pixel, translucent or
-  /// not. In the order of the frame, which decides where depths are equal.
+  /// Draws `number_of(item)` for each surface; the nearest one owns a pixel, translucent or not. In
+  /// the frame's order, which decides at equal depths.
   template <class NumberOf>
   void drawSurfaces(const DrawnSet& set, const TextureStore& textures, const Camera& camera,
                     const NumberOf& number_of) const {
@@ -47,17 +47,17 @@ class IdentityPass {
       }
     }
   }
-  /// A number as a colour for other passes: drawn unblended, it is read back exactly.
+  /// A number as a colour for other passes; without blending it reads back exactly.
   static glm::vec4 colorOf(std::uint32_t number);
-  /// Numbers by vertex; 0 leaves what is there. `in_scene`: tested against depth.
+  /// Draws numbers by vertex; 0 draws nothing. `in_scene`: depth-tested.
   void drawOverlay(const Overlay& overlay, const std::vector<std::uint32_t>& numbers,
                    bool in_scene) const;
-  /// Leaves GL's state as begin() found it.
+  /// Restores GL's state from before begin().
   void end() const;
 
-  /// All pixels' numbers, top row first.
+  /// The numbers of all pixels, top row first.
   static std::vector<std::uint32_t> readNumbers(const FrameBuffer& drawn);
-  /// Metres along the view of what was drawn, top row first; infinity where nothing was.
+  /// Metres along the view, top row first; infinity where nothing was drawn.
   std::vector<float> readDepth(const FrameBuffer& drawn, const Camera& camera) const;
   /// A few pixels of the bound frame, of that height, top row first.
   std::vector<NumberedPixel> readPart(const PixelRectangle& part, int frame_height,

@@ -8,10 +8,10 @@
 namespace rocinante {
 namespace {
 
-/// So many vertices go to GL at once: few calls, and still in the cache when they are drawn.
+/// Vertices per upload: few calls, and still cached when drawn.
 constexpr std::size_t kVerticesAtOnce = 4096;
 
-/// Whether all of its triangles are seen from both sides, or all from their front alone.
+/// Whether its triangles are all two-sided or all one-sided.
 bool hasOneKindOfSides(const DrawItem& item, const SceneCatalog& catalog) {
   const CatalogMesh& mesh = catalog.meshes()[item.mesh];
   const std::uint32_t one_sided = mesh.parts[item.part].one_sided_count;
@@ -92,7 +92,7 @@ void ItemBatch::add(const DrawItem& item, const SceneCatalog& catalog, const Cam
   for (const rocinante::Vertex& from : mesh.mesh->vertices) {
     const glm::vec3& p = from.position;
     const glm::vec3& n = from.normal;
-    // Column by column, as GLSL's matrix * vector is reckoned.
+    // Column by column, in the order of GLSL's matrix * vector.
     for (int i = 0; i < 4; ++i) {
       to->clip[i] = clip[0][i] * p.x + clip[1][i] * p.y + clip[2][i] * p.z + clip[3][i];
     }

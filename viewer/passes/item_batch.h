@@ -10,11 +10,10 @@
 
 namespace rocinante {
 
-/// Draws many small items as one: to tell GL of a box takes longer than to move its corners, so
-/// they are moved here, by the arithmetic of the scene's vertex shader and in its order. A frame
-/// has the same bits whether its items were drawn so or one by one (tested). Attributes 0 to 2:
-/// clip (vec4), from_eye (vec3, world axes) and normal (vec3, any length), as ItemMatrices makes
-/// them.
+/// Draws many small items with one call: a draw call for a box costs more than transforming its
+/// corners, so they are transformed here, with the arithmetic of the scene's vertex shader in the
+/// same order. Frames have the same bits with and without batches (tested). Attributes 0 to 2: clip
+/// (vec4), from_eye (vec3, world axes) and normal (vec3, any length), computed by ItemMatrices.
 ///
 /// Its context must be current whenever it is used or destroyed.
 class ItemBatch {
@@ -24,13 +23,13 @@ class ItemBatch {
   ItemBatch(ItemBatch&& other) noexcept;
   ItemBatch& operator=(ItemBatch&&) = delete;
 
-  /// How many of the first items are drawn alike and can be drawn as one; 0: not even the first.
-  /// Sides that are culled are the same for all of them, as are looks and lifts.
+  /// Number of leading items that can be drawn as one batch; 0: not even the first. They share
+  /// culling, looks and lifts.
   static std::size_t reach(std::span<const DrawItem> items, const SceneCatalog& catalog);
-  /// From here on it pays.
+  /// Smallest batch that is worth it.
   static constexpr std::size_t kLeastItems = 4;
 
-  /// Draws the items, of which reach() said that they can be, with whatever program is in use.
+  /// Draws items allowed by reach() with the program in use.
   void draw(std::span<const DrawItem> items, const SceneCatalog& catalog, const Camera& camera);
 
  private:

@@ -7,7 +7,7 @@
 namespace rocinante {
 namespace {
 
-/// Inverse transpose, but for a factor: enough for normals, which are made unit length later.
+/// Inverse transpose up to a factor: enough for normals, which are normalized later.
 glm::mat3 normalMatrix(const Mat4& m) {
   const Vec3 x(m[0]);
   const Vec3 y(m[1]);

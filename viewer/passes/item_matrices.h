@@ -7,12 +7,12 @@
 
 namespace rocinante {
 
-/// What takes an item's points and normals to where they are drawn. Reckoned in double, relative to
-/// the eye, and only then made float: nothing trembles a kilometre from the origin.
+/// Transforms of an item's points and normals. Computed in double relative to the eye, then
+/// converted to float, so that nothing jitters a kilometre from the origin.
 struct ItemMatrices {
   glm::mat4 clip_from_model;
   glm::mat4 relative_from_model;  ///< world axes, origin at the eye
-  glm::mat3 normal_from_model;    ///< normals come out in any length
+  glm::mat3 normal_from_model;    ///< normals have any length
 
   ItemMatrices(const Mat4& world, const Camera& camera);
 };

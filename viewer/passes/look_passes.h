@@ -11,13 +11,13 @@
 
 namespace rocinante {
 
-/// The passes of optional looks. Each is made when it is first asked for, so that a program that
-/// asks for none pays for none. Its context must be current whenever it is used or destroyed.
+/// The passes of optional looks, each made on first use, so that unused ones cost nothing. Its
+/// context must be current whenever it is used or destroyed.
 class LookPasses {
  public:
   explicit LookPasses(const GlTable& gl) : gl_(gl) {}
 
-  /// refused with the driver's own words when its shader or its framebuffer cannot be had.
+  /// refused with the driver's message when its shader or framebuffer cannot be created.
   Result<EdgePass*> edges() { return made<EdgePass>(edges_); }
   Result<GhostPass*> ghosts() { return made<GhostPass>(ghosts_); }
   Result<OutlinePass*> outlines() { return made<OutlinePass>(outlines_); }

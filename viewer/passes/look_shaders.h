@@ -16,10 +16,10 @@ extern const std::string_view kOutlineVertex;
 extern const std::string_view kOutlineFragment;
 extern const std::string_view kShadowLookup;
 
-/// The scene's or the grid's source with SHADOWS defined, and kShadowLookup in it when it is the
-/// stage that looks into the map. A variant, not a branch: shadows that are off cost nothing.
+/// The scene's or the grid's source with SHADOWS defined, and with kShadowLookup in the stage that
+/// reads the map. A variant, not a branch, so that disabled shadows cost nothing.
 std::string withShadows(std::string_view source, bool looks_up);
-/// The scene's source with so many lights of the cell's own; none: as it is.
+/// The scene's source with `count` lights of the cell; unchanged for none.
 std::string withLights(std::string_view source, std::size_t count);
 
 }  // namespace rocinante::shader

@@ -14,13 +14,13 @@ namespace rocinante {
 /// every visual that uses it. Its context must be current whenever it is used or destroyed.
 class MeshBuffers {
  public:
-  /// What is uploaded is added to `inputs`.
+  /// Adds the uploaded data to `inputs`.
   MeshBuffers(const GlTable& gl, const SceneCatalog& catalog, InputsHash& inputs);
   ~MeshBuffers();
   MeshBuffers(const MeshBuffers&) = delete;
   MeshBuffers& operator=(const MeshBuffers&) = delete;
 
-  /// Puts the indices of coarser versions behind the mesh's own, which are `own`.
+  /// Appends the indices of coarser versions to the mesh's own, `own`.
   void setDetail(std::size_t number, std::span<const std::uint32_t> own,
                  std::span<const std::uint32_t> coarser);
 

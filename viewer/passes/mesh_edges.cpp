@@ -15,7 +15,7 @@ namespace {
 constexpr float kCreaseCosine = 0.8660254F;  // 30 degrees
 constexpr float kFlatCosine = 0.99985F;      // one degree
 
-/// A triangle's side, its corners in the order of their numbers.
+/// A triangle's side, with its corners sorted by number.
 struct Side {
   std::uint32_t group, low, high;
   std::uint32_t triangle;
@@ -35,7 +35,7 @@ struct FoundEdge {
   MeshEdge edge;
 };
 
-/// Triangles with nothing but smooth edges between them, summed up in double.
+/// Triangles connected by smooth edges; sums in double.
 struct Face {
   double area = 0, border = 0;
   std::array<double, 3> moment{};
@@ -63,8 +63,8 @@ struct Face {
     }
   }
 
-  /// The lesser of two guesses: area by border, right for what is flat, of which a ring's is the
-  /// ring's own; and by how far the area spreads across its length, right for a closed tube.
+  /// The smaller of two estimates: area divided by border, right for flat faces and rings; and the
+  /// spread of the area across its length, right for closed tubes.
   float width() const {
     if (!(area > 0)) return 0;
     std::array<double, 6> spread{};
@@ -128,7 +128,7 @@ class EdgeFinder {
         const glm::vec3 v = corners_.positions()[c] - at;
         const glm::vec3 n(u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x);
         const float length = std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
-        // A sliver has no side: its neighbours meet at it as at a crease.
+        // A degenerate triangle has no normal: its neighbours meet at it as at a crease.
         triangle.normal = length > 0 ? n * (1 / length) : glm::vec3(0);
         triangles_.push_back(triangle);
       }
@@ -136,7 +136,7 @@ class EdgeFinder {
     dropSecondSides();
   }
 
-  /// Of triangles with the same three corners the first stays.
+  /// Keeps the first of triangles with the same three corners.
   void dropSecondSides() {
     const auto key = [](const Triangle& triangle) {
       std::array<std::uint32_t, 3> corners = triangle.corners;
@@ -202,7 +202,7 @@ class EdgeFinder {
     found_.push_back(found);
   }
 
-  /// The triangle that stands for all of its face.
+  /// The representative triangle of its face.
   std::uint32_t faceOf(std::uint32_t triangle) {
     while (joined_[triangle] != triangle) {
       joined_[triangle] = joined_[joined_[triangle]];
@@ -220,7 +220,7 @@ class EdgeFinder {
         faces.emplace_back();
         number[stands] = static_cast<std::uint32_t>(faces.size());
       }
-      // Seen from a corner of its own: squares of large places would lose small faces.
+      // Relative to one of its corners: squares of large coordinates would lose small faces.
       const glm::dvec3 origin(corners_.positions()[triangles_[stands].corners[0]]);
       std::array<glm::dvec3, 3> corners;
       for (std::size_t k = 0; k < 3; ++k) {
@@ -265,7 +265,7 @@ class EdgeFinder {
   std::vector<Triangle> triangles_;
   std::vector<Side> sides_;
   std::vector<FoundEdge> found_;
-  std::vector<std::uint32_t> joined_;  // by triangle: towards the one that stands for its face
+  std::vector<std::uint32_t> joined_;  // by triangle: towards its face's representative
 };
 
 }  // namespace

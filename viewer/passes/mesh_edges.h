@@ -7,19 +7,19 @@
 
 namespace rocinante {
 
-/// An edge between triangles of one group. Positions that are equal as floats are one corner.
+/// An edge between triangles of one group. Vertices with equal float positions are one corner.
 struct MeshEdge {
   glm::vec3 a{}, b{};
-  /// Of the two triangles that meet here, turned so that both look out of the same side: the edge
-  /// is an outline where one faces the eye and the other does not. Both zero: it is always drawn,
-  /// being a border (one triangle), a crease, or where more than two meet.
+  /// Normals of the two triangles, oriented to the same side: the edge is an outline when one faces
+  /// the eye and the other does not. Both zero: always drawn, as a border (one triangle), a crease,
+  /// or an edge of more than two triangles.
   glm::vec3 first_normal{}, second_normal{};
-  /// About how wide the wider of the faces is that meet here, as far as its borders and creases:
-  /// of a bar its thickness, however long it is and however it is cut into triangles.
+  /// Approximate width of the wider adjacent face, between borders and creases: a bar's thickness,
+  /// for any length and triangulation.
   float face_width = 0;
 };
 
-/// The edges of one part, those that lines are drawn along first.
+/// The edges of one part, features first.
 struct PartEdges {
   std::uint32_t first = 0;     ///< into MeshEdges::edges
   std::uint32_t features = 0;  ///< borders, creases, and what may become an outline
@@ -31,9 +31,9 @@ struct MeshEdges {
   std::vector<PartEdges> parts;  ///< by part of the mesh
 };
 
-/// Finds all edges of a mesh, each once, with the part of its first triangle. A face written twice,
-/// once for each side (as SketchUp does), counts once. A crease turns by more than 30 degrees; less
-/// than a degree is flat. Pure; sorts three edges a triangle.
+/// Finds all edges of a mesh, each once, in the part of its first triangle. A face written twice,
+/// once per side (as by SketchUp), counts once. A crease is an angle over 30 degrees; less than a
+/// degree is flat. Pure; sorts three edges per triangle.
 MeshEdges meshEdges(const Mesh& mesh);
 
 }  // namespace rocinante

@@ -7,8 +7,8 @@
 namespace rocinante {
 namespace {
 
-// Linear light of a display value (IEC 61966-2-1), as 65535ths. A table, because pow() differs
-// between C libraries.
+// Linear light of a display value (IEC 61966-2-1) in units of 1/65535. A table, because pow()
+// differs between C libraries.
 constexpr std::array<std::uint16_t, 256> kLinear{
     0,     20,    40,    60,    80,    99,    119,   139,   159,   179,   199,   219,   241,
     264,   288,   313,   340,   367,   396,   427,   458,   491,   526,   562,   599,   637,
@@ -32,7 +32,7 @@ constexpr std::array<std::uint16_t, 256> kLinear{
     60955, 61517, 62082, 62650, 63221, 63795, 64372, 64952, 65535,
 };
 
-/// By linear light, the display value whose light is nearest, the higher of two equally near.
+/// The nearest display value by linear light; the higher one of two.
 const std::vector<std::uint8_t>& displayValues() {
   static const std::vector<std::uint8_t> kDisplay = [] {
     std::vector<std::uint8_t> values(65536);
@@ -47,8 +47,8 @@ const std::vector<std::uint8_t>& displayValues() {
   return kDisplay;
 }
 
-/// Which source pixels one target pixel covers along an axis, and how much of each. An odd length
-/// gives three, so that no pixel is lost and nothing shifts.
+/// Source pixels and weights of one target pixel along an axis. An odd length gives three, so that
+/// no pixel is lost and nothing shifts.
 struct Taps {
   int first = 0;
   int count = 1;
@@ -74,7 +74,7 @@ std::vector<Taps> tapsOf(int source_length) {
   return taps;
 }
 
-/// Of four opaque pixels, two above two: what the general rule says, with its weights divided out.
+/// Averages 2x2 opaque pixels, equal to the general rule.
 void halveOpaque(const std::uint8_t* above, const std::uint8_t* below,
                  const std::vector<std::uint8_t>& display, std::uint8_t* out) {
   for (std::size_t c = 0; c < 3; ++c) {
@@ -135,7 +135,7 @@ Picture halved(const Picture& picture) {
         }
       }
       for (std::size_t c = 0; c < 3; ++c) {
-        // Wholly transparent pixels still have a colour, which filtering may draw upon.
+        // Transparent pixels keep a colour, which filtering may use.
         *out++ = opacity == 0 ? display[(plain_light[c] + area / 2) / area]
                               : display[(light[c] + opacity / 2) / opacity];
       }
@@ -147,7 +147,7 @@ Picture halved(const Picture& picture) {
 
 std::vector<Picture> mipmapsOf(const Picture& full) {
   std::vector<Picture> levels;
-  // At most 31 levels of an int's size: `last` must not be moved by a growing vector.
+  // At most 31 levels: growth of the vector must not move `last`.
   levels.reserve(32);
   const Picture* last = &full;
   while (last->width > 1 || last->height > 1) {

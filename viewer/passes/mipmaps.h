@@ -8,10 +8,10 @@ namespace rocinante {
 
 /// The levels below `full`, each half as large (rounded down, at least 1), down to 1 x 1. Made with
 /// integers only, by a box filter in linear light with colours weighted by opacity, so that they
-/// are the same on every CPU; a driver's own differ (docs/rendering.md).
+/// are the same on every CPU; mipmaps of drivers differ (docs/rendering.md).
 std::vector<Picture> mipmapsOf(const Picture& full);
 
-/// One level: what mipmapsOf() repeats.
+/// The next level.
 Picture halved(const Picture& picture);
 
 }  // namespace rocinante

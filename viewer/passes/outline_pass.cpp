@@ -15,11 +15,10 @@ namespace {
 constexpr glm::vec4 kLineColor{1.0F, 0.58F, 0.05F, 1};
 constexpr double kLineWidthPx = 2.5;
 
-/// Pixels that the line reaches along a row, or across them.
+/// Reach of the line in pixels along an axis.
 int outlineReach(double scale) { return static_cast<int>(std::ceil(kLineWidthPx * scale - 0.5)); }
 
-/// By the square of the distance: its width and half a pixel less the distance, at most a whole
-/// one.
+/// Coverage by squared distance: line width plus half a pixel minus the distance, at most one.
 std::vector<std::uint8_t> coverBySquare(int reach, double scale) {
   std::vector<std::uint8_t> cover;
   for (int square = 0; square <= 2 * (reach + 1) * (reach + 1); ++square) {
@@ -30,7 +29,7 @@ std::vector<std::uint8_t> coverBySquare(int reach, double scale) {
   return cover;
 }
 
-/// In pixels from the bottom left: what the items can cover.
+/// Bounding box of the items in pixels from the bottom left.
 struct CoveredBox {
   double left = 1e9, bottom = 1e9, right = -1e9, top = -1e9;
 };
@@ -40,7 +39,7 @@ void addItem(CoveredBox& box, const DrawItem& item, const CatalogPart& part, con
     const Vec3 sign((corner & 1U) != 0 ? 1 : -1, (corner & 2U) != 0 ? 1 : -1,
                     (corner & 4U) != 0 ? 1 : -1);
     const Vec4 clip = camera.clipOf(transformPoint(item.world, part.center + sign * part.half));
-    // Behind the eye a corner says nothing: then it may be anywhere.
+    // A corner behind the eye makes the box unbounded.
     const bool behind = !camera.orthographic() && !(clip.w > camera.near());
     const double x = behind ? 0 : clip.x / clip.w;
     const double y = behind ? 0 : clip.y / clip.w;
@@ -65,7 +64,7 @@ std::vector<std::uint8_t> outlineOf(const std::vector<std::uint8_t>& covered, in
   const std::vector<std::uint8_t> cover_by_square = coverBySquare(reach, scale);
   const auto w = static_cast<std::size_t>(width);
   const auto h = static_cast<std::size_t>(height);
-  // First along each row: the square of the distance to what is covered, or this where it is far.
+  // First along each row: the squared distance to a covered pixel, or this if too far.
   const auto far = static_cast<std::uint8_t>((reach + 1) * (reach + 1));
   std::vector<std::uint8_t> along(covered.size(), far);
   for (std::size_t y = 0; y < h; ++y) {
@@ -81,7 +80,7 @@ std::vector<std::uint8_t> outlineOf(const std::vector<std::uint8_t>& covered, in
       }
     }
   }
-  // Then across them.
+  // Then along columns.
   std::vector<std::uint8_t> cover(covered.size(), 0);
   std::vector<std::uint8_t> nearest(w);
   for (std::size_t y = 0; y < h; ++y) {

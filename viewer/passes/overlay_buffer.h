@@ -16,7 +16,7 @@ class OverlayBuffer {
   OverlayBuffer(OverlayBuffer&& other) noexcept;
   OverlayBuffer& operator=(OverlayBuffer&&) = delete;
 
-  /// Uploads and draws them, with whatever program is in use.
+  /// Uploads the vertices and draws them with the program in use.
   void draw(std::span<const OverlayVertex> vertices) const;
 
  private:

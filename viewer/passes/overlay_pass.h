@@ -6,7 +6,7 @@
 
 namespace rocinante {
 
-/// Draws what has its size in pixels (Overlay) into whatever framebuffer is bound, between
+/// Draws Overlay triangles, whose size is in pixels, into the bound framebuffer, between
 /// DrawPasses::begin() and end(). Its context must be current whenever it is used or destroyed.
 class OverlayPass {
  public:
@@ -15,11 +15,11 @@ class OverlayPass {
   OverlayPass(OverlayPass&& other) noexcept;
   OverlayPass& operator=(OverlayPass&&) = delete;
 
-  /// Text from here on is of this atlas.
+  /// Sets the atlas of the following text.
   void useText(const TextAtlas& atlas);
-  /// Depth-tested, in the scene.
+  /// Draws depth-tested, in the scene.
   void drawInScene(const Overlay& overlay) const;
-  /// Over everything.
+  /// Draws over everything.
   void drawOnTop(const Overlay& overlay) const;
 
  private:

@@ -21,7 +21,7 @@ namespace {
 /// A white light of strength 1 is as bright as the key light of kSceneFragment at its brightest.
 constexpr double kWhiteLight = 0.54;
 
-/// Bit by bit: what is not a number equals itself, so that it is not set again and again.
+/// Bitwise, so that NaN equals itself and is not set repeatedly.
 template <class T>
 bool sameBits(const T& a, const T& b) {
   return std::memcmp(&a, &b, sizeof(T)) == 0;
@@ -29,7 +29,7 @@ bool sameBits(const T& a, const T& b) {
 
 }  // namespace
 
-/// Tells GL of item after item. For each program it remembers what that was last told.
+/// Sets GL's state for a sequence of items, caching the last values per program.
 class ScenePass::Items {
  public:
   Items(const ScenePass& pass, const SceneCatalog& catalog, const MeshBuffers& meshes,
@@ -48,14 +48,14 @@ class ScenePass::Items {
         variant_(variantOf(surfaces, look)),
         standard_(pass.standardIn(variant_)) {}
 
-  /// Whether one sees through its picture here and there.
+  /// Whether its texture has transparent pixels.
   bool hasHoles(const DrawItem& item) const {
     const auto texture = static_cast<std::size_t>(item.texture);
     return item.texture >= 0 && textures_.name(texture) != 0 &&
            textures_.translucent()[texture] != 0;
   }
 
-  /// Everything but the drawing. `depth_alone`: no colour, and no depth in a picture's holes.
+  /// Sets all state for the item. `depth_alone`: no colour, and no depth in a texture's holes.
   void set(const DrawItem& item, bool depth_alone = false) {
     const GLuint texture =
         item.texture >= 0 ? textures_.name(static_cast<std::size_t>(item.texture)) : 0;
@@ -73,7 +73,7 @@ class ScenePass::Items {
 
   void draw(const DrawItem& item) { triangles_.draw(item); }
 
-  /// As many of the first items as can be drawn as one are; tells how many.
+  /// Draws as many leading items as possible as one batch; returns their number.
   std::size_t drawBatch(std::span<const DrawItem> items) {
     if (variant_ != Variant() || items.size() < ItemBatch::kLeastItems) return 0;
     if (!items.front().batched) return 0;
@@ -163,7 +163,7 @@ class ScenePass::Items {
     gl_.Uniform3f(program.specular, specular.r, specular.g, specular.b);
     const glm::vec3& emission = material.emission;
     gl_.Uniform3f(program.emission, emission.r, emission.g, emission.b);
-    // MTL files often say Ks without Ns: a broad highlight then.
+    // MTL files often have Ks without Ns: use a broad highlight.
     const float exponent =
         material.shininess > 0 ? std::clamp(material.shininess, 4.0F, 512.0F) : 16;
     gl_.Uniform1f(program.shininess, specular != glm::vec3(0.0F) ? exponent : 0.0F);
@@ -179,7 +179,7 @@ class ScenePass::Items {
     setDepthLift(gl_, ranks, item.lift_units);
   }
 
-  /// What is set when it changes; the first value always counts as a change.
+  /// A value that is set only when it changes; the first value always is.
   template <class T>
   class Latest {
    public:
@@ -301,7 +301,7 @@ void ScenePass::drawOpaque(const DrawList& list, const SceneCatalog& catalog,
                            const SurfaceLook& surfaces) const {
   gl_.Enable(GL_DEPTH_TEST);
   const GLboolean shown = surfaces.depth_only ? GL_FALSE : GL_TRUE;
-  // With alpha, which is 1 here: a software renderer then need not read what it writes over.
+  // Write alpha too, which is 1 here, so that a software renderer need not read the old pixels.
   gl_.ColorMask(shown, shown, shown, shown);
   Items items(*this, catalog, meshes, textures, camera, look, surfaces);
   const std::span opaque(list.opaque);
@@ -333,8 +333,8 @@ void ScenePass::drawTranslucent(std::span<const DrawItem> translucent, const Sce
   Items items(*this, catalog, meshes, textures, camera, look, surfaces);
   for (const DrawItem& item : translucent) {
     items.set(item, true);
-    // Depth first, so that of each part only the nearest surface shows: its back sides would come
-    // and go with the order of its triangles. The second time holes must not write it either.
+    // Depth first, so that only the nearest surface of each part shows: otherwise back sides would
+    // depend on the triangle order. In the second pass holes must not write depth either.
     gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     items.draw(item);
     gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);

@@ -16,22 +16,22 @@
 
 namespace rocinante {
 
-/// How all surfaces are drawn; the default is the shader without any look in it.
+/// How surfaces are drawn; the default is the shader without any look.
 struct SurfaceLook {
   Shading shading = Shading::standard;
   const ShadowLookup* shadows = nullptr;  ///< of the standard shading; null: none
-  float depth_ranks = 0;                  ///< by which all are lifted (setDepthLift)
-  bool depth_only = false;  ///< all hide what is behind them and show nothing themselves
+  float depth_ranks = 0;                  ///< lift of all surfaces (setDepthLift)
+  bool depth_only = false;                ///< surfaces write only depth
 };
 
-/// Draws the geometry of a draw list into whatever framebuffer is bound, between
-/// DrawPasses::begin() and end(). Sets only what differs from one item to the next. Its context
-/// must be current whenever it is used or destroyed.
+/// Draws the geometry of a draw list into the bound framebuffer, between DrawPasses::begin() and
+/// end(). Sets only state that changes between items. Its context must be current whenever it is
+/// used or destroyed.
 class ScenePass {
  public:
   static Result<ScenePass> create(const GlTable& gl);
 
-  /// Compiles what such surfaces in the light of `look` need, when it is first asked for.
+  /// Compiles the programs for these surfaces and the lights of `look`, on first use.
   Status prepare(const SurfaceLook& surfaces, const CellScene& look);
   void drawOpaque(const DrawList& list, const SceneCatalog& catalog, const MeshBuffers& meshes,
                   const TextureStore& textures, const Camera& camera, const CellScene& look,
@@ -50,16 +50,16 @@ class ScenePass {
     GLint shininess = -1, has_map = -1, has_tint = -1, orthographic = -1;
     GLint view_direction = -1, key_direction = -1, fill_direction = -1;
   };
-  /// The standard shading with shadows, and with so many lights of the cell's own.
+  /// The standard shading with shadows, and with a number of lights of the cell.
   struct Variant {
     bool shadows = false;
     std::size_t lights = 0;
     auto operator<=>(const Variant&) const = default;
   };
   static Variant variantOf(const SurfaceLook& surfaces, const CellScene& look);
-  /// prepare() must have made it.
+  /// Requires prepare().
   const Program& standardIn(const Variant& variant) const;
-  class Items;  // one run of items: what GL was last told
+  class Items;  // one run of items: caches GL's state
   ScenePass(const GlTable& gl, Program standard, Program plain, Program plain_mapped, Program holes,
             Program batched, Program batched_plain);
   static Result<Program> link(const GlTable& gl, std::string_view name, std::string_view vertex,
@@ -67,10 +67,10 @@ class ScenePass {
 
   const GlTable& gl_;
   Program standard_, plain_, plain_mapped_;
-  Program holes_;                        // depth alone, of a picture that is not opaque everywhere
-  Program batched_, batched_plain_;      // of standard and plain, for what batch_ draws
-  mutable ItemBatch batch_;              // memory that every frame uses again
-  std::map<Variant, Program> variants_;  // of standard: prepare()
+  Program holes_;                        // depth only, for pictures with holes
+  Program batched_, batched_plain_;      // of standard and plain, for batch_
+  mutable ItemBatch batch_;              // memory reused by every frame
+  std::map<Variant, Program> variants_;  // of standard; see prepare()
 };
 
 }  // namespace rocinante

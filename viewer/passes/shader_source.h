@@ -4,15 +4,16 @@
 
 namespace rocinante::shader {
 
-// GLSL 3.30. Arithmetic, sqrt and derivatives only, but for one pow() of highlights: what llvmpipe
-// computes the same on every pinned CPU (docs/rendering.md). Colours come and go as display values;
-// light is added up in between. No sRGB formats: drivers round them by CPU.
+// GLSL 3.30. Only arithmetic, sqrt and derivatives, except one pow() for highlights: llvmpipe
+// computes these the same on every pinned CPU (docs/rendering.md). Input and output colours are
+// display values; light is summed in between. No sRGB formats: drivers round them differently by
+// CPU.
 extern const std::string_view kSceneVertex;
 extern const std::string_view kSceneFragment;
-/// In place of kSceneVertex for what ItemBatch draws: points and normals are moved already.
+/// Replaces kSceneVertex for ItemBatch: points and normals are already transformed.
 extern const std::string_view kBatchedVertex;
-/// Of kSceneVertex, for depth alone: nothing where the picture is hardly there. Apart, because a
-/// shader that may discard tests depth late.
+/// For kSceneVertex, depth only: discards where the texture is nearly transparent. A separate
+/// shader, because a shader with discard tests depth late.
 extern const std::string_view kHolesFragment;
 extern const std::string_view kBackgroundVertex;
 extern const std::string_view kBackgroundFragment;

@@ -12,11 +12,11 @@ namespace {
 constexpr double kFarthest = 1e7;
 
 bool isUsable(const Vec3& a) {
-  // Written so that NaN is not.
+  // False for NaN.
   return std::abs(a.x) <= kFarthest && std::abs(a.y) <= kFarthest && std::abs(a.z) <= kFarthest;
 }
 
-/// The next of 1, 1.25, 1.5, 1.75 times a power of two.
+/// Rounds up to 1, 1.25, 1.5 or 1.75 times a power of two.
 double steppedUp(double size) {
   double power = 1.0 / 1024;
   while (power * 2 <= size) power *= 2;
@@ -32,7 +32,7 @@ ShadowFit shadowFit(const std::vector<Vec3>& corners, const Vec3& towards_light,
   const double length = lengthOf(towards_light);
   const bool has_direction = length > 0 && std::isfinite(length);
   const Vec3 forward = has_direction ? -towards_light / length : Vec3(0, 0, -1);
-  // As Camera finds them for such a view.
+  // As in Camera for this view.
   const Vec3 up_hint = std::abs(forward.z) < 0.99 ? Vec3(0, 0, 1) : Vec3(0, 1, 0);
   Vec3 right = crossOf(forward, up_hint);
   right /= lengthOf(right);
@@ -51,14 +51,14 @@ ShadowFit shadowFit(const std::vector<Vec3>& corners, const Vec3& towards_light,
   if (low.x > high.x) low = high = Vec3(0, 0, 0);
 
   ShadowFit fit;
-  // Room for the filter at the rim, and for half a texel of snapping on each side.
+  // Room for the filter at the border, and for half a texel of snapping on each side.
   const double room = 1 - 8.0 / map_side;
   const double half = steppedUp(std::max(high.x - low.x, high.y - low.y) / 2 / room);
   fit.texel_m = 2 * half / map_side;
   const auto snapped = [&](double place) {
     return std::floor(place / fit.texel_m + 0.5) * fit.texel_m;
   };
-  // Depth needs no more than that it stands still for as long as the size does.
+  // The depth range only needs to be as stable as the size.
   fit.reach_m = steppedUp((high.z - low.z) / 2 + half);
   const double depth_step = fit.reach_m / 16;
   fit.reach_m += depth_step;

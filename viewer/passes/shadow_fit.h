@@ -6,16 +6,16 @@
 
 namespace rocinante {
 
-/// The view of the key light over all that can be seen, for a square shadow map.
+/// The key light's view of everything visible, for a square shadow map.
 struct ShadowFit {
   CameraView view;     ///< orthographic, looking along the light
-  double reach_m = 1;  ///< as Camera takes it
-  double texel_m = 1;  ///< what a texel covers
+  double reach_m = 1;  ///< for Camera
+  double texel_m = 1;  ///< size of a texel
 };
 
-/// Fits it so that shadows stand still while things move: its directions follow from the light
-/// alone, its size is one of four to the power of two, and its place a whole number of texels from
-/// the world's origin. Points that are not finite, or farther than 1e7 m off, cast and take none.
+/// Fits the view so that shadows do not flicker while objects move: its directions depend only on
+/// the light, its size has four steps per power of two, and its position is a whole number of
+/// texels from the world's origin. Points that are not finite or farther than 1e7 m are ignored.
 ShadowFit shadowFit(const std::vector<Vec3>& corners, const Vec3& towards_light, int map_side);
 
 }  // namespace rocinante

@@ -10,7 +10,7 @@
 namespace rocinante {
 namespace {
 
-/// What one rather sees than sees through casts a whole shadow. Pictures with holes cast none.
+/// Items that are more opaque than not cast a full shadow. Pictures with holes cast none.
 bool casts(const DrawItem& item) {
   return !item.translucent || (item.texture < 0 && item.diffuse.a >= 0.5F);
 }
@@ -87,8 +87,8 @@ ShadowLookup ShadowMap::draw(std::span<const DrawnSet> casters, const Camera& li
   gl_.DepthMask(GL_TRUE);
   gl_.ClearDepth(0);
   gl_.Clear(GL_DEPTH_BUFFER_BIT);
-  // Away from the light by the slope across a texel and a half, the reach of the filter: a surface
-  // must not lie in its own shadow. What is left of that, kSceneFragment steps over.
+  // Move away from the light by the slope across a texel and a half, the reach of the filter,
+  // against self-shadowing. kSceneFragment's offset covers the rest.
   gl_.Enable(GL_POLYGON_OFFSET_FILL);
   gl_.PolygonOffset(-1.5F, -8.0F);
   program_.use();
@@ -107,8 +107,7 @@ ShadowLookup ShadowMap::draw(std::span<const DrawnSet> casters, const Camera& li
   gl_.Disable(GL_POLYGON_OFFSET_FILL);
   gl_.BindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(bound));
 
-  // Clip space to [0, 1]; the light's own depth is there already, but for drivers without
-  // glClipControl.
+  // Clip space to [0, 1]; the light's depth already is, except for drivers without glClipControl.
   Mat4 unit(1.0);
   unit[0][0] = unit[1][1] = unit[3][0] = unit[3][1] = 0.5;
   if (gl_.ClipControl == nullptr) unit[2][2] = unit[3][2] = 0.5;

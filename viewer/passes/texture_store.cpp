@@ -11,7 +11,7 @@
 namespace rocinante {
 namespace {
 
-/// Nearly opaque pixels are opaque: pictures that were scaled or compressed have some.
+/// Nearly opaque pixels count as opaque: scaled or compressed pictures have some.
 constexpr std::uint8_t kOpaque = 250;
 
 bool isTranslucent(const Picture& picture) {

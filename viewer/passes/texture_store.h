@@ -13,23 +13,22 @@
 
 namespace rocinante {
 
-/// The textures of a scene on the GPU, by number. A picture that cannot be read is a warning, and
-/// its surfaces show their plain colour. Its context must be current whenever it is used or
-/// destroyed.
+/// The textures of a scene on the GPU, by number. An unreadable picture is a warning, and its
+/// surfaces show their plain colour. Its context must be current whenever it is used or destroyed.
 class TextureStore {
  public:
-  /// Reads and uploads all, mipmaps by our own code; what was read is added to `inputs`.
-  /// Anisotropic filtering in the fast profile only, where the driver has it.
+  /// Reads and uploads all, with mipmaps of our own; adds the read pictures to `inputs`.
+  /// Anisotropic filtering only in the fast profile, if the driver has it.
   TextureStore(const GlTable& gl, const std::vector<CatalogTexture>& files, Profile profile,
                InputsHash& inputs);
   ~TextureStore();
   TextureStore(const TextureStore&) = delete;
   TextureStore& operator=(const TextureStore&) = delete;
 
-  /// 0 when that picture could not be read.
+  /// 0 when the picture could not be read.
   GLuint name(std::size_t number) const { return names_[number]; }
-  /// Until endPlainFiltering() texture unit 0 reads with the cheapest filter that uses mipmaps:
-  /// only textures of this store may be bound there.
+  /// Until endPlainFiltering(), texture unit 0 uses the cheapest filter with mipmaps; only textures
+  /// of this store may be bound there.
   void beginPlainFiltering() const;
   void endPlainFiltering() const;
   /// Non-zero by number: some pixel is not opaque.
@@ -46,7 +45,7 @@ class TextureStore {
   std::vector<std::string> warnings_;
 };
 
-/// Rows bottom to top, as GL wants them.
+/// Reverses the rows for GL, bottom to top.
 void flipRows(Picture& picture);
 
 }  // namespace rocinante

@@ -9,7 +9,8 @@ std::uint32_t littleEndian(std::string_view four) {
   return number;
 }
 
-/// Of an attribute of type chlist: each a name, its type (0 to 2) and twelve bytes more.
+/// Checks an attribute of type chlist: each channel is a name, a type (0 to 2) and twelve more
+/// bytes.
 bool knowsChannelTypes(std::string_view list) {
   std::size_t at = 0;
   while (at < list.size() && list[at] != '\0') {

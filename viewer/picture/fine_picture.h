@@ -10,36 +10,36 @@
 
 namespace rocinante {
 
-/// How a file keeps its pixels.
+/// The pixel format of a file.
 struct PictureEncoding {
   int components = 4;     ///< 1 grey, 2 grey and alpha, 3 RGB, 4 RGBA; a palette's colours are RGB
-  int bits = 8;           ///< of a component: 8 (fewer count as 8) or 16; 16 or 32 when floating
-  bool floating = false;  ///< linear light as a rule, not bound to 0..1
+  int bits = 8;           ///< per component: 8 (fewer count as 8) or 16; 16 or 32 if floating
+  bool floating = false;  ///< usually linear light, not limited to 0..1
 
   bool operator==(const PictureEncoding&) const = default;
-  /// "8 bits a component", "32-bit floating point".
+  /// "8 bits per component", "32-bit floating point".
   std::string depthText() const;
   /// "grey", "RGBA".
   std::string_view componentsText() const;
 };
 
-/// A picture and what its file holds beyond 8-bit RGBA, for judging.
+/// A picture with its file's data beyond 8-bit RGBA, for judging.
 struct FinePicture {
-  Picture picture;  ///< what readPicture() gives
+  Picture picture;  ///< as from readPicture()
   PictureEncoding encoding;
-  /// RGBA of each pixel with the file's own numbers (0..65535 for 16 bits; floating ones as they
-  /// are, absent alpha 1 or 65535, absent colours like the grey), where there is more than 8 bits
-  /// to know; else empty.
+  /// RGBA of each pixel with the file's values (0..65535 for 16 bits; floats unchanged; missing
+  /// alpha 1 or 65535; missing colours equal to grey) when the file has more than 8 bits; else
+  /// empty.
   std::vector<float> samples;
-  std::int64_t not_finite = 0;             ///< how many samples are NaN or infinite
+  std::int64_t not_finite = 0;             ///< number of NaN or infinite samples
   int not_finite_x = 0, not_finite_y = 0;  ///< the first pixel with one
 };
 
-/// More pixels of more than 8 bits are not read: their samples would take over a gigabyte.
+/// Limit for more than 8 bits: the samples of more pixels would take over a gigabyte.
 constexpr std::int64_t kMaxDeepPixels = 1 << 26;
 
-/// Any picture, as readPicture(). unsupported too where a file holds what would go unjudged: more
-/// than four components, several pictures, or numbers that a float cannot hold.
+/// Reads any picture like readPicture(). Also unsupported for data that would not be judged: more
+/// than four components, several pictures, or values that a float cannot hold.
 Result<FinePicture> readFinePicture(const std::filesystem::path& path,
                                     std::int64_t max_pixels = 1 << 28);
 Result<FinePicture> decodeFinePng(ByteView bytes, const std::string& name,

@@ -4,7 +4,7 @@
 
 namespace rocinante {
 
-/// True for the text file that Git LFS leaves where a picture should be.
+/// True for the pointer file that Git LFS leaves in place of a picture.
 bool isLfsPointer(ByteView bytes);
 
 }  // namespace rocinante

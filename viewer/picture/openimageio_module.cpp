@@ -34,22 +34,22 @@ void answer(RocinantePictureOut& out, Answer code, const std::string& sentence) 
   out.error[length] = '\0';
 }
 
-/// The library's messages may hold several lines.
+/// The library's messages may have several lines.
 std::string firstLine(const std::string& text) { return text.substr(0, text.find('\n')); }
 
-/// Which of the file's channels are red, green, blue and alpha (-1: there is none).
+/// The file's channels of red, green, blue and alpha (-1: none).
 struct Channels {
   int red, green, blue, alpha;
 };
 
-/// Why a picture of such pixels is not read, or judged; empty: it is.
+/// Why a picture of this format is not read or judged; empty: it is.
 std::string whyNot(const OIIO::ImageSpec& spec, bool to_judge) {
   if (spec.deep) return "has several samples per pixel (deep); only flat pictures are read";
   // TIFF 6.0: 5 separated inks, 8 to 10 kinds of CIELAB.
   const int tiff = spec.get_int_attribute("tiff:PhotometricInterpretation", 0);
   if (tiff >= 8 && tiff <= 10) return "has CIELAB colours; grey, RGB and CMYK are read";
   if (!to_judge) return "";
-  // Two mixtures of inks may look the same, and numbers are what is judged.
+  // Different ink mixtures may look the same, but values are judged.
   if (tiff == 5 || spec.get_string_attribute("jpeg:ColorSpace") == "CMYK" ||
       spec.get_string_attribute("jpeg:ColorSpace") == "YCbCrK") {
     return "has CMYK colours; grey and RGB are judged";
@@ -62,7 +62,7 @@ std::string whyNot(const OIIO::ImageSpec& spec, bool to_judge) {
                  "are judged";
 }
 
-/// The library's GIF reader names a channel that is past the last.
+/// The library's GIF reader returns a channel past the last.
 int alphaOf(const OIIO::ImageSpec& spec) {
   return std::min(spec.alpha_channel, spec.nchannels - 1);
 }
@@ -78,7 +78,7 @@ Channels channelsOf(const OIIO::ImageSpec& spec) {
   return {colors[0], colors[1], colors[2], alpha};
 }
 
-/// A component as 8 bits. `alpha` divides it where the file holds it multiplied.
+/// A component as 8 bits, divided by `alpha` if the file has premultiplied alpha.
 template <class T>
 uint8_t byteOf(T value, T alpha, bool multiplied, const rocinante::SrgbCurve* curve);
 
@@ -104,7 +104,7 @@ uint8_t byteOf(float value, float alpha, bool multiplied, const rocinante::SrgbC
   return straight > 0 ? static_cast<uint8_t>(std::min(straight, 1.0F) * 255.0F + 0.5F) : uint8_t{0};
 }
 
-/// The file's own numbers as RGBA floats; null without memory.
+/// The file's values as RGBA floats; null without memory.
 template <class T>
 float* samplesOf(const std::vector<T>& content, std::size_t per_pixel, const Channels& channels,
                  float opaque) {
@@ -121,8 +121,8 @@ float* samplesOf(const std::vector<T>& content, std::size_t per_pixel, const Cha
   return samples;
 }
 
-/// The library fills what is missing of a JPEG with grey and says nothing. In a whole one the mark
-/// of its end comes after that of its last scan.
+/// The library silently fills missing parts of a JPEG with grey. In a complete file the end marker
+/// follows the last scan.
 bool jpegIsCut(const char* path, const void* bytes, size_t size) {
   std::string content;
   if (bytes == nullptr) {
@@ -160,7 +160,7 @@ bool readAs(OIIO::ImageInput& input, OIIO::TypeDesc type, bool with_samples,
   const auto per_pixel = static_cast<std::size_t>(spec.nchannels);
   std::vector<T> content(pixels * per_pixel);
   if (!input.read_image(0, 0, 0, spec.nchannels, type, content.data())) return false;
-  // PNG and TIFF say when alpha is straight; without it the library's rule is multiplied.
+  // PNG and TIFF mark straight alpha; otherwise the library assumes premultiplied.
   const Channels channels = channelsOf(spec);
   const bool multiplied =
       channels.alpha >= 0 && spec.get_int_attribute("oiio:UnassociatedAlpha", 0) == 0;
@@ -187,7 +187,7 @@ bool readAs(OIIO::ImageInput& input, OIIO::TypeDesc type, bool with_samples,
   return true;
 }
 
-/// Bytes under a name that can be opened: the library's JPEG reader takes nothing else.
+/// Bytes under a file name: the library's JPEG reader requires one.
 class MemoryFile {
  public:
   MemoryFile(const void* bytes, size_t size) : file_(memfd_create("picture", MFD_CLOEXEC)) {
@@ -246,7 +246,7 @@ void read(const char* path, const void* bytes, size_t size, int64_t max_pixels, 
   if (const std::string why = whyNot(spec, with_samples); !why.empty()) {
     return answer(out, no_picture, why);
   }
-  // A picture of thousands of components is none of ours, and would take as much more memory.
+  // Refuse thousands of components, which would multiply the memory.
   if (int64_t{spec.width} * spec.height > max_pixels || spec.nchannels > 16) {
     return answer(out, too_large,
                   "is " + std::to_string(spec.width) + " x " + std::to_string(spec.height) +

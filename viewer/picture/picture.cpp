@@ -18,7 +18,7 @@ namespace {
 constexpr std::uint64_t kMaxPipedBytes = std::uint64_t{1} << 30U;
 constexpr std::string_view kPngSignature = "\x89PNG\r\n\x1A\n";
 
-/// Whether the file is a PNG; what it is, its bytes say and not its name.
+/// Whether the file is a PNG by its content, not its name.
 Result<bool> isPng(const std::filesystem::path& path) {
   std::error_code fault;
   const auto status = std::filesystem::status(path, fault);
@@ -48,13 +48,13 @@ Result<bool> isPng(const std::filesystem::path& path) {
   return first.starts_with(kPngSignature);
 }
 
-/// A pipe can be read but once.
+/// A pipe can only be read once.
 bool isPipe(const std::filesystem::path& path) {
   std::error_code ignored;
   return std::filesystem::is_fifo(path, ignored);
 }
 
-/// What comes through a pipe, if it is a PNG: the module reads files only.
+/// The PNG from a pipe: the module can only read files.
 Result<std::string> pngFromPipe(const std::filesystem::path& path) {
   auto content = readFile(path, kMaxPipedBytes);
   if (!content.ok() || content->starts_with(kPngSignature)) return content;

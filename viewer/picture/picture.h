@@ -24,21 +24,21 @@ struct Picture {
 /// `max_pixels` before anything is allocated.
 Result<Picture> readPng(const std::filesystem::path& path, std::int64_t max_pixels = 1 << 28);
 Result<Picture> decodePng(ByteView bytes, std::string name, std::int64_t max_pixels = 1 << 28);
-/// The same bytes for the same picture (and version of zlib).
+/// Encodes as PNG. The same picture (and version of zlib) gives the same bytes.
 Bytes encodePng(const Picture& picture);
-/// One component of 16 bits a pixel, rows top to bottom: what is measured, not looked at.
+/// Encodes one 16-bit component per pixel, rows top to bottom, for measured values.
 Bytes encodeGreyPng(int width, int height, std::span<const std::uint16_t> grey);
-/// Written beside and renamed: the file appears whole or not at all. refused when it exists and
-/// `overwrite` is false.
+/// Writes a temporary file and renames it: the file appears whole or not at all. refused when it
+/// exists and `overwrite` is false.
 Status writePng(const std::filesystem::path& path, const Picture& picture, bool overwrite = true);
 
 /// Any picture: PNG by libspng, all else by the OpenImageIO module (librocinante_openimageio.so),
-/// which is loaded on first use since linking it costs 0.3 s before main. What a file is, its bytes
-/// say and not its name. unsupported when the module is not there. Grey becomes equal components,
-/// 16 bits lose the lower eight, linear floating point gets the sRGB curve. The same bytes on every
-/// CPU. Any thread.
+/// which is loaded on first use because linking it costs 0.3 s before main. The content decides the
+/// format, not the name. unsupported when the module is missing. Grey becomes equal components, 16
+/// bits are truncated to the upper eight, linear floating point gets the sRGB curve. The same bytes
+/// on every CPU. Any thread.
 Result<Picture> readPicture(const std::filesystem::path& path, std::int64_t max_pixels = 1 << 28);
-/// The same from bytes; `name` is for the sentence.
+/// The same from bytes; `name` is used in messages.
 Result<Picture> decodePicture(ByteView bytes, const std::string& name,
                               std::int64_t max_pixels = 1 << 28);
 

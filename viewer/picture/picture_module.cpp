@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kModuleName = "librocinante_openimageio.so";
 
-/// The functions of a loaded module, or the reason that there are none.
+/// The functions of a loaded module, or the reason why it is not loaded.
 struct PictureModule {
   RocinantePictureRead read = nullptr;
   RocinantePictureFree free = nullptr;
@@ -46,7 +46,7 @@ const PictureModule& pictureModule() {
   return module;
 }
 
-/// What the module answered; its memory goes with it.
+/// The module's answer; owns its memory.
 struct ModuleAnswer {
   RocinantePictureOut out{};
   RocinantePictureFree free = nullptr;
@@ -85,10 +85,10 @@ Status askModule(const char* file, ByteView bytes, const std::string& name, std:
   return {};
 }
 
-/// What would go unjudged in the file; empty: nothing.
+/// Data of the file that would not be judged; empty: none.
 std::string unjudged(const RocinantePictureOut& out) {
   if (out.pictures > 1) return "has several pictures; only files with one picture are judged";
-  // A fourth one that is no alpha (depth, an ink) would not be looked at.
+  // A fourth component other than alpha (depth, an ink) would be ignored.
   const int colors = out.components - out.has_alpha;
   if (colors != 1 && colors != 3) {
     return "holds " + std::to_string(out.components) +
@@ -138,7 +138,7 @@ Result<FinePicture> readFineByModule(const fs::path& path, std::int64_t max_pixe
 }
 
 Result<Picture> decodeByModule(ByteView bytes, const std::string& name, std::int64_t max_pixels) {
-  // The library goes by endings first, then by the bytes.
+  // The library tries the extension first, then the content.
   ModuleAnswer answer;
   const Status read = askModule("picture.png", bytes, name, max_pixels, false, answer);
   if (!read.ok()) return read.error();

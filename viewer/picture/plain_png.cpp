@@ -27,7 +27,7 @@ std::uint32_t bigEndian(const std::uint8_t* bytes) {
          (std::uint32_t{bytes[2]} << 8U) | bytes[3];
 }
 
-/// The content of the IDAT chunks, put together; empty when the file is not a plain one.
+/// The concatenated content of the IDAT chunks; empty when the file is not a plain PNG.
 std::vector<std::uint8_t> compressedPixels(const std::uint8_t* bytes, std::size_t size) {
   std::vector<std::uint8_t> content;
   content.reserve(size);
@@ -52,7 +52,7 @@ std::vector<std::uint8_t> compressedPixels(const std::uint8_t* bytes, std::size_
 /// Inflates a zlib stream piece by piece.
 class Inflater {
  public:
-  /// `compressed` is at most 4 GiB and stays where it is.
+  /// `compressed` is at most 4 GiB and is borrowed.
   explicit Inflater(std::vector<std::uint8_t>& compressed)
       : state_(std::make_unique<inflate_state>()) {  // 85 kB
     isal_inflate_init(state_.get());
@@ -61,39 +61,39 @@ class Inflater {
     state_->avail_in = static_cast<std::uint32_t>(compressed.size());
   }
 
-  /// The next `size` bytes; false when there are not so many.
+  /// Reads the next `size` bytes; false when there are fewer.
   bool next(std::uint8_t* to, std::size_t size) {
     state_->next_out = to;
     state_->avail_out = static_cast<std::uint32_t>(size);
     return isal_inflate(state_.get()) == ISAL_DECOMP_OK && state_->avail_out == 0;
   }
 
-  /// True when all has been given out, nothing follows and the checksum was right.
+  /// True when everything was read, nothing follows and the checksum was right.
   bool atEnd() {
-    // The checksum may still have to be read.
+    // The checksum may not have been read yet.
     std::uint8_t more = 0;
     state_->next_out = &more;
     state_->avail_out = 1;
     return isal_inflate(state_.get()) == ISAL_DECOMP_OK && state_->avail_out == 1 &&
            state_->block_state == ISAL_BLOCK_FINISH && state_->avail_in == 0 &&
-           state_->read_in_length == 0;  // whole bytes that were taken ahead
+           state_->read_in_length == 0;  // whole bytes read ahead
   }
 
  private:
   std::unique_ptr<inflate_state> state_;
 };
 
-/// How many rows are unfiltered side by side. A pixel needs the one to its left, so a row by itself
-/// waits for each of its pixels; four rows, each a pixel behind the one above, wait together.
+/// Number of rows unfiltered in parallel. Each pixel depends on the one to its left; four rows,
+/// each one pixel behind the row above, hide that latency.
 constexpr std::size_t kRowsAtOnce = 4;
 
 __m128i chosen(__m128i condition, __m128i yes, __m128i no) {
   return _mm_or_si128(_mm_and_si128(condition, yes), _mm_andnot_si128(condition, no));
 }
 
-/// The neighbour that lies nearest to left + above - corner; left before above before corner. In
-/// bytes: where the corner lies outside of the other two it is never the nearest, and between them
-/// its distance is the difference of theirs.
+/// The neighbour nearest to left + above - corner; ties prefer left, then above. In bytes: a corner
+/// outside the range of the other two is never the nearest; between them its distance is the
+/// difference of theirs.
 __m128i paeth(__m128i left, __m128i above, __m128i corner) {
   const __m128i above_higher = _mm_subs_epu8(above, corner);
   const __m128i above_lower = _mm_subs_epu8(corner, above);
@@ -116,8 +116,8 @@ __m128i paeth(__m128i left, __m128i above, __m128i corner) {
 /// The first byte of a filtered row.
 enum Filter : std::uint8_t { none, sub, up, average, paeth_filter };
 
-/// Four rows being unfiltered from left to right, each a pixel behind the one above it: one pixel
-/// of each, the uppermost in the lowest four bytes.
+/// Four rows unfiltered from left to right, each one pixel behind the row above: one pixel per row,
+/// the uppermost in the lowest four bytes.
 class FourPixels {
  public:
   explicit FourPixels(const std::array<std::uint8_t, kRowsAtOnce>& filters)
@@ -126,14 +126,14 @@ class FourPixels {
         use_corner_(where(filters, {paeth_filter})),
         use_average_(where(filters, {average})) {}
 
-  /// The next pixel of each row. `over` is what stands above the first row's; what stands above the
-  /// others' are the pixels made last.
+  /// Makes the next pixel of each row. `over` is the pixel above the first row's; above the others
+  /// are the last made pixels.
   template <bool kAverages>
   __m128i next(__m128i filtered, std::uint32_t over) {
     const __m128i above =
         _mm_or_si128(_mm_slli_si128(made_, 4), _mm_cvtsi32_si128(static_cast<int>(over)));
-    // Paeth's rule gives `left` where above and corner count as zero, and `above` where left and
-    // corner do: every filter but the average is Paeth's with some neighbours left out.
+    // Paeth's rule gives `left` if above and corner are zero, and `above` if left and corner are:
+    // every filter except the average is Paeth's with some neighbours zero.
     __m128i guess = paeth(_mm_and_si128(made_, use_left_), _mm_and_si128(above, use_above_),
                           _mm_and_si128(corner_, use_corner_));
     if constexpr (kAverages) {
@@ -147,7 +147,7 @@ class FourPixels {
   }
 
  private:
-  /// All bits of the rows that have one of these filters.
+  /// Mask of the rows that have one of these filters.
   static __m128i where(const std::array<std::uint8_t, kRowsAtOnce>& filters,
                        std::initializer_list<Filter> ones) {
     const auto bits = [&](std::size_t row) {
@@ -158,23 +158,23 @@ class FourPixels {
 
   __m128i use_left_, use_above_, use_corner_, use_average_;
   __m128i made_ = _mm_setzero_si128();    ///< the pixels made last
-  __m128i corner_ = _mm_setzero_si128();  ///< what stood above them
+  __m128i corner_ = _mm_setzero_si128();  ///< the pixels above them
 };
 
-/// Four rows of one picture: where they come from, and where they go.
+/// Four rows of one picture: source and destination.
 struct FourRows {
   std::array<const std::uint8_t*, kRowsAtOnce> raw{};  ///< each with its filter byte
   const std::uint8_t* above = nullptr;                 ///< RGBA, or zeros
   std::array<std::uint8_t*, kRowsAtOnce> rgba{};
 };
 
-/// Four bytes are read for each pixel: one beyond the row when there are three components.
+/// Reads four bytes per pixel: one beyond the row for three components.
 template <int kComponents, bool kAverages>
 void unfilter(const FourRows& rows, std::size_t width) {
   constexpr std::uint32_t kOpaque = kComponents == 3 ? 0xFF000000U : 0U;
   FourPixels pixels({rows.raw[0][0], rows.raw[1][0], rows.raw[2][0], rows.raw[3][0]});
-  // Row r makes its pixel x in step x + r; outside of the row its pixels are zeros, as the first
-  // pixel's neighbours are.
+  // Row r makes its pixel x in step x + r; pixels outside of the row are zero, like the first
+  // pixel's neighbours.
   const auto step = [&]<bool kInside>(std::size_t at) {
     const auto isInside = [&](std::size_t row) { return kInside || at - row < width; };
     const auto filtered = [&](std::size_t row) {
@@ -207,12 +207,12 @@ void unfilter(const FourRows& rows, std::size_t width) {
 template <int kComponents>
 bool decodeRows(Inflater& inflater, std::size_t width, std::size_t height, std::uint8_t* rgba) {
   const std::size_t row_bytes = width * kComponents + 1;
-  // Some rows at a time, which stay in the cache until they are unfiltered.
+  // A few rows at a time, so that they stay cached until unfiltered.
   const std::size_t rows_at_once =
       kRowsAtOnce * std::max<std::size_t>(1, kPieceBytes / (row_bytes * kRowsAtOnce));
-  // One byte more: the last pixel of RGB is read as four.
+  // One more byte: the last RGB pixel is read as four bytes.
   std::vector<std::uint8_t> piece(std::min(rows_at_once, height) * row_bytes + 1);
-  // What stands before the first row, and in for the rows that the last four may lack.
+  // The row above the first one, and the missing rows of the last four.
   const std::vector<std::uint8_t> zeros(width * 4 + 1);
   std::vector<std::uint8_t> nowhere(width * 4);
   FourRows four{.above = zeros.data()};

@@ -17,9 +17,9 @@
 namespace rocinante {
 namespace {
 
-/// Text and profiles larger than this are refused: nothing that we use is in them.
+/// Larger text and profile chunks are refused: they hold nothing that we use.
 constexpr std::size_t kChunkBytes = std::size_t{64} << 20U;
-/// Between size and time: goldens are kept for long, frames of a film are many.
+/// A compromise: goldens are kept for long, and videos have many frames.
 constexpr int kCompressionLevel = 5;
 
 struct FreeContext {
@@ -40,7 +40,7 @@ Bytes encode(const spng_ihdr& header, const void* pixels, std::size_t bytes) {
   };
   const std::unique_ptr<void, Free> png(
       code == 0 ? spng_get_png_buffer(context.get(), &length, &code) : nullptr);
-  // A picture that holds what its size says can only fail for want of memory.
+  // Encoding a complete picture can only fail without memory.
   if (!png) return {};
   const auto* first = static_cast<const std::byte*>(png.get());
   return Bytes(first, first + length);
@@ -55,7 +55,7 @@ spng_ihdr headerOf(int width, int height, std::uint8_t bit_depth, std::uint8_t c
   return header;
 }
 
-/// What the header and the transparent colours say; call it once the picture is decoded.
+/// The number of components by header and tRNS; call it after decoding.
 int componentsOf(spng_ctx* context, const spng_ihdr& header) {
   spng_trns transparent{};
   const bool has_alpha = (header.color_type & SPNG_COLOR_TYPE_GRAYSCALE_ALPHA) != 0 ||
@@ -64,8 +64,8 @@ int componentsOf(spng_ctx* context, const spng_ihdr& header) {
   return (has_color ? 3 : 1) + (has_alpha ? 1 : 0);
 }
 
-/// Lets the kernel give large memory that is still untouched in pages of 2 MiB: a fault for each 4
-/// KiB takes a tenth of the time that a large picture does. Advice: refused, it changes nothing.
+/// Lets the kernel use 2 MiB pages for large untouched memory: faults per 4 KiB take a tenth of the
+/// time of a large picture. Failure is harmless.
 void adviseHugePages(void* memory, std::size_t bytes) {
   constexpr std::size_t kHugePage = std::size_t{2} << 20U;
   std::size_t space = bytes;
@@ -73,7 +73,7 @@ void adviseHugePages(void* memory, std::size_t bytes) {
   ::madvise(memory, space - space % kHugePage, MADV_HUGEPAGE);
 }
 
-/// 16-bit RGBA, in the machine's order, as it stands and with the lower eight bits dropped.
+/// Stores 16-bit RGBA in native byte order as samples, and truncated to 8 bits.
 void takeSixteenBits(const std::vector<std::uint16_t>& rgba, FinePicture& fine) {
   fine.samples.assign(rgba.begin(), rgba.end());
   for (std::size_t i = 0; i < rgba.size(); ++i) {
@@ -81,7 +81,7 @@ void takeSixteenBits(const std::vector<std::uint16_t>& rgba, FinePicture& fine) 
   }
 }
 
-/// Colours that the palette does not have are black to libspng: only a judge minds.
+/// libspng reads colours outside the palette as black; only judging refuses them.
 Status checkPalette(ByteView bytes, const std::string& name) {
   const Context context(spng_ctx_new(0));
   spng_set_png_buffer(context.get(), bytes.data(), bytes.size());
@@ -99,7 +99,7 @@ Status checkPalette(ByteView bytes, const std::string& name) {
     return Error{ErrorKind::damaged, std::string("is not a valid PNG: ") + spng_strerror(code),
                  name};
   }
-  // Rows begin with a byte; places smaller than one lie from its highest bits down.
+  // Rows begin at a byte; smaller pixels are packed from the highest bits.
   const std::size_t depth = header.bit_depth, row_bytes = size / header.height;
   for (std::size_t i = 0; i < std::size_t{header.width} * header.height; ++i) {
     const std::size_t x = i % header.width, y = i / header.width;
@@ -115,7 +115,7 @@ Status checkPalette(ByteView bytes, const std::string& name) {
   return {};
 }
 
-/// To judge, pictures of 16 bits come with their samples, and what decoders pass over is refused.
+/// For judging, 16-bit pictures include their samples, and faults that decoders ignore are refused.
 Result<FinePicture> decode(ByteView bytes, const std::string& name, std::int64_t max_pixels,
                            bool to_judge) {
   const auto refusal = [&](ErrorKind kind, std::string what) {
@@ -140,7 +140,7 @@ Result<FinePicture> decode(ByteView bytes, const std::string& name, std::int64_t
                                                std::to_string(header.height) + " pixels; at most " +
                                                std::to_string(max_pixels) + " are read");
   }
-  // Checked before the pixels are allocated: deflate packs a thousandfold at best.
+  // Checked before allocating pixels: deflate compresses a thousandfold at most.
   if (pixels / 1100 / 8 > bytes.size()) {
     return refusal(ErrorKind::damaged, "is not a valid PNG: too short for its size");
   }
@@ -164,7 +164,7 @@ Result<FinePicture> decode(ByteView bytes, const std::string& name, std::int64_t
            : spng_decode_image(context.get(), fine.picture.rgba.data(), fine.picture.rgba.size(),
                                SPNG_FMT_RGBA8, SPNG_DECODE_TRNS);
   if (code != 0) return damaged(code);
-  // On to the end, so that the last checksums are looked at too.
+  // Read to the end, so that the last checksums are checked too.
   if (const int end = spng_decode_chunks(context.get()); end != 0) return damaged(end);
   if (to_judge) {
     if (Status whole = checkWholePng(bytes, name); !whole) return whole.error();

@@ -6,8 +6,8 @@
 
 namespace rocinante {
 
-/// Linear light in [0, 1] to the nearest 8-bit sRGB value, from + - * / alone: the C library's pow
-/// differs between CPUs.
+/// Linear light in [0, 1] to the nearest 8-bit sRGB value, computed only with + - * /: the C
+/// library's pow differs between CPUs.
 class SrgbCurve {
  public:
   SrgbCurve() {

@@ -26,8 +26,8 @@ std::uint32_t numberAt(ByteView bytes, std::size_t at) {
   return number;
 }
 
-/// How many bytes the header's pixels have, each row with its filter's byte: of an interlaced
-/// picture those of all seven passes.
+/// Number of filtered bytes by the header, each row with its filter byte; for an interlaced
+/// picture, of all seven passes.
 std::uint64_t filteredBytes(ByteView header) {
   struct Pass {
     std::uint32_t x, y, x_step, y_step;
@@ -49,7 +49,7 @@ std::uint64_t filteredBytes(ByteView header) {
   if (header[12] == std::byte{0}) return bytesOf(width, height);
   std::uint64_t all = 0;
   for (const Pass& pass : kPasses) {
-    // Each at least one pixel past the first of its pass, or none.
+    // Pixels of a pass along one side; may be zero.
     const auto stepsIn = [](std::uint32_t side, std::uint32_t first, std::uint32_t step) {
       return side <= first ? 0U : (side - first - 1) / step + 1;
     };
@@ -58,8 +58,8 @@ std::uint64_t filteredBytes(ByteView header) {
   return all;
 }
 
-/// Inflates the pixels, a piece after the other, and keeps their count alone. By zlib: it gives
-/// back what it has not used, to the byte.
+/// Inflates the pixels in pieces and only counts them. With zlib, which reports unused input
+/// exactly.
 class PixelCount {
  public:
   explicit PixelCount(std::uint64_t expected) : expected_(expected), thrown_away_(kAtOnce) {
@@ -69,10 +69,10 @@ class PixelCount {
   PixelCount(const PixelCount&) = delete;
   PixelCount& operator=(const PixelCount&) = delete;
 
-  /// The next compressed bytes; what is wrong, or empty.
+  /// Adds compressed bytes; returns the fault or empty.
   std::string add(ByteView compressed) {
     if (!is_ready_) return "not enough memory to inflate it";
-    // It only reads.
+    // zlib only reads.
     stream_.next_in = const_cast<Bytef*>(reinterpret_cast<const Bytef*>(compressed.data()));
     stream_.avail_in = static_cast<uInt>(compressed.size());
     while (!ended_) {
@@ -82,7 +82,7 @@ class PixelCount {
       count_ += thrown_away_.size() - stream_.avail_out;
       if (count_ > expected_) return "it has more pixels than its header says";
       ended_ = code == Z_STREAM_END;
-      // What Z_BUF_ERROR means: more input is needed.
+      // Z_BUF_ERROR means that more input is needed.
       if (code == Z_BUF_ERROR || (code == Z_OK && stream_.avail_out > 0)) return "";
       if (code != Z_OK && !ended_) return "its compressed pixels end wrongly";
     }
@@ -90,7 +90,7 @@ class PixelCount {
     return countText(stream_.avail_in, "byte") + " after the end of its compressed pixels";
   }
 
-  /// When nothing comes any more.
+  /// Call after the last bytes.
   std::string finish() const {
     if (!ended_) return "its compressed pixels have no end";
     return count_ == expected_ ? "" : "it has fewer pixels than its header says";

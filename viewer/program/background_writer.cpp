@@ -7,10 +7,10 @@ namespace rocinante {
 namespace {
 
 constexpr std::size_t kMaxWaiting = 8;
-/// More than cores, because a file's way to the disk is waiting.
+/// May exceed the cores, because writing to disk is mostly waiting.
 constexpr std::size_t kWriterThreads = 4;
 
-/// A library's exception must not end the program from this thread.
+/// An exception of a library must not leave the thread.
 Status outcomeOf(const std::function<Status()>& task) {
   try {
     return task();

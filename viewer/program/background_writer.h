@@ -13,20 +13,20 @@
 
 namespace rocinante {
 
-/// Does tasks on threads of its own, so that encoding and writing pictures goes on while the next
-/// one is drawn. Tasks must not depend on each other. Few wait at a time: memory stays bounded, and
-/// who adds waits. After a task that failed those that were not begun are dropped.
+/// Runs tasks on its own threads, so that pictures are encoded and written while the next one is
+/// drawn. Tasks must not depend on each other. The queue is short, which bounds memory: add()
+/// blocks when it is full. After a failed task, tasks that have not started are dropped.
 class BackgroundWriter {
  public:
   BackgroundWriter();
-  /// Waits for what was added.
+  /// Waits for added tasks.
   ~BackgroundWriter();
   BackgroundWriter(const BackgroundWriter&) = delete;
   BackgroundWriter& operator=(const BackgroundWriter&) = delete;
 
-  /// The answer of a task that has failed, if any; this one may fail later.
+  /// Returns the error of an earlier failed task, if any; this one may fail later.
   Status add(std::function<Status()> task);
-  /// Waits until all is done: the same.
+  /// Waits for all tasks; returns the first error.
   Status finish();
 
  private:

@@ -31,7 +31,7 @@ void copyOnto(Picture& sheet, const Picture& frame, int left, int top) {
   }
 }
 
-/// As much of the text as fits, with a sign where it was cut off.
+/// As much of the text as fits, with an ellipsis if cut.
 std::string cutToFit(std::string text, int width, const TextAtlas& atlas) {
   const std::string ellipsis = "\u2026";
   if (atlas.measure(text).width <= width) return text;

@@ -8,21 +8,20 @@
 
 namespace rocinante {
 
-/// The scale of a sheet's frames of that size, of what is asked for `scale`: text, plates and lines
-/// take the part of a tile that they take of a picture of 640x480, but are at least half as large
-/// as there (FrameRequest::scale). Pure.
+/// The scale of a sheet's tiles of that size for a requested `scale`: text, plates and lines take
+/// the same share of a tile as of a 640x480 picture, but at least half their size there
+/// (FrameRequest::scale). Pure.
 double tileScale(int width, int height, double scale);
 
 /// Many frames of one size on one picture, left to right and top to bottom, in about as many
-/// columns as rows, with a line of text under each, cut off where it is
-/// wider than the frame.
+/// columns as rows, with a line of text under each, cut if wider than the frame.
 class ContactSheet {
  public:
-  /// bad_argument when the sheet would pass 2^27 pixels, or has no frame. Borrows the atlas.
+  /// bad_argument when the sheet would exceed 2^27 pixels or has no frame. Borrows the atlas.
   static Result<ContactSheet> create(std::size_t frames, int width, int height,
                                      const TextAtlas& atlas);
 
-  /// The frame at `place`, from 0; in any order.
+  /// Puts the frame at `place`, from 0; in any order.
   void put(std::size_t place, const Picture& frame, const std::string& caption);
 
   const Picture& picture() const { return sheet_; }

@@ -66,7 +66,7 @@ DepthUnits depthUnits(const DepthFrame& frame) {
     if (std::isfinite(metres)) farthest = std::max(farthest, static_cast<double>(metres));
   }
   DepthUnits depth;
-  // So many units a metre: whole numbers, because a tenth is none in binary.
+  // Units per metre, as whole numbers: a tenth is not exact in binary.
   double per_metre = 1000;
   while (farthest * per_metre > kMaxUnits && per_metre > 1e-12) per_metre /= 10;
   depth.metres_per_unit = 1 / per_metre;

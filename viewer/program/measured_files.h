@@ -8,33 +8,33 @@
 
 namespace rocinante {
 
-/// Which frame a file is of: for the JSON beside it.
+/// The frame of a file, for its JSON.
 struct MeasuredFrame {
-  std::string time;  ///< as it was asked for; "rest" without a log
+  std::string time;  ///< as requested; "rest" without a log
   std::int64_t log_time_ns = 0;
   std::string camera;  ///< empty: the default
 };
 
-/// Writes `path`, the ids as a PNG in identityColors() on black, and the legend beside it, with
-/// .json in place of its ending: docs/programs/render.md, "Identity". Both appear whole or not at
-/// all, and are replaced only with `overwrite`. Any thread.
+/// Writes `path`, the ids as a PNG in identityColors() on black, and the legend beside it with the
+/// extension .json: docs/programs/render.md, "Identity". Both appear whole or not at all, and are
+/// replaced only with `overwrite`. Any thread.
 Status writeIdentity(const std::filesystem::path& path, const IdentityFrame& frame,
                      const MeasuredFrame& of, bool overwrite, Sync sync);
 
-/// The same of depth: a PNG of one 16-bit component, whose unit the JSON says.
+/// The same for depth: a PNG of one 16-bit component; its unit is in the JSON.
 Status writeDepth(const std::filesystem::path& path, const DepthFrame& frame,
                   const MeasuredFrame& of, bool overwrite, Sync sync);
 
-/// Where the JSON of such a file stands.
+/// The path of a file's JSON.
 std::filesystem::path legendPath(const std::filesystem::path& picture);
 
-/// Metres in units from 1 on; 0 where there is nothing, or no number.
+/// Depth in units from 1; 0 for nothing or NaN.
 struct DepthUnits {
   double metres_per_unit = 0.001;
   std::vector<std::uint16_t> units;
 };
 
-/// The unit is 1 mm, or the smallest power of ten of it that the farthest pixel can be said in.
+/// The unit is 1 mm times the smallest power of ten that can represent the farthest pixel.
 DepthUnits depthUnits(const DepthFrame& frame);
 
 }  // namespace rocinante

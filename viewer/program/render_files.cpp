@@ -10,7 +10,7 @@
 namespace rocinante {
 namespace {
 
-/// "f.png" with `middle` before its ending.
+/// "f.png" with `middle` before its extension.
 std::filesystem::path withMiddle(const std::filesystem::path& file, const std::string& middle) {
   std::filesystem::path named = file;
   named.replace_filename(file.stem().string() + middle + file.extension().string());

@@ -9,11 +9,11 @@
 
 namespace rocinante {
 
-/// How the files of a job are named: docs/programs/render.md, section "Names of files".
+/// The file names of a job: docs/programs/render.md, section "Names of files".
 struct RenderFiles {
-  std::filesystem::path output, sheet, video, identity, depth;  ///< as asked for; empty: not
+  std::filesystem::path output, sheet, video, identity, depth;  ///< as requested; empty: none
   std::filesystem::path frames;                                 ///< a folder
-  std::vector<std::string> cameras;  ///< as asked for; one empty name when none was
+  std::vector<std::string> cameras;  ///< as requested; one empty name for the default
   std::vector<RenderMoment> moments;
 
   /// `file` for one camera of several: "f.png" becomes "f.overview.png".
@@ -24,12 +24,12 @@ struct RenderFiles {
   /// In `frames`: "frame-00001.png", "frame-00003-picked.png", "overview/frame-00001.png".
   std::filesystem::path frame(std::size_t moment, std::size_t camera) const;
 
-  /// All that will be written; refused when two are one, or one is there already.
+  /// Checks all files; refused when two have the same name or one exists.
   Status check(bool overwrite) const;
 };
 
-/// Text as a part of a file's name: letters, digits, dots inside, `_` and `-` stay, each run of
-/// anything else becomes one `_`; at most 60 bytes. "unnamed" where nothing is left.
+/// Text as part of a file name: letters, digits, inner dots, `_` and `-` stay, each run of other
+/// bytes becomes one `_`; at most 60 bytes. "unnamed" when nothing is left.
 std::string fileNamePart(std::string_view text);
 
 }  // namespace rocinante

@@ -25,8 +25,8 @@ namespace rocinante {
 namespace {
 
 constexpr int kCaptionPx = 18;
-/// More pictures than this wait together for the disk, at the end: one by one, small ones waited
-/// longer than their drawing took.
+/// More pictures than this are synced to disk together at the end: one by one, syncing small ones
+/// took longer than drawing them.
 constexpr std::size_t kMaxSyncedAlone = 16;
 
 Error badJob(std::string what) { return Error{ErrorKind::bad_argument, std::move(what), {}}; }
@@ -64,7 +64,7 @@ Status checkJob(const RenderJob& job) {
   return {};
 }
 
-/// Pictures a second of the video, as docs/programs/render.md says.
+/// Frames per second of the video, by docs/programs/render.md.
 Result<FrameRate> videoRate(const MomentChoice& chosen) {
   if (!chosen.rate.empty()) return parseFrameRate(chosen.rate);
   if (chosen.every.empty()) return chosen.any() ? FrameRate{1, 1} : FrameRate{};
@@ -80,7 +80,7 @@ Result<std::vector<RenderMoment>> momentsOf(const RenderJob& job, Timeline* sess
   if (session == nullptr) return std::vector<RenderMoment>{{"rest", {}, {}}};
   MomentChoice chosen = job.moments;
   chosen.rate.clear();
-  // A video alone shows each of its pictures' moments.
+  // Without other moments, the video's frame rate selects them.
   if (!chosen.any()) chosen.rate = rate.text();
   return renderMoments(chosen, *session, hiding);
 }
@@ -96,7 +96,7 @@ std::vector<std::string> warningsOf(const FrameMaker& maker) {
   return warnings;
 }
 
-/// Says what damage of the log cost the frames.
+/// Reports the effect of the log's damage on the frames.
 void warnOfDamage(const StateDamage& hiding, RenderReport& report) {
   if (!hiding.empty()) {
     report.warnings.insert(report.warnings.begin(), "an event may be missing: " + hiding.text());
@@ -142,7 +142,7 @@ Status makeFolders(const RenderFiles& files) {
 std::string captionOf(const RenderMoment& moment, const std::string& camera) {
   const bool bare = moment.text.find_first_not_of("0123456789.-") == std::string::npos;
   std::string caption = moment.text;
-  // Of an event's nanoseconds the milliseconds will do.
+  // Shorten an event's time to milliseconds.
   if (!moment.event.empty()) caption.resize(std::min(caption.size(), caption.find('.') + 4));
   if (bare) caption += " s";
   if (!moment.event.empty()) caption += "  " + moment.event;
@@ -150,7 +150,7 @@ std::string captionOf(const RenderMoment& moment, const std::string& camera) {
   return caption;
 }
 
-/// The job while it runs: one picture after another.
+/// State of a running job.
 class RenderRun {
  public:
   RenderRun(const RenderJob& job, const FrameRequest& look, RenderFiles files, FrameMaker& maker)
@@ -219,7 +219,7 @@ class RenderRun {
     return {};
   }
 
-  /// A tile of the sheet has its own scale: drawn anew where the picture itself has another.
+  /// Draws a tile of the sheet, anew if its scale differs from the picture's.
   Status drawTile(std::size_t moment, std::size_t camera, std::size_t place,
                   const Picture* picture) {
     std::optional<Picture> tile;

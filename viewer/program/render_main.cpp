@@ -30,7 +30,7 @@ constexpr const char* kExamples =
     "  rocinante render cell.toml session.mcap --video out.mp4 --inset map:bottom-left\n"
     "  rocinante render cell.toml session.mcap --at 3 --identity ids.png --depth depth.png\n";
 
-/// How many faults are shown before the rest is only counted.
+/// Faults shown; further ones are only counted.
 constexpr std::size_t kWarningsShown = 5;
 
 void printWarnings(const RenderReport& report) {
@@ -76,16 +76,16 @@ void printHashes(const RenderReport& report, bool several_cameras) {
   }
 }
 
-/// What was said of each look, by its key.
+/// Given values of each look, by key.
 using Looks = std::map<std::string, std::vector<std::string>>;
 
-/// Every look by its own name: "--shadows", "--edges=only", "--trail arm/hand@5".
+/// Adds one option per look: "--shadows", "--edges=only", "--trail arm/hand@5".
 void addLooks(CLI::App& app, Looks& looks) {
   for (const StyleKey& key : styleKeys()) {
     const std::string name = "--" + std::string(key.key);
     const std::string means = std::string(key.means) + (key.repeats ? "; repeatable" : "");
     std::vector<std::string>& said = looks[std::string(key.key)];
-    // A switch takes its value behind `=` alone: what follows may be the cell.
+    // A switch takes a value only with `=`: the next word may be the cell.
     CLI::Option* option = key.values.starts_with("on|")
                               ? app.add_flag(name + "{on}", said, means)
                               : app.add_option(name, said, means)->allow_extra_args(false);
@@ -93,7 +93,7 @@ void addLooks(CLI::App& app, Looks& looks) {
   }
 }
 
-/// "--shadows on" as "--shadows=on". A file of such a name can be said as "./on".
+/// Joins "--shadows on" to "--shadows=on". A file named `on` can be given as "./on".
 std::vector<std::string> withJoinedSwitches(int argc, char** argv) {
   std::vector<std::string> words;
   const StyleKey* last_switch = nullptr;
@@ -216,7 +216,7 @@ int main(int argc, char** argv) {
   arguments.push_back(nullptr);
   return cli::run(
       app, static_cast<int>(words.size()), arguments.data(), kExamples, [&]() -> Result<cli::Exit> {
-        // Mesa reads its environment when the first context is made.
+        // Mesa reads the environment when the first context is made.
         job.profile = profile == "fast" ? Profile::fast : Profile::reproducible;
         if (job.profile == Profile::reproducible) pinRendererEnvironment(caps);
         const auto pixels = parseSize(size);

@@ -27,7 +27,7 @@ struct LogPart {
   LogTime from, until;  // until exclusive
 };
 
-/// What of the log is asked for.
+/// The requested range of the log.
 Result<LogPart> spanOf(const MomentChoice& choice, const Timeline& session) {
   LogPart span{session.start(), session.end() + Nanoseconds(1)};
   if (!choice.from.empty()) {
@@ -80,10 +80,11 @@ Status addTimesOfFile(const std::filesystem::path& file, const Timeline& session
   return {};
 }
 
-/// Moments `offset(i)` from the origin that lie in the span, i up to `most`; `offset` never falls.
+/// Adds moments `offset(i)` from the origin within the range, i up to `most`; `offset` must not
+/// decrease.
 void addGrid(const std::function<Nanoseconds(std::int64_t)>& offset, const LogPart& span,
              LogTime origin, std::int64_t most, std::vector<RenderMoment>& moments) {
-  // The first that is not before the span; never before the origin.
+  // The first one not before the range; not before the origin.
   std::int64_t low = 0;
   for (std::int64_t high = most; low < high;) {
     const std::int64_t middle = low + (high - low) / 2;
@@ -113,7 +114,7 @@ Status addEvents(const MomentChoice& choice, const LogPart& span, Timeline& sess
         std::any_of(choice.events.begin(), choice.events.end(), [&](const std::string& pattern) {
           return patternMatches(pattern, event.text);
         });
-    // A mark may lie outside of what was captured.
+    // A mark may be outside the captured range.
     if (!wanted || event.time < span.from || event.time >= span.until) continue;
     moments.push_back({secondsText(event.time - session.origin(), 3), event.time, event.text});
   }
@@ -178,7 +179,7 @@ Result<std::vector<RenderMoment>> renderMoments(const MomentChoice& choice, Time
     const auto step = parseDuration(choice.every);
     if (!step) return step.error();
     if (step->count() <= 0) return badMoment("--every needs a duration greater than zero");
-    // From the origin, not from the start, so that cutting a log does not shift the moments.
+    // Count from the origin, not from the start, so that cutting a log does not shift the moments.
     addGrid([&](std::int64_t i) { return *step * i; }, *span, session.origin(),
             kLongest / step->count(), moments);
   }

@@ -45,21 +45,21 @@ struct VideoFile::Impl {
       }
     }
     if (words >= 0) ::close(words);
-    ::unlink(beside.c_str());  // renamed by now, or not wanted
+    ::unlink(beside.c_str());  // already renamed, or unwanted
   }
 
   void closePictures() {
     if (pictures >= 0) ::close(std::exchange(pictures, -1));
   }
 
-  /// What ffmpeg said last, on one line.
+  /// ffmpeg's last message, on one line.
   std::string said() const {
     std::array<char, kMaxWords> buffer{};
     const off_t end = ::lseek(words, 0, SEEK_END);
     const off_t begin = std::max<off_t>(0, end - static_cast<off_t>(buffer.size()));
     const ssize_t got = ::pread(words, buffer.data(), buffer.size(), begin);
     std::string text(buffer.data(), got > 0 ? static_cast<std::size_t>(got) : 0);
-    // Its own name for the file beside is no help to anyone.
+    // Replace the temporary file's name in the message.
     for (std::size_t at = 0; (at = text.find(beside.string(), at)) != std::string::npos;) {
       text.replace(at, beside.string().size(), path.string());
       at += path.string().size();
@@ -101,18 +101,18 @@ Result<VideoFile> VideoFile::create(const std::filesystem::path& path, int width
   impl->path = path;
   impl->overwrite = overwrite;
   impl->picture_bytes = static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4;
-  // The ending last: ffmpeg goes by it.
+  // The extension last: ffmpeg selects the format by it.
   impl->beside = path.parent_path() / fmt::format(".{}.part{}{}", path.stem().string(), ::getpid(),
                                                   path.extension().string());
   impl->words = ::memfd_create("ffmpeg", MFD_CLOEXEC);
   std::array<int, 2> ends{-1, -1};
-  // A socket and not a pipe: writing to one whose reader has died can be told not to raise SIGPIPE.
+  // A socket, not a pipe: it can write without SIGPIPE after the reader has died.
   if (impl->words < 0 || ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
     return videoError(std::string("cannot write to ffmpeg: ") + std::strerror(errno), path);
   }
   impl->pictures = ends[0];
 
-  // "file:" so that no name is taken for a protocol or an option.
+  // "file:", so that a name is not taken for a protocol or an option.
   std::vector<std::string> arguments{"ffmpeg",
                                      "-hide_banner",
                                      "-loglevel",
@@ -154,7 +154,7 @@ Result<VideoFile> VideoFile::create(const std::filesystem::path& path, int width
   ::posix_spawn_file_actions_adddup2(&actions, ends[1], STDIN_FILENO);
   ::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
   ::posix_spawn_file_actions_adddup2(&actions, impl->words, STDERR_FILENO);
-  // A group of its own: Ctrl-C is ours to answer.
+  // Its own process group, so that only we handle Ctrl-C.
   ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
   ::posix_spawnattr_setpgroup(&attributes, 0);
   const int fault =

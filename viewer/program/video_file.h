@@ -10,13 +10,13 @@
 
 namespace rocinante {
 
-/// A video that ffmpeg, a program of its own, encodes from raw pictures while they are drawn. It is
-/// written beside its place and renamed: the file appears whole or not at all. Its format is that
-/// of its ending. One thread.
+/// A video encoded by the ffmpeg program from raw pictures while they are drawn. It is written to a
+/// temporary file and renamed: it appears whole or not at all. The extension selects the format.
+/// Not thread-safe.
 class VideoFile {
  public:
-  /// refused when ffmpeg is not there. Pictures of odd sizes get a black row or column, because the
-  /// usual encoders take even ones only.
+  /// refused when ffmpeg is missing. Pictures of odd sizes get a black row or column, because
+  /// common encoders require even sizes.
   static Result<VideoFile> create(const std::filesystem::path& path, int width, int height,
                                   const FrameRate& rate, bool overwrite);
   /// Leaves no file unless finish() succeeded.
@@ -24,12 +24,12 @@ class VideoFile {
   VideoFile(VideoFile&&) noexcept;
   VideoFile& operator=(VideoFile&&) noexcept;
 
-  /// The next picture, of the video's size. refused, with ffmpeg's own words, when it has ended.
+  /// Adds a picture of the video's size. refused, with ffmpeg's message, when ffmpeg has ended.
   Status add(const Picture& picture);
-  /// Waits until ffmpeg has written all.
+  /// Waits until ffmpeg has written everything.
   Status finish();
 
-  /// Whether a name has an ending that a video can have: .mp4, .mkv, .mov, .webm.
+  /// Whether a name has a video's extension: .mp4, .mkv, .mov, .webm.
   static bool isVideo(const std::filesystem::path& path);
 
  private:
