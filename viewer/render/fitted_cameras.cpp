@@ -4,7 +4,7 @@ namespace rocinante {
 namespace {
 
 constexpr int kFitMoments = 9;
-/// Of a suite with many sizes and choices; then all are forgotten.
+/// Cached views of a suite with many sizes and choices; beyond it the cache is cleared.
 constexpr std::size_t kMaxAnswers = 256;
 
 }  // namespace

@@ -12,11 +12,11 @@
 
 namespace rocinante {
 
-/// The cameras that every cell has: "fit", a three-quarter view of the devices that can move (of
-/// everything where none is seen), "fit:DEVICE", the same of one device, and "map", everything from
-/// straight above. A fitted view must hold what moves in the session and be the same at all its
-/// times: it is fitted to nine moments, spread evenly from the first to the last. One thread;
-/// borrows cell and renderer.
+/// The built-in cameras: "fit", a three-quarter view of the devices that can move (of everything
+/// when none is visible), "fit:DEVICE", the same for one device, and "map", everything from
+/// straight above. A fitted view must contain all movement of the session and be constant: it is
+/// fitted to nine evenly spaced moments from the first to the last. Not thread-safe; borrows cell
+/// and renderer.
 class FittedCameras {
  public:
   FittedCameras(const Cell& cell, const Renderer& renderer) : cell_(cell), renderer_(renderer) {}
@@ -29,18 +29,18 @@ class FittedCameras {
     return name.starts_with(kOfDevice) ? name.substr(kOfDevice.size()) : std::string_view();
   }
 
-  /// Finds the nine moments, once. Asks `session` (null: the cell at rest) for states: one that was
-  /// borrowed from it before is not valid any more. What they may lack, because the log is damaged,
+  /// Computes the states of the nine moments, once. Queries `session` (null: the cell at rest),
+  /// which invalidates a state borrowed from it before. Damage of the log that affects these states
   /// is added to `damage` each time.
   Status prepare(Timeline* session, StateDamage& damage);
 
-  /// After prepare(). `hide` and `show` are what `choice` was made from. not_found when nothing of
-  /// the one device is visible at any of the moments.
+  /// Requires prepare(). `hide` and `show` must be those of `choice`. not_found when nothing of the
+  /// device is visible at any of the moments.
   Result<CameraView> view(std::string_view name, const ViewChoice& choice,
                           const std::vector<std::string>& hide,
                           const std::vector<std::string>& show, int width, int height);
 
-  /// After prepare(): the devices that can move at one of the moments, or in `scene`.
+  /// Requires prepare(). The devices that can move at one of the moments or in `scene`.
   DeviceNames movable(const PosedScene& scene) const;
 
  private:

@@ -23,10 +23,10 @@
 namespace rocinante {
 namespace {
 
-/// A request when everything that it names was found.
+/// A request with all its names resolved.
 struct FoundFrame {
   ViewChoice choice;
-  const SessionState* state = nullptr;  // valid until the session's next question
+  const SessionState* state = nullptr;  // valid until the next query of the session
   PosedScene scene;                     // borrows from it
   CameraView camera;
   std::vector<FrameInset> insets;
@@ -52,7 +52,7 @@ struct FrameMaker::Impl {
   Impl(Cell the_cell, Profile the_profile)
       : cell(std::move(the_cell)), poses(cell), profile(the_profile) {}
   ~Impl() {
-    // Deleting GL objects needs their context.
+    // Deleting GL objects requires their context.
     if (context && !context->makeCurrent()) return;
   }
 
@@ -81,11 +81,11 @@ struct FrameMaker::Impl {
   std::unique_ptr<RenderContext> context;
   std::optional<Renderer> renderer;
   std::optional<FittedCameras> fitted;
-  Impl* fit_of = this;  // whose `fitted` is asked
+  Impl* fit_of = this;  // whose `fitted` is used
   std::optional<TrailFinder> trails;
-  std::optional<SourceRates> rates;  // made when they are first asked for
+  std::optional<SourceRates> rates;  // made on first use
   ScaledView view;
-  std::optional<FrameBuffer> number_target;  // one sample a pixel
+  std::optional<FrameBuffer> number_target;  // one sample per pixel
 };
 
 Status FrameMaker::Impl::checkTime(LogTime time) const {
@@ -101,7 +101,7 @@ Result<CameraView> FrameMaker::Impl::cameraNamed(const std::string& name,
                                                  const FrameRequest& request,
                                                  const FoundFrame& found, int width, int height) {
   if (name.empty() && !cell.cameras.empty()) {
-    // The cell's own come first in the scene's.
+    // The cell's cameras come first in the scene.
     return viewOf(found.scene.cameras.front());
   }
   const std::string wanted = name.empty() ? "fit" : name;
@@ -175,7 +175,7 @@ Result<FoundFrame> FrameMaker::Impl::findDamaged(const FrameRequest& request, St
   auto choice = ViewChoice::make(request.hide, request.show);
   if (!choice) return choice.error();
   found.choice = std::move(*choice);
-  // Before the state at the time asked for, which is valid until the next question only.
+  // Before querying the requested state, which is only valid until the next query.
   if (asksFit(request)) {
     Timeline* const fitted_to = fit_of->session ? &*fit_of->session : nullptr;
     if (Status ready = fit_of->fitted->prepare(fitted_to, damage); !ready) return ready.error();
@@ -223,7 +223,7 @@ Result<const DetailRung*> FrameMaker::Impl::prepareRung(int detail) {
   }
   const DetailRung& rung = kDetailRungs[static_cast<std::size_t>(detail)];
   if (rung.level.geometry_error_px > 0) {
-    // A reproducible picture depends on no file but its own: meshes are made anew.
+    // A reproducible picture must not depend on cached files: coarser meshes are made anew.
     const DetailCache cache = profile == Profile::fast ? DetailCache::ofUser() : DetailCache();
     renderer->prepareDetail(cache, static_cast<int>(std::thread::hardware_concurrency()));
     renderer->takeReadyDetail(true);
@@ -259,7 +259,7 @@ Result<FrameMaker> FrameMaker::open(Cell cell, std::optional<Timeline> session, 
   impl->renderer = std::move(*renderer);
   impl->fitted.emplace(impl->cell, *impl->renderer);
   impl->trails.emplace(impl->cell);
-  // Everything is in memory now: a folder made for this cell alone can go.
+  // Everything is in memory now: a temporary folder of this cell can be removed.
   impl->cell.keeps_files.reset();
   return FrameMaker(std::move(impl));
 }

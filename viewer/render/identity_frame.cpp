@@ -8,11 +8,11 @@
 namespace rocinante {
 namespace {
 
-/// A component is at least this: colours stand out from black.
+/// Minimum of a component, to distinguish colours from black.
 constexpr std::uint32_t kDarkest = 40;
 
 std::uint32_t colorOfName(const IdentityName& name, unsigned attempt) {
-  // A zero byte stands in no name, so no two pairs give one text.
+  // Names have no zero byte, so the text is unique.
   std::string text = name.device + '\0' + name.link;
   if (attempt > 0) text += '\0' + std::to_string(attempt);
   const auto digest = xxh3(bytesOf(text));

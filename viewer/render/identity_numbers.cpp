@@ -27,7 +27,8 @@ IdentityName IdentityNumbers::nameOf(std::uint32_t number) const {
     const PosedDrawing& drawing = scene_.drawings[number - first_drawing_];
     return {"drawing", drawing.source + "/" + drawing.id};
   }
-  // The last device that begins at or before it: one without links begins where the next one does.
+  // The last device that begins at or before the number: a device without links begins where the
+  // next one does.
   const auto behind = std::upper_bound(first_of_device_.begin(), first_of_device_.end(), number);
   const auto device = static_cast<std::size_t>(behind - first_of_device_.begin()) - 1;
   const PosedDevice& posed = scene_.devices[device];

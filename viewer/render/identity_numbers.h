@@ -9,7 +9,7 @@
 
 namespace rocinante {
 
-/// Numbers what a scene can show, from 1: the links of its devices in order, then its drawings.
+/// Numbers the owners of pixels from 1: the links of a scene's devices in order, then its drawings.
 /// Plain values, no GL. Borrows the scene.
 class IdentityNumbers {
  public:
@@ -18,10 +18,10 @@ class IdentityNumbers {
   std::uint32_t ofLink(std::uint32_t device, std::uint32_t link) const {
     return first_of_device_[device] + link;
   }
-  /// By vertex, from its owner (see addLinesAndPoints()); 0 where it has none.
+  /// Numbers by vertex, from its owner (see addLinesAndPoints()); 0 without an owner.
   std::vector<std::uint32_t> ofVertices(const Overlay& overlay) const;
 
-  /// The frame of these numbers: those that are in it, numbered anew without gaps.
+  /// The frame of these numbers, renumbered without gaps.
   IdentityFrame frame(std::vector<std::uint32_t> numbers, int width, int height) const;
 
   IdentityName nameOf(std::uint32_t number) const;

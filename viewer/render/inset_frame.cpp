@@ -23,7 +23,7 @@ void addInsetFrame(Overlay& overlay, const FrameInset& inset, const TextAtlas& a
                           static_cast<int>(corner.y) + 1, kTitleInk, inset.title);
   }
   if (wide <= 0) return;
-  // None over another: a translucent border would show its corners.
+  // The sides must not overlap: a translucent border would show its corners.
   overlay.addScreenRectangle({left, top}, {right, top + wide}, inset.border_rgba);
   overlay.addScreenRectangle({left, bottom - wide}, {right, bottom}, inset.border_rgba);
   overlay.addScreenRectangle({left, top + wide}, {left + wide, bottom - wide}, inset.border_rgba);

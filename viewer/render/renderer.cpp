@@ -16,15 +16,15 @@
 namespace rocinante {
 namespace {
 
-/// Lines of edges, and what stands in for a scale bar's longest length.
-/// Opaque by a whole number of 255ths: of 0.9, which is 229.5 of them, the last bit of an
-/// interpolated 1.0 decides, and versions of Mesa differ in that.
+/// Colour of edge lines. The opacity is a whole number of 255ths: 0.9 is 229.5 of them, where the
+/// last bit of an interpolated 1.0 decides, and versions of Mesa differ in it.
 constexpr glm::vec4 kEdgeColor{0.09F, 0.11F, 0.14F, 230.0F / 255};
 constexpr double kScaleBarPx = 180;
-/// Of one view. Software GL takes some 20 s and 1 GB for as many; far more end it without a word.
+/// Limit of one view. Software GL takes about 20 s and 1 GB for this many and crashes with far
+/// more.
 constexpr std::uint64_t kMaxFrameTriangles = 100'000'000;
 
-/// How many of the items, from back to front, lie farther than all ghosts.
+/// Number of items, from back to front, that are farther than all ghosts.
 std::size_t countBehind(std::span<const DrawItem> items, std::span<const DrawItem> ghosts) {
   double farthest = ghosts.empty() ? HUGE_VAL : -HUGE_VAL;
   for (const DrawItem& ghost : ghosts) farthest = std::max(farthest, ghost.distance);
@@ -175,11 +175,11 @@ Result<DrawCounts> Renderer::Impl::drawView(const SceneFrame& frame, const LinkL
   const RenderStyle& style = styleOf(frame);
   DrawCounts counts;
   StageClock clock;
-  // App: where everything is, seen from where.
+  // App: poses and camera.
   const Camera camera = cameraOf(frame, view, part.width, part.height);
 
   clock.endStage(counts.times.app);
-  // Cull: what of it can be seen, in which order.
+  // Cull: visible items in drawing order.
   DrawList collisions;
   const std::vector<DrawnSet> sets = setsOf(frame, looks, camera, view_list, collisions);
   if (Status fits = checkTriangles(sets); !fits) return fits.error();
@@ -189,7 +189,7 @@ Result<DrawCounts> Renderer::Impl::drawView(const SceneFrame& frame, const LinkL
   if (frame.extras != nullptr) addTrails(in_scene, frame.extras->trails);
 
   clock.endStage(counts.times.cull);
-  // Draw. First what is drawn elsewhere, for this view to look into.
+  // Draw. First the shadow map and other inputs of this view.
   std::optional<ShadowLookup> shadows;
   if (style.shadows && style.shading == Shading::standard) {
     const auto drawn = drawShadows(frame, looks, camera);
@@ -226,7 +226,7 @@ Result<DrawCounts> Renderer::Impl::drawView(const SceneFrame& frame, const LinkL
     const Status grid = passes->grid.draw(camera, look, frame.scale, surfaces.shadows);
     if (!grid) return grid.error();
   }
-  // Before what is translucent, so that a planner's line shows through a ghost.
+  // Before translucent items, so that a planner's line shows through a ghost.
   passes->overlay.drawInScene(in_scene);
   const auto drawTranslucent = [&](bool behind_ghosts) {
     if (surfaces.depth_only) return;
@@ -261,7 +261,7 @@ Result<DrawCounts> Renderer::Impl::drawView(const SceneFrame& frame, const LinkL
 void Renderer::Impl::drawInsetFrames(const SceneFrame& frame, const FrameBuffer& target) const {
   const Camera whole(frame.camera, target.width(), target.height(), passes->clipDepth(), 1);
   for (const FrameInset& inset : frame.insets) {
-    // Seen in pixels of the whole picture, cut off at the inset's edges.
+    // In pixels of the whole picture, clipped to the inset.
     setViewport(gl, inset.part, target.height());
     gl.Viewport(0, 0, target.width(), target.height());
     Overlay overlay(whole, frame.scale);

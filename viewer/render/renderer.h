@@ -26,7 +26,7 @@
 
 namespace rocinante {
 
-/// A window over the main view, with a camera of its own.
+/// A rectangle over the main view with its own camera.
 struct FrameInset {
   PixelRectangle part;
   CameraView camera;
@@ -35,28 +35,28 @@ struct FrameInset {
   int border_px = 1;  ///< drawn inside of `part`
 };
 
-/// What one frame shows. Borrowed for the length of the call.
+/// The content of one frame. Borrowed during the call.
 struct SceneFrame {
   const PosedScene* scene = nullptr;
   CameraView camera;
   const ViewChoice* choice = nullptr;
-  const RenderStyle* style = nullptr;    ///< null: the default, no look at all
-  const FrameExtras* extras = nullptr;   ///< what limits and trails of `style` need; null: neither
+  const RenderStyle* style = nullptr;    ///< null: the default, without looks
+  const FrameExtras* extras = nullptr;   ///< data for limits and trails of `style`; may be null
   std::span<const FrameInset> insets{};  ///< later ones over earlier ones
   DetailLevel detail{};                  ///< the default draws everything
-  /// Times the size in pixels of text, lines, points, gnomon, scale bar and inset frames: 0.5 to 4,
-  /// for pictures of more pixels on as much paper or screen.
+  /// Scale of text, lines, points, gnomon, scale bar and inset frames: 0.5 to 4, for pictures of
+  /// higher resolution.
   double scale = 1;
-  /// Gnomon and scale bar of the main view stand so much higher: over a window's time bar.
+  /// Raises gnomon and scale bar of the main view above a window's time bar.
   int raised_px = 0;
-  /// Labels, gnomon, scale bar and the frames of insets with the scene; else by drawOnTop().
+  /// Draw labels, gnomon, scale bar and the frames of insets with the scene; else by drawOnTop().
   bool on_top = true;
 };
 
-/// What of a device a pixel of a frame shows.
+/// The link shown by a pixel of a frame.
 struct PickedLink {
   IdentityName name;  ///< device and link
-  Vec3 point{};       ///< of its surface, in the world
+  Vec3 point{};       ///< on its surface, in world space
 };
 
 struct DrawCounts {
@@ -68,13 +68,13 @@ struct DrawCounts {
 /// Draws a cell: app -> cull -> draw, in one context. A window draws each frame so:
 ///
 ///   renderer.draw({&scene, camera, &choice}, frame_buffer);  // all samples
-///   frame_buffer.resolve();   // now bound: draw the user interface here, one sample a pixel
+///   frame_buffer.resolve();   // now bound: draw the user interface here, one sample per pixel
 ///   frame_buffer.blitTo(0);   // or read()
 ///
-/// One thread, with the context current. Borrows context and cell, which must outlive it.
+/// Not thread-safe; its context must be current. Borrows context and cell, which must outlive it.
 class Renderer {
  public:
-  /// Uploads every mesh and texture of the cell. refused when the context is less than GL 3.3, or
+  /// Uploads every mesh and texture of the cell. refused when the context is older than GL 3.3, or
   /// the profile is reproducible and the renderer is not llvmpipe with pinned caps.
   static Result<Renderer> create(RenderContext& context, const Cell& cell, Profile profile);
 
@@ -82,47 +82,48 @@ class Renderer {
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
 
-  /// Draws into `target` (its samples: resolve() comes next). refused when GL reports an error.
+  /// Draws into the samples of `target`; call resolve() next. refused when GL reports an error.
   Result<DrawCounts> draw(const SceneFrame& frame, const FrameBuffer& target);
 
-  /// What lies over the scene, crisp, for a frame that was drawn without it and then stretched to
-  /// `target`, whose resolved pixels are drawn to. `refill_inset`, which may be empty, puts the
-  /// stretched pixels of an inset back over what of the main view lies there.
+  /// Draws labels, gnomon, scale bar and inset frames sharply for a frame that was drawn without
+  /// them and then stretched to `target`. Draws to the resolved pixels. `refill_inset`, which may
+  /// be empty, restores the stretched pixels of an inset over the main view's labels.
   Status drawOnTop(const SceneFrame& frame, const FrameBuffer& target,
                    const std::function<void(std::size_t)>& refill_inset = {});
 
-  /// Begins to make coarser meshes, in threads of their own, for frames whose detail asks for them.
+  /// Starts to make coarser meshes in background threads, for frames whose detail uses them.
   void prepareDetail(const DetailCache& cache, int threads);
-  /// Takes over those that are ready, or all of them, waiting for them; true when there are new
-  /// ones. Never called, detail means nothing but leaving out and filtering.
+  /// Takes over the ready ones, or waits for all; true when there are new ones. Without this call,
+  /// detail only affects culling and filtering.
   bool takeReadyDetail(bool wait_for_all = false);
-  /// All that prepareDetail() began is done and taken over.
+  /// True when everything started by prepareDetail() is finished and taken over.
   bool detailReady() const;
 
-  /// Whose each pixel of that frame is, insets included. `target` must have one sample a pixel.
+  /// The device and link of each pixel of the frame, insets included. `target` must have one sample
+  /// per pixel.
   Result<IdentityFrame> identity(const SceneFrame& frame, const FrameBuffer& target);
-  /// How far each is, in the main view.
+  /// The depth of each pixel of the main view.
   Result<DepthFrame> depth(const SceneFrame& frame, const FrameBuffer& target);
-  /// The link that such a frame of that size shows at pixel (x, y) from the top left: what
-  /// identity() has there, without the session's drawings. Where nothing is, what is nearest within
-  /// two pixels, so that lines can be hit; else empty. Of several insets the last one there counts.
+  /// The link that the frame shows at pixel (x, y) from the top left: the result of identity()
+  /// there, without the session's drawings. Without a link there, the nearest one within two
+  /// pixels, so that lines can be hit; else empty. The topmost inset counts.
   Result<std::optional<PickedLink>> pick(const SceneFrame& frame, int width, int height, double x,
                                          double y);
 
   /// A three-quarter view of all that is visible in `scene`.
   CameraView fittedCamera(const PosedScene& scene, const ViewChoice& choice, int width,
                           int height) const;
-  /// Corners of the boxes around everything visible in `scene`: what a fitted view must show.
-  /// `devices`: of these alone; null: of all.
+  /// Corners of the bounding boxes of everything visible in `scene`, for fitted views. `devices`:
+  /// only these; null: all.
   std::vector<Vec3> visiblePoints(const PosedScene& scene, const ViewChoice& choice,
                                   const DeviceNames* devices = nullptr) const;
-  /// The world box around all of that; empty when nothing is visible.
+  /// The bounding box of everything visible in world space; empty when nothing is visible.
   Bounds visibleBounds(const PosedScene& scene, const ViewChoice& choice,
                        const DeviceNames* devices = nullptr) const;
 
   const GlTable& gl() const;
   const RendererKey& key() const;
-  /// The glyphs of a picture of that scale.
+  /// The glyphs for pictures of that scale.
   const TextAtlas& text(double scale) const;
   /// XXH3 of vertex buffers, decoded textures and glyphs.
   const std::string& inputsHash() const;

@@ -17,7 +17,7 @@
 
 namespace rocinante {
 
-/// What a Renderer is made of, for renderer.cpp (frames) and renderer_numbers.cpp (identity and
+/// The members of a Renderer, for renderer.cpp (frames) and renderer_numbers.cpp (identity and
 /// depth).
 struct Renderer::Impl {
   static constexpr int kTextPixels = 16;
@@ -34,8 +34,8 @@ struct Renderer::Impl {
     inputs_text = inputs.text();
   }
 
-  /// Collision geometry, uploaded when it is first asked for. No part of the inputs hash: a frame
-  /// without it does not depend on it.
+  /// Collision geometry, uploaded on first use. Not in the inputs hash: a frame without it does not
+  /// depend on it.
   struct CollisionGeometry {
     CollisionGeometry(const GlTable& gl, const Cell& cell)
         : catalog(cell, DrawnGeometry::collisions), meshes(gl, catalog, unused_inputs) {}
@@ -54,11 +54,11 @@ struct Renderer::Impl {
   TextureStore textures;
   std::optional<DrawPasses> passes;
   std::optional<DetailBuilder> detail_builder;     // borrows the catalog
-  std::optional<CollisionGeometry> collision;      // made when it is first asked for
+  std::optional<CollisionGeometry> collision;      // made on first use
   mutable std::map<int, TextAtlas> other_atlases;  // of other scales than 1, by line in pixels
-  DrawList view_list;  // of the view at hand: memory that frames use again
+  DrawList view_list;                              // of the current view; memory reused by frames
   LookPasses look_passes{gl};
-  std::optional<IdentityPass> identity_pass;  // made when it is first asked for
+  std::optional<IdentityPass> identity_pass;  // made on first use
   std::optional<FrameBuffer> pick_target;     // as large as the picture clicked on
   std::string inputs_text;
 
@@ -73,14 +73,14 @@ struct Renderer::Impl {
     return makeDrawList(*frame.scene, collision->catalog, *frame.choice, camera, {}, looks,
                         DrawnGeometry::collisions);
   }
-  /// All that a view shows of the geometry, in these two lists, coplanar surfaces lifted.
+  /// Fills the two lists with the visible geometry of a view, coplanar surfaces lifted.
   std::vector<DrawnSet> setsOf(const SceneFrame& frame, const LinkLooks& looks,
                                const Camera& camera, DrawList& list, DrawList& collisions) const;
-  /// What the style says of the scene's links; then `collision` is there where it is needed.
+  /// The looks of the scene's links by the style. Makes `collision` if it is needed.
   Result<LinkLooks> looksOf(const SceneFrame& frame);
-  /// unsupported when they are more than a frame may have.
+  /// unsupported when there are more than the limit of a frame.
   static Status checkTriangles(std::span<const DrawnSet> sets);
-  /// One view into a part of what is bound.
+  /// Draws one view into a part of the bound framebuffer.
   Result<DrawCounts> drawView(const SceneFrame& frame, const LinkLooks& looks,
                               const CameraView& view, const PixelRectangle& part, int frame_height);
   Result<ShadowLookup> drawShadows(const SceneFrame& frame, const LinkLooks& looks,
@@ -89,14 +89,14 @@ struct Renderer::Impl {
   Overlay onTopOf(const SceneFrame& frame, const Camera& camera, const CameraView& view) const;
   void drawInsetFrames(const SceneFrame& frame, const FrameBuffer& target) const;
   Status prepareIdentity(const FrameBuffer& target);
-  /// Numbers of what drawView() shows of the geometry, into a part that identity_pass began.
+  /// Draws the numbers of the geometry shown by drawView(), into a part begun by identity_pass.
   Status drawNumbers(const SceneFrame& frame, const LinkLooks& looks, const Camera& camera,
                      const std::function<std::uint32_t(const DrawItem&)>& number_of);
   Status glStatus() const;
 };
 
-/// Without perspective nothing is too near or too far: what lies past the reach of depths (lines,
-/// the grid) is before or behind all else.
+/// Clamps depth for orthographic views: lines and grid beyond the depth range stay in front of or
+/// behind everything else.
 inline void setClamp(const GlTable& gl, bool clamp) {
   clamp ? gl.Enable(GL_DEPTH_CLAMP) : gl.Disable(GL_DEPTH_CLAMP);
 }

@@ -1,4 +1,4 @@
-// Frames of numbers in place of colours: whose each pixel is, and how far away.
+// Frames of numbers instead of colours: identity and depth.
 #include <algorithm>
 #include <cmath>
 
@@ -9,10 +9,10 @@
 namespace rocinante {
 namespace {
 
-/// A click counts for what is so many pixels beside it.
+/// A click selects objects up to this many pixels away.
 constexpr int kPickReach = 2;
 
-/// The world point at a depth below the middle of a pixel.
+/// The world point at a depth behind the centre of a pixel.
 Vec3 pointAt(const Camera& camera, int x, int y, double depth_m) {
   const double metres = camera.metersPerPixel(depth_m);
   const double right = (x + 0.5 - camera.width() * 0.5) * metres;
@@ -112,7 +112,7 @@ Result<std::optional<PickedLink>> Renderer::pick(const SceneFrame& frame, int wi
   const auto looks = my.looksOf(frame);
   if (!looks) return looks.error();
   const IdentityNumbers numbers(*frame.scene);
-  // Drawn as identity() draws it, but for the pixels that nobody asks for.
+  // Drawn as in identity(), but only near the pixel.
   my.identity_pass->begin(part, height);
   my.gl.Scissor(left, height - bottom, right - left, bottom - top);
   setClamp(my.gl, camera.orthographic());

@@ -59,7 +59,7 @@ Result<DrawCounts> ScaledView::drawStretched(Renderer& renderer, const SceneFram
   if (!drawn.ok()) return drawn;
   scaled_->resolve();
   scaled_->stretchTo(*picture_);
-  // What lies over the main view must not lie over an inset: each is filled anew before its own.
+  // Labels of the main view must not cover an inset: refill each inset before its own labels.
   const auto refill = [&](std::size_t inset) {
     scaled_->stretchPartTo(insets[inset].part, *picture_, frame.insets[inset].part);
   };

@@ -9,22 +9,22 @@
 namespace rocinante {
 
 /// Draws frames on a rung of detail: the scene at the rung's resolution and with its samples, then
-/// stretched to the picture's own pixels, over which labels, gnomon and the frames of insets are
-/// drawn crisp. On rung 0 both are one framebuffer. Bound to the context of the table that it was
-/// made with.
+/// stretched to the picture's resolution, where labels, gnomon and the frames of insets are drawn
+/// sharply. On rung 0 both are one framebuffer. Its context must be current whenever it is used or
+/// destroyed.
 ///
 ///   view.prepare(gl, width, height, samples, rung);
 ///   view.draw(renderer, frame);  // the picture's pixels are bound now: draw an interface here
 ///   view.picture().blitTo(0);    // or read()
 class ScaledView {
  public:
-  /// Makes what is needed and is not there yet; gives away what is not needed any more.
+  /// Creates missing framebuffers and releases unneeded ones.
   Status prepare(const GlTable& gl, int width, int height, int samples, const DetailRung& rung);
 
-  /// `frame` is in pixels of the picture; its detail and on_top are set by the rung prepared for.
+  /// `frame` is in pixels of the picture; its detail and on_top are set by the prepared rung.
   Result<DrawCounts> draw(Renderer& renderer, SceneFrame frame) const;
 
-  /// One sample a pixel, as large as was asked for.
+  /// The picture, one sample per pixel, of the requested size.
   const FrameBuffer& picture() const { return *picture_; }
 
  private:

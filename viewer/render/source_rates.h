@@ -10,13 +10,13 @@
 namespace rocinante {
 
 /// Datagrams of each source in the last second of a log: those in (time - 1 s, time]. A function of
-/// log and time alone; going forwards costs what lies between. One thread.
+/// log and time only; moving forward reads only the messages in between. Not thread-safe.
 class SourceRates {
  public:
   explicit SourceRates(LogReader reader) : reader_(std::move(reader)) {}
 
-  /// By source, or by topic where a datagram names none; every one that the log has.
-  /// Those that damage of the log hides are not counted: it is added to `damage`.
+  /// Datagrams by source, or by topic when a datagram names no source; includes every source of the
+  /// log. Datagrams hidden by damage of the log are not counted; the damage is added to `damage`.
   Result<std::map<std::string, std::uint64_t>> at(LogTime time, StateDamage& damage);
 
  private:
@@ -28,8 +28,8 @@ class SourceRates {
 
   LogReader reader_;
   std::deque<Counted> window_;
-  std::optional<LogTime> reached_;  ///< all up to here was read
-  std::optional<Counted> next_;     ///< the first behind it
+  std::optional<LogTime> reached_;  ///< messages up to here were read
+  std::optional<Counted> next_;     ///< the first one after it
   bool at_end_ = false;
 };
 

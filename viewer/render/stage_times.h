@@ -4,7 +4,7 @@
 
 namespace rocinante {
 
-/// CPU of the calling thread, and time on the wall.
+/// CPU time of the calling thread, and wall time.
 struct StageTime {
   std::int64_t cpu_ns = 0, wall_ns = 0;
 
@@ -15,11 +15,11 @@ struct StageTime {
   }
 };
 
-/// What a frame took, stage by stage. A picture never depends on it.
+/// Times of a frame by stage. Pictures do not depend on them.
 struct StageTimes {
-  StageTime app;   ///< where everything is, seen from where; posing adds the caller
-  StageTime cull;  ///< what of it can be seen, in which order
-  StageTime draw;  ///< telling GL, which may go on in threads of its own after that
+  StageTime app;   ///< poses and camera; the caller adds posing
+  StageTime cull;  ///< visible items in drawing order
+  StageTime draw;  ///< GL calls; GL's threads may still be working after them
 
   StageTimes& operator+=(const StageTimes& other) {
     app += other.app;
@@ -29,11 +29,11 @@ struct StageTimes {
   }
 };
 
-/// Runs from when it was made, and from each endStage() on.
+/// Measures from construction and from each endStage().
 class StageClock {
  public:
   StageClock() : last_(now()) {}
-  /// Adds what went by since to `stage`.
+  /// Adds the time since then to `stage`.
   void endStage(StageTime& stage);
 
  private:

@@ -19,8 +19,8 @@ double halfHeightOf(double fov_deg) {
   return tangent(radiansOf(bounded) / 2);
 }
 
-/// The near plane lies at this part of the way to the target: with float depth from 1 to 0 it costs
-/// no precision.
+/// Distance of the near plane as a share of the target's: with float depth from 1 to 0 it costs no
+/// precision.
 constexpr double kNearPart = 1e-3;
 
 }  // namespace
@@ -37,7 +37,7 @@ Camera::Camera(const CameraView& view, int width, int height, ClipDepth depth, d
   forward_ = distance > 1e-12 ? toward / distance : Vec3(1, 0, 0);
   right_ = finite(view.up) ? crossOf(forward_, view.up) : Vec3(0, 0, 0);
   if (lengthOf(right_) < 1e-9) {
-    // Looking straight along up: the picture's top is then x, or y when that is the direction too.
+    // Looking along up: use x as the picture's top, or y when looking along x too.
     const Vec3 other = std::abs(forward_.x) < 0.9 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
     right_ = crossOf(forward_, other);
   }
@@ -99,7 +99,7 @@ bool Camera::sees(const Vec3& center, double radius) const {
   if (orthographic_) return x <= half_width_ + radius && y <= half_height_ + radius;
   const double z = dotOf(offset, forward_);
   if (z < -radius) return false;
-  // Distance beyond the planes through the eye: their normals are (1, -half) scaled to unit length.
+  // Distance from the side planes through the eye, whose normals are (1, -half) normalized.
   return x - half_width_ * z <= radius * std::sqrt(1 + half_width_ * half_width_) &&
          y - half_height_ * z <= radius * std::sqrt(1 + half_height_ * half_height_);
 }
@@ -142,9 +142,9 @@ CameraView fittedView(const std::vector<Vec3>& points, int width, int height) {
   const double half_height = halfHeightOf(kFovDeg) / kMargin;
   const double half_width = half_height * width / std::max(height, 1);
 
-  // Each side of the picture is a plane that must keep every point inside: p is inside of the right
-  // one when x(p) - x(eye) <= half_width * (z(p) - z(eye)). The eye is where two opposite planes,
-  // pushed out to the outermost points, meet; the farther back of the two pairs decides.
+  // Each side of the picture is a plane with all points inside: p is inside the right one when x(p)
+  // - x(eye) <= half_width * (z(p) - z(eye)). The eye is the intersection of two opposite planes
+  // through the outermost points; the farther back of both pairs decides.
   const double lowest = -1e300;
   double right_most = lowest, left_most = lowest, top_most = lowest, bottom_most = lowest;
   double nearest = 1e300;
@@ -162,7 +162,7 @@ CameraView fittedView(const std::vector<Vec3>& points, int width, int height) {
   const double eye_y = (top_most - bottom_most) / 2;
   double eye_z = std::min(-(right_most + left_most) / (2 * half_width),
                           -(top_most + bottom_most) / (2 * half_height));
-  // A single point has no size: stand a metre off.
+  // A single point has no size: use a distance of one metre.
   if (nearest - eye_z < 1e-6) eye_z = nearest - 1.0;
 
   double farthest = nearest;

@@ -7,7 +7,7 @@
 
 namespace rocinante {
 
-/// Where a picture is taken from: world space, metres.
+/// The view of a picture in world space, metres.
 struct CameraView {
   Vec3 eye{4, -4, 3}, target{0, 0, 0}, up{0, 0, 1};
   double fov_deg = 45;                   ///< vertical; from 0.01 to 179
@@ -15,20 +15,20 @@ struct CameraView {
   bool operator==(const CameraView&) const = default;
 };
 
-/// What GL takes as depth in clip space.
+/// GL's depth range in clip space.
 enum class ClipDepth {
   zero_to_one,       ///< after glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE): full float precision
-  minus_one_to_one,  ///< GL's own
+  minus_one_to_one,  ///< GL's default
 };
 
-/// The projection of one frame, in double: 1e-6 m holds a kilometre from the origin, because the
-/// eye is subtracted before anything becomes float. Depth runs from 1 at the near plane to 0 at
-/// infinity (in a float, that is about equally fine at every distance), so nearer is GREATER and
-/// the far side needs no plane: what is in the scene never changes another thing's depth.
+/// The projection of one frame, in double: precise to 1e-6 m a kilometre from the origin, because
+/// the eye is subtracted before converting to float. Depth runs from 1 at the near plane to 0 at
+/// infinity (in float, with about equal relative precision at every distance), so nearer is GREATER
+/// and there is no far plane: objects do not change each other's depth.
 class Camera {
  public:
-  /// A view without a direction (eye on the target, up along the view, numbers not finite) is given
-  /// one. `reach_m`: orthographic only, how far before and behind the eye things may lie.
+  /// A view without a direction (eye on the target, up along the view, values not finite) gets one.
+  /// `reach_m`: orthographic only, the largest distance in front of and behind the eye.
   Camera(const CameraView& view, int width, int height, ClipDepth depth, double reach_m);
 
   int width() const { return width_; }
@@ -40,7 +40,7 @@ class Camera {
   bool orthographic() const { return orthographic_; }
   double near() const { return near_m_; }
 
-  /// Of a world position minus eye().
+  /// Maps a world position minus eye() to clip space.
   const Mat4& clipFromRelative() const { return clip_from_relative_; }
   /// `world` with the eye subtracted from its translation.
   Mat4 relative(const Mat4& world) const;
@@ -48,11 +48,11 @@ class Camera {
   Vec4 clipOf(const Vec3& world) const;
   /// Metres in front of the eye, along the view.
   double depthOf(const Vec3& world) const;
-  /// The same from what a depth buffer holds, 1 (near) to 0; infinity for 0.
+  /// The same from a depth buffer's value, 1 (near) to 0; infinity for 0.
   double depthAt(double stored) const;
-  /// Metres that a pixel covers at this depth.
+  /// Metres per pixel at this depth.
   double metersPerPixel(double depth_m) const;
-  /// False only when nothing of the sphere can be in the picture.
+  /// False only when the sphere is entirely outside the picture.
   bool sees(const Vec3& center, double radius) const;
 
  private:
@@ -65,12 +65,12 @@ class Camera {
   Mat4 clip_from_relative_;
 };
 
-/// A three-quarter view from front right that shows all `points` with a margin: a cell without a
-/// camera. The example view when there are none.
+/// A three-quarter view from front right that shows all `points` with a margin, for a cell without
+/// a camera. A default view without points.
 CameraView fittedView(const std::vector<Vec3>& points, int width, int height);
 
-/// Straight down on all `points` without perspective, with a margin: x to the right, y up. The map
-/// of ten metres around the origin when there are none.
+/// An orthographic view straight down on all `points` with a margin: x to the right, y up. Ten
+/// metres around the origin without points.
 CameraView mapView(const std::vector<Vec3>& points, int width, int height);
 
 /// `view` with its eye, target and up moved by a rigid matrix.

@@ -19,7 +19,7 @@ std::optional<double> numberIn(std::string_view text) {
   return whole && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-/// What stands before the next `separator`, which is taken away with it.
+/// Removes and returns the text before the next `separator`; also removes the separator.
 std::string_view takeUntil(std::string_view& text, char separator) {
   const std::size_t end = text.find(separator);
   const std::string_view taken = text.substr(0, end);
@@ -37,7 +37,7 @@ std::optional<Vec3> vectorIn(std::string_view text) {
   return vector;
 }
 
-/// "fov=45" and its like.
+/// Applies "fov=45" and similar parts.
 bool setPart(std::string_view part, CameraView& view) {
   const std::string_view key = takeUntil(part, '=');
   if (key == "up") {

@@ -9,17 +9,17 @@
 
 namespace rocinante {
 
-/// The view of a camera that the scene has placed.
+/// The view of a posed camera.
 CameraView viewOf(const PosedCamera& camera);
 
-/// The camera of that name (a session's `view` outranks the cell's camera). not_found, naming those
-/// that there are.
+/// The camera of that name (a session's `view` overrides the cell's camera). not_found, listing the
+/// known ones.
 Result<CameraView> chooseCamera(const std::string& name, const PosedScene& scene);
 
-/// A viewpoint in numbers, where a camera's name is asked for: "@EX,EY,EZ/TX,TY,TZ", eye and target
-/// in metres, then, each behind a slash, "fov=DEG", "ortho=HEIGHT_M" and "up=X,Y,Z". bad_argument.
+/// A viewpoint in numbers, in place of a camera's name: "@EX,EY,EZ/TX,TY,TZ", eye and target in
+/// metres, then, each behind a slash, "fov=DEG", "ortho=HEIGHT_M" and "up=X,Y,Z". bad_argument.
 Result<CameraView> parseViewpoint(std::string_view text);
-/// The text that gives exactly this view.
+/// The text that parses to exactly this view.
 std::string viewpointText(const CameraView& view);
 
 }  // namespace rocinante

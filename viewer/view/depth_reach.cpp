@@ -9,7 +9,7 @@
 namespace rocinante {
 namespace {
 
-/// The part of a polygon on the inner side of a plane: sign * p[axis] <= most.
+/// Clips a polygon to sign * p[axis] <= most.
 std::vector<Vec3> cutOff(const std::vector<Vec3>& polygon, int axis, double sign, double most) {
   std::vector<Vec3> inside;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -25,7 +25,7 @@ std::vector<Vec3> cutOff(const std::vector<Vec3>& polygon, int axis, double sign
   return inside;
 }
 
-/// Of a box in the camera's axes (right, up, along the view): how far what can be seen reaches.
+/// Largest depth of the visible part of a box in camera axes (right, up, along the view).
 double seenReach(const std::array<Vec3, 8>& box, double half_width, double half_height) {
   double farthest = 0;
   for (unsigned axis = 0; axis < 3; ++axis) {

@@ -6,11 +6,11 @@
 
 namespace rocinante {
 
-/// How far before and behind its eye an orthographic camera must reach: to all corners of boxes,
-/// eight each as visibleCorners() has them, and to the grid. Where that is more than 128 m, as far
-/// as what the picture shows of the boxes: a close view of a small part has fine depths, however
-/// far the site goes on beside it. A power of two of at least a metre, so that small movements
-/// change nobody's depth. The camera's own reach plays no part.
+/// The depth range in front of and behind the eye of an orthographic camera: to all corners of
+/// boxes, eight each as in visibleCorners(), and the grid. Beyond 128 m, only to the visible part
+/// of the boxes, so that a close view of a small part has precise depths on a large site. A power
+/// of two of at least one metre, so that small movements do not change depths. Ignores the camera's
+/// present reach.
 double depthReach(const Camera& camera, std::span<const Vec3> corners, double grid_m);
 
 }  // namespace rocinante

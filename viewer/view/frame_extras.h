@@ -9,29 +9,29 @@
 
 namespace rocinante {
 
-/// How near a link's joint stands to its limits.
+/// How near a link's joint is to its limits.
 enum class LimitLevel : std::uint8_t {
   inside,
   near,    ///< within 5 % of the range of an end of it
-  beyond,  ///< past an end, or no number at all
+  beyond,  ///< past an end, or NaN
 };
 
-/// A link's way up to the moment of the frame, oldest first, in the world.
+/// A link's path up to the moment of the frame, oldest point first, in world space.
 struct Trail {
   struct Point {
     Vec3 at{};
-    float fresh = 0;  ///< 0 at the far end of the window, 1 at the moment of the frame
+    float fresh = 0;  ///< 0 at the start of the window, 1 at the frame's moment
     bool operator==(const Point&) const = default;
   };
   std::string path;
-  /// Runs without a gap; a device that was not there for a while leaves one.
+  /// Runs without gaps; a device that was absent leaves a gap.
   std::vector<std::vector<Point>> runs;
 };
 
-/// What some looks of a frame need besides the scene: read off the state and the log, never off
-/// what was drawn before (frame_extras is made by limitLevels() and TrailFinder).
+/// Data for some looks besides the scene, computed only from the state and the log, by
+/// limitLevels() and TrailFinder.
 struct FrameExtras {
-  /// By device of the scene, by link of its model; empty: nothing is tinted.
+  /// By device of the scene and link of its model; empty: no tint.
   std::vector<std::vector<LimitLevel>> limits;
   std::vector<Trail> trails;
 };

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kLeastSidePx = 16;
 
-/// A side in pixels. A hair is added before the rest is cut off: 0.3 of 640 is 192, and not 191.
+/// A side in pixels. A small epsilon is added before truncation: 0.3 of 640 is 192, not 191.
 int sideOf(double given, bool in_pixels, int picture, double scale) {
   const double side = in_pixels ? given * scale : given * picture + 1e-6;
   return static_cast<int>(std::floor(std::clamp(side, 0.0, 65536.0)));
@@ -31,7 +31,7 @@ int marginOf(const CellInset& inset, double scale) {
   return static_cast<int>(std::floor(inset.margin_px * scale + 0.5));
 }
 
-/// Where insets of a corner at the right may stand: those at the bottom first stay at the edge.
+/// The room for insets of a right corner: bottom insets prefer the edge.
 PixelRectangle roomAtRight(bool top, const std::vector<CellInset>& insets, int width, int height,
                            double scale, const CoveredEdges& covered) {
   const int below = height - covered.bottom - covered.right_top;
@@ -50,7 +50,7 @@ PixelRectangle roomAtRight(bool top, const std::vector<CellInset>& insets, int w
 
 std::vector<PixelRectangle> placeInsets(const std::vector<CellInset>& insets, int width, int height,
                                         double scale, const CoveredEdges& covered) {
-  std::array<int, 4> used{};  // by corner: pixels from the upper or lower edge that are taken
+  std::array<int, 4> used{};  // by corner: pixels used from the upper or lower edge
   const PixelRectangle left_room{covered.left, 0, width - covered.left, height - covered.bottom};
   const PixelRectangle top_right = roomAtRight(true, insets, width, height, scale, covered);
   const PixelRectangle bottom_right = roomAtRight(false, insets, width, height, scale, covered);

@@ -11,28 +11,27 @@
 
 namespace rocinante {
 
-/// What panels of a window cover of its picture, in pixels: insets stand beside it.
+/// The edges of a picture covered by a window's panels, in pixels; insets are placed beside them.
 struct CoveredEdges {
   int left = 0, bottom = 0;
-  int right = 0;      ///< how wide what lies at the right edge is
-  int right_top = 0;  ///< how far down it goes, from the top
+  int right = 0;      ///< width of the right panel
+  int right_top = 0;  ///< its bottom, from the top
 };
 
-/// Where the insets of a picture stand, by inset, as docs/cell-format.md, section "Insets", says;
-/// an empty rectangle for one that finds no room. Beside what is covered: at the right below it
-/// where they have room, those at the bottom first, else to its left; made smaller where that is
-/// not enough, and so that those of the left and the right do not meet. Pure.
+/// The places of a picture's insets, by docs/cell-format.md, section "Insets"; an empty rectangle
+/// without room. Beside panels: at the right below the panel if there is room, bottom insets first,
+/// else to its left; shrunk if needed, and so that left and right insets do not overlap. Pure.
 std::vector<PixelRectangle> placeInsets(const std::vector<CellInset>& insets, int width, int height,
                                         double scale = 1, const CoveredEdges& covered = {});
 
-/// Whether the inset would show what the main view shows: by its camera's name, or because both
-/// cameras are the same.
+/// Whether the inset would show the main view: by its camera's name, or because both views are
+/// equal.
 bool repeatsMainView(const CellInset& inset, std::string_view main_name, const CameraView& main,
                      const PosedScene& scene);
 
-/// "CAMERA" or "CAMERA:CORNER" ("map:bottom-left"), all else by default. A camera's name may hold a
-/// colon: what stands behind the last one counts as a corner only when it is one. bad_argument for
-/// an empty name.
+/// "CAMERA" or "CAMERA:CORNER" ("map:bottom-left"), with defaults for everything else. A camera's
+/// name may contain a colon: the text after the last one is a corner only if it is valid.
+/// bad_argument for an empty name.
 Result<CellInset> parseInset(std::string_view text);
 
 }  // namespace rocinante

@@ -31,7 +31,7 @@ void addModel(KnownModels& models, const Model* model) {
   if (std::ranges::find(models, model) == models.end()) models.push_back(model);
 }
 
-/// Groups of the parts that a link shows; empty when a mesh is missing: nothing is known then.
+/// Groups of the parts that a link shows; empty when a mesh is missing and groups are unknown.
 std::optional<std::vector<std::string_view>> groupsOf(const Link& link) {
   std::vector<std::string_view> groups;
   for (const Visual& visual : link.visuals) {
@@ -85,13 +85,13 @@ std::optional<KnownNames::Models> KnownNames::modelsOf(const std::string& device
   if (const auto added = added_.find(device); added != added_.end()) {
     for (const std::string& name : added->second) {
       const auto model = cell_.models.find(name);
-      if (model == cell_.models.end()) continue;  // then `add` is without effect
+      if (model == cell_.models.end()) continue;  // then `add` has no effect
       known = true;
       addModel(models, model->second.get());
     }
   }
   if (others_may_come_) {
-    // An `add` may also give a device of the cell another of its models.
+    // An `add` may also give a device of the cell a different model.
     for (const Model* model : allModels()) addModel(models, model);
     known = true;
   }
@@ -100,10 +100,10 @@ std::optional<KnownNames::Models> KnownNames::modelsOf(const std::string& device
 
 Status KnownNames::readLog() {
   if (log_read_ || log_.empty()) return {};
-  // What a cut or split piece begins with stands in its first keyframe.
+  // The initial state of a cut or split log is in its first keyframe.
   auto session = Timeline::open(log_);
   if (!session) return session.error();
-  // Names alone: whatever is drawn tells of the damage that its state has.
+  // Ignored for names: drawing reports the damage of its state.
   StateDamage ignored;
   const auto first = session->stateAt(session->start(), &ignored);
   if (!first) return first.error();
@@ -151,12 +151,12 @@ Status KnownNames::checkLayer(const std::string& layer) const {
   return unknownName("unknown layer `" + layer + "`", layer, {layers_.begin(), layers_.end()});
 }
 
-/// Link and group of a PATH whose device can be any of those models.
+/// Checks link and group of a PATH whose device can have any of these models.
 Status KnownNames::checkBelow(const ViewPath& path, const Models& models) const {
   std::vector<std::string_view> links, groups;
   bool any_link = path.path.second.empty();
   for (const Model* model : models) {
-    if (model == nullptr) return {};  // could not be read, which is told elsewhere
+    if (model == nullptr) return {};  // unreadable, which is reported elsewhere
     for (const Link& link : model->links) {
       links.emplace_back(link.name);
       if (!path.path.second.empty() && link.name != path.path.second) continue;
@@ -237,7 +237,7 @@ Status KnownNames::checkCamera(const std::string& name) {
   std::vector<std::string_view> known(views_.begin(), views_.end());
   for (const CellCamera& camera : cell_.cameras) known.emplace_back(camera.name);
   Error unknown = unknownName("unknown camera `" + name + "`", name, std::move(known));
-  // A camera that cannot stand is not in the cell.
+  // A faulty camera is not in the cell.
   const auto fault = std::ranges::find_if(cell_.faults, [](const ModelFault& one) {
     return one.severity == Severity::error && one.rule.starts_with("cell.");
   });

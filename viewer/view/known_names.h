@@ -14,29 +14,28 @@
 
 namespace rocinante {
 
-/// What the PATHs of a view and the names of cameras can mean, so that a slip is told and does not
-/// silently hide nothing: the rule of docs/rendering.md, section "Names". Borrows the cell. One
-/// thread.
+/// The valid PATHs and camera names of a cell and log, so that a typo is refused instead of hiding
+/// nothing: docs/rendering.md, section "Names". Borrows the cell. Not thread-safe.
 class KnownNames {
  public:
   explicit KnownNames(const Cell& cell);
 
-  /// Devices that the log adds and views that it holds count too. It is read, once, when a name is
-  /// asked for that the cell does not have.
+  /// Also accepts devices and views of the log. The log is read once, for the first name that the
+  /// cell does not have.
   void useLog(std::filesystem::path log) { log_ = std::move(log); }
-  /// A live session: nobody knows which devices and views will come.
+  /// For a live session: unknown devices and views may still appear.
   void expectOthers() { others_may_come_ = true; }
 
-  /// not_found for a layer, device, link or part that no picture can have. What is no PATH at all
-  /// is left to those who use it.
+  /// not_found for a layer, device, link or part that no picture can have. Invalid PATHs are
+  /// accepted here; their users refuse them.
   Status check(const std::vector<std::string>& paths);
   Status check(const RenderStyle& style);
   /// not_found for a device that no picture can have.
   Status checkDevice(const std::string& device);
-  /// The same for a camera, besides those that are built in and viewpoints in numbers.
+  /// The same for a camera; built-in cameras and viewpoints in numbers are always valid.
   Status checkCamera(const std::string& name);
-  /// The device that `path` names, when it is none of the cell's and only expectOthers() let it
-  /// pass: a sentence to warn with. Empty otherwise.
+  /// A warning when the device of `path` is not in the cell and passed only because of
+  /// expectOthers(). Empty otherwise.
   std::string doubtAbout(const std::string& path) const;
 
  private:
@@ -46,7 +45,7 @@ class KnownNames {
   Status checkLayer(const std::string& layer) const;
   Status checkBelow(const ViewPath& path, const Models& models) const;
   Status readLog();
-  /// Of a device as a picture may have it; empty when there is none of that name.
+  /// The possible models of a device; empty for an unknown name.
   std::optional<Models> modelsOf(const std::string& device) const;
   Models allModels() const;
   std::string deviceHint(const std::string& name) const;
@@ -59,7 +58,7 @@ class KnownNames {
   std::map<std::string, std::set<std::string>, std::less<>> added_;  ///< models by device
   std::set<std::string, std::less<>> views_;
   bool others_may_come_ = false;
-  std::set<std::string> sound_;  ///< PATHs that were found to be fit
+  std::set<std::string> sound_;  ///< PATHs already checked
 };
 
 }  // namespace rocinante

@@ -27,7 +27,7 @@ void chooseLayers(const std::vector<std::string>& layers, std::vector<std::strin
       hide.push_back(std::string("layer/") + name);
     }
   }
-  // Built-in ones hold no device: they are seen unless hidden.
+  // Built-in layers contain no device: they are visible unless hidden.
   for (const std::string& layer : layers) show.push_back("layer/" + encodeName(layer));
 }
 

@@ -8,8 +8,8 @@
 
 namespace rocinante {
 
-/// Every layer that a picture of the cell can have: the cell's own, and those that are always
-/// there (grid, gnomon, labels, lines, points).
+/// Every layer of a picture of the cell: the cell's layers and the built-in ones (grid, gnomon,
+/// labels, lines, points).
 using KnownLayers = std::set<std::string, std::less<>>;
 KnownLayers knownLayers(const Cell& cell);
 

@@ -10,8 +10,8 @@ namespace rocinante {
 std::vector<std::vector<LimitLevel>> limitLevels(const PosedScene& scene,
                                                  const SessionState& state);
 
-/// Of one value: near within 5 % of the range of an end, beyond past an end by more than a
-/// millionth of the range (values come rounded), and beyond when it is no number.
+/// The level of one value: near within 5 % of the range from an end; beyond when past an end by
+/// more than a millionth of the range (values are rounded), or NaN.
 LimitLevel limitLevel(const JointLimits& limits, double value);
 
 }  // namespace rocinante

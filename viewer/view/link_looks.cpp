@@ -84,7 +84,7 @@ PartLook LinkLooks::lookOf(DrawnGeometry geometry, const PosedScene& scene, std:
     look.opacity = by_layers.opacity.value_or(1.0F);
   }
   for (const Opacity& one : transparent_) {
-    // The later one stands, as in a list of overrides.
+    // The later entry wins, as in a list of overrides.
     if (one.path.namesPart(posed, link, group)) look.opacity = one.opacity;
   }
   if (geometry == DrawnGeometry::collisions) {

@@ -13,28 +13,28 @@
 
 namespace rocinante {
 
-/// Which geometry of the models a draw list is made of.
+/// The geometry of a draw list.
 enum class DrawnGeometry { visuals, collisions };
 
-/// How one part is drawn when not as its materials say.
+/// How one part is drawn, beyond its materials.
 struct PartLook {
   bool wireframe = false;
   bool ghost = false;             ///< in one tone, behind the actual device (GhostStyle::clear)
-  float opacity = 1;              ///< times its own
-  std::optional<glm::vec4> tone;  ///< in place of its materials and its picture
+  float opacity = 1;              ///< multiplies its own
+  std::optional<glm::vec4> tone;  ///< replaces its materials and texture
 };
 
-/// What a style, and below it the cell's layers, say of the links of a scene. A plain value;
-/// borrows the extras.
+/// The looks of a scene's links by a style and, below it, the cell's layers. A plain value; borrows
+/// the extras.
 class LinkLooks {
  public:
-  /// Nothing out of the ordinary.
+  /// Everything as by the materials.
   LinkLooks() = default;
-  /// bad_argument for a PATH that is none. `scene`: for what its cell's layers say; null: nothing.
+  /// bad_argument for an invalid PATH. `scene`: for the looks of its cell's layers; may be null.
   static Result<LinkLooks> make(const RenderStyle& style, const FrameExtras* extras,
                                 const PosedScene* scene = nullptr);
 
-  /// False when every part is drawn as its materials say.
+  /// False when every part is drawn by its materials.
   bool any() const { return any_; }
   bool anyCollision() const {
     return !collision_.empty() || !collision_over_.empty() || collision_of_layers_;
@@ -43,7 +43,7 @@ class LinkLooks {
 
   /// Whether this geometry of the link is drawn at all.
   bool draws(DrawnGeometry geometry, const PosedDevice& device, std::size_t link) const;
-  /// `device`: a place in scene.devices.
+  /// `device`: an index into scene.devices.
   PartLook lookOf(DrawnGeometry geometry, const PosedScene& scene, std::size_t device,
                   std::size_t link, std::string_view group) const;
   bool outlined(const PosedDevice& device, std::size_t link, std::string_view group) const;
@@ -56,7 +56,7 @@ class LinkLooks {
   CollisionLook collisionOf(const PosedDevice& device, std::size_t link) const;
 
   bool any_ = false;
-  bool of_layers_ = false;  // what the cell has layers drawn like
+  bool of_layers_ = false;  // the cell's layers have looks
   bool collision_of_layers_ = false;
   bool clear_ghosts_ = false;
   std::vector<ViewPath> outlined_, wireframe_, collision_, collision_over_;

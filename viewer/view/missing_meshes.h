@@ -7,14 +7,14 @@
 
 namespace rocinante {
 
-/// What no picture of the cell can show: "DEVICE/LINK" for each link of which a visual mesh is
-/// missing or cannot be read, "DEVICE" where its whole model is. By device, as the cell has them.
-/// Textures and collision meshes are not meant: without them a picture has another look, and no
-/// part less. Pure; the cell was loaded with its geometry.
+/// Objects missing in every picture of the cell: "DEVICE/LINK" for each link with a missing or
+/// unreadable visual mesh, "DEVICE" for a missing model. In the cell's order. Textures and
+/// collision meshes do not count: without them no part is missing. Pure; the cell must have been
+/// loaded with geometry.
 std::vector<std::string> linksWithoutMesh(const Cell& cell);
 
 /// The same as a sentence: "the picture is incomplete: meshes of arm/forearm and 2 more are missing
-/// or cannot be read, first: the mesh `forearm.stl` is not used: ..."; empty where nothing is
+/// or cannot be read, first: the mesh `forearm.stl` is not used: ..."; empty when nothing is
 /// missing.
 std::string incompleteText(const Cell& cell);
 

@@ -6,8 +6,8 @@
 namespace rocinante {
 namespace {
 
-/// Where a sender repeats the cell's own pose in fewer digits, nothing has moved: metres, or parts
-/// of a unit vector.
+/// Tolerance for a sender that repeats the cell's pose in fewer digits: metres, or parts of a unit
+/// vector.
 constexpr double kStandsStill = 1e-3;
 
 bool sameBase(const Mat4& a, const Mat4& b) {
@@ -38,7 +38,7 @@ void addMovableDevices(const Cell& cell, const PosedScene& at_rest, const PosedS
       names.insert(device.name);
     }
   }
-  // What rides on one of them moves with it, and so on along chains.
+  // Devices carried by a movable one move too, along chains.
   for (bool more = true; more;) {
     more = false;
     for (const CellDevice& device : cell.devices) {

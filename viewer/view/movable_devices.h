@@ -10,10 +10,10 @@ namespace rocinante {
 
 using DeviceNames = std::set<std::string, std::less<>>;
 
-/// Adds to `names` the devices of `scene` that can move, as docs/cell-format.md, section "Built
-/// in", says: those with a joint that is not fixed, those that a [[source]] moves, those that stand
-/// elsewhere than in `at_rest` (the cell when nothing was said) or are not in it, and those that
-/// the cell puts on one of these. Pure.
+/// Adds to `names` the devices of `scene` that can move, by docs/cell-format.md, section "Built
+/// in": those with a joint that is not fixed, those moved by a [[source]], those whose pose differs
+/// from `at_rest` (the cell without packets) or that are not in it, and those that the cell puts on
+/// one of these. Pure.
 void addMovableDevices(const Cell& cell, const PosedScene& at_rest, const PosedScene& scene,
                        DeviceNames& names);
 

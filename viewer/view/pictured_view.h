@@ -7,10 +7,10 @@
 
 namespace rocinante {
 
-/// A part of a picture with a camera of its own: the main view, or an inset over it.
+/// A part of a picture with its own camera: the main view or an inset.
 struct PicturedView {
   bool is_inset = false;
-  std::string camera;   ///< by name, as the inset has it; of the main view as it was asked for
+  std::string camera;   ///< the inset's name; for the main view as requested
   PixelRectangle part;  ///< the main view's is the whole picture
   CameraView from;
 };

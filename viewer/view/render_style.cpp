@@ -11,7 +11,7 @@
 namespace rocinante {
 namespace {
 
-/// A trail has so many points whatever its window: beyond a day they say nothing.
+/// A trail has a fixed number of points: beyond a day they are useless.
 constexpr Nanoseconds kLongestTrail = std::chrono::hours(24);
 
 constexpr std::array kKeys{
@@ -33,7 +33,7 @@ constexpr std::array kKeys{
 
 Error badStyle(std::string what) { return Error{ErrorKind::bad_argument, std::move(what), {}}; }
 
-/// Empty when there is no such key.
+/// Null when there is no such key.
 const StyleKey* keyNamed(std::string_view key) {
   std::string name(key);
   std::replace(name.begin(), name.end(), '_', '-');
@@ -71,7 +71,7 @@ bool chooseEdges(EdgeStyle& target, std::string_view value) {
                  {"only", EdgeStyle::only}});
 }
 
-/// "PATH@REST": what stands behind the last `@`, which no name can hold unencoded.
+/// Splits "PATH@REST" at the last `@`, which names cannot contain unencoded.
 std::pair<std::string_view, std::string_view> splitAt(std::string_view value) {
   const std::size_t at = value.rfind('@');
   if (at == std::string_view::npos) return {value, {}};
@@ -119,7 +119,7 @@ Status addPath(std::vector<std::string>& list, std::string_view value) {
   return {};
 }
 
-/// Collision geometry is a link's: its groups are not those of the visuals.
+/// Collision geometry belongs to a link: its groups are not those of the visuals.
 Status addLink(std::vector<std::string>& list, const StyleKey& key, std::string_view value) {
   const auto path = parseViewPath(value);
   if (!path) return path.error();
@@ -134,7 +134,7 @@ std::string shortest(double number) {
   return fault == std::errc() ? std::string(text.data(), end) : std::string();
 }
 
-/// Sets or adds one value, whatever stands beside it.
+/// Sets or adds one value, independent of the others.
 Status setOne(RenderStyle& style, const StyleKey& key, std::string_view value) {
   const std::string_view name = key.key;
   if (name == "outlined") return addPath(style.outlined, value);

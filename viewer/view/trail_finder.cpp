@@ -8,7 +8,7 @@
 namespace rocinante {
 namespace {
 
-/// Places remembered of one trail: many windows' worth, some megabytes.
+/// Cached positions of one trail: many windows, a few megabytes.
 constexpr std::size_t kMaxKnown = 100'000;
 constexpr std::size_t kMaxTrailsKnown = 64;
 
@@ -16,7 +16,7 @@ bool isFinite(const Vec3& a) {
   return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
 }
 
-/// Towards minus infinity: moments before the origin have numbers too.
+/// Division rounded down: moments before the origin have negative numbers.
 std::int64_t floorDivide(std::int64_t a, std::int64_t b) {
   const std::int64_t quotient = a / b;
   return quotient * b > a ? quotient - 1 : quotient;
@@ -26,7 +26,7 @@ std::int64_t floorDivide(std::int64_t a, std::int64_t b) {
 
 Result<std::vector<Trail>> TrailFinder::find(const std::vector<TrailStyle>& styles,
                                              Timeline& session, LogTime time, StateDamage& damage) {
-  // Forgotten whole: they are found again, and the same. Before pointers into them are taken.
+  // Clear the whole cache, before taking pointers into it: the same positions are found again.
   if (known_.size() > kMaxTrailsKnown) known_.clear();
   std::vector<Wanted> wanted;
   for (const TrailStyle& style : styles) {
@@ -39,7 +39,7 @@ Result<std::vector<Trail>> TrailFinder::find(const std::vector<TrailStyle>& styl
     const std::int64_t step = one.step.count();
     one.first = floorDivide((begin - session.origin()).count() + step - 1, step);
     one.last = floorDivide((time - session.origin()).count() - 1, step);
-    // Rounding of the step lets in a few more than the window holds.
+    // Rounding of the step may allow a few more than the window has.
     one.first = std::max(one.first, one.last - kTrailPoints + 1);
     one.known = &known_[{style.path, step}];
     if (one.known->size() > kMaxKnown) one.known->clear();
@@ -74,7 +74,7 @@ Result<std::vector<Trail>> TrailFinder::find(const std::vector<TrailStyle>& styl
 
 Status TrailFinder::findPlaces(const std::vector<Wanted>& wanted, Timeline& session,
                                StateDamage& damage) {
-  // In the order of time, which is what the session is quickest at.
+  // In time order, which is fastest for the session.
   std::map<LogTime, std::vector<std::pair<const Wanted*, std::int64_t>>> questions;
   for (const Wanted& one : wanted) {
     for (std::int64_t k = one.first; k <= one.last; ++k) {
@@ -109,7 +109,7 @@ void TrailFinder::need(const std::string& device, const SessionState& state) {
     part_.models = cell_.models;
     part_.sources = cell_.sources;
   }
-  // Walked anew for each state: who carries whom may have changed.
+  // Computed for each state: carriers may have changed.
   std::set<std::string, std::less<>> met;
   std::vector<std::string> open{device};
   while (!open.empty()) {

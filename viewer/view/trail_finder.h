@@ -15,29 +15,29 @@
 
 namespace rocinante {
 
-/// Finds trails: where a link was over [time - window, time], as a function of cell, log and time
-/// alone. A trail has at most kTrailPoints points whatever the rate and the window: the link's
-/// place at the multiples of window / kTrailPoints since the session's origin, so that they stay
-/// where they are while time goes on, and at `time` itself. Places found once are remembered, which
-/// changes the cost and nothing else. One thread; borrows the cell.
+/// Finds trails: the positions of a link over [time - window, time], as a function only of cell,
+/// log and time. A trail has at most kTrailPoints points for any rate and window: the link's
+/// position at multiples of window / kTrailPoints since the session's origin, so that points do not
+/// move as time advances, and at `time` itself. Caches positions, which only affects the cost. Not
+/// thread-safe; borrows the cell.
 class TrailFinder {
  public:
   static constexpr int kTrailPoints = 240;
 
   explicit TrailFinder(const Cell& cell) : cell_(cell) {}
 
-  /// In the order of `styles`; one that names nothing has no runs. Asks `session` for states: one
-  /// that was borrowed from it before is not valid any more. What places may lack, because the log
-  /// is damaged, is added to `damage`.
+  /// Trails in the order of `styles`; an unknown PATH has no runs. Queries `session`, which
+  /// invalidates a state borrowed from it before. Damage of the log that affects positions is added
+  /// to `damage`.
   Result<std::vector<Trail>> find(const std::vector<TrailStyle>& styles, Timeline& session,
                                   LogTime time, StateDamage& damage);
 
  private:
-  using Place = std::optional<Vec3>;  ///< empty: it is not there, or stands at no finite place
-  /// Of one PATH and one step, by sample number.
+  using Place = std::optional<Vec3>;  ///< empty: absent, or not finite
+  /// Positions of one PATH and step, by sample number.
   struct KnownPlace {
     Place place;
-    bool is_damaged = false;  ///< asked for anew each time, for what it lacks
+    bool is_damaged = false;  ///< queried again each time, for its damage
   };
   using Known = std::map<std::int64_t, KnownPlace>;
 
@@ -50,8 +50,8 @@ class TrailFinder {
 
   Status findPlaces(const std::vector<Wanted>& wanted, Timeline& session, StateDamage& damage);
   Place placeOf(const ViewPath& path, const SessionState& state);
-  /// Adds to `part_` what the device stands on, and so on: posing the whole cell for one link
-  /// would cost a large one dearly.
+  /// Adds the device and its chain of carriers to `part_`: posing a whole large cell for one link
+  /// would be slow.
   void need(const std::string& device, const SessionState& state);
 
   const Cell& cell_;

@@ -17,7 +17,7 @@
 namespace rocinante {
 namespace {
 
-/// As `top -H` shows it.
+/// Shown by `top -H`.
 constexpr char kThreadName[] = "rocinante-feed";
 constexpr int kPollMs = 10;
 constexpr std::size_t kSampleBytes = 24;
@@ -34,7 +34,7 @@ class RateMeter {
     counts_[static_cast<std::size_t>(tenth % kTenths)] += count;
   }
 
-  /// Of the nine tenths that are over.
+  /// Rate over the nine completed tenths.
   double perSecond() const {
     std::uint64_t sum = 0;
     for (std::int64_t back = 1; back < kTenths; ++back) {
@@ -67,7 +67,7 @@ struct LiveFeed::Impl {
   }
 
   void run();
-  /// Everything that waits on the sockets; how many datagrams that was.
+  /// Reads all waiting datagrams; returns their number.
   std::uint64_t drain(Decoder& decoder, LiveSnapshot& current);
 };
 
@@ -76,12 +76,12 @@ std::uint64_t LiveFeed::Impl::drain(Decoder& decoder, LiveSnapshot& current) {
   for (const auto& source : sources) {
     while (!stop.load(std::memory_order_relaxed)) {
       const auto batch = source->receive();
-      // A source that fails for a moment (an interface goes away) is asked again.
+      // A source that fails temporarily (an interface goes down) is polled again.
       if (!batch.ok() || batch->empty()) break;
       for (const ReceivedDatagram& datagram : *batch) {
         ++count;
         const LogTime arrived{datagram.kernel_time.time_since_epoch()};
-        // The fold's time must not go back, also when the wall clock does.
+        // The fold's time must not decrease, even if the wall clock does.
         current.time = std::max(current.time, arrived);
         const Packet* packet = decoder.decode(datagram.payload);
         if (packet == nullptr) {
@@ -109,7 +109,7 @@ void LiveFeed::Impl::run() {
   double told_rate = 0;
   while (!stop.load(std::memory_order_relaxed)) {
     for (std::size_t i = 0; i < sources.size(); ++i) {
-      // A group is joined again when its interface is back; the descriptor may then be another.
+      // A group is joined again when its interface returns; the descriptor may then change.
       (void)sources[i]->maintain();
       polls[i] = {sources[i]->fileDescriptor(), POLLIN, 0};
     }

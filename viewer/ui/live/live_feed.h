@@ -12,12 +12,13 @@
 
 namespace rocinante {
 
-/// What the network thread hands to the window: a whole state, and figures of the last second.
+/// Data passed from the network thread to the window: a complete state, and figures of the last
+/// second.
 struct LiveSnapshot {
   SessionState state;
   LogTime time{};                ///< of the newest datagram
   std::uint64_t datagrams = 0;   ///< since the start
-  std::uint64_t undecoded = 0;   ///< datagrams that are no packets
+  std::uint64_t undecoded = 0;   ///< datagrams that are not packets
   std::string undecoded_sample;  ///< the beginning of the first of them, printable
   std::uint64_t dropped = 0;     ///< by the kernel: its buffer was full
   std::uint64_t gaps = 0;        ///< sequence numbers never seen, all sources
@@ -26,19 +27,19 @@ struct LiveSnapshot {
   SteadyTime taken{};  ///< when it was handed over
 };
 
-/// Listens in a thread of its own, so that packets never slow a frame and a frame never loses a
-/// packet: the thread folds everything that comes, and hands over a copy whenever the window has
+/// Listens in its own thread, so that packets do not delay frames and slow frames do not lose
+/// packets: the thread folds everything received and hands over a copy whenever the window has
 /// taken the last one (one atomic exchange; neither waits for the other).
 class LiveFeed {
  public:
-  /// refused, as openSource() says, when an endpoint cannot be listened to or watched.
+  /// refused, as in openSource(), when it cannot listen on or watch an endpoint.
   static Result<LiveFeed> start(const std::vector<Endpoint>& endpoints);
 
   ~LiveFeed();
   LiveFeed(LiveFeed&&) noexcept;
   LiveFeed& operator=(LiveFeed&&) noexcept;
 
-  /// The newest snapshot, or null when nothing came since the last call. One caller.
+  /// The newest snapshot, or null when there is none since the last call. For one calling thread.
   std::unique_ptr<LiveSnapshot> take();
 
   const std::vector<Endpoint>& endpoints() const;

@@ -8,7 +8,7 @@
 namespace rocinante {
 namespace {
 
-/// Shorter than this nothing can be said about what does not come.
+/// Silence shorter than this is not reported.
 constexpr Nanoseconds kPatience = std::chrono::seconds(2);
 
 std::string wholeSeconds(Nanoseconds time) {

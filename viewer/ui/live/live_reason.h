@@ -9,25 +9,24 @@
 
 namespace rocinante {
 
-/// What is known of a live session in which little is to be seen.
+/// Facts about a live session, for explaining why nothing moves.
 struct LiveFacts {
   std::vector<Endpoint> endpoints;
   Nanoseconds watched{};  ///< since listening began
   Nanoseconds silent{};   ///< since the last datagram, or since listening began
   std::uint64_t datagrams = 0;
-  std::uint64_t undecoded = 0;   ///< of those: no packets
+  std::uint64_t undecoded = 0;   ///< of those: not packets
   std::string undecoded_sample;  ///< the beginning of the first of them, printable
   std::size_t devices_spoken_of = 0;
-  std::string unknown_device;  ///< one that the cell does not have, when it has none of them
+  std::string unknown_device;  ///< one of them, when the cell has none of them
 };
 
 struct LiveReason {
   std::string what;  ///< one sentence
-  std::string hint;  ///< what to look at; may be empty
+  std::string hint;  ///< what to check; may be empty
 };
 
-/// Why nothing moves, in the words of `rocinante spy`; empty while all is well or it is too early
-/// to say. Pure.
+/// Why nothing moves; empty when there is no problem or it is too early to say. Pure.
 std::optional<LiveReason> liveReason(const LiveFacts& facts);
 
 }  // namespace rocinante

@@ -11,22 +11,22 @@
 
 namespace rocinante {
 
-/// A line of the list of sources: one that speaks or spoke, or that the cell expects.
+/// A row of the list of sources: one that sent packets, or that the cell expects.
 struct SourceRow {
   std::string name;
-  const LiveSource* live = nullptr;  ///< borrowed; null: expected, and never heard
-  Nanoseconds silent{};              ///< of one that was heard
-  bool is_silent = false;            ///< for longer than it should be, or never heard
-  bool off_rate = false;             ///< speaks, and not as often as the cell expects
+  const LiveSource* live = nullptr;  ///< borrowed; null: expected, but never received
+  Nanoseconds silent{};              ///< of a received source
+  bool is_silent = false;            ///< for too long, or never received
+  bool off_rate = false;             ///< sends at a different rate than the cell expects
   std::optional<std::pair<double, double>> wanted_hz;
 };
 
-/// By name. One is silent when it said nothing for as long as the cell's `silence_s` has it, else
-/// for 3 s. `now`: on the clock of LiveSource::heard. Pure.
+/// Rows by name. A source is silent after the cell's `silence_s`, else after 3 s. `now`: on the
+/// clock of LiveSource::heard. Pure.
 std::vector<SourceRow> sourceRows(std::span<const LiveSource> live, const Cell& cell,
                                   SteadyTime now);
 
-/// "now" below a second, then whole seconds, minutes or hours: a figure that stands still.
+/// "now" below a second, then whole seconds, minutes or hours: a figure that does not flicker.
 std::string ageText(Nanoseconds age);
 
 }  // namespace rocinante

@@ -9,7 +9,7 @@ namespace {
 
 constexpr Nanoseconds kTenth = std::chrono::milliseconds(100);
 
-/// What the sender got wrong; lines of a later version, and quaternions that were put right, apart.
+/// Faulty lines of the sender; does not count lines of later versions and corrected quaternions.
 std::uint64_t faultyLines(const SourceCounts& counts) {
   std::uint64_t all = std::accumulate(counts.faults.begin(), counts.faults.end(), std::uint64_t{0});
   for (const PacketFault harmless :
@@ -25,7 +25,7 @@ bool SourceWatch::look(SteadyTime now,
                        const std::map<std::string, SourceCounts, std::less<>>& counts) {
   if (looked_ && now - *looked_ < kTenth) return false;
   looked_ = now;
-  // The oldest look, whose place this one takes.
+  // The oldest sample, replaced by this one.
   const std::size_t place = next_;
   next_ = (next_ + 1) % kTenths;
   const SteadyTime oldest = times_[place];
@@ -34,13 +34,13 @@ bool SourceWatch::look(SteadyTime now,
   seen.reserve(counts.size());
   for (const auto& [name, one] : counts) {
     const std::uint64_t packets = one.packets + one.late;
-    if (packets == 0) continue;  // only others have spoken for it
+    if (packets == 0) continue;  // only mentioned by other sources
     const auto [found, is_new] = watched_.try_emplace(name);
     Watched& watched = found->second;
     const std::uint64_t last = watched.packets[(place + kTenths - 1) % kTenths];
     if (is_new) watched.since = now - kTenth;
     if (is_new || packets != last) watched.heard = now;
-    // Of a source that has only just come, since then.
+    // For a new source, since its first packet.
     const SteadyTime from = std::max(oldest, watched.since);
     const double span_s = std::chrono::duration<double>(now - from).count();
     const std::uint64_t before = watched.packets[place];

@@ -11,32 +11,32 @@
 
 namespace rocinante {
 
-/// A source of a live session, as its row shows it.
+/// A source of a live session, for its row.
 struct LiveSource {
   std::string name;
   double rate_hz = 0;              ///< packets in the last second
   SteadyTime heard{};              ///< when its last packet came, to a tenth of a second
   std::uint64_t packets = 0;       ///< applied or late
   std::uint64_t lost = 0;          ///< sequence numbers never seen
-  std::uint64_t late = 0;          ///< dropped: behind newer ones, duplicates among them
-  std::uint64_t restarts = 0;      ///< it began anew
-  std::uint64_t faulty_lines = 0;  ///< that could not be read, of all its packets
+  std::uint64_t late = 0;          ///< dropped: older than received ones, or duplicates
+  std::uint64_t restarts = 0;      ///< times it restarted
+  std::uint64_t faulty_lines = 0;  ///< unreadable lines of all its packets
   bool operator==(const LiveSource&) const = default;
 };
 
-/// Turns the fold's counts, looked at ten times a second, into rates and silences: nothing is paid
-/// for by the packet. A plain value.
+/// Converts the fold's counts, sampled ten times a second, into rates and silences, without a cost
+/// per packet. A plain value.
 class SourceWatch {
  public:
-  /// Every source by name. Cheap until a tenth of a second has passed since the last look; true
-  /// when sources() became another.
+  /// Samples every source by name. Cheap until a tenth of a second has passed since the last
+  /// sample; true when sources() changed.
   bool look(SteadyTime now, const std::map<std::string, SourceCounts, std::less<>>& counts);
   const std::vector<LiveSource>& sources() const { return sources_; }
 
  private:
   static constexpr std::size_t kTenths = 10;
   struct Watched {
-    std::array<std::uint64_t, kTenths> packets{};  ///< at the last looks, as a ring
+    std::array<std::uint64_t, kTenths> packets{};  ///< of the last samples, as a ring
     SteadyTime heard{};
     SteadyTime since{};
   };

@@ -8,7 +8,7 @@
 namespace rocinante {
 namespace {
 
-/// Beyond so many, hints are not worth their time.
+/// Most hints; more would take too long.
 constexpr std::size_t kMaxHints = 20;
 
 bool isRemoved(const DeviceState& state) {
@@ -22,7 +22,7 @@ std::string whyUnseen(const Cell& cell, const std::string& name, const DeviceSta
     return fmt::format("was added with the model `{}`, which is not in the cell",
                        state.presence->value.model);
   }
-  if (device != nullptr) return {};  // it waits for its `add`, or its model could not be read
+  if (device != nullptr) return {};  // waits for its `add`, or its model is unreadable
   std::string what = "is not a device of the cell and was not added";
   if (!with_hint) return what;
   std::vector<std::string_view> known;

@@ -7,14 +7,14 @@
 
 namespace rocinante {
 
-/// Something that was said and that the cell has no place for, so that nothing of it is seen.
+/// Received data that does not fit the cell, so that it has no effect.
 struct Misfit {
   std::string device;
-  std::string what;  ///< "is no device of the cell: did you mean `arm`?"
+  std::string what;  ///< "is not a device of the cell ...: did you mean `arm`?"
 };
 
-/// Of the devices that were spoken of, one each at most, by name. Devices that wait for their `add`
-/// and those that were removed are none. Pure; `rocinante check` judges far more.
+/// At most one per device, by name. Devices that wait for their `add` and removed ones do not
+/// count. Pure; `rocinante check` checks far more.
 std::vector<Misfit> misfits(const Cell& cell, const PosedScene& scene, const SessionState& state);
 
 }  // namespace rocinante

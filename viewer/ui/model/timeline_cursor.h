@@ -8,9 +8,8 @@
 
 namespace rocinante {
 
-/// Where on a log's time line the window stands, and how it moves on: play, pause, scrub, speed.
-/// Pure: reads no clock. A position is reckoned from one anchor, so an hour at any speed ends on
-/// the exact nanosecond.
+/// The window's position on a log's time line: play, pause, scrub, speed. Pure: reads no clock. A
+/// position is computed from one anchor, so an hour at any speed ends on the exact nanosecond.
 class TimelineCursor {
  public:
   TimelineCursor(LogTime start, LogTime end);
@@ -21,17 +20,17 @@ class TimelineCursor {
   bool looping() const { return looping_; }
   const std::string& speedText() const { return speed_text_; }
 
-  /// The position at `now`. At the end it stops, or begins anew when looping.
+  /// The position at `now`. At the end it stops, or restarts when looping.
   LogTime position(SteadyTime now);
 
-  /// From the end, playing begins at the start again.
+  /// At the end, playing restarts from the beginning.
   void play(SteadyTime now);
   void pause(SteadyTime now);
   void toggle(SteadyTime now);
-  /// Within the log; playing goes on from there.
+  /// Clamps to the log; playing continues from there.
   void seek(LogTime moment, SteadyTime now);
   void step(Nanoseconds by, SteadyTime now);
-  /// Without a jump. Text as PlaybackSpeed::parse takes it; false when it is no speed.
+  /// Changes the speed without a jump. Text for PlaybackSpeed::parse; false when invalid.
   bool setSpeed(const std::string& text, SteadyTime now);
   void setLooping(bool looping) { looping_ = looping; }
 

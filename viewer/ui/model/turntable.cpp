@@ -8,7 +8,7 @@
 namespace rocinante {
 namespace {
 
-// A little short of the pole, where "up" has no meaning.
+// Just below the pole, where "up" is undefined.
 constexpr double kMaxElevation = kPi / 2 - 0.001;
 constexpr double kMinDistance = 0.01;
 constexpr double kMaxDistance = 1e6;
@@ -30,7 +30,7 @@ Turntable::Turntable(const CameraView& view)
   if (level > 1e-9 * length) {
     azimuth_rad_ = arcTangent2(offset.y, offset.x);
   } else if (glm::dot(view.up, view.up) > 0) {
-    // From straight above: what is up in the picture lies behind the target.
+    // From straight above: the picture's up direction points behind the target.
     azimuth_rad_ = arcTangent2(-view.up.y, -view.up.x);
   }
 }
@@ -72,7 +72,7 @@ void Turntable::pan(double dx_px, double dy_px, int height_px) {
 }
 
 void Turntable::zoom(double steps) {
-  // Whole steps one by one and the rest in proportion: no power, whose last bits differ by CPU.
+  // Whole steps one by one and the rest in proportion: the last bits of pow() differ by CPU.
   double factor = 1;
   double left = std::clamp(steps, -50.0, 50.0);
   for (; left >= 1; left -= 1) factor *= 0.9;
@@ -89,7 +89,7 @@ void Turntable::zoomAt(double steps, double right_px, double down_px, int height
   const double before_m = heightM();
   zoom(steps);
   const double kept = heightM() / before_m;
-  // The pixels that the point would move away from the middle are panned back.
+  // Pan back the movement of the point.
   const double grown = 1 / kept - 1;
   pan(-right_px * grown, -down_px * grown, height_px);
 }
@@ -111,7 +111,7 @@ void Turntable::fit(const std::vector<Vec3>& points, int width_px, int height_px
     distance_m_ = std::clamp(2 * radius, kMinDistance, kMaxDistance);
     return;
   }
-  // The sphere about everything touches the sides of the view's cone.
+  // The bounding sphere touches the sides of the view's cone.
   const double half_rad = arcTangent(tangent(radiansOf(fov_deg_) / 2) * narrow);
   distance_m_ = std::clamp(1.02 * radius / sine(half_rad), kMinDistance, kMaxDistance);
 }

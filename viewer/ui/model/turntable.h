@@ -6,29 +6,29 @@
 
 namespace rocinante {
 
-/// A camera that turns about a target, z up: what the mouse moves. Pure; angles in radians, lengths
+/// A camera that turns about a target, z up, moved by the mouse. Pure; angles in radians, lengths
 /// in metres, drags in pixels (x right, y down).
 class Turntable {
  public:
   Turntable() = default;
-  /// Takes over where `view` stands, so that nothing jumps when the mouse takes hold. A view from
-  /// straight above or with another up axis keeps its eye and target and gets z up.
+  /// Starts at `view`, so that nothing jumps when the mouse takes over. A view from straight above
+  /// or with another up axis keeps its eye and target and gets z up.
   explicit Turntable(const CameraView& view);
 
   CameraView view() const;
 
   /// A drag over the whole height turns by pi.
   void orbit(double dx_px, double dy_px, int height_px);
-  /// What was under the mouse stays under it, at the target's distance.
+  /// The point under the mouse stays under it, at the target's distance.
   void pan(double dx_px, double dy_px, int height_px);
   /// One step nearer (positive) is a tenth of the distance.
   void zoom(double steps);
-  /// The same, and what is `right_px` and `down_px` from the picture's middle stays where it is in
-  /// the picture, at the target's distance.
+  /// The same, keeping the point at `right_px` and `down_px` from the picture's centre in place, at
+  /// the target's distance.
   void zoomAt(double steps, double right_px, double down_px, int height_px);
-  /// From now on it turns about `point`, seen from the same direction and as near as before.
+  /// Turns about `point` from now on, with the same direction and distance.
   void aimAt(const Vec3& point) { target_ = point; }
-  /// Shows all `points` from the present direction. Nothing when there are none.
+  /// Shows all `points` from the present direction. Does nothing without points.
   void fit(const std::vector<Vec3>& points, int width_px, int height_px);
 
  private:

@@ -9,13 +9,13 @@
 
 namespace rocinante {
 
-/// The insets that are shown, where they stand in a window of that size: as in a picture, but
-/// beside what panels cover. One whose camera is not there, or that repeats the main view, is left
-/// out. `fitted` is prepared.
+/// The shown insets with their places in a window of that size, as in a picture but beside the
+/// panels. An inset with an unknown camera or that repeats the main view is left out. `fitted` must
+/// be prepared.
 std::vector<FrameInset> frameInsets(ViewModel& model, FittedCameras& fitted, int width, int height,
                                     double scale, const CoveredEdges& covered);
 
-/// "CAMERA:CORNER" of each inset that is shown, as `rocinante render --inset` takes them.
+/// "CAMERA:CORNER" of each shown inset, for `rocinante render --inset`.
 std::vector<std::string> insetWords(const ViewModel& model);
 
 }  // namespace rocinante

@@ -32,7 +32,7 @@ Result<ViewModel> ViewModel::make(Cell cell, std::optional<Timeline> session,
   if (auto chosen = model.updateChoice(); !chosen) return chosen.error();
   model.feed_ = std::move(feed);
   if (session) {
-    StateDamage hiding;  // all places of damage are counted in the panel
+    StateDamage hiding;  // the panel counts all places of damage
     auto events = session->events(&hiding);
     if (!events.ok()) return events.error();
     model.events_ = **events;
@@ -55,7 +55,7 @@ Status ViewModel::updateChoice() {
 }
 
 Status ViewModel::findState(LogTime moment) {
-  // Trails first: they ask for states too, and only the last one asked for is valid.
+  // Trails first: they query states too, and only the last one is valid.
   extras_.trails.clear();
   damage_ = {};
   if (!style_.trails.empty()) {
@@ -91,14 +91,14 @@ Result<bool> ViewModel::update(SteadyTime now) {
       changed = true;
     }
   }
-  // Said anew each time: this model may have been moved.
+  // Set each time: this model may have been moved.
   if (!cursor_ && !live_) state_ = &nothing_said_;
   shown_ = moment;
   if (changed) {
     scene_ = poses_->pose(*state_);
     extras_.limits =
         style_.limits ? limitLevels(scene_, *state_) : std::vector<std::vector<LimitLevel>>();
-    // PendingCommand thousands of devices for each frame would cost as much as posing them.
+    // Checking thousands of devices for each frame would cost as much as posing them.
     if (!feed_ || !misfits_at_ || now - *misfits_at_ >= std::chrono::milliseconds(500)) {
       misfits_ = rocinante::misfits(*cell_, scene_, *state_);
       misfits_at_ = now;
@@ -130,7 +130,7 @@ std::optional<LiveReason> ViewModel::liveReason(SteadyTime now) const {
 
 std::vector<SourceRow> ViewModel::sourceRows(SteadyTime now) const {
   if (!live_) return rocinante::sourceRows({}, *cell_, {});
-  // The feed's clock is not the one of a script: only differences count.
+  // The feed's clock is not the script's: only differences count.
   const Nanoseconds since = live_at_ ? now - *live_at_ : Nanoseconds(0);
   return rocinante::sourceRows(live_->sources, *cell_, live_->taken + since);
 }
@@ -190,7 +190,7 @@ CameraView ViewModel::cameraView() {
       complaint.clear();
       return *view;
     }
-    // A view that a source took back, or a carrier that is gone: stay where we were.
+    // A removed view or carrier: keep the present camera.
     complaint = view.error().text();
     camera_name_.clear();
   }

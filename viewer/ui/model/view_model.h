@@ -25,33 +25,33 @@
 
 namespace rocinante {
 
-/// A window over the main view, and whether it is to be seen.
+/// An inset and whether it is shown.
 struct InsetChoice {
   CellInset inset;
   bool shown = true;
 };
 
-/// What was clicked on or chosen from the list.
+/// The selected object.
 struct Selection {
   std::string device;  ///< empty: nothing
   std::string link;    ///< empty: the device as a whole
   bool operator==(const Selection&) const = default;
-  /// The PATH of a packet and of a style.
+  /// The PATH, as in packets and styles.
   std::string path() const;
 };
 
-/// What the window shows and what the person in front of it chose: the state behind the panels,
-/// without a window. One thread.
+/// The state behind the panels: what the window shows and what the user chose. Needs no window. Not
+/// thread-safe.
 class ViewModel {
  public:
-  /// The cell alone, a recorded session, or a live one: at most one of `session` and `feed`.
-  /// not_found for a PATH that names nothing (KnownNames).
+  /// For the cell alone, a recorded session or a live one: at most one of `session` and `feed`.
+  /// not_found for an unknown PATH (KnownNames).
   static Result<ViewModel> make(Cell cell, std::optional<Timeline> session,
                                 std::optional<LiveFeed> feed, std::vector<std::string> hide,
                                 std::vector<std::string> show);
 
   const Cell& cell() const { return *cell_; }
-  /// What PATHs and cameras' names can mean here.
+  /// Checks PATHs and cameras' names.
   KnownNames& names() { return *names_; }
   const SessionState& state() const { return *state_; }
   const PosedScene& scene() const { return scene_; }
@@ -60,18 +60,18 @@ class ViewModel {
   /// Null without a log.
   TimelineCursor* cursor() { return cursor_ ? &*cursor_ : nullptr; }
   LogTime origin() const { return session_ ? session_->origin() : LogTime{}; }
-  /// The moment that is shown, as of the last update(); the newest datagram's in live mode.
+  /// The shown moment as of the last update(); the newest datagram's in live mode.
   LogTime shownTime() const { return shown_.value_or(LogTime{}); }
   const std::vector<Event>& events() const { return events_; }
-  /// The nearest event after or before a moment; null when there is none.
+  /// The nearest event after or before a moment, or null.
   const Event* eventBeside(LogTime moment, bool after) const;
-  /// When the captured datagram after or before the moment shown came; empty when there is none.
+  /// The time of the datagram after or before the shown moment, if any.
   Result<std::optional<LogTime>> packetBeside(bool after);
   /// Datagrams that the recorder counted as lost.
   std::uint64_t recordedLosses() const { return recorded_losses_; }
-  /// Puts a mark beside the log at the moment shown; it is then among events().
+  /// Adds a mark beside the log at the shown moment; it then appears in events().
   Status addMark(const std::string& text);
-  /// Null when not live, or when nothing has come yet.
+  /// Null when not live or before the first datagram.
   const LiveSnapshot* live() const { return live_.get(); }
   /// The sources of a live session and those that the cell expects; valid until update().
   std::vector<SourceRow> sourceRows(SteadyTime now) const;
@@ -79,45 +79,45 @@ class ViewModel {
   const LiveFeed& feed() const { return *feed_; }
   /// Why nothing moves in a live session; empty otherwise.
   std::optional<LiveReason> liveReason(SteadyTime now) const;
-  /// What was said that the cell has no place for; of a live session not older than half a second.
+  /// Received data that does not fit the cell; in a live session at most half a second old.
   const std::vector<Misfit>& misfits() const { return misfits_; }
-  /// What the picture may lack because the log is damaged, and what all that were shown did.
+  /// Damage of the log that affects the picture, and any picture shown so far.
   const StateDamage& damage() const { return damage_; }
   const StateDamage& seenDamage() const { return seen_damage_; }
   Timeline* session() { return session_ ? &*session_ : nullptr; }
   const Timeline* session() const { return session_ ? &*session_ : nullptr; }
 
-  /// Brings state and scene to `now`; true when they changed.
+  /// Updates state and scene to `now`; true when they changed.
   Result<bool> update(SteadyTime now);
 
-  /// Where the picture is taken from: a named camera, until the mouse takes hold.
+  /// The picture's camera: a named one, until the mouse moves it.
   CameraView cameraView();
   const std::string& cameraName() const { return camera_name_; }  ///< empty: the turntable
   void useCamera(const std::string& name);
-  /// The cell's first camera, or without one the turntable as it was at the start: not fitted yet.
+  /// Selects the cell's first camera, or without one the initial turntable, not fitted yet.
   void resetCamera();
-  /// The turntable, standing where the present camera stands.
+  /// The turntable, placed at the present camera.
   Turntable& holdCamera();
-  /// Shows `points`, all that is visible, from the present direction.
+  /// Shows `points`, everything visible, from the present direction.
   void fit(const std::vector<Vec3>& points, int width, int height);
   /// Names of the cell's cameras and of the session's views.
   std::vector<std::string> cameraNames() const;
 
-  /// Hides, shows, or (empty) leaves to packets and cell again. False for a PATH that is none.
+  /// Hides, shows or (empty) resets to packets and cell. False for an invalid PATH.
   bool setVisible(const std::string& path, std::optional<bool> visible);
-  /// What was chosen for the PATH; empty when nothing was.
+  /// The user's choice for the PATH, if any.
   std::optional<bool> chosenVisibility(const std::string& path) const;
-  /// As packets, and behind them the cell, have it.
+  /// Visibility by packets, else by the cell.
   bool layerVisibleByDefault(const CellLayer& layer) const;
   std::vector<std::string> hiddenPaths() const { return {hidden_.begin(), hidden_.end()}; }
   std::vector<std::string> shownPaths() const { return {shown_paths_.begin(), shown_paths_.end()}; }
 
-  /// Every optional look of the picture, as panels and keys changed it. The outline of what is
-  /// selected is added by frameStyle().
+  /// All optional looks, as changed by panels and keys. frameStyle() adds the outline of the
+  /// selection.
   const RenderStyle& style() const { return style_; }
   void setStyle(const RenderStyle& style);
   RenderStyle frameStyle() const;
-  /// What limits and trails of the style need, for scene().
+  /// Data for limits and trails of the style, for scene().
   const FrameExtras& extras() const { return extras_; }
 
   std::vector<InsetChoice> insets;
@@ -126,12 +126,12 @@ class ViewModel {
   bool panels_shown = true;
   bool help_shown = false;
   std::array<char, 256> mark_text{};     ///< being typed; NUL-terminated
-  std::array<char, 64> device_filter{};  ///< part of the names that are listed; NUL-terminated
-  std::array<char, 64> source_filter{};  ///< the same of sources
-  std::array<char, 64> event_filter{};   ///< of events
+  std::array<char, 64> device_filter{};  ///< part of the listed names; NUL-terminated
+  std::array<char, 64> source_filter{};  ///< the same for sources
+  std::array<char, 64> event_filter{};   ///< the same for events
   std::set<std::string> open_devices;    ///< whose links are listed
   std::string complaint;                 ///< one sentence to show; empty: none
-  std::vector<std::string> doubts;       ///< what files that were made lack: told at the end
+  std::vector<std::string> doubts;       ///< doubts about written files, printed at the end
 
  private:
   ViewModel() = default;
@@ -145,7 +145,7 @@ class ViewModel {
   std::unique_ptr<LiveSnapshot> live_;
   std::optional<SteadyTime> live_since_, last_arrival_, live_at_;
   std::optional<TimelineCursor> cursor_;
-  std::optional<LogReader> walker_;  // over datagrams; made when it is first asked for
+  std::optional<LogReader> walker_;  // over datagrams; made on first use
   std::uint64_t recorded_losses_ = 0;
   StateDamage damage_, seen_damage_;
   std::optional<LogTime> shown_;

@@ -15,7 +15,7 @@ namespace {
 constexpr float kBarWidth = 84;
 constexpr double kDegreesPerRadian = 57.29577951308232;
 
-/// The value as a mark on the range that it may take; amber near an end, red beyond.
+/// Draws the value as a mark on its range; amber near an end, red beyond.
 void drawLimitBar(const JointRow& row) {
   const auto part = row.part();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -75,13 +75,13 @@ void drawRow(const JointRow& row) {
 void drawJoints(const ViewModel& model, const PosedDevice& device, const DeviceState* state,
                 float bottom) {
   std::vector<JointRow> rows = jointRows(*device.model, state, model.selected.link);
-  // A link that does not move by itself: those of the device.
+  // A link without its own joint: show the device's joints.
   if (rows.empty()) rows = jointRows(*device.model, state, "");
   if (rows.empty()) {
     ImGui::TextDisabled("no joint");
     return;
   }
-  // As much as is left of the panel, which ends above the time line.
+  // The rest of the panel, which ends above the time line.
   const float pitch = ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y;
   const float left = bottom - ImGui::GetCursorScreenPos().y - ImGui::GetStyle().WindowPadding.y;
   const float height =
@@ -100,7 +100,7 @@ void drawJoints(const ViewModel& model, const PosedDevice& device, const DeviceS
 void drawPlace(const ViewModel& model, const PosedDevice& device, const DeviceState* state) {
   const auto at = model.scene().find(device.name, model.selected.link);
   if (at) {
-    // What rounds to zero has no sign.
+    // Print no sign for values that round to zero.
     const auto shown = [](double length_m) { return std::abs(length_m) < 5e-5 ? 0.0 : length_m; };
     ImGui::Text("at %.4f %.4f %.4f m", shown((*at)[3].x), shown((*at)[3].y), shown((*at)[3].z));
     explain("where its space begins, in the world");
@@ -112,7 +112,7 @@ void drawPlace(const ViewModel& model, const PosedDevice& device, const DeviceSt
   }
 }
 
-/// Values of a device of which no model is known: as they were said.
+/// Values of a device without a known model, as received.
 void drawBareValues(const DeviceState& state) {
   if (state.joints) {
     for (std::size_t i = 0; i < state.joints->value.size(); ++i) {

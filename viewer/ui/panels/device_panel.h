@@ -4,7 +4,7 @@
 
 namespace rocinante {
 
-/// Values of the selected device's joints, below `top` where there is room; answers where they end.
+/// Draws the selected device's joint values below `top` if there is room; returns their bottom.
 float drawDevicePanel(ViewModel& model, float top);
 
 }  // namespace rocinante

@@ -15,7 +15,7 @@ namespace rocinante {
 namespace {
 
 constexpr float kGraphHeight = 72;
-/// So wide that figures may grow without moving the panel's edge.
+/// Wide enough for growing figures without moving the panel's edge.
 constexpr float kFiguresWidth = 244;
 const ImVec4 kAmissColor{1, 0.55F, 0.45F, 1};
 
@@ -31,7 +31,7 @@ constexpr std::array kStages{
     Stage{"ui", &FrameTimes::ui, IM_COL32(200, 150, 230, 255)},
 };
 
-/// How many sources speak; the tab of the panel on the left has them one by one.
+/// Draws the number of active sources; a tab of the left panel lists them.
 void drawSourceCount(const ViewModel& model, SteadyTime now) {
   const std::vector<SourceRow> rows = model.sourceRows(now);
   if (rows.empty()) return;
@@ -87,7 +87,7 @@ void drawSession(const ViewModel& model, SteadyTime now) {
   }
 }
 
-/// What moves nothing because the cell has no place for it.
+/// Draws received data that does not fit the cell.
 void drawMisfits(const ViewModel& model) {
   constexpr std::size_t kMaxNamed = 8;
   const std::vector<Misfit>& misfits = model.misfits();
@@ -107,7 +107,7 @@ void drawMisfits(const ViewModel& model) {
   ImGui::SetTooltip("%s\nrocinante check tells all of it", text.c_str());
 }
 
-/// One column a frame, its stages stacked; a line where the target is.
+/// One column per frame with stacked stages, and a line at the target.
 void drawGraph(const ViewerStatus& status) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 graph(ImGui::GetContentRegionAvail().x, px(kGraphHeight));
@@ -141,13 +141,13 @@ void drawGraph(const ViewerStatus& status) {
                 IM_COL32(255, 255, 255, 110));
 }
 
-/// What a frame costs, and how many a second that makes.
+/// Draws the cost of a frame and the resulting frame rate.
 void drawFrameTime(const ViewerStatus& status) {
   const double total = status.times.mean().total();
   ImGui::Text("%.1f ms, %.*f frames/s", total, total > 100 ? 1 : 0, 1000 / std::max(total, 0.01));
 }
 
-/// "detail 3" or, where the governor chooses it, "auto: 3".
+/// "detail 3", or "auto: 3" if chosen by the governor.
 std::string rungText(const ViewerStatus& status) {
   return status.rung_fixed || !status.may_govern ? fmt::format("detail {}", status.rung)
                                                  : fmt::format("auto: {}", status.rung);
@@ -197,7 +197,7 @@ void drawRung(const ViewerStatus& status, ViewerRequests& requests) {
       rung.level.geometry_error_px > 0 && !status.coarse_ready ? "; making coarser meshes" : "");
 }
 
-/// A line: where there is no room for more.
+/// Draws a single line when there is no room for more.
 void drawBrief(const ViewModel& model, const ViewerStatus& status) {
   const LiveSnapshot* live = model.live();
   if (live != nullptr) ImGui::Text("%.0f packets/s", live->rate_hz);

@@ -6,11 +6,11 @@
 
 namespace rocinante {
 
-/// How much is drawn and what a frame costs, stage by stage: a tab of the panel on the left.
+/// Draws the tab of the left panel with the amount drawn and the frame's cost by stage.
 void drawFrameTab(const ViewerStatus& status, ViewerRequests& requests);
 
-/// What is said of the session in the top right corner, all or the most needed; answers where it
-/// ends.
+/// Draws the session's figures in the top right corner, all or only the most important; returns
+/// their bottom.
 float drawFigures(const ViewModel& model, const ViewerStatus& status, SteadyTime now, bool brief);
 
 }  // namespace rocinante

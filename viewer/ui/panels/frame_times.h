@@ -5,10 +5,10 @@
 
 namespace rocinante {
 
-/// What one frame of the window cost, milliseconds of wall time by stage.
+/// Cost of one frame of the window, milliseconds of wall time by stage.
 struct FrameTimes {
-  double app = 0;   ///< state, poses, what the frame shows
-  double cull = 0;  ///< what of it can be seen, in which order
+  double app = 0;   ///< state, poses, content of the frame
+  double cull = 0;  ///< visible items in drawing order
   double draw = 0;  ///< until the driver has drawn it
   double ui = 0;    ///< the panels
   double total() const { return app + cull + draw + ui; }
@@ -32,11 +32,11 @@ class FrameHistory {
   }
 
   std::size_t count() const { return count_; }
-  /// 0 is the oldest that is kept.
+  /// 0 is the oldest kept frame.
   const FrameTimes& operator[](std::size_t i) const {
     return frames_[(next_ + kFrames - count_ + i) % kFrames];
   }
-  /// Smoothed, so that it can be read.
+  /// Smoothed for readability.
   const FrameTimes& mean() const { return mean_; }
 
  private:

@@ -62,7 +62,7 @@ void drawHelp(ViewModel& model) {
   const float top = ImGui::GetCursorPosY();
   drawLines("Mouse", kMouse, left, px(240));
   drawLines("Time", kTime, left, px(240));
-  // Side by side where there is room, else one below the other.
+  // Side by side if there is room, else one below the other.
   const bool wide = size.x >= px(940);
   const float beside = wide ? left + px(500) : left;
   if (wide) ImGui::SetCursorPosY(top);

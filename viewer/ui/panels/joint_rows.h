@@ -8,15 +8,15 @@
 
 namespace rocinante {
 
-/// One value of a joint, as the panel of a device shows it.
+/// One joint value for the panel of a device.
 struct JointRow {
   std::string name;
   double value = 0;
-  bool said = false;  ///< else it stands at the model's own place
+  bool said = false;  ///< false: at the model's default
   bool mimics = false;
   bool in_radians = false;
   std::optional<double> lower, upper;  ///< its limits
-  /// Where the value lies between them: 0 at the lower, 1 at the upper; may be beyond either.
+  /// Position between the limits: 0 at the lower, 1 at the upper; may be outside.
   std::optional<double> part() const {
     if (!lower || !upper || !(*upper > *lower)) return std::nullopt;
     return (value - *lower) / (*upper - *lower);
@@ -24,9 +24,8 @@ struct JointRow {
   bool outside() const { return (lower && value < *lower) || (upper && value > *upper); }
 };
 
-/// The joints of a device that move, in the order of its model, with the values that it is drawn
-/// with; of joints with several values each. Only that of `link` when it names one that has one.
-/// `state`: null when nothing was said.
+/// The movable joints of a device in model order with their drawn values, one row per value. Only
+/// the joint of `link` if it has one. `state`: null when nothing was received.
 std::vector<JointRow> jointRows(const Model& model, const DeviceState* state,
                                 const std::string& link);
 

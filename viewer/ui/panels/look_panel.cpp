@@ -9,7 +9,7 @@ namespace {
 
 constexpr const char* kEverything = "*";
 
-/// What wireframe and its like apply to: what is selected, else every device.
+/// The object of wireframe and similar looks: the selection, else every device.
 std::string subjectPath(const ViewModel& model) {
   return model.selected.device.empty() ? kEverything : model.selected.path();
 }

@@ -4,7 +4,7 @@
 
 namespace rocinante {
 
-/// A tab of the panel on the left.
+/// Draws a tab of the left panel.
 void drawLookTab(ViewModel& model);
 
 }  // namespace rocinante

@@ -26,7 +26,7 @@ PanelLayout panelLayout(float width, float height, bool has_time, bool any_selec
   } else if (width >= beside + kBriefWidth + 2 * kPanelMargin && usable >= 60) {
     layout.figures = PanelLayout::Figures::brief;
   }
-  // In a very small window it would cover what was selected.
+  // In a very small window it would cover the selection.
   layout.device = any_selected && device_fits && usable >= 60 + kLeastDeviceHeight + 50;
   return layout;
 }

@@ -7,20 +7,20 @@
 #include "viewer/ui/panels/panel_layout.h"
 #include "viewer/ui/window/interface_context.h"
 
-/// What panels are made of. Only panels include this.
+/// Helpers of the panels. Only panels include this.
 namespace rocinante {
 
-/// A length of the interface in pixels of this screen: all of ours are given for scale 1.
+/// Converts an interface length (for scale 1) to pixels of this screen.
 inline float px(float length) { return length * ImGui::GetFontSize() / kFontPixels; }
 
 constexpr ImGuiWindowFlags kPanelFlags =
     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
     ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoFocusOnAppearing;
 
-/// Whether the word is somewhere in the text, whatever the case of its letters.
+/// Whether the text contains the word, ignoring case.
 bool containsWord(std::string_view text, std::string_view word);
 
-/// A tool tip for what was drawn last.
+/// Adds a tool tip to the last drawn item.
 inline void explain(const char* text) {
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text);
 }

@@ -56,8 +56,8 @@ struct Middle {
   float left = 0, right = 0;
 };
 
-/// A line or two over the picture; answers where they end. Its size is reckoned here: a window
-/// that fits itself is a frame late.
+/// Draws a line or two over the picture; returns their bottom. Computes its size here, because an
+/// auto-sized window is one frame late.
 float drawBanner(const char* name, const Middle& middle, float top, const ImVec4& color,
                  const std::string& what, const std::string& hint) {
   const ImVec2 padding = ImGui::GetStyle().WindowPadding;
@@ -92,7 +92,7 @@ void drawBanners(const ViewModel& model, const ViewerStatus& status, const Middl
   const ImVec4 fault(1, 0.6F, 0.4F, 1);
   float top = px(kPanelMargin);
   if (const auto reason = model.liveReason(now)) {
-    // What was seen last is looked at: it is left free. Where nothing ever came, nothing is.
+    // Keep the last picture visible; without any data, show the reason in the centre.
     const bool nothing_yet = model.live() == nullptr || model.live()->datagrams == 0;
     const float at = nothing_yet ? ImGui::GetIO().DisplaySize.y * 0.3F : top;
     const float end = drawBanner("reason", middle, at, fault, reason->what, reason->hint);

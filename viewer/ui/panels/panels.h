@@ -11,38 +11,38 @@
 
 namespace rocinante {
 
-/// What the panels tell of the program itself.
+/// The program's status for the panels.
 struct ViewerStatus {
   FrameHistory times;
   std::uint64_t triangles = 0;
   std::uint64_t draws = 0;
   std::string renderer;
   int rung = 0;             ///< of kDetailRungs
-  bool rung_fixed = false;  ///< chosen by a person, not by the governor
-  bool may_govern = false;  ///< fast profile, and a person at the window
+  bool rung_fixed = false;  ///< chosen by the user, not by the governor
+  bool may_govern = false;  ///< fast profile with a user
   double target_fps = 30;
-  bool coarse_ready = true;  ///< coarser meshes are made
-  bool tells_times = true;   ///< not under a script: a screenshot must come out the same
-  std::string notice;        ///< what was done last, such as a picture's file; empty: none
+  bool coarse_ready = true;  ///< coarser meshes are ready
+  bool tells_times = true;   ///< off under a script, for identical screenshots
+  std::string notice;        ///< last action, such as a written picture; may be empty
   bool notice_is_fault = false;
 };
 
-/// What the person asked the program for in this frame.
+/// The user's requests to the program in this frame.
 struct ViewerRequests {
   bool fit = false;
   bool fit_selected = false;
-  bool reset = false;  ///< the camera stands as it did at the start
+  bool reset = false;  ///< back to the initial camera
   bool evidence = false;
   bool close = false;
   std::optional<std::string> mark;
   std::optional<double> target_fps;
-  /// A rung to stay on, or (-1) the governor's choice.
+  /// A fixed rung, or -1 for the governor's choice.
   std::optional<int> rung;
 };
 
-/// Draws the panels over the scene and applies what was pressed to `model`: the scene, its looks
-/// and its events on the left, figures and the selected device on the right, time below. What is
-/// not the model's is wished for. Answers what of the picture they cover.
+/// Draws the panels over the scene and applies the input to `model`: scene, looks and events on the
+/// left, figures and the selected device on the right, time at the bottom. Input for the program
+/// goes to the requests. Returns the edges of the picture that they cover.
 CoveredEdges drawPanels(ViewModel& model, const ViewerStatus& status, SteadyTime now,
                         ViewerRequests& requests);
 

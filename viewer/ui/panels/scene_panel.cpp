@@ -13,8 +13,8 @@
 namespace rocinante {
 namespace {
 
-/// A check box for what is seen now. Who chose otherwise than packets and cell sees that, and can
-/// give it back.
+/// A check box for the present visibility. Marks a user's choice that differs from packets and
+/// cell, and can reset it.
 void drawVisibility(ViewModel& model, const std::string& path, bool by_default, const char* label) {
   const auto chosen = model.chosenVisibility(path);
   bool visible = chosen.value_or(by_default);
@@ -94,7 +94,7 @@ void drawLayers(ViewModel& model) {
   }
 }
 
-/// A line of the list: a device, or a link of one that is open.
+/// A row of the list: a device, or a link of an open device.
 struct DeviceRow {
   const PosedDevice* device = nullptr;
   std::optional<std::size_t> link;
@@ -162,7 +162,7 @@ void drawDevices(ViewModel& model, float bottom) {
   const float pitch = ImGui::GetFrameHeightWithSpacing();
   const float room = bottom - ImGui::GetCursorScreenPos().y - ImGui::GetStyle().WindowPadding.y;
   ImGui::BeginChild("devices", ImVec2(0, listHeight(rows.size(), pitch, room)));
-  // Of thousands only those that are seen are made.
+  // Only visible rows of thousands are made.
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(rows.size()), pitch);
   while (clipper.Step()) {
@@ -182,7 +182,7 @@ void drawDevices(ViewModel& model, float bottom) {
   ImGui::EndChild();
 }
 
-/// The events whose text or source holds what is looked for; all of them where nothing is.
+/// The events whose text or source contains the filter; all with an empty filter.
 std::vector<std::size_t> listedEvents(const ViewModel& model) {
   std::vector<std::size_t> listed;
   const std::string_view wanted = model.event_filter.data();

@@ -6,8 +6,8 @@
 
 namespace rocinante {
 
-// Tabs of the panel on the left.
-/// `bottom`: how far down the window its panel may reach, in pixels.
+// Tabs of the left panel.
+/// `bottom`: lowest pixel of the window that its panel may use.
 void drawSceneTab(ViewModel& model, float bottom, ViewerRequests& requests);
 void drawEventsTab(ViewModel& model, SteadyTime now, ViewerRequests& requests);
 

@@ -17,21 +17,21 @@ constexpr std::size_t kMaxWithoutSearch = 12;
 constexpr std::size_t kMaxRowsShown = 16;
 constexpr std::uint64_t kManyRestarts = 10;
 
-/// As wide as it ever is, so that columns stand still while figures change.
+/// With its largest width, so that columns do not move while figures change.
 void drawRight(const std::string& text, const ImVec4& color) {
   const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0F, room));
   ImGui::TextColored(color, "%s", text.c_str());
 }
 
-/// In four places at most: 250, 1.2k, 34k, 1.2M.
+/// At most four characters: 250, 1.2k, 34k, 1.2M.
 std::string shortCount(double count) {
   if (count < 9999.5) return fmt::format("{:.0f}", count);
   if (count < 999'500) return fmt::format("{:.0f}k", count / 1e3);
   return fmt::format("{:.1f}M", count / 1e6);
 }
 
-/// A source that speaks seldom is not one of 0 a second.
+/// Shows a slow source's rate instead of 0 per second.
 std::string rateText(const LiveSource& source) {
   if (source.rate_hz == 0 || source.rate_hz >= 9.95) return shortCount(source.rate_hz);
   return fmt::format("{:.1f}", source.rate_hz);

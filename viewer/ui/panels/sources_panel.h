@@ -5,7 +5,7 @@
 
 namespace rocinante {
 
-/// A tab of the panel on the left.
+/// Draws a tab of the left panel.
 void drawSourcesTab(ViewModel& model, SteadyTime now);
 
 }  // namespace rocinante

@@ -18,7 +18,8 @@ constexpr float kTrackHeight = 30;
 constexpr float kRulerText = 11;
 constexpr std::array kSpeeds{"0.1", "0.25", "0.5", "1", "2", "4", "10"};
 
-/// In a narrow window the least needed is left out, so that the line keeps a length.
+/// In a narrow window the least important buttons are left out, so that the time line keeps a
+/// length.
 void drawButtons(const ViewModel& model, TimelineCursor& cursor, SteadyTime now, float room) {
   if (ImGui::Button(cursor.playing() ? "Pause" : "Play", ImVec2(px(64), 0))) cursor.toggle(now);
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("Space");
@@ -52,12 +53,12 @@ void drawButtons(const ViewModel& model, TimelineCursor& cursor, SteadyTime now,
   if (ImGui::Checkbox("loop", &looping)) cursor.setLooping(looping);
 }
 
-/// From the session's origin, to the millisecond.
+/// Seconds from the session's origin, to the millisecond.
 std::string shownSeconds(Nanoseconds since_origin) {
   return secondsText(std::chrono::floor<std::chrono::milliseconds>(since_origin), 3);
 }
 
-/// The event whose tick lies within reach of the mouse.
+/// The event whose tick is within reach of the mouse.
 const Event* eventNear(const ViewModel& model, float mouse_x, const auto& x_of) {
   const Event* nearest = nullptr;
   float best = px(5);
@@ -71,7 +72,7 @@ const Event* eventNear(const ViewModel& model, float mouse_x, const auto& x_of) 
   return nearest;
 }
 
-/// Where moments of the session stand on the line.
+/// Maps moments of the session to the time line.
 struct Track {
   ImVec2 corner;
   float width = 0;
@@ -94,7 +95,7 @@ void drawRuler(const Track& track, LogTime origin) {
   ImDrawList* const list = ImGui::GetWindowDrawList();
   constexpr float kLabelRoom = 64;
   const Nanoseconds step = rulerStep(track.span, track.width, px(kLabelRoom));
-  // From the first multiple of the step since the origin that lies on the line.
+  // From the first multiple of the step since the origin on the line.
   Nanoseconds at = (track.start - origin) / step * step;
   if (at < track.start - origin) at += step;
   const float top = track.middle() + px(5);
@@ -111,11 +112,11 @@ void drawRuler(const Track& track, LogTime origin) {
   }
 }
 
-/// Of a hundred thousand events no more than there is room for side by side.
+/// Draws no more of the ticks than there is room for.
 void drawTicks(const Track& track, const std::vector<Event>& events) {
   ImDrawList* const list = ImGui::GetWindowDrawList();
   const float middle = track.middle();
-  // A mark of a person has no source.
+  // A user's mark has no source.
   for (const bool marks : {false, true}) {
     const ImU32 color = marks ? IM_COL32(150, 230, 140, 255) : IM_COL32(120, 200, 255, 255);
     float free_from = -1e6F;
@@ -181,7 +182,7 @@ void drawTimeBar(ViewModel& model, TimelineCursor& cursor, SteadyTime now) {
   const std::string at = shownSeconds(cursor.position(now) - model.origin());
   if (room >= px(460)) {
     const std::string end = shownSeconds(cursor.end() - model.origin());
-    // As wide as it will ever be: the line beside it must not move while the figures grow.
+    // With its largest width, so that the line beside it does not move.
     const float left = ImGui::GetCursorPosX();
     ImGui::Text("%s / %s s", at.c_str(), end.c_str());
     ImGui::SameLine();

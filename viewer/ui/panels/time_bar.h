@@ -6,7 +6,7 @@
 
 namespace rocinante {
 
-/// The time line at the bottom, with its events.
+/// Draws the time line at the bottom, with its events.
 void drawTimeBar(ViewModel& model, TimelineCursor& cursor, SteadyTime now);
 
 }  // namespace rocinante

@@ -27,7 +27,7 @@ fs::path renderProgram() {
   return fs::exists(beside, ignored) ? beside : fs::path("rocinante-render");
 }
 
-/// A line without the program's name before it: what it has to say.
+/// A message line without the program's name.
 std::string sentenceOf(std::string line) {
   constexpr std::string_view kName = "rocinante-render: ";
   if (line.starts_with(kName)) line.erase(0, kName.size());
@@ -129,11 +129,11 @@ std::optional<Result<EvidenceMade>> EvidenceRun::look(bool wait) {
   process_ = -1;
   const int code = ended > 0 && WIFEXITED(outcome) ? WEXITSTATUS(outcome) : -1;
   if (code == 0) return Result<EvidenceMade>(EvidenceMade{output_, {}});
-  // A sentence or two, which a pipe holds.
+  // One or two sentences, which fit in the pipe's buffer.
   std::array<char, 4096> buffer{};
   const ssize_t got = ::read(said_, buffer.data(), buffer.size());
   const std::string said(buffer.data(), got > 0 ? static_cast<std::size_t>(got) : 0);
-  // The picture is there; what may be wrong with it is what was said first.
+  // The picture exists; the first message says what may be wrong with it.
   std::string why = code == 1 ? firstSentence(said) : lastSentence(said);
   if (why.empty()) why = "rocinante-render failed without a message";
   if (code == 1) return Result<EvidenceMade>(EvidenceMade{output_, std::move(why)});

@@ -14,10 +14,10 @@
 
 namespace rocinante {
 
-/// A picture of what the window shows, to be made by rocinante-render in the reproducible profile,
-/// so that anybody can make the same bytes again.
+/// A picture of the window's content, drawn by rocinante-render in the reproducible profile, so
+/// that anyone can reproduce its bytes.
 struct EvidenceRequest : ModelSearch {
-  std::filesystem::path cell, log;  ///< as the viewer was given them; `log` may be empty
+  std::filesystem::path cell, log;  ///< as given to the viewer; `log` may be empty
   std::string at;                   ///< RFC 3339, to the nanosecond; empty without a log
   std::string camera;               ///< by name; empty: `view`
   CameraView view;
@@ -28,27 +28,27 @@ struct EvidenceRequest : ModelSearch {
   std::filesystem::path output;
 };
 
-/// The words of `rocinante-render` for it, without the program's own name.
+/// The arguments of `rocinante-render`, without the program's name.
 std::vector<std::string> evidenceArguments(const EvidenceRequest& request);
 
-/// A picture that was made.
+/// A finished picture.
 struct EvidenceMade {
   std::filesystem::path file;
-  std::string doubt;  ///< a sentence on why it may not show what was; empty: nothing says so
+  std::string doubt;  ///< why it may be wrong, as a sentence; empty: no doubt
 };
 
-/// A rocinante-render at work. It has its own process, so that the window goes on; what it says is
-/// kept. One thread.
+/// A running rocinante-render process, so that the window stays responsive; its messages are kept.
+/// Not thread-safe.
 class EvidenceRun {
  public:
-  /// The program beside this one, else that of PATH. refused when it cannot be started.
+  /// Starts the program beside this one, else the one in PATH. refused when it cannot be started.
   static Result<EvidenceRun> start(const EvidenceRequest& request);
-  /// Ends it when it still runs: it leaves no half file.
+  /// Ends the process if it still runs; it leaves no partial file.
   ~EvidenceRun();
   EvidenceRun(EvidenceRun&& other) noexcept;
   EvidenceRun& operator=(EvidenceRun&&) = delete;
 
-  /// Empty while it runs; then the file, or the sentence with which it refused. Does not wait.
+  /// Empty while it runs; then the file or its error. Does not wait.
   std::optional<Result<EvidenceMade>> poll() { return look(false); }
   Result<EvidenceMade> wait() { return *look(true); }
 
@@ -57,11 +57,11 @@ class EvidenceRun {
   std::optional<Result<EvidenceMade>> look(bool wait);
 
   pid_t process_ = -1;
-  int said_ = -1;  ///< what it writes on standard error
+  int said_ = -1;  ///< its standard error
   std::filesystem::path output_;
 };
 
-/// "evidence-STEM-12.500s.png" in `folder`, or with -2, -3 behind it when that is taken.
+/// "evidence-STEM-12.500s.png" in `folder`, or with -2, -3 appended if that exists.
 std::filesystem::path freeEvidenceName(const std::filesystem::path& folder, const std::string& stem,
                                        const std::string& moment);
 

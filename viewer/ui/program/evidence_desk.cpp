@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 constexpr Nanoseconds kNoticeStays = std::chrono::seconds(6);
 
-/// As many nanoseconds as there are, so that the very moment is meant.
+/// With all nanoseconds, for the exact moment.
 std::string sinceOrigin(const ViewModel& model) {
   return secondsText(model.shownTime() - model.origin(), 9);
 }
@@ -34,7 +34,7 @@ Result<EvidenceRequest> EvidenceDesk::requestOf(ViewModel& model, const WindowSi
   request.width = size.width;
   request.height = size.height;
   request.scale = size.scale;
-  // What llvmpipe, which makes it, has.
+  // The sample counts of llvmpipe, which draws it.
   request.samples = options_.samples > 1 ? 4 : 1;
   request.hide = model.hiddenPaths();
   request.show = model.shownPaths();

@@ -10,26 +10,26 @@
 
 namespace rocinante {
 
-/// Of the picture, in pixels, and how large its text is.
+/// Size of the picture in pixels, and scale of its text.
 struct WindowSize {
   int width = 0, height = 0;
   double scale = 1;
 };
 
-/// Takes orders for evidence pictures of what the window shows, one at a time, and says what became
-/// of them. Main thread; borrows the options.
+/// Makes evidence pictures of the window's content, one at a time, and reports the results. Main
+/// thread; borrows the options.
 class EvidenceDesk {
  public:
   explicit EvidenceDesk(const ViewOptions& options) : options_(options) {}
 
-  /// Begins a picture in the working folder; a second one while the first is at work is refused.
+  /// Starts a picture in the working folder; refuses a second one while the first is running.
   void ask(ViewModel& model, const WindowSize& size, SteadyTime now);
   /// The same into `file`, and waits for it.
   Status make(ViewModel& model, const WindowSize& size, const std::filesystem::path& file);
-  /// Looks whether the picture at work is done.
+  /// Checks whether the running picture is finished.
   void look(SteadyTime now);
 
-  /// A sentence to be shown for a while.
+  /// Shows a sentence for a while.
   void say(std::string text, bool fault, SteadyTime now);
   const std::string& notice() const { return notice_; }
   bool noticeIsFault() const { return notice_is_fault_; }

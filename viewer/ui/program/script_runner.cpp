@@ -25,7 +25,7 @@ Result<double> ScriptRunner::number(const ViewCommand& command, std::size_t word
   return value;
 }
 
-/// What is shown, and how.
+/// Applies commands that change what is shown and how.
 Status ScriptRunner::applyLook(const ViewCommand& command, const ScriptStage& stage) {
   ViewModel& model = stage.model;
   const std::string& first = command.words.front();
@@ -58,7 +58,7 @@ Status ScriptRunner::applyLook(const ViewCommand& command, const ScriptStage& st
   return {};
 }
 
-/// What a person does with mouse and keyboard.
+/// Applies commands of mouse and keyboard.
 Status ScriptRunner::applyPerson(const ViewCommand& command, const ScriptStage& stage) {
   ViewModel& model = stage.model;
   if (command.name == "key") {
@@ -148,7 +148,7 @@ Status ScriptRunner::beforeFrame(const ScriptStage& stage) {
     const ViewCommand& command = commands_[next_++];
     if (command.name == "quit") break;
     if (command.name == "frame") {
-      // Names a frame rate of the script's own: `frame N` draws N frames.
+      // `frame N` draws N frames.
       const auto count = number(command, 0);
       if (!count.ok()) return count.error();
       frames_to_wait_ = static_cast<int>(std::min(std::max(*count, 1.0), 1e6));
@@ -165,7 +165,7 @@ Status ScriptRunner::beforeFrame(const ScriptStage& stage) {
       return {};
     }
     if (auto applied = apply(command, stage); !applied) return applied;
-    // What was chosen must be there when the next command looks at the scene.
+    // Apply choices before the next command reads the scene.
     if (auto updated = stage.model.update(stage.now); !updated.ok()) return updated.error();
   }
   finished_ = true;

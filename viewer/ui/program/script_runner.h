@@ -14,7 +14,7 @@
 
 namespace rocinante {
 
-/// What a script's commands act on in one frame.
+/// The targets of a script's commands in one frame.
 struct ScriptStage {
   ViewModel& model;
   SteadyTime now;
@@ -25,17 +25,17 @@ struct ScriptStage {
   std::function<Status(const std::filesystem::path&)> make_evidence;
 };
 
-/// Works through a script, frame by frame: commands run until one needs a frame drawn (`frame`,
-/// `wait`, `screenshot`).
+/// Runs a script frame by frame: commands run until one needs a drawn frame (`frame`, `wait`,
+/// `screenshot`).
 class ScriptRunner {
  public:
   ScriptRunner(std::vector<ViewCommand> commands, std::string name)
       : commands_(std::move(commands)), name_(std::move(name)) {}
 
   bool finished() const { return finished_; }
-  /// bad_argument with NAME:LINE when a command's words cannot be used.
+  /// bad_argument with NAME:LINE when a command's words are invalid.
   Status beforeFrame(const ScriptStage& stage);
-  /// Writes the screenshot that was asked for.
+  /// Writes a requested screenshot.
   Status afterFrame(const std::function<Picture()>& read);
 
  private:

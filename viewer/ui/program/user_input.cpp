@@ -13,13 +13,13 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// A press that moves less than this is a click, not a drag.
+/// A press that moves less than this many pixels is a click, not a drag.
 constexpr float kClickReach = 4;
 
 std::optional<PictureClick> applyMouse(ViewModel& model, int width_px, int height_px) {
   const ImGuiIO& io = ImGui::GetIO();
   if (io.WantCaptureMouse) return std::nullopt;
-  // A press after a jump of the pointer is no drag from where it was before.
+  // A press after a jump of the pointer is not a drag from its old place.
   ImVec2 moved = io.MouseDelta;
   for (const bool clicked : io.MouseClicked) {
     if (clicked) moved = ImVec2(0, 0);
@@ -90,7 +90,7 @@ void applyPlaybackKey(ViewModel& model, TimelineCursor& cursor, const KeyPress& 
   }
 }
 
-/// Adds the path, or takes it out when it is there.
+/// Adds the path, or removes it if present.
 template <class Entry, class PathOf>
 void toggle(std::vector<Entry>& entries, Entry entry, const PathOf& path_of) {
   const auto found = std::ranges::find(entries, path_of(entry), path_of);
@@ -204,7 +204,7 @@ std::optional<KeyPress> parseKey(std::string_view text) {
     press.key = named->key;
     return press;
   }
-  // GLFW's numbers of letters and digits are their ASCII ones.
+  // GLFW's key codes of letters and digits are ASCII.
   const bool known = text.size() == 1 &&
                      ((text[0] >= 'A' && text[0] <= 'Z') || (text[0] >= '0' && text[0] <= '9'));
   if (!known) return std::nullopt;
@@ -223,14 +223,14 @@ std::optional<PictureClick> applyUserInput(ViewModel& model, SteadyTime now, int
       ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
   for (const KeyPress& press : presses) {
     if (list_open && press.key == GLFW_KEY_ESCAPE) {
-      // It closes the list alone.
+      // It only closes the list.
       ImGui::ClosePopupToLevel(0, true);
       list_open = false;
       continue;
     }
     applyKey(model, press, now, requests);
   }
-  // By its character, which lies on different keys.
+  // By its character, since its key depends on the layout.
   for (const ImWchar character : io.InputQueueCharacters) {
     if (character == '?') model.help_shown = !model.help_shown;
   }

@@ -10,20 +10,20 @@
 
 namespace rocinante {
 
-/// Where the mouse was clicked on the picture, in pixels from its top left.
+/// A mouse click on the picture, in pixels from its top left.
 struct PictureClick {
   double x = 0, y = 0;
-  bool twice = false;  ///< turn about what is there
+  bool twice = false;  ///< turn about the point there
 };
 
-/// One key, as docs/programs/view.md has them. What is not the model's is wished for.
+/// Applies one key of docs/programs/view.md. Keys for the program set `requests`.
 void applyKey(ViewModel& model, const KeyPress& press, SteadyTime now, ViewerRequests& requests);
 
-/// The key that a script names: "E", "shift+H", "space", "left", "F1", ","; empty for no key.
+/// Parses a key of a script: "E", "shift+H", "space", "left", "F1", ","; empty when invalid.
 std::optional<KeyPress> parseKey(std::string_view text);
 
-/// Mouse and keyboard of this frame, as Dear ImGui has them and has not used them itself. Answers a
-/// click on the picture.
+/// Applies mouse and keyboard of this frame, as far as Dear ImGui has not used them itself. Returns
+/// a click on the picture.
 std::optional<PictureClick> applyUserInput(ViewModel& model, SteadyTime now, int width_px,
                                            int height_px, ViewerRequests& requests, Window& window);
 

@@ -27,7 +27,7 @@ namespace rocinante {
 namespace {
 
 constexpr Nanoseconds kScriptedFrame{1'000'000'000 / 60};
-/// Coarser meshes are made beside the frames: one thread leaves the others to those.
+/// Threads that make coarser meshes; the others are left to drawing.
 constexpr int kDetailThreads = 1;
 
 double millisecondsSince(SteadyTime start) {
@@ -77,7 +77,7 @@ class ViewApp {
   InterfaceContext interface_;
   Renderer renderer_;
   FittedCameras fitted_;
-  StateDamage fit_damage_;  ///< until it was told
+  StateDamage fit_damage_;  ///< until reported
   ScaledView view_;
   std::optional<ImguiPainter> painter_;
   Governor governor_;
@@ -105,7 +105,7 @@ Result<std::unique_ptr<ViewApp>> ViewApp::open(ViewModel& model, const ViewOptio
   auto painter = ImguiPainter::create(app->renderer_.gl());
   if (!painter.ok()) return painter.error();
   app->painter_ = std::move(*painter);
-  // Before the first state is asked for, which is valid until the next question only.
+  // Before the first state is queried, which is only valid until the next query.
   if (auto ready = app->fitted_.prepare(model.session(), app->fit_damage_); !ready)
     return ready.error();
   app->window_->setPaced(!app->scripted());
@@ -119,7 +119,7 @@ Result<std::unique_ptr<ViewApp>> ViewApp::open(ViewModel& model, const ViewOptio
   return app;
 }
 
-/// What `fit` frames, of the moment shown.
+/// Points of the shown moment for `fit`.
 std::vector<Vec3> ViewApp::fittedCorners() const {
   const DeviceNames movable = fitted_.movable(model_.scene());
   Bounds bounds = renderer_.visibleBounds(model_.scene(), model_.choice(), &movable);
@@ -137,8 +137,8 @@ std::vector<Vec3> ViewApp::selectedCorners() const {
   return {bounds.min, bounds.max};
 }
 
-/// Coarser meshes are begun when they are first wanted, or, where the governor may want them, at
-/// once. A level that was asked for by number is drawn as it says from the first frame on.
+/// Starts coarser meshes when first needed, or at once if the governor may need them. A level
+/// chosen by number waits for its meshes before the first frame.
 void ViewApp::prepareDetail() {
   const DetailRung& rung = kDetailRungs[static_cast<std::size_t>(status_.rung)];
   const bool wanted = rung.level.geometry_error_px > 0;
@@ -232,7 +232,7 @@ Status ViewApp::drawFrame(double app_ms) {
 }
 
 Status ViewApp::clickAt(const PictureClick& click) {
-  // On the frame that was clicked: its insets, looks and choices.
+  // On the clicked frame, with its insets, looks and choices.
   const RenderStyle style = model_.frameStyle();
   const auto met = renderer_.pick(shownFrame(style), width_, height_, click.x, click.y);
   if (!met) return met.error();
@@ -242,7 +242,7 @@ Status ViewApp::clickAt(const PictureClick& click) {
   }
   const IdentityName& name = (*met)->name;
   const PosedDevice* device = model_.scene().findDevice(name.device);
-  // Of what has one link only, the device is meant.
+  // For a device with a single link, select the device.
   const bool jointed =
       device != nullptr && device->model != nullptr && device->model->links.size() > 1;
   model_.selected = {name.device, jointed ? name.link : std::string()};
@@ -288,7 +288,7 @@ void ViewApp::waitForNews(bool changed) {
   if (moving || !settling_.settled()) {
     glfwPollEvents();
   } else {
-    // Nothing moves: look at the mouse and the network now and then, and leave the machine alone.
+    // Nothing moves: poll mouse and network rarely, to save CPU time.
     glfwWaitEventsTimeout(model_.isLive() ? 0.016 : 0.1);
   }
 }
@@ -320,7 +320,7 @@ Status ViewApp::run() {
     if (scripted()) {
       if (auto stepped = runScript(); !stepped) return stepped;
       if (script_.finished()) return {};
-      // What the script moved must be seen in this very frame.
+      // The script's changes must show in this frame.
       if (auto updated = model_.update(now()); !updated.ok()) return updated.error();
       if (auto ready = prepareView(); !ready) return ready;
     }

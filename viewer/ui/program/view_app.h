@@ -16,22 +16,21 @@ struct ViewOptions {
   int width = 1280;
   int height = 720;
   int samples = 4;
-  /// Of text and panels, and of what of the picture has its size in pixels: 1 to 4; empty: as the
-  /// screen asks for it, and 1 under a script.
+  /// Scale of text, panels and everything sized in pixels: 1 to 4; empty: the screen's, and 1 under
+  /// a script.
   std::optional<double> scale;
   Profile profile = Profile::fast;
-  /// A rung of kDetailRungs to stay on; empty: in the fast profile what holds `target_fps`, else
+  /// A fixed rung of kDetailRungs; empty: in the fast profile the one that holds `target_fps`, else
   /// everything.
   std::optional<int> detail;
   double target_fps = 30;
-  /// What evidence pictures are made of: as the program was given them.
+  /// Arguments of the program, for evidence pictures.
   std::filesystem::path cell, log;
   ModelSearch where;
-  /// Drives the window in place of a person: time is then frames at 60 a second, whatever the clock
-  /// says, and mouse and keyboard are left alone, so that a screenshot comes out the same each
-  /// time.
+  /// Drives the window instead of a user: time then advances by 1/60 s per frame, independent of
+  /// the clock, and mouse and keyboard are ignored, so that screenshots are reproducible.
   std::vector<ViewCommand> script;
-  std::string script_name;  ///< for faults
+  std::string script_name;  ///< for error messages
 };
 
 /// Opens the window and runs until it is closed, the script ends, or a signal stops it.

@@ -209,7 +209,7 @@ int viewMain(int argc, char** argv) {
   });
 }
 
-/// The profile counts before the first thread, so before arguments are parsed in earnest.
+/// The profile must be known before the first thread, so before the arguments are parsed.
 bool wantsReproducible(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
     const std::string_view word = argv[i];

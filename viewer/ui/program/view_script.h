@@ -8,16 +8,16 @@
 
 namespace rocinante {
 
-/// One line of a script that drives the window in place of a person (docs/programs/view.md): a
-/// command and its words. Commands and the count of their words are checked when it is read.
+/// One line of a script that drives the window (docs/programs/view.md): a command and its words.
+/// Commands and their word counts are checked when it is read.
 struct ViewCommand {
   std::string name;
   std::vector<std::string> words;
   int line = 0;
 };
 
-/// One command a line, words separated by spaces, `#` to the end of the line is left out. `name` is
-/// for faults: bad_argument with NAME:LINE.
+/// One command per line, words separated by spaces, `#` begins a comment. bad_argument with
+/// NAME:LINE.
 Result<std::vector<ViewCommand>> parseViewScript(std::string_view text, std::string_view name);
 
 }  // namespace rocinante

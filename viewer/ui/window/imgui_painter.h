@@ -9,19 +9,19 @@ struct ImDrawData;
 
 namespace rocinante {
 
-/// Draws Dear ImGui's triangles through our own GL table into whatever framebuffer is bound, so
-/// that the interface lands in the same framebuffer object as the scene and can be judged like it.
-/// Bound to the table's context.
+/// Draws Dear ImGui's triangles through our GL table into the bound framebuffer, so that the
+/// interface is in the same framebuffer object as the scene and can be judged like it. Its context
+/// must be current whenever it is used or destroyed.
 class ImguiPainter {
  public:
-  /// Builds the font texture of the current ImGui context; call after the fonts were added.
+  /// Builds the font texture of the current ImGui context; call after adding the fonts.
   static Result<ImguiPainter> create(const GlTable& gl);
 
   ~ImguiPainter();
   ImguiPainter(ImguiPainter&&) noexcept;
   ImguiPainter& operator=(ImguiPainter&&) noexcept;
 
-  /// Uploads the font texture again, after other fonts were added.
+  /// Uploads the font texture again after the fonts changed.
   void refreshFont();
 
   /// Pixels of the bound framebuffer, which is `height` high, y up in GL.

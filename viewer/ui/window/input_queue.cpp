@@ -10,7 +10,7 @@ bool InputState::anyDown() const {
 
 void InputQueue::add(const InputEvent& event) {
   if (event.button >= state_.down.size()) return;
-  // Of moves in a row the last one counts.
+  // Only the last of consecutive moves counts.
   const bool follows_move = !events_.empty() && events_.back().kind == InputEvent::Kind::move;
   if (event.kind == InputEvent::Kind::move && follows_move) events_.pop_back();
   events_.push_back(event);
@@ -21,7 +21,7 @@ const InputState& InputQueue::nextFrame() {
   state_.keys.clear();
   while (!events_.empty()) {
     const InputEvent event = events_.front();
-    // A drag ends in a frame of its own, so that its last move is seen with the button down.
+    // A drag ends in a separate frame, so that its last move is seen with the button down.
     if (event.kind == InputEvent::Kind::release && moved) break;
     const bool is_key = event.kind == InputEvent::Kind::key;
     if (!is_key && !state_.keys.empty()) break;

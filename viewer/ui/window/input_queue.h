@@ -18,7 +18,7 @@ struct InputEvent {
   enum class Kind { move, press, release, key };
   Kind kind = Kind::move;
   std::size_t button = 0;  ///< of a press or release: 0 is the left one
-  double x = 0, y = 0;     ///< where the pointer was then, in the window's own units
+  double x = 0, y = 0;     ///< pointer position then, in window units
   KeyPress pressed{};      ///< of a key
 };
 
@@ -29,19 +29,18 @@ struct InputState {
   bool anyDown() const;
 };
 
-/// Mouse and keys as frames see them, from events in their order. A frame sees the pointer where it
-/// was when a button changed, and one change at most: however late a frame is, a click is a press
-/// and a release at its own place, a jump of the pointer behind it is the next frame's, and keys
-/// come neither before the clicks that they followed nor after those that followed them. Plain
-/// values.
+/// Delivers ordered mouse and key events to frames. A frame sees the pointer where it was when a
+/// button changed, and at most one change: even in a late frame a click is a press and a release at
+/// its own place, a later jump of the pointer belongs to the next frame, and keys and clicks keep
+/// their order. Plain values.
 class InputQueue {
  public:
   void add(const InputEvent& event);
-  /// What the next frame sees; valid until the next call.
+  /// The input of the next frame; valid until the next call.
   const InputState& nextFrame();
-  /// What nextFrame() answered last.
+  /// The last result of nextFrame().
   const InputState& thisFrame() const { return state_; }
-  /// Something is left for another frame.
+  /// True when events are left for another frame.
   bool pending() const { return !events_.empty(); }
 
  private:
@@ -49,9 +48,8 @@ class InputQueue {
   InputState state_;
 };
 
-/// How many frames are drawn at once after something happened, before the window waits again: a
-/// press shows in the frame that sees it, its effect on panels in the next one, and a panel that
-/// fits itself is one later still.
+/// Counts the frames to draw after an event before the window waits again: a press shows in its
+/// frame, its effect on panels in the next one, and auto-sized panels need one more.
 class SettlingFrames {
  public:
   static constexpr int kFrames = 3;

@@ -13,11 +13,10 @@
 namespace rocinante {
 namespace {
 
-/// What the coming frame sees of the mouse, whatever the backend found.
+/// Sets the mouse of the coming frame, overriding the backend.
 void tellMouse(ImGuiIO& io, const InputState& seen, ImVec2 at) {
 #if IMGUI_VERSION_NUM >= 18700
-  // Since 1.87 what is told waits in a queue behind what the backend told, and the last word
-  // counts.
+  // Since ImGui 1.87 these events are queued after the backend's, and the last one counts.
   io.AddMousePosEvent(at.x, at.y);
   for (int button = 0; button < ImGuiMouseButton_COUNT; ++button) {
     io.AddMouseButtonEvent(button, seen.down[static_cast<std::size_t>(button)]);
@@ -33,10 +32,11 @@ void tellMouse(ImGuiIO& io, const InputState& seen, ImVec2 at) {
 InterfaceContext::InterfaceContext(Window* window) : window_(window) {
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;
-  // ImguiPainter can: else a panel of more than 65,535 corners would end the program.
+  // ImguiPainter supports it: otherwise a panel of more than 65,535 vertices would abort the
+  // program.
   ImGui::GetIO().BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
 #if IMGUI_VERSION_NUM >= 18700
-  // Spreading changes over frames is our own InputQueue's work.
+  // Our InputQueue spreads changes over frames.
   ImGui::GetIO().ConfigInputTrickleEventQueue = false;
 #endif
   useScale(1);
@@ -49,7 +49,7 @@ InterfaceContext::~InterfaceContext() {
 }
 
 bool InterfaceContext::useScale(float scale) {
-  // In quarters: a screen's own figure may be anything, and glyphs are made anew for each.
+  // In quarters: a screen's scale may be any number, and each needs new glyphs.
   scale = std::round(std::clamp(scale, 1.0F, 4.0F) * 4) / 4;
   if (scale == scale_) return false;
   scale_ = scale;
@@ -71,12 +71,12 @@ void InterfaceContext::beginFrame(int width, int height) {
   const ImVec2 pixels(static_cast<float>(width), static_cast<float>(height));
   if (window_ != nullptr) {
     ImGui_ImplGlfw_NewFrame();
-    // The backend looks where mouse and buttons are by now: of a click between two frames, which
-    // the pointer has left, it would tell the wrong place, and the release a frame late.
+    // The backend reads the present mouse and buttons: for a click between two frames it would
+    // report the wrong place, and the release one frame late.
     const bool outside = !window_->followsPointer() && !window_->input().pending();
     const InputState& seen = window_->input().nextFrame();
     ImVec2 at(-FLT_MAX, -FLT_MAX);
-    // GLFW speaks of the window's units.
+    // GLFW uses window units.
     if ((!outside || seen.anyDown()) && io.DisplaySize.x > 0 && io.DisplaySize.y > 0) {
       at = ImVec2(static_cast<float>(seen.x) * pixels.x / io.DisplaySize.x,
                   static_cast<float>(seen.y) * pixels.y / io.DisplaySize.y);

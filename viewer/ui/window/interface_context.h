@@ -7,8 +7,8 @@ namespace rocinante {
 /// Height of the interface's text at scale 1.
 constexpr float kFontPixels = 15;
 
-/// Dear ImGui's context, with the font whose bytes are fixed at build time. It counts in pixels of
-/// the framebuffer, mouse included, also where a window's own units are larger. One at a time.
+/// Dear ImGui's context, with the embedded font. Uses framebuffer pixels, also for the mouse, even
+/// when window units are larger. One at a time.
 class InterfaceContext {
  public:
   /// `window` null: under a script, no mouse and no keyboard, sixty frames a second.
@@ -17,8 +17,8 @@ class InterfaceContext {
   InterfaceContext(const InterfaceContext&) = delete;
   InterfaceContext& operator=(const InterfaceContext&) = delete;
 
-  /// Text and spacing for a screen of that scale, 1 to 4; true when they became others: the glyphs
-  /// must then be uploaded anew. Between frames.
+  /// Sets text and spacing for a screen scale of 1 to 4; true when they changed: the glyphs must
+  /// then be uploaded again. Call between frames.
   bool useScale(float scale);
   float scale() const { return scale_; }
   void beginFrame(int width, int height);

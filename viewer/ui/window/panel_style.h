@@ -2,7 +2,7 @@
 
 namespace rocinante {
 
-/// Colours and spacing of all panels; once, after the ImGui context was made.
+/// Sets colours and spacing of all panels; call once, after making the ImGui context.
 void stylePanels();
 
 }  // namespace rocinante

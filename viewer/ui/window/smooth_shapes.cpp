@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
-// The two functions that draw every smooth edge of Dear ImGui, defined here in place of its own.
-// Those take the reciprocal root that the processor approximates (rsqrtss), whose last bits are its
-// vendor's; these take a root and a division, which are the same everywhere. Their looks are the
-// same: an edge fades over one pixel. viewer/ui/CMakeLists.txt has these linked in place of those
+// Replacements of the two functions that draw every smooth edge of Dear ImGui. The originals use
+// the approximate reciprocal root (rsqrtss), whose last bits depend on the CPU vendor; these use a
+// root and a division, which are the same everywhere. The look is the same: an edge fades over one
+// pixel. viewer/ui/CMakeLists.txt links these instead
 // (docs/decisions/010-panels-without-approximate-roots.md).
 namespace {
 
 constexpr float kFringe = 1;  // pixels over which an edge fades
 
-/// At right angles to the way from one point to the next, of length 1; 0 where they are one point.
+/// Unit vector perpendicular to the line between two points; 0 if they are equal.
 ImVec2 sideOf(const ImVec2& from, const ImVec2& to) {
   const ImVec2 way(to.x - from.x, to.y - from.y);
   const float square = way.x * way.x + way.y * way.y;
@@ -21,8 +21,7 @@ ImVec2 sideOf(const ImVec2& from, const ImVec2& to) {
   return {way.y / length, -way.x / length};
 }
 
-/// Where the sides of two segments that meet would cross, cut off at corners sharper than a tenth
-/// of their width.
+/// Intersection of the sides of two adjacent segments, limited at sharp corners.
 ImVec2 cornerOf(const ImVec2& before, const ImVec2& after) {
   const ImVec2 middle((before.x + after.x) / 2, (before.y + after.y) / 2);
   const float square = middle.x * middle.x + middle.y * middle.y;

@@ -16,15 +16,15 @@ std::string last_glfw_error;
 
 void onGlfwError(int /*code*/, const char* text) { last_glfw_error = text; }
 
-/// Xlib ends the program when its server is gone, whatever anybody answers here.
+/// Xlib ends the program when its server is gone, whatever this returns.
 int onServerGone(void* /*display*/) {
   constexpr char kWhat[] = "rocinante-view: the connection to the display is lost\n";
   (void)!::write(STDERR_FILENO, kWhat, std::strlen(kWhat));
   ::_exit(2);
 }
 
-/// In place of Xlib's own, whose exit code 1 is an answer here. GLFW has loaded it when it is
-/// there.
+/// Replaces Xlib's handler, whose exit code 1 has another meaning here. GLFW has loaded Xlib if it
+/// is installed.
 void nameLossOfServer() {
   void* const xlib = ::dlopen("libX11.so.6", RTLD_LAZY | RTLD_NOLOAD);
   if (xlib == nullptr) return;
@@ -49,8 +49,8 @@ Result<std::unique_ptr<Window>> Window::open(const std::string& title, int width
                                              bool scaled) {
   glfwSetErrorCallback(onGlfwError);
 #ifdef GLFW_PLATFORM
-  // GLFW 3.4 and later try Wayland first, whose library complains where only an X server is named,
-  // or where there is no folder in which its server could be.
+  // GLFW 3.4 and later try Wayland first, whose library prints an error when only an X server is
+  // configured or XDG_RUNTIME_DIR is missing.
   if (std::getenv("WAYLAND_DISPLAY") == nullptr &&
       (std::getenv("DISPLAY") != nullptr || std::getenv("XDG_RUNTIME_DIR") == nullptr)) {
     glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
@@ -62,7 +62,7 @@ Result<std::unique_ptr<Window>> Window::open(const std::string& title, int width
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
-  // We draw into a framebuffer object of our own and copy: the window needs no samples or depth.
+  // We draw into our own framebuffer object and copy: the window needs no samples or depth.
   glfwWindowHint(GLFW_SAMPLES, 0);
   glfwWindowHint(GLFW_DEPTH_BITS, 0);
   glfwWindowHint(GLFW_STENCIL_BITS, 0);
@@ -78,7 +78,7 @@ Result<std::unique_ptr<Window>> Window::open(const std::string& title, int width
   return opened;
 }
 
-// Dear ImGui, which comes after, calls on to whatever callbacks it finds.
+// Dear ImGui, initialized later, calls these callbacks from its own.
 Window::Window(GLFWwindow* window) : window_(window) {
   glfwSetWindowUserPointer(window_, this);
   glfwSetKeyCallback(window_, onKey);
@@ -108,7 +108,7 @@ void Window::onMove(GLFWwindow* window, double x, double y) {
   self.input_.add({InputEvent::Kind::move, 0, x, y, {}});
 }
 
-// Where the pointer was then, and not where it is by now, which GLFW would answer.
+// Use the pointer position of the event: GLFW would return the present one.
 void Window::onButton(GLFWwindow* window, int button, int action, int /*modifiers*/) {
   Window& self = of(window);
   self.news_ = true;

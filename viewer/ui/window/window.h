@@ -16,8 +16,8 @@ namespace rocinante {
 /// A window with a GL 3.3 core context, by GLFW. Main thread only. One at a time.
 class Window final : public RenderContext {
  public:
-  /// refused with GLFW's own words when there is no display or no such context.
-  /// `scaled`: the size is meant for a screen of scale 1, and grows with this screen's.
+  /// refused with GLFW's message when there is no display or no such context. `scaled`: the size is
+  /// for scale 1 and is multiplied with the screen's scale.
   static Result<std::unique_ptr<Window>> open(const std::string& title, int width, int height,
                                               bool scaled);
 
@@ -28,22 +28,22 @@ class Window final : public RenderContext {
   std::string_view name() const override { return "GLFW"; }
 
   GLFWwindow* handle() const { return window_; }
-  /// Pixels of the framebuffer, which may be more than the window's own units.
+  /// Pixels of the framebuffer, which may exceed the window's units.
   int framebufferWidth() const;
   int framebufferHeight() const;
-  /// How much larger than usual the screen's text should be: 2 where pixels are half as large.
+  /// The screen's scale: 2 when pixels are half as large as usual.
   float contentScale() const;
-  /// Whether the pointer is the window's to follow: over it, or the window has the keyboard.
+  /// Whether the window follows the pointer: it is over the window, or the window has the focus.
   bool followsPointer() const;
   bool closeRequested() const;
   void requestClose();
-  /// Shows what was drawn into framebuffer 0. Waits for the display when `paced`.
+  /// Shows framebuffer 0. Waits for the display when `paced`.
   void swap();
   void setPaced(bool paced);
-  /// What mouse and keys did, for frames to take one by one: also keys let go again before anybody
-  /// looked, which asking for a key's state in every frame would miss when a frame takes long.
+  /// Mouse and key events for frames to take one by one. Includes keys released before a frame,
+  /// which polling would miss when a frame takes long.
   InputQueue& input() { return input_; }
-  /// Whether a person did anything since the last call.
+  /// Whether there was any user input since the last call.
   bool takeNews() { return std::exchange(news_, false); }
 
  private:
@@ -56,7 +56,7 @@ class Window final : public RenderContext {
 
   GLFWwindow* window_;
   InputQueue input_;
-  double mouse_x_ = 0, mouse_y_ = 0;  // of the last event, in the window's own units
+  double mouse_x_ = 0, mouse_y_ = 0;  // of the last event, in window units
   bool news_ = false;
 };
 
