@@ -230,7 +230,7 @@ for (const colorScheme of ["light", "dark"]) {
     });
     assert.deepEqual(low, []);
     await other.page.keyboard.press("3");
-    assert.equal(await other.page.locator("#flicker").innerText(), "Go on", "flicker waits where motion is unwanted");
+    assert.equal(await other.page.locator("#flicker").innerText(), "Resume", "flicker waits where motion is unwanted");
     await other.page.screenshot({ path: `${pictures}/${colorScheme}_calm.png` });
     complaints.push(...other.complaints);
     await other.browser.close();

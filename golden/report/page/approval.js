@@ -1,5 +1,5 @@
 // Cases chosen for approval, as the text that `rocinante golden approve --from` reads: a case, a tab,
-// the hash of the pixels that were looked at.
+// the hash of the shown pixels.
 class Approval {
   constructor(frames, command, changed) {
     this.frames = frames;

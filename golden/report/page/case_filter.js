@@ -18,7 +18,7 @@ class CaseFilter {
     find("filters").addEventListener("submit", (event) => event.preventDefault());
   }
 
-  // What needs a person comes first; when all is well, everything is shown.
+  // Failures are shown first; without any, everything is shown.
   showOnly(verdicts) {
     for (const box of this.boxes) box.checked = verdicts.length === 0 || verdicts.includes(box.value);
   }

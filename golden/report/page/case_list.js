@@ -42,7 +42,7 @@ class CaseList {
     this.items[index].querySelector(".state").classList.toggle("picked", picked);
   }
 
-  // The next visible one after `index`, or before it; the same where there is none.
+  // The visible one after or before `index`, or `index` itself.
   step(index, by) {
     const visible = by > 0 ? this.visible.filter((each) => each > index) : this.visible.filter((each) => each < index).reverse();
     return visible[0] ?? index;

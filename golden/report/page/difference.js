@@ -1,5 +1,5 @@
-// What two pictures of one size differ by: the largest of |a - b| over R, G, B and A of each pixel,
-// as the judge has it (docs/golden-suites.md, "Tolerances").
+// Difference of two pictures of one size: the largest of |a - b| over R, G, B and A of each pixel,
+// as in the judge (docs/golden-suites.md, "Tolerances").
 function pixelDifferences(a, b) {
   const differences = new Uint8Array(a.width * a.height);
   for (let i = 0, p = 0; i < differences.length; ++i, p += 4) {
@@ -19,7 +19,7 @@ function canvasOf(width, height, paint) {
   return canvas;
 }
 
-// The frame in grey, dimmed; what differs from yellow (slight) to red.
+// The frame in dimmed grey, differing pixels from yellow (slight) to red.
 function differenceImage(frame, differences) {
   return canvasOf(frame.width, frame.height, (out) => {
     for (let i = 0, p = 0; i < differences.length; ++i, p += 4) {
@@ -59,7 +59,7 @@ function tileMeans(differences, width, height) {
   return means;
 }
 
-// From black over violet and orange to pale yellow; lightness rises all the way.
+// From black over violet and orange to pale yellow, with increasing lightness.
 const heatStops = [[0, 0, 4], [87, 16, 110], [188, 55, 84], [249, 142, 9], [252, 255, 164]];
 function heatColor(part) {
   const place = Math.min(0.9999, Math.max(0, part)) * (heatStops.length - 1);
@@ -67,7 +67,7 @@ function heatColor(part) {
   return from.map((value, i) => value + (to[i] - value) * (place % 1));
 }
 
-// How much each neighbourhood differs: what a tolerance's tile_mean looks at.
+// Mean difference of each neighbourhood, the measure of a tolerance's tile_mean.
 function heatImage(frame, differences) {
   const means = tileMeans(differences, frame.width, frame.height);
   let hottest = 0;

@@ -1,4 +1,4 @@
-// Finding and making elements. Text always goes in as text: a case may be named anything.
+// Finding and making elements. Text is never parsed as HTML: names of cases are untrusted.
 const find = (id) => document.getElementById(id);
 
 function make(tag, properties = {}, ...children) {
@@ -13,7 +13,7 @@ function make(tag, properties = {}, ...children) {
 
 const grouped = (number) => String(number).replace(/\B(?=(\d{3})+$)/g, ",");
 
-// A page opened from a file may be refused the clipboard: then the text is selected in a field.
+// A page opened from a file may not use the clipboard: then copy from a selected field.
 async function copyText(text, button) {
   let done = true;
   try {

@@ -1,5 +1,5 @@
 // The mask of a case is a picture whose bytes are rows of the attribution table (0: none): red, the
-// row that a differing pixel is laid to; green, whose surface the frame shows there; blue, whose the
+// row of a differing pixel; green, the surface that the frame shows there; blue, the one that the
 // golden showed.
 function highlightImage(mask, row) {
   const { width, height, pixels } = mask;

@@ -1,4 +1,4 @@
-// What the keyboard does. Keys with a modifier, and those typed into a field, are left alone.
+// Keyboard bindings. Ignores keys with a modifier and keys typed into a field.
 class Keys {
   constructor(bindings) {
     this.byKey = new Map();

@@ -1,4 +1,4 @@
-// Puts the page together.
+// Assembles the page.
 (() => {
   const report = JSON.parse(find("data").textContent);
   const frames = report.frames;
@@ -69,18 +69,18 @@
   const toggleApproval = () => { if (current >= 0) approval.set([current], !approval.picked.has(current)); };
   new Keys([
     { keys: ["j"], what: "next frame", act: () => choose(list.step(current, 1)) },
-    { keys: ["k"], what: "frame before", act: () => choose(list.step(current, -1)) },
+    { keys: ["k"], what: "previous frame", act: () => choose(list.step(current, -1)) },
     ...kModes.map(({ title }, index) => ({ keys: [String(index + 1)], what: title.toLowerCase(), act: () => setMode(index) })),
     { keys: ["s"], what: "flicker: the other picture", act: () => { stage.setPaused(true); stage.swap(); } },
-    { keys: ["p"], what: "flicker: pause, go on", act: () => stage.setPaused(!stage.paused) },
+    { keys: ["p"], what: "flicker: pause or resume", act: () => stage.setPaused(!stage.paused) },
     { keys: ["+", "="], what: "zoom in (also the wheel)", act: () => stage.zoom(2) },
     { keys: ["-"], what: "zoom out", act: () => stage.zoom(0.5) },
     { keys: ["0"], what: "fit (also a double click)", act: () => stage.fit() },
-    { keys: ["ArrowLeft"], what: "pan, when the picture has the focus (also drag)", act: pan(-1, 0) },
-    { keys: ["ArrowRight"], what: "the same to the right", act: pan(1, 0) },
-    { keys: ["ArrowUp"], what: "up", act: pan(0, -1) },
-    { keys: ["ArrowDown"], what: "down", act: pan(0, 1) },
-    { keys: ["x"], what: "choose the frame for approval, or not", act: toggleApproval },
+    { keys: ["ArrowLeft"], what: "pan left, when the picture has the focus (also drag)", act: pan(-1, 0) },
+    { keys: ["ArrowRight"], what: "pan right", act: pan(1, 0) },
+    { keys: ["ArrowUp"], what: "pan up", act: pan(0, -1) },
+    { keys: ["ArrowDown"], what: "pan down", act: pan(0, 1) },
+    { keys: ["x"], what: "select or deselect the frame for approval", act: toggleApproval },
     { keys: ["/"], what: "find", act: () => find("filter-text").focus() },
     { keys: ["?"], what: "this list", act: () => find("help").showModal() },
   ]);

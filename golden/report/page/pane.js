@@ -25,7 +25,7 @@ class Pane {
       context.beginPath();
       context.rect(from * width, 0, (until - from) * width, height);
       context.clip();
-      // Pixels are what is judged: enlarged they stay squares. Those of a reduced picture are nobody's.
+      // Judged pixels stay squares when enlarged; pixels of a reduced picture may be smoothed.
       context.imageSmoothingEnabled = is_reduced || transform.scale * ratio < 1;
       context.imageSmoothingQuality = "high";
       context.drawImage(image, Math.round(width / 2 + left * ratio), Math.round(height / 2 + top * ratio),

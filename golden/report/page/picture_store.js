@@ -1,5 +1,5 @@
-// The pictures of the page: each lies once, as base64, in a script element that nobody runs, and is
-// decoded when it is first looked at. The last few stay decoded.
+// The pictures of the page, each once as base64 in an inert script element, decoded on first use.
+// The last few stay decoded.
 class PictureStore {
   static kept = 12;
 

@@ -12,7 +12,7 @@ class Stage {
 
   constructor(store, told) {
     this.store = store;
-    this.told = told; // (text, row): what lies below the pointer
+    this.told = told; // (text, row): called with the pixel below the pointer
     this.element = find("stage");
     this.transform = new ViewTransform();
     this.mode = "side";
@@ -36,12 +36,12 @@ class Stage {
   }
 
   async show(frame) {
-    const call = this.call = Symbol("the last one asked for wins");
+    const call = this.call = Symbol("only the last call counts");
     const ids = frame.pictures;
     const [golden, drawn, mask, compared, thumbnail] = await Promise.all(
       [ids.golden, ids.frame, ids.mask, ids.compared, ids.thumbnail].map((id) => this.store.get(id)));
     if (this.call !== call) return false;
-    // Where masks hide pixels, what was compared is not all that was drawn.
+    // With masks, the compared picture differs from the drawn one.
     this.shown = { frame: drawn, golden, mask, compared: compared ?? drawn, thumbnail };
     this.lit = null;
     this.transform.fitted = true;
@@ -72,7 +72,7 @@ class Stage {
     if (mode === "side") {
       if (golden) add("golden, as accepted", () => [{ image: golden.image }]);
       if (frame) add("frame, as drawn now", () => [{ image: frame.image }]);
-      if (!golden && !frame && thumbnail) add("frame, kept small since it is the same", () => [{ image: thumbnail.image, is_reduced: true }]);
+      if (!golden && !frame && thumbnail) add("frame, kept small because it is the same", () => [{ image: thumbnail.image, is_reduced: true }]);
     } else if (mode === "slider") {
       add("golden to the left, frame to the right", () => [
         { image: golden.image, until: this.divider }, { image: frame.image, from: this.divider }]);
@@ -87,7 +87,7 @@ class Stage {
         () => [{ image: heat.image }]);
     }
     if (this.panes.length === 0) {
-      this.element.append(make("p", { className: "nothing", textContent: "There is no picture of this frame." }));
+      this.element.append(make("p", { className: "nothing", textContent: "No picture of this frame." }));
     }
     find("slider-label").hidden = mode !== "slider";
     find("flicker").hidden = mode !== "flicker";
@@ -128,7 +128,7 @@ class Stage {
     find("zoom-text").textContent = Math.round(this.transform.scale * 100) + " %";
   }
 
-  // Shows which pixels a row of the table speaks of: 0 for none.
+  // Highlights the pixels of a row of the table; 0 for none.
   light(row) {
     if ((this.lit?.row ?? 0) === row) return;
     this.lit = row && this.shown?.mask ? { row, image: highlightImage(this.shown.mask, row) } : null;
@@ -144,7 +144,7 @@ class Stage {
     this.paused = paused;
     const button = find("flicker");
     button.setAttribute("aria-pressed", String(paused));
-    button.textContent = paused ? "Go on" : "Pause";
+    button.textContent = paused ? "Resume" : "Pause";
   }
 
   setDivider(part) {

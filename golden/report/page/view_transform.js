@@ -1,5 +1,5 @@
-// Where the pictures are shown: one transform for all panes, so that zoom and pan go in step.
-// `scale` is screen pixels a picture pixel; (x, y) is the picture's point in the middle of a pane.
+// The transform of all panes, so that they zoom and pan together. `scale` is screen pixels per
+// picture pixel; (x, y) is the picture's point in the centre of a pane.
 class ViewTransform {
   constructor() {
     this.fitted = true;

@@ -26,7 +26,7 @@ class WhyTable {
 
   rowOf(row) {
     const button = make("button", { type: "button", textContent: row.name, "aria-pressed": "false",
-      title: "Show its pixels: cyan where it is, magenta where it was, yellow what differs" });
+      title: "Show its pixels: cyan where it is, magenta where it was, yellow where it differs" });
     const line = make("tr", {}, make("td", {}, button),
       make("td", { textContent: grouped(row.pixels) }),
       make("td", { textContent: row.what }));
@@ -53,7 +53,7 @@ class WhyTable {
     this.stage.light(row);
   }
 
-  // Marks the row of what lies below the pointer; the pictures stay as they are.
+  // Marks the row of the pixel below the pointer; the pictures do not change.
   mark(row) {
     for (const line of this.body.rows) line.classList.toggle("lit", Number(line.dataset.row) === row);
   }
