@@ -20,14 +20,12 @@ void declareCheck(CLI::App& app, CheckArguments& my) {
   cli::addSearchOptions(app, my);
 
   app.add_option("--rule", my.rules,
-                 "set a rule's severity, over the cell's: "
-                 "RULE=off|note|warning|error")
+                 "set a rule's severity, over the cell's: RULE=off|note|warning|error")
       ->type_name("RULE=SEVERITY");
-  auto* fail_on = app.add_option("--fail-on", my.fail_on,
-                                 "exit with 1 if a finding is at least "
-                                 "this severe")
-                      ->check(CLI::IsMember({"note", "warning", "error"}))
-                      ->capture_default_str();
+  auto* fail_on =
+      app.add_option("--fail-on", my.fail_on, "exit with 1 if a finding is at least this severe")
+          ->check(CLI::IsMember({"note", "warning", "error"}))
+          ->capture_default_str();
   app.add_flag("--strict", my.strict, "the same as --fail-on warning")->excludes(fail_on);
   auto* baseline = app.add_option("--baseline", my.baseline, "file of accepted findings");
   app.add_flag("--update-baseline", my.update_baseline,

@@ -104,11 +104,9 @@ CLI::App* addCaseCommand(CLI::App& app, AddArguments& arguments) {
   command->add_option("--at", arguments.at, "a session time");
   command->add_option("--event", arguments.event, "the event with this text");
   command->add_option("--occurrence", arguments.occurrence,
-                      "which of several such events: 1 "
-                      "first, -1 last");
+                      "which of several such events: 1 first, -1 last");
   command->add_option("--events", arguments.events,
-                      "one frame per event whose text matches this "
-                      "glob");
+                      "one frame per event whose text matches this glob");
   command->add_option("--after", arguments.after, "delay after the event");
   command->add_option("--every", arguments.every, "one frame per period, as 500ms");
   list("--camera", arguments.cameras, "a camera of the cell or the session; repeatable");
@@ -120,11 +118,9 @@ CLI::App* addCaseCommand(CLI::App& app, AddArguments& arguments) {
   list("--mask", arguments.mask, "do not judge PATH; repeatable");
   list("--style", arguments.style, "a style, as KEY=VALUE; repeatable");
   command->add_option("--tolerance", arguments.tolerance,
-                      "exact, rounding, cpu, loose or a "
-                      "tolerance of the suite");
+                      "exact, rounding, cpu, loose or a tolerance of the suite");
   command->add_option("--expect", arguments.expect,
-                      "`different`: expect a difference; needs "
-                      "--reason");
+                      "`different`: expect a difference; needs --reason");
   command->add_option("--reason", arguments.reason, "why a difference is expected");
   list("--tag", arguments.tags, "repeatable");
   command->add_option("--cell", arguments.cell, "of a new suite");

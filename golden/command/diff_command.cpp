@@ -124,9 +124,8 @@ Result<std::vector<JudgedFrame>> allChanges(const DiffArguments& arguments) {
 }  // namespace
 
 CLI::App* addDiffCommand(CLI::App& app, DiffArguments& arguments) {
-  CLI::App* command = app.add_subcommand("diff",
-                                         "list the goldens that changed since a git "
-                                         "revision");
+  CLI::App* command =
+      app.add_subcommand("diff", "list the goldens that changed since a git revision");
   command->add_option("REV", arguments.revision, "a commit, branch or tag")->required();
   command->add_option("SUITE", arguments.suite, "default: every suite of the repository");
   command->add_option("--report", arguments.report, "folder for index.html and the pictures");

@@ -106,8 +106,7 @@ CLI::App* addRunCommand(CLI::App& app, RunArguments& arguments) {
   addIncompleteOption(*command, arguments.suite);
   command
       ->add_option("-j,--jobs", arguments.jobs,
-                   "drawing processes; 0: chosen from the frames "
-                   "and processors")
+                   "drawing processes; 0: chosen from the frames and processors")
       ->check(CLI::Range(0, 64))
       ->capture_default_str();
   addReportFiles(*command, arguments.files);

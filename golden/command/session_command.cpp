@@ -29,9 +29,7 @@ Result<SessionQuestion> questionOf(const SessionArguments& arguments) {
   const auto step = parseDuration(arguments.step);
   if (!step.ok()) return step.error();
   if (*slack < Nanoseconds(0) || *step <= Nanoseconds(0)) {
-    return Error{ErrorKind::bad_argument,
-                 "--slack must be at least zero, --step greater than "
-                 "zero",
+    return Error{ErrorKind::bad_argument, "--slack must be at least zero, --step greater than zero",
                  ""};
   }
   question.limits.slack = *slack;

@@ -50,9 +50,7 @@ void readMoment(SuiteTable& table, SuiteCase& made) {
       std::initializer_list<std::string_view>{"at", "event", "events", "every"},
       [&](std::string_view key) { return table.has(key); });
   if (given > 1)
-    table.complainHere(
-        "a case can have only one of `at`, `event`, `events` and "
-        "`every`");
+    table.complainHere("a case can have only one of `at`, `event`, `events` and `every`");
 }
 
 /// The whole numbers of a list of exactly `count`; empty for anything else.
@@ -105,8 +103,7 @@ void readArea(SuiteTable& owner, const TomlNode& node, std::string_view key,
     owner.complain(node, fmt::format("`hide` {} instead: it then needs no mask", area.path));
   } else if (!area.rectangle && area.path.empty()) {
     owner.complain(node,
-                   "an area's PATH must be DEVICE, DEVICE/LINK, layer/NAME or "
-                   "drawing/SOURCE/ID");
+                   "an area's PATH must be DEVICE, DEVICE/LINK, layer/NAME or drawing/SOURCE/ID");
   }
   areas.push_back(std::move(area));
 }
@@ -202,8 +199,7 @@ void readExpectation(SuiteTable& table, SuiteCase& made) {
     table.complain(*table.node("expect"), "`expect` must be \"same\" or \"different\"");
   } else if (made.expect_different && made.reason.empty()) {
     table.complain(*table.node("expect"),
-                   "a case that expects a difference needs `reason = "
-                   "\"...\"`");
+                   "a case that expects a difference needs `reason = \"...\"`");
   }
 }
 

@@ -129,8 +129,7 @@ class Conversion {
   Status makeCell() {
     if (job_.pose.joints || !job_.pose.named.empty() || job_.pose.base || !job_.pose.log.empty()) {
       return Error{ErrorKind::bad_argument,
-                   "a cell keeps its joints, so joint values have no "
-                   "effect here",
+                   "a cell keeps its joints, so joint values have no effect here",
                    job_.output.string()};
     }
     const CellDevice* device = nullptr;

@@ -135,9 +135,7 @@ Status checkWholePng(ByteView bytes, const std::string& name) {
     if (rest.empty()) return {};
     if (textOf(rest).starts_with("\x89PNG")) {
       return Error{ErrorKind::unsupported,
-                   "has several pictures; only files with one picture "
-                   "are judged",
-                   name};
+                   "has several pictures; only files with one picture are judged", name};
     }
     return damaged(countText(rest.size(), "byte") + " after its end (IEND)");
   }

@@ -57,9 +57,7 @@ Status checkJob(const RenderJob& job) {
   }
   if (!job.video.empty() && !VideoFile::isVideo(job.video)) {
     return Error{ErrorKind::bad_argument,
-                 "the video's name must end with .mp4, .mkv, .mov or "
-                 ".webm",
-                 job.video.string()};
+                 "the video's name must end with .mp4, .mkv, .mov or .webm", job.video.string()};
   }
   return {};
 }

@@ -143,15 +143,12 @@ int main(int argc, char** argv) {
                  "a moment: 12.5, 1m02.5s, -1s from the end, or RFC 3339; repeatable")
       ->allow_extra_args(false);
   app.add_option("--every", job.moments.every,
-                 "one frame per period, from the log's start to "
-                 "its end");
+                 "one frame per period, from the log's start to its end");
   app.add_option("--at-file", job.moments.at_file,
-                 "a file of moments, one per line; # begins a "
-                 "comment");
+                 "a file of moments, one per line; # begins a comment");
   app.add_flag("--events", job.moments.all_events, "every event and mark of the log");
   app.add_option("--event", job.moments.events,
-                 "events whose text matches this glob (* and ?); "
-                 "repeatable")
+                 "events whose text matches this glob (* and ?); repeatable")
       ->option_text("PATTERN")
       ->allow_extra_args(false);
   app.add_option("--from", job.moments.from, "start of the range for --every, --events and --fps");
@@ -162,8 +159,7 @@ int main(int argc, char** argv) {
   app.add_option("--video", job.video, "all moments as .mp4, .mkv, .mov or .webm, by ffmpeg");
   app.add_option("--fps", job.moments.rate, "of --video: frames per second, 25 or 30000/1001");
   app.add_option("--identity", job.identity,
-                 "devices and links as colours: a PNG and a JSON "
-                 "legend");
+                 "devices and links as colours: a PNG and a JSON legend");
   app.add_option("--depth", job.depth, "depth along the view: a 16-bit PNG, its unit in JSON");
   app.add_option("--camera", job.cameras,
                  "a camera of the cell, a `view` of the session, map, fit or fit:DEVICE; "
@@ -205,8 +201,7 @@ int main(int argc, char** argv) {
   addContextOption(app);
   cli::addSearchOptions(app, job);
   app.add_flag("--hash", hash,
-               "print the SHA-256 of the RGBA rows, top to bottom, one line per "
-               "frame");
+               "print the SHA-256 of the RGBA rows, top to bottom, one line per frame");
   app.add_flag("--force", job.overwrite, "replace existing files");
   app.add_flag("--json", json, "print a report as JSON");
 

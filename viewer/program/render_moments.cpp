@@ -154,8 +154,7 @@ Result<FrameRate> parseFrameRate(const std::string& text) {
   if (rate.count < 1 || rate.seconds < 1 || rate.count > kMax * 10 || rate.seconds > kMax ||
       rate.count > 1000 * rate.seconds) {
     return badMoment("`" + text +
-                     "` is not a frame rate: use 25, 29.97 or 30000/1001, at most "
-                     "1000");
+                     "` is not a frame rate: use 25, 29.97 or 30000/1001, at most 1000");
   }
   const std::int64_t common = std::gcd(rate.count, rate.seconds);
   return FrameRate{rate.count / common, rate.seconds / common};

@@ -309,8 +309,7 @@ TEST(ApprovalList, RefusesWhatIsNone) {
   const std::string hash(32, 'a');
   EXPECT_EQ(faultOf(""), "the list has no frames, so nothing would be approved (list.txt)");
   EXPECT_EQ(faultOf("\npick\n"),
-            "`pick` is not a frame name and a pixel hash of 32 digits "
-            "(list.txt:2)");
+            "`pick` is not a frame name and a pixel hash of 32 digits (list.txt:2)");
   EXPECT_EQ(faultOf("pick " + hash + "0\n").substr(0, 6), "`pick ");
   EXPECT_EQ(faultOf("pick " + hash + " x\n").substr(0, 6), "`pick ");
   EXPECT_EQ(faultOf("a " + hash + "\na\t" + hash), "the list has frame a twice (list.txt:2)");

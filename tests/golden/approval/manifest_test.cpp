@@ -196,8 +196,7 @@ TEST(Manifest, WhatAMergeLeftIsToldWithItsLine) {
             "the manifest of goldens is broken: it is not JSON (goldens/manifest.json:3:1)");
   // Of two of one name, one would be forgotten.
   EXPECT_EQ(faultOf("{\"format\":1,\"cases\":{\"a\":[],\"b\":[],\"a\":[]}}"),
-            "the manifest of goldens is broken: it has case `a` twice "
-            "(goldens/manifest.json)");
+            "the manifest of goldens is broken: it has case `a` twice (goldens/manifest.json)");
   EXPECT_EQ(faultOf("{\"format\":1,\"cases\":{\"cases\":[]},\"cells\":{\"a\":{},\"a\":{}}}"),
             "none");
 }

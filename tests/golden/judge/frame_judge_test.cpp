@@ -245,8 +245,7 @@ TEST_F(FrameJudgeTest, AForeignGoldenThatCannotBeReadJudgesNothing) {
   const JudgedFrame judged = judge(evenPicture(11));
   EXPECT_EQ(judged.verdict, FrameVerdict::incomparable);
   EXPECT_THAT(judged.rule,
-              HasSubstr("no golden of this renderer (llvmpipe 32x32 1x); against older: "
-                        "golden "));
+              HasSubstr("no golden of this renderer (llvmpipe 32x32 1x); against older: golden "));
   EXPECT_THAT(judged.rule, HasSubstr("is missing"));
   // Another one that can be read judges.
   Picture near = evenPicture(11);
@@ -445,8 +444,7 @@ TEST(Stability, BlamesSurfacesThatMeetWhereThePixelsLie) {
   EXPECT_EQ(instabilityRule(*found, &identity),
             "drawn again, 16 pixels differ at 8,4,1x16, 16 of them at the border of arm/link6 "
             "and table/top; both after another frame and in a fresh context; likely cause: "
-            "coplanar "
-            "surfaces");
+            "coplanar surfaces");
 }
 
 TEST_F(FrameJudgeTest, PassesBetweenProcessesWhole) {

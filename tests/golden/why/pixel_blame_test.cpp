@@ -41,8 +41,7 @@ TEST(BlameLinks, KnowsAppearedVanishedColourDrawingAndShape) {
     texts.push_back(nameText(change.name) + " " + whatText(change));
   }
   EXPECT_THAT(texts, testing::UnorderedElementsAre("a/gone vanished", "a/new appeared",
-                                                   "a/dyed colour changed by (+80, "
-                                                   "+0, +0)",
+                                                   "a/dyed colour changed by (+80, +0, +0)",
                                                    "a/grown shape changed",
                                                    "drawing plan/goal text or drawing"));
 }
