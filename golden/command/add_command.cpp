@@ -106,7 +106,7 @@ CLI::App* addCaseCommand(CLI::App& app, AddArguments& arguments) {
   command->add_option("--occurrence", arguments.occurrence,
                       "which of several such events: 1 first, -1 last");
   command->add_option("--events", arguments.events,
-                      "one frame per event whose text matches this glob");
+                      "one frame per event whose text matches this pattern");
   command->add_option("--after", arguments.after, "delay after the event");
   command->add_option("--every", arguments.every, "one frame per period, as 500ms");
   list("--camera", arguments.cameras, "a camera of the cell or the session; repeatable");

@@ -19,7 +19,8 @@ void addSuiteOptions(CLI::App& app, SuiteArguments& arguments) {
   app.add_option("SUITE", arguments.suite, "the suite's TOML file")->required();
   app.add_option("--cell", arguments.cell, "use this cell instead of the suite's");
   app.add_option("--log", arguments.log, "use this log instead of the suite's");
-  app.add_option("--only", arguments.only, "only frames and cases that match this glob; repeatable")
+  app.add_option("--only", arguments.only,
+                 "only frames and cases that match this pattern; repeatable")
       ->allow_extra_args(false);
   app.add_option("--tag", arguments.tags, "only cases with this tag; repeatable")
       ->allow_extra_args(false);

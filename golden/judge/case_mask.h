@@ -21,7 +21,7 @@ struct SceneIdentity {
 /// True when the case's areas name PATHs, so that an identity frame is needed to find them.
 bool needsIdentity(const SuiteCase& made);
 
-/// True when the glob `path` (DEVICE, DEVICE/LINK, layer/NAME or drawing/SOURCE/ID) matches this
+/// True when the pattern `path` (DEVICE, DEVICE/LINK, layer/NAME or drawing/SOURCE/ID) matches this
 /// name.
 bool pathNames(std::string_view path, const IdentityName& name,
                const std::vector<std::string>& layers);

@@ -20,7 +20,7 @@ struct CaseMoment {
   std::optional<std::string> at;      ///< a session time as text: its origin is the log's
   std::optional<std::string> event;   ///< the event with exactly this text
   int occurrence = 1;                 ///< of `event`: 1 the first, 2 the second, -1 the last
-  std::optional<std::string> events;  ///< a glob: one frame per event whose text matches
+  std::optional<std::string> events;  ///< a pattern: one frame per event whose text matches
   std::optional<Nanoseconds> every;   ///< from the origin to the end of the log
   Nanoseconds after{0};               ///< added to the time of each event
 };
@@ -29,7 +29,7 @@ struct CaseMoment {
 struct PictureArea {
   std::optional<MaskRectangle> rectangle;
   /// Without a rectangle, the pixels of this PATH: DEVICE, DEVICE/LINK, layer/NAME or
-  /// drawing/SOURCE/ID, as a glob.
+  /// drawing/SOURCE/ID, as a pattern.
   std::string path;
   int grow_px = 0;  ///< pixels added on every side
   bool operator==(const PictureArea&) const = default;

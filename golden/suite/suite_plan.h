@@ -13,7 +13,7 @@ namespace rocinante {
 
 /// Selects frames of a suite.
 struct FrameSelection {
-  std::vector<std::string> only{};      ///< globs over frames' and cases' names; empty: all
+  std::vector<std::string> only{};      ///< patterns of frames' and cases' names; empty: all
   std::vector<std::string> tags{};      ///< any of these; empty: all
   std::vector<std::string> not_tags{};  ///< none of these
   int shard = 1, shards = 1;            ///< the remaining cases are dealt out in turn

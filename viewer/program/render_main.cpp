@@ -148,7 +148,7 @@ int main(int argc, char** argv) {
                  "a file of moments, one per line; # begins a comment");
   app.add_flag("--events", job.moments.all_events, "every event and mark of the log");
   app.add_option("--event", job.moments.events,
-                 "events whose text matches this glob (* and ?); repeatable")
+                 "events whose text matches this pattern (* and ?); repeatable")
       ->option_text("PATTERN")
       ->allow_extra_args(false);
   app.add_option("--from", job.moments.from, "start of the range for --every, --events and --fps");
