@@ -10,6 +10,7 @@
 #include "core/base/duration_text.h"
 #include "core/cli/search_options.h"
 #include "golden/command/suite_arguments.h"
+#include "golden/report/report_folder.h"
 #include "golden/session/session_comparison_text.h"
 #include "viewer/program/render_job.h"
 
