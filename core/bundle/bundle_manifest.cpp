@@ -91,7 +91,7 @@ class ManifestReader {
     if (!files_.insert(file.name).second) return fail(file.name + " is in it twice");
     if (file.sha256.size() != kSha256Digits ||
         file.sha256.find_first_not_of("0123456789abcdef") != std::string::npos) {
-      return fail("the SHA-256 of " + file.name + " is not a SHA-256");
+      return fail("the SHA-256 of " + file.name + " is not 64 hexadecimal digits");
     }
     const auto size = each.find("bytes");
     if (size == each.end() || !size->is_number_unsigned()) {

@@ -78,7 +78,8 @@ TEST(BundleManifest, RefusalsSayWhatIsWrong) {
   EXPECT_THAT(
       refusalOf(changed("\"demo.cell.toml\",\n   \"bytes\"", "\"arm/base.obj\",\n   \"bytes\"")),
       says("arm/base.obj is in it twice"));
-  EXPECT_THAT(refusalOf(changed(kSha, "ABC")), says("the SHA-256 of arm/base.obj is none"));
+  EXPECT_THAT(refusalOf(changed(kSha, "ABC")),
+              says("the SHA-256 of arm/base.obj is not 64 hexadecimal digits"));
   EXPECT_THAT(refusalOf(changed("\"bytes\": 12", "\"bytes\": -1")), says("the size of"));
   EXPECT_THAT(refusalOf(changed("\"bytes\": 12", "\"bytes\": 1073741824")),
               says("it is larger than 1024 MiB"));

@@ -248,7 +248,7 @@ TEST(LogReader, AChunkWhoseSizeOrTimesLieIsDamage) {
   EXPECT_THAT(payloads(reader), ElementsAre("twenty"));
   ASSERT_EQ(reader.damage().size(), 2U);
   EXPECT_THAT(reader.damage()[0].cause, HasSubstr("where its header says"));
-  EXPECT_THAT(reader.damage()[1].cause, HasSubstr("other times"));
+  EXPECT_THAT(reader.damage()[1].cause, HasSubstr("are not those of its messages"));
   EXPECT_EQ(reader.summary().start, at(20));
 }
 

@@ -50,7 +50,7 @@ TEST_P(MappedLog, ThatIsMadeShorterWhileItIsReadEndsInDamage) {
   EXPECT_THAT(read, Not(IsEmpty()));
   EXPECT_LT(read.size(), 1000U);
   ASSERT_THAT(reader->damage(), Not(IsEmpty()));
-  EXPECT_THAT(reader->damage()[0].cause, HasSubstr("made shorter"));
+  EXPECT_THAT(reader->damage()[0].cause, HasSubstr("truncated while it was read"));
   EXPECT_TRUE(reader->lastOf(0, at(5000)).ok());
   EXPECT_EQ(reader->readAttachment(0).error().kind, ErrorKind::unreadable);
 }

@@ -68,7 +68,7 @@ TEST(NewLogFile, OneThatIsBeingWrittenIsRefusedToOthersForcedOrNot) {
     ASSERT_FALSE(second.ok());
     EXPECT_EQ(second.error().kind, ErrorKind::refused);
     EXPECT_THAT(second.error().text(),
-                HasSubstr(overwrite ? "is writing this file" : "exists already"));
+                HasSubstr(overwrite ? "is writing this file" : "already exists"));
   }
   EXPECT_TRUE(sink->check().ok());
   ASSERT_TRUE(sink->close().ok());

@@ -132,7 +132,7 @@ TEST_F(UnstableFrameTest, IsAFailureOfItsOwnKindInEveryAnswer) {
   EXPECT_EQ(run(), cli::Exit::no);
   EXPECT_EQ(verdict()["verdict"], "unstable");
   const std::string rule = verdict()["rule"];
-  EXPECT_THAT(rule, HasSubstr("where boxes/left and boxes/right meet"));
+  EXPECT_THAT(rule, HasSubstr("at the border of boxes/left and boxes/right"));
   EXPECT_THAT(rule, HasSubstr("likely cause: coplanar surfaces"));
   const auto root = nlohmann::json::parse(textIn("verdicts.json"));
   EXPECT_EQ(root["verdict"], "different");

@@ -111,7 +111,8 @@ TEST_F(GoldenCheck, ReadsPaddedRowsAndRowsFromBottomToTop) {
 TEST_F(GoldenCheck, RefusesNamesThatLeadElsewhereAndFramesWithoutPixels) {
   const Picture picture = noisePicture(5, 4, 1);
   for (const char* name : {"", "../gauge", "a/b", ".hidden", "a b", "a\n"}) {
-    EXPECT_THAT(checkGolden(viewOf(picture), name, {}, place_).text, HasSubstr("no golden's name"));
+    EXPECT_THAT(checkGolden(viewOf(picture), name, {}, place_).text,
+                HasSubstr("not a valid golden name"));
   }
   for (const PictureView& view :
        {PictureView{}, PictureView{0, 4, 20, picture.rgba.data()},

@@ -96,7 +96,7 @@ TEST(LogShift, TimesThatALogCannotHoldAreRefused) {
   };
   EXPECT_THAT(refusal(to("1960-01-01T00:00:00Z")), HasSubstr("before 1970"));
   EXPECT_THAT(refusal(by("-1770000001.5s")), HasSubstr("before 1970"));
-  EXPECT_THAT(refusal(by("9000000000s")), HasSubstr("beyond 2262"));
+  EXPECT_THAT(refusal(by("9000000000s")), HasSubstr("after 2262"));
   EXPECT_THAT(refusal(by("soon")), HasSubstr("soon"));
   // The first of all may become 0.
   EXPECT_TRUE(

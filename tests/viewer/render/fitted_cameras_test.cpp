@@ -94,7 +94,7 @@ TEST_F(FitTest, ADeviceThatIsNotThereOrNotSeenIsRefused) {
       << unknown;
   EXPECT_NE(unknown.find("arm"), std::string::npos) << unknown;
   const std::string hidden = refusalOf(maker, "fit:hall", {"hall"});
-  EXPECT_NE(hidden.find("`fit:hall` sees nothing: no part of hall is shown"), std::string::npos)
+  EXPECT_NE(hidden.find("`fit:hall` sees nothing: no part of hall is visible"), std::string::npos)
       << hidden;
 }
 
