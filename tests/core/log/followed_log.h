@@ -39,7 +39,8 @@ inline LogFollower follow(const Bytes& content, LogFollower::From from = LogFoll
 }
 
 /// Adds everything that is there now to `messages`; false after an error.
-inline bool drain(LogFollower& follower, std::vector<KeptMessage>& messages, std::string* why = nullptr) {
+inline bool drain(LogFollower& follower, std::vector<KeptMessage>& messages,
+                  std::string* why = nullptr) {
   while (true) {
     const Result<std::optional<LogMessage>> message = follower.poll();
     if (!message.ok()) {

@@ -8,7 +8,6 @@
 namespace rocinante::test {
 namespace {
 
-
 class LogFollowerOfAGrowingFile : public testing::TestWithParam<bool> {};
 
 TEST_P(LogFollowerOfAGrowingFile, GivesEveryMessageAsSoonAsItIsWholeAndNeverHalfOfOne) {
