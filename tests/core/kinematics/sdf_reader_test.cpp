@@ -124,6 +124,7 @@ TEST(SdfReader, WhatIsNoSdfIsRefusedWithItsReason) {
 }
 
 TEST(SdfReader, WhatUrdfdomSaysOfAUrdfIsAFaultAndNotALineOnStandardError) {
+  ROCINANTE_NEEDS_SDF;
   testing::internal::CaptureStderr();
   const test::TemporaryFolder folder;
   test::writeFile(folder / "r.sdf", "<robot name='r'/>");
