@@ -85,7 +85,7 @@ TEST(RenderProgram, EglDrawsTheBitsOfOsmesaWhateverTheEnvironmentSays) {
       {{"__EGL_VENDOR_LIBRARY_DIRS", "/nowhere"}},
       {{"MESA_LOADER_DRIVER_OVERRIDE", "zink"}, {"LIBGL_ALWAYS_SOFTWARE", "0"}},
       {{"DRIRC_CONFIGDIR", "/nowhere"}, {"force_glsl_version", "110"}},
-      {{"HOME", "/nowhere"}, {"LP_NUM_THREADS", "0"}},
+      {{"HOME", "/proc/nowhere"}, {"LP_NUM_THREADS", "0"}},
   };
   for (const auto& variables : environments) {
     SCOPED_TRACE(variables.begin()->first + "=" + variables.begin()->second);
