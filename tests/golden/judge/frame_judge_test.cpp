@@ -235,7 +235,7 @@ TEST_F(FrameJudgeTest, OfSeveralKeysTheNearestGoldenIsTold) {
   EXPECT_EQ(judge(drawn).verdict, FrameVerdict::same);
   EXPECT_THAT(judge(drawn).rule, HasSubstr("golden of a,"));
   // And of those that do not, the nearest.
-  EXPECT_THAT(judge(evenPicture(50)).rule, HasSubstr("; against "));
+  EXPECT_THAT(judge(evenPicture(50)).rule, HasSubstr("; against a: "));
   EXPECT_EQ(judge(evenPicture(50)).verdict, FrameVerdict::incomparable);
 }
 
