@@ -16,8 +16,8 @@
 namespace rocinante {
 namespace {
 
-// No host name is longer than 253 bytes, and the options are short.
-constexpr std::size_t kMaxTextBytes = 1'024;
+// A host name has at most 253 bytes, each of two patterns 255, written as three each.
+constexpr std::size_t kMaxTextBytes = 2'048;
 
 Error bad(std::string_view text, std::string_view reason) { return badEndpoint(text, reason); }
 
@@ -33,12 +33,6 @@ std::optional<Number> decimal(std::string_view text) {
 
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
-
-bool isHostName(std::string_view host) {
-  return !host.empty() && host.size() <= 253 && std::all_of(host.begin(), host.end(), [](char c) {
-    return isDigit(c) || isLetter(c) || c == '-' || c == '.' || c == '_';
-  });
-}
 
 /// As in URLs: a last label that begins with a digit makes the host a number, never a name to look
 /// up.
@@ -78,16 +72,10 @@ Result<SocketAddress> lookUp(std::string_view name, std::uint16_t port, std::str
 
 Status checkScheme(std::string_view scheme, std::string_view text) {
   if (scheme == "udp") return {};
-  for (const std::string_view later : {"subscribe", "nats"}) {
-    if (scheme == later) {
-      return Error{ErrorKind::unsupported,
-                   std::string(later) +
-                       ":// endpoints are not supported in this version; use udp://HOST:PORT",
-                   printableEndpoint(text)};
-    }
-  }
   return bad(text, "an endpoint begins with udp:// or is HOST:PORT or :PORT");
 }
+
+}  // namespace
 
 Result<SocketAddress> parseHostPort(std::string_view host_port, std::string_view text) {
   std::string_view host;
@@ -133,6 +121,8 @@ Result<SocketAddress> parseHostPort(std::string_view host_port, std::string_view
   if (!address) return bad(text, address.error().what);
   return address;
 }
+
+namespace {
 
 Status setInterface(Endpoint& endpoint, std::string_view name, std::string_view text) {
   if (!endpoint.isMulticast()) return bad(text, "interface= is for multicast groups only");
@@ -192,7 +182,20 @@ Status moveZoneToInterface(Endpoint& endpoint, std::string_view text) {
 
 }  // namespace
 
+bool isHostName(std::string_view host) {
+  return !host.empty() && host.size() <= 253 && std::all_of(host.begin(), host.end(), [](char c) {
+    return isDigit(c) || isLetter(c) || c == '-' || c == '.' || c == '_';
+  });
+}
+
 std::string printableEndpoint(std::string_view text) {
+  // A password or a token is shown nowhere, however malformed the rest is.
+  const std::size_t scheme = text.find("://");
+  if (const std::size_t at = text.rfind('@');
+      scheme < at && at != text.npos && !text.starts_with(kPcapScheme)) {
+    return printableEndpoint(std::string(text.substr(0, scheme + 3)) +
+                             std::string(text.substr(at + 1)));
+  }
   // A byte may become four characters, \xNN.
   std::string shown = plainText(text.substr(0, 100));
   return shown.size() <= 100 ? shown : plainText(text.substr(0, 25));
@@ -215,6 +218,8 @@ Result<Endpoint> Endpoint::parse(std::string_view text) {
   if (text.size() > kMaxTextBytes) return bad(text, "the endpoint is too long");
   std::string_view rest = text;
   if (rest.starts_with(kPcapScheme)) return parsePcap(text);
+  if (rest.starts_with(kSubscribeScheme)) return parseSubscribe(text);
+  if (rest.starts_with(kNatsScheme) || rest.starts_with(kJetStreamScheme)) return parseNats(text);
   if (const std::size_t scheme_end = rest.find("://"); scheme_end != rest.npos) {
     if (Status known = checkScheme(rest.substr(0, scheme_end), text); !known) return known.error();
     rest.remove_prefix(scheme_end + 3);
@@ -245,6 +250,8 @@ Endpoint Endpoint::standard() {
 
 std::string Endpoint::text() const {
   if (isPcap()) return pcapText(*this);
+  if (isSubscription()) return subscribeText(*this);
+  if (isNats()) return natsText(*this);
   std::string text = "udp://" + address.text();
   char mark = '?';
   const auto add = [&](std::string_view name, std::string_view value) {

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/base/result.h"
+#include "core/net/nats_endpoint.h"
 
 namespace rocinante {
 
@@ -30,13 +31,25 @@ struct SocketAddress {
 
 /// The source or destination of datagrams, as a user writes it:
 /// udp://HOST:PORT, udp://GROUP:PORT?interface=eth0&ttl=1&source=IP, [V6]:PORT, HOST:PORT, :PORT;
-/// for receivers also pcap://INTERFACE?filter=EXPR and pcap:///FILE.
+/// for receivers also pcap://INTERFACE?filter=EXPR, pcap:///FILE and
+/// subscribe://HOST:PORT?device=PATTERN&source=PATTERN&rate=HZ, and
+/// jetstream://HOST:4222/STREAM?from=SEQUENCE; nats://[USER:PASSWORD@]HOST:4222/SUBJECT for both.
 /// Defined by docs/endpoints.md.
 struct Endpoint {
-  enum class Scheme { udp, pcap };
+  enum class Scheme { udp, pcap, subscribe, nats, jetstream };
+
+  /// What a subscription asks its relay for. Patterns as in docs/patterns.md.
+  struct Selection {
+    std::string source;             ///< of SOURCEs; empty: all
+    std::string device;             ///< of devices; empty: all
+    std::optional<double> rate_hz;  ///< at most this many values a device and second; above 0
+    bool operator==(const Selection&) const = default;
+  };
 
   Scheme scheme = Scheme::udp;
-  SocketAddress address;   ///< ":PORT" is 0.0.0.0 for a listener; nothing for pcap
+  /// ":PORT" is 0.0.0.0 for a listener; nothing for pcap, nats and jetstream; the relay's for
+  /// subscribe.
+  SocketAddress address;
   std::string interface;   ///< multicast and pcap only; empty: the system chooses, or `file` is set
   std::string filter;      ///< pcap only: tcpdump's syntax; empty: all UDP
   std::string file;        ///< pcap only: a capture to read, instead of an interface
@@ -44,6 +57,8 @@ struct Endpoint {
   /// Multicast only: a receiver accepts this sender alone, a sender sends from this address. Port
   /// 0.
   std::optional<SocketAddress> source;
+  Selection selection;  ///< subscribe only
+  NatsEndpoint nats;    ///< nats and jetstream only
 
   /// bad_argument with the reason and the text; unsupported for the schemes of later versions.
   /// Looks up host names (getaddrinfo; refused when that fails), but not numeric addresses.
@@ -54,7 +69,14 @@ struct Endpoint {
   bool isMulticast() const { return address.isMulticast(); }
   /// Watches traffic addressed to other programs: UdpReceiver and UdpSender refuse it.
   bool isPcap() const { return scheme == Scheme::pcap; }
-  /// The canonical form; parse(text()) gives the same endpoint.
+  /// Receives from a relay that was asked to send: UdpReceiver and UdpSender refuse it.
+  bool isSubscription() const { return scheme == Scheme::subscribe; }
+  /// A subject of a NATS server, or a stream that it keeps.
+  bool isNats() const { return scheme == Scheme::nats || scheme == Scheme::jetstream; }
+  /// Has times of its own, not those of arrival: a capture file or a stream.
+  bool hasOwnTimes() const { return !file.empty() || scheme == Scheme::jetstream; }
+  /// The canonical form; parse(text()) gives the same endpoint, but for what stands before the @ of
+  /// nats:// and jetstream://, which no message or log shows.
   std::string text() const;
   bool operator==(const Endpoint&) const = default;
 };

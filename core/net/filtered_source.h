@@ -1,42 +1,38 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "core/net/address_filter.h"
-#include "core/net/datagram_source.h"
+#include "core/net/chosen_source.h"
 
 namespace rocinante {
 
-/// A source without the datagrams of senders that are not allowed and without those that this
-/// program itself sent; both are counted. A batch without either passes through unchanged.
-class FilteredSource final : public DatagramSource {
+/// A source without the datagrams of senders that are not allowed, those that this program itself
+/// sent, and the requests that are meant for a relay; all are counted.
+class FilteredSource final : public ChosenSource {
  public:
-  FilteredSource(std::unique_ptr<DatagramSource> inner, AddressFilter allow,
-                 std::vector<SocketAddress> own)
-      : inner_(std::move(inner)), allow_(std::move(allow)), own_(std::move(own)) {}
+  using IsRequest = bool (*)(ByteView datagram);
 
-  Result<std::span<const ReceivedDatagram>> receive() override;
+  /// `is_request` may be null: no datagram is one.
+  FilteredSource(std::unique_ptr<DatagramSource> inner, AddressFilter allow,
+                 std::vector<SocketAddress> own, IsRequest is_request = nullptr)
+      : ChosenSource(std::move(inner)),
+        allow_(std::move(allow)),
+        own_(std::move(own)),
+        is_request_(is_request) {}
+
   InputCounts counts() const override;
 
-  std::uint64_t dropped() const override { return inner_->dropped(); }
-  Result<std::uint64_t> droppedByNow() override { return inner_->droppedByNow(); }
-  std::optional<std::string> maintain() override { return inner_->maintain(); }
-  Nanoseconds deliveryDelay() const override { return inner_->deliveryDelay(); }
-  bool ended() const override { return inner_->ended(); }
-  int fileDescriptor() const override { return inner_->fileDescriptor(); }
-  std::uint64_t receiveBufferBytes() const override { return inner_->receiveBufferBytes(); }
-  const Endpoint& endpoint() const override { return inner_->endpoint(); }
-  const SocketAddress& boundAddress() const override { return inner_->boundAddress(); }
-
  private:
-  bool takes(const ReceivedDatagram& datagram);
+  bool wants(const ReceivedDatagram& datagram) override;
 
-  std::unique_ptr<DatagramSource> inner_;
   AddressFilter allow_;
   std::vector<SocketAddress> own_;
-  std::vector<ReceivedDatagram> taken_;
+  IsRequest is_request_;
   std::uint64_t refused_ = 0;
+  std::uint64_t requests_ = 0;
   std::uint64_t echoes_ = 0;
 };
 

@@ -15,8 +15,9 @@ std::optional<unsigned> hexDigit(char c) {
   return std::nullopt;
 }
 
-/// Decodes %XX as in URLs. Empty when a % is malformed, or a byte is not allowed in text.
-std::optional<std::string> decoded(std::string_view text) {
+}  // namespace
+
+std::optional<std::string> decodePercent(std::string_view text) {
   std::string bytes;
   for (std::size_t i = 0; i < text.size(); ++i) {
     char byte = text[i];
@@ -34,8 +35,7 @@ std::optional<std::string> decoded(std::string_view text) {
   return bytes;
 }
 
-/// One word for any text: bytes that are not printable, and those of `also`, as %XX.
-std::string encoded(std::string_view text, std::string_view also) {
+std::string encodePercent(std::string_view text, std::string_view also) {
   constexpr std::string_view kDigits = "0123456789ABCDEF";
   std::string word;
   for (const char c : text) {
@@ -49,8 +49,6 @@ std::string encoded(std::string_view text, std::string_view also) {
   return word;
 }
 
-}  // namespace
-
 Result<Endpoint> parsePcap(std::string_view text) {
   Endpoint endpoint;
   endpoint.scheme = Endpoint::Scheme::pcap;
@@ -58,7 +56,7 @@ Result<Endpoint> parsePcap(std::string_view text) {
   const std::size_t question = std::min(rest.find('?'), rest.size());
   const std::string_view place = rest.substr(0, question);
   if (place.find('/') != place.npos) {
-    const auto file = decoded(place);
+    const auto file = decodePercent(place);
     if (!file) return badEndpoint(text, "a % in a file's name is written %25, as in URLs");
     endpoint.file = *file;
   } else {
@@ -75,7 +73,7 @@ Result<Endpoint> parsePcap(std::string_view text) {
     return badEndpoint(text, "the only option of a pcap:// endpoint is filter=");
   }
   // The filter is the whole rest: & and ? have a meaning in filters.
-  const auto filter = decoded(option.substr(kFilter.size()));
+  const auto filter = decodePercent(option.substr(kFilter.size()));
   if (!filter) return badEndpoint(text, "a % in filter= is written %25, as in URLs");
   if (filter->find_first_not_of(' ') == filter->npos) {
     return badEndpoint(text, "filter= takes what tcpdump takes, such as udp port 5000");
@@ -86,11 +84,11 @@ Result<Endpoint> parsePcap(std::string_view text) {
 
 std::string pcapText(const Endpoint& endpoint) {
   std::string text(kPcapScheme);
-  text += endpoint.file.empty() ? endpoint.interface : encoded(endpoint.file, "?");
+  text += endpoint.file.empty() ? endpoint.interface : encodePercent(endpoint.file, "?");
   if (!endpoint.filter.empty()) {
     text += '?';
     text += kFilter;
-    text += encoded(endpoint.filter, "");
+    text += encodePercent(endpoint.filter, "");
   }
   return text;
 }

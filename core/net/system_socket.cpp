@@ -56,6 +56,14 @@ Result<SystemSocket> SystemSocket::open(const Endpoint& endpoint) {
                  "pcap:// only watches: record, spy, check --live and view --live take it",
                  endpoint.text()};
   }
+  if (endpoint.isSubscription()) {
+    return Error{ErrorKind::bad_argument,
+                 "subscribe:// only receives: record, spy, check --live and view --live take it",
+                 endpoint.text()};
+  }
+  if (endpoint.isNats()) {
+    return Error{ErrorKind::bad_argument, "this takes udp:// endpoints only", endpoint.text()};
+  }
   const int family = endpoint.address.is_ipv6 ? AF_INET6 : AF_INET;
   const int descriptor = ::socket(family, SOCK_DGRAM | SOCK_CLOEXEC, IPPROTO_UDP);
   if (descriptor < 0) return systemError("cannot make a UDP socket", endpoint);

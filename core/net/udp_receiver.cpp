@@ -226,6 +226,19 @@ Result<std::span<const ReceivedDatagram>> UdpReceiver::receive() {
   return std::span<const ReceivedDatagram>(impl_->datagrams.data(), received);
 }
 
+Status UdpReceiver::sendTo(const SocketAddress& to, ByteView payload) {
+  sockaddr_storage system{};
+  const socklen_t length = toSystem(to, system);
+  ssize_t sent = 0;
+  do {
+    sent = ::sendto(impl_->socket.descriptor(), payload.data(), payload.size(), MSG_DONTWAIT,
+                    reinterpret_cast<const sockaddr*>(&system), length);
+  } while (sent < 0 && errno == EINTR);
+  const bool is_full = errno == EAGAIN || errno == EWOULDBLOCK || errno == ENOBUFS;
+  if (sent < 0 && !is_full) return systemError("cannot send to " + to.text(), impl_->endpoint);
+  return {};
+}
+
 std::uint64_t UdpReceiver::dropped() const { return impl_->drops_before + impl_->drops.total(); }
 
 Result<std::uint64_t> UdpReceiver::droppedByNow() { return impl_->countDrops(); }

@@ -117,7 +117,7 @@ UdpSender::UdpSender(UdpSender&&) noexcept = default;
 UdpSender& UdpSender::operator=(UdpSender&&) noexcept = default;
 
 Result<UdpSender> UdpSender::open(const Endpoint& to, std::uint16_t local_port) {
-  if (!to.isPcap() && (to.address.isAny() || to.address.port == 0)) {
+  if (to.scheme == Endpoint::Scheme::udp && (to.address.isAny() || to.address.port == 0)) {
     return Error{ErrorKind::bad_argument, "to send, an endpoint needs a host and a port",
                  to.text()};
   }

@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 
+#include "core/net/datagram_sink.h"
 #include "core/net/datagram_source.h"
 
 namespace rocinante {
@@ -33,6 +34,10 @@ class UdpReceiver final : public DatagramSource {
 
   Result<std::span<const ReceivedDatagram>> receive() override;
 
+  /// Sends one datagram from the bound port, without waiting: a full socket drops it. For requests
+  /// whose answers come here.
+  Status sendTo(const SocketAddress& to, ByteView payload);
+
   /// Datagrams that the kernel dropped since open (SO_RXQ_OVFL, counted beyond 32 bits).
   std::uint64_t dropped() const override;
   /// The same from SO_MEMINFO, which also counts drops after the last datagram received.
@@ -54,7 +59,7 @@ class UdpReceiver final : public DatagramSource {
 };
 
 /// A sending UDP socket, unicast or multicast. One thread.
-class UdpSender {
+class UdpSender final : public DatagramSink {
  public:
   /// bad_argument when the endpoint has no host or port 0. The endpoint's `source` is the local
   /// address to send from. Multicast datagrams also reach listeners on this machine.
@@ -63,22 +68,22 @@ class UdpSender {
   /// port.
   static Result<UdpSender> open(const Endpoint& to, std::uint16_t local_port);
 
-  ~UdpSender();
+  ~UdpSender() override;
   UdpSender(UdpSender&&) noexcept;
   UdpSender& operator=(UdpSender&&) noexcept;
 
   /// Sends one datagram. ECONNREFUSED (no listener) is not a failure; a full buffer waits.
   Status send(ByteView payload);
   /// Sends all of them, in order, in as few system calls as possible (sendmmsg).
-  Status send(std::span<const ByteView> payloads);
+  Status send(std::span<const ByteView> payloads) override;
   /// Sends as many from the front as go without waiting, and returns how many; 0 when the socket or
   /// the device is full. A failure concerns the first.
-  Result<std::size_t> sendWithoutWaiting(std::span<const ByteView> payloads);
+  Result<std::size_t> sendWithoutWaiting(std::span<const ByteView> payloads) override;
 
-  const Endpoint& endpoint() const;
+  const Endpoint& endpoint() const override;
   /// The address the datagrams come from, as a receiver on this machine sees it.
   const SocketAddress& localAddress() const;
-  int fileDescriptor() const;  ///< for socket options and transmit timestamps
+  int fileDescriptor() const override;  ///< for socket options and transmit timestamps
 
  private:
   struct Impl;
