@@ -209,14 +209,10 @@ std::vector<Body> partsOf(const SessionState& state, std::string_view source,
   return parts;
 }
 
-/// True when the device's items belong to more than one source.
-bool isShared(const SessionState& state, const std::string& name, const DeviceState& device) {
-  const std::string* owner = nullptr;
-  bool is_shared = false;
-  const auto meet = [&](const std::string& other) {
-    is_shared = is_shared || (owner != nullptr && *owner != other);
-    owner = &other;
-  };
+/// Calls `meet` with the owner of each item of the device.
+template <class Meet>
+void forEachOwner(const SessionState& state, const std::string& name, const DeviceState& device,
+                  Meet meet) {
   const auto meetPaths = [&](const auto& paths) {
     auto item = paths.lower_bound(Path{false, name, {}});
     for (; item != paths.end() && !item->first.is_layer && item->first.first == name; ++item) {
@@ -230,6 +226,16 @@ bool isShared(const SessionState& state, const std::string& name, const DeviceSt
   for (const auto& order : device.orders) meet(order.first);
   meetPaths(state.visibility());
   meetPaths(state.colors());
+}
+
+/// True when the device's items belong to more than one source.
+bool isShared(const SessionState& state, const std::string& name, const DeviceState& device) {
+  const std::string* owner = nullptr;
+  bool is_shared = false;
+  forEachOwner(state, name, device, [&](const std::string& other) {
+    is_shared = is_shared || (owner != nullptr && *owner != other);
+    owner = &other;
+  });
   return is_shared;
 }
 
@@ -267,6 +273,22 @@ std::vector<std::string> restateAll(const SessionState& state, const Restatement
   std::vector<std::string> datagrams;
   for (Body& part : parts) datagrams.push_back(std::move(part.text));
   return datagrams;
+}
+
+std::set<std::string, std::less<>> sourcesSharingDevices(const SessionState& state,
+                                                         std::string_view source) {
+  std::set<std::string, std::less<>> sharing{std::string(source)};
+  for (std::size_t before = 0; before != sharing.size();) {
+    before = sharing.size();
+    for (const auto& [name, device] : state.devices()) {
+      bool is_ours = false;
+      forEachOwner(state, name, device,
+                   [&](const std::string& owner) { is_ours = is_ours || sharing.contains(owner); });
+      if (!is_ours) continue;
+      forEachOwner(state, name, device, [&](const std::string& owner) { sharing.insert(owner); });
+    }
+  }
+  return sharing;
 }
 
 }  // namespace rocinante

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,5 +38,11 @@ std::vector<std::string> restate(const SessionState& state, std::string_view sou
 /// their parts interleave, so that statements that clear other sources' items come before those
 /// items.
 std::vector<std::string> restateAll(const SessionState& state, const RestatementOptions& options);
+
+/// `source` and the sources whose restatements must come with its own, by restateAll(), so that
+/// none deletes another's items: those that own items of a device of which `source` owns some, and
+/// so on from them.
+std::set<std::string, std::less<>> sourcesSharingDevices(const SessionState& state,
+                                                         std::string_view source);
 
 }  // namespace rocinante

@@ -16,6 +16,8 @@
 
 namespace rocinante {
 
+// Longer than other headers: the state is one plain value, and its parts are public with it.
+
 /// A path whose names are owned. Orders as (is_layer, first, second).
 struct Path {
   bool is_layer = false;
@@ -118,6 +120,8 @@ struct SourceState {
 struct SourceCounts {
   std::uint64_t packets = 0;     ///< applied
   std::uint64_t by_others = 0;   ///< applied: restatements by other programs
+  std::uint64_t whole = 0;       ///< its own, applied or late, that no relay filtered
+  std::uint64_t filtered = 0;    ///< the others: from a filtering relay (`via=`)
   std::uint64_t late = 0;        ///< dropped: at or below the highest sequence
   std::uint64_t duplicates = 0;  ///< of those: a sequence number seen before
   std::uint64_t gap = 0;         ///< numbers not seen so far; via a relay see RelayCounts
@@ -126,6 +130,9 @@ struct SourceCounts {
   std::array<std::uint64_t, kPacketFaultCount> faults{};
   /// Which of the 64 numbers below the highest were seen, the nearest in the lowest bit.
   std::uint64_t recent = ~std::uint64_t{0};
+
+  /// A source must be heard whole or filtered: what one path leaves out, the other overwrites.
+  bool isMixed() const { return whole > 0 && filtered > 0; }
 };
 
 /// The output of a filtering relay (`via=RELAY:N`), judged by its own count.

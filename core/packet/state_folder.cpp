@@ -37,6 +37,7 @@ Applied StateFolder::fold() {
     ++state_.refused_packets_;
     return Applied::refused;
   }
+  if (header_.by.empty()) ++(header_.via ? counts_->filtered : counts_->whole);
   if (!admit()) return Applied::late;
 
   ++state_.packets_;

@@ -1,0 +1,204 @@
+#include "core/relay/filtered_output.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/packet/packet_text.h"
+
+namespace rocinante {
+namespace {
+
+/// What a slow link may be given at once beyond one datagram makes up for a late wake-up. More
+/// would wait in front of the link for good: whatever comes through it would be older by that.
+constexpr double kBurstSeconds = 0.01;
+/// On a slow link, how many other datagrams go before each one of a restatement.
+constexpr int kLiveForEachRestated = 5;
+constexpr std::size_t kMostRepeatedErases = 4096;
+constexpr int kErasesAgain = 2;  ///< three in all
+constexpr Nanoseconds kEraseAgain = std::chrono::seconds(1);
+
+}  // namespace
+
+bool RelayOutputOptions::isWhole() const {
+  const bool all = std::all_of(filters.begin(), filters.end(),
+                               [](const RelayFilter& filter) { return filter.passesEverything(); });
+  return all && !pacing.interval && !pacing.min_change.any() && !bytes_per_second;
+}
+
+FilteredOutput::FilteredOutput(OutputHeader header, RelayOutputOptions options, LogTime now)
+    : header_(std::move(header)), options_(std::move(options)), pending_(options_.pacing) {
+  if (!options_.bytes_per_second) return;
+  style_.rounded = true;
+  const double rate = *options_.bytes_per_second;
+  bucket_.emplace(rate, rate * kBurstSeconds, now);
+}
+
+std::size_t FilteredOutput::roomFor(const Step& step, std::string_view source) const {
+  const std::size_t header = header_.mostBytes(source, step.state, step.through);
+  return datagramBytes() - std::min(datagramBytes(), header);
+}
+
+bool FilteredOutput::passesImmediate(std::string_view source, const Statement& statement) const {
+  const bool of_device =
+      statement.kind == StatementKind::order || statement.kind == StatementKind::remove;
+  return std::all_of(options_.filters.begin(), options_.filters.end(), [&](const auto& filter) {
+    return filter.passesKind(statement.kind) && filter.passesSource(source) &&
+           (!of_device || filter.passesDevice(statement.name));
+  });
+}
+
+/// What is never conflated goes with the datagram that brought it. Events are in the source's own
+/// datagram: whatever its length, since listeners ignore those of `by=`.
+void FilteredOutput::takeImmediate(const Step& step, const Packet& packet,
+                                   const Statement& statement, RelayDraft& draft) {
+  if (!passesImmediate(packet.header.source, statement)) return;
+  std::string line = statementText(statement) + '\n';
+  if (statement.kind == StatementKind::remove) pending_.removed(statement.name);
+  if (statement.kind == StatementKind::erase && forgets_nothing_ &&
+      erases_.size() < kMostRepeatedErases) {
+    erases_.push_back(
+        {step.now + kEraseAgain, kErasesAgain, draft.source, std::string(statement.name)});
+  }
+  const bool fits = draft.text.size() + line.size() <= roomFor(step, draft.source);
+  if (!fits && !draft.text.empty() && statement.kind != StatementKind::event) {
+    send(step, draft, false);
+  }
+  draft.text += line;
+}
+
+void FilteredOutput::applied(const SessionState& state, const ThroughBySource& through,
+                             const Packet& packet, LogTime now, std::vector<std::string>& out) {
+  const Step step{state, through, now, out};
+  RelayDraft draft{std::string(packet.header.source), {}, {}};
+  if (packet.header.by.empty()) {
+    for (const Statement& each : packet.statements) {
+      if (each.kind == StatementKind::event) takeImmediate(step, packet, each, draft);
+    }
+  }
+  // A source's restatement does not pass: the relay's own says what it said.
+  if (!packet.header.part) {
+    for (const Statement& each : packet.statements) {
+      if (each.kind == StatementKind::order || each.kind == StatementKind::remove ||
+          each.kind == StatementKind::erase) {
+        takeImmediate(step, packet, each, draft);
+      }
+      forEachWritten(state, packet.header.source, each, [&](ItemKey&& key) {
+        if (ownerOf(state, key) == nullptr || !passes(options_.filters, state, key)) return;
+        pending_.written(state, std::move(key), now);
+      });
+    }
+  }
+  pending_.advance(now);
+  sendReady(step, draft);
+}
+
+void FilteredOutput::send(const Step& step, RelayDraft& draft, bool restating) {
+  step.out.push_back(header_.datagramOf(draft, step.state, step.through, restating));
+  if (bucket_) bucket_->spend(step.out.back().size() + options_.head_bytes);
+  draft.text.clear();
+  ++live_datagrams_;
+}
+
+/// Sends `draft`, filled with what is ready, and the rest as far as the link allows.
+void FilteredOutput::sendReady(const Step& step, RelayDraft& draft) {
+  while (pending_.anyReady()) {
+    if (draft.text.empty() && bucket_ && !bucket_->allows(step.now)) return;
+    const std::vector<ItemKey> items = pending_.takeReady(step.state, step.now);
+    const ItemKey* before = nullptr;
+    for (const ItemKey& key : items) {
+      if (!passes(options_.filters, step.state, key)) continue;
+      const std::string& owner = *ownerOf(step.state, key);
+      std::string text = itemText(step.state, key, style_, false);
+      const bool fits =
+          draft.source == owner && draft.text.size() + text.size() <= roomFor(step, owner);
+      if (!draft.text.empty() && !fits) {
+        send(step, draft, false);
+        before = nullptr;
+      }
+      draft.source = owner;
+      appendItem(draft.text, before, key, std::move(text));
+      before = &key;
+    }
+    // On a slow link a datagram is one device: the next may have newer values when its turn comes.
+    if (bucket_ && !draft.text.empty()) send(step, draft, false);
+    if (bucket_ && restating_ && live_datagrams_ >= kLiveForEachRestated) sendRestating(step);
+  }
+  if (!draft.text.empty()) send(step, draft, false);
+}
+
+void FilteredOutput::restate(const SessionState& state, const ThroughBySource& through,
+                             std::string id) {
+  Restating::Options options;
+  options.filters = options_.filters;
+  options.style = style_;
+  options.text_bytes = header_.roomInParts(state, through, id, datagramBytes());
+  options.id = std::move(id);
+  restating_.emplace(state, std::move(options));
+  std::size_t most = RestatingPace::kMostWithParts;
+  if (options_.bytes_per_second) {
+    const double bytes = *options_.bytes_per_second * secondsOf(RestatingPace::kLongest) /
+                         (kLiveForEachRestated + 1);
+    most = static_cast<std::size_t>(bytes) / (datagramBytes() + options_.head_bytes);
+  }
+  forgets_nothing_ = restating_->left() > most;
+  if (forgets_nothing_) restating_->leaveOutParts();
+}
+
+void FilteredOutput::sendRestating(const Step& step) {
+  while (restating_ && !restating_->ended()) {
+    if (!pace_.allows(step.now) || (bucket_ && !bucket_->allows(step.now))) return;
+    if (bucket_ && pending_.anyReady() && live_datagrams_ < kLiveForEachRestated) return;
+    std::vector<ItemKey> said;
+    std::vector<RelayDraft> drafts = restating_->next(step.state, &said);
+    for (RelayDraft& draft : drafts) send(step, draft, true);
+    for (const ItemKey& key : said) pending_.said(key);
+    pace_.sent(drafts.size());
+    live_datagrams_ = 0;
+  }
+  restating_.reset();
+}
+
+bool FilteredOutput::isDrawn(const SessionState& state, const RepeatedErase& erase) {
+  const auto found = state.drawings().lower_bound({erase.source, erase.id});
+  return found != state.drawings().end() && found->first.first == erase.source &&
+         (erase.id.empty() || found->first.second == erase.id);
+}
+
+void FilteredOutput::repeatErases(const Step& step) {
+  for (RepeatedErase& each : erases_) {
+    if (each.due > step.now) continue;
+    each.due += kEraseAgain;
+    // One that was drawn again must not disappear.
+    const bool is_drawn = isDrawn(step.state, each);
+    each.left = is_drawn ? 0 : each.left - 1;
+    if (is_drawn) continue;
+    Statement erase;
+    erase.kind = StatementKind::erase;
+    erase.name = each.id;
+    RelayDraft draft{each.source, statementText(erase) + '\n', {}};
+    send(step, draft, true);
+  }
+  std::erase_if(erases_, [](const RepeatedErase& each) { return each.left == 0; });
+}
+
+void FilteredOutput::advance(const SessionState& state, const ThroughBySource& through, LogTime now,
+                             std::vector<std::string>& out) {
+  const Step step{state, through, now, out};
+  if (!erases_.empty()) repeatErases(step);
+  pending_.advance(now);
+  RelayDraft draft;
+  sendReady(step, draft);
+  if (restating_) sendRestating(step);
+}
+
+LogTime FilteredOutput::due() const {
+  LogTime due = pending_.due();
+  for (const RepeatedErase& each : erases_) due = std::min(due, each.due);
+  if (pending_.anyReady()) due = std::min(due, bucket_->allowsAt());
+  if (restating_) {
+    due = std::min(due, std::max(pace_.allowsAt(), bucket_ ? bucket_->allowsAt() : LogTime::min()));
+  }
+  return due;
+}
+
+}  // namespace rocinante

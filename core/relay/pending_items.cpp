@@ -1,0 +1,142 @@
+#include "core/relay/pending_items.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rocinante {
+namespace {
+
+double distance(const Vec3& a, const Vec3& b) {
+  return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z);
+}
+
+/// The angle between two unit quaternions, radians; q and -q are one rotation.
+double angle(const Quat& a, const Quat& b) {
+  const double cosine = std::abs(a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w);
+  return 2 * std::acos(std::min(cosine, 1.0));
+}
+
+}  // namespace
+
+bool PendingItems::isDeviceValue(const ItemKey& key) {
+  return key.kind == ItemKind::positions || key.kind == ItemKind::joint ||
+         key.kind == ItemKind::pose;
+}
+
+ItemKey PendingItems::unitOf(const ItemKey& key) {
+  return isDeviceValue(key) ? ItemKey{ItemKind::pose, false, 0, key.name, {}} : key;
+}
+
+bool PendingItems::isLargeChange(const SessionState& state, const ItemKey& key,
+                                 const Unit& unit) const {
+  if (!options_.min_change.any() || !isDeviceValue(key)) return true;
+  const MinChange& least = options_.min_change;
+  const DeviceState& device = *state.findDevice(key.name);
+  if (key.kind == ItemKind::pose) {
+    const PoseValue& value = device.pose->value;
+    return !unit.pose || unit.pose->carrier != value.carrier ||
+           distance(unit.pose->pose.position, value.pose.position) >= least.position ||
+           angle(unit.pose->pose.orientation, value.pose.orientation) >= least.turn;
+  }
+  if (key.kind == ItemKind::joint) {
+    const auto sent = unit.joints.find(key.second);
+    const double value = device.named_joints.find(key.second)->second.value;
+    return sent == unit.joints.end() || std::abs(sent->second - value) >= least.joint;
+  }
+  const std::vector<double>& values = device.joints->value;
+  if (values.size() != unit.positions.size()) return true;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (std::abs(values[i] - unit.positions[i]) >= least.joint) return true;
+  }
+  return false;
+}
+
+void PendingItems::remember(const SessionState& state, const ItemKey& key, Unit& unit) {
+  const DeviceState& device = *state.findDevice(key.name);
+  switch (key.kind) {
+    case ItemKind::positions:
+      unit.positions = device.joints->value;
+      unit.joints.clear();
+      break;
+    case ItemKind::joint:
+      unit.joints[key.second] = device.named_joints.find(key.second)->second.value;
+      break;
+    default:
+      unit.pose = device.pose->value;
+  }
+}
+
+void PendingItems::written(const SessionState& state, ItemKey&& key, LogTime now) {
+  const auto found = units_.try_emplace(unitOf(key)).first;
+  Unit& unit = found->second;
+  unit.matters = unit.matters || isLargeChange(state, key, unit);
+  const bool is_paced = isDeviceValue(key);
+  if (!unit.items.insert(std::move(key)).second) ++conflated_;
+  if (unit.place == Unit::Place::ready) return;
+  LogTime due = now;
+  if (is_paced && unit.sent && options_.interval)
+    due = std::max(due, *unit.sent + *options_.interval);
+  if (!unit.matters) due = std::max(due, now + kRest);
+  if (unit.place == Unit::Place::waiting) {
+    if (due == unit.due) return;
+    waiting_.erase({unit.due, found});
+  }
+  unit.due = due;
+  if (due <= now) {
+    unit.place = Unit::Place::ready;
+    ready_.push_back(found);
+  } else {
+    unit.place = Unit::Place::waiting;
+    waiting_.emplace(due, found);
+  }
+}
+
+void PendingItems::said(const ItemKey& key) {
+  const auto found = units_.find(unitOf(key));
+  if (found != units_.end()) found->second.items.erase(key);
+}
+
+void PendingItems::removed(std::string_view device) {
+  const ItemKey values{ItemKind::pose, false, 0, std::string(device), {}};
+  const auto found = units_.find(values);
+  if (found == units_.end()) return;
+  if (found->second.place == Unit::Place::nowhere) {
+    units_.erase(found);
+  } else {
+    found->second.items.clear();
+    found->second.sent.reset();
+  }
+}
+
+void PendingItems::advance(LogTime now) {
+  while (!waiting_.empty() && waiting_.begin()->first <= now) {
+    const auto unit = waiting_.begin()->second;
+    waiting_.erase(waiting_.begin());
+    unit->second.place = Unit::Place::ready;
+    ready_.push_back(unit);
+  }
+}
+
+std::vector<ItemKey> PendingItems::takeReady(const SessionState& state, LogTime now) {
+  const auto front = ready_.front();
+  ready_.pop_front();
+  Unit& unit = front->second;
+  std::vector<ItemKey> items;
+  for (const ItemKey& key : unit.items) {
+    if (ownerOf(state, key) == nullptr) continue;
+    if (options_.min_change.any() && isDeviceValue(key)) remember(state, key, unit);
+    items.push_back(key);
+  }
+  unit.items.clear();
+  unit.place = Unit::Place::nowhere;
+  unit.matters = false;
+  if (!items.empty()) unit.sent = now;
+  // Only a device whose next send depends on this one is remembered.
+  const bool is_remembered = isDeviceValue(front->first) &&
+                             (options_.interval || options_.min_change.any()) &&
+                             state.findDevice(front->first.name) != nullptr;
+  if (!is_remembered) units_.erase(front);
+  return items;
+}
+
+}  // namespace rocinante

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/packet/packet.h"
+#include "core/relay/item_key.h"
+
+namespace rocinante {
+
+/// Statements of one SOURCE that go into one datagram: everything but its header.
+struct RelayDraft {
+  std::string source;
+  std::string text;  ///< statement lines, each with its LF
+  /// part=ID:index/count of a restatement; `id` is the Restating's.
+  std::optional<RestatementPart> part;
+};
+
+/// One restatement of all sources of a state, written part by part while the state moves on
+/// (docs/packet-format.md, "Restatements"): what is in which part is fixed at the start, the values
+/// are those of the moment when the part is taken.
+class Restating {
+ public:
+  struct Options {
+    std::vector<RelayFilter> filters;
+    ItemStyle style;
+    std::string id;              ///< of the restatement; a name
+    std::size_t text_bytes = 0;  ///< statements of one datagram, unless one alone is larger
+    bool with_parts = true;
+  };
+  Restating(const SessionState& state, Options options);
+
+  bool ended() const { return next_ == parts_.size(); }
+  /// The datagrams to come, if no text grows.
+  std::size_t left() const { return parts_.size() - next_; }
+  void leaveOutParts() { options_.with_parts = false; }
+  const std::string& id() const { return options_.id; }
+
+  /// The next part: one datagram, or several when its text has grown beyond text_bytes. Adds the
+  /// items that were said to `said`, if it is not null. Must not have ended.
+  std::vector<RelayDraft> next(const SessionState& state, std::vector<ItemKey>* said);
+
+ private:
+  struct Part {
+    std::string source;
+    std::vector<ItemKey> items;
+    std::uint32_t index = 1, count = 1;
+    bool removals = false;
+  };
+
+  Options options_;
+  std::vector<Part> parts_;
+  std::size_t next_ = 0;
+};
+
+}  // namespace rocinante
