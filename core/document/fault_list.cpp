@@ -30,8 +30,13 @@ void FaultList::add(Severity severity, std::string_view rule, Place place, std::
   if (found == counts_.end()) found = counts_.emplace(std::string(rule), Count{}).first;
   found->second.severity = severity;
   if (++found->second.times > kListedPerRule) return;
-  faults_.push_back({severity, std::string(rule), file_, place.line, place.column, std::move(text),
-                     std::move(hint)});
+  faults_.push_back({.rule = std::string(rule),
+                     .severity = severity,
+                     .text = std::move(text),
+                     .hint = std::move(hint),
+                     .file = file_,
+                     .line = place.line,
+                     .column = place.column});
 }
 
 bool FaultList::lists(std::string_view rule) const {
@@ -42,8 +47,10 @@ bool FaultList::lists(std::string_view rule) const {
 FaultList::~FaultList() {
   for (const auto& [rule, count] : counts_) {
     if (count.times <= kListedPerRule) continue;
-    faults_.push_back({count.severity, rule, file_, 0, 0,
-                       fmt::format("{} more of these", count.times - kListedPerRule), ""});
+    faults_.push_back({.rule = rule,
+                       .severity = count.severity,
+                       .text = fmt::format("{} more of these", count.times - kListedPerRule),
+                       .file = file_});
   }
 }
 

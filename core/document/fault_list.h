@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/document/model_fault.h"
+#include "core/report/finding.h"
 
 namespace rocinante {
 
@@ -18,7 +18,7 @@ struct Place {
 /// one line that counts the rest, so that a hostile file cannot fill the memory with messages.
 class FaultList {
  public:
-  FaultList(ModelFaults& faults, std::string file) : faults_(faults), file_(std::move(file)) {}
+  FaultList(Findings& faults, std::string file) : faults_(faults), file_(std::move(file)) {}
   ~FaultList();
   FaultList(const FaultList&) = delete;
   FaultList& operator=(const FaultList&) = delete;
@@ -40,14 +40,14 @@ class FaultList {
 
   const std::string& file() const { return file_; }
   /// The list that this one adds to: for files that this file names.
-  ModelFaults& all() { return faults_; }
+  Findings& all() { return faults_; }
 
  private:
   struct Count {
     std::size_t times = 0;
     Severity severity = Severity::note;
   };
-  ModelFaults& faults_;
+  Findings& faults_;
   std::string file_;
   std::map<std::string, Count, std::less<>> counts_;
 };

@@ -86,6 +86,20 @@ std::optional<TextFault> faultBeforeParsing(std::string_view text) {
   return std::nullopt;
 }
 
+/// The text with an x for each letter beyond ASCII, on the same lines and columns. In malformed
+/// text (`k = 2v"` and such a letter) strings begin elsewhere for the library than for
+/// faultBeforeParsing(); what it accepts so has them only in strings and comments.
+std::string inAscii(std::string_view text) {
+  constexpr std::string_view kMark = "\xEF\xBB\xBF";
+  std::string ascii(text.starts_with(kMark) ? kMark : std::string_view());
+  for (const char c : text.substr(ascii.size())) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x80) ascii += c;
+    if (byte >= 0xC0) ascii += 'x';
+  }
+  return ascii;
+}
+
 /// Line and column of an offset, both from 1, columns in code points.
 Place placeOf(std::string_view text, std::size_t offset) {
   Place place{1, 1};
@@ -164,7 +178,9 @@ Result<TomlNode> parseToml(std::string_view text, const std::string& file) {
     return Error{ErrorKind::damaged, fault->what,
                  fmt::format("{}:{}:{}", file, place.line, place.column)};
   }
-  const toml::parse_result parsed = toml::parse(text);
+  const std::string ascii = inAscii(text);
+  toml::parse_result parsed = toml::parse(ascii);
+  if (parsed && ascii != text) parsed = toml::parse(text);
   if (!parsed) {
     const Place place = placeOf(parsed.error().source());
     std::string what(parsed.error().description());

@@ -1,0 +1,131 @@
+#include "core/foreign/decode/datagram_decoders.h"
+
+#include <algorithm>
+
+#include "core/base/pattern.h"
+#include "core/log/log_profile.h"
+#include "core/packet/text_name.h"
+#include "core/packet/text_number.h"
+
+namespace rocinante::decode {
+namespace {
+
+/// Senders whose last values are remembered for events, per decoder.
+constexpr std::size_t kMaxSenders = 4096;
+
+/// "10.0.0.1" of "10.0.0.1:4000"; "::1" of "[::1]:4000".
+std::string_view hostOf(std::string_view sender) {
+  const std::size_t colon = sender.rfind(':');
+  std::string_view host = sender.substr(0, colon);
+  if (host.starts_with('[') && host.ends_with(']')) host = host.substr(1, host.size() - 2);
+  return host;
+}
+
+bool isFrom(const std::vector<std::string>& patterns, std::string_view sender) {
+  if (patterns.empty()) return true;
+  return !sender.empty() &&
+         (anyPatternMatches(patterns, sender) || anyPatternMatches(patterns, hostOf(sender)));
+}
+
+}  // namespace
+
+DatagramDecoders::DatagramDecoders(std::shared_ptr<const DecoderSet> set) : set_(std::move(set)) {
+  for (const Decoder& decoder : set_->decoders) {
+    readers_.push_back({makeFieldReader(decoder),
+                        PacketLines(decoder),
+                        std::vector<FieldValue>(decoder.fields.size()),
+                        std::string(profile::kDecodedSource) + decoder.name,
+                        {}});
+  }
+  counts_.resize(readers_.size());
+}
+
+Result<DatagramDecoders> DatagramDecoders::open(const std::filesystem::path& file) {
+  auto set = readDecoders(file);
+  if (!set) return set.error();
+  return DatagramDecoders(std::move(*set));
+}
+
+bool DatagramDecoders::fits(const Match& match, const Route& route, ByteView payload) const {
+  if (payload.size() < match.least_bytes || payload.size() > match.most_bytes) return false;
+  if (!std::ranges::equal(payload.first(std::min(payload.size(), match.begins.size())),
+                          match.begins)) {
+    return false;
+  }
+  if (!match.ports.empty() && std::ranges::find(match.ports, route.port) == match.ports.end()) {
+    return false;
+  }
+  if (!match.topics.empty() && !anyPatternMatches(match.topics, route.topic)) return false;
+  return isFrom(match.from, route.sender);
+}
+
+const DecodedPacket* DatagramDecoders::decode(const Route& route, std::int64_t publish_time_ns,
+                                              ByteView payload) {
+  for (std::size_t i = 0; i < readers_.size(); ++i) {
+    if (!fits(set_->decoders[i].match, route, payload)) continue;
+    if (decodeBy(i, route, publish_time_ns, payload)) return &packet_;
+  }
+  return nullptr;
+}
+
+bool DatagramDecoders::decodeBy(std::size_t index, const Route& route, std::int64_t publish_time_ns,
+                                ByteView payload) {
+  Reader& reader = readers_[index];
+  DecodeCounts& counts = counts_[index];
+  const Decoder& decoder = set_->decoders[index];
+  std::ranges::fill(reader.values, FieldValue());
+  if (!reader.fields->read(payload, reader.values)) {
+    ++counts.refused;
+    counts.last_reason = reader.fields->reason();
+    return false;
+  }
+  // Another decoder may be declared for the datagrams that these leave.
+  for (const Condition& condition : decoder.match.where) {
+    if (reader.values[condition.field].asNumber() != condition.equals) return false;
+  }
+  text_ = "RK1 ";
+  appendName(text_, reader.source);
+  text_ += " - ";
+  if (publish_time_ns < 0) {
+    text_ += '-';
+  } else {
+    appendSeconds(text_, publish_time_ns);
+  }
+  std::vector<std::string>* before = nullptr;
+  static const std::vector<std::string> kNone;
+  if (!decoder.events.empty()) {
+    key_ = route.sender;
+    key_ += ' ';
+    appendUnsigned(key_, route.port);
+    auto found = reader.before.find(key_);
+    if (found == reader.before.end() && reader.before.size() < kMaxSenders) {
+      found = reader.before.emplace(key_, decoder.events.size()).first;
+    }
+    if (found != reader.before.end()) before = &found->second;
+  }
+  const bool any = reader.lines.append(text_, reader.values, before == nullptr ? kNone : *before);
+  if (before != nullptr) {
+    for (std::size_t i = 0; i < decoder.events.size(); ++i) {
+      const FieldValue& value = reader.values[decoder.events[i].changes];
+      if (value.kind != FieldValue::Kind::missing) (*before)[i] = valueText(value);
+    }
+  }
+  if (!any) {
+    ++counts.empty;
+    return false;
+  }
+  ++counts.decoded;
+  packet_ = {index, reader.source, text_};
+  return true;
+}
+
+std::vector<FoundField> DatagramDecoders::undeclared(const Route& route, ByteView payload,
+                                                     std::size_t most) {
+  for (std::size_t i = 0; i < readers_.size(); ++i) {
+    if (!fits(set_->decoders[i].match, route, payload)) continue;
+    return readers_[i].fields->undeclared(payload, most);
+  }
+  return {};
+}
+
+}  // namespace rocinante::decode

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/foreign/decode/declaration.h"
+
+namespace rocinante::decode {
+
+/// A checked file of decoders (docs/decoders.md). A plain value; what decodes with it borrows it.
+struct DecoderSet {
+  std::string file;  ///< for messages
+  std::string text;  ///< of the file, as it was read
+  std::vector<Decoder> decoders;
+  /// SHA-256 of the text, in lower-case hexadecimal: channel metadata `decoder`
+  /// (docs/log-format.md, "Decoded packets").
+  std::string hash;
+};
+
+/// Reads a file of decoders. not_found, unreadable, or bad_argument with the first fault and
+/// FILE:LINE:COLUMN.
+Result<std::shared_ptr<const DecoderSet>> readDecoders(const std::filesystem::path& file);
+/// The same of a text; `file` is used in messages.
+Result<std::shared_ptr<const DecoderSet>> parseDecoders(std::string_view text,
+                                                        const std::string& file);
+
+}  // namespace rocinante::decode

@@ -1,0 +1,237 @@
+#include "core/foreign/foxglove/foxglove_format.h"
+
+#include <map>
+#include <set>
+
+#include "core/foreign/bytes/little_endian.h"
+#include "core/foreign/foxglove/foxglove_schemas.h"
+#include "core/foreign/proto/proto_writer.h"
+
+namespace rocinante {
+namespace {
+
+// Field numbers are those of foxglove_schemas.cpp.
+
+void putTime(ProtoWriter& out, std::uint32_t field, LogTime time) {
+  constexpr std::int64_t kNanoseconds = 1'000'000'000;
+  const std::int64_t all = nanosecondsOf(time);
+  // Timestamp wants nanos of 0 to 999,999,999 before 1970, too.
+  const std::int64_t nanos = ((all % kNanoseconds) + kNanoseconds) % kNanoseconds;
+  out.message(field, [&](ProtoWriter& stamp) {
+    stamp.number(1, static_cast<std::uint64_t>((all - nanos) / kNanoseconds));
+    stamp.number(2, static_cast<std::uint64_t>(nanos));
+  });
+}
+
+void putVector(ProtoWriter& out, std::uint32_t field, const Vec3& vector) {
+  out.message(field, [&](ProtoWriter& of) {
+    of.real(1, vector.x);
+    of.real(2, vector.y);
+    of.real(3, vector.z);
+  });
+}
+
+void putRotation(ProtoWriter& out, std::uint32_t field, const Quat& rotation) {
+  out.message(field, [&](ProtoWriter& of) {
+    of.real(1, rotation.x);
+    of.real(2, rotation.y);
+    of.real(3, rotation.z);
+    of.real(4, rotation.w);
+  });
+}
+
+void putPose(ProtoWriter& out, std::uint32_t field, const Pose& pose) {
+  out.message(field, [&](ProtoWriter& of) {
+    putVector(of, 1, pose.position);
+    putRotation(of, 2, pose.orientation);
+  });
+}
+
+void putColor(ProtoWriter& out, std::uint32_t field, std::uint32_t rgba) {
+  out.message(field, [&](ProtoWriter& of) {
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      of.real(i + 1, static_cast<double>(rgba >> (24 - 8 * i) & 0xFFU) / 255);
+    }
+  });
+}
+
+void putLine(ProtoWriter& entity, const Drawing& drawing) {
+  for (const std::vector<double>& run : connectedRuns(drawing)) {
+    entity.message(11, [&](ProtoWriter& line) {
+      putPose(line, 2, {});
+      line.real(3, drawing.size_px);
+      line.number(4, 1);  // the thickness is in pixels
+      for (std::size_t i = 0; i + 2 < run.size(); i += 3) {
+        putVector(line, 5, {run[i], run[i + 1], run[i + 2]});
+      }
+      putColor(line, 6, drawing.rgba);
+    });
+  }
+}
+
+void putLabel(ProtoWriter& entity, const Drawing& drawing) {
+  constexpr double kTextPixels = 14;
+  const std::vector<std::vector<double>> runs = connectedRuns(drawing);
+  if (runs.empty() || runs[0].size() < 3) return;
+  entity.message(13, [&](ProtoWriter& label) {
+    putPose(label, 1, {{runs[0][0], runs[0][1], runs[0][2]}, Quat(1, 0, 0, 0)});
+    label.number(2, 1);  // faces the reader
+    label.real(3, kTextPixels);
+    label.number(4, 1);  // in pixels
+    putColor(label, 5, drawing.rgba);
+    label.text(6, drawing.text);
+  });
+}
+
+std::string frameOf(const Drawing& drawing) {
+  return frameName(drawing.carrier.first, drawing.carrier.second);
+}
+
+class FoxgloveFormat final : public SessionFormat {
+ public:
+  std::string profile() const override { return ""; }
+  Nanoseconds framesLast() const override { return {}; }
+
+  Status frames(ExportedMcap& out, LogTime time, const std::string& device,
+                std::span<const FramePose> frames) override {
+    message_.clear();
+    ProtoWriter writer(message_);
+    for (const FramePose& frame : frames) {
+      writer.message(1, [&](ProtoWriter& of) {
+        putTime(of, 1, time);
+        of.text(2, frame.parent);
+        of.text(3, frame.child);
+        putVector(of, 4, frame.pose.position);
+        putRotation(of, 5, frame.pose.orientation);
+      });
+    }
+    return out.write(topicOf("/tf", device), foxgloveSchema("FrameTransforms"), time, message_);
+  }
+
+  Status joints(ExportedMcap& out, LogTime time, const std::string& device,
+                std::span<const NamedValue> values) override {
+    message_.clear();
+    ProtoWriter writer(message_);
+    putTime(writer, 1, time);
+    for (const NamedValue& value : values) {
+      writer.message(2, [&](ProtoWriter& of) {
+        of.text(1, value.name);
+        of.presentReal(2, value.value);
+      });
+    }
+    return out.write(topicOf("/joints", device), foxgloveSchema("JointStates"), time, message_);
+  }
+
+  Status drawings(ExportedMcap& out, LogTime time, const std::string& source,
+                  const Drawings& drawings) override {
+    message_.clear();
+    ProtoWriter writer(message_);
+    writer.message(1, [&](ProtoWriter& deletion) {
+      putTime(deletion, 1, time);
+      deletion.number(2, 1);  // ALL: those that are not in this message
+    });
+    std::set<std::string> clouds;
+    for (const auto& [id, drawing] : drawings) {
+      if (drawing->kind == StatementKind::points) {
+        clouds.insert(id);
+        continue;
+      }
+      writer.message(2, [&, id = id, drawing = drawing](ProtoWriter& entity) {
+        putTime(entity, 1, time);
+        entity.text(2, frameOf(*drawing));
+        entity.text(3, id);
+        entity.number(5, 1);  // moves with its space
+        drawing->kind == StatementKind::label ? putLabel(entity, *drawing)
+                                              : putLine(entity, *drawing);
+      });
+    }
+    // A source of clouds alone has no scene.
+    if (drawings.size() > clouds.size() || scenes_.contains(source)) {
+      scenes_.insert(source);
+      Status written =
+          out.write(topicOf("/drawings", source), foxgloveSchema("SceneUpdate"), time, message_);
+      if (!written) return written;
+    }
+    for (const auto& [id, drawing] : drawings) {
+      if (drawing->kind != StatementKind::points) continue;
+      if (Status written = cloud(out, time, source, id, drawing); !written) return written;
+    }
+    // What is gone becomes an empty cloud: points have no other way to end.
+    std::set<std::string>& former = clouds_[source];
+    for (const std::string& id : former) {
+      if (clouds.contains(id)) continue;
+      if (Status written = cloud(out, time, source, id, nullptr); !written) return written;
+    }
+    former = std::move(clouds);
+    return {};
+  }
+
+  Status event(ExportedMcap& out, LogTime time, EventLevel level, std::string_view name,
+               std::string_view text) override {
+    constexpr std::uint64_t kInfo = 2;
+    constexpr std::uint64_t kWarning = 3;
+    message_.clear();
+    ProtoWriter writer(message_);
+    putTime(writer, 1, time);
+    writer.number(2, level == EventLevel::warning ? kWarning : kInfo);
+    writer.text(3, text);
+    writer.text(4, name);
+    return out.write("/events", foxgloveSchema("Log"), time, message_);
+  }
+
+  Status description(ExportedMcap&, LogTime, const std::string&, std::string_view) override {
+    return {};  // it is an attachment
+  }
+
+ private:
+  Status cloud(ExportedMcap& out, LogTime time, const std::string& source, const std::string& id,
+               const Drawing* drawing) {
+    constexpr std::uint32_t kStride = 28;  // x y z as doubles, then four bytes of colour
+    constexpr std::uint32_t kUint8 = 1;
+    constexpr std::uint32_t kFloat64 = 8;
+    Bytes points;
+    if (drawing != nullptr) {
+      for (const std::vector<double>& run : connectedRuns(*drawing)) {
+        for (std::size_t i = 0; i + 2 < run.size(); i += 3) {
+          for (std::size_t axis = 0; axis < 3; ++axis) appendLittle(points, run[i + axis]);
+          for (std::uint32_t byte = 0; byte < 4; ++byte) {
+            points.push_back(static_cast<std::byte>(drawing->rgba >> (24 - 8 * byte)));
+          }
+        }
+      }
+    }
+    message_.clear();
+    ProtoWriter writer(message_);
+    putTime(writer, 1, time);
+    writer.text(2, drawing == nullptr ? std::string(kWorldFrame) : frameOf(*drawing));
+    putPose(writer, 3, {});
+    writer.fixed32(4, kStride);
+    const auto field = [&](std::string_view name, std::uint32_t offset, std::uint32_t type) {
+      writer.message(5, [&](ProtoWriter& of) {
+        of.text(1, name);
+        of.fixed32(2, offset);
+        of.number(3, type);
+      });
+    };
+    field("x", 0, kFloat64);
+    field("y", 8, kFloat64);
+    field("z", 16, kFloat64);
+    field("red", 24, kUint8);
+    field("green", 25, kUint8);
+    field("blue", 26, kUint8);
+    field("alpha", 27, kUint8);
+    writer.bytes(6, points);
+    return out.write(topicOf(topicOf("/points", source), id), foxgloveSchema("PointCloud"), time,
+                     message_);
+  }
+
+  Bytes message_;
+  std::set<std::string> scenes_;                         ///< sources with /drawings
+  std::map<std::string, std::set<std::string>> clouds_;  ///< by source: ids of the last message
+};
+
+}  // namespace
+
+std::unique_ptr<SessionFormat> makeFoxgloveFormat() { return std::make_unique<FoxgloveFormat>(); }
+
+}  // namespace rocinante

@@ -1,0 +1,257 @@
+#include "core/foreign/ros/bag_import.h"
+
+#include <algorithm>
+
+#include "core/base/hash.h"
+#include "core/foreign/ros/names.h"
+#include "core/foreign/ros/robot_description.h"
+#include "core/log/log_profile.h"
+#include "core/log/mapped_file.h"
+#include "core/mcap/chunk_expander.h"
+
+namespace rocinante::ros {
+namespace {
+
+/// Messages between two calls of `progress`.
+constexpr std::uint64_t kProgressMessages = 4096;
+/// The largest payload that a log takes.
+constexpr std::size_t kMaxPayload = mcap::kMaxChunkBytes / 2;
+
+/// A topic of the log may not look like one of our own.
+std::string topicInLog(const std::string& name) {
+  std::string topic = name.starts_with('/') ? name : "/" + name;
+  if (topic.starts_with(profile::kOwnTopics)) topic.insert(0, kImportedPrefix);
+  return topic;
+}
+
+class Import {
+ public:
+  Import(std::vector<std::unique_ptr<BagReader>> bags, SessionWriter session,
+         const DeviceFinder& devices, const ImportOptions& options)
+      : session_(std::move(session)), translator_(devices), options_(options) {
+    for (auto& bag : bags) inputs_.push_back({std::move(bag), {}, {}});
+  }
+
+  /// `notes`: what is known before it begins.
+  Result<ImportReport> run(const CellBundle* bundle, const std::vector<std::string>& notes) {
+    for (Input& input : inputs_) {
+      if (Status read = advance(input); !read) return read.error();
+    }
+    Input* const first = earliest();
+    if (first == nullptr) return nothing();
+    if (bundle != nullptr) {
+      const LogTime time = std::clamp(first->head->log_time, LogTime{}, kLastLogTime);
+      if (Status put = AttachedBundle(*bundle).writeTo(session_.log(), time); !put) {
+        return put.error();
+      }
+    }
+    std::uint64_t taken = 0;
+    while (Input* const input = earliest()) {
+      if (Status kept = take(*input); !kept) return kept.error();
+      if (Status read = advance(*input); !read) return read.error();
+      if (++taken % kProgressMessages == 0 && options_.progress) {
+        if (Status goes_on = options_.progress(part()); !goes_on) return goes_on.error();
+      }
+    }
+    if (report_.messages == 0) return nothing();
+    return finish(notes);
+  }
+
+ private:
+  /// A topic of an input, in the log.
+  struct Outlet {
+    std::size_t place = 0;  ///< in the report
+    ChannelId channel = 0, decoded_channel = 0;
+    std::optional<std::size_t> translation;
+  };
+  struct Input {
+    std::unique_ptr<BagReader> bag;
+    std::optional<BagMessage> head;
+    std::vector<std::optional<Outlet>> outlets;  ///< by topic
+  };
+
+  Error nothing() const { return {ErrorKind::not_found, "there is no message to import", {}}; }
+
+  static Status advance(Input& input) {
+    Result<std::optional<BagMessage>> message = input.bag->next();
+    if (!message) return message.error();
+    input.head = *message;
+    return {};
+  }
+
+  Input* earliest() {
+    Input* found = nullptr;
+    for (Input& input : inputs_) {
+      if (input.head && (found == nullptr || input.head->log_time < found->head->log_time)) {
+        found = &input;
+      }
+    }
+    return found;
+  }
+
+  double part() const {
+    double sum = 0;
+    for (const Input& input : inputs_) sum += input.bag->part();
+    return sum / static_cast<double>(inputs_.size());
+  }
+
+  Result<Outlet*> outletOf(Input& input, std::size_t number) {
+    if (input.outlets.size() <= number) input.outlets.resize(input.bag->topics().size());
+    std::optional<Outlet>& known = input.outlets[number];
+    if (known) return &*known;
+    const BagTopic& topic = input.bag->topics()[number];
+    const std::string name = topicInLog(topic.name);
+    std::map<std::string, std::string> metadata = topic.metadata;
+    metadata.insert_or_assign(std::string(profile::kImportedKey), std::string(input.bag->kind()));
+    Outlet outlet;
+    const Result<ChannelId> channel =
+        session_.addChannel(name, topic.encoding, metadata, topic.schema);
+    if (!channel) return channel.error();
+    outlet.channel = *channel;
+    const MessageType type = messageType(topic.type);
+    const std::optional<FieldCursor::Layout> layout = topic.layout();
+    if (type != MessageType::other && layout) {
+      outlet.translation = translator_.addTopic(topic.name, type, *layout);
+      metadata.insert_or_assign(std::string(profile::kDecoderKey), std::string(kDecoderName));
+      metadata.insert_or_assign("source", sourceOf(topic.name));
+      const Result<ChannelId> decoded = session_.addChannel(
+          std::string(profile::kDecodedPrefix) + name, "rk1", std::move(metadata));
+      if (!decoded) return decoded.error();
+      outlet.decoded_channel = *decoded;
+    }
+    outlet.place = report_.topics.size();
+    ImportedTopic& told = report_.topics.emplace_back();
+    told.name = name;
+    told.type = topic.type;
+    told.translated = outlet.translation.has_value();
+    known = outlet;
+    return &*known;
+  }
+
+  Status take(Input& input) {
+    const BagMessage& message = *input.head;
+    if (message.log_time < LogTime{} || message.log_time > kLastLogTime ||
+        message.payload.size() > kMaxPayload) {
+      ++report_.dropped;
+      return {};
+    }
+    const Result<Outlet*> outlet = outletOf(input, message.topic);
+    if (!outlet) return outlet.error();
+    const Outlet& out = **outlet;
+    if (Status kept = session_.write(out.channel, message.sequence, message.log_time,
+                                     message.publish_time_ns, message.payload, nullptr);
+        !kept) {
+      return kept;
+    }
+    if (report_.messages == 0) report_.start = report_.end = message.log_time;
+    report_.start = std::min(report_.start, message.log_time);
+    report_.end = std::max(report_.end, message.log_time);
+    ++report_.messages;
+    ImportedTopic& told = report_.topics[out.place];
+    ++told.messages;
+    return out.translation ? translate(message, out, told) : Status{};
+  }
+
+  Status translate(const BagMessage& message, const Outlet& out, ImportedTopic& told) {
+    Translated made;
+    switch (translator_.translate(*out.translation, message.log_time, message.payload, made)) {
+      case RosTranslator::Outcome::packet:
+        break;
+      case RosTranslator::Outcome::nothing:
+        return {};
+      case RosTranslator::Outcome::malformed:
+        ++told.malformed;
+        ++report_.malformed;
+        return {};
+    }
+    ++told.packets;
+    ++report_.packets;
+    if (made.packet == nullptr) {
+      return session_.write(out.decoded_channel, message.sequence, message.log_time,
+                            message.publish_time_ns, bytesOf(made.text));
+    }
+    return session_.write(out.decoded_channel, message.sequence, message.log_time,
+                          message.publish_time_ns, bytesOf(made.text), made.packet);
+  }
+
+  Result<ImportReport> finish(const std::vector<std::string>& notes) {
+    for (Input& input : inputs_) {
+      if (Status copied = input.bag->copyExtras(session_.log()); !copied) return copied.error();
+      const std::vector<std::string> damage = input.bag->damage();
+      report_.damage.insert(report_.damage.end(), damage.begin(), damage.end());
+      for (const std::optional<Outlet>& outlet : input.outlets) {
+        if (!outlet || !outlet->translation) continue;
+        report_.topics[outlet->place].notes = translator_.notes(*outlet->translation);
+      }
+    }
+    report_.notes.insert(report_.notes.begin(), notes.begin(), notes.end());
+    if (Status noted = session_.log().writeMetadata(warningsRecord(report_)); !noted) {
+      return noted.error();
+    }
+    if (Status closed = session_.log().close("rocinante log import"); !closed) {
+      return closed.error();
+    }
+    report_.bytes = session_.log().bytesWritten();
+    return std::move(report_);
+  }
+
+  SessionWriter session_;
+  RosTranslator translator_;
+  const ImportOptions& options_;
+  std::vector<Input> inputs_;
+  ImportReport report_;
+};
+
+}  // namespace
+
+Result<ImportReport> importBags(std::vector<std::unique_ptr<BagReader>> bags,
+                                std::unique_ptr<ByteSink> sink, std::string session_id,
+                                const ImportOptions& options) {
+  std::optional<DescribedRobot> robot;
+  std::vector<std::string> notes;
+  for (std::size_t i = 0; i < bags.size() && options.cell == nullptr && !robot; ++i) {
+    Result<std::optional<DescribedRobot>> found = describedRobot(*bags[i], options.search);
+    if (found) {
+      robot = std::move(*found);
+    } else {
+      notes.push_back(found.error().text());
+    }
+  }
+  const Cell* cell = options.cell;
+  const CellBundle* bundle = options.bundle;
+  if (robot) {
+    cell = &robot->cell;
+    if (robot->bundle) bundle = &*robot->bundle;
+    notes.insert(notes.end(), robot->notes.begin(), robot->notes.end());
+  }
+  Result<LogWriter> log = LogWriter::createOn(std::move(sink), options.log, std::move(session_id));
+  if (!log) return log.error();
+  const DeviceFinder devices(cell, options.device);
+  Import import(std::move(bags), SessionWriter(std::move(*log), options.keyframes), devices,
+                options);
+  Result<ImportReport> report = import.run(bundle, notes);
+  if (!report) return report;
+  if (robot) report->robot = robot->cell.devices.front().name;
+  return report;
+}
+
+Result<std::string> importedSessionId(const std::vector<std::filesystem::path>& inputs) {
+  constexpr std::size_t kEndBytes = 65536;
+  Sha256 hash;
+  for (const std::filesystem::path& path : inputs) {
+    const Result<MappedFile> file = MappedFile::open(path);
+    if (!file) return file.error();
+    const std::size_t size = file->bytes().size();
+    Bytes part(std::min(size, kEndBytes));
+    hash.addU64(size);
+    for (const std::size_t from : {std::size_t{0}, size - part.size()}) {
+      if (!file->read(from, part)) {
+        return Error{ErrorKind::unreadable, "the file cannot be read", path.string()};
+      }
+      hash.add(part);
+    }
+  }
+  return hexOf(hash.finish()).substr(0, 32);
+}
+
+}  // namespace rocinante::ros

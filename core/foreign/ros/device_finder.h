@@ -1,0 +1,68 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/cell/cell.h"
+
+namespace rocinante::ros {
+
+/// Which device of a cell a ROS name means (docs/other-formats.md, "How names find their devices").
+/// Knows names only. A plain value; borrows nothing.
+class DeviceFinder {
+ public:
+  /// `fallback`: the device of what names no other; empty: none.
+  DeviceFinder(const Cell* cell, std::string fallback);
+
+  struct Link {
+    std::string device, link;
+  };
+
+  /// Without a cell every name is a device of its own.
+  bool knowsDevices() const { return !devices_.empty(); }
+  const std::string& fallback() const { return fallback_; }
+
+  /// The device whose root the frame is: "arm/base_link", "arm", or "base_link" when one device
+  /// alone has that root.
+  std::optional<std::string> deviceOfFrame(std::string_view frame) const;
+  /// The link that the frame is: "arm/link6", or "link6" when one device alone has it.
+  std::optional<Link> linkOfFrame(std::string_view frame) const;
+  /// The device that a part of the topic's name is; the last one when there are several.
+  std::optional<std::string> deviceOfTopic(std::string_view topic) const;
+  /// Without a cell: the topic's namespace, or else `otherwise`.
+  std::string madeUpDevice(std::string_view topic, std::string_view otherwise) const;
+
+  enum class Fate : std::uint8_t {
+    said,       ///< of `device`, as joint `name`
+    passive,    ///< a fixed or mimic joint: not sent
+    ambiguous,  ///< a joint of several devices
+    unknown,    ///< of no device
+  };
+  struct JointHome {
+    Fate fate = Fate::unknown;
+    std::string device, name;
+  };
+  /// Where the joints of one message belong, in their order.
+  std::vector<JointHome> homesOf(std::string_view topic,
+                                 std::span<const std::string_view> joints) const;
+
+ private:
+  struct Joint {
+    std::string device;
+    bool driven = false;
+  };
+  JointHome homeOf(std::string_view joint, const std::optional<std::string>& by_topic) const;
+
+  std::string fallback_;
+  std::set<std::string, std::less<>> devices_;
+  std::multimap<std::string, Joint, std::less<>> joints_;
+  std::multimap<std::string, std::string, std::less<>> roots_;  ///< root link -> device
+  std::multimap<std::string, std::string, std::less<>> links_;  ///< any link -> device
+};
+
+}  // namespace rocinante::ros

@@ -1,0 +1,40 @@
+#include "core/base/count_text.h"
+#include "core/base/plain_text.h"
+#include "core/foreign/ros/bag_import.h"
+
+namespace rocinante::ros {
+namespace {
+
+constexpr std::string_view kRecord = "rocinante.import";
+constexpr std::string_view kWarnings = "warnings";
+
+}  // namespace
+
+std::vector<std::string> importWarnings(const ImportReport& report) {
+  std::vector<std::string> warnings = report.damage;
+  if (report.dropped > 0) {
+    warnings.push_back(
+        countText(report.dropped, "message") +
+        " left out: a log holds times from 1970 to 2262 and at most 128 MiB a message");
+  }
+  for (const ImportedTopic& topic : report.topics) {
+    if (topic.malformed > 0) {
+      warnings.push_back(topic.name + ": " + countText(topic.malformed, "message") +
+                         " kept, but not the " + topic.type + " that the recording says");
+    }
+    for (const auto& [sentence, count] : topic.notes) {
+      warnings.push_back(topic.name + ": " + sentence + ": " + std::to_string(count));
+    }
+  }
+  warnings.insert(warnings.end(), report.notes.begin(), report.notes.end());
+  for (std::string& warning : warnings) warning = plainText(warning);
+  return warnings;
+}
+
+LogMetadata warningsRecord(const ImportReport& report) {
+  std::string lines;
+  for (const std::string& warning : importWarnings(report)) lines += warning + "\n";
+  return {std::string(kRecord), {{std::string(kWarnings), std::move(lines)}}};
+}
+
+}  // namespace rocinante::ros

@@ -1,0 +1,216 @@
+#include "core/foreign/ros/topic_translation.h"
+
+#include "core/base/plain_text.h"
+#include "core/foreign/ros/names.h"
+#include "core/packet/packet_limits.h"
+#include "core/packet/packet_text.h"
+#include "core/packet/text_number.h"
+
+namespace rocinante::ros {
+namespace {
+
+using Outcome = RosTranslator::Outcome;
+
+class TransformTranslation final : public TopicTranslation {
+ public:
+  using TopicTranslation::TopicTranslation;
+
+  Outcome translate(ByteView message, FieldCursor::Layout layout, LogTime,
+                    Translated& out) override {
+    FieldCursor cursor(message, layout);
+    const std::uint32_t count = cursor.count(kLeastTransformBytes);
+    transforms_.clear();
+    for (std::uint32_t i = 0; i < count && cursor.ok(); ++i) {
+      transforms_.push_back(readTransform(cursor));
+    }
+    if (!cursor.atEnd()) return Outcome::malformed;
+    for (const Transform& each : transforms_) {
+      if (frames_.place(each.header.frame, each.child, each.pose, FrameTree::Origin::transform) ==
+          FrameTree::Taken::refused) {
+        note("transforms with a bad name, rotation or position, or beyond 4096 frames");
+      }
+    }
+    begin(transforms_.empty() ? 0 : transforms_.front().header.stamp_ns);
+    for (const FrameTree::Moved& each : frames_.takeMoved()) addPose(*each.device, each.place);
+    return end(out);
+  }
+
+ private:
+  std::vector<Transform> transforms_;
+};
+
+class OdometryTranslation final : public TopicTranslation {
+ public:
+  using TopicTranslation::TopicTranslation;
+
+  Outcome translate(ByteView message, FieldCursor::Layout layout, LogTime,
+                    Translated& out) override {
+    FieldCursor cursor(message, layout);
+    const Transform odometry = readOdometry(cursor);
+    if (!cursor.atEnd()) return Outcome::malformed;
+    switch (frames_.place(odometry.header.frame, odometry.child, odometry.pose,
+                          FrameTree::Origin::odometry)) {
+      case FrameTree::Taken::yes:
+        break;
+      case FrameTree::Taken::overruled:
+        note("odometry of a frame that transforms or another odometry place");
+        return Outcome::nothing;
+      case FrameTree::Taken::refused:
+        note("odometry with a bad name, rotation or position, or beyond 4096 frames");
+        return Outcome::nothing;
+    }
+    begin(odometry.header.stamp_ns);
+    for (const FrameTree::Moved& each : frames_.takeMoved()) addPose(*each.device, each.place);
+    return end(out);
+  }
+};
+
+class PoseTranslation final : public TopicTranslation {
+ public:
+  PoseTranslation(std::string_view topic, const DeviceFinder& devices, FrameTree& frames)
+      : TopicTranslation(topic, devices, frames) {
+    if (const auto named = devices.deviceOfTopic(topic)) {
+      device_ = *named;
+    } else if (!devices.knowsDevices()) {
+      const std::string_view path = topic.starts_with('/') ? topic.substr(1) : topic;
+      device_ = devices.madeUpDevice(topic, path);
+    } else {
+      device_ = devices.fallback();
+    }
+  }
+
+  Outcome translate(ByteView message, FieldCursor::Layout layout, LogTime,
+                    Translated& out) override {
+    FieldCursor cursor(message, layout);
+    const Transform stamped = readPoseStamped(cursor);
+    if (!cursor.atEnd()) return Outcome::malformed;
+    if (!isName(device_)) {
+      note("poses whose topic names no device of the cell");
+      return Outcome::nothing;
+    }
+    const std::optional<FrameTree::Place> place =
+        frames_.placeIn(stamped.header.frame, stamped.pose, device_);
+    if (!place) {
+      note("poses with a bad rotation or position, or in a frame without a place");
+      return Outcome::nothing;
+    }
+    begin(stamped.header.stamp_ns);
+    addPose(device_, *place);
+    return end(out);
+  }
+
+ private:
+  std::string device_;
+};
+
+class LogTranslation final : public TopicTranslation {
+ public:
+  LogTranslation(std::string_view topic, const DeviceFinder& devices, FrameTree& frames,
+                 bool ros1_fields)
+      : TopicTranslation(topic, devices, frames), ros1_fields_(ros1_fields) {}
+
+  Outcome translate(ByteView message, FieldCursor::Layout layout, LogTime,
+                    Translated& out) override {
+    FieldCursor cursor(message, layout);
+    const LogText log = readLog(cursor, ros1_fields_);
+    if (!cursor.atEnd()) return Outcome::malformed;
+    std::string text(log.level);
+    text.append(" ").append(log.node).append(": ").append(log.text);
+    // Bytes that are not UTF-8 are written as three.
+    const bool is_utf8 = isUtf8(bytesOf(text));
+    const std::size_t room = is_utf8 ? limits::kStringBytes : limits::kStringBytes / 3;
+    if (text.size() > room) {
+      std::size_t end = room;
+      while (is_utf8 && end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;
+      text.resize(end);
+      note("log texts that were cut at 4096 bytes");
+    }
+    begin(log.header.stamp_ns);
+    Statement event;
+    event.kind = StatementKind::event;
+    event.text = text;
+    add(event);
+    return end(out);
+  }
+
+ private:
+  bool ros1_fields_;
+};
+
+}  // namespace
+
+TopicTranslation::TopicTranslation(std::string_view topic, const DeviceFinder& devices,
+                                   FrameTree& frames)
+    : topic_(topic), devices_(devices), frames_(frames) {
+  first_words_ = "RK1 " + encodeName(sourceOf(topic)) + " - ";
+}
+
+void TopicTranslation::begin(std::int64_t stamp_ns) {
+  text_ = first_words_;
+  if (stamp_ns > 0) {
+    appendSeconds(text_, stamp_ns);
+  } else {
+    text_ += '-';
+  }
+  text_ += '\n';
+  header_bytes_ = text_.size();
+}
+
+void TopicTranslation::add(const Statement& statement) {
+  text_ += statementText(statement);
+  text_ += '\n';
+}
+
+void TopicTranslation::addPose(std::string_view device, const FrameTree::Place& place) {
+  const Pose& pose = place.pose;
+  const double numbers[] = {pose.position.x,    pose.position.y,    pose.position.z,
+                            pose.orientation.x, pose.orientation.y, pose.orientation.z,
+                            pose.orientation.w};
+  Statement statement;
+  statement.kind = StatementKind::pose;
+  statement.name = device;
+  statement.numbers = numbers;
+  statement.carrier = {place.device, place.link, false};
+  add(statement);
+}
+
+Outcome TopicTranslation::end(Translated& out) {
+  if (text_.size() == header_bytes_) return Outcome::nothing;
+  out = {text_, nullptr};
+  return Outcome::packet;
+}
+
+void TopicTranslation::note(std::string_view sentence) {
+  const auto found = notes_.find(sentence);
+  if (found != notes_.end()) {
+    ++found->second;
+  } else {
+    notes_.emplace(sentence, 1);
+  }
+}
+
+std::unique_ptr<TopicTranslation> makeTranslation(MessageType type, std::string_view topic,
+                                                  const DeviceFinder& devices, FrameTree& frames) {
+  switch (type) {
+    case MessageType::joint_state:
+      return makeJointTranslation(topic, devices, frames);
+    case MessageType::transforms:
+      return std::make_unique<TransformTranslation>(topic, devices, frames);
+    case MessageType::pose_stamped:
+      return std::make_unique<PoseTranslation>(topic, devices, frames);
+    case MessageType::odometry:
+      return std::make_unique<OdometryTranslation>(topic, devices, frames);
+    case MessageType::marker:
+    case MessageType::marker_array:
+      return makeMarkerTranslation(topic, devices, frames, type == MessageType::marker_array);
+    case MessageType::log_ros1:
+    case MessageType::log_ros2:
+      return std::make_unique<LogTranslation>(topic, devices, frames,
+                                              type == MessageType::log_ros1);
+    case MessageType::other:
+      break;
+  }
+  return nullptr;
+}
+
+}  // namespace rocinante::ros

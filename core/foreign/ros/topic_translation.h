@@ -1,0 +1,57 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "core/base/time.h"
+#include "core/foreign/ros/frame_tree.h"
+#include "core/foreign/ros/ros_message.h"
+#include "core/foreign/ros/ros_translator.h"
+#include "core/packet/packet.h"
+
+namespace rocinante::ros {
+
+/// What one topic's messages are turned into; one class for each kind of message.
+class TopicTranslation {
+ public:
+  TopicTranslation(std::string_view topic, const DeviceFinder& devices, FrameTree& frames);
+  virtual ~TopicTranslation() = default;
+  TopicTranslation(const TopicTranslation&) = delete;
+  TopicTranslation& operator=(const TopicTranslation&) = delete;
+
+  virtual RosTranslator::Outcome translate(ByteView message, FieldCursor::Layout layout,
+                                           LogTime time, Translated& out) = 0;
+  const TranslationNotes& notes() const { return notes_; }
+
+ protected:
+  /// Begins a packet with its header line; TIME is `-` when the stamp is 0 or before 1970.
+  void begin(std::int64_t stamp_ns);
+  void add(const Statement& statement);
+  void addPose(std::string_view device, const FrameTree::Place& place);
+  /// Ends the packet: nothing when it has no statement.
+  RosTranslator::Outcome end(Translated& out);
+  void note(std::string_view sentence);
+
+  std::string topic_;
+  const DeviceFinder& devices_;
+  FrameTree& frames_;
+  std::string text_;
+
+ private:
+  std::string first_words_;  ///< "RK1 SOURCE - "
+  std::size_t header_bytes_ = 0;
+  TranslationNotes notes_;
+};
+
+std::unique_ptr<TopicTranslation> makeTranslation(MessageType type, std::string_view topic,
+                                                  const DeviceFinder& devices, FrameTree& frames);
+std::unique_ptr<TopicTranslation> makeJointTranslation(std::string_view topic,
+                                                       const DeviceFinder& devices,
+                                                       FrameTree& frames);
+/// `in_array`: the messages are MarkerArrays.
+std::unique_ptr<TopicTranslation> makeMarkerTranslation(std::string_view topic,
+                                                        const DeviceFinder& devices,
+                                                        FrameTree& frames, bool in_array);
+
+}  // namespace rocinante::ros

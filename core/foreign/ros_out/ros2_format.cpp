@@ -1,0 +1,216 @@
+#include "core/foreign/ros_out/ros2_format.h"
+
+#include <map>
+#include <set>
+
+#include "core/foreign/ros_out/cdr_writer.h"
+#include "core/foreign/ros_out/ros2_schemas.h"
+
+namespace rocinante {
+namespace {
+
+enum MarkerType : std::int32_t { kLineStrip = 4, kPoints = 8, kText = 9 };
+enum MarkerAction : std::int32_t { kAdd = 0, kDeleteAll = 3 };
+
+void putStamp(CdrWriter& out, LogTime time) {
+  constexpr std::int64_t kNanoseconds = 1'000'000'000;
+  const std::int64_t all = nanosecondsOf(time);
+  const std::int64_t nanos = ((all % kNanoseconds) + kNanoseconds) % kNanoseconds;
+  out.put(static_cast<std::int32_t>((all - nanos) / kNanoseconds));
+  out.put(static_cast<std::uint32_t>(nanos));
+}
+
+void putHeader(CdrWriter& out, LogTime time, std::string_view frame) {
+  putStamp(out, time);
+  out.text(frame);
+}
+
+void putTriple(CdrWriter& out, double x, double y, double z) {
+  out.put(x);
+  out.put(y);
+  out.put(z);
+}
+
+void putRotation(CdrWriter& out, const Quat& rotation) {
+  putTriple(out, rotation.x, rotation.y, rotation.z);
+  out.put(rotation.w);
+}
+
+/// One marker: what it shows, and its points or its text.
+struct MarkerParts {
+  std::string_view frame, ns;
+  std::int32_t id = 0, type = 0, action = kAdd;
+  Vec3 at{};
+  double scale_x = 0, scale_y = 0, scale_z = 0;
+  std::uint32_t rgba = 0;
+  std::span<const double> points;
+  std::string_view text;
+};
+
+void putMarker(CdrWriter& out, LogTime time, const MarkerParts& marker) {
+  putHeader(out, time, marker.frame);
+  out.text(marker.ns);
+  out.put(marker.id);
+  out.put(marker.type);
+  out.put(marker.action);
+  putTriple(out, marker.at.x, marker.at.y, marker.at.z);
+  putRotation(out, Quat(1, 0, 0, 0));
+  putTriple(out, marker.scale_x, marker.scale_y, marker.scale_z);
+  for (std::uint32_t byte = 0; byte < 4; ++byte) {
+    out.put(static_cast<float>(marker.rgba >> (24 - 8 * byte) & 0xFFU) / 255.0F);
+  }
+  out.put(std::int32_t{0});  // stays until it is deleted
+  out.put(std::uint32_t{0});
+  out.put(true);  // moves with its space
+  out.count(marker.points.size() / 3);
+  for (const double coordinate : marker.points) out.put(coordinate);
+  out.count(0);  // colours
+  out.text("");  // texture, and its image
+  putHeader(out, LogTime{}, "");
+  out.text("");
+  out.count(0);
+  out.count(0);  // texture coordinates
+  out.text(marker.text);
+  out.text("");  // mesh, and its file
+  out.text("");
+  out.count(0);
+  out.put(false);
+}
+
+class Ros2Format final : public SessionFormat {
+ public:
+  std::string profile() const override { return "ros2"; }
+  // tf buffers keep ten seconds.
+  Nanoseconds framesLast() const override { return std::chrono::seconds(1); }
+
+  Status frames(ExportedMcap& out, LogTime time, const std::string&,
+                std::span<const FramePose> frames) override {
+    CdrWriter writer(message_);
+    writer.count(frames.size());
+    for (const FramePose& frame : frames) {
+      putHeader(writer, time, frame.parent);
+      writer.text(frame.child);
+      putTriple(writer, frame.pose.position.x, frame.pose.position.y, frame.pose.position.z);
+      putRotation(writer, frame.pose.orientation);
+    }
+    return out.write("/tf", ros2Schema("tf2_msgs/msg/TFMessage"), time, message_);
+  }
+
+  Status joints(ExportedMcap& out, LogTime time, const std::string& device,
+                std::span<const NamedValue> values) override {
+    CdrWriter writer(message_);
+    putHeader(writer, time, "");
+    writer.count(values.size());
+    for (const NamedValue& value : values) writer.text(value.name);
+    writer.count(values.size());
+    for (const NamedValue& value : values) writer.put(value.value);
+    writer.count(0);
+    writer.count(0);
+    return out.write("/" + uniqueName(device) + "/joint_states",
+                     ros2Schema("sensor_msgs/msg/JointState"), time, message_);
+  }
+
+  Status drawings(ExportedMcap& out, LogTime time, const std::string& source,
+                  const Drawings& drawings) override {
+    std::vector<MarkerParts> markers(1);
+    markers[0].action = kDeleteAll;
+    std::vector<std::string> frames;
+    std::vector<std::vector<std::vector<double>>> runs;
+    frames.reserve(drawings.size());
+    runs.reserve(drawings.size());
+    for (const auto& [id, drawing] : drawings) {
+      frames.push_back(frameName(drawing->carrier.first, drawing->carrier.second));
+      runs.push_back(connectedRuns(*drawing));
+      addMarkers(markers, id, *drawing, frames.back(), runs.back());
+    }
+    CdrWriter writer(message_);
+    writer.count(markers.size());
+    for (const MarkerParts& marker : markers) putMarker(writer, time, marker);
+    return out.write("/" + uniqueName(source) + "/markers",
+                     ros2Schema("visualization_msgs/msg/MarkerArray"), time, message_);
+  }
+
+  Status event(ExportedMcap& out, LogTime time, EventLevel level, std::string_view name,
+               std::string_view text) override {
+    constexpr std::uint8_t kInfo = 20;
+    constexpr std::uint8_t kWarning = 30;
+    CdrWriter writer(message_);
+    putStamp(writer, time);
+    writer.put(level == EventLevel::warning ? kWarning : kInfo);
+    writer.text(name);
+    writer.text(text);
+    writer.text("");
+    writer.text("");
+    writer.put(std::uint32_t{0});
+    return out.write("/rosout", ros2Schema("rcl_interfaces/msg/Log"), time, message_);
+  }
+
+  Status description(ExportedMcap& out, LogTime time, const std::string& device,
+                     std::string_view urdf) override {
+    CdrWriter writer(message_);
+    writer.text(urdf);
+    return out.write("/" + uniqueName(device) + "/robot_description",
+                     ros2Schema("std_msgs/msg/String"), time, message_);
+  }
+
+ private:
+  static void addMarkers(std::vector<MarkerParts>& markers, std::string_view id,
+                         const Drawing& drawing, std::string_view frame,
+                         const std::vector<std::vector<double>>& runs) {
+    std::int32_t number = 0;
+    for (const std::vector<double>& run : runs) {
+      MarkerParts marker;
+      marker.frame = frame;
+      marker.ns = id;
+      marker.id = number++;
+      marker.rgba = drawing.rgba;
+      if (drawing.kind == StatementKind::label) {
+        if (run.size() < 3) continue;
+        marker.type = kText;
+        marker.at = {run[0], run[1], run[2]};
+        marker.scale_z = kMarkerTextMetres;
+        marker.text = drawing.text;
+      } else {
+        const bool is_line = drawing.kind == StatementKind::line;
+        marker.type = is_line ? kLineStrip : kPoints;
+        marker.scale_x = drawing.size_px * kMarkerMetresPerPixel;
+        marker.scale_y = is_line ? 0 : marker.scale_x;
+        marker.points = run;
+      }
+      markers.push_back(marker);
+    }
+  }
+
+  /// Two names that ROS would write alike get numbers.
+  std::string uniqueName(const std::string& name) {
+    const auto known = names_.find(name);
+    if (known != names_.end()) return known->second;
+    const std::string wanted = rosName(name);
+    std::string given = wanted;
+    for (int number = 2; !given_.insert(given).second; ++number) {
+      given = wanted + "_" + std::to_string(number);
+    }
+    return names_.emplace(name, given).first->second;
+  }
+
+  Bytes message_;
+  std::map<std::string, std::string> names_;  ///< as ROS has them
+  std::set<std::string> given_;
+};
+
+}  // namespace
+
+std::string rosName(std::string_view name) {
+  std::string made;
+  for (const char byte : name) {
+    const bool is_plain = (byte >= 'a' && byte <= 'z') || (byte >= 'A' && byte <= 'Z') ||
+                          (byte >= '0' && byte <= '9');
+    made += is_plain ? byte : '_';
+  }
+  if (!made.empty() && made[0] >= '0' && made[0] <= '9') made.insert(0, "_");
+  return made;
+}
+
+std::unique_ptr<SessionFormat> makeRos2Format() { return std::make_unique<Ros2Format>(); }
+
+}  // namespace rocinante

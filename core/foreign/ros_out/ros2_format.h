@@ -1,0 +1,24 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "core/foreign/session/session_format.h"
+
+namespace rocinante {
+
+/// Metres that a pixel of a line or a point becomes: markers have no sizes in pixels.
+inline constexpr double kMarkerMetresPerPixel = 0.002;
+/// Height of a label, metres.
+inline constexpr double kMarkerTextMetres = 0.1;
+
+/// A ROS 2 bag: TFMessage on /tf, JointState on /DEVICE/joint_states, String with the URDF on
+/// /DEVICE/robot_description, MarkerArray on /SOURCE/markers, Log on /rosout. Times are log times.
+std::unique_ptr<SessionFormat> makeRos2Format();
+
+/// A name as ROS has topics: letters, digits and `_`, not beginning with a digit; anything else is
+/// `_`.
+std::string rosName(std::string_view name);
+
+}  // namespace rocinante

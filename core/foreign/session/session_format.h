@@ -1,0 +1,54 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/base/time.h"
+#include "core/foreign/session/exported_mcap.h"
+#include "core/foreign/session/joint_values.h"
+#include "core/foreign/session/link_frames.h"
+#include "core/packet/session_state.h"
+
+namespace rocinante {
+
+enum class EventLevel : std::uint8_t { info, warning };
+
+/// How a family of tools writes what a session holds: which messages on which topics. All of a
+/// device, or of a source's drawings, is in each message, so that a reader who jumps to a moment
+/// needs only the last message of every topic.
+class SessionFormat {
+ public:
+  virtual ~SessionFormat() = default;
+
+  /// MCAP's profile of the file.
+  virtual std::string profile() const = 0;
+  /// How long readers remember a space that is not said again; 0: for good.
+  virtual Nanoseconds framesLast() const = 0;
+
+  virtual Status frames(ExportedMcap& out, LogTime time, const std::string& device,
+                        std::span<const FramePose> frames) = 0;
+  virtual Status joints(ExportedMcap& out, LogTime time, const std::string& device,
+                        std::span<const NamedValue> values) = 0;
+  /// All drawings of a source, by id; none when it has erased them.
+  using Drawings = std::vector<std::pair<std::string, const Drawing*>>;
+  virtual Status drawings(ExportedMcap& out, LogTime time, const std::string& source,
+                          const Drawings& drawings) = 0;
+  virtual Status event(ExportedMcap& out, LogTime time, EventLevel level, std::string_view name,
+                       std::string_view text) = 0;
+  /// The URDF of a device, once.
+  virtual Status description(ExportedMcap& out, LogTime time, const std::string& device,
+                             std::string_view urdf) = 0;
+};
+
+/// PREFIX/NAME.
+std::string topicOf(std::string_view prefix, std::string_view name);
+
+/// The runs of points of a line that are connected; every point of a cloud: x y z ..., metres. A
+/// missing part ends a run.
+std::vector<std::vector<double>> connectedRuns(const Drawing& drawing);
+
+}  // namespace rocinante

@@ -1,0 +1,208 @@
+#include "core/foreign/table/session_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "core/base/pattern.h"
+#include "core/cell/posed_scene.h"
+#include "core/foreign/session/joint_values.h"
+#include "core/math/transform.h"
+
+namespace rocinante {
+namespace {
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+constexpr std::array<std::string_view, 7> kPoseColumns = {":x",  ":y",  ":z", ":qx",
+                                                          ":qy", ":qz", ":qw"};
+
+bool readsBackAsItself(std::string_view device) { return device.find('.') == device.npos; }
+
+}  // namespace
+
+SessionTable::SessionTable(const Cell* cell, std::vector<std::string> devices)
+    : cell_(cell), patterns_(std::move(devices)) {}
+
+bool SessionTable::chosen(std::string_view device) {
+  if (patterns_.empty()) return true;
+  const auto known = chosen_.find(device);
+  if (known != chosen_.end()) return known->second;
+  return chosen_.emplace(device, anyPatternMatches(patterns_, device)).first->second;
+}
+
+void SessionTable::notice(const SessionState& state, LogTime moment) {
+  for (const auto& [name, device] : state.devices()) {
+    if (device.last_write == moment && chosen(name)) noticeDevice(name, device);
+  }
+}
+
+void SessionTable::noticeAll(const SessionState& state) {
+  for (const auto& [name, device] : state.devices()) {
+    if (chosen(name)) noticeDevice(name, device);
+  }
+}
+
+/// Of the device itself in the cell, or the one that `add` names.
+const Model* SessionTable::modelOf(const std::string& name, const DeviceState& state) const {
+  if (state.presence && state.presence->value.presence == Presence::added) {
+    const auto added = cell_->models.find(state.presence->value.model);
+    if (added != cell_->models.end()) return added->second.get();
+  }
+  const CellDevice* const in_cell = cell_->findDevice(name);
+  return in_cell == nullptr ? nullptr : cell_->modelOf(*in_cell);
+}
+
+void SessionTable::addJoint(Device& device, std::string_view joint) {
+  std::string name(joint);
+  if (device.joint_place.contains(name)) return;
+  device.joint_place.emplace(name, device.joints.size());
+  device.joints.push_back(std::move(name));
+  device.own_values.push_back(kUnknown);
+}
+
+void SessionTable::noticeDevice(const std::string& name, const DeviceState& state) {
+  if (!hasJoints(state) && !state.pose) return;
+  auto [found, is_new] = devices_.try_emplace(name);
+  Device& device = found->second;
+  if (is_new && cell_ != nullptr) {
+    device.model = modelOf(name, state);
+  }
+  if (state.pose) device.has_pose = true;
+  if (!hasJoints(state)) return;
+  if (device.model != nullptr && device.positional.empty()) {
+    ModelValues values = modelValues(*device.model);
+    for (std::size_t i = 0; i < values.names.size(); ++i) {
+      addJoint(device, values.names[i]);
+      device.own_values[device.joint_place[values.names[i]]] = values.own[i];
+    }
+    device.positional = std::move(values.names);
+  }
+  // An order has the joints as the sender thinks of them; the state has them sorted by name.
+  for (const auto& [source, order] : state.orders) {
+    for (const std::string& joint : order) {
+      if (state.named_joints.contains(joint)) addJoint(device, joint);
+    }
+  }
+  for (const auto& [joint, value] : state.named_joints) addJoint(device, joint);
+  if (!state.joints || state.joints->value.size() == device.positional.size()) return;
+  if (state.joints->value.size() <= device.most_positional) return;
+  for (std::size_t i = device.most_positional; i < state.joints->value.size(); ++i) {
+    addJoint(device, std::to_string(i + 1));
+  }
+  device.most_positional = state.joints->value.size();
+  device.has_bare_numbers = true;
+}
+
+void SessionTable::layOut() {
+  columns_.clear();
+  for (auto& [name, device] : devices_) {
+    device.first_column = columns_.size();
+    for (const std::string& joint : device.joints) columns_.push_back(name + "." + joint);
+    if (!device.has_pose) continue;
+    for (const std::string_view part : kPoseColumns) columns_.push_back(name + std::string(part));
+  }
+}
+
+bool SessionTable::wasWritten(const SessionState& state, LogTime moment) const {
+  for (const auto& [name, device] : devices_) {
+    const DeviceState* const now = state.findDevice(name);
+    if (now != nullptr && now->last_write == moment) return true;
+  }
+  return false;
+}
+
+void SessionTable::fill(const SessionState& state, std::span<double> row) {
+  std::fill(row.begin(), row.end(), kUnknown);
+  for (const auto& [name, device] : devices_) {
+    const DeviceState* const now = state.findDevice(name);
+    if (now == nullptr || isRemoved(*now)) continue;
+    const std::size_t width = device.joints.size();
+    if (hasJoints(*now)) fillJoints(device, *now, row.subspan(device.first_column, width));
+    if (!now->pose) continue;
+    fillPose(name, state, now->pose->value,
+             row.subspan(device.first_column + width, kPoseColumns.size()));
+  }
+}
+
+void SessionTable::fillJoints(const Device& device, const DeviceState& state,
+                              std::span<double> row) const {
+  std::copy(device.own_values.begin(), device.own_values.end(), row.begin());
+  if (state.joints) {
+    const std::vector<double>& values = state.joints->value;
+    if (values.size() == device.positional.size()) {
+      // The model's own values are the first columns, in its order.
+      std::copy(values.begin(), values.end(), row.begin());
+    } else {
+      for (std::size_t i = 0; i < values.size(); ++i) {
+        const auto place = device.joint_place.find(std::to_string(i + 1));
+        if (place != device.joint_place.end()) row[place->second] = values[i];
+      }
+    }
+  }
+  // Both are sorted by name: one pass, without searching.
+  auto place = device.joint_place.begin();
+  for (const auto& [joint, item] : state.named_joints) {
+    while (place != device.joint_place.end() && place->first < joint) ++place;
+    if (place == device.joint_place.end()) break;
+    if (place->first == joint) row[place->second] = item.value;
+  }
+}
+
+void SessionTable::fillPose(const std::string& name, const SessionState& state,
+                            const PoseValue& pose, std::span<double> row) {
+  Pose in_world = pose.pose;
+  if (!pose.carrier.first.empty()) {
+    if (cell_ == nullptr) {
+      carried_.insert(name);
+      return;
+    }
+    const PosedScene scene = poseScene(*cell_, state);
+    const PosedDevice* const posed = scene.findDevice(name);
+    if (posed == nullptr) {
+      carried_.insert(name);
+      return;
+    }
+    in_world = poseOf(posed->base);
+  }
+  row[0] = in_world.position.x;
+  row[1] = in_world.position.y;
+  row[2] = in_world.position.z;
+  row[3] = in_world.orientation.x;
+  row[4] = in_world.orientation.y;
+  row[5] = in_world.orientation.z;
+  row[6] = in_world.orientation.w;
+}
+
+std::vector<std::string> SessionTable::remarks() const {
+  std::vector<std::string> sentences;
+  for (const auto& [name, device] : devices_) {
+    if (device.has_bare_numbers) {
+      sentences.push_back(fmt::format(
+          "{0} sends {1} joint values by position, and no model names them: they are {0}.1 to "
+          "{0}.{1} (a cell with its model does: --cell)",
+          name, device.most_positional));
+    }
+    if (!readsBackAsItself(name)) {
+      sentences.push_back(
+          fmt::format("the name of {} holds a point: `source --csv` would take what is before the "
+                      "first one for "
+                      "the device",
+                      name));
+    }
+  }
+  return sentences;
+}
+
+std::vector<std::string> SessionTable::gaps() const {
+  std::vector<std::string> sentences;
+  for (const std::string& name : carried_) {
+    sentences.push_back(fmt::format(
+        "where {} is carried by another device its pose in the world is not known, and left out{}",
+        name, cell_ == nullptr ? " (--cell knows it)" : ": the cell does not have the device"));
+  }
+  return sentences;
+}
+
+}  // namespace rocinante

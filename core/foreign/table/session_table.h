@@ -1,0 +1,80 @@
+#pragma once
+
+#include <map>
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/base/time.h"
+#include "core/cell/cell.h"
+#include "core/packet/session_state.h"
+
+namespace rocinante {
+
+/// A session as a table: one column for each joint value and each component of a pose, named as
+/// `source --csv` reads them: DEVICE.JOINT, and DEVICE:x :y :z :qx :qy :qz :qw (metres, unit
+/// quaternion, in the world). Devices are in order of their names; of each its joints, then its
+/// pose. The columns are found first, by showing it every state (notice), then rows are filled.
+///
+/// Names of joints: those that packets use; for positional values those of the device's model, if
+/// `cell` has one with as many, else their numbers from 1. With a cell, a device whose joints are
+/// stated has a column for every joint of its model; those that no packet states have the model's
+/// own value. Without one, and for what is not stated yet, removed, or forgotten, the value is NaN.
+class SessionTable {
+ public:
+  /// `cell` is borrowed; null: none. `devices` are patterns (core/base/pattern.h); empty: all.
+  SessionTable(const Cell* cell, std::vector<std::string> devices);
+
+  /// Adds columns for what the state at `moment` says of devices that were written then.
+  void notice(const SessionState& state, LogTime moment);
+  /// The same for everything in the state, as at the beginning.
+  void noticeAll(const SessionState& state);
+  /// Ends noticing.
+  void layOut();
+
+  /// Valid after layOut().
+  const std::vector<std::string>& columns() const { return columns_; }
+  /// True if something of a device in the table was written at `moment`.
+  bool wasWritten(const SessionState& state, LogTime moment) const;
+  /// `row` is as long as columns().
+  void fill(const SessionState& state, std::span<double> row);
+
+  /// What the reader of the table should know: sentences, found by layOut() and fill(). Not a loss:
+  /// names that the session does not tell, columns that `source --csv` would read differently.
+  std::vector<std::string> remarks() const;
+  /// What is missing in the table: poses in the space of another device, without a cell that says
+  /// where that is.
+  std::vector<std::string> gaps() const;
+
+ private:
+  struct Device {
+    const Model* model = nullptr;
+    std::vector<std::string> joints;                 ///< in the order of their columns
+    std::map<std::string, std::size_t> joint_place;  ///< into `joints`, by name
+    std::vector<std::string> positional;             ///< names of positional values
+    std::vector<double> own_values;                  ///< by joint: of the model; else NaN
+    std::size_t most_positional = 0;
+    bool has_pose = false;
+    std::size_t first_column = 0;
+    bool has_bare_numbers = false;
+  };
+  using Devices = std::map<std::string, Device, std::less<>>;
+
+  bool chosen(std::string_view device);
+  void noticeDevice(const std::string& name, const DeviceState& state);
+  const Model* modelOf(const std::string& name, const DeviceState& state) const;
+  void addJoint(Device& device, std::string_view joint);
+  void fillJoints(const Device& device, const DeviceState& state, std::span<double> row) const;
+  void fillPose(const std::string& name, const SessionState& state, const PoseValue& pose,
+                std::span<double> row);
+
+  const Cell* cell_;
+  std::vector<std::string> patterns_;
+  std::map<std::string, bool, std::less<>> chosen_;  ///< the answers of the patterns
+  Devices devices_;
+  std::vector<std::string> columns_;
+  std::set<std::string> carried_;  ///< devices with poses that are not known in the world
+};
+
+}  // namespace rocinante
