@@ -1,18 +1,35 @@
 #include "core/log/content_hash.h"
 
+#include <utility>
+
 namespace rocinante {
 
-void ContentHash::add(const LogMessage& message) {
+namespace {
+
+/// The lengths separate the fields: no two sessions give the same bytes.
+void addTo(Sha256& hash, const LogMessage& message) {
   const std::string& topic = message.channel->topic;
-  if (!message.channel->captured()) return;
-  // The lengths separate the fields: no two sessions give the same bytes.
-  hash_.addU64(topic.size());
-  hash_.add(bytesOf(topic));
-  hash_.addU64(static_cast<std::uint64_t>(message.log_time.time_since_epoch().count()));
-  hash_.addU64(message.payload.size());
-  hash_.add(message.payload);
+  hash.addU64(topic.size());
+  hash.add(bytesOf(topic));
+  hash.addU64(static_cast<std::uint64_t>(message.log_time.time_since_epoch().count()));
+  hash.addU64(message.payload.size());
+  hash.add(message.payload);
 }
 
-std::string ContentHash::finish() { return hexOf(hash_.finish()); }
+}  // namespace
+
+void ContentHash::add(const LogMessage& message) {
+  if (message.channel->captured()) return addTo(captured_, message);
+  if (!message.channel->decoded()) return;
+  any_decoded_ = true;
+  addTo(decoded_, message);
+}
+
+std::string ContentHash::finish() { return hexOf(captured_.finish()); }
+
+std::string ContentHash::finishDecoded() {
+  const std::string hash = hexOf(decoded_.finish());
+  return std::exchange(any_decoded_, false) ? hash : std::string();
+}
 
 }  // namespace rocinante

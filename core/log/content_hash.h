@@ -8,16 +8,20 @@
 namespace rocinante {
 
 /// The identity of a session (docs/log-format.md, "Identity"), fed message by message in the log's
-/// order; skips messages that were not captured. Compression, keyframes, marks and attachments do
-/// not change it.
+/// order: the captured messages, and apart from them the packets that decoders made. Compression,
+/// keyframes, marks and attachments do not change it.
 class ContentHash {
  public:
   void add(const LogMessage& message);
-  /// Lower-case hexadecimal; the object starts over.
+  /// Of the captured messages, in lower-case hexadecimal; starts over.
   std::string finish();
+  /// Of the decoded packets; empty when there is none. Starts over.
+  std::string finishDecoded();
 
  private:
-  Sha256 hash_;
+  Sha256 captured_;
+  Sha256 decoded_;
+  bool any_decoded_ = false;
 };
 
 }  // namespace rocinante

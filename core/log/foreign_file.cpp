@@ -27,21 +27,31 @@ constexpr std::array kKinds{
     Kind{"\x28\xb5\x2f\xfd"sv, kCompressed},
     Kind{"\xfd\x37zXZ"sv, kCompressed},
     Kind{"PK\x03\x04"sv, kCompressed},
-    Kind{"#ROSBAG V"sv, "it is a ROS bag: the `mcap` tool converts it"},
+    Kind{"#ROSBAG V"sv, "it is a ROS bag: `rocinante log import` makes a log of it"},
     Kind{"SQLite format 3"sv,
-         "it is a SQLite file, as ROS 2 bags are: the `mcap` tool converts those"},
+         "it is a SQLite file, as ROS 2 bags are: `rocinante log import` makes a log of those"},
 };
+
+std::string_view whatItIs(ByteView file) {
+  for (const Kind& kind : kKinds) {
+    if (textOf(file).starts_with(kind.begins)) return kind.what;
+  }
+  return {};
+}
 
 }  // namespace
 
 std::string notALog(ByteView file) {
   if (file.empty()) return "the file is empty";
-  const std::string_view text = textOf(file);
   std::string sentence = "the file does not start with the MCAP magic";
-  for (const Kind& kind : kKinds) {
-    if (text.starts_with(kind.begins)) return sentence.append("; ").append(kind.what);
-  }
-  return sentence;
+  const std::string_view what = whatItIs(file);
+  return what.empty() ? sentence : sentence.append("; ").append(what);
+}
+
+std::string notImportable(ByteView first_bytes) {
+  if (first_bytes.empty()) return "the file is empty";
+  const std::string_view what = whatItIs(first_bytes);
+  return std::string(what.empty() ? "the file is not a recording that can be imported" : what);
 }
 
 }  // namespace rocinante

@@ -11,4 +11,7 @@ namespace rocinante {
 /// to do.
 std::string notALog(ByteView file);
 
+/// The message for a file that `rocinante log import` cannot read.
+std::string notImportable(ByteView first_bytes);
+
 }  // namespace rocinante

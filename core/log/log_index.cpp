@@ -4,8 +4,8 @@
 
 namespace rocinante {
 
-bool addChannel(LogIndex& index, const mcap::Channel& channel) {
-  const auto [place, added] = index.channels.try_emplace(channel.id);
+bool addChannel(std::map<ChannelId, LogChannel>& channels, const mcap::Channel& channel) {
+  const auto [place, added] = channels.try_emplace(channel.id);
   LogChannel& known = place->second;
   if (!added) {
     return known.topic == channel.topic && known.encoding == channel.message_encoding &&
@@ -13,6 +13,26 @@ bool addChannel(LogIndex& index, const mcap::Channel& channel) {
   }
   known = {channel.id, channel.topic, channel.message_encoding, channel.metadata};
   return true;
+}
+
+bool addChannel(LogIndex& index, const mcap::Channel& channel) {
+  if (!addChannel(index.channels, channel)) return false;
+  if (channel.schema_id != 0) index.schema_ids.try_emplace(channel.id, channel.schema_id);
+  return true;
+}
+
+void addSchema(LogIndex& index, mcap::Schema schema) {
+  if (index.schemas.contains(schema.id)) return;
+  index.schemas.emplace(
+      schema.id, std::make_shared<const LogSchema>(LogSchema{
+                     std::move(schema.name), std::move(schema.encoding), std::move(schema.data)}));
+}
+
+void joinSchemas(LogIndex& index) {
+  for (const auto& [channel, schema] : index.schema_ids) {
+    const auto found = index.schemas.find(schema);
+    if (found != index.schemas.end()) index.channels.at(channel).schema = found->second;
+  }
 }
 
 bool addAttachment(const mcap::Record& record, LogIndex& index) {

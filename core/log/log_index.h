@@ -7,8 +7,8 @@
 
 #include "core/log/log_types.h"
 #include "core/log/message_span.h"
+#include "core/mcap/record_stepper.h"
 #include "core/mcap/records.h"
-#include "core/mcap/stream_reader.h"
 
 namespace rocinante {
 
@@ -17,6 +17,8 @@ struct LogIndex {
   mcap::Header header;
   std::vector<MessageSpan> spans;  ///< in the file's order
   std::map<ChannelId, LogChannel> channels;
+  std::map<ChannelId, std::uint16_t> schema_ids;  ///< of channels that have one
+  std::map<std::uint16_t, std::shared_ptr<const LogSchema>> schemas;
   std::map<ChannelId, std::uint64_t> message_counts;
   std::vector<LogAttachment> attachments;
   std::vector<std::uint64_t> attachment_offsets;  ///< as `attachments`
@@ -30,6 +32,12 @@ bool addAttachment(const mcap::Record& record, LogIndex& index);
 bool addMetadata(const mcap::Record& record, LogIndex& index);
 
 /// Adds a channel; false when its id is already used by a different one.
+bool addChannel(std::map<ChannelId, LogChannel>& channels, const mcap::Channel& channel);
+/// The same, and keeps the number of its schema.
 bool addChannel(LogIndex& index, const mcap::Channel& channel);
+/// Adds a schema; of two with one number the first counts.
+void addSchema(LogIndex& index, mcap::Schema schema);
+/// Gives every channel the schema that it names, as far as they are known.
+void joinSchemas(LogIndex& index);
 
 }  // namespace rocinante

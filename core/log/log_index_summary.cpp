@@ -7,7 +7,7 @@
 #include "core/mcap/byte_cursor.h"
 #include "core/mcap/parse_record.h"
 #include "core/mcap/record_probe.h"
-#include "core/mcap/stream_reader.h"
+#include "core/mcap/record_stepper.h"
 
 namespace rocinante {
 
@@ -23,6 +23,7 @@ struct ChunkPlace {
 };
 
 struct Summary {
+  std::vector<mcap::Schema> schemas;
   std::vector<mcap::Channel> channels;
   std::optional<mcap::Statistics> statistics;
   std::vector<ChunkPlace> chunks;
@@ -68,11 +69,14 @@ bool parseInto(ByteView content, std::vector<ChunkPlace>& out) {
 
 /// False at the first record that breaks the format.
 bool readSummary(ByteView bytes, Summary& out) {
-  for (std::uint64_t position = 0; position < bytes.size();) {
-    const std::optional<mcap::Record> record = mcap::recordAt(bytes, position);
+  for (mcap::RecordStepper steps(bytes); !steps.atEnd();) {
+    const std::optional<mcap::Record> record = steps.next();
     if (!record) return false;
     bool ok = true;
     switch (record->opcode) {
+      case Opcode::schema:
+        ok = parseInto(record->content, out.schemas);
+        break;
       case Opcode::channel:
         ok = parseInto(record->content, out.channels);
         break;
@@ -92,7 +96,6 @@ bool readSummary(ByteView bytes, Summary& out) {
         break;
     }
     if (!ok) return false;
-    position = record->end();
   }
   return true;
 }
@@ -140,10 +143,10 @@ bool takeBetween(ByteView file, std::vector<FileRange> ranges, std::uint64_t dat
                  LogIndex& out) {
   ranges.push_back({data_end, data_end});
   std::ranges::sort(ranges, {}, &FileRange::from);
-  std::uint64_t position = mcap::magic().size();
+  mcap::RecordStepper steps(file, mcap::magic().size());
   for (const FileRange& range : ranges) {
-    while (position < range.from) {
-      const std::optional<mcap::Record> record = mcap::recordAt(file, position);
+    while (steps.position() < range.from) {
+      const std::optional<mcap::Record> record = steps.next();
       if (!record || record->end() > range.from) return false;
       switch (record->opcode) {
         case Opcode::invalid:
@@ -160,11 +163,10 @@ bool takeBetween(ByteView file, std::vector<FileRange> ranges, std::uint64_t dat
         default:
           break;
       }
-      position = record->end();
     }
     // An overlap would return the same bytes twice.
-    if (position > range.from) return false;
-    position = range.to;
+    if (steps.position() > range.from) return false;
+    steps.moveTo(range.to);
   }
   return true;
 }
@@ -266,6 +268,7 @@ std::optional<LogIndex> indexFromSummary(ByteView file, std::vector<DamageSpan>&
   for (const mcap::Channel& channel : summary.channels) {
     if (!addChannel(index, channel)) return faulty("the summary defines a channel twice");
   }
+  for (mcap::Schema& schema : summary.schemas) addSchema(index, std::move(schema));
   for (const auto& [id, count] : summary.statistics->channel_message_counts) {
     index.message_counts.emplace(id, count);
   }

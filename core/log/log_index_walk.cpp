@@ -9,8 +9,8 @@
 #include "core/log/log_profile.h"
 #include "core/mcap/chunk_head.h"
 #include "core/mcap/parse_record.h"
-#include "core/mcap/record_probe.h"
-#include "core/mcap/stream_reader.h"
+#include "core/mcap/record_stepper.h"
+#include "core/mcap/torn_chunk.h"
 
 namespace rocinante {
 
@@ -25,9 +25,28 @@ constexpr std::uint64_t kLooseRunBytes = 1U << 20U;
 class Walk {
  public:
   explicit Walk(ByteView file) : file_(file), decoder_(file), probe_(file), budget_(file.size()) {}
+  /// Continues where `other` is, in the same file or in what it has grown to.
+  Walk(const Walk& other, ByteView file) : Walk(file) {
+    budget_ = other.budget_;
+    budget_.grow(file.size() - other.file_.size());
+    index_ = other.index_;
+    position_ = other.position_;
+    chunks_seen_ = other.chunks_seen_;
+    loose_ = other.loose_;
+    chunk_ = other.chunk_;
+    indexes_ = other.indexes_;
+  }
+
+  /// Takes the records that are complete, up to the first of which that is not known: of a chunk
+  /// that is still open, or that nothing follows yet, or of damage.
+  void runSettled() {
+    while (position_ < file_.size() && settledAt(position_) && takeRecord()) {
+    }
+  }
+  std::size_t settledSpans() const { return index_.spans.size(); }
+  std::uint64_t position() const { return position_; }
 
   LogIndex run() {
-    position_ = mcap::magic().size();
     while (position_ < file_.size() && !index_.closed) {
       if (!takeRecord()) skipDamage();
     }
@@ -56,6 +75,15 @@ class Walk {
     index_.damage.push_back({from, to, std::move(cause), lost});
   }
 
+  /// Whether the record there is complete, and stays as it is. The end of the log is left to run().
+  bool settledAt(std::uint64_t position) const {
+    const std::optional<mcap::Record> record = mcap::recordAt(file_, position);
+    if (!record || record->opcode == Opcode::data_end) return false;
+    if (record->opcode != Opcode::chunk) return true;
+    const std::optional<ChunkHead> head = chunkHeadAt(file_, position);
+    return head && !head->open() && mcap::recordAt(file_, record->end());
+  }
+
   /// Takes the record at position_ and moves behind it. False when there is none.
   bool takeRecord() {
     const std::optional<mcap::Record> record = mcap::recordAt(file_, position_);
@@ -65,7 +93,7 @@ class Walk {
       case Opcode::header:
         return takeSimple(*record, index_.header);
       case Opcode::schema:
-        return takeSimple(*record, schema_);
+        return takeSchema(*record);
       case Opcode::channel:
         return takeChannel(*record);
       case Opcode::message:
@@ -110,6 +138,13 @@ class Walk {
     damaged(record.offset, known_end, "a record's length reaches over the records after it",
             std::uint64_t{0});
     position_ = known_end;
+  }
+
+  bool takeSchema(const mcap::Record& record) {
+    mcap::Schema schema;
+    if (!takeSimple(record, schema)) return false;
+    addSchema(index_, std::move(schema));
+    return true;
   }
 
   bool takeChannel(const mcap::Record& record) {
@@ -252,6 +287,10 @@ class Walk {
       mcap::Channel channel;
       if (mcap::parse(content, channel)) addChannel(index_, channel);
     }
+    for (const ByteView content : scratch_.schemas) {
+      mcap::Schema schema;
+      if (mcap::parse(content, schema)) addSchema(index_, std::move(schema));
+    }
     const std::vector<SpanMessages::Place>& places = scratch_.places;
     // The reader would report the same faults again.
     if (places.empty()) {
@@ -284,54 +323,15 @@ class Walk {
     addSpan(std::move(span), counts, [](const auto& each) { return each.first; });
   }
 
-  /// Takes a chunk that its own lengths do not describe: still open, cut off by the end of the
-  /// file, or with one of its two lengths damaged when the other gives its end.
   bool takeTornChunk() {
-    const std::optional<ChunkHead> head = chunkHeadAt(file_, position_);
-    if (!head || !knownCompression(head->chunk.compression)) return false;
-    const ByteView available = head->chunk.records;
-    for (const std::uint64_t size : {head->records_bytes, head->recordsByLength()}) {
-      if (size == 0 || size > available.size() || !endsBehind(*head, size)) continue;
-      takeTorn(*head, size, "the two lengths of a chunk contradict each other", std::uint64_t{0});
-      return true;
-    }
-    if (head->open()) {
-      takeTorn(*head, openRecordsBytes(available, head->chunk.compression), {}, std::nullopt);
-      return true;
-    }
-    if (head->recordsByLength() != head->records_bytes) return false;
-    takeTorn(*head, available.size(),
-             fmt::format("the file ends inside a chunk: {} of its {} bytes are there",
-                         available.size(), head->records_bytes),
-             std::nullopt);
-    chunk_->cut = true;
-    return true;
-  }
-
-  /// True when records of that length are whole, or a credible record follows them.
-  bool endsBehind(const ChunkHead& head, std::uint64_t size) {
-    return probe_.plausibleAt(head.records_start + size) ||
-           wholeRecords(head.chunk.records.first(static_cast<std::size_t>(size)),
-                        head.chunk.compression);
-  }
-
-  void takeTorn(const ChunkHead& head, std::uint64_t size, std::string cause,
-                std::optional<std::uint64_t> lost) {
+    std::optional<TornChunk> torn = tornChunkAt(file_, position_, probe_);
+    if (!torn) return false;
     endChunk(false);
     endLooseRun();
-    mcap::Chunk chunk = head.chunk;
-    chunk.records = chunk.records.first(static_cast<std::size_t>(size));
-    const std::uint64_t end = head.records_start + size;
-    if (head.open()) {
-      chunk.uncompressed_size = mcap::kOpenEnded;
-      cause =
-          "a chunk was never finished, because its recorder was stopped: its messages are read, "
-          "but no checksum covers them";
-      lost = std::nullopt;
-    }
-    damaged(position_, end, std::move(cause), lost);
-    startChunk(chunk, position_, end).cut = head.open();
-    position_ = end;
+    damaged(position_, torn->end, std::move(torn->cause), torn->messages_lost);
+    startChunk(torn->chunk, position_, torn->end).cut = torn->cut;
+    position_ = torn->end;
+    return true;
   }
 
   bool takeAttachment(const mcap::Record& record) {
@@ -352,18 +352,22 @@ class Walk {
     position_ = record.end();
     summary_begun_ = true;
     endLooseRun();
-    while (const std::optional<mcap::Record> next = mcap::recordAt(file_, position_)) {
+    mcap::RecordStepper steps(file_, position_);
+    while (const std::optional<mcap::Record> next = steps.next()) {
       mcap::Channel channel;
-      if (next->opcode == Opcode::channel && mcap::parse(next->content, channel) &&
-          !index_.channels.contains(channel.id)) {
+      if (next->opcode == Opcode::channel && mcap::parse(next->content, channel)) {
         addChannel(index_, channel);
       }
-      position_ = next->end();
+      mcap::Schema schema;
+      if (next->opcode == Opcode::schema && mcap::parse(next->content, schema)) {
+        addSchema(index_, std::move(schema));
+      }
       if (next->opcode != Opcode::footer) continue;
-      index_.closed = next->content.size() == mcap::kFooterContentBytes && magicAt(position_);
+      index_.closed =
+          next->content.size() == mcap::kFooterContentBytes && magicAt(steps.position());
       break;
     }
-    if (index_.closed) tellTrailing(position_ + mcap::magic().size());
+    if (index_.closed) tellTrailing(steps.position() + mcap::magic().size());
     if (!index_.closed) {
       damaged(record.end(), file_.size(), "the file ends inside its summary", std::uint64_t{0});
     }
@@ -394,9 +398,7 @@ class Walk {
     const std::uint64_t from = position_;
     endChunk(false);
     endLooseRun();
-    std::uint64_t next = from + 1;
-    while (next < file_.size() && !probe_.resumesAt(next)) ++next;
-    position_ = next;
+    const std::uint64_t next = position_ = probe_.resumeBehind(from);
     const bool to_end = next == file_.size();
     damaged(from, next,
             to_end ? "the file ends inside a record"
@@ -409,8 +411,7 @@ class Walk {
   RecordProbe probe_;
   mcap::ExpansionBudget budget_;
   LogIndex index_;
-  std::uint64_t position_ = 0;
-  mcap::Schema schema_;
+  std::uint64_t position_ = mcap::magic().size();
   SpanMessages scratch_;
   bool chunks_seen_ = false;
   bool summary_begun_ = false;
@@ -423,5 +424,33 @@ class Walk {
 }  // namespace
 
 LogIndex indexByWalking(ByteView file) { return Walk(file).run(); }
+
+struct GrowingIndex::Impl {
+  std::optional<Walk> settled;
+};
+
+GrowingIndex::GrowingIndex() : impl_(std::make_unique<Impl>()) {}
+GrowingIndex::~GrowingIndex() = default;
+GrowingIndex::GrowingIndex(GrowingIndex&&) noexcept = default;
+GrowingIndex& GrowingIndex::operator=(GrowingIndex&&) noexcept = default;
+
+LogIndex GrowingIndex::update(ByteView file) {
+  if (impl_->settled) {
+    const Walk before = *std::move(impl_->settled);
+    impl_->settled.emplace(before, file);
+  } else {
+    impl_->settled.emplace(file);
+  }
+  impl_->settled->runSettled();
+  return Walk(*impl_->settled, file).run();
+}
+
+std::size_t GrowingIndex::settledSpans() const {
+  return impl_->settled ? impl_->settled->settledSpans() : 0;
+}
+
+std::uint64_t GrowingIndex::settledBytes() const {
+  return impl_->settled ? impl_->settled->position() : 0;
+}
 
 }  // namespace rocinante

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstddef>
+#include <memory>
+
 #include "core/base/bytes.h"
 #include "core/log/log_index.h"
 
@@ -9,5 +12,27 @@ namespace rocinante {
 /// their message indexes are not sufficient. Continues after damage. The file must start with the
 /// magic.
 LogIndex indexByWalking(ByteView file);
+
+/// The same for a file that grows: each record that is complete is walked over once, and only the
+/// rest again. Not for sharing between threads.
+class GrowingIndex {
+ public:
+  GrowingIndex();
+  ~GrowingIndex();
+  GrowingIndex(GrowingIndex&&) noexcept;
+  GrowingIndex& operator=(GrowingIndex&&) noexcept;
+
+  /// The index of `file`, which begins at the same address and with the same bytes as in the last
+  /// call, except for chunks that were still open.
+  LogIndex update(ByteView file);
+  /// The spans before this one stay as they are in later updates.
+  std::size_t settledSpans() const;
+  /// The offset from which the next update walks again.
+  std::uint64_t settledBytes() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
 
 }  // namespace rocinante

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
+
+#include "core/base/time.h"
 
 /// The names of the MCAP profile `rocinante` (docs/log-format.md).
 namespace rocinante::profile {
@@ -14,6 +17,7 @@ inline constexpr std::string_view kFormat = "1";
 inline constexpr std::string_view kSessionIdKey = "session_id";
 inline constexpr std::string_view kOriginKey = "origin_ns";
 inline constexpr std::string_view kReasonKey = "reason";
+inline constexpr std::string_view kSplitReason = "split";  ///< another piece of the session follows
 
 /// The prefix of our own topics, which are excluded from counts, hashes and time ranges.
 inline constexpr std::string_view kOwnTopics = "/rocinante/";
@@ -21,6 +25,16 @@ inline constexpr std::string_view kOwnTopics = "/rocinante/";
 inline constexpr std::string_view kRestatedPrefix = "/rocinante/restated";
 /// The opening keyframe of a merged log, restated.
 inline constexpr std::string_view kRestatedKeyframeTopic = "/rocinante/restated/keyframe";
+/// The packets that a decoder made of a channel's messages: this prefix and the channel's topic.
+inline constexpr std::string_view kDecodedPrefix = "/rocinante/decoded";
+/// Metadata of such a channel: the SHA-256 of the declaration that made its packets.
+inline constexpr std::string_view kDecoderKey = "decoder";
+/// Folder of attachments: the declarations of decoders, each HASH.toml.
+inline constexpr std::string_view kDecodersFolder = "decoders/";
+/// The SOURCE of decoded packets: this and the decoder's name.
+inline constexpr std::string_view kDecodedSource = "decoded:";
+/// Metadata of a channel that was translated from another format's recording: what format.
+inline constexpr std::string_view kImportedKey = "imported";
 /// Losses in the kernel, the queue or the disk (loss_message.h).
 inline constexpr std::string_view kLossTopic = "/rocinante/loss";
 inline constexpr std::string_view kLossEncoding = "json";
@@ -42,6 +56,15 @@ inline constexpr std::string_view kCellManifestKey = "manifest";
 inline constexpr std::string_view kCellSha256Key = "sha256";
 inline constexpr std::string_view kCellManifest = "cell.json";
 inline constexpr std::string_view kCellFolder = "cell/";
+
+/// The topic without kRestatedPrefix or kDecodedPrefix: that of the captured channel, if there is
+/// one.
+std::string_view capturedTopic(std::string_view topic);
+/// True for the SOURCE of packets that a decoder made.
+bool isDecodedSource(std::string_view source);
+
+/// The value of kOriginKey: whole nanoseconds since the epoch; empty when it is none.
+std::optional<LogTime> parseOrigin(std::string_view text);
 
 /// The message for a log whose rocinante.session gives another format than kFormat.
 std::string otherFormatText(std::string_view format);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <limits>
 #include <set>
 
@@ -19,7 +18,7 @@
 #include "core/log/span_damage.h"
 #include "core/log/span_merge.h"
 #include "core/mcap/parse_record.h"
-#include "core/mcap/stream_reader.h"
+#include "core/mcap/record_stepper.h"
 
 namespace rocinante {
 namespace {
@@ -37,20 +36,20 @@ const std::string* metadataValue(const std::vector<LogMetadata>& metadata, std::
   return nullptr;
 }
 
-std::optional<LogTime> timeOf(const std::string* text) {
-  if (text == nullptr) return std::nullopt;
-  std::int64_t nanoseconds = 0;
-  const char* const end = text->data() + text->size();
-  const auto [stopped, fault] = std::from_chars(text->data(), end, nanoseconds);
-  if (fault != std::errc() || stopped != end) return std::nullopt;
-  return LogTime(Nanoseconds(nanoseconds));
+std::optional<LogTime> originIn(const std::vector<LogMetadata>& metadata, std::string_view name) {
+  const std::string* const text = metadataValue(metadata, name, profile::kOriginKey);
+  return text == nullptr ? std::nullopt : profile::parseOrigin(*text);
 }
 
 }  // namespace
 
 struct LogReader::Impl {
   MappedFile mapped;
-  bool is_mapped = false;  ///< otherwise the bytes are in memory
+  bool is_mapped = false;               ///< otherwise the bytes are in memory
+  std::optional<GrowingIndex> growing;  ///< until the log is closed
+  bool being_written = false;
+  std::size_t settled_spans = 0;  ///< they stay as they are when the log grows
+  std::size_t walked_damage = 0;  ///< the first entries of index.damage; reading found the others
   ByteView file;
   std::string name;
   LogIndex index;
@@ -67,7 +66,7 @@ struct LogReader::Impl {
   std::optional<SpanMerge> merge;
   std::optional<LastMessage> last;  ///< made on the first call
 
-  Status build() {
+  Status build(bool may_grow = false) {
     const ByteView magic = mcap::magic();
     if (file.size() < magic.size() || !std::ranges::equal(file.first(magic.size()), magic)) {
       return Error{ErrorKind::damaged, notALog(file), name};
@@ -75,19 +74,93 @@ struct LogReader::Impl {
     std::vector<DamageSpan> summary_damage;
     if (std::optional<LogIndex> found = indexFromSummary(file, summary_damage)) {
       index = std::move(*found);
+    } else if (may_grow) {
+      growing.emplace();
+      being_written = mapped.beingWritten();
+      walkOn();
     } else {
       index = indexByWalking(file);
     }
     index.damage.insert(index.damage.begin(), summary_damage.begin(), summary_damage.end());
+    useIndex();
+    return {};
+  }
+
+  void useIndex() {
+    findSchemas();
+    channels.clear();
+    channel_by_id.clear();
     for (const auto& [id, channel] : index.channels) channels.push_back(channel);
     for (const LogChannel& channel : channels) {
       if (channel_by_id.size() <= channel.id) channel_by_id.resize(channel.id + 1U, nullptr);
       channel_by_id[channel.id] = &channel;
     }
-    cache.emplace(file, is_mapped ? &mapped : nullptr, index.spans, channel_by_id, index.damage);
+    if (cache) {
+      cache->fileGrew(file, settled_spans);
+    } else {
+      cache.emplace(file, is_mapped ? &mapped : nullptr, index.spans, channel_by_id, index.damage);
+    }
     merge.emplace(*cache);
     summarise();
-    return {};
+    walked_damage = index.damage.size();
+  }
+
+  /// The index of the file as it is now.
+  void walkOn() {
+    index = growing->update(file);
+    // What is not written yet is not lost.
+    while (being_written && !index.closed && !index.damage.empty() &&
+           index.damage.back().to == file.size()) {
+      index.damage.pop_back();
+    }
+  }
+
+  Result<bool> refresh() {
+    if (!growing) return false;
+    // First: what a writer that is gone has written is in the file.
+    const bool written = mapped.beingWritten();
+    const Result<bool> grown = mapped.grow();
+    if (!grown) return grown.error();
+    if (!*grown && written == being_written) return false;
+    being_written = written;
+    const std::uint64_t settled_bytes = growing->settledBytes();
+    std::vector<DamageSpan> found(index.damage.begin() + static_cast<std::ptrdiff_t>(walked_damage),
+                                  index.damage.end());
+    std::erase_if(found, [&](const DamageSpan& each) { return each.from >= settled_bytes; });
+    file = mapped.bytes();
+    walkOn();
+    summary = {};
+    losses.reset();
+    unreadable.clear();
+    ranged = 0;
+    is_ordered.reset();
+    earliest_from.clear();
+    last.reset();
+    useIndex();
+    index.damage.insert(index.damage.end(), found.begin(), found.end());
+    settled_spans = growing->settledSpans();
+    if (index.closed) growing.reset();
+    return true;
+  }
+
+  /// A summary need not repeat the schemas: then they are in the chunks, before their channels.
+  void findSchemas() {
+    SpanDecoder decoder(file, is_mapped ? &mapped : nullptr);
+    SpanMessages messages;
+    for (const auto& [channel, schema_id] : index.schema_ids) {
+      if (index.schemas.contains(schema_id)) continue;
+      const auto holds = [&, id = channel](const MessageSpan& span) {
+        return !span.loose && !span.over_budget && span.mayHold(id);
+      };
+      const auto span = std::ranges::find_if(index.spans, holds);
+      if (span == index.spans.end()) continue;
+      decoder.decode(*span, messages);
+      for (const ByteView content : messages.schemas) {
+        mcap::Schema schema;
+        if (mcap::parse(content, schema)) addSchema(index, std::move(schema));
+      }
+    }
+    joinSchemas(index);
   }
 
   void summarise() {
@@ -113,10 +186,8 @@ struct LogReader::Impl {
         others = true;
       }
     }
-    const std::optional<LogTime> origin =
-        timeOf(metadataValue(index.metadata, profile::kSession, profile::kOriginKey));
-    const std::optional<LogTime> origin_again =
-        timeOf(metadataValue(index.metadata, profile::kEnd, profile::kOriginKey));
+    const std::optional<LogTime> origin = originIn(index.metadata, profile::kSession);
+    const std::optional<LogTime> origin_again = originIn(index.metadata, profile::kEnd);
     if (origin && origin_again && *origin != *origin_again) {
       index.damage.push_back({0, file.size(),
                               "rocinante.session and rocinante.end give different origins; the "
@@ -282,16 +353,25 @@ struct LogReader::Impl {
   }
 };
 
-Result<LogReader> LogReader::open(const std::filesystem::path& path) {
-  Result<MappedFile> mapped = MappedFile::open(path);
+Result<LogReader> LogReader::openMapped(Result<MappedFile> mapped, std::string name,
+                                        bool may_grow) {
   if (!mapped) return mapped.error();
   auto impl = std::make_unique<Impl>();
   impl->mapped = std::move(*mapped);
   impl->is_mapped = true;
   impl->file = impl->mapped.bytes();
-  impl->name = path.string();
-  if (Status built = impl->build(); !built) return built.error();
+  impl->name = std::move(name);
+  if (Status built = impl->build(may_grow); !built) return built.error();
+  if (impl->growing) impl->settled_spans = impl->growing->settledSpans();
   return LogReader(std::move(impl));
+}
+
+Result<LogReader> LogReader::open(const std::filesystem::path& path) {
+  return openMapped(MappedFile::open(path), path.string(), false);
+}
+
+Result<LogReader> LogReader::openGrowing(const std::filesystem::path& path) {
+  return openMapped(MappedFile::openGrowing(path), path.string(), true);
 }
 
 Result<LogReader> LogReader::openBytes(ByteView bytes, std::string name) {
@@ -307,6 +387,8 @@ LogReader::~LogReader() = default;
 LogReader::LogReader(LogReader&&) noexcept = default;
 LogReader& LogReader::operator=(LogReader&&) noexcept = default;
 
+Result<bool> LogReader::refresh() { return impl_->refresh(); }
+bool LogReader::growing() const { return impl_->growing && impl_->being_written; }
 const LogSummary& LogReader::summary() const { return impl_->summary; }
 const std::vector<LogChannel>& LogReader::channels() const { return impl_->channels; }
 const std::vector<LogMetadata>& LogReader::metadata() const { return impl_->index.metadata; }
@@ -384,7 +466,7 @@ Result<std::optional<LogMessage>> LogReader::lastOf(ChannelId channel, LogTime m
   return impl_->last->find(channel, moment);
 }
 
-Result<std::string> contentSha256(LogReader& reader) {
+Result<SessionHashes> sessionHashes(LogReader& reader) {
   if (Status rewound = reader.rewind(); !rewound) return rewound.error();
   ContentHash hash;
   while (true) {
@@ -394,7 +476,13 @@ Result<std::string> contentSha256(LogReader& reader) {
     hash.add(**message);
   }
   if (Status rewound = reader.rewind(); !rewound) return rewound.error();
-  return hash.finish();
+  return SessionHashes{hash.finish(), hash.finishDecoded()};
+}
+
+Result<std::string> contentSha256(LogReader& reader) {
+  Result<SessionHashes> hashes = sessionHashes(reader);
+  if (!hashes) return hashes.error();
+  return std::move(hashes->content);
 }
 
 }  // namespace rocinante

@@ -13,6 +13,8 @@
 
 namespace rocinante {
 
+class MappedFile;
+
 /// A log's own data, counted over captured channels only.
 struct LogSummary {
   std::string session_id;
@@ -45,12 +47,24 @@ class LogReader {
   /// not_found or unreadable when the file is; damaged when it does not start with the MCAP magic.
   /// A log without a summary (its recorder was killed) opens, and is scanned once.
   static Result<LogReader> open(const std::filesystem::path& path);
+  /// The same for a log that may still be written: refresh() adds what is appended. While another
+  /// program holds the log's lock, its missing end is no damage.
+  static Result<LogReader> openGrowing(const std::filesystem::path& path);
   /// The same over bytes in memory, which must outlive the reader: for tests and fuzzers.
   static Result<LogReader> openBytes(ByteView bytes, std::string name);
 
   ~LogReader();
   LogReader(LogReader&&) noexcept;
   LogReader& operator=(LogReader&&) noexcept;
+
+  /// Reads what was appended since the log was opened or refreshed; true when there is something:
+  /// messages, channels, the end, or that its writer has gone without one. Then everything borrowed
+  /// from this reader is invalid, LogMessage::place() of earlier messages stays valid, and seek()
+  /// or seekAfter() must be called before next(). Costs what was appended, and a chunk at most.
+  /// unreadable when the log was truncated. For openGrowing(); otherwise always false.
+  Result<bool> refresh();
+  /// More may be appended: another program has the log open for writing.
+  bool growing() const;
 
   const LogSummary& summary() const;
   LogStorage storage() const;
@@ -91,8 +105,18 @@ class LogReader {
  private:
   struct Impl;
   explicit LogReader(std::unique_ptr<Impl> impl);
+  static Result<LogReader> openMapped(Result<MappedFile> mapped, std::string name, bool may_grow);
   std::unique_ptr<Impl> impl_;
 };
+
+/// The identities of a session (docs/log-format.md, "Identity").
+struct SessionHashes {
+  std::string content;  ///< content_sha256
+  std::string decoded;  ///< decoded_sha256; empty when the log has no decoded packets
+};
+
+/// Both hashes in one pass, else as contentSha256().
+Result<SessionHashes> sessionHashes(LogReader& reader);
 
 /// SHA-256 over (topic, log_time, payload) of the captured messages in order: the identity of a
 /// session (docs/log-format.md). Lower-case hexadecimal. Rewinds the reader before and after. For a

@@ -3,6 +3,7 @@
 #include <compare>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,17 +19,33 @@ using ChannelId = std::uint16_t;
 /// span, which is behind its last message, is representable too.
 inline constexpr LogTime kLastLogTime = LogTime::max() - Nanoseconds(1);
 
+/// What the messages of an imported channel mean, as the other program's file says it.
+struct LogSchema {
+  std::string name;      ///< "sensor_msgs/msg/JointState"
+  std::string encoding;  ///< "ros2msg"
+  Bytes data;
+  auto operator<=>(const LogSchema&) const = default;
+};
+
 /// A one-way stream in a session: (listening endpoint, sender, SOURCE). docs/log-format.md.
 struct LogChannel {
   ChannelId id = 0;
   std::string topic;
   std::string encoding;                         ///< "rk1", "octets"
   std::map<std::string, std::string> metadata;  ///< local remote protocol group interface source
+  std::shared_ptr<const LogSchema> schema{};    ///< null: none, as on all channels of a recorder
 
   /// False for /rocinante/...: our own channels, excluded from counts, hashes and time ranges.
   bool captured() const;
-  /// True for captured channels and for /rocinante/restated/...: the fold reads these.
+  /// True for captured channels, for /rocinante/restated/... and for /rocinante/decoded/...: the
+  /// fold reads these.
   bool folded() const;
+  /// True for /rocinante/decoded/...: packets that a decoder made of another channel's messages.
+  bool decoded() const;
+  /// True for what was sent to the recorder: folded channels except what decoders made.
+  bool received() const;
+  /// True when the messages were translated from another format's recording.
+  bool imported() const;
 };
 
 /// A position in a log's order: after every message that is earlier, or at the same time and before

@@ -16,6 +16,7 @@ namespace rocinante {
 namespace {
 
 constexpr std::size_t kMaxChannels = 65536;
+constexpr std::size_t kMaxSchemas = 65535;  // 0 means none
 
 Error badArgument(std::string what, const std::string& where) {
   return Error{ErrorKind::bad_argument, std::move(what), where};
@@ -50,7 +51,8 @@ struct LogWriter::Impl {
   std::string session_id;
   Nanoseconds sync;
 
-  std::vector<bool> captured;  ///< by channel id
+  std::vector<bool> captured;                             ///< by channel id
+  std::vector<std::shared_ptr<const LogSchema>> schemas;  ///< by schema id, from 1
   std::optional<ChannelId> loss_channel;
   std::uint32_t losses = 0;
 
@@ -80,6 +82,23 @@ struct LogWriter::Impl {
     ++refused_after[channel];
     ++refused[channel];
     return *failure;
+  }
+
+  /// 0 for none.
+  Result<std::uint16_t> schemaId(std::shared_ptr<const LogSchema> schema) {
+    if (schema == nullptr) return std::uint16_t{0};
+    const auto same = [&](const auto& known) { return *known == *schema; };
+    const auto found = std::ranges::find_if(schemas, same);
+    const auto id = static_cast<std::size_t>(found - schemas.begin()) + 1;
+    if (found == schemas.end()) {
+      if (id > kMaxSchemas) {
+        return Error{ErrorKind::refused, "a log has at most 65535 schemas", name};
+      }
+      writer.addSchema(
+          {static_cast<std::uint16_t>(id), schema->name, schema->encoding, schema->data});
+      schemas.push_back(std::move(schema));
+    }
+    return static_cast<std::uint16_t>(id);
   }
 
   Status writeSession() {
@@ -145,15 +164,19 @@ LogWriter::~LogWriter() {
 }
 
 Result<ChannelId> LogWriter::addChannel(std::string topic, std::string encoding,
-                                        std::map<std::string, std::string> metadata) {
+                                        std::map<std::string, std::string> metadata,
+                                        std::shared_ptr<const LogSchema> schema) {
   if (impl_->captured.size() >= kMaxChannels) {
     return Error{ErrorKind::refused, "a log has at most 65536 channels", impl_->name};
   }
+  const Result<std::uint16_t> schema_id = impl_->schemaId(std::move(schema));
+  if (!schema_id) return schema_id.error();
   const auto id = static_cast<ChannelId>(impl_->captured.size());
   LogChannel as_read{id, std::move(topic), std::move(encoding), std::move(metadata)};
   impl_->captured.push_back(as_read.captured());
   mcap::Channel channel;
   channel.id = id;
+  channel.schema_id = *schema_id;
   channel.topic = std::move(as_read.topic);
   channel.message_encoding = std::move(as_read.encoding);
   channel.metadata = std::move(as_read.metadata);

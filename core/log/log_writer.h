@@ -42,9 +42,11 @@ class LogWriter {
   LogWriter(LogWriter&&) noexcept;
   LogWriter& operator=(LogWriter&&) noexcept;
 
-  /// Gives the channel the next free id; a topic may be added again with other metadata.
+  /// Gives the channel the next free id; a topic may be added again with other metadata. `schema`
+  /// is null but for imported channels; equal ones are stored once, at most 65,535.
   Result<ChannelId> addChannel(std::string topic, std::string encoding,
-                               std::map<std::string, std::string> metadata);
+                               std::map<std::string, std::string> metadata,
+                               std::shared_ptr<const LogSchema> schema = nullptr);
 
   /// Once the disk has refused a write, every further message is refused with the same error and
   /// counted by refusedByDisk(). Losses can still be written, and close() still makes a whole file:

@@ -1,6 +1,7 @@
 #include "core/log/mapped_file.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -10,8 +11,22 @@
 #include <utility>
 
 namespace rocinante {
+namespace {
+
+/// Address space costs nothing until it is used; few files grow longer.
+constexpr std::uint64_t kRoomBytes = std::uint64_t{256} << 30U;
+
+}  // namespace
 
 Result<MappedFile> MappedFile::open(const std::filesystem::path& path) {
+  return openWithRoom(path, 0);
+}
+
+Result<MappedFile> MappedFile::openGrowing(const std::filesystem::path& path) {
+  return openWithRoom(path, kRoomBytes);
+}
+
+Result<MappedFile> MappedFile::openWithRoom(const std::filesystem::path& path, std::uint64_t room) {
   const auto failed = [&](const char* doing) {
     const int number = errno;
     return Error{number == ENOENT ? ErrorKind::not_found : ErrorKind::unreadable,
@@ -33,28 +48,70 @@ Result<MappedFile> MappedFile::open(const std::filesystem::path& path) {
   MappedFile mapped;
   mapped.file_ = file;
   const auto size = static_cast<std::size_t>(status.st_size);
-  if (size > 0) {
-    void* const bytes = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file, 0);
-    if (bytes == MAP_FAILED) return failed("cannot map the log");
-    mapped.bytes_ = ByteView(static_cast<const std::byte*>(bytes), size);
+  mapped.name_ = path.string();
+  if (size + room == 0) return mapped;
+  // Shared: what another process appends or completes in place must be seen.
+  const int sharing = room > 0 ? MAP_SHARED : MAP_PRIVATE;
+  void* bytes = MAP_FAILED;
+  while (true) {
+    mapped.mapped_bytes_ = size + static_cast<std::size_t>(room);
+    bytes = ::mmap(nullptr, mapped.mapped_bytes_, PROT_READ, sharing | MAP_NORESERVE, file, 0);
+    if (bytes != MAP_FAILED || room == 0) break;
+    room = room > (1U << 20U) ? room / 2 : 0;  // the system limits address space
+    if (size + room == 0) return mapped;
   }
+  if (bytes == MAP_FAILED) {
+    mapped.mapped_bytes_ = 0;
+    return failed("cannot map the log");
+  }
+  mapped.bytes_ = ByteView(static_cast<const std::byte*>(bytes), size);
   return mapped;
 }
 
-MappedFile::~MappedFile() {
-  if (!bytes_.empty()) {
-    ::munmap(const_cast<std::byte*>(bytes_.data()), bytes_.size());
+Result<bool> MappedFile::grow() {
+  struct stat status {};
+  if (::fstat(file_, &status) != 0) {
+    return Error{ErrorKind::unreadable,
+                 std::string("cannot read the log's size: ") + std::strerror(errno), name_};
   }
+  const auto size = static_cast<std::uint64_t>(status.st_size);
+  if (size < bytes_.size()) {
+    return Error{ErrorKind::unreadable, "the log was truncated while it was read", name_};
+  }
+  if (size > mapped_bytes_) {
+    return Error{ErrorKind::unreadable,
+                 "the log has grown beyond what can be followed: open it again", name_};
+  }
+  if (size == bytes_.size()) return false;
+  bytes_ = ByteView(bytes_.data(), static_cast<std::size_t>(size));
+  return true;
+}
+
+MappedFile::~MappedFile() {
+  if (mapped_bytes_ > 0) ::munmap(const_cast<std::byte*>(bytes_.data()), mapped_bytes_);
   if (file_ >= 0) ::close(file_);
 }
 
 MappedFile::MappedFile(MappedFile&& other) noexcept
-    : bytes_(std::exchange(other.bytes_, {})), file_(std::exchange(other.file_, -1)) {}
+    : bytes_(std::exchange(other.bytes_, {})),
+      mapped_bytes_(std::exchange(other.mapped_bytes_, 0)),
+      name_(std::move(other.name_)),
+      file_(std::exchange(other.file_, -1)) {}
 
 MappedFile& MappedFile::operator=(MappedFile&& other) noexcept {
   std::swap(bytes_, other.bytes_);
+  std::swap(mapped_bytes_, other.mapped_bytes_);
+  std::swap(name_, other.name_);
   std::swap(file_, other.file_);
   return *this;
+}
+
+bool MappedFile::beingWritten() const {
+  while (::flock(file_, LOCK_SH | LOCK_NB) != 0) {
+    if (errno != EINTR) return errno == EWOULDBLOCK;
+  }
+  ::flock(file_, LOCK_UN);
+  return false;
 }
 
 bool MappedFile::whole() const {

@@ -8,7 +8,7 @@
 #include "core/base/count_text.h"
 #include "core/mcap/byte_cursor.h"
 #include "core/mcap/parse_record.h"
-#include "core/mcap/stream_reader.h"
+#include "core/mcap/record_stepper.h"
 
 namespace rocinante {
 
@@ -96,6 +96,7 @@ void SpanDecoder::decode(const MessageSpan& span, SpanMessages& out) {
   out.records = {};
   out.places.clear();
   out.channels.clear();
+  out.schemas.clear();
   out.damage.clear();
   Result<ByteView> records = expand(span, out);
   if (!records) {
@@ -111,20 +112,10 @@ void SpanDecoder::decode(const MessageSpan& span, SpanMessages& out) {
 }
 
 void SpanDecoder::readRecords(const MessageSpan& span, SpanMessages& out) {
-  std::uint64_t position = 0;
   std::uint64_t malformed = 0;
   std::uint64_t too_late = 0;
-  while (position < out.records.size()) {
-    const std::optional<mcap::Record> record = mcap::recordAt(out.records, position);
-    if (!record) {
-      if (!span.cut) {
-        out.damage.push_back(
-            {span.offset, span.end,
-             fmt::format("a record reaches past the end of its chunk, {} bytes into it", position),
-             std::nullopt});
-      }
-      break;
-    }
+  mcap::RecordStepper steps(out.records);
+  while (const std::optional<mcap::Record> record = steps.next()) {
     if (record->opcode == Opcode::message) {
       mcap::Message message;
       if (!mcap::parse(record->content, message)) {
@@ -133,12 +124,20 @@ void SpanDecoder::readRecords(const MessageSpan& span, SpanMessages& out) {
         ++too_late;
       } else {
         out.places.push_back({static_cast<std::int64_t>(message.log_time),
-                              static_cast<std::uint32_t>(position), message.channel_id});
+                              static_cast<std::uint32_t>(record->offset), message.channel_id});
       }
     } else if (record->opcode == Opcode::channel) {
       out.channels.push_back(record->content);
+    } else if (record->opcode == Opcode::schema) {
+      out.schemas.push_back(record->content);
     }
-    position = record->end();
+  }
+  if (!steps.atEnd() && !span.cut) {
+    out.damage.push_back(
+        {span.offset, span.end,
+         fmt::format("a record reaches past the end of its chunk, {} bytes into it",
+                     steps.position()),
+         std::nullopt});
   }
   if (malformed > 0) {
     out.damage.push_back(
@@ -156,8 +155,8 @@ void SpanDecoder::readRecords(const MessageSpan& span, SpanMessages& out) {
 std::optional<std::uint64_t> SpanDecoder::indexedMessages(const MessageSpan& span) const {
   if (!whole()) return std::nullopt;
   std::optional<std::uint64_t> count;
-  std::uint64_t position = span.end;
-  while (const std::optional<mcap::Record> record = mcap::recordAt(file_, position)) {
+  mcap::RecordStepper steps(file_, span.end);
+  while (const std::optional<mcap::Record> record = steps.next()) {
     if (record->opcode != Opcode::message_index) break;
     const std::optional<mcap::IndexEntries> index = mcap::indexEntries(record->content);
     if (!index) break;
@@ -166,7 +165,6 @@ std::optional<std::uint64_t> SpanDecoder::indexedMessages(const MessageSpan& spa
                                           : nullptr;
     const bool of_session = channel == nullptr || channel->captured();
     count = count.value_or(0) + (of_session ? index->size() : 0);
-    position = record->end();
   }
   return count;
 }
@@ -174,14 +172,13 @@ std::optional<std::uint64_t> SpanDecoder::indexedMessages(const MessageSpan& spa
 std::optional<mcap::IndexEntries> SpanDecoder::indexOf(const MessageSpan& span,
                                                        ChannelId channel) const {
   if (!whole()) return std::nullopt;
-  std::uint64_t position = span.end;
-  while (position < span.index_end) {
-    const std::optional<mcap::Record> record = mcap::recordAt(file_, position);
+  mcap::RecordStepper steps(file_, span.end);
+  while (steps.position() < span.index_end) {
+    const std::optional<mcap::Record> record = steps.next();
     if (!record || record->opcode != Opcode::message_index) break;
     const std::optional<mcap::IndexEntries> index = mcap::indexEntries(record->content);
     if (!index) break;
     if (index->channel == channel) return index;
-    position = record->end();
   }
   return std::nullopt;
 }

@@ -7,6 +7,7 @@
 #include "core/log/log_types.h"
 #include "core/log/mapped_file.h"
 #include "core/mcap/chunk_expander.h"
+#include "core/mcap/chunk_head.h"
 #include "core/mcap/records.h"
 
 namespace rocinante {
@@ -34,10 +35,6 @@ struct MessageSpan {
   bool mayHold(ChannelId channel) const;
 };
 
-/// The size of a Chunk record before its records, without the name of the compression: the prefix,
-/// times, size, checksum, and two lengths.
-inline constexpr std::uint64_t kChunkHeadBytes = mcap::kPrefixBytes + 8 + 8 + 8 + 4 + 4 + 8;
-
 /// The messages of one span, in order of (log_time, position in the file).
 struct SpanMessages {
   struct Place {
@@ -52,6 +49,7 @@ struct SpanMessages {
   ByteView records;  ///< borrowed from the file, or from `scratch`
   std::vector<Place> places;
   std::vector<ByteView> channels;  ///< contents of the Channel records in `records`, in file order
+  std::vector<ByteView> schemas;   ///< the same of the Schema records
   std::vector<DamageSpan> damage;
   mcap::Scratch scratch;
 
@@ -68,6 +66,9 @@ class SpanDecoder {
   explicit SpanDecoder(ByteView file, const MappedFile* mapped = nullptr,
                        const std::vector<const LogChannel*>* channels = nullptr)
       : file_(file), mapped_(mapped), channels_(channels) {}
+
+  /// The file has grown, and is otherwise as before.
+  void useFile(ByteView file) { file_ = file; }
 
   /// Fills `out` and reuses its memory. Broken parts are skipped and listed in `out.damage`.
   void decode(const MessageSpan& span, SpanMessages& out);

@@ -6,7 +6,7 @@
 
 #include "core/base/count_text.h"
 #include "core/mcap/parse_record.h"
-#include "core/mcap/stream_reader.h"
+#include "core/mcap/record_stepper.h"
 
 namespace rocinante {
 namespace {
@@ -26,6 +26,15 @@ SpanCache::SpanCache(ByteView file, const MappedFile* mapped, const std::vector<
       decoder_(file, mapped, &channels),
       reported_(spans.size(), false),
       faulty_(spans.size(), false) {}
+
+void SpanCache::fileGrew(ByteView file, std::size_t first_changed) {
+  decoder_.useFile(file);
+  for (std::vector<bool>* const by_span : {&reported_, &faulty_}) {
+    by_span->resize(std::min(first_changed, by_span->size()));
+    by_span->resize(spans_.size(), false);
+  }
+  std::erase_if(kept_, [&](const Kept& kept) { return kept.span >= first_changed; });
+}
 
 std::shared_ptr<const SpanMessages> SpanCache::get(std::uint32_t span) {
   const auto found = std::ranges::find(kept_, span, &Kept::span);

@@ -18,6 +18,9 @@ class SpanCache {
   SpanCache(ByteView file, const MappedFile* mapped, const std::vector<MessageSpan>& spans,
             const std::vector<const LogChannel*>& channels, std::vector<DamageSpan>& damage);
 
+  /// `file` and the borrowed lists have grown: spans from `first_changed` on are read again.
+  void fileGrew(ByteView file, std::size_t first_changed);
+
   /// The messages of a span, without those on unknown channels. They live as long as the pointer is
   /// held, independent of later calls.
   std::shared_ptr<const SpanMessages> get(std::uint32_t span);

@@ -4,6 +4,7 @@
 
 #include "core/base/hash.h"
 #include "core/mcap/byte_cursor.h"
+#include "core/mcap/record_fields.h"
 
 namespace rocinante::mcap {
 namespace {
@@ -29,65 +30,72 @@ class RecordScope {
   std::size_t start_;
 };
 
-/// A map's length counts its bytes, not its pairs.
-template <class AppendPairs>
-void appendMap(Bytes& out, AppendPairs append_pairs) {
-  const std::size_t start = out.size();
-  appendNumber(out, std::uint32_t{0});
-  append_pairs();
-  const auto length = static_cast<std::uint32_t>(out.size() - start - sizeof(std::uint32_t));
-  std::memcpy(out.data() + start, &length, sizeof(length));
+/// Appends one field after another.
+struct FieldWriter {
+  Bytes& out;
+
+  void add(std::unsigned_integral auto number) { appendNumber(out, number); }
+  void add(Opcode opcode) { appendNumber(out, static_cast<std::uint8_t>(opcode)); }
+  void add(std::string_view text) { appendString(out, text); }
+  void add(const Bytes& bytes) { appendString(out, textOf(bytes)); }
+  /// Borrowed bytes have a 64-bit length.
+  void add(ByteView bytes) {
+    appendNumber(out, std::uint64_t{bytes.size()});
+    appendBytes(out, bytes);
+  }
+  /// A map's length counts its bytes, not its pairs.
+  template <class Key, class Value>
+  void add(const std::map<Key, Value>& map) {
+    const std::size_t start = out.size();
+    appendNumber(out, std::uint32_t{0});
+    for (const auto& [key, value] : map) {
+      add(key);
+      add(value);
+    }
+    const auto length = static_cast<std::uint32_t>(out.size() - start - sizeof(std::uint32_t));
+    std::memcpy(out.data() + start, &length, sizeof(length));
+  }
+};
+
+template <class Record>
+void appendFields(Bytes& out, const Record& record) {
+  FieldWriter writer{out};
+  useFields(record, [&](const auto&... fields) { (writer.add(fields), ...); });
 }
 
-void appendStringMap(Bytes& out, const std::map<std::string, std::string>& map) {
-  appendMap(out, [&] {
-    for (const auto& [key, value] : map) {
-      appendString(out, key);
-      appendString(out, value);
-    }
-  });
-}
-
-void appendNumberMap(Bytes& out, const std::map<std::uint16_t, std::uint64_t>& map) {
-  appendMap(out, [&] {
-    for (const auto& [key, value] : map) {
-      appendNumber(out, key);
-      appendNumber(out, value);
-    }
-  });
+template <class Record>
+void appendRecord(Bytes& out, Opcode opcode, const Record& record) {
+  const RecordScope scope(out, opcode);
+  appendFields(out, record);
 }
 
 }  // namespace
 
-void append(Bytes& out, const Header& record) {
-  const RecordScope scope(out, Opcode::header);
-  appendString(out, record.profile);
-  appendString(out, record.library);
+void append(Bytes& out, const Header& record) { appendRecord(out, Opcode::header, record); }
+void append(Bytes& out, const Footer& record) { appendRecord(out, Opcode::footer, record); }
+void append(Bytes& out, const Schema& record) { appendRecord(out, Opcode::schema, record); }
+void append(Bytes& out, const Channel& record) { appendRecord(out, Opcode::channel, record); }
+void append(Bytes& out, const Chunk& record) { appendRecord(out, Opcode::chunk, record); }
+void append(Bytes& out, const ChunkIndex& record) {
+  appendRecord(out, Opcode::chunk_index, record);
 }
-
-void append(Bytes& out, const Footer& record) {
-  const RecordScope scope(out, Opcode::footer);
-  appendNumber(out, record.summary_start);
-  appendNumber(out, record.summary_offset_start);
-  appendNumber(out, record.summary_crc);
+void append(Bytes& out, const AttachmentIndex& record) {
+  appendRecord(out, Opcode::attachment_index, record);
 }
-
-void append(Bytes& out, const Schema& record) {
-  const RecordScope scope(out, Opcode::schema);
-  appendNumber(out, record.id);
-  appendString(out, record.name);
-  appendString(out, record.encoding);
-  appendNumber(out, static_cast<std::uint32_t>(record.data.size()));
-  appendBytes(out, record.data);
+void append(Bytes& out, const Statistics& record) { appendRecord(out, Opcode::statistics, record); }
+void append(Bytes& out, const Metadata& record) { appendRecord(out, Opcode::metadata, record); }
+void append(Bytes& out, const MetadataIndex& record) {
+  appendRecord(out, Opcode::metadata_index, record);
 }
+void append(Bytes& out, const SummaryOffset& record) {
+  appendRecord(out, Opcode::summary_offset, record);
+}
+void append(Bytes& out, const DataEnd& record) { appendRecord(out, Opcode::data_end, record); }
 
-void append(Bytes& out, const Channel& record) {
-  const RecordScope scope(out, Opcode::channel);
-  appendNumber(out, record.id);
-  appendNumber(out, record.schema_id);
-  appendString(out, record.topic);
-  appendString(out, record.message_encoding);
-  appendStringMap(out, record.metadata);
+void append(Bytes& out, const Attachment& record) {
+  const RecordScope scope(out, Opcode::attachment);
+  appendFields(out, record);
+  appendNumber(out, crc32(ByteView(out).subspan(scope.contentStart())));
 }
 
 void append(Bytes& out, const Message& record) {
@@ -104,17 +112,6 @@ void append(Bytes& out, const Message& record) {
   appendBytes(out, record.data);
 }
 
-void append(Bytes& out, const Chunk& record) {
-  const RecordScope scope(out, Opcode::chunk);
-  appendNumber(out, record.message_start_time);
-  appendNumber(out, record.message_end_time);
-  appendNumber(out, record.uncompressed_size);
-  appendNumber(out, record.uncompressed_crc);
-  appendString(out, record.compression);
-  appendNumber(out, std::uint64_t{record.records.size()});
-  appendBytes(out, record.records);
-}
-
 void append(Bytes& out, const MessageIndex& record) {
   const RecordScope scope(out, Opcode::message_index);
   appendNumber(out, record.channel_id);
@@ -123,79 +120,6 @@ void append(Bytes& out, const MessageIndex& record) {
   using Pair = decltype(record.records)::value_type;
   static_assert(sizeof(Pair) == 16 && std::is_standard_layout_v<Pair>);
   appendBytes(out, std::as_bytes(std::span(record.records)));
-}
-
-void append(Bytes& out, const ChunkIndex& record) {
-  const RecordScope scope(out, Opcode::chunk_index);
-  appendNumber(out, record.message_start_time);
-  appendNumber(out, record.message_end_time);
-  appendNumber(out, record.chunk_start_offset);
-  appendNumber(out, record.chunk_length);
-  appendNumberMap(out, record.message_index_offsets);
-  appendNumber(out, record.message_index_length);
-  appendString(out, record.compression);
-  appendNumber(out, record.compressed_size);
-  appendNumber(out, record.uncompressed_size);
-}
-
-void append(Bytes& out, const Attachment& record) {
-  const RecordScope scope(out, Opcode::attachment);
-  appendNumber(out, record.log_time);
-  appendNumber(out, record.create_time);
-  appendString(out, record.name);
-  appendString(out, record.media_type);
-  appendNumber(out, std::uint64_t{record.data.size()});
-  appendBytes(out, record.data);
-  appendNumber(out, crc32(ByteView(out).subspan(scope.contentStart())));
-}
-
-void append(Bytes& out, const AttachmentIndex& record) {
-  const RecordScope scope(out, Opcode::attachment_index);
-  appendNumber(out, record.offset);
-  appendNumber(out, record.length);
-  appendNumber(out, record.log_time);
-  appendNumber(out, record.create_time);
-  appendNumber(out, record.data_size);
-  appendString(out, record.name);
-  appendString(out, record.media_type);
-}
-
-void append(Bytes& out, const Statistics& record) {
-  const RecordScope scope(out, Opcode::statistics);
-  appendNumber(out, record.message_count);
-  appendNumber(out, record.schema_count);
-  appendNumber(out, record.channel_count);
-  appendNumber(out, record.attachment_count);
-  appendNumber(out, record.metadata_count);
-  appendNumber(out, record.chunk_count);
-  appendNumber(out, record.message_start_time);
-  appendNumber(out, record.message_end_time);
-  appendNumberMap(out, record.channel_message_counts);
-}
-
-void append(Bytes& out, const Metadata& record) {
-  const RecordScope scope(out, Opcode::metadata);
-  appendString(out, record.name);
-  appendStringMap(out, record.metadata);
-}
-
-void append(Bytes& out, const MetadataIndex& record) {
-  const RecordScope scope(out, Opcode::metadata_index);
-  appendNumber(out, record.offset);
-  appendNumber(out, record.length);
-  appendString(out, record.name);
-}
-
-void append(Bytes& out, const SummaryOffset& record) {
-  const RecordScope scope(out, Opcode::summary_offset);
-  appendNumber(out, static_cast<std::uint8_t>(record.group_opcode));
-  appendNumber(out, record.group_start);
-  appendNumber(out, record.group_length);
-}
-
-void append(Bytes& out, const DataEnd& record) {
-  const RecordScope scope(out, Opcode::data_end);
-  appendNumber(out, record.data_section_crc);
 }
 
 }  // namespace rocinante::mcap

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/base/hash.h"
+#include "core/mcap/lz4_frame.h"
 
 namespace rocinante::mcap {
 namespace {
@@ -19,12 +20,18 @@ constexpr std::size_t kFrameHeadBytes = 5;
 /// The initial size for a chunk of unknown size.
 constexpr std::size_t kFirstRoom = std::size_t{64} << 10U;
 
+/// A sequence of LZ4 copies at most 255 bytes for each of its own.
+constexpr std::uint64_t kMaxLz4Growth = 255;
+
+bool isLz4(const Chunk& chunk) { return chunk.compression == "lz4" && canExpandLz4(); }
+
 /// Refusals that are known before the first byte is expanded.
 Status mayExpand(const Chunk& chunk) {
-  if (chunk.compression != "" && chunk.compression != "zstd") {
+  if (chunk.compression != "" && chunk.compression != "zstd" && !isLz4(chunk)) {
     return Error{ErrorKind::unsupported,
-                 fmt::format("the chunk is compressed with \"{}\"; only zstd and none can be read",
-                             chunk.compression.substr(0, 32)),
+                 fmt::format("the chunk is compressed with \"{}\"; only {} can be read",
+                             chunk.compression.substr(0, 32),
+                             canExpandLz4() ? "zstd, lz4 and none" : "zstd and none"),
                  {}};
   }
   if (chunk.uncompressed_size > kMaxChunkBytes) {
@@ -34,14 +41,15 @@ Status mayExpand(const Chunk& chunk) {
   return {};
 }
 
-bool claimsMoreThanZstd(const Chunk& chunk) {
-  return chunk.uncompressed_size > (chunk.records.size() + 1) * kMaxZstdGrowth;
+bool claimsTooMuch(const Chunk& chunk) {
+  const std::uint64_t growth = isLz4(chunk) ? kMaxLz4Growth : kMaxZstdGrowth;
+  return chunk.uncompressed_size > (chunk.records.size() + 1) * growth;
 }
 
 }  // namespace
 
 bool ExpansionBudget::take(const Chunk& chunk) {
-  if (chunk.compression.empty() || !mayExpand(chunk) || claimsMoreThanZstd(chunk)) return true;
+  if (chunk.compression.empty() || !mayExpand(chunk) || claimsTooMuch(chunk)) return true;
   return take(chunk.uncompressed_size);
 }
 
@@ -74,13 +82,18 @@ ChunkExpander& ChunkExpander::operator=(ChunkExpander&&) noexcept = default;
 Result<ByteView> ChunkExpander::expand(const Chunk& chunk, Scratch& scratch) {
   if (Status allowed = mayExpand(chunk); !allowed) return allowed.error();
   ByteView records = chunk.records;
-  if (chunk.compression == "zstd") {
-    if (claimsMoreThanZstd(chunk)) {
-      return damagedChunk(
-          fmt::format("the chunk claims {} bytes out of {}, more than zstd can produce",
-                      chunk.uncompressed_size, chunk.records.size()));
-    }
-    const auto size = static_cast<std::size_t>(chunk.uncompressed_size);
+  if (!chunk.compression.empty() && claimsTooMuch(chunk)) {
+    return damagedChunk(fmt::format("the chunk claims {} bytes out of {}, more than {} can produce",
+                                    chunk.uncompressed_size, chunk.records.size(),
+                                    chunk.compression));
+  }
+  const auto size = static_cast<std::size_t>(chunk.uncompressed_size);
+  if (isLz4(chunk)) {
+    std::byte* const out = scratch.make(size);
+    const Result<std::size_t> made = expandLz4(records, out, size);
+    if (!made) return made.error();
+    records = ByteView(out, *made);
+  } else if (chunk.compression == "zstd") {
     std::byte* const out = scratch.make(size);
     const std::size_t made =
         ZSTD_decompressDCtx(contexts_->zstd, out, size, records.data(), records.size());
@@ -112,8 +125,13 @@ Result<ByteView> ChunkExpander::expandCut(const Chunk& chunk, Scratch& scratch) 
     return chunk.records.first(
         static_cast<std::size_t>(std::min<std::uint64_t>(size, chunk.records.size())));
   }
-  const auto bound = static_cast<std::size_t>(
-      std::min<std::uint64_t>(size, (chunk.records.size() + 1) * kMaxZstdGrowth));
+  const std::uint64_t growth = isLz4(chunk) ? kMaxLz4Growth : kMaxZstdGrowth;
+  const auto bound =
+      static_cast<std::size_t>(std::min<std::uint64_t>(size, (chunk.records.size() + 1) * growth));
+  if (isLz4(chunk)) {
+    std::byte* const out = scratch.make(bound);
+    return ByteView(out, expandCutLz4(chunk.records, out, bound));
+  }
   // Grows as it fills: a few bytes of a cut chunk must not take the memory of a large one.
   std::size_t room = std::min(bound, std::max(kFirstRoom, 4 * chunk.records.size()));
   ZSTD_outBuffer out{scratch.make(room), room, 0};

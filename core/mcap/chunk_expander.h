@@ -67,8 +67,8 @@ class Scratch {
   std::size_t capacity_ = 0;
 };
 
-/// Expands chunks: uncompressed and zstd. One per thread. Errors describe the fault of the chunk;
-/// the caller adds its position.
+/// Expands chunks: uncompressed, zstd, and lz4 where the build has it. One per thread. Errors
+/// describe the fault of the chunk; the caller adds its position.
 class ChunkExpander {
  public:
   ChunkExpander();
@@ -77,7 +77,7 @@ class ChunkExpander {
   ChunkExpander& operator=(ChunkExpander&&) noexcept;
 
   /// The chunk's records with their size and CRC checked, borrowed from the chunk itself or from
-  /// `scratch`. damaged, or unsupported for lz4 and unknown compressions.
+  /// `scratch`. damaged, or unsupported for unknown compressions.
   Result<ByteView> expand(const Chunk& chunk, Scratch& scratch);
 
   /// Expands what is left of a chunk whose end is missing: `chunk.records` holds the remaining

@@ -2,7 +2,7 @@
 
 #include "core/mcap/byte_cursor.h"
 #include "core/mcap/chunk_expander.h"
-#include "core/mcap/stream_reader.h"
+#include "core/mcap/record_stepper.h"
 
 namespace rocinante {
 namespace {
@@ -16,12 +16,12 @@ bool belongsInChunk(Opcode opcode) {
 
 /// The total length of the whole Schema, Channel and Message records at the front.
 std::uint64_t recordRunBytes(ByteView bytes) {
-  std::uint64_t position = 0;
-  while (const std::optional<mcap::Record> record = mcap::recordAt(bytes, position)) {
+  mcap::RecordStepper steps(bytes);
+  while (const std::optional<mcap::Record> record = steps.peek()) {
     if (!belongsInChunk(record->opcode)) break;
-    position = record->end();
+    steps.moveTo(record->end());
   }
-  return position;
+  return steps.position();
 }
 
 }  // namespace

@@ -7,6 +7,10 @@
 
 namespace rocinante {
 
+/// The bytes of a Chunk record before its records, without the name of its compression: prefix,
+/// times, size, CRC, the name's length, the records' length.
+inline constexpr std::uint64_t kChunkHeadBytes = mcap::kPrefixBytes + 8 + 8 + 8 + 4 + 4 + 8;
+
 /// A Chunk record up to its records, read on its own, for chunks whose lengths do not describe
 /// them: the chunk was still open when its recorder was killed (docs/log-format.md), its header was
 /// being completed, the file was cut, or a length is damaged.

@@ -6,12 +6,10 @@
 #include "core/base/hash.h"
 #include "core/mcap/append_record.h"
 #include "core/mcap/byte_cursor.h"
+#include "core/mcap/chunk_head.h"
 
 namespace rocinante::mcap {
 namespace {
-
-/// The size of the content without the compression's name and the records.
-constexpr std::uint64_t kFixedBytes = 8 + 8 + 8 + 4 + 4 + 8;
 
 // A chunk that had at most this when it was begun belongs to a slow session (600 packets a second),
 // where pieces are small and compress badly, and time is free. Above, a higher level gains nothing.
@@ -25,7 +23,7 @@ std::byte* put(std::byte* at, T value) {
 }
 
 std::size_t headerBytes(const std::string& compression) {
-  return kPrefixBytes + kFixedBytes + compression.size();
+  return kChunkHeadBytes + compression.size();
 }
 
 /// Writes the Chunk record up to its records; with open lengths if `open`.

@@ -6,7 +6,7 @@
 
 #include "core/base/bytes.h"
 #include "core/base/result.h"
-#include "core/mcap/stream_reader.h"
+#include "core/mcap/record_stepper.h"
 
 namespace rocinante::mcap {
 

@@ -1,78 +1,105 @@
 #include "core/mcap/parse_record.h"
 
 #include "core/mcap/byte_cursor.h"
+#include "core/mcap/record_fields.h"
 
 namespace rocinante::mcap {
 namespace {
 
-std::optional<std::size_t> consumed(const ByteCursor& cursor) {
-  if (!cursor.ok()) return std::nullopt;
-  return cursor.position();
+/// Reads one field after another.
+struct FieldReader {
+  ByteCursor cursor;
+  bool maps_fit = true;  ///< the pairs of each map fill its bytes exactly
+
+  template <std::unsigned_integral T>
+  void take(T& number) {
+    number = cursor.number<T>();
+  }
+  void take(Opcode& opcode) { opcode = static_cast<Opcode>(cursor.number<std::uint8_t>()); }
+  void take(std::string& text) { text = cursor.string(); }
+  void take(std::string_view& text) { text = cursor.string(); }
+  void take(Bytes& bytes) {
+    const ByteView data = cursor.bytes32();
+    bytes.assign(data.begin(), data.end());
+  }
+  void take(ByteView& bytes) { bytes = cursor.bytes64(); }
+  /// A repeated key keeps its first value.
+  template <class Key, class Value>
+  void take(std::map<Key, Value>& map) {
+    map.clear();
+    FieldReader pairs{ByteCursor(cursor.bytes32())};
+    while (pairs.cursor.ok() && pairs.cursor.remaining() > 0) {
+      Key key;
+      Value value;
+      pairs.take(key);
+      pairs.take(value);
+      if (pairs.cursor.ok()) map.emplace(std::move(key), std::move(value));
+    }
+    maps_fit = maps_fit && pairs.cursor.ok();
+  }
+
+  std::optional<std::size_t> consumed() const {
+    if (!cursor.ok() || !maps_fit) return std::nullopt;
+    return cursor.position();
+  }
+};
+
+template <class Record>
+std::optional<std::size_t> parseFields(ByteView content, Record& out) {
+  FieldReader reader{ByteCursor(content)};
+  useFields(out, [&](auto&... fields) { (reader.take(fields), ...); });
+  return reader.consumed();
 }
 
 /// For the frozen records, which must not have anything after their known fields.
-std::optional<std::size_t> consumedWhole(const ByteCursor& cursor) {
-  if (!cursor.ok() || cursor.remaining() != 0) return std::nullopt;
-  return cursor.position();
-}
-
-/// False when the pairs do not fill the map's bytes exactly. A repeated key keeps its first value.
-bool readStringMap(ByteView bytes, std::map<std::string, std::string>& out) {
-  ByteCursor cursor(bytes);
-  while (cursor.ok() && cursor.remaining() > 0) {
-    const std::string_view key = cursor.string();
-    const std::string_view value = cursor.string();
-    if (cursor.ok()) out.emplace(key, value);
-  }
-  return cursor.ok();
-}
-
-bool readNumberMap(ByteView bytes, std::map<std::uint16_t, std::uint64_t>& out) {
-  ByteCursor cursor(bytes);
-  while (cursor.ok() && cursor.remaining() > 0) {
-    const auto key = cursor.number<std::uint16_t>();
-    const auto value = cursor.number<std::uint64_t>();
-    if (cursor.ok()) out.emplace(key, value);
-  }
-  return cursor.ok();
+template <class Record>
+std::optional<std::size_t> parseWhole(ByteView content, Record& out) {
+  const std::optional<std::size_t> used = parseFields(content, out);
+  return used == content.size() ? used : std::nullopt;
 }
 
 }  // namespace
 
 std::optional<std::size_t> parse(ByteView content, Header& out) {
-  ByteCursor cursor(content);
-  out.profile = cursor.string();
-  out.library = cursor.string();
-  return consumed(cursor);
+  return parseFields(content, out);
 }
-
-std::optional<std::size_t> parse(ByteView content, Footer& out) {
-  ByteCursor cursor(content);
-  out.summary_start = cursor.number<std::uint64_t>();
-  out.summary_offset_start = cursor.number<std::uint64_t>();
-  out.summary_crc = cursor.number<std::uint32_t>();
-  return consumedWhole(cursor);
-}
-
 std::optional<std::size_t> parse(ByteView content, Schema& out) {
-  ByteCursor cursor(content);
-  out.id = cursor.number<std::uint16_t>();
-  out.name = cursor.string();
-  out.encoding = cursor.string();
-  const ByteView data = cursor.bytes32();
-  out.data.assign(data.begin(), data.end());
-  return consumed(cursor);
+  return parseFields(content, out);
+}
+std::optional<std::size_t> parse(ByteView content, Channel& out) {
+  return parseFields(content, out);
+}
+std::optional<std::size_t> parse(ByteView content, Chunk& out) { return parseFields(content, out); }
+std::optional<std::size_t> parse(ByteView content, ChunkIndex& out) {
+  return parseFields(content, out);
+}
+std::optional<std::size_t> parse(ByteView content, AttachmentIndex& out) {
+  return parseFields(content, out);
+}
+std::optional<std::size_t> parse(ByteView content, Statistics& out) {
+  return parseFields(content, out);
+}
+std::optional<std::size_t> parse(ByteView content, Metadata& out) {
+  return parseFields(content, out);
+}
+std::optional<std::size_t> parse(ByteView content, MetadataIndex& out) {
+  return parseFields(content, out);
+}
+std::optional<std::size_t> parse(ByteView content, SummaryOffset& out) {
+  return parseFields(content, out);
+}
+std::optional<std::size_t> parse(ByteView content, Footer& out) { return parseWhole(content, out); }
+std::optional<std::size_t> parse(ByteView content, DataEnd& out) {
+  return parseWhole(content, out);
 }
 
-std::optional<std::size_t> parse(ByteView content, Channel& out) {
-  ByteCursor cursor(content);
-  out.id = cursor.number<std::uint16_t>();
-  out.schema_id = cursor.number<std::uint16_t>();
-  out.topic = cursor.string();
-  out.message_encoding = cursor.string();
-  out.metadata.clear();
-  if (!readStringMap(cursor.bytes32(), out.metadata)) return std::nullopt;
-  return consumed(cursor);
+std::optional<std::size_t> parse(ByteView content, Attachment& out) {
+  const std::optional<std::size_t> used = parseFields(content, out);
+  if (!used || content.size() - *used < sizeof(out.crc)) return std::nullopt;
+  out.checked = content.first(*used);
+  ByteCursor behind(content.subspan(*used));
+  out.crc = behind.number<std::uint32_t>();
+  return *used + behind.position();
 }
 
 std::optional<std::size_t> parse(ByteView content, Message& out) {
@@ -82,18 +109,8 @@ std::optional<std::size_t> parse(ByteView content, Message& out) {
   out.log_time = cursor.number<std::uint64_t>();
   out.publish_time = cursor.number<std::uint64_t>();
   out.data = cursor.take(cursor.remaining());
-  return consumed(cursor);
-}
-
-std::optional<std::size_t> parse(ByteView content, Chunk& out) {
-  ByteCursor cursor(content);
-  out.message_start_time = cursor.number<std::uint64_t>();
-  out.message_end_time = cursor.number<std::uint64_t>();
-  out.uncompressed_size = cursor.number<std::uint64_t>();
-  out.uncompressed_crc = cursor.number<std::uint32_t>();
-  out.compression = cursor.string();
-  out.records = cursor.bytes64();
-  return consumed(cursor);
+  if (!cursor.ok()) return std::nullopt;
+  return cursor.position();
 }
 
 std::optional<std::size_t> parse(ByteView content, MessageIndex& out) {
@@ -108,7 +125,8 @@ std::optional<std::size_t> parse(ByteView content, MessageIndex& out) {
     const auto offset = each.number<std::uint64_t>();
     out.records.emplace_back(log_time, offset);
   }
-  return consumed(cursor);
+  if (!cursor.ok()) return std::nullopt;
+  return cursor.position();
 }
 
 std::optional<IndexEntries> indexEntries(ByteView content) {
@@ -118,90 +136,6 @@ std::optional<IndexEntries> indexEntries(ByteView content) {
   index.entries = cursor.bytes32();
   if (!cursor.ok() || index.entries.size() % IndexEntries::kEntryBytes != 0) return std::nullopt;
   return index;
-}
-
-std::optional<std::size_t> parse(ByteView content, ChunkIndex& out) {
-  ByteCursor cursor(content);
-  out.message_start_time = cursor.number<std::uint64_t>();
-  out.message_end_time = cursor.number<std::uint64_t>();
-  out.chunk_start_offset = cursor.number<std::uint64_t>();
-  out.chunk_length = cursor.number<std::uint64_t>();
-  out.message_index_offsets.clear();
-  if (!readNumberMap(cursor.bytes32(), out.message_index_offsets)) return std::nullopt;
-  out.message_index_length = cursor.number<std::uint64_t>();
-  out.compression = cursor.string();
-  out.compressed_size = cursor.number<std::uint64_t>();
-  out.uncompressed_size = cursor.number<std::uint64_t>();
-  return consumed(cursor);
-}
-
-std::optional<std::size_t> parse(ByteView content, Attachment& out) {
-  ByteCursor cursor(content);
-  out.log_time = cursor.number<std::uint64_t>();
-  out.create_time = cursor.number<std::uint64_t>();
-  out.name = cursor.string();
-  out.media_type = cursor.string();
-  out.data = cursor.bytes64();
-  out.checked = content.first(cursor.position());
-  out.crc = cursor.number<std::uint32_t>();
-  return consumed(cursor);
-}
-
-std::optional<std::size_t> parse(ByteView content, AttachmentIndex& out) {
-  ByteCursor cursor(content);
-  out.offset = cursor.number<std::uint64_t>();
-  out.length = cursor.number<std::uint64_t>();
-  out.log_time = cursor.number<std::uint64_t>();
-  out.create_time = cursor.number<std::uint64_t>();
-  out.data_size = cursor.number<std::uint64_t>();
-  out.name = cursor.string();
-  out.media_type = cursor.string();
-  return consumed(cursor);
-}
-
-std::optional<std::size_t> parse(ByteView content, Statistics& out) {
-  ByteCursor cursor(content);
-  out.message_count = cursor.number<std::uint64_t>();
-  out.schema_count = cursor.number<std::uint16_t>();
-  out.channel_count = cursor.number<std::uint32_t>();
-  out.attachment_count = cursor.number<std::uint32_t>();
-  out.metadata_count = cursor.number<std::uint32_t>();
-  out.chunk_count = cursor.number<std::uint32_t>();
-  out.message_start_time = cursor.number<std::uint64_t>();
-  out.message_end_time = cursor.number<std::uint64_t>();
-  out.channel_message_counts.clear();
-  if (!readNumberMap(cursor.bytes32(), out.channel_message_counts)) return std::nullopt;
-  return consumed(cursor);
-}
-
-std::optional<std::size_t> parse(ByteView content, Metadata& out) {
-  ByteCursor cursor(content);
-  out.name = cursor.string();
-  out.metadata.clear();
-  if (!readStringMap(cursor.bytes32(), out.metadata)) return std::nullopt;
-  return consumed(cursor);
-}
-
-std::optional<std::size_t> parse(ByteView content, MetadataIndex& out) {
-  ByteCursor cursor(content);
-  out.offset = cursor.number<std::uint64_t>();
-  out.length = cursor.number<std::uint64_t>();
-  out.name = cursor.string();
-  return consumed(cursor);
-}
-
-std::optional<std::size_t> parse(ByteView content, SummaryOffset& out) {
-  ByteCursor cursor(content);
-  out.group_opcode = static_cast<Opcode>(cursor.number<std::uint8_t>());
-  out.group_start = cursor.number<std::uint64_t>();
-  out.group_length = cursor.number<std::uint64_t>();
-  return consumed(cursor);
-}
-
-std::optional<std::size_t> parse(ByteView content, DataEnd& out) {
-  ByteCursor cursor(content);
-  out.data_section_crc = cursor.number<std::uint32_t>();
-  return consumedWhole(cursor);
 }
 
 }  // namespace rocinante::mcap

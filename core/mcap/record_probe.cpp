@@ -1,6 +1,7 @@
 #include "core/mcap/record_probe.h"
 
 #include "core/mcap/byte_cursor.h"
+#include "core/mcap/chunk_expander.h"
 #include "core/mcap/chunk_head.h"
 #include "core/mcap/parse_record.h"
 
@@ -14,7 +15,7 @@ namespace {
 constexpr std::size_t kMaxPlausibleBytes = 1U << 16U;
 
 /// The chunk was cut off by the end of the file, or was still open.
-bool tornChunkAt(ByteView file, std::uint64_t offset) {
+bool beginsTornChunk(ByteView file, std::uint64_t offset) {
   const std::optional<ChunkHead> head = chunkHeadAt(file, offset);
   if (!head || !knownCompression(head->chunk.compression)) return false;
   if (head->wholeOpen()) return true;
@@ -36,7 +37,7 @@ std::string_view compressionName(std::string_view name) {
 bool RecordProbe::plausibleAt(std::uint64_t offset) {
   if (offset == file_.size()) return true;
   const std::optional<mcap::Record> record = mcap::recordAt(file_, offset);
-  if (!record) return tornChunkAt(file_, offset);
+  if (!record) return beginsTornChunk(file_, offset);
   if (!plausible(*record)) return false;
   if (record->end() == file_.size()) return true;
   const std::optional<mcap::Record> next = mcap::recordAt(file_, record->end());
@@ -44,7 +45,7 @@ bool RecordProbe::plausibleAt(std::uint64_t offset) {
   // No whole record follows: the file may have been cut there.
   return file_.size() - record->end() < mcap::kPrefixBytes || record->opcode == Opcode::footer ||
          record->opcode == Opcode::message_index || record->opcode == Opcode::chunk ||
-         tornChunkAt(file_, record->end());
+         beginsTornChunk(file_, record->end());
 }
 
 bool RecordProbe::plausible(const mcap::Record& record) {
@@ -96,6 +97,13 @@ bool RecordProbe::parses(ByteView content) {
   budget_bytes_ -= content.size();
   T ignored;
   return mcap::parse(content, ignored).has_value();
+}
+
+std::uint64_t RecordProbe::resumeBehind(std::uint64_t offset) {
+  do {
+    ++offset;
+  } while (offset < file_.size() && !resumesAt(offset));
+  return offset;
 }
 
 bool RecordProbe::resumesAt(std::uint64_t offset) {

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "core/base/bytes.h"
-#include "core/mcap/stream_reader.h"
+#include "core/mcap/record_stepper.h"
 
 namespace rocinante {
 
@@ -16,10 +16,12 @@ class RecordProbe {
   /// True when the bytes at `offset` begin a credible record: a known opcode, lengths that fit, and
   /// another record or the end of the file after it.
   bool plausibleAt(std::uint64_t offset);
-  /// The same, for the records at which reading may resume.
-  bool resumesAt(std::uint64_t offset);
+  /// The first offset behind `offset` that begins a credible record at which reading may resume;
+  /// the end of the file when there is none.
+  std::uint64_t resumeBehind(std::uint64_t offset);
 
  private:
+  bool resumesAt(std::uint64_t offset);
   bool plausible(const mcap::Record& record);
   template <class T>
   bool parses(ByteView content);

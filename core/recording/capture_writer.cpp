@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/packet/decoder.h"
+#include "core/net/datagram_source.h"
+#include "core/session/message_folder.h"
 
 namespace rocinante {
 
@@ -53,6 +54,11 @@ void CaptureWriter::flush(SteadyTime now) {
   keep(sink_->flush(drained_until_ - ReorderWindow::kWidth, now));
 }
 
+std::optional<std::uint64_t> CaptureWriter::save() {
+  if (trouble_ || !keep(sink_->flushAll())) return std::nullopt;
+  return packets_ + packets_before_;
+}
+
 void CaptureWriter::close(const std::string& reason, HandOver& blocks) {
   while (const auto held = window_.nextOfAll()) writeHeld(*held, blocks);
   writeSteps(LogTime::max());
@@ -83,10 +89,7 @@ void CaptureWriter::takeDatagram(const Arrival& arrival, LogTime time, ByteView 
 bool CaptureWriter::begins(LogTime time, const Packet* packet) {
   if (start_.metBy(time, packet) == nullptr) {
     ++packets_before_;
-    if (packet != nullptr) {
-      before_.apply(time, *packet);
-      (void)before_.takeEvents();  // they would accumulate
-    }
+    if (packet != nullptr) foldPacket(before_, time, *packet);
     return false;
   }
   started_ = true;
@@ -136,6 +139,7 @@ std::size_t CaptureWriter::flowOf(const Arrival& arrival, ByteView payload, cons
   Flow flow{arrival.endpoint, arrival.sender, {}, false, false};
   const auto destination = DatagramBlock::destinationOf(arrival, payload);
   if (destination) flow.destination = &*destination;
+  flow.subject = DatagramBlock::subjectOf(arrival, payload);
   if (packet != nullptr) {
     flow.source = packet->header.source;
     flow.is_packet_text = true;
@@ -157,9 +161,9 @@ void CaptureWriter::enterLosses(LogTime time) {
 
 void CaptureWriter::writeLosses(const std::vector<EndpointLoss>& losses) {
   for (const EndpointLoss& loss : losses) {
-    Endpoint endpoint = endpoints_[loss.endpoint].endpoint;
-    endpoint.address.port = endpoints_[loss.endpoint].bound.port;
-    keep(sink_->writeLoss({endpoint.text(), loss.from, loss.until, loss.counts}));
+    const ListenedEndpoint& listened = endpoints_[loss.endpoint];
+    const std::string endpoint = boundText(listened.endpoint, listened.bound);
+    keep(sink_->writeLoss({endpoint, loss.from, loss.until, loss.counts}));
   }
 }
 

@@ -47,6 +47,10 @@ class CaptureWriter {
   void write(TakenOver taken, HandOver& blocks);
   /// To be called regularly, also when nothing arrives: bounds what a crash can lose.
   void flush(SteadyTime now);
+  /// Writes what was taken so far to the file, so that a killed process does not lose it, and
+  /// returns how many datagrams that is: the first ones received, recorded or before the start
+  /// condition. Empty when the sink failed.
+  std::optional<std::uint64_t> save();
   /// Writes everything still waiting, the losses, and the end.
   void close(const std::string& reason, HandOver& blocks);
   /// See CaptureSink.

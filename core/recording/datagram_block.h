@@ -2,9 +2,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "core/base/bytes.h"
@@ -20,7 +23,8 @@ struct Arrival {
   std::uint32_t endpoint = 0;  ///< index of the listening endpoint
   std::uint32_t offset = 0;    ///< of the payload in the block
   std::uint32_t length = 0;
-  bool has_destination = false;  ///< it was not sent to the endpoint's own address
+  bool has_destination = false;      ///< it was not sent to the endpoint's own address
+  std::uint16_t subject_length = 0;  ///< of its NATS subject; 0: none, as usual
 };
 
 /// Many datagrams in one block of memory, handed from the receiving thread to the writing one.
@@ -39,11 +43,17 @@ class DatagramBlock {
     return arrivals_.size() < kArrivals && bytes <= kBytes - used_;
   }
   /// Copies the datagram in. False when it does not fit; an empty block takes any datagram.
-  /// `destination` is null when it is the endpoint's own address, as usual.
+  /// `destination` is null when it is the endpoint's own address, as usual. A subject is cut to
+  /// 65,535 bytes.
   bool add(std::uint32_t endpoint, LogTime time, const SocketAddress& sender, ByteView payload,
-           const SocketAddress* destination = nullptr) {
+           const SocketAddress* destination = nullptr, std::string_view subject = {}) {
     const std::size_t before = destination != nullptr ? sizeof *destination : 0;
-    if (!hasRoom(payload.size() + before)) return false;
+    subject = subject.substr(0, std::numeric_limits<std::uint16_t>::max());
+    if (!hasRoom(payload.size() + before + subject.size())) return false;
+    if (!subject.empty()) {
+      std::memcpy(bytes_.get() + used_, subject.data(), subject.size());
+      used_ += subject.size();
+    }
     if (destination != nullptr) {
       // Stored only when needed, before the payload: it is almost always the same.
       std::memcpy(bytes_.get() + used_, destination, before);
@@ -51,7 +61,8 @@ class DatagramBlock {
     }
     if (!payload.empty()) std::memcpy(bytes_.get() + used_, payload.data(), payload.size());
     arrivals_.push_back({time, sender, endpoint, static_cast<std::uint32_t>(used_),
-                         static_cast<std::uint32_t>(payload.size()), destination != nullptr});
+                         static_cast<std::uint32_t>(payload.size()), destination != nullptr,
+                         static_cast<std::uint16_t>(subject.size())});
     used_ += payload.size();
     return true;
   }
@@ -70,6 +81,12 @@ class DatagramBlock {
     SocketAddress destination;
     std::memcpy(&destination, payload.data() - sizeof destination, sizeof destination);
     return destination;
+  }
+  /// The subject of a payload that is in its block.
+  static std::string_view subjectOf(const Arrival& arrival, ByteView payload) {
+    const std::size_t behind = arrival.has_destination ? sizeof(SocketAddress) : 0;
+    return {reinterpret_cast<const char*>(payload.data()) - behind - arrival.subject_length,
+            arrival.subject_length};
   }
   void clear() {
     arrivals_.clear();

@@ -4,6 +4,7 @@
 
 #include <cstring>
 
+#include "core/base/plain_text.h"
 #include "core/log/log_profile.h"
 #include "core/packet/packet_text.h"
 
@@ -27,7 +28,8 @@ std::size_t hashOf(const Any& flow) {
     mixed ^= (host * 0xD6E8FEB86659FD93U) + flow.destination->port;
   }
   for (const std::uint64_t part :
-       {high, low, std::uint64_t{std::hash<std::string_view>{}(flow.source)}}) {
+       {high, low, std::uint64_t{std::hash<std::string_view>{}(flow.source)},
+        std::uint64_t{std::hash<std::string_view>{}(flow.subject)}}) {
     mixed = (mixed ^ part) * 0x9E3779B97F4A7C15U;
     mixed ^= mixed >> 29U;
   }
@@ -40,6 +42,15 @@ std::string rootOf(const SocketAddress& address) {
   return fmt::format("/udp/{}", address.port);
 }
 
+std::string rootOf(const ListenedEndpoint& listened) {
+  if (listened.endpoint.isPcap()) return "/udp";
+  if (listened.endpoint.isNats()) return "/nats";
+  if (!listened.endpoint.isSubscription()) return rootOf(listened.bound);
+  SocketAddress relay = listened.endpoint.address;
+  relay.scope_id = 0;
+  return "/subscribe/" + relay.text();
+}
+
 }  // namespace
 
 std::size_t FlowTable::Hash::operator()(const Flow& flow) const { return hashOf(flow); }
@@ -49,7 +60,7 @@ FlowTable::FlowTable(std::vector<ListenedEndpoint> endpoints) {
   for (ListenedEndpoint& each : endpoints) {
     // A zone depends on the receiver, not on the group.
     each.bound.scope_id = 0;
-    std::string root = each.endpoint.isPcap() ? "/udp" : rootOf(each.bound);
+    std::string root = rootOf(each);
     endpoints_.push_back({std::move(each), std::move(root), 0, {}});
   }
 }
@@ -61,8 +72,8 @@ std::size_t FlowTable::channelOf(const Flow& flow) {
   ++endpoint.flows;
   const std::size_t index = channels_.size();
   channels_.push_back(channelFor(flow, false));
-  Key key{flow.endpoint,       flow.sender,      std::string(flow.source),
-          flow.is_packet_text, flow.is_restated, std::nullopt};
+  Key key{flow.endpoint,    flow.sender,  std::string(flow.source), flow.is_packet_text,
+          flow.is_restated, std::nullopt, std::string(flow.subject)};
   if (flow.destination != nullptr) key.destination = *flow.destination;
   flows_.emplace(std::move(key), index);
   return index;
@@ -80,6 +91,15 @@ FlowChannel FlowTable::channelFor(const Flow& flow, bool shared) const {
   FlowChannel channel;
   channel.endpoint = flow.endpoint;
   channel.encoding = flow.is_packet_text ? "rk1" : "octets";
+  const std::string_view restated = flow.is_restated ? profile::kRestatedPrefix : "";
+  if (endpoint.listened.endpoint.isNats()) {
+    channel.metadata = {{"protocol", "nats"}, {"server", endpoint.listened.endpoint.nats.server()}};
+    if (!flow.source.empty() && !shared) channel.metadata["source"] = flow.source;
+    // A stranger chose it: bytes that a subject of ours never has would spoil the topic.
+    const std::string subject = shared ? "_many" : plainText(flow.subject);
+    channel.topic = fmt::format("{}{}/{}", restated, endpoint.root, subject);
+    return channel;
+  }
   channel.metadata = {{"protocol", "udp"}};
   // Without an address of its own, all flows beyond the limit share one channel, whatever their
   // destination.
@@ -95,7 +115,6 @@ FlowChannel FlowTable::channelFor(const Flow& flow, bool shared) const {
   if (by_interface && !listened.interface.empty()) {
     channel.metadata["interface"] = listened.interface;
   }
-  const std::string_view restated = flow.is_restated ? profile::kRestatedPrefix : "";
   if (shared) {
     channel.topic = fmt::format("{}{}/_many", restated, endpoint.root);
     return channel;

@@ -29,6 +29,7 @@ struct Flow {
   bool is_restated = false;  ///< restated by another program (`by=`)
   /// The destination, when it is not the endpoint's own address; borrowed.
   const SocketAddress* destination = nullptr;
+  std::string_view subject = {};  ///< of a NATS message; borrowed
 };
 
 /// The channel of a flow.
@@ -63,6 +64,7 @@ class FlowTable {
     bool is_packet_text;
     bool is_restated;
     std::optional<SocketAddress> destination;
+    std::string subject;
   };
   struct Hash {
     using is_transparent = void;
@@ -75,12 +77,14 @@ class FlowTable {
     bool operator()(const A& a, const B& b) const {
       return a.endpoint == b.endpoint && a.sender == b.sender && a.source == b.source &&
              a.is_packet_text == b.is_packet_text && a.is_restated == b.is_restated &&
+             a.subject == b.subject &&
              (a.destination ? b.destination && *a.destination == *b.destination : !b.destination);
     }
   };
   struct EndpointState {
     ListenedEndpoint listened;
-    std::string root;  ///< "/udp/19960", "/udp/239.255.19.96:19960"; of pcap:// "/udp"
+    std::string root;  ///< "/udp/19960", "/udp/239.255.19.96:19960", "/subscribe/10.0.0.1:19960";
+                       ///< of pcap:// "/udp", of a NATS server "/nats"
     std::size_t flows = 0;
     std::map<std::pair<bool, bool>, std::size_t> shared;  ///< _many, by encoding and restated
   };

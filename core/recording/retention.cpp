@@ -20,15 +20,20 @@ void Retention::settle(const PieceFacts& piece) {
   *same = piece;
 }
 
-std::vector<PieceFacts> Retention::surplus(std::optional<std::uint64_t> current_bytes) {
+std::vector<PieceFacts> Retention::surplus(std::optional<std::uint64_t> current_bytes,
+                                           std::optional<LogTime> reached) {
   std::vector<PieceFacts> surplus;
   const std::uint64_t current = current_bytes ? 1 : 0;
   while (!kept_.empty()) {
     const bool too_many = limits_.keep && kept_.size() + current > *limits_.keep;
     const bool too_large =
         limits_.disk_quota_bytes && bytes_ + current_bytes.value_or(0) > *limits_.disk_quota_bytes;
-    // The last piece stays, however large, unless a newer one exists.
-    if (!too_many && (!too_large || kept_.size() + current == 1)) break;
+    const bool too_old = limits_.span && reached && kept_.front().end &&
+                         *kept_.front().end + *limits_.span < *reached;
+    // The last piece stays, however large or old, unless a newer one exists.
+    if (!too_many && !(too_old && kept_.size() + current > 1) &&
+        (!too_large || kept_.size() + current == 1))
+      break;
     PieceFacts& oldest = kept_.front();
     bytes_ -= oldest.bytes;
     surplus.push_back(std::move(oldest));

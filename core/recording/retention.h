@@ -12,8 +12,9 @@ namespace rocinante {
 
 /// How much of a recording is kept.
 struct RetentionLimits {
-  std::optional<std::uint64_t> keep;              ///< pieces, including the one being written
-  std::optional<std::uint64_t> disk_quota_bytes;  ///< of all pieces together
+  std::optional<std::uint64_t> keep{};              ///< pieces, including the one being written
+  std::optional<std::uint64_t> disk_quota_bytes{};  ///< of all pieces together
+  std::optional<Nanoseconds> span{};                ///< of log time, back from what was reached
 };
 
 /// Decides which finished pieces of this recording stay and which must go: the oldest. Deletes
@@ -28,8 +29,9 @@ class Retention {
   void settle(const PieceFacts& piece);
 
   /// The pieces that must go while another one of `current_bytes` is being written (empty: none
-  /// is). Each is returned once.
-  std::vector<PieceFacts> surplus(std::optional<std::uint64_t> current_bytes);
+  /// is). Each is returned once. `reached` is the log time by which a piece may be too old.
+  std::vector<PieceFacts> surplus(std::optional<std::uint64_t> current_bytes,
+                                  std::optional<LogTime> reached = std::nullopt);
   /// One of those is deleted now.
   void countDeleted(const PieceFacts& piece);
 

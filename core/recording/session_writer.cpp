@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "core/log/log_profile.h"
-#include "core/packet/decoder.h"
 #include "core/session/keyframe.h"
 #include "core/session/marks.h"
+#include "core/session/message_folder.h"
 
 namespace rocinante {
 namespace {
@@ -27,8 +27,9 @@ struct SessionWriter::Impl {
   KeyframeOptions options;
 
   SessionState state;
-  std::map<std::string, std::unique_ptr<Decoder>, std::less<>> decoders;  ///< null: unknown
-  std::vector<Decoder*> decoder_by_channel;                               ///< null: not folded
+  MessageFolder folder;
+  std::vector<Decoder*> decoder_by_channel;  ///< null: not folded, or without keyframes
+  std::vector<bool> is_decoded;  ///< by channel: its messages directly follow their octets
 
   bool begun = false;  ///< a message or the preceding state was written
   bool makes_keyframes;
@@ -46,13 +47,12 @@ struct SessionWriter::Impl {
   std::uint64_t keyframe_bytes = 0;    ///< payloads of keyframes that were due
   std::uint64_t expected_bytes = 0;    ///< of the next one, by the size of the last one made
 
-  Decoder* decoderFor(const LogChannel& channel) {
-    if (!options.enabled || !channel.folded()) return nullptr;
-    auto found = decoders.find(channel.encoding);
-    if (found == decoders.end()) {
-      found = decoders.emplace(channel.encoding, makeDecoder(channel.encoding)).first;
-    }
-    return found->second.get();
+  Decoder* decoderOf(ChannelId channel) const {
+    return channel < decoder_by_channel.size() ? decoder_by_channel[channel] : nullptr;
+  }
+
+  bool followsOctets(ChannelId channel) const {
+    return channel < is_decoded.size() && is_decoded[channel];
   }
 
   /// To be asked before anything is written at `time`.
@@ -101,7 +101,8 @@ struct SessionWriter::Impl {
     went_back = went_back || time < last_time;
     if (packet != nullptr && time < folded_time) makes_keyframes = false;
     Status kept;
-    if (makes_keyframes && keyframeDue(time)) kept = writeDueKeyframe();
+    // A packet directly follows the octets that it was decoded from.
+    if (makes_keyframes && !followsOctets(channel) && keyframeDue(time)) kept = writeDueKeyframe();
     // Also after a failed keyframe: the log then counts this message as refused too.
     const Status written = log.write(channel, sequence, time, publish_time_ns, payload);
     if (!kept) return kept;
@@ -114,8 +115,7 @@ struct SessionWriter::Impl {
     message_bytes += payload.size();
     if (packet == nullptr) return {};
     folded_time = std::max(folded_time, time);
-    state.apply(time, *packet);
-    (void)state.takeEvents();  // they would accumulate
+    foldPacket(state, time, *packet);
     ++packets_since;
     return {};
   }
@@ -148,34 +148,35 @@ Status SessionWriter::beginWith(const SessionState& preceding, LogTime moment) {
 }
 
 Result<ChannelId> SessionWriter::addChannel(std::string topic, std::string encoding,
-                                            std::map<std::string, std::string> metadata) {
+                                            std::map<std::string, std::string> metadata,
+                                            std::shared_ptr<const LogSchema> schema) {
   if (topic == profile::kKeyframeTopic) {
     return Error{ErrorKind::refused, "keyframes are made, not copied", {}};
   }
   const LogChannel channel{0, topic, encoding, {}};
-  Result<ChannelId> id =
-      impl_->log.addChannel(std::move(topic), std::move(encoding), std::move(metadata));
+  const bool decoded = channel.decoded();
+  Result<ChannelId> id = impl_->log.addChannel(std::move(topic), std::move(encoding),
+                                               std::move(metadata), std::move(schema));
   if (!id) return id;
   if (impl_->decoder_by_channel.size() <= *id) impl_->decoder_by_channel.resize(*id + 1U);
-  impl_->decoder_by_channel[*id] = impl_->decoderFor(channel);
+  if (impl_->is_decoded.size() <= *id) impl_->is_decoded.resize(*id + 1U);
+  impl_->is_decoded[*id] = decoded;
+  if (impl_->options.enabled) {
+    impl_->decoder_by_channel[*id] = impl_->folder.decoderOf(channel);
+  }
   return id;
 }
 
 Status SessionWriter::write(ChannelId channel, std::uint32_t sequence, LogTime log_time,
                             std::int64_t publish_time_ns, ByteView payload) {
-  const Packet* packet = nullptr;
-  if (channel < impl_->decoder_by_channel.size()) {
-    if (Decoder* const decoder = impl_->decoder_by_channel[channel]) {
-      packet = decoder->decode(payload);
-    }
-  }
+  Decoder* const decoder = impl_->decoderOf(channel);
+  const Packet* const packet = decoder == nullptr ? nullptr : decoder->decode(payload);
   return impl_->write(channel, sequence, log_time, publish_time_ns, payload, packet);
 }
 
 Status SessionWriter::write(ChannelId channel, std::uint32_t sequence, LogTime log_time,
                             std::int64_t publish_time_ns, ByteView payload, const Packet* packet) {
-  const bool folds =
-      channel < impl_->decoder_by_channel.size() && impl_->decoder_by_channel[channel] != nullptr;
+  const bool folds = impl_->decoderOf(channel) != nullptr;
   return impl_->write(channel, sequence, log_time, publish_time_ns, payload,
                       folds ? packet : nullptr);
 }

@@ -36,9 +36,11 @@ class SessionWriter {
 
   /// As LogWriter's; refused for the topic of keyframes.
   Result<ChannelId> addChannel(std::string topic, std::string encoding,
-                               std::map<std::string, std::string> metadata);
-  /// As LogWriter's. A captured or restated message that a decoder knows is folded too; a due
-  /// keyframe is written before it. Keyframes are made here, not copied.
+                               std::map<std::string, std::string> metadata,
+                               std::shared_ptr<const LogSchema> schema = nullptr);
+  /// As LogWriter's. A captured, restated or decoded message that holds a packet is folded too; a
+  /// due keyframe is written before it, but never between octets and the packet decoded from them.
+  /// Keyframes are made here, not copied.
   Status write(ChannelId channel, std::uint32_t sequence, LogTime log_time,
                std::int64_t publish_time_ns, ByteView payload);
   /// The same for a payload that is already decoded: `packet` is the result of the channel's

@@ -1,6 +1,7 @@
 #include "core/session/keyframe_finder.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace rocinante {
 namespace {
@@ -13,9 +14,16 @@ constexpr std::size_t kMaxFaults = 100;
 
 }  // namespace
 
-KeyframeFinder::KeyframeFinder(LogReader& reader) : reader_(reader) {
+KeyframeFinder::KeyframeFinder(LogReader& reader) : reader_(reader) { findChannel(); }
+
+void KeyframeFinder::logGrew() {
+  known_.clear();
+  findChannel();
+}
+
+void KeyframeFinder::findChannel() {
   std::size_t count = 0;
-  for (const LogChannel& channel : reader.channels()) {
+  for (const LogChannel& channel : reader_.channels()) {
     if (!isKeyframeChannel(channel)) continue;
     channel_ = channel.id;
     ++count;
@@ -23,8 +31,9 @@ KeyframeFinder::KeyframeFinder(LogReader& reader) : reader_(reader) {
   if (count > 1) {
     // The logs were merged by a tool that ignores keyframes: each keyframe has part of the state.
     channel_.reset();
-    faults_.push_back(
-        {reader.summary().start, "the log has several keyframe channels, so none of them is used"});
+    if (std::exchange(several_told_, true)) return;
+    faults_.push_back({reader_.summary().start,
+                       "the log has several keyframe channels, so none of them is used"});
   }
 }
 

@@ -27,6 +27,9 @@ class KeyframeFinder {
   /// Its state; empty when it is not usable.
   std::optional<SessionState> usable(const LogMessage& message);
 
+  /// The reader has been refreshed: later keyframes may be found.
+  void logGrew();
+
   struct Found {
     LogPosition place;
     SessionState state;
@@ -38,12 +41,14 @@ class KeyframeFinder {
   const std::vector<KeyframeFault>& faults() const { return faults_; }
 
  private:
+  void findChannel();
   void refuse(const LogMessage& message, std::string cause);
   void remember(std::optional<LogPosition> place, LogTime moment);
 
   LogReader& reader_;
   KeyframeReader keyframes_;
   std::optional<ChannelId> channel_;
+  bool several_told_ = false;
 
   /// From the time of each keyframe found: until when it is known to be the last. The earliest time
   /// means that there is none.

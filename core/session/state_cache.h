@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 
 #include "core/log/log_types.h"
 #include "core/packet/session_state.h"
@@ -32,6 +33,12 @@ class StateCache {
 
   /// The last state not behind `place`; null when there is none. Valid until the next keep().
   const std::pair<const LogPosition, Kept>* nearest(LogPosition place);
+
+  /// The position of the last state kept.
+  std::optional<LogPosition> last() const {
+    if (kept_.empty()) return std::nullopt;
+    return kept_.rbegin()->first;
+  }
 
   std::size_t count() const { return kept_.size(); }
   std::uint64_t bytes() const { return bytes_; }

@@ -75,10 +75,11 @@ std::string StateDamage::text() const {
   return parts_.empty() ? std::string() : what() + " (" + where() + ")";
 }
 
-void addDamageBetween(const LogReader& log, LogPosition base, LogTime moment, StateDamage& damage) {
+void addDamageBetween(const LogReader& log, LogPosition base, LogPosition last,
+                      StateDamage& damage) {
   const LogTime origin = log.summary().origin;
   for (const UnreadableRange& range : log.unreadable()) {
-    if (range.first.time > moment || range.last <= base) continue;
+    if (range.first > last || range.last <= base) continue;
     const DamageSpan& its = log.damage()[range.damage];
     damage.add({log.name(), its.from, its.to, sinceOrigin(range.first.time, origin),
                 sinceOrigin(range.last.time, origin), its.cause});

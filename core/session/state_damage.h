@@ -49,8 +49,9 @@ class StateDamage {
 };
 
 /// Adds the damage of a log between two positions: the unreadable messages behind `base` (that of
-/// the keyframe that the fold began with) and not later than `moment`. The reader must have read
-/// all of that once; damage known elsewhere is ignored.
-void addDamageBetween(const LogReader& log, LogPosition base, LogTime moment, StateDamage& damage);
+/// the keyframe that the fold began with) and not behind `last`. The reader must have read all of
+/// that once; damage known elsewhere is ignored.
+void addDamageBetween(const LogReader& log, LogPosition base, LogPosition last,
+                      StateDamage& damage);
 
 }  // namespace rocinante

@@ -1,170 +1,97 @@
 #include "core/session/timeline.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <limits>
-#include <map>
+#include <utility>
 
-#include "core/base/duration_text.h"
-#include "core/log/log_profile.h"
-#include "core/packet/decoder.h"
-#include "core/session/keyframe_finder.h"
+#include "core/session/log_fold.h"
+#include "core/session/log_pieces.h"
 #include "core/session/marks.h"
-#include "core/session/state_cache.h"
 
 namespace rocinante {
 namespace {
 
-constexpr LogPosition kStartOfLog{LogTime::min(), 0};
+/// Only the pieces used last hold states.
+constexpr std::size_t kPiecesWithStates = 2;
 
-/// Folding this many messages is quicker than searching for a start.
-constexpr std::uint64_t kNearMessages = 1024;
-constexpr std::uint64_t kAll = std::numeric_limits<std::uint64_t>::max();
-
-/// The position behind every message of the moment.
-LogPosition endOf(LogTime moment) { return {moment, std::numeric_limits<std::uint64_t>::max()}; }
+bool isBefore(const Event& a, const Event& b) { return a.time < b.time; }
 
 }  // namespace
 
 struct Timeline::Impl {
-  explicit Impl(LogReader log_reader) : reader(std::move(log_reader)), finder(reader) {}
+  /// In time order, at least one; only the last may grow.
+  std::vector<std::unique_ptr<LogFold>> pieces;
+  std::vector<const LogFold*> used;     ///< the last ones, the latest behind
+  std::optional<NextPiece> next_piece;  ///< looks for it; empty: not followed
+  std::vector<Event> events;
+  bool events_found = false;
 
-  LogReader reader;
-  KeyframeFinder finder;
-  std::map<std::string, std::unique_ptr<Decoder>, std::less<>> decoders;
-  std::vector<Decoder*> decoder_by_channel;  ///< null: not folded, or without a decoder
+  LogFold& last() { return *pieces.back(); }
 
-  // The state of the last usable keyframe before `reached`, or the empty one, plus all messages
-  // behind that up to `reached`. Holds for any way of reaching it, even when the log contradicts
-  // itself.
-  SessionState state;
-  LogPosition reached = kStartOfLog;
-  LogPosition base = kStartOfLog;       ///< of that keyframe
-  std::uint64_t since_base = 0;         ///< messages read since then
-  std::uint64_t since_kept = 0;         ///< since a state was kept
-  std::optional<LogMessage> lookahead;  ///< the first behind `reached`, borrowed from the reader
-  bool at_end = false;
-  bool placed = false;  ///< the reader's next message is the first behind `reached`
+  /// The piece that has the moment: the last that does not begin after it.
+  LogFold& pieceAt(LogTime moment) {
+    auto piece = pieces.rbegin();
+    while (std::next(piece) != pieces.rend() && (*piece)->reader().summary().start > moment) {
+      ++piece;
+    }
+    use(**piece);
+    return **piece;
+  }
 
-  StateCache cache;
-  std::optional<std::vector<Event>> events;
+  void use(const LogFold& piece) {
+    std::erase(used, &piece);
+    used.push_back(&piece);
+    if (used.size() <= kPiecesWithStates) return;
+    for (const auto& each : pieces) {
+      if (each.get() == used.front()) each->letGo();
+    }
+    used.erase(used.begin());
+  }
 
-  void chooseDecoders() {
-    for (const LogChannel& channel : reader.channels()) {
-      if (decoder_by_channel.size() <= channel.id) decoder_by_channel.resize(channel.id + 1U);
-      if (!channel.folded()) continue;
-      auto found = decoders.find(channel.encoding);
-      if (found == decoders.end()) {
-        found = decoders.emplace(channel.encoding, makeDecoder(channel.encoding)).first;
+  Result<bool> refresh() {
+    if (!next_piece) return false;
+    Result<bool> changed = last().refresh();
+    if (!changed) return changed;
+    if (!last().reader().growing()) {
+      Result<std::optional<LogReader>> next = next_piece->after(last().reader());
+      if (!next) return next.error();
+      if (*next) {
+        pieces.push_back(std::make_unique<LogFold>(*std::move(*next)));
+        changed = true;
       }
-      decoder_by_channel[channel.id] = found->second.get();
     }
+    if (dropDeleted()) changed = true;
+    return changed;
   }
 
-  void startFrom(LogPosition place, SessionState from, LogPosition its_base,
-                 std::uint64_t messages) {
-    state = std::move(from);
-    reached = place;
-    base = its_base;
-    since_base = messages;
-    since_kept = 0;
-    goBehindReached();
-  }
-
-  /// The reader is moved there when it is next used.
-  void goBehindReached() {
-    lookahead.reset();
-    at_end = false;
-    placed = false;
-  }
-
-  /// Starts from the nearest known position that is not later than `moment`.
-  Status approach(LogTime moment) {
-    const bool can_go_on = reached <= endOf(moment);
-    const auto* kept = cache.nearest(endOf(moment));
-    std::optional<LogPosition> known;
-    if (can_go_on && reached != kStartOfLog) known = reached;
-    if (kept != nullptr && (!known || kept->first > *known)) known = kept->first;
-    Result<std::optional<KeyframeFinder::Found>> found = finder.lastBefore(moment, known);
-    if (!found) return found.error();
-    // The message borrowed from the reader is no longer valid.
-    goBehindReached();
-    if (*found) {
-      cache.keep((*found)->place, (*found)->state, (*found)->place, 0);
-      startFrom((*found)->place, std::move((*found)->state), (*found)->place, 0);
-    } else if (kept != nullptr && !(can_go_on && reached >= kept->first)) {
-      startFrom(kept->first, kept->second.state, kept->second.base, kept->second.messages);
-    } else if (!can_go_on) {
-      startFrom(kStartOfLog, SessionState{}, kStartOfLog, 0);
+  /// Pieces that their writer has deleted are no longer part of the session.
+  bool dropDeleted() {
+    std::error_code ignored;
+    std::size_t gone = 0;
+    while (gone + 1 < pieces.size() &&
+           !std::filesystem::exists(pieces[gone]->reader().name(), ignored)) {
+      std::erase(used, pieces[gone].get());
+      ++gone;
     }
+    pieces.erase(pieces.begin(), pieces.begin() + static_cast<std::ptrdiff_t>(gone));
+    return gone > 0;
+  }
+
+  Status findEvents() {
+    events.clear();
+    for (const auto& piece : pieces) {
+      Result<const std::vector<Event>*> found = piece->events();
+      if (!found) return found.error();
+      events.insert(events.end(), (*found)->begin(), (*found)->end());
+    }
+    // Marks are in time order too; at equal times, events from the log come first.
+    for (const auto& piece : pieces) {
+      Result<std::vector<Event>> marks = readMarks(piece->reader().name());
+      if (!marks) return marks.error();
+      const auto beside = events.insert(events.end(), marks->begin(), marks->end());
+      std::inplace_merge(events.begin(), beside, events.end(), isBefore);
+    }
+    events_found = true;
     return {};
-  }
-
-  Status reach(LogTime moment) {
-    if (reached <= endOf(moment) && reached != kStartOfLog) {
-      const Result<bool> near = foldTo(moment, kNearMessages, nullptr);
-      if (!near) return near.error();
-      if (*near) return {};
-    }
-    if (Status begun = approach(moment); !begun) return begun;
-    if (Result<bool> folded = foldTo(moment, kAll, nullptr); !folded) return folded.error();
-    return {};
-  }
-
-  /// Folds up to and including `moment`, at most `most` messages: false when that was not enough.
-  /// Events go to `sink`, if there is one.
-  Result<bool> foldTo(LogTime moment, std::uint64_t most, std::vector<Event>* sink) {
-    if (!placed) {
-      const Status put = reached == kStartOfLog ? reader.rewind() : reader.seekAfter(reached);
-      if (!put) return put.error();
-      placed = true;
-    }
-    for (std::uint64_t count = 0;; ++count) {
-      if (!lookahead && !at_end) {
-        Result<std::optional<LogMessage>> message = reader.next();
-        if (!message) return message.error();
-        if (*message) lookahead = **message;
-        at_end = !*message;
-      }
-      if (at_end || lookahead->log_time > moment) return true;
-      if (count == most) return false;
-      fold(*lookahead, sink);
-      lookahead.reset();
-    }
-  }
-
-  void fold(const LogMessage& message, std::vector<Event>* sink) {
-    reached = message.place();
-    ++since_base;
-    ++since_kept;
-    if (finder.isOne(message)) {
-      adopt(message);
-    } else if (Decoder* const decoder = decoder_by_channel[message.channel->id]) {
-      if (const Packet* const packet = decoder->decode(message.payload)) {
-        state.apply(message.log_time, *packet);
-        // Otherwise they would accumulate, and be copied into every kept state.
-        std::vector<Event> told = state.takeEvents();
-        if (sink != nullptr) sink->insert(sink->end(), told.begin(), told.end());
-      }
-    } else if (sink != nullptr && message.channel->topic == profile::kMarkTopic) {
-      if (auto mark = parseMark(message.payload)) sink->push_back({message.log_time, {}, *mark});
-    }
-    if (since_kept >= StateCache::interval(state)) keepState();
-  }
-
-  void adopt(const LogMessage& message) {
-    std::optional<SessionState> told = finder.usable(message);
-    if (!told) return;
-    state = std::move(*told);
-    base = reached;
-    since_base = 0;
-    keepState();
-  }
-
-  void keepState() {
-    since_kept = 0;
-    cache.keep(reached, state, base, since_base);
   }
 };
 
@@ -174,9 +101,22 @@ Result<Timeline> Timeline::open(const std::filesystem::path& path) {
   return of(std::move(*reader));
 }
 
+Result<Timeline> Timeline::follow(const std::filesystem::path& path) {
+  Result<LogReader> reader = LogReader::openGrowing(path);
+  if (!reader) return reader.error();
+  Timeline line = of(std::move(*reader));
+  line.impl_->next_piece.emplace();
+  // The pieces that follow already.
+  for (std::size_t known = 0; known < line.impl_->pieces.size();) {
+    known = line.impl_->pieces.size();
+    if (const Result<bool> more = line.refresh(); !more) return more.error();
+  }
+  return line;
+}
+
 Timeline Timeline::of(LogReader reader) {
-  auto impl = std::make_unique<Impl>(std::move(reader));
-  impl->chooseDecoders();
+  auto impl = std::make_unique<Impl>();
+  impl->pieces.push_back(std::make_unique<LogFold>(std::move(reader)));
   return Timeline(std::move(impl));
 }
 
@@ -185,73 +125,66 @@ Timeline::~Timeline() = default;
 Timeline::Timeline(Timeline&&) noexcept = default;
 Timeline& Timeline::operator=(Timeline&&) noexcept = default;
 
-LogTime Timeline::origin() const { return impl_->reader.summary().origin; }
-LogTime Timeline::start() const { return impl_->reader.summary().start; }
-LogTime Timeline::end() const { return impl_->reader.summary().end; }
+LogTime Timeline::origin() const { return impl_->pieces.front()->reader().summary().origin; }
+LogTime Timeline::start() const { return impl_->pieces.front()->reader().summary().start; }
+LogTime Timeline::end() const { return impl_->last().reader().summary().end; }
+
+Result<bool> Timeline::refresh() {
+  Result<bool> changed = impl_->refresh();
+  if (changed && *changed) impl_->events_found = false;
+  return changed;
+}
+
+bool Timeline::growing() const {
+  const LogReader& last = impl_->last().reader();
+  return impl_->next_piece && (last.growing() || NextPiece::expected(last));
+}
 
 Result<const SessionState*> Timeline::stateAt(LogTime moment, StateDamage* damage) {
-  Impl& line = *impl_;
-  if (Status reached = line.reach(moment); !reached) return reached.error();
-  if (line.reader.unreadable().empty()) return &line.state;
-  StateDamage found;
-  addDamageBetween(line.reader, line.base, moment, found);
-  if (found.empty()) return &line.state;
-  if (damage == nullptr) {
-    return Error{ErrorKind::damaged,
-                 fmt::format("the state at {} s is not known: {}",
-                             secondsText(moment - origin(), 3), found.what()),
-                 found.where()};
-  }
-  damage->add(found);
-  return &line.state;
+  return impl_->pieceAt(moment).stateUpTo(lastAt(moment), damage);
+}
+
+Result<const SessionState*> Timeline::stateBefore(LogPosition place, StateDamage* damage) {
+  return impl_->pieceAt(place.time).stateUpTo(lastBefore(place), damage);
 }
 
 Status Timeline::addDamage(LogTime from, LogTime until, StateDamage& damage) {
-  if (Result<const SessionState*> begun = stateAt(from, &damage); !begun) return begun.error();
   Impl& line = *impl_;
-  const LogPosition base = line.base;
-  line.goBehindReached();
-  if (Status put = line.reader.seek(from); !put) return put.error();
-  while (true) {
-    const Result<std::optional<LogMessage>> message = line.reader.next();
-    if (!message) return message.error();
-    if (!*message || (*message)->log_time > until) break;
+  const LogFold* const first = &line.pieceAt(from);
+  bool within = false;
+  for (const auto& piece : line.pieces) {
+    within = within || piece.get() == first;
+    if (!within) continue;
+    const LogTime start = piece->reader().summary().start;
+    if (piece.get() != first && start > until) break;
+    line.use(*piece);
+    const LogTime begin = piece.get() == first ? from : start;
+    if (Status added = piece->addDamage(begin, until, damage); !added) return added;
   }
-  addDamageBetween(line.reader, base, until, damage);
   return {};
 }
 
 const std::vector<KeyframeFault>& Timeline::keyframeFaults() const {
-  return impl_->finder.faults();
+  return impl_->last().keyframeFaults();
 }
 
 Result<const std::vector<Event>*> Timeline::events(StateDamage* damage) {
   Impl& line = *impl_;
-  if (!line.events) {
-    std::vector<Event> found;
-    line.startFrom(kStartOfLog, SessionState{}, kStartOfLog, 0);
-    if (Result<bool> folded = line.foldTo(LogTime::max(), kAll, &found); !folded) {
-      return folded.error();
-    }
-    // Marks are in time order too; at equal times, events from the log come first.
-    Result<std::vector<Event>> marks = readMarks(line.reader.name());
-    if (!marks) return marks.error();
-    const auto beside = found.insert(found.end(), marks->begin(), marks->end());
-    std::inplace_merge(found.begin(), beside, found.end(),
-                       [](const Event& a, const Event& b) { return a.time < b.time; });
-    line.events = std::move(found);
+  if (!line.events_found) {
+    if (Status found = line.findEvents(); !found) return found.error();
   }
-  if (line.reader.unreadable().empty()) return &*line.events;
   StateDamage hiding;
-  addDamageBetween(line.reader, kStartOfLog, end(), hiding);
-  if (hiding.empty()) return &*line.events;
+  for (const auto& piece : line.pieces) piece->addHidingDamage(hiding);
+  if (hiding.empty()) return &line.events;
   if (damage == nullptr) {
     return Error{ErrorKind::damaged, "an event may be missing: " + hiding.what(), hiding.where()};
   }
   damage->add(hiding);
-  return &*line.events;
+  return &line.events;
 }
 
-const LogReader& Timeline::log() const { return impl_->reader; }
+const LogReader& Timeline::log() const { return impl_->last().reader(); }
+
+const LogReader& Timeline::logAt(LogTime moment) const { return impl_->pieceAt(moment).reader(); }
 
 }  // namespace rocinante

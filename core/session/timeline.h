@@ -42,6 +42,11 @@ namespace rocinante {
 class Timeline {
  public:
   static Result<Timeline> open(const std::filesystem::path& path);
+  /// The same for a log that may still be written. refresh() reads what was appended, and goes on
+  /// with the next piece of a recording in pieces (`record --split-time`), which it finds in the
+  /// same folder by its session's id. Pieces that their recorder deletes drop out: start() then
+  /// moves. Each later piece opens with the state before it, so every moment is found in one piece.
+  static Result<Timeline> follow(const std::filesystem::path& path);
   /// The same for a log that is already open.
   static Timeline of(LogReader reader);
 
@@ -53,21 +58,34 @@ class Timeline {
   LogTime start() const;
   LogTime end() const;
 
+  /// Looks for what was written since the last call; true when there is something. Every state,
+  /// event and message borrowed before is invalid then. States of moments before the old end() are
+  /// as they were, unless messages came out of time order. An error when the log was truncated, or
+  /// a next piece cannot be read; what was read before can still be asked for.
+  Result<bool> refresh();
+  /// More may come: a program is writing the log, or has begun another piece. For follow().
+  bool growing() const;
+
   /// The state at `moment`; valid until the next call. If it is damaged: an error, or with `damage`
   /// the state as far as known, and the parts it may lack are added there.
   Result<const SessionState*> stateAt(LogTime moment, StateDamage* damage = nullptr);
+  /// The same for the fold of all messages before `place`, which may be inside a moment.
+  Result<const SessionState*> stateBefore(LogPosition place, StateDamage* damage = nullptr);
   /// Adds the damage of every state from `from` to `until`: reads the log between them.
   Status addDamage(LogTime from, LogTime until, StateDamage& damage);
 
   /// Every event of the log, including its marks (also those of LOG.marks, beside it), oldest
-  /// first: found on the first call, which reads the log once. An error when LOG.marks is
-  /// malformed, or, as for stateAt(), when damage may hide an event.
+  /// first: found on the first call, which reads the log once, and after refresh() what is new. An
+  /// error when LOG.marks is malformed, or, as for stateAt(), when damage may hide an event.
   Result<const std::vector<Event>*> events(StateDamage* damage = nullptr);
 
   /// Unusable keyframes met so far, in that order, and why.
   const std::vector<KeyframeFault>& keyframeFaults() const;
 
+  /// The log; of several pieces, the last.
   const LogReader& log() const;
+  /// The piece that has the moment.
+  const LogReader& logAt(LogTime moment) const;
 
  private:
   struct Impl;

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/math/vector.h"
+
+namespace rocinante {
+
+/// One value of a session as a function of time. As text it is what a table's column is named
+/// (docs/programs/source.md): DEVICE.JOINT, or DEVICE:x :y :z :qx :qy :qz :qw of the pose that
+/// packets state; and rate/SOURCE, loss/SOURCE for the packets of a source, rate and loss for all.
+struct SeriesKey {
+  enum class Kind : std::uint8_t { joint, pose, rate, loss };
+  Kind kind = Kind::joint;
+  std::string name{};  ///< of the device or source; empty: all sources
+  std::string part{};  ///< the joint's value, or "x" and so on
+  auto operator<=>(const SeriesKey&) const = default;
+
+  bool isOfDevice() const { return kind == Kind::joint || kind == Kind::pose; }
+  /// As above; names as they are.
+  std::string text() const;
+};
+
+/// The parts of a pose: metres, then the unit quaternion.
+inline constexpr std::array<std::string_view, 7> kPoseParts{"x", "y", "z", "qx", "qy", "qz", "qw"};
+
+/// "x" is 0 and "qw" 6; empty for anything else.
+std::optional<std::size_t> posePart(std::string_view part);
+
+/// x y z qx qy qz qw.
+std::array<double, 7> poseNumbers(const Pose& pose);
+
+/// Reads text(). The first point or the last colon separates. Empty when it is none of these.
+std::optional<SeriesKey> parseSeriesKey(std::string_view text);
+
+}  // namespace rocinante

@@ -1,0 +1,339 @@
+#include "core/series/series_scan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+#include "core/session/keyframe.h"
+
+namespace rocinante {
+namespace {
+
+constexpr std::size_t kCountBins = 4096;
+constexpr std::size_t kMinBins = 64;
+
+/// So that `bins` of them cover the time.
+Nanoseconds widthFor(LogTime from, LogTime until, std::size_t bins) {
+  if (until <= from) return Nanoseconds(1);
+  return (until - from) / static_cast<std::int64_t>(bins) + Nanoseconds(1);
+}
+
+}  // namespace
+
+/// What is known of one device, so that a stream of its packets finds its series without names.
+struct SeriesScan::Device {
+  std::string name;
+  bool knows_names = false;
+  std::vector<std::string> names;  ///< of positional values; empty: unknown
+  std::vector<SeriesId> positions;
+  std::map<std::string, SeriesId, std::less<>> joints;
+  std::map<std::string, std::vector<SeriesId>, std::less<>> orders;  ///< by source
+  std::optional<std::array<SeriesId, 7>> pose;
+  std::string last_writer;
+};
+
+std::optional<double> jointSaid(const DeviceState& said, std::string_view name,
+                                const std::vector<std::string>& names) {
+  if (const auto named = said.named_joints.find(name); named != said.named_joints.end()) {
+    return named->second.value;
+  }
+  if (!said.joints) return std::nullopt;
+  const std::vector<double>& values = said.joints->value;
+  if (!names.empty()) {
+    const auto found = std::ranges::find(names, name);
+    if (found == names.end() || names.size() != values.size()) return std::nullopt;
+    return values[static_cast<std::size_t>(found - names.begin())];
+  }
+  if (name.size() < 3 || name.front() != '[' || name.back() != ']') return std::nullopt;
+  std::size_t place = 0;
+  const char* const end = name.data() + name.size() - 1;
+  const auto [stop, fault] = std::from_chars(name.data() + 1, end, place);
+  if (fault != std::errc{} || stop != end || place >= values.size()) return std::nullopt;
+  return values[place];
+}
+
+SeriesScan::SeriesScan(Options options)
+    : options_(std::move(options)),
+      width_(widthFor(options_.from, options_.until, options_.max_bins)),
+      reached_(options_.from),
+      all_{countBins(), countBins()} {}
+
+SeriesScan::~SeriesScan() = default;
+
+CountBins SeriesScan::countBins() const {
+  return {options_.from, widthFor(options_.from, options_.until, kCountBins), kCountBins};
+}
+
+void SeriesScan::beginWith(SessionState state) {
+  began_ = true;
+  state_ = std::move(state);
+  for (const auto& [name, said] : state_.devices()) {
+    takeEverything(deviceNamed(name), options_.from);
+  }
+  for (const auto& [name, counts] : state_.counts()) gaps_[name] = counts.gap;
+}
+
+void SeriesScan::add(const LogMessage& message) {
+  reached_ = message.log_time;
+  if (!began_ && isKeyframeChannel(*message.channel)) {
+    // A piece of a session opens with the state that precedes it.
+    auto before = KeyframeReader().read(message.payload, message.log_time);
+    if (before.ok()) beginWith(std::move(*before));
+  }
+  began_ = began_ || message.channel->folded();
+  const MessageFolder::Folded folded = folder_.fold(state_, message);
+  if (folded.packet == nullptr) return;
+  if (message.channel->captured()) count(*folded.packet, message.log_time);
+  if (folded.applied) take(*folded.packet, message.log_time);
+}
+
+void SeriesScan::addLoss(const LossSpan& span) {
+  const std::uint64_t lost = span.counts.kernel + span.counts.queue + span.counts.disk;
+  // A log may say any number.
+  constexpr std::uint64_t kMost = std::uint64_t{1} << 50U;
+  all_.lost.add(span.until, static_cast<std::int64_t>(std::min(lost, kMost)));
+}
+
+void SeriesScan::count(const Packet& packet, LogTime time) {
+  all_.packets.add(time);
+  if (!packet.header.by.empty()) return;
+  const std::string_view name = packet.header.source;
+  SourceSeries* source = nullptr;
+  if (SourceSeries* const* const known = source_cache_.find(name)) {
+    source = *known;
+  } else {
+    auto found = sources_.find(name);
+    if (found == sources_.end()) {
+      if (sources_.size() >= kMaxSources) return;
+      found = sources_.emplace(std::string(name), SourceSeries{countBins(), countBins()}).first;
+    }
+    source = &found->second;
+    source_cache_.remember(found->first, source);
+  }
+  source->packets.add(time);
+  const auto counted = state_.counts().find(name);
+  if (counted == state_.counts().end()) return;
+  auto known = gaps_.find(name);
+  if (known == gaps_.end()) known = gaps_.emplace(std::string(name), 0).first;
+  // Late packets fill gaps: they then count down.
+  const std::uint64_t gap = counted->second.gap;
+  if (gap == known->second) return;
+  const auto more = static_cast<std::int64_t>(gap) - static_cast<std::int64_t>(known->second);
+  known->second = gap;
+  source->lost.add(time, more);
+  all_.lost.add(time, more);
+}
+
+void SeriesScan::take(const Packet& packet, LogTime time) {
+  for (const Statement& statement : packet.statements) {
+    takeStatement(statement, packet.header.source, time);
+  }
+  // What a whole restatement does not say any more is gone.
+  const auto& part = packet.header.part;
+  if (!packet.header.restated || !part || part->index != part->count) return;
+  const auto written = written_by_.find(packet.header.source);
+  if (written == written_by_.end()) return;
+  for (Device* const device : written->second) takeEverything(*device, time);
+}
+
+void SeriesScan::takeStatement(const Statement& statement, std::string_view source, LogTime time) {
+  switch (statement.kind) {
+    case StatementKind::joints:
+    case StatementKind::joint:
+    case StatementKind::pose:
+    case StatementKind::order:
+    case StatementKind::add:
+    case StatementKind::remove:
+      break;
+    default:
+      return;
+  }
+  Device& device = deviceNamed(statement.name);
+  if (device.last_writer != source) {
+    device.last_writer = source;
+    written_by_[std::string(source)].insert(&device);
+  }
+  const DeviceState* const said = state_.findDevice(statement.name);
+  if (said == nullptr || statement.kind == StatementKind::remove) return endAll(device, time);
+  switch (statement.kind) {
+    case StatementKind::joints:
+      return takeJoints(statement, source, device, *said, time);
+    case StatementKind::joint:
+      for (std::size_t i = 0; i < statement.names.size(); ++i) {
+        record(idOf(device, statement.names[i]), time, statement.numbers[i]);
+      }
+      return;
+    case StatementKind::pose:
+      if (!device.pose) {
+        device.pose.emplace();
+        for (std::size_t part = 0; part < kPoseParts.size(); ++part) {
+          (*device.pose)[part] =
+              idOf(SeriesKey{SeriesKey::Kind::pose, device.name, std::string(kPoseParts[part])});
+        }
+      }
+      for (std::size_t part = 0; part < kPoseParts.size(); ++part) {
+        record((*device.pose)[part], time, statement.numbers[part]);
+      }
+      return;
+    case StatementKind::add:
+      device.knows_names = false;
+      return takeEverything(device, time);
+    default:  // order: another meaning from now on
+      device.orders.clear();
+      return;
+  }
+}
+
+void SeriesScan::takeJoints(const Statement& statement, std::string_view source, Device& device,
+                            const DeviceState& said, LogTime time) {
+  const auto order = said.orders.find(source);
+  if (order != said.orders.end()) {
+    if (order->second.size() != statement.numbers.size()) return;
+    auto known = device.orders.find(source);
+    if (known == device.orders.end()) {
+      std::vector<SeriesId> ids;
+      for (const std::string& name : order->second) ids.push_back(idOf(device, name));
+      known = device.orders.emplace(std::string(source), std::move(ids)).first;
+    }
+    for (std::size_t i = 0; i < known->second.size(); ++i) {
+      record(known->second[i], time, statement.numbers[i]);
+    }
+    return;
+  }
+  if (!device.knows_names) learnNames(device, said);
+  if (device.names.empty()) {
+    for (std::size_t i = device.positions.size(); i < statement.numbers.size(); ++i) {
+      device.positions.push_back(idOf(device, fmt::format("[{}]", i)));
+    }
+  }
+  const bool fits = device.names.empty() || device.names.size() == statement.numbers.size();
+  for (std::size_t i = 0; i < device.positions.size(); ++i) {
+    const SeriesId id = device.positions[i];
+    if (id == kUnwanted) continue;
+    // As it is drawn: as if it had none.
+    if (fits && i < statement.numbers.size()) {
+      series_[id].add(time, statement.numbers[i]);
+    } else {
+      series_[id].end(time);
+    }
+  }
+}
+
+void SeriesScan::learnNames(Device& device, const DeviceState& said) {
+  device.knows_names = true;
+  device.names.clear();
+  device.positions.clear();
+  if (options_.names) device.names = options_.names(device.name, said);
+  for (const std::string& name : device.names) device.positions.push_back(idOf(device, name));
+}
+
+/// All values of the device, as the state has them now.
+void SeriesScan::takeEverything(Device& device, LogTime time) {
+  const DeviceState* const said = state_.findDevice(device.name);
+  if (said == nullptr) return endAll(device, time);
+  if (!device.knows_names) learnNames(device, *said);
+  device.orders.clear();
+  for (const auto& [name, item] : said->named_joints) idOf(device, name);
+  if (said->joints && device.names.empty()) {
+    for (std::size_t i = device.positions.size(); i < said->joints->value.size(); ++i) {
+      device.positions.push_back(idOf(device, fmt::format("[{}]", i)));
+    }
+  }
+  for (const auto& [name, id] : device.joints) {
+    if (id == kUnwanted) continue;
+    if (const auto value = jointSaid(*said, name, device.names)) {
+      series_[id].add(time, *value);
+    } else if (!series_[id].bins().empty()) {
+      series_[id].end(time);
+    }
+  }
+  if (!said->pose && !device.pose) return;
+  for (std::size_t part = 0; part < kPoseParts.size(); ++part) {
+    if (!device.pose) device.pose.emplace().fill(kUnwanted);
+    SeriesId& id = (*device.pose)[part];
+    if (id == kUnwanted) {
+      id = idOf(SeriesKey{SeriesKey::Kind::pose, device.name, std::string(kPoseParts[part])});
+    }
+    if (id == kUnwanted) continue;
+    if (said->pose) {
+      series_[id].add(time, poseNumbers(said->pose->value.pose)[part]);
+    } else {
+      series_[id].end(time);
+    }
+  }
+}
+
+void SeriesScan::endAll(Device& device, LogTime time) {
+  device.orders.clear();
+  device.knows_names = false;
+  for (const auto& [name, id] : device.joints) {
+    if (id != kUnwanted && !series_[id].bins().empty()) series_[id].end(time);
+  }
+  if (!device.pose) return;
+  for (const SeriesId id : *device.pose) {
+    if (id != kUnwanted) series_[id].end(time);
+  }
+}
+
+SeriesScan::Device& SeriesScan::deviceNamed(std::string_view name) {
+  if (Device* const* const known = device_cache_.find(name)) return **known;
+  auto found = devices_.find(name);
+  if (found == devices_.end()) {
+    found = devices_.emplace(std::string(name), std::make_unique<Device>()).first;
+    found->second->name = found->first;
+  }
+  device_cache_.remember(found->first, found->second.get());
+  return *found->second;
+}
+
+SeriesScan::SeriesId SeriesScan::idOf(Device& device, std::string_view joint) {
+  auto found = device.joints.find(joint);
+  if (found == device.joints.end()) {
+    const SeriesId id = idOf(SeriesKey{SeriesKey::Kind::joint, device.name, std::string(joint)});
+    found = device.joints.emplace(std::string(joint), id).first;
+  }
+  return found->second;
+}
+
+SeriesScan::SeriesId SeriesScan::idOf(const SeriesKey& key) {
+  if (options_.only && !options_.only->contains(key)) return kUnwanted;
+  const auto known = ids_.find(key);
+  if (known != ids_.end()) return known->second;
+  if (series_.size() >= kMaxSeries) return kUnwanted;
+  // By what they may take, since the last sample of each may come at the end.
+  const auto most_bytes = [&] {
+    return (series_.size() + 1) * options_.max_bins * sizeof(ValueBin);
+  };
+  while (options_.max_bins > kMinBins && most_bytes() > options_.max_bytes) {
+    options_.max_bins /= 2;
+    for (ValueBins& series : series_) series.halve();
+  }
+  series_.emplace_back(options_.from, widthFor(options_.from, options_.until, options_.max_bins),
+                       options_.max_bins);
+  ids_.emplace(key, series_.size() - 1);
+  return series_.size() - 1;
+}
+
+std::uint64_t SeriesScan::bytes() const {
+  std::uint64_t bytes = 0;
+  for (const ValueBins& series : series_) bytes += series.bytes();
+  return bytes;
+}
+
+const ValueBins* SeriesScan::values(const SeriesKey& key) const {
+  const auto found = ids_.find(key);
+  if (found == ids_.end() || series_[found->second].bins().empty()) return nullptr;
+  return &series_[found->second];
+}
+
+std::vector<SeriesKey> SeriesScan::keys() const {
+  std::vector<SeriesKey> keys;
+  for (const auto& [key, id] : ids_) {
+    if (!series_[id].bins().empty()) keys.push_back(key);
+  }
+  return keys;
+}
+
+}  // namespace rocinante

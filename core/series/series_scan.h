@@ -1,0 +1,116 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/log/log_types.h"
+#include "core/packet/session_state.h"
+#include "core/series/series_key.h"
+#include "core/series/value_bins.h"
+#include "core/session/message_folder.h"
+
+namespace rocinante {
+
+/// The names of the values of a device's positional `joints`, in order; empty when its model is not
+/// known. `said`: what packets have said about it.
+using PositionalNames =
+    std::function<std::vector<std::string>(std::string_view device, const DeviceState& said)>;
+
+/// The values of `joints` that a device's state gives to a name, as pictures show them: named ones
+/// first, positional ones when there are as many as `names`, or by "[0]", "[1]" without names.
+std::optional<double> jointSaid(const DeviceState& said, std::string_view name,
+                                const std::vector<std::string>& names);
+
+/// How many packets of a source came, and how many numbers of its sequence did not.
+struct SourceSeries {
+  CountBins packets, lost;
+};
+
+/// Gathers every value that the packets of a stretch of a log state, as functions of time, in one
+/// pass: joints, poses, packets and losses by source. A joint that no packet has stated has no
+/// series. Bounded: all series together take at most `max_bytes`; when they would take more, all of
+/// them halve their number of bins, down to 64. Folds by itself, in log order: a damaged log
+/// continues with the next packet. Copies and moves are not possible: it points into itself. One
+/// thread.
+class SeriesScan {
+ public:
+  struct Options {
+    LogTime from{}, until{};  ///< of the first bin, and about of the last: more may come
+    PositionalNames names;    ///< may be empty
+    std::size_t max_bins = 16384;
+    std::uint64_t max_bytes = std::uint64_t{128} << 20U;
+    /// Only these values; empty: all. Sources are counted in any case.
+    std::optional<std::set<SeriesKey>> only;
+  };
+  /// Sources counted one by one; only a hostile session has more, which count in all().
+  static constexpr std::size_t kMaxSources = 256;
+  /// Values kept; further ones have no series.
+  static constexpr std::size_t kMaxSeries = 65536;
+
+  explicit SeriesScan(Options options);
+  ~SeriesScan();
+  SeriesScan(const SeriesScan&) = delete;
+  SeriesScan& operator=(const SeriesScan&) = delete;
+
+  /// Begins with what was said before `from`. Call it first, if at all.
+  void beginWith(SessionState state);
+  /// The next message in log order.
+  void add(const LogMessage& message);
+  /// What the recorder could not keep; counts in all(), as it ends.
+  void addLoss(const LossSpan& span);
+
+  /// Null when no packet stated it.
+  const ValueBins* values(const SeriesKey& key) const;
+  /// Every value that packets stated, sorted.
+  std::vector<SeriesKey> keys() const;
+  const std::map<std::string, SourceSeries, std::less<>>& sources() const { return sources_; }
+  const SourceSeries& all() const { return all_; }
+  /// The time of the last message.
+  LogTime reached() const { return reached_; }
+  std::uint64_t bytes() const;
+
+ private:
+  using SeriesId = std::size_t;
+  static constexpr SeriesId kUnwanted = static_cast<SeriesId>(-1);
+  struct Device;
+
+  void take(const Packet& packet, LogTime time);
+  void takeStatement(const Statement& statement, std::string_view source, LogTime time);
+  void takeJoints(const Statement& statement, std::string_view source, Device& device,
+                  const DeviceState& said, LogTime time);
+  void takeEverything(Device& device, LogTime time);
+  void count(const Packet& packet, LogTime time);
+  Device& deviceNamed(std::string_view name);
+  SeriesId idOf(const SeriesKey& key);
+  SeriesId idOf(Device& device, std::string_view joint);
+  void learnNames(Device& device, const DeviceState& said);
+  void record(SeriesId id, LogTime time, double value) {
+    if (id != kUnwanted) series_[id].add(time, value);
+  }
+  void endAll(Device& device, LogTime time);
+  CountBins countBins() const;
+
+  Options options_;
+  Nanoseconds width_;
+  MessageFolder folder_;
+  SessionState state_;
+  LogTime reached_;
+  std::vector<ValueBins> series_;
+  std::map<SeriesKey, SeriesId> ids_;
+  std::map<std::string, std::unique_ptr<Device>, std::less<>> devices_;
+  NameCache<Device*> device_cache_;
+  std::map<std::string, std::set<Device*>, std::less<>> written_by_;
+  std::map<std::string, SourceSeries, std::less<>> sources_;
+  NameCache<SourceSeries*> source_cache_;
+  std::map<std::string, std::uint64_t, std::less<>> gaps_;  ///< of the sources, as last seen
+  SourceSeries all_;
+  bool began_ = false;  ///< with a state, or with a first packet
+};
+
+}  // namespace rocinante

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/log/log_reader.h"
+#include "core/series/series_scan.h"
+
+namespace rocinante {
+
+/// Writes joints and pose parts from a stretch of a log as the table that `rocinante source --csv`
+/// reads (docs/programs/source.md): column `t` in seconds from the session's origin, then one per
+/// key, in radians and metres, the shortest numbers that read back as the same. The first row has
+/// what holds at `from`; then there is one for every packet about one of the devices until `until`.
+/// A field is empty while no packet has stated the value. One pass; the file is replaced whole or
+/// not at all.
+struct SeriesTable {
+  std::vector<SeriesKey> keys;  ///< at least one, of devices
+  LogTime from{}, until{};
+  PositionalNames names;
+  /// Asked now and then; when it returns false, nothing is written. May be empty.
+  std::function<bool()> goes_on;
+};
+
+/// The largest table: it is made in memory.
+inline constexpr std::size_t kMaxTableBytes = std::size_t{256} << 20U;
+
+/// The number of rows. `before`: the state at `from`. bad_argument for a key that is of no device,
+/// or when the table would be too large; refused when it was told to stop; else why the file cannot
+/// be written.
+Result<std::uint64_t> writeSeriesTable(const SeriesTable& table, SessionState before,
+                                       LogReader& log, const std::filesystem::path& path);
+
+}  // namespace rocinante
