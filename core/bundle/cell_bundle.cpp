@@ -77,20 +77,12 @@ BundleNames namesFor(const fs::path& main, const FileLookups& noted,
   return names;
 }
 
-Error firstErrorOf(const Cell& cell) {
-  std::size_t count = 0;
-  const ModelFault* first = nullptr;
-  for (const ModelFault& fault : cell.faults) {
-    if (fault.severity != Severity::error) continue;
-    if (first == nullptr) first = &fault;
-    ++count;
+Error refusalOf(const Cell& cell, const Finding& first) {
+  std::string what = "the cell loads with errors, so it is not attached: " + first.text;
+  if (const std::size_t count = countOf(cell.faults, Severity::error); count > 1) {
+    what += fmt::format("; {} errors in all, rocinante check lists them", count);
   }
-  std::string where = first->file;
-  if (first->line > 0) where += fmt::format(":{}", first->line);
-  if (first->line > 0 && first->column > 0) where += fmt::format(":{}", first->column);
-  std::string what = "the cell loads with errors, so it is not attached: " + first->text;
-  if (count > 1) what += fmt::format("; {} errors in all, rocinante check lists them", count);
-  return {ErrorKind::damaged, std::move(what), std::move(where)};
+  return {ErrorKind::damaged, std::move(what), first.place()};
 }
 
 /// Files by the names that they will have, each with a path that leads to it.
@@ -174,7 +166,7 @@ Status noteNames(const FileLookups& noted, const BundleNames& names, BundleManif
 /// What must be equal for two loads to be the same.
 auto outcomeOf(const Cell& cell) {
   std::vector<std::tuple<Severity, std::string, int, int>> faults;
-  for (const ModelFault& fault : cell.faults) {
+  for (const Finding& fault : cell.faults) {
     faults.emplace_back(fault.severity, fault.rule, static_cast<int>(fault.line),
                         static_cast<int>(fault.column));
   }
@@ -203,8 +195,7 @@ Result<CellBundle> collectCell(const fs::path& path, CellOptions options) {
   options.geometry = true;
   const auto cell = loadCell(path, options);
   if (!cell.ok()) return cell.error();
-  const auto is_error = [](const ModelFault& fault) { return fault.severity == Severity::error; };
-  if (std::ranges::any_of(cell->faults, is_error)) return firstErrorOf(*cell);
+  if (const Finding* const first = firstError(cell->faults)) return refusalOf(*cell, *first);
   const auto given = givenRoots(options);
   if (!given.ok()) return given.error();
 
@@ -226,7 +217,7 @@ Result<CellBundle> collectCell(const fs::path& path, CellOptions options) {
     bundle.manifest.packages.emplace(manifestWord(packageOf(lookup.name)),
                                      names.nameOf(lookup.found.package));
   }
-  for (const ModelFault& fault : cell->faults) {
+  for (const Finding& fault : cell->faults) {
     if (fault.severity == Severity::warning) bundle.warnings.push_back(fault);
   }
   if (Status proved = prove(bundle, *cell, options.parallel); !proved) return proved.error();
@@ -236,7 +227,7 @@ Result<CellBundle> collectCell(const fs::path& path, CellOptions options) {
 std::vector<std::string> bundleWarnings(const CellBundle& bundle) {
   constexpr std::size_t kShown = 3;
   std::vector<std::string> lines;
-  for (const ModelFault& warning : bundle.warnings) {
+  for (const Finding& warning : bundle.warnings) {
     if (lines.size() == kShown) {
       lines.push_back(fmt::format("... and {} more warnings (rocinante check lists all)",
                                   bundle.warnings.size() - kShown));

@@ -17,7 +17,7 @@ namespace rocinante {
 struct CellBundle {
   BundleManifest manifest;
   std::vector<Bytes> contents;  ///< as manifest.files
-  ModelFaults warnings;         ///< missing parts that the cell can be drawn without
+  Findings warnings;            ///< missing parts that the cell can be drawn without
 };
 
 /// Loads the cell with `options` and collects every file that was read and the meaning of every

@@ -126,7 +126,7 @@ Result<Cell> loadBundle(const CellBundle& bundle, const std::string& shown_as,
   cell->files_below = root.string() + "/";
   cell->files_shown_as = shown_as;
   cell->file = cell->shown(cell->file);
-  for (ModelFault& fault : cell->faults) {
+  for (Finding& fault : cell->faults) {
     fault.file = cell->shown(fault.file);
     fault.text = cell->shown(fault.text);
     fault.hint = cell->shown(fault.hint);

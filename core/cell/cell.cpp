@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "core/cell/cell_clearances.h"
 #include "core/cell/cell_files.h"
 #include "core/cell/cell_insets.h"
 #include "core/cell/cell_layers.h"
@@ -63,25 +64,21 @@ Status addRoots(const CellOptions& options, FileSearch& search) {
 }
 
 // The first error as one that ends the loading.
-Error firstError(const ModelFaults& faults, const fs::path& path) {
-  for (const ModelFault& fault : faults) {
-    if (fault.severity != Severity::error) continue;
-    std::string where = fault.file;
-    if (fault.line > 0) where += fmt::format(":{}", fault.line);
-    if (fault.line > 0 && fault.column > 0) where += fmt::format(":{}", fault.column);
-    return {ErrorKind::damaged,
-            fault.hint.empty() ? fault.text : fmt::format("{}; {}", fault.text, fault.hint), where};
+Error firstErrorOf(const Findings& faults, const fs::path& path) {
+  const Finding* const fault = firstError(faults);
+  if (fault == nullptr) {
+    return {ErrorKind::damaged, "nothing in the file can be used", path.string()};
   }
-  return {ErrorKind::damaged, "nothing in the file can be used", path.string()};
+  return {ErrorKind::damaged,
+          fault->hint.empty() ? fault->text : fmt::format("{}; {}", fault->text, fault->hint),
+          fault->place()};
 }
 
 Status refuseFaulty(const Cell& cell, const fs::path& path, const CellOptions& options) {
   if (!options.strict) return Status{};
-  const auto errors =
-      std::count_if(cell.faults.begin(), cell.faults.end(),
-                    [](const ModelFault& fault) { return fault.severity == Severity::error; });
+  const std::size_t errors = countOf(cell.faults, Severity::error);
   if (errors == 0) return Status{};
-  Error first = firstError(cell.faults, path);
+  Error first = firstErrorOf(cell.faults, path);
   if (errors > 1) first.what += fmt::format("; {} errors in all", errors);
   return first;
 }
@@ -90,12 +87,11 @@ Status refuseFaulty(const Cell& cell, const fs::path& path, const CellOptions& o
 // bottom.
 void sortFaults(Cell& cell) {
   std::map<std::string, std::size_t> order{{cell.file, 0}};
-  for (const ModelFault& fault : cell.faults) order.emplace(fault.file, order.size());
-  std::stable_sort(cell.faults.begin(), cell.faults.end(),
-                   [&](const ModelFault& a, const ModelFault& b) {
-                     return std::tuple(order[a.file], a.line, a.column) <
-                            std::tuple(order[b.file], b.line, b.column);
-                   });
+  for (const Finding& fault : cell.faults) order.emplace(fault.file, order.size());
+  std::stable_sort(cell.faults.begin(), cell.faults.end(), [&](const Finding& a, const Finding& b) {
+    return std::tuple(order[a.file], a.line, a.column) <
+           std::tuple(order[b.file], b.line, b.column);
+  });
 }
 
 Result<Cell> loadModelFile(const fs::path& path, const CellOptions& options) {
@@ -138,7 +134,7 @@ Result<Cell> loadModelFile(const fs::path& path, const CellOptions& options) {
       model = std::make_shared<const Model>(rigidModel(device.name, path.string(), mesh));
     }
   }
-  if (!model) return firstError(cell.faults, path);
+  if (!model) return firstErrorOf(cell.faults, path);
   cell.models[device.model] = model;
   cell.models[device.name] = model;
   cell.device_by_name.emplace(device.name, 0);
@@ -218,7 +214,10 @@ Result<Cell> readCell(ByteView bytes, const fs::path& path, const CellOptions& o
     readLights(*file->root, names, cell);
   }
   layers.finish();
-  for (const CellFile* file : files.inOrder()) readInsets(*file->root, cell);
+  for (const CellFile* file : files.inOrder()) {
+    readInsets(*file->root, cell);
+    readClearances(*file->root, names, cell);
+  }
   CellMaterials materials;
   // Later files override earlier ones.
   for (auto at = files.inOrder().rbegin(); at != files.inOrder().rend(); ++at) {

@@ -14,8 +14,8 @@
 #include "core/base/parallel_for.h"
 #include "core/base/result.h"
 #include "core/cell/cell_rules.h"
-#include "core/document/model_fault.h"
 #include "core/kinematics/model.h"
+#include "core/report/finding.h"
 #include "core/search/found_file.h"
 
 namespace rocinante {
@@ -108,6 +108,19 @@ struct CellSource {
   std::map<std::string, std::string> ghost_of;  ///< device drawn as a ghost of another
 };
 
+/// Two patterns (docs/patterns.md), each of devices "DEVICE", links "DEVICE/LINK" or layers
+/// "layer/NAME".
+using ClearancePatterns = std::pair<std::string, std::string>;
+
+/// What `check` keeps apart (docs/cell-format.md, "Clearances").
+struct CellClearance {
+  std::string name;           ///< never empty
+  ClearancePatterns between;  ///< links of different devices; equal when `is_self`
+  bool is_self = false;       ///< links of one device, but for adjacent ones
+  double min_m = 0;
+  std::vector<ClearancePatterns> except;  ///< may touch, whichever way round
+};
+
 /// A light at infinity: it has only a direction.
 struct CellLight {
   Vec3 direction{0, 0, 1};            ///< towards it, of any length but zero; world space
@@ -141,9 +154,10 @@ struct Cell {
   std::vector<CellInset> insets;  ///< as the files have them
   std::vector<CellLayer> layers;
   std::vector<CellSource> sources;
-  std::vector<CellRule> rules;  ///< as the file has them
+  std::vector<CellRule> rules;            ///< as the file has them
+  std::vector<CellClearance> clearances;  ///< as the files have them
   CellScene scene;
-  ModelFaults faults;  ///< of the cell and all files that it names
+  Findings faults;  ///< of the cell and all files that it names
   /// Every file that was read, for attaching and hashing; sorted.
   std::vector<std::filesystem::path> files;
   /// For a cell from a log: keeps the folder of `files` while they are needed, and the name that

@@ -33,7 +33,7 @@ struct CellFile {
 class CellFiles {
  public:
   /// `search` and `faults` are borrowed. Without `own_roots`, `search` keys are only read.
-  CellFiles(FileSearch& search, ModelFaults& faults, bool own_roots)
+  CellFiles(FileSearch& search, Findings& faults, bool own_roots)
       : search_(search), faults_(faults), own_roots_(own_roots) {}
 
   /// Reads the cell itself; an error when it is not one. Its own roots are added to the search.
@@ -57,7 +57,7 @@ class CellFiles {
   void putInOrder();
 
   FileSearch& search_;
-  ModelFaults& faults_;
+  Findings& faults_;
   bool own_roots_;
   std::vector<std::unique_ptr<CellFile>> files_;
   std::map<std::filesystem::path, std::size_t> by_path_;  // without links

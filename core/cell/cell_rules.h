@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/document/model_fault.h"
+#include "core/report/finding.h"
 
 namespace rocinante {
 

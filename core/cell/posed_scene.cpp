@@ -214,7 +214,10 @@ class ScenePoser {
 
   void place(Standing& standing) {
     Mat4 carrier{1.0};
+    standing.device.pose = standing.pose;
     if (const auto found = carrierOf(standing)) {
+      standing.device.carrier = standing.carrier;
+      standing.device.carrier_link = standing.carrier_link;
       const Standing& below = standing_[*found];
       carrier = standing.carrier_link.empty()
                     ? below.device.base

@@ -36,8 +36,10 @@ struct PosedShare {
 struct PosedDevice {
   std::string name;
   const Model* model = nullptr;
-  Mat4 base{1.0};                ///< of the device's own space in the world
-  std::vector<Mat4> link_world;  ///< by link of the model
+  Mat4 base{1.0};  ///< of the device's own space in the world
+  Pose pose;       ///< of that space in its carrier's link; without one in the world
+  std::string carrier, carrier_link;  ///< a device of the scene; empty: none, and its root link
+  std::vector<Mat4> link_world;       ///< by link of the model
   /// By link: what is drawn. False for all links of a hidden device or layer.
   std::vector<bool> link_visible;
   std::vector<std::optional<std::uint32_t>> link_color;  ///< 0xRRGGBBAA; empty: materials' own

@@ -1,9 +1,12 @@
 #include "core/check/check.h"
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 #include "core/check/session_check.h"
 #include "core/log/log_profile.h"
+#include "core/log/octets_before.h"
 #include "core/session/keyframe.h"
 
 namespace rocinante {
@@ -12,26 +15,13 @@ namespace {
 /// How often progress is reported.
 constexpr std::uint64_t kProgressMessages = 2048;
 
-Finding findingOf(const ModelFault& fault) {
-  Finding finding;
-  finding.rule = fault.rule;
-  finding.severity = fault.severity;
-  finding.text = fault.text;
-  finding.hint = fault.hint;
-  finding.file = fault.file;
-  finding.line = fault.line;
-  finding.column = fault.column;
-  return finding;
-}
-
 CheckReport reportOfCell(const Cell& cell) {
   CheckReport report;
   report.cell = cell.file;
-  for (const ModelFault& fault : cell.faults) report.findings.push_back(findingOf(fault));
+  report.findings = cell.faults;
   report.rules = RuleSettings(cell.rules);
-  for (const ModelFault& fault : report.rules.faults()) {
-    report.findings.push_back(findingOf(fault));
-  }
+  const Findings& of_rules = report.rules.faults();
+  report.findings.insert(report.findings.end(), of_rules.begin(), of_rules.end());
   return report;
 }
 
@@ -61,6 +51,39 @@ void addPreceding(SessionCheck& session, const LogMessage& keyframe) {
   }
 }
 
+/// Octets of a channel with a decoder wait for the next message, which is their packet or not.
+class WaitingOctets {
+ public:
+  explicit WaitingOctets(const LogReader& log) {
+    for (const LogChannel& channel : log.channels()) {
+      if (channel.decoded()) decoded_.emplace(profile::capturedTopic(channel.topic));
+    }
+  }
+
+  /// Judges those that waited. True when the message itself waits now.
+  bool take(const LogMessage& message, SessionCheck& session) {
+    if (waiting_) session.addOctets(time_, encoding_, before_.areOf(message));
+    before_.take(message);
+    const LogChannel& channel = *message.channel;
+    waiting_ = !decoded_.empty() && channel.captured() && channel.encoding != "rk1" &&
+               decoded_.contains(channel.topic);
+    time_ = message.log_time;
+    encoding_ = channel.encoding;
+    return waiting_;
+  }
+
+  void finish(SessionCheck& session) {
+    if (std::exchange(waiting_, false)) session.addOctets(time_, encoding_, false);
+  }
+
+ private:
+  std::set<std::string, std::less<>> decoded_;  ///< topics whose octets have packets
+  OctetsBefore before_;
+  bool waiting_ = false;
+  LogTime time_{};
+  std::string_view encoding_;  ///< of the reader's channel
+};
+
 }  // namespace
 
 Result<CheckReport> checkLog(const Cell& cell, LogReader& log,
@@ -69,6 +92,7 @@ Result<CheckReport> checkLog(const Cell& cell, LogReader& log,
   SessionCheck session(cell);
   const LogTime start = log.summary().start;
   const double span = std::max(1.0, static_cast<double>((log.summary().end - start).count()));
+  WaitingOctets octets(log);
   bool is_first = true, interrupted = false;
   for (std::uint64_t messages = 0;; ++messages) {
     const Result<std::optional<LogMessage>> next = log.next();
@@ -80,6 +104,10 @@ Result<CheckReport> checkLog(const Cell& cell, LogReader& log,
       interrupted = !progress(std::clamp(done, 0.0, 1.0));
       if (interrupted) break;
     }
+    if (octets.take(message, session)) {
+      is_first = false;
+      continue;
+    }
     const bool is_keyframe = isKeyframeChannel(*message.channel);
     if (is_keyframe && is_first) addPreceding(session, message);
     is_first = is_first && !is_keyframe && !message.channel->folded();
@@ -90,6 +118,7 @@ Result<CheckReport> checkLog(const Cell& cell, LogReader& log,
     session.add(message.log_time, message.channel->encoding, message.channel->captured(),
                 message.payload);
   }
+  octets.finish(session);
   for (const LossSpan& loss : log.losses()) session.addLoss(loss);
   const std::uint64_t file_bytes = log.storage().file_bytes;
   for (const DamageSpan& damage : log.damage()) {
@@ -100,6 +129,7 @@ Result<CheckReport> checkLog(const Cell& cell, LogReader& log,
     if (damage.from != damage.to && !is_torn_end) session.addDamage(damage);
   }
   if (!log.summary().complete) session.noteIncomplete();
+  session.settle();
   CheckReport report = checkSession(cell, session);
   report.interrupted = interrupted;
   if (interrupted) conclude(report);

@@ -4,7 +4,7 @@
 
 #include "core/base/result.h"
 #include "core/cell/cell.h"
-#include "core/check/rules/finding.h"
+#include "core/check/rules/check_report.h"
 #include "core/log/log_reader.h"
 
 namespace rocinante {

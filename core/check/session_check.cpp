@@ -4,30 +4,24 @@
 
 #include <algorithm>
 
+#include "core/check/judges/clearance_report.h"
+
 namespace rocinante {
 namespace {
 
 /// Most devices that are counted separately; only a hostile session has more.
 constexpr std::size_t kMaxDevices = 10000;
 
-bool isStatic(StatementKind kind) {
-  switch (kind) {
-    case StatementKind::joints:
-    case StatementKind::joint:
-    case StatementKind::pose:
-    case StatementKind::event:
-    case StatementKind::seen:
-      return false;
-    default:
-      return true;
-  }
-}
-
 }  // namespace
 
-SessionCheck::SessionCheck(const Cell& cell) : cell_(cell), rules_(cell.rules), layers_(cell) {
-  motion_.velocity_factor = rules_.threshold("joint.velocity");
-  motion_.acceleration = rules_.threshold("joint.acceleration");
+SessionCheck::SessionCheck(const Cell& cell)
+    : cell_(cell),
+      stream_(RuleSettings(cell.rules), cell.sources),
+      layers_(cell),
+      clearance_(cell) {
+  const RuleSettings rules(cell.rules);
+  motion_.velocity_factor = rules.threshold("joint.velocity");
+  motion_.acceleration = rules.threshold("joint.acceleration");
   expectDevices();
 }
 
@@ -67,33 +61,6 @@ DeviceJudge& SessionCheck::newDevice(std::string_view name) {
   return judge;
 }
 
-Decoder* SessionCheck::decoderFor(std::string_view encoding) {
-  if (Decoder* const* const known = decoder_cache_.find(encoding)) return *known;
-  auto found = decoders_.find(encoding);
-  if (found == decoders_.end()) {
-    found = decoders_.emplace(std::string(encoding), makeDecoder(encoding)).first;
-  }
-  decoder_cache_.remember(found->first, found->second.get());
-  return found->second.get();
-}
-
-SessionCheck::Source& SessionCheck::sourceNamed(std::string_view name) {
-  if (Source* const* const known = source_cache_.find(name)) return **known;
-  auto found = sources_.find(name);
-  if (found == sources_.end()) {
-    const auto listed = std::find_if(cell_.sources.begin(), cell_.sources.end(),
-                                     [&](const CellSource& source) { return source.name == name; });
-    const CellSource* const expected = listed == cell_.sources.end() ? nullptr : &*listed;
-    const auto number = static_cast<std::uint32_t>(source_names_.size());
-    source_names_.emplace_back(name);
-    SourceJudge judge(source_names_.back(), number, SourceThresholds::of(rules_, expected));
-    const SourceCounts& counts = state_.counts().find(name)->second;
-    found = sources_.emplace(source_names_.back(), Source{std::move(judge), &counts}).first;
-  }
-  source_cache_.remember(found->first, &found->second);
-  return found->second;
-}
-
 DeviceJudge* SessionCheck::deviceNamed(std::string_view name) {
   if (DeviceJudge* const* const known = device_cache_.find(name)) return *known;
   auto found = devices_.find(name);
@@ -107,53 +74,19 @@ DeviceJudge* SessionCheck::deviceNamed(std::string_view name) {
 }
 
 void SessionCheck::add(LogTime time, std::string_view encoding, bool captured, ByteView datagram) {
-  if (captured) ++datagrams_;
-  end_ = std::max(end_, time);
-  PacketPlace place;
-  place.time = time;
-  place.packet = datagrams_;
-  place.datagram = datagram;
-  Decoder* const decoder = decoderFor(encoding);
-  if (decoder == nullptr) {
-    faults_.takeUndecoded(encoding, place);
-    return;
+  StreamJudge::Judged judged = stream_.add(time, encoding, captured, datagram);
+  stream_.takeEvents();
+  if (judged.source == nullptr) return;
+  clearance_.take(time, *judged.packet, stream_.state());
+  for (const Statement& statement : judged.packet->statements) {
+    judged.place.line = statement.line;
+    judge(statement, *judged.source, judged.place);
   }
-  const Packet* const packet = decoder->decode(datagram);
-  if (!decoder->faults().empty()) faults_.takeFaults(decoder->faults(), place);
-  if (packet == nullptr) return;
-  if (captured) ++packets_;
-
-  const std::uint64_t relay_gap_before =
-      packet->header.via ? relayGap(packet->header.via->relay) : 0;
-  const Applied applied = state_.apply(time, *packet);
-  state_.takeEvents();
-  if (applied == Applied::refused) {
-    refused_.hit(place);
-    return;
-  }
-  if (packet->header.via && relayGap(packet->header.via->relay) > relay_gap_before) {
-    relay_gap_.hit(place);
-  }
-  Source& source = sourceNamed(packet->header.source);
-  place.line = 1;
-  place.sequence = packet->header.sequence.value_or(0);
-  source.judge.take(packet->header, applied, *source.counts, place);
-  // A late packet is dropped whole and has no effect.
-  if (applied == Applied::late) return;
-  for (const Statement& statement : packet->statements) {
-    place.line = statement.line;
-    judge(statement, source.judge, place);
-  }
-}
-
-std::uint64_t SessionCheck::relayGap(std::string_view relay) const {
-  const auto found = state_.relays().find(relay);
-  return found == state_.relays().end() ? 0 : found->second.gap;
 }
 
 void SessionCheck::judge(const Statement& statement, SourceJudge& source,
                          const PacketPlace& place) {
-  if (isStatic(statement.kind)) source.takeStatic(place);
+  source.takeStatement(statement.kind, place);
   if (!statement.carrier.first.empty()) judgePath(statement.carrier, place);
   switch (statement.kind) {
     case StatementKind::show:
@@ -200,7 +133,7 @@ void SessionCheck::judgeJoints(const Statement& statement, const SourceJudge& so
                                DeviceJudge& device, const PacketPlace& place) {
   // An order may have been forgotten since it was given: by `remove`, or a restatement without it.
   const bool ordered = device.hasOrderOf(source.number()) && [&] {
-    const DeviceState* const said = state_.findDevice(statement.name);
+    const DeviceState* const said = stream_.state().findDevice(statement.name);
     return said != nullptr && said->orders.contains(source.name());
   }();
   device.judgeJoints(statement.numbers, ordered, place);
@@ -214,17 +147,18 @@ void SessionCheck::judgeAdd(const Statement& statement, DeviceJudge& device,
   device.appearByAdd(model, statement, place);
   if (had_model) return;
   // Values sent before the device had a model are kept and count from now on.
-  const auto said = state_.devices().find(statement.name);
-  if (said == state_.devices().end()) return;
+  const auto& devices = stream_.state().devices();
+  const auto said = devices.find(statement.name);
+  if (said == devices.end()) return;
   const DeviceState& earlier = said->second;
   PacketPlace then = place;
   then.is_restated = true;
   if (earlier.joints) {
-    then.source = sourceNamed(earlier.joints->owner).judge.number();
+    then.source = stream_.sourceNamed(earlier.joints->owner).number();
     device.judgeJoints(earlier.joints->value, false, then);
   }
   for (const auto& [joint, item] : earlier.named_joints) {
-    then.source = sourceNamed(item.owner).judge.number();
+    then.source = stream_.sourceNamed(item.owner).number();
     device.judgeEarlier(joint, item.value, then);
   }
 }
@@ -238,45 +172,27 @@ void SessionCheck::judgePath(const PathView& path, const PacketPlace& place) {
 }
 
 void SessionCheck::finish(CheckReport& report) const {
-  report.datagrams = datagrams_;
-  report.packets = packets_;
-  report.sources = source_names_;
+  report.datagrams = stream_.datagrams();
+  report.packets = stream_.packets();
+  report.sources = stream_.sourceNames();
   std::sort(report.sources.begin(), report.sources.end());
   std::set<std::string, std::less<>> missing;
   for (const CellSource& source : cell_.sources) {
-    if (!sources_.contains(source.name)) missing.insert(source.name);
+    if (!stream_.hasSource(source.name)) missing.insert(source.name);
   }
   std::vector<std::string_view> devices;
   for (const CellDevice& device : cell_.devices) devices.push_back(device.name);
-  const SessionRoster roster{source_names_, missing, devices};
-  faults_.report(report.findings);
+  const SessionRoster roster{stream_.sourceNames(), missing, devices};
+  stream_.reportDatagrams(report.findings);
   layers_.report(report.findings);
   for (const auto& [name, device] : devices_) device.report(roster, report.findings);
-  reportSources(roster, report.findings);
+  stream_.reportSources(stream_.end(), report.findings);
+  reportMissing(roster, report.findings);
   log_.report(report.findings);
+  reportClearances(cell_, clearance_.judge(), report.clearances, report.findings);
 }
 
-void SessionCheck::reportSources(const SessionRoster& roster,
-                                 std::vector<Finding>& findings) const {
-  for (const auto& [name, source] : sources_) source.judge.report(end_, findings);
-  if (refused_.count > 0) {
-    findings.push_back(
-        refused_.finding("source.refused", "", "packets of more sources than the limit allows"));
-  }
-  std::uint64_t relay_gap = 0;
-  for (const auto& [relay, counts] : state_.relays()) relay_gap += counts.gap;
-  if (relay_gap > 0) {
-    findings.push_back(
-        relay_gap_.finding("source.relay-gap", "",
-                           "packets that a relay sent on, by its own count, and that never "
-                           "arrived"));
-    findings.back().count = relay_gap;
-  }
-  reportMissing(roster, findings);
-}
-
-void SessionCheck::reportMissing(const SessionRoster& roster,
-                                 std::vector<Finding>& findings) const {
+void SessionCheck::reportMissing(const SessionRoster& roster, Findings& findings) const {
   for (const CellSource& source : cell_.sources) {
     if (!roster.missing.contains(source.name)) continue;
     // A device that no source drives reports that itself.

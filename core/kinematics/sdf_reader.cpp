@@ -329,7 +329,7 @@ std::vector<MeshWanted> meshesNamedIn(std::string_view text, const std::filesyst
 }  // namespace
 
 std::optional<Model> readSdf(ByteView bytes, const std::filesystem::path& path, MeshStore& meshes,
-                             ModelFaults& all_faults) {
+                             Findings& all_faults) {
   FaultList faults(all_faults, path.string());
   if (bytes.size() > kMaxSdfBytes) {
     faults.error("sdf.invalid", {},
@@ -338,7 +338,8 @@ std::optional<Model> readSdf(ByteView bytes, const std::filesystem::path& path, 
   }
   if (sdfModule().read == nullptr) {
     faults.error("sdf.no-module", {}, "SDF is not read without its module; " + sdfModule().reason,
-                 "install the package rocinante-sdf, build with -DROCINANTE_SDF=ON, or convert the "
+                 "install the package rocinante-sdf (Debian 12), build with -DROCINANTE_SDF=ON, or "
+                 "convert the "
                  "file to URDF");
     return std::nullopt;
   }

@@ -17,6 +17,6 @@ inline constexpr std::size_t kMaxSdfBytes = std::size_t{64} << 20;
 /// Everything valid is returned, as with readUrdf; empty with an error where there is no module.
 /// `<include>` is not followed. For one thread at a time.
 std::optional<Model> readSdf(ByteView bytes, const std::filesystem::path& path, MeshStore& meshes,
-                             ModelFaults& faults);
+                             Findings& faults);
 
 }  // namespace rocinante

@@ -86,7 +86,7 @@ bool isUrdf(const tinyxml2::XMLElement& robot, const XmlPlaces& places, FaultLis
 }  // namespace
 
 std::optional<Model> readUrdf(ByteView bytes, const std::filesystem::path& path, MeshStore& meshes,
-                              ModelFaults& all_faults) {
+                              Findings& all_faults) {
   FaultList faults(all_faults, path.string());
   if (bytes.size() > kMaxUrdfBytes) {
     faults.error("urdf.too-large", {},

@@ -17,6 +17,6 @@ inline constexpr std::size_t kMaxUrdfElements = std::size_t{1} << 20;
 /// them are looked for beside it. All faults are added, with line and column, and everything valid
 /// is returned; empty when nothing is: no XML, no <robot>, no link, or a xacro template.
 std::optional<Model> readUrdf(ByteView bytes, const std::filesystem::path& path, MeshStore& meshes,
-                              ModelFaults& faults);
+                              Findings& faults);
 
 }  // namespace rocinante

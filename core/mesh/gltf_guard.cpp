@@ -2,80 +2,20 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <cstring>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string_view>
 #include <vector>
+
+#include "core/mesh/glb_container.h"
 
 namespace rocinante {
 namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::size_t kDeepestJson = 100;            // brackets in brackets, nodes below nodes
+constexpr std::size_t kDeepestNodes = 100;           // nodes below nodes
 constexpr std::uint64_t kMaxBufferBytes = 1U << 29;  // of one buffer
-constexpr std::uint32_t kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
-
-// The format is little-endian, and so is every machine that we run on.
-std::uint32_t numberAt(ByteView bytes, std::size_t at) {
-  std::uint32_t number = 0;
-  std::memcpy(&number, bytes.data() + at, 4);
-  return number;
-}
-
-/// The chunks of a .glb; for a .gltf the whole file is the text.
-struct GltfParts {
-  std::string_view text;
-  ByteView binary;
-};
-
-Result<GltfParts> partsOf(ByteView bytes) {
-  if (!textOf(bytes).starts_with("glTF")) return GltfParts{textOf(bytes), {}};
-  if (bytes.size() < 20 || numberAt(bytes, 12) > bytes.size() - 20) {
-    return Error{ErrorKind::damaged, "ends inside its first chunk", {}};
-  }
-  if (numberAt(bytes, 4) != 2) {
-    return Error{ErrorKind::unsupported,
-                 fmt::format("is binary glTF {}; only 2 is read", numberAt(bytes, 4)),
-                 {}};
-  }
-  if (numberAt(bytes, 16) != kJsonChunk) {
-    return Error{ErrorKind::damaged, "its first chunk is not JSON", {}};
-  }
-  const std::size_t text_bytes = numberAt(bytes, 12);
-  GltfParts parts{textOf(bytes.subspan(20, text_bytes)), {}};
-  // Chunks begin at multiples of four.
-  const std::size_t next = 20 + (text_bytes + 3) / 4 * 4;
-  if (next + 8 <= bytes.size() && numberAt(bytes, next + 4) == kBinaryChunk) {
-    const std::size_t binary_bytes = numberAt(bytes, next);
-    if (binary_bytes > bytes.size() - next - 8) {
-      return Error{ErrorKind::damaged, "ends inside its binary chunk", {}};
-    }
-    parts.binary = bytes.subspan(next + 8, binary_bytes);
-  }
-  return parts;
-}
-
-bool isTooDeep(std::string_view text) {
-  std::size_t depth = 0;
-  bool in_string = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (in_string) {
-      if (c == '\\') ++i;
-      if (c == '"') in_string = false;
-    } else if (c == '"') {
-      in_string = true;
-    } else if (c == '{' || c == '[') {
-      if (++depth > kDeepestJson) return true;
-    } else if ((c == '}' || c == ']') && depth > 0) {
-      --depth;
-    }
-  }
-  return false;
-}
 
 std::size_t componentBytes(std::uint64_t type) {
   switch (type) {
@@ -371,8 +311,8 @@ class GltfJudge {
       if (!has_parent[i]) level.push_back(i);
     }
     for (std::size_t depth = 0; !level.empty(); ++depth) {
-      if (depth >= kDeepestJson) {
-        return fail(fmt::format("nodes are nested deeper than {}", kDeepestJson));
+      if (depth >= kDeepestNodes) {
+        return fail(fmt::format("nodes are nested deeper than {}", kDeepestNodes));
       }
       reached += level.size();
       std::vector<std::size_t> next;
@@ -425,44 +365,22 @@ std::string judge(Json& root, ByteView binary) {
   return GltfJudge(root, binary).problem();
 }
 
-void addNumber(Bytes& bytes, std::size_t number) {
-  const auto narrow = static_cast<std::uint32_t>(number);
-  const auto* from = reinterpret_cast<const std::byte*>(&narrow);
-  bytes.insert(bytes.end(), from, from + 4);
-}
-
-void addChunk(Bytes& bytes, std::uint32_t kind, ByteView content, std::byte padding) {
-  addNumber(bytes, (content.size() + 3) / 4 * 4);
-  addNumber(bytes, kind);
-  bytes.insert(bytes.end(), content.begin(), content.end());
-  while (bytes.size() % 4 != 0) bytes.push_back(padding);
-}
-
 }  // namespace
 
 Result<Bytes> sanitizedGltf(ByteView bytes) {
-  const Result<GltfParts> parts = partsOf(bytes);
+  const Result<GltfParts> parts = gltfParts(bytes);
   if (!parts.ok()) return parts.error();
-  std::string_view text = parts->text;
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-  if (isTooDeep(text)) {
-    return Error{ErrorKind::damaged, "the JSON is nested deeper than 100", {}};
-  }
-  Json root = Json::parse(text, nullptr, false);
+  Json root = Json::parse(parts->text, nullptr, false);
   if (root.is_discarded()) return Error{ErrorKind::damaged, "is not valid JSON", {}};
   if (std::string problem = judge(root, parts->binary); !problem.empty()) {
     return Error{ErrorKind::damaged, std::move(problem), {}};
   }
   const std::string kept = root.dump(-1, ' ', false, Json::error_handler_t::replace);
-  const ByteView json = bytesOf(kept);
-  if (!textOf(bytes).starts_with("glTF")) return Bytes(json.begin(), json.end());
-  Bytes whole(12);
-  addChunk(whole, kJsonChunk, json, std::byte{' '});
-  if (!parts->binary.empty()) addChunk(whole, kBinaryChunk, parts->binary, std::byte{0});
-  const std::array<std::uint32_t, 3> head = {0x46546C67, 2,
-                                             static_cast<std::uint32_t>(whole.size())};
-  std::memcpy(whole.data(), head.data(), sizeof head);
-  return whole;
+  if (!isGlb(bytes)) {
+    const ByteView json = bytesOf(kept);
+    return Bytes(json.begin(), json.end());
+  }
+  return glbOf({kept, parts->binary});
 }
 
 }  // namespace rocinante

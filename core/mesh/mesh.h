@@ -1,8 +1,11 @@
 #pragma once
 
+#include <array>
+#include <compare>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -52,6 +55,15 @@ struct Bounds {
   void add(const Bounds& other);
 };
 
+/// A shape by its kind and sizes in metres: sides of a box; three times the radius of a sphere;
+/// radius, radius and length of the others.
+struct ShapeSize {
+  enum class Kind : std::uint8_t { box, sphere, cylinder, capsule };
+  Kind kind = Kind::box;
+  std::array<double, 3> size{};
+  auto operator<=>(const ShapeSize&) const = default;
+};
+
 /// Triangles with everything needed to draw them, in metres, z up: the reader applies the file's
 /// unit and up axis. Counter-clockwise triangles face outward. Normals are unit length.
 struct Mesh {
@@ -63,6 +75,8 @@ struct Mesh {
   std::vector<MeshPart> parts;  ///< in the order of the file
   std::vector<Material> materials;
   Bounds bounds;
+  /// The shape that the triangles approximate; empty for those of a file.
+  std::optional<ShapeSize> shape{};
 
   std::size_t triangleCount() const { return indices.size() / 3; }
   /// Bytes in memory, each embedded image counted once.

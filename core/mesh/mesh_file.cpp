@@ -124,7 +124,7 @@ bool isMeshFile(const std::filesystem::path& path) {
 }
 
 Result<Mesh> readMeshBytes(ByteView bytes, const std::filesystem::path& path,
-                           const MeshReadOptions& options, ModelFaults& faults) {
+                           const MeshReadOptions& options, Findings& faults) {
   FaultList mesh_faults(faults, path.string());
   Result<Mesh> mesh = readByEnding(bytes, path, options, mesh_faults);
   if (mesh.ok()) judgeTriangles(*mesh, mesh_faults);
@@ -132,7 +132,7 @@ Result<Mesh> readMeshBytes(ByteView bytes, const std::filesystem::path& path,
 }
 
 Result<Mesh> readMeshFile(const std::filesystem::path& path, const MeshReadOptions& options,
-                          ModelFaults& faults) {
+                          Findings& faults) {
   WholeFile file;
   if (Status read = file.read(path); !read) return read.error();
   return readMeshBytes(file.bytes(), path, options, faults);

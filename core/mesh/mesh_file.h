@@ -5,8 +5,8 @@
 
 #include "core/base/bytes.h"
 #include "core/base/result.h"
-#include "core/document/model_fault.h"
 #include "core/mesh/mesh.h"
+#include "core/report/finding.h"
 #include "core/search/found_file.h"
 
 namespace rocinante {
@@ -35,10 +35,10 @@ bool saysItsUnit(const std::filesystem::path& path);
 /// of the file are added to `faults` with their lines and as much as is sound is returned; an error
 /// only when nothing can be used. Details per format: obj_reader.h, stl_reader.h, scene_reader.h.
 Result<Mesh> readMeshFile(const std::filesystem::path& path, const MeshReadOptions& options,
-                          ModelFaults& faults);
+                          Findings& faults);
 
 /// The same from bytes: for tests and fuzzers. `path` names them and says the format.
 Result<Mesh> readMeshBytes(ByteView bytes, const std::filesystem::path& path,
-                           const MeshReadOptions& options, ModelFaults& faults);
+                           const MeshReadOptions& options, Findings& faults);
 
 }  // namespace rocinante

@@ -173,7 +173,9 @@ std::shared_ptr<const Mesh> MeshStore::shape(const ShapeSize& wanted, Vec3& scal
   }
   std::shared_ptr<const Mesh>& mesh = shapes_[made];
   if (!mesh) {
-    mesh = std::make_shared<const Mesh>(shapeMesh(made));
+    Mesh shaped = shapeMesh(made);
+    shaped.shape = made;
+    mesh = std::make_shared<const Mesh>(std::move(shaped));
     ++shape_counts_[made.kind];
   }
   return mesh;

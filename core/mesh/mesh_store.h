@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-#include <compare>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -25,15 +23,6 @@ struct MeshWanted {
   std::filesystem::path beside;  ///< the folder of the file that names it
   double unit_m = 1.0;
   UpAxis up = UpAxis::z;
-};
-
-/// A shape by its kind and sizes in metres: sides of a box; three times the radius of a sphere;
-/// radius, radius and length of the others.
-struct ShapeSize {
-  enum class Kind : std::uint8_t { box, sphere, cylinder, capsule };
-  Kind kind = Kind::box;
-  std::array<double, 3> size{};
-  auto operator<=>(const ShapeSize&) const = default;
 };
 
 /// The meshes of one cell, each read once and shared. Keeps count of the files that were read.
@@ -75,7 +64,7 @@ class MeshStore {
     std::shared_ptr<const Mesh> mesh;
     std::string problem;
     bool told = false;  ///< the results below have been passed on
-    ModelFaults faults;
+    Findings faults;
     std::vector<FileLookup> lookups;
   };
   Loaded read(const Key& key, const FoundFile& found) const;

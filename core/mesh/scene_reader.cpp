@@ -9,11 +9,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <assimp/IOStream.hpp>
-#include <assimp/IOSystem.hpp>
 #include <assimp/Importer.hpp>
 #include <cmath>
-#include <cstring>
 #include <exception>
 #include <map>
 
@@ -23,6 +20,7 @@
 #include "core/mesh/gltf_guard.h"
 #include "core/mesh/mesh_builder.h"
 #include "core/mesh/mtl_reader.h"
+#include "core/mesh/scene_files.h"
 #include "core/mesh/smooth_normals.h"
 #include "core/search/file_search.h"
 
@@ -30,75 +28,6 @@ namespace rocinante {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A file in memory, for reading.
-class MemoryStream : public Assimp::IOStream {
- public:
-  explicit MemoryStream(ByteView bytes) : bytes_(bytes) {}
-  explicit MemoryStream(Bytes own) : own_(std::move(own)), bytes_(own_) {}
-
-  std::size_t Read(void* to, std::size_t size, std::size_t count) override {
-    if (size == 0) return 0;
-    const std::size_t whole = std::min(count, (bytes_.size() - at_) / size);
-    if (whole > 0) std::memcpy(to, bytes_.data() + at_, whole * size);
-    at_ += whole * size;
-    return whole;
-  }
-  std::size_t Write(const void*, std::size_t, std::size_t) override { return 0; }
-  aiReturn Seek(std::size_t offset, aiOrigin origin) override {
-    const std::size_t base = origin == aiOrigin_SET   ? 0
-                             : origin == aiOrigin_CUR ? at_
-                                                      : bytes_.size();
-    if (offset > bytes_.size() - base) return aiReturn_FAILURE;
-    at_ = base + offset;
-    return aiReturn_SUCCESS;
-  }
-  std::size_t Tell() const override { return at_; }
-  std::size_t FileSize() const override { return bytes_.size(); }
-  void Flush() override {}
-
- private:
-  Bytes own_;
-  ByteView bytes_;
-  std::size_t at_ = 0;
-};
-
-/// Gives assimp only the file itself and what options.resolve finds beside it.
-class FoundFiles : public Assimp::IOSystem {
- public:
-  FoundFiles(std::string name, ByteView bytes, const fs::path& path, const ResolveFile& resolve)
-      : name_(std::move(name)), bytes_(bytes), path_(path), resolve_(resolve) {}
-
-  bool Exists(const char* name) const override {
-    return name == name_ || !resolve_(name, path_.parent_path()).path.empty();
-  }
-  char getOsSeparator() const override { return '/'; }
-  Assimp::IOStream* Open(const char* name, const char* mode) override {
-    if (std::strchr(mode, 'w') != nullptr || std::strchr(mode, 'a') != nullptr) return nullptr;
-    if (name == name_) return std::make_unique<MemoryStream>(bytes_).release();
-    const fs::path found = resolve_(name, path_.parent_path()).path;
-    if (found.empty()) {
-      refused_ = name;
-      return nullptr;
-    }
-    Result<Bytes> bytes = readWholeFile(found, kMaxSceneBytes);
-    if (!bytes.ok()) return nullptr;
-    return std::make_unique<MemoryStream>(std::move(*bytes)).release();
-  }
-  void Close(Assimp::IOStream* stream) override {
-    const std::unique_ptr<Assimp::IOStream> ends(stream);
-  }
-
-  /// The last file that was asked for but refused; empty when none was.
-  const std::string& refused() const { return refused_; }
-
- private:
-  std::string name_;
-  ByteView bytes_;
-  const fs::path& path_;
-  const ResolveFile& resolve_;
-  std::string refused_;
-};
 
 /// Whether it is one of the two importers in use; others must not guess at our files.
 bool isWanted(const aiImporterDesc* facts) {
@@ -390,8 +319,8 @@ Result<Mesh> importScene(ByteView bytes, const fs::path& path, const std::string
   const ResolveFile resolve = resolverOf(options);
   Assimp::Importer importer;
   keepWantedLoaders(importer);
-  auto files = std::make_unique<FoundFiles>(name, bytes, path, resolve);
-  const FoundFiles& asked = *files;
+  auto files = std::make_unique<SceneFiles>(name, bytes, path, resolve);
+  const SceneFiles& asked = *files;
   importer.SetIOHandler(files.release());
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);

@@ -5,15 +5,15 @@
 #include <utility>
 #include <vector>
 
-#include "core/check/rules/finding.h"
 #include "core/check/rules/rule_list.h"
+#include "core/report/finding.h"
 
 namespace rocinante {
 
 /// Collects the drift of one subject: a device, or a model that only `add` can bring.
 class DriftList {
  public:
-  DriftList(std::vector<Finding>& findings, std::string subject)
+  DriftList(Findings& findings, std::string subject)
       : findings_(findings), subject_(std::move(subject)) {}
 
   const std::string& subject() const { return subject_; }
@@ -29,7 +29,7 @@ class DriftList {
   }
 
  private:
-  std::vector<Finding>& findings_;
+  Findings& findings_;
   std::string subject_;
 };
 

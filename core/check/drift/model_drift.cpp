@@ -17,7 +17,7 @@ class CellDrift {
  public:
   CellDrift(const Cell& recorded, const Cell& given) : recorded_(recorded), given_(given) {}
 
-  std::vector<Finding> find() {
+  Findings find() {
     for (const CellDevice& was : recorded_.devices) compareDevice(was);
     for (const CellDevice& is : given_.devices) {
       if (recorded_.findDevice(is.name) != nullptr) continue;
@@ -152,14 +152,14 @@ class CellDrift {
   }
 
   const Cell &recorded_, &given_;
-  std::vector<Finding> findings_;
+  Findings findings_;
   std::set<std::pair<const Model*, const Model*>> compared_;
   LookDrift look_;
 };
 
 }  // namespace
 
-std::vector<Finding> modelDrift(const Cell& recorded, const Cell& given) {
+Findings modelDrift(const Cell& recorded, const Cell& given) {
   return CellDrift(recorded, given).find();
 }
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/cell/cell.h"
-#include "core/check/rules/finding.h"
+#include "core/report/finding.h"
 
 namespace rocinante {
 
@@ -11,6 +11,6 @@ namespace rocinante {
 /// with its effect on a replay. Numbers that differ only by rounding and unit conversion are the
 /// same; geometry is the same when it decodes to the same triangles. Opens textures of both cells,
 /// whose files must still be there.
-std::vector<Finding> modelDrift(const Cell& recorded, const Cell& given);
+Findings modelDrift(const Cell& recorded, const Cell& given);
 
 }  // namespace rocinante

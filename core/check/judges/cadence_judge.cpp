@@ -119,8 +119,7 @@ void CadenceJudge::judgeJitter(const PacketPlace& place, double interval_s, std:
   worst_uneven_s_ = std::max(worst_uneven_s_, uneven_s);
 }
 
-void CadenceJudge::report(const std::string& source, LogTime end,
-                          std::vector<Finding>& findings) const {
+void CadenceJudge::report(const std::string& source, LogTime end, Findings& findings) const {
   if (!is_begun_) return;
   Tally silence = silence_;
   double longest_s = longest_silence_s_;

@@ -28,7 +28,7 @@ class CadenceJudge {
   void takeRestatement(const PacketPlace& place);
 
   /// `end`: of the session.
-  void report(const std::string& source, LogTime end, std::vector<Finding>& findings) const;
+  void report(const std::string& source, LogTime end, Findings& findings) const;
 
  private:
   void begin(const PacketPlace& place);

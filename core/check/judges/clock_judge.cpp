@@ -113,7 +113,7 @@ void ClockJudge::noteDelay(const PacketPlace& place, std::int64_t delay_ns) {
   if (!least.is_set || delay_ns < least.delay_ns) least = {at, delay_ns, true};
 }
 
-void ClockJudge::report(const std::string& source, std::vector<Finding>& findings) const {
+void ClockJudge::report(const std::string& source, Findings& findings) const {
   if (is_ignored_ || !is_begun_) return;
   if (steps_.count > 0) {
     findings.push_back(
@@ -140,7 +140,7 @@ void ClockJudge::report(const std::string& source, std::vector<Finding>& finding
 
 // The median of the slopes between all pairs (Theil and Sen): a few delayed intervals do not change
 // it.
-void ClockJudge::reportDrift(const std::string& source, std::vector<Finding>& findings) const {
+void ClockJudge::reportDrift(const std::string& source, Findings& findings) const {
   std::vector<Least> points;
   for (const Least& least : bins_) {
     if (least.is_set) points.push_back(least);

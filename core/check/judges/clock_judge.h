@@ -25,7 +25,7 @@ class ClockJudge {
   /// The source is a replay: its TIME no longer shows a clock.
   void ignore() { is_ignored_ = true; }
 
-  void report(const std::string& source, std::vector<Finding>& findings) const;
+  void report(const std::string& source, Findings& findings) const;
 
  private:
   static constexpr std::size_t kBins = 64;
@@ -33,7 +33,7 @@ class ClockJudge {
   void begin(const PacketPlace& place, std::int64_t delay_ns);
   void noteDelay(const PacketPlace& place, std::int64_t delay_ns);
   bool steps(const PacketPlace& place, std::int64_t delay_ns);
-  void reportDrift(const std::string& source, std::vector<Finding>& findings) const;
+  void reportDrift(const std::string& source, Findings& findings) const;
 
   ClockThresholds thresholds_;
   bool is_ignored_ = false, is_begun_ = false, is_wall_ = false;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/check/judges/fault_rules.h"
+#include "core/report/traffic_findings.h"
 
 namespace rocinante {
 namespace {
@@ -62,22 +63,24 @@ void DatagramJudge::takeFaults(std::span<const FaultAt> faults, PacketPlace plac
   }
 }
 
-void DatagramJudge::report(std::vector<Finding>& findings) const {
+void DatagramJudge::report(Findings& findings) const {
   const auto add = [&](const Tally& tally, std::string_view rule, std::string text,
-                       std::uint32_t column) {
+                       std::string_view hint, std::uint32_t column) {
     if (tally.count == 0) return;
     if (column > 0) text += fmt::format("; the first at column {}", column);
     findings.push_back(tally.finding(rule, "", std::move(text)));
+    findings.back().hint = hint;
   };
   for (std::size_t kind = 0; kind < kPacketFaultCount; ++kind) {
     const FaultRule& rule = ruleOf(static_cast<PacketFault>(kind));
-    add(faults_[kind], rule.rule, std::string(rule.text), columns_[kind]);
+    add(faults_[kind], rule.rule, std::string(rule.text), rule.hint, columns_[kind]);
   }
   add(not_finite_, "packet.not-finite", "lines with a number that is nan or infinite",
-      not_finite_column_);
+      ruleOf(PacketFault::bad_number).hint, not_finite_column_);
   for (const auto& [encoding, tally] : undecoded_) {
     findings.push_back(
         tally.finding("packet.unknown-protocol", encoding, "datagrams in an unknown protocol"));
+    findings.back().hint = kPacketTextHint;
   }
 }
 

@@ -17,7 +17,7 @@ class DatagramJudge {
  public:
   void takeUndecoded(std::string_view encoding, const PacketPlace& place);
   void takeFaults(std::span<const FaultAt> faults, PacketPlace place);
-  void report(std::vector<Finding>& findings) const;
+  void report(Findings& findings) const;
 
  private:
   std::array<Tally, kPacketFaultCount> faults_;

@@ -213,7 +213,7 @@ std::size_t DeviceJudge::valueNamed(std::string_view value_name, const PacketPla
 void DeviceJudge::judgeValue(std::size_t number, double q, const PacketPlace& place) {
   Value& value = values_[number];
   value.said_in = statements_;
-  noteWriter(value.writer, two_drivers_, place);
+  two_drivers_.note(value.writer, place);
   value.judge.judge(q, place);
 }
 
@@ -229,9 +229,7 @@ void DeviceJudge::judgeUnitQuaternions(const PacketPlace& place) {
   }
 }
 
-void DeviceJudge::judgePose(const PacketPlace& place) {
-  noteWriter(pose_writer_, two_posers_, place);
-}
+void DeviceJudge::judgePose(const PacketPlace& place) { two_posers_.note(pose_writer_, place); }
 
 void DeviceJudge::writtenBy(std::string_view source_name, const PacketPlace& place) {
   if (writer_ != place.source) {
@@ -243,15 +241,6 @@ void DeviceJudge::writtenBy(std::string_view source_name, const PacketPlace& pla
     }
   }
   if (stranger_ != nullptr) stranger_->tally.hit(place);
-}
-
-void DeviceJudge::noteWriter(std::uint32_t& writer, TwoSources& two, const PacketPlace& place) {
-  if (writer == place.source) return;
-  if (writer != kNobody && two.tally.hit(place)) {
-    two.before = writer;
-    two.now = place.source;
-  }
-  writer = place.source;
 }
 
 bool DeviceJudge::isUndriven() const {

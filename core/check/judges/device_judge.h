@@ -10,6 +10,7 @@
 #include "core/check/judges/joint_judge.h"
 #include "core/check/judges/presence_judge.h"
 #include "core/check/judges/tally.h"
+#include "core/check/judges/two_sources.h"
 #include "core/kinematics/model.h"
 #include "core/packet/packet.h"
 
@@ -78,10 +79,10 @@ class DeviceJudge {
   /// A source that writes it although the cell gives it to others; empty: none.
   std::string stranger() const;
 
-  void report(const SessionRoster& roster, std::vector<Finding>& findings) const;
+  void report(const SessionRoster& roster, Findings& findings) const;
 
  private:
-  static constexpr std::uint32_t kNobody = std::numeric_limits<std::uint32_t>::max();
+  static constexpr std::uint32_t kNobody = TwoSources::kNobody;
   static constexpr std::size_t kNoValue = std::numeric_limits<std::size_t>::max();
 
   struct Value {
@@ -93,10 +94,6 @@ class DeviceJudge {
   struct Order {
     std::vector<std::string> names;
     std::vector<std::size_t> values;
-  };
-  struct TwoSources {
-    Tally tally;
-    std::uint32_t before = 0, now = 0;
   };
   struct Stranger {
     std::string name;
@@ -112,15 +109,14 @@ class DeviceJudge {
   void resolve(Order& order) const;
   void judgeValue(std::size_t value, double number, const PacketPlace& place);
   void judgeUnitQuaternions(const PacketPlace& place);
-  void noteWriter(std::uint32_t& writer, TwoSources& two, const PacketPlace& place);
   /// Index of the value in `values_`; kNoValue, with the fault counted, when there is none.
   std::size_t valueNamed(std::string_view value_name, const PacketPlace& place);
 
-  void reportNames(std::vector<Finding>& findings) const;
-  void reportValues(std::vector<Finding>& findings) const;
-  bool reportDegrees(std::vector<Finding>& findings) const;
-  void reportUndriven(const SessionRoster& roster, std::vector<Finding>& findings) const;
-  void reportWriters(const SessionRoster& roster, std::vector<Finding>& findings) const;
+  void reportNames(Findings& findings) const;
+  void reportValues(Findings& findings) const;
+  bool reportDegrees(Findings& findings) const;
+  void reportUndriven(const SessionRoster& roster, Findings& findings) const;
+  void reportWriters(const SessionRoster& roster, Findings& findings) const;
 
   std::string name_;
   MotionThresholds thresholds_;
@@ -143,7 +139,7 @@ class DeviceJudge {
   NameTallies unknown_links_, unknown_joints_, undrivable_joints_;
   NameTallies early_links_, early_joints_;  ///< sent before there was a model to judge them
   TwoSources two_drivers_, two_posers_;
-  std::vector<Finding> earlier_;  ///< about the values of a model that it no longer has
+  Findings earlier_;  ///< about the values of a model that it no longer has
 };
 
 }  // namespace rocinante

@@ -8,6 +8,7 @@
 #include "core/base/count_text.h"
 #include "core/base/name_hint.h"
 #include "core/check/judges/device_judge.h"
+#include "core/report/traffic_findings.h"
 
 namespace rocinante {
 namespace {
@@ -17,13 +18,12 @@ constexpr std::uint64_t kKnownStatements = 20;
 
 }  // namespace
 
-void DeviceJudge::report(const SessionRoster& roster, std::vector<Finding>& findings) const {
+void DeviceJudge::report(const SessionRoster& roster, Findings& findings) const {
   if (!is_known_) {
     if (mentioned_.count == 0) return;
-    findings.push_back(mentioned_.finding(
-        "packet.unknown-device", name_,
-        fmt::format("the cell has no device {}, and no `add` brings it", name_)));
-    findings.back().hint = "name the device as the cell does, or let the source `add` it";
+    const Finding unknown = unknownDevice(name_);
+    findings.push_back(mentioned_.finding(unknown.rule, name_, unknown.text));
+    findings.back().hint = unknown.hint;
     if (const std::string meant = didYouMean(name_, roster.devices); !meant.empty()) {
       findings.back().hint = meant + " " + findings.back().hint;
     }
@@ -41,7 +41,7 @@ void DeviceJudge::report(const SessionRoster& roster, std::vector<Finding>& find
   reportUndriven(roster, findings);
 }
 
-void DeviceJudge::reportNames(std::vector<Finding>& findings) const {
+void DeviceJudge::reportNames(Findings& findings) const {
   const auto add = [&](const Tally& tally, const char* rule, std::string text,
                        std::string hint = {}) {
     if (tally.count == 0) return;
@@ -55,11 +55,7 @@ void DeviceJudge::reportNames(std::vector<Finding>& findings) const {
       fmt::format("the sender's kinematics of device {} differ from those of the model here",
                   name_),
       "one of the two has another version of the model file");
-  add(presence_.beforeAdd(), "packet.before-add",
-      fmt::format("device {} is used before the same source adds it", name_),
-      "say `add` first: until it comes, nothing is drawn");
-  add(presence_.afterRemove(), "packet.after-remove",
-      fmt::format("device {} is used after it was removed", name_));
+  presence_.report(name_, findings);
   add(joint_count_, "packet.joint-count",
       fmt::format("device {} gets {}", name_, joint_count_text_), joint_count_hint_);
   add(repeated_joint_, "packet.repeated-joint",
@@ -91,12 +87,12 @@ void DeviceJudge::reportNames(std::vector<Finding>& findings) const {
                   name_));
 }
 
-void DeviceJudge::reportValues(std::vector<Finding>& findings) const {
+void DeviceJudge::reportValues(Findings& findings) const {
   for (const Value& value : values_) value.judge.report(name_, findings);
 }
 
 // Degrees are far beyond the limits in radians, but well within them when read as degrees.
-bool DeviceJudge::reportDegrees(std::vector<Finding>& findings) const {
+bool DeviceJudge::reportDegrees(Findings& findings) const {
   std::size_t angles = 0, beyond = 0;
   double largest = 0;
   Tally tally;
@@ -122,8 +118,7 @@ bool DeviceJudge::reportDegrees(std::vector<Finding>& findings) const {
   return true;
 }
 
-void DeviceJudge::reportUndriven(const SessionRoster& roster,
-                                 std::vector<Finding>& findings) const {
+void DeviceJudge::reportUndriven(const SessionRoster& roster, Findings& findings) const {
   if (isUndriven()) {
     findings.push_back(makeFinding("device.undriven", name_,
                                    fmt::format("device {} has {}, and no source drives it", name_,
@@ -156,7 +151,7 @@ std::string DeviceJudge::stranger() const {
   return strangers_.empty() ? std::string() : strangers_.begin()->second.name;
 }
 
-void DeviceJudge::reportWriters(const SessionRoster& roster, std::vector<Finding>& findings) const {
+void DeviceJudge::reportWriters(const SessionRoster& roster, Findings& findings) const {
   // Where an owner never sent a packet, a different name is the likely cause: see source.missing.
   const bool has_missing_owner =
       std::any_of(owners_.names.begin(), owners_.names.end(),
@@ -173,13 +168,9 @@ void DeviceJudge::reportWriters(const SessionRoster& roster, std::vector<Finding
     }
   }
   const auto two = [&](const TwoSources& found, const char* what) {
-    if (found.tally.count == 0) return;
     // Sources that the cell does not list for it are already reported.
     if (strangers_.contains(found.before) || strangers_.contains(found.now)) return;
-    findings.push_back(found.tally.finding(
-        "packet.two-sources", name_,
-        fmt::format("the {} of device {} are written by {} and by {}; the last to write wins", what,
-                    name_, roster.sources[found.before], roster.sources[found.now])));
+    found.report(name_, what, roster.sources, findings);
   };
   two(two_drivers_, "joints");
   two(two_posers_, "poses");

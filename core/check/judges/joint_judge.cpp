@@ -110,7 +110,7 @@ void JointJudge::collect(Tally& all) const {
   for (const Tally* tally : {&beyond_, &jump_, &velocity_, &acceleration_}) all.merge(*tally);
 }
 
-void JointJudge::report(const std::string& device, std::vector<Finding>& findings) const {
+void JointJudge::report(const std::string& device, Findings& findings) const {
   const auto add = [&](const Tally& tally, const char* rule, std::string text) {
     if (tally.count > 0) findings.push_back(tally.finding(rule, device, std::move(text)));
   };

@@ -37,7 +37,7 @@ class JointJudge {
   /// Adds the tallies of all faults, when the values are degrees.
   void collect(Tally& all) const;
 
-  void report(const std::string& device, std::vector<Finding>& findings) const;
+  void report(const std::string& device, Findings& findings) const;
 
  private:
   /// The packets with nearly the same TIME, if they caused the last fault of motion.

@@ -24,7 +24,7 @@ void LayerJudge::judge(std::string_view layer, const PacketPlace& place) {
   found->second.hit(place);
 }
 
-void LayerJudge::report(std::vector<Finding>& findings) const {
+void LayerJudge::report(Findings& findings) const {
   for (const auto& [layer, tally] : unknown_) {
     findings.push_back(tally.finding("packet.unknown-layer", layer,
                                      fmt::format("the cell has no layer {}", layer)));

@@ -17,7 +17,7 @@ class LayerJudge {
   explicit LayerJudge(const Cell& cell);
 
   void judge(std::string_view layer, const PacketPlace& place);
-  void report(std::vector<Finding>& findings) const;
+  void report(Findings& findings) const;
 
  private:
   std::set<std::string, std::less<>> layers_;

@@ -23,7 +23,7 @@ void LogJudge::takeClockStep(LogTime time, ByteView payload) {
   clock_steps_.when.hit(time);
 }
 
-void LogJudge::report(std::vector<Finding>& findings) const {
+void LogJudge::report(Findings& findings) const {
   for (const auto& [endpoint, spans] : losses_) reportLoss(endpoint, spans, findings);
   if (clock_steps_.first) {
     Finding finding = makeFinding(
@@ -51,7 +51,7 @@ void LogJudge::report(std::vector<Finding>& findings) const {
 }
 
 void LogJudge::reportLoss(const std::string& endpoint, const std::vector<LossSpan>& spans,
-                          std::vector<Finding>& findings) const {
+                          Findings& findings) const {
   LossCounts sum;
   for (const LossSpan& span : spans) sum += span.counts;
   const std::uint64_t lost = sum.kernel + sum.queue + sum.disk;

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "core/check/rules/finding.h"
 #include "core/log/log_types.h"
+#include "core/report/finding.h"
 
 namespace rocinante {
 
@@ -18,11 +18,11 @@ class LogJudge {
   void takeClockStep(LogTime time, ByteView payload);
   void noteIncomplete() { is_incomplete_ = true; }
 
-  void report(std::vector<Finding>& findings) const;
+  void report(Findings& findings) const;
 
  private:
   void reportLoss(const std::string& endpoint, const std::vector<LossSpan>& spans,
-                  std::vector<Finding>& findings) const;
+                  Findings& findings) const;
 
   std::map<std::string, std::vector<LossSpan>, std::less<>> losses_;  ///< by endpoint
   std::vector<DamageSpan> damage_;

@@ -1,5 +1,7 @@
 #include "core/check/judges/presence_judge.h"
 
+#include <fmt/format.h>
+
 namespace rocinante {
 namespace {
 
@@ -37,6 +39,21 @@ void PresenceJudge::mentionAbsent(const PacketPlace& place) {
     waiting_stretch_ = place.stretch;
   }
   if (waiting_source_ == place.source) waiting_.hit(place);
+}
+
+void PresenceJudge::report(const std::string& device, Findings& findings) const {
+  if (before_add_.count > 0) {
+    findings.push_back(before_add_.finding(
+        "packet.before-add", device,
+        fmt::format("device {} is used before the same source adds it", device)));
+    findings.back().hint = "say `add` first: until it comes, nothing is drawn";
+  }
+  if (after_remove_.count > 0) {
+    findings.push_back(
+        after_remove_.finding("packet.after-remove", device,
+                              fmt::format("device {} is used after it was removed", device)));
+    findings.back().hint = "what is said of it is kept, and shown when it is added again";
+  }
 }
 
 }  // namespace rocinante

@@ -19,9 +19,7 @@ class PresenceJudge {
   }
 
   bool everThere() const { return state_ != State::unknown; }
-  /// Statements by the source that then added it.
-  const Tally& beforeAdd() const { return before_add_; }
-  const Tally& afterRemove() const { return after_remove_; }
+  void report(const std::string& device, Findings& findings) const;
 
  private:
   enum class State : std::uint8_t { unknown, there, removed };
@@ -33,7 +31,8 @@ class PresenceJudge {
   std::uint32_t waiting_source_ = 0, waiting_stretch_ = 0;
   std::uint32_t remover_ = 0;
   LogTime removed_at_{};
-  Tally before_add_, after_remove_;
+  Tally before_add_;  ///< statements by the source that then added it
+  Tally after_remove_;
 };
 
 }  // namespace rocinante

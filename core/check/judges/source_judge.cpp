@@ -7,7 +7,23 @@
 #include "core/check/rules/rule_settings.h"
 
 namespace rocinante {
-namespace {}  // namespace
+namespace {
+
+/// What a late joiner misses when it is not restated.
+bool isStatic(StatementKind kind) {
+  switch (kind) {
+    case StatementKind::joints:
+    case StatementKind::joint:
+    case StatementKind::pose:
+    case StatementKind::event:
+    case StatementKind::seen:
+      return false;
+    default:
+      return true;
+  }
+}
+
+}  // namespace
 
 SourceThresholds SourceThresholds::of(const RuleSettings& rules, const CellSource* source) {
   const SourceLimits limits = source != nullptr ? source->limits : SourceLimits{};
@@ -43,6 +59,7 @@ void SourceJudge::take(const PacketHeader& header, Applied applied, const Source
   place.source = number_;
   place.stretch = stretch_;
   place.is_restated = header.restated || !own;
+  watchPath(header, counts, place);
   if (applied != Applied::yes) return;
   if (place.is_restated) {
     said_again_ = place.time;
@@ -52,6 +69,13 @@ void SourceJudge::take(const PacketHeader& header, Applied applied, const Source
   clock_.take(place);
   cadence_.take(place, lost_);
   judgeRestatement(place);
+}
+
+void SourceJudge::watchPath(const PacketHeader& header, const SourceCounts& counts,
+                            const PacketPlace& place) {
+  if (!header.by.empty()) return;
+  if (header.via && relay_.empty()) relay_ = header.via->relay;
+  if (counts.isMixed()) mixed_.hit(place);
 }
 
 void SourceJudge::watchNumbers(const SourceCounts& counts, const PacketPlace& place) {
@@ -66,7 +90,8 @@ void SourceJudge::watchNumbers(const SourceCounts& counts, const PacketPlace& pl
   seen_ = {counts.gap, counts.late, counts.duplicates, counts.restarts};
 }
 
-void SourceJudge::takeStatic(const PacketPlace& place) {
+void SourceJudge::takeStatement(StatementKind kind, const PacketPlace& place) {
+  if (!isStatic(kind)) return;
   if (place.is_restated) {
     has_statics_ = true;
   } else if (!has_statics_) {
@@ -84,7 +109,7 @@ void SourceJudge::judgeRestatement(const PacketPlace& place) {
   said_again_ = place.time;
 }
 
-void SourceJudge::report(LogTime end, std::vector<Finding>& findings) const {
+void SourceJudge::report(LogTime end, Findings& findings) const {
   const auto add = [&](const Tally& tally, std::uint64_t count, const char* rule,
                        std::string text) {
     if (count == 0) return;
@@ -97,6 +122,11 @@ void SourceJudge::report(LogTime end, std::vector<Finding>& findings) const {
   add(duplicate_, seen_.duplicates, "source.duplicate",
       fmt::format("packets of source {} that arrived twice; the second was dropped", name_));
   add(restart_, seen_.restarts, "source.restart", fmt::format("restarts of source {}", name_));
+  add(mixed_, mixed_.count, "source.mixed",
+      fmt::format("source {} is heard whole and also filtered by relay {}", name_, relay_));
+  if (mixed_.count > 0) {
+    findings.back().hint = "listen to the source or to one output of the relay, not to both";
+  }
   clock_.report(name_, findings);
   cadence_.report(name_, end, findings);
 

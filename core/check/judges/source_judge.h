@@ -34,13 +34,14 @@ class SourceJudge {
   /// The next packet, after the fold has counted it. Fills in the sender's fields of `place`.
   void take(const PacketHeader& header, Applied applied, const SourceCounts& counts,
             PacketPlace& place);
-  /// A statement that a late joiner misses when it is not restated.
-  void takeStatic(const PacketPlace& place);
+  /// A statement of the packet.
+  void takeStatement(StatementKind kind, const PacketPlace& place);
 
   /// `end`: of the session.
-  void report(LogTime end, std::vector<Finding>& findings) const;
+  void report(LogTime end, Findings& findings) const;
 
  private:
+  void watchPath(const PacketHeader& header, const SourceCounts& counts, const PacketPlace& place);
   void watchNumbers(const SourceCounts& counts, const PacketPlace& place);
   void judgeRestatement(const PacketPlace& place);
 
@@ -54,7 +55,8 @@ class SourceJudge {
   };
   Seen seen_;
   std::uint64_t lost_ = 0;  ///< directly before the packet that is being judged
-  Tally gap_, late_, duplicate_, restart_;
+  Tally gap_, late_, duplicate_, restart_, mixed_;
+  std::string relay_;  ///< NAME:OUTPUT of the first packet of a mixed source that was filtered
   ClockJudge clock_;
   CadenceJudge cadence_;
   bool has_statics_ = false;

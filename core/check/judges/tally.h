@@ -6,7 +6,7 @@
 
 #include "core/base/time.h"
 #include "core/check/judges/packet_place.h"
-#include "core/check/rules/finding.h"
+#include "core/report/finding.h"
 
 namespace rocinante {
 

@@ -7,7 +7,7 @@
 
 #include "core/base/bytes.h"
 #include "core/base/result.h"
-#include "core/check/rules/finding.h"
+#include "core/check/rules/check_report.h"
 
 namespace rocinante {
 

@@ -1,12 +1,10 @@
-#include <nlohmann/json.hpp>
 
 #include "core/check/reports/report_formats.h"
 #include "core/check/rules/rule_list.h"
+#include "core/report/json_text.h"
 
 namespace rocinante {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json secondsOf(const CheckReport& report, const std::optional<LogTime>& time) {
   if (!time) return nullptr;
@@ -20,7 +18,7 @@ Json jsonOf(const CheckReport& report, const Finding& finding) {
   json["count"] = finding.count;
   json["first_s"] = secondsOf(report, finding.first);
   json["last_s"] = secondsOf(report, finding.last);
-  json["packet"] = finding.packet ? Json(*finding.packet) : Json(nullptr);
+  json["packet"] = orNull(finding.packet);
   json["subject"] = finding.subject;
   json["text"] = finding.text;
   json["example"] = finding.example;
@@ -40,6 +38,26 @@ Json jsonOf(const CheckReport& report, const Finding& finding) {
   return json;
 }
 
+Json jsonOf(const CheckReport& report, const CheckedClearance& checked) {
+  Json json;
+  json["name"] = checked.name;
+  json["devices"] = {checked.device_a, checked.device_b};
+  json["min_m"] = checked.min_m;
+  json["least_m"] = checked.least_m;
+  json["penetrating"] = !(checked.least_m > 0);
+  json["links"] = {checked.link_a, checked.link_b};
+  json["points"] = {checked.on_a, checked.on_b};
+  json["at_s"] = secondsOf(report, checked.at);
+  json["violations"] = checked.violations;
+  json["spans"] = Json::array();
+  for (const CheckedClearance::Span& span : checked.spans) {
+    json["spans"].push_back({{"from_s", secondsOf(report, span.from)},
+                             {"until_s", secondsOf(report, span.until)},
+                             {"least_m", span.least_m}});
+  }
+  return json;
+}
+
 }  // namespace
 
 std::string checkJson(const CheckReport& report) {
@@ -47,9 +65,10 @@ std::string checkJson(const CheckReport& report) {
   json["format"] = 1;
   json["verdict"] = std::string(nameOf(report.verdict));
   json["cell"] = report.cell;
-  json["session"] = report.session.empty() ? Json(nullptr) : Json(report.session);
+  json["session"] = orNull(report.session);
   json["datagrams"] = report.datagrams;
   json["packets"] = report.packets;
+  for (const auto& [reason, count] : report.untrusted) json["untrusted"][reason] = count;
   json["sources"] = report.sources;
   json["duration_s"] = static_cast<double>(report.duration.count()) / 1e9;
   json["errors"] = report.countOf(Severity::error);
@@ -61,8 +80,10 @@ std::string checkJson(const CheckReport& report) {
   for (const Finding& finding : report.findings) {
     json["findings"].push_back(jsonOf(report, finding));
   }
-  // Examples are a sender's bytes, which need not be UTF-8.
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  for (const CheckedClearance& checked : report.clearances) {
+    json["clearances"].push_back(jsonOf(report, checked));
+  }
+  return jsonText(json);
 }
 
 }  // namespace rocinante

@@ -2,15 +2,15 @@
 
 #include <map>
 
-#include "core/base/plain_text.h"
 #include "core/check/reports/report_formats.h"
 #include "core/check/rules/rule_list.h"
+#include "core/report/junit.h"
 
 namespace rocinante {
 namespace {
 
 std::string paragraphOf(const CheckReport& report, const Finding& finding) {
-  const std::string place = placeText(finding);
+  const std::string place = finding.place();
   std::string text = fmt::format("{}: {}{}{}\n", nameOf(finding.severity), place,
                                  place.empty() ? "" : ": ", finding.text);
   if (finding.first) text += "  " + whenText(report, finding) + "\n";
@@ -19,40 +19,30 @@ std::string paragraphOf(const CheckReport& report, const Finding& finding) {
   return text;
 }
 
-struct Counts {
-  std::size_t tests = 0, failures = 0, errors = 0, skipped = 0;
-};
-
 /// The test case of one rule, with its findings.
-std::string testCase(const CheckReport& report, std::string_view rule,
-                     const std::vector<const Finding*>& findings, Counts& counts) {
-  ++counts.tests;
-  const std::string_view family = rule.substr(0, rule.find('.'));
-  std::string text =
-      fmt::format("    <testcase classname=\"rocinante.check.{}\" name=\"{}\" time=\"0\"",
-                  xmlText(family), xmlText(rule));
-  if (findings.empty()) return text + "/>\n";
-  text += ">\n";
+JunitCase testCase(const CheckReport& report, std::string_view rule,
+                   const std::vector<const Finding*>& findings) {
+  JunitCase test;
+  test.classname = fmt::format("rocinante.check.{}", rule.substr(0, rule.find('.')));
+  test.name = rule;
   std::string failures, others, accepted;
-  const Finding* first_failure = nullptr;
   for (const Finding* finding : findings) {
     const bool fails = report.isFailure(*finding);
-    if (fails && first_failure == nullptr) first_failure = finding;
+    if (fails && failures.empty()) {
+      test.message = finding->text;
+      test.type = nameOf(finding->severity);
+    }
     (fails ? failures : finding->accepted ? accepted : others) += paragraphOf(report, *finding);
   }
-  if (first_failure != nullptr) {
-    ++counts.failures;
-    text += fmt::format("      <failure message=\"{}\" type=\"{}\">{}</failure>\n",
-                        xmlText(first_failure->text), nameOf(first_failure->severity),
-                        xmlText(failures));
+  if (!failures.empty()) {
+    test.outcome = JunitCase::Outcome::failure;
+    test.text = failures;
   } else if (!accepted.empty() && others.empty()) {
-    ++counts.skipped;
-    text += "      <skipped message=\"accepted by the baseline\"/>\n";
+    test.outcome = JunitCase::Outcome::skipped;
+    test.message = "accepted by the baseline";
   }
-  if (!others.empty() || !accepted.empty()) {
-    text += fmt::format("      <system-out>{}</system-out>\n", xmlText(others + accepted));
-  }
-  return text + "    </testcase>\n";
+  test.output = others + accepted;
+  return test;
 }
 
 }  // namespace
@@ -62,30 +52,24 @@ std::string checkJunit(const CheckReport& report) {
   for (const Rule& rule : allRules()) by_rule[rule.id];
   for (const Finding& finding : report.findings) by_rule[finding.rule].push_back(&finding);
 
-  Counts counts;
-  std::string cases;
-  for (const auto& [rule, findings] : by_rule) cases += testCase(report, rule, findings, counts);
+  JunitSuite suite;
+  suite.collection = "rocinante check";
+  suite.name = "rocinante check " + report.cell;
+  if (!report.session.empty()) suite.name += " " + report.session;
+  for (const auto& [rule, findings] : by_rule) {
+    suite.cases.push_back(testCase(report, rule, findings));
+  }
   // Without it, a session that was not judged would look like one without faults.
-  ++counts.tests;
-  cases += "    <testcase classname=\"rocinante.check\" name=\"judged\" time=\"0\"";
+  JunitCase& judged = suite.cases.emplace_back();
+  judged.classname = "rocinante.check";
+  judged.name = "judged";
   if (report.verdict == CheckVerdict::nothing_judged ||
       report.verdict == CheckVerdict::interrupted) {
-    ++counts.errors;
-    cases += fmt::format(">\n      <error message=\"{}\" type=\"{}\"/>\n    </testcase>\n",
-                         xmlText(verdictText(report.verdict)), nameOf(report.verdict));
-  } else {
-    cases += "/>\n";
+    judged.outcome = JunitCase::Outcome::error;
+    judged.message = verdictText(report.verdict);
+    judged.type = nameOf(report.verdict);
   }
-  const std::string totals = fmt::format("tests=\"{}\" failures=\"{}\" errors=\"{}\"", counts.tests,
-                                         counts.failures, counts.errors);
-  std::string name = "rocinante check " + report.cell;
-  if (!report.session.empty()) name += " " + report.session;
-  return fmt::format(
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-      "<testsuites name=\"rocinante check\" {0} time=\"0\">\n"
-      "  <testsuite name=\"{1}\" {0} skipped=\"{2}\" time=\"0\">\n{3}"
-      "  </testsuite>\n</testsuites>\n",
-      totals, xmlText(name), counts.skipped, cases);
+  return junitXml(suite);
 }
 
 }  // namespace rocinante

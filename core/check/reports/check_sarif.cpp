@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "core/base/hash.h"
 #include "core/base/version.h"
@@ -9,11 +8,10 @@
 #include "core/check/reports/report_formats.h"
 #include "core/check/rules/rule_list.h"
 #include "core/check/rules/rule_page.h"
+#include "core/report/json_text.h"
 
 namespace rocinante {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// SARIF's names of the severities.
 std::string levelOf(Severity severity) { return std::string(nameOf(severity)); }
@@ -67,7 +65,7 @@ Json resultJson(const CheckReport& report, const Finding& finding,
   if (finding.first) text += "; " + whenText(report, finding);
   if (!finding.hint.empty()) text += ". " + finding.hint;
   json["message"]["text"] = text;
-  json["locations"] = {locationOf(report, finding)};
+  json["locations"] = Json::array({locationOf(report, finding)});
   json["occurrenceCount"] = finding.count;
   // The key of a baseline: code scanning uses it to tell known alerts from new ones.
   const std::string identity = baselineKeyOf(report, finding).text();
@@ -118,7 +116,7 @@ std::string checkSarif(const CheckReport& report, const std::string& pages) {
     invocation["toolExecutionNotifications"] = {
         {{"level", "error"}, {"message", {{"text", verdictText(report.verdict)}}}}};
   }
-  run["invocations"] = {invocation};
+  run["invocations"] = Json::array({invocation});
   run["columnKind"] = "unicodeCodePoints";
   run["results"] = Json::array();
   for (const Finding& finding : report.findings) {
@@ -127,8 +125,8 @@ std::string checkSarif(const CheckReport& report, const std::string& pages) {
   Json json;
   json["$schema"] = "https://json.schemastore.org/sarif-2.1.0.json";
   json["version"] = "2.1.0";
-  json["runs"] = {run};
-  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  json["runs"] = Json::array({run});
+  return jsonText(json, 1);
 }
 
 }  // namespace rocinante

@@ -109,6 +109,7 @@ class ReportText {
       for (const Severity severity : {Severity::error, Severity::warning, Severity::note}) {
         writeSeverity(severity);
       }
+      writeClearances();
       writeAccepted();
       writeBaselineHint();
     }
@@ -168,7 +169,7 @@ class ReportText {
   }
 
   void write(const Finding& finding, std::size_t indent) {
-    const std::string place = placeText(finding);
+    const std::string place = finding.place();
     out_.line(indent, fmt::format("{}{}{} [{}]", place, place.empty() ? "" : ": ", finding.text,
                                   finding.rule));
     indent += 2;
@@ -185,6 +186,25 @@ class ReportText {
   std::size_t stripWidth(std::size_t indent) const {
     if (style_.columns == 0) return kWidestStrip;
     return style_.columns <= indent + 22 ? 20 : std::min(kWidestStrip, style_.columns - indent - 2);
+  }
+
+  void writeClearances() {
+    if (report_.clearances.empty()) return;
+    out_.emptyLine();
+    out_.line(0, "least distances", "1");
+    std::size_t listed = 0;
+    for (const CheckedClearance& checked : report_.clearances) {
+      if (style_.most_a_rule > 0 && ++listed > style_.most_a_rule) {
+        out_.line(2, fmt::format("and {} more", report_.clearances.size() - style_.most_a_rule));
+        break;
+      }
+      const std::string figure = checked.least_m > 0
+                                     ? fmt::format("{:.2f} mm", checked.least_m * 1e3)
+                                     : std::string("penetrating");
+      out_.line(2,
+                fmt::format("{}: {} at {} s, {} to {}", checked.name, figure,
+                            rounded(checked.at - report_.origin), checked.link_a, checked.link_b));
+    }
   }
 
   void writeAccepted() {
@@ -224,15 +244,6 @@ std::string whenText(const CheckReport& report, const Finding& finding) {
   if (finding.packet) text += fmt::format(" (packet {})", *finding.packet);
   if (finding.count > 1 && finding.last) text += ", last at " + seconds(*finding.last);
   return text;
-}
-
-std::string placeText(const Finding& finding) {
-  std::string place = finding.file;
-  if (!place.empty() && finding.line > 0) {
-    place += fmt::format(":{}", finding.line);
-    if (finding.column > 0) place += fmt::format(":{}", finding.column);
-  }
-  return place;
 }
 
 std::string verdictText(CheckVerdict verdict) {

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/check/rules/finding.h"
+#include "core/check/rules/check_report.h"
 
 namespace rocinante {
 
@@ -44,7 +44,5 @@ std::string uriOf(std::string_view path);
 std::string verdictText(CheckVerdict verdict);
 /// "3 times, first at 1.2 s (packet 7), last at 9 s"; empty for model faults.
 std::string whenText(const CheckReport& report, const Finding& finding);
-/// "part.obj:6:2", as compilers write it; empty without a file.
-std::string placeText(const Finding& finding);
 
 }  // namespace rocinante

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <string>
 
-#include "core/check/rules/time_histogram.h"
+#include "core/report/time_histogram.h"
 
 namespace rocinante {
 

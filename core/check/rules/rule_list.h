@@ -3,7 +3,7 @@
 #include <span>
 #include <string_view>
 
-#include "core/document/model_fault.h"
+#include "core/report/finding.h"
 
 namespace rocinante {
 

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "core/base/name_hint.h"
-#include "core/check/rules/finding.h"
 #include "core/document/fault_list.h"
 
 namespace rocinante {
@@ -65,7 +64,7 @@ bool RuleSettings::hasOwnThreshold(std::string_view id) const {
   return found != set_.end() && !found->second.threshold_key.empty();
 }
 
-void RuleSettings::apply(std::vector<Finding>& findings) const {
+void RuleSettings::apply(Findings& findings) const {
   if (set_.empty()) return;
   std::erase_if(findings, [&](const Finding& finding) {
     const auto found = set_.find(finding.rule);

@@ -7,10 +7,9 @@
 
 #include "core/cell/cell_rules.h"
 #include "core/check/rules/rule_list.h"
+#include "core/report/finding.h"
 
 namespace rocinante {
-
-struct Finding;
 
 /// The severity and threshold of each rule: the list of rules, as a cell's `[rules]` change it. The
 /// only place where a severity is set.
@@ -22,7 +21,7 @@ class RuleSettings {
   explicit RuleSettings(const std::vector<CellRule>& rules);
 
   /// Faults in `rules`: unknown ids, thresholds that a rule does not have.
-  const ModelFaults& faults() const { return faults_; }
+  const Findings& faults() const { return faults_; }
 
   /// For a rule that has one.
   double threshold(std::string_view id) const;
@@ -30,11 +29,11 @@ class RuleSettings {
   bool hasOwnThreshold(std::string_view id) const;
 
   /// Gives each finding its severity, and removes those of rules that are off.
-  void apply(std::vector<Finding>& findings) const;
+  void apply(Findings& findings) const;
 
  private:
   std::map<std::string, CellRule, std::less<>> set_;
-  ModelFaults faults_;
+  Findings faults_;
 };
 
 }  // namespace rocinante

@@ -1,4 +1,4 @@
-#include "core/check/rules/time_histogram.h"
+#include "core/report/time_histogram.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "core/check/rules/finding.h"
+#include "core/check/rules/check_report.h"
 
 #include <algorithm>
 #include <tuple>

@@ -1,34 +1,17 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/time.h"
 #include "core/check/rules/rule_settings.h"
-#include "core/check/rules/time_histogram.h"
-#include "core/document/model_fault.h"
+#include "core/report/finding.h"
 
 namespace rocinante {
-
-/// One thing that is wrong, or worth knowing, about a cell or a session: docs/programs/check.md
-/// explains every rule.
-struct Finding {
-  std::string rule;  ///< stable id: "packet.unknown-device"
-  Severity severity = Severity::error;
-  std::uint64_t count = 1;
-  std::optional<LogTime> first, last;   ///< empty for model faults
-  TimeHistogram when;                   ///< of the session's findings; may hold fewer than `count`
-  std::optional<std::uint64_t> packet;  ///< of the first: captured datagrams of the log from 1
-  std::string subject;                  ///< device, source or endpoint; may be empty
-  std::string text;                     ///< one sentence
-  std::string example;                  ///< the first offending line of packet text; may be empty
-  std::string hint;                     ///< what to do about it; may be empty
-  std::string file;                     ///< of a model fault
-  int line = 0, column = 0;             ///< in `file`; 0: none
-  bool accepted = false;                ///< by a baseline: shown, but not a reason to fail
-};
 
 enum class CheckVerdict : std::uint8_t {
   compatible,
@@ -38,6 +21,23 @@ enum class CheckVerdict : std::uint8_t {
 };
 std::string_view nameOf(CheckVerdict verdict);
 
+/// How near two devices (or one and itself) came, for one `[[clearance]]` of the cell.
+struct CheckedClearance {
+  std::string name;  ///< of the clearance
+  std::string device_a, device_b;
+  double min_m = 0;
+  double least_m = 0;                    ///< 0: they penetrate each other
+  std::string link_a, link_b;            ///< the nearest: "DEVICE/LINK"
+  std::array<double, 3> on_a{}, on_b{};  ///< the nearest points, in the world
+  LogTime at{};
+  std::uint64_t violations = 0;  ///< spans in which they were nearer than `min_m`
+  struct Span {
+    LogTime from{}, until{};
+    double least_m = 0;
+  };
+  std::vector<Span> spans;  ///< the first 100
+};
+
 /// The result of `check`.
 struct CheckReport {
   std::string cell;     ///< as the user named it
@@ -45,11 +45,14 @@ struct CheckReport {
   bool has_session = false;
   std::uint64_t datagrams = 0;
   std::uint64_t packets = 0;  ///< of those, decoded
+  /// Live, where senders must sign: datagrams refused, by reason, and not judged. Otherwise empty.
+  std::vector<std::pair<std::string, std::uint64_t>> untrusted;
   std::vector<std::string> sources;
   LogTime origin{};
   Nanoseconds duration{0};
-  std::vector<Finding> findings;  ///< errors first, then by first time, then by rule
-  RuleSettings rules;             ///< the rules as the cell sets them; conclude() applies them
+  Findings findings;                         ///< errors first, then by first time, then by rule
+  std::vector<CheckedClearance> clearances;  ///< as the cell has them, then by device
+  RuleSettings rules;  ///< the rules as the cell sets them; conclude() applies them
   bool has_baseline = false;
   bool interrupted = false;
   Severity fail_on = Severity::error;  ///< a finding this severe makes it incompatible

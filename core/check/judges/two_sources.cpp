@@ -1,0 +1,25 @@
+#include "core/check/judges/two_sources.h"
+
+#include <fmt/format.h>
+
+namespace rocinante {
+
+void TwoSources::note(std::uint32_t& writer, const PacketPlace& place) {
+  if (writer == place.source) return;
+  if (writer != kNobody && tally.hit(place)) {
+    before = writer;
+    now = place.source;
+  }
+  writer = place.source;
+}
+
+void TwoSources::report(const std::string& device, std::string_view what,
+                        const std::vector<std::string>& sources, Findings& findings) const {
+  if (tally.count == 0) return;
+  findings.push_back(tally.finding(
+      "packet.two-sources", device,
+      fmt::format("the {} of device {} are written by {} and by {}; the last to write wins", what,
+                  device, sources[before], sources[now])));
+}
+
+}  // namespace rocinante

@@ -1,0 +1,105 @@
+#include "core/mesh/glb_container.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+
+namespace rocinante {
+namespace {
+
+constexpr std::size_t kDeepestJson = 100;  // brackets in brackets
+constexpr std::uint32_t kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
+
+// The format is little-endian, and so is every machine that we run on.
+std::uint32_t numberAt(ByteView bytes, std::size_t at) {
+  std::uint32_t number = 0;
+  std::memcpy(&number, bytes.data() + at, 4);
+  return number;
+}
+
+void addNumber(Bytes& bytes, std::size_t number) {
+  const auto narrow = static_cast<std::uint32_t>(number);
+  const auto* from = reinterpret_cast<const std::byte*>(&narrow);
+  bytes.insert(bytes.end(), from, from + 4);
+}
+
+void addChunk(Bytes& bytes, std::uint32_t kind, ByteView content, std::byte padding) {
+  addNumber(bytes, (content.size() + 3) / 4 * 4);
+  addNumber(bytes, kind);
+  bytes.insert(bytes.end(), content.begin(), content.end());
+  while (bytes.size() % 4 != 0) bytes.push_back(padding);
+}
+
+bool isTooDeep(std::string_view text) {
+  std::size_t depth = 0;
+  bool in_string = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (in_string) {
+      if (c == '\\') ++i;
+      if (c == '"') in_string = false;
+    } else if (c == '"') {
+      in_string = true;
+    } else if (c == '{' || c == '[') {
+      if (++depth > kDeepestJson) return true;
+    } else if ((c == '}' || c == ']') && depth > 0) {
+      --depth;
+    }
+  }
+  return false;
+}
+
+Result<GltfParts> chunksOf(ByteView bytes) {
+  if (!isGlb(bytes)) return GltfParts{textOf(bytes), {}};
+  if (bytes.size() < 20 || numberAt(bytes, 12) > bytes.size() - 20) {
+    return Error{ErrorKind::damaged, "ends inside its first chunk", {}};
+  }
+  if (numberAt(bytes, 4) != 2) {
+    return Error{ErrorKind::unsupported,
+                 fmt::format("is binary glTF {}; only 2 is read", numberAt(bytes, 4)),
+                 {}};
+  }
+  if (numberAt(bytes, 16) != kJsonChunk) {
+    return Error{ErrorKind::damaged, "its first chunk is not JSON", {}};
+  }
+  const std::size_t text_bytes = numberAt(bytes, 12);
+  GltfParts parts{textOf(bytes.subspan(20, text_bytes)), {}};
+  // Chunks begin at multiples of four.
+  const std::size_t next = 20 + (text_bytes + 3) / 4 * 4;
+  if (next + 8 <= bytes.size() && numberAt(bytes, next + 4) == kBinaryChunk) {
+    const std::size_t binary_bytes = numberAt(bytes, next);
+    if (binary_bytes > bytes.size() - next - 8) {
+      return Error{ErrorKind::damaged, "ends inside its binary chunk", {}};
+    }
+    parts.binary = bytes.subspan(next + 8, binary_bytes);
+  }
+  return parts;
+}
+
+}  // namespace
+
+bool isGlb(ByteView bytes) { return textOf(bytes).starts_with("glTF"); }
+
+Result<GltfParts> gltfParts(ByteView bytes) {
+  Result<GltfParts> parts = chunksOf(bytes);
+  if (!parts) return parts;
+  if (parts->text.starts_with("\xEF\xBB\xBF")) parts->text.remove_prefix(3);
+  if (isTooDeep(parts->text)) {
+    return Error{ErrorKind::damaged, "the JSON is nested deeper than 100", {}};
+  }
+  return parts;
+}
+
+Bytes glbOf(const GltfParts& parts) {
+  Bytes whole(12);
+  addChunk(whole, kJsonChunk, bytesOf(parts.text), std::byte{' '});
+  if (!parts.binary.empty()) addChunk(whole, kBinaryChunk, parts.binary, std::byte{0});
+  const std::array<std::uint32_t, 3> head = {0x46546C67, 2,
+                                             static_cast<std::uint32_t>(whole.size())};
+  std::memcpy(whole.data(), head.data(), sizeof head);
+  return whole;
+}
+
+}  // namespace rocinante
