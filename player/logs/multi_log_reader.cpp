@@ -13,10 +13,9 @@ constexpr TapePosition kEnd{LogTime::max(), ~std::uint32_t{0}, ~std::uint64_t{0}
 
 }  // namespace
 
-bool ChannelChoice::holds(std::string_view topic) const {
-  if (topic.starts_with(profile::kRestatedPrefix)) {
-    topic.remove_prefix(profile::kRestatedPrefix.size());
-  }
+bool ChannelChoice::holds(const LogChannel& channel) const {
+  const std::string_view topic = profile::capturedTopic(channel.topic);
+  if (!imported && only.empty() && channel.imported()) return false;
   return (only.empty() || anyPatternMatches(only, topic)) && !anyPatternMatches(muted, topic);
 }
 
@@ -36,7 +35,7 @@ Result<MultiLogReader> MultiLogReader::open(const std::vector<std::filesystem::p
     std::vector<bool> chosen;
     for (const LogChannel& channel : reader->channels()) {
       if (chosen.size() <= channel.id) chosen.resize(channel.id + 1U);
-      chosen[channel.id] = choice.holds(channel.topic);
+      chosen[channel.id] = choice.holds(channel);
     }
     if (choice.isAll() && summary.messages > 0) {
       merge.start_ = merge.empty_ ? summary.start : std::min(merge.start_, summary.start);
@@ -62,6 +61,12 @@ Status MultiLogReader::findRange() {
   if (!last) return last.error();
   end_ = last->place.time;
   return {};
+}
+
+bool MultiLogReader::anyImported() const {
+  return std::ranges::any_of(inputs_, [](const Input& input) {
+    return std::ranges::any_of(input.reader.channels(), &LogChannel::imported);
+  });
 }
 
 bool MultiLogReader::chosen(std::size_t log, ChannelId channel) const {
@@ -99,7 +104,15 @@ std::vector<std::string> MultiLogReader::damage() const {
 bool MultiLogReader::wanted(const Input& input, const LogMessage& message) const {
   const LogChannel& channel = *message.channel;
   if (channel.id >= input.chosen.size() || !input.chosen[channel.id]) return false;
-  return which_ == Which::captured ? channel.captured() : channel.folded();
+  switch (which_) {
+    case Which::captured:
+      return channel.captured();
+    case Which::received:
+      return channel.received();
+    case Which::folded:
+      return channel.folded();
+  }
+  return false;
 }
 
 Status MultiLogReader::advance(Input& input) {

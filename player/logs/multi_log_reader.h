@@ -15,13 +15,15 @@
 namespace rocinante {
 
 /// The channels to play; others are treated as if they had not been recorded. Patterns of
-/// topics; a restated channel (/rocinante/restated/...) follows the one it restates.
+/// topics; channels below /rocinante/restated and /rocinante/decoded follow the one that they are
+/// of.
 struct ChannelChoice {
   std::vector<std::string> only;   ///< any of these; empty: all
   std::vector<std::string> muted;  ///< and none of these
+  bool imported = true;            ///< imported channels too, when `only` does not name them
 
-  bool isAll() const { return only.empty() && muted.empty(); }
-  bool holds(std::string_view topic) const;
+  bool isAll() const { return only.empty() && muted.empty() && imported; }
+  bool holds(const LogChannel& channel) const;
 };
 
 /// Reads several logs as one, ordered by (log_time, argument order, file offset). Not for sharing
@@ -30,7 +32,8 @@ class MultiLogReader {
  public:
   enum class Which : std::uint8_t {
     captured,  ///< sent to the recorder
-    folded,    ///< makes up the state: captured messages and restatements by others
+    received,  ///< and what others restated
+    folded,    ///< makes up the state: these, and what decoders made of them
   };
 
   /// Fails as LogReader::open for the first log that cannot be read.
@@ -46,6 +49,8 @@ class MultiLogReader {
   const std::vector<LogChannel>& channels(std::size_t log) const {
     return inputs_[log].reader.channels();
   }
+  /// Whether a log has imported channels, chosen or not.
+  bool anyImported() const;
   bool chosen(std::size_t log, ChannelId channel) const;
   /// Every SOURCE that the chosen channels name, sorted.
   std::set<std::string> sources() const;

@@ -20,9 +20,11 @@ struct RestatedDatagram {
 /// The player's datagrams that give every receiver `state`, regardless of what it knew: by=player,
 /// reset, for every source of the state, then for those of `sources` that have not sent yet
 /// (docs/packet-format.md, "Restatements"). `part_id` must differ each time: a part of the next
-/// restatement must not replace a lost one of this.
+/// restatement must not replace a lost one of this. A datagram holds at most `mtu_bytes`, unless
+/// one statement is larger.
 std::vector<RestatedDatagram> restatedBlock(const SessionState& state,
                                             const std::set<std::string>& sources,
-                                            const PlayRoutes& routes, std::string_view part_id);
+                                            const PlayRoutes& routes, std::string_view part_id,
+                                            std::size_t mtu_bytes);
 
 }  // namespace rocinante

@@ -42,37 +42,36 @@ void TapeFinder::keep(TapePosition place, const SessionState& state) {
   keep_each_ *= 2;
 }
 
-Result<SessionState> TapeFinder::nearestBefore(TapePosition place, TapePosition& from) {
-  from = TapePosition::at(LogTime::min());
-  if (place <= from) return SessionState();
+Result<SessionState> TapeFinder::stateBefore(TapePosition place) {
+  Result<SessionState> state = SessionState();
   if (timeline_) {
-    // The timeline folds whole moments; messages at the place's own time are folded by place.
-    from = TapePosition::at(place.time);
-    Result<const SessionState*> state =
-        timeline_->stateAt(place.time - Nanoseconds(1), &state_damage_);
-    if (!state) return state.error();
-    return **state;
+    const auto found = timeline_->stateBefore({place.time, place.file_offset}, &state_damage_);
+    if (!found) return found.error();
+    state = **found;
+  } else {
+    state = foldUpTo(place);
+    if (!state) return state;
   }
-  auto after = kept_.upper_bound(place);
-  if (after == kept_.begin()) return SessionState();
-  const auto& nearest = *std::prev(after);
-  from = nearest.first;
-  return nearest.second;
+  for (const auto& [source, memory] : state->sources()) sources_.insert(source);
+  return state;
 }
 
-Result<SessionState> TapeFinder::stateBefore(TapePosition place) {
-  TapePosition from;
-  Result<SessionState> state = nearestBefore(place, from);
-  if (!state) return state;
-  if (const Status put = merge_.seek(from, MultiLogReader::Which::folded); !put) return put.error();
+Result<SessionState> TapeFinder::foldUpTo(TapePosition place) {
+  TapePosition from = TapePosition::at(LogTime::min());
+  SessionState state;
+  if (const auto after = kept_.upper_bound(place); after != kept_.begin()) {
+    from = std::prev(after)->first;
+    state = std::prev(after)->second;
+  }
+  if (const Status put = merge_.seek(from, MultiLogReader::Which::received); !put)
+    return put.error();
   for (std::uint64_t count = 1;; ++count) {
     const Result<std::optional<LogMessage>> message = merge_.next();
     if (!message) return message.error();
     if (!*message || merge_.place() >= place) break;
-    folder_.fold(*state, **message);
-    if (!timeline_ && count % keep_each_ == 0) keep(TapePosition::behind(merge_.place()), *state);
+    folder_.fold(state, **message);
+    if (count % keep_each_ == 0) keep(TapePosition::behind(merge_.place()), state);
   }
-  for (const auto& [source, memory] : state->sources()) sources_.insert(source);
   return state;
 }
 

@@ -9,9 +9,8 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/packet/session_state.h"
+#include "core/session/message_folder.h"
 #include "core/session/timeline.h"
-#include "player/logs/message_folder.h"
 #include "player/logs/multi_log_reader.h"
 
 namespace rocinante {
@@ -45,7 +44,8 @@ class TapeFinder {
   TapeFinder(std::vector<std::filesystem::path> paths, ChannelChoice choice, MultiLogReader merge)
       : paths_(std::move(paths)), choice_(std::move(choice)), merge_(std::move(merge)) {}
 
-  Result<SessionState> nearestBefore(TapePosition place, TapePosition& from);
+  /// stateBefore() of several logs: from the nearest kept state, message by message.
+  Result<SessionState> foldUpTo(TapePosition place);
   void keep(TapePosition place, const SessionState& state);
 
   std::vector<std::filesystem::path> paths_;

@@ -15,7 +15,7 @@ constexpr std::uint32_t kMaxSettled = 64;
 
 Result<TapeStream> TapeStream::open(MultiLogReader& logs, const PlayRoutes& routes, TapeRun run) {
   TapeStream stream(logs, routes, std::move(run));
-  if (const Status put = logs.seek(stream.run_.from, MultiLogReader::Which::folded); !put) {
+  if (const Status put = logs.seek(stream.run_.from, MultiLogReader::Which::received); !put) {
     return put.error();
   }
   return stream;
@@ -44,7 +44,7 @@ Status TapeStream::beginTurn() {
     run_.state = run_.turn_state;
     makeBlock(TapePosition::at(run_.turn.from), run_.turn.from);
   }
-  return logs_->seek(TapePosition::at(run_.turn.from), MultiLogReader::Which::folded);
+  return logs_->seek(TapePosition::at(run_.turn.from), MultiLogReader::Which::received);
 }
 
 bool TapeStream::isBlockWanted(LogTime moment) const {
@@ -57,7 +57,7 @@ bool TapeStream::isBlockWanted(LogTime moment) const {
 void TapeStream::makeBlock(TapePosition place, LogTime moment) {
   for (const auto& [source, memory] : run_.state->sources()) run_.sources.insert(source);
   block_ = restatedBlock(*run_.state, run_.sources, *routes_,
-                         run_.part_id + "." + std::to_string(++blocks_));
+                         run_.part_id + "." + std::to_string(++blocks_), run_.restated_bytes);
   block_taken_ = 0;
   block_due_ = {moment + shift_, run_.span, true, after_turn_, 0, run_.bounds, place};
   last_block_ = moment;
@@ -124,7 +124,7 @@ ByteView TapeStream::take() {
   last_on_line_ = head_->log_time + shift_;
   if (run_.state) {
     const MessageFolder::Folded folded = folder_.fold(*run_.state, *head_);
-    if (settling_ && folded.applied && folded.is_part && settled_ < kMaxSettled) {
+    if (settling_ && folded.applied && folded.packet->header.part && settled_ < kMaxSettled) {
       ++settled_;
       makeBlock(logs_->place(), head_->log_time);
     }

@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/packet/session_state.h"
-#include "player/logs/message_folder.h"
+#include "core/session/message_folder.h"
 #include "player/logs/multi_log_reader.h"
 #include "player/logs/play_routes.h"
 #include "player/logs/restated_block.h"
@@ -33,6 +32,7 @@ struct TapeRun {
   std::set<std::string> sources;         ///< to be reset
   std::optional<Nanoseconds> repeat;     ///< log time between restatements
   std::string part_id = "player";        ///< prefix of restatement IDs
+  std::size_t restated_bytes = 1200;     ///< the largest datagram of a restatement
   std::optional<Nanoseconds> gap_limit;  ///< longest silence, in log time
 };
 

@@ -5,9 +5,12 @@
 
 #include "core/base/duration_text.h"
 #include "core/session/timeline.h"
+#include "core/signing/signed_datagram.h"
+#include "player/logs/played_span.h"
 #include "player/logs/tape_finder.h"
-#include "player/playhead/play_line.h"
+#include "player/playhead/play_line_text.h"
 #include "player/playhead/playhead.h"
+#include "player/send/live_line.h"
 #include "player/send/udp_send_port.h"
 
 namespace rocinante {
@@ -17,22 +20,6 @@ std::string namesOf(const std::vector<std::filesystem::path>& paths) {
   std::string names;
   for (const auto& path : paths) names += (names.empty() ? "" : ", ") + path.string();
   return names;
-}
-
-Result<PlayedSpan> spanOf(const MultiLogReader& logs, const PlayOptions& options) {
-  PlayedSpan span{logs.start(), logs.end() + Nanoseconds(1)};
-  if (options.from) {
-    const auto from = parseSessionTime(*options.from, logs.origin(), logs.end());
-    if (!from) return from.error();
-    // Before the first message there is nothing to wait for.
-    span.from = std::max(*from, logs.start());
-  }
-  if (options.until) {
-    const auto until = parseSessionTime(*options.until, logs.origin(), logs.end());
-    if (!until) return until.error();
-    span.until = *until;
-  }
-  return span;
 }
 
 Status checkSpan(TapeFinder& finder, const MultiLogReader& logs, const PlayedSpan& span,
@@ -101,9 +88,21 @@ Result<PlayReport> play(const PlayOptions& options, const SendSurroundings& surr
                         const PlayControl& control) {
   Result<MultiLogReader> logs = MultiLogReader::open(options.logs, options.channels);
   if (!logs) return logs.error();
-  Result<TapeFinder> finder = TapeFinder::open(options.logs, options.channels);
+  ChannelChoice channels = options.channels;
+  if (channels.only.empty() && logs->anyImported()) {
+    channels.imported = false;
+    logs = MultiLogReader::open(options.logs, channels);
+    if (!logs) return logs.error();
+    if (logs->empty()) {
+      return Error{ErrorKind::not_found,
+                   "nothing to play: the messages were imported from another format; send their "
+                   "packets with `rocinante source --log LOG`, or name channels with --channel",
+                   namesOf(options.logs)};
+    }
+  }
+  Result<TapeFinder> finder = TapeFinder::open(options.logs, channels);
   if (!finder) return finder.error();
-  const Result<PlayedSpan> span = spanOf(*logs, options);
+  const Result<PlayedSpan> span = playedSpan(*logs, options.from, options.until);
   if (!span) return span.error();
   if (Status judged = checkSpan(*finder, *logs, *span, options); !judged) return judged.error();
   const auto loop = loopOf(*finder, *logs, *span, options);
@@ -126,6 +125,13 @@ Result<PlayReport> play(const PlayOptions& options, const SendSurroundings& surr
   how.restate = options.restate;
   how.repeat = options.repeat;
   how.gap_limit = options.gap_limit;
+  std::optional<DatagramSigner> signer;
+  if (!options.key.empty()) {
+    Result<SigningKey> key = SigningKey::read(options.key);
+    if (!key) return key.error();
+    signer.emplace(std::move(*key), [] { return WallTime(std::chrono::system_clock::now()); });
+    how.restated_bytes -= kSignatureBytes;
+  }
 
   Result<UdpSendPort> edge = UdpSendPort::open(
       routes->all, how.speed ? options.realtime : Realtime::off, surroundings.stop, control.wake);
@@ -138,14 +144,21 @@ Result<PlayReport> play(const PlayOptions& options, const SendSurroundings& surr
 
   PlayReport report;
   PlayJournal journal(span->from, span->until);
-  const PlayheadRules rules{options.stays, logs->origin(), logs->end(), options.ack_timeout};
+  const PlayheadRules rules{options.stays, logs->origin(), logs->end(), options.ack_timeout,
+                            signer ? &*signer : nullptr};
   Result<SendEnd> end = SendEnd::finished;
   {
     PlayStatus status;
-    PlayLine line(status, logs->origin(), std::min(span->until, logs->end()), options.progress);
+    const LogTime shown_end = std::min(span->until, logs->end());
+    const LiveLine line(
+        [&] {
+          return playLineText(status, logs->origin(), shown_end, std::chrono::steady_clock::now());
+        },
+        options.progress);
     end = sendPlayhead(**playhead, rules, *edge, journal, control.commands, status);
   }
   if (!end) report.failure = end.error();
+  if (Status flushed = edge->flush(); end && !flushed) report.failure = flushed.error();
   report.to = options.to.text();
   report.speed = (*playhead)->speed();
   playhead->reset();

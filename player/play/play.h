@@ -37,6 +37,7 @@ struct PlayOptions {
   bool restate = true;                           ///< at the start, after a seek, at each turn
   Nanoseconds repeat = std::chrono::seconds(2);  ///< real time between restatements; 0: none
   bool stays = false;                            ///< wait for commands at the end
+  std::filesystem::path key;                     ///< signs the restatements; empty: unsigned
   Realtime realtime = Realtime::automatic;
   bool progress = false;  ///< a progress line on stderr
 };

@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <charconv>
-#include <cstdio>
 
 #include "core/base/atomic_file.h"
 #include "core/base/duration_text.h"
@@ -94,6 +93,9 @@ void declareHow(CLI::App& app, Arguments& my) {
   app.add_option("--restate", my.restate,
                  "restate every source's state first, then this often; 0: only first; off")
       ->option_text("TIME=2s");
+  app.add_option("--key", my.options.key,
+                 "sign the player's own restatements with this secret key (rocinante key)")
+      ->option_text("FILE");
   app.add_option("--realtime", my.realtime, "run before other threads: auto, on or off")
       ->check(CLI::IsMember({"auto", "on", "off"}))
       ->option_text("WHEN=auto");
@@ -191,7 +193,7 @@ Status openControl(Arguments& my, Inputs& inputs) {
     inputs.push_back(std::move(control->input));
     // In lockstep the player ends with the log.
     my.options.stays = !my.options.lockstep;
-    if (!my.quiet) std::fprintf(stderr, "listening for commands on %s\n", control->where.c_str());
+    if (!my.quiet) cli::tell("listening for commands on " + control->where + "\n");
   }
   if (my.options.progress) {
     if (auto keys = TerminalKeys::open()) inputs.push_back(std::move(keys));
@@ -219,7 +221,7 @@ Result<PlayReport> playWithControl(Arguments& my) {
   SendSurroundings surroundings;
   surroundings.stop = cli::stopRequested;
   surroundings.told = [&my](std::string_view line) {
-    if (!my.quiet) std::fprintf(stderr, "%s\n", plainText(line).c_str());
+    if (!my.quiet) cli::tell(plainText(line) + "\n");
   };
   return play(my.options, surroundings, control);
 }
@@ -244,9 +246,8 @@ Result<cli::Exit> run(Arguments& my) {
     if (!written) cli::warn(written.error().text());
     is_kept = written.ok();
   }
-  const std::string said =
-      to_stdout ? jsonText(*report) : (my.quiet ? std::string() : summaryText(*report));
-  std::fwrite(said.data(), 1, said.size(), stdout);
+  if (to_stdout) cli::say(jsonText(*report));
+  if (!to_stdout && !my.quiet) cli::say(summaryText(*report));
   if (report->failure) cli::warn(report->failure->text());
   const bool is_whole = report->damage.empty() && !report->failure && is_kept;
   return is_whole ? cli::Exit::done : cli::Exit::no;

@@ -73,6 +73,7 @@ Status Playhead::begin(TapePosition place, LogTime moment, bool jump, SteadyTime
   run.turns_left = turns_left_;
   run.bounds = bounds_ = {bounds_.from, run.turn.until};
   run.part_id = "player" + std::to_string(++runs_);
+  run.restated_bytes = options_.restated_bytes;
   if (isScheduled() && options_.gap_limit) {
     run.gap_limit = options_.speed->logDuration(*options_.gap_limit);
   }
@@ -90,7 +91,8 @@ Status Playhead::begin(TapePosition place, LogTime moment, bool jump, SteadyTime
       run.turn_state = std::move(*turn_state);
     }
     run.sources = finder_->sources();
-    if (says) block_ = restatedBlock(*state, run.sources, *routes_, run.part_id);
+    if (says)
+      block_ = restatedBlock(*state, run.sources, *routes_, run.part_id, run.restated_bytes);
     run.state = std::move(*state);
     if (isScheduled() && options_.repeat.count() > 0) {
       run.repeat = options_.speed->logDuration(options_.repeat);
@@ -174,7 +176,8 @@ Status Playhead::repeatIfDue(const std::optional<Due>& head, SteadyTime now) {
   if (runs && (!isScheduled() || clock_.deadline(head->time) - now < kSilence)) return {};
   Result<SessionState> state = finder_->stateBefore(place_);
   if (!state) return state.error();
-  block_ = restatedBlock(*state, finder_->sources(), *routes_, "player" + std::to_string(++runs_));
+  block_ = restatedBlock(*state, finder_->sources(), *routes_, "player" + std::to_string(++runs_),
+                         options_.restated_bytes);
   block_taken_ = 0;
   asked_at_ = now;
   repeat_at_ = now + options_.repeat;

@@ -32,6 +32,7 @@ struct PlayheadOptions {
   bool lockstep = false;  ///< wait for an `ack` after each message, without a schedule
   bool restate = true;    ///< at the start, after a seek, at each turn
   Nanoseconds repeat = std::chrono::seconds(2);  ///< real time between restatements; 0: none
+  std::size_t restated_bytes = 1200;             ///< the largest datagram of a restatement
   std::optional<Nanoseconds> gap_limit;          ///< real time
   bool read_ahead = true;                        ///< in a separate thread
 };

@@ -130,7 +130,9 @@ Result<SendEnd> sendPlayhead(Playhead& playhead, const PlayheadRules& rules, Sen
     pacing.sent((*next)->deadline);
     while (*next && !batch.full() && (*next)->deadline <= now) {
       const Playhead::Next taken = **next;
-      batch.add(taken.due, taken.deadline, playhead.take(now));
+      ByteView payload = playhead.take(now);
+      if (rules.signer != nullptr && taken.due.restated) payload = rules.signer->sign(payload);
+      batch.add(taken.due, taken.deadline, payload);
       if (next = playhead.next(now); !next) break;
     }
     if (const Status sent = batch.send(edge, journal); !sent) return sent.error();

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "core/base/result.h"
+#include "core/signing/signed_datagram.h"
 #include "player/playhead/play_status.h"
 #include "player/playhead/playhead.h"
 #include "player/send/paced_sender.h"
@@ -29,6 +30,7 @@ struct PlayheadRules {
   bool stays = false;  ///< wait for commands at the end
   LogTime origin{}, end{};
   Nanoseconds ack_timeout = std::chrono::seconds(1);
+  DatagramSigner* signer = nullptr;  ///< if set, signs the player's own restatements
 };
 
 /// Sends what the playhead says when it says so, and passes it the commands. Nothing is sent early,

@@ -42,20 +42,4 @@ Result<SendEnd> sendOnSchedule(DatagramStream& stream, const PlaybackClock& cloc
   }
 }
 
-Result<SendEnd> sendAtOnce(DatagramStream& stream, SendPort& edge, SendJournal& journal) {
-  SendBatch batch;
-  while (!edge.stopRequested()) {
-    const SteadyTime now = edge.now();
-    while (!batch.full()) {
-      const Result<std::optional<Due>> due = stream.due();
-      if (!due) return due.error();
-      if (!*due) break;
-      batch.add(**due, now, stream.take());
-    }
-    if (batch.empty()) return SendEnd::finished;
-    if (const Status sent = batch.send(edge, journal); !sent) return sent.error();
-  }
-  return SendEnd::stopped;
-}
-
 }  // namespace rocinante

@@ -43,8 +43,4 @@ enum class SendEnd : std::uint8_t { finished, stopped };
 Result<SendEnd> sendOnSchedule(DatagramStream& stream, const PlaybackClock& clock, SendPort& edge,
                                SendJournal& journal);
 
-/// The same without a schedule: as fast as the socket accepts. The deadline of each datagram is
-/// then the moment it was taken from the stream.
-Result<SendEnd> sendAtOnce(DatagramStream& stream, SendPort& edge, SendJournal& journal);
-
 }  // namespace rocinante

@@ -2,30 +2,25 @@
 
 #include "player/send/paced_sender.h"
 #include "player/send/playback_clock.h"
-#include "player/send/progress_line.h"
+#include "player/send/send_progress.h"
 #include "player/send/udp_send_port.h"
 
 namespace rocinante {
 
 Result<PlayReport> sendPlan(DatagramStream& stream, const SendPlan& plan,
                             const std::function<bool()>& stop) {
-  Result<UdpSendPort> edge =
-      UdpSendPort::open({{plan.to, 0, false}}, plan.speed ? plan.realtime : Realtime::off, stop);
+  Result<UdpSendPort> edge = UdpSendPort::open({{plan.to, 0, false}}, plan.realtime, stop);
   if (!edge) return edge.error();
   if (plan.began) plan.began();
   PlayJournal journal(plan.from, plan.until);
   Result<SendEnd> end = SendEnd::finished;
   {
-    ProgressLine line(journal, plan.origin, plan.last, plan.progress);
-    if (plan.speed) {
-      const PlaybackClock clock(plan.first, edge->now() + std::chrono::milliseconds(1),
-                                *plan.speed);
-      end = sendOnSchedule(stream, clock, *edge, line);
-    } else {
-      end = sendAtOnce(stream, *edge, line);
-    }
+    SendProgress progress(journal, plan.origin, plan.last, plan.progress);
+    const PlaybackClock clock(plan.first, edge->now() + std::chrono::milliseconds(1), plan.speed);
+    end = sendOnSchedule(stream, clock, *edge, progress);
   }
   if (!end) return end.error();
+  if (Status flushed = edge->flush(); !flushed) return flushed.error();
   PlayReport report;
   report.to = plan.to.text();
   report.speed = plan.speed;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <string_view>
 
 #include "core/base/playback_speed.h"
@@ -22,11 +21,11 @@ struct SendSurroundings {
 /// Where and how fast to send a stream.
 struct SendPlan {
   Endpoint to;
-  std::optional<PlaybackSpeed> speed;  ///< empty: without a schedule
-  LogTime first{};                     ///< the first due moment
-  LogTime from{}, until{};             ///< one turn: a span in the report
-  LogTime origin{};                    ///< reference of the progress line
-  LogTime last{};                      ///< end shown by the progress line
+  PlaybackSpeed speed;
+  LogTime first{};          ///< the first due moment
+  LogTime from{}, until{};  ///< one turn: a span in the report
+  LogTime origin{};         ///< reference of the progress line
+  LogTime last{};           ///< end shown by the progress line
   Realtime realtime = Realtime::automatic;
   bool progress = false;
   std::function<void()> began;  ///< called once the socket is open; may be empty

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/net/udp_socket.h"
+#include "core/transport/open_sink.h"
 #include "player/send/resumes.h"
 
 namespace rocinante {
@@ -29,9 +31,19 @@ Result<UdpSendPort> UdpSendPort::open(const std::vector<Route>& routes, Realtime
   std::vector<Way> ways;
   ways.reserve(routes.size());
   for (const Route& route : routes) {
-    Result<UdpSender> sender = UdpSender::open(route.to, route.local_port);
-    if (!sender) return sender.error();
-    ways.emplace_back(std::move(*sender), route.restating);
+    Way way;
+    way.restating = route.restating;
+    if (route.to.isNats()) {
+      auto sink = openSink(route.to);
+      if (!sink) return sink.error();
+      way.sink = std::move(*sink);
+    } else {
+      Result<UdpSender> sender = UdpSender::open(route.to, route.local_port);
+      if (!sender) return sender.error();
+      way.sink = std::make_unique<UdpSender>(std::move(*sender));
+      way.stamps.emplace(way.sink->fileDescriptor());
+    }
+    ways.push_back(std::move(way));
   }
   Result<PacingThread> thread = PacingThread::begin(realtime);
   if (!thread) return thread.error();
@@ -48,8 +60,8 @@ UdpSendPort::UdpSendPort(std::vector<Way> ways, PacingThread thread, std::functi
       resumes_(resumeCount()) {}
 
 bool UdpSendPort::hasResumed() {
-  const std::uint32_t resumes = resumeCount();
-  return std::exchange(resumes_, resumes) != resumes;
+  const std::uint32_t count = resumeCount();
+  return std::exchange(resumes_, count) != count;
 }
 
 SteadyTime UdpSendPort::now() { return std::chrono::steady_clock::now(); }
@@ -73,11 +85,18 @@ void UdpSendPort::sleepUntil(SteadyTime moment) {
 Status UdpSendPort::send(std::uint16_t route, std::span<const ByteView> payloads,
                          std::span<SteadyTime> sent_at) {
   Way& way = ways_[route];
-  if (Status sent = way.sender.send(payloads); !sent) return sent;
+  if (Status sent = way.sink->send(payloads); !sent) return sent;
   const SteadyTime after = now();
   std::fill(sent_at.begin(), sent_at.end(), after);
-  way.stamps.collect(sent_at);
+  if (way.stamps) way.stamps->collect(sent_at);
   if (thread_.isRealtime() && after - last_sleep_ > kAwake) leaveRealtimeIfHogging();
+  return {};
+}
+
+Status UdpSendPort::flush() {
+  for (const Way& way : ways_) {
+    if (Status flushed = way.sink->flush(); !flushed) return flushed;
+  }
   return {};
 }
 
@@ -92,8 +111,8 @@ std::string UdpSendPort::timingSource() const {
   bool all_stamped = true;
   for (const Way& way : ways_) {
     if (way.restating) continue;
-    any_stamped = any_stamped || way.stamps.stamped() > 0;
-    all_stamped = all_stamped && way.stamps.unstamped() == 0;
+    any_stamped = any_stamped || (way.stamps && way.stamps->stamped() > 0);
+    all_stamped = all_stamped && way.stamps && way.stamps->unstamped() == 0;
   }
   if (!any_stamped) return "clock";
   return all_stamped ? "kernel" : "kernel and clock";

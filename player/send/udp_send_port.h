@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/net/udp_socket.h"
+#include "core/net/datagram_sink.h"
 #include "player/send/paced_sender.h"
 #include "player/send/realtime.h"
 #include "player/send/route.h"
@@ -14,7 +14,8 @@
 
 namespace rocinante {
 
-/// The real SendPort: the steady clock, a timer and a UDP socket for each route.
+/// The real SendPort: the steady clock, a timer, and a UDP socket or a server's subject for each
+/// route.
 class UdpSendPort final : public SendPort {
  public:
   /// Makes the calling thread the pacing one. `wake`, if not negative, is a descriptor that ends a
@@ -29,6 +30,9 @@ class UdpSendPort final : public SendPort {
   Status send(std::uint16_t route, std::span<const ByteView> payloads,
               std::span<SteadyTime> sent_at) override;
 
+  /// Waits until what was sent has left.
+  Status flush();
+
   /// Source of the times in `sent_at`, except those of restatements: "kernel", "clock" or "kernel
   /// and clock".
   std::string timingSource() const;
@@ -37,11 +41,9 @@ class UdpSendPort final : public SendPort {
 
  private:
   struct Way {
-    Way(UdpSender socket, bool its_restating)
-        : sender(std::move(socket)), stamps(sender.fileDescriptor()), restating(its_restating) {}
-    UdpSender sender;
-    TransmitStamps stamps;
-    bool restating;
+    std::unique_ptr<DatagramSink> sink;
+    std::optional<TransmitStamps> stamps;  ///< of a UDP socket
+    bool restating = false;
   };
 
   UdpSendPort(std::vector<Way> ways, PacingThread thread, std::function<bool()> stop, int wake);

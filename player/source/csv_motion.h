@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,28 +12,41 @@
 namespace rocinante {
 
 /// A recorded motion as a table: a header row with column names, then one row per moment
-/// (docs/programs/source.md). Seconds in column `t` or `time`; every other column is a joint.
+/// (docs/programs/source.md). Seconds in column `t` or `time`; every other column is a joint or a
+/// component of a pose.
 struct CsvMotion {
-  struct Row {
-    Nanoseconds time{};     ///< of the file, rounded to the nanosecond
-    std::size_t begin = 0;  ///< offset of its values in `values`
-    std::size_t byte_count = 0;
+  /// One device and the columns that move it, as indices into a row.
+  struct Device {
+    std::string name;
+    std::vector<std::string> joints;
+    std::vector<std::size_t> joint_columns;  ///< as many
+    /// x y z qx qy qz qw; empty when the table has no pose of the device.
+    std::vector<std::size_t> pose_columns;
   };
 
-  std::vector<std::string> joints;
-  std::vector<Row> rows;  ///< at least one; times never go back
-  std::string values;  ///< the numbers as written in the file; those of a row separated by spaces
+  std::vector<Device> devices;     ///< at least one, in the order of their first columns
+  std::vector<Nanoseconds> times;  ///< of the file, rounded to the nanosecond; never going back
+  std::size_t column_count = 0;    ///< numbers of a row
+  std::vector<double> numbers;     ///< row after row; NaN: an empty field
 
-  std::string_view valuesOf(const Row& row) const {
-    return std::string_view(values).substr(row.begin, row.byte_count);
+  std::size_t rowCount() const { return times.size(); }
+  std::span<const double> row(std::size_t index) const {
+    return std::span(numbers).subspan(index * column_count, column_count);
   }
 };
 
+/// True when the row says something in these columns of a device: its joints are given all or none,
+/// and so is its pose.
+bool hasValues(std::span<const double> row, const std::vector<std::size_t>& columns);
+
 /// Parses the whole text. bad_argument with line and column (bytes from 1) for a ragged row, a
-/// value that packet text does not allow, a time that goes back, a missing time column, or no row.
-/// `columns`, if not empty, names the joint columns in this order. `name` is the file's, for
+/// value that a Source cannot send, a time that goes back, a missing time column, or no row.
+/// Without `device` fields may be empty, of all joints of a device or of its whole pose at once.
+/// `columns`, if not empty, names the columns in this order. With `device` all of them are joints
+/// of that device; without it they are named DEVICE.JOINT (the first point separates) or DEVICE:x,
+/// DEVICE:y, DEVICE:z, DEVICE:qx, DEVICE:qy, DEVICE:qz, DEVICE:qw. `name` is the file's, for
 /// messages.
 Result<CsvMotion> readCsvMotion(std::string_view text, const std::string& name,
-                                const std::vector<std::string>& columns);
+                                const std::string& device, const std::vector<std::string>& columns);
 
 }  // namespace rocinante

@@ -5,149 +5,157 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/packet/packet_limits.h"
-#include "core/packet/restatement.h"
-
 namespace rocinante {
 namespace {
 
-// The longest SEQUENCE and TIME: 20 digits each, and the point.
-constexpr std::size_t kNumbersBytes = 41;
-
-Status checkName(const char* option, const std::string& name) {
-  if (!name.empty() && name.size() <= limits::kNameBytes) return {};
-  return Error{ErrorKind::bad_argument, "a name must be 1 to 255 bytes long", option};
+Pose poseOf(std::span<const double> row, const std::vector<std::size_t>& columns) {
+  const auto at = [&](std::size_t part) { return row[columns[part]]; };
+  return {{at(0), at(1), at(2)}, Quat(at(6), at(3), at(4), at(5))};
 }
 
-/// The largest size of a packet with a line of `line_bytes`.
-std::size_t packetBytes(const CsvStream::Options& options, std::size_t line_bytes) {
-  PacketHeader header;
-  header.source = options.source;
-  header.run = options.run;
-  return headerText(header).size() + kNumbersBytes + line_bytes + 2;
-}
-
-Error tooLarge(std::size_t bytes, const CsvStream::Options& options) {
-  return {ErrorKind::bad_argument,
-          fmt::format("a packet needs up to {} bytes, but --mtu is {}: choose fewer --columns or "
-                      "raise it",
-                      bytes, options.mtu_bytes),
-          options.device};
-}
-
-Statement orderStatement(const std::string& device, const std::vector<std::string_view>& names) {
-  Statement statement;
-  statement.kind = StatementKind::order;
-  statement.name = device;
-  statement.names = names;
-  return statement;
+bool isRestated(std::string_view datagram) {
+  // Names have no spaces in packet text.
+  return datagram.substr(0, datagram.find('\n')).find(" restated") != datagram.npos;
 }
 
 }  // namespace
 
 Result<CsvStream> CsvStream::open(const CsvMotion& motion, Options options) {
-  if (const Status name = checkName("--device", options.device); !name) return name.error();
-  if (const Status name = checkName("--source", options.source); !name) return name.error();
-  if (const Status name = checkName("--run", options.run); !name) return name.error();
-  std::size_t longest = 0;
-  for (const CsvMotion::Row& row : motion.rows) longest = std::max(longest, row.byte_count);
-  const std::vector<std::string_view> names(motion.joints.begin(), motion.joints.end());
-  const std::size_t order = statementText(orderStatement(options.device, names)).size();
-  const std::size_t joints =
-      std::string_view("joints  ").size() + encodeName(options.device).size() + longest;
-  const std::size_t bytes = packetBytes(options, std::max(order, joints));
-  if (bytes > options.mtu_bytes) return tooLarge(bytes, options);
-  return CsvStream(motion, std::move(options));
+  // Every row is set once before anything is sent: what a source refuses is an error of the table.
+  CsvStream trial(motion, options);
+  if (const Status opened = trial.openSource(); !opened) return opened.error();
+  for (std::size_t row = 0; row < motion.rowCount(); ++row) {
+    if (const Status set = trial.setRow(row); !set) return set.error();
+  }
+  CsvStream stream(motion, std::move(options));
+  if (const Status opened = stream.openSource(); !opened) return opened.error();
+  return stream;
 }
 
 CsvStream::CsvStream(const CsvMotion& motion, Options options)
-    : motion_(&motion),
-      options_(std::move(options)),
-      decoder_(std::make_unique<PacketTextDecoder>()) {
-  encoded_device_ = encodeName(options_.device);
-  const Nanoseconds span = motion.rows.back().time - motion.rows.front().time;
-  const auto steps = static_cast<std::int64_t>(motion.rows.size()) - 1;
+    : motion_(&motion), options_(std::move(options)) {
+  const Nanoseconds span = motion.times.back() - motion.times.front();
+  const auto steps = static_cast<std::int64_t>(motion.rowCount()) - 1;
   period_ = steps > 0 ? span + span / steps : Nanoseconds(std::chrono::seconds(1));
-  next_restatement_ = motion.rows.front().time + options_.restate;
 }
 
-Nanoseconds CsvStream::rowTime() const { return motion_->rows[row_].time + period_ * turn_; }
+Error CsvStream::refusal(SourceResult result, const std::string& where) const {
+  if (result != SourceResult::too_long) {
+    return {ErrorKind::bad_argument, std::string(sentenceOf(result)), where};
+  }
+  return {ErrorKind::bad_argument,
+          fmt::format("a packet does not fit, --mtu is {}: choose fewer --columns or raise it",
+                      options_.mtu_bytes),
+          where};
+}
 
-std::optional<std::int64_t> CsvStream::timeToSay(Nanoseconds time) const {
-  const Nanoseconds said = options_.wall_now ? options_.wall_now().time_since_epoch() : time;
-  // Packet text has no times before the epoch.
-  if (said.count() < 0) return std::nullopt;
-  return said.count();
+Status CsvStream::openSource() {
+  SourceSettings settings;
+  settings.source = options_.source;
+  settings.run = options_.run;
+  settings.restate = options_.restate;
+  settings.max_datagram = options_.mtu_bytes;
+  settings.memory_bytes = (std::size_t{1} << 18U) + 16 * options_.mtu_bytes +
+                          motion_->devices.size() * 4096 + motion_->column_count * 512;
+  const auto keep = [made = made_.get()](std::span<std::byte> datagram) {
+    made->emplace_back(textOf(datagram));
+    return true;
+  };
+  Result<Source> source = Source::open(settings, keep);
+  if (!source) {
+    // A wrong name, unless a larger datagram would do.
+    settings.max_datagram = 65'507;
+    settings.memory_bytes = std::size_t{1} << 20U;
+    return Source::open(settings, keep) ? refusal(SourceResult::too_long, options_.source)
+                                        : source.error();
+  }
+  source_.emplace(std::move(*source));
+  for (const CsvMotion::Device& device : motion_->devices) {
+    devices_.push_back(source_->device(device.name));
+    if (device.joints.empty()) continue;
+    const std::vector<std::string_view> names(device.joints.begin(), device.joints.end());
+    const SourceResult ordered = source_->setOrder(devices_.back(), names);
+    if (ordered != SourceResult::done) return refusal(ordered, device.name);
+  }
+  return {};
+}
+
+Status CsvStream::setRow(std::size_t row) {
+  const std::span<const double> numbers = motion_->row(row);
+  for (std::size_t i = 0; i < devices_.size(); ++i) {
+    const CsvMotion::Device& device = motion_->devices[i];
+    SourceResult result = SourceResult::done;
+    const bool has_joints = hasValues(numbers, device.joint_columns);
+    const bool has_pose = hasValues(numbers, device.pose_columns);
+    if (!has_joints && !has_pose) continue;
+    values_.clear();
+    for (const std::size_t column : device.joint_columns) values_.push_back(numbers[column]);
+    if (has_joints) result = source_->setJoints(devices_[i], values_);
+    if (result == SourceResult::done && has_pose) {
+      result = source_->setPose(devices_[i], poseOf(numbers, device.pose_columns));
+    }
+    if (result == SourceResult::done) result = source_->repeat(devices_[i]);
+    if (result == SourceResult::done) continue;
+    return refusal(result, fmt::format("{}, row {}", device.name, row + 1));
+  }
+  return {};
+}
+
+Nanoseconds CsvStream::rowTime() const { return motion_->times[row_] + period_ * turn_; }
+
+/// In the motion's time, which rounding must not turn back.
+std::optional<Nanoseconds> CsvStream::restatementTime() const {
+  const auto due = source_->due();
+  if (!due) return std::nullopt;
+  return std::max(motion_->times.front() + options_.speed.logDuration(*due), made_at_);
 }
 
 Result<std::optional<Due>> CsvStream::due() {
-  if (row_ == motion_->rows.size()) {
+  if (!made_->empty()) {
+    return std::optional(Due{LogTime(made_at_), turn_, isRestated(made_->front())});
+  }
+  if (row_ == motion_->rowCount()) {
     if (turn_ + 1 == options_.turns) return std::optional<Due>();
     row_ = 0;
     ++turn_;
   }
-  restating_ =
-      restating_ || (options_.restate.count() > 0 && order_said_ && next_restatement_ <= rowTime());
-  if (restating_) return std::optional(Due{LogTime(next_restatement_), turn_, true});
+  const auto restatement = restatementTime();
+  if (restatement && *restatement <= rowTime()) {
+    return std::optional(Due{LogTime(*restatement), turn_, true});
+  }
   return std::optional(Due{LogTime(rowTime()), turn_, false});
 }
 
 ByteView CsvStream::take() {
-  if (restating_) {
-    takeRestatement();
-  } else {
-    takeRow();
-  }
+  if (made_->empty()) makeNext();
+  payload_ = std::move(made_->front());
+  made_->pop_front();
   return bytesOf(payload_);
 }
 
-void CsvStream::takeRestatement() {
-  if (parts_.empty()) {
-    const std::string part_id = fmt::format("r{}", ++restatements_);
-    RestatementOptions how;
-    how.part_id = part_id;
-    how.mtu_bytes = options_.mtu_bytes;
-    how.first_sequence = sequence_;
-    how.time_ns = timeToSay(next_restatement_);
-    parts_ = restate(state_, options_.source, how);
-    parts_taken_ = 0;
-  }
-  payload_ = std::move(parts_[parts_taken_++]);
-  ++sequence_;
-  fold(next_restatement_);
-  if (parts_taken_ == parts_.size()) {
-    restating_ = false;
-    parts_.clear();
-    next_restatement_ += options_.restate;
-  }
-}
-
-void CsvStream::takeRow() {
-  const Nanoseconds time = rowTime();
-  PacketHeader header;
-  header.source = options_.source;
-  header.run = options_.run;
-  header.sequence = sequence_++;
-  header.time_ns = timeToSay(time);
+void CsvStream::makeNext() {
+  const auto restatement = restatementTime();
+  if (restatement && *restatement <= rowTime()) return flush(*restatement, *source_->due());
   if (!order_said_) {
     order_said_ = true;
-    const std::vector<std::string_view> names(motion_->joints.begin(), motion_->joints.end());
-    PacketTextWriter packet(header);
-    packet.add(orderStatement(options_.device, names));
-    payload_ = packet.text();
-  } else {
-    payload_ = headerText(header) + "\njoints " + encoded_device_ + " ";
-    payload_ += motion_->valuesOf(motion_->rows[row_++]);
-    payload_ += "\n";
+    flush(rowTime(), {});
+    if (!made_->empty()) return;  // else there are only poses
   }
-  fold(time);
+  // open() has set every row once: none is refused.
+  static_cast<void>(setRow(row_));
+  flush(rowTime(), {});
+  ++row_;
 }
 
-void CsvStream::fold(Nanoseconds time) {
-  if (options_.restate.count() == 0) return;
-  if (const Packet* packet = decoder_->decode(bytesOf(payload_))) {
-    state_.apply(LogTime(time), *packet);
-  }
+/// `not_before` is on the source's own clock, which counts real time from the first row.
+void CsvStream::flush(Nanoseconds time, Nanoseconds not_before) {
+  made_at_ = time;
+  const Nanoseconds played = options_.speed.realDuration(time - motion_->times.front());
+  real_time_ = std::max({real_time_, played, not_before});
+  const WallTime said = options_.wall_now ? options_.wall_now() : WallTime(time);
+  // Packet text has no times before the epoch. Keeping a datagram cannot fail.
+  const bool is_said = said.time_since_epoch().count() >= 0;
+  static_cast<void>(source_->flush(real_time_, is_said ? std::optional(said) : std::nullopt));
 }
 
 }  // namespace rocinante

@@ -1,26 +1,27 @@
 #pragma once
 
+#include <deque>
 #include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "core/packet/packet_text.h"
-#include "core/packet/session_state.h"
+#include "core/base/playback_speed.h"
+#include "core/source/source.h"
 #include "player/send/datagram_stream.h"
 #include "player/source/csv_motion.h"
 
 namespace rocinante {
 
-/// A table of joint values as the packets of one source: first `order`, then one packet per row at
-/// the row's time, and every `restate` a restatement of the source's state.
+/// A table of joint values and poses as the datagrams of a Source: first the orders, then what each
+/// row says at the row's time, changed or not, and every `restate` everything again.
 class CsvStream final : public DatagramStream {
  public:
   struct Options {
-    std::string device;
     std::string source;
     std::string run;
-    Nanoseconds restate{};  ///< between restatements, in the motion's time; 0: never
+    Nanoseconds restate{};  ///< real time between restatements; 0: never
+    PlaybackSpeed speed;    ///< of the motion, to spread restatements in real time
     std::size_t mtu_bytes = 1200;
     std::uint32_t turns = 1;  ///< 0: endless
     /// Gives TIME when sending; empty: TIME is the file's own time.
@@ -39,28 +40,28 @@ class CsvStream final : public DatagramStream {
  private:
   CsvStream(const CsvMotion& motion, Options options);
 
+  Status openSource();
+  Status setRow(std::size_t row);
+  Error refusal(SourceResult result, const std::string& where) const;
   Nanoseconds rowTime() const;
-  std::optional<std::int64_t> timeToSay(Nanoseconds time) const;
-  void takeRow();
-  void takeRestatement();
-  void fold(Nanoseconds time);
+  std::optional<Nanoseconds> restatementTime() const;
+  void makeNext();
+  void flush(Nanoseconds time, Nanoseconds not_before);
 
   const CsvMotion* motion_;
   Options options_;
-  std::string encoded_device_;
   Nanoseconds period_{};
   bool order_said_ = false;
   std::size_t row_ = 0;
   std::uint32_t turn_ = 0;
-  std::uint64_t sequence_ = 0;
-  std::uint64_t restatements_ = 0;
-  Nanoseconds next_restatement_{};
-  bool restating_ = false;
-  std::vector<std::string> parts_;  ///< remaining parts of the restatement being sent
-  std::size_t parts_taken_ = 0;
+  /// Made but not taken; behind a pointer, as the source's send function keeps it.
+  std::unique_ptr<std::deque<std::string>> made_ = std::make_unique<std::deque<std::string>>();
+  Nanoseconds made_at_ = Nanoseconds::min();
+  Nanoseconds real_time_{};
   std::string payload_;
-  std::unique_ptr<PacketTextDecoder> decoder_;
-  SessionState state_;  ///< everything sent so far, as a receiver has it
+  std::optional<Source> source_;
+  std::vector<SourceDevice> devices_;
+  std::vector<double> values_;  ///< of one device, gathered from a row
 };
 
 }  // namespace rocinante

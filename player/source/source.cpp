@@ -1,33 +1,29 @@
 #include "player/source/source.h"
 
-#include <sys/random.h>
-
 #include <algorithm>
-#include <array>
 #include <limits>
+#include <set>
 
 #include "core/base/atomic_file.h"
-#include "player/demo/demo_stream.h"
+#include "core/base/data_file.h"
+#include "core/base/name_hint.h"
+#include "core/base/pattern.h"
+#include "core/log/log_profile.h"
+#include "core/packet/packet_text.h"
+#include "core/packet/text_name.h"
+#include "core/signing/signed_datagram.h"
+#include "player/logs/played_span.h"
+#include "player/logs/read_ahead.h"
+#include "player/logs/tape_finder.h"
+#include "player/send/signing_stream.h"
 #include "player/source/csv_motion.h"
 #include "player/source/csv_stream.h"
 #include "player/source/cut_stream.h"
+#include "player/source/log_stream.h"
+#include "player/source/source_start.h"
 
 namespace rocinante {
 namespace {
-
-WallTime wallNow() { return std::chrono::system_clock::now(); }
-
-/// Chosen at each start, so that a receiver can tell a restart from late packets.
-std::string randomRun() {
-  std::array<unsigned char, 5> random{};
-  if (::getrandom(random.data(), random.size(), 0) != static_cast<ssize_t>(random.size())) {
-    const auto now = static_cast<std::uint64_t>(wallNow().time_since_epoch().count());
-    for (std::size_t i = 0; i < random.size(); ++i) {
-      random[i] = static_cast<unsigned char>(now >> (8 * i));
-    }
-  }
-  return hexOf(std::as_bytes(std::span(random)));
-}
 
 LogTime endOf(LogTime first, const std::optional<Nanoseconds>& duration) {
   return duration ? first + *duration : LogTime::max();
@@ -44,7 +40,12 @@ Result<PlayReport> send(DatagramStream& stream, const std::string& names, SendPl
   plan.last = std::min(plan.last, end);
   CutStream cut(stream, end);
   plan.began = [&] { surroundings.told("sending " + names + " to " + options.to.text()); };
-  return sendPlan(cut, plan, surroundings.stop);
+  if (options.key.empty()) return sendPlan(cut, plan, surroundings.stop);
+  Result<SigningKey> key = SigningKey::read(options.key);
+  if (!key) return key.error();
+  DatagramSigner signer(std::move(*key), wallNow);
+  SigningStream signing(cut, signer);
+  return sendPlan(signing, plan, surroundings.stop);
 }
 
 /// The motion's end over all its turns, for the progress line.
@@ -54,28 +55,73 @@ LogTime lastOf(LogTime first, Nanoseconds period, std::uint32_t turns) {
   return first + Nanoseconds(whole);
 }
 
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+Status checkUtf8Name(const char* option, const std::string& name) {
+  TextArena arena;
+  const std::string encoded = encodeName(name);
+  arena.begin(encoded.size());
+  if (decodeName(encoded, arena)) return {};
+  return Error{ErrorKind::bad_argument, "a name is 1 to 255 bytes of UTF-8", option};
+}
+
+/// The channels of the chosen sources: the others are treated as if they had not been recorded.
+Result<ChannelChoice> channelsOf(const LogSourceOptions& options) {
+  const Result<MultiLogReader> log = MultiLogReader::open({options.log});
+  if (!log) return log.error();
+  const std::set<std::string> sources = log->sources();
+  const std::vector<std::string_view> known(sources.begin(), sources.end());
+  for (const auto& [name, new_name] : options.choice.names) {
+    if (const Status is_name = checkUtf8Name("--as", new_name); !is_name) return is_name.error();
+    if (sources.contains(name) && options.choice.wants(name)) continue;
+    return Error{ErrorKind::bad_argument,
+                 "--as names no source that is sent: " + whatThereIs(name, known), name};
+  }
+  for (const std::string& pattern : options.choice.sources) {
+    if (std::any_of(known.begin(), known.end(),
+                    [&](std::string_view source) { return patternMatches(pattern, source); })) {
+      continue;
+    }
+    return Error{ErrorKind::bad_argument,
+                 "no source of the log matches: " + whatThereIs(pattern, known), pattern};
+  }
+  ChannelChoice choice;
+  if (options.choice.sources.empty()) return choice;
+  for (const LogChannel& channel : log->channels(0)) {
+    const auto source = channel.metadata.find("source");
+    if (source == channel.metadata.end() || !options.choice.wants(source->second)) continue;
+    choice.only.emplace_back(profile::capturedTopic(channel.topic));
+  }
+  return choice;
+}
+
 }  // namespace
 
 Result<PlayReport> sendCsv(const CsvSourceOptions& csv, const SourceOptions& options,
                            const SendSurroundings& surroundings) {
   const Result<std::string> text = readFile(csv.csv);
   if (!text) return text.error();
-  const Result<CsvMotion> motion = readCsvMotion(*text, csv.csv.string(), csv.columns);
+  const Result<CsvMotion> motion = readCsvMotion(*text, csv.csv.string(), csv.device, csv.columns);
   if (!motion) return motion.error();
 
   CsvStream::Options how;
-  how.device = csv.device;
-  how.source = csv.source.empty() ? csv.device : csv.source;
-  how.run = options.run.empty() ? randomRun() : options.run;
-  how.restate = options.speed.logDuration(csv.restate);
-  how.mtu_bytes = options.mtu_bytes;
+  // A table of several devices has one source, named after the first of them.
+  how.source = csv.source.empty() ? motion->devices.front().name : csv.source;
+  how.run = runOf(options);
+  how.restate = csv.restate;
+  how.speed = options.speed;
+  how.mtu_bytes = unsignedBytes(options);
   how.turns = options.turns;
   if (csv.stamp_clock) how.wall_now = wallNow;
   Result<CsvStream> stream = CsvStream::open(*motion, how);
   if (!stream) return stream.error();
 
   SendPlan plan;
-  plan.from = LogTime(motion->rows.front().time);
+  plan.from = LogTime(motion->times.front());
   plan.until = plan.from + stream->period();
   plan.last = lastOf(plan.from, stream->period(), options.turns);
   Result<PlayReport> report = send(*stream, how.source, plan, options, surroundings);
@@ -86,28 +132,79 @@ Result<PlayReport> sendCsv(const CsvSourceOptions& csv, const SourceOptions& opt
   return report;
 }
 
-Result<PlayReport> sendDemo(const std::vector<DemoPart>& parts, const SourceOptions& options,
-                            const SendSurroundings& surroundings) {
-  std::string names;
-  for (const DemoPart part : parts) {
-    names += (names.empty() ? "" : ", ") + std::string(nameOf(part));
+Result<PlayReport> sendLog(const LogSourceOptions& log, const SourceOptions& options,
+                           const SendSurroundings& surroundings) {
+  const std::string run = runOf(options);
+  if (const Status is_name = checkUtf8Name("--run", run); !is_name) return is_name.error();
+  const Result<ChannelChoice> channels = channelsOf(log);
+  if (!channels) return channels.error();
+  Result<MultiLogReader> reader = MultiLogReader::open({log.log}, *channels);
+  if (!reader) return reader.error();
+  Result<TapeFinder> finder = TapeFinder::open({log.log}, *channels);
+  if (!finder) return finder.error();
+  const Result<PlayedSpan> span = playedSpan(*reader, log.from, log.until);
+  if (!span) return span.error();
+  Result<bool> any = false;
+  if (span->from < span->until) any = finder->anyIn(span->from, span->until);
+  if (!any) return any.error();
+  if (!*any) {
+    return Error{ErrorKind::not_found, "nothing to send: no captured message in the chosen part",
+                 log.log.string()};
   }
-  DemoStream::Options how;
-  how.parts = parts;
-  how.run = options.run.empty() ? randomRun() : options.run;
-  how.epoch_ns = wallNow().time_since_epoch().count();
-  how.mtu_bytes = options.mtu_bytes;
+  Result<SessionState> before = finder->stateBefore(TapePosition::at(span->from));
+  if (!before) return before.error();
+
+  LogStream::Options how;
+  how.choice = log.choice;
+  how.run = run;
+  how.span = *span;
   how.turns = options.turns;
-  DemoStream stream(how);
+  how.restate = options.speed.logDuration(log.restate);
+  how.mtu_bytes = unsignedBytes(options);
+  how.speed = options.speed;
+  how.epoch_ns = wallNow().time_since_epoch().count();
+  Result<LogStream> stream = LogStream::open(*reader, std::move(*before), how);
+  if (!stream) {
+    Error error = stream.error();
+    if (error.where.empty()) error.where = log.log.string();
+    return error;
+  }
+  const std::string names = joined(stream->names());
 
   SendPlan plan;
-  plan.until = LogTime(kDemoLength);
-  plan.last = lastOf(plan.from, kDemoLength, options.turns);
-  Result<PlayReport> report = send(stream, names, plan, options, surroundings);
-  if (!report) return report;
-  report->inputs = {"demo"};
-  report->source = names;
-  report->run = how.run;
+  plan.from = span->from;
+  plan.until = span->until;
+  plan.last = lastOf(plan.from, span->until - span->from, options.turns);
+  std::optional<Result<PlayReport>> report;
+  {
+    ReadAhead ahead(*stream, false);
+    report = send(ahead, names, plan, options, surroundings);
+  }
+  if (!*report) return *report;
+  PlayReport& sent = **report;
+  sent.inputs = {log.log.string()};
+  sent.source = names;
+  sent.run = run;
+  sent.damage = reader->damage();
+  if (!finder->stateDamage().empty()) {
+    sent.damage.push_back("a restated state may be outdated: " + finder->stateDamage().text());
+  }
+  return *report;
+}
+
+Result<PlayReport> sendDemo(const std::string& part, Nanoseconds restate,
+                            const SourceOptions& options, const SendSurroundings& surroundings) {
+  const Result<std::filesystem::path> motion = findDataFile("examples/demo/motion.mcap");
+  if (!motion) return motion.error();
+  LogSourceOptions log;
+  log.log = *motion;
+  if (part != "all") log.choice.sources = {part};
+  // A turn begins once every source has spoken, so that its first moment has the whole state.
+  log.from = "0.01s";
+  log.until = "20.01s";
+  log.restate = restate;
+  Result<PlayReport> report = sendLog(log, options, surroundings);
+  if (report) report->inputs = {"demo"};
   return report;
 }
 

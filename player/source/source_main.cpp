@@ -1,12 +1,14 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
-#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "core/base/duration_text.h"
 #include "core/base/plain_text.h"
 #include "core/cli/program.h"
+#include "player/source/joystick.h"
 #include "player/source/source.h"
 
 namespace {
@@ -16,11 +18,21 @@ using namespace rocinante;
 constexpr const char* kExamples =
     "  rocinante source --csv joints.csv --device arm    columns t,joint1,joint2,...\n"
     "  rocinante source --csv joints.csv --device arm --columns shoulder,elbow --loop 0\n"
+    "  rocinante source --csv cell.csv                   columns t,arm.j1,arm.j2,tray:x,...\n"
+    "  rocinante source --joystick /dev/input/js0 --map axis0=arm.j1:0.5/s --map "
+    "button0=event:pick\n"
+    "  rocinante source --log session.mcap --loop 0      its sources anew, with TIME of now\n"
+    "  rocinante source --log session.mcap --source arm --as arm=left_arm --from 12s\n"
     "  rocinante source --demo all                       the demo cell, until Ctrl-C\n"
     "  rocinante source --demo arm --to 10.0.0.7:19960 --speed 2 --duration 20s\n";
 
 struct Arguments {
   CsvSourceOptions csv;
+  LogSourceOptions log;
+  JoystickSourceOptions joystick;
+  std::vector<std::string> sources;
+  std::vector<std::string> devices;
+  std::vector<std::string> renamed;
   SourceOptions options;
   std::string demo;
   std::string to;
@@ -35,29 +47,58 @@ struct Arguments {
 void declareTable(CLI::App& app, Arguments& my) {
   auto* csv = app.add_option("--csv", my.csv.csv, "a table with a header row: t, joint, joint, ...")
                   ->option_text("FILE");
-  auto* device = app.add_option("--device", my.csv.device, "the device that the columns move")
-                     ->needs(csv)
-                     ->option_text("NAME");
-  csv->needs(device);
-  app.add_option("--source", my.csv.source, "the SOURCE name; default the device's")
-      ->needs(csv)
+  auto* log = app.add_option("--log", my.log.log, "a recorded session, its sources sent anew")
+                  ->excludes(csv)
+                  ->option_text("LOG");
+  auto* joystick = app.add_option("--joystick", my.joystick.device,
+                                  "joints moved by hand: /dev/input/jsN, or a file of its events")
+                       ->excludes(csv)
+                       ->excludes(log)
+                       ->option_text("DEV");
+  app.add_option("--map", my.joystick.map,
+                 "what an axis or a button does: axis0=arm.j1:0.5/s:-1..1 (turns it), "
+                 "axis1=grip.width:0..0.08 (is its place), button0=event:TEXT; repeatable")
+      ->needs(joystick)
+      ->allow_extra_args(false)
+      ->option_text("ENTRY");
+  app.add_option("--device", my.devices,
+                 "the device that the columns move; without it they are DEVICE.JOINT; of a log, "
+                 "only what is about devices that match; repeatable")
+      ->allow_extra_args(false)
       ->option_text("NAME");
+  app.add_option("--source", my.sources,
+                 "the SOURCE name; default the first device's; of a log, only sources that match; "
+                 "repeatable")
+      ->allow_extra_args(false)
+      ->option_text("NAME");
+  app.add_option("--as", my.renamed, "send SOURCE OLD of the log as NEW; repeatable")
+      ->needs(log)
+      ->allow_extra_args(false)
+      ->option_text("OLD=NEW");
+  app.add_option("--from", my.log.from, "begin at this session time (12.5s, -1s, RFC 3339)")
+      ->needs(log)
+      ->option_text("TIME");
+  app.add_option("--until", my.log.until, "end before this session time")
+      ->needs(log)
+      ->option_text("TIME");
   app.add_option("--columns", my.csv.columns,
                  "the columns that are joints; default all but the time")
       ->delimiter(',')
       ->needs(csv)
       ->option_text("A,B,...");
   app.add_option("--restate", my.restate, "restate everything this often; 0: never")
-      ->needs(csv)
       ->option_text("TIME=2s");
   app.add_flag("--stamp-clock", my.csv.stamp_clock, "TIME is the wall clock when sending")
       ->needs(csv)
       ->option_text(" ");
-  app.add_option("--demo", my.demo, "the built-in motion: arm, gantry, planner or all (default)")
+  app.add_option("--demo", my.demo,
+                 "the motion of the demo cell: arm, gantry, planner or all (default)")
       ->expected(0, 1)
       ->default_str("all")
       ->check(CLI::IsMember({"arm", "gantry", "planner", "all"}))
       ->excludes(csv)
+      ->excludes(log)
+      ->excludes(joystick)
       ->option_text("[PART]");
 }
 
@@ -68,7 +109,7 @@ void declare(CLI::App& app, Arguments& my) {
   app.add_option("--speed", my.speed, "seconds of the motion per second, 0.01 to 1000")
       ->option_text("X=1");
   app.add_option("--loop", my.options.turns,
-                 "send the motion N times; 0: until stopped; default 1 for a table, 0 for a demo")
+                 "send the motion N times; 0: until stopped; default 0 for the demo, else 1")
       ->option_text("N");
   app.add_option("--duration", my.duration, "end after this much of the motion")
       ->option_text("TIME");
@@ -77,11 +118,54 @@ void declare(CLI::App& app, Arguments& my) {
   app.add_option("--mtu", my.options.mtu_bytes, "largest datagram, 64 to 65507 bytes")
       ->check(CLI::Range(64, 65'507))
       ->option_text("BYTES=1200");
+  app.add_option("--key", my.options.key,
+                 "sign every datagram with this secret key (rocinante key)")
+      ->option_text("FILE");
   app.add_option("--realtime", my.realtime, "run before other threads: auto, on or off")
       ->check(CLI::IsMember({"auto", "on", "off"}))
       ->option_text("WHEN=auto");
   app.add_flag("--json", my.json, "print what was sent as JSON");
   app.add_flag("--quiet", my.quiet, "print nothing but errors (and --json)");
+}
+
+/// What names devices and sources: one of each for a table, any number of patterns for a log.
+Status readNames(Arguments& my) {
+  for (const auto& [option, names] :
+       {std::pair("--device", &my.devices), {"--source", &my.sources}}) {
+    if (names->empty() || !my.log.log.empty()) continue;
+    const bool is_joystick = !my.joystick.device.empty();
+    if (is_joystick && names == &my.devices) {
+      return Error{ErrorKind::bad_argument, "--map names the devices of a joystick, not --device",
+                   names->back()};
+    }
+    if (my.csv.csv.empty() && !is_joystick) {
+      return Error{ErrorKind::bad_argument,
+                   std::string(option) + " needs --csv, --log or --joystick", ""};
+    }
+    if (names->size() > 1) {
+      return Error{
+          ErrorKind::bad_argument,
+          std::string(is_joystick ? "a joystick takes one " : "a table takes one ") + option,
+          names->back()};
+    }
+  }
+  if (!my.csv.csv.empty()) {
+    if (!my.devices.empty()) my.csv.device = my.devices.front();
+    if (!my.sources.empty()) my.csv.source = my.sources.front();
+  }
+  if (!my.sources.empty()) my.joystick.source = my.sources.front();
+  my.log.choice.devices = my.devices;
+  my.log.choice.sources = my.sources;
+  for (const std::string& text : my.renamed) {
+    const std::size_t cut = text.find('=');
+    if (cut == std::string::npos || cut == 0) {
+      return Error{ErrorKind::bad_argument, "--as takes OLD=NEW", text};
+    }
+    if (!my.log.choice.names.emplace(text.substr(0, cut), text.substr(cut + 1)).second) {
+      return Error{ErrorKind::bad_argument, "--as renames a source twice", text};
+    }
+  }
+  return {};
 }
 
 Status readOptions(Arguments& my, bool loop_given) {
@@ -98,7 +182,10 @@ Status readOptions(Arguments& my, bool loop_given) {
   if (restate->count() < 0) {
     return Error{ErrorKind::bad_argument, "--restate cannot be negative", my.restate};
   }
-  my.csv.restate = *restate;
+  if (restate->count() > 0 && *restate < std::chrono::milliseconds(10) && my.csv.csv.empty()) {
+    return Error{ErrorKind::bad_argument, "--restate is 0 or at least 10ms", my.restate};
+  }
+  my.csv.restate = my.log.restate = my.joystick.restate = *restate;
   if (!my.duration.empty()) {
     const auto duration = parseDuration(my.duration);
     if (!duration) return duration.error();
@@ -107,46 +194,55 @@ Status readOptions(Arguments& my, bool loop_given) {
     }
     my.options.duration = *duration;
   }
-  // By default a table is sent once, and the demo runs until stopped.
+  // By default the demo runs until stopped.
   if (!loop_given) my.options.turns = my.demo.empty() ? 1 : 0;
   my.options.realtime = realtimeOf(my.realtime);
   my.options.progress = !my.quiet && ::isatty(STDERR_FILENO) == 1;
   return {};
 }
 
-Result<cli::Exit> run(Arguments& my, bool loop_given) {
-  if (my.csv.csv.empty() && my.demo.empty()) {
-    return Error{ErrorKind::bad_argument, "nothing to send: give --csv FILE or --demo", ""};
-  }
-  if (const Status read = readOptions(my, loop_given); !read) return read.error();
-
-  cli::catchStopSignals();
+Result<PlayReport> send(Arguments& my) {
   SendSurroundings surroundings;
   surroundings.stop = cli::stopRequested;
   surroundings.told = [&my](std::string_view line) {
-    if (!my.quiet) std::fprintf(stderr, "%s\n", plainText(line).c_str());
+    if (!my.quiet) cli::tell(plainText(line) + "\n");
   };
-  std::vector<DemoPart> parts;
-  for (const DemoPart part : kDemoParts) {
-    if (my.demo == "all" || my.demo == nameOf(part)) parts.push_back(part);
+  if (!my.log.log.empty()) {
+    const cli::StopDeadline deadline("stopped while reading the log");
+    return sendLog(my.log, my.options, surroundings);
   }
-  std::optional<cli::StopDeadline> deadline("stopped while reading the table");
-  const Result<PlayReport> report = my.demo.empty() ? sendCsv(my.csv, my.options, surroundings)
-                                                    : sendDemo(parts, my.options, surroundings);
-  deadline.reset();
+  if (!my.csv.csv.empty()) {
+    const cli::StopDeadline deadline("stopped while reading the table");
+    return sendCsv(my.csv, my.options, surroundings);
+  }
+  if (!my.joystick.device.empty()) return sendJoystick(my.joystick, my.options, surroundings);
+  return sendDemo(my.demo, my.log.restate, my.options, surroundings);
+}
+
+Result<cli::Exit> run(Arguments& my, bool loop_given) {
+  if (const Status read = readNames(my); !read) return read.error();
+  if (my.csv.csv.empty() && my.log.log.empty() && my.demo.empty() && my.joystick.device.empty()) {
+    return Error{ErrorKind::bad_argument,
+                 "nothing to send: give --csv FILE, --log LOG, --joystick DEV or --demo", ""};
+  }
+  if (const Status read = readOptions(my, loop_given); !read) return read.error();
+  cli::catchStopSignals();
+  const Result<PlayReport> report = send(my);
   if (!report) return report.error();
+  for (const std::string& damage : report->damage) cli::warn(damage);
   if (!report->keptUp() && !my.quiet) cli::warn(behindText(*report));
-  const std::string said =
-      my.json ? jsonText(*report) : (my.quiet ? std::string() : summaryText(*report));
-  std::fwrite(said.data(), 1, said.size(), stdout);
-  return cli::Exit::done;
+  if (my.json) cli::say(jsonText(*report));
+  if (!my.json && !my.quiet) cli::say(summaryText(*report));
+  return report->damage.empty() ? cli::Exit::done : cli::Exit::no;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Sends kinematic state as packets: from a CSV file, or the demo's motion.",
-               "rocinante-source");
+  CLI::App app(
+      "Sends kinematic state as packets: from a CSV file, a recorded session, a joystick, or the "
+      "demo's motion.",
+      "rocinante-source");
   Arguments arguments;
   declare(app, arguments);
   return rocinante::cli::run(app, argc, argv, kExamples,

@@ -1,0 +1,252 @@
+#include <fmt/format.h>
+#include <sys/random.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "core/base/duration_text.h"
+#include "core/base/hash.h"
+#include "core/base/plain_text.h"
+#include "core/cli/program.h"
+#include "player/relay/relay_program.h"
+
+namespace {
+
+using namespace rocinante;
+
+constexpr const char* kExamples =
+    "  rocinante relay --serve :19961                    the local group, to who subscribes\n"
+    "  rocinante relay --from :19960 --to 10.0.0.7:19960 --to 239.1.2.3:5000?interface=eth0\n"
+    "  rocinante relay --from :19960 --to 10.0.0.7:19960 --device 'arm*' --max-rate 10\n"
+    "  rocinante relay --from :19960 --to 10.0.0.7:19960 --bandwidth 28.8k\n"
+    "  rocinante relay --serve :19961 --allow 10.0.0.0/8 --statement joints,pose\n";
+
+struct Arguments {
+  std::vector<std::string> from, to, serve, allow;
+  std::vector<std::string> sources, devices, statements, min_change;
+  std::string name, max_rate, bandwidth, trust, key;
+  std::string restate = "2s";
+  std::string realtime = "auto";
+  bool json = false;
+  bool quiet = false;
+};
+
+void declare(CLI::App& app, Arguments& my) {
+  app.add_option("--from", my.from,
+                 "listen here; may be repeated; default " + Endpoint::standard().text())
+      ->option_text("EP")
+      ->allow_extra_args(false);
+  app.add_option("--to", my.to, "send here; may be repeated")
+      ->option_text("EP")
+      ->allow_extra_args(false);
+  app.add_option("--serve", my.serve, "answer subscriptions here; may be repeated")
+      ->option_text("EP")
+      ->allow_extra_args(false);
+  app.add_option("--name", my.name,
+                 "NAME of this relay, unique at a site; default the host's and four digits")
+      ->option_text("NAME");
+  app.add_option("--source", my.sources, "pass these SOURCEs only (pattern); may be repeated")
+      ->option_text("PATTERN")
+      ->allow_extra_args(false);
+  app.add_option("--device", my.devices,
+                 "of devices, pass statements about these only (pattern); may be repeated")
+      ->option_text("PATTERN")
+      ->allow_extra_args(false);
+  app.add_option("--statement", my.statements, "pass these statements only: joints,pose")
+      ->delimiter(',')
+      ->option_text("KIND,...");
+  app.add_option("--min-change", my.min_change,
+                 "hold smaller changes until a device rests: joint=0.001,position=0.001,turn=0.01\n"
+                 "(radians or metres; metres; radians)")
+      ->delimiter(',')
+      ->option_text("WHAT=X,...");
+  app.add_option("--max-rate", my.max_rate, "send the values of a device at most HZ times a second")
+      ->option_text("HZ");
+  app.add_option("--bandwidth", my.bandwidth,
+                 "send at most so many bits a second to each output: 28.8k, 2M")
+      ->option_text("RATE");
+  app.add_option("--restate", my.restate, "filtered outputs restate everything this often")
+      ->option_text("TIME=2s");
+  app.add_option(
+         "--allow", my.allow,
+         "accept senders and subscribers in this network only (10.0.0.0/8); may be repeated")
+      ->option_text("CIDR")
+      ->allow_extra_args(false);
+  app.add_option("--trust", my.trust,
+                 "pass only what is signed with a key of this file (rocinante key)")
+      ->option_text("FILE");
+  app.add_option("--key", my.key, "sign with this secret key what the relay writes itself")
+      ->option_text("FILE");
+  app.add_option("--realtime", my.realtime, "run before other threads: auto, on or off")
+      ->check(CLI::IsMember({"auto", "on", "off"}))
+      ->option_text("WHEN=auto");
+  app.add_flag("--json", my.json, "print what was relayed as JSON");
+  app.add_flag("--quiet", my.quiet, "print nothing but errors (and --json)");
+}
+
+Error bad(std::string what, const std::string& where) {
+  return {ErrorKind::bad_argument, std::move(what), where};
+}
+
+/// A positive number and what follows it.
+Result<double> positive(const std::string& text, std::string& rest, const char* option) {
+  double value = 0;
+  int used = 0;
+  const bool plain = text.find_first_not_of("0123456789.kKmMgG") == std::string::npos;
+  if (!plain || std::sscanf(text.c_str(), "%lf%n", &value, &used) != 1 || !(value > 0) ||
+      !std::isfinite(value)) {
+    return bad(fmt::format("{} needs a number greater than zero", option), text);
+  }
+  rest = text.substr(static_cast<std::size_t>(used));
+  return value;
+}
+
+Result<double> bytesPerSecond(const std::string& text) {
+  std::string unit;
+  const Result<double> number = positive(text, unit, "--bandwidth");
+  if (!number) return number.error();
+  const double factor = unit.empty()  ? 1
+                        : unit == "k" ? 1e3
+                        : unit == "M" ? 1e6
+                        : unit == "G" ? 1e9
+                                      : 0;
+  if (factor == 0) return bad("--bandwidth takes k, M or G behind its number of bits", text);
+  const double bits = *number * factor;
+  if (bits < 1200) return bad("--bandwidth is at least 1200 bits a second", text);
+  return bits / 8;
+}
+
+Status readMinChange(const std::vector<std::string>& texts, MinChange& least) {
+  for (const std::string& text : texts) {
+    const std::size_t equals = text.find('=');
+    const std::string what = text.substr(0, equals);
+    double* const value = what == "joint"      ? &least.joint
+                          : what == "position" ? &least.position
+                          : what == "turn"     ? &least.turn
+                                               : nullptr;
+    if (value == nullptr || equals == std::string::npos) {
+      return bad("--min-change takes joint=X, position=X and turn=X", text);
+    }
+    std::string rest;
+    const Result<double> number = positive(text.substr(equals + 1), rest, "--min-change");
+    if (!number) return number.error();
+    if (!rest.empty()) return bad("--min-change takes a plain number", text);
+    *value = *number;
+  }
+  return {};
+}
+
+Status readOutputs(const Arguments& my, RelayOutputOptions& outputs) {
+  RelayFilter filter;
+  filter.sources = my.sources;
+  filter.devices = my.devices;
+  if (!my.statements.empty()) filter.kinds = 0;
+  for (const std::string& each : my.statements) {
+    const Result<std::uint32_t> kinds = statementKindsOf(each);
+    if (!kinds) return kinds.error();
+    filter.kinds |= *kinds;
+  }
+  if (!filter.passesEverything()) outputs.filters.push_back(std::move(filter));
+  if (Status read = readMinChange(my.min_change, outputs.pacing.min_change); !read) return read;
+  if (!my.max_rate.empty()) {
+    std::string rest;
+    const Result<double> hz = positive(my.max_rate, rest, "--max-rate");
+    if (!hz) return hz.error();
+    if (!rest.empty() || *hz < 0.001) {
+      return bad("--max-rate takes a plain number of at least 0.001", my.max_rate);
+    }
+    outputs.pacing.interval = Nanoseconds(static_cast<std::int64_t>(1e9 / *hz));
+  }
+  if (!my.bandwidth.empty()) {
+    const Result<double> bytes = bytesPerSecond(my.bandwidth);
+    if (!bytes) return bytes.error();
+    outputs.bytes_per_second = *bytes;
+  }
+  return {};
+}
+
+Status readEndpoints(const std::vector<std::string>& texts, std::vector<Endpoint>& endpoints) {
+  for (const std::string& text : texts) {
+    Result<Endpoint> endpoint = Endpoint::parse(text);
+    if (!endpoint) return endpoint.error();
+    endpoints.push_back(std::move(*endpoint));
+  }
+  return {};
+}
+
+std::string randomName() {
+  std::array<unsigned char, 2> random{};
+  if (::getrandom(random.data(), random.size(), 0) != 2) random[0] = 1;
+  return hexOf(std::as_bytes(std::span(random)));
+}
+
+std::string defaultName() {
+  std::array<char, 200> host{};
+  if (::gethostname(host.data(), host.size() - 1) != 0 || host[0] == 0) return randomName();
+  return std::string(host.data()) + "-" + randomName();
+}
+
+Result<RelayProgramOptions> readOptions(const Arguments& my) {
+  RelayProgramOptions options;
+  if (my.to.empty() && my.serve.empty()) {
+    return bad("nowhere to relay to: give --to EP or --serve EP", "");
+  }
+  if (Status read = readEndpoints(my.from, options.from); !read) return read.error();
+  if (Status read = readEndpoints(my.to, options.to); !read) return read.error();
+  if (Status read = readEndpoints(my.serve, options.serve); !read) return read.error();
+  if (options.from.empty()) options.from.push_back(Endpoint::standard());
+  if (Status read = readOutputs(my, options.outputs); !read) return read.error();
+  const Result<AddressFilter> allow = AddressFilter::of(my.allow);
+  if (!allow) return allow.error();
+  options.allow = *allow;
+  const Result<Nanoseconds> restate = parseDuration(my.restate);
+  if (!restate) return restate.error();
+  if (*restate < std::chrono::milliseconds(100) || *restate > std::chrono::hours(1)) {
+    return bad("--restate is 100ms to 1h", my.restate);
+  }
+  options.restate = *restate;
+  options.name = my.name.empty() ? defaultName() : my.name;
+  const bool named = options.name.size() <= 200 && options.name.find(':') == std::string::npos &&
+                     options.name == plainText(options.name);
+  if (!named) return bad("--name is at most 200 bytes of text without a colon", options.name);
+  options.run = randomName();
+  options.trust = my.trust;
+  options.key = my.key;
+  options.realtime = realtimeOf(my.realtime);
+  options.progress = !my.quiet && ::isatty(STDERR_FILENO) == 1;
+  return options;
+}
+
+Result<cli::Exit> run(const Arguments& my) {
+  const Result<RelayProgramOptions> options = readOptions(my);
+  if (!options) return options.error();
+  cli::catchStopSignals();
+  SendSurroundings surroundings;
+  surroundings.stop = cli::stopRequested;
+  surroundings.told = [&my](std::string_view line) {
+    if (!my.quiet) std::fprintf(stderr, "%s\n", plainText(line).c_str());
+  };
+  const Result<RelayReport> report = relayUntilStopped(*options, surroundings);
+  if (!report) return report.error();
+  if (my.json) {
+    cli::say(jsonText(*report));
+  } else if (!my.quiet) {
+    cli::say(summaryText(*report));
+  }
+  return report->lost() == 0 ? cli::Exit::done : cli::Exit::no;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app(
+      "Sends on what it hears: packets of several sources to several addresses and to whoever\n"
+      "subscribes, whole or filtered, and greets late joiners with the present state.",
+      "rocinante-relay");
+  Arguments arguments;
+  declare(app, arguments);
+  return cli::run(app, argc, argv, kExamples, [&] { return run(arguments); });
+}

@@ -1,0 +1,33 @@
+#include "player/send/send_progress.h"
+
+#include <fmt/format.h>
+
+#include "core/base/duration_text.h"
+
+namespace rocinante {
+
+std::string progressText(LogTime position, LogTime origin, LogTime end, std::uint64_t sent) {
+  constexpr Nanoseconds kTenth = std::chrono::milliseconds(100);
+  return fmt::format("{} of {} s, {} datagrams",
+                     secondsText((position - origin) / kTenth * kTenth, 1),
+                     secondsText((end - origin) / kTenth * kTenth, 1), sent);
+}
+
+SendProgress::SendProgress(SendJournal& behind, LogTime origin, LogTime end, bool visible)
+    : behind_(behind),
+      position_ns_(origin.time_since_epoch().count()),
+      line_(
+          [this, origin, end] {
+            return progressText(LogTime(Nanoseconds(position_ns_.load(std::memory_order_relaxed))),
+                                origin, end, sent_.load(std::memory_order_relaxed));
+          },
+          visible) {}
+
+void SendProgress::sent(const Due& due, ByteView payload, SteadyTime deadline, SteadyTime sent_at) {
+  behind_.sent(due, payload, deadline, sent_at);
+  if (due.restated) return;
+  position_ns_.store(due.time.time_since_epoch().count(), std::memory_order_relaxed);
+  sent_.fetch_add(1, std::memory_order_relaxed);
+}
+
+}  // namespace rocinante

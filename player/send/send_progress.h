@@ -1,0 +1,28 @@
+#pragma once
+
+#include <atomic>
+#include <string>
+
+#include "player/send/live_line.h"
+#include "player/send/paced_sender.h"
+
+namespace rocinante {
+
+/// "12.5 of 60.0 s, 750 datagrams": `position` and `end` are counted from `origin`.
+std::string progressText(LogTime position, LogTime origin, LogTime end, std::uint64_t sent);
+
+/// Shows the position of sending in a live line. Forwards everything to the journal behind it.
+class SendProgress final : public SendJournal {
+ public:
+  SendProgress(SendJournal& behind, LogTime origin, LogTime end, bool visible);
+
+  void sent(const Due& due, ByteView payload, SteadyTime deadline, SteadyTime sent_at) override;
+
+ private:
+  SendJournal& behind_;
+  std::atomic<std::int64_t> position_ns_;
+  std::atomic<std::uint64_t> sent_{0};
+  LiveLine line_;
+};
+
+}  // namespace rocinante
