@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "core/pcap/open_source.h"
 #include "core/recording/reorder_window.h"
+#include "core/transport/open_source.h"
 
 namespace rocinante {
 
@@ -11,6 +11,8 @@ namespace {
 
 /// Well below the limit of 64-bit nanoseconds, so that adding a little cannot overflow.
 constexpr Nanoseconds kLatest = std::chrono::seconds(9'200'000'000);
+/// While the queue is full, until the disk catches up.
+constexpr Nanoseconds kFullPause = std::chrono::microseconds(500);
 
 }  // namespace
 
@@ -34,6 +36,7 @@ Result<bool> CaptureFileLoop::pass() {
     const auto batch = source_.receive();
     if (!batch) return batch.error();
     left_ = *batch;
+    if (left_.empty()) return passEmpty();
   }
   while (!left_.empty()) {
     if (!keep(left_.front())) return false;
@@ -44,29 +47,40 @@ Result<bool> CaptureFileLoop::pass() {
 
 bool CaptureFileLoop::keep(const ReceivedDatagram& datagram) {
   // Make room first: time_.at() may be called only once per datagram.
-  const std::size_t most = datagram.payload.size() + sizeof(SocketAddress);
+  const std::size_t most =
+      datagram.payload.size() + datagram.subject.size() + sizeof(SocketAddress);
   if (block_ && !block_->hasRoom(most)) handOverBlock();
   if (!block_) block_ = out_.freeBlock();
   if (!block_) return false;
   reached_ = time_.at(datagram.kernel_time);
   if (const auto step = time_.takeStep()) steps_.push_back(*step);
-  block_->add(0, reached_, datagram.sender, datagram.payload, datagram.destination);
+  block_->add(0, *reached_, datagram.sender, datagram.payload, datagram.destination,
+              datagram.subject);
   if (datagram.truncated) {
-    EndpointLoss loss{0, reached_, reached_, {}};
-    loss.counts.truncated = 1;
-    addLoss(losses_, loss);
+    LossCounts counts;
+    counts.truncated = 1;
+    noteLoss(counts);
   }
   return true;
 }
 
-void CaptureFileLoop::handOverBlock() {
-  // Nothing earlier follows, so the writer need not hold these datagrams back.
-  out_.give(std::move(block_), losses_, steps_, reached_ + ReorderWindow::kWidth);
+void CaptureFileLoop::noteLoss(const LossCounts& counts) {
+  const LogTime at = reached_.value_or(begins_);
+  addLoss(losses_, {0, at, at, counts});
 }
 
-void CaptureFileLoop::finish() {
+void CaptureFileLoop::handOverBlock() {
+  // Nothing earlier follows, so the writer need not hold these datagrams back.
+  const auto drained = reached_ ? std::optional(*reached_ + ReorderWindow::kWidth) : std::nullopt;
+  out_.give(std::move(block_), losses_, steps_, drained);
+}
+
+Nanoseconds CaptureFileLoop::pauseAfter(bool moved) { return moved ? Nanoseconds(0) : kFullPause; }
+
+Status CaptureFileLoop::finish() {
   handOverBlock();
   out_.finish();
+  return {};
 }
 
 Result<std::optional<LogTime>> firstMoment(const Endpoint& file) {

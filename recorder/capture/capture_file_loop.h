@@ -5,6 +5,7 @@
 
 #include "core/net/datagram_source.h"
 #include "core/recording/hand_over.h"
+#include "recorder/capture/input_loop.h"
 
 namespace rocinante {
 
@@ -28,25 +29,37 @@ class CaptureTime {
 
 /// Reads a capture file into a HandOver in place of a ReceiveLoop: as fast as the log is written,
 /// without dropping anything. One thread; reads no clock.
-class CaptureFileLoop {
+class CaptureFileLoop : public InputLoop {
  public:
-  /// Both must outlive the loop.
-  CaptureFileLoop(DatagramSource& source, HandOver& out) : source_(source), out_(out) {}
+  /// `source` and `out` must outlive the loop; `begins`: see firstMoment().
+  CaptureFileLoop(DatagramSource& source, HandOver& out, LogTime begins)
+      : source_(source), out_(out), begins_(begins) {}
 
-  /// Reads one batch. False when the queue was full: try again later.
-  Result<bool> pass();
-  bool ended() const { return left_.empty() && source_.ended(); }
-  /// Hands over what is left; call it also after a failure.
-  void finish();
+  LogTime begins() const override { return begins_; }
+  bool isLive() const override { return false; }
+  /// Reads one batch. False when the queue was full.
+  Result<bool> pass() override;
+  Nanoseconds pauseAfter(bool moved) override;
+  bool ended() const override { return left_.empty() && source_.ended(); }
+  Nanoseconds deliveryDelay() const override { return Nanoseconds(0); }
+  Status finish() override;
+  ReceiveRate busiest(std::uint32_t) const override { return {}; }
 
- private:
-  bool keep(const ReceivedDatagram& datagram);
+ protected:
+  /// An empty batch; returns what pass() returns. A file has more behind it, or ends.
+  virtual bool passEmpty() { return true; }
+  void noteLoss(const LossCounts& counts);
   void handOverBlock();
 
   DatagramSource& source_;
+
+ private:
+  bool keep(const ReceivedDatagram& datagram);
+
   HandOver& out_;
+  LogTime begins_;
   CaptureTime time_;
-  LogTime reached_{};
+  std::optional<LogTime> reached_;          ///< empty before the first datagram
   std::span<const ReceivedDatagram> left_;  ///< rest of the last batch, for which there was no room
   std::unique_ptr<DatagramBlock> block_;
   std::vector<EndpointLoss> losses_;

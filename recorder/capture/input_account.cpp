@@ -3,7 +3,7 @@
 namespace rocinante {
 
 std::vector<InputAccount> inputAccounts(const std::vector<DatagramSource*>& sources,
-                                        const ReceiveLoop& loop) {
+                                        const InputLoop& loop) {
   std::vector<InputAccount> accounts;
   for (std::uint32_t i = 0; i < sources.size(); ++i) {
     InputAccount account;

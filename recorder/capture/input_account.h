@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/net/datagram_source.h"
-#include "recorder/capture/receive_loop.h"
+#include "recorder/capture/input_loop.h"
 #include "recorder/capture/tee.h"
 
 namespace rocinante {
@@ -21,6 +21,6 @@ struct InputAccount {
 
 /// One per source. Not while the loop runs.
 std::vector<InputAccount> inputAccounts(const std::vector<DatagramSource*>& sources,
-                                        const ReceiveLoop& loop);
+                                        const InputLoop& loop);
 
 }  // namespace rocinante

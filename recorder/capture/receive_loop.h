@@ -6,15 +6,15 @@
 
 #include "core/base/result.h"
 #include "core/net/datagram_source.h"
-#include "core/net/receive_buffer.h"
 #include "core/recording/hand_over.h"
 #include "core/recording/session_clock.h"
+#include "recorder/capture/input_loop.h"
 
 namespace rocinante {
 
 /// Empties sockets into a HandOver as fast as they fill, and counts dropped datagrams. The writing
 /// thread interprets the datagrams. One thread; reads clocks only through `look`.
-class ReceiveLoop {
+class ReceiveLoop final : public InputLoop {
  public:
   using Look = std::function<ClockReading()>;
   struct Callbacks {
@@ -30,19 +30,20 @@ class ReceiveLoop {
   ReceiveLoop(std::vector<DatagramSource*> sources, Look look, HandOver& out)
       : ReceiveLoop(std::move(sources), std::move(look), out, Callbacks()) {}
 
-  /// Receives what waits at every source, up to a limit. True when datagrams came: call again at
-  /// once; else sleep briefly. Fails when a socket fails.
-  Result<bool> pass();
-
-  /// Receives what still waits, reads the final drop counts and hands everything over. Call it also
-  /// after a failure: received datagrams are kept.
-  Status finish();
+  LogTime begins() const override { return begins_; }
+  bool isLive() const override { return true; }
+  /// Receives what waits at every source. Fails when a socket fails.
+  Result<bool> pass() override;
+  Nanoseconds pauseAfter(bool moved) override;
+  bool ended() const override { return false; }
+  Nanoseconds deliveryDelay() const override;
+  /// Also reads the final drop counts.
+  Status finish() override;
+  ReceiveRate busiest(std::uint32_t endpoint) const override {
+    return listeners_[endpoint].busiest;
+  }
 
   const SessionClock& clock() const { return clock_; }
-  /// The busiest complete second of an endpoint so far.
-  const ReceiveRate& busiest(std::uint32_t endpoint) const { return listeners_[endpoint].busiest; }
-  /// Longest the kernel may delay delivery. Wait this long before finish() to receive everything.
-  Nanoseconds deliveryDelay() const;
 
  private:
   struct Listener {
@@ -73,7 +74,9 @@ class ReceiveLoop {
   std::vector<Listener> listeners_;
   std::unique_ptr<DatagramBlock> block_;  ///< being filled; null, or not empty
   LogTime block_began_{};
+  LogTime begins_{};
   LogTime asked_{};
+  int idle_passes_ = 0;  ///< without a datagram, since the last one
   std::vector<EndpointLoss> losses_;
   std::vector<ClockStep> steps_;
 };

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -13,8 +12,8 @@
 #include "core/net/address_filter.h"
 #include "core/net/datagram_source.h"
 #include "core/net/udp_socket.h"
-#include "core/recording/capture_writer.h"
-#include "recorder/capture/input_account.h"
+#include "core/signing/trust_judge.h"
+#include "recorder/capture/record_summary.h"
 #include "recorder/pieces/note_box.h"
 #include "recorder/pieces/ring_recording.h"
 
@@ -42,6 +41,7 @@ struct RecordOptions {
   std::vector<Condition> stop_on;
   UdpReceiver::Options receiving;
   AddressFilter allow;                  ///< datagrams from other senders are not recorded
+  std::shared_ptr<TrustJudge> trust;    ///< if set, datagrams that it refuses are not recorded
   std::vector<Endpoint> tees;           ///< everything received is forwarded there
   std::optional<Nanoseconds> duration;  ///< on the session's time line, from its beginning
   std::optional<std::uint64_t> max_packets;
@@ -58,35 +58,6 @@ struct RecordProgress {
   Nanoseconds held{};           ///< span held by a ring
   double queue_fill = 0;        ///< 0 to 1; datagrams are lost at 1
   std::optional<std::uint64_t> disk_free_bytes;
-};
-
-struct RecordSummary {
-  std::filesystem::path log;  ///< the last one written; empty for none
-  RecordedFiles files;
-  std::vector<EndpointAccount> endpoints;
-  std::vector<InputAccount> inputs;  ///< one per endpoint
-  std::vector<Tee::Account> tees;
-  std::uint64_t packets = 0;         ///< recorded; those the disk refused are not counted
-  std::uint64_t restated = 0;        ///< given to the log and restated by another sender (`by=`)
-  std::uint64_t payload_bytes = 0;   ///< of datagrams given to the log
-  std::uint64_t packets_before = 0;  ///< received before the start condition, and not recorded
-  std::uint64_t log_bytes = 0;       ///< of the files that are kept
-  std::size_t channels = 0;
-  Nanoseconds duration{};  ///< from the first moment to the last
-  LossCounts losses;
-  std::size_t late = 0;  ///< came too late to be written at their own time
-  std::string reason;    ///< as in rocinante.end
-  /// The failure of the log or a socket that ended the recording early.
-  std::optional<Error> trouble;
-  /// File operations that failed (a file not made or deleted); no datagram was lost.
-  std::vector<std::string> warnings;
-
-  /// True if the files hold everything that was recorded.
-  bool complete() const {
-    return !trouble && std::ranges::none_of(files.pieces,
-                                            [](const PieceFacts& each) { return !!each.trouble; });
-  }
-  std::uint64_t lost() const { return losses.kernel + losses.queue + losses.disk; }
 };
 
 /// Callbacks of a recording, all called on the caller's thread.

@@ -1,34 +1,17 @@
 #include "recorder/capture/record_arguments.h"
 
 #include <CLI/CLI.hpp>
-#include <charconv>
 
 #include "core/bundle/attached_cell.h"
 #include "core/cli/load_progress.h"
 #include "core/cli/program.h"
 #include "core/cli/search_options.h"
 #include "core/cli/worker_threads.h"
+#include "core/recording/compression_text.h"
 #include "core/recording/record_path.h"
 
 namespace rocinante {
 namespace {
-
-Status readCompression(std::string_view text, LogWriterOptions& options) {
-  if (text == "none") {
-    options.compression = LogWriterOptions::Compression::none;
-    return {};
-  }
-  if (text == "zstd") return {};
-  if (text.starts_with("zstd:")) {
-    const std::string_view level = text.substr(5);
-    const char* end = level.data() + level.size();
-    const auto [used, fault] = std::from_chars(level.data(), end, options.zstd_level);
-    const bool whole = fault == std::errc() && used == end;
-    if (whole && options.zstd_level >= 1 && options.zstd_level <= 22) return {};
-  }
-  return Error{ErrorKind::bad_argument, "--compression is none, zstd or zstd:1 to zstd:22",
-               std::string(text)};
-}
 
 Result<std::shared_ptr<const CellBundle>> loadCell(const RecordArguments& arguments) {
   CellOptions search;
@@ -56,6 +39,9 @@ void addRecordArguments(CLI::App& app, RecordArguments& arguments) {
                  "record only senders in this network (10.0.0.0/8); may be repeated")
       ->type_name("CIDR")
       ->allow_extra_args(false);
+  app.add_option("--trust", arguments.trust,
+                 "record only what is signed with a key of this file (rocinante key)")
+      ->type_name("FILE");
   app.add_option("--tee", arguments.tees,
                  "forward everything received to this endpoint; may be repeated")
       ->type_name("EP")
@@ -111,6 +97,9 @@ Result<RecordOptions> readRecordArguments(const RecordArguments& arguments) {
   Result<AddressFilter> allow = AddressFilter::of(arguments.allow);
   if (!allow) return allow.error();
   options.allow = std::move(*allow);
+  Result<std::shared_ptr<TrustJudge>> trust = TrustJudge::open(arguments.trust);
+  if (!trust) return trust.error();
+  options.trust = std::move(*trust);
   for (const std::string& text : arguments.tees) {
     const Result<Endpoint> endpoint = Endpoint::parse(text);
     if (!endpoint) return endpoint.error();

@@ -19,6 +19,7 @@ namespace rocinante {
 struct RecordArguments : ModelSearch {
   std::vector<std::string> endpoints;
   std::vector<std::string> allow;
+  std::string trust;
   std::vector<std::string> tees;
   std::string wait_interface;
   std::string output;
@@ -41,8 +42,8 @@ void addRecordArguments(CLI::App& app, RecordArguments& arguments);
 /// Period of the status lines; empty: none.
 Result<std::optional<Nanoseconds>> readStatusPeriod(const RecordArguments& arguments);
 
-/// Parses the arguments. Reads, binds and creates nothing. `arguments` must outlive the result,
-/// which loads the cell later.
+/// Parses the arguments. Reads the trust file; binds and creates nothing. `arguments` must outlive
+/// the result, which loads the cell later.
 Result<RecordOptions> readRecordArguments(const RecordArguments& arguments);
 
 }  // namespace rocinante

@@ -149,7 +149,7 @@ int main(int argc, char** argv) {
     if (!summary) return summary.error();
     if (!arguments.quiet) clearStatusLine();
     if (arguments.json) {
-      cli::say(summaryJson(*summary) + "\n");
+      cli::say(summaryJson(*summary));
     } else if (!arguments.quiet) {
       cli::say(summaryText(*summary) + "\n");
     }

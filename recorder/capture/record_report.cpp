@@ -3,21 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "core/base/count_text.h"
 #include "core/base/duration_text.h"
 #include "core/base/size_text.h"
+#include "core/net/datagram_source.h"
+#include "core/report/json_text.h"
 
 namespace rocinante {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 std::string endpointText(const ListenedEndpoint& listened) {
-  Endpoint endpoint = listened.endpoint;
-  endpoint.address.port = listened.bound.port;
-  return endpoint.text();
+  return boundText(listened.endpoint, listened.bound);
 }
 
 std::string filesText(const RecordSummary& summary) {
@@ -69,11 +66,22 @@ void addCounts(Json& object, const LossCounts& counts) {
   object["truncated"] = counts.truncated;
 }
 
+Json untrustedJson(const UntrustedCounts& counts) {
+  Json json;
+  for (std::size_t i = 0; i < kUntrustedReasons; ++i) {
+    json[std::string(nameOf(static_cast<Untrusted>(i)))] = counts.by_reason[i];
+  }
+  return json;
+}
+
 void addInput(Json& object, const InputAccount& input) {
   object["refused"] = input.counts.refused;
+  object["strangers"] = input.counts.strangers;
+  object["requests"] = input.counts.requests;
   object["echoes"] = input.counts.echoes;
   object["incomplete"] = input.counts.incomplete;
   object["malformed"] = input.counts.malformed;
+  if (input.counts.untrusted) object["untrusted"] = untrustedJson(*input.counts.untrusted);
   object["receive_buffer"] = {{"granted_bytes", input.buffer_granted_bytes},
                               {"needed_bytes", input.buffer_needed_bytes}};
 }
@@ -87,6 +95,10 @@ std::string inputText(const RecordSummary& summary) {
         text += fmt::format("\n{} at {}", fmt::format(fmt::runtime(what), count), each.endpoint);
     };
     say(each.counts.refused, "{} not recorded: sender not in --allow");
+    say(each.counts.strangers, "{} not recorded: not from the relay");
+    say(each.counts.requests, "{} not recorded: requests that are for a relay");
+    const UntrustedCounts untrusted = each.counts.untrusted.value_or(UntrustedCounts{});
+    say(untrusted.total(), "{} not recorded: not trusted (" + untrusted.text() + ")");
     say(each.counts.echoes, "{} not recorded: sent by --tee itself");
     say(each.counts.incomplete, "{} with missing fragments");
     say(each.counts.malformed, "{} malformed IP or UDP frames");
@@ -109,8 +121,10 @@ std::string summaryText(const RecordSummary& summary) {
     const LossCounts& lost = each.losses;
     if (lost == LossCounts{}) continue;
     text += fmt::format(
-        "\nlost at {}: {} in the kernel, {} in the queue, {} on the disk; {} truncated",
-        endpointText(each.listened), lost.kernel, lost.queue, lost.disk, lost.truncated);
+        "\nlost at {}: {} {}, {} in the queue, {} on the disk; {} truncated",
+        endpointText(each.listened), lost.kernel,
+        each.listened.endpoint.isNats() ? "at the server or on the way" : "in the kernel",
+        lost.queue, lost.disk, lost.truncated);
   }
   return text + inputText(summary);
 }
@@ -119,7 +133,7 @@ std::string summaryJson(const RecordSummary& summary) {
   Json object;
   object["format"] = 1;
   // A ring that was never triggered wrote no log.
-  object["log"] = summary.log.empty() ? Json(nullptr) : Json(summary.log.string());
+  object["log"] = orNull(summary.log.string());
   object["packets"] = summary.packets;
   object["restated"] = summary.restated;
   object["bytes"] = summary.log_bytes;
@@ -152,8 +166,7 @@ std::string summaryJson(const RecordSummary& summary) {
       {"pieces", deleted.count}, {"packets", deleted.packets}, {"bytes", deleted.bytes}};
   object["packets_before"] = summary.packets_before;
   object["warnings"] = summary.warnings;
-  // A file name that is not UTF-8 must not throw.
-  return object.dump(2, ' ', false, Json::error_handler_t::replace);
+  return jsonText(object);
 }
 
 }  // namespace rocinante

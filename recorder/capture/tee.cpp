@@ -1,9 +1,11 @@
 #include "recorder/capture/tee.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "core/net/local_address.h"
+#include "core/net/udp_socket.h"
+#include "core/relay/send_in_order.h"
+#include "core/transport/open_sink.h"
 #include "recorder/pieces/thread_without_signals.h"
 
 namespace rocinante {
@@ -16,13 +18,17 @@ SteadyTime steadyNow() { return std::chrono::steady_clock::now(); }
 }  // namespace
 
 Result<std::unique_ptr<Tee>> Tee::open(const Endpoint& to, const Options& options) {
-  Result<UdpSender> sender = UdpSender::open(to);
-  if (!sender) return sender.error();
-  return std::unique_ptr<Tee>(new Tee(std::move(*sender), options));
+  auto sink = openSink(to);
+  if (!sink) return sink.error();
+  return std::unique_ptr<Tee>(new Tee(std::move(*sink), options));
 }
 
-Tee::Tee(UdpSender sender, const Options& options) : sender_(std::move(sender)), options_(options) {
-  account_.to = sender_.endpoint();
+Tee::Tee(std::unique_ptr<DatagramSink> sink, const Options& options)
+    : sink_(std::move(sink)), options_(options) {
+  account_.to = sink_->endpoint();
+  if (const auto* const socket = dynamic_cast<const UdpSender*>(sink_.get())) {
+    local_address_ = socket->localAddress();
+  }
   thread_ = threadWithoutSignals("tee", [this] { run(); });
 }
 
@@ -84,6 +90,9 @@ void Tee::run() {
   while (take(blocks)) {
     for (const auto& each : blocks) send(*each);
   }
+  const Status flushed = sink_->flush();
+  const std::lock_guard lock(mutex_);
+  if (!flushed && !account_.trouble) account_.trouble = flushed.error();
 }
 
 bool Tee::mayWait() {
@@ -94,41 +103,43 @@ bool Tee::mayWait() {
 void Tee::send(const DatagramBlock& block) {
   payloads_.clear();
   for (const Arrival& each : block.arrivals()) payloads_.push_back(block.payload(each));
-  std::span<const ByteView> left(payloads_);
-  std::uint64_t refused = 0;
-  std::optional<Error> trouble;
-  while (!left.empty()) {
-    const Result<std::size_t> sent = sender_.sendWithoutWaiting(left);
-    if (sent && *sent == 0) {
-      if (!mayWait()) break;
-      std::this_thread::sleep_for(kFull);
-      continue;
-    }
-    if (!sent) {
-      ++refused;
-      if (!trouble) trouble = sent.error();
-    }
-    left = left.subspan(sent ? *sent : 1);
-  }
+  SendOutcome outcome = sendInOrder(*sink_, payloads_, [this] {
+    if (!mayWait()) return false;
+    std::this_thread::sleep_for(kFull);
+    return true;
+  });
   const std::lock_guard lock(mutex_);
-  account_.sent += payloads_.size() - left.size() - refused;
-  account_.dropped += left.size() + refused;
-  if (trouble && !account_.trouble) account_.trouble = std::move(trouble);
+  account_.sent += outcome.sent;
+  account_.dropped += outcome.dropped;
+  if (outcome.trouble && !account_.trouble) account_.trouble = std::move(outcome.trouble);
 }
+
+namespace {
+
+/// Whether the source hears what is sent to `to`.
+bool hears(const DatagramSource& source, const Endpoint& to) {
+  const Endpoint& from = source.endpoint();
+  if (to.isNats() || from.isNats()) {
+    return to.isNats() && from.scheme == Endpoint::Scheme::nats &&
+           from.nats.server() == to.nats.server() &&
+           subjectMatches(from.nats.listenedSubject(), to.nats.subject + ".x");
+  }
+  const SocketAddress& bound = source.boundAddress();
+  // Watched traffic includes the tee's own, which is recognised by its source address.
+  if (from.isPcap() || bound.port != to.address.port || bound.is_ipv6 != to.address.is_ipv6) {
+    return false;
+  }
+  const bool same_interface =
+      to.interface.empty() || from.interface.empty() || to.interface == from.interface;
+  return bound.isAny() ? to.isMulticast() || isLocalAddress(to.address)
+                       : bound.address == to.address.address && same_interface;
+}
+
+}  // namespace
 
 Status checkTee(const Endpoint& to, const std::vector<DatagramSource*>& sources) {
   for (const DatagramSource* source : sources) {
-    const SocketAddress& bound = source->boundAddress();
-    // Watched traffic includes the tee's own, which is recognised by its source address.
-    if (source->endpoint().isPcap() || bound.port != to.address.port ||
-        bound.is_ipv6 != to.address.is_ipv6) {
-      continue;
-    }
-    const bool same_interface = to.interface.empty() || source->endpoint().interface.empty() ||
-                                to.interface == source->endpoint().interface;
-    const bool hears = bound.isAny() ? to.isMulticast() || isLocalAddress(to.address)
-                                     : bound.address == to.address.address && same_interface;
-    if (hears) {
+    if (hears(*source, to)) {
       return Error{ErrorKind::bad_argument,
                    "--tee would send to " + boundText(*source) +
                        ", where this recorder listens: it would receive itself endlessly",

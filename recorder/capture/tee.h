@@ -9,8 +9,8 @@
 #include <thread>
 #include <vector>
 
+#include "core/net/datagram_sink.h"
 #include "core/net/datagram_source.h"
-#include "core/net/udp_socket.h"
 #include "core/recording/datagram_block.h"
 
 namespace rocinante {
@@ -31,7 +31,7 @@ class Tee {
     std::optional<Error> trouble;  ///< the first refusal
   };
 
-  /// Fails as UdpSender::open: bad_argument or refused.
+  /// Fails as openSink: bad_argument or refused.
   static Result<std::unique_ptr<Tee>> open(const Endpoint& to, const Options& options);
   static Result<std::unique_ptr<Tee>> open(const Endpoint& to) { return open(to, Options()); }
   ~Tee();
@@ -46,17 +46,19 @@ class Tee {
   /// Exact after close().
   Account account() const;
 
-  /// The datagrams' source address, as a receiver on this machine sees it.
-  const SocketAddress& localAddress() const { return sender_.localAddress(); }
+  /// The datagrams' source address, as a receiver on this machine sees it; empty: they go to a
+  /// server.
+  const std::optional<SocketAddress>& localAddress() const { return local_address_; }
 
  private:
-  Tee(UdpSender sender, const Options& options);
+  Tee(std::unique_ptr<DatagramSink> sink, const Options& options);
   void run();
   bool take(std::vector<std::unique_ptr<DatagramBlock>>& blocks);
   void send(const DatagramBlock& block);
   bool mayWait();
 
-  UdpSender sender_;
+  std::unique_ptr<DatagramSink> sink_;
+  std::optional<SocketAddress> local_address_;
   Options options_;
   mutable std::mutex mutex_;
   std::condition_variable news_;

@@ -14,7 +14,9 @@ Result<TeeSet> TeeSet::open(const std::vector<Endpoint>& endpoints) {
 
 std::vector<SocketAddress> TeeSet::localAddresses() const {
   std::vector<SocketAddress> addresses;
-  for (const auto& each : tees_) addresses.push_back(each->localAddress());
+  for (const auto& each : tees_) {
+    if (each->localAddress()) addresses.push_back(*each->localAddress());
+  }
   return addresses;
 }
 

@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <iterator>
-#include <map>
-#include <memory>
 
 #include "core/base/hash.h"
 #include "core/log/content_hash.h"
 #include "core/log/log_profile.h"
-#include "core/packet/decoder.h"
 #include "core/session/marks.h"
+#include "core/session/message_folder.h"
 
 namespace rocinante {
 namespace {
@@ -24,7 +22,6 @@ class Collector {
       PerChannel& mine = by_channel_[channel.id];
       mine.activity = Activity(summary_.start, summary_.end);
       mine.info.channel = channel;
-      if (channel.folded()) mine.decoder = decoderFor(channel.encoding);
     }
   }
 
@@ -49,12 +46,11 @@ class Collector {
     }
     const bool captured = message.channel->captured();
     if (captured) ++info_.messages;
-    if (mine.decoder == nullptr) return;
-    const Packet* const packet = mine.decoder->decode(message.payload);
-    if (packet == nullptr) return;
-    if (captured) ++info_.packets;
-    state_.apply(message.log_time, *packet);
-    for (Event& event : state_.takeEvents()) addEvent(std::move(event));
+    events_.clear();
+    const bool is_packet = folder_.fold(state_, message, &events_).packet != nullptr;
+    if (captured && is_packet) ++info_.packets;
+    if (message.channel->decoded()) ++info_.decoded;
+    for (Event& event : events_) addEvent(std::move(event));
   }
 
   /// Merges the marks of LOG.marks in time order, after other events of equal time.
@@ -72,6 +68,7 @@ class Collector {
 
   void finish() {
     info_.content_sha256 = hash_.finish();
+    info_.decoded_sha256 = hash_.finishDecoded();
     info_.stream_sha256 = hexOf(stream_.finish());
     for (const auto& [source, counts] : state_.counts()) info_.source_gap += counts.gap;
     for (PerChannel& mine : by_channel_) {
@@ -86,26 +83,20 @@ class Collector {
   struct PerChannel {
     ChannelInfo info;
     Activity activity{LogTime{}, LogTime{}};
-    Decoder* decoder = nullptr;
   };
 
   void addEvent(Event event) {
     if (info_.events++ < kMaxEvents) info_.first_events.push_back(std::move(event));
   }
 
-  Decoder* decoderFor(const std::string& encoding) {
-    auto found = decoders_.find(encoding);
-    if (found == decoders_.end()) found = decoders_.emplace(encoding, makeDecoder(encoding)).first;
-    return found->second.get();
-  }
-
   LogInfo& info_;
   const LogSummary& summary_;
   std::vector<PerChannel> by_channel_;
-  std::map<std::string, std::unique_ptr<Decoder>> decoders_;
+  MessageFolder folder_;
   ContentHash hash_;
   Sha256 stream_;
   SessionState state_;
+  std::vector<Event> events_;  ///< of the message being added
 };
 
 }  // namespace

@@ -39,6 +39,7 @@ struct LogInfo {
   std::vector<ChannelInfo> own_channels;  ///< /rocinante/...
   std::uint64_t keyframes = 0;
   std::uint64_t packets = 0;  ///< captured messages that could be decoded
+  std::uint64_t decoded = 0;  ///< captured messages of which decoders made packets
   std::uint64_t events = 0;   ///< in packets, and marks in the log and beside it
   std::uint64_t marks = 0;    ///< of the events
   /// The first kMaxEvents, in time order.
@@ -49,7 +50,8 @@ struct LogInfo {
   std::vector<LogAttachment> attachments;
   std::vector<DamageSpan> damage;
   std::string content_sha256;
-  std::string stream_sha256;  ///< of the payloads only, as in the player's report
+  std::string decoded_sha256;  ///< empty without decoded packets
+  std::string stream_sha256;   ///< of the payloads only, as in the player's report
 };
 
 /// Reads the whole log and its marks. Fails when the marks are malformed. `progress` is called with

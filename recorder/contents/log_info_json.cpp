@@ -1,14 +1,12 @@
 #include "recorder/contents/log_info_json.h"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "core/base/duration_text.h"
+#include "core/report/json_text.h"
 
 namespace rocinante {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string metadataOf(const LogChannel& channel, const char* key) {
   const auto found = channel.metadata.find(key);
@@ -59,7 +57,7 @@ Json damageJson(const std::vector<DamageSpan>& damage) {
   Json out = Json::array();
   for (const DamageSpan& span : damage) {
     Json each = {{"from", span.from}, {"to", span.to}, {"cause", span.cause}};
-    each["messages_lost"] = span.messages_lost ? Json(*span.messages_lost) : Json(nullptr);
+    each["messages_lost"] = orNull(span.messages_lost);
     out.push_back(std::move(each));
   }
   return out;
@@ -101,6 +99,10 @@ std::string logInfoJson(const LogInfo& info, bool indented) {
   out["end_ns"] = nanosecondsOf(summary.end);
   out["duration_s"] = static_cast<double>((summary.end - summary.start).count()) / 1e9;
   out["content_sha256"] = info.content_sha256;
+  if (!info.decoded_sha256.empty()) {
+    out["decoded"] = info.decoded;
+    out["decoded_sha256"] = info.decoded_sha256;
+  }
   out["stream_sha256"] = info.stream_sha256;
   out["channels"] = channelsJson(info.channels);
   out["own_channels"] = channelsJson(info.own_channels);
@@ -120,8 +122,7 @@ std::string logInfoJson(const LogInfo& info, bool indented) {
   out["stored_bytes"] = info.storage.stored_bytes;
   out["expanded_bytes"] = info.storage.expanded_bytes;
   out["damage"] = damageJson(info.damage);
-  // Names come from an untrusted file: invalid UTF-8 is replaced, and must not throw.
-  return out.dump(indented ? 2 : -1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return jsonText(out, indented ? 2 : -1);
 }
 
 }  // namespace rocinante

@@ -120,8 +120,9 @@ std::string logInfoText(const LogInfo& info) {
   }
   out += fmt::format("  messages    {} on {}", grouped(info.messages),
                      counted(info.channels.size(), "channel"));
-  if (info.packets < info.messages) {
-    out += fmt::format("; {} could be decoded", grouped(info.packets));
+  const std::uint64_t understood = info.packets + info.decoded;
+  if (understood < info.messages) {
+    out += fmt::format("; {} could be decoded", grouped(understood));
   }
   out += "\n";
   if (info.events > 0) {
@@ -147,6 +148,9 @@ std::string logInfoText(const LogInfo& info) {
   out += "  complete    " + completeText(summary) + "\n";
   addLosses(out, info);
   out += "  content     sha256 " + info.content_sha256 + "\n";
+  if (!info.decoded_sha256.empty()) {
+    out += "  decoded     sha256 " + info.decoded_sha256 + "\n";
+  }
   out += "  stream      sha256 " + info.stream_sha256 + "\n";
   addChannels(out, info);
   addEvents(out, info);

@@ -2,23 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "core/base/hash.h"
+#include "core/report/json_text.h"
 
 namespace rocinante {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 Json jsonOf(const Vec3& v) { return Json::array({v.x, v.y, v.z}); }
 
 std::string colorOf(std::uint32_t rgba) { return fmt::format("#{:08x}", rgba); }
-
-template <class T>
-Json orNull(const std::optional<T>& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
 
 /// {"layer"} or {"device"[, "link"]}.
 Json jsonOf(const Path& path) {
@@ -93,7 +85,7 @@ Json viewJson(const std::string& name, const Item<ViewValue>& item) {
 
 Json sourceJson(const std::string& name, const SourceState& source) {
   return {{"name", name},
-          {"run", source.run.empty() ? Json(nullptr) : Json(source.run)},
+          {"run", orNull(source.run)},
           {"sequence", orNull(source.highest_sequence)},
           {"time_ns", orNull(source.time_ns)}};
 }
@@ -147,7 +139,7 @@ std::string stateJson(const ShownState& shown) {
   out["colors"] = listOf(state.colors(), colorJson);
   out["drawings"] = listOf(state.drawings(), drawingJson);
   out["views"] = listOf(state.views(), viewJson);
-  return out.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return jsonText(out, -1);
 }
 
 }  // namespace rocinante

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "core/base/duration_text.h"
 #include "core/log/log_profile.h"
+#include "core/report/json_text.h"
 #include "recorder/contents/message_text.h"
 
 namespace rocinante {
@@ -58,7 +58,6 @@ void MessagePrinter::text(const LogMessage& message, bool is_text, std::string& 
 }
 
 void MessagePrinter::json(const LogMessage& message, bool is_text, std::string& out) const {
-  using Json = nlohmann::ordered_json;
   Json line;
   if (!name_.empty()) line["log"] = name_;
   line["log_time_ns"] = message.log_time.time_since_epoch().count();
@@ -69,8 +68,7 @@ void MessagePrinter::json(const LogMessage& message, bool is_text, std::string& 
   } else {
     line["payload_base64"] = base64Of(message.payload);
   }
-  out += line.dump(-1, ' ', false, Json::error_handler_t::replace);
-  out += '\n';
+  out += jsonText(line, -1);
 }
 
 void MessagePrinter::csv(const LogMessage& message, bool is_text, std::string& out) const {

@@ -2,21 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "core/base/count_text.h"
 #include "core/base/duration_text.h"
 #include "core/base/plain_text.h"
+#include "core/report/json_text.h"
 
 namespace rocinante {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-/// File names may hold any bytes.
-std::string textOf(const Json& json) {
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
 
 void addCounts(Json& out, const PieceCounts& counts) {
   out["messages"] = counts.messages;
@@ -24,6 +16,7 @@ void addCounts(Json& out, const PieceCounts& counts) {
   out["end_ns"] = counts.messages > 0 ? Json(nanosecondsOf(counts.end)) : Json(nullptr);
   out["channels"] = counts.channels;
   out["restated"] = counts.restated;
+  if (counts.decoded > 0) out["decoded"] = counts.decoded;
   out["keyframes"] = counts.keyframes;
   out["losses"] = counts.losses;
   out["marks"] = counts.marks;
@@ -42,7 +35,7 @@ Json gapJson(const CopyGap& gap, bool with_input) {
   out["from"] = gap.span.from;
   out["to"] = gap.span.to;
   out["cause"] = gap.span.cause;
-  out["messages_lost"] = gap.span.messages_lost ? Json(*gap.span.messages_lost) : Json(nullptr);
+  out["messages_lost"] = orNull(gap.span.messages_lost);
   return out;
 }
 
@@ -61,7 +54,7 @@ std::string copyReportJson(const std::string& output, const CopyReport& report) 
   out["repeated"] = report.repeated;
   out["damage"] = damageJson(report);
   out["notes"] = report.notes;
-  return textOf(out);
+  return jsonText(out);
 }
 
 std::string splitReportJson(const SplitReport& report) {
@@ -76,7 +69,7 @@ std::string splitReportJson(const SplitReport& report) {
   out["messages"] = report.whole.counts.messages;
   out["damage"] = damageJson(report.whole);
   out["notes"] = report.whole.notes;
-  return textOf(out);
+  return jsonText(out);
 }
 
 std::string recoverReportJson(const std::string& output, const CopyReport& report) {
@@ -91,7 +84,7 @@ std::string recoverReportJson(const std::string& output, const CopyReport& repor
   addSession(out, report);
   addCounts(out, report.counts);
   out["notes"] = report.notes;
-  return textOf(out);
+  return jsonText(out);
 }
 
 std::string copyReportText(const std::string& output, const PieceCounts& counts) {

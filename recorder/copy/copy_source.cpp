@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "core/log/clock_message.h"
 #include "core/log/log_profile.h"
 #include "core/log/loss_message.h"
+#include "core/log/octets_before.h"
 #include "core/session/keyframe.h"
 #include "core/session/marks.h"
 #include "recorder/copy/log_preceding.h"
@@ -101,13 +103,17 @@ Status CopySource::start() {
 /// Fills message_ with the next wanted one.
 Status CopySource::takeMessage() {
   while (!message_ && !at_end_) {
-    const Result<std::optional<LogMessage>> read = reader_.next();
-    if (!read) return read.error();
-    if (!*read || (*read)->log_time >= options_.range.until) {
+    std::optional<LogMessage> read = std::exchange(behind_, std::nullopt);
+    if (!read) {
+      const Result<std::optional<LogMessage>> next = reader_.next();
+      if (!next) return next.error();
+      read = *next;
+    }
+    if (!read || read->log_time >= options_.range.until) {
       at_end_ = true;
       return {};
     }
-    const LogMessage& message = **read;
+    const LogMessage message = *read;
     const std::string& topic = message.channel->topic;
     // Keyframes are made anew, and losses come from reader().losses().
     if (topic == profile::kKeyframeTopic || topic == profile::kLossTopic) continue;
@@ -116,8 +122,30 @@ Status CopySource::takeMessage() {
       if (!preceding_ || !preceding_->lead || message.place() <= *preceding_->lead) continue;
       if (!message.channel->folded()) continue;
     }
-    if (selection_.wants(message)) message_ = message;
+    if (selection_.waitsForPacket(message)) {
+      if (Status taken = takeOctetsIfWanted(message); !taken) return taken;
+    } else if (selection_.wants(message)) {
+      message_ = message;
+    }
   }
+  return {};
+}
+
+/// The packet behind the octets decides about both.
+Status CopySource::takeOctetsIfWanted(const LogMessage& octets) {
+  OctetsBefore before;
+  before.take(octets);
+  octets_payload_.assign(octets.payload.begin(), octets.payload.end());
+  const Result<std::optional<LogMessage>> next = reader_.next();
+  if (!next) return next.error();
+  behind_ = *next;
+  if (!behind_) {
+    at_end_ = true;
+    return {};
+  }
+  if (!before.areOf(*behind_) || !selection_.wants(*behind_)) return {};
+  message_ = octets;
+  message_->payload = octets_payload_;
   return {};
 }
 

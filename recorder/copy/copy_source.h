@@ -89,6 +89,7 @@ class CopySource {
   Status findPreceding(const CopyProgress& progress);
   Status start();
   Status takeMessage();
+  Status takeOctetsIfWanted(const LogMessage& octets);
   void chooseItem();
 
   LogReader reader_;
@@ -101,6 +102,10 @@ class CopySource {
   bool opening_given_ = false;
   std::optional<LogMessage> message_;  ///< read, not returned yet
   bool message_is_lead_ = false;
+  /// Read behind message_, to see what it says: comes next. The payload of message_ is then
+  /// octets_payload_.
+  std::optional<LogMessage> behind_;
+  Bytes octets_payload_;
   bool at_end_ = false;
   Event baked_mark_;
   std::string moved_payload_;  ///< of a clock step with shifted time

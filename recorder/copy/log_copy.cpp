@@ -26,7 +26,7 @@ double CopySpan::partAt(LogTime time) const {
 }
 
 Status copyExtras(const std::vector<CopySource>& sources, PieceWriter& piece, bool attachments,
-                  std::vector<CopyGap>& gaps) {
+                  std::vector<CopyGap>& gaps, const CopyAddition* addition) {
   std::set<std::pair<std::string, std::map<std::string, std::string>>> metadata;
   std::set<std::tuple<std::string, std::string, std::string>> copied;
   for (const CopySource& source : sources) {
@@ -38,6 +38,7 @@ Status copyExtras(const std::vector<CopySource>& sources, PieceWriter& piece, bo
     }
     for (std::size_t i = 0; attachments && i < reader.attachments().size(); ++i) {
       LogAttachment attachment = reader.attachments()[i];
+      if (addition != nullptr && !addition->keeps(attachment)) continue;
       const Result<Bytes> data = reader.readAttachment(i);
       if (!data) {
         gaps.push_back({reader.name(), {0, 0, data.error().text(), std::uint64_t{0}}, true});
@@ -71,14 +72,19 @@ void addGaps(const std::vector<CopySource>& sources, CopyReport& report) {
 
 Result<CopyReport> copyLogs(std::vector<CopySource>& sources, std::unique_ptr<ByteSink> sink,
                             const PieceOptions& options, const std::string& reason,
-                            const CopyProgress& progress, bool attachments) {
+                            const CopyProgress& progress, bool attachments,
+                            CopyAddition* addition) {
   CopyReport report;
   report.session_id = options.session_id;
   report.origin = options.origin;
   Result<PieceWriter> piece = PieceWriter::start(std::move(sink), options);
   if (!piece) return piece.error();
-  if (Status copied = copyExtras(sources, *piece, attachments, report.gaps); !copied)
+  if (Status copied = copyExtras(sources, *piece, attachments, report.gaps, addition); !copied)
     return copied.error();
+  if (addition != nullptr) {
+    const LogTime start = options.origin.value_or(LogTime{});
+    if (Status begun = addition->begin(*piece, start); !begun) return begun.error();
+  }
   const CopySpan span(sources);
   CopyMerge merge(sources);
   for (std::uint64_t count = 1;; ++count) {
@@ -89,6 +95,8 @@ Result<CopyReport> copyLogs(std::vector<CopySource>& sources, std::unique_ptr<By
       if (Status on = progress(span.partAt((*item)->time)); !on) return on.error();
     }
     if (Status added = piece->add(**item); !added) return added.error();
+    if (addition == nullptr) continue;
+    if (Status followed = addition->follow(**item, *piece); !followed) return followed.error();
   }
   if (Status closed = piece->finish(reason); !closed) return closed.error();
   report.counts = piece->counts();

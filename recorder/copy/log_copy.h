@@ -34,16 +34,29 @@ struct CopyReport {
   std::vector<std::string> notes;
 };
 
+/// What a tool adds to a copy.
+class CopyAddition {
+ public:
+  virtual ~CopyAddition() = default;
+  /// Whether an attachment of the inputs is copied.
+  virtual bool keeps(const LogAttachment& attachment) const = 0;
+  /// Called once, before anything of the session is written.
+  virtual Status begin(PieceWriter& piece, LogTime start) = 0;
+  /// Called directly after each item was written.
+  virtual Status follow(const CopyItem& item, PieceWriter& piece) = 0;
+};
+
 /// Makes one log from the sources. Closes the sink on success. `attachments` false leaves
 /// attachments out.
 Result<CopyReport> copyLogs(std::vector<CopySource>& sources, std::unique_ptr<ByteSink> sink,
                             const PieceOptions& options, const std::string& reason,
-                            const CopyProgress& progress, bool attachments = true);
+                            const CopyProgress& progress, bool attachments = true,
+                            CopyAddition* addition = nullptr);
 
-/// Copies foreign metadata and, if `attachments`, attachments; equal ones once. Unreadable ones go
-/// to `gaps`.
+/// Copies foreign metadata and, if `attachments`, attachments that `addition` keeps; equal ones
+/// once. Unreadable ones go to `gaps`.
 Status copyExtras(const std::vector<CopySource>& sources, PieceWriter& piece, bool attachments,
-                  std::vector<CopyGap>& gaps);
+                  std::vector<CopyGap>& gaps, const CopyAddition* addition = nullptr);
 
 /// Adds the damage of the sources. Call after they are read.
 void addGaps(const std::vector<CopySource>& sources, CopyReport& report);

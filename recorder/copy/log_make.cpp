@@ -58,14 +58,14 @@ Result<std::string> sessionIdOf(LogReader& reader) {
 }
 
 Result<CopyReport> makeLog(std::vector<CopySource>& sources, const MakeOptions& make,
-                           const PieceOptions& piece, const std::string& reason,
-                           bool may_be_empty) {
+                           const PieceOptions& piece, const std::string& reason, bool may_be_empty,
+                           CopyAddition* addition) {
   std::vector<std::filesystem::path> inputs;
   for (const CopySource& source : sources) inputs.emplace_back(source.reader().name());
   Result<OutputFile> output = OutputFile::create(make.output, make.overwrite, inputs);
   if (!output) return output.error();
-  Result<CopyReport> report =
-      copyLogs(sources, output->takeSink(), piece, reason, make.progress, make.attachments);
+  Result<CopyReport> report = copyLogs(sources, output->takeSink(), piece, reason, make.progress,
+                                       make.attachments, addition);
   if (!report) return output->named(report.error());
   if (report->counts.messages == 0 && !may_be_empty) {
     const CopySource& first = sources.front();

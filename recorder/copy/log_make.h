@@ -40,6 +40,7 @@ Result<std::string> sessionIdOf(LogReader& reader);
 /// Runs copyLogs() into the file that `make` names, which appears whole or not at all. not_found,
 /// and no file, when no captured message was chosen, unless `may_be_empty`.
 Result<CopyReport> makeLog(std::vector<CopySource>& sources, const MakeOptions& make,
-                           const PieceOptions& piece, const std::string& reason, bool may_be_empty);
+                           const PieceOptions& piece, const std::string& reason, bool may_be_empty,
+                           CopyAddition* addition = nullptr);
 
 }  // namespace rocinante

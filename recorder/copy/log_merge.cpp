@@ -1,9 +1,13 @@
 #include "recorder/copy/log_merge.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 
 #include "core/base/hash.h"
+#include "core/base/plain_text.h"
+#include "core/log/log_profile.h"
 
 namespace rocinante {
 namespace {
@@ -39,6 +43,33 @@ void sortPieces(std::vector<OpenedLog>& logs) {
   }
 }
 
+/// Refuses logs in which two decoders made the packets of one topic: one moment would have two
+/// meanings.
+Status checkDecoders(const std::vector<OpenedLog>& logs) {
+  struct First {
+    std::string decoder, log;
+  };
+  std::map<std::string, First> by_topic;
+  for (const OpenedLog& opened : logs) {
+    for (const LogChannel& channel : opened.reader.channels()) {
+      if (!channel.decoded()) continue;
+      const auto found = channel.metadata.find(std::string(profile::kDecoderKey));
+      const std::string decoder = found == channel.metadata.end() ? "" : found->second;
+      const auto [first, is_new] =
+          by_topic.try_emplace(channel.topic, First{decoder, opened.reader.name()});
+      if (is_new || first->second.decoder == decoder) continue;
+      return Error{
+          ErrorKind::refused,
+          fmt::format("{} has packets of another decoder in {}; use `rocinante log decode` on one "
+                      "of them first",
+                      plainText(profile::capturedTopic(channel.topic)),
+                      plainText(first->second.log)),
+          opened.reader.name()};
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<CopyReport> mergeLogs(const std::vector<std::filesystem::path>& logs,
@@ -50,6 +81,7 @@ Result<CopyReport> mergeLogs(const std::vector<std::filesystem::path>& logs,
     if (!opened) return opened.error();
     opened_logs.push_back(std::move(*opened));
   }
+  if (Status same = checkDecoders(opened_logs); !same) return same.error();
   sortPieces(opened_logs);
   std::vector<CopySource> sources;
   std::vector<std::string> ids;

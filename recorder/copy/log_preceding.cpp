@@ -106,13 +106,7 @@ Result<std::optional<LogMessage>> openingKeyframe(LogReader& reader, std::string
 }
 
 void SelectionFold::fold(const LogMessage& message) {
-  if (!message.channel->folded() || message.channel->encoding != decoder_.encoding()) return;
-  if (!selection_.wants(message)) return;
-  const Packet* const packet = decoder_.decode(message.payload);
-  if (packet == nullptr) return;
-  state_.apply(message.log_time, *packet);
-  // Events would accumulate.
-  (void)state_.takeEvents();
+  if (selection_.wants(message)) folder_.fold(state_, message);
 }
 
 SessionState wantedKeyframeState(ByteView payload, LogTime moment, const Selection& selection,
@@ -149,7 +143,7 @@ Result<Preceding> precedingOf(const std::filesystem::path& path, LogTime from) {
   Result<Timeline> timeline = Timeline::open(path);
   if (!timeline) return timeline.error();
   Preceding preceding;
-  Result<const SessionState*> state = timeline->stateAt(from - Nanoseconds(1), &preceding.damage);
+  Result<const SessionState*> state = timeline->stateBefore({from, 0}, &preceding.damage);
   if (!state) return state.error();
   preceding.moment = from;
   preceding.state = **state;

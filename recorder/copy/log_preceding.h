@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/log/log_reader.h"
+#include "core/session/message_folder.h"
 #include "recorder/copy/copy_source.h"
 #include "recorder/copy/log_selection.h"
 
@@ -21,7 +22,7 @@ class SelectionFold {
  private:
   Selection& selection_;
   SessionState state_;
-  PacketTextDecoder decoder_;
+  MessageFolder folder_;
 };
 
 /// The opening keyframe of a log, before any folded message: it states what no message of this log

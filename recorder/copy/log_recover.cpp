@@ -12,7 +12,7 @@
 #include "core/base/hash.h"
 #include "core/log/log_profile.h"
 #include "core/mcap/parse_record.h"
-#include "core/mcap/stream_reader.h"
+#include "core/mcap/record_stepper.h"
 #include "core/session/marks.h"
 
 namespace rocinante {

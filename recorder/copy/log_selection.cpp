@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "core/base/pattern.h"
 #include "core/log/log_profile.h"
+#include "core/packet/statement_device.h"
 #include "core/session/timeline.h"
 
 namespace rocinante {
@@ -28,35 +30,6 @@ Result<LogTime> timeOfEvent(const std::string& pattern, LogTime from,
                from == TimeRange{}.from ? "no event matches"
                                         : "no event matches after the start of the range",
                pattern};
-}
-
-bool tellsOf(const Statement& statement, const std::vector<std::string>& patterns) {
-  const auto named = [&](std::string_view name) {
-    return !name.empty() && anyPatternMatches(patterns, name);
-  };
-  switch (statement.kind) {
-    case StatementKind::joints:
-    case StatementKind::order:
-    case StatementKind::joint:
-    case StatementKind::pose:
-    case StatementKind::add:
-    case StatementKind::remove:
-    case StatementKind::seen:
-      return named(statement.name) || named(statement.carrier.first);
-    case StatementKind::show:
-    case StatementKind::hide:
-    case StatementKind::color:
-      return !statement.path.is_layer && named(statement.path.first);
-    case StatementKind::line:
-    case StatementKind::points:
-    case StatementKind::label:
-    case StatementKind::view:
-      return named(statement.carrier.first);
-    case StatementKind::erase:
-    case StatementKind::event:
-      return false;
-  }
-  return false;
 }
 
 }  // namespace
@@ -103,6 +76,10 @@ Selection::Selection(const SelectionOptions& options, const std::vector<LogChann
     if (by_channel_.size() <= channel.id) by_channel_.resize(channel.id + 1U, Answer::yes);
     const Answer answer = answerFor(channel, options);
     by_channel_[channel.id] = answer;
+  }
+  joinDecoded(channels, options);
+  for (const LogChannel& channel : channels) {
+    const Answer answer = by_channel_[channel.id];
     if (channel.folded() && answer != Answer::yes) wants_all_ = false;
     const auto source = channel.metadata.find("source");
     if (!channel.folded() || source == channel.metadata.end()) continue;
@@ -118,19 +95,47 @@ Selection::Answer Selection::answerFor(const LogChannel& channel,
   if (!channel.folded()) return Answer::yes;
   std::string topic = channel.topic;
   if (!channel.captured()) {
-    topic.erase(0, profile::kRestatedPrefix.size());
+    topic = profile::capturedTopic(topic);
     if (anyPatternMatches(options.not_channels, topic)) return Answer::no;
   }
-  if (!allows(options.channels, topic) && !allows(options.channels, channel.topic)) {
+  if (!allows(options.channels, topic) && !allows(options.channels, channel.topic) &&
+      !allows(options.channels, std::string(profile::kDecodedPrefix) + topic)) {
     return Answer::no;
   }
-  if (!allows(options.encodings, channel.encoding)) return Answer::no;
+  if (!channel.decoded() && !allows(options.encodings, channel.encoding)) return Answer::no;
   if (sources_.empty() && devices_.empty()) return Answer::yes;
   if (channel.encoding != "rk1") return Answer::no;
   const auto source = channel.metadata.find("source");
   if (source == channel.metadata.end()) return Answer::by_packet;
   if (!allows(sources_, source->second)) return Answer::no;
   return devices_.empty() ? Answer::yes : Answer::by_packet;
+}
+
+/// A decoded channel is wanted as its octets are, by all that their channel says.
+void Selection::joinDecoded(const std::vector<LogChannel>& channels,
+                            const SelectionOptions& options) {
+  std::multimap<std::string_view, ChannelId> packets;
+  for (const LogChannel& channel : channels) {
+    if (channel.decoded()) packets.emplace(profile::capturedTopic(channel.topic), channel.id);
+  }
+  waits_.resize(by_channel_.size());
+  for (const LogChannel& octets : channels) {
+    if (octets.encoding == "rk1") continue;
+    const auto [first, last] = packets.equal_range(octets.topic);
+    for (auto each = first; each != last; ++each) {
+      Answer& answer = by_channel_[each->second];
+      const bool left_out = anyPatternMatches(options.not_channels, octets.topic) ||
+                            !allows(options.encodings, octets.encoding);
+      if (left_out) answer = Answer::no;
+      const bool by_what_it_says = !sources_.empty() || !devices_.empty();
+      if (by_what_it_says && answer != Answer::no) waits_[octets.id] = true;
+    }
+  }
+}
+
+bool Selection::waitsForPacket(const LogMessage& octets) const {
+  const ChannelId id = octets.channel->id;
+  return id < waits_.size() && waits_[id];
 }
 
 bool Selection::wants(const LogMessage& message) {
@@ -145,7 +150,7 @@ bool Selection::wants(const LogMessage& message) {
 bool Selection::wantsPacket(const Packet& packet) const {
   if (!allows(sources_, std::string(packet.header.source))) return false;
   return devices_.empty() || std::ranges::any_of(packet.statements, [&](const Statement& each) {
-           return tellsOf(each, devices_);
+           return isAboutDevice(each, devices_);
          });
 }
 

@@ -54,7 +54,9 @@ Result<TimeRange> rangeOf(const SelectionOptions& options, const LogSummary& sum
 /// Which messages of one log are wanted, regardless of time. A datagram is wanted whole or not at
 /// all. The recorder's own channels of losses, clock steps and marks are always wanted unless
 /// `not_channels` names them; a restated datagram is treated like its channel without
-/// /rocinante/restated. Holds a decoder: use one per thread.
+/// /rocinante/restated. Octets and the packet decoded from them are wanted together: their channel
+/// decides, and where a source or a device is wanted, the packet. Holds a decoder: use one per
+/// thread.
 class Selection {
  public:
   /// Wants everything.
@@ -62,7 +64,10 @@ class Selection {
   /// `channels` are the log's, and need not outlive the call.
   Selection(const SelectionOptions& options, const std::vector<LogChannel>& channels);
 
+  /// For octets of waitsForPacket() it says what holds without a packet.
   bool wants(const LogMessage& message);
+  /// True for octets on whose packet it depends whether both are wanted.
+  bool waitsForPacket(const LogMessage& octets) const;
   /// The same for a datagram inside a keyframe, which has no channel.
   bool wantsRestated(const Packet& packet) const;
   /// True when no folded message can be left out.
@@ -72,10 +77,12 @@ class Selection {
   enum class Answer : std::uint8_t { no, yes, by_packet, by_restated };
 
   Answer answerFor(const LogChannel& channel, const SelectionOptions& options) const;
+  void joinDecoded(const std::vector<LogChannel>& channels, const SelectionOptions& options);
   bool wantsPacket(const Packet& packet) const;
 
   bool wants_all_ = true;
   std::vector<Answer> by_channel_;         ///< by channel id
+  std::vector<bool> waits_;                ///< by channel id: see waitsForPacket()
   std::vector<std::string> sources_;       ///< patterns; empty: any
   std::vector<std::string> devices_;       ///< patterns; empty: any
   std::vector<std::string> gone_sources_;  ///< sorted; sources that only unwanted channels name

@@ -53,13 +53,19 @@ Status PieceWriter::add(const CopyItem& item) {
 
 Status PieceWriter::addMessage(const CopyItem& item) {
   const LogMessage& message = item.message;
-  const bool lead = item.kind == CopyItem::Kind::lead && message.channel->captured();
+  // What was lost or left out before a decoded packet must not orphan it: its state is restated.
+  const bool follows_octets = octets_before_.take(message);
+  const bool lead =
+      (item.kind == CopyItem::Kind::lead && message.channel->captured()) ||
+      (message.channel->decoded() && (item.kind == CopyItem::Kind::lead || !follows_octets));
   const Result<ChannelId> channel = channelFor(*message.channel, lead);
   if (!channel) return channel.error();
   if (message.channel->captured() && !lead) {
     if (counts_.messages == 0) counts_.start = item.time;
     counts_.end = std::max(counts_.end, item.time);
     ++counts_.messages;
+  } else if (message.channel->decoded() && !lead) {
+    ++counts_.decoded;
   } else if (message.channel->folded()) {
     ++counts_.restated;
   }
@@ -68,9 +74,24 @@ Status PieceWriter::addMessage(const CopyItem& item) {
                         message.payload);
 }
 
+Status PieceWriter::addDecoded(const CopyItem& octets,
+                               const std::map<std::string, std::string>& metadata,
+                               std::string_view text) {
+  const LogChannel& channel = *octets.message.channel;
+  std::map<std::string, std::string> all = channel.metadata;
+  for (const auto& [key, value] : metadata) all[key] = value;
+  const Result<ChannelId> id = addChannel(
+      {std::string(profile::kDecodedPrefix) + channel.topic, "rk1", std::move(all), {}}, nullptr);
+  if (!id) return id.error();
+  ++counts_.decoded;
+  countBytes(text.size());
+  return session_.write(*id, octets.message.sequence, octets.time, octets.publish_time_ns,
+                        bytesOf(text));
+}
+
 Status PieceWriter::sayAgain(const SessionState& state, LogTime time) {
   const Result<ChannelId> channel =
-      addChannel({std::string(profile::kRestatedKeyframeTopic), "rk1", {}});
+      addChannel({std::string(profile::kRestatedKeyframeTopic), "rk1", {}, {}}, nullptr);
   if (!channel) return channel.error();
   RestatementOptions options;
   options.by = "merge";
@@ -92,17 +113,18 @@ Result<ChannelId> PieceWriter::channelFor(const LogChannel& channel, bool restat
   if (const auto known = ids.find(&channel); known != ids.end()) return known->second;
   const Result<ChannelId> id = addChannel(
       {(restated ? std::string(profile::kRestatedPrefix) : std::string()) + channel.topic,
-       channel.encoding, channel.metadata});
+       channel.encoding, channel.metadata, channel.schema ? *channel.schema : LogSchema{}},
+      channel.schema);
   if (id) ids.emplace(&channel, *id);
   return id;
 }
 
-Result<ChannelId> PieceWriter::addChannel(ChannelKey key) {
+Result<ChannelId> PieceWriter::addChannel(ChannelKey key, std::shared_ptr<const LogSchema> schema) {
   if (const auto known = channels_.find(key); known != channels_.end()) return known->second;
-  const auto& [topic, encoding, metadata] = key;
-  const Result<ChannelId> id = session_.addChannel(topic, encoding, metadata);
+  const Result<ChannelId> id =
+      session_.addChannel(key.topic, key.encoding, key.metadata, std::move(schema));
   if (!id) return id.error();
-  if (LogChannel{*id, topic, encoding, {}}.captured()) ++counts_.channels;
+  if (LogChannel{*id, key.topic, key.encoding, {}}.captured()) ++counts_.channels;
   channels_.emplace(std::move(key), *id);
   return id;
 }

@@ -4,9 +4,9 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <tuple>
 #include <unordered_map>
 
+#include "core/log/octets_before.h"
 #include "core/recording/session_writer.h"
 #include "recorder/copy/copy_source.h"
 
@@ -24,6 +24,7 @@ struct PieceOptions {
 struct PieceCounts {
   std::uint64_t messages = 0;  ///< captured
   std::uint64_t restated = 0;
+  std::uint64_t decoded = 0;  ///< packets that decoders made, directly behind their octets
   std::uint64_t keyframes = 0;
   std::uint64_t losses = 0;
   std::uint64_t marks = 0;
@@ -44,6 +45,10 @@ class PieceWriter {
   /// An opening that follows other items is repeated on /rocinante/restated/keyframe, unless it
   /// equals the fold.
   Status add(const CopyItem& item);
+  /// A packet decoded from the message that add() wrote last; `metadata` are the channel's own
+  /// besides those of that message's channel.
+  Status addDecoded(const CopyItem& octets, const std::map<std::string, std::string>& metadata,
+                    std::string_view text);
   Status addAttachment(const LogAttachment& attachment, ByteView data);
   Status addMetadata(const LogMetadata& metadata) { return session_.log().writeMetadata(metadata); }
   /// Drops all references to the readers whose messages were added, so that they may be destroyed.
@@ -57,14 +62,19 @@ class PieceWriter {
   std::uint64_t bytesSoFar() const;
 
  private:
-  using ChannelKey = std::tuple<std::string, std::string, std::map<std::string, std::string>>;
+  struct ChannelKey {
+    std::string topic, encoding;
+    std::map<std::string, std::string> metadata;
+    LogSchema schema;  ///< empty: none
+    auto operator<=>(const ChannelKey&) const = default;
+  };
   /// Output ids of the inputs' channels. Readers do not move their channels.
   using ChannelIds = std::unordered_map<const LogChannel*, ChannelId>;
 
   explicit PieceWriter(SessionWriter session) : session_(std::move(session)) {}
 
   Result<ChannelId> channelFor(const LogChannel& channel, bool restated);
-  Result<ChannelId> addChannel(ChannelKey key);
+  Result<ChannelId> addChannel(ChannelKey key, std::shared_ptr<const LogSchema> schema);
   Status addMessage(const CopyItem& item);
   Status sayAgain(const SessionState& state, LogTime time);
   void countBytes(std::size_t payload_bytes);
@@ -73,6 +83,7 @@ class PieceWriter {
   std::map<ChannelKey, ChannelId> channels_;
   ChannelIds ids_;
   ChannelIds restated_ids_;
+  OctetsBefore octets_before_;
   PieceCounts counts_;
   bool begun_ = false;
   std::uint32_t said_again_ = 0;

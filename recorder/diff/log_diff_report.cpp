@@ -2,16 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "core/base/count_text.h"
 #include "core/base/duration_text.h"
 #include "core/base/plain_text.h"
+#include "core/report/json_text.h"
 
 namespace rocinante {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// A payload's beginning on one line.
 std::string payloadText(const DiffPlace& place) {
@@ -141,8 +138,7 @@ std::string diffJson(const LogDiff& diff) {
         {"items_only_a", diff.state->items_only_a},
         {"items_only_b", diff.state->items_only_b}};
   }
-  // Payloads are cut at any byte: invalid UTF-8 is replaced, and must not throw.
-  return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return jsonText(out);
 }
 
 }  // namespace rocinante

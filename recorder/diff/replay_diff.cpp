@@ -19,13 +19,20 @@ constexpr double kOtherSpeed = 0.1;
 /// SOURCE, and the endpoint it is mapped to.
 using StreamKey = std::pair<std::string, std::string>;
 
-/// "PORT" or "GROUP:PORT": how a topic names the endpoint.
+/// "PORT", "GROUP:PORT" or a subject: how a topic names the endpoint.
 std::string placeOf(const Endpoint& endpoint) {
+  if (endpoint.isNats()) return endpoint.nats.subject;
   return endpoint.isMulticast() ? endpoint.address.text() : std::to_string(endpoint.address.port);
 }
 
 std::string placeOfTopic(const std::string& topic) {
   constexpr std::string_view kUdp = "/udp/";
+  constexpr std::string_view kNats = "/nats/";
+  // The last word of a subject is the SOURCE.
+  if (topic.starts_with(kNats)) {
+    const std::size_t dot = std::max(topic.rfind('.'), kNats.size());
+    return topic.substr(kNats.size(), dot == topic.npos ? topic.npos : dot - kNats.size());
+  }
   if (!topic.starts_with(kUdp)) return {};
   return topic.substr(kUdp.size(), topic.find('/', kUdp.size()) - kUdp.size());
 }

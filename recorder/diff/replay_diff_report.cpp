@@ -3,16 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "core/base/duration_text.h"
 #include "core/base/plain_text.h"
 #include "core/cli/text_table.h"
+#include "core/report/json_text.h"
 
 namespace rocinante {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using cli::counted;
 using cli::grouped;
 
@@ -109,11 +108,10 @@ std::string replayJson(const ReplayDiff& diff) {
   out["stream_sha256_a"] = diff.stream_a;
   out["stream_sha256_b"] = diff.stream_b;
   out["speed"] = diff.speed;
-  out["measured_speed"] = diff.measured_speed ? Json(*diff.measured_speed) : Json(nullptr);
+  out["measured_speed"] = orNull(diff.measured_speed);
   out["lost_b"] = diff.lost_b;
   out["sources"] = std::move(sources);
-  // Payloads are cut at any byte: invalid UTF-8 is replaced, and must not throw.
-  return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return jsonText(out);
 }
 
 }  // namespace rocinante

@@ -1,12 +1,9 @@
 #include "recorder/diff/state_diff.h"
 
 #include <algorithm>
-#include <map>
-#include <memory>
 
 #include "core/base/hash.h"
-#include "core/packet/decoder.h"
-#include "core/packet/session_state.h"
+#include "core/session/message_folder.h"
 
 namespace rocinante {
 namespace {
@@ -35,12 +32,7 @@ class Fold {
       told.insert(told.end(), digest.begin(), digest.end());
       const auto encoding = xxh3(bytesOf(message_->channel->encoding));
       told.insert(told.end(), encoding.begin(), encoding.end());
-      if (Decoder* const decoder = decoderOf(message_->channel->encoding)) {
-        if (const Packet* const packet = decoder->decode(message_->payload)) {
-          state_.apply(moment, *packet);
-          (void)state_.takeEvents();
-        }
-      }
+      folder_.fold(state_, *message_);
       if (Status advanced = advance(); !advanced) return advanced;
     }
     return {};
@@ -58,15 +50,9 @@ class Fold {
     return {};
   }
 
-  Decoder* decoderOf(const std::string& encoding) {
-    auto found = decoders_.find(encoding);
-    if (found == decoders_.end()) found = decoders_.emplace(encoding, makeDecoder(encoding)).first;
-    return found->second.get();
-  }
-
   LogReader& reader_;
   std::optional<LogMessage> message_;  ///< the next to be folded
-  std::map<std::string, std::unique_ptr<Decoder>, std::less<>> decoders_;
+  MessageFolder folder_;
   SessionState state_;
 };
 

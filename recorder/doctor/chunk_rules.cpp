@@ -68,20 +68,12 @@ void ChunkRules::unreadable() {
 }
 
 void ChunkRules::records(const mcap::Chunk& chunk, ByteView records) {
-  for (std::uint64_t at = 0; at < records.size();) {
-    const std::optional<mcap::Record> record = mcap::recordAt(records, at);
-    if (!record) {
-      report_.add("chunk-records", offset_,
-                  fmt::format("a record reaches past the end of its chunk, {} bytes into it", at));
-      return unreadable();
-    }
-    at = record->end();
+  mcap::RecordStepper steps(records);
+  while (const std::optional<mcap::Record> record = steps.next()) {
     if (record->opcode == Opcode::message) {
       message(*record, offset_);
     } else if (record->opcode == Opcode::schema) {
       definitions_.addSchema(*record, offset_);
-      if (profile_ != nullptr)
-        report_.add("profile-schema", offset_, "a Schema, which this profile does not allow");
     } else if (record->opcode == Opcode::channel) {
       if (const std::optional<mcap::Channel> channel = definitions_.addChannel(*record, offset_)) {
         defined_in_[channel->id] = number();
@@ -91,6 +83,12 @@ void ChunkRules::records(const mcap::Chunk& chunk, ByteView records) {
       report_.add("chunk-records", offset_,
                   fmt::format("a {} is inside a chunk", mcap::nameOf(record->opcode)));
     }
+  }
+  if (!steps.atEnd()) {
+    report_.add("chunk-records", offset_,
+                fmt::format("a record reaches past the end of its chunk, {} bytes into it",
+                            steps.position()));
+    return unreadable();
   }
   times(chunk);
 }

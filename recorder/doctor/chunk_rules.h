@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/mcap/chunk_expander.h"
-#include "core/mcap/stream_reader.h"
+#include "core/mcap/record_stepper.h"
 #include "recorder/doctor/doctor_facts.h"
 #include "recorder/doctor/profile_rules.h"
 

@@ -16,29 +16,27 @@ using mcap::Opcode;
 std::optional<std::uint64_t> DataWalk::run(const std::function<void(std::uint64_t)>& progress) {
   begin();
   while (!summary_start_) {
-    const std::optional<mcap::Record> next = mcap::recordAt(file_, position_);
+    const std::optional<mcap::Record> next = steps_.next();
     if (!next) {
       if (!skipBroken()) return std::nullopt;
       continue;
     }
-    position_ = next->end();
     record(*next);
     last_offset_ = next->offset;
-    if (progress) progress(position_);
+    if (progress) progress(steps_.position());
   }
   return summary_start_;
 }
 
 void DataWalk::begin() {
-  position_ = mcap::magic().size();
-  const std::optional<mcap::Record> first = mcap::recordAt(file_, position_);
+  const std::optional<mcap::Record> first = steps_.peek();
   mcap::Header header;
   if (!first || first->opcode != Opcode::header) {
     if (first || endsAsAWholeFile()) {
-      report_.add("header", position_, "the first record is not a Header");
+      report_.add("header", steps_.position(), "the first record is not a Header");
     }
   } else {
-    position_ = first->end();
+    steps_.moveTo(first->end());
     last_offset_ = first->offset;
     if (!mcap::parse(first->content, header)) {
       report_.add("record-fields", first->offset, "the lengths in the Header do not fit into it");
@@ -58,8 +56,6 @@ void DataWalk::record(const mcap::Record& record) {
   switch (record.opcode) {
     case Opcode::schema:
       definitions_.addSchema(record, record.offset);
-      if (profile_)
-        report_.add("profile-schema", record.offset, "a Schema, which this profile does not allow");
       break;
     case Opcode::channel:
       if (const auto channel = definitions_.addChannel(record, record.offset);
@@ -70,7 +66,8 @@ void DataWalk::record(const mcap::Record& record) {
     case Opcode::message:
       if (facts_.loose_messages++ == 0) facts_.first_loose_offset = record.offset;
       if (profile_) {
-        report_.add("loose-message", record.offset, "a message is outside the chunks");
+        report_.add("loose-message", record.offset,
+                    "a message is outside the chunks, where no checksum covers it");
       }
       chunks_->message(record, record.offset);
       break;
@@ -155,16 +152,16 @@ void DataWalk::dataEnd(const mcap::Record& record) {
   summary_start_ = record.end();
 }
 
-/// Describes how the file ends at position_, where a whole record is expected.
+/// Describes how the file ends at the position, where a whole record is expected.
 std::string DataWalk::cutOff() const {
-  if (position_ >= file_.size()) return "the file ends before its DataEnd";
-  const std::optional<ChunkHead> chunk = chunkHeadAt(file_, position_);
+  if (steps_.atEnd()) return "the file ends before its DataEnd";
+  const std::optional<ChunkHead> chunk = chunkHeadAt(file_, steps_.position());
   if (chunk && chunk->open()) {
     return fmt::format("the chunk that begins here is still open, {} bytes before the file's end",
-                       file_.size() - position_);
+                       file_.size() - steps_.position());
   }
   return fmt::format("the file ends inside the record that begins here, after {} bytes of it",
-                     file_.size() - position_);
+                     file_.size() - steps_.position());
 }
 
 bool DataWalk::endsAsAWholeFile() const {
@@ -176,23 +173,22 @@ bool DataWalk::endsAsAWholeFile() const {
          std::ranges::equal(file_.last(mcap::magic().size()), mcap::magic());
 }
 
-/// Skips to the next record when there is none at position_; false when the file was never closed.
+/// Skips to the next record when there is none at the position; false when the file was never
+/// closed.
 bool DataWalk::skipBroken() {
   chunks_->end();
   if (!endsAsAWholeFile()) {
-    report_.add("not-closed", position_, cutOff() + ": it was never closed");
+    report_.add("not-closed", steps_.position(), cutOff() + ": it was never closed");
     return false;
   }
-  const std::uint64_t from = position_;
-  do {
-    ++position_;
-  } while (position_ < file_.size() && !probe_.resumesAt(position_));
+  const std::uint64_t from = steps_.position();
+  steps_.moveTo(probe_.resumeBehind(from));
   report_.add("record-length", from,
               fmt::format("a record reaches past the end of the file; {} bytes were passed over",
-                          position_ - from));
+                          steps_.position() - from));
   facts_.all_read = false;
   if (profile_) profile_->gap();
-  if (position_ < file_.size()) return true;
+  if (!steps_.atEnd()) return true;
   report_.add("data-end", from, "no DataEnd follows");
   return false;
 }

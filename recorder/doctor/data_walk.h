@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/mcap/record_probe.h"
-#include "core/mcap/stream_reader.h"
+#include "core/mcap/record_stepper.h"
 #include "recorder/doctor/chunk_rules.h"
 #include "recorder/doctor/doctor_facts.h"
 #include "recorder/doctor/profile_rules.h"
@@ -17,7 +17,12 @@ namespace rocinante {
 class DataWalk {
  public:
   DataWalk(ByteView file, DoctorReport& report, DoctorFacts& facts, Definitions& definitions)
-      : file_(file), report_(report), facts_(facts), definitions_(definitions), probe_(file) {}
+      : file_(file),
+        report_(report),
+        facts_(facts),
+        definitions_(definitions),
+        steps_(file, mcap::magic().size()),
+        probe_(file) {}
 
   /// Returns the offset of the summary, after DataEnd. Empty when the file ends earlier, which is a
   /// breach. `progress` is called with the bytes done.
@@ -37,10 +42,10 @@ class DataWalk {
   DoctorReport& report_;
   DoctorFacts& facts_;
   Definitions& definitions_;
+  mcap::RecordStepper steps_;
   RecordProbe probe_;
   std::optional<ProfileRules> profile_;
   std::optional<ChunkRules> chunks_;
-  std::uint64_t position_ = 0;
   std::uint64_t last_offset_ = 0;  ///< of the previous record
   std::optional<std::uint64_t> summary_start_;
 };

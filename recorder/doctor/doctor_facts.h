@@ -6,8 +6,8 @@
 #include <map>
 #include <vector>
 
+#include "core/mcap/record_stepper.h"
 #include "core/mcap/records.h"
-#include "core/mcap/stream_reader.h"
 #include "recorder/doctor/doctor_report.h"
 
 namespace rocinante {

@@ -4,34 +4,30 @@
 #include <map>
 #include <string>
 #include <string_view>
-#include <vector>
+
+#include "core/report/finding.h"
 
 namespace rocinante {
 
-/// A breach of a rule of the format or the profile at one place.
-struct Breach {
-  std::string rule;          ///< its id (docs/programs/log.md, "log doctor")
-  std::uint64_t offset = 0;  ///< in the file; of the record, or of the chunk that holds it
-  std::string what;          ///< one sentence
-};
-
-/// The result of examining a log. Keeps the first breaches of each rule, and counts all.
+/// The result of examining a log. Keeps the first breaches of each rule (docs/programs/log.md,
+/// "log doctor"), and counts all.
 class DoctorReport {
  public:
   static constexpr std::uint64_t kMaxListed = 20;
 
-  void add(std::string_view rule, std::uint64_t offset, std::string what) {
+  /// `offset` in the file: of the record, or of the chunk that holds it.
+  void add(std::string_view rule, std::uint64_t offset, std::string text) {
     auto found = counts_.find(rule);
     if (found == counts_.end()) found = counts_.emplace(rule, 0).first;
     if (found->second++ < kMaxListed) {
-      breaches_.push_back({std::string(rule), offset, std::move(what)});
+      breaches_.push_back({.rule = std::string(rule), .text = std::move(text), .byte = offset});
     }
   }
 
   bool clean() const { return counts_.empty(); }
   bool broke(std::string_view rule) const { return counts_.find(rule) != counts_.end(); }
   /// In the order found.
-  const std::vector<Breach>& breaches() const { return breaches_; }
+  const Findings& breaches() const { return breaches_; }
   /// Number of breaches of every broken rule.
   const std::map<std::string, std::uint64_t, std::less<>>& counts() const { return counts_; }
 
@@ -42,7 +38,7 @@ class DoctorReport {
   std::uint64_t messages = 0;
 
  private:
-  std::vector<Breach> breaches_;
+  Findings breaches_;
   std::map<std::string, std::uint64_t, std::less<>> counts_;
 };
 

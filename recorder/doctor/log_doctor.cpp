@@ -3,18 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "core/base/plain_text.h"
 #include "core/log/foreign_file.h"
 #include "core/log/mapped_file.h"
+#include "core/report/json_text.h"
 #include "recorder/doctor/data_walk.h"
 #include "recorder/doctor/summary_rules.h"
 
 namespace rocinante {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kNotClosed = "not-closed";
 
@@ -67,8 +65,8 @@ std::string doctorText(const DoctorReport& report) {
   std::string out =
       fmt::format("{}: {} of {}\n", plainText(report.name), counted(total, "breach", "breaches"),
                   counted(report.counts().size(), "rule", "rules"));
-  for (const Breach& breach : report.breaches()) {
-    out += fmt::format("  byte {:<10}  {:<18}  {}\n", breach.offset, breach.rule, breach.what);
+  for (const Finding& breach : report.breaches()) {
+    out += fmt::format("  byte {:<10}  {:<18}  {}\n", *breach.byte, breach.rule, breach.text);
   }
   for (const auto& [rule, count] : report.counts()) {
     if (count > DoctorReport::kMaxListed) {
@@ -91,14 +89,14 @@ std::string doctorJson(const DoctorReport& report, bool indented) {
   out["chunks"] = report.chunks;
   out["messages"] = report.messages;
   out["breaches"] = Json::array();
-  for (const Breach& breach : report.breaches()) {
+  for (const Finding& breach : report.breaches()) {
     out["breaches"].push_back(
-        {{"rule", breach.rule}, {"offset", breach.offset}, {"what", breach.what}});
+        {{"rule", breach.rule}, {"offset", *breach.byte}, {"what", breach.text}});
   }
   out["counts"] = Json::object();
   for (const auto& [rule, count] : report.counts()) out["counts"][rule] = count;
   if (const std::string hint = hintFor(report); !hint.empty()) out["hint"] = hint;
-  return out.dump(indented ? 2 : -1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return jsonText(out, indented ? 2 : -1);
 }
 
 }  // namespace rocinante

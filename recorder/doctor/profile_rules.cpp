@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <limits>
+#include <utility>
 
 #include "core/base/plain_text.h"
 #include "core/log/log_profile.h"
@@ -27,12 +27,6 @@ std::optional<std::string> entryOf(const std::map<std::string, std::string>& ent
   return found->second;
 }
 
-bool isOrigin(const std::string& text) {
-  std::int64_t number = 0;
-  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return fault == std::errc() && end == text.data() + text.size() && number >= 0;
-}
-
 /// The first line of `mine` that `theirs` lacks.
 std::string firstDifference(const std::string& mine, const std::string& theirs) {
   const auto differ = std::ranges::mismatch(mine, theirs);
@@ -49,10 +43,10 @@ void ProfileRules::channel(const mcap::Channel& channel, std::uint64_t offset) {
   if (!channels_.try_emplace(channel.id, known).second) return;
   Known& mine = channels_[channel.id];
   const LogChannel& as_read = mine.channel;
-  if (channel.schema_id != 0) {
+  if (channel.schema_id != 0 && !as_read.metadata.contains(std::string(profile::kImportedKey))) {
     report_.add(
         "profile-schema", offset,
-        fmt::format("channel {} has a schema, which this profile does not allow", channel.id));
+        fmt::format("channel {} has a schema, which only imported channels may have", channel.id));
   }
   if (!as_read.topic.starts_with('/')) {
     report_.add("topic", offset,
@@ -68,6 +62,11 @@ void ProfileRules::channel(const mcap::Channel& channel, std::uint64_t offset) {
                 fmt::format("channel {}, {}, has the message encoding \"{}\"", channel.id,
                             plainText(as_read.topic), plainText(as_read.encoding)));
   }
+  if (as_read.decoded() && !as_read.metadata.contains(std::string(profile::kDecoderKey))) {
+    report_.add("decoder", offset,
+                fmt::format("channel {}, {}, does not name its decoder", channel.id,
+                            plainText(as_read.topic)));
+  }
   if (as_read.topic == profile::kKeyframeTopic) {
     if (keyframe_channel_) {
       report_.add("keyframe-place", offset, "a second channel of keyframes");
@@ -75,12 +74,7 @@ void ProfileRules::channel(const mcap::Channel& channel, std::uint64_t offset) {
       keyframe_channel_ = channel.id;
     }
   }
-  if (!as_read.folded()) return;
-  auto decoder = decoders_.find(as_read.encoding);
-  if (decoder == decoders_.end()) {
-    decoder = decoders_.emplace(as_read.encoding, makeDecoder(as_read.encoding)).first;
-  }
-  mine.decoder = decoder->second.get();
+  mine.decoder = folder_.decoderOf(as_read);
 }
 
 void ProfileRules::metadata(const mcap::Metadata& metadata, std::uint64_t offset) {
@@ -104,7 +98,7 @@ void ProfileRules::session(const mcap::Metadata& metadata, std::uint64_t offset)
     report_.add("session", offset, "rocinante.session has no session_id");
   }
   const std::optional<std::string> origin = entryOf(*session_, profile::kOriginKey);
-  if (origin && !isOrigin(*origin)) {
+  if (origin && profile::parseOrigin(*origin).value_or(LogTime::min()) < LogTime{}) {
     report_.add("session", offset,
                 fmt::format("origin_ns is \"{}\", not a decimal number of nanoseconds",
                             plainText(origin->substr(0, 40))));
@@ -163,6 +157,7 @@ void ProfileRules::message(const mcap::Message& message, std::uint64_t offset) {
   }
   last_time_ = std::max(last_time_, message.log_time);
   if (!is_keyframe) last_other_time_ = std::max(last_other_time_, message.log_time);
+  octets(known, message, offset);
   if (known.channel.captured()) captured(known, message, offset);
   if (known.channel.folded()) fold(known, message, offset);
   if (is_keyframe) {
@@ -170,6 +165,20 @@ void ProfileRules::message(const mcap::Message& message, std::uint64_t offset) {
   } else if (!known.channel.folded()) {
     own(known, message, offset);
   }
+}
+
+void ProfileRules::octets(const Known& known, const mcap::Message& message, std::uint64_t offset) {
+  LogMessage as_read;
+  as_read.channel = &known.channel;
+  as_read.sequence = message.sequence;
+  as_read.log_time = timeOf(message.log_time);
+  as_read.publish_time_ns = static_cast<std::int64_t>(message.publish_time);
+  const bool fits = octets_before_.take(as_read);
+  if (std::exchange(after_gap_, false) || fits) return;
+  report_.add("decoded-place", offset,
+              fmt::format("message {} on {} does not directly follow the octets that it was "
+                          "decoded from",
+                          message.sequence, plainText(known.channel.topic)));
 }
 
 void ProfileRules::captured(const Known& known, const mcap::Message& message,
@@ -199,8 +208,7 @@ void ProfileRules::fold(const Known& known, const mcap::Message& message, std::u
   }
   if (last_folded_time_ && message.log_time < *last_folded_time_) fold_ordered_ = false;
   last_folded_time_ = std::max(last_folded_time_.value_or(0), message.log_time);
-  state_.apply(timeOf(message.log_time), *packet);
-  (void)state_.takeEvents();
+  foldPacket(state_, timeOf(message.log_time), *packet);
 }
 
 void ProfileRules::keyframe(const mcap::Message& message, std::uint64_t offset) {

@@ -24,17 +24,13 @@ void SummaryRules::run(std::uint64_t start) {
   chunks_seen_.resize(facts_.chunk_offsets.size());
   attachments_seen_.resize(facts_.attachment_offsets.size());
   metadata_seen_.resize(facts_.metadata_offsets.size());
-  std::uint64_t position = start;
-  while (true) {
-    const std::optional<mcap::Record> next = mcap::recordAt(file_, position);
-    if (!next) {
-      report_.add("not-closed", position, "the file ends inside its summary: it was never closed");
-      return;
-    }
+  mcap::RecordStepper steps(file_, start);
+  while (const std::optional<mcap::Record> next = steps.next()) {
     if (next->opcode == Opcode::footer) return footer(*next);
     record(*next);
-    position = next->end();
   }
+  report_.add("not-closed", steps.position(),
+              "the file ends inside its summary: it was never closed");
 }
 
 void SummaryRules::record(const mcap::Record& record) {

@@ -5,7 +5,7 @@
 #include <set>
 #include <vector>
 
-#include "core/mcap/stream_reader.h"
+#include "core/mcap/record_stepper.h"
 #include "recorder/doctor/doctor_facts.h"
 
 namespace rocinante {

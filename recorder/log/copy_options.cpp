@@ -1,33 +1,13 @@
 #include "recorder/log/copy_options.h"
 
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <memory>
 
+#include "core/recording/compression_text.h"
 #include "recorder/copy/copy_report.h"
 #include "recorder/log/command_support.h"
 
 namespace rocinante {
-namespace {
-
-Status readCompression(std::string_view text, LogWriterOptions& options) {
-  if (text == "none") {
-    options.compression = LogWriterOptions::Compression::none;
-    return {};
-  }
-  if (text == "zstd") return {};
-  if (text.starts_with("zstd:")) {
-    const std::string_view level = text.substr(5);
-    const char* const end = level.data() + level.size();
-    const auto [used, fault] = std::from_chars(level.data(), end, options.zstd_level);
-    const bool whole = fault == std::errc() && used == end;
-    if (whole && options.zstd_level >= 1 && options.zstd_level <= 22) return {};
-  }
-  return Error{ErrorKind::bad_argument, "--compression is none, zstd or zstd:1 to zstd:22",
-               std::string(text)};
-}
-
-}  // namespace
 
 void addCopyArguments(CLI::App& app, CopyArguments& arguments) {
   app.add_option("-o,--output", arguments.output, "the log to make")->type_name("OUT")->required();

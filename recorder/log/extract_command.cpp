@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <nlohmann/json.hpp>
 
 #include "core/base/atomic_file.h"
 #include "core/base/plain_text.h"
+#include "core/report/json_text.h"
 #include "recorder/contents/log_extract.h"
 #include "recorder/log/command_support.h"
 
@@ -45,10 +45,10 @@ std::string listText(const LogReader& log, bool json) {
     }
     return text;
   }
-  nlohmann::ordered_json root;
+  Json root;
   root["format"] = 1;
   root["log"] = log.name();
-  root["attachments"] = nlohmann::ordered_json::array();
+  root["attachments"] = Json::array();
   for (std::size_t i = 0; i < log.attachments().size(); ++i) {
     const LogAttachment& each = log.attachments()[i];
     root["attachments"].push_back({{"index", i + 1},
@@ -57,7 +57,7 @@ std::string listText(const LogReader& log, bool json) {
                                    {"bytes", each.data_bytes},
                                    {"log_time_ns", each.log_time.time_since_epoch().count()}});
   }
-  return root.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  return jsonText(root);
 }
 
 Result<cli::Exit> extractOne(const LogReader& log, const ExtractArguments& my) {

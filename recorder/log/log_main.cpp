@@ -4,10 +4,13 @@
 #include "recorder/log/attach_command.h"
 #include "recorder/log/cat_command.h"
 #include "recorder/log/cut_command.h"
+#include "recorder/log/decode_command.h"
 #include "recorder/log/diff_command.h"
 #include "recorder/log/doctor_command.h"
+#include "recorder/log/export_command.h"
 #include "recorder/log/extract_command.h"
 #include "recorder/log/follow_command.h"
+#include "recorder/log/import_command.h"
 #include "recorder/log/info_command.h"
 #include "recorder/log/log_command.h"
 #include "recorder/log/mark_command.h"
@@ -16,6 +19,8 @@
 #include "recorder/log/shift_command.h"
 #include "recorder/log/split_command.h"
 #include "recorder/log/state_command.h"
+#include "recorder/log/table_command.h"
+#include "recorder/log/verify_command.h"
 
 namespace {
 
@@ -26,6 +31,7 @@ constexpr const char* kExamples =
     "  rocinante log cat session.mcap --channel '/udp/*/arm' --format json\n"
     "  rocinante log state session.mcap --at 12.5s     the state at that moment\n"
     "  rocinante log doctor session.mcap               check every rule of the format\n"
+    "  rocinante log verify session.mcap --trust trusted.toml   who signed it\n"
     "  rocinante log diff before.mcap after.mcap       where they differ\n"
     "  rocinante log follow session.mcap               messages while they are recorded\n"
     "  rocinante log mark session.mcap 12.5s 'the gripper slipped'\n"
@@ -35,8 +41,12 @@ constexpr const char* kExamples =
     "  rocinante log split session.mcap -o pieces/ --time 60s\n"
     "  rocinante log shift right.mcap -o right-on-time.mcap --by +0.25s\n"
     "  rocinante log recover killed.mcap -o whole.mcap\n"
+    "  rocinante log decode raw.mcap --decoders robot.decoders.toml -o decoded.mcap\n"
     "  rocinante log attach session.mcap --cell demo.cell.toml -o carries_its_cell.mcap\n"
-    "  rocinante log extract session.mcap --cell -o demo/\n";
+    "  rocinante log extract session.mcap --cell -o demo/\n"
+    "  rocinante log table session.mcap -o session.csv   joints and poses as columns\n"
+    "  rocinante log export session.mcap demo.cell.toml --foxglove -o foxglove.mcap\n"
+    "  rocinante log import bag_0.mcap bag_1.mcap -o session.mcap --cell cell.toml\n";
 
 }  // namespace
 
@@ -49,7 +59,8 @@ int main(int argc, char** argv) {
       addInfoCommand(app),    addCatCommand(app),    addStateCommand(app),   addDiffCommand(app),
       addDoctorCommand(app),  addFollowCommand(app), addMarkCommand(app),    addCutCommand(app),
       addFilterCommand(app),  addMergeCommand(app),  addSplitCommand(app),   addShiftCommand(app),
-      addRecoverCommand(app), addAttachCommand(app), addExtractCommand(app),
+      addRecoverCommand(app), addAttachCommand(app), addExtractCommand(app), addVerifyCommand(app),
+      addTableCommand(app),   addExportCommand(app), addImportCommand(app),  addDecodeCommand(app),
   };
   return cli::run(app, argc, argv, kExamples, [&]() -> Result<cli::Exit> {
     for (const LogCommand& command : commands) {

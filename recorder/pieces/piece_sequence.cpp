@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/log/log_profile.h"
+
 namespace rocinante {
 namespace {
 
@@ -14,8 +16,6 @@ using std::chrono::seconds;
 /// longer.
 constexpr Nanoseconds kMaxWait = seconds(1);
 constexpr Nanoseconds kRetry = seconds(1);
-/// Reason in rocinante.end of a piece that another follows.
-constexpr const char* kSplitReason = "split";
 
 LogTime cellBegin(LogTime time, LogTime origin, Nanoseconds span) {
   const Nanoseconds since = time - origin;
@@ -80,7 +80,7 @@ Status PieceSequence::seam(LogTime time) {
   auto next = std::make_unique<PieceLog>(std::move(*made), options_.keyframes);
   Status begun = next->begin(piece_->state(), time, origin_);
   std::swap(piece_, next);
-  shelf_.put(std::move(next), kSplitReason);
+  shelf_.put(std::move(next), std::string(profile::kSplitReason));
   asked_ = full_ = false;
   wanted_since_.reset();
   retry_at_.reset();

@@ -9,6 +9,7 @@
 #include "core/base/duration_text.h"
 #include "core/base/size_text.h"
 #include "core/log/loss_message.h"
+#include "core/session/message_folder.h"
 
 namespace rocinante {
 namespace {
@@ -38,8 +39,7 @@ void RingRecording::fold(const RingBuffer::Item& item, SessionState& state) {
   if (item.kind != RingBuffer::Kind::datagram) return;
   if (channels_[item.flow]->encoding != decoder_.encoding()) return;
   if (const Packet* const packet = decoder_.decode(item.payload)) {
-    state.apply(item.time, *packet);
-    (void)state.takeEvents();  // or they would accumulate
+    foldPacket(state, item.time, *packet);
   }
 }
 

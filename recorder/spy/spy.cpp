@@ -7,6 +7,7 @@
 
 #include "core/base/hash.h"
 #include "core/base/plain_text.h"
+#include "core/check/judges/fault_rules.h"
 #include "core/packet/item_text.h"
 #include "core/packet/packet_limits.h"
 #include "recorder/spy/spy_reasons.h"
@@ -33,6 +34,11 @@ std::string firstBytes(ByteView payload) {
   const ByteView first = payload.first(std::min(payload.size(), kFirstBytes));
   if (isUtf8(first)) return fmt::format("\"{}\"", plainText(textOf(first)));
   return hexOf(first);
+}
+
+/// A NATS server does not tell who sends: its subjects take the place of addresses.
+std::string senderText(const ReceivedDatagram& datagram) {
+  return datagram.subject.empty() ? datagram.sender.text() : plainText(datagram.subject);
 }
 
 void keepName(std::vector<std::string>& names, std::string_view name) {
@@ -62,19 +68,20 @@ std::size_t valuesHash(const DeviceState& state) {
 Spy::Spy(const std::vector<ListenedEndpoint>& endpoints, LogTime began)
     : began_(began), reached_(began), endpoint_last_(endpoints.size()) {
   for (const ListenedEndpoint& each : endpoints) {
-    Endpoint endpoint = each.endpoint;
-    endpoint.address.port = each.bound.port;
     SpyEndpoint seen;
-    seen.endpoint = endpoint.text();
-    seen.multicast = endpoint.isMulticast();
-    seen.watched = endpoint.isPcap();
+    seen.endpoint = boundText(each.endpoint, each.bound);
+    seen.reach = each.endpoint.isPcap()           ? Reach::watched
+                 : each.endpoint.isSubscription() ? Reach::subscribed
+                 : each.endpoint.isNats()         ? Reach::served
+                 : each.endpoint.isMulticast()    ? Reach::multicast
+                                                  : Reach::unicast;
     endpoints_.push_back(std::move(seen));
   }
   for (std::size_t i = 0; i < kPacketFaultCount; ++i) faults_[i].kind = static_cast<PacketFault>(i);
 }
 
 Spy::Sender* Spy::senderFor(std::size_t endpoint, const ReceivedDatagram& datagram) {
-  const std::string address = datagram.sender.text();
+  const std::string address = senderText(datagram);
   const std::string to = datagram.destination != nullptr ? datagram.destination->text() : "";
   const auto key = std::pair(endpoint, address + to);
   if (const auto found = sender_by_address_.find(key); found != sender_by_address_.end()) {
@@ -96,30 +103,32 @@ Spy::Sender* Spy::senderFor(std::size_t endpoint, const ReceivedDatagram& datagr
 void Spy::add(std::size_t endpoint, const ReceivedDatagram& datagram, LogTime arrived) {
   // The fold needs monotonic times; those of several sockets are only nearly so.
   reached_ = arrived = std::max(arrived, reached_);
-  ++datagrams_;
   SpyEndpoint& at = endpoints_[endpoint];
   ++at.datagrams;
   at.bytes += datagram.payload.size();
   endpoint_last_[endpoint] = arrived;
 
   Sender* const sender = senderFor(endpoint, datagram);
-  const Packet* const packet = decoder_.decode(datagram.payload);
+  const std::string_view encoding = encodingOf(datagram.payload);
+  const StreamJudge::Judged judged = stream_.add(arrived, encoding, true, datagram.payload);
   if (sender != nullptr) {
     SpySender& seen = sender->seen;
     const std::size_t bytes = datagram.payload.size();
     seen.smallest_bytes = seen.datagrams == 0 ? bytes : std::min(seen.smallest_bytes, bytes);
     seen.largest_bytes = std::max(seen.largest_bytes, bytes);
     ++seen.datagrams;
-    if (packet != nullptr) ++seen.packets;
-    if (packet == nullptr && seen.first_bytes.empty()) {
+    if (judged.packet != nullptr) ++seen.packets;
+    if (judged.packet == nullptr && seen.first_bytes.empty()) {
       seen.first_bytes = firstBytes(datagram.payload);
     }
     sender->rate.hit(arrived);
     sender->last = arrived;
   }
-  const std::string address = sender != nullptr ? sender->seen.address : datagram.sender.text();
-  readFaults(decoder_.faults(), datagram.payload, address);
-  if (packet != nullptr) readPacket(*packet, datagram.payload, address, arrived);
+  const std::string address = sender != nullptr ? sender->seen.address : senderText(datagram);
+  constexpr FaultAt kNotAPacket{PacketFault::not_a_packet, 1, 1};
+  const bool is_undecoded = judged.packet == nullptr && judged.faults.empty();
+  readFaults(is_undecoded ? std::span(&kNotAPacket, 1) : judged.faults, datagram.payload, address);
+  if (judged.packet != nullptr) readPacket(judged, address);
 }
 
 void Spy::setDropped(std::size_t endpoint, std::uint64_t dropped, const InputCounts& counts) {
@@ -127,9 +136,9 @@ void Spy::setDropped(std::size_t endpoint, std::uint64_t dropped, const InputCou
   endpoints_[endpoint].counts = counts;
 }
 
-void Spy::readPacket(const Packet& packet, ByteView payload, const std::string& sender,
-                     LogTime arrived) {
-  ++packets_;
+void Spy::readPacket(const StreamJudge::Judged& judged, const std::string& sender) {
+  const Packet& packet = *judged.packet;
+  const LogTime arrived = judged.place.time;
   const PacketHeader& header = packet.header;
   auto found = sources_.find(header.source);
   if (found == sources_.end() && sources_.size() < limits::kSources) {
@@ -146,17 +155,20 @@ void Spy::readPacket(const Packet& packet, ByteView payload, const std::string& 
       source.clock_offset = Nanoseconds(*header.time_ns) - arrived.time_since_epoch();
     }
   }
-  if (state_.apply(arrived, packet) == Applied::yes) {
+  if (judged.source != nullptr) {
+    PacketPlace place = judged.place;
     for (const Statement& statement : packet.statements) {
-      readStatement(statement, header.source, arrived);
+      place.line = statement.line;
+      readPresence(statement, place);
+      readStatement(statement, header.source, place);
     }
-    readMismatches(packet, payload, sender);
+    readMismatches(packet, place, sender);
   }
   readEvents(arrived);
 }
 
 void Spy::readEvents(LogTime arrived) {
-  for (const rocinante::Event& said : state_.takeEvents()) {
+  for (const rocinante::Event& said : stream_.takeEvents()) {
     const std::pair key(said.source, said.text);
     auto found = events_.find(key);
     if (found == events_.end() && events_.size() < kEvents) {
@@ -179,26 +191,61 @@ void Spy::hearSender(Source& source, const std::string& sender) {
   source.last_sender = sender;
 }
 
-void Spy::readStatement(const Statement& statement, std::string_view source, LogTime arrived) {
-  if (statement.kind != StatementKind::joints && statement.kind != StatementKind::joint &&
-      statement.kind != StatementKind::pose) {
+Spy::Device* Spy::deviceNamed(std::string_view name) {
+  auto found = devices_.find(name);
+  if (found == devices_.end()) {
+    if (devices_.size() >= limits::kDevices) return nullptr;
+    found = devices_.emplace(std::string(name), Device{}).first;
+  }
+  return &found->second;
+}
+
+void Spy::readPresence(const Statement& statement, const PacketPlace& place) {
+  std::string_view name = statement.name;
+  switch (statement.kind) {
+    case StatementKind::show:
+    case StatementKind::hide:
+    case StatementKind::color:
+      if (statement.path.is_layer) return;
+      name = statement.path.first;
+      break;
+    case StatementKind::line:
+    case StatementKind::points:
+    case StatementKind::label:
+    case StatementKind::erase:
+    case StatementKind::event:
+    case StatementKind::view:
+      return;
+    default:
+      break;
+  }
+  Device* const device = deviceNamed(name);
+  if (device == nullptr) return;
+  if (statement.kind == StatementKind::add) return device->presence.add(place);
+  if (statement.kind == StatementKind::remove) return device->presence.remove(place);
+  device->presence.mention(place);
+}
+
+void Spy::readStatement(const Statement& statement, std::string_view source,
+                        const PacketPlace& place) {
+  const bool is_pose = statement.kind == StatementKind::pose;
+  if (!is_pose && statement.kind != StatementKind::joints &&
+      statement.kind != StatementKind::joint) {
     return;
   }
-  auto found = devices_.find(statement.name);
-  if (found == devices_.end()) {
-    if (devices_.size() >= limits::kDevices) return;
-    found = devices_.emplace(std::string(statement.name), Device{}).first;
-  }
-  Device& device = found->second;
-  keepName(device.sources, source);
-  ++device.statements;
-  device.rate.hit(arrived);
-  const auto state = state_.devices().find(statement.name);
-  if (state == state_.devices().end()) return;
+  Device* const device = deviceNamed(statement.name);
+  if (device == nullptr) return;
+  keepName(device->sources, source);
+  (is_pose ? device->posers : device->drivers)
+      .note(is_pose ? device->poser : device->driver, place);
+  ++device->statements;
+  device->rate.hit(place.time);
+  const auto state = stream_.state().devices().find(statement.name);
+  if (state == stream_.state().devices().end()) return;
   const std::size_t values = valuesHash(state->second);
   // The first values are not a change.
-  if (device.values && *device.values != values) ++device.changes;
-  device.values = values;
+  if (device->values && *device->values != values) ++device->changes;
+  device->values = values;
 }
 
 void Spy::readFaults(std::span<const FaultAt> faults, ByteView payload, const std::string& sender) {
@@ -213,10 +260,11 @@ void Spy::readFaults(std::span<const FaultAt> faults, ByteView payload, const st
 }
 
 /// Reports joints whose number differs from that of `order`, which only the fold can tell.
-void Spy::readMismatches(const Packet& packet, ByteView payload, const std::string& sender) {
-  const auto counts = state_.counts().find(packet.header.source);
+void Spy::readMismatches(const Packet& packet, const PacketPlace& place,
+                         const std::string& sender) {
+  const auto counts = stream_.state().counts().find(packet.header.source);
   const auto source = sources_.find(packet.header.source);
-  if (counts == state_.counts().end() || source == sources_.end()) return;
+  if (counts == stream_.state().counts().end() || source == sources_.end()) return;
   constexpr auto kMismatch = static_cast<std::size_t>(PacketFault::order_mismatch);
   std::uint64_t news = counts->second.faults[kMismatch] - source->second.mismatches;
   source->second.mismatches += news;
@@ -224,7 +272,8 @@ void Spy::readMismatches(const Packet& packet, ByteView payload, const std::stri
     if (news == 0) return;
     if (statement.kind != StatementKind::joints) continue;
     const FaultAt fault{PacketFault::order_mismatch, statement.line, 0};
-    readFaults({&fault, 1}, payload, sender);
+    readFaults({&fault, 1}, place.datagram, sender);
+    stream_.takeFaults({&fault, 1}, place);
     --news;
   }
 }
@@ -259,12 +308,25 @@ SpyDevice Spy::deviceReport(const std::string& name, const DeviceState& state, L
   return report;
 }
 
+Findings Spy::judgements(LogTime now) const {
+  Findings findings;
+  stream_.reportSources(now, findings);
+  stream_.reportDatagrams(findings);
+  for (const auto& [name, device] : devices_) {
+    device.presence.report(name, findings);
+    device.drivers.report(name, "joints", stream_.sourceNames(), findings);
+    device.posers.report(name, "poses", stream_.sourceNames(), findings);
+  }
+  return findings;
+}
+
 SpyReport Spy::report(LogTime now) {
+  const SessionState& state = stream_.state();
   now = std::max(now, reached_);
   SpyReport report;
   report.watched = now - began_;
-  report.datagrams = datagrams_;
-  report.packets = packets_;
+  report.datagrams = stream_.datagrams();
+  report.packets = stream_.packets();
   report.endpoints = endpoints_;
   for (std::size_t i = 0; i < endpoints_.size(); ++i) {
     if (endpoints_[i].datagrams > 0) report.endpoints[i].silent = now - endpoint_last_[i];
@@ -284,23 +346,24 @@ SpyReport Spy::report(LogTime now) {
     seen.restated = source.restated;
     seen.silent = now - source.last;
     seen.clock_offset = source.clock_offset;
-    if (const auto known = state_.sources().find(name); known != state_.sources().end()) {
+    if (const auto known = state.sources().find(name); known != state.sources().end()) {
       seen.run = known->second.run;
     }
-    if (const auto counted = state_.counts().find(name); counted != state_.counts().end()) {
+    if (const auto counted = state.counts().find(name); counted != state.counts().end()) {
       const SourceCounts& counts = counted->second;
       seen.packets = counts.packets;
       seen.gap = counts.gap;
       seen.late = counts.late;
       seen.restarts = counts.restarts;
       seen.by_others = counts.by_others;
+      seen.duplicates = counts.duplicates;
       for (const std::uint64_t count : counts.faults) seen.faults += count;
     }
   }
-  for (const auto& [name, state] : state_.devices()) {
-    report.devices.push_back(deviceReport(name, state, now));
+  for (const auto& [name, device] : state.devices()) {
+    report.devices.push_back(deviceReport(name, device, now));
   }
-  for (const auto& [key, drawing] : state_.drawings()) {
+  for (const auto& [key, drawing] : state.drawings()) {
     SpyDrawing& seen = report.drawings.emplace_back();
     std::tie(seen.source, seen.name) = key;
     for (std::size_t part = 0; part < drawing.parts.size(); ++part) {
@@ -316,7 +379,8 @@ SpyReport Spy::report(LogTime now) {
     if (fault.count > 0) report.faults.push_back(fault);
   }
   std::ranges::stable_sort(report.faults, std::greater{}, &SpyFault::count);
-  findReasons(report);
+  for (SpyFault& fault : report.faults) fault.hint = ruleOf(fault.kind).hint;
+  addReasons(report, judgements(now));
   return report;
 }
 

@@ -6,9 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "core/check/judges/presence_judge.h"
+#include "core/check/judges/stream_judge.h"
+#include "core/check/judges/two_sources.h"
 #include "core/net/datagram_source.h"
-#include "core/packet/packet_text.h"
-#include "core/packet/session_state.h"
 #include "core/recording/flow_table.h"
 #include "recorder/spy/rate_meter.h"
 #include "recorder/spy/spy_report.h"
@@ -16,7 +17,7 @@
 namespace rocinante {
 
 /// Watches datagrams and keeps statistics: who sends, which sources and devices are active and how
-/// often, and the faults in their packets. Needs no model and keeps no datagram; memory is bounded
+/// often, and what `check` finds in a stream without a model. Keeps no datagram; memory is bounded
 /// for any number of senders. One thread; reads no clock.
 class Spy {
  public:
@@ -50,6 +51,9 @@ class Spy {
     std::uint64_t statements = 0, changes = 0;
     RateMeter rate;
     std::optional<std::size_t> values;  ///< hash of the values after the last statement
+    PresenceJudge presence;
+    std::uint32_t driver = TwoSources::kNobody, poser = TwoSources::kNobody;
+    TwoSources drivers, posers;
   };
 
   struct Event {
@@ -58,14 +62,18 @@ class Spy {
   };
 
   Sender* senderFor(std::size_t endpoint, const ReceivedDatagram& datagram);
-  void readPacket(const Packet& packet, ByteView payload, const std::string& sender,
-                  LogTime arrived);
+  void readPacket(const StreamJudge::Judged& judged, const std::string& sender);
   static void hearSender(Source& source, const std::string& sender);
-  void readMismatches(const Packet& packet, ByteView payload, const std::string& sender);
-  void readStatement(const Statement& statement, std::string_view source, LogTime arrived);
+  void readMismatches(const Packet& packet, const PacketPlace& place, const std::string& sender);
+  /// Null beyond the limit of devices.
+  Device* deviceNamed(std::string_view name);
+  void readPresence(const Statement& statement, const PacketPlace& place);
+  void readStatement(const Statement& statement, std::string_view source, const PacketPlace& place);
   void readEvents(LogTime arrived);
   void readFaults(std::span<const FaultAt> faults, ByteView payload, const std::string& sender);
   SpyDevice deviceReport(const std::string& name, const DeviceState& state, LogTime now);
+  /// What `check` finds in the stream, its sources first.
+  Findings judgements(LogTime now) const;
 
   LogTime began_;
   LogTime reached_;
@@ -79,9 +87,7 @@ class Spy {
   std::map<std::pair<std::string, std::string>, Event> events_;  ///< by source and text
   std::uint64_t more_events_ = 0;
   std::array<SpyFault, kPacketFaultCount> faults_;
-  PacketTextDecoder decoder_;
-  SessionState state_;
-  std::uint64_t datagrams_ = 0, packets_ = 0;
+  StreamJudge stream_;
 };
 
 }  // namespace rocinante

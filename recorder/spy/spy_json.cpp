@@ -1,11 +1,11 @@
 #include "recorder/spy/spy_json.h"
 
-#include <nlohmann/json.hpp>
+#include "core/check/judges/fault_rules.h"
+#include "core/report/json_text.h"
+#include "recorder/spy/spy_reasons.h"
 
 namespace rocinante {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json endpointJson(const SpyEndpoint& each) {
   Json json;
@@ -15,8 +15,16 @@ Json endpointJson(const SpyEndpoint& each) {
   json["senders"] = each.senders;
   json["dropped"] = each.dropped;
   json["refused"] = each.counts.refused;
+  json["strangers"] = each.counts.strangers;
+  json["requests"] = each.counts.requests;
   json["incomplete"] = each.counts.incomplete;
   json["malformed"] = each.counts.malformed;
+  if (each.counts.untrusted) {
+    for (std::size_t i = 0; i < kUntrustedReasons; ++i) {
+      json["untrusted"][std::string(nameOf(static_cast<Untrusted>(i)))] =
+          each.counts.untrusted->by_reason[i];
+    }
+  }
   json["silent_s"] = each.silent ? Json(secondsOf(*each.silent)) : Json();
   return json;
 }
@@ -25,14 +33,14 @@ Json senderJson(const SpySender& each, const SpyReport& report) {
   Json json;
   json["sender"] = each.address;
   json["endpoint"] = report.endpoints[each.endpoint].endpoint;
-  json["to"] = each.to.empty() ? Json() : Json(each.to);
+  json["to"] = orNull(each.to);
   json["rate_hz"] = each.rate_hz;
   json["datagrams"] = each.datagrams;
   json["packets"] = each.packets;
   json["smallest_bytes"] = each.smallest_bytes;
   json["largest_bytes"] = each.largest_bytes;
   json["silent_s"] = secondsOf(each.silent);
-  json["first_bytes"] = each.first_bytes.empty() ? Json() : Json(each.first_bytes);
+  json["first_bytes"] = orNull(each.first_bytes);
   return json;
 }
 
@@ -84,6 +92,7 @@ Json faultJson(const SpyFault& each) {
   json["column"] = each.column;
   json["text"] = each.line;
   json["hint"] = each.hint;
+  json["id"] = ruleOf(each.kind).rule;
   return json;
 }
 
@@ -118,11 +127,18 @@ std::string spyJson(const SpyReport& report, bool indented) {
                               {"silent_s", secondsOf(each.silent)}});
   }
   for (const auto& each : report.faults) json["faults"].push_back(faultJson(each));
-  for (const SpyReason& each : report.reasons) {
-    json["reasons"].push_back({{"reason", each.name}, {"text", each.text}, {"hint", each.hint}});
+  for (const Finding& each : report.reasons) {
+    const std::string_view old_id = oldReasonOf(each.rule);
+    json["reasons"].push_back({{"reason", old_id},
+                               {"text", each.text},
+                               {"hint", each.hint},
+                               {"id", each.rule},
+                               {"old_id", old_id},
+                               {"severity", nameOf(each.severity)},
+                               {"count", each.count},
+                               {"example", each.example}});
   }
-  // The packet format guarantees UTF-8 names, but interface names need not be UTF-8.
-  return json.dump(indented ? 2 : -1, ' ', false, Json::error_handler_t::replace);
+  return jsonText(json, indented ? 2 : -1);
 }
 
 }  // namespace rocinante

@@ -11,7 +11,7 @@
 
 #include "core/base/duration_text.h"
 #include "core/cli/program.h"
-#include "core/pcap/open_source.h"
+#include "core/transport/open_source.h"
 #include "recorder/spy/spy.h"
 #include "recorder/spy/spy_json.h"
 #include "recorder/spy/spy_text.h"
@@ -23,6 +23,7 @@ using namespace rocinante;
 constexpr std::string_view kExamples =
     "  rocinante spy                          the local multicast group, live\n"
     "  rocinante spy :19960                   everything sent to port 19960\n"
+    "  rocinante spy subscribe://hall:19961   what a relay forwards\n"
     "  rocinante spy pcap://eth0              traffic that other programs receive\n"
     "  rocinante spy pcap://./cell.pcapng     the contents of a capture file\n"
     "  rocinante spy --duration 5s            a report after five seconds\n"
@@ -33,6 +34,7 @@ constexpr Nanoseconds kRefresh = std::chrono::milliseconds(250);
 struct Arguments {
   std::vector<std::string> endpoints;
   std::vector<std::string> allow;
+  std::string trust;
   std::string duration;
   bool json = false;
 };
@@ -184,13 +186,16 @@ Result<cli::Exit> run(const Arguments& arguments) {
   const Result<AddressFilter> allow = AddressFilter::of(arguments.allow);
   if (!allow) return allow.error();
   options.allow = *allow;
+  Result<std::shared_ptr<TrustJudge>> trust = TrustJudge::open(arguments.trust);
+  if (!trust) return trust.error();
+  options.trust = std::move(*trust);
   const Result<Sources> sources = openSources(endpoints, options);
   if (!sources) return sources.error();
   cli::catchStopSignals();
   const bool live = !arguments.json && ::isatty(STDOUT_FILENO) == 1;
   const Result<SpyReport> report = watch(*sources, duration, live);
   if (!report) return report.error();
-  const std::string text = arguments.json ? spyJson(*report, true) + "\n" : spyText(*report, 0, 0);
+  const std::string text = arguments.json ? spyJson(*report, true) : spyText(*report, 0, 0);
   cli::say(text);
   // Without a readable packet nothing was judged.
   return report->packets > 0 ? cli::Exit::done : cli::Exit::could_not_run;
@@ -213,6 +218,9 @@ int main(int argc, char** argv) {
                  "accept only senders in this network (10.0.0.0/8); may be repeated")
       ->type_name("CIDR")
       ->allow_extra_args(false);
+  app.add_option("--trust", arguments.trust,
+                 "accept only what is signed with a key of this file (rocinante key)")
+      ->type_name("FILE");
   app.add_option("--duration", arguments.duration, "report after TIME (5s); default at Ctrl-C")
       ->type_name("TIME");
   app.add_flag("--json", arguments.json, "the report as JSON");

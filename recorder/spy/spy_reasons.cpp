@@ -3,217 +3,193 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <utility>
 
-#include "core/base/duration_text.h"
 #include "core/base/plain_text.h"
+#include "core/check/judges/fault_rules.h"
 #include "core/cli/text_table.h"
+#include "core/report/traffic_findings.h"
 
 namespace rocinante {
 namespace {
 
 using cli::counted;
-using cli::grouped;
 
-/// Silence shorter than this is not a reason yet.
-constexpr Nanoseconds kPatience = std::chrono::seconds(2);
-constexpr Nanoseconds kClockOff = std::chrono::seconds(1);
-/// Sources restate every two seconds by default.
-constexpr Nanoseconds kRestatements = std::chrono::seconds(5);
-
-std::string_view hintFor(PacketFault fault) {
-  switch (fault) {
-    case PacketFault::not_a_packet:
-      return "the first line must be RK1 SOURCE SEQUENCE TIME; the shortest is: RK1 me - -";
-    case PacketFault::bad_header:
-      return "SOURCE[@RUN], then a count from 0 or -, then seconds since the epoch or -";
-    case PacketFault::unknown_statement:
-      return "a typing error, or a statement of a later version: it is skipped";
-    case PacketFault::missing_field:
-      return "the line ends too early: see docs/packet-format.md for its fields";
-    case PacketFault::extra_field:
-      return "names with spaces are written with %20, numbers without thousands' separators";
-    case PacketFault::bad_name:
-      return "1 to 255 bytes of A-Z a-z 0-9 _ . - : and %XX for everything else";
-    case PacketFault::bad_number:
-      return "decimal with a point: no comma, no nan, no inf, no unit";
-    case PacketFault::bad_color:
-      return "#RRGGBB or #RRGGBBAA";
-    case PacketFault::bad_string:
-      return "put it in double quotes, with \\\" \\\\ and \\n as the only escapes";
-    case PacketFault::bad_path:
-      return "DEVICE, DEVICE/LINK or layer/NAME";
-    case PacketFault::zero_quaternion:
-      return "the identity rotation is 0 0 0 1: x y z w, w last";
-    case PacketFault::unnormalised_quaternion:
-      return "it is normalised and used; is the order x y z w, w last?";
-    case PacketFault::too_many:
-      return "a limit of docs/packet-format.md is exceeded: the rest is ignored";
-    case PacketFault::order_mismatch:
-      return "joints and order of one device differ in number: nothing is applied";
-  }
-  return "";
-}
+/// Consequences of two senders that share a SOURCE.
+constexpr std::array<std::string_view, 4> kByTwoSenders = {"source.late", "source.duplicate",
+                                                           "source.restart", "source.clock-step"};
 
 class Reasons {
  public:
-  explicit Reasons(SpyReport& report) : report_(report) {}
+  Reasons(SpyReport& report, Findings judged) : report_(report), judged_(std::move(judged)) {}
 
   void find() {
-    for (SpyFault& fault : report_.faults) fault.hint = hintFor(fault.kind);
     for (const SpyEndpoint& each : report_.endpoints) judge(each);
-    if (report_.datagrams > 0 && report_.packets == 0) sayNotPacketText();
+    if (report_.datagrams > 0 && report_.packets == 0) judgeUndecoded();
     for (const SpySource& each : report_.sources) judge(each);
-    for (const SpyFault& each : report_.faults) judge(each);
+    for (Finding& each : judged_) {
+      nameSender(each);
+      report_.reasons.push_back(std::move(each));
+    }
     for (const SpyDevice& each : report_.devices) judge(each);
     if (report_.packets > 0 && report_.devices.empty() && report_.watched >= kPatience) {
-      say("no_device", "packets come, but none says anything about a device",
-          "joints DEVICE ..., joint DEVICE NAME=..., pose DEVICE ... make things move");
+      report_.reasons.push_back(noDeviceNamed());
     }
   }
 
  private:
-  void say(std::string name, std::string text, std::string hint) {
-    report_.reasons.push_back({std::move(name), std::move(text), std::move(hint)});
+  void add(std::string rule, Severity severity, std::string text, std::string hint) {
+    report_.reasons.push_back({.rule = std::move(rule),
+                               .severity = severity,
+                               .text = std::move(text),
+                               .hint = std::move(hint)});
   }
 
   void judge(const SpyEndpoint& endpoint) {
     if (endpoint.datagrams == 0 && report_.watched >= kPatience) {
-      say("nothing_arrives",
-          fmt::format("nothing has come to {} for {:.0f} s", endpoint.endpoint, seconds()),
-          endpoint.watched ? "does it pass this interface, and does filter= let it through? on the "
-                             "receiver's machine it does pass"
-          : endpoint.multicast
-              ? "does the sender send to this group and port, out of the interface named here "
-                "(interface=), with a ttl that reaches this machine? 'ip maddr' shows the groups "
-                "joined"
-              : "does the sender send to this machine and this port? a firewall in between ('nft "
-                "list ruleset') drops silently");
+      report_.reasons.push_back(
+          nothingReceived(endpoint.endpoint, endpoint.reach, report_.watched));
     } else if (endpoint.silent && *endpoint.silent >= kPatience) {
-      say("silent",
-          fmt::format("nothing has come to {} for the last {} s", endpoint.endpoint,
-                      secondsText(rounded(*endpoint.silent), 1)),
-          "the sender stopped, or the network path is broken");
+      report_.reasons.push_back(nothingSince(endpoint.endpoint, *endpoint.silent));
     }
     if (endpoint.counts.refused > 0) {
-      say("refused",
+      add("live.refused", Severity::warning,
           fmt::format("{} at {} came from senders that --allow does not name",
                       counted(endpoint.counts.refused, "datagram"), endpoint.endpoint),
           "name a network with --allow for every sender that should be accepted");
     }
+    if (endpoint.counts.strangers > 0) {
+      add("live.strangers", Severity::warning,
+          fmt::format("{} at {} did not come from its relay",
+                      counted(endpoint.counts.strangers, "datagram"), endpoint.endpoint),
+          "somebody else sends to the port of this subscription, or the relay answers from another "
+          "address than the one that was asked");
+    }
+    if (endpoint.counts.requests > 0) {
+      add("live.requests", Severity::warning,
+          fmt::format("{} at {} for a relay (RKS1)", counted(endpoint.counts.requests, "request"),
+                      endpoint.endpoint),
+          "a subscribe:// endpoint somewhere names this machine and port, where no relay listens");
+    }
+    if (const auto& untrusted = endpoint.counts.untrusted; untrusted && untrusted->total() > 0) {
+      add("live.untrusted", Severity::warning,
+          fmt::format("{} at {} were not trusted: {}", counted(untrusted->total(), "datagram"),
+                      endpoint.endpoint, untrusted->text()),
+          "docs/signing.md explains each; a sender signs with --key, --trust lists its key");
+    }
     if (endpoint.counts.incomplete > 0) {
-      say("incomplete",
+      add("live.incomplete", Severity::warning,
           fmt::format("{} at {} lost some of their fragments",
                       counted(endpoint.counts.incomplete, "datagram"), endpoint.endpoint),
           "lost on the way; datagrams within the MTU (1,472 bytes on Ethernet) need no fragments");
     }
     if (endpoint.counts.malformed > 0) {
-      say("malformed",
+      add("live.malformed", Severity::warning,
           fmt::format("{} at {} were malformed IP or UDP",
                       counted(endpoint.counts.malformed, "frame"), endpoint.endpoint),
           "a capture may have kept only the beginning of each frame (tcpdump -s)");
     }
     if (endpoint.dropped > 0) {
-      say("kernel_drops",
+      add("log.loss", Severity::warning,
           fmt::format("the kernel dropped {} at {} before they could be read",
                       counted(endpoint.dropped, "datagram"), endpoint.endpoint),
           "this machine is too busy, or net.core.rmem_max is too small for the rate");
     }
   }
 
-  void sayNotPacketText() {
-    std::string example;
-    for (const SpySender& each : report_.senders) {
-      if (each.first_bytes.empty()) continue;
-      example = fmt::format("; {} sent {}", each.address, each.first_bytes);
-      break;
-    }
-    say("not_packet_text",
-        fmt::format("{} came, and none is a packet{}", counted(report_.datagrams, "datagram"),
-                    example),
-        "packet text begins with: RK1 SOURCE SEQUENCE TIME");
+  void judgeUndecoded() {
+    const auto first = std::ranges::find_if(
+        report_.senders, [](const SpySender& each) { return !each.first_bytes.empty(); });
+    const bool is_known = first != report_.senders.end();
+    report_.reasons.push_back(nothingDecoded(report_.datagrams, is_known ? first->first_bytes : "",
+                                             is_known ? first->address : ""));
+    std::erase_if(judged_, [](const Finding& each) {
+      return each.rule == "packet.unknown-protocol" || each.rule == "packet.not-a-packet";
+    });
   }
 
   void judge(const SpySource& source) {
+    if (source.turns == 0) return;
     const std::string name = plainText(source.name);
-    if (source.turns > 0) {
-      say("two_senders",
+    const bool only_copies = source.late > 0 && source.late == source.duplicates;
+    if (only_copies && source.restarts <= 1) {
+      add("live.two-paths", Severity::note,
+          fmt::format("{} and {} both send as {}: {} arrived twice", source.senders[0],
+                      source.senders[1], name, counted(source.late, "packet")),
+          "one source heard by two paths is fine; otherwise give every sender a SOURCE of its own");
+    } else {
+      add("live.two-senders", Severity::error,
           fmt::format("{} and {} take turns sending as {}: {} dropped as late, {}",
                       source.senders[0], source.senders[1], name, counted(source.late, "packet"),
                       counted(source.restarts, "restart")),
           "give every sender a SOURCE of its own");
-    } else if (source.late > 0 && source.late * 4 >= source.packets) {
-      say("late",
-          fmt::format("{} of {} dropped as late, {} applied", counted(source.late, "packet"), name,
-                      grouped(source.packets)),
-          "SEQUENCE must grow by one with every datagram, and begin at 0 when the source starts");
     }
-    if (source.gap > 0) {
-      say("gap", fmt::format("{} of {} never came", counted(source.gap, "packet"), name),
-          "lost on the way: the network, or a receiver's buffer");
-    }
-    if (source.restarts > 1 && source.restarts * 4 >= source.packets) {
-      say("restarts",
-          fmt::format("{} restarted {} times in {}", name, source.restarts,
-                      counted(source.packets, "packet")),
-          "choose RUN once, when the source starts");
-    }
-    if (source.clock_offset && std::chrono::abs(*source.clock_offset) >= kClockOff) {
-      const bool ahead = *source.clock_offset > Nanoseconds(0);
-      say("clock",
-          fmt::format("the clock of {} is {} s {} this machine's", name,
-                      secondsText(rounded(std::chrono::abs(*source.clock_offset)), 1),
-                      ahead ? "ahead of" : "behind"),
-          "nothing here depends on it, but comparing times with other logs does");
-    }
-    if (source.packets > 0 && source.restated == 0 && report_.watched >= kRestatements) {
-      say("never_restates", fmt::format("{} has restated nothing in {:.0f} s", name, seconds()),
-          "late joiners miss what was sent only once: add, order, colours, drawings");
-    }
+    std::erase_if(judged_, [&](const Finding& each) {
+      return each.subject == source.name && std::ranges::count(kByTwoSenders, each.rule) > 0;
+    });
   }
 
-  void judge(const SpyFault& fault) {
-    if (fault.kind == PacketFault::not_a_packet && report_.packets == 0)
-      return;  // reported by sayNotPacketText()
-    const std::string where =
-        fault.column > 0 ? fmt::format("line {}, column {}", fault.line_number, fault.column)
-                         : fmt::format("line {}", fault.line_number);
-    say(std::string(nameOf(fault.kind)),
-        fmt::format("{}: {}, the first from {}, {}: {}", nameOf(fault.kind),
-                    counted(fault.count, "line"), fault.sender, where, fault.line),
-        fault.hint);
+  /// A stream has packet numbers for nobody: the first offending line is shown with its sender.
+  void nameSender(Finding& finding) const {
+    const std::string_view old = oldReasonOf(finding.rule);
+    for (const SpyFault& fault : report_.faults) {
+      if (nameOf(fault.kind) != old) continue;
+      if (!finding.example.empty() && finding.example != fault.line) continue;
+      finding.example = fmt::format("{}, line {}: {}", fault.sender, fault.line_number, fault.line);
+      return;
+    }
   }
 
   void judge(const SpyDevice& device) {
-    const std::string name = plainText(device.name);
-    if (device.presence == "removed" && device.statements > 0) {
-      say("removed", fmt::format("{} has been removed", name),
-          "statements about it are kept and shown when it is added again");
-    }
-    if (device.sources.size() > 1) {
-      say("two_sources",
-          fmt::format("{} and {} both write {}", plainText(device.sources[0]),
-                      plainText(device.sources[1]), name),
-          "the last write wins: the device will jump between them");
-    }
     if (device.statements > 1 && device.changes == 0 && report_.watched >= kPatience) {
-      say("constant",
-          fmt::format("{} received {} statements, all with the same values", name,
+      add("live.constant", Severity::note,
+          fmt::format("{} received {} statements, all with the same values", plainText(device.name),
                       device.statements),
           "the machine is at rest, or its sender reads values that do not change");
     }
   }
 
-  double seconds() const { return std::chrono::duration<double>(report_.watched).count(); }
-  static Nanoseconds rounded(Nanoseconds time) {
-    return std::chrono::round<std::chrono::milliseconds>(time);
-  }
-
   SpyReport& report_;
+  Findings judged_;
 };
+
+// By rule; those of packet faults are their names.
+constexpr auto kOldReasons = std::to_array<std::pair<std::string_view, std::string_view>>({
+    {"live.constant", "constant"},
+    {"live.incomplete", "incomplete"},
+    {"live.malformed", "malformed"},
+    {"live.no-device", "no_device"},
+    {"live.nothing-decoded", "not_packet_text"},
+    {"live.nothing-received", "nothing_arrives"},
+    {"live.refused", "refused"},
+    {"live.silent", "silent"},
+    {"live.two-senders", "two_senders"},
+    {"log.loss", "kernel_drops"},
+    {"packet.after-remove", "removed"},
+    {"packet.not-finite", "bad_number"},
+    {"packet.two-sources", "two_sources"},
+    {"packet.unknown-protocol", "not_a_packet"},
+    {"source.clock-skew", "clock"},
+    {"source.gap", "gap"},
+    {"source.late", "late"},
+    {"source.restart", "restarts"},
+    {"source.unrestated", "never_restates"},
+});
 
 }  // namespace
 
-void findReasons(SpyReport& report) { Reasons(report).find(); }
+void addReasons(SpyReport& report, Findings judged) { Reasons(report, std::move(judged)).find(); }
+
+std::string_view oldReasonOf(std::string_view rule) {
+  for (const auto& [id, old] : kOldReasons) {
+    if (id == rule) return old;
+  }
+  for (std::size_t i = 0; i < kPacketFaultCount; ++i) {
+    const auto fault = static_cast<PacketFault>(i);
+    if (ruleOf(fault).rule == rule) return nameOf(fault);
+  }
+  return rule;
+}
 
 }  // namespace rocinante

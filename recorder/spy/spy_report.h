@@ -10,14 +10,15 @@
 #include "core/math/vector.h"
 #include "core/net/datagram_source.h"
 #include "core/packet/packet.h"
+#include "core/report/finding.h"
+#include "core/report/traffic_findings.h"
 
 namespace rocinante {
 
 /// Traffic of one listening endpoint.
 struct SpyEndpoint {
   std::string endpoint;  ///< with the bound port
-  bool multicast = false;
-  bool watched = false;  ///< pcap://: traffic that has another receiver
+  Reach reach = Reach::unicast;
   std::uint64_t datagrams = 0;
   std::uint64_t bytes = 0;
   std::uint64_t dropped = 0;  ///< by the kernel
@@ -51,6 +52,7 @@ struct SpySource {
   std::uint64_t gap = 0, late = 0, restarts = 0, faults = 0;
   std::uint64_t restated = 0;  ///< packets that restate
   std::uint64_t by_others = 0;
+  std::uint64_t duplicates = 0;  ///< of `late`: a number received before
   Nanoseconds silent{};
   /// TIME minus the arrival of the last packet: the clock difference minus the transit time.
   std::optional<Nanoseconds> clock_offset;
@@ -95,13 +97,6 @@ struct SpyFault {
   std::string hint;
 };
 
-/// A reason why something may not move, likeliest first.
-struct SpyReason {
-  std::string name;  ///< stable, for scripts: "nothing_arrives", "not_packet_text" ...
-  std::string text;
-  std::string hint;
-};
-
 /// The observations of a spy up to a moment.
 struct SpyReport {
   Nanoseconds watched{};
@@ -116,7 +111,7 @@ struct SpyReport {
   std::vector<SpyEvent> events;      ///< by source and text
   std::uint64_t more_events = 0;     ///< events beyond those kept
   std::vector<SpyFault> faults;      ///< the most frequent first
-  std::vector<SpyReason> reasons;
+  Findings reasons;                  ///< why something may not move, likeliest first
 };
 
 }  // namespace rocinante

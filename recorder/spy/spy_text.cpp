@@ -170,13 +170,18 @@ class Page {
     if (report_.reasons.empty()) return;
     out_ += "\n";
     std::size_t shown = 0;
-    for (const SpyReason& each : report_.reasons) {
+    for (const Finding& each : report_.reasons) {
       if (rows_ > 0 && shown++ == rows_) {
         out_ += line(fmt::format("... and {} more", report_.reasons.size() - rows_));
         return;
       }
-      out_ += line(each.text);
-      out_ += line("  " + each.hint);
+      // Judges name sources and devices as their senders do.
+      out_ += line(fmt::format("{} [{}]", plainText(each.text), each.rule));
+      if (each.first) {
+        out_ += line(fmt::format("  {}{}{}", counted(each.count, "time"),
+                                 each.example.empty() ? "" : ", such as: ", each.example));
+      }
+      if (!each.hint.empty()) out_ += line("  " + each.hint);
     }
   }
 

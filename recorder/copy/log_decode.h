@@ -1,0 +1,20 @@
+#pragma once
+
+#include "core/foreign/decode/datagram_decoders.h"
+#include "recorder/copy/log_make.h"
+
+namespace rocinante {
+
+struct DecodeReport {
+  CopyReport copy;
+  std::uint64_t octets = 0;  ///< captured messages that are not packet text
+  /// By decoder, in the order of the declaration.
+  std::vector<decode::DecodeCounts> counts;
+};
+
+/// Makes a log with the packets that `decoders` make of a log's octets, in place of those that
+/// others made: captured messages stay as they are.
+Result<DecodeReport> decodeLog(const std::filesystem::path& log, decode::DatagramDecoders& decoders,
+                               const MakeOptions& make);
+
+}  // namespace rocinante

@@ -1,0 +1,103 @@
+#include "recorder/export/log_table.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace rocinante {
+namespace {
+
+constexpr std::uint64_t kMomentsATell = 1024;
+
+/// Tells the progress of one of two passes now and then.
+class PassProgress {
+ public:
+  PassProgress(const TableOptions& options, const LogSummary& log, double begins_at)
+      : options_(options), begins_at_(begins_at) {
+    from_ = std::max(options.from, log.start);
+    span_ = std::max(secondsOf(std::min(options.until, log.end) - from_), 1e-9);
+  }
+
+  Status at(LogTime moment) {
+    if (!options_.progress || ++count_ % kMomentsATell != 0) return {};
+    const double part = std::clamp(secondsOf(moment - from_) / span_, 0.0, 1.0);
+    return options_.progress(begins_at_ + part / 2);
+  }
+
+ private:
+  const TableOptions& options_;
+  double begins_at_;
+  LogTime from_;
+  double span_ = 1;
+  std::uint64_t count_ = 0;
+};
+
+bool sameBits(const std::vector<double>& a, const std::vector<double>& b) {
+  // NaN equals NaN here: both are empty fields.
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+}
+
+}  // namespace
+
+Result<TableReport> writeTable(MomentWalk& session, SessionTable& table, TableWriter& writer,
+                               const TableOptions& options) {
+  const LogSummary& log = session.log().summary();
+  const bool is_grid = options.rows == TableOptions::Rows::grid;
+  if (is_grid || options.from > log.start) {
+    // What was said before the first row holds there.
+    const Result<const SessionState*> first = session.stateAt(options.from);
+    if (!first) return first.error();
+    table.noticeAll(**first);
+  }
+  PassProgress finding(options, log, 0);
+  const auto notice = [&](LogTime moment, const SessionState& state) -> Status {
+    table.notice(state, moment);
+    return finding.at(moment);
+  };
+  if (Status found = session.visit(options.from, options.until, {{}, notice}); !found) {
+    return found.error();
+  }
+  table.layOut();
+  if (table.columns().empty()) {
+    return Error{ErrorKind::not_found, "no chosen device has joints or a pose",
+                 session.log().name()};
+  }
+  TableReport report;
+  report.columns = table.columns();
+  if (Status begun = writer.begin(table.columns()); !begun) return begun.error();
+  std::vector<double> values(table.columns().size());
+  std::vector<double> former;
+  PassProgress writing(options, log, 0.5);
+  const auto write = [&](LogTime moment, const SessionState& state) -> Status {
+    table.fill(state, values);
+    if (options.rows == TableOptions::Rows::changed) {
+      if (report.rows > 0 && sameBits(values, former)) return {};
+      former = values;
+    }
+    ++report.rows;
+    return writer.row(moment - log.origin, values);
+  };
+  if (is_grid) {
+    for (LogTime moment = options.from; moment < options.until; moment += options.every) {
+      const Result<const SessionState*> state = session.stateAt(moment);
+      if (!state) return state.error();
+      Status written = write(moment, **state);
+      if (written) written = writing.at(moment);
+      if (!written) return written.error();
+      if (options.until - moment <= options.every) break;
+    }
+  } else {
+    const auto row = [&](LogTime moment, const SessionState& state) -> Status {
+      if (table.wasWritten(state, moment)) {
+        if (Status written = write(moment, state); !written) return written;
+      }
+      return writing.at(moment);
+    };
+    if (Status done = session.visit(options.from, options.until, {{}, row}); !done) {
+      return done.error();
+    }
+  }
+  if (Status ended = writer.end(); !ended) return ended.error();
+  return report;
+}
+
+}  // namespace rocinante

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/foreign/session/session_format.h"
+#include "core/session/moment_walk.h"
+
+namespace rocinante {
+
+/// Events, marks and losses of a session, to be written among its messages in order of time.
+class TimedNotes {
+ public:
+  /// Those in [from, until). Reads the log once.
+  static Result<TimedNotes> of(MomentWalk& session, LogTime from, LogTime until);
+
+  /// Those up to and including `moment` that were not written yet.
+  Status write(SessionFormat& format, ExportedMcap& out, LogTime moment);
+
+ private:
+  struct Note {
+    LogTime time;
+    EventLevel level = EventLevel::info;
+    std::string name, text;
+  };
+
+  std::vector<Note> notes_;  ///< by time
+  std::size_t next_ = 0;
+};
+
+}  // namespace rocinante

@@ -1,0 +1,116 @@
+#include "recorder/log/import_command.h"
+
+#include <CLI/CLI.hpp>
+
+#include "core/bundle/attached_cell.h"
+#include "core/cli/load_progress.h"
+#include "core/cli/search_options.h"
+#include "core/cli/worker_threads.h"
+#include "recorder/copy/output_file.h"
+#include "recorder/log/command_support.h"
+#include "recorder/log/copy_options.h"
+#include "recorder/log/import_report.h"
+
+namespace rocinante {
+namespace {
+
+struct ImportArguments {
+  std::vector<std::string> inputs;
+  std::filesystem::path cell;
+  CellOptions search;
+  std::string device;
+  CopyArguments copy;
+};
+
+/// The cell that names are looked for in, and what is attached of it.
+struct GivenCell {
+  Cell names;
+  CellBundle bundle;
+};
+
+Result<std::optional<GivenCell>> readCell(const ImportArguments& my) {
+  if (my.cell.empty()) return std::optional<GivenCell>();
+  GivenCell given;
+  CellOptions options = my.search;
+  options.parallel = cli::workerThreads();
+  options.progress = cli::loadProgress(my.cell);
+  Result<CellBundle> bundle = collectCellOrLog(my.cell, options);
+  if (!bundle) return bundle.error();
+  given.bundle = std::move(*bundle);
+  for (const std::string& warning : bundleWarnings(given.bundle)) cli::warn(warning);
+  options.geometry = false;
+  Result<Cell> names = loadCellOrLog(my.cell, options);
+  if (!names) return names.error();
+  given.names = std::move(*names);
+  return std::optional(std::move(given));
+}
+
+Result<ros::ImportReport> import(const ImportArguments& my, const MakeOptions& make) {
+  const std::vector<std::filesystem::path> paths(my.inputs.begin(), my.inputs.end());
+  if (Status free = checkOutput(make.output, make.overwrite, paths); !free) return free.error();
+  std::vector<std::unique_ptr<ros::BagReader>> bags;
+  for (const std::filesystem::path& path : paths) {
+    Result<std::unique_ptr<ros::BagReader>> bag = ros::openBag(path);
+    if (!bag) return bag.error();
+    bags.push_back(std::move(*bag));
+  }
+  const Result<std::optional<GivenCell>> cell = readCell(my);
+  if (!cell) return cell.error();
+  Result<std::string> session_id = ros::importedSessionId(paths);
+  if (!session_id) return session_id.error();
+  ros::ImportOptions options;
+  options.device = my.device;
+  options.search = my.search;
+  options.log = make.log;
+  options.keyframes = make.keyframes;
+  options.progress = make.progress;
+  if (*cell) {
+    options.cell = &(*cell)->names;
+    options.bundle = &(*cell)->bundle;
+  }
+  Result<OutputFile> output = OutputFile::create(make.output, make.overwrite, paths);
+  if (!output) return output.error();
+  Result<ros::ImportReport> report =
+      ros::importBags(std::move(bags), output->takeSink(), std::move(*session_id), options);
+  if (!report) return output->named(report.error());
+  if (Status named = output->commit(); !named) return named.error();
+  return report;
+}
+
+Result<cli::Exit> runImport(const ImportArguments& my) {
+  Result<MakeOptions> make = readCopyArguments(my.copy);
+  if (!make) return make.error();
+  cli::catchStopSignals();
+  make->progress = stoppableProgress("importing");
+  const cli::StopDeadline deadline(kStopped);
+  const Result<ros::ImportReport> report = import(my, *make);
+  if (!report) return report.error();
+  const Status told = toStandardOutput(my.copy.json ? importReportJson(my.copy.output, *report)
+                                                    : importReportText(my.copy.output, *report));
+  if (!told) return told.error();
+  for (const std::string& warning : ros::importWarnings(*report)) cli::warn(warning);
+  return report->lostNothing() ? cli::Exit::done : cli::Exit::no;
+}
+
+}  // namespace
+
+LogCommand addImportCommand(CLI::App& program) {
+  auto my = std::make_shared<ImportArguments>();
+  CLI::App* const app =
+      program.add_subcommand("import", "make a log of ROS 2 and ROS 1 bags, with their packets");
+  app->add_option("IN", my->inputs,
+                  "bags: MCAP, sqlite3 (.db3), ROS 1 (.bag), told by content; several become one")
+      ->required();
+  app->add_option(
+         "--cell", my->cell,
+         "the cell whose devices are meant; attached. Default: the bag's robot_description")
+      ->type_name("CELL");
+  cli::addSearchOptions(*app, my->search);
+  app->add_option("--device", my->device,
+                  "the device of joints and poses that name no device of the cell")
+      ->type_name("NAME");
+  addCopyArguments(*app, my->copy);
+  return {app, [my] { return runImport(*my); }};
+}
+
+}  // namespace rocinante

@@ -1,0 +1,170 @@
+#include "recorder/log/table_command.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "core/base/count_text.h"
+#include "core/base/duration_text.h"
+#include "core/cli/program.h"
+#include "core/report/json_text.h"
+#include "core/session/session_time.h"
+#include "recorder/copy/log_selection.h"
+#include "recorder/copy/output_file.h"
+#include "recorder/export/log_table.h"
+#include "recorder/log/command_support.h"
+#include "recorder/log/copy_options.h"
+#include "recorder/log/export_cell.h"
+
+namespace rocinante {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct TableArguments {
+  std::string log;
+  std::vector<std::string> devices;
+  SelectionOptions times;
+  std::string every;
+  bool changes = false;
+  ExportCellArguments cell;
+  std::string output;
+  bool force = false;
+  bool json = false;
+};
+
+enum class TableForm { csv, npy, npz };
+
+Result<TableForm> formOf(const std::string& output) {
+  const std::string ending = fs::path(output).extension().string();
+  if (output.empty() || output == "-" || ending == ".csv") return TableForm::csv;
+  if (ending == ".npy") return TableForm::npy;
+  if (ending == ".npz") return TableForm::npz;
+  return Error{ErrorKind::bad_argument, "a table is a .csv, a .npy or a .npz file", output};
+}
+
+Result<TableOptions> readTableOptions(const TableArguments& my, const LogSummary& log) {
+  const Result<TimeRange> range = rangeOf(my.times, log, {});
+  if (!range) return range.error();
+  TableOptions options;
+  options.from = range->from;
+  options.until = range->until;
+  if (my.changes) options.rows = TableOptions::Rows::changed;
+  if (my.every.empty()) return options;
+  const Result<Nanoseconds> every = parseDuration(my.every);
+  if (!every) return every.error();
+  if (every->count() <= 0) {
+    return Error{ErrorKind::bad_argument, "must be greater than zero", "--every"};
+  }
+  options.rows = TableOptions::Rows::grid;
+  options.every = *every;
+  options.from = std::max(options.from, log.start);
+  options.until = std::min(options.until, std::min(log.end, kLastLogTime) + Nanoseconds(1));
+  return options;
+}
+
+Result<TableReport> writeTo(const TableArguments& my, TableForm form, MomentWalk& session,
+                            SessionTable& table, TableOptions options) {
+  if (my.output.empty() || my.output == "-") {
+    const auto writer =
+        makeCsvTable([](ByteView bytes) { return toStandardOutput(textOf(bytes)); });
+    return writeTable(session, table, *writer, options);
+  }
+  Result<OutputFile> output = OutputFile::create(my.output, my.force, {{my.log}});
+  if (!output) return output.error();
+  const std::unique_ptr<ByteSink> sink = output->takeSink();
+  std::unique_ptr<TableWriter> writer;
+  if (form == TableForm::npy) {
+    writer = makeNpyTable(*sink);
+  } else if (form == TableForm::npz) {
+    const fs::path folder = fs::path(my.output).parent_path();
+    writer = makeNpzTable(*sink, folder.empty() ? "." : folder.string());
+  } else {
+    writer = makeCsvTable([&](ByteView bytes) { return sink->append(bytes); });
+  }
+  Result<TableReport> report = writeTable(session, table, *writer, options);
+  if (!report) return output->named(report.error());
+  Status done = sink->close();
+  if (done) done = output->commit();
+  if (!done) return output->named(done.error());
+  return report;
+}
+
+Status tellTable(const TableArguments& my, const TableReport& report,
+                 const std::vector<std::string>& gaps) {
+  if (my.output.empty() || my.output == "-") return {};
+  if (!my.json) {
+    return toStandardOutput(fmt::format("{}: {} of {} and the time\n", my.output,
+                                        countText(report.rows, "row"),
+                                        countText(report.columns.size(), "column")));
+  }
+  Json json;
+  json["format"] = 1;
+  json["output"] = my.output;
+  json["rows"] = report.rows;
+  json["columns"] = report.columns;
+  json["gaps"] = gaps;
+  return toStandardOutput(jsonText(json));
+}
+
+Result<cli::Exit> runTable(const TableArguments& my) {
+  const Result<TableForm> form = formOf(my.output);
+  if (!form) return form.error();
+  const bool to_output = my.output.empty() || my.output == "-";
+  if (my.json && to_output) {
+    return Error{ErrorKind::bad_argument, "needs -o FILE: the table itself goes to standard output",
+                 "--json"};
+  }
+  if (!to_output) {
+    if (Status free = checkOutput(my.output, my.force, {{my.log}}); !free) return free.error();
+  }
+  Result<MomentWalk> session = MomentWalk::open(my.log);
+  if (!session) return session.error();
+  Result<TableOptions> options = readTableOptions(my, session->log().summary());
+  if (!options) return options.error();
+  const auto cell = loadExportCell(my.cell, session->log(), false);
+  if (!cell) return cell.error();
+  cli::catchStopSignals();
+  options->progress = stoppableProgress("reading " + my.log);
+  const cli::StopDeadline deadline(kStopped);
+  SessionTable table(cell->get(), my.devices);
+  const Result<TableReport> report = writeTo(my, *form, *session, table, *options);
+  if (!report) return report.error();
+  std::vector<std::string> gaps = table.gaps();
+  for (std::string& sentence : session->damage()) gaps.push_back(std::move(sentence));
+  if (Status told = tellTable(my, *report, gaps); !told) return told.error();
+  for (const std::string& sentence : table.remarks()) cli::warn(sentence);
+  for (const std::string& sentence : gaps) cli::warn(sentence);
+  return gaps.empty() ? cli::Exit::done : cli::Exit::no;
+}
+
+}  // namespace
+
+LogCommand addTableCommand(CLI::App& program) {
+  auto my = std::make_shared<TableArguments>();
+  CLI::App* const app =
+      program.add_subcommand("table", "write joint values and poses as columns: CSV or NumPy");
+  app->add_option("LOG", my->log, "the log to read")->required();
+  app->add_option("--device", my->devices, "only devices that match this pattern; may be repeated")
+      ->type_name("PATTERN")
+      ->allow_extra_args(false);
+  CLI::Option* const every =
+      app->add_option("--every", my->every,
+                      "a row at each multiple of this time; by default one for each moment that "
+                      "writes a value")
+          ->type_name("TIME");
+  app->add_flag("--changes", my->changes, "only rows that differ from the one before")
+      ->excludes(every);
+  app->add_option("--from", my->times.from, "begin at this session time (12.5s, -1s, RFC 3339)")
+      ->type_name("TIME");
+  app->add_option("--until", my->times.until, "end before this session time")->type_name("TIME");
+  addExportCellArguments(*app, "--cell", my->cell);
+  app->add_option("-o,--output", my->output,
+                  "a .csv, .npy or .npz file; by default CSV on standard output")
+      ->type_name("OUT");
+  app->add_flag("--force", my->force, "replace an existing output");
+  app->add_flag("--json", my->json, "print what was made as JSON");
+  return {app, [my] { return runTable(*my); }};
+}
+
+}  // namespace rocinante
