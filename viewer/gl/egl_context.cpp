@@ -20,6 +20,7 @@ struct EglTable {
   PFNEGLCREATECONTEXTPROC CreateContext = nullptr;
   PFNEGLDESTROYCONTEXTPROC DestroyContext = nullptr;
   PFNEGLMAKECURRENTPROC MakeCurrent = nullptr;
+  PFNEGLGETCURRENTCONTEXTPROC GetCurrentContext = nullptr;
   PFNEGLGETPLATFORMDISPLAYEXTPROC GetPlatformDisplayEXT = nullptr;
 };
 
@@ -43,6 +44,7 @@ Result<EglTable> loadEgl() {
   ROCINANTE_EGL_FILL(PFNEGLCREATECONTEXTPROC, CreateContext)
   ROCINANTE_EGL_FILL(PFNEGLDESTROYCONTEXTPROC, DestroyContext)
   ROCINANTE_EGL_FILL(PFNEGLMAKECURRENTPROC, MakeCurrent)
+  ROCINANTE_EGL_FILL(PFNEGLGETCURRENTCONTEXTPROC, GetCurrentContext)
 #undef ROCINANTE_EGL_FILL
   egl.GetPlatformDisplayEXT = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(
       egl.GetProcAddress("eglGetPlatformDisplayEXT"));
@@ -58,7 +60,10 @@ class EglContext final : public RenderContext {
       : egl_(egl), display_(display), context_(context) {}
 
   ~EglContext() override {
-    egl_.MakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    // Another of this thread may be the current one.
+    if (egl_.GetCurrentContext() == context_) {
+      egl_.MakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    }
     egl_.DestroyContext(display_, context_);
     // The display stays open: all contexts of the process share it.
   }

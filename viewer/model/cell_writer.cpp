@@ -5,25 +5,10 @@
 
 #include <cmath>
 
+#include "core/document/toml_text.h"
+
 namespace rocinante {
 namespace {
-
-// A TOML basic string.
-std::string tomlText(std::string_view text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') {
-      out += '\\';
-      out += c;
-    } else if (byte < 0x20 || byte == 0x7F) {
-      out += fmt::format("\\u{:04X}", byte);
-    } else {
-      out += c;
-    }
-  }
-  return out + "\"";
-}
 
 std::string vectorText(const Vec3& v) { return fmt::format("[{}, {}, {}]", v.x, v.y, v.z); }
 

@@ -5,8 +5,10 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
+#include "core/base/number_list.h"
 #include "core/base/plain_text.h"
 #include "core/bundle/attached_cell.h"
+#include "core/cell/view_path.h"
 #include "core/cli/load_progress.h"
 #include "core/cli/search_options.h"
 #include "core/cli/worker_threads.h"
@@ -41,8 +43,9 @@ Result<Cell> loadFile(const ModelFileOptions& options, bool geometry) {
 }
 
 void addPoseOptions(CLI::App& app, PoseOptions& options) {
-  app.add_option("--joints", options.positions,
-                 "all joint values in the file's order: \"0 -0.785 0 -2.356\"");
+  app.add_option(
+      "--joints", options.positions,
+      "all joint values in the file's order: \"0 -0.785 0 -2.356\", or \"DEVICE=0 ...\"");
   app.add_option("--joint", options.named, "NAME=VALUE of one joint; repeatable");
   app.add_flag("--degrees", options.degrees, "values of rotating joints are degrees");
   app.add_option("--pose", options.base, "pose of the device: \"x y z\" or \"x y z qx qy qz qw\"");
@@ -60,7 +63,21 @@ Result<PoseRequest> poseRequestOf(const PoseOptions& options, const std::string&
     return Error{ErrorKind::bad_argument, std::move(what), std::move(where)};
   };
   if (!options.positions.empty()) {
-    Result<std::vector<double>> values = parseNumbers(options.positions);
+    // Numbers have no `=`: what stands before it is the device, as `view` copies it.
+    const std::size_t equals = options.positions.rfind('=');
+    const std::size_t numbers = equals == std::string::npos ? 0 : equals + 1;
+    if (numbers > 0) {
+      const auto named = parseViewPath(std::string_view(options.positions).substr(0, equals));
+      const bool is_device =
+          named && !named->path.is_layer && !named->all_devices && named->path.second.empty();
+      if (!is_device || (!device.empty() && device != named->path.first)) {
+        return refused(fmt::format("`{}` is not the device", plainText(options.positions)),
+                       "--joints");
+      }
+      request.device = named->path.first;
+    }
+    Result<std::vector<double>> values =
+        parseNumbers(std::string_view(options.positions).substr(numbers));
     if (!values) return refused(values.error().what, "--joints");
     request.joints = std::move(*values);
   }
@@ -95,7 +112,7 @@ Result<PoseRequest> poseRequestOf(const PoseOptions& options, const std::string&
 }
 
 void warnOfFaults(const Cell& cell) {
-  for (const ModelFault& fault : cell.faults) {
+  for (const Finding& fault : cell.faults) {
     if (fault.severity == Severity::note) continue;
     cli::warn(plainText(cell.shown(fault.print())));
   }

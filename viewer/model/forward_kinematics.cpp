@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "core/base/plain_text.h"
 #include "core/cli/text_table.h"
 #include "core/math/transform.h"
+#include "core/report/json_text.h"
 
 namespace rocinante {
 namespace {
@@ -61,7 +61,6 @@ std::string forwardKinematicsText(const std::vector<LinkPose>& links) {
 
 std::string forwardKinematicsJson(const std::vector<LinkPose>& links,
                                   const std::vector<std::string>& warnings) {
-  using Json = nlohmann::ordered_json;
   // One line per link, for readability.
   const auto dumped = [](const Json& json) {
     return json.dump(-1, ' ', false, Json::error_handler_t::replace);

@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
+
+#include "core/report/json_text.h"
 
 namespace rocinante {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json finiteOrNull(std::optional<double> value) {
   return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
@@ -50,7 +49,7 @@ Json jointJson(const ModelInfo& info, const InfoDevice& device, const InfoJoint&
   out["velocity"] = limit(&JointLimits::velocity);
   out["effort"] = limit(&JointLimits::effort);
   out["axis"] = vectorJson(joint.axis);
-  out["position"] = entry.first_value ? Json(*entry.first_value) : Json(nullptr);
+  out["position"] = orNull(entry.first_value);
   return out;
 }
 
@@ -76,8 +75,8 @@ Json deviceJson(const InfoDevice& entry) {
   out["pose"] = poseJson(device.pose);
   std::string on = device.on_device;
   if (!device.on_link.empty()) on += "/" + device.on_link;
-  out["on"] = on.empty() ? Json(nullptr) : Json(on);
-  out["layer"] = device.layer.empty() ? Json(nullptr) : Json(device.layer);
+  out["on"] = orNull(on);
+  out["layer"] = orNull(device.layer);
   out["tags"] = device.tags;
   out["optional"] = device.optional;
   return out;
@@ -85,7 +84,7 @@ Json deviceJson(const InfoDevice& entry) {
 
 Json faultsJson(const ModelInfo& info) {
   Json out = Json::array();
-  for (const ModelFault& fault : info.cell->faults) {
+  for (const Finding& fault : info.cell->faults) {
     out.push_back({{"file", info.cell->shown(fault.file)},
                    {"line", fault.line},
                    {"column", fault.column},
@@ -111,8 +110,7 @@ std::string modelInfoJson(const ModelInfo& info) {
   }
   Json textures = Json::array(), cameras = Json::array(), layers = Json::array();
   for (const InfoFile& texture : info.textures) {
-    textures.push_back(
-        {{"file", texture.name}, {"bytes", texture.bytes ? Json(*texture.bytes) : Json(nullptr)}});
+    textures.push_back({{"file", texture.name}, {"bytes", orNull(texture.bytes)}});
   }
   for (const CellCamera& camera : info.cell->cameras) cameras.push_back(camera.name);
   for (const CellLayer& layer : info.cell->layers) layers.push_back(layer.name);
@@ -138,8 +136,7 @@ std::string modelInfoJson(const ModelInfo& info) {
   out["cameras"] = std::move(cameras);
   out["layers"] = std::move(layers);
   out["faults"] = faultsJson(info);
-  // Names are untrusted: replace invalid UTF-8 instead of throwing.
-  return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return jsonText(out);
 }
 
 }  // namespace rocinante

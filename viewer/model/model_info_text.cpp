@@ -137,7 +137,7 @@ void addTextures(std::string& out, const ModelInfo& info) {
 void addFaults(std::string& out, const ModelInfo& info) {
   if (info.cell->faults.empty()) return;
   out += "\n";
-  for (const ModelFault& fault : info.cell->faults) {
+  for (const Finding& fault : info.cell->faults) {
     out += "  " + plainText(info.cell->shown(fault.print())) + "\n";
   }
 }
@@ -161,11 +161,10 @@ std::string namesOf(const std::vector<T>& items) {
   return names;
 }
 
-std::string faultCounts(const ModelFaults& faults) {
+std::string faultCounts(const Findings& faults) {
   std::string text;
   for (const Severity severity : {Severity::error, Severity::warning, Severity::note}) {
-    const auto count = static_cast<std::uint64_t>(std::ranges::count_if(
-        faults, [&](const ModelFault& fault) { return fault.severity == severity; }));
+    const std::size_t count = countOf(faults, severity);
     if (count == 0) continue;
     text += (text.empty() ? "" : ", ") + counted(count, nameOf(severity));
   }

@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <vector>
 
+#include "viewer/model/clearance_command.h"
 #include "viewer/model/convert_command.h"
 #include "viewer/model/fk_command.h"
 #include "viewer/model/info_command.h"
@@ -15,6 +16,7 @@ constexpr const char* kExamples =
     "  rocinante model fk arm.urdf --joints \"0 0.5 0 -1.2 0 0\"\n"
     "  rocinante model fk arm.urdf --degrees --joint elbow=90 --json\n"
     "  rocinante model fk demo.cell.toml --log session.mcap --at 12.5s --device arm\n"
+    "  rocinante model clearance arm.urdf --joint elbow=2.4   does it touch itself?\n"
     "  rocinante model convert arm.urdf -o arm.cell.toml kinematics over one OBJ\n"
     "  rocinante model convert demo.cell.toml -o demo.stl\n";
 
@@ -25,7 +27,8 @@ int main(int argc, char** argv) {
   CLI::App app("Inspects and converts models and cells.", "rocinante-model");
   app.require_subcommand(1);
   const std::vector<ModelCommand> commands{addInfoCommand(app), addTreeCommand(app),
-                                           addFkCommand(app), addConvertCommand(app)};
+                                           addFkCommand(app), addClearanceCommand(app),
+                                           addConvertCommand(app)};
   return cli::run(app, argc, argv, kExamples, [&]() -> Result<cli::Exit> {
     for (const ModelCommand& command : commands) {
       if (command.app->parsed()) return command.run();

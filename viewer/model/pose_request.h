@@ -31,7 +31,4 @@ struct PoseRequest {
 Result<SessionState> posedState(const Cell& cell, const PoseRequest& request,
                                 StateDamage* damage = nullptr);
 
-/// Numbers separated by spaces or commas; bad_argument naming the first invalid one.
-Result<std::vector<double>> parseNumbers(std::string_view text);
-
 }  // namespace rocinante

@@ -6,12 +6,12 @@
 namespace rocinante {
 namespace {
 
-struct LengthUnit {
+struct BarUnit {
   std::string_view name;
   double metres;
 };
-constexpr std::array kUnits{LengthUnit{"nm", 1e-9}, LengthUnit{"µm", 1e-6}, LengthUnit{"mm", 1e-3},
-                            LengthUnit{"m", 1}, LengthUnit{"km", 1e3}};
+constexpr std::array kUnits{BarUnit{"nm", 1e-9}, BarUnit{"µm", 1e-6}, BarUnit{"mm", 1e-3},
+                            BarUnit{"m", 1}, BarUnit{"km", 1e3}};
 constexpr std::array kSteps{1, 2, 5, 10, 20, 50, 100, 200, 500};
 
 }  // namespace
@@ -19,13 +19,13 @@ constexpr std::array kSteps{1, 2, 5, 10, 20, 50, 100, 200, 500};
 std::optional<ScaleBar> scaleBar(double metres_per_pixel, double longest_px) {
   if (!(metres_per_pixel > 0) || !(longest_px > 0)) return std::nullopt;
   std::optional<ScaleBar> best;
-  const auto consider = [&](int count, const LengthUnit& unit) {
+  const auto consider = [&](int count, const BarUnit& unit) {
     const double metres = count * unit.metres;
     const double pixels = metres / metres_per_pixel;
     if (pixels > longest_px) return;
     best = ScaleBar{metres, pixels, std::to_string(count) + " " + std::string(unit.name)};
   };
-  for (const LengthUnit& unit : kUnits) {
+  for (const BarUnit& unit : kUnits) {
     for (const int step : kSteps) consider(step, unit);
   }
   for (const int thousands : {1, 10, 100, 1000}) {

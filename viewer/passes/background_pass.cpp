@@ -85,23 +85,28 @@ const BackgroundPass::Kept* BackgroundPass::kept(const CellScene& look, int widt
   return &kept_.back();
 }
 
-void BackgroundPass::draw(const CellScene& look, const PixelRectangle& part, int frame_height) {
+void BackgroundPass::draw(const CellScene& look, const PixelRectangle& part, int frame_height,
+                          const std::optional<PixelRectangle>& only) {
   GLint bound = 0;
   GLint samples = 0;
   gl_.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
   gl_.GetIntegerv(GL_SAMPLES, &samples);
   const Kept* const picture =
       kept(look, part.width, part.height, samples, static_cast<GLuint>(bound));
-  setViewport(gl_, part, frame_height);
+  setViewport(gl_, part, frame_height, only);
   if (picture == nullptr) {
     drawGradient(look);
     return;
   }
-  const int bottom = frame_height - part.y - part.height;
+  const PixelRectangle drawn = only ? overlapOf(part, *only) : part;
+  const int bottom = frame_height - drawn.y - drawn.height;
+  const int from_x = drawn.x - part.x;
+  const int from_y = part.y + part.height - drawn.y - drawn.height;
   gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, picture->frame);
   gl_.Disable(GL_SCISSOR_TEST);
-  gl_.BlitFramebuffer(0, 0, part.width, part.height, part.x, bottom, part.x + part.width,
-                      bottom + part.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  gl_.BlitFramebuffer(from_x, from_y, from_x + drawn.width, from_y + drawn.height, drawn.x, bottom,
+                      drawn.x + drawn.width, bottom + drawn.height, GL_COLOR_BUFFER_BIT,
+                      GL_NEAREST);
   gl_.Enable(GL_SCISSOR_TEST);
   gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(bound));
 }

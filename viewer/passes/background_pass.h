@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/cell/cell.h"
@@ -18,9 +19,10 @@ class BackgroundPass {
   BackgroundPass(BackgroundPass&& other) noexcept;
   BackgroundPass& operator=(BackgroundPass&&) = delete;
 
-  /// Overwrites colour and alpha of the part in RGBA8; keeps its depths. Leaves the viewport and
-  /// the scissor on the part (setViewport).
-  void draw(const CellScene& look, const PixelRectangle& part, int frame_height);
+  /// Overwrites colour and alpha of the part in RGBA8, with `only` of what lies in both; keeps its
+  /// depths. Leaves viewport and scissor so (setViewport).
+  void draw(const CellScene& look, const PixelRectangle& part, int frame_height,
+            const std::optional<PixelRectangle>& only = {});
 
  private:
   /// A gradient in its own framebuffer.

@@ -19,17 +19,19 @@ Result<DrawPasses> DrawPasses::create(const GlTable& gl, const TextAtlas& atlas)
                     std::move(*overlay)};
 }
 
-void DrawPasses::begin(const CellScene& look, const PixelRectangle& part, int frame_height) {
-  background.draw(look, part, frame_height);
+void DrawPasses::begin(const CellScene& look, const PixelRectangle& part, int frame_height,
+                       const std::optional<PixelRectangle>& only) {
+  background.draw(look, part, frame_height, only);
   gl.DepthMask(GL_TRUE);
   gl.ClearDepth(0);
   gl.Clear(GL_DEPTH_BUFFER_BIT);
-  beginOnTop(part, frame_height);
+  beginOnTop(part, frame_height, only);
 }
 
-void DrawPasses::beginOnTop(const PixelRectangle& part, int frame_height) const {
+void DrawPasses::beginOnTop(const PixelRectangle& part, int frame_height,
+                            const std::optional<PixelRectangle>& only) const {
   if (gl.ClipControl != nullptr) gl.ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-  setViewport(gl, part, frame_height);
+  setViewport(gl, part, frame_height, only);
   gl.Disable(GL_CULL_FACE);
   gl.Disable(GL_BLEND);
   gl.Disable(GL_POLYGON_OFFSET_FILL);

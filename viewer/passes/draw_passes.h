@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "viewer/passes/background_pass.h"
 #include "viewer/passes/grid_pass.h"
 #include "viewer/passes/overlay_pass.h"
@@ -19,10 +21,12 @@ struct DrawPasses {
   }
 
   /// Draws the background of a part of the framebuffer and clears its depths; all passes draw only
-  /// there until the next call.
-  void begin(const CellScene& look, const PixelRectangle& part, int frame_height);
+  /// there until the next call; with `only` what lies in both.
+  void begin(const CellScene& look, const PixelRectangle& part, int frame_height,
+             const std::optional<PixelRectangle>& only = {});
   /// For the overlay pass alone, over existing pixels; clears nothing.
-  void beginOnTop(const PixelRectangle& part, int frame_height) const;
+  void beginOnTop(const PixelRectangle& part, int frame_height,
+                  const std::optional<PixelRectangle>& only = {}) const;
   /// Restores a neutral GL state: no depth test, no blending, nothing bound.
   void end() const;
 

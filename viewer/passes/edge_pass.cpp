@@ -120,12 +120,12 @@ void EdgePass::draw(const std::vector<DrawItem>& items, const SceneCatalog& cata
   gl_.Uniform1i(uniforms_.alone, choice == EdgeChoice::features_alone ? 1 : 0);
   // Nearer by a ten-thousandth of the distance; for an orthographic camera, by the width of a
   // pixel.
-  constexpr double kLift = 1e-4;
+  constexpr double kEdgeLift = 1e-4;
   const glm::dvec4 axis(camera.forward(), 0);
   const double depth_a_metre =
       -(glm::dmat4(camera.clipFromRelative()) * axis).z * (zero_to_one ? 1 : 0.5);
   const glm::vec2 lift(
-      camera.orthographic() ? 0 : static_cast<float>(kLift),
+      camera.orthographic() ? 0 : static_cast<float>(kEdgeLift),
       camera.orthographic() ? static_cast<float>(depth_a_metre * camera.metersPerPixel(0)) : 0);
   // At a depth of one metre; without perspective at any.
   const double metre_px = 1 / (camera.metersPerPixel(1) * scale);

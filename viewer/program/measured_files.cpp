@@ -4,12 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
+
+#include "core/report/json_text.h"
 
 namespace rocinante {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr double kMaxUnits = 65535;
 
@@ -29,7 +28,7 @@ Status writeBoth(const std::filesystem::path& path, const Bytes& png, const Json
                  bool overwrite, Sync sync) {
   if (png.empty()) return Error{ErrorKind::refused, "not enough memory to encode", path.string()};
   if (Status written = writeFileWhole(path, png, overwrite, sync); !written) return written;
-  const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  const std::string text = jsonText(json);
   return writeFileWhole(legendPath(path), bytesOf(text), overwrite, sync);
 }
 

@@ -38,6 +38,9 @@ Status checkMoments(const RenderJob& job) {
   const bool any_span = !chosen.from.empty() || !chosen.until.empty();
   const bool any = chosen.any() || any_span || !job.video.empty();
   if (job.log.empty() && any) return badJob("a time needs a log");
+  if (!job.log.empty() && !job.joints.empty()) {
+    return badJob("--joints poses a cell without a session");
+  }
   if (job.log.empty()) return {};
   const int ways = (any_at ? 1 : 0) + (chosen.every.empty() ? 0 : 1) + (any_event ? 1 : 0);
   if (ways > 1) return badJob("only one of --at, --every and --events can be given");
@@ -85,7 +88,7 @@ Result<std::vector<RenderMoment>> momentsOf(const RenderJob& job, Timeline* sess
 
 std::vector<std::string> warningsOf(const FrameMaker& maker) {
   std::vector<std::string> warnings;
-  for (const ModelFault& fault : maker.cell().faults) {
+  for (const Finding& fault : maker.cell().faults) {
     if (fault.severity != Severity::note) warnings.push_back(fault.print());
   }
   for (const std::string& warning : maker.warnings()) {
@@ -361,6 +364,11 @@ Result<RenderReport> render(const RenderJob& given,
   auto cell = loadCellOrLog(job.cell, options);
   if (!cell) return cell.error();
   if (!job.layers.empty()) chooseLayers(job.layers, look.hide, look.show);
+  for (const std::string& text : job.joints) {
+    if (Status set = setJoints(look.joints, *cell, text); !set) {
+      return Error{set.error().kind, set.error().what, "--joints " + text};
+    }
+  }
   auto maker = FrameMaker::open(std::move(*cell), std::move(session), job.profile);
   if (!maker) return maker.error();
   if (Status made = makeFolders(files); !made) return made.error();

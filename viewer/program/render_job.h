@@ -26,6 +26,7 @@ struct RenderJob : ModelSearch {
   std::filesystem::path depth;       ///< depth: a PNG with its unit in JSON
   bool hashes = false;               ///< RenderedFrame::sha256
   FrameRequest look;                 ///< its time and camera are ignored
+  std::vector<std::string> joints;   ///< for setJoints(); only without a log
   std::vector<std::string> layers;   ///< only these; empty: all
   std::vector<std::string> insets;   ///< for parseInset(); replace the cell's
   bool show_insets = true;

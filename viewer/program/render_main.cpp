@@ -1,7 +1,6 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <tuple>
 
@@ -10,6 +9,7 @@
 #include "core/cli/progress_line.h"
 #include "core/cli/search_options.h"
 #include "core/cli/worker_threads.h"
+#include "core/report/json_text.h"
 #include "viewer/detail/detail_level.h"
 #include "viewer/gl/context_option.h"
 #include "viewer/program/render_job.h"
@@ -44,13 +44,13 @@ void printWarnings(const RenderReport& report) {
 }
 
 void printJson(const RenderReport& report) {
-  nlohmann::ordered_json json;
+  Json json;
   json["format"] = 1;
   json["renderer"] = report.key.text();
   json["inputs"] = report.inputs;
-  json["frames"] = nlohmann::ordered_json::array();
+  json["frames"] = Json::array();
   for (const RenderedFrame& frame : report.frames) {
-    nlohmann::ordered_json one;
+    Json one;
     one["time"] = frame.time;
     one["log_time_ns"] = frame.log_time.time_since_epoch().count();
     if (!frame.event.empty()) one["event"] = frame.event;
@@ -62,10 +62,10 @@ void printJson(const RenderReport& report) {
     if (!frame.damage.empty()) one["damage"] = frame.damage.text();
     json["frames"].push_back(std::move(one));
   }
-  if (!report.videos.empty()) json["videos"] = nlohmann::ordered_json::array();
+  if (!report.videos.empty()) json["videos"] = Json::array();
   for (const auto& video : report.videos) json["videos"].push_back(video.string());
   json["warnings"] = report.warnings;
-  std::printf("%s\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
+  std::fputs(jsonText(json).c_str(), stdout);
 }
 
 void printHashes(const RenderReport& report, bool several_cameras) {
@@ -182,6 +182,11 @@ int main(int argc, char** argv) {
                  "level of detail: 0 (everything) to 9, as in `rocinante view`")
       ->check(CLI::Range(0, kCoarsestRung))
       ->capture_default_str();
+  app.add_option("--joints", job.joints,
+                 "without a session: all joint values of a device in its model's order, "
+                 "\"0 -0.785 0\"; repeatable")
+      ->option_text("[DEVICE=]VALUES")
+      ->allow_extra_args(false);
   app.add_option("--hide", job.look.hide,
                  "do not draw PATH: DEVICE, DEVICE/LINK, layer/NAME; repeatable")
       ->allow_extra_args(false);

@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <signal.h>
-#include <spawn.h>
 #include <sys/mman.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -16,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/child_process.h"
 #include "core/base/plain_text.h"
 
 namespace rocinante {
@@ -143,33 +143,17 @@ Result<VideoFile> VideoFile::create(const std::filesystem::path& path, int width
     arguments.insert(arguments.end(), {"-movflags", "+faststart"});
   }
   arguments.push_back("file:" + impl->beside.string());
-  std::vector<char*> words;
-  for (std::string& argument : arguments) words.push_back(argument.data());
-  words.push_back(nullptr);
-
-  posix_spawn_file_actions_t actions;
-  posix_spawnattr_t attributes;
-  ::posix_spawn_file_actions_init(&actions);
-  ::posix_spawnattr_init(&attributes);
-  ::posix_spawn_file_actions_adddup2(&actions, ends[1], STDIN_FILENO);
-  ::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-  ::posix_spawn_file_actions_adddup2(&actions, impl->words, STDERR_FILENO);
   // Its own process group, so that only we handle Ctrl-C.
-  ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
-  ::posix_spawnattr_setpgroup(&attributes, 0);
-  const int fault =
-      ::posix_spawnp(&impl->child, "ffmpeg", &actions, &attributes, words.data(), environ);
-  ::posix_spawn_file_actions_destroy(&actions);
-  ::posix_spawnattr_destroy(&attributes);
+  const Result<pid_t> child = startChild(arguments, {ends[1], -1, impl->words}, true);
   ::close(ends[1]);
-  if (fault != 0) {
-    impl->child = -1;
-    return videoError(fault == ENOENT
+  if (!child) {
+    return videoError(child.error().kind == ErrorKind::not_found
                           ? std::string("--video needs ffmpeg, which is not in PATH; --frames "
                                         "DIR writes pictures for it")
-                          : std::string("cannot run ffmpeg: ") + std::strerror(fault),
+                          : "cannot run ffmpeg: " + child.error().what,
                       path);
   }
+  impl->child = *child;
   return VideoFile(std::move(impl));
 }
 

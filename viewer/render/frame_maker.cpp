@@ -78,6 +78,7 @@ struct FrameMaker::Impl {
   Profile profile;
   std::optional<Timeline> session;
   SessionState nothing_said;
+  SessionState by_hand;  // with the joints of the last request
   std::unique_ptr<RenderContext> context;
   std::optional<Renderer> renderer;
   std::optional<FittedCameras> fitted;
@@ -191,6 +192,13 @@ Result<FoundFrame> FrameMaker::Impl::findDamaged(const FrameRequest& request, St
   const auto state = stateAt(request.time, damage);
   if (!state) return state.error();
   found.state = *state;
+  if (!request.joints.empty()) {
+    if (session) {
+      return Error{ErrorKind::bad_argument, "joints can be set only without a session", {}};
+    }
+    by_hand = withHand(nothing_said, LogTime{}, request.joints);
+    found.state = &by_hand;
+  }
   found.scene = poses.pose(*found.state);
   if (request.style.limits) found.extras.limits = limitLevels(found.scene, *found.state);
   if (Status placed = placeCameras(request, found); !placed) return placed.error();

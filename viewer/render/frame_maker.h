@@ -12,6 +12,7 @@
 #include "viewer/picture/picture.h"
 #include "viewer/render/identity_frame.h"
 #include "viewer/view/camera.h"
+#include "viewer/view/hand_joints.h"
 #include "viewer/view/pictured_view.h"
 #include "viewer/view/render_style.h"
 
@@ -37,6 +38,8 @@ struct FrameRequest {
   /// Empty: the cell's insets, except those with an unknown camera. Cameras of given insets must
   /// exist. An inset that repeats the main camera is left out.
   std::optional<std::vector<CellInset>> insets;
+  /// Joint values over those of the cell at rest; bad_argument with a session, which says them.
+  HandJoints joints;
   bool panel = false;  ///< in a corner: time, devices, joint values, rates (overlay_panel.h)
 };
 

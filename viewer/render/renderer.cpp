@@ -8,6 +8,7 @@
 #include "core/math/transform.h"
 #include "viewer/cull/coplanar_items.h"
 #include "viewer/gl/viewport.h"
+#include "viewer/overlay/inspection_marks.h"
 #include "viewer/overlay/session_drawings.h"
 #include "viewer/render/inset_frame.h"
 #include "viewer/render/renderer_impl.h"
@@ -158,6 +159,8 @@ Overlay Renderer::Impl::onTopOf(const SceneFrame& frame, const Camera& camera,
   Overlay on_top(camera, frame.scale);
   addLabels(on_top, frame.scene->drawings, *frame.choice, camera, glyphs, style.labels);
   on_top.setOwner(0);
+  addLinkFrames(on_top, *frame.scene, *frame.choice, style.frames, camera);
+  addMeasures(on_top, *frame.scene, style, glyphs);
   if (frame.choice->layerVisible("gnomon")) on_top.addGnomon(glyphs, raised_px);
   if (style.scale_bar) {
     const double metres_per_pixel = camera.metersPerPixel(camera.depthOf(view.target));
@@ -213,7 +216,7 @@ Result<DrawCounts> Renderer::Impl::drawView(const SceneFrame& frame, const LinkL
   if (Status ready = passes->scene.prepare(surfaces, look); !ready) return ready.error();
 
   const bool plain_filtering = frame.detail.plain_filtering || style.shading == Shading::plain;
-  passes->begin(look, part, frame_height);
+  passes->begin(look, part, frame_height, frame.only);
   setClamp(gl, camera.orthographic());
   if (plain_filtering) textures.beginPlainFiltering();
   for (const DrawnSet& set : sets) {
@@ -262,7 +265,7 @@ void Renderer::Impl::drawInsetFrames(const SceneFrame& frame, const FrameBuffer&
   const Camera whole(frame.camera, target.width(), target.height(), passes->clipDepth(), 1);
   for (const FrameInset& inset : frame.insets) {
     // In pixels of the whole picture, clipped to the inset.
-    setViewport(gl, inset.part, target.height());
+    setViewport(gl, inset.part, target.height(), frame.only);
     gl.Viewport(0, 0, target.width(), target.height());
     Overlay overlay(whole, frame.scale);
     addInsetFrame(overlay, inset, atlasOf(frame.scale));
@@ -280,6 +283,7 @@ Result<DrawCounts> Renderer::draw(const SceneFrame& frame, const FrameBuffer& ta
   auto counts = my.drawView(frame, *looks, frame.camera, whole, target.height());
   if (!counts) return counts.error();
   for (const FrameInset& inset : frame.insets) {
+    if (frame.only && overlapOf(inset.part, *frame.only).height == 0) continue;
     const auto more = my.drawView(frame, *looks, inset.camera, inset.part, target.height());
     if (!more) return more.error();
     counts->triangles += more->triangles;

@@ -33,6 +33,7 @@ struct FrameInset {
   std::string title;  ///< empty: none
   std::uint32_t border_rgba = 0x14181CFF;
   int border_px = 1;  ///< drawn inside of `part`
+  bool operator==(const FrameInset&) const = default;
 };
 
 /// The content of one frame. Borrowed during the call.
@@ -51,6 +52,9 @@ struct SceneFrame {
   int raised_px = 0;
   /// Draw labels, gnomon, scale bar and the frames of insets with the scene; else by drawOnTop().
   bool on_top = true;
+  /// Draw these pixels alone, the same as with the others, and leave the others as they are: a
+  /// frame may be drawn in slices.
+  std::optional<PixelRectangle> only{};
 };
 
 /// The link shown by a pixel of a frame.

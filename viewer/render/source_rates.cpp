@@ -14,6 +14,9 @@ std::string sourceOf(const LogChannel& channel) {
   return named ? source->second : channel.topic;
 }
 
+/// Decoded packets speak for a source of their own, beside their octets.
+bool isCounted(const LogChannel& channel) { return channel.captured() || channel.decoded(); }
+
 }  // namespace
 
 Status SourceRates::readOn(LogTime time) {
@@ -33,7 +36,7 @@ Status SourceRates::readOn(LogTime time) {
       if (*message) next_ = Counted{(*message)->log_time, (*message)->channel};
     }
     if (!next_ || next_->time > time) break;
-    if (next_->channel->captured()) window_.push_back(*next_);
+    if (isCounted(*next_->channel)) window_.push_back(*next_);
     next_.reset();
   }
   while (!window_.empty() && window_.front().time <= time - kRateWindow) window_.pop_front();
@@ -45,11 +48,13 @@ Result<std::map<std::string, std::uint64_t>> SourceRates::at(LogTime time, State
     reached_.reset();
     return read.error();
   }
-  const LogPosition before{time - kRateWindow, std::numeric_limits<std::uint64_t>::max()};
-  addDamageBetween(reader_, before, time, damage);
+  const auto endOf = [](LogTime moment) {
+    return LogPosition{moment, std::numeric_limits<std::uint64_t>::max()};
+  };
+  addDamageBetween(reader_, endOf(time - kRateWindow), endOf(time), damage);
   std::map<std::string, std::uint64_t> rates;
   for (const LogChannel& channel : reader_.channels()) {
-    if (channel.captured()) rates.emplace(sourceOf(channel), 0);
+    if (isCounted(channel)) rates.emplace(sourceOf(channel), 0);
   }
   for (const Counted& one : window_) ++rates[sourceOf(*one.channel)];
   return rates;

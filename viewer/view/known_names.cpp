@@ -7,7 +7,7 @@
 #include "core/base/pattern.h"
 #include "core/cell/layer_index.h"
 #include "core/log/log_reader.h"
-#include "core/packet/decoder.h"
+#include "core/session/message_folder.h"
 #include "core/session/timeline.h"
 #include "viewer/view/layer_choice.h"
 
@@ -114,17 +114,12 @@ Status KnownNames::readLog() {
 
   auto reader = LogReader::open(log_);
   if (!reader) return reader.error();
-  std::map<std::string, std::unique_ptr<Decoder>, std::less<>> decoders;
+  MessageFolder folder;
   while (true) {
     const auto message = reader->next();
     if (!message) return message.error();
     if (!*message) break;
-    const LogChannel& channel = *(*message)->channel;
-    if (!channel.folded()) continue;
-    auto& decoder = decoders.try_emplace(channel.encoding).first->second;
-    if (decoder == nullptr) decoder = makeDecoder(channel.encoding);
-    if (decoder == nullptr) continue;
-    const Packet* packet = decoder->decode((*message)->payload);
+    const Packet* const packet = folder.decode(**message);
     if (packet == nullptr) continue;
     for (const Statement& statement : packet->statements) {
       if (statement.kind == StatementKind::add) {
@@ -217,8 +212,8 @@ Status KnownNames::check(const std::vector<std::string>& paths) {
 }
 
 Status KnownNames::check(const RenderStyle& style) {
-  for (const auto* paths :
-       {&style.outlined, &style.wireframe, &style.collision, &style.collision_over}) {
+  for (const auto* paths : {&style.outlined, &style.wireframe, &style.collision,
+                            &style.collision_over, &style.frames}) {
     if (Status fit = check(*paths); !fit) return fit;
   }
   for (const TransparentStyle& one : style.transparent) {
@@ -226,6 +221,9 @@ Status KnownNames::check(const RenderStyle& style) {
   }
   for (const TrailStyle& one : style.trails) {
     if (Status fit = check({one.path}); !fit) return fit;
+  }
+  for (const MeasureStyle& one : style.measures) {
+    if (Status fit = check({one.from.path, one.to.path}); !fit) return fit;
   }
   return {};
 }
@@ -238,7 +236,7 @@ Status KnownNames::checkCamera(const std::string& name) {
   for (const CellCamera& camera : cell_.cameras) known.emplace_back(camera.name);
   Error unknown = unknownName("unknown camera `" + name + "`", name, std::move(known));
   // A faulty camera is not in the cell.
-  const auto fault = std::ranges::find_if(cell_.faults, [](const ModelFault& one) {
+  const auto fault = std::ranges::find_if(cell_.faults, [](const Finding& one) {
     return one.severity == Severity::error && one.rule.starts_with("cell.");
   });
   if (fault != cell_.faults.end()) {

@@ -36,7 +36,7 @@ std::string incompleteText(const Cell& cell) {
   if (names.size() > kMaxNamed) listed += fmt::format(" and {} more", names.size() - kMaxNamed);
   std::string text =
       "the picture is incomplete: meshes of " + listed + " are missing or cannot be read";
-  const auto first = std::ranges::find_if(cell.faults, [](const ModelFault& fault) {
+  const auto first = std::ranges::find_if(cell.faults, [](const Finding& fault) {
     return fault.rule == "model.missing-file" || fault.rule == "model.unusable-mesh";
   });
   if (first != cell.faults.end()) text += ", first: " + first->text;

@@ -29,6 +29,9 @@ constexpr std::array kKeys{
     StyleKey{"collision", "PATH", "collision geometry instead of visuals", true},
     StyleKey{"collision-over", "PATH", "collision geometry over visuals", true},
     StyleKey{"trail", "PATH[@SECONDS]", "path of a device or link; default: the last 5 s", true},
+    StyleKey{"axes", "PATH", "the axes of a link, of all of a device, or of all: *", true},
+    StyleKey{"measure", "PATH@X,Y,Z~PATH@X,Y,Z", "the distance of two points of links", true},
+    StyleKey{"lengths", "mm|m", "the unit of distances"},
 };
 
 Error badStyle(std::string what) { return Error{ErrorKind::bad_argument, std::move(what), {}}; }
@@ -128,6 +131,13 @@ Status addLink(std::vector<std::string>& list, const StyleKey& key, std::string_
   return {};
 }
 
+Status addMeasure(RenderStyle& style, const StyleKey& key, std::string_view value) {
+  auto measure = parseMeasure(value);
+  if (!measure) return badValue(key, value);
+  addOnce(style.measures, std::move(*measure));
+  return {};
+}
+
 std::string shortest(double number) {
   std::array<char, 32> text{};
   const auto [end, fault] = std::to_chars(text.data(), text.data() + text.size(), number);
@@ -143,6 +153,8 @@ Status setOne(RenderStyle& style, const StyleKey& key, std::string_view value) {
   if (name == "collision-over") return addLink(style.collision_over, key, value);
   if (name == "transparent") return addTransparent(style, key, value);
   if (name == "trail") return addTrail(style, key, value);
+  if (name == "axes") return addLink(style.frames, key, value);
+  if (name == "measure") return addMeasure(style, key, value);
 
   bool fit = false;
   if (name == "shading") {
@@ -161,6 +173,9 @@ Status setOne(RenderStyle& style, const StyleKey& key, std::string_view value) {
     fit = chooseSwitch(style.limits, value);
   } else if (name == "scale-bar") {
     fit = chooseSwitch(style.scale_bar, value);
+  } else if (name == "lengths") {
+    fit =
+        choose(style.lengths, value, {{"mm", LengthUnit::millimetres}, {"m", LengthUnit::metres}});
   } else if (name == "layer-looks") {
     fit = chooseSwitch(style.layer_looks, value);
   }
@@ -221,6 +236,9 @@ std::vector<std::pair<std::string, std::string>> styleWords(const RenderStyle& s
   for (const TrailStyle& one : style.trails) {
     say("trail", one.path + "@" + secondsText(one.window) + "s");
   }
+  for (const std::string& path : style.frames) say("axes", path);
+  for (const MeasureStyle& one : style.measures) say("measure", measureText(one));
+  if (style.lengths != plain.lengths) say("lengths", "m");
   return words;
 }
 

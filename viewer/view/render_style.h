@@ -8,6 +8,8 @@
 
 #include "core/base/result.h"
 #include "core/base/time.h"
+#include "viewer/view/measure_style.h"
+#include "viewer/view/units.h"
 
 namespace rocinante {
 
@@ -63,6 +65,9 @@ struct RenderStyle {
   std::vector<std::string> collision;       ///< collision geometry instead of visuals
   std::vector<std::string> collision_over;  ///< both, the collision geometry translucent
   std::vector<TrailStyle> trails;
+  std::vector<std::string> frames;               ///< links whose axes are drawn
+  std::vector<MeasureStyle> measures;            ///< distances drawn with their lengths
+  LengthUnit lengths = LengthUnit::millimetres;  ///< of `measures`
 
   bool operator==(const RenderStyle&) const = default;
 };

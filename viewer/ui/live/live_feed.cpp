@@ -12,7 +12,9 @@
 
 #include "core/base/plain_text.h"
 #include "core/packet/decoder.h"
-#include "core/pcap/open_source.h"
+#include "core/recording/session_clock.h"
+#include "core/transport/open_source.h"
+#include "viewer/ui/live/state_hand_over.h"
 
 namespace rocinante {
 namespace {
@@ -21,6 +23,9 @@ namespace {
 constexpr char kThreadName[] = "rocinante-feed";
 constexpr int kPollMs = 10;
 constexpr std::size_t kSampleBytes = 24;
+/// One endpoint under a flood must not keep the others waiting.
+constexpr int kBatchesATurn = 64;
+constexpr Nanoseconds kNarrowLook = std::chrono::microseconds(2);
 
 /// Datagrams of the last second, in tenths.
 class RateMeter {
@@ -49,59 +54,148 @@ class RateMeter {
   std::int64_t newest_ = 0;
 };
 
+/// The clocks, read at almost one moment: the narrowest of a few readings.
+ClockReading readClocks() {
+  ClockReading best{};
+  for (int attempt = 0; attempt < 4; ++attempt) {
+    ClockReading reading;
+    reading.before = std::chrono::steady_clock::now();
+    reading.wall = std::chrono::time_point_cast<Nanoseconds>(std::chrono::system_clock::now());
+    reading.after = std::chrono::steady_clock::now();
+    const bool narrower = reading.after - reading.before < best.after - best.before;
+    if (attempt == 0 || narrower) best = reading;
+    if (best.after - best.before <= kNarrowLook) break;
+  }
+  return best;
+}
+
 SteadyTime steadyNow() { return std::chrono::steady_clock::now(); }
 
 }  // namespace
 
 struct LiveFeed::Impl {
+  /// What the window takes in one call.
+  struct Mail {
+    LiveFigures figures;
+    StateChanges changes;
+    std::optional<std::vector<LiveSource>> sources;  ///< if they changed
+  };
+  /// Where the reading of a source stands.
+  struct Listening {
+    LogTime last{};           ///< of its latest datagram; does not go back
+    LogTime drained_until{};  ///< everything that arrived before this was received
+    LogTime checked{};        ///< when drops were last read
+    std::uint64_t dropped = 0;
+  };
+
   std::vector<Endpoint> endpoints;
   Sources sources;
-  std::atomic<LiveSnapshot*> mailbox{nullptr};
+  std::unique_ptr<LiveKeeper> keeper;
+  std::string keeping_fault;
+  std::atomic<Mail*> mailbox{nullptr};
+  std::atomic<Mail*> returned{nullptr};  ///< taken, and empty again
   std::atomic<bool> stop{false};
   std::thread thread;
+  std::unique_ptr<Decoder> window_decoder = makeDecoder("rk1");
+
+  // Of the network's thread.
+  SessionState state;
+  LiveFigures figures;
+  std::unique_ptr<Mail> mail = std::make_unique<Mail>();  ///< being filled
+  bool whole = false;  ///< too much has changed: the state is handed over as a copy
+  std::optional<SessionClock> clock;
+  std::vector<Listening> listening;
 
   ~Impl() {
     stop.store(true);
     if (thread.joinable()) thread.join();
     delete mailbox.exchange(nullptr);
+    delete returned.exchange(nullptr);
   }
 
   void run();
+  void observeClock();
   /// Reads all waiting datagrams; returns their number.
-  std::uint64_t drain(Decoder& decoder, LiveSnapshot& current);
+  std::uint64_t drain(Decoder& decoder);
+  void take(std::uint32_t endpoint, const ReceivedDatagram& datagram, Decoder& decoder);
+  void tellKeeper();
+  bool handOver();
 };
 
-std::uint64_t LiveFeed::Impl::drain(Decoder& decoder, LiveSnapshot& current) {
+void LiveFeed::Impl::observeClock() {
+  const std::optional<ClockStep> step = clock->observe(readClocks());
+  if (step && keeper) keeper->addStep(*step);
+}
+
+std::uint64_t LiveFeed::Impl::drain(Decoder& decoder) {
   std::uint64_t count = 0;
-  for (const auto& source : sources) {
-    while (!stop.load(std::memory_order_relaxed)) {
-      const auto batch = source->receive();
+  for (std::uint32_t i = 0; i < sources.size(); ++i) {
+    for (int turn = 0; turn < kBatchesATurn && !stop.load(std::memory_order_relaxed); ++turn) {
+      const LogTime asked = clock->now();
+      const auto batch = sources[i]->receive();
       // A source that fails temporarily (an interface goes down) is polled again.
-      if (!batch.ok() || batch->empty()) break;
-      for (const ReceivedDatagram& datagram : *batch) {
-        ++count;
-        const LogTime arrived{datagram.kernel_time.time_since_epoch()};
-        // The fold's time must not decrease, even if the wall clock does.
-        current.time = std::max(current.time, arrived);
-        const Packet* packet = decoder.decode(datagram.payload);
-        if (packet == nullptr) {
-          if (current.undecoded++ == 0) {
-            current.undecoded_sample = plainText(textOf(datagram.payload.first(
-                std::min<std::size_t>(datagram.payload.size(), kSampleBytes))));
-          }
-        } else {
-          current.state.apply(current.time, *packet);
-        }
+      if (!batch.ok() || batch->empty()) {
+        listening[i].drained_until = asked - sources[i]->deliveryDelay();
+        break;
       }
+      // So that no stamp of the batch is later than the last reading.
+      observeClock();
+      for (const ReceivedDatagram& datagram : *batch) take(i, datagram, decoder);
+      count += batch->size();
+      listening[i].drained_until = listening[i].last;
     }
   }
-  current.state.takeEvents();
   return count;
+}
+
+void LiveFeed::Impl::take(std::uint32_t endpoint, const ReceivedDatagram& datagram,
+                          Decoder& decoder) {
+  Listening& from = listening[endpoint];
+  from.last = std::max(from.last, clock->at(datagram.kernel_time));
+  if (keeper) keeper->add(endpoint, from.last, datagram);
+  // The fold's time must not decrease from one source to the next.
+  figures.time = std::max(figures.time, from.last);
+  const Packet* const packet = decoder.decode(datagram.payload);
+  if (packet == nullptr) {
+    if (figures.undecoded++ == 0) {
+      figures.undecoded_sample = plainText(textOf(
+          datagram.payload.first(std::min<std::size_t>(datagram.payload.size(), kSampleBytes))));
+    }
+    return;
+  }
+  state.apply(figures.time, *packet);
+  whole = whole || !mail->changes.add(figures.time, datagram.payload, state);
+}
+
+/// Tells the keeper what was lost, and up to when everything was received.
+void LiveFeed::Impl::tellKeeper() {
+  LogTime drained_until = clock->now();
+  for (std::uint32_t i = 0; i < sources.size(); ++i) {
+    Listening& each = listening[i];
+    drained_until = std::min(drained_until, each.drained_until);
+    const std::uint64_t dropped = sources[i]->dropped();
+    if (dropped > each.dropped) {
+      keeper->addDropped(i, each.checked, clock->now(), dropped - each.dropped);
+      each.dropped = dropped;
+    }
+    each.checked = clock->now();
+  }
+  keeper->pass(drained_until);
+}
+
+/// Fails when the window has not taken the last mail.
+bool LiveFeed::Impl::handOver() {
+  if (mailbox.load(std::memory_order_acquire) != nullptr) return false;
+  mail->figures = figures;
+  if (std::exchange(whole, false)) mail->changes.replaceBy(state);
+  mailbox.store(mail.release(), std::memory_order_release);
+  mail.reset(returned.exchange(nullptr, std::memory_order_acq_rel));
+  if (!mail) mail = std::make_unique<Mail>();
+  return true;
 }
 
 void LiveFeed::Impl::run() {
   const auto decoder = makeDecoder("rk1");
-  LiveSnapshot current;
   RateMeter meter;
   SourceWatch watch;
   std::vector<pollfd> polls(sources.size());
@@ -110,29 +204,37 @@ void LiveFeed::Impl::run() {
   while (!stop.load(std::memory_order_relaxed)) {
     for (std::size_t i = 0; i < sources.size(); ++i) {
       // A group is joined again when its interface returns; the descriptor may then change.
-      (void)sources[i]->maintain();
+      if (auto said = sources[i]->maintain()) {
+        figures.news = *std::move(said);
+        news = true;
+      }
       polls[i] = {sources[i]->fileDescriptor(), POLLIN, 0};
     }
     ::poll(polls.data(), polls.size(), kPollMs);
-    const std::uint64_t count = drain(*decoder, current);
-    current.datagrams += count;
+    observeClock();
+    const std::uint64_t count = drain(*decoder);
+    state.takeEvents();
+    figures.datagrams += count;
     const SteadyTime now = steadyNow();
     meter.add(now, count);
-    news = watch.look(now, current.state.counts()) || news;
-    current.rate_hz = meter.perSecond();
-    current.dropped = 0;
-    for (const auto& source : sources) current.dropped += source->dropped();
-    news = news || count > 0 || current.rate_hz != told_rate;
-    if (!news || mailbox.load(std::memory_order_acquire) != nullptr) continue;
-    current.gaps = 0;
-    for (const auto& [source, counts] : current.state.counts()) current.gaps += counts.gap;
-    auto copy = std::make_unique<LiveSnapshot>(current);
-    copy->sources = watch.sources();
-    copy->taken = now;
-    LiveSnapshot* expected = nullptr;
-    if (mailbox.compare_exchange_strong(expected, copy.get(), std::memory_order_acq_rel)) {
-      static_cast<void>(copy.release());
-      told_rate = current.rate_hz;
+    if (watch.look(now, state.counts())) {
+      mail->sources = watch.sources();
+      figures.gaps = 0;
+      for (const auto& [source, counts] : state.counts()) figures.gaps += counts.gap;
+      news = true;
+    }
+    figures.rate_hz = meter.perSecond();
+    figures.dropped = 0;
+    const UntrustedCounts told = std::exchange(figures.untrusted, UntrustedCounts{});
+    for (const auto& source : sources) {
+      figures.dropped += source->dropped();
+      if (const auto untrusted = source->counts().untrusted) figures.untrusted += *untrusted;
+    }
+    if (keeper) tellKeeper();
+    figures.taken = now;
+    news = news || figures.untrusted != told || count > 0 || figures.rate_hz != told_rate;
+    if (news && handOver()) {
+      told_rate = figures.rate_hz;
       news = false;
     }
   }
@@ -143,7 +245,9 @@ LiveFeed::~LiveFeed() = default;
 LiveFeed::LiveFeed(LiveFeed&&) noexcept = default;
 LiveFeed& LiveFeed::operator=(LiveFeed&&) noexcept = default;
 
-Result<LiveFeed> LiveFeed::start(const std::vector<Endpoint>& endpoints) {
+Result<LiveFeed> LiveFeed::start(const std::vector<Endpoint>& endpoints,
+                                 std::shared_ptr<TrustJudge> trust,
+                                 const std::optional<KeepLimits>& keep) {
   auto impl = std::make_unique<Impl>();
   impl->endpoints = endpoints;
   for (const Endpoint& endpoint : endpoints) {
@@ -153,9 +257,26 @@ Result<LiveFeed> LiveFeed::start(const std::vector<Endpoint>& endpoints) {
                    endpoint.text()};
     }
   }
-  auto sources = openSources(endpoints, InputOptions());
+  InputOptions listening;
+  listening.trust = std::move(trust);
+  auto sources = openSources(endpoints, listening);
   if (!sources) return sources.error();
   impl->sources = std::move(*sources);
+  impl->clock.emplace(readClocks());
+  impl->listening.resize(impl->sources.size());
+  std::vector<ListenedEndpoint> listened;
+  for (std::size_t i = 0; i < impl->sources.size(); ++i) {
+    listened.push_back({impl->sources[i]->endpoint(), impl->sources[i]->boundAddress()});
+    impl->listening[i].checked = impl->clock->now();
+  }
+  if (keep && !keep->none()) {
+    auto keeper = LiveKeeper::start(KeptFolder::ofUser(), *keep, std::move(listened));
+    if (keeper.ok()) {
+      impl->keeper = std::move(*keeper);
+    } else {
+      impl->keeping_fault = keeper.error().text();
+    }
+  }
   Impl* feed = impl.get();
   impl->thread = std::thread([feed] {
     ::prctl(PR_SET_NAME, kThreadName);
@@ -164,9 +285,18 @@ Result<LiveFeed> LiveFeed::start(const std::vector<Endpoint>& endpoints) {
   return LiveFeed(std::move(impl));
 }
 
-std::unique_ptr<LiveSnapshot> LiveFeed::take() {
-  return std::unique_ptr<LiveSnapshot>(impl_->mailbox.exchange(nullptr, std::memory_order_acq_rel));
+bool LiveFeed::update(LiveSnapshot& live) {
+  std::unique_ptr<Impl::Mail> mail(impl_->mailbox.exchange(nullptr, std::memory_order_acq_rel));
+  if (!mail) return false;
+  static_cast<LiveFigures&>(live) = std::move(mail->figures);
+  std::move(mail->changes).applyTo(live.state, *impl_->window_decoder);
+  if (mail->sources) live.sources = *std::exchange(mail->sources, std::nullopt);
+  delete impl_->returned.exchange(mail.release(), std::memory_order_acq_rel);
+  return true;
 }
+
+LiveKeeper* LiveFeed::keeper() const { return impl_->keeper.get(); }
+const std::string& LiveFeed::keepingFault() const { return impl_->keeping_fault; }
 
 const std::vector<Endpoint>& LiveFeed::endpoints() const { return impl_->endpoints; }
 

@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "core/base/time.h"
+#include "core/net/datagram_source.h"
 #include "core/net/endpoint.h"
+#include "core/report/finding.h"
 
 namespace rocinante {
 
@@ -17,16 +19,13 @@ struct LiveFacts {
   std::uint64_t datagrams = 0;
   std::uint64_t undecoded = 0;   ///< of those: not packets
   std::string undecoded_sample;  ///< the beginning of the first of them, printable
+  UntrustedCounts untrusted;     ///< refused by --trust; not among `datagrams`
   std::size_t devices_spoken_of = 0;
+  std::string news;            ///< what a source said last about receiving; may be empty
   std::string unknown_device;  ///< one of them, when the cell has none of them
 };
 
-struct LiveReason {
-  std::string what;  ///< one sentence
-  std::string hint;  ///< what to check; may be empty
-};
-
 /// Why nothing moves; empty when there is no problem or it is too early to say. Pure.
-std::optional<LiveReason> liveReason(const LiveFacts& facts);
+std::optional<Finding> liveReason(const LiveFacts& facts);
 
 }  // namespace rocinante

@@ -54,6 +54,7 @@ bool SourceWatch::look(SteadyTime now,
     row.late = one.late;
     row.restarts = one.restarts;
     row.faulty_lines = faultyLines(one);
+    row.is_mixed = one.isMixed();
     seen.push_back(std::move(row));
   }
   const bool changed = !(seen == sources_);

@@ -21,6 +21,7 @@ struct LiveSource {
   std::uint64_t late = 0;          ///< dropped: older than received ones, or duplicates
   std::uint64_t restarts = 0;      ///< times it restarted
   std::uint64_t faulty_lines = 0;  ///< unreadable lines of all its packets
+  bool is_mixed = false;           ///< heard whole and also filtered by a relay
   bool operator==(const LiveSource&) const = default;
 };
 

@@ -28,6 +28,8 @@ class Turntable {
   void zoomAt(double steps, double right_px, double down_px, int height_px);
   /// Turns about `point` from now on, with the same direction and distance.
   void aimAt(const Vec3& point) { target_ = point; }
+  /// Moves eye and target.
+  void shift(const Vec3& by) { target_ += by; }
   /// Shows all `points` from the present direction. Does nothing without points.
   void fit(const std::vector<Vec3>& points, int width_px, int height_px);
 

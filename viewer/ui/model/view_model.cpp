@@ -3,17 +3,12 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/packet/packet_text.h"
+#include "core/math/transform.h"
 #include "core/session/marks.h"
 #include "viewer/view/camera_choice.h"
 #include "viewer/view/limit_levels.h"
 
 namespace rocinante {
-
-std::string Selection::path() const {
-  if (device.empty()) return {};
-  return link.empty() ? encodeName(device) : encodeName(device) + "/" + encodeName(link);
-}
 
 Result<ViewModel> ViewModel::make(Cell cell, std::optional<Timeline> session,
                                   std::optional<LiveFeed> feed, std::vector<std::string> hide,
@@ -31,16 +26,24 @@ Result<ViewModel> ViewModel::make(Cell cell, std::optional<Timeline> session,
   model.shown_paths_.insert(show.begin(), show.end());
   if (auto chosen = model.updateChoice(); !chosen) return chosen.error();
   model.feed_ = std::move(feed);
+  if (model.feed_) {
+    model.live_ = std::make_unique<LiveSnapshot>();
+    model.keeping_trouble_ = model.feed_->keepingFault();
+  }
   if (session) {
     StateDamage hiding;  // the panel counts all places of damage
     auto events = session->events(&hiding);
     if (!events.ok()) return events.error();
     model.events_ = **events;
     model.cursor_.emplace(session->start(), session->end());
+    model.time_view = TimeView(session->start(), session->end());
     for (const LossSpan& span : session->log().losses()) {
       model.recorded_losses_ += span.counts.kernel + span.counts.queue + span.counts.disk;
     }
+    model.log_grows_ = session->growing();
     model.session_ = std::move(session);
+    model.cursor_->setGrowing(model.log_grows_);
+    model.cursor_->followNow();
   }
   for (const CellInset& inset : model.cell_->insets) model.insets.push_back({inset, true});
   model.resetCamera();
@@ -54,48 +57,70 @@ Status ViewModel::updateChoice() {
   return {};
 }
 
+Status ViewModel::findTrails(LogTime moment) {
+  extras_.trails.clear();
+  if (style_.trails.empty() || !session_) return {};
+  if (!trail_finder_) trail_finder_.emplace(*cell_);
+  // Places behind the end of a log that grows would be remembered as they are not.
+  const LogTime known = log_grows_ ? std::min(moment, session_->end()) : moment;
+  auto trails = trail_finder_->find(style_.trails, *session_, known, damage_);
+  if (!trails.ok()) return trails.error();
+  extras_.trails = std::move(*trails);
+  return {};
+}
+
 Status ViewModel::findState(LogTime moment) {
   // Trails first: they query states too, and only the last one is valid.
-  extras_.trails.clear();
   damage_ = {};
-  if (!style_.trails.empty()) {
-    if (!trail_finder_) trail_finder_.emplace(*cell_);
-    auto trails = trail_finder_->find(style_.trails, *session_, moment, damage_);
-    if (!trails.ok()) return trails.error();
-    extras_.trails = std::move(*trails);
-  }
+  if (auto trails = findTrails(moment); !trails) return trails;
   const auto state = session_->stateAt(moment, &damage_);
   if (!state.ok()) return state.error();
-  state_ = *state;
+  receive(**state);
   seen_damage_.add(damage_);
   return {};
+}
+
+void ViewModel::receive(const SessionState& state) {
+  received_ = &state;
+  scene_is_old_ = true;
 }
 
 Result<bool> ViewModel::update(SteadyTime now) {
   bool changed = !shown_.has_value() || std::exchange(style_changed_, false);
   LogTime moment = shownTime();
-  if (cursor_) {
+  if (feed_ && hear(now)) changed = true;
+  if (log_grows_ || feed_) changed = watchLog(now) || changed;
+  const bool shows_live = feed_ && showsNow();
+  if (shows_live) {
+    moment = live_->time;
+    if (changed) {
+      damage_ = {};
+      if (auto trails = findTrails(moment); !trails) loseLog(trails.error());
+    }
+    // Set each time: this model may have been moved.
+    const SessionState& live = heard_ ? live_->state : nothing_said_;
+    if (received_ != &live) receive(live);
+  } else if (cursor_) {
     moment = cursor_->position(now);
     if (changed || shown_ != moment) {
-      if (auto found = findState(moment); !found) return found.error();
+      if (auto found = showMoment(moment); !found) {
+        if (!log_grows_) return found.error();
+        receive(nothing_said_);
+        loseLog(found.error());
+      }
       changed = true;
     }
-  } else if (feed_) {
-    if (!live_since_) live_since_ = now;
-    if (auto snapshot = feed_->take()) {
-      if (snapshot->datagrams > (live_ ? live_->datagrams : 0)) last_arrival_ = now;
-      live_ = std::move(snapshot);
-      live_at_ = now;
-      state_ = &live_->state;
-      moment = live_->time;
-      changed = true;
-    }
+  } else if (received_ != &nothing_said_) {
+    receive(nothing_said_);
   }
-  // Set each time: this model may have been moved.
-  if (!cursor_ && !live_) state_ = &nothing_said_;
   shown_ = moment;
+  hand.setSituation(shows_live, cursor_ && cursor_->playing());
+  changed = hand.takeChanged() || changed;
+  changed = std::exchange(scene_is_old_, false) || changed;
+  if (changed || !hand.drawn()) state_ = hand.over(*received_, moment);
   if (changed) {
     scene_ = poses_->pose(*state_);
+    follow();
     extras_.limits =
         style_.limits ? limitLevels(scene_, *state_) : std::vector<std::vector<LimitLevel>>();
     // Checking thousands of devices for each frame would cost as much as posing them.
@@ -107,16 +132,37 @@ Result<bool> ViewModel::update(SteadyTime now) {
   return changed;
 }
 
-std::optional<LiveReason> ViewModel::liveReason(SteadyTime now) const {
+Selection ViewModel::inspected() const {
+  if (!selected.device.empty() || session_ || feed_) return selected;
+  for (const PosedDevice& device : scene_.devices) {
+    if (device.model != nullptr && device.model->positionalCount() > 0) return {device.name, ""};
+  }
+  return {};
+}
+
+Status ViewModel::setByHand(const std::string& device, const std::string& value_name, double value,
+                            SteadyTime now) {
+  const PosedDevice* const posed = scene_.findDevice(device);
+  if (posed == nullptr) {
+    return Error{ErrorKind::bad_argument, "there is no such device now", device};
+  }
+  if (cursor_) cursor_->pause(now);
+  hand.setSituation(feed_.has_value() && !cursor_, false);
+  return hand.set(*posed, received_->findDevice(device), value_name, value);
+}
+
+std::optional<Finding> ViewModel::liveReason(SteadyTime now) const {
   if (!feed_ || !live_since_) return std::nullopt;
   LiveFacts facts;
   facts.endpoints = feed_->endpoints();
   facts.watched = now - *live_since_;
   facts.silent = now - last_arrival_.value_or(*live_since_);
-  if (live_) {
+  if (heard_) {
     facts.datagrams = live_->datagrams;
     facts.undecoded = live_->undecoded;
+    facts.untrusted = live_->untrusted;
     facts.undecoded_sample = live_->undecoded_sample;
+    facts.news = live_->news;
     facts.devices_spoken_of = live_->state.devices().size();
     bool any_known = false;
     for (const auto& [name, device] : live_->state.devices()) {
@@ -129,10 +175,38 @@ std::optional<LiveReason> ViewModel::liveReason(SteadyTime now) const {
 }
 
 std::vector<SourceRow> ViewModel::sourceRows(SteadyTime now) const {
-  if (!live_) return rocinante::sourceRows({}, *cell_, {});
+  if (!heard_) return rocinante::sourceRows({}, *cell_, {});
   // The feed's clock is not the script's: only differences count.
   const Nanoseconds since = live_at_ ? now - *live_at_ : Nanoseconds(0);
   return rocinante::sourceRows(live_->sources, *cell_, live_->taken + since);
+}
+
+LogStudy* ViewModel::study() {
+  if (!session_) return nullptr;
+  if (!study_) study_ = std::make_unique<LogStudy>(*cell_, session_->log().name());
+  study_->waits = study_waits;
+  return study_.get();
+}
+
+const FindingsStudy* ViewModel::findings() {
+  if (!session_ || !findings_wanted) return nullptr;
+  if (!judged_) {
+    // One thread after the other: two cores also have to draw.
+    if (picture == nullptr || (study_ && study_->isBusy())) return nullptr;
+    judged_ = std::make_unique<FindingsStudy>(*cell_, session_->log().name());
+  }
+  if (study_waits) judged_->wait();
+  judged_seen_ = judged_->isFinished();
+  return judged_.get();
+}
+
+bool ViewModel::hasStudyNews() const {
+  return (study_ && study_->hasNews()) || (judged_ && !judged_seen_ && judged_->isFinished());
+}
+
+bool ViewModel::isStudyBusy() const {
+  return (study_ && study_->isBusy()) || (judged_ && !judged_->isFinished()) ||
+         (study_ && findings_wanted && !judged_);
 }
 
 Status ViewModel::addMark(const std::string& text) {
@@ -140,7 +214,8 @@ Status ViewModel::addMark(const std::string& text) {
   Event mark;
   mark.time = shownTime();
   mark.text = text;
-  if (auto added = rocinante::addMark(session_->log().name(), mark); !added) return added;
+  if (auto added = rocinante::addMark(session_->logAt(mark.time).name(), mark); !added)
+    return added;
   const auto after = std::ranges::upper_bound(events_, mark.time, {}, &Event::time);
   events_.insert(after, std::move(mark));
   return {};
@@ -148,11 +223,13 @@ Status ViewModel::addMark(const std::string& text) {
 
 Result<std::optional<LogTime>> ViewModel::packetBeside(bool after) {
   if (!session_) return std::optional<LogTime>();
-  if (!walker_) {
-    auto opened = LogReader::open(session_->log().name());
+  const std::string& log = session_->logAt(shownTime()).name();
+  if (!walker_ || walker_->name() != log) {
+    auto opened = log_grows_ ? LogReader::openGrowing(log) : LogReader::open(log);
     if (!opened.ok()) return opened.error();
     walker_ = std::move(*opened);
   }
+  if (auto grown = walker_->refresh(); !grown.ok()) return grown.error();
   const LogTime from = after ? shownTime() + Nanoseconds(1) : shownTime();
   if (auto there = walker_->seek(from); !there) return there.error();
   while (true) {
@@ -179,8 +256,33 @@ void ViewModel::setStyle(const RenderStyle& style) {
 
 RenderStyle ViewModel::frameStyle() const {
   RenderStyle style = style_;
+  if (picking.first()) style.measures.push_back({*picking.first(), *picking.first()});
+  if (!style.measures.empty()) style.lengths = hand.units.length;
   if (outline_selected && !selected.device.empty()) style.outlined.push_back(selected.path());
   return style;
+}
+
+void ViewModel::pickPoint(const Selection& link, const Vec3& point) {
+  if (auto measure = picking.add(scene_, link, point)) {
+    RenderStyle style = style_;
+    style.measures.push_back(std::move(*measure));
+    setStyle(style);
+  }
+}
+
+void ViewModel::toggleFollowing() {
+  followed = followed.device.empty() ? selected : Selection();
+  followed_at_.reset();
+  follow();
+}
+
+void ViewModel::follow() {
+  if (followed.device.empty()) return;
+  const auto space = scene_.find(followed.device, followed.link);
+  if (!space) return followed_at_.reset();
+  const Vec3 at = positionOf(*space);
+  if (followed_at_ && at != *followed_at_) holdCamera().shift(at - *followed_at_);
+  followed_at_ = at;
 }
 
 CameraView ViewModel::cameraView() {
@@ -197,10 +299,21 @@ CameraView ViewModel::cameraView() {
   return turntable_.view();
 }
 
-void ViewModel::useCamera(const std::string& name) { camera_name_ = name; }
+void ViewModel::useCamera(const std::string& name) {
+  camera_name_ = name;
+  followed = {};
+}
+
+void ViewModel::addCamera(CellCamera camera) {
+  camera_name_ = camera.name;
+  cell_->cameras.push_back(std::move(camera));
+  // Cameras are posed with the scene.
+  scene_ = poses_->pose(*state_);
+}
 
 void ViewModel::resetCamera() {
   turntable_ = Turntable();
+  followed = {};
   camera_name_ = cell_->cameras.empty() ? std::string() : cell_->cameras.front().name;
 }
 

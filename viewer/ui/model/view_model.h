@@ -14,9 +14,20 @@
 #include "viewer/ui/live/live_feed.h"
 #include "viewer/ui/live/live_reason.h"
 #include "viewer/ui/live/source_rows.h"
+#include "viewer/ui/model/hand_control.h"
+#include "viewer/ui/model/inspection.h"
 #include "viewer/ui/model/misfits.h"
+#include "viewer/ui/model/open_state.h"
+#include "viewer/ui/model/packet_search.h"
+#include "viewer/ui/model/palette_state.h"
+#include "viewer/ui/model/panel_places.h"
+#include "viewer/ui/model/plot_board.h"
+#include "viewer/ui/model/selection.h"
+#include "viewer/ui/model/time_view.h"
 #include "viewer/ui/model/timeline_cursor.h"
 #include "viewer/ui/model/turntable.h"
+#include "viewer/ui/study/findings_study.h"
+#include "viewer/ui/study/log_study.h"
 #include "viewer/view/frame_extras.h"
 #include "viewer/view/known_names.h"
 #include "viewer/view/render_style.h"
@@ -31,20 +42,12 @@ struct InsetChoice {
   bool shown = true;
 };
 
-/// The selected object.
-struct Selection {
-  std::string device;  ///< empty: nothing
-  std::string link;    ///< empty: the device as a whole
-  bool operator==(const Selection&) const = default;
-  /// The PATH, as in packets and styles.
-  std::string path() const;
-};
-
 /// The state behind the panels: what the window shows and what the user chose. Needs no window. Not
 /// thread-safe.
 class ViewModel {
  public:
-  /// For the cell alone, a recorded session or a live one: at most one of `session` and `feed`.
+  /// For the cell alone, a recorded session, which may still grow, or a live one: at most one of
+  /// `session` and `feed`.
   /// not_found for an unknown PATH (KnownNames).
   static Result<ViewModel> make(Cell cell, std::optional<Timeline> session,
                                 std::optional<LiveFeed> feed, std::vector<std::string> hide,
@@ -53,12 +56,15 @@ class ViewModel {
   const Cell& cell() const { return *cell_; }
   /// Checks PATHs and cameras' names.
   KnownNames& names() { return *names_; }
+  /// The drawn state: received(), or with joints set by hand.
   const SessionState& state() const { return *state_; }
+  const SessionState& received() const { return *received_; }
   const PosedScene& scene() const { return scene_; }
   const ViewChoice& choice() const { return choice_; }
 
-  /// Null without a log.
+  /// Null without a log; of a live session, before anything is kept.
   TimelineCursor* cursor() { return cursor_ ? &*cursor_ : nullptr; }
+  const TimelineCursor* cursor() const { return cursor_ ? &*cursor_ : nullptr; }
   LogTime origin() const { return session_ ? session_->origin() : LogTime{}; }
   /// The shown moment as of the last update(); the newest datagram's in live mode.
   LogTime shownTime() const { return shown_.value_or(LogTime{}); }
@@ -72,13 +78,23 @@ class ViewModel {
   /// Adds a mark beside the log at the shown moment; it then appears in events().
   Status addMark(const std::string& text);
   /// Null when not live or before the first datagram.
-  const LiveSnapshot* live() const { return live_.get(); }
+  const LiveSnapshot* live() const { return heard_ ? live_.get() : nullptr; }
+  /// What becomes of a live session's kept log, for the panels; empty when there is nothing to say.
+  const std::string& keepingTrouble() const { return keeping_trouble_; }
+  /// Goes to now and stays there; false when the session does not go on.
+  bool goToNow();
+  /// Now is shown: a live session, or the end of a log that is being written.
+  bool showsNow() const { return feed_ && !cursor_ ? true : cursor_ && cursor_->following(); }
+  /// A log that has the shown moment whole, for other programs. Of a kept log, its piece, once that
+  /// is finished: waits for it, two seconds at most.
+  Result<std::filesystem::path> logOfShownMoment();
   /// The sources of a live session and those that the cell expects; valid until update().
   std::vector<SourceRow> sourceRows(SteadyTime now) const;
   bool isLive() const { return feed_.has_value(); }
   const LiveFeed& feed() const { return *feed_; }
+  LiveFeed& feed() { return *feed_; }
   /// Why nothing moves in a live session; empty otherwise.
-  std::optional<LiveReason> liveReason(SteadyTime now) const;
+  std::optional<Finding> liveReason(SteadyTime now) const;
   /// Received data that does not fit the cell; in a live session at most half a second old.
   const std::vector<Misfit>& misfits() const { return misfits_; }
   /// Damage of the log that affects the picture, and any picture shown so far.
@@ -87,13 +103,32 @@ class ViewModel {
   Timeline* session() { return session_ ? &*session_ : nullptr; }
   const Timeline* session() const { return session_ ? &*session_ : nullptr; }
 
+  /// The log as functions of time, read in the background from the first call on; null without one.
+  LogStudy* study();
+  /// The log as `rocinante check` judges it, in the background once study() has read the log; null
+  /// before that, without a log, and while `findings_wanted` is false.
+  const FindingsStudy* findings();
+  /// The background has something new to show.
+  bool hasStudyNews() const;
+  /// The background is about to have something new: the window should look soon.
+  bool isStudyBusy() const;
+
   /// Updates state and scene to `now`; true when they changed.
   Result<bool> update(SteadyTime now);
+
+  /// What the device's panel shows: the selection; without one, and without packets, the first
+  /// device that has joints.
+  Selection inspected() const;
+  /// HandControl::set for a device by name; pauses the log.
+  Status setByHand(const std::string& device, const std::string& value_name, double value,
+                   SteadyTime now);
 
   /// The picture's camera: a named one, until the mouse moves it.
   CameraView cameraView();
   const std::string& cameraName() const { return camera_name_; }  ///< empty: the turntable
   void useCamera(const std::string& name);
+  /// Adds a camera to those of the cell, which is the shown one's from now on.
+  void addCamera(CellCamera camera);
   /// Selects the cell's first camera, or without one the initial turntable, not fitted yet.
   void resetCamera();
   /// The turntable, placed at the present camera.
@@ -113,18 +148,42 @@ class ViewModel {
   std::vector<std::string> shownPaths() const { return {shown_paths_.begin(), shown_paths_.end()}; }
 
   /// All optional looks, as changed by panels and keys. frameStyle() adds the outline of the
-  /// selection.
+  /// selection, and what is being picked.
   const RenderStyle& style() const { return style_; }
   void setStyle(const RenderStyle& style);
   RenderStyle frameStyle() const;
+  /// A click on a surface while a distance is picked.
+  void pickPoint(const Selection& link, const Vec3& point);
+  /// The camera moves with the selection from now on, or no longer.
+  void toggleFollowing();
+
   /// Data for limits and trails of the style, for scene().
   const FrameExtras& extras() const { return extras_; }
 
   std::vector<InsetChoice> insets;
   Selection selected;
+  HandControl hand;
+  TimeView time_view;  ///< what the time line shows
+  PlotBoard plots;
+  std::shared_ptr<const StudyPicture> picture;  ///< of the log, as far as known; may be null
+  bool study_waits = false;                     ///< under a script, for identical screenshots
+  bool findings_wanted = true;                  ///< judge the log in the background
+  std::size_t finding_shown = 0;                ///< number in the report, from 1; 0: none
+  bool asks_mark = false;                       ///< the text of a mark is being typed
+  bool asks_time = false;                       ///< an exact time is being typed
+  std::array<char, 64> time_text{};             ///< that; NUL-terminated
+  Selection reference;      ///< in whose space poses are shown; empty: the world
+  DistancePicking picking;  ///< of a distance
+  PacketLookup packet;
+  Selection followed;  ///< the camera moves with it; empty: with nothing
   bool outline_selected = true;
   bool panels_shown = true;
   bool help_shown = false;
+  bool is_empty = false;  ///< nothing is shown yet: an empty cell stands for it
+  OpenState open;
+  PanelPlaces places;
+  bool is_light = false;  ///< light panels instead of dark ones
+  PaletteState palette;
   std::array<char, 256> mark_text{};     ///< being typed; NUL-terminated
   std::array<char, 64> device_filter{};  ///< part of the listed names; NUL-terminated
   std::array<char, 64> source_filter{};  ///< the same for sources
@@ -137,12 +196,40 @@ class ViewModel {
   ViewModel() = default;
   Status updateChoice();
   Status findState(LogTime moment);
+  void follow();
+  /// Trails up to `moment`, as far as the log goes.
+  Status findTrails(LogTime moment);
+  // Of a session that goes on (view_model_growing.cpp).
+
+  /// Takes what came; true when it changes the picture.
+  bool hear(SteadyTime now);
+  /// Looks at the growing log, now and then; true when the shown state may have become known.
+  bool watchLog(SteadyTime now);
+  bool openKeptLog();
+  void takeOverLog();
+  void loseLog(const Error& error);
+  /// From now on `state` is what was received. The scene refers to drawings of the one before,
+  /// which may be gone: it is posed anew before anything is drawn.
+  void receive(const SessionState& state);
+  /// Shows the moment of the log, or what was live then while the log does not have it yet.
+  Status showMoment(LogTime moment);
 
   std::unique_ptr<Cell> cell_;       // does not move: the renderer borrows it
   std::optional<KnownNames> names_;  // of *cell_
   std::optional<Timeline> session_;
   std::optional<LiveFeed> feed_;
   std::unique_ptr<LiveSnapshot> live_;
+  bool heard_ = false;  ///< something has come
+  /// The live state of the moment at which the user left now: the log has it a little later.
+  struct LeftNow {
+    LogTime time;
+    SessionState state;
+  };
+  std::optional<LeftNow> left_now_;
+  bool was_following_ = false;
+  bool log_grows_ = false;
+  std::optional<SteadyTime> log_watched_;
+  std::string keeping_trouble_;
   std::optional<SteadyTime> live_since_, last_arrival_, live_at_;
   std::optional<TimelineCursor> cursor_;
   std::optional<LogReader> walker_;  // over datagrams; made on first use
@@ -150,6 +237,8 @@ class ViewModel {
   StateDamage damage_, seen_damage_;
   std::optional<LogTime> shown_;
   SessionState nothing_said_;
+  const SessionState* received_ = &nothing_said_;
+  bool scene_is_old_ = false;  ///< not posed of what is received
   const SessionState* state_ = &nothing_said_;
   std::optional<ScenePoseCache> poses_;  // of *cell_
   PosedScene scene_;
@@ -160,10 +249,14 @@ class ViewModel {
   std::vector<Misfit> misfits_;
   std::optional<SteadyTime> misfits_at_;
   std::vector<Event> events_;
+  std::unique_ptr<LogStudy> study_;        // borrows *cell_
+  std::unique_ptr<FindingsStudy> judged_;  // borrows *cell_
+  bool judged_seen_ = false;
   std::set<std::string> hidden_, shown_paths_;
   ViewChoice choice_;
   std::string camera_name_;
   Turntable turntable_;
+  std::optional<Vec3> followed_at_;
 };
 
 }  // namespace rocinante

@@ -8,8 +8,10 @@
 
 #include "core/base/count_text.h"
 #include "core/base/plain_text.h"
+#include "core/base/size_text.h"
 #include "core/cli/text_table.h"
 #include "viewer/ui/panels/panel_parts.h"
+#include "viewer/ui/panels/placed_panel.h"
 
 namespace rocinante {
 namespace {
@@ -39,7 +41,7 @@ void drawSourceCount(const ViewModel& model, SteadyTime now) {
   const auto silent = std::ranges::count_if(rows, &SourceRow::is_silent);
   if (silent == 0) return;
   ImGui::SameLine(0, 0);
-  ImGui::TextColored(kAmissColor, ", %td silent", silent);
+  ImGui::TextColored(ink(kAmissColor), ", %td silent", silent);
 }
 
 void drawLive(const ViewModel& model, SteadyTime now) {
@@ -47,6 +49,11 @@ void drawLive(const ViewModel& model, SteadyTime now) {
     ImGui::TextUnformatted(endpoint.text().c_str());
   }
   const LiveSnapshot* live = model.live();
+  if (live != nullptr && live->untrusted.total() > 0) {
+    ImGui::TextColored(ink(kAmissColor), "%s",
+                       ("not trusted: " + cli::grouped(live->untrusted.total())).c_str());
+    explain(live->untrusted.text().c_str());
+  }
   if (live == nullptr || live->datagrams == 0) {
     ImGui::TextDisabled("listening; nothing has come yet");
     return;
@@ -55,30 +62,47 @@ void drawLive(const ViewModel& model, SteadyTime now) {
   ImGui::TextUnformatted(cli::counted(live->datagrams, "datagram").c_str());
   const std::uint64_t lost = live->dropped + live->gaps;
   const ImVec4 color = lost == 0 ? ImVec4(0.55F, 0.85F, 0.62F, 1) : kAmissColor;
-  ImGui::TextColored(color, "lost: %llu by this machine, %llu before",
+  ImGui::TextColored(ink(color), "lost: %llu by this machine, %llu before",
                      static_cast<unsigned long long>(live->dropped),
                      static_cast<unsigned long long>(live->gaps));
   drawSourceCount(model, now);
   if (live->undecoded > 0) {
-    ImGui::TextColored(kAmissColor, "%s",
+    ImGui::TextColored(ink(kAmissColor), "%s",
                        ("not packets: " + cli::grouped(live->undecoded)).c_str());
     explain(("the first begins " + live->undecoded_sample).c_str());
+  }
+}
+
+/// Draws what is kept of a live session, and whether it is now.
+void drawKept(const ViewModel& model) {
+  const LiveKeeper* const keeper = model.feed().keeper();
+  if (!model.keepingTrouble().empty()) {
+    ImGui::TextColored(kAmissColor, "not kept");
+    explain(model.keepingTrouble().c_str());
+  } else if (keeper != nullptr) {
+    ImGui::TextUnformatted(("kept: " + sizeText(keeper->progress().bytes)).c_str());
+    explain("the past can be shown; Shift S saves it as a log");
+  }
+  if (!model.showsNow()) {
+    ImGui::TextColored(kAmissColor, "the past");
+    explain("N goes to now");
   }
 }
 
 void drawSession(const ViewModel& model, SteadyTime now) {
   if (model.isLive()) {
     drawLive(model, now);
+    drawKept(model);
   } else if (const Timeline* session = model.session()) {
     ImGui::TextUnformatted(
         std::filesystem::path(session->log().name()).filename().string().c_str());
     ImGui::TextUnformatted(cli::counted(session->log().summary().messages, "datagram").c_str());
     if (const std::size_t places = session->log().damage().size(); places > 0) {
-      ImGui::TextColored(kAmissColor, "damaged in %s", countText(places, "place").c_str());
+      ImGui::TextColored(ink(kAmissColor), "damaged in %s", countText(places, "place").c_str());
       explain("rocinante log doctor says where, and what it cost");
     }
     if (model.recordedLosses() > 0) {
-      ImGui::TextColored(kAmissColor, "%llu lost while recording",
+      ImGui::TextColored(ink(kAmissColor), "%llu lost while recording",
                          static_cast<unsigned long long>(model.recordedLosses()));
       explain("counted by the recorder; rocinante log info says when");
     }
@@ -92,7 +116,7 @@ void drawMisfits(const ViewModel& model) {
   constexpr std::size_t kMaxNamed = 8;
   const std::vector<Misfit>& misfits = model.misfits();
   if (misfits.empty()) return;
-  ImGui::TextColored(kAmissColor, "%s",
+  ImGui::TextColored(ink(kAmissColor), "%s",
                      (countText(misfits.size(), "device") +
                       (misfits.size() == 1 ? " does not fit the cell" : " do not fit the cell"))
                          .c_str());
@@ -147,8 +171,9 @@ void drawFrameTime(const ViewerStatus& status) {
   ImGui::Text("%.1f ms, %.*f frames/s", total, total > 100 ? 1 : 0, 1000 / std::max(total, 0.01));
 }
 
-/// "detail 3", or "auto: 3" if chosen by the governor.
+/// "detail 3", or "auto: 3" if chosen by the governor; at rest "auto: full".
 std::string rungText(const ViewerStatus& status) {
+  if (status.refined) return "auto: full";
   return status.rung_fixed || !status.may_govern ? fmt::format("detail {}", status.rung)
                                                  : fmt::format("auto: {}", status.rung);
 }
@@ -202,7 +227,7 @@ void drawBrief(const ViewModel& model, const ViewerStatus& status) {
   const LiveSnapshot* live = model.live();
   if (live != nullptr) ImGui::Text("%.0f packets/s", live->rate_hz);
   if (live != nullptr && live->dropped + live->gaps > 0) {
-    ImGui::TextColored(kAmissColor, "%llu lost",
+    ImGui::TextColored(ink(kAmissColor), "%llu lost",
                        static_cast<unsigned long long>(live->dropped + live->gaps));
   }
   if (status.tells_times && status.times.count() > 0) {
@@ -222,15 +247,19 @@ void drawFrameTab(const ViewerStatus& status, ViewerRequests& requests) {
   ImGui::TextDisabled("%s", status.renderer.c_str());
 }
 
-float drawFigures(const ViewModel& model, const ViewerStatus& status, SteadyTime now, bool brief) {
+float drawFigures(const ViewModel& model, const ViewerStatus& status, SteadyTime now, bool brief,
+                  PanelPlaces& places) {
   const ImGuiIO& io = ImGui::GetIO();
-  ImGui::SetNextWindowPos(ImVec2(io.DisplaySize.x - px(kPanelMargin), px(kPanelMargin)),
-                          ImGuiCond_Always, ImVec2(1, 0));
-  if (!brief) {
+  PlacedPanel placed(places, "figures",
+                     ImVec2(io.DisplaySize.x - px(kPanelMargin), px(kPanelMargin)), ImVec2(1, 0), 0,
+                     io.DisplaySize.y);
+  if (!brief && !placed.collapsed()) {
     ImGui::SetNextWindowSizeConstraints(ImVec2(px(kFiguresWidth), 0), io.DisplaySize);
   }
   ImGui::Begin("figures", nullptr, kPanelFlags | ImGuiWindowFlags_NoTitleBar);
-  if (brief) {
+  if (placed.collapsed()) {
+    drawCollapsed("Figures");
+  } else if (brief) {
     drawBrief(model, status);
   } else {
     drawSession(model, now);
@@ -242,6 +271,7 @@ float drawFigures(const ViewModel& model, const ViewerStatus& status, SteadyTime
     ImGui::TextDisabled("%s", frame.c_str());
     explain("more in the tab Frame");
   }
+  placed.follow();
   const float end = ImGui::GetWindowPos().y + ImGui::GetWindowSize().y;
   ImGui::End();
   return end;

@@ -9,8 +9,9 @@ namespace rocinante {
 /// Draws the tab of the left panel with the amount drawn and the frame's cost by stage.
 void drawFrameTab(const ViewerStatus& status, ViewerRequests& requests);
 
-/// Draws the session's figures in the top right corner, all or only the most important; returns
-/// their bottom.
-float drawFigures(const ViewModel& model, const ViewerStatus& status, SteadyTime now, bool brief);
+/// Draws the session's figures in the top right corner or where the user put them, all or only the
+/// most important; returns their bottom.
+float drawFigures(const ViewModel& model, const ViewerStatus& status, SteadyTime now, bool brief,
+                  PanelPlaces& places);
 
 }  // namespace rocinante

@@ -1,49 +1,50 @@
 #include "viewer/ui/panels/help_panel.h"
 
+#include <string>
+#include <vector>
+
+#include "viewer/ui/commands/key_commands.h"
 #include "viewer/ui/panels/panel_parts.h"
 
 namespace rocinante {
 namespace {
 
 struct HelpLine {
-  const char* keys;
-  const char* means;
+  std::string keys, means;
 };
 
-constexpr HelpLine kMouse[] = {{"left drag", "turn about the target"},
-                               {"middle or right drag, Shift left", "pan"},
-                               {"wheel", "zoom at the mouse"},
-                               {"click", "select the object there"},
-                               {"double click", "turn about that point"}};
-constexpr HelpLine kTime[] = {{"Space", "play, pause"},
-                              {"left, right", "a second; Shift: a tenth"},
-                              {", .", "event before, after; Shift: packet"},
-                              {"Home, End", "start or end of the log"},
-                              {"M", "a mark at this moment"}};
-constexpr HelpLine kLook[] = {{"1 to 9, 0", "cameras; initial view"},
-                              {"F", "show all that moves; Shift: the selection"},
-                              {"I", "insets on or off"},
-                              {"E", "edges off, on, only"},
-                              {"D", "shadows"},
-                              {"L", "joints near a limit"},
-                              {"W, T, C", "wireframe, see-through, collision"},
-                              {"R", "trail of the selection"},
-                              {"H", "hide the selection; Shift: show all"},
-                              {"Esc", "close a list; clear the selection"}};
-constexpr HelpLine kProgram[] = {{"S", "evidence picture, by rocinante render"},
-                                 {"Tab", "panels on or off"},
-                                 {"? or F1", "this help"},
-                                 {"Q", "close"}};
+const std::vector<HelpLine> kMouse = {{"left drag", "turn about the target"},
+                                      {"middle or right drag", "pan; so does Shift and left"},
+                                      {"wheel", "zoom at the mouse"},
+                                      {"click", "select the object there"},
+                                      {"double click", "turn about that point"}};
 
-template <std::size_t kCount>
-void drawLines(const char* title, const HelpLine (&lines)[kCount], float left, float keys_width) {
+/// The keys of a group, each with what it does.
+std::vector<HelpLine> keyLines(CommandGroup group) {
+  std::vector<HelpLine> lines;
+  for (const Command& command : allCommands()) {
+    if (command.group != group || command.shortcuts.empty()) continue;
+    if (!command.keys_shown.empty()) {
+      lines.push_back({std::string(command.keys_shown), std::string(command.means)});
+      continue;
+    }
+    for (const Shortcut& shortcut : command.shortcuts) {
+      lines.push_back({shownKey(shortcut.key),
+                       std::string(shortcut.means.empty() ? command.means : shortcut.means)});
+    }
+  }
+  return lines;
+}
+
+void drawLines(const char* title, const std::vector<HelpLine>& lines, float left,
+               float keys_width) {
   ImGui::SetCursorPosX(left);
-  ImGui::TextColored(ImVec4(1.0F, 0.66F, 0.25F, 1), "%s", title);
+  ImGui::TextColored(ink(ImVec4(1.0F, 0.66F, 0.25F, 1)), "%s", title);
   for (const HelpLine& line : lines) {
     ImGui::SetCursorPosX(left);
-    ImGui::TextUnformatted(line.keys);
+    ImGui::TextUnformatted(line.keys.c_str());
     ImGui::SameLine(left + keys_width);
-    ImGui::TextColored(ImVec4(0.74F, 0.78F, 0.82F, 1), "%s", line.means);
+    ImGui::TextColored(ink(ImVec4(0.74F, 0.78F, 0.82F, 1)), "%s", line.means.c_str());
   }
 }
 
@@ -60,14 +61,17 @@ void drawHelp(ViewModel& model) {
                kPanelFlags | ImGuiWindowFlags_HorizontalScrollbar);
   const float left = ImGui::GetStyle().WindowPadding.x;
   const float top = ImGui::GetCursorPosY();
-  drawLines("Mouse", kMouse, left, px(240));
-  drawLines("Time", kTime, left, px(240));
+  constexpr float kKeysWidth = 150;
+  drawLines("Mouse", kMouse, left, px(kKeysWidth));
+  drawLines("Camera", keyLines(CommandGroup::camera), left, px(kKeysWidth));
+  drawLines("Time", keyLines(CommandGroup::time), left, px(kKeysWidth));
   // Side by side if there is room, else one below the other.
   const bool wide = size.x >= px(940);
-  const float beside = wide ? left + px(500) : left;
+  const float beside = wide ? left + px(455) : left;
+  const float keys_width = px(wide ? 80 : kKeysWidth);
   if (wide) ImGui::SetCursorPosY(top);
-  drawLines("Picture", kLook, beside, px(wide ? 84 : 240));
-  drawLines("Program", kProgram, beside, px(wide ? 84 : 240));
+  drawLines("Picture", keyLines(CommandGroup::picture), beside, keys_width);
+  drawLines("Program", keyLines(CommandGroup::program), beside, keys_width);
   ImGui::End();
 }
 

@@ -1,28 +1,20 @@
 #include "viewer/ui/panels/joint_rows.h"
 
-#include <array>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <set>
 #include <string_view>
 
 namespace rocinante {
 namespace {
 
-constexpr std::array<std::string_view, 7> kFloatingValues{".x",  ".y",  ".z", ".qx",
-                                                          ".qy", ".qz", ".qw"};
-constexpr std::array<std::string_view, 3> kPlanarValues{".x", ".y", ".yaw"};
-
-std::string valueName(const Joint& joint, std::size_t component) {
-  if (joint.type == JointType::floating) {
-    return joint.name + std::string(kFloatingValues.at(component));
-  }
-  if (joint.type == JointType::planar) {
-    return joint.name + std::string(kPlanarValues.at(component));
-  }
-  return joint.name;
-}
-
-bool inRadians(const Joint& joint, std::size_t component) {
-  return joint.type == JointType::revolute || joint.type == JointType::continuous ||
-         (joint.type == JointType::planar && component == 2);
+/// The SOURCE that said a value, if one did. `positional`: all values were said in order.
+std::string ownerOf(const DeviceState* state, const std::string& name, bool positional) {
+  if (state == nullptr) return {};
+  const auto named = state->named_joints.find(name);
+  if (named != state->named_joints.end()) return named->second.owner;
+  return positional ? state->joints->owner : std::string();
 }
 
 }  // namespace
@@ -41,10 +33,12 @@ std::vector<JointRow> jointRows(const Model& model, const DeviceState* state,
       JointRow row;
       row.name = valueName(joint, component);
       row.value = joints.values[joints.first_value[i] + component];
+      row.kind = kindOf(joint, component);
       row.mimics = joint.mimic.has_value();
+      row.continuous = joint.type == JointType::continuous;
+      if (!row.mimics) row.owner = ownerOf(state, row.name, positional);
       row.said =
           row.mimics || positional || (state != nullptr && state->named_joints.contains(row.name));
-      row.in_radians = inRadians(joint, component);
       if (joint.limits && valueCount(joint.type) == 1 && joint.type != JointType::continuous) {
         row.lower = joint.limits->lower;
         row.upper = joint.limits->upper;
@@ -53,6 +47,38 @@ std::vector<JointRow> jointRows(const Model& model, const DeviceState* state,
     }
   }
   return rows;
+}
+
+SliderRange sliderRange(const JointRow& row) {
+  if (row.lower && row.upper && *row.upper > *row.lower) return {*row.lower, *row.upper};
+  switch (row.kind) {
+    case ValueKind::angle:
+      return {-std::numbers::pi, std::numbers::pi};
+    case ValueKind::turn:
+      return {-1, 1};
+    case ValueKind::length:
+      break;
+  }
+  constexpr double kFarthest = 1e9;
+  double reach = 1;
+  while (reach < std::abs(row.value) && reach < kFarthest) reach *= 10;
+  return {-reach, reach};
+}
+
+double SliderRange::partOf(const JointRow& row, double value) const {
+  if (row.continuous) value = std::remainder(value, 2 * std::numbers::pi);
+  const double part = (value - lower) / (upper - lower);
+  return std::isnan(part) ? 0.5 : std::clamp(part, 0.0, 1.0);
+}
+
+std::string moversOf(const DeviceState& state) {
+  std::set<std::string> owners;
+  if (state.pose) owners.insert(state.pose->owner);
+  if (state.joints) owners.insert(state.joints->owner);
+  for (const auto& [name, item] : state.named_joints) owners.insert(item.owner);
+  std::string text;
+  for (const std::string& owner : owners) text += (text.empty() ? "" : ", ") + owner;
+  return text;
 }
 
 }  // namespace rocinante

@@ -71,6 +71,7 @@ void drawSelectedLooks(const ViewModel& model, RenderStyle& style) {
   drawTransparent(path, style);
   drawPathToggle("collision geometry instead", path, style.collision);
   drawPathToggle("collision geometry too", path, style.collision_over);
+  drawPathToggle("axes of links", path, style.frames);
   if (path != kEverything && model.session() != nullptr) drawTrail(path, style);
 }
 

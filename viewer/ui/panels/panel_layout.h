@@ -14,9 +14,9 @@ struct PanelLayout {
 };
 
 constexpr float kPanelMargin = 10;
-constexpr float kScenePanelWidth = 292;
+constexpr float kScenePanelWidth = 316;
 constexpr float kDevicePanelWidth = 300;
-constexpr float kTimeBarHeight = 70;      ///< with the margin above and below it
+constexpr float kTimeBarHeight = 112;     ///< with the margin above and below it
 constexpr float kLeastDeviceHeight = 90;  ///< less would show no value
 
 /// Height of a list of `rows`: all of them if there is room, at least three. Pure.

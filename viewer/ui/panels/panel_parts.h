@@ -20,6 +20,22 @@ constexpr ImGuiWindowFlags kPanelFlags =
 /// Whether the text contains the word, ignoring case.
 bool containsWord(std::string_view text, std::string_view word);
 
+/// Whether a key of Dear ImGui went down or repeats.
+inline bool keyPressed(ImGuiKey key) {
+#if IMGUI_VERSION_NUM >= 18700
+  return ImGui::IsKeyPressed(key);
+#else
+  return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key));
+#endif
+}
+
+/// A color of text for dark panels, dark enough for the theme that is used.
+inline ImVec4 ink(const ImVec4& color) {
+  const ImVec4& below = ImGui::GetStyleColorVec4(ImGuiCol_WindowBg);
+  if (below.x + below.y + below.z < 1.5F) return color;
+  return ImVec4(color.x * 0.62F, color.y * 0.55F, color.z * 0.55F, color.w);
+}
+
 /// Adds a tool tip to the last drawn item.
 inline void explain(const char* text) {
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text);

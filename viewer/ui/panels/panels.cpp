@@ -4,12 +4,20 @@
 
 #include "viewer/ui/panels/device_panel.h"
 #include "viewer/ui/panels/figures_panel.h"
+#include "viewer/ui/panels/findings_tab.h"
+#include "viewer/ui/panels/hand_panel.h"
 #include "viewer/ui/panels/help_panel.h"
 #include "viewer/ui/panels/look_panel.h"
+#include "viewer/ui/panels/mark_prompt.h"
+#include "viewer/ui/panels/open_panel.h"
+#include "viewer/ui/panels/palette_panel.h"
 #include "viewer/ui/panels/panel_parts.h"
+#include "viewer/ui/panels/placed_panel.h"
+#include "viewer/ui/panels/plot_panel.h"
 #include "viewer/ui/panels/scene_panel.h"
 #include "viewer/ui/panels/sources_panel.h"
 #include "viewer/ui/panels/time_bar.h"
+#include "viewer/ui/panels/welcome_panel.h"
 
 namespace rocinante {
 namespace {
@@ -17,13 +25,15 @@ namespace {
 void drawScenePanel(ViewModel& model, const ViewerStatus& status, SteadyTime now,
                     ViewerRequests& requests) {
   const ImGuiIO& io = ImGui::GetIO();
-  const float below = px(model.cursor() != nullptr ? kTimeBarHeight : kPanelMargin);
+  const float below = px(model.cursor() != nullptr ? kTimeBarHeight : kPanelMargin) +
+                      plotsHeight(model, io.DisplaySize.y);
   const float tallest = std::max(px(120), io.DisplaySize.y - px(kPanelMargin) - below);
-  ImGui::SetNextWindowPos(ImVec2(px(kPanelMargin), px(kPanelMargin)));
-  ImGui::SetNextWindowSizeConstraints(ImVec2(px(kScenePanelWidth), 0),
-                                      ImVec2(px(kScenePanelWidth), tallest));
+  PlacedPanel placed(model.places, "Scene", ImVec2(px(kPanelMargin), px(kPanelMargin)),
+                     ImVec2(0, 0), px(kScenePanelWidth), tallest);
   ImGui::Begin("Scene", nullptr, kPanelFlags | ImGuiWindowFlags_NoTitleBar);
-  if (ImGui::BeginTabBar("tabs")) {
+  if (placed.collapsed()) {
+    drawCollapsed("Scene");
+  } else if (ImGui::BeginTabBar("tabs")) {
     if (ImGui::BeginTabItem("Scene")) {
       drawSceneTab(model, px(kPanelMargin) + tallest, requests);
       ImGui::EndTabItem();
@@ -40,6 +50,10 @@ void drawScenePanel(ViewModel& model, const ViewerStatus& status, SteadyTime now
       drawEventsTab(model, now, requests);
       ImGui::EndTabItem();
     }
+    if (model.cursor() != nullptr && ImGui::BeginTabItem("Check")) {
+      drawFindingsTab(model, now);
+      ImGui::EndTabItem();
+    }
     if (ImGui::BeginTabItem("Frame")) {
       drawFrameTab(status, requests);
       ImGui::EndTabItem();
@@ -48,7 +62,22 @@ void drawScenePanel(ViewModel& model, const ViewerStatus& status, SteadyTime now
     explain("mouse and keyboard (F1)");
     ImGui::EndTabBar();
   }
+  placed.follow();
   ImGui::End();
+}
+
+bool isMoved(const PanelPlaces& places, const char* panel) {
+  const PanelPlace* const place = places.find(panel);
+  return place != nullptr && place->moved;
+}
+
+/// How much of the picture's left the scene panel covers: nothing when it was moved away.
+float coveredAtLeft(const PanelPlaces& places, float usual) {
+  const PanelPlace* const place = places.find("Scene");
+  if (place == nullptr) return usual;
+  if (place->moved && (place->from_right || place->across > 2 * kPanelMargin)) return 0;
+  const auto drawn = places.drawn.find("Scene");
+  return drawn == places.drawn.end() ? usual : drawn->second.x + drawn->second.width;
 }
 
 /// The part of the window between the panels at its sides.
@@ -80,7 +109,7 @@ float drawBanner(const char* name, const Middle& middle, float top, const ImVec4
                (kPanelFlags & ~ImGuiWindowFlags_AlwaysAutoResize) | ImGuiWindowFlags_NoTitleBar |
                    ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_NoScrollbar);
   ImGui::PushTextWrapPos(padding.x + wrap);
-  ImGui::TextColored(color, "%s", what.c_str());
+  ImGui::TextColored(ink(color), "%s", what.c_str());
   if (!hint.empty()) ImGui::TextDisabled("%s", hint.c_str());
   ImGui::PopTextWrapPos();
   ImGui::End();
@@ -95,12 +124,24 @@ void drawBanners(const ViewModel& model, const ViewerStatus& status, const Middl
     // Keep the last picture visible; without any data, show the reason in the centre.
     const bool nothing_yet = model.live() == nullptr || model.live()->datagrams == 0;
     const float at = nothing_yet ? ImGui::GetIO().DisplaySize.y * 0.3F : top;
-    const float end = drawBanner("reason", middle, at, fault, reason->what, reason->hint);
+    const float end = drawBanner("reason", middle, at, fault, reason->text, reason->hint);
     if (!nothing_yet) top = end;
   }
   if (!model.damage().empty()) {
     top = drawBanner("damage", middle, top, fault, model.damage().what(),
                      "what is shown may be older than its time says");
+  }
+  if (const HandBanner hand = handBanner(model); !hand.what.empty()) {
+    top = drawBanner("hand", middle, top, hand.color, hand.what, hand.hint);
+  }
+  if (model.picking.active()) {
+    top = drawBanner(
+        "picking", middle, top, ImVec4(1.0F, 0.85F, 0.3F, 1),
+        model.picking.first() ? "click the second point" : "click two points: their distance",
+        "Esc ends it");
+  }
+  if (!model.keepingTrouble().empty()) {
+    top = drawBanner("kept", middle, top, fault, model.keepingTrouble(), "");
   }
   if (!model.complaint.empty()) {
     top = drawBanner("complaint", middle, top, fault, model.complaint, "");
@@ -118,23 +159,30 @@ CoveredEdges drawPanels(ViewModel& model, const ViewerStatus& status, SteadyTime
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   Middle middle{0, size.x};
   CoveredEdges covered;
-  if (model.panels_shown) {
+  if (model.is_empty) drawWelcome(model, status.loading.has_value(), requests);
+  if (model.panels_shown && !model.is_empty) {
     const float unit = px(1);
-    const PanelLayout layout = panelLayout(size.x / unit, size.y / unit, model.cursor() != nullptr,
-                                           !model.selected.device.empty());
+    const float plots = plotsHeight(model, size.y);
+    const PanelLayout layout =
+        panelLayout(size.x / unit, (size.y - plots) / unit, model.cursor() != nullptr,
+                    !model.inspected().device.empty());
     if (layout.scene) {
       drawScenePanel(model, status, now, requests);
-      middle.left = px(kScenePanelWidth + kPanelMargin);
+      middle.left = coveredAtLeft(model.places, px(kScenePanelWidth + kPanelMargin));
     }
     float right_end = 0;
     if (layout.figures != PanelLayout::Figures::none) {
       const bool brief = layout.figures == PanelLayout::Figures::brief;
-      right_end = drawFigures(model, status, now, brief);
+      right_end = drawFigures(model, status, now, brief, model.places);
       middle.right = size.x - px(brief ? 150 : 270);
+      if (isMoved(model.places, "figures")) {
+        middle.right = size.x;
+        right_end = 0;
+      }
     }
     covered.right = static_cast<int>(size.x - middle.right);
     if (layout.device) {
-      const float end = drawDevicePanel(model, right_end + px(kPanelMargin));
+      const float end = drawDevicePanel(model, right_end + px(kPanelMargin), now);
       if (end > right_end + px(kPanelMargin)) {
         right_end = end;
         covered.right =
@@ -142,14 +190,23 @@ CoveredEdges drawPanels(ViewModel& model, const ViewerStatus& status, SteadyTime
       }
     }
     if (TimelineCursor* cursor = model.cursor()) {
-      drawTimeBar(model, *cursor, now);
-      covered.bottom = static_cast<int>(px(kTimeBarHeight - kPanelMargin));
+      if (cursor->playing()) model.time_view.follow(cursor->position(now));
+      const TimeAxis axis = timeAxis(model, size.x);
+      askStudy(model, axis);
+      drawTimeBar(model, *cursor, axis, now);
+      if (plots > 0)
+        drawPlots(model, *cursor, axis, size.y - px(kTimeBarHeight) + px(kPanelMargin) / 2, now);
+      covered.bottom = static_cast<int>(px(kTimeBarHeight - kPanelMargin) + plots);
     }
     covered.left = static_cast<int>(middle.left);
     covered.right_top = static_cast<int>(right_end);
   }
+  if (status.loading) drawLoading(*status.loading, model.is_empty);
   drawBanners(model, status, middle, now);
+  if (model.asks_mark) drawMarkPrompt(model, requests);
   if (model.help_shown) drawHelp(model);
+  if (model.open.shown) drawOpenList(model, requests);
+  if (model.palette.shown) drawPalette(model, now, requests);
   return covered;
 }
 

@@ -3,13 +3,21 @@
 #include <optional>
 #include <string>
 
+#include "core/base/parallel_for.h"
 #include "core/base/time.h"
 #include "viewer/detail/detail_level.h"
+#include "viewer/ui/commands/viewer_requests.h"
 #include "viewer/ui/model/view_insets.h"
 #include "viewer/ui/model/view_model.h"
 #include "viewer/ui/panels/frame_times.h"
 
 namespace rocinante {
+
+/// What is being read.
+struct LoadingStatus {
+  std::string name;
+  LoadProgress progress;
+};
 
 /// The program's status for the panels.
 struct ViewerStatus {
@@ -20,24 +28,13 @@ struct ViewerStatus {
   int rung = 0;             ///< of kDetailRungs
   bool rung_fixed = false;  ///< chosen by the user, not by the governor
   bool may_govern = false;  ///< fast profile with a user
+  bool refined = false;     ///< at rest: everything is drawn, whatever the rung
   double target_fps = 30;
   bool coarse_ready = true;  ///< coarser meshes are ready
   bool tells_times = true;   ///< off under a script, for identical screenshots
   std::string notice;        ///< last action, such as a written picture; may be empty
   bool notice_is_fault = false;
-};
-
-/// The user's requests to the program in this frame.
-struct ViewerRequests {
-  bool fit = false;
-  bool fit_selected = false;
-  bool reset = false;  ///< back to the initial camera
-  bool evidence = false;
-  bool close = false;
-  std::optional<std::string> mark;
-  std::optional<double> target_fps;
-  /// A fixed rung, or -1 for the governor's choice.
-  std::optional<int> rung;
+  std::optional<LoadingStatus> loading;
 };
 
 /// Draws the panels over the scene and applies the input to `model`: scene, looks and events on the

@@ -49,6 +49,9 @@ void explainRow(const SourceRow& row) {
     if (live.late > 0) text += fmt::format("\n{} late or twice", live.late);
     if (live.restarts > 0) text += "\nbegan anew " + countText(live.restarts, "time");
     if (live.restarts > kManyRestarts) text += ": do two senders use this name?";
+    if (live.is_mixed) {
+      text += "\nheard whole and also filtered by a relay: listen to one of them only";
+    }
     if (live.faulty_lines > 0) {
       text += "\n" + countText(live.faulty_lines, "faulty line") + ": rocinante spy shows them";
     }
@@ -66,23 +69,26 @@ void drawSourceRow(const SourceRow& row) {
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
   const bool faulty =
-      row.live != nullptr && (row.live->faulty_lines > 0 || row.live->restarts > kManyRestarts);
+      row.live != nullptr &&
+      (row.live->faulty_lines > 0 || row.live->restarts > kManyRestarts || row.live->is_mixed);
   ImGui::PushStyleColor(ImGuiCol_Text, row.is_silent ? dim : plain);
   ImGui::Selectable(row.name.c_str(), false, ImGuiSelectableFlags_SpanAllColumns);
   ImGui::PopStyleColor();
   explainRow(row);
   if (faulty) {
     ImGui::SameLine();
-    ImGui::TextColored(kAmiss, "!");
+    ImGui::TextColored(ink(kAmiss), "!");
   }
   ImGui::TableNextColumn();
-  if (row.live != nullptr) drawRight(rateText(*row.live), row.off_rate ? kAmiss : plain);
+  if (row.live != nullptr) drawRight(rateText(*row.live), row.off_rate ? ink(kAmiss) : plain);
   ImGui::TableNextColumn();
   if (row.live != nullptr) {
-    drawRight(shortCount(static_cast<double>(row.live->lost)), row.live->lost > 0 ? kAmiss : plain);
+    drawRight(shortCount(static_cast<double>(row.live->lost)),
+              row.live->lost > 0 ? ink(kAmiss) : plain);
   }
   ImGui::TableNextColumn();
-  drawRight(row.live == nullptr ? "never" : ageText(row.silent), row.is_silent ? kAmiss : plain);
+  drawRight(row.live == nullptr ? "never" : ageText(row.silent),
+            row.is_silent ? ink(kAmiss) : plain);
 }
 
 }  // namespace

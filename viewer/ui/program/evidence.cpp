@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <signal.h>
-#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -12,6 +11,7 @@
 #include <cstring>
 #include <utility>
 
+#include "core/base/child_process.h"
 #include "core/cli/search_options.h"
 #include "viewer/view/camera_choice.h"
 
@@ -62,6 +62,7 @@ std::vector<std::string> evidenceArguments(const EvidenceRequest& request) {
   add("--samples", fmt::format("{}", request.samples));
   for (const std::string& path : request.hide) add("--hide", path);
   for (const std::string& path : request.show) add("--show", path);
+  for (const std::string& joints : request.joints) words.push_back("--joints=" + joints);
   if (request.insets.empty()) words.push_back("--no-insets");
   for (const std::string& inset : request.insets) add("--inset", inset);
   for (const auto& [key, value] : styleWords(request.style)) {
@@ -77,33 +78,20 @@ Result<EvidenceRun> EvidenceRun::start(const EvidenceRequest& request) {
   const fs::path program = renderProgram();
   std::vector<std::string> words = evidenceArguments(request);
   words.insert(words.begin(), program.string());
-  std::vector<char*> arguments;
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
     return Error{
         ErrorKind::refused, std::string("cannot create a pipe: ") + std::strerror(errno), {}};
   }
-  posix_spawn_file_actions_t actions;
-  ::posix_spawn_file_actions_init(&actions);
-  ::posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  ::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-  ::posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
-  pid_t process = -1;
-  const int refused =
-      ::posix_spawnp(&process, program.c_str(), &actions, nullptr, arguments.data(), environ);
-  ::posix_spawn_file_actions_destroy(&actions);
+  const Result<pid_t> process = startChild(words, {-1, -1, ends[1]});
   ::close(ends[1]);
-  if (refused != 0) {
+  if (!process) {
     ::close(ends[0]);
-    return Error{ErrorKind::refused,
-                 std::string("cannot start rocinante-render: ") + std::strerror(refused),
+    return Error{ErrorKind::refused, "cannot start rocinante-render: " + process.error().what,
                  program.string()};
   }
   EvidenceRun run;
-  run.process_ = process;
+  run.process_ = *process;
   run.said_ = ends[0];
   run.output_ = request.output;
   return run;

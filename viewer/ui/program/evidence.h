@@ -24,6 +24,7 @@ struct EvidenceRequest : ModelSearch {
   int width = 0, height = 0, samples = 4;
   double scale = 1;
   std::vector<std::string> hide, show, insets;
+  std::vector<std::string> joints;  ///< of `--joints`
   RenderStyle style;
   std::filesystem::path output;
 };

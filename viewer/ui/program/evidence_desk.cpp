@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/base/duration_text.h"
+#include "core/kinematics/joint_values.h"
 #include "viewer/ui/model/view_insets.h"
 
 namespace rocinante {
@@ -20,14 +21,14 @@ std::string sinceOrigin(const ViewModel& model) {
 }  // namespace
 
 Result<EvidenceRequest> EvidenceDesk::requestOf(ViewModel& model, const WindowSize& size) const {
-  if (model.isLive()) {
-    return Error{ErrorKind::bad_argument,
-                 "an evidence picture needs a log: record the session, then view the log",
-                 {}};
-  }
   EvidenceRequest request;
-  request.cell = options_.cell;
-  request.log = options_.log;
+  request.cell = shown_.cell;
+  request.log = shown_.log;
+  if (model.isLive()) {
+    auto log = model.logOfShownMoment();
+    if (!log.ok()) return log.error();
+    request.log = std::move(*log);
+  }
   if (model.session() != nullptr) request.at = sinceOrigin(model);
   request.camera = model.cameraName();
   request.view = model.cameraView();
@@ -35,24 +36,40 @@ Result<EvidenceRequest> EvidenceDesk::requestOf(ViewModel& model, const WindowSi
   request.height = size.height;
   request.scale = size.scale;
   // The sample counts of llvmpipe, which draws it.
-  request.samples = options_.samples > 1 ? 4 : 1;
+  request.samples = samples_ > 1 ? 4 : 1;
   request.hide = model.hiddenPaths();
   request.show = model.shownPaths();
   request.insets = insetWords(model);
+  if (model.hand.drawn()) {
+    if (model.session() != nullptr) {
+      return Error{ErrorKind::bad_argument,
+                   "the picture has joints set by hand, which the log has not: reset them first",
+                   {}};
+    }
+    for (const auto& [name, values] : model.hand.joints().devices()) {
+      const PosedDevice* const device = model.scene().findDevice(name);
+      if (device == nullptr || device->model == nullptr) continue;
+      const JointVector joints = jointsOf(*device->model, model.state().findDevice(name));
+      request.joints.push_back(
+          jointsText(model.cell(), name, positionalValues(*device->model, joints)));
+    }
+  }
   request.style = model.frameStyle();
-  static_cast<ModelSearch&>(request) = options_.where;
+  static_cast<ModelSearch&>(request) = shown_.where;
   return request;
 }
 
-void EvidenceDesk::ask(ViewModel& model, const WindowSize& size, SteadyTime now) {
+void EvidenceDesk::ask(ViewModel& model, const WindowSize& size, SteadyTime now,
+                       const fs::path& file) {
   if (running_) return say("the last picture is still being drawn", true, now);
   auto request = requestOf(model, size);
   if (!request.ok()) return say(request.error().text(), true, now);
   std::error_code ignored;
-  const std::string stem = (options_.log.empty() ? options_.cell : options_.log).stem().string();
+  const std::string stem =
+      model.isLive() ? "live" : (shown_.log.empty() ? shown_.cell : shown_.log).stem().string();
   const std::string moment =
       model.session() == nullptr ? "" : secondsText(model.shownTime() - model.origin(), 3);
-  request->output = freeEvidenceName(fs::current_path(ignored), stem, moment);
+  request->output = file.empty() ? freeEvidenceName(fs::current_path(ignored), stem, moment) : file;
   auto run = EvidenceRun::start(*request);
   if (!run.ok()) return say(run.error().text(), true, now);
   running_.emplace(std::move(*run));

@@ -6,7 +6,7 @@
 
 #include "core/base/time.h"
 #include "viewer/ui/program/evidence.h"
-#include "viewer/ui/program/view_app.h"
+#include "viewer/ui/program/view_content.h"
 
 namespace rocinante {
 
@@ -17,13 +17,15 @@ struct WindowSize {
 };
 
 /// Makes evidence pictures of the window's content, one at a time, and reports the results. Main
-/// thread; borrows the options.
+/// thread; borrows the request.
 class EvidenceDesk {
  public:
-  explicit EvidenceDesk(const ViewOptions& options) : options_(options) {}
+  EvidenceDesk(const ContentRequest& shown, int samples) : shown_(shown), samples_(samples) {}
 
-  /// Starts a picture in the working folder; refuses a second one while the first is running.
-  void ask(ViewModel& model, const WindowSize& size, SteadyTime now);
+  /// Starts a picture into `file`, or without one into a new file of the working folder; refuses a
+  /// second one while the first is running.
+  void ask(ViewModel& model, const WindowSize& size, SteadyTime now,
+           const std::filesystem::path& file = {});
   /// The same into `file`, and waits for it.
   Status make(ViewModel& model, const WindowSize& size, const std::filesystem::path& file);
   /// Checks whether the running picture is finished.
@@ -33,11 +35,14 @@ class EvidenceDesk {
   void say(std::string text, bool fault, SteadyTime now);
   const std::string& notice() const { return notice_; }
   bool noticeIsFault() const { return notice_is_fault_; }
+  /// look() may soon change the notice.
+  bool active() const { return running_.has_value() || !notice_.empty(); }
 
  private:
   Result<EvidenceRequest> requestOf(ViewModel& model, const WindowSize& size) const;
 
-  const ViewOptions& options_;
+  const ContentRequest& shown_;
+  int samples_;
   std::optional<EvidenceRun> running_;
   std::string notice_;
   bool notice_is_fault_ = false;

@@ -8,8 +8,7 @@
 
 #include "core/base/result.h"
 #include "viewer/picture/picture.h"
-#include "viewer/ui/model/view_model.h"
-#include "viewer/ui/program/user_input.h"
+#include "viewer/ui/commands/command.h"
 #include "viewer/ui/program/view_script.h"
 
 namespace rocinante {
@@ -18,11 +17,9 @@ namespace rocinante {
 struct ScriptStage {
   ViewModel& model;
   SteadyTime now;
-  int width, height;
-  std::function<std::vector<Vec3>()> fitted_corners;
-  std::function<Status(const PictureClick&)> click;
-  std::function<void(const ViewerRequests&)> grant;
-  std::function<Status(const std::filesystem::path&)> make_evidence;
+  int height_px;  ///< of the picture
+  /// Does what a command asks of the program.
+  std::function<Status(const ViewerRequests&)> apply;
 };
 
 /// Runs a script frame by frame: commands run until one needs a drawn frame (`frame`, `wait`,
@@ -39,12 +36,10 @@ class ScriptRunner {
   Status afterFrame(const std::function<Picture()>& read);
 
  private:
-  Status apply(const ViewCommand& command, const ScriptStage& stage);
-  Status applyLook(const ViewCommand& command, const ScriptStage& stage);
-  Status applyPerson(const ViewCommand& command, const ScriptStage& stage);
-  Status applyPlayback(const ViewCommand& command, const ScriptStage& stage);
+  /// What the command leaves to its caller: frames to draw, a screenshot, the end.
+  Result<ViewerRequests> run(const ViewCommand& command, const ScriptStage& stage) const;
+  Result<bool> awaited(const ViewCommand& command, Nanoseconds length, const ScriptStage& stage);
   Error faultAt(const ViewCommand& command, std::string what) const;
-  Result<double> number(const ViewCommand& command, std::size_t word) const;
 
   std::vector<ViewCommand> commands_;
   std::string name_;
@@ -52,6 +47,7 @@ class ScriptRunner {
   int frames_to_wait_ = 0;
   std::optional<std::filesystem::path> screenshot_;
   bool finished_ = false;
+  std::optional<SteadyTime> awaits_since_;
 };
 
 }  // namespace rocinante

@@ -1,20 +1,25 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/base/result.h"
 #include "viewer/render/renderer.h"
-#include "viewer/ui/model/view_model.h"
+#include "viewer/ui/program/view_content.h"
 #include "viewer/ui/program/view_script.h"
+#include "viewer/ui/window/window.h"
 
 namespace rocinante {
 
 struct ViewOptions {
-  int width = 1280;
-  int height = 720;
+  /// Of the window; 0: as remembered, else 1280x720.
+  int width = 0;
+  int height = 0;
+  /// Neither uses nor changes what was remembered of the user.
+  bool fresh = false;
   int samples = 4;
   /// Scale of text, panels and everything sized in pixels: 1 to 4; empty: the screen's, and 1 under
   /// a script.
@@ -24,17 +29,17 @@ struct ViewOptions {
   /// everything.
   std::optional<int> detail;
   double target_fps = 30;
-  /// Arguments of the program, for evidence pictures.
-  std::filesystem::path cell, log;
-  ModelSearch where;
   /// Drives the window instead of a user: time then advances by 1/60 s per frame, independent of
   /// the clock, and mouse and keyboard are ignored, so that screenshots are reproducible.
   std::vector<ViewCommand> script;
   std::string script_name;  ///< for error messages
+  std::string notice;       ///< shown for a while at the start, to a user; may be empty
 };
 
-/// Opens the window and runs until it is closed, the script ends, or a signal stops it.
-/// refused when there is no display. Main thread.
-Status runViewer(ViewModel& model, const ViewOptions& options);
+/// Shows the content until the window is closed, the script ends, or a signal stops it: null; or
+/// until the loader has something else to show. What cannot be loaded is told in the window, unless
+/// nothing was shown yet: then it is the error. Main thread.
+Result<std::unique_ptr<ViewContent>> showContent(ViewContent& content, Window& window,
+                                                 const ViewOptions& options, ContentLoader& loader);
 
 }  // namespace rocinante

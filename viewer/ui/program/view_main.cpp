@@ -4,12 +4,11 @@
 #include <CLI/CLI.hpp>
 
 #include "core/base/atomic_file.h"
-#include "core/bundle/attached_cell.h"
-#include "core/cli/load_progress.h"
+#include "core/bundle/cell_or_log.h"
 #include "core/cli/program.h"
 #include "core/cli/search_options.h"
-#include "core/cli/worker_threads.h"
-#include "viewer/ui/program/view_app.h"
+#include "viewer/ui/live/kept_folder.h"
+#include "viewer/ui/program/view_program.h"
 
 namespace rocinante {
 namespace {
@@ -17,54 +16,84 @@ namespace {
 using cli::Exit;
 
 constexpr char kExamples[] =
+    "  rocinante view                                   open or drop files in the window\n"
     "  rocinante view examples/demo/demo.cell.toml out/demo/live.mcap\n"
     "  rocinante view session.mcap                      a log that carries its cell\n"
+    "  rocinante view puma.urdf                         every joint has a slider\n"
     "  rocinante view puma.urdf --live\n"
+    "  rocinante view puma.urdf --live --drive 127.0.0.1:19960 --as me"
+    "    move it by hand\n"
+    "  rocinante view cell.toml --live --keep 1h,8GB\n"
     "  rocinante view cell.toml --live 0.0.0.0:19960 --camera overview\n"
     "  rocinante view cell.toml session.mcap --profile reproducible --script look.txt\n";
 
 struct Arguments {
   std::filesystem::path cell, log, script;
   std::vector<std::string> live;
-  std::string profile = "fast", camera, at, size = "1280x720", detail = "auto";
+  std::string keep = "10m,2GB";
+  bool leftovers = false, forget_leftovers = false;
+  std::string trust;
+  std::vector<std::string> joints;
+  std::string drive, drive_as;
+  std::string profile = "fast", camera, at, size, detail = "auto";
   std::vector<std::string> styles;
   double target_fps = 30;
   std::vector<std::string> hide, show;
   ModelSearch where;
-  bool is_live = false;
+  bool is_live = false, fresh = false;
   int samples = 4;
   std::optional<double> scale;
 };
 
-Result<std::optional<LiveFeed>> openFeed(const Arguments& arguments) {
-  if (!arguments.is_live) return std::optional<LiveFeed>();
-  std::vector<Endpoint> endpoints;
+Result<ContentRequest> contentRequest(const Arguments& arguments) {
+  ContentRequest request;
+  request.cell = arguments.cell;
+  request.log = arguments.log;
+  request.trust = arguments.trust;
+  request.hide = arguments.hide;
+  request.show = arguments.show;
+  request.styles = arguments.styles;
+  request.camera = arguments.camera;
+  request.at = arguments.at;
+  request.joints = arguments.joints;
+  request.drive = arguments.drive;
+  request.drive_as = arguments.drive_as;
+  request.where = arguments.where;
+  if (!arguments.is_live) return request;
+  if (!arguments.log.empty()) {
+    return Error{ErrorKind::bad_argument, "a log and --live cannot be used together", ""};
+  }
+  if (arguments.cell.empty()) {
+    return Error{ErrorKind::bad_argument, "--live needs a CELL", ""};
+  }
+  request.live.emplace();
   for (const std::string& text : arguments.live) {
     if (text.empty()) continue;
     auto endpoint = Endpoint::parse(text);
     if (!endpoint.ok()) return endpoint.error();
-    endpoints.push_back(*endpoint);
+    request.live->push_back(*endpoint);
   }
-  if (endpoints.empty()) endpoints.push_back(Endpoint::standard());
-  auto feed = LiveFeed::start(endpoints);
-  if (!feed.ok()) return feed.error();
-  return std::optional<LiveFeed>(std::move(*feed));
+  if (request.live->empty()) request.live->push_back(Endpoint::standard());
+  const auto keep = parseKeepLimits(arguments.keep);
+  if (!keep.ok()) return keep.error();
+  request.keep = *keep;
+  return request;
 }
 
 Result<ViewOptions> viewOptions(const Arguments& arguments) {
   ViewOptions options;
   char end = 0;
-  if (std::sscanf(arguments.size.c_str(), "%dx%d%c", &options.width, &options.height, &end) != 2 ||
-      options.width < 64 || options.height < 64 || options.width > 8192 || options.height > 8192) {
+  options.fresh = arguments.fresh;
+  if (!arguments.size.empty() &&
+      (std::sscanf(arguments.size.c_str(), "%dx%d%c", &options.width, &options.height, &end) != 2 ||
+       options.width < 64 || options.height < 64 || options.width > 8192 ||
+       options.height > 8192)) {
     return Error{ErrorKind::bad_argument, "the size must be WIDTHxHEIGHT, each from 64 to 8192",
                  "--size " + arguments.size};
   }
   options.samples = arguments.samples;
   options.scale = arguments.scale;
   options.target_fps = arguments.target_fps;
-  options.cell = arguments.cell;
-  options.log = arguments.log;
-  options.where = arguments.where;
   if (arguments.detail != "auto") {
     options.detail = parseDetailRung(arguments.detail);
     if (!options.detail) {
@@ -89,95 +118,80 @@ Result<ViewOptions> viewOptions(const Arguments& arguments) {
   return options;
 }
 
-void warnOfFaults(const Cell& cell) {
-  std::size_t errors = 0;
-  for (const ModelFault& fault : cell.faults) {
-    if (fault.severity != Severity::error) continue;
-    if (++errors <= 3) cli::warn(fault.print());
+/// `--leftovers` and `--forget-leftovers`.
+Result<Exit> lookAtLeftovers(const Arguments& arguments) {
+  const std::vector<KeptLeftover> leftovers = KeptFolder::leftovers(KeptFolder::ofUser());
+  if (!arguments.forget_leftovers) {
+    fmt::print("{}", leftoversText(leftovers));
+    return Exit::done;
   }
-  if (errors > 3) {
-    cli::warn(fmt::format("{} errors in all; rocinante check lists them", errors));
+  for (const KeptLeftover& leftover : leftovers) {
+    if (Status gone = KeptFolder::forget(leftover); !gone) return gone.error();
+    fmt::print("deleted {}\n", leftover.folder.string());
   }
+  return Exit::done;
 }
 
 Result<Exit> view(const Arguments& arguments) {
-  const auto options = viewOptions(arguments);
+  auto options = viewOptions(arguments);
   if (!options.ok()) return options.error();
-  if (arguments.is_live && !arguments.log.empty()) {
-    return Error{ErrorKind::bad_argument, "a log and --live cannot be used together", ""};
+  if (arguments.is_live) {
+    options->notice = leftoversOffer(KeptFolder::leftovers(KeptFolder::ofUser()));
+    if (!options->notice.empty()) cli::warn(options->notice);
   }
-  CellOptions cell_options;
-  static_cast<ModelSearch&>(cell_options) = arguments.where;
-  cell_options.parallel = cli::workerThreads();
-  cell_options.progress = cli::loadProgress(arguments.cell.string());
-  auto cell = loadCellOrLog(arguments.cell, cell_options);
-  if (!cell.ok()) return cell.error();
-  warnOfFaults(*cell);
-
-  std::optional<Timeline> session;
-  if (!arguments.log.empty()) {
-    auto opened = Timeline::open(arguments.log);
-    if (!opened.ok()) return opened.error();
-    session = std::move(*opened);
-  }
-  auto feed = openFeed(arguments);
-  if (!feed.ok()) return feed.error();
-  auto model = ViewModel::make(std::move(*cell), std::move(session), std::move(*feed),
-                               arguments.hide, arguments.show);
-  if (!model.ok()) return model.error();
-  RenderStyle style;
-  for (const std::string& word : arguments.styles) {
-    if (auto set = setStyle(style, word); !set) return set.error();
-  }
-  if (auto known = model->names().check(style); !known) return known.error();
-  model->setStyle(style);
-  for (const auto* paths : {&arguments.hide, &arguments.show}) {
-    for (const std::string& path : *paths) {
-      const std::string doubt = model->names().doubtAbout(path);
-      if (!doubt.empty()) cli::warn(doubt);
-    }
-  }
-  if (!arguments.camera.empty()) {
-    if (auto known = model->names().checkCamera(arguments.camera); !known) return known.error();
-    model->useCamera(arguments.camera);
-  }
-  if (!arguments.at.empty()) {
-    TimelineCursor* cursor = model->cursor();
-    if (cursor == nullptr) {
-      return Error{ErrorKind::bad_argument, "--at needs a log", "--at " + arguments.at};
-    }
-    const auto moment = parseSessionTime(arguments.at, model->origin(), cursor->end());
-    if (!moment.ok()) return moment.error();
-    cursor->seek(*moment, SteadyTime{});
-  }
-  if (auto shown = runViewer(*model, *options); !shown) return shown.error();
-  if (!model->seenDamage().empty()) {
-    cli::warn(model->seenDamage().what() + "; what was shown may be older than its time says (" +
-              model->seenDamage().where() + ")");
-  }
-  for (const std::string& doubt : model->doubts) cli::warn(doubt);
-  return model->seenDamage().empty() && model->doubts.empty() ? Exit::done : Exit::no;
+  const auto request = contentRequest(arguments);
+  if (!request.ok()) return request.error();
+  const auto beyond_doubt = runViewer(*request, *options);
+  if (!beyond_doubt.ok()) return beyond_doubt.error();
+  return *beyond_doubt ? Exit::done : Exit::no;
 }
 
 int viewMain(int argc, char** argv) {
   CLI::App app("Shows a cell at rest, in a recorded session or live.", "rocinante-view");
   Arguments arguments;
   app.add_option("CELL", arguments.cell,
-                 "a *.cell.toml, a .urdf, an .obj or a log that carries its cell")
-      ->required();
+                 "a *.cell.toml, a .urdf, an .obj or a log that carries its cell; without it "
+                 "the window says how to open one");
   app.add_option("LOG", arguments.log, "a recorded session");
   auto* live = app.add_option("--live", arguments.live,
                               "show live packets; EP as in `rocinante record`, default: the "
-                              "standard group")
-                   ->expected(0, 1);
+                              "standard group; repeatable")
+                   ->expected(0, 1)
+                   ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  app.add_option("--keep", arguments.keep,
+                 "how much of a live session is kept to be shown again and saved: a time, a size "
+                 "or both, whichever comes first; 0: nothing")
+      ->needs(live)
+      ->type_name("LIMITS")
+      ->capture_default_str();
+  app.add_flag("--leftovers", arguments.leftovers,
+               "list live sessions that killed windows have left behind");
+  app.add_flag("--forget-leftovers", arguments.forget_leftovers, "delete them");
+  app.add_option("--trust", arguments.trust,
+                 "show only what is signed with a key of this file (rocinante key)")
+      ->needs(live)
+      ->type_name("FILE");
+  app.add_option("--joints", arguments.joints,
+                 "without a session: all joint values of a device in its model's order, "
+                 "\"0 -0.785 0\"; repeatable")
+      ->option_text("[DEVICE=]VALUES")
+      ->allow_extra_args(false);
+  auto* drive = app.add_option("--drive", arguments.drive,
+                               "send the joints that are moved by hand to this endpoint")
+                    ->option_text("EP");
+  app.add_option("--as", arguments.drive_as, "the SOURCE name of --drive; default: hand")
+      ->needs(drive)
+      ->option_text("NAME");
   app.add_option("--profile", arguments.profile,
                  "fast: the driver as it is; reproducible: the same bits everywhere")
       ->check(CLI::IsMember({"fast", "reproducible"}))
       ->capture_default_str();
   app.add_option("--camera", arguments.camera, "a camera of the cell or a view of the session");
   app.add_option("--at", arguments.at, "start at this session time");
-  app.add_option("--size", arguments.size, "size of the window, WIDTHxHEIGHT")
-      ->capture_default_str();
+  app.add_option("--size", arguments.size,
+                 "size of the window, WIDTHxHEIGHT; default: as it was last, else 1280x720");
+  app.add_flag("--fresh", arguments.fresh,
+               "neither use nor change what was remembered: size, panels, theme, recent files");
   app.add_option("--detail", arguments.detail,
                  "auto: as much as --target-fps allows (fast profile); or a level, 0 "
                  "(everything) to 9")
@@ -199,6 +213,7 @@ int viewMain(int argc, char** argv) {
   cli::addSearchFolderOptions(app, arguments.where);
   app.add_option("--script", arguments.script, "drive the window from this file, then close it");
   return cli::run(app, argc, argv, kExamples, [&]() -> Result<Exit> {
+    if (arguments.leftovers || arguments.forget_leftovers) return lookAtLeftovers(arguments);
     cli::catchStopSignals();
     const cli::StopDeadline until_stopped("stopped");
     arguments.is_live = live->count() > 0;

@@ -3,29 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+
+#include "viewer/ui/commands/command.h"
 
 namespace rocinante {
-namespace {
-
-struct KnownCommand {
-  std::string_view name;
-  std::size_t words;
-};
-
-constexpr std::array kCommands{
-    KnownCommand{"play", 0},       KnownCommand{"pause", 0},   KnownCommand{"seek", 1},
-    KnownCommand{"speed", 1},      KnownCommand{"loop", 1},    KnownCommand{"camera", 1},
-    KnownCommand{"orbit", 2},      KnownCommand{"pan", 2},     KnownCommand{"zoom", 1},
-    KnownCommand{"fit", 0},        KnownCommand{"hide", 1},    KnownCommand{"show", 1},
-    KnownCommand{"panels", 1},     KnownCommand{"select", 1},  KnownCommand{"wait", 1},
-    KnownCommand{"screenshot", 1}, KnownCommand{"frame", 1},   KnownCommand{"quit", 0},
-    KnownCommand{"style", 2},      KnownCommand{"help", 1},    KnownCommand{"insets", 1},
-    KnownCommand{"auto", 1},       KnownCommand{"key", 1},     KnownCommand{"click", 2},
-    KnownCommand{"detail", 1},     KnownCommand{"evidence", 1}};
-
-}  // namespace
-
 Result<std::vector<ViewCommand>> parseViewScript(std::string_view text, std::string_view name) {
   std::vector<ViewCommand> commands;
   int line_number = 0;
@@ -38,29 +19,15 @@ Result<std::vector<ViewCommand>> parseViewScript(std::string_view text, std::str
 
     ViewCommand command;
     command.line = line_number;
-    while (true) {
-      const std::size_t first = line.find_first_not_of(" \t\r");
-      if (first == std::string_view::npos) break;
-      line.remove_prefix(first);
-      const std::size_t length = std::min(line.find_first_of(" \t\r"), line.size());
-      command.words.emplace_back(line.substr(0, length));
-      line.remove_prefix(length);
-    }
+    command.words = splitWords(line);
     if (command.words.empty()) continue;
     command.name = command.words.front();
     command.words.erase(command.words.begin());
 
-    const auto place = fmt::format("{}:{}", name, line_number);
-    const auto* known = std::ranges::find(kCommands, command.name, &KnownCommand::name);
-    if (known == kCommands.end()) {
-      return Error{ErrorKind::bad_argument, fmt::format("unknown command `{}`", command.name),
-                   place};
-    }
-    if (command.words.size() != known->words) {
-      return Error{ErrorKind::bad_argument,
-                   fmt::format("`{}` takes {} words, not {}", command.name, known->words,
-                               command.words.size()),
-                   place};
+    if (const auto known = checkCommand(command.name, command.words.size()); !known.ok()) {
+      Error fault = known.error();
+      fault.where = fmt::format("{}:{}", name, line_number);
+      return fault;
     }
     commands.push_back(std::move(command));
   }

@@ -12,6 +12,7 @@ struct KeyPress {
   int key = 0;  ///< GLFW's number
   bool shift = false;
   bool repeated = false;
+  bool control = false;
 };
 
 struct InputEvent {
@@ -46,18 +47,6 @@ class InputQueue {
  private:
   std::deque<InputEvent> events_;
   InputState state_;
-};
-
-/// Counts the frames to draw after an event before the window waits again: a press shows in its
-/// frame, its effect on panels in the next one, and auto-sized panels need one more.
-class SettlingFrames {
- public:
-  static constexpr int kFrames = 3;
-  void drawn(bool anything_happened) { left_ = anything_happened ? kFrames : left_ - (left_ > 0); }
-  bool settled() const { return left_ == 0; }
-
- private:
-  int left_ = kFrames;
 };
 
 }  // namespace rocinante

@@ -60,10 +60,20 @@ bool InterfaceContext::useScale(float scale) {
   config.FontDataOwnedByAtlas = false;
   io.Fonts->AddFontFromMemoryTTF(const_cast<std::byte*>(font.data()), static_cast<int>(font.size()),
                                  kFontPixels * scale, &config);
-  ImGui::GetStyle() = ImGuiStyle();
-  stylePanels();
-  ImGui::GetStyle().ScaleAllSizes(scale);
+  restyle();
   return true;
+}
+
+void InterfaceContext::useTheme(bool light) {
+  if (light == light_) return;
+  light_ = light;
+  restyle();
+}
+
+void InterfaceContext::restyle() {
+  ImGui::GetStyle() = ImGuiStyle();
+  stylePanels(light_);
+  ImGui::GetStyle().ScaleAllSizes(scale_);
 }
 
 void InterfaceContext::beginFrame(int width, int height) {

@@ -20,12 +20,17 @@ class InterfaceContext {
   /// Sets text and spacing for a screen scale of 1 to 4; true when they changed: the glyphs must
   /// then be uploaded again. Call between frames.
   bool useScale(float scale);
+  /// Light or dark panels, with text in a color to match. Call between frames.
+  void useTheme(bool light);
   float scale() const { return scale_; }
   void beginFrame(int width, int height);
 
  private:
+  void restyle();
+
   Window* window_;
   float scale_ = 0;
+  bool light_ = false;
 };
 
 }  // namespace rocinante

@@ -3,6 +3,6 @@
 namespace rocinante {
 
 /// Sets colours and spacing of all panels; call once, after making the ImGui context.
-void stylePanels();
+void stylePanels(bool light);
 
 }  // namespace rocinante

@@ -3,6 +3,7 @@
 #include <dlfcn.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 
@@ -74,6 +75,7 @@ Result<std::unique_ptr<Window>> Window::open(const std::string& title, int width
     return error;
   }
   std::unique_ptr<Window> opened(new Window(window));
+  opened->scaled_ = scaled;
   if (auto current = opened->makeCurrent(); !current) return current.error();
   return opened;
 }
@@ -85,6 +87,12 @@ Window::Window(GLFWwindow* window) : window_(window) {
   glfwSetCursorPosCallback(window_, onMove);
   glfwSetMouseButtonCallback(window_, onButton);
   glfwSetScrollCallback(window_, onWheel);
+  glfwSetWindowRefreshCallback(window_, onNews);
+  glfwSetFramebufferSizeCallback(window_, [](GLFWwindow* one, int, int) { onNews(one); });
+  glfwSetWindowFocusCallback(window_, [](GLFWwindow* one, int) { onNews(one); });
+  glfwSetCursorEnterCallback(window_, [](GLFWwindow* one, int) { onNews(one); });
+  glfwSetCharCallback(window_, [](GLFWwindow* one, unsigned) { onNews(one); });
+  glfwSetDropCallback(window_, onDrop);
   glfwGetCursorPos(window_, &mouse_x_, &mouse_y_);
 }
 
@@ -96,7 +104,8 @@ void Window::onKey(GLFWwindow* window, int key, int /*scancode*/, int action, in
   Window& self = of(window);
   self.news_ = true;
   if (action == GLFW_RELEASE) return;
-  const KeyPress pressed{key, (modifiers & GLFW_MOD_SHIFT) != 0, action == GLFW_REPEAT};
+  const KeyPress pressed{key, (modifiers & GLFW_MOD_SHIFT) != 0, action == GLFW_REPEAT,
+                         (modifiers & GLFW_MOD_CONTROL) != 0};
   self.input_.add({InputEvent::Kind::key, 0, 0, 0, pressed});
 }
 
@@ -116,9 +125,17 @@ void Window::onButton(GLFWwindow* window, int button, int action, int /*modifier
   self.input_.add({kind, static_cast<std::size_t>(button), self.mouse_x_, self.mouse_y_, {}});
 }
 
-void Window::onWheel(GLFWwindow* window, double /*across*/, double /*down*/) {
-  of(window).news_ = true;
+void Window::onWheel(GLFWwindow* window, double /*across*/, double /*down*/) { onNews(window); }
+
+void Window::onDrop(GLFWwindow* window, int count, const char** paths) {
+  // More than anybody means to show.
+  constexpr int kMostFiles = 64;
+  Window& self = of(window);
+  self.news_ = true;
+  for (int i = 0; i < std::min(count, kMostFiles); ++i) self.dropped_.emplace_back(paths[i]);
 }
+
+void Window::onNews(GLFWwindow* window) { of(window).news_ = true; }
 
 Window::~Window() {
   glfwDestroyWindow(window_);
@@ -148,6 +165,17 @@ int Window::framebufferHeight() const {
   return height;
 }
 
+std::pair<int, int> Window::size() const {
+  int width = 0;
+  int height = 0;
+  glfwGetWindowSize(window_, &width, &height);
+  // As GLFW does it on X11, where a unit is a pixel.
+  const bool in_pixels = width == framebufferWidth();
+  const float scale = scaled_ && in_pixels ? std::max(1.0F, contentScale()) : 1.0F;
+  return {static_cast<int>(static_cast<float>(width) / scale),
+          static_cast<int>(static_cast<float>(height) / scale)};
+}
+
 float Window::contentScale() const {
   float across = 1;
   float down = 1;
@@ -159,6 +187,8 @@ bool Window::followsPointer() const {
   return glfwGetWindowAttrib(window_, GLFW_HOVERED) == GLFW_TRUE ||
          glfwGetWindowAttrib(window_, GLFW_FOCUSED) == GLFW_TRUE;
 }
+
+void Window::setTitle(const std::string& title) { glfwSetWindowTitle(window_, title.c_str()); }
 
 bool Window::closeRequested() const { return glfwWindowShouldClose(window_) == GLFW_TRUE; }
 void Window::requestClose() { glfwSetWindowShouldClose(window_, GLFW_TRUE); }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <utility>
@@ -31,10 +32,15 @@ class Window final : public RenderContext {
   /// Pixels of the framebuffer, which may exceed the window's units.
   int framebufferWidth() const;
   int framebufferHeight() const;
+  /// In the units of open(): without the screen's scale where it was asked for.
+  std::pair<int, int> size() const;
   /// The screen's scale: 2 when pixels are half as large as usual.
   float contentScale() const;
   /// Whether the window follows the pointer: it is over the window, or the window has the focus.
   bool followsPointer() const;
+  void setTitle(const std::string& title);
+  /// Files that were dropped on the window since the last call.
+  std::vector<std::filesystem::path> takeDropped() { return std::exchange(dropped_, {}); }
   bool closeRequested() const;
   void requestClose();
   /// Shows framebuffer 0. Waits for the display when `paced`.
@@ -43,7 +49,7 @@ class Window final : public RenderContext {
   /// Mouse and key events for frames to take one by one. Includes keys released before a frame,
   /// which polling would miss when a frame takes long.
   InputQueue& input() { return input_; }
-  /// Whether there was any user input since the last call.
+  /// Whether there was any user input since the last call, or the window must be drawn again.
   bool takeNews() { return std::exchange(news_, false); }
 
  private:
@@ -53,8 +59,14 @@ class Window final : public RenderContext {
   static void onMove(GLFWwindow* window, double x, double y);
   static void onButton(GLFWwindow* window, int button, int action, int modifiers);
   static void onWheel(GLFWwindow* window, double across, double down);
+  /// Of the window itself: its size, focus, or pixels that the system wants again.
+  static void onNews(GLFWwindow* window);
+
+  static void onDrop(GLFWwindow* window, int count, const char** paths);
 
   GLFWwindow* window_;
+  bool scaled_ = false;
+  std::vector<std::filesystem::path> dropped_;
   InputQueue input_;
   double mouse_x_ = 0, mouse_y_ = 0;  // of the last event, in window units
   bool news_ = false;

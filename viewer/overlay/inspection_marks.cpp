@@ -1,0 +1,92 @@
+#include "viewer/overlay/inspection_marks.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "core/cell/view_path.h"
+#include "core/math/transform.h"
+
+namespace rocinante {
+namespace {
+
+constexpr double kAxisPx = 34;
+constexpr double kAxisWidthPx = 2.5;
+constexpr std::array<std::uint32_t, 3> kAxisColors{0xE8453BFF, 0x49B044FF, 0x3F86F0FF};
+constexpr std::uint32_t kAxisShade = 0x14181C90;
+constexpr std::uint32_t kMeasureInk = 0xFFD84AFF;
+
+struct LinkSpace {
+  Mat4 to_world{1.0};
+  double depth = 0;
+};
+
+void addAxes(Overlay& overlay, const LinkSpace& space, const Camera& camera) {
+  const double length = kAxisPx * camera.metersPerPixel(space.depth) * overlay.scale();
+  const Vec3 origin = positionOf(space.to_world);
+  struct Axis {
+    Vec3 end;
+    double depth;
+    std::uint32_t rgba;
+  };
+  std::vector<Axis> axes;
+  for (int i = 0; i < 3; ++i) {
+    const auto direction = normalized(Vec3(space.to_world[i]));
+    if (!direction) continue;
+    const Vec3 end = origin + *direction * length;
+    axes.push_back({end, camera.depthOf(end), kAxisColors.at(static_cast<std::size_t>(i))});
+  }
+  // The farthest first, so that the nearest covers the others.
+  std::ranges::stable_sort(axes, [](const Axis& a, const Axis& b) { return a.depth > b.depth; });
+  for (const Axis& axis : axes) overlay.addLine({origin, axis.end}, kAxisShade, kAxisWidthPx + 2);
+  for (const Axis& axis : axes) overlay.addLine({origin, axis.end}, axis.rgba, kAxisWidthPx);
+}
+
+}  // namespace
+
+void addLinkFrames(Overlay& overlay, const PosedScene& scene, const ViewChoice& choice,
+                   const std::vector<std::string>& frames, const Camera& camera) {
+  std::vector<ViewPath> paths;
+  for (const std::string& frame : frames) {
+    if (auto path = parseViewPath(frame)) paths.push_back(std::move(*path));
+  }
+  if (paths.empty()) return;
+  std::vector<LinkSpace> spaces;
+  for (const PosedDevice& device : scene.devices) {
+    for (std::size_t link = 0; link < device.link_world.size(); ++link) {
+      const bool named = std::ranges::any_of(
+          paths, [&](const ViewPath& path) { return path.namesLink(device, link); });
+      if (!named || !choice.linkVisible(device, link)) continue;
+      const double depth = camera.depthOf(positionOf(device.link_world[link]));
+      // NaN has no order, and what is behind the camera no picture.
+      if (!std::isfinite(depth) || (depth <= 0 && !camera.orthographic())) continue;
+      spaces.push_back({device.link_world[link], depth});
+    }
+  }
+  std::ranges::stable_sort(
+      spaces, [](const LinkSpace& a, const LinkSpace& b) { return a.depth > b.depth; });
+  for (const LinkSpace& space : spaces) addAxes(overlay, space, camera);
+}
+
+void addMeasures(Overlay& overlay, const PosedScene& scene, const RenderStyle& style,
+                 const TextAtlas& atlas) {
+  for (const MeasureStyle& measure : style.measures) {
+    const auto from = worldOf(measure.from, scene);
+    const auto to = worldOf(measure.to, scene);
+    if (!from || !to) continue;
+    const double length = lengthOf(*to - *from);
+    if (!std::isfinite(length)) continue;
+    overlay.addLine({*from, *to}, kAxisShade, 4.5);
+    overlay.addLine({*from, *to}, kMeasureInk, 2);
+    for (const Vec3& end : {*from, *to}) {
+      overlay.addPoint(end, kAxisShade, 9);
+      overlay.addPoint(end, kMeasureInk, 6);
+    }
+    // Picking has begun, and there is no second point yet.
+    if (measure.from == measure.to) continue;
+    overlay.addLabel(atlas, (*from + *to) * 0.5, kMeasureInk, lengthText(length, style.lengths));
+  }
+}
+
+}  // namespace rocinante

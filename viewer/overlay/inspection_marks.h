@@ -1,0 +1,20 @@
+#pragma once
+
+#include "core/cell/posed_scene.h"
+#include "viewer/overlay/overlay.h"
+#include "viewer/view/render_style.h"
+#include "viewer/view/view_choice.h"
+
+namespace rocinante {
+
+/// Adds the axes of the links that RenderStyle::frames names and that are shown, over everything:
+/// x red, y green, z blue, all as long in the picture, whatever their distance.
+void addLinkFrames(Overlay& overlay, const PosedScene& scene, const ViewChoice& choice,
+                   const std::vector<std::string>& frames, const Camera& camera);
+
+/// Adds the distances of RenderStyle::measures, over everything: a line between two points, and its
+/// length. Those with a missing device or link are left out.
+void addMeasures(Overlay& overlay, const PosedScene& scene, const RenderStyle& style,
+                 const TextAtlas& atlas);
+
+}  // namespace rocinante

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viewer/ui/commands/command.h"
+
+/// The parts of allCommands(), one file each, and what their actions share. Only they include this.
+namespace rocinante {
+
+std::vector<Command> timeCommands();
+/// A session that goes on.
+std::vector<Command> liveCommands();
+/// Plots and findings.
+std::vector<Command> plotCommands();
+std::vector<Command> cameraCommands();
+std::vector<Command> pictureCommands();
+/// Joints moved by hand.
+std::vector<Command> handCommands();
+/// Poses, distances and the packets behind values.
+std::vector<Command> inspectCommands();
+std::vector<Command> programCommands();
+/// What only a script needs.
+std::vector<Command> scriptCommands();
+
+/// A finite number. bad_argument without a place.
+Result<double> numberOf(const std::string& word);
+
+/// "on" or "off"; without a word, the opposite of `now`. bad_argument without a place.
+Result<bool> switched(CommandWords words, bool now);
+
+/// bad_argument without a place.
+Error badWord(std::string what);
+
+}  // namespace rocinante

@@ -1,0 +1,41 @@
+#include "viewer/ui/commands/command_groups.h"
+
+namespace rocinante {
+namespace {
+
+Status goToNow(CommandWords /*words*/, const CommandStage& stage) {
+  if (stage.model.goToNow()) return {};
+  return badWord("`now` needs a session that goes on");
+}
+
+Status saveSession(CommandWords words, const CommandStage& stage) {
+  if (words.empty()) {
+    stage.requests.save_live = true;
+  } else {
+    stage.requests.save_file = words[0];
+  }
+  return {};
+}
+
+}  // namespace
+
+std::vector<Command> liveCommands() {
+  std::vector<Command> commands{
+      {.name = "now",
+       .means = "now, of a session that goes on",
+       .run = goToNow,
+       .shortcuts = {{"N", "", ""}}},
+      {.name = "save",
+       .arguments = "[FILE]",
+       .means = "save the live session as a log",
+       .run = saveSession,
+       .shortcuts = {{"shift+S", "", ""}}},
+  };
+  for (Command& command : commands) {
+    command.group = CommandGroup::time;
+    command.needs_live = true;
+  }
+  return commands;
+}
+
+}  // namespace rocinante

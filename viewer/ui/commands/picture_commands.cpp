@@ -1,0 +1,257 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "viewer/detail/detail_level.h"
+#include "viewer/ui/commands/command_groups.h"
+
+namespace rocinante {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// Adds the entry, or removes the one of the same path.
+template <class Entry, class PathOf>
+void toggleEntry(std::vector<Entry>& entries, Entry entry, const PathOf& path_of) {
+  const auto found = std::ranges::find(entries, path_of(entry), path_of);
+  if (found == entries.end()) {
+    entries.push_back(std::move(entry));
+  } else {
+    entries.erase(found);
+  }
+}
+
+/// The selection, else every device.
+std::string subjectOf(const ViewModel& model) {
+  return model.selected.device.empty() ? "*" : model.selected.path();
+}
+
+const std::string& itself(const std::string& path) { return path; }
+
+Status setEdges(CommandWords words, const CommandStage& stage) {
+  RenderStyle style = stage.model.style();
+  if (words.empty()) {
+    style.edges = static_cast<EdgeStyle>((static_cast<int>(style.edges) + 1) % 3);
+  } else if (auto set = setStyle(style, "edges", words[0]); !set) {
+    return badWord(set.error().text());
+  }
+  stage.model.setStyle(style);
+  return {};
+}
+
+Status setFlag(bool RenderStyle::*flag, CommandWords words, const CommandStage& stage) {
+  RenderStyle style = stage.model.style();
+  const auto on = switched(words, style.*flag);
+  if (!on.ok()) return on.error();
+  style.*flag = *on;
+  stage.model.setStyle(style);
+  return {};
+}
+
+Status setShadows(CommandWords words, const CommandStage& stage) {
+  return setFlag(&RenderStyle::shadows, words, stage);
+}
+
+Status setLimits(CommandWords words, const CommandStage& stage) {
+  return setFlag(&RenderStyle::limits, words, stage);
+}
+
+Status toggleWireframe(CommandWords /*words*/, const CommandStage& stage) {
+  RenderStyle style = stage.model.style();
+  toggleEntry(style.wireframe, subjectOf(stage.model), itself);
+  stage.model.setStyle(style);
+  return {};
+}
+
+Status toggleCollision(CommandWords /*words*/, const CommandStage& stage) {
+  RenderStyle style = stage.model.style();
+  toggleEntry(style.collision, subjectOf(stage.model), itself);
+  stage.model.setStyle(style);
+  return {};
+}
+
+Status toggleTransparent(CommandWords /*words*/, const CommandStage& stage) {
+  RenderStyle style = stage.model.style();
+  toggleEntry(style.transparent, TransparentStyle{subjectOf(stage.model), 0.3},
+              [](const TransparentStyle& one) -> const std::string& { return one.path; });
+  stage.model.setStyle(style);
+  return {};
+}
+
+Status toggleTrail(CommandWords /*words*/, const CommandStage& stage) {
+  if (stage.model.selected.device.empty()) return {};
+  RenderStyle style = stage.model.style();
+  toggleEntry(style.trails, TrailStyle{stage.model.selected.path(), 5s},
+              [](const TrailStyle& one) -> const std::string& { return one.path; });
+  stage.model.setStyle(style);
+  return {};
+}
+
+Status setOneStyle(CommandWords words, const CommandStage& stage) {
+  RenderStyle style = stage.model.style();
+  Status set = setStyle(style, words[0], words[1]);
+  if (set) set = stage.model.names().check(style);
+  if (!set) return badWord(set.error().text());
+  stage.model.setStyle(style);
+  return {};
+}
+
+Status setVisibility(const std::string& path, std::optional<bool> visible,
+                     const CommandStage& stage) {
+  if (auto known = stage.model.names().check({path}); !known) return badWord(known.error().text());
+  if (stage.model.setVisible(path, visible)) return {};
+  return badWord(fmt::format("`{}` is not DEVICE, DEVICE/LINK or layer/NAME", path));
+}
+
+Status hidePath(CommandWords words, const CommandStage& stage) {
+  if (!words.empty()) return setVisibility(words[0], false, stage);
+  if (!stage.model.selected.device.empty()) {
+    stage.model.setVisible(stage.model.selected.path(), false);
+  }
+  return {};
+}
+
+Status showPath(CommandWords words, const CommandStage& stage) {
+  if (!words.empty()) return setVisibility(words[0], true, stage);
+  for (const std::string& path : stage.model.hiddenPaths()) {
+    stage.model.setVisible(path, std::nullopt);
+  }
+  return {};
+}
+
+Status autoPath(CommandWords words, const CommandStage& stage) {
+  return setVisibility(words[0], std::nullopt, stage);
+}
+
+Status selectPath(CommandWords words, const CommandStage& stage) {
+  if (auto known = stage.model.names().check({words[0]}); !known) {
+    return badWord(known.error().text());
+  }
+  const std::size_t slash = words[0].find('/');
+  stage.model.selected.device = words[0].substr(0, slash);
+  stage.model.selected.link = slash == std::string::npos ? "" : words[0].substr(slash + 1);
+  return {};
+}
+
+Status clearSelection(CommandWords /*words*/, const CommandStage& stage) {
+  ViewModel& model = stage.model;
+  if (model.palette.shown || model.open.shown || model.help_shown) {
+    model.palette.shown = model.open.shown = model.help_shown = false;
+  } else if (model.picking.active()) {
+    model.picking.end();
+  } else {
+    model.selected = {};
+  }
+  return {};
+}
+
+Status setInsets(CommandWords words, const CommandStage& stage) {
+  const bool any = std::ranges::any_of(stage.model.insets, &InsetChoice::shown);
+  const auto on = switched(words, any);
+  if (!on.ok()) return on.error();
+  for (InsetChoice& inset : stage.model.insets) inset.shown = *on;
+  return {};
+}
+
+Status setDetail(CommandWords words, const CommandStage& stage) {
+  stage.requests.rung = parseDetailRung(words[0]);
+  if (stage.requests.rung) return {};
+  return badWord(
+      fmt::format("`{}` is not a level of detail from 0 to {}", words[0], kCoarsestRung));
+}
+
+std::vector<std::string> deviceChoices(const ViewModel& model) {
+  std::vector<std::string> names;
+  for (const PosedDevice& device : model.scene().devices) {
+    names.push_back(Selection{device.name, ""}.path());
+  }
+  return names;
+}
+
+std::vector<std::string> detailChoices(const ViewModel& /*model*/) {
+  std::vector<std::string> levels;
+  for (int level = 0; level <= kCoarsestRung; ++level) levels.push_back(fmt::format("{}", level));
+  return levels;
+}
+
+}  // namespace
+
+std::vector<Command> pictureCommands() {
+  std::vector<Command> commands{
+      {.name = "edges",
+       .arguments = "[off|on|only]",
+       .means = "edges off, on, only",
+       .run = setEdges,
+       .shortcuts = {{"E", "", ""}}},
+      {.name = "shadows",
+       .arguments = "[on|off]",
+       .means = "shadows",
+       .run = setShadows,
+       .shortcuts = {{"D", "", ""}}},
+      {.name = "limits",
+       .arguments = "[on|off]",
+       .means = "links near a joint limit amber, beyond it red",
+       .run = setLimits,
+       .shortcuts = {{"L", "", ""}}},
+      {.name = "wireframe",
+       .means = "the selection, else everything, as lines",
+       .run = toggleWireframe,
+       .shortcuts = {{"W", "", ""}}},
+      {.name = "see-through",
+       .means = "the selection, else everything, see-through",
+       .run = toggleTransparent,
+       .shortcuts = {{"T", "", ""}}},
+      {.name = "collision",
+       .means = "collision geometry of the selection, else of everything",
+       .run = toggleCollision,
+       .shortcuts = {{"C", "", ""}}},
+      {.name = "trail",
+       .means = "the trail of the selection",
+       .run = toggleTrail,
+       .shortcuts = {{"R", "", ""}}},
+      {.name = "hide",
+       .arguments = "[PATH]",
+       .means = "hide the selection or PATH",
+       .run = hidePath,
+       .shortcuts = {{"H", "", "hide the selection"}},
+       .choices = deviceChoices},
+      {.name = "show",
+       .arguments = "[PATH]",
+       .means = "show PATH, or all that was hidden",
+       .run = showPath,
+       .shortcuts = {{"shift+H", "", "show all that was hidden"}},
+       .choices = deviceChoices},
+      {.name = "auto",
+       .arguments = "PATH",
+       .means = "visibility as packets and the cell have it",
+       .run = autoPath,
+       .choices = deviceChoices},
+      {.name = "select",
+       .arguments = "DEVICE[/LINK]",
+       .means = "select a device or link",
+       .run = selectPath,
+       .choices = deviceChoices},
+      {.name = "clear",
+       .means = "close what is open, else clear the selection",
+       .run = clearSelection,
+       .shortcuts = {{"escape", "", ""}}},
+      {.name = "insets",
+       .arguments = "[on|off]",
+       .means = "insets on or off",
+       .run = setInsets,
+       .shortcuts = {{"I", "", ""}}},
+      {.name = "style",
+       .arguments = "KEY VALUE",
+       .means = "a look of the picture, as --style",
+       .run = setOneStyle},
+      {.name = "detail",
+       .arguments = "LEVEL",
+       .means = "a fixed level of detail",
+       .run = setDetail,
+       .choices = detailChoices},
+  };
+  for (Command& command : commands) command.group = CommandGroup::picture;
+  return commands;
+}
+
+}  // namespace rocinante

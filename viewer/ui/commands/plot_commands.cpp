@@ -1,0 +1,137 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "viewer/ui/commands/command_groups.h"
+#include "viewer/ui/commands/study_actions.h"
+
+namespace rocinante {
+namespace {
+
+/// Refuses values that neither the cell nor any packet has.
+Status checkKey(const SeriesKey& key, ViewModel& model) {
+  if (!key.isOfDevice()) return {};
+  const auto said = model.state().devices().find(key.name);
+  const PosedDevice* const device = model.scene().findDevice(key.name);
+  if (device == nullptr && said == model.state().devices().end()) {
+    return badWord(fmt::format("no device is named `{}`", key.name));
+  }
+  if (key.kind == SeriesKey::Kind::pose || device == nullptr || device->model == nullptr) return {};
+  const Model& of_device = *device->model;
+  if (of_device.findJointValue(key.part)) return {};
+  const auto joint = of_device.findJoint(key.part);
+  if (joint && of_device.joints[*joint].mimic) return {};
+  return badWord(fmt::format("`{}` has no joint value `{}`", key.name, key.part));
+}
+
+Result<SeriesKey> seriesKeyOf(const std::string& word) {
+  auto key = parseSeriesKey(word);
+  if (key) return std::move(*key);
+  return badWord(fmt::format(
+      "`{}` is not DEVICE.JOINT, DEVICE:x (or y z qx qy qz qw), rate, loss, rate/SOURCE or "
+      "loss/SOURCE",
+      word));
+}
+
+Status plotValueOf(CommandWords words, const CommandStage& stage) {
+  const auto key = seriesKeyOf(words[0]);
+  if (!key) return key.error();
+  if (Status known = checkKey(*key, stage.model); !known) return known;
+  if (stage.model.plots.add(*key)) return {};
+  return badWord(
+      fmt::format("{} curves are plotted, and there is no room for more", PlotBoard::kMaxCurves));
+}
+
+Status unplotValue(CommandWords words, const CommandStage& stage) {
+  PlotBoard& plots = stage.model.plots;
+  if (words[0] == "all") {
+    plots.clear();
+    return {};
+  }
+  const auto key = seriesKeyOf(words[0]);
+  if (!key) return key.error();
+  if (plots.find(*key) == nullptr) return badWord(fmt::format("`{}` is not plotted", words[0]));
+  plots.remove(*key);
+  return {};
+}
+
+Status setPlots(CommandWords words, const CommandStage& stage) {
+  const auto on = switched(words, !stage.model.plots.hidden);
+  if (!on.ok()) return on.error();
+  stage.model.plots.hidden = !*on;
+  return {};
+}
+
+Status writeTable(CommandWords words, const CommandStage& stage) {
+  if (Status asked = writePlotted(stage.model, words[0]); !asked) return asked;
+  const auto written = stage.model.study()->takeTable();
+  return written && !written->ok() ? Status(written->error()) : Status();
+}
+
+Status setFindings(CommandWords words, const CommandStage& stage) {
+  ViewModel& model = stage.model;
+  const auto on = switched(words, model.findings_wanted);
+  if (!on.ok()) return on.error();
+  model.findings_wanted = *on;
+  if (!*on) return {};
+  // The study of the log comes first; a script has both at once.
+  model.picture = model.study()->show({{}, model.cursor()->start(), model.cursor()->end(), 1, 1});
+  model.findings();
+  return {};
+}
+
+Status goToFinding(CommandWords words, const CommandStage& stage) {
+  const std::string& word = words[0];
+  std::size_t number = 0;
+  const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), number);
+  const FindingsStudy* const judged = stage.model.findings();
+  const CheckReport* const report = judged == nullptr ? nullptr : judged->report();
+  if (report == nullptr) return badWord("`finding` needs `findings on` first");
+  if (fault != std::errc{} || end != word.data() + word.size() || number == 0 ||
+      number > report->findings.size()) {
+    return badWord(
+        fmt::format("`{}` is not the number of a finding, 1 to {}", word, report->findings.size()));
+  }
+  showFinding(stage.model, *stage.model.cursor(), number, stage.now);
+  return {};
+}
+
+}  // namespace
+
+std::vector<Command> plotCommands() {
+  std::vector<Command> commands{
+      {.name = "plot",
+       .arguments = "VALUE",
+       .means = "a curve: DEVICE.JOINT, DEVICE:x, rate, loss, rate/SOURCE",
+       .run = plotValueOf},
+      {.name = "unplot",
+       .arguments = "VALUE|all",
+       .means = "remove a curve, or all",
+       .run = unplotValue},
+      {.name = "plots",
+       .arguments = "[on|off]",
+       .means = "plots on or off",
+       .run = setPlots,
+       .shortcuts = {{"P", "", ""}}},
+      {.name = "table",
+       .arguments = "FILE",
+       .means = "what the plots show, as CSV",
+       .run = writeTable},
+      {.name = "findings",
+       .arguments = "[on|off]",
+       .means = "judge the log in the background, as `check`",
+       .run = setFindings},
+      {.name = "finding",
+       .arguments = "N",
+       .means = "go to a finding, by its number",
+       .run = goToFinding},
+  };
+  for (Command& command : commands) {
+    command.group = CommandGroup::time;
+    command.needs_log = true;
+  }
+  return commands;
+}
+
+}  // namespace rocinante

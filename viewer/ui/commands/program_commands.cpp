@@ -1,0 +1,200 @@
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+
+#include "core/base/duration_text.h"
+#include "viewer/ui/commands/command_groups.h"
+#include "viewer/ui/commands/key_commands.h"
+
+namespace rocinante {
+
+Error badWord(std::string what) { return {ErrorKind::bad_argument, std::move(what), {}}; }
+
+Result<double> numberOf(const std::string& word) {
+  double value = 0;
+  const auto [stop, fault] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (fault != std::errc{} || stop != word.data() + word.size() || !std::isfinite(value)) {
+    return badWord(fmt::format("`{}` is not a number", word));
+  }
+  return value;
+}
+
+Result<bool> switched(CommandWords words, bool now) {
+  if (words.empty()) return !now;
+  if (words[0] == "on") return true;
+  if (words[0] == "off") return false;
+  return badWord(fmt::format("`{}` is neither on nor off", words[0]));
+}
+
+namespace {
+
+Status makeEvidence(CommandWords words, const CommandStage& stage) {
+  if (words.empty()) {
+    stage.requests.evidence = true;
+  } else {
+    stage.requests.evidence_file = words[0];
+  }
+  return {};
+}
+
+Status makeScreenshot(CommandWords words, const CommandStage& stage) {
+  stage.requests.screenshot = words[0];
+  return {};
+}
+
+Status setPanels(CommandWords words, const CommandStage& stage) {
+  const auto on = switched(words, stage.model.panels_shown);
+  if (!on.ok()) return on.error();
+  stage.model.panels_shown = *on;
+  return {};
+}
+
+Status setHelp(CommandWords words, const CommandStage& stage) {
+  const auto on = switched(words, stage.model.help_shown);
+  if (!on.ok()) return on.error();
+  stage.model.help_shown = *on;
+  return {};
+}
+
+Status setPalette(CommandWords words, const CommandStage& stage) {
+  const auto on = switched(words, stage.model.palette.shown);
+  if (!on.ok()) return on.error();
+  stage.model.palette.shown = false;
+  if (*on) stage.model.palette.open();
+  return {};
+}
+
+Status openFile(CommandWords words, const CommandStage& stage) {
+  if (words.empty()) {
+    std::error_code ignored;
+    stage.model.open.open(std::filesystem::current_path(ignored));
+  } else {
+    stage.requests.open = {words[0]};
+  }
+  return {};
+}
+
+Status setTheme(CommandWords words, const CommandStage& stage) {
+  if (!words.empty() && words[0] != "dark" && words[0] != "light") {
+    return badWord(fmt::format("`{}` is neither dark nor light", words[0]));
+  }
+  stage.model.is_light = words.empty() ? !stage.model.is_light : words[0] == "light";
+  return {};
+}
+
+Status resetPanels(CommandWords /*words*/, const CommandStage& stage) {
+  stage.model.places = PanelPlaces();
+  return {};
+}
+
+Status quitProgram(CommandWords /*words*/, const CommandStage& stage) {
+  stage.requests.close = true;
+  return {};
+}
+
+Status clickPicture(CommandWords words, const CommandStage& stage) {
+  const auto x = numberOf(words[0]);
+  const auto y = numberOf(words[1]);
+  if (!x.ok()) return x.error();
+  if (!y.ok()) return y.error();
+  stage.requests.click = PictureClick{*x, *y, false};
+  return {};
+}
+
+Status pressKey(CommandWords words, const CommandStage& stage) {
+  const auto press = parseKey(words[0]);
+  if (!press) return badWord(fmt::format("`{}` is not a key", words[0]));
+  return runKey(*press, stage);
+}
+
+Status drawFrames(const std::string& word, double frames_per_unit, const CommandStage& stage) {
+  const auto count = numberOf(word);
+  if (!count.ok()) return count.error();
+  stage.requests.frames = static_cast<int>(std::min(std::max(*count * frames_per_unit, 1.0), 1e6));
+  return {};
+}
+
+Status drawFrameCount(CommandWords words, const CommandStage& stage) {
+  return drawFrames(words[0], 1, stage);
+}
+
+Status drawSeconds(CommandWords words, const CommandStage& stage) {
+  return drawFrames(words[0], 60, stage);
+}
+
+Status awaitLength(CommandWords words, const CommandStage& stage) {
+  const auto length = parseDuration(words[0]);
+  if (!length.ok()) return length.error();
+  stage.requests.await_length = *length;
+  return {};
+}
+
+}  // namespace
+
+std::vector<Command> programCommands() {
+  std::vector<Command> commands{
+      {.name = "evidence",
+       .arguments = "[FILE]",
+       .means = "the same picture, drawn by `rocinante render`",
+       .run = makeEvidence,
+       .shortcuts = {{"S", "", "an evidence picture"}}},
+      {.name = "screenshot",
+       .arguments = "FILE",
+       .means = "draw a frame and write it as PNG, panels included",
+       .run = makeScreenshot},
+      {.name = "panels",
+       .arguments = "[on|off]",
+       .means = "hide or show the panels",
+       .run = setPanels,
+       .shortcuts = {{"tab", "", ""}}},
+      {.name = "reset-panels", .means = "panels where they lie by themselves", .run = resetPanels},
+      {.name = "theme",
+       .arguments = "[dark|light]",
+       .means = "dark or light panels",
+       .run = setTheme},
+      {.name = "help",
+       .arguments = "[on|off]",
+       .means = "all of this, on the picture",
+       .run = setHelp,
+       .shortcuts = {{"F1", "", ""}},
+       .keys_shown = "? or F1"},
+      {.name = "open",
+       .arguments = "[FILE]",
+       .means = "open a cell, a model or a log",
+       .run = openFile,
+       .shortcuts = {{"ctrl+O", "", ""}}},
+      {.name = "palette",
+       .arguments = "[on|off]",
+       .means = "find a command and run it",
+       .run = setPalette,
+       .shortcuts = {{"ctrl+P", "", ""}}},
+      {.name = "quit", .means = "close", .run = quitProgram, .shortcuts = {{"Q", "", ""}}},
+  };
+  for (Command& command : commands) command.group = CommandGroup::program;
+  return commands;
+}
+
+std::vector<Command> scriptCommands() {
+  std::vector<Command> commands{
+      {.name = "click",
+       .arguments = "X Y",
+       .means = "click the picture, in pixels from its top left",
+       .run = clickPicture},
+      {.name = "key", .arguments = "KEY", .means = "press a key", .run = pressKey},
+      {.name = "frame", .arguments = "N", .means = "draw N frames", .run = drawFrameCount},
+      {.name = "wait",
+       .arguments = "SECONDS",
+       .means = "draw 60 frames for each second",
+       .run = drawSeconds},
+      {.name = "await",
+       .arguments = "TIME",
+       .means = "wait until the session that goes on is this long",
+       .run = awaitLength},
+  };
+  for (Command& command : commands) command.group = CommandGroup::script;
+  return commands;
+}
+
+}  // namespace rocinante

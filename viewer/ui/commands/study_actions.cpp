@@ -1,0 +1,39 @@
+#include "viewer/ui/commands/study_actions.h"
+
+#include <set>
+#include <vector>
+
+#include "viewer/ui/plot/plot_scale.h"
+
+namespace rocinante {
+
+Status writePlotted(ViewModel& model, const std::filesystem::path& path) {
+  std::set<SeriesKey> seen;
+  std::vector<SeriesKey> keys;
+  for (const PlotBoard::Curve& curve : model.plots.curves()) {
+    if (!curve.key.isOfDevice()) continue;
+    const PosedDevice* const device = model.scene().findDevice(curve.key.name);
+    SeriesKey series = plotValue(curve.key, device == nullptr ? nullptr : device->model).series;
+    if (seen.insert(series).second) keys.push_back(std::move(series));
+  }
+  LogStudy* const study = model.study();
+  if (study == nullptr || keys.empty()) {
+    return Error{ErrorKind::bad_argument, "a table needs a plotted joint or pose", ""};
+  }
+  study->writeTable(std::move(keys), model.time_view.from(), model.time_view.until(), path);
+  return {};
+}
+
+void showFinding(ViewModel& model, TimelineCursor& cursor, std::size_t number, SteadyTime now) {
+  const FindingsStudy* const judged = model.findings();
+  const CheckReport* const report = judged == nullptr ? nullptr : judged->report();
+  if (report == nullptr || number == 0 || number > report->findings.size()) return;
+  const Finding& finding = report->findings[number - 1];
+  model.finding_shown = number;
+  if (model.scene().findDevice(finding.subject) != nullptr) model.selected = {finding.subject, ""};
+  if (!finding.first) return;
+  cursor.seek(*finding.first, now);
+  model.time_view.follow(*finding.first);
+}
+
+}  // namespace rocinante

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/time.h"
+
+namespace rocinante {
+
+/// A mouse click on the picture, in pixels from its top left.
+struct PictureClick {
+  double x = 0, y = 0;
+  bool twice = false;  ///< turn about the point there
+};
+
+/// What panels and commands ask of the program in this frame: everything that needs the window, the
+/// renderer or another process.
+struct ViewerRequests {
+  bool fit = false;
+  bool fit_selected = false;
+  bool reset = false;     ///< back to the initial camera
+  bool evidence = false;  ///< into a new file of the working folder
+  std::optional<std::filesystem::path> evidence_file;
+  std::optional<std::filesystem::path> screenshot;  ///< of the coming frame, panels included
+  std::vector<std::filesystem::path> open;          ///< show these files instead
+  std::optional<std::string> save_camera;  ///< the view as a camera of the cell, by this name
+  bool close = false;
+  bool save_live =
+      false;  ///< the kept log of a live session, into a new file of the working folder
+  std::optional<std::filesystem::path> save_file;  ///< the same into this file, waiting for it
+  /// Wait until the session that goes on is this long.
+  std::optional<Nanoseconds> await_length;
+  std::optional<PictureClick> click;
+  std::optional<std::string> mark;
+  std::optional<double> target_fps;
+  /// A fixed rung, or -1 for the governor's choice.
+  std::optional<int> rung;
+  /// Frames that a script draws before its next command.
+  std::optional<int> frames;
+  /// Why a key or a typed command did nothing: a sentence to show.
+  std::optional<std::string> fault;
+};
+
+}  // namespace rocinante

@@ -1,0 +1,45 @@
+#include "viewer/ui/live/state_hand_over.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace rocinante {
+namespace {
+
+/// Folding this many bytes of packets takes a few milliseconds at most.
+constexpr std::uint64_t kFewBytes = std::uint64_t{1} << 20U;
+
+}  // namespace
+
+bool StateChanges::add(LogTime time, ByteView packet, const SessionState& state) {
+  if (bytes_.size() + packet.size() > std::max(kFewBytes, state.weight())) return false;
+  packets_.push_back(
+      {time, static_cast<std::uint32_t>(bytes_.size()), static_cast<std::uint32_t>(packet.size())});
+  bytes_.insert(bytes_.end(), packet.begin(), packet.end());
+  return true;
+}
+
+void StateChanges::replaceBy(const SessionState& state) {
+  clear();
+  whole_ = state;
+}
+
+void StateChanges::applyTo(SessionState& state, Decoder& decoder) && {
+  if (whole_) state = *std::exchange(whole_, std::nullopt);
+  for (const Packet& each : packets_) {
+    const auto* const packet = decoder.decode(ByteView(bytes_).subspan(each.offset, each.length));
+    if (packet != nullptr) state.apply(each.time, *packet);
+  }
+  // Those of the session are read from its log.
+  if (!packets_.empty()) (void)state.takeEvents();
+  packets_.clear();
+  bytes_.clear();
+}
+
+void StateChanges::clear() {
+  whole_.reset();
+  packets_.clear();
+  bytes_.clear();
+}
+
+}  // namespace rocinante

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace rocinante {
+
+/// A panel on the window, from its top left.
+struct PanelRectangle {
+  float x = 0, y = 0, width = 0, height = 0;
+  bool operator==(const PanelRectangle&) const = default;
+};
+
+/// Where the user put a panel, in interface units (pixels at scale 1): its distance from the nearer
+/// edges of the window, so that it stays beside them when the window grows.
+struct PanelPlace {
+  float across = 0, down = 0;
+  bool from_right = false, from_bottom = false;
+  bool moved = false;  ///< else it lies where it always does
+  float width = 0;     ///< 0: its own
+  bool collapsed = false;
+  bool operator==(const PanelPlace&) const = default;
+};
+
+/// Where the user put panels, by their names, and the panel that is being moved.
+struct PanelPlaces {
+  std::map<std::string, PanelPlace> places;
+  std::map<std::string, PanelRectangle> drawn;  ///< of the last frame, in pixels
+  std::string grabbed;                          ///< empty: none
+  bool grabbed_edge = false;                    ///< its width is changed, not its place
+  float grab_x = 0, grab_y = 0;                 ///< of the pointer in the panel
+
+  /// Null when the panel lies where it always does, at its own width, and is open.
+  const PanelPlace* find(const std::string& panel) const;
+};
+
+/// `moving`, with an edge that is within `reach` of the window's margin or of another panel put
+/// exactly there (beside another one with `margin` between), and inside the window. Pure.
+PanelRectangle snapped(PanelRectangle moving, std::span<const PanelRectangle> others,
+                       float window_width, float window_height, float margin, float reach);
+
+/// The place of a panel that lies there, for a window of that size; all in interface units. Pure.
+PanelPlace placeOf(const PanelRectangle& panel, float window_width, float window_height);
+
+/// Left and top of a panel of that size at the place, inside the window if it fits. Pure.
+PanelRectangle rectangleOf(const PanelPlace& place, float width, float height, float window_width,
+                           float window_height);
+
+}  // namespace rocinante

@@ -1,0 +1,173 @@
+// The part of ViewModel for sessions that go on: live ones and logs that are being written.
+#include <algorithm>
+#include <thread>
+#include <utility>
+
+#include "viewer/ui/model/view_model.h"
+
+namespace rocinante {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// How often to look at the log: while it is shown and the picture waits for it, and otherwise.
+constexpr Nanoseconds kSoon = 30ms;
+constexpr Nanoseconds kSometimes = 250ms;
+constexpr Nanoseconds kFinishWait = 2s;
+
+}  // namespace
+
+bool ViewModel::goToNow() {
+  if (feed_ && !cursor_) return true;
+  if (!cursor_ || !log_grows_) return false;
+  cursor_->followNow();
+  return true;
+}
+
+bool ViewModel::hear(SteadyTime now) {
+  if (!live_since_) live_since_ = now;
+  const bool follows = showsNow();
+  if (was_following_ && !follows && heard_) {
+    // The user has just left now, at the moment that is shown.
+    left_now_.emplace(LeftNow{live_->time, live_->state});
+  }
+  if (follows) left_now_.reset();
+  was_following_ = follows;
+  const std::uint64_t before = live_->datagrams;
+  const bool is_shown = received_ == &live_->state;
+  if (!feed_->update(*live_)) return false;
+  heard_ = true;
+  if (live_->datagrams > before) last_arrival_ = now;
+  live_at_ = now;
+  return is_shown;
+}
+
+bool ViewModel::openKeptLog() {
+  const LiveKeeper* const keeper = feed_->keeper();
+  if (keeper == nullptr) return false;
+  const KeptProgress kept = keeper->progress();
+  if (!kept.trouble.empty()) keeping_trouble_ = "this session is no longer kept: " + kept.trouble;
+  if (session_ || kept.first.empty()) return false;
+  auto opened = Timeline::follow(kept.first);
+  // It may have no message yet.
+  if (!opened.ok() || opened->log().summary().messages == 0) return false;
+  session_ = std::move(*opened);
+  log_grows_ = true;
+  cursor_.emplace(session_->start(), std::max(session_->end(), live_->time));
+  cursor_->setGrowing(true);
+  cursor_->followNow();
+  return true;
+}
+
+bool ViewModel::watchLog(SteadyTime now) {
+  const bool waits =
+      cursor_ && session_ && (cursor_->following() ? !feed_ : shownTime() > session_->end());
+  if (!log_watched_ || now - *log_watched_ >= (waits ? kSoon : kSometimes)) {
+    log_watched_ = now;
+    if (feed_ && openKeptLog()) takeOverLog();
+    if (session_) {
+      const auto grown = session_->refresh();
+      if (!grown.ok()) {
+        loseLog(grown.error());
+      } else if (*grown) {
+        takeOverLog();
+        if (waits) return true;
+      }
+    }
+  }
+  // Now is where the network is, not where the file is.
+  if (cursor_ && feed_ && heard_) {
+    // What is no longer kept cannot be shown again.
+    const LogTime newest = keeping_trouble_.empty() ? live_->time : session_->end();
+    cursor_->resize(session_->start(), std::max(session_->end(), newest));
+  }
+  return false;
+}
+
+/// Makes what was written part of what can be shown.
+void ViewModel::takeOverLog() {
+  if (!feed_) cursor_->resize(session_->start(), session_->end());
+  StateDamage hiding;  // the panel counts all places of damage
+  const auto events = session_->events(&hiding);
+  if (!events.ok()) {
+    complaint = events.error().text();
+  } else if (events_.size() != (*events)->size() ||
+             (!events_.empty() && events_.front().time != (*events)->front().time)) {
+    events_ = **events;
+  }
+  // The state was borrowed from the log as it was.
+  if (!showsNow() || !feed_) {
+    if (auto again = showMoment(shownTime()); !again) {
+      receive(nothing_said_);
+      return loseLog(again.error());
+    }
+  }
+  if (feed_) return;
+  recorded_losses_ = 0;
+  for (const LossSpan& span : session_->log().losses()) {
+    recorded_losses_ += span.counts.kernel + span.counts.queue + span.counts.disk;
+  }
+  log_grows_ = session_->growing();
+  cursor_->setGrowing(log_grows_);
+}
+
+/// The log cannot be read any more. A live session goes on without its past.
+void ViewModel::loseLog(const Error& error) {
+  if (!feed_) {
+    complaint = error.text();
+    log_grows_ = false;
+    if (cursor_) cursor_->setGrowing(false);
+    return;
+  }
+  keeping_trouble_ = "the past of this session cannot be shown: " + error.text();
+  if (heard_) receive(live_->state);  // it may have been borrowed from the log
+  extras_.trails.clear();
+  session_.reset();
+  cursor_.reset();
+  walker_.reset();
+  events_.clear();
+  left_now_.reset();
+  log_grows_ = false;
+}
+
+Status ViewModel::showMoment(LogTime moment) {
+  if (left_now_ && left_now_->time == moment && session_->end() < moment) {
+    damage_ = {};
+    if (auto trails = findTrails(moment); !trails) return trails;
+    receive(left_now_->state);
+    return {};
+  }
+  return findState(moment);
+}
+
+Result<std::filesystem::path> ViewModel::logOfShownMoment() {
+  if (!session_) {
+    return Error{ErrorKind::bad_argument,
+                 feed_ ? "nothing of this live session has been kept yet" : "this needs a log",
+                 {}};
+  }
+  const LogTime moment = shownTime();
+  LiveKeeper* const keeper = feed_ ? feed_->keeper() : nullptr;
+  if (keeper != nullptr && keeper->progress().finished_until <= moment) {
+    keeper->finishUpTo(moment);
+    const SteadyTime began = std::chrono::steady_clock::now();
+    while (keeper->progress().finished_until <= moment) {
+      if (SteadyTime(std::chrono::steady_clock::now()) - began > kFinishWait) {
+        return Error{ErrorKind::refused, "the kept log could not be finished in time", {}};
+      }
+      std::this_thread::sleep_for(5ms);
+    }
+  }
+  if (keeper != nullptr) {
+    const auto grown = session_->refresh();
+    if (!grown.ok()) return grown.error();
+    takeOverLog();
+    // This frame draws it, before the next update.
+    state_ = hand.over(*received_, moment);
+    scene_ = poses_->pose(*state_);
+    if (!session_) return Error{ErrorKind::unreadable, keeping_trouble_, {}};
+  }
+  return std::filesystem::path(session_->logAt(moment).name());
+}
+
+}  // namespace rocinante

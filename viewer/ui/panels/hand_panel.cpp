@@ -1,0 +1,143 @@
+#include "viewer/ui/panels/hand_panel.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cstdio>
+
+#include "core/base/count_text.h"
+#include "core/base/shell_word.h"
+#include "core/kinematics/joint_values.h"
+#include "viewer/ui/panels/joint_rows.h"
+#include "viewer/ui/panels/panel_parts.h"
+
+namespace rocinante {
+namespace {
+
+const ImVec4 kFaultColor{1, 0.6F, 0.4F, 1};
+
+/// The device's joints as `--joints` takes them.
+std::string copiedJoints(const ViewModel& model, const PosedDevice& device) {
+  JointVector joints = jointsOf(*device.model, model.state().findDevice(device.name));
+  for (const std::string& name : positionalNames(*device.model)) {
+    const auto set = model.hand.joints().find(device.name, name);
+    const auto at = device.model->findJointValue(name);
+    if (set && at) joints.values[joints.first_value[at->joint] + at->component] = *set;
+  }
+  const auto values = positionalValues(*device.model, joints);
+  return "--joints " + shellWord(jointsText(model.cell(), device.name, values));
+}
+
+template <std::size_t kSize>
+void fill(std::array<char, kSize>& text, const std::string& with) {
+  std::snprintf(text.data(), text.size(), "%s", with.c_str());
+}
+
+void drawDrivePopup(HandControl& hand) {
+  if (!ImGui::BeginPopup("drive")) return;
+  ImGui::TextUnformatted("Send what the sliders say");
+  ImGui::SetNextItemWidth(px(300));
+  ImGui::InputText("to", hand.drive_endpoint.data(), hand.drive_endpoint.size());
+  explain("an endpoint: 127.0.0.1:19960, udp://GROUP:PORT?interface=lo");
+  ImGui::SetNextItemWidth(px(300));
+  ImGui::InputText("as", hand.drive_source.data(), hand.drive_source.size());
+  explain("the name of the source");
+  if (ImGui::Button("Send")) {
+    const Status begun = hand.drive(hand.drive_endpoint.data(), hand.drive_source.data());
+    hand.trouble = begun ? std::string() : begun.error().text();
+    if (begun) ImGui::CloseCurrentPopup();
+  }
+  if (!hand.trouble.empty()) ImGui::TextColored(kFaultColor, "%s", hand.trouble.c_str());
+  ImGui::EndPopup();
+}
+
+void drawDrive(HandControl& hand) {
+  if (hand.driving() != nullptr) {
+    if (ImGui::SmallButton("stop")) hand.stopDriving();
+    explain("send nothing more");
+    return;
+  }
+  if (ImGui::SmallButton("drive")) {
+    if (hand.drive_endpoint[0] == 0) fill(hand.drive_endpoint, Endpoint::standard().text());
+    if (hand.drive_source[0] == 0) fill(hand.drive_source, DriveSettings().source);
+    hand.trouble.clear();
+    ImGui::OpenPopup("drive");
+  }
+  explain("send what the sliders say as a source");
+  drawDrivePopup(hand);
+}
+
+}  // namespace
+
+void drawMovers(const ViewModel& model, const DeviceState* received) {
+  const std::string movers = received == nullptr ? std::string() : moversOf(*received);
+  if (!movers.empty()) {
+    ImGui::TextDisabled("moved by %s", movers.c_str());
+  } else if (model.isLive() || model.session() != nullptr) {
+    ImGui::TextDisabled("nothing said yet");
+  }
+}
+
+void drawHandButtons(ViewModel& model, const PosedDevice& device) {
+  if (device.model->positionalCount() == 0) return;
+  HandControl& hand = model.hand;
+  ImGui::BeginDisabled(!hand.joints().devices().contains(device.name));
+  if (ImGui::SmallButton("reset")) hand.reset(device);
+  ImGui::EndDisabled();
+  explain("give all joints of this device back; Backspace: those of all devices");
+  ImGui::SameLine();
+  if (ImGui::SmallButton("copy")) ImGui::SetClipboardText(copiedJoints(model, device).c_str());
+  explain("all joint values, as --joints of rocinante model, render and view");
+  ImGui::SameLine();
+  Units& units = hand.units;
+  if (ImGui::SmallButton(std::string(nameOf(units.angle)).c_str())) {
+    units.angle = units.angle == AngleUnit::degrees ? AngleUnit::radians : AngleUnit::degrees;
+  }
+  explain("degrees or radians (U: both units)");
+  ImGui::SameLine();
+  if (ImGui::SmallButton(std::string(nameOf(units.length)).c_str())) {
+    units.length =
+        units.length == LengthUnit::metres ? LengthUnit::millimetres : LengthUnit::metres;
+  }
+  explain("millimetres or metres (U: both units)");
+  ImGui::SameLine();
+  drawDrive(hand);
+  const bool shown_below = hand.driving() != nullptr || !ImGui::IsPopupOpen("drive");
+  if (shown_below && !hand.trouble.empty()) {
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextColored(kFaultColor, "%s", hand.trouble.c_str());
+    ImGui::PopTextWrapPos();
+  }
+}
+
+HandBanner handBanner(const ViewModel& model) {
+  const HandControl& hand = model.hand;
+  HandBanner banner;
+  banner.color = ImVec4(1.0F, 0.72F, 0.35F, 1);
+  if (hand.drawn() && model.session() != nullptr) {
+    banner.what = fmt::format("what if: {} set by hand, not as the log has {}",
+                              countText(hand.joints().count(), "joint"),
+                              hand.joints().count() == 1 ? "it" : "them");
+    banner.hint = "playing ends it; Backspace gives the joints back to the log";
+  }
+  if (const HandDrive* drive = hand.driving()) {
+    const auto devices = drive->devices();
+    const std::string driven = devices.empty()       ? "what is moved by hand"
+                               : devices.size() <= 3 ? fmt::format("{}", fmt::join(devices, ", "))
+                                                     : countText(devices.size(), "device");
+    if (banner.what.empty()) {
+      banner.what = fmt::format("sending {} as `{}` to {}", driven, drive->source(),
+                                drive->endpoint().text());
+    } else {
+      banner.hint = fmt::format("sent as `{}` to {}; playing sends what the log has",
+                                drive->source(), drive->endpoint().text());
+    }
+    if (!drive->trouble().empty()) {
+      banner.color = kFaultColor;
+      banner.hint = drive->trouble();
+    }
+  }
+  return banner;
+}
+
+}  // namespace rocinante

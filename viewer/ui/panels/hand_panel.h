@@ -1,0 +1,24 @@
+#pragma once
+
+#include <imgui.h>
+
+#include <string>
+
+#include "viewer/ui/model/view_model.h"
+
+namespace rocinante {
+
+/// Draws a line with the SOURCEs that move the device, or that none does.
+void drawMovers(const ViewModel& model, const DeviceState* received);
+
+/// Draws the buttons over a device's sliders: reset, copy as `--joints`, units, drive.
+void drawHandButtons(ViewModel& model, const PosedDevice& device);
+
+/// What is said over the picture while joints are moved by hand; empty: nothing.
+struct HandBanner {
+  ImVec4 color;
+  std::string what, hint;
+};
+HandBanner handBanner(const ViewModel& model);
+
+}  // namespace rocinante

@@ -1,0 +1,127 @@
+#include "viewer/ui/panels/inspect_panel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "core/base/duration_text.h"
+#include "core/base/plain_text.h"
+#include "viewer/ui/panels/panel_parts.h"
+
+namespace rocinante {
+namespace {
+
+/// Messages of the log looked at for each frame of the window.
+constexpr std::size_t kMessagesAFrame = 5000;
+
+std::string spaceName(const Selection& selection) {
+  if (selection.device.empty()) return "the world";
+  return selection.link.empty() ? selection.device : selection.device + "/" + selection.link;
+}
+
+void drawFound(const ViewModel& model, const PacketBehind& packet, float bottom) {
+  std::string head = plainText(packet.source);
+  if (packet.sequence) head += fmt::format(" {}", *packet.sequence);
+  head += fmt::format(" at {} s", secondsText(packet.time - model.origin(), 6));
+  ImGui::TextWrapped("%s", head.c_str());
+  std::string tip = packet.topic;
+  if (packet.source_time) {
+    const LogTime said{Nanoseconds(*packet.source_time)};
+    tip += fmt::format("\nTIME is {} s before it came", secondsText(packet.time - said, 6));
+  }
+  explain(plainText(tip).c_str());
+  const Nanoseconds age = model.shownTime() - packet.time;
+  ImGui::TextDisabled("%s s before what is shown%s%s", secondsText(age, 6).c_str(),
+                      packet.restated ? ", said again" : "",
+                      packet.by.empty() ? "" : (" by " + plainText(packet.by)).c_str());
+  const float line = ImGui::GetTextLineHeight();
+  const auto lines = static_cast<float>(
+      std::clamp<std::ptrdiff_t>(std::ranges::count(packet.text, '\n') + 1, 2, 8));
+  const float room = bottom - ImGui::GetCursorScreenPos().y - 6 * line;
+  ImGui::BeginChild(
+      "packet", ImVec2(0, std::clamp(lines * line + px(14), 2 * line, std::max(room, 2 * line))),
+      true, ImGuiWindowFlags_HorizontalScrollbar);
+  // A stranger's bytes: line by line, each printable.
+  std::string_view text = packet.text;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    ImGui::TextUnformatted(plainText(text.substr(0, end)).c_str());
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  ImGui::EndChild();
+  if (ImGui::SmallButton("copy packet")) ImGui::SetClipboardText(packet.text.c_str());
+}
+
+}  // namespace
+
+void drawPose(ViewModel& model, const Selection& shown) {
+  const Units& units = model.hand.units;
+  const auto pose = poseIn(model.scene(), shown, model.reference);
+  if (pose) {
+    const Vec3& at = pose->position;
+    ImGui::Text("at %s %s %s", lengthNumber(at.x, units.length).c_str(),
+                lengthNumber(at.y, units.length).c_str(), lengthText(at.z, units.length).c_str());
+    const Quat& q = pose->orientation;
+    explain(fmt::format("where its space begins, in {}\nquaternion x y z w {:.6f} {:.6f} {:.6f} "
+                        "{:.6f}",
+                        spaceName(model.reference), q.x, q.y, q.z, q.w)
+                .c_str());
+    const Vec3 turn = rpyOf(pose->orientation);
+    ImGui::Text("turned %s %s %s", angleNumber(turn.x, units.angle).c_str(),
+                angleNumber(turn.y, units.angle).c_str(), angleText(turn.z, units.angle).c_str());
+    explain("roll, pitch, yaw about fixed axes, as URDF has them");
+  }
+  ImGui::TextDisabled("in %s", spaceName(model.reference).c_str());
+  ImGui::SameLine();
+  if (model.reference == shown || (!model.reference.device.empty() && !pose)) {
+    if (ImGui::SmallButton("the world")) model.reference = {};
+    explain("show poses in the world again");
+    return;
+  }
+  if (ImGui::SmallButton("from here")) model.reference = shown;
+  explain("show the poses of others in the space of this one");
+  if (model.reference.device.empty()) return;
+  ImGui::SameLine();
+  if (ImGui::SmallButton("world")) model.reference = {};
+  explain("show poses in the world again");
+}
+
+void drawPacketBehind(ViewModel& model, const PosedDevice& device, const Selection& shown,
+                      float bottom) {
+  if (model.session() == nullptr) return;
+  PacketLookup& packet = model.packet;
+  if (ImGui::SmallButton(packet.wanted ? "hide packet" : "packet")) packet.wanted = !packet.wanted;
+  explain("the packet behind what is shown; a click on a joint's name: behind its value");
+  if (!packet.wanted) {
+    packet.value_name.clear();
+    return;
+  }
+  const TimelineCursor* const cursor = model.cursor();
+  if (cursor != nullptr && cursor->playing()) {
+    ImGui::TextDisabled("pause to see it");
+    return;
+  }
+  // That of another device, or of a link with a joint of its own.
+  if (!packet.value_name.empty() && !device.model->findJointValue(packet.value_name)) {
+    packet.value_name.clear();
+  }
+  if (!packet.value_name.empty()) {
+    ImGui::TextDisabled("behind %s", packet.value_name.c_str());
+    ImGui::SameLine();
+    if (ImGui::SmallButton("x##value")) packet.value_name.clear();
+  }
+  packet.look(model.session()->log().name(), {shown.device, packet.value_name}, model.shownTime(),
+              kMessagesAFrame);
+  if (!packet.trouble.empty()) {
+    ImGui::TextWrapped("%s", packet.trouble.c_str());
+  } else if (packet.searching()) {
+    ImGui::TextDisabled("looking for it ...");
+  } else if (!packet.search->found()) {
+    ImGui::TextDisabled("no packet up to here said it");
+  } else {
+    drawFound(model, *packet.search->found(), bottom);
+  }
+}
+
+}  // namespace rocinante

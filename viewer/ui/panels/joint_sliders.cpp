@@ -1,0 +1,318 @@
+#include "viewer/ui/panels/joint_sliders.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+#include "viewer/ui/panels/joint_rows.h"
+#include "viewer/ui/panels/panel_parts.h"
+#include "viewer/ui/panels/plot_parts.h"
+
+namespace rocinante {
+namespace {
+
+constexpr float kSliderWidth = 96;
+constexpr float kValueWidth = 66;
+constexpr float kResetWidth = 14;
+const ImVec4 kHandColor{1.0F, 0.72F, 0.35F, 1};
+const ImVec4 kBeyondColor{1, 0.45F, 0.35F, 1};
+
+/// A row with what the user set.
+struct HandRow {
+  JointRow row;  ///< its value is the one that the slider says
+  bool by_hand = false;
+  double received = 0;  ///< by packets, else the model's own
+};
+
+std::vector<HandRow> handRows(const ViewModel& model, const PosedDevice& device,
+                              const std::string& link) {
+  const DeviceState* const received = model.received().findDevice(device.name);
+  const DeviceState* const shown = model.state().findDevice(device.name);
+  std::vector<JointRow> before = jointRows(*device.model, received, link);
+  std::vector<JointRow> now = jointRows(*device.model, shown, link);
+  std::vector<HandRow> rows;
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    HandRow one{now[i], false, before[i].value};
+    one.row.owner = before[i].owner;
+    one.row.said = before[i].said;
+    if (const auto set = model.hand.joints().find(device.name, one.row.name)) {
+      one.by_hand = true;
+      one.row.value = *set;
+    }
+    rows.push_back(std::move(one));
+  }
+  return rows;
+}
+
+std::string shownValue(const JointRow& row, double value, const Units& units) {
+  switch (row.kind) {
+    case ValueKind::angle:
+      return angleText(value, units.angle);
+    case ValueKind::length:
+      return lengthText(value, units.length);
+    case ValueKind::turn:
+      break;
+  }
+  return fmt::format("{:.4f}", value);
+}
+
+/// Empty when the text is not a value of that kind.
+std::optional<double> parsedValue(const JointRow& row, std::string_view text, const Units& units) {
+  switch (row.kind) {
+    case ValueKind::angle:
+      return parseAngle(text, units.angle);
+    case ValueKind::length:
+      return parseLength(text, units.length);
+    case ValueKind::turn:
+      break;
+  }
+  return parseLength(text, LengthUnit::metres);
+}
+
+/// As much of the name as there is room for: its end, since names of one machine begin alike.
+std::string endOfName(const std::string& name, float room) {
+  if (ImGui::CalcTextSize(name.c_str()).x <= room) return name;
+  for (std::size_t from = 1; from < name.size(); ++from) {
+    const bool inside_character = (static_cast<unsigned char>(name[from]) & 0xC0U) == 0x80U;
+    if (inside_character) continue;
+    const std::string end = ".." + name.substr(from);
+    if (ImGui::CalcTextSize(end.c_str()).x <= room) return end;
+  }
+  return {};
+}
+
+std::string rowTip(const HandRow& one, const Units& units, bool settable) {
+  const JointRow& row = one.row;
+  std::string tip = row.name;
+  if (row.mimics) {
+    tip += "\nfollows another joint";
+  } else if (!row.owner.empty()) {
+    tip += "\nmoved by " + row.owner;
+  } else if (!row.said) {
+    tip += "\nnothing said: the model's own place";
+  }
+  if (row.lower && row.upper) {
+    tip += fmt::format("\nlimits {} to {}", shownValue(row, *row.lower, units),
+                       shownValue(row, *row.upper, units));
+  }
+  if (one.by_hand) tip += "\nby hand; otherwise " + shownValue(row, one.received, units);
+  tip += fmt::format("\n{:.4f} in packets{}", row.value,
+                     row.kind == ValueKind::angle    ? ", which have radians"
+                     : row.kind == ValueKind::length ? ", which have metres"
+                                                     : "");
+  if (settable) tip += "\ndrag; Shift: finely; double click: type; right click: reset";
+  return tip;
+}
+
+void drawJointTrack(const HandRow& one, const SliderRange& range, const ImVec2& corner, float width,
+                    float height, bool settable, bool hot) {
+  const JointRow& row = one.row;
+  ImDrawList* const list = ImGui::GetWindowDrawList();
+  const float middle = corner.y + height / 2;
+  const float half = px(2.5F);
+  const float inset = px(4);
+  const auto x_of = [&](double value) {
+    return corner.x + inset + static_cast<float>(range.partOf(row, value)) * (width - 2 * inset);
+  };
+  list->AddRectFilled(ImVec2(corner.x, middle - half), ImVec2(corner.x + width, middle + half),
+                      hot ? IM_COL32(96, 112, 128, 255) : IM_COL32(70, 82, 94, 255), half);
+  if (one.by_hand && one.received != row.value) {
+    const float before = x_of(one.received);
+    list->AddRectFilled(ImVec2(before - px(1), corner.y + px(2)),
+                        ImVec2(before + px(1), corner.y + height - px(2)),
+                        IM_COL32(150, 165, 180, 255));
+  }
+  const auto part = row.part();
+  const bool near = part && (*part < 0.05 || *part > 0.95);
+  const ImU32 color = row.outside() ? IM_COL32(255, 90, 70, 255)
+                      : one.by_hand ? ImGui::GetColorU32(kHandColor)
+                      : near        ? IM_COL32(255, 190, 70, 255)
+                                    : IM_COL32(150, 220, 160, 255);
+  const float at = x_of(row.value);
+  const float thumb = settable ? px(4) : px(2);
+  list->AddRectFilled(ImVec2(at - thumb, corner.y + px(1)),
+                      ImVec2(at + thumb, corner.y + height - px(1)), color, px(2));
+}
+
+void beginEdit(ViewModel& model, const std::string& device, const HandRow& one) {
+  ValueEdit edit;
+  edit.device = device;
+  edit.value_name = one.row.name;
+  const Units& units = model.hand.units;
+  const std::string text =
+      one.row.kind == ValueKind::angle    ? angleNumber(one.row.value, units.angle)
+      : one.row.kind == ValueKind::length ? lengthNumber(one.row.value, units.length)
+                                          : fmt::format("{:.4f}", one.row.value);
+  std::snprintf(edit.text.data(), edit.text.size(), "%s", text.c_str());
+  model.hand.edit = edit;
+}
+
+void complainOf(ViewModel& model, const Status& set) {
+  model.hand.trouble = set ? std::string() : set.error().text();
+}
+
+void drawSlider(ViewModel& model, const PosedDevice& device, const HandRow& one, bool settable,
+                SteadyTime now) {
+  const SliderRange range = sliderRange(one.row);
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float height = ImGui::GetTextLineHeight();
+  const float width = px(kSliderWidth);
+  if (!settable) {
+    ImGui::Dummy(ImVec2(width, height));
+    drawJointTrack(one, range, corner, width, height, false, false);
+    explain(rowTip(one, model.hand.units, false).c_str());
+    return;
+  }
+  ImGui::InvisibleButton("slider", ImVec2(width, height));
+  const bool hovered = ImGui::IsItemHovered();
+  HandControl& hand = model.hand;
+  const auto set = [&](double value) {
+    complainOf(model, model.setByHand(device.name, one.row.name, value, now));
+  };
+  const float inset = px(4);
+  const float reach = width - 2 * inset;
+  const auto mouse = static_cast<double>((ImGui::GetIO().MousePos.x - corner.x - inset) / reach);
+  if (ImGui::IsItemActivated()) {
+    hand.before_press = one.by_hand ? std::optional(one.row.value) : std::nullopt;
+    // A press beside the thumb brings it there; on the thumb it only takes it.
+    const double here = range.partOf(one.row, one.row.value);
+    const bool on_thumb = std::abs(here - mouse) * static_cast<double>(reach) <= px(7);
+    hand.grabbed_at = on_thumb || ImGui::GetIO().KeyShift ? mouse - here : 0;
+    if (!on_thumb && !ImGui::GetIO().KeyShift) set(range.valueAt(std::clamp(mouse, 0.0, 1.0)));
+  } else if (ImGui::IsItemActive() && ImGui::GetIO().MouseDelta.x != 0) {
+    double part = mouse - hand.grabbed_at;
+    if (ImGui::GetIO().KeyShift) {
+      const double moved = static_cast<double>(ImGui::GetIO().MouseDelta.x / reach);
+      part = range.partOf(one.row, one.row.value) + moved * 0.1;
+      hand.grabbed_at = mouse - part;
+    }
+    set(range.valueAt(std::clamp(part, 0.0, 1.0)));
+  }
+  if (hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+    // The first of the two clicks moved it.
+    HandRow before = one;
+    before.row.value = hand.before_press.value_or(one.received);
+    if (hand.before_press) {
+      set(*hand.before_press);
+    } else {
+      hand.reset(device, one.row.name);
+    }
+    beginEdit(model, device.name, before);
+  }
+  if (hovered && ImGui::IsMouseClicked(ImGuiMouseButton_Right)) hand.reset(device, one.row.name);
+  drawJointTrack(one, range, corner, width, height, true, hovered || ImGui::IsItemActive());
+  if (!ImGui::IsItemActive()) explain(rowTip(one, hand.units, true).c_str());
+}
+
+/// The value as a field; what is not a value stays there, in red.
+void drawEdit(ViewModel& model, const JointRow& row, SteadyTime now) {
+  ValueEdit& edit = *model.hand.edit;
+  if (!edit.begun) ImGui::SetKeyboardFocusHere();
+  ImGui::SetNextItemWidth(-1);
+  if (edit.invalid) ImGui::PushStyleColor(ImGuiCol_Text, kBeyondColor);
+  const bool entered =
+      ImGui::InputText("##value", edit.text.data(), edit.text.size(),
+                       ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+  if (edit.invalid) ImGui::PopStyleColor();
+  const bool left = edit.begun && ImGui::IsItemDeactivated();
+  edit.begun = edit.begun || ImGui::IsItemActive();
+  if (!entered) {
+    if (left) model.hand.edit.reset();
+    return;
+  }
+  const auto value = parsedValue(row, edit.text.data(), model.hand.units);
+  if (!value) {
+    edit.invalid = true;
+    edit.begun = false;
+    return;
+  }
+  const ValueEdit done = edit;
+  model.hand.edit.reset();
+  complainOf(model, model.setByHand(done.device, done.value_name, *value, now));
+}
+
+void drawValue(ViewModel& model, const PosedDevice& device, const HandRow& one, bool settable,
+               SteadyTime now) {
+  const JointRow& row = one.row;
+  const auto& edit = model.hand.edit;
+  if (edit && edit->device == device.name && edit->value_name == row.name) {
+    return drawEdit(model, row, now);
+  }
+  const std::string text = shownValue(row, row.value, model.hand.units);
+  const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(room, 0.0F));
+  const ImVec4 color = row.outside() ? kBeyondColor
+                       : one.by_hand ? kHandColor
+                                     : ImGui::GetStyleColorVec4(ImGuiCol_Text);
+  ImGui::TextColored(color, "%s", text.c_str());
+  if (settable && ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+    beginEdit(model, device.name, one);
+  }
+  explain(rowTip(one, model.hand.units, settable).c_str());
+}
+
+void drawRow(ViewModel& model, const PosedDevice& device, const HandRow& one, SteadyTime now) {
+  const JointRow& row = one.row;
+  const bool settable = !row.mimics && model.hand.use() != HandUse::none;
+  ImGui::PushID(row.name.c_str());
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  if (model.session() != nullptr) {
+    drawPlotButton(model, {SeriesKey::Kind::joint, device.name, row.name});
+    ImGui::SameLine(0, px(5));
+  }
+  const std::string name = endOfName(row.name, ImGui::GetContentRegionAvail().x);
+  if (row.said || one.by_hand) {
+    ImGui::TextUnformatted(name.c_str());
+  } else {
+    ImGui::TextDisabled("%s", name.c_str());
+  }
+  if (ImGui::IsItemClicked() && model.packet.wanted) model.packet.value_name = row.name;
+  explain(rowTip(one, model.hand.units, settable).c_str());
+  ImGui::TableNextColumn();
+  drawSlider(model, device, one, settable, now);
+  ImGui::TableNextColumn();
+  drawValue(model, device, one, settable, now);
+  ImGui::TableNextColumn();
+  if (one.by_hand) {
+    ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0, 0, 0, 0));
+    if (ImGui::SmallButton("x")) model.hand.reset(device, row.name);
+    ImGui::PopStyleColor();
+    explain("give this joint back");
+  }
+  ImGui::PopID();
+}
+
+}  // namespace
+
+void drawJointSliders(ViewModel& model, const PosedDevice& device, const std::string& link,
+                      float bottom, SteadyTime now) {
+  std::vector<HandRow> rows = handRows(model, device, link);
+  // A link without its own joint: the device's joints.
+  if (rows.empty()) rows = handRows(model, device, "");
+  if (rows.empty()) {
+    ImGui::TextDisabled("no joint");
+    return;
+  }
+  // The rest of the panel, which ends above the time line.
+  const float pitch = ImGui::GetTextLineHeight() + 2 * ImGui::GetStyle().CellPadding.y;
+  const float left = bottom - ImGui::GetCursorScreenPos().y - ImGui::GetStyle().WindowPadding.y;
+  const float wanted = static_cast<float>(rows.size()) * pitch + px(8);
+  ImGui::BeginChild("joints", ImVec2(0, std::min(std::max(left, 2 * pitch), wanted)));
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(px(3), 0));
+  if (ImGui::BeginTable("values", 4)) {
+    ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch);
+    ImGui::TableSetupColumn("slider", ImGuiTableColumnFlags_WidthFixed, px(kSliderWidth));
+    ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthFixed, px(kValueWidth));
+    ImGui::TableSetupColumn("reset", ImGuiTableColumnFlags_WidthFixed, px(kResetWidth));
+    for (const HandRow& row : rows) drawRow(model, device, row, now);
+    ImGui::EndTable();
+  }
+  ImGui::PopStyleVar();
+  ImGui::EndChild();
+}
+
+}  // namespace rocinante

@@ -1,0 +1,32 @@
+#include "viewer/ui/panels/mark_prompt.h"
+
+#include "core/base/duration_text.h"
+#include "viewer/ui/panels/panel_parts.h"
+
+namespace rocinante {
+
+void drawMarkPrompt(ViewModel& model, ViewerRequests& requests) {
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos(ImVec2(display.x / 2, display.y * 0.55F), ImGuiCond_Always,
+                          ImVec2(0.5F, 0.5F));
+  ImGui::SetNextWindowBgAlpha(0.96F);
+  ImGui::Begin("mark here", nullptr, kPanelFlags | ImGuiWindowFlags_NoTitleBar);
+  const Nanoseconds at = model.shownTime() - model.origin();
+  ImGui::Text("a mark at %s s",
+              secondsText(std::chrono::floor<std::chrono::milliseconds>(at), 3).c_str());
+  ImGui::SetNextItemWidth(px(320));
+  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+  const bool entered =
+      ImGui::InputTextWithHint("##text", "what is to be seen here", model.mark_text.data(),
+                               model.mark_text.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool left = ImGui::IsItemDeactivated();
+  ImGui::TextDisabled("Enter keeps it, Esc does not");
+  if (entered) requests.mark = model.mark_text[0] == 0 ? "mark" : model.mark_text.data();
+  if (entered || left) {
+    model.asks_mark = false;
+    model.mark_text[0] = 0;
+  }
+  ImGui::End();
+}
+
+}  // namespace rocinante

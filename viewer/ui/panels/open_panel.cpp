@@ -1,0 +1,184 @@
+#include "viewer/ui/panels/open_panel.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/base/plain_text.h"
+#include "viewer/ui/commands/palette_entries.h"
+#include "viewer/ui/panels/panel_parts.h"
+
+namespace rocinante {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr float kOpenWidth = 620;
+constexpr int kOpenLines = 16;
+
+/// A line of the list: something shown before, or a file or folder.
+struct OpenLine {
+  const RecentContent* recent = nullptr;
+  FileEntry entry;
+};
+
+std::string recentText(const RecentContent& recent) {
+  std::string text = recent.cell.filename().string();
+  if (!recent.log.empty() && recent.log != recent.cell)
+    text += " + " + recent.log.filename().string();
+  return plainText(text);
+}
+
+/// Best first when something is typed.
+std::vector<OpenLine> openLines(const OpenState& open, std::string_view typed) {
+  std::vector<std::pair<int, OpenLine>> scored;
+  for (const RecentContent& recent : open.recent) {
+    if (const auto score = fuzzyScore(typed, recentText(recent))) {
+      scored.push_back({*score, {&recent, {}}});
+    }
+  }
+  if (typed.empty() && open.folder.has_relative_path())
+    scored.push_back({0, {nullptr, {"../", true}}});
+  for (const FileEntry& entry : open.entries) {
+    if (const auto score = fuzzyScore(typed, entry.name))
+      scored.push_back({*score, {nullptr, entry}});
+  }
+  if (!typed.empty()) {
+    std::ranges::stable_sort(scored, std::greater<>(), &std::pair<int, OpenLine>::first);
+  }
+  std::vector<OpenLine> lines;
+  for (auto& [score, line] : scored) lines.push_back(std::move(line));
+  return lines;
+}
+
+/// What was typed as a path: from the root, the home folder, or with a slash in it.
+std::optional<fs::path> typedPath(const OpenState& open) {
+  const std::string typed = open.text.data();
+  if (typed.find('/') == std::string::npos) return std::nullopt;
+  const char* const home = std::getenv("HOME");
+  if (typed.starts_with("~/") && home != nullptr) return fs::path(home) / typed.substr(2);
+  return open.folder / typed;
+}
+
+void take(const OpenLine& line, OpenState& open, ViewerRequests& requests) {
+  if (line.recent != nullptr) {
+    open.shown = false;
+    return openRecent(*line.recent, requests);
+  }
+  const fs::path path = open.folder / line.entry.name;
+  if (line.entry.is_folder) {
+    open.enter(path);
+    open.just_opened = true;
+  } else {
+    open.shown = false;
+    requests.open = {path};
+  }
+}
+
+void takePath(const fs::path& path, OpenState& open, ViewerRequests& requests) {
+  std::error_code unknown;
+  if (fs::is_directory(path, unknown)) {
+    open.enter(path);
+    open.just_opened = true;
+  } else {
+    open.shown = false;
+    requests.open = {path};
+  }
+}
+
+bool drawLine(const OpenLine& line, bool chosen) {
+  if (line.recent != nullptr) return drawRecent(*line.recent, chosen);
+  const ImVec4 color =
+      ImGui::GetStyleColorVec4(line.entry.is_folder ? ImGuiCol_TextDisabled : ImGuiCol_Text);
+  ImGui::PushStyleColor(ImGuiCol_Text, color);
+  const bool clicked = ImGui::Selectable(plainText(line.entry.name).c_str(), chosen);
+  ImGui::PopStyleColor();
+  return clicked;
+}
+
+}  // namespace
+
+bool drawRecent(const RecentContent& recent, bool chosen) {
+  const float left = ImGui::GetCursorPosX();
+  const bool clicked = ImGui::Selectable("##recent", chosen);
+  explain((plainText(recent.cell.string()) +
+           (recent.log.empty() ? "" : "\n" + plainText(recent.log.string())))
+              .c_str());
+  const std::string text = recentText(recent);
+  ImGui::SameLine(left);
+  ImGui::TextUnformatted(text.c_str());
+  const float folder_at = left + ImGui::CalcTextSize(text.c_str()).x + px(14);
+  ImGui::SameLine(folder_at);
+  ImGui::TextDisabled("%s", plainText(recent.cell.parent_path().string()).c_str());
+  return clicked;
+}
+
+void openRecent(const RecentContent& recent, ViewerRequests& requests) {
+  requests.open = {recent.cell};
+  if (recent.log == recent.cell || recent.log.empty()) return;
+  requests.open.push_back(recent.log);
+}
+
+void drawOpenList(ViewModel& model, ViewerRequests& requests) {
+  OpenState& open = model.open;
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  const float width = std::min(px(kOpenWidth), size.x - px(2 * kPanelMargin));
+  ImGui::SetNextWindowPos(ImVec2(size.x / 2, px(4 * kPanelMargin)), ImGuiCond_Always,
+                          ImVec2(0.5F, 0));
+  ImGui::SetNextWindowSize(ImVec2(width, 0));
+  ImGui::SetNextWindowBgAlpha(0.97F);
+  if (open.just_opened) ImGui::SetNextWindowFocus();
+  ImGui::Begin("open", nullptr,
+               (kPanelFlags & ~ImGuiWindowFlags_AlwaysAutoResize) | ImGuiWindowFlags_NoTitleBar |
+                   ImGuiWindowFlags_NoResize);
+  const bool focused = ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows);
+  const bool opened = std::exchange(open.just_opened, false);
+  ImGui::TextDisabled("%s", plainText(open.folder.string()).c_str());
+  if (opened) ImGui::SetKeyboardFocusHere();
+  ImGui::SetNextItemWidth(-1);
+  const std::string before = open.text.data();
+  const bool entered =
+      ImGui::InputTextWithHint("##file", "a part of a name, or a path", open.text.data(),
+                               open.text.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+  if (before != open.text.data()) open.chosen = 0;
+  const auto path = typedPath(open);
+  const std::vector<OpenLine> lines =
+      path ? std::vector<OpenLine>() : openLines(open, open.text.data());
+  const std::size_t chosen_before = open.chosen;
+  if (keyPressed(ImGuiKey_DownArrow)) ++open.chosen;
+  if (keyPressed(ImGuiKey_UpArrow) && open.chosen > 0) --open.chosen;
+  open.chosen = std::min(open.chosen, lines.empty() ? 0 : lines.size() - 1);
+
+  std::optional<OpenLine> picked;
+  if (!open.fault.empty()) {
+    ImGui::TextWrapped("%s", plainText(open.fault).c_str());
+  } else if (path) {
+    ImGui::TextDisabled("Enter opens this file or folder");
+  } else if (lines.empty()) {
+    ImGui::TextDisabled("nothing here that can be shown");
+  }
+  const float pitch = ImGui::GetTextLineHeightWithSpacing();
+  const auto rows = static_cast<float>(std::min<std::size_t>(lines.size(), kOpenLines));
+  ImGui::BeginChild("files", ImVec2(0, rows * pitch));
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    ImGui::PushID(static_cast<int>(i));
+    if (drawLine(lines[i], i == open.chosen)) picked = lines[i];
+    if (i == open.chosen && chosen_before != open.chosen) ImGui::SetScrollHereY();
+    ImGui::PopID();
+  }
+  ImGui::EndChild();
+  ImGui::End();
+  if (entered && path) return takePath(*path, open, requests);
+  if (entered && !lines.empty()) picked = lines[open.chosen];
+  if (picked) {
+    take(*picked, open, requests);
+  } else if (keyPressed(ImGuiKey_Escape) ||
+             (!focused && !opened && ImGui::IsMouseClicked(ImGuiMouseButton_Left))) {
+    open.shown = false;
+  }
+}
+
+}  // namespace rocinante

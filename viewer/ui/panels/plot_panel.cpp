@@ -1,0 +1,452 @@
+#include "viewer/ui/panels/plot_panel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "core/base/duration_text.h"
+#include "core/kinematics/joint_values.h"
+#include "viewer/ui/commands/study_actions.h"
+#include "viewer/ui/panels/panel_parts.h"
+#include "viewer/ui/panels/plot_parts.h"
+#include "viewer/ui/panels/time_ruler.h"
+#include "viewer/ui/plot/plot_scale.h"
+#include "viewer/ui/plot/plot_shape.h"
+
+namespace rocinante {
+namespace {
+
+constexpr float kSplitter = 7;
+constexpr float kLaneGap = 6;
+constexpr float kSmallText = 12;
+
+/// One curve of the frame that is being drawn.
+struct Plotted {
+  const PlotBoard::Curve* curve = nullptr;
+  PlotValue value;
+  const std::vector<ValueColumn>* columns = nullptr;  ///< null: not known yet
+};
+
+/// Curves of one unit, under each other with the other lanes.
+struct Lane {
+  PlotUnit unit{};
+  std::vector<Plotted> curves;
+  PlotScale scale;
+  float top = 0, height = 0;
+
+  float yOf(double shown) const {
+    const double part = std::clamp(scale.part(shown), -1.0, 2.0);
+    return top + height - static_cast<float>(part) * height;
+  }
+};
+
+/// What is drawn at the mouse and at the playhead.
+struct Cursors {
+  float shown_x = 0;             ///< of the shown moment
+  std::optional<float> mouse_x;  ///< over the plots
+};
+
+const std::vector<ValueColumn>* columnsOf(const ViewModel& model, const SeriesKey& series) {
+  if (model.picture == nullptr) return nullptr;
+  const auto& keys = model.picture->wish.keys;
+  const auto found = std::ranges::find(keys, series);
+  const auto place = static_cast<std::size_t>(found - keys.begin());
+  if (found == keys.end() || place >= model.picture->curves.size()) return nullptr;
+  return &model.picture->curves[place];
+}
+
+std::vector<Lane> lanesOf(const ViewModel& model) {
+  std::map<PlotUnit, Lane> by_unit;
+  for (const PlotBoard::Curve& curve : model.plots.curves()) {
+    const PosedDevice* const device =
+        curve.key.isOfDevice() ? model.scene().findDevice(curve.key.name) : nullptr;
+    Plotted plotted;
+    plotted.curve = &curve;
+    plotted.value = plotValue(curve.key, device == nullptr ? nullptr : device->model);
+    plotted.columns = columnsOf(model, plotted.value.series);
+    Lane& lane = by_unit[plotted.value.unit];
+    lane.unit = plotted.value.unit;
+    lane.curves.push_back(std::move(plotted));
+  }
+  std::vector<Lane> lanes;
+  for (auto& [unit, lane] : by_unit) lanes.push_back(std::move(lane));
+  return lanes;
+}
+
+/// A limit belongs to the picture when the curve comes near it.
+void includeLimits(const PlotValue& value, double& low, double& high) {
+  const double near = (high - low) * 0.35;
+  if (value.upper && *value.upper > high && *value.upper < high + near) high = *value.upper;
+  if (value.lower && *value.lower<low&& * value.lower> low - near) low = *value.lower;
+}
+
+void scaleLane(Lane& lane) {
+  double low = 1, high = -1;
+  for (const Plotted& plotted : lane.curves) {
+    if (plotted.columns == nullptr) continue;
+    const auto range = rangeOf(*plotted.columns, plotted.value);
+    if (!range) continue;
+    low = low > high ? range->first : std::min(low, range->first);
+    high = std::max(high < low ? range->second : high, range->second);
+  }
+  for (const Plotted& plotted : lane.curves) {
+    if (low <= high) includeLimits(plotted.value, low, high);
+  }
+  lane.scale = plotScale(low, high, lane.unit, std::max(1, static_cast<int>(lane.height / px(15))));
+}
+
+void placeLanes(std::vector<Lane>& lanes, float top, float height) {
+  float weights = 0;
+  const auto weight = [](const Lane& lane) {
+    return 2 + static_cast<float>(std::min<std::size_t>(lane.curves.size(), 8));
+  };
+  for (const Lane& lane : lanes) weights += weight(lane);
+  const float room = height - px(kLaneGap) * static_cast<float>(lanes.size() - 1);
+  for (Lane& lane : lanes) {
+    lane.top = top;
+    lane.height = std::max(px(12), room * weight(lane) / weights);
+    top += lane.height + px(kLaneGap);
+    scaleLane(lane);
+  }
+}
+
+void drawGround(const Lane& lane, const TimeAxis& axis, LogTime origin) {
+  ImDrawList* const list = ImGui::GetWindowDrawList();
+  list->AddRectFilled(ImVec2(axis.left, lane.top),
+                      ImVec2(axis.left + axis.width, lane.top + lane.height), fadedInk(0.05F));
+  const Nanoseconds span = axis.until - axis.from;
+  const Nanoseconds step = rulerStep(span, static_cast<double>(axis.width), px(64));
+  Nanoseconds at = (axis.from - origin) / step * step;
+  if (at < axis.from - origin) at += step;
+  for (; origin + at <= axis.until; at += step) {
+    const float x = axis.xOf(origin + at);
+    list->AddLine(ImVec2(x, lane.top), ImVec2(x, lane.top + lane.height), fadedInk(0.08F));
+  }
+  // Ticks of the scale, labelled where there is room.
+  const float text_px = px(kSmallText);
+  float free_below = lane.top + lane.height + text_px;
+  const double times = lane.scale.millimetres ? 1000 : 1;
+  for (int i = 0; i < 64; ++i) {
+    const double value = lane.scale.first + i * lane.scale.step;
+    if (value > lane.scale.high) break;
+    const float y = lane.yOf(value);
+    list->AddLine(ImVec2(axis.left, y), ImVec2(axis.left + axis.width, y), fadedInk(0.1F));
+    if (y + text_px / 2 > free_below) continue;
+    const double number = value * times;
+    const double zeroed = std::abs(number) < lane.scale.step * times * 1e-6 ? 0.0 : number;
+    const std::string label = fmt::format("{:.{}f}", zeroed, lane.scale.decimals);
+    const float wide = ImGui::GetFont()->CalcTextSizeA(text_px, 1e6F, 0, label.c_str()).x;
+    const float at_y = std::clamp(y - text_px / 2, lane.top, lane.top + lane.height - text_px);
+    list->AddText(ImGui::GetFont(), text_px, ImVec2(axis.left - wide - px(6), at_y), fadedInk(0.7F),
+                  label.c_str());
+    free_below = at_y - px(2);
+  }
+  const std::string unit = unitText(lane.unit, lane.scale);
+  if (!unit.empty()) {
+    list->AddText(ImGui::GetFont(), text_px, ImVec2(axis.left - px(54), lane.top), fadedInk(0.5F),
+                  unit.c_str());
+  }
+}
+
+/// Where the joint must not be; faint unless it is the one that is looked at.
+void drawLimits(const Lane& lane, const Plotted& plotted, const TimeAxis& axis, bool looked_at) {
+  ImDrawList* const list = ImGui::GetWindowDrawList();
+  const float left = axis.left, right = axis.left + axis.width;
+  const ImU32 line = curveColor(plotted.curve->color, looked_at ? 200 : 90);
+  const ImU32 band = IM_COL32(255, 80, 60, looked_at ? 52 : 14);
+  const PlotValue& value = plotted.value;
+  if (value.upper && *value.upper < lane.scale.high) {
+    const float y = lane.yOf(*value.upper);
+    list->AddRectFilled(ImVec2(left, lane.top), ImVec2(right, y), band);
+    list->AddLine(ImVec2(left, y), ImVec2(right, y), line);
+  }
+  if (value.lower && *value.lower > lane.scale.low) {
+    const float y = lane.yOf(*value.lower);
+    list->AddRectFilled(ImVec2(left, y), ImVec2(right, lane.top + lane.height), band);
+    list->AddLine(ImVec2(left, y), ImVec2(right, y), line);
+  }
+}
+
+void drawCurve(const Lane& lane, const Plotted& plotted, const StudyPicture& picture,
+               const TimeAxis& axis, bool thick) {
+  if (plotted.columns == nullptr || plotted.columns->empty()) return;
+  ImDrawList* const list = ImGui::GetWindowDrawList();
+  const PlotShape shape = plotShape(*plotted.columns, plotted.value, lane.scale, lane.height);
+  // The picture may be of another part of the time: it is moved there until there is a newer one.
+  const float first = axis.xOf(picture.wish.from);
+  const float wide =
+      (axis.xOf(picture.wish.until) - first) / static_cast<float>(plotted.columns->size());
+  const float bottom = lane.top + lane.height;
+  const ImU32 color = curveColor(plotted.curve->color);
+  const float width = px(thick ? 2.4F : 1.5F);
+  for (const PlotShape::Bar& bar : shape.bars) {
+    const float x = first + bar.x * wide;
+    list->AddRectFilled(ImVec2(x, bottom - bar.high - width / 2),
+                        ImVec2(x + std::max(wide, 1.0F), bottom - bar.low + width / 2), color);
+  }
+  std::vector<ImVec2> points;
+  for (const auto& line : shape.lines) {
+    points.clear();
+    for (const PlotShape::Point& point : line) {
+      points.emplace_back(first + point.x * wide, bottom - point.y);
+    }
+    list->AddPolyline(points.data(), static_cast<int>(points.size()), color, 0, width);
+  }
+}
+
+/// What a curve has at a pixel of the axis, as shown.
+std::optional<double> valueAt(const Plotted& plotted, const StudyPicture& picture,
+                              const TimeAxis& axis, float x) {
+  if (plotted.columns == nullptr || plotted.columns->empty()) return std::nullopt;
+  const float first = axis.xOf(picture.wish.from);
+  const float last = axis.xOf(picture.wish.until);
+  const auto count = static_cast<float>(plotted.columns->size());
+  const float column = (x - first) / std::max(last - first, 1.0F) * count;
+  if (column < 0) return std::nullopt;
+  const auto place = std::min(static_cast<std::size_t>(column), plotted.columns->size() - 1);
+  const auto held = (*plotted.columns)[place].held;
+  if (!held) return std::nullopt;
+  return plotted.value.shown(static_cast<double>(*held));
+}
+
+/// The value of the shown moment itself, which is exact.
+std::optional<double> shownValue(const ViewModel& model, const Plotted& plotted) {
+  const SeriesKey& series = plotted.value.series;
+  const DeviceState* const said =
+      series.isOfDevice() ? model.state().findDevice(series.name) : nullptr;
+  if (said == nullptr) return std::nullopt;
+  if (series.kind == SeriesKey::Kind::pose) {
+    const auto part = posePart(series.part);
+    if (!said->pose || !part) return std::nullopt;
+    return plotted.value.shown(poseNumbers(said->pose->value.pose)[*part]);
+  }
+  const PosedDevice* const device = model.scene().findDevice(series.name);
+  const auto names = device != nullptr && device->model != nullptr ? positionalNames(*device->model)
+                                                                   : std::vector<std::string>();
+  const auto stated = jointSaid(*said, series.part, names);
+  if (!stated) return std::nullopt;
+  return plotted.value.shown(*stated);
+}
+
+std::string shortened(const std::string& text, float room) {
+  if (ImGui::CalcTextSize(text.c_str()).x <= room) return text;
+  std::size_t bytes = text.size();
+  while (bytes > 1) {
+    --bytes;
+    // Not inside of a character.
+    if ((static_cast<unsigned char>(text[bytes]) & 0xC0U) == 0x80U) continue;
+    const std::string part = text.substr(0, bytes) + "…";
+    if (ImGui::CalcTextSize(part.c_str()).x <= room) return part;
+  }
+  return "…";
+}
+
+/// Names and values of a lane; returns the curve below the mouse.
+const PlotBoard::Curve* drawLegend(const ViewModel& model, const Lane& lane, const TimeAxis& axis,
+                                   const Cursors& cursors, float room,
+                                   std::optional<SeriesKey>& removed) {
+  const PlotBoard::Curve* hovered = nullptr;
+  const float left = axis.left + axis.width + px(8);
+  const float right = axis.left + axis.width + room - px(8);
+  const float pitch = ImGui::GetTextLineHeight() + px(1);
+  ImDrawList* const list = ImGui::GetWindowDrawList();
+  float y = lane.top;
+  for (std::size_t i = 0; i < lane.curves.size(); ++i) {
+    const Plotted& plotted = lane.curves[i];
+    const std::size_t left_over = lane.curves.size() - i;
+    if (y + 2 * pitch > lane.top + lane.height && left_over > 1) {
+      list->AddText(ImVec2(left, y), fadedInk(0.6F), fmt::format("and {} more", left_over).c_str());
+      break;
+    }
+    ImGui::SetCursorScreenPos(ImVec2(left, y));
+    if (ImGui::InvisibleButton(plotted.curve->key.text().c_str(), ImVec2(right - left, pitch))) {
+      removed = plotted.curve->key;
+    }
+    const bool over = ImGui::IsItemHovered();
+    if (over) hovered = plotted.curve;
+    list->AddRectFilled(ImVec2(left, y + px(4)), ImVec2(left + px(9), y + px(12)),
+                        curveColor(plotted.curve->color));
+    std::string value = "-";
+    const auto there = cursors.mouse_x && model.picture != nullptr
+                           ? valueAt(plotted, *model.picture, axis, *cursors.mouse_x)
+                           : shownValue(model, plotted);
+    if (there) {
+      value = plotText(*there, lane.unit, lane.scale);
+    } else if (!plotted.value.series.isOfDevice() && model.picture != nullptr) {
+      const auto rate = valueAt(plotted, *model.picture, axis, cursors.shown_x);
+      if (rate) value = plotText(*rate, lane.unit, lane.scale);
+    }
+    const float value_left = right - ImGui::CalcTextSize(value.c_str()).x;
+    list->AddText(ImVec2(value_left, y), fadedInk(over ? 1 : 0.85F), value.c_str());
+    const std::string name = plotted.curve->key.text();
+    list->AddText(ImVec2(left + px(14), y), fadedInk(over ? 1 : 0.85F),
+                  shortened(name, value_left - left - px(20)).c_str());
+    if (over) {
+      std::string tip = name;
+      if (plotted.columns != nullptr && plotted.columns->empty()) {
+        tip += "\nno packet of this log states it";
+      }
+      if (plotted.value.lower && plotted.value.upper) {
+        tip +=
+            fmt::format("\nlimits {} to {}", plotText(*plotted.value.lower, lane.unit, lane.scale),
+                        plotText(*plotted.value.upper, lane.unit, lane.scale));
+      }
+      ImGui::SetTooltip("%s\nclick: no longer plot it", tip.c_str());
+    }
+    y += pitch;
+  }
+  return hovered;
+}
+
+void drawUnknown(const StudyPicture& picture, const TimeAxis& axis, float top, float bottom) {
+  ImDrawList* const list = ImGui::GetWindowDrawList();
+  for (const auto& [from, until] : picture.damaged) {
+    if (until < axis.from || from > axis.until) continue;
+    list->AddRectFilled(ImVec2(axis.xOf(std::max(from, axis.from)), top),
+                        ImVec2(axis.xOf(std::min(until, axis.until)) + 1, bottom),
+                        IM_COL32(255, 60, 60, 60));
+  }
+}
+
+void drawCursorLines(const TimeAxis& axis, const Cursors& cursors, LogTime origin, float top,
+                     float bottom) {
+  ImDrawList* const list = ImGui::GetWindowDrawList();
+  if (cursors.shown_x >= axis.left && cursors.shown_x <= axis.left + axis.width) {
+    list->AddLine(ImVec2(cursors.shown_x, top), ImVec2(cursors.shown_x, bottom), fadedInk(0.75F));
+  }
+  if (!cursors.mouse_x) return;
+  list->AddLine(ImVec2(*cursors.mouse_x, top), ImVec2(*cursors.mouse_x, bottom), fadedInk(0.35F));
+  const Nanoseconds at = axis.momentAt(*cursors.mouse_x) - origin;
+  const std::string label =
+      secondsText(std::chrono::floor<std::chrono::milliseconds>(at), 3) + " s";
+  const float text_px = px(kSmallText);
+  const float wide = ImGui::GetFont()->CalcTextSizeA(text_px, 1e6F, 0, label.c_str()).x;
+  const float left = std::min(*cursors.mouse_x + px(5), axis.left + axis.width - wide - px(2));
+  list->AddRectFilled(ImVec2(left - px(3), top), ImVec2(left + wide + px(3), top + text_px + px(2)),
+                      ImGui::GetColorU32(ImGuiCol_PopupBg));
+  list->AddText(ImGui::GetFont(), text_px, ImVec2(left, top), fadedInk(0.9F), label.c_str());
+}
+
+/// The upper edge, by which the plots are made higher.
+void drawSplitter(ViewModel& model, float width, float window_height) {
+  const ImVec2 corner = ImGui::GetWindowPos();
+  ImGui::SetCursorScreenPos(corner);
+  ImGui::InvisibleButton("height", ImVec2(width, px(kSplitter)));
+  const bool used = ImGui::IsItemActive() || ImGui::IsItemHovered();
+  if (used) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
+  const float middle = corner.x + width / 2;
+  ImGui::GetWindowDrawList()->AddRectFilled(ImVec2(middle - px(18), corner.y + px(3)),
+                                            ImVec2(middle + px(18), corner.y + px(5)),
+                                            fadedInk(used ? 0.7F : 0.25F), px(1));
+  if (!ImGui::IsItemActive()) return;
+  const float wanted = model.plots.height - ImGui::GetIO().MouseDelta.y / px(1);
+  model.plots.height = std::clamp(wanted, PlotBoard::kLeastHeight, window_height * 0.6F / px(1));
+}
+
+/// Beside the splitter, above the names of the curves.
+void drawTools(ViewModel& model, const TimeAxis& axis, float room) {
+  const ImVec2 corner = ImGui::GetWindowPos();
+  const float y = corner.y + px(4);
+  const auto word = [&](const char* text, float right, const char* tip) {
+    const ImVec2 size = ImGui::CalcTextSize(text);
+    const ImVec2 at(right - size.x, y);
+    ImGui::SetCursorScreenPos(at);
+    const bool pressed = ImGui::InvisibleButton(text, size);
+    ImGui::GetWindowDrawList()->AddText(at, fadedInk(ImGui::IsItemHovered() ? 1 : 0.6F), text);
+    explain(tip);
+    return pressed;
+  };
+  const float right = axis.left + axis.width + room - px(8);
+  if (word("clear", right, "no longer plot anything")) model.plots.clear();
+  if (word("hide", right - px(42), "hide the plots, and keep them (P)")) model.plots.hidden = true;
+  if (word("table", right - px(80), "what is seen, as a table (CSV) in the working folder")) {
+    const auto stem = std::filesystem::path(model.session()->log().name()).stem().string();
+    const auto seconds = [&](LogTime moment) {
+      return secondsText(std::chrono::floor<std::chrono::milliseconds>(moment - model.origin()), 3);
+    };
+    const std::string name =
+        fmt::format("curves-{}-{}s-{}s.csv", stem, seconds(axis.from), seconds(axis.until));
+    if (Status asked = writePlotted(model, name); !asked) model.complaint = asked.error().text();
+  }
+}
+
+}  // namespace
+
+float plotsHeight(const ViewModel& model, float window_height) {
+  if (!model.plots.shown() || model.session() == nullptr) return 0;
+  return std::clamp(px(model.plots.height), px(PlotBoard::kLeastHeight),
+                    std::max(px(PlotBoard::kLeastHeight), window_height * 0.6F));
+}
+
+void drawPlots(ViewModel& model, TimelineCursor& cursor, const TimeAxis& axis, float bottom,
+               SteadyTime now) {
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  const float height = plotsHeight(model, display.y) - px(kPanelMargin) / 2;
+  const float margin = px(kPanelMargin);
+  const float width = display.x - 2 * margin;
+  ImGui::SetNextWindowPos(ImVec2(margin, bottom - height));
+  ImGui::SetNextWindowSize(ImVec2(width, height));
+  ImGui::SetNextWindowBgAlpha(0.95F);  // thin lines over a scene would be hard to follow
+  ImGui::Begin("plots", nullptr,
+               (kPanelFlags & ~ImGuiWindowFlags_AlwaysAutoResize) | ImGuiWindowFlags_NoTitleBar |
+                   ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoScrollbar |
+                   ImGuiWindowFlags_NoScrollWithMouse);
+  const float room = legendWidth(model, display.x);
+  drawSplitter(model, width, display.y);
+  drawTools(model, axis, room);
+  const float top = bottom - height + px(22);
+  const float lanes_height = std::max(px(20), height - px(22 + 10));
+  std::vector<Lane> lanes = lanesOf(model);
+  if (lanes.empty()) {  // cleared just now
+    ImGui::End();
+    return;
+  }
+  placeLanes(lanes, top, lanes_height);
+
+  ImGui::SetCursorScreenPos(ImVec2(axis.left, top));
+  ImGui::InvisibleButton("curves", ImVec2(axis.width, lanes_height),
+                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+                             ImGuiButtonFlags_MouseButtonMiddle);
+  Cursors cursors;
+  cursors.shown_x = axis.xOf(cursor.position(now));
+  if (ImGui::IsItemHovered() || ImGui::IsItemActive()) cursors.mouse_x = ImGui::GetIO().MousePos.x;
+  applyTimeMouse(model, cursor, axis, now);
+
+  ImDrawList* const list = ImGui::GetWindowDrawList();
+  std::optional<SeriesKey> removed;
+  const PlotBoard::Curve* looked_at = nullptr;
+  for (const Lane& lane : lanes) {
+    const auto* over = drawLegend(model, lane, axis, cursors, room, removed);
+    if (over != nullptr) looked_at = over;
+  }
+  for (const Lane& lane : lanes) {
+    drawGround(lane, axis, model.origin());
+    list->PushClipRect(ImVec2(axis.left, lane.top),
+                       ImVec2(axis.left + axis.width, lane.top + lane.height), true);
+    for (const Plotted& plotted : lane.curves) {
+      const bool only = lane.curves.size() == 1;
+      drawLimits(lane, plotted, axis, only || plotted.curve == looked_at);
+    }
+    if (model.picture != nullptr) {
+      for (const Plotted& plotted : lane.curves) {
+        drawCurve(lane, plotted, *model.picture, axis, plotted.curve == looked_at);
+      }
+    }
+    list->PopClipRect();
+  }
+  if (model.picture != nullptr) drawUnknown(*model.picture, axis, top, top + lanes_height);
+  drawCursorLines(axis, cursors, model.origin(), top, top + lanes_height);
+  if (model.picture != nullptr && !model.picture->fault.empty()) {
+    list->AddText(ImVec2(axis.left + px(6), top + px(4)), IM_COL32(255, 150, 100, 255),
+                  model.picture->fault.c_str());
+  }
+  if (removed) model.plots.remove(*removed);
+  ImGui::End();
+}
+
+}  // namespace rocinante

@@ -1,0 +1,83 @@
+#include "viewer/ui/panels/plot_parts.h"
+
+#include <algorithm>
+#include <array>
+
+#include "viewer/ui/panels/panel_parts.h"
+
+namespace rocinante {
+namespace {
+
+struct Rgb {
+  int red, green, blue;
+};
+
+/// Told apart on a dark and on a light ground; the second ten are the first, darker.
+constexpr std::array<Rgb, 10> kCurveColors{{{86, 180, 255},
+                                            {255, 168, 64},
+                                            {96, 205, 120},
+                                            {255, 105, 105},
+                                            {196, 145, 255},
+                                            {228, 205, 70},
+                                            {70, 210, 205},
+                                            {255, 130, 195},
+                                            {165, 190, 120},
+                                            {205, 165, 130}}};
+
+}  // namespace
+
+ImU32 curveColor(std::size_t number, int alpha) {
+  const Rgb& base = kCurveColors[number % kCurveColors.size()];
+  const int percent = number / kCurveColors.size() % 2 == 0 ? 100 : 66;
+  return IM_COL32(base.red * percent / 100, base.green * percent / 100, base.blue * percent / 100,
+                  alpha);
+}
+
+ImU32 fadedInk(float part) {
+  ImVec4 ink = ImGui::GetStyleColorVec4(ImGuiCol_Text);
+  ink.w *= part;
+  return ImGui::ColorConvertFloat4ToU32(ink);
+}
+
+void drawPlotButton(ViewModel& model, const char* id, const std::vector<SeriesKey>& keys) {
+  if (model.session() == nullptr || keys.empty()) return;
+  const float side = px(11);
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float height = ImGui::GetTextLineHeight();
+  const bool pressed = ImGui::InvisibleButton(id, ImVec2(side, height));
+  const PlotBoard::Curve* const curve = model.plots.find(keys.front());
+  ImDrawList* const list = ImGui::GetWindowDrawList();
+  const float top = corner.y + (height - side) / 2;
+  const ImVec2 low(corner.x, top), high(corner.x + side, top + side);
+  if (curve != nullptr) {
+    list->AddRectFilled(low, high, curveColor(curve->color));
+  } else {
+    const float faint = ImGui::IsItemHovered() ? 0.9F : 0.4F;
+    list->AddRect(low, high, fadedInk(faint));
+    // A little curve.
+    const std::array<ImVec2, 4> line{
+        ImVec2(low.x + px(2), high.y - px(3)), ImVec2(low.x + px(4), low.y + px(4)),
+        ImVec2(low.x + px(7), low.y + px(7)), ImVec2(high.x - px(2), low.y + px(3))};
+    list->AddPolyline(line.data(), 4, fadedInk(faint), 0, px(1.2F));
+  }
+  const bool full = model.plots.curves().size() >= PlotBoard::kMaxCurves;
+  explain(curve != nullptr ? "no longer plot it"
+          : full           ? "20 curves are plotted: remove one first"
+                           : "plot it over time");
+  if (!pressed) return;
+  const bool all = std::ranges::all_of(
+      keys, [&](const SeriesKey& key) { return model.plots.find(key) != nullptr; });
+  for (const SeriesKey& key : keys) {
+    if (all) {
+      model.plots.remove(key);
+    } else {
+      model.plots.add(key);
+    }
+  }
+}
+
+void drawPlotButton(ViewModel& model, const SeriesKey& key) {
+  drawPlotButton(model, ("plot " + key.text()).c_str(), {key});
+}
+
+}  // namespace rocinante

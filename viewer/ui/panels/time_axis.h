@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+
+#include "core/base/time.h"
+#include "viewer/ui/model/view_model.h"
+
+namespace rocinante {
+
+/// Where the shown part of a log's time lies in the window: the time line and the plots above it
+/// share it. In pixels.
+struct TimeAxis {
+  float left = 0, width = 1;
+  LogTime from{}, until{};
+
+  /// May be outside of the axis.
+  float xOf(LogTime moment) const;
+  /// Of the nearest moment of the axis.
+  LogTime momentAt(float x) const;
+  bool shows(LogTime moment) const { return moment >= from && moment <= until; }
+};
+
+/// `room`: width of the window in pixels.
+TimeAxis timeAxis(const ViewModel& model, float room);
+
+/// Room beside the axis, right of it, for the names of curves; 0 without plots.
+float legendWidth(const ViewModel& model, float room);
+
+/// Asks the log's study for what this axis shows, into model.picture.
+void askStudy(ViewModel& model, const TimeAxis& axis);
+
+/// Applies the mouse of the last item, drawn over the axis: left seeks, with Ctrl it chooses the
+/// part that is repeated; right, middle or Shift moves the axis, the wheel zooms at the mouse, a
+/// double click of the right button shows all.
+void applyTimeMouse(ViewModel& model, TimelineCursor& cursor, const TimeAxis& axis, SteadyTime now);
+
+/// A session time as the time line writes it: seconds with three decimals.
+std::string shownSeconds(Nanoseconds since_origin);
+
+}  // namespace rocinante

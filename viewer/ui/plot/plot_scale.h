@@ -1,0 +1,56 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/cell/posed_scene.h"
+#include "core/series/series_key.h"
+#include "viewer/ui/study/log_study.h"
+
+namespace rocinante {
+
+/// What a lane of plots is measured in.
+enum class PlotUnit { degrees, metres, quaternion, other, per_second };
+
+/// A plotted value for people: where its numbers come from and how they are shown.
+struct PlotValue {
+  SeriesKey
+      series;  ///< whose values it shows: of a mimic joint, those of the joint that it follows
+  PlotUnit unit = PlotUnit::other;
+  double factor = 1, offset = 0;       ///< shown = stated * factor + offset
+  std::optional<double> lower, upper;  ///< its limits, as shown
+
+  double shown(double stated) const { return stated * factor + offset; }
+};
+
+/// `model`: of the key's device; null when it is not known.
+PlotValue plotValue(const SeriesKey& key, const Model* model);
+
+/// The vertical axis of a lane: a range with a margin, and ticks at round numbers. Values are in
+/// the lane's unit.
+struct PlotScale {
+  double low = -1, high = 1;
+  double step = 1;           ///< distance of ticks: 1, 2 or 5 times a power of ten
+  double first = -1;         ///< the lowest tick
+  int decimals = 0;          ///< that ticks need
+  bool millimetres = false;  ///< metres shown as a thousand times as many millimetres
+
+  /// 0 at the bottom, 1 at the top.
+  double part(double value) const { return (value - low) / (high - low); }
+};
+
+/// A scale for everything from `low` to `high` with about `ticks` ticks. Never empty: a single
+/// value has a range around it, and nothing at all -1 to 1.
+PlotScale plotScale(double low, double high, PlotUnit unit, int ticks);
+
+/// "12.5°", "0.120 m", "35.0 mm", "60.1 /s": as precisely as `scale` can be read, and a digit more.
+std::string plotText(double shown, PlotUnit unit, const PlotScale& scale);
+/// "°", "m", "mm", "/s" or nothing.
+std::string unitText(PlotUnit unit, const PlotScale& scale);
+
+/// The range of the columns, as shown by `value`; empty without any.
+std::optional<std::pair<double, double>> rangeOf(const std::vector<ValueColumn>& columns,
+                                                 const PlotValue& value);
+
+}  // namespace rocinante

@@ -1,0 +1,43 @@
+#include "viewer/ui/program/save_desk.h"
+
+#include <chrono>
+#include <thread>
+
+namespace rocinante {
+
+Status SaveDesk::ask(ViewModel& model, const std::filesystem::path& file) {
+  LiveKeeper* const keeper = model.isLive() ? model.feed().keeper() : nullptr;
+  if (keeper == nullptr || model.live() == nullptr) {
+    return Error{ErrorKind::bad_argument, "only a live session that is kept can be saved", {}};
+  }
+  std::error_code ignored;
+  const auto now = std::chrono::time_point_cast<Nanoseconds>(std::chrono::system_clock::now());
+  const std::filesystem::path output =
+      file.empty() ? freeLiveName(std::filesystem::current_path(ignored), now) : file;
+  return saver_.start(*keeper, {shown_.cell, shown_.where, output, model.live()->time});
+}
+
+Status SaveDesk::make(ViewModel& model, const std::filesystem::path& file) {
+  if (auto begun = ask(model, file); !begun) return begun;
+  while (true) {
+    if (const auto saved = saver_.look(*model.feed().keeper())) {
+      if (!saved->ok()) return saved->error();
+      const LiveSaver::Saved& made = **saved;
+      if (!made.doubt.empty()) model.doubts.push_back(made.file.string() + ": " + made.doubt);
+      return {};
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+}
+
+std::optional<SaveDesk::News> SaveDesk::look(ViewModel& model) {
+  if (!saver_.active()) return std::nullopt;
+  const auto saved = saver_.look(*model.feed().keeper());
+  if (!saved) return std::nullopt;
+  if (!saved->ok()) return News{"the session was not saved: " + saved->error().text(), true};
+  const LiveSaver::Saved& made = **saved;
+  if (made.doubt.empty()) return News{"saved: " + made.file.string(), false};
+  return News{"saved: " + made.file.string() + "; " + made.doubt, true};
+}
+
+}  // namespace rocinante

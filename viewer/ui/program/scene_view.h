@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/time.h"
+#include "viewer/detail/rest_plan.h"
+#include "viewer/render/rest_picture.h"
+#include "viewer/render/scaled_view.h"
+
+namespace rocinante {
+
+/// Everything that decides a scene's pixels: while it stays equal, nothing has to be drawn.
+struct ShownScene {
+  std::uint64_t version = 0;  ///< of poses, drawings and meshes
+  CameraView camera;
+  RenderStyle style;
+  std::vector<FrameInset> insets;
+  std::vector<std::string> hide, show;
+  int raised_px = 0;
+  double scale = 1;
+  int width = 0, height = 0, samples = 1, rung = 0;
+  bool operator==(const ShownScene&) const = default;
+};
+
+/// The scene's picture in a window: drawn on a rung of detail whenever it changes, and once more
+/// with everything when it rests. Its context must be current whenever it is used or destroyed.
+class SceneView {
+ public:
+  /// Draws `frame` unless `shown` was drawn last; empty when it was.
+  Result<std::optional<DrawCounts>> draw(Renderer& renderer, const SceneFrame& frame,
+                                         const ShownScene& shown, SteadyTime now);
+
+  /// Draws the next slice of the picture with everything, if it is due: `frame` as last drawn. True
+  /// when the picture has become whole.
+  Result<bool> refine(Renderer& renderer, const SceneFrame& frame, SteadyTime now);
+  /// When refine() has something to do; empty: never.
+  std::optional<SteadyTime> refinesAt() const { return plan_.nextAt(); }
+  /// The picture shows everything, although the rung does not.
+  bool refined() const { return plan_.whole(); }
+
+  /// The picture to show, one sample per pixel.
+  const FrameBuffer& picture() const { return refined() ? rest_.picture() : view_.picture(); }
+
+ private:
+  ScaledView view_;
+  RestPicture rest_;
+  RestPlan plan_;
+  std::optional<ShownScene> shown_;
+};
+
+}  // namespace rocinante

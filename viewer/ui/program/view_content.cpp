@@ -1,0 +1,237 @@
+#include "viewer/ui/program/view_content.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <condition_variable>
+#include <utility>
+
+#include "core/bundle/attached_cell.h"
+#include "core/cli/load_progress.h"
+#include "core/cli/worker_threads.h"
+#include "core/session/session_time.h"
+#include "core/signing/trust_judge.h"
+
+namespace rocinante {
+namespace {
+
+namespace fs = std::filesystem;
+
+Result<std::optional<LiveFeed>> openFeed(const ContentRequest& request,
+                                         std::vector<std::string>& warnings) {
+  if (!request.live) return std::optional<LiveFeed>();
+  auto trust = TrustJudge::open(request.trust);
+  if (!trust.ok()) return trust.error();
+  auto feed = LiveFeed::start(*request.live, std::move(*trust), request.keep);
+  if (!feed.ok()) return feed.error();
+  if (!feed->keepingFault().empty()) {
+    warnings.push_back("this session is not kept, so its past cannot be shown: " +
+                       feed->keepingFault());
+  }
+  return std::optional<LiveFeed>(std::move(*feed));
+}
+
+void warnOfFaults(const Cell& cell, std::vector<std::string>& warnings) {
+  std::size_t errors = 0;
+  for (const Finding& fault : cell.faults) {
+    if (fault.severity != Severity::error) continue;
+    if (++errors <= 3) warnings.push_back(fault.print());
+  }
+  if (errors > 3) {
+    warnings.push_back(fmt::format("{} errors in all; rocinante check lists them", errors));
+  }
+}
+
+/// The file that has the cell. Of a log without one it is the cell that was shown before.
+Result<fs::path> cellFile(const ContentRequest& request) {
+  if (!request.cell.empty()) return request.cell;
+  const auto log = LogReader::open(request.log);
+  if (!log.ok()) return log.error();
+  const auto carried = readAttachedCell(*log);
+  if (!carried.ok()) return carried.error();
+  if (*carried) return request.log;
+  if (!request.fallback_cell.empty()) return request.fallback_cell;
+  return Error{ErrorKind::not_found,
+               "this log carries no cell: open it together with its cell or model",
+               request.log.string()};
+}
+
+/// A recording that goes on, in this log or in a later piece, is followed; any other log is read as
+/// it is.
+Result<Timeline> openSession(const fs::path& log) {
+  auto session = Timeline::follow(log);
+  if (!session.ok() || session->log().growing()) return session;
+  return Timeline::open(log);
+}
+
+/// The options that move joints by hand.
+Status moveByHand(const ContentRequest& request, ViewModel& model) {
+  HandJoints hand;
+  for (const std::string& text : request.joints) {
+    if (model.session() != nullptr || model.isLive()) {
+      return Error{ErrorKind::bad_argument, "--joints poses a cell without a session",
+                   "--joints " + text};
+    }
+    if (auto set = setJoints(hand, model.cell(), text); !set) {
+      return Error{set.error().kind, set.error().what, "--joints " + text};
+    }
+  }
+  if (!hand.empty()) model.hand.take(std::move(hand));
+  if (request.drive.empty()) return {};
+  return model.hand.drive(request.drive,
+                          request.drive_as.empty() ? DriveSettings().source : request.drive_as);
+}
+
+/// Looks, camera and moment of the program's arguments.
+Status applyArguments(const ContentRequest& request, ViewModel& model,
+                      std::vector<std::string>& warnings) {
+  RenderStyle style;
+  for (const std::string& word : request.styles) {
+    if (auto set = setStyle(style, word); !set) return set.error();
+  }
+  if (auto known = model.names().check(style); !known) return known.error();
+  model.setStyle(style);
+  for (const auto* paths : {&request.hide, &request.show}) {
+    for (const std::string& path : *paths) {
+      const std::string doubt = model.names().doubtAbout(path);
+      if (!doubt.empty()) warnings.push_back(doubt);
+    }
+  }
+  if (!request.camera.empty()) {
+    if (auto known = model.names().checkCamera(request.camera); !known) return known.error();
+    model.useCamera(request.camera);
+  }
+  if (auto posed = moveByHand(request, model); !posed) return posed.error();
+  if (request.at.empty()) return {};
+  TimelineCursor* cursor = model.cursor();
+  if (cursor == nullptr) {
+    return Error{ErrorKind::bad_argument, "--at needs a log", "--at " + request.at};
+  }
+  const auto moment = parseSessionTime(request.at, model.origin(), cursor->end());
+  if (!moment.ok()) return moment.error();
+  cursor->seek(*moment, SteadyTime{});
+  return {};
+}
+
+}  // namespace
+
+Result<ViewContent> loadContent(ContentRequest request, const TellLoadProgress& progress) {
+  const auto file = cellFile(request);
+  if (!file.ok()) return file.error();
+  request.cell = *file;
+  CellOptions options;
+  static_cast<ModelSearch&>(options) = request.where;
+  options.parallel = cli::workerThreads();
+  options.progress = progress;
+  auto cell = loadCellOrLog(request.cell, options);
+  if (!cell.ok()) return cell.error();
+  ViewContent content;
+  warnOfFaults(*cell, content.warnings);
+
+  std::optional<Timeline> session;
+  if (!request.log.empty()) {
+    auto opened = openSession(request.log);
+    if (!opened.ok()) return opened.error();
+    session = std::move(*opened);
+  }
+  auto feed = openFeed(request, content.warnings);
+  if (!feed.ok()) return feed.error();
+  auto model = ViewModel::make(std::move(*cell), std::move(session), std::move(*feed), request.hide,
+                               request.show);
+  if (!model.ok()) return model.error();
+  content.model = std::make_unique<ViewModel>(std::move(*model));
+  if (auto applied = applyArguments(request, *content.model, content.warnings); !applied) {
+    return applied.error();
+  }
+  content.request = std::move(request);
+  return content;
+}
+
+ViewContent emptyContent() {
+  ViewContent content;
+  auto model = ViewModel::make(Cell(), std::nullopt, std::nullopt, {}, {});
+  content.model = std::make_unique<ViewModel>(std::move(*model));
+  content.model->is_empty = true;
+  return content;
+}
+
+Result<ContentRequest> requestOf(const std::vector<fs::path>& files, const ContentRequest& shown) {
+  ContentRequest request;
+  request.where = shown.where;
+  if (shown.live) {
+    return Error{ErrorKind::bad_argument,
+                 "this window shows a live session; open the file in another one",
+                 {}};
+  }
+  for (const fs::path& given : files) {
+    std::error_code fault;
+    const fs::path file = fs::absolute(given, fault);
+    if (fs::is_directory(file, fault)) {
+      return Error{ErrorKind::bad_argument, "a folder cannot be shown; open a file of it",
+                   file.string()};
+    }
+    if (!fs::exists(file, fault)) {
+      return Error{ErrorKind::not_found, "there is no such file", file.string()};
+    }
+    fs::path& place = isLog(file) ? request.log : request.cell;
+    if (!place.empty()) {
+      return Error{ErrorKind::bad_argument, "a window shows one cell and one log at a time",
+                   file.string()};
+    }
+    place = file;
+  }
+  if (request.cell.empty() && shown.cell != shown.log) request.fallback_cell = shown.cell;
+  return request;
+}
+
+struct ContentLoader::Shared {
+  mutable std::mutex mutex;
+  std::condition_variable done;
+  LoadProgress progress;
+  std::optional<Result<ViewContent>> result;
+};
+
+ContentLoader::~ContentLoader() {
+  if (thread_.joinable()) thread_.join();
+}
+
+void ContentLoader::start(ContentRequest request) {
+  name_ = request.named().filename().string();
+  shared_ = std::make_shared<Shared>();
+  thread_ = std::thread([shared = shared_, request = std::move(request)]() mutable {
+    const TellLoadProgress on_terminal = cli::loadProgress(request.named().string());
+    const TellLoadProgress tell = [&](const LoadProgress& now) {
+      on_terminal(now);
+      const std::lock_guard lock(shared->mutex);
+      shared->progress = now;
+    };
+    auto result = loadContent(std::move(request), tell);
+    const std::lock_guard lock(shared->mutex);
+    shared->result.emplace(std::move(result));
+    shared->done.notify_all();
+  });
+}
+
+std::optional<Result<ViewContent>> ContentLoader::poll() { return waitFor(Nanoseconds(0)); }
+
+std::optional<Result<ViewContent>> ContentLoader::waitFor(Nanoseconds most) {
+  if (!busy()) return std::nullopt;
+  std::optional<Result<ViewContent>> result;
+  {
+    std::unique_lock lock(shared_->mutex);
+    if (!shared_->done.wait_for(lock, most, [&] { return shared_->result.has_value(); })) {
+      return std::nullopt;
+    }
+    result = std::move(shared_->result);
+  }
+  thread_.join();
+  return result;
+}
+
+LoadProgress ContentLoader::progress() const {
+  if (!shared_) return {};
+  const std::lock_guard lock(shared_->mutex);
+  return shared_->progress;
+}
+
+}  // namespace rocinante

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "core/base/model_search.h"
+#include "core/base/parallel_for.h"
+#include "core/base/result.h"
+#include "viewer/ui/live/keep_limits.h"
+#include "viewer/ui/model/view_model.h"
+
+namespace rocinante {
+
+/// What the window shall show, as arguments of the program say it or as opened in the window.
+struct ContentRequest {
+  std::filesystem::path cell;  ///< empty: nothing, or the cell that the log carries
+  std::filesystem::path log;   ///< empty: none
+  /// Shown with a log that carries no cell; empty: there is none.
+  std::filesystem::path fallback_cell;
+  std::optional<std::vector<Endpoint>> live;
+  std::string trust;
+  KeepLimits keep;                  ///< of a live session
+  std::vector<std::string> joints;  ///< moved by hand: a device's values, as --joints
+  std::string drive, drive_as;      ///< an endpoint and a SOURCE for joints by hand; empty: neither
+  std::vector<std::string> hide, show, styles;
+  std::string camera, at;
+  ModelSearch where;
+
+  bool empty() const { return cell.empty() && log.empty(); }
+  /// The file that gives it its name.
+  const std::filesystem::path& named() const { return log.empty() ? cell : log; }
+};
+
+/// What is shown: a model and where it came from.
+struct ViewContent {
+  ContentRequest request;  ///< `cell` and `log` as they were found
+  std::unique_ptr<ViewModel> model;
+  std::vector<std::string> warnings;  ///< one sentence each, to be printed
+};
+
+/// Reads files and starts a live feed; any thread. `progress` may be called by other threads.
+Result<ViewContent> loadContent(ContentRequest request, const TellLoadProgress& progress);
+
+/// Nothing: an empty cell.
+ViewContent emptyContent();
+
+/// What files that were dropped on a window or opened in it mean, while `shown` is there: a cell or
+/// model, a log, or one of each. bad_argument with a sentence otherwise.
+Result<ContentRequest> requestOf(const std::vector<std::filesystem::path>& files,
+                                 const ContentRequest& shown);
+
+/// Loads in a thread of its own. All calls from one thread.
+class ContentLoader {
+ public:
+  ContentLoader() = default;
+  /// Waits for the thread: reading cannot be interrupted.
+  ~ContentLoader();
+  ContentLoader(const ContentLoader&) = delete;
+  ContentLoader& operator=(const ContentLoader&) = delete;
+
+  bool busy() const { return thread_.joinable(); }
+  /// Not while busy().
+  void start(ContentRequest request);
+  /// What was loaded, once; empty while it is not ready or nothing was started.
+  std::optional<Result<ViewContent>> poll();
+  /// The same, after at most `most`.
+  std::optional<Result<ViewContent>> waitFor(Nanoseconds most);
+
+  const std::string& name() const { return name_; }
+  LoadProgress progress() const;
+
+ private:
+  struct Shared;
+  std::shared_ptr<Shared> shared_;
+  std::thread thread_;
+  std::string name_;
+};
+
+}  // namespace rocinante

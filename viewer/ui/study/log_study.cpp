@@ -1,0 +1,390 @@
+#include "viewer/ui/study/log_study.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+#include "core/kinematics/joint_values.h"
+#include "core/log/log_reader.h"
+#include "core/series/series_table.h"
+#include "core/session/timeline.h"
+#include "viewer/ui/study/study_thread.h"
+
+namespace rocinante {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr std::size_t kMaxColumns = 8192;
+/// How often the thread looks for wishes while it reads.
+constexpr std::uint64_t kMessagesAtATime = 1024;
+/// How often pictures show what has been read so far.
+constexpr Nanoseconds kShowEvery = 100ms;
+/// The mean over which rates are formed.
+constexpr Nanoseconds kRateOver = 1s;
+
+SteadyTime studyNow() { return std::chrono::steady_clock::now(); }
+
+const Model* modelFor(const Cell& cell, std::string_view device, const DeviceState& said) {
+  if (said.presence && said.presence->value.presence == Presence::added) {
+    const auto added = cell.models.find(said.presence->value.model);
+    if (added != cell.models.end()) return added->second.get();
+  }
+  if (const CellDevice* own = cell.findDevice(device)) return cell.modelOf(*own);
+  for (const CellSource& source : cell.sources) {
+    const auto ghost = source.ghost_of.find(std::string(device));
+    if (ghost == source.ghost_of.end()) continue;
+    if (const CellDevice* original = cell.findDevice(ghost->second)) {
+      return cell.modelOf(*original);
+    }
+  }
+  return nullptr;
+}
+
+std::vector<ValueColumn> columnsOfRates(const std::vector<float>& rates) {
+  std::vector<ValueColumn> columns(rates.size());
+  for (std::size_t i = 0; i < rates.size(); ++i) {
+    columns[i].bin = {rates[i], rates[i], rates[i], false};
+    columns[i].held = rates[i];
+  }
+  return columns;
+}
+
+/// A stretch of the log, gathered a few messages at a time.
+struct Scan {
+  LogReader reader;
+  SeriesScan series;
+  LogTime from, until;
+  bool ended = false;
+
+  Scan(LogReader log, SeriesScan::Options options)
+      : reader(std::move(log)), series(std::move(options)), from{}, until{} {}
+
+  Status step() {
+    for (std::uint64_t i = 0; i < kMessagesAtATime && !ended; ++i) {
+      const auto message = reader.next();
+      if (!message) return message.error();
+      ended = !*message || (*message)->log_time > until;
+      if (!ended) series.add(**message);
+    }
+    return {};
+  }
+};
+
+struct TableWish {
+  std::vector<SeriesKey> keys;
+  LogTime from{}, until{};
+  std::filesystem::path path;
+};
+
+}  // namespace
+
+PositionalNames positionalNames(const Cell& cell) {
+  return [&cell](std::string_view device, const DeviceState& said) {
+    const Model* const model = modelFor(cell, device, said);
+    return model == nullptr ? std::vector<std::string>() : positionalNames(*model);
+  };
+}
+
+struct LogStudy::Impl {
+  Impl(const Cell& the_cell, std::filesystem::path path)
+      : names(positionalNames(the_cell)), log(std::move(path)) {}
+
+  void work(const std::stop_token& stop);
+  Status begin();
+  Status readAll(const std::stop_token& stop);
+  Status refine(const StudyWish& wish, const std::stop_token& stop);
+  bool isFineEnough(const StudyWish& wish) const;
+  void publish(const StudyWish& wish, const Scan& scan, bool whole);
+  Result<std::string> tableOf(const TableWish& wish, const std::stop_token& stop);
+  Result<SessionState> stateAt(LogTime moment);
+  StudyWish wished() {
+    const std::lock_guard lock(mutex);
+    return newest;
+  }
+
+  // Of the thread.
+  PositionalNames names;
+  std::filesystem::path log;
+  std::optional<Timeline> timeline;
+  LogTime start{}, end{};
+  std::unique_ptr<Scan> all, part;
+  std::set<SeriesKey> part_keys;
+
+  std::mutex mutex;
+  std::condition_variable_any asked, answered;
+  // Guarded by mutex.
+  StudyWish newest;
+  std::uint64_t wishes = 0;         ///< number of the newest
+  std::uint64_t whole_answers = 0;  ///< number of the newest answered wholly
+  std::shared_ptr<const StudyPicture> picture;
+  bool news = false;
+  std::optional<TableWish> table_wish;
+  bool table_busy = false;
+  std::optional<Result<std::string>> made_table;
+  std::string fault;
+
+  std::jthread thread;  // last: it ends first
+};
+
+LogStudy::LogStudy(const Cell& cell, std::filesystem::path log)
+    : impl_(std::make_unique<Impl>(cell, std::move(log))) {
+  Impl& my = *impl_;
+  my.thread = std::jthread([&my](const std::stop_token& stop) { my.work(stop); });
+}
+
+LogStudy::~LogStudy() = default;
+
+Status LogStudy::Impl::begin() {
+  auto reader = LogReader::open(log);
+  if (!reader.ok()) return reader.error();
+  auto second = LogReader::open(log);
+  if (!second.ok()) return second.error();
+  timeline = Timeline::of(std::move(*second));
+  start = timeline->start();
+  end = timeline->end();
+  SeriesScan::Options options;
+  options.from = start;
+  options.until = end;
+  options.names = names;
+  if (Status there = reader->rewind(); !there) return there;
+  all = std::make_unique<Scan>(std::move(*reader), std::move(options));
+  all->from = start;
+  all->until = LogTime::max();
+  return {};
+}
+
+Status LogStudy::Impl::readAll(const std::stop_token& stop) {
+  SteadyTime shown = studyNow();
+  StudyWish last;
+  while (!all->ended && !stop.stop_requested()) {
+    if (Status read = all->step(); !read) return read;
+    const StudyWish wanted = wished();
+    if (wanted.strip_columns == 0 && wanted.columns == 0) continue;
+    if (wanted == last && studyNow() - shown < kShowEvery) continue;
+    publish(wanted, *all, false);
+    last = wanted;
+    shown = studyNow();
+  }
+  for (const LossSpan& span : all->reader.losses()) all->series.addLoss(span);
+  return {};
+}
+
+/// The state of everything up to `moment`, as far as a damaged log has it.
+Result<SessionState> LogStudy::Impl::stateAt(LogTime moment) {
+  StateDamage ignored;  // pictures show where it is
+  const auto state = timeline->stateAt(moment, &ignored);
+  if (!state.ok()) return state.error();
+  return **state;
+}
+
+/// A bin that is known is no wider than a pixel.
+bool LogStudy::Impl::isFineEnough(const StudyWish& wish) const {
+  const Nanoseconds pixel =
+      (wish.until - wish.from) / std::max<std::int64_t>(static_cast<std::int64_t>(wish.columns), 1);
+  return std::ranges::all_of(wish.keys, [&](const SeriesKey& key) {
+    const ValueBins* const values = key.isOfDevice() ? all->series.values(key) : nullptr;
+    return values == nullptr || values->width() <= std::max(pixel, Nanoseconds(1));
+  });
+}
+
+/// Reads the part that is shown once more, and a little on both sides, until another wish comes.
+Status LogStudy::Impl::refine(const StudyWish& wish, const std::stop_token& stop) {
+  const Nanoseconds span = wish.until - wish.from;
+  const Nanoseconds pixel = std::max(
+      Nanoseconds(1), span / std::max<std::int64_t>(static_cast<std::int64_t>(wish.columns), 1));
+  std::set<SeriesKey> keys(wish.keys.begin(), wish.keys.end());
+  const bool known = part && part->ended && part->from <= wish.from && part->until >= wish.until &&
+                     (part->until - part->from) / 16384 <= pixel && part_keys == keys;
+  if (!known) {
+    part.reset();
+    const Nanoseconds beside = span / 2;
+    const LogTime from = std::max(start, wish.from - std::min(beside, wish.from - start));
+    const LogTime until = wish.until + std::min(beside, std::max(Nanoseconds(0), end - wish.until));
+    auto before = stateAt(from);
+    if (!before.ok()) return before.error();
+    auto reader = LogReader::open(log);
+    if (!reader.ok()) return reader.error();
+    if (Status there = reader->seek(from + Nanoseconds(1)); !there) return there;
+    SeriesScan::Options options;
+    options.from = from;
+    options.until = until;
+    options.names = names;
+    options.only = keys;
+    auto scan = std::make_unique<Scan>(std::move(*reader), std::move(options));
+    scan->from = from;
+    scan->until = until;
+    scan->series.beginWith(std::move(*before));
+    while (!scan->ended) {
+      if (Status read = scan->step(); !read) return read;
+      if (stop.stop_requested() || !(wished() == wish)) return {};
+    }
+    part = std::move(scan);
+    part_keys = std::move(keys);
+  }
+  publish(wish, *part, true);
+  return {};
+}
+
+void LogStudy::Impl::publish(const StudyWish& wish, const Scan& scan, bool whole) {
+  auto made = std::make_shared<StudyPicture>();
+  made->wish = wish;
+  made->reached = all->ended ? end : all->series.reached();
+  made->whole = whole;
+  const auto strip = [&](const std::string& name, const SourceSeries& source) {
+    SourceStrip made_strip;
+    made_strip.source = name;
+    const auto rates = [&](const CountBins& bins, Nanoseconds least) {
+      return bins.rates(wish.from, wish.until, wish.strip_columns, least, made->reached);
+    };
+    made_strip.rates = rates(source.packets, kRateOver);
+    made_strip.lost = rates(source.lost, Nanoseconds(0));
+    const auto everywhere = source.packets.rates(start, end, 256, kRateOver, made->reached);
+    made_strip.most = everywhere.empty() ? 0 : *std::ranges::max_element(everywhere);
+    made->strips.push_back(std::move(made_strip));
+  };
+  strip("", all->series.all());
+  for (const auto& [name, source] : all->series.sources()) strip(name, source);
+  for (const SeriesKey& key : wish.keys) {
+    std::vector<ValueColumn> columns;
+    if (key.isOfDevice()) {
+      const ValueBins* const values = scan.series.values(key);
+      if (values != nullptr) columns = values->columns(wish.from, wish.until, wish.columns);
+      // Nothing is known behind what was read: a curve ends there.
+      for (std::size_t i = 0; !all->ended && i < columns.size(); ++i) {
+        const auto at = static_cast<std::int64_t>(i);
+        if (wish.from + (wish.until - wish.from) / static_cast<std::int64_t>(columns.size()) * at >
+            made->reached) {
+          columns[i].held.reset();
+        }
+      }
+    } else {
+      const auto& sources = all->series.sources();
+      const auto found = sources.find(key.name);
+      const SourceSeries* const source = key.name.empty()         ? &all->series.all()
+                                         : found == sources.end() ? nullptr
+                                                                  : &found->second;
+      if (source != nullptr) {
+        const bool is_rate = key.kind == SeriesKey::Kind::rate;
+        columns = columnsOfRates(
+            (is_rate ? source->packets : source->lost)
+                .rates(wish.from, wish.until, wish.columns, kRateOver, made->reached));
+      }
+    }
+    made->curves.push_back(std::move(columns));
+  }
+  for (const UnreadableRange& range : all->reader.unreadable()) {
+    made->damaged.emplace_back(range.first.time, range.last.time);
+  }
+  const std::lock_guard lock(mutex);
+  made->fault = fault;
+  picture = std::move(made);
+  news = true;
+}
+
+Result<std::string> LogStudy::Impl::tableOf(const TableWish& wish, const std::stop_token& stop) {
+  auto before = stateAt(wish.from);
+  if (!before.ok()) return before.error();
+  auto reader = LogReader::open(log);
+  if (!reader.ok()) return reader.error();
+  SeriesTable table;
+  table.keys = wish.keys;
+  table.from = wish.from;
+  table.until = wish.until;
+  table.names = names;
+  table.goes_on = [&stop] { return !stop.stop_requested(); };
+  const auto rows = writeSeriesTable(table, std::move(*before), *reader, wish.path);
+  if (!rows.ok()) return rows.error();
+  return fmt::format("{}: {} rows", wish.path.string(), *rows);
+}
+
+void LogStudy::Impl::work(const std::stop_token& stop) {
+  lowerPriority();
+  Status read = begin();
+  if (read) read = readAll(stop);
+  const auto fail = [this](const Error& error) {
+    const std::lock_guard lock(mutex);
+    fault = error.text();
+    auto shown =
+        picture ? std::make_shared<StudyPicture>(*picture) : std::make_shared<StudyPicture>();
+    shown->fault = fault;
+    shown->whole = true;
+    picture = std::move(shown);
+    news = true;
+  };
+  if (!read) fail(read.error());
+  while (!stop.stop_requested()) {
+    StudyWish wanted;
+    std::uint64_t number = 0;
+    std::optional<TableWish> next_table;
+    {
+      std::unique_lock lock(mutex);
+      asked.wait(lock, stop, [&] { return wishes > whole_answers || table_wish; });
+      if (stop.stop_requested()) return;
+      wanted = newest;
+      number = wishes;
+      next_table = std::exchange(table_wish, std::nullopt);
+      table_busy = next_table.has_value();
+    }
+    if (read && number > 0) {
+      const bool fine = isFineEnough(wanted);
+      publish(wanted, *all, fine);
+      if (!fine) {
+        if (Status refined = refine(wanted, stop); !refined) fail(refined.error());
+      }
+    }
+    std::optional<Result<std::string>> made;
+    if (next_table) made = read ? tableOf(*next_table, stop) : Result<std::string>(read.error());
+    const std::lock_guard lock(mutex);
+    if (newest == wanted) whole_answers = number;
+    if (made) made_table = std::move(made);
+    table_busy = false;
+    answered.notify_all();
+  }
+}
+
+std::shared_ptr<const StudyPicture> LogStudy::show(const StudyWish& wish) {
+  Impl& my = *impl_;
+  std::unique_lock lock(my.mutex);
+  StudyWish bounded = wish;
+  bounded.columns = std::min(wish.columns, kMaxColumns);
+  bounded.strip_columns = std::min(wish.strip_columns, kMaxColumns);
+  if (!(bounded == my.newest) || my.wishes == 0) {
+    my.newest = std::move(bounded);
+    ++my.wishes;
+    my.asked.notify_all();
+  }
+  if (waits) my.answered.wait(lock, [&] { return my.whole_answers == my.wishes; });
+  my.news = false;
+  return my.picture;
+}
+
+bool LogStudy::hasNews() const {
+  const std::lock_guard lock(impl_->mutex);
+  return impl_->news || (impl_->made_table && !impl_->table_busy);
+}
+
+bool LogStudy::isBusy() const {
+  const std::lock_guard lock(impl_->mutex);
+  return impl_->wishes > impl_->whole_answers || impl_->table_busy || impl_->table_wish;
+}
+
+void LogStudy::writeTable(std::vector<SeriesKey> keys, LogTime from, LogTime until,
+                          std::filesystem::path path) {
+  Impl& my = *impl_;
+  std::unique_lock lock(my.mutex);
+  my.table_wish = TableWish{std::move(keys), from, until, std::move(path)};
+  my.asked.notify_all();
+  if (waits) my.answered.wait(lock, [&] { return my.made_table.has_value(); });
+}
+
+std::optional<Result<std::string>> LogStudy::takeTable() {
+  const std::lock_guard lock(impl_->mutex);
+  return std::exchange(impl_->made_table, std::nullopt);
+}
+
+}  // namespace rocinante
