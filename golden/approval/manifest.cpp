@@ -3,20 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <tuple>
 
 #include "core/base/atomic_file.h"
 #include "core/base/hash.h"
 #include "core/base/plain_text.h"
+#include "core/report/json_text.h"
 #include "golden/suite/merge_conflict.h"
 #include "golden/suite/suite_case.h"
 #include "viewer/gl/renderer_key.h"
 
 namespace rocinante {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr char kFileName[] = "manifest.json";
 constexpr std::uint64_t kMaxGoldenManifestBytes = 64U << 20U;
@@ -49,7 +47,8 @@ Result<AcceptedPicture> acceptedOf(const Json& entry, const std::string& name,
                            textIn(entry, "reason"),
                            textIn(entry, "areas"),
                            textIn(entry, "areas_pixels"),
-                           textIn(entry, "cell")};
+                           textIn(entry, "cell"),
+                           textIn(entry, "decoded")};
   if (accepted.key.empty() || accepted.pixels.empty() || !isPictureName(accepted.picture) ||
       (!accepted.areas.empty() && !isPictureName(accepted.areas))) {
     return broken(file, fmt::format("a picture of case `{}` lacks its key, its pixel hash or a "
@@ -178,6 +177,7 @@ Status Manifest::write(const std::filesystem::path& folder) const {
                {"accepted_at", accepted.accepted_at},
                {"reason", accepted.reason}};
       if (!accepted.cell.empty()) entry["cell"] = accepted.cell;
+      if (!accepted.decoded.empty()) entry["decoded"] = accepted.decoded;
       if (accepted.areas.empty()) continue;
       entry["areas"] = accepted.areas;
       entry["areas_pixels"] = accepted.areas_pixels;
@@ -185,7 +185,7 @@ Status Manifest::write(const std::filesystem::path& folder) const {
   }
   for (const auto& [key, hashes] : cells) root["cells"][key] = hashes;
   for (const auto& [hash, content] : texts) root["texts"][hash] = content;
-  const std::string text = root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  const std::string text = jsonText(root);
   return writeFileWhole(folder / kFileName, bytesOf(text), true);
 }
 
@@ -209,7 +209,8 @@ std::vector<const AcceptedPicture*> Manifest::findPixels(std::string_view case_n
                                                          std::string_view key) const {
   std::vector<const AcceptedPicture*> found = findAll(case_name);
   std::erase_if(found, [&](const AcceptedPicture* one) { return one->pixels != pixels; });
-  std::ranges::stable_partition(found, [&](const AcceptedPicture* one) { return one->key == key; });
+  std::stable_partition(found.begin(), found.end(),
+                        [&](const AcceptedPicture* one) { return one->key == key; });
   return found;
 }
 

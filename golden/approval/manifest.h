@@ -23,6 +23,8 @@ struct AcceptedPicture {
   /// The areasPicture of the case's masks: file and pixel hash; empty without masks.
   std::string areas{}, areas_pixels{};
   std::string cell{};  ///< key into Manifest::cells; empty: unknown files
+  /// decoded_sha256 of the log; empty without decoded packets.
+  std::string decoded{};
   bool operator==(const AcceptedPicture&) const = default;
 };
 

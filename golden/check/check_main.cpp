@@ -32,13 +32,13 @@ constexpr const char* kExamples =
     "  rocinante check --explain joint.limit\n";
 
 /// Differences between the cell attached to the log, if any, and the cell it is judged with.
-std::vector<Finding> driftOf(const LogReader& log, const Cell& given) {
+Findings driftOf(const LogReader& log, const Cell& given) {
   const auto unreadable = [&](const Error& error) {
     Finding finding;
     finding.rule = "drift.unreadable";
     finding.severity = Severity::warning;
     finding.text = "the cell that the log carries cannot be compared: " + error.text();
-    return std::vector<Finding>{finding};
+    return Findings{finding};
   };
   const Result<std::optional<CellBundle>> bundle = readAttachedCell(log);
   if (!bundle) return unreadable(bundle.error());
@@ -67,7 +67,7 @@ Result<CheckReport> judgeLog(const CheckArguments& my, const Cell& cell) {
   report->session = my.log;
   // A log judged with its own cell cannot have drifted.
   if (my.log != my.cell) {
-    std::vector<Finding> drift = driftOf(*log, cell);
+    Findings drift = driftOf(*log, cell);
     report->findings.insert(report->findings.end(), drift.begin(), drift.end());
   }
   return report;
@@ -89,7 +89,7 @@ Result<CheckReport> judge(const CheckArguments& my) {
     if (duration->count() <= 0) {
       return Error{ErrorKind::bad_argument, "must be greater than zero", "--duration"};
     }
-    return checkLive(*cell, my.live, *duration);
+    return checkLive(*cell, my.live, my.trust, *duration);
   }
   return my.log.empty() ? checkCell(*cell) : judgeLog(my, *cell);
 }

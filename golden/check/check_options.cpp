@@ -12,11 +12,19 @@ void declareCheck(CLI::App& app, CheckArguments& my) {
   auto* cell =
       app.add_option("CELL", my.cell, "a cell, a model file, or a log that carries its cell");
   auto* log = app.add_option("LOG", my.log, "a recorded session");
-  auto* live = app.add_option("--live", my.live, "judge live packets received on udp://HOST:PORT");
+  auto* live = app.add_option("--live", my.live,
+                              "judge live packets received on EP; may be repeated: all of them "
+                              "together")
+                   ->type_name("EP")
+                   ->allow_extra_args(false);
   live->excludes(log)->needs(cell);
   app.add_option("--duration", my.duration, "how long to listen")
       ->needs(live)
       ->capture_default_str();
+  app.add_option("--trust", my.trust,
+                 "judge only what is signed with a key of this file (rocinante key)")
+      ->needs(live)
+      ->type_name("FILE");
   cli::addSearchOptions(app, my);
 
   app.add_option("--rule", my.rules,

@@ -15,7 +15,8 @@ namespace rocinante {
 
 /// The command line arguments of rocinante-check.
 struct CheckArguments : ModelSearch {
-  std::string cell, log, live;
+  std::string cell, log, trust;
+  std::vector<std::string> live;
   std::string duration = "2s";
   std::string format = "text";
   bool json = false;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/check/rules/finding.h"
+#include "core/check/rules/check_report.h"
 #include "golden/check/check_options.h"
 
 namespace rocinante {

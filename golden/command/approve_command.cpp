@@ -143,6 +143,7 @@ class Approver {
                              by_,
                              at_,
                              arguments_.message};
+    accepted.decoded = session_.decodedHash();
     std::optional<Picture> areas_picture;
     if (*areas) {
       areas_picture = areasPicture(*frame.suite_case, **areas);

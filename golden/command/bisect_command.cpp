@@ -5,7 +5,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
-#include <nlohmann/json.hpp>
 #include <tuple>
 
 #include "core/base/count_text.h"
@@ -13,6 +12,7 @@
 #include "core/base/plain_text.h"
 #include "core/bundle/attached_cell.h"
 #include "core/cli/search_options.h"
+#include "core/report/json_text.h"
 #include "golden/command/child_output.h"
 #include "golden/command/suite_arguments.h"
 #include "golden/session/bisect.h"
@@ -214,26 +214,26 @@ std::string answerText(const BisectAnswer& answer, const std::vector<StateChange
 }
 
 std::string answerJson(const BisectAnswer& answer, const std::vector<StateChange>& changes) {
-  const auto orNull = [](const std::optional<Nanoseconds>& moment) {
-    return moment ? nlohmann::ordered_json(moment->count()) : nlohmann::ordered_json(nullptr);
+  const auto countOrNull = [](const std::optional<Nanoseconds>& moment) {
+    return moment ? Json(moment->count()) : Json(nullptr);
   };
-  nlohmann::ordered_json parted = nlohmann::ordered_json::array();
+  Json parted = Json::array();
   for (const StateChange& change : changes) {
     parted.push_back({{"item", change.item}, {"text", change.text}});
     // Radians or metres.
     if (change.amount) parted.back()["amount"] = *change.amount;
   }
-  const nlohmann::ordered_json root = {
+  const Json root = {
       {"format", 1},
       {"verdict", answer.first ? "different" : "same"},
-      {"first_ns", orNull(answer.first)},
-      {"last_alike_ns", orNull(answer.last_alike)},
+      {"first_ns", countOrNull(answer.first)},
+      {"last_alike_ns", countOrNull(answer.last_alike)},
       {"every_moment_since_ns",
-       answer.is_first_since_probe ? orNull(answer.searched_from) : orNull(std::nullopt)},
+       answer.is_first_since_probe ? countOrNull(answer.searched_from) : countOrNull(std::nullopt)},
       {"drawn", answer.frames},
       {"moments", answer.moments},
       {"changes", parted}};
-  return root.dump(2) + "\n";
+  return jsonText(root);
 }
 
 Result<BisectQuestion> bisectQuestion(const BisectArguments& arguments) {

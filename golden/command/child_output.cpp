@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
-#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -12,7 +11,7 @@
 #include <cstring>
 #include <utility>
 
-extern char** environ;
+#include "core/base/child_process.h"
 
 namespace rocinante {
 namespace {
@@ -32,11 +31,6 @@ struct Pipe {
     if (ends[end] >= 0) ::close(std::exchange(ends[end], -1));
   }
 };
-
-Error cannotRun(const std::string& program, int code) {
-  return {code == ENOENT ? ErrorKind::not_found : ErrorKind::refused,
-          std::string("cannot run it: ") + std::strerror(code), program};
-}
 
 int waitFor(::pid_t pid) {
   int status = 0;
@@ -59,20 +53,15 @@ bool readSome(int pipe, std::string& text) {
 Result<ChildOutput> childOutput(const std::vector<std::string>& words, std::uint64_t most_bytes) {
   Pipe out;
   Pipe err;
-  if (!out.open() || !err.open()) return cannotRun(words.front(), errno);
-  std::vector<char*> arguments;
-  for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
-  arguments.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  ::posix_spawn_file_actions_init(&actions);
-  ::posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  ::posix_spawn_file_actions_adddup2(&actions, out.ends[1], STDOUT_FILENO);
-  ::posix_spawn_file_actions_adddup2(&actions, err.ends[1], STDERR_FILENO);
-  ::pid_t pid = -1;
-  const int fault =
-      ::posix_spawnp(&pid, arguments[0], &actions, nullptr, arguments.data(), environ);
-  ::posix_spawn_file_actions_destroy(&actions);
-  if (fault != 0) return cannotRun(words.front(), fault);
+  if (!out.open() || !err.open()) {
+    return Error{ErrorKind::refused, std::string("cannot run it: ") + std::strerror(errno),
+                 words.front()};
+  }
+  const Result<pid_t> started = startChild(words, {-1, out.ends[1], err.ends[1]});
+  if (!started) {
+    return Error{started.error().kind, "cannot run it: " + started.error().what, words.front()};
+  }
+  const pid_t pid = *started;
   out.closeEnd(1);
   err.closeEnd(1);
 

@@ -4,9 +4,9 @@
 
 #include <CLI/CLI.hpp>
 #include <iostream>
-#include <nlohmann/json.hpp>
 
 #include "core/base/count_text.h"
+#include "core/report/json_text.h"
 #include "golden/compare/compare_files.h"
 #include "golden/compare/comparison_text.h"
 #include "golden/compare/picture_figures.h"
@@ -14,18 +14,12 @@
 namespace rocinante {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 Json pictureJson(const std::filesystem::path& path, const FinePicture& fine) {
   return {{"file", path.string()},
           {"width", fine.picture.width},
           {"height", fine.picture.height},
           {"components", fine.encoding.componentsText()},
           {"depth", fine.encoding.depthText()}};
-}
-
-Json optionalNumber(const std::optional<double>& number) {
-  return number ? Json(*number) : Json(nullptr);
 }
 
 /// Scripts rely on the keys up to pixels_over; later versions only add keys.
@@ -50,8 +44,8 @@ Json answerJson(const CompareArguments& arguments, const FilesComparison& files,
   if (files.golden) answer["golden"] = pictureJson(arguments.golden, *files.golden);
   if (figures) {
     answer["rmse"] = figures->rmse;
-    answer["psnr"] = optionalNumber(figures->psnr);
-    answer["ssim"] = optionalNumber(figures->ssim);
+    answer["psnr"] = orNull(figures->psnr);
+    answer["ssim"] = orNull(figures->ssim);
     answer["flip"] = nullptr;  // until 1.0: programs may look for the key
   }
   if (files.frame && !files.frame->samples.empty()) {
@@ -127,9 +121,7 @@ Result<cli::Exit> runCompareCommand(const CompareArguments& arguments) {
     if (!written.ok()) return written.error();
   }
   if (arguments.json) {
-    std::cout
-        << answerJson(arguments, files, figures).dump(2, ' ', false, Json::error_handler_t::replace)
-        << "\n";
+    std::cout << jsonText(answerJson(arguments, files, figures));
   } else {
     printAnswer(files, figures);
   }

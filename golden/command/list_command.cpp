@@ -4,17 +4,15 @@
 
 #include <CLI/CLI.hpp>
 #include <iostream>
-#include <nlohmann/json.hpp>
 
 #include "core/base/duration_text.h"
 #include "core/base/plain_text.h"
 #include "core/cli/text_table.h"
+#include "core/report/json_text.h"
 #include "golden/judge/housekeeping.h"
 
 namespace rocinante {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 const std::vector<AcceptedPicture>& picturesOf(const SuiteSession& session,
                                                const std::string& name) {
@@ -67,7 +65,7 @@ void printJson(const SuiteSession& session, const std::vector<std::string>& faul
     root["frames"].push_back(std::move(entry));
   }
   root["faults"] = faults;
-  std::cout << root.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
+  std::cout << jsonText(root);
 }
 
 }  // namespace

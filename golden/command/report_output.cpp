@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <fstream>
 #include <iostream>
 
 #include "core/base/atomic_file.h"
@@ -12,11 +13,23 @@
 #include "golden/report/report_folder.h"
 
 namespace rocinante {
+namespace {
+
+Status appendToFile(const std::string& path, const std::string& text) {
+  std::ofstream file(path, std::ios::app | std::ios::binary);
+  file << text << std::flush;
+  if (!file) return Error{ErrorKind::unreadable, "cannot append the summary", path};
+  return {};
+}
+
+}  // namespace
 
 void addReportFiles(CLI::App& command, ReportFiles& files) {
   command.add_option("--report", files.folder, "folder for index.html and the pictures");
   command.add_option("--junit", files.junit, "write JUnit XML");
   command.add_option("--sarif", files.sarif, "write SARIF 2.1.0, for code scanning");
+  command.add_option("--summary", files.summary,
+                     "append Markdown for the job's page, as to $GITHUB_STEP_SUMMARY");
   CLI::Option* const json =
       command
           .add_option("--json", files.json_file, "write the verdicts as JSON; - is standard output")
@@ -34,6 +47,12 @@ Status writeReportFiles(const SuiteReport& report, const ReportFiles& files) {
   }
   if (!files.sarif.empty()) {
     if (auto written = writeFileWhole(files.sarif, bytesOf(reportSarif(report)), true); !written) {
+      return written;
+    }
+  }
+  if (!files.summary.empty()) {
+    const std::string page = files.folder.empty() ? "" : files.folder + "/index.html";
+    if (auto written = appendToFile(files.summary, reportMarkdown(report, page)); !written) {
       return written;
     }
   }

@@ -14,11 +14,12 @@ struct ReportFiles {
   std::string junit;      ///< a file
   std::string json_file;  ///< a file, or `-` for standard output
   std::string sarif{};    ///< a file
+  std::string summary{};  ///< a file that Markdown is appended to
   bool github = false;    ///< annotations on standard output
 };
 
-/// Adds --report, --junit, --json, --sarif and --github to a subcommand; parsing fills `files`,
-/// which must outlive it.
+/// Adds --report, --junit, --json, --sarif, --summary and --github to a subcommand; parsing fills
+/// `files`, which must outlive it.
 void addReportFiles(CLI::App& command, ReportFiles& files);
 
 Status writeReportFiles(const SuiteReport& report, const ReportFiles& files);

@@ -47,6 +47,7 @@ SuiteReport reportOf(const SuiteSession& session, const SuiteArguments& argument
   report.cell = session.suite().cell.lexically_normal().string();
   if (session.suite().log) report.log = session.suite().log->lexically_normal().string();
   report.session = session.sessionHash();
+  report.decoded = session.decodedHash();
   report.made_at = nowText();
   if (!arguments.shard.empty()) {
     std::tie(report.shard, report.shards) = parseShard(arguments.shard).value_or(std::pair(1, 1));

@@ -90,17 +90,10 @@ std::string userName() {
 }
 
 void warnOfModelFaults(const Cell& cell) {
-  std::size_t errors = 0;
-  const ModelFault* first = nullptr;
-  for (const ModelFault& fault : cell.faults) {
-    if (fault.severity != Severity::error) continue;
-    ++errors;
-    if (first == nullptr) first = &fault;
-  }
-  if (first != nullptr) {
-    cli::warn(fmt::format("the cell has {} (rocinante check lists all); the first: {}",
-                          countText(errors, "error"), first->print()));
-  }
+  const Finding* const first = firstError(cell.faults);
+  if (first == nullptr) return;
+  cli::warn(fmt::format("the cell has {} (rocinante check lists all); the first: {}",
+                        countText(countOf(cell.faults, Severity::error), "error"), first->print()));
 }
 
 }  // namespace rocinante

@@ -47,6 +47,7 @@ struct JudgedFrame {
   std::string pixels;                     ///< hash of the drawn picture
   std::string inputs;                     ///< hash of its textures, glyphs and geometry
   std::string session;                    ///< content_sha256 of the log
+  std::string decoded{};                  ///< its decoded_sha256; empty without decoded packets
   std::optional<AcceptedPicture> golden;  ///< the nearest accepted one
   std::optional<Picture> drawn, accepted;
   std::optional<Picture> unmasked;      ///< drawn, with the golden's pixels where masks hide

@@ -47,9 +47,10 @@ class WireWriter {
   template <class Wire, class Accepted>
   static void fields(Wire& wire, Accepted& accepted) requires
       std::is_same_v<std::remove_const_t<Accepted>, AcceptedPicture> {
-    for (auto* text : {&accepted.key, &accepted.picture, &accepted.pixels, &accepted.inputs,
-                       &accepted.session, &accepted.accepted_by, &accepted.accepted_at,
-                       &accepted.reason, &accepted.areas, &accepted.areas_pixels, &accepted.cell}) {
+    for (auto* text :
+         {&accepted.key, &accepted.picture, &accepted.pixels, &accepted.inputs, &accepted.session,
+          &accepted.accepted_by, &accepted.accepted_at, &accepted.reason, &accepted.areas,
+          &accepted.areas_pixels, &accepted.cell, &accepted.decoded}) {
       wire.item(*text);
     }
   }
@@ -98,6 +99,7 @@ class WireWriter {
     wire.item(judged.pixels);
     wire.item(judged.inputs);
     wire.item(judged.session);
+    wire.item(judged.decoded);
     wire.item(judged.golden);
     wire.item(judged.drawn);
     wire.item(judged.accepted);

@@ -88,6 +88,7 @@ std::vector<JudgedFrame> manifestChanges(const Manifest& then, const ReadAccepte
       judged.pixels = shown.pixels;
       judged.inputs = shown.inputs;
       judged.session = shown.session;
+      judged.decoded = shown.decoded;
     }
     if (pixelsOf(old) == pixelsOf(current)) {
       judged.verdict = FrameVerdict::same;

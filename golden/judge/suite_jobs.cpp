@@ -139,6 +139,7 @@ class Gatherer {
     judged.tolerance = judged.frame.suite_case->tolerance;
     judged.limit_from = judged.frame.suite_case->limit_from;
     judged.session = session_.sessionHash();
+    judged.decoded = session_.decodedHash();
     judged.own_masks = judged.frame.suite_case->mask.size();
     if (judged.frame.suite_case->expect_different) {
       judged.expectation = judged.frame.suite_case->reason;

@@ -56,9 +56,9 @@ Result<SuiteSession> SuiteSession::open(const std::filesystem::path& suite_file,
   if (the_suite.log) {
     auto reader = LogReader::open(*the_suite.log);
     if (!reader.ok()) return reader.error();
-    auto hash = contentSha256(*reader);
-    if (!hash.ok()) return hash.error();
-    made.session_hash_ = std::move(*hash);
+    auto hashes = sessionHashes(*reader);
+    if (!hashes.ok()) return hashes.error();
+    made.session_hashes_ = std::move(*hashes);
     session = Timeline::of(std::move(*reader));
     made.origin_ = session->origin();
   }
@@ -154,7 +154,8 @@ Result<JudgedFrame> SuiteSession::judge(const SuiteFrame& frame) {
   if (!key_text.ok()) return key_text.error();
   judged.key = std::move(*key_text);
   judged.inputs = (*draws)->inputsHash();
-  judged.session = session_hash_;
+  judged.session = sessionHash();
+  judged.decoded = decodedHash();
   if (!frame.time) {
     judged.rule = frame.why;
     return judged;

@@ -43,7 +43,9 @@ class SuiteSession {
   /// `incomplete`.
   const std::string& incomplete() const { return incomplete_; }
   /// content_sha256 of the log; empty without one.
-  const std::string& sessionHash() const { return session_hash_; }
+  const std::string& sessionHash() const { return session_hashes_.content; }
+  /// decoded_sha256 of the log; empty without decoded packets.
+  const std::string& decodedHash() const { return session_hashes_.decoded; }
   /// The log's origin; empty without a log.
   std::optional<LogTime> origin() const { return origin_; }
   /// The selected frames in suite order, never empty.
@@ -76,7 +78,7 @@ class SuiteSession {
   GoldenFolder folder_;
   Cell cell_;
   std::string incomplete_;
-  std::string session_hash_;
+  SessionHashes session_hashes_;
   std::optional<LogTime> origin_;
   std::function<double()> now_ms_;
   MakeDrawer make_drawer_;

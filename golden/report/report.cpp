@@ -3,16 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "core/base/atomic_file.h"
-#include "core/base/plain_text.h"
+#include "core/report/json_text.h"
+#include "core/report/junit.h"
 #include "golden/why/frame_why.h"
 
 namespace rocinante {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// The explanation as JSON.
 Json whyJsonOf(const FrameWhy& why) {
@@ -87,24 +85,37 @@ Json frameJson(const JudgedFrame& judged) {
                        {"accepted_by", judged.golden->accepted_by},
                        {"accepted_at", judged.golden->accepted_at},
                        {"reason", judged.golden->reason}};
+    if (!judged.golden->decoded.empty() || !judged.decoded.empty()) {
+      frame["golden"]["decoded_equal"] = judged.golden->decoded == judged.decoded;
+    }
   }
   if (judged.why) frame["why"] = whyJsonOf(*judged.why);
   return frame;
 }
 
-/// The key and tolerance of the frame, as properties of its test case.
-std::string judgedBy(const JudgedFrame& judged) {
-  std::string text;
-  const auto add = [&](const char* name, std::string_view value) {
-    if (value.empty()) return;
-    text += fmt::format("      <property name=\"{}\" value=\"{}\"/>\n", name, xmlText(value));
+JunitCase junitCase(const SuiteReport& report, const JudgedFrame& judged) {
+  JunitCase test;
+  test.classname = report.suite;
+  test.name = judged.frame.name;
+  if (judged.frame.line > 0) test.file = report.suite;
+  test.line = judged.frame.line;
+  test.seconds = (judged.render_ms + judged.judge_ms) / 1000;
+  const auto add = [&](const char* name, const std::string& value) {
+    if (!value.empty()) test.properties.emplace_back(name, value);
   };
   add("key", judged.key);
   if (judged.golden) {
     add("golden key", judged.golden->key);
     add("tier", judged.tolerance.name);
   }
-  return text.empty() ? text : "    <properties>\n" + text + "    </properties>\n";
+  if (isFine(judged.verdict)) return test;
+  test.outcome = judged.verdict == FrameVerdict::incomparable ? JunitCase::Outcome::error
+                                                              : JunitCase::Outcome::failure;
+  test.message = fmt::format("{}: {}", nameOf(judged.verdict), judged.rule);
+  if (judged.why) {
+    for (const std::string& line : whyLines(*judged.why)) test.text += line + "\n";
+  }
+  return test;
 }
 
 }  // namespace
@@ -137,6 +148,7 @@ std::string reportJson(const SuiteReport& report) {
   root["cell"] = report.cell;
   root["log"] = report.log;
   root["session"] = report.session;
+  if (!report.decoded.empty()) root["decoded"] = report.decoded;
   root["renderer"] = report.renderer;
   Json& counts = root["counts"] = Json::object();
   for (const FrameVerdict verdict : kFrameVerdicts) {
@@ -155,43 +167,14 @@ std::string reportJson(const SuiteReport& report) {
   root["notes"] = report.notes;
   root["frames"] = Json::array();
   for (const JudgedFrame& judged : report.frames) root["frames"].push_back(frameJson(judged));
-  return root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return jsonText(root);
 }
 
 std::string reportJunit(const SuiteReport& report) {
-  std::size_t failures = 0;
-  const std::size_t errors = report.count(FrameVerdict::incomparable);
-  double seconds = 0;
-  std::string cases;
-  for (const JudgedFrame& judged : report.frames) {
-    const double took = (judged.render_ms + judged.judge_ms) / 1000;
-    seconds += took;
-    const std::string place =
-        judged.frame.line > 0
-            ? fmt::format(" file=\"{}\" line=\"{}\"", xmlText(report.suite), judged.frame.line)
-            : "";
-    cases += fmt::format("  <testcase classname=\"{}\" name=\"{}\"{} time=\"{:.3f}\">\n",
-                         xmlText(report.suite), xmlText(judged.frame.name), place, took);
-    cases += judgedBy(judged);
-    if (!isFine(judged.verdict)) {
-      const bool is_error = judged.verdict == FrameVerdict::incomparable;
-      failures += is_error ? 0 : 1;
-      std::string text;
-      if (judged.why) {
-        for (const std::string& line : whyLines(*judged.why)) text += xmlText(line) + "\n";
-      }
-      cases += fmt::format(
-          "    <{0} message=\"{1}: {2}\"{3}\n", is_error ? "error" : "failure",
-          nameOf(judged.verdict), xmlText(judged.rule),
-          text.empty() ? "/>" : fmt::format(">\n{}</{}>", text, is_error ? "error" : "failure"));
-    }
-    cases += "  </testcase>\n";
-  }
-  return fmt::format(
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-      "<testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" time=\"{:.3f}\">\n{}"
-      "</testsuite>\n",
-      xmlText(report.suite), report.frames.size(), failures, errors, seconds, cases);
+  JunitSuite suite;
+  suite.name = report.suite;
+  for (const JudgedFrame& judged : report.frames) suite.cases.push_back(junitCase(report, judged));
+  return junitXml(suite);
 }
 
 }  // namespace rocinante

@@ -21,6 +21,7 @@ struct SuiteReport {
   std::string cell, log;                     ///< the judged files
   std::string renderer;                      ///< RendererKey::text
   std::string session;                       ///< content_sha256; empty without a log
+  std::string decoded{};                     ///< decoded_sha256; empty without decoded packets
   std::string made_at;                       ///< RFC 3339
   std::string run_command, approve_command;  ///< commands: repeat, accept all
   /// The same for one frame, whose name is appended. Empty: not shown.

@@ -1,20 +1,22 @@
 #include "golden/report/report_ci.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
-#include <nlohmann/json.hpp>
+#include <string_view>
 #include <utility>
 
+#include "core/base/count_text.h"
 #include "core/base/hash.h"
 #include "core/base/plain_text.h"
 #include "core/base/version.h"
 #include "core/check/reports/report_formats.h"
+#include "core/report/json_text.h"
 #include "golden/why/frame_why.h"
 
 namespace rocinante {
 namespace {
-
-using SarifJson = nlohmann::ordered_json;
 
 constexpr std::array kFailures = {
     std::pair{FrameVerdict::different, "The frame differs from its golden."},
@@ -35,19 +37,42 @@ std::string failureText(const JudgedFrame& judged) {
   return text;
 }
 
-SarifJson frameResult(const SuiteReport& report, const JudgedFrame& judged) {
-  SarifJson result;
+/// `text` with everything escaped that Markdown or HTML would act on.
+std::string markdownText(std::string_view text) {
+  std::string escaped;
+  for (const char each : plainText(text)) {
+    if (each == '<') {
+      escaped += "&lt;";
+      continue;
+    }
+    if (std::string_view("\\`*_{}[]()#+!|~&").find(each) != std::string_view::npos) escaped += '\\';
+    escaped += each;
+  }
+  return escaped;
+}
+
+/// `text` as code, between more backquotes than it has in a row.
+std::string markdownCode(std::string_view text) {
+  const std::string plain = plainText(text);
+  std::string fence = "`";
+  while (plain.find(fence) != std::string::npos) fence += '`';
+  const std::string_view space = fence.size() > 1 ? " " : "";
+  return fmt::format("{}{}{}{}{}", fence, space, plain, space, fence);
+}
+
+Json frameResult(const SuiteReport& report, const JudgedFrame& judged) {
+  Json result;
   result["ruleId"] = ruleOf(judged.verdict);
   for (std::size_t i = 0; i < kFailures.size(); ++i) {
     if (kFailures[i].first == judged.verdict) result["ruleIndex"] = i;
   }
   result["level"] = "error";
   result["message"]["text"] = failureText(judged);
-  SarifJson location;
+  Json location;
   location["physicalLocation"]["artifactLocation"]["uri"] = uriOf(report.suite);
   location["physicalLocation"]["region"]["startLine"] = std::max(judged.frame.line, 1);
   location["logicalLocations"] = {{{"name", judged.frame.name}}};
-  result["locations"] = {location};
+  result["locations"] = Json::array({location});
   if (judged.golden) {
     result["properties"] = {
         {"key", judged.key}, {"golden_key", judged.golden->key}, {"tier", judged.tolerance.name}};
@@ -61,33 +86,33 @@ SarifJson frameResult(const SuiteReport& report, const JudgedFrame& judged) {
 }  // namespace
 
 std::string reportSarif(const SuiteReport& report) {
-  SarifJson run;
-  SarifJson& driver = run["tool"]["driver"];
+  Json run;
+  Json& driver = run["tool"]["driver"];
   const std::string full_version = version();
   driver["name"] = "rocinante-golden";
   driver["version"] = full_version.substr(full_version.find(' ') + 1);
-  driver["rules"] = SarifJson::array();
+  driver["rules"] = Json::array();
   for (const auto& [verdict, meaning] : kFailures) {
-    SarifJson rule;
+    Json rule;
     rule["id"] = ruleOf(verdict);
     rule["shortDescription"]["text"] = meaning;
     rule["defaultConfiguration"]["level"] = "error";
     driver["rules"].push_back(std::move(rule));
   }
-  SarifJson invocation;
+  Json invocation;
   invocation["executionSuccessful"] =
       !report.frames.empty() && report.count(FrameVerdict::incomparable) == 0;
-  run["invocations"] = {invocation};
+  run["invocations"] = Json::array({invocation});
   run["columnKind"] = "unicodeCodePoints";
-  run["results"] = SarifJson::array();
+  run["results"] = Json::array();
   for (const JudgedFrame& judged : report.frames) {
     if (!isFine(judged.verdict)) run["results"].push_back(frameResult(report, judged));
   }
-  SarifJson json;
+  Json json;
   json["$schema"] = "https://json.schemastore.org/sarif-2.1.0.json";
   json["version"] = "2.1.0";
-  json["runs"] = {run};
-  return json.dump(1, ' ', false, SarifJson::error_handler_t::replace) + "\n";
+  json["runs"] = Json::array({run});
+  return jsonText(json, 1);
 }
 
 std::string reportGithub(const SuiteReport& report) {
@@ -98,6 +123,36 @@ std::string reportGithub(const SuiteReport& report) {
     text += githubCommand({"error", report.suite, judged.frame.line, 0, title, what});
   }
   return text;
+}
+
+std::string reportMarkdown(const SuiteReport& report, const std::string& page) {
+  const std::size_t fine =
+      static_cast<std::size_t>(std::ranges::count_if(report.frames, isFine, &JudgedFrame::verdict));
+  std::string text = fmt::format("## {}: {} of {} as accepted\n\n", markdownText(report.suite),
+                                 fine, countText(report.frames.size(), "frame"));
+  if (fine < report.frames.size()) {
+    text += "| frame | verdict | rule |\n|---|---|---|\n";
+    for (const JudgedFrame& judged : report.frames) {
+      if (isFine(judged.verdict)) continue;
+      text += fmt::format("| {} | {} | {} |\n", markdownText(judged.frame.name),
+                          nameOf(judged.verdict), markdownText(judged.rule));
+    }
+    text += "\n";
+    for (const JudgedFrame& judged : report.frames) {
+      if (isFine(judged.verdict) || !judged.why) continue;
+      text += fmt::format("**Why {} changed**\n\n", markdownText(judged.frame.name));
+      for (const std::string& line : whyLines(*judged.why)) {
+        text += fmt::format("- {}\n", markdownText(line));
+      }
+      text += "\n";
+    }
+    text += fmt::format("Repeat: {}\n\n", markdownCode(report.run_command));
+    text += fmt::format("Accept all: {}\n\n", markdownCode(report.approve_command));
+  }
+  for (const std::string& note : report.notes) text += fmt::format("- {}\n", markdownText(note));
+  if (!report.notes.empty()) text += "\n";
+  text += fmt::format("Drawn by {}", markdownCode(report.renderer));
+  return text + (page.empty() ? ".\n\n" : fmt::format("; pictures in {}.\n\n", markdownCode(page)));
 }
 
 }  // namespace rocinante

@@ -95,7 +95,11 @@ Json factsJson(const JudgedFrame& judged) {
     add("drawn from", golden.inputs == judged.inputs
                           ? "same textures, glyphs and geometry as the golden"
                           : "different textures, glyphs or geometry");
-    if (golden.session != judged.session) add("session", "a different recording");
+    if (golden.session != judged.session) {
+      add("session", "a different recording");
+    } else if (golden.decoded != judged.decoded) {
+      add("session", "the same recording, decoded differently");
+    }
   }
   return facts;
 }
@@ -158,6 +162,7 @@ Json environmentJson(const SuiteReport& report) {
   add("cell", report.cell);
   add("log", report.log);
   add("session", report.session);
+  add("decoded", report.decoded);
   add("renderer", report.renderer);
   add("made at", report.made_at);
   for (const auto& [name, value] : report.environment) add(name, value);

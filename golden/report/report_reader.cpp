@@ -164,9 +164,11 @@ void readGolden(const ReportJson& entry, JudgedFrame& judged) {
   };
   if (equal("inputs_equal")) golden.inputs = judged.inputs;
   if (equal("session_equal")) golden.session = judged.session;
+  // Older reports know of no decoded packets.
+  if (!found->contains("decoded_equal") || equal("decoded_equal")) golden.decoded = judged.decoded;
 }
 
-Result<JudgedFrame> frameOf(const ReportJson& entry, const std::string& session,
+Result<JudgedFrame> frameOf(const ReportJson& entry, const SuiteReport& report,
                             const std::filesystem::path& file) {
   if (!entry.is_object()) return brokenReport(file, "a frame is not an object");
   JudgedFrame judged;
@@ -192,7 +194,8 @@ Result<JudgedFrame> frameOf(const ReportJson& entry, const std::string& session,
   judged.key = fieldOf<std::string>(entry, "key");
   judged.pixels = fieldOf<std::string>(entry, "pixels");
   judged.inputs = fieldOf<std::string>(entry, "inputs");
-  judged.session = session;
+  judged.session = report.session;
+  judged.decoded = report.decoded;
   readFigures(entry, judged);
   readLimits(entry, judged);
   readGolden(entry, judged);
@@ -236,6 +239,7 @@ Result<SuiteReport> parseReport(std::string_view text, const std::filesystem::pa
   report.log = fieldOf<std::string>(root, "log");
   report.renderer = fieldOf<std::string>(root, "renderer");
   report.session = fieldOf<std::string>(root, "session");
+  report.decoded = fieldOf<std::string>(root, "decoded");
   report.made_at = fieldOf<std::string>(root, "made_at");
   report.run_command = fieldOf<std::string>(root, "run_command");
   report.approve_command = fieldOf<std::string>(root, "approve_command");
@@ -253,7 +257,7 @@ Result<SuiteReport> parseReport(std::string_view text, const std::filesystem::pa
   const auto frames = root.find("frames");
   if (frames == root.end() || !frames->is_array()) return brokenReport(file, "it has no `frames`");
   for (const ReportJson& entry : *frames) {
-    auto judged = frameOf(entry, report.session, file);
+    auto judged = frameOf(entry, report, file);
     if (!judged.ok()) return judged.error();
     report.frames.push_back(std::move(*judged));
   }

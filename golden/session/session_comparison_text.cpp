@@ -4,17 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "core/base/count_text.h"
 #include "core/base/duration_text.h"
 #include "core/base/plain_text.h"
+#include "core/report/json_text.h"
 #include "golden/why/frame_why.h"
 
 namespace rocinante {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMaxLines = 20;
 constexpr double kDegreesInRadian = 57.29577951308232;
@@ -148,7 +146,7 @@ std::string sessionJson(const SessionComparison& comparison) {
   for (const Deviation& item : state.beyond) {
     beyond.push_back({{"item", item.item},
                       {"unit", item.unit},
-                      {"largest", item.largest ? Json(*item.largest) : Json(nullptr)},
+                      {"largest", orNull(item.largest)},
                       {"largest_at_ns", nanoseconds(item.largest_at)},
                       {"first_at_ns", nanoseconds(item.first_at)}});
   }
@@ -167,7 +165,7 @@ std::string sessionJson(const SessionComparison& comparison) {
   }
   if (!comparison.damage.empty()) root["damage"] = comparison.damage.text();
   root["notes"] = comparison.pictures.notes;
-  return root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return jsonText(root);
 }
 
 }  // namespace rocinante

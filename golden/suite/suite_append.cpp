@@ -6,22 +6,6 @@
 
 namespace rocinante {
 
-std::string tomlText(std::string_view text) {
-  std::string quoted = "\"";
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\') {
-      quoted += '\\';
-      quoted += c;
-    } else if (byte < 0x20 || byte == 0x7F) {
-      quoted += fmt::format("\\u{:04X}", byte);
-    } else {
-      quoted += c;
-    }
-  }
-  return quoted + "\"";
-}
-
 void NewCase::add(const std::string& key, std::string value) {
   keys.emplace_back(key, std::move(value));
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/document/toml_text.h"
 
 namespace rocinante {
 
@@ -19,9 +20,6 @@ struct NewCase {
   void addTexts(const std::string& key, const std::vector<std::string>& texts);
   void add(const std::string& key, std::string value);
 };
-
-/// `text` as a TOML string.
-std::string tomlText(std::string_view text);
 
 /// The suite with the case appended; existing bytes do not change. bad_argument, with the place,
 /// when the result would be invalid: a duplicate name, an invalid value.

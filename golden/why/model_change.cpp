@@ -73,7 +73,7 @@ class GoldenTexts {
 
 std::vector<std::string> cellFaults(const Cell& cell) {
   std::vector<std::string> lines;
-  for (const ModelFault& fault : cell.faults) {
+  for (const Finding& fault : cell.faults) {
     if (fault.severity != Severity::error) continue;
     std::string place = fault.file.empty() ? "" : fault.file + ": ";
     if (fault.line > 0) place.insert(place.size() - 2, fmt::format(":{}", fault.line));
