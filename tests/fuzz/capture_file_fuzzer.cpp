@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "core/pcap/open_source.h"
 #include "core/recording/reorder_window.h"
+#include "core/transport/open_source.h"
 #include "recorder/capture/capture_file_loop.h"
 
 namespace {

@@ -28,6 +28,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     require(device.link_visible.size() == device.link_world.size());
     require(device.link_color.size() == device.link_world.size());
   }
-  for (const ModelFault& fault : cell->faults) require(!fault.print().empty());
+  for (const Finding& fault : cell->faults) require(!fault.print().empty());
   return 0;
 }

@@ -36,7 +36,7 @@ void requireDrawable(const Mesh& mesh) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
   const ByteView bytes = std::as_bytes(std::span(data, size)).subspan(1);
-  ModelFaults faults;
+  Findings faults;
   MeshReadOptions options;
   options.up = (data[0] & 4U) != 0 ? UpAxis::y : UpAxis::z;
   options.resolve = [](const std::string&, const std::filesystem::path&) { return FoundFile{}; };

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/mcap/stream_reader.h"
 #include "recorder/copy/log_recover.h"
+#include "tests/support/stream_reader.h"
 
 namespace {
 
@@ -30,7 +30,7 @@ std::vector<std::string> captured(LogReader& reader) {
 }
 
 void readStrictly(ByteView file) {
-  Result<mcap::StreamReader> reader = mcap::StreamReader::open(file);
+  Result<test::StreamReader> reader = test::StreamReader::open(file);
   if (!reader) std::abort();
   while (true) {
     const Result<std::optional<mcap::Record>> record = reader->next();

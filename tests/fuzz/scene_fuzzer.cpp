@@ -58,7 +58,7 @@ extern "C" const char* __lsan_default_suppressions() { return "leak:libassimp"; 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
   const ByteView bytes = std::as_bytes(std::span(data, size)).subspan(1);
-  ModelFaults faults;
+  Findings faults;
   MeshReadOptions options;
   options.resolve = [](const std::string&, const std::filesystem::path&) { return FoundFile{}; };
   const Bytes wrapped = data[0] % 3 == 2 ? binaryOf(bytes) : Bytes();

@@ -35,12 +35,12 @@ void requireTree(const Model& model) {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  ModelFaults faults;
+  Findings faults;
   const FileSearch search;  // without a root nothing is found, so nothing is opened
   MeshStore meshes(search, true);
   const auto model = readUrdf(std::as_bytes(std::span(data, size)), "fuzz.urdf", meshes, faults);
   if (model) requireTree(*model);
-  for (const ModelFault& fault : faults) require(!fault.print().empty());
+  for (const Finding& fault : faults) require(!fault.print().empty());
   require(model || !faults.empty());
   return 0;
 }
