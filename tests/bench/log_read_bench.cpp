@@ -24,7 +24,7 @@
 #include "core/log/log_writer.h"
 #include "core/log/mapped_file.h"
 #include "core/mcap/parse_record.h"
-#include "core/mcap/stream_reader.h"
+#include "core/mcap/record_stepper.h"
 
 namespace {
 

@@ -145,7 +145,7 @@ int main() {
   ways.push_back({"bare mmap + from_chars", [&] { return loadBare(path, false); }});
   ways.push_back({"the same + hash indexing", [&] { return loadBare(path, true); }});
   ways.push_back({"rocinante", [&] {
-                    ModelFaults faults;
+                    Findings faults;
                     const Result<Mesh> mesh = readMeshFile(path, {}, faults);
                     return mesh ? mesh->triangleCount() : 0;
                   }});

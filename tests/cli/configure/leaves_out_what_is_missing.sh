@@ -1,10 +1,10 @@
 # Configuring with no options: -Werror is off, parts whose library is missing are left out and named;
 # a part that is asked for and cannot be had is a fault with what to install.
 command -v pkg-config >/dev/null || { echo "skipped: no pkg-config"; exit 77; }
-# A machine without libpcap and SDF, as far as can be told.
+# A machine without libpcap, libnats and SDF, as far as can be told.
 cat >pkg-config <<'SH'
 #!/bin/sh
-case "$*" in *libpcap* | *sdformat* | *console_bridge*) exit 1 ;; esac
+case "$*" in *libpcap* | *libnats* | *sdformat* | *console_bridge*) exit 1 ;; esac
 exec "$REAL_PKG_CONFIG" "$@"
 SH
 chmod +x pkg-config

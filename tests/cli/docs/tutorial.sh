@@ -12,7 +12,7 @@ with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
 page = page.replace("19960", str(port))
 # A listener is there when its port is taken: on a busy machine that is later than a second.
 listening = f"until grep -q ':{port:04X} ' /proc/net/udp; do sleep 0.05; done"
-window = shutil.which("xvfb-run") and shutil.which("rocinante-view")
+window = shutil.which("Xvfb") and shutil.which("rocinante-view")
 said, steps, faults = "", 0, []
 for remark, kind, block in re.findall(r"(?:^<!-- ([^\n]*) -->\n)?^```(\w+)\n(.*?)^```$", page, re.M | re.S):
     if remark.startswith("file: "):
@@ -25,7 +25,7 @@ for remark, kind, block in re.findall(r"(?:^<!-- ([^\n]*) -->\n)?^```(\w+)\n(.*?
             if not window:
                 continue
             open("script.txt", "w").write("frame 2\nquit\n")
-            commands = "xvfb-run -a -s '-screen 0 1280x1024x24' " + commands.strip() + " --script script.txt"
+            commands = "with_display " + commands.strip() + " --script script.txt"
         ran = subprocess.run(["bash", "-euc", commands], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
         said, steps = ran.stdout, steps + 1
         if ran.returncode != int((re.match(r"exit (\d)", remark) or "x0")[1]):

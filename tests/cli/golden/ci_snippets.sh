@@ -42,7 +42,7 @@ def run(command):
         port = str(probe.getsockname()[1])
     assert "19960" not in command or "127.0.0.1:19960" in command
     return subprocess.run(["sh", "-ec", command.replace("19960", port)], stdout=subprocess.DEVNULL,
-                          env={**os.environ, "PORT": port}).returncode
+                          env={**os.environ, "PORT": port, "GITHUB_STEP_SUMMARY": "page.md"}).returncode
 for block in whole:
     tree = yaml.safe_load(block)
     commands, kept = steps(tree)

@@ -9,7 +9,8 @@ wait $follower
 rocinante log cat session.mcap --channel '*' --format json > stored.json
 cmp stored.json followed.json
 head -c 1500 "$log" > killed.mcap
-rocinante-log follow killed.mcap --from-start > text &
+: >text
+rocinante-log follow killed.mcap --from-start >>text &
 follower=$!
 # All that a whole chunk and the open one hold.
 until [ "$(wc -l <text)" = 13 ]; do kill -0 $follower; sleep 0.02; done

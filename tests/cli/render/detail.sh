@@ -11,7 +11,7 @@ render --detail 0 --hash | cmp - plain.txt && echo "level 0: everything"
 cmp -s one.txt plain.txt || echo "level 8: less"
 render --detail 8 -o render.png
 printf 'panels off\nframe 2\nscreenshot window.png\nquit\n' >script.txt
-xvfb-run -a -s '-screen 0 1280x1024x24' rocinante view "$demo/demo.cell.toml" "$demo/session.mcap" \
+with_display rocinante view "$demo/demo.cell.toml" "$demo/session.mcap" \
   --at 12.5s --size 320x240 --profile reproducible --detail 8 --script script.txt
 cmp window.png render.png && echo "level 8: as in the window"
 render --detail 10 --hash

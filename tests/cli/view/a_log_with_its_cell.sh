@@ -5,7 +5,7 @@ demo=$SRC/examples/demo
 rocinante log attach "$demo/session.mcap" --cell "$demo/demo.cell.toml" -o session.mcap >/dev/null
 printf 'panels off\nframe 2\nscreenshot window.png\nquit\n' >script.txt
 mkdir folders
-TMPDIR=$PWD/folders xvfb-run -a -s '-screen 0 1280x1024x24' rocinante view session.mcap --at 12.5s --size 320x240 \
+TMPDIR=$PWD/folders with_display rocinante view session.mcap --at 12.5s --size 320x240 \
   --profile reproducible --script script.txt 2>/dev/null
 ls folders
 rocinante render "$demo/demo.cell.toml" "$demo/session.mcap" --at 12.5s --size 320x240 -o render.png

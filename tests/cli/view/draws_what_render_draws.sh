@@ -23,7 +23,7 @@ eye = [3, -3, 2]
 target = [0, 0, 0.8]
 TOML
 printf 'panels off\nframe 2\nscreenshot window.png\nquit\n' >script.txt
-xvfb-run -a -s '-screen 0 1280x1024x24' rocinante view yard.cell.toml --camera panda --size 640x480 \
+with_display rocinante view yard.cell.toml --camera panda --size 640x480 \
   --profile reproducible --script script.txt 2>/dev/null
 rocinante render yard.cell.toml --camera panda --size 640x480 -o render.png 2>/dev/null
 rocinante golden compare window.png render.png

@@ -9,7 +9,7 @@ quit
 SCRIPT
 mkdir plain set
 window() {
-  (cd "$1" && xvfb-run -a -s '-screen 0 1280x1024x24' env HOME="$PWD" rocinante view \
+  (cd "$1" && with_display env HOME="$PWD" rocinante view \
     "$SRC/examples/demo/demo.cell.toml" "$SRC/examples/demo/session.mcap" --size 480x300 \
     --profile reproducible --script ../script.txt 2>stderr)
 }

@@ -11,6 +11,6 @@ screenshot window.png
 evidence evidence.png
 quit
 SCRIPT
-xvfb-run -a -s '-screen 0 1280x1024x24' rocinante view "$SRC/examples/demo/demo.cell.toml" \
+with_display rocinante view "$SRC/examples/demo/demo.cell.toml" \
   "$SRC/examples/demo/session.mcap" --size 320x240 --profile reproducible --script script.txt
 rocinante golden compare window.png evidence.png

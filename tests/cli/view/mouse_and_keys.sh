@@ -34,6 +34,6 @@ xdotool key --window 0 q
 wait $viewer
 echo "view: exit $?"
 PERSON
-xvfb-run -a -s '-screen 0 1280x1024x24' bash person.sh
+with_display bash person.sh
 rocinante render two.cell.toml --camera front --size 640x480 --samples 1 --hide near -o hidden.png
 rocinante golden compare evidence-*.png hidden.png

@@ -12,4 +12,5 @@ try box.urdf --script script.txt
 try box.urdf --size 10
 try box.urdf --at 3
 try box.urdf session.mcap --live 127.0.0.1:0
+try box.urdf --live --live 127.0.0.1:0 --live nonsense
 try missing.urdf

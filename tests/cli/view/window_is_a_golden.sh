@@ -5,7 +5,7 @@ export ASAN_OPTIONS=detect_leaks=0
 demo=$SRC/examples/demo
 imgui=imgui$(rocinante --version --parts | sed -n 's/.* imgui \([0-9]*\.[0-9]*\).*/\1/p')
 key=$imgui-$(rocinante render "$demo/demo.cell.toml" --size 32x24 --hash --json | sed -n 's/^ *"renderer": "\(.*\)",$/\1/p')
-xvfb-run -a -s '-screen 0 1280x1024x24' rocinante view "$demo/demo.cell.toml" "$demo/session.mcap" --size 960x600 \
+with_display rocinante view "$demo/demo.cell.toml" "$demo/session.mcap" --size 960x600 \
   --profile reproducible --script "$SRC/tests/cli/view/window.script"
 golden=$SRC/tests/cli/view/window/$key.png
 tier=exact

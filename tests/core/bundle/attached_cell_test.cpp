@@ -170,7 +170,7 @@ TEST_F(AttachedCellTest, NothingInALogOpensAFileOfTheMachine) {
   ASSERT_TRUE(cell.ok()) << cell.error().text();
   EXPECT_EQ(cell->files.size(), 1U);
   EXPECT_TRUE(std::ranges::any_of(
-      cell->faults, [](const ModelFault& fault) { return fault.rule == "model.missing-file"; }));
+      cell->faults, [](const Finding& fault) { return fault.rule == "model.missing-file"; }));
 }
 
 TEST_F(AttachedCellTest, AFileWithTheMagicIsALogWhateverItIsCalled) {

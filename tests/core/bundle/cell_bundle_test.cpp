@@ -175,7 +175,7 @@ TEST_F(CellBundleTest, AMissingTextureIsAWarningThatStays) {
   const CellBundle bundle = collected(folder_ / "tank.obj");
   ASSERT_EQ(bundle.warnings.size(), 1U);
   const Cell cell = loadedAlone(bundle);
-  const auto warning = std::ranges::find(cell.faults, Severity::warning, &ModelFault::severity);
+  const auto warning = std::ranges::find(cell.faults, Severity::warning, &Finding::severity);
   ASSERT_NE(warning, cell.faults.end());
   EXPECT_THAT(warning->text, HasSubstr("gone.png"));
   EXPECT_EQ(warning->file, "log:tank.mtl");

@@ -214,6 +214,11 @@ TEST_F(CellTest, WhatIsNoCellIsRefused) {
             "REFUSED: letters beyond ASCII must be in quotes (test.cell.toml:2:1)");
   EXPECT_EQ(faultsOf("format = 1\nx-a = ['\xC3\xA9', \xC3\xA9]\n"),
             "REFUSED: letters beyond ASCII must be in quotes (test.cell.toml:2:13)");
+  for (const char* const word : {"2v\"\xCF\x99", "26....\"\xCF\x99", "2[\"\xCF\x99"}) {
+    const std::string quoted = faultsOf(std::string("format = 1\nname = ") + word + "\n");
+    EXPECT_NE(quoted.find("(test.cell.toml:2:"), std::string::npos) << quoted;
+  }
+  EXPECT_TRUE(faultsOf("format = 1\nx-a = '\xFF'\n").starts_with("REFUSED: "));
   EXPECT_EQ(loadCell(folder_ / "none.cell.toml", {}).error().kind, ErrorKind::not_found);
   EXPECT_EQ(loadCell("/dev/zero", {}).error().kind, ErrorKind::bad_argument);
   EXPECT_EQ(loadCell(folder_.path(), {}).error().kind, ErrorKind::bad_argument);

@@ -298,6 +298,12 @@ const Mutation kMutations[] = {
            p.words += fmt::format(" via=hub:{}", n);
          }
      }},
+    {"a source heard whole and filtered", "source.mixed",
+     [](SoundSession& s) {
+       int n = 0;
+       for (SaidPacket& p : s.packets)
+         if (p.source == kLeft && p.arrives_s > 5) p.words += fmt::format(" via=hub:slow:{}", n++);
+     }},
     {"a clock an hour off", "source.clock-skew",
      [](SoundSession& s) { changeTimes(s, kLeft, 0, [](double t) { return t + 3600; }); }},
     {"a clock that is set while it runs", "source.clock-step",

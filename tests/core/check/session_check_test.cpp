@@ -52,7 +52,7 @@ class SessionCheckTest : public ::testing::Test {
     Result<Cell> cell = loadCell(folder_ / "cell.toml", {});
     ASSERT_TRUE(cell.ok()) << cell.error().text();
     cell_ = std::move(*cell);
-    for (const ModelFault& fault : cell_.faults) ADD_FAILURE() << fault.print();
+    for (const Finding& fault : cell_.faults) ADD_FAILURE() << fault.print();
     session_.emplace(cell_);
   }
 

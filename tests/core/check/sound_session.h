@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/check/rules/finding.h"
+#include "core/check/rules/check_report.h"
 
 namespace rocinante::test {
 

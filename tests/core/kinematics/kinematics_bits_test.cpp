@@ -85,7 +85,7 @@ TEST(KinematicsBits, OfTheDemoArmAreTheSameEverywhere) {
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
   FileSearch search;
   MeshStore meshes(search, true);
-  ModelFaults faults;
+  Findings faults;
   const std::optional<Model> model = readUrdf(bytesOf(text), file, meshes, faults);
   ASSERT_TRUE(model) << test::printed(faults);
   EXPECT_EQ(hashOfPostures(*model), "005f20fe7e5a51368da6d2e084b52848");

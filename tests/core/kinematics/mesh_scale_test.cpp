@@ -32,13 +32,13 @@ MeshUse collision(std::string link, double size_m, int line = 0) {
 }
 
 std::vector<std::string> judged(const Model& model, const std::vector<MeshUse>& uses) {
-  ModelFaults faults;
+  Findings faults;
   {
     FaultList list(faults, "arm.urdf");
     judgeScale(model, uses, list);
   }
   std::vector<std::string> lines;
-  for (const ModelFault& fault : faults) {
+  for (const Finding& fault : faults) {
     EXPECT_EQ(fault.rule, "model.scale");
     EXPECT_EQ(fault.severity, Severity::warning);
     EXPECT_THAT(fault.hint, HasSubstr("millimetres or inches"));

@@ -6,19 +6,19 @@
 #include <string>
 #include <string_view>
 
-#include "core/document/model_fault.h"
 #include "core/kinematics/model.h"
 #include "core/kinematics/urdf_reader.h"
 #include "core/mesh/mesh_store.h"
+#include "core/report/finding.h"
 #include "core/search/file_search.h"
 #include "tests/support/temporary_folder.h"
 
 namespace rocinante::test {
 
 /// The faults as a program lists them, one per line, without the folder `within`.
-inline std::string printed(const ModelFaults& faults, const std::filesystem::path& within = {}) {
+inline std::string printed(const Findings& faults, const std::filesystem::path& within = {}) {
   std::string text;
-  for (const ModelFault& fault : faults) text += fault.print() + "\n";
+  for (const Finding& fault : faults) text += fault.print() + "\n";
   const std::string folder = within.string() + "/";
   for (std::size_t at; !within.empty() && (at = text.find(folder)) != std::string::npos;) {
     text.erase(at, folder.size());
@@ -37,7 +37,7 @@ struct ReadUrdf {
 
   TemporaryFolder folder;
   FileSearch search;
-  ModelFaults faults;
+  Findings faults;
   std::optional<Model> model;
 };
 

@@ -33,7 +33,7 @@ struct ReadSdf {
 
   test::TemporaryFolder folder;
   FileSearch search;
-  ModelFaults faults;
+  Findings faults;
   std::optional<Model> model;
 };
 
@@ -140,7 +140,7 @@ TEST(SdfReader, TheKukaWithItsGripperIsTheArmOfItsUrdf) {
   ROCINANTE_NEEDS_SHARED_DATA("robots/kuka_iiwa/kuka_with_gripper.sdf");
   const auto cell = loadCell(test::sharedData("robots/kuka_iiwa/kuka_with_gripper.sdf"), {});
   ASSERT_TRUE(cell.ok()) << cell.error().text();
-  for (const ModelFault& fault : cell->faults) {
+  for (const Finding& fault : cell->faults) {
     EXPECT_NE(fault.severity, Severity::error) << fault.print();
   }
   const Model& model = *cell->modelOf(cell->devices.at(0));

@@ -88,7 +88,7 @@ TEST_P(RealRobot, LoadsCompletelyWithoutAnError) {
   ROCINANTE_NEEDS_SHARED_DATA(GetParam().path);
   const auto cell = loadCell(test::sharedData(GetParam().path), {});
   ASSERT_TRUE(cell.ok()) << cell.error().text();
-  for (const ModelFault& fault : cell->faults) {
+  for (const Finding& fault : cell->faults) {
     EXPECT_NE(fault.severity, Severity::error) << fault.print();
   }
   const Model* model = cell->modelOf(cell->devices.at(0));

@@ -7,9 +7,9 @@
 
 #include "core/base/atomic_file.h"
 #include "core/mcap/file_sink.h"
-#include "core/mcap/stream_reader.h"
 #include "tests/core/log/log_support.h"
 #include "tests/core/mcap/faulty_sink.h"
+#include "tests/support/stream_reader.h"
 #include "tests/support/temporary_folder.h"
 
 namespace rocinante::test {
@@ -92,7 +92,7 @@ std::uint64_t storedIn(const Bytes& file, bool* complete = nullptr) {
 
 /// The file is strictly valid, from its first record to its footer.
 void expectStrictlyWhole(const Bytes& file) {
-  Result<mcap::StreamReader> reader = mcap::StreamReader::open(file);
+  Result<test::StreamReader> reader = test::StreamReader::open(file);
   ASSERT_TRUE(reader.ok());
   while (true) {
     const Result<std::optional<mcap::Record>> record = reader->next();

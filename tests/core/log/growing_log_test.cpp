@@ -112,6 +112,35 @@ TEST_P(LogFollowerOfAGrowingFile, NoticesAHeaderThatIsNotThatOfTheChunk) {
   }
 }
 
+TEST_P(LogFollowerOfAGrowingFile, TakesAChunkForOpenByTheReadersRule) {
+  WriteHistory history(GetParam());
+  history.beginOpenChunk();
+  history.addMessages(2);
+  history.endOpenChunk(1);
+  history.finish();
+  // The completion of the header was torn: one field still has its value from the beginning.
+  // Offsets of the length, the end time and the uncompressed size.
+  for (const std::ptrdiff_t open : {1, 17, 25}) {
+    SCOPED_TRACE(open);
+    Bytes file;
+    for (WriteHistory::Write write : history.writes()) {
+      if (write.offset) std::fill_n(write.bytes.begin() + open, 8, std::byte{0xFF});
+      WriteHistory::apply(file, write);
+    }
+    LogFollower follower = follow(file);
+    std::vector<KeptMessage> messages;
+    std::string why;
+    ASSERT_TRUE(drain(follower, messages, &why)) << why;
+    LogReader reader = openLog(file);
+    EXPECT_EQ(messages, readAll(reader));
+    EXPECT_EQ(messages.size(), 3U);
+    EXPECT_TRUE(follower.ended());
+    const std::vector<DamageSpan> damage = follower.takeDamage();
+    ASSERT_EQ(damage.size(), 1U);
+    EXPECT_THAT(damage[0].cause, testing::HasSubstr("was never closed"));
+  }
+}
+
 TEST_P(LogFollowerOfAGrowingFile, BearsEveryFlippedBit) {
   WriteHistory history(GetParam());
   record(history);

@@ -5,9 +5,10 @@
 #include <set>
 
 #include "core/base/hash.h"
+#include "core/mcap/chunk_expander.h"
 #include "core/mcap/parse_record.h"
+#include "core/mcap/record_stepper.h"
 #include "core/mcap/records.h"
-#include "core/mcap/stream_reader.h"
 #include "tests/core/log/log_support.h"
 
 namespace rocinante::test {

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "core/mcap/stream_reader.h"
+#include "core/mcap/record_stepper.h"
 #include "tests/core/log/log_support.h"
 
 namespace rocinante::test {

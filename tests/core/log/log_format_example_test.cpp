@@ -7,7 +7,7 @@
 #include "core/base/atomic_file.h"
 #include "core/base/hash.h"
 #include "core/mcap/byte_cursor.h"
-#include "core/mcap/stream_reader.h"
+#include "core/mcap/record_stepper.h"
 #include "tests/core/log/log_support.h"
 
 // The worked example of docs/log-format.md: ROCINANTE_UPDATE=1 rewrites it there.

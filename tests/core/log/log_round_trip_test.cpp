@@ -150,7 +150,8 @@ TEST(LogRoundTrip, WhatWaitsForHalfOfSyncIsBroughtIntoTheFile) {
   writeMessages(writer, 2);
   ASSERT_TRUE(writer.flushIfDue(start + std::chrono::milliseconds(49)).ok());
   {
-    LogReader reader = openLog(cutAt(file, file.size()));
+    const Bytes killed = cutAt(file, file.size());
+    LogReader reader = openLog(killed);
     EXPECT_THAT(readAll(reader), IsEmpty());
   }
   ASSERT_TRUE(writer.flushIfDue(start + std::chrono::milliseconds(50)).ok());

@@ -59,11 +59,13 @@ inline LogWriter makeWriter(Bytes& out, const LogWriterOptions& options = {}) {
   return std::move(*writer);
 }
 
+/// The reader refers to `bytes` for as long as it lives.
 inline LogReader openLog(ByteView bytes) {
   Result<LogReader> reader = LogReader::openBytes(bytes, "test.mcap");
   EXPECT_TRUE(reader.ok()) << reader.error().text();
   return std::move(*reader);
 }
+LogReader openLog(Bytes&& gone) = delete;
 
 /// A fresh allocation of exactly `size` bytes, so that AddressSanitizer sees one byte too many.
 inline Bytes cutAt(const Bytes& bytes, std::size_t size) {

@@ -9,9 +9,9 @@
 #include "core/base/hash.h"
 #include "core/mcap/byte_cursor.h"
 #include "core/mcap/parse_record.h"
-#include "core/mcap/stream_reader.h"
 #include "core/mcap/writer.h"
 #include "tests/core/log/log_support.h"
+#include "tests/support/stream_reader.h"
 
 namespace rocinante::test {
 namespace {
@@ -260,7 +260,7 @@ rc::Gen<std::vector<Step>> steps() {
 /// the reader, the data section's here.
 std::vector<std::string> readStrictly(const Bytes& file) {
   std::vector<std::string> payloads;
-  Result<mcap::StreamReader> reader = mcap::StreamReader::open(file);
+  Result<test::StreamReader> reader = test::StreamReader::open(file);
   RC_ASSERT(reader.ok());
   while (true) {
     const Result<std::optional<mcap::Record>> record = reader->next();

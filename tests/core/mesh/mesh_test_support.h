@@ -14,11 +14,11 @@ namespace rocinante::test {
 /// A mesh read from text, with its faults.
 struct ReadMesh {
   Mesh mesh;
-  ModelFaults faults;
+  Findings faults;
 
   std::vector<std::string> rules() const {
     std::vector<std::string> rules;
-    for (const ModelFault& fault : faults) rules.push_back(fault.rule);
+    for (const Finding& fault : faults) rules.push_back(fault.rule);
     return rules;
   }
   /// The corners of triangle `i`, as positions.

@@ -19,7 +19,7 @@ ReadMesh readObjText(std::string_view text, const MeshReadOptions& options = {})
 }
 
 Error refusal(std::string_view text) {
-  ModelFaults faults;
+  Findings faults;
   const Result<Mesh> mesh = readMeshBytes(bytesOf(text), "test.obj", {}, faults);
   EXPECT_FALSE(mesh.ok());
   return mesh ? Error{} : mesh.error();
@@ -358,7 +358,7 @@ TEST(ObjReader, GivesTheSameMeshForEveryPrefixOrRefusesIt) {
   for (std::size_t length = 0; length <= text.size(); ++length) {
     SCOPED_TRACE(length);
     const std::string cut(text.data(), length);
-    ModelFaults faults;
+    Findings faults;
     const Result<Mesh> mesh = readMeshBytes(bytesOf(cut), "cut.obj", {}, faults);
     if (mesh) expectSound(*mesh);
   }

@@ -120,7 +120,7 @@ TEST(ColladaReader, NodesThatContainThemselvesAreRefused) {
   for (const std::string& nodes :
        {std::string("<node id=\"b\"><instance_node url=\"#b\"/></node>"),
         std::string("<node id=\"b\"><node><instance_node url=\"#a\"/></node></node>")}) {
-    ModelFaults faults;
+    Findings faults;
     const auto mesh =
         readMeshBytes(bytesOf(collada(1, "Z_UP", kWedge, self, nodes)), "a.dae", {}, faults);
     ASSERT_FALSE(mesh.ok());
@@ -132,7 +132,7 @@ TEST(ColladaReader, NodesThatContainThemselvesAreRefused) {
         "<node id=\"n{}\"><instance_node url=\"#n{}\"/><instance_node url=\"#n{}\"/></node>", i,
         i + 1, i + 1);
   }
-  ModelFaults faults;
+  Findings faults;
   const auto mesh =
       readMeshBytes(bytesOf(collada(1, "Z_UP", kWedge, self, doubling)), "a.dae", {}, faults);
   ASSERT_FALSE(mesh.ok());
@@ -142,7 +142,7 @@ TEST(ColladaReader, NodesThatContainThemselvesAreRefused) {
 TEST(ColladaReader, AListOfIndicesThatIsNoneIsRefusedAtOnce) {
   std::string text = collada(1, "Z_UP", kWedge);
   text.replace(text.find("<p>0 2 1"), 8, "<p>0 x 1");
-  ModelFaults faults;
+  Findings faults;
   const auto mesh = readMeshBytes(bytesOf(text), "a.dae", {}, faults);
   ASSERT_FALSE(mesh.ok());
   EXPECT_EQ(mesh.error().what, "a <p> holds something that is not an index");
@@ -156,7 +156,7 @@ TEST(ColladaReader, AnAccessorThatReadsBeyondItsArrayIsRefused) {
     const std::size_t at = text.find(from);
     ASSERT_NE(at, std::string::npos) << from;
     text.replace(at, std::string_view(from).size(), to);
-    ModelFaults faults;
+    Findings faults;
     const auto mesh = readMeshBytes(bytesOf(text), "a.dae", {}, faults);
     ASSERT_FALSE(mesh.ok()) << to;
     EXPECT_TRUE(mesh.error().what.starts_with("an <accessor> reads 4 times")) << mesh.error().what;
@@ -169,13 +169,13 @@ TEST(ColladaReader, WhatAssimpCannotReadIsToldInOneSentence) {
   for (const auto& [text, sentence] : std::initializer_list<std::pair<std::string, std::string>>{
            {deep, "the XML is nested deeper than 100 elements (a.dae)"},
            {"PK\x03\x04", "is a ZIP file; unpack it and name the .dae inside (a.dae)"}}) {
-    ModelFaults faults;
+    Findings faults;
     const auto mesh = readMeshBytes(bytesOf(text), "a.dae", {}, faults);
     ASSERT_FALSE(mesh.ok());
     EXPECT_EQ(mesh.error().text(), sentence);
   }
   for (const std::string text : {"", "no XML", "<COLLADA/>", "<COLLADA><library_geometries/>"}) {
-    ModelFaults faults;
+    Findings faults;
     const auto mesh = readMeshBytes(bytesOf(text), "a.dae", {}, faults);
     ASSERT_FALSE(mesh.ok());
     EXPECT_THAT(mesh.error().text(), HasSubstr("a.dae"));
@@ -297,7 +297,7 @@ TEST(GltfReader, FilesBesideItAreReadByTheSearchAlone) {
   file.material = R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}})";
   file.buffer_uri = "the%20points.bin";
   test::writeFile(folder / "robot/a.gltf", file.text());
-  ModelFaults faults;
+  Findings faults;
   const auto sound = readMeshFile(folder / "robot/a.gltf", options, faults);
   ASSERT_TRUE(sound.ok()) << sound.error().text();
   expectSize(*sound, {0, 0, 0}, {2, 3, 4});
@@ -359,7 +359,7 @@ TEST(GltfReader, NumbersThatLeadNowhereAreRefusedBeforeTheLibrarySeesThem) {
     const std::size_t at = text.find(change.from);
     ASSERT_NE(at, std::string::npos);
     text.replace(at, std::strlen(change.from), change.to);
-    ModelFaults faults;
+    Findings faults;
     const auto mesh = readMeshBytes(bytesOf(sound.glb(text)), "a.glb", {}, faults);
     ASSERT_FALSE(mesh.ok());
     EXPECT_EQ(mesh.error().what, change.sentence);
@@ -370,7 +370,7 @@ TEST(GltfReader, SurvivesEveryPrefix) {
   const std::string whole = Gltf().glb();
   for (std::size_t length = 0; length < whole.size(); ++length) {
     const std::string cut = whole.substr(0, length);
-    ModelFaults faults;
+    Findings faults;
     EXPECT_FALSE(readMeshBytes(bytesOf(cut), "a.glb", {}, faults).ok()) << length;
   }
 }
@@ -393,7 +393,7 @@ TEST(ColladaReader, TheReactorInInchesStandsAsTallAsInTheYardInMetres) {
   options.resolve = [&](const std::string& name, const std::filesystem::path& beside) {
     return search.find(name, beside);
   };
-  ModelFaults faults;
+  Findings faults;
   const auto reactor = readMeshFile(folder / "meshes/reactor.dae", options, faults);
   ASSERT_TRUE(reactor.ok()) << reactor.error().text();
   EXPECT_THAT(faults, IsEmpty());

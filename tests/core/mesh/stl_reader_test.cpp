@@ -140,7 +140,7 @@ TEST(StlReader, RefusesWhatHoldsNoTriangle) {
   for (const std::string& text :
        {std::string(), std::string("solid x\nendsolid x\n"), std::string(83, '\0'),
         binaryStl("x", 0, {}), binaryStl("x", 7, {})}) {
-    ModelFaults faults;
+    Findings faults;
     const Result<Mesh> mesh = readMeshBytes(bytesOf(text), "a.stl", {}, faults);
     ASSERT_FALSE(mesh.ok());
     EXPECT_EQ(mesh.error().text(), "holds no triangle that can be drawn (a.stl)");
@@ -152,7 +152,7 @@ TEST(StlReader, SurvivesEveryPrefix) {
     for (std::size_t length = 0; length <= text.size(); ++length) {
       SCOPED_TRACE(length);
       const std::vector<char> cut(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(length));
-      ModelFaults faults;
+      Findings faults;
       const Result<Mesh> mesh =
           readMeshBytes(bytesOf({cut.data(), cut.size()}), "a.stl", {}, faults);
       if (mesh) expectSound(*mesh);
@@ -161,7 +161,7 @@ TEST(StlReader, SurvivesEveryPrefix) {
 }
 
 TEST(MeshFile, RefusesOtherEndingsAndMissingFiles) {
-  ModelFaults faults;
+  Findings faults;
   const Result<Mesh> step = readMeshBytes({}, "a.step", {}, faults);
   ASSERT_FALSE(step.ok());
   EXPECT_EQ(step.error().kind, ErrorKind::unsupported);

@@ -31,6 +31,9 @@ class FakeSource final : public DatagramSource {
     if (!only_when_asked) dropped_ = dropped_by_now_;
   }
   void fail() { failed_ = true; }
+  /// Behaves like a stream; confirmed() is what confirm() said last.
+  void keepPlace() { keeps_place_ = true; }
+  std::uint64_t confirmed() const { return confirmed_; }
   /// From here on everything has this destination, as in watched traffic.
   void watch(const SocketAddress& destination) { destination_ = destination; }
   /// Ends like a capture file: after the waiting datagrams nothing more arrives.
@@ -56,6 +59,8 @@ class FakeSource final : public DatagramSource {
   std::uint64_t dropped() const override { return dropped_; }
   Result<std::uint64_t> droppedByNow() override { return dropped_ = dropped_by_now_; }
   std::optional<std::string> maintain() override { return std::exchange(mended_, std::nullopt); }
+  bool keepsPlace() const override { return keeps_place_; }
+  void confirm(std::uint64_t count) override { confirmed_ = count; }
   bool ended() const override { return ends_ && waiting_.empty(); }
   Nanoseconds deliveryDelay() const override { return held_back_; }
   std::uint64_t receiveBufferBytes() const override { return buffer_bytes_; }
@@ -71,6 +76,8 @@ class FakeSource final : public DatagramSource {
   std::uint64_t dropped_ = 0;
   std::uint64_t dropped_by_now_ = 0;
   bool failed_ = false;
+  bool keeps_place_ = false;
+  std::uint64_t confirmed_ = 0;
   bool ends_ = false;
   std::optional<SocketAddress> destination_;
   std::optional<std::string> mended_;

@@ -51,12 +51,37 @@ TEST(FilteredSource, AFloodFromElsewhereIsNoSilence) {
   EXPECT_EQ(setup.source->counts().refused, 20U);
 }
 
+TEST(FilteredSource, RequestsForARelayAreDroppedAndCounted) {
+  auto fake = std::make_unique<FakeSource>("127.0.0.1:1");
+  fake->arrive({{"a", {}}, {"R", {}}, {"b", {}}, {"R", {}}});
+  FilteredSource source(std::move(fake), AddressFilter(), {},
+                        [](ByteView datagram) { return textOf(datagram) == "R"; });
+  EXPECT_EQ(received(source), "ab");
+  EXPECT_EQ(source.counts().requests, 2U);
+  EXPECT_EQ(source.counts().refused, 0U);
+}
+
 TEST(FilteredSource, DoesNotHearItself) {
   Filtering setup(AddressFilter(), {SocketAddress::parse("10.0.0.1", 5001).value()});
   setup.inner->arrive({{"a", {}}, {"echo", {}, "10.0.0.1", 5001}, {"b", {}, "10.0.0.1", 5002}});
   EXPECT_EQ(received(*setup.source), "ab");
   EXPECT_EQ(setup.source->counts().echoes, 1U);
   EXPECT_EQ(setup.source->counts().refused, 0U);
+}
+
+TEST(FilteredSource, AConfirmationIncludesWhatWasRemovedBefore) {
+  auto fake = std::make_unique<FakeSource>("jetstream://h/S");
+  FakeSource& inner = *fake;
+  inner.keepPlace();
+  inner.arrive({{"R", {}}, {"a", {}}, {"R", {}}, {"R", {}}, {"b", {}}, {"c", {}}, {"R", {}}});
+  FilteredSource source(std::move(fake), AddressFilter(), {},
+                        [](ByteView datagram) { return textOf(datagram) == "R"; });
+  ASSERT_TRUE(source.keepsPlace());
+  EXPECT_EQ(received(source), "abc");
+  for (const auto& [count, all] : {std::pair(0U, 1U), {1U, 4U}, {2U, 5U}, {3U, 7U}}) {
+    source.confirm(count);
+    EXPECT_EQ(inner.confirmed(), all);
+  }
 }
 
 TEST(FilteredSource, ThatTheSocketFailsIsPassedOn) {

@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/network_namespace.h"
+
 namespace rocinante {
 namespace {
 
@@ -239,6 +241,32 @@ TEST(UdpSender, LosesNothingToEarlierRefusals) {
     ASSERT_TRUE(sender->send(bytesOf(sent.back())).ok());
   }
   EXPECT_EQ(receiveAll(*receiver, sent.size()), sent);
+}
+
+TEST(UdpSender, ReachesAllMachinesOfANetworkByBroadcast) {
+  const test::NetworkNamespace network;
+  ROCINANTE_NEEDS_NETWORK_NAMESPACE(network);
+  ASSERT_TRUE(network.run(
+      "ip link add cell0 type veth peer name robot0 && ip addr add 10.9.0.1/24 brd + dev cell0 && "
+      "ip link set robot0 up && ip link set cell0 up && ip route add default dev cell0"));
+  auto everything = UdpReceiver::open(endpointOf(":5000"));
+  auto broadcasts = UdpReceiver::open(endpointOf("10.9.0.255:5001"));
+  auto own = UdpReceiver::open(endpointOf("10.9.0.1:5002"));
+  ASSERT_TRUE(everything.ok() && broadcasts.ok() && own.ok());
+  for (const char* const to : {"10.9.0.255:5000", "255.255.255.255:5000", "10.9.0.255:5001",
+                               "10.9.0.1:5001", "10.9.0.255:5002", "10.9.0.1:5002"}) {
+    auto sender = UdpSender::open(endpointOf(to));
+    ASSERT_TRUE(sender.ok()) << sender.error().text();
+    const Status sent = sender->send(bytesOf(std::string_view(to)));
+    ASSERT_TRUE(sent.ok()) << sent.error().text();
+  }
+  EXPECT_EQ(receiveAll(*everything, 2),
+            (std::vector<std::string>{"10.9.0.255:5000", "255.255.255.255:5000"}));
+  EXPECT_EQ(receiveAll(*broadcasts, 1), (std::vector<std::string>{"10.9.0.255:5001"}));
+  // A listener at one address hears only what is sent to that address.
+  EXPECT_EQ(receiveAll(*own, 1), (std::vector<std::string>{"10.9.0.1:5002"}));
+  EXPECT_TRUE(broadcasts->receive()->empty());
+  EXPECT_TRUE(own->receive()->empty());
 }
 
 TEST(UdpSender, SaysWhenADatagramIsTooLong) {

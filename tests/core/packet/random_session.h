@@ -82,6 +82,13 @@ class RandomSession {
     return pick({"arm", "arm/l1", "arm/l2", "tank", "%6Cayer/l1", "layer/x", "layer/y", "layer"});
   }
   std::string carrier() { return below(3) == 0 ? " in " + device() + "/l1" : ""; }
+  /// The elements of a list in braces are made from left to right, as the operands of + need not
+  /// be: every compiler draws the same session.
+  static std::string joined(std::initializer_list<std::string> parts) {
+    std::string text;
+    for (const std::string& part : parts) text += part;
+    return text;
+  }
   std::string id() { return pick({"p", "q", "r:1"}); }
   std::string color() { return pick({"#ff0000", "#00ff0080", "#123456"}); }
   std::string part() { return pick({"", "", ":1/2", ":2/2", ":1/3", ":3/3"}); }
@@ -90,36 +97,36 @@ class RandomSession {
     switch (below(17)) {
       case 0:
       case 1:
-        return "joints " + device() + numbers(1 + below(3));
+        return joined({"joints ", device(), numbers(1 + below(3))});
       case 2:
-        return "order " + device() + pick({"", " j1", " j1 j2", " grip j1 j2"});
+        return joined({"order ", device(), pick({"", " j1", " j1 j2", " grip j1 j2"})});
       case 3:
-        return "joint " + device() + ' ' + joint() + '=' + number() + ' ' + joint() + '=' +
-               number();
+        return joined(
+            {"joint ", device(), " ", joint(), "=", number(), " ", joint(), "=", number()});
       case 4:
-        return "pose " + device() + numbers(7) + carrier();
+        return joined({"pose ", device(), numbers(7), carrier()});
       case 5:
-        return "add " + device() + pick({" puma", " kuka kin=00000000000000ff"});
+        return joined({"add ", device(), pick({" puma", " kuka kin=00000000000000ff"})});
       case 6:
-        return "remove " + device();
+        return joined({"remove ", device()});
       case 7:
-        return "show " + path() + pick({"", " default"});
+        return joined({"show ", path(), pick({"", " default"})});
       case 8:
-        return "hide " + path();
+        return joined({"hide ", path()});
       case 9:
-        return "color " + path() + ' ' + pick({"default", "#ff0000", "#00ff0080"});
+        return joined({"color ", path(), " ", pick({"default", "#ff0000", "#00ff0080"})});
       case 10:
-        return "line " + id() + part() + ' ' + color() + pick({"", " width=2"}) + carrier() +
-               numbers(3 * (1 + below(3)));
+        return joined({"line ", id(), part(), " ", color(), pick({"", " width=2"}), carrier(),
+                       numbers(3 * (1 + below(3)))});
       case 11:
-        return "points " + id() + part() + ' ' + color() + carrier() + numbers(3);
+        return joined({"points ", id(), part(), " ", color(), carrier(), numbers(3)});
       case 12:
-        return "label " + id() + carrier() + numbers(3) + " \"say \\\"hi\\\"\\n\"";
+        return joined({"label ", id(), carrier(), numbers(3), " \"say \\\"hi\\\"\\n\""});
       case 13:
-        return "erase " + (below(3) == 0 ? std::string("*") : id());
+        return joined({"erase ", below(3) == 0 ? std::string("*") : id()});
       case 14:
-        return "view " + pick({"top", "side"}) + numbers(6) + " 45" +
-               pick({"", " up 0 1 0", " ortho 3"}) + carrier();
+        return joined({"view ", pick({"top", "side"}), numbers(6), " 45",
+                       pick({"", " up 0 1 0", " ortho 3"}), carrier()});
       case 15:
         return "event \"e\"";
       default:

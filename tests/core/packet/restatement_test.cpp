@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "core/packet/packet_limits.h"
 #include "tests/core/packet/fold_text.h"
 
@@ -127,6 +129,19 @@ TEST_F(Restatement, WhatClearsOthersItemsComesBeforeThem) {
   RestatementOptions tiny = keyframe();
   tiny.mtu_bytes = 60;
   expectKeyframeIsExact(tiny);
+}
+
+TEST_F(Restatement, SourcesThatOwnItemsOfOneDeviceGoTogetherAlsoByWayOfOthers) {
+  using Names = std::set<std::string, std::less<>>;
+  say("a 1 -", "joints arm 1\n");
+  say("b 1 -", "hide arm/lid\njoint rail x=1\n");
+  say("c 1 -", "color rail #ff0000\n");
+  say("d 1 -", "joints tray 1\nhide layer/arm\nlabel l in arm/lid 0 0 0 \"x\"\n");
+  for (const char* each : {"a", "b", "c"}) {
+    EXPECT_EQ(sourcesSharingDevices(fold_.state, each), (Names{"a", "b", "c"})) << each;
+  }
+  EXPECT_EQ(sourcesSharingDevices(fold_.state, "d"), Names{"d"});
+  EXPECT_EQ(sourcesSharingDevices(fold_.state, "nobody"), Names{"nobody"});
 }
 
 TEST_F(Restatement, GoingBackwardsGivesTheEarlierState) {

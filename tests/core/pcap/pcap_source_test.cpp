@@ -6,7 +6,7 @@
 
 #include <fstream>
 
-#include "core/pcap/open_source.h"
+#include "core/transport/open_source.h"
 #include "tests/core/pcap/frames.h"
 #include "tests/support/network_namespace.h"
 #include "tests/support/shared_data.h"

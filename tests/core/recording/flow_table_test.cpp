@@ -49,6 +49,18 @@ TEST(FlowTable, NamesTheGroupOfMulticast) {
   EXPECT_EQ(table.channels()[second].topic, "/udp/[ff02::9]:6/arm");
 }
 
+TEST(FlowTable, NamesTheRelayOfASubscription) {
+  FlowTable table({listening("subscribe://10.0.0.7:19961?device=arm*", 40'123),
+                   listening("subscribe://[fe80::1%lo]:5", 40'124)});
+  const auto first = table.channelOf({0, sender(19'961), "arm", true, false});
+  EXPECT_EQ(table.channels()[first].topic, "/subscribe/10.0.0.7:19961/arm");
+  EXPECT_EQ(table.channels()[first].metadata.at("remote"), "10.0.0.7:19961");
+  const auto greeting = table.channelOf({0, sender(19'961), "arm", true, true});
+  EXPECT_EQ(table.channels()[greeting].topic, "/rocinante/restated/subscribe/10.0.0.7:19961/arm");
+  const auto second = table.channelOf({1, sender(5, "fe80::1"), "arm", true, false});
+  EXPECT_EQ(table.channels()[second].topic, "/subscribe/[fe80::1]:5/arm");
+}
+
 TEST(FlowTable, NamesWatchedTrafficByWhereItWasSent) {
   FlowTable table({listening("pcap://eth0?filter=udp", 0)});
   const SocketAddress to = sender(19'960, "10.0.0.9");

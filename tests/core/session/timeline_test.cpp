@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <array>
 #include <map>
 #include <random>
 
@@ -136,6 +138,32 @@ void expectTheFold(Timeline& timeline, const KeyframedLog& log, std::vector<LogT
   }
 }
 
+TEST(Timeline, BeforeAMessageIsTheFoldOfThoseInFrontOfItInAnyOrder) {
+  const KeyframedLog log = makeKeyframedLog(3, 300);
+  struct Expected {
+    LogPosition place;
+    std::string identity;
+  };
+  std::vector<Expected> expected;
+  HandFold fold;
+  LogReader reader = openLog(log.file);
+  while (true) {
+    const Result<std::optional<LogMessage>> message = reader.next();
+    ASSERT_TRUE(message.ok());
+    if (!*message) break;
+    if (!(*message)->channel->folded()) continue;
+    expected.push_back({(*message)->place(), fold.state.identityText()});
+    fold.fold((*message)->log_time, (*message)->payload);
+  }
+  ASSERT_GT(expected.size(), 250U);
+  std::shuffle(expected.begin(), expected.end(), std::mt19937(5));
+  Timeline timeline = Timeline::of(openLog(log.file));
+  for (const Expected& each : expected) {
+    SCOPED_TRACE(each.place.time.time_since_epoch().count());
+    ASSERT_EQ((*timeline.stateBefore(each.place))->identityText(), each.identity);
+  }
+}
+
 std::vector<LogTime> momentsOf(const KeyframedLog& log) {
   std::vector<LogTime> moments = {at(0), log.datagrams.back().time + Nanoseconds(1)};
   for (const TimedDatagram& said : log.datagrams) {
@@ -207,6 +235,23 @@ struct HandLog {
 
 constexpr const char* kLie =
     "RK1 liar - - restated part=k:1/1 by=keyframe\njoints arm9 9\nseen arm9 5\n";
+
+TEST(Timeline, BeforeAMessageOfAMomentThatOthersShare) {
+  HandLog log;
+  log.put(log.packets, 10, say(1, 1));
+  log.put(log.packets, 10, say(2, 2));
+  log.put(log.packets, 10, say(3, 3));
+  Timeline timeline = log.close();
+  std::vector<LogPosition> places;
+  LogReader reader = openLog(log.file);
+  for (int i = 0; i < 3; ++i) places.push_back((**reader.next()).place());
+  for (const std::size_t devices : {2U, 0U, 1U}) {
+    EXPECT_EQ((*timeline.stateBefore(places[devices]))->devices().size(), devices);
+  }
+  EXPECT_EQ((*timeline.stateBefore({at(10), 0}))->devices().size(), 0U);
+  EXPECT_EQ((*timeline.stateBefore({LogTime::min(), 0}))->devices().size(), 0U);
+  EXPECT_EQ((*timeline.stateAt(at(10)))->devices().size(), 3U);
+}
 
 TEST(Timeline, AKeyframeIsBelievedInEveryDirection) {
   // The lie cannot be detected; but the answer must not depend on the path.
@@ -299,8 +344,12 @@ TEST(Timeline, ManyKeyframesThatDoNotCountAreNoTrap) {
 
 TEST(Timeline, GoesOnAfterDamageFromTheNextKeyframe) {
   KeyframedLog log = makeKeyframedLog(9, 400);
-  // One byte in the middle: its chunk fails its checksum, and is lost.
-  log.file[log.file.size() / 3] ^= std::byte{0x40};
+  // One byte of what a chunk in the middle compressed: the chunk fails its checksum, and is lost.
+  constexpr std::array kZstd = {std::byte{0x28}, std::byte{0xB5}, std::byte{0x2F}, std::byte{0xFD}};
+  const auto middle = log.file.begin() + static_cast<std::ptrdiff_t>(log.file.size() / 3);
+  const auto records = std::search(middle, log.file.end(), kZstd.begin(), kZstd.end());
+  ASSERT_GT(log.file.end() - records, 1000);
+  *(records + 100) ^= std::byte{0x40};
   Timeline fresh = Timeline::of(openLog(log.file));
   const LogTime last = log.datagrams.back().time;
   expectTheFold(fresh, log, {last});

@@ -80,6 +80,23 @@ TEST_F(ReportTest, JunitTellsFailuresFromErrors) {
   EXPECT_THAT(xml, HasSubstr("<error message=\"incomparable:"));
 }
 
+TEST_F(ReportTest, MarkdownTellsWhatIsNotFineAndEscapesIt) {
+  add(FrameVerdict::same);
+  add(FrameVerdict::different);
+  report_.frames.back().rule = "a | b <img src=x> `c` [d](e)";
+  FrameWhy why;
+  why.files = {"arm.urdf: *changed*"};
+  report_.frames.back().why = std::make_shared<const FrameWhy>(why);
+  report_.run_command = "rocinante golden run 's`s.toml'";
+  const std::string text = reportMarkdown(report_, "out/index.html");
+  EXPECT_THAT(text, HasSubstr("1 of 2 frames as accepted\n"));
+  EXPECT_THAT(text, HasSubstr("| different | a \\| b &lt;img src=x> \\`c\\` \\[d\\]\\(e\\) |\n"));
+  EXPECT_THAT(text, HasSubstr("- arm.urdf: \\*changed\\*\n"));
+  EXPECT_THAT(text, HasSubstr("Repeat: `` rocinante golden run 's`s.toml' ``\n"));
+  EXPECT_THAT(text, HasSubstr("; pictures in `out/index.html`.\n"));
+  EXPECT_THAT(reportMarkdown(SuiteReport{}, ""), HasSubstr("0 of 0 frames as accepted"));
+}
+
 TEST_F(ReportTest, EveryFormatSaysWhichKeyAndTierJudged) {
   for (const FrameVerdict verdict : {FrameVerdict::same, FrameVerdict::incomparable}) {
     add(verdict);

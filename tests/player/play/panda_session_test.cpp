@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "core/base/atomic_file.h"
 #include "core/base/hash.h"
@@ -108,6 +109,23 @@ void show(const std::string& what, const nlohmann::json& report, const TimingErr
       error.p50, error.p99, error.max);
 }
 
+bool isRestated(const std::string& payload) {
+  return payload.find(" restated") < payload.find('\n');
+}
+
+/// The numbers of a row as a source sends them: nine decimals without trailing zeros.
+std::string sentText(const std::string& row) {
+  std::string text;
+  std::istringstream fields(row);
+  for (std::string field; std::getline(fields, field, ',');) {
+    std::string number = fmt::format("{:.9f}", std::stod(field));
+    number.erase(number.find_last_not_of('0') + 1);
+    if (number.ends_with('.')) number.pop_back();
+    text += (text.empty() ? "" : ",") + (number == "-0" ? "0" : number);
+  }
+  return text;
+}
+
 /// The rows of the file, parsed independently of the source.
 void expectEveryRowInOrder(const std::vector<std::string>& payloads, const std::string& csv) {
   std::size_t next = 0;
@@ -116,12 +134,12 @@ void expectEveryRowInOrder(const std::vector<std::string>& payloads, const std::
   PacketTextDecoder decoder;
   for (const std::string& payload : payloads) {
     const std::size_t body = payload.find("\njoints panda ");
-    if (body == payload.npos) continue;
+    if (body == payload.npos || isRestated(payload)) continue;
     std::string row(takeLine(rest).value_or("missing"));
     std::string said = payload.substr(body + std::string_view("\njoints panda ").size());
     said.pop_back();
     std::replace(said.begin(), said.end(), ' ', ',');
-    ASSERT_EQ(row.substr(row.find(',') + 1), said) << "row " << next;
+    ASSERT_EQ(sentText(row.substr(row.find(',') + 1)), said) << "row " << next;
     const PacketHeader* header = decoder.decodeHeader(bytesOf(payload));
     ASSERT_NE(header, nullptr);
     // The file gives six decimals.
@@ -137,7 +155,7 @@ void expectEveryRowInOrder(const std::vector<std::string>& payloads, const std::
 void checkSession(const std::string& source_speed, const std::vector<std::string>& speeds) {
   const test::TemporaryFolder folder;
   const std::string csv = readFile(test::sharedData(kPanda)).value();
-  const auto motion = readCsvMotion(csv, "panda_joints.csv", {}).value();
+  const auto motion = readCsvMotion(csv, "panda_joints.csv", "panda", {}).value();
 
   Recording first(folder / "first.mcap");
   const auto sent = runSender(
@@ -153,7 +171,8 @@ void checkSession(const std::string& source_speed, const std::vector<std::string
   std::vector<LogTime> arrivals;
   for (std::size_t i = 0; i < session.payloads.size(); ++i) {
     if (session.payloads[i].find("\njoints panda ") == std::string::npos) continue;
-    rows.push_back(motion.rows[rows.size()].time);
+    if (isRestated(session.payloads[i])) continue;
+    rows.push_back(motion.times[rows.size()]);
     arrivals.push_back(session.times[i]);
   }
   show("source " + source_speed + "x", sent, timingError(rows, arrivals, std::stod(source_speed)));

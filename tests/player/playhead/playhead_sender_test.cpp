@@ -5,7 +5,7 @@
 
 #include <deque>
 
-#include "player/playhead/play_line.h"
+#include "player/playhead/play_line_text.h"
 #include "player/send/play_report.h"
 #include "tests/player/logs/written_log.h"
 #include "tests/player/send/fake_send_port.h"
@@ -213,16 +213,16 @@ TEST_F(SendPlayheadTest, ASpanThatWasLeftIsReportedAsLongAsItWasPlayed) {
   EXPECT_EQ(report.spans[1].sent, 1U);
 }
 
-TEST(PlayLine, CountsDownInALongSilence) {
+TEST(PlayLineText, CountsDownInALongSilence) {
   PlayStatus status;
   status.position_ns = 2'500'000'000;
   status.sent = 7;
   status.next_ns = 61'000'000'000;
-  EXPECT_EQ(PlayLine::text(status, LogTime(1s), LogTime(100s), SteadyTime(1s)),
+  EXPECT_EQ(playLineText(status, LogTime(1s), LogTime(100s), SteadyTime(1s)),
             "1.5 of 99.0 s, 7 datagrams, silent for 60.0 s more");
   status.speed = 0.5;
   status.state = 1;
-  EXPECT_EQ(PlayLine::text(status, LogTime(1s), LogTime(100s), SteadyTime(1s)),
+  EXPECT_EQ(playLineText(status, LogTime(1s), LogTime(100s), SteadyTime(1s)),
             "1.5 of 99.0 s, 7 datagrams, 0.5x, paused");
 }
 

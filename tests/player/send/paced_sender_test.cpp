@@ -179,28 +179,5 @@ TEST(SendOnSchedule, AnEmptyStreamIsFinishedAtOnce) {
   EXPECT_EQ(edge.sends, 0U);
 }
 
-TEST(SendAtOnce, SendsInOrderWithoutWaiting) {
-  std::vector<FakeStream::Item> items;
-  for (int i = 0; i < 150; ++i) items.push_back(item(i * 1h, std::to_string(i)));
-  FakeStream stream(items);
-  FakeSendPort edge;
-  FakeJournal journal;
-  EXPECT_EQ(sendAtOnce(stream, edge, journal).value(), SendEnd::finished);
-  EXPECT_EQ(edge.sleeps, 0U);
-  EXPECT_EQ(edge.sends, 3U);
-  ASSERT_EQ(edge.sent.size(), 150U);
-  EXPECT_EQ(edge.sent[149], "149");
-}
-
-TEST(SendAtOnce, StopsWhenAsked) {
-  std::vector<FakeStream::Item> items(500, item(0s, "x"));
-  FakeStream stream(items);
-  FakeSendPort edge;
-  edge.stop_after_sends = 2;
-  FakeJournal journal;
-  EXPECT_EQ(sendAtOnce(stream, edge, journal).value(), SendEnd::stopped);
-  EXPECT_EQ(edge.sent.size(), 128U);
-}
-
 }  // namespace
 }  // namespace rocinante

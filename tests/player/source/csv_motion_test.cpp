@@ -17,20 +17,25 @@ using namespace std::chrono_literals;
 using testing::ElementsAre;
 
 Result<CsvMotion> read(std::string_view text, const std::vector<std::string>& columns = {}) {
-  return readCsvMotion(text, "m.csv", columns);
+  return readCsvMotion(text, "m.csv", "arm", columns);
 }
+
+/// The same for a table whose columns name their devices.
+Result<CsvMotion> readCell(std::string_view text) { return readCsvMotion(text, "m.csv", "", {}); }
 
 std::string errorOf(std::string_view text, const std::vector<std::string>& columns = {}) {
   const auto motion = read(text, columns);
   return motion.ok() ? "no error" : motion.error().text();
 }
 
-TEST(CsvMotion, KeepsTheNumbersAsTheFileWroteThem) {
+TEST(CsvMotion, ReadsTheNumbersOfEachRow) {
   const auto motion = read("t,a,b\n0,1.50,-2e-3\n0.5, +.5 ,5.\n").value();
-  EXPECT_THAT(motion.joints, ElementsAre("a", "b"));
-  ASSERT_EQ(motion.rows.size(), 2U);
-  EXPECT_EQ(motion.valuesOf(motion.rows[0]), "1.50 -2e-3");
-  EXPECT_EQ(motion.valuesOf(motion.rows[1]), "+.5 5.");
+  ASSERT_EQ(motion.devices.size(), 1U);
+  EXPECT_EQ(motion.devices[0].name, "arm");
+  EXPECT_THAT(motion.devices[0].joints, ElementsAre("a", "b"));
+  ASSERT_EQ(motion.rowCount(), 2U);
+  EXPECT_THAT(motion.row(0), ElementsAre(1.5, -2e-3));
+  EXPECT_THAT(motion.row(1), ElementsAre(0.5, 5));
 }
 
 TEST(CsvMotion, TimesAreExactToTheNanosecond) {
@@ -54,7 +59,7 @@ TEST(CsvMotion, TimesAreExactToTheNanosecond) {
     SCOPED_TRACE(text);
     const auto motion = read("t,a\n" + std::string(text) + ",1\n");
     ASSERT_TRUE(motion.ok()) << motion.error().text();
-    EXPECT_EQ(motion->rows[0].time, time);
+    EXPECT_EQ(motion->times[0], time);
   }
 }
 
@@ -91,18 +96,64 @@ TEST(CsvMotion, SaysLineAndColumnOfWhatItRefuses) {
 
 TEST(CsvMotion, ChoosesColumnsInTheOrderAsked) {
   const auto motion = read("a,time,note,b\n1,0,x,2\n3,1,y,4\n", {"b", "a"}).value();
-  EXPECT_THAT(motion.joints, ElementsAre("b", "a"));
-  EXPECT_EQ(motion.valuesOf(motion.rows[1]), "4 3");
+  EXPECT_THAT(motion.devices[0].joints, ElementsAre("b", "a"));
+  EXPECT_THAT(motion.row(1), ElementsAre(4, 3));
   EXPECT_EQ(errorOf("t,a\n0,1\n", {"c"}), "no column is named `c` (m.csv, line 1, column 1)");
   EXPECT_EQ(errorOf("t,a\n0,1\n", {"a", "a"}),
             "column `a` is chosen twice (m.csv, line 1, column 1)");
 }
 
+TEST(CsvMotion, ColumnsNameTheirDevices) {
+  const auto motion =
+      readCell(
+          "t,arm.j1,tray:x,tray:y,tray:z,tray:qx,tray:qy,tray:qz,tray:qw,arm.j.2,tray.lid\n"
+          "0,1,2,3,4,0,0,0,1,5,6\n")
+          .value();
+  ASSERT_EQ(motion.devices.size(), 2U);
+  EXPECT_EQ(motion.devices[0].name, "arm");
+  EXPECT_THAT(motion.devices[0].joints, ElementsAre("j1", "j.2"));
+  EXPECT_THAT(motion.devices[0].joint_columns, ElementsAre(0, 8));
+  EXPECT_TRUE(motion.devices[0].pose_columns.empty());
+  EXPECT_THAT(motion.devices[1].joints, ElementsAre("lid"));
+  EXPECT_THAT(motion.devices[1].pose_columns, ElementsAre(1, 2, 3, 4, 5, 6, 7));
+
+  EXPECT_EQ(readCell("t,j1\n0,1\n").error().text(),
+            "column `j1` names no device: without --device a column is DEVICE.JOINT or DEVICE:x, "
+            ":y, :z, :qx, :qy, :qz, :qw (m.csv, line 1, column 1)");
+  EXPECT_FALSE(readCell("t,.j1\n0,1\n").ok());
+  EXPECT_FALSE(readCell("t,arm.\n0,1\n").ok());
+  EXPECT_FALSE(readCell("t,:x\n0,1\n").ok());
+  EXPECT_EQ(readCell("t,tray:x,tray:qw\n0,1,1\n").error().text(),
+            "a pose needs seven columns: `tray:y` is missing (m.csv, line 1, column 1)");
+  EXPECT_EQ(read("t,a\n0,-9007199254740992\n").error().text(),
+            "`-9007199254740992` is not below 2^53, in `a` (m.csv, line 2, column 3)");
+}
+
+TEST(CsvMotion, AnEmptyFieldSaysNothingOfItsDevice) {
+  const auto motion = readCell(
+      "t,a.j1,a.j2,b.j1,b:x,b:y,b:z,b:qx,b:qy,b:qz,b:qw\n"
+      "0,1,2,,,,,,,,\n1,,,3,,,,,,,\n2,,,,0,0,0,0,0,0,1\n");
+  ASSERT_TRUE(motion.ok()) << motion.error().text();
+  const CsvMotion::Device& a = motion->devices[0];
+  const CsvMotion::Device& b = motion->devices[1];
+  EXPECT_TRUE(hasValues(motion->row(0), a.joint_columns));
+  EXPECT_FALSE(hasValues(motion->row(0), b.joint_columns));
+  EXPECT_TRUE(hasValues(motion->row(1), b.joint_columns));
+  EXPECT_FALSE(hasValues(motion->row(1), b.pose_columns));
+  EXPECT_TRUE(hasValues(motion->row(2), b.pose_columns));
+  EXPECT_EQ(readCell("t,a.j1,a.j2\n0,1,\n").error().text(),
+            "a joint of `a` has no value, but others have one: all are given, or none (m.csv, line "
+            "2, column 5)");
+  EXPECT_EQ(readCell("t,a.j1,a.j2\n0,,1\n").error().text(),
+            "a joint of `a` has a value, but others have none: all are given, or none (m.csv, line "
+            "2, column 4)");
+}
+
 TEST(CsvMotion, TakesWhatSpreadsheetsWrite) {
   const auto motion = read("\xEF\xBB\xBF\"t\",\"joint \"\"1\"\"\"\r\n0,\"0.5\"\r\n\r\n1,2").value();
-  EXPECT_THAT(motion.joints, ElementsAre("joint \"1\""));
-  ASSERT_EQ(motion.rows.size(), 2U);
-  EXPECT_EQ(motion.valuesOf(motion.rows[0]), "0.5");
+  EXPECT_THAT(motion.devices[0].joints, ElementsAre("joint \"1\""));
+  ASSERT_EQ(motion.rowCount(), 2U);
+  EXPECT_THAT(motion.row(0), ElementsAre(0.5));
 }
 
 TEST(CsvMotion, CutAnywhereItIsReadOrRefusedAndNeverCrashes) {
@@ -112,7 +163,7 @@ TEST(CsvMotion, CutAnywhereItIsReadOrRefusedAndNeverCrashes) {
     std::copy_n(whole.data(), length, cut.get());
     const auto motion = read({cut.get(), length});
     if (motion.ok()) {
-      EXPECT_FALSE(motion->rows.empty());
+      EXPECT_GT(motion->rowCount(), 0U);
     }
   }
 }
@@ -126,18 +177,18 @@ TEST(CsvMotion, ReadsTheRealPandaWithItsJitter) {
   const auto path = test::sharedData("recordings/panda_exciting_trajectory/panda_joints.csv");
   ROCINANTE_NEEDS_SHARED_DATA("recordings/panda_exciting_trajectory/panda_joints.csv");
   const auto motion = read(readFile(path).value()).value();
-  EXPECT_EQ(motion.rows.size(), 20'544U);
-  EXPECT_EQ(motion.joints.size(), 7U);
+  EXPECT_EQ(motion.rowCount(), 20'544U);
+  EXPECT_EQ(motion.devices[0].joints.size(), 7U);
   Nanoseconds shortest = 1h;
   Nanoseconds longest{};
-  for (std::size_t i = 1; i < motion.rows.size(); ++i) {
-    const Nanoseconds step = motion.rows[i].time - motion.rows[i - 1].time;
+  for (std::size_t i = 1; i < motion.rowCount(); ++i) {
+    const Nanoseconds step = motion.times[i] - motion.times[i - 1];
     shortest = std::min(shortest, step);
     longest = std::max(longest, step);
   }
   EXPECT_EQ(shortest, 700us);
   EXPECT_EQ(longest, 8'810us);
-  EXPECT_EQ(motion.rows.back().time, 20'999'100us);
+  EXPECT_EQ(motion.times.back(), 20'999'100us);
 }
 
 TEST(CsvLine, SplitsByCommasOutsideQuotes) {

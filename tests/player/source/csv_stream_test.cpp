@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/packet/packet_text.h"
+#include "core/packet/session_state.h"
 #include "player/source/cut_stream.h"
 
 namespace rocinante {
@@ -10,11 +12,15 @@ namespace {
 
 using namespace std::chrono_literals;
 
-CsvStream::Options optionsFor(std::string device) {
+CsvStream::Options someOptions() {
   CsvStream::Options options;
-  options.device = options.source = std::move(device);
+  options.source = "arm";
   options.run = "r";
   return options;
+}
+
+CsvMotion motionOf(std::string_view text, const std::string& device = "arm") {
+  return readCsvMotion(text, "m", device, {}).value();
 }
 
 struct Sent {
@@ -32,20 +38,29 @@ std::vector<Sent> takeAll(DatagramStream& stream) {
 }
 
 TEST(CsvStream, SaysOrderOnceAndThenEachRowAtItsTime) {
-  const auto motion = readCsvMotion("t,a b,c\n0.5,1.50,2\n0.7,+3,4e0\n", "m", {}).value();
-  auto stream = CsvStream::open(motion, optionsFor("my arm")).value();
+  const auto motion = motionOf("t,a b,c\n0.5,1.50,2\n0.7,+3,4e0\n", "my arm");
+  auto stream = CsvStream::open(motion, someOptions()).value();
   const auto all = takeAll(stream);
   ASSERT_EQ(all.size(), 3U);
-  EXPECT_EQ(all[0].text, "RK1 my%20arm@r 0 0.5\norder my%20arm a%20b c\n");
-  EXPECT_EQ(all[1].text, "RK1 my%20arm@r 1 0.5\njoints my%20arm 1.50 2\n");
-  EXPECT_EQ(all[2].text, "RK1 my%20arm@r 2 0.7\njoints my%20arm +3 4e0\n");
+  EXPECT_EQ(all[0].text, "RK1 arm@r 0 0.5\norder my%20arm a%20b c\n");
+  EXPECT_EQ(all[1].text, "RK1 arm@r 1 0.5\njoints my%20arm 1.5 2\n");
+  EXPECT_EQ(all[2].text, "RK1 arm@r 2 0.7\njoints my%20arm 3 4\n");
   EXPECT_EQ(all[0].time, LogTime(500ms));
   EXPECT_EQ(all[2].time, LogTime(700ms));
 }
 
+TEST(CsvStream, SaysNothingOfADeviceWhoseFieldsAreEmpty) {
+  const auto motion = motionOf("t,a.j,b.j\n0,1,\n1,,2\n", "");
+  auto stream = CsvStream::open(motion, someOptions()).value();
+  const auto all = takeAll(stream);
+  ASSERT_EQ(all.size(), 3U);
+  EXPECT_EQ(all[1].text, "RK1 arm@r 1 0\njoints a 1\n");
+  EXPECT_EQ(all[2].text, "RK1 arm@r 2 1\njoints b 2\n");
+}
+
 TEST(CsvStream, EveryRowIsAPacketWithoutFaults) {
-  const auto motion = readCsvMotion("t,a,b\n0,.5,5.\n1,-0,1e-3\n", "m", {}).value();
-  auto stream = CsvStream::open(motion, optionsFor("arm")).value();
+  const auto motion = motionOf("t,a,b\n0,.5,5.\n1,-0,1e-3\n");
+  auto stream = CsvStream::open(motion, someOptions()).value();
   PacketTextDecoder decoder;
   for (const Sent& sent : takeAll(stream)) {
     const Packet* packet = decoder.decode(bytesOf(sent.text));
@@ -55,8 +70,8 @@ TEST(CsvStream, EveryRowIsAPacketWithoutFaults) {
 }
 
 TEST(CsvStream, RestatesAllThatWasSaidUnderItsOwnNumbers) {
-  const auto motion = readCsvMotion("t,a\n0,1\n1,2\n2,3\n2.5,4\n4,5\n", "m", {}).value();
-  auto options = optionsFor("arm");
+  const auto motion = motionOf("t,a\n0,1\n1,2\n2,3\n2.5,4\n4,5\n");
+  auto options = someOptions();
   options.restate = 2s;
   auto stream = CsvStream::open(motion, options).value();
   const auto all = takeAll(stream);
@@ -64,8 +79,8 @@ TEST(CsvStream, RestatesAllThatWasSaidUnderItsOwnNumbers) {
   // When both are due, the restatement precedes the next row.
   EXPECT_TRUE(all[3].restated);
   EXPECT_EQ(all[3].time, LogTime(2s));
-  EXPECT_EQ(all[3].text, "RK1 arm@r 3 2 restated part=r1:1/1\norder arm a\njoint arm a=2\n");
-  EXPECT_EQ(all[6].text, "RK1 arm@r 6 4 restated part=r2:1/1\norder arm a\njoint arm a=4\n");
+  EXPECT_EQ(all[3].text, "RK1 arm@r 3 2 restated part=r1:1/1\norder arm a\njoints arm 2\n");
+  EXPECT_EQ(all[6].text, "RK1 arm@r 6 4 restated part=r2:1/1\norder arm a\njoints arm 4\n");
   EXPECT_EQ(all[7].text, "RK1 arm@r 7 4\njoints arm 5\n");
 }
 
@@ -83,8 +98,8 @@ TEST(CsvStream, ARestatementChangesNothingForWhoHeardAll) {
       csv += std::to_string(row * joint);
     }
   }
-  const auto motion = readCsvMotion(csv, "m", {}).value();
-  auto options = optionsFor("arm");
+  const auto motion = motionOf(csv);
+  auto options = someOptions();
   options.restate = 10s;
   options.mtu_bytes = 3'000;
   auto stream = CsvStream::open(motion, options).value();
@@ -110,8 +125,8 @@ TEST(CsvStream, ARestatementChangesNothingForWhoHeardAll) {
 }
 
 TEST(CsvStream, TurnsJoinAtTheMeanStepAndTimeGoesOn) {
-  const auto motion = readCsvMotion("t,a\n10,1\n11,2\n12,3\n", "m", {}).value();
-  auto options = optionsFor("arm");
+  const auto motion = motionOf("t,a\n10,1\n11,2\n12,3\n");
+  auto options = someOptions();
   options.turns = 2;
   auto stream = CsvStream::open(motion, options).value();
   EXPECT_EQ(stream.period(), 3s);
@@ -122,8 +137,8 @@ TEST(CsvStream, TurnsJoinAtTheMeanStepAndTimeGoesOn) {
 }
 
 TEST(CsvStream, StampsTheClockWhenSendingAndNotBefore) {
-  const auto motion = readCsvMotion("t,a\n0,1\n1,2\n", "m", {}).value();
-  auto options = optionsFor("arm");
+  const auto motion = motionOf("t,a\n0,1\n1,2\n");
+  auto options = someOptions();
   WallTime now(1'700'000'000s);
   options.wall_now = [&now] { return now; };
   auto stream = CsvStream::open(motion, options).value();
@@ -133,29 +148,85 @@ TEST(CsvStream, StampsTheClockWhenSendingAndNotBefore) {
 }
 
 TEST(CsvStream, ATimeBeforeTheEpochIsNotSaid) {
-  const auto motion = readCsvMotion("t,a\n-1,1\n1,2\n", "m", {}).value();
-  auto stream = CsvStream::open(motion, optionsFor("arm")).value();
+  const auto motion = motionOf("t,a\n-1,1\n1,2\n");
+  auto stream = CsvStream::open(motion, someOptions()).value();
   const auto all = takeAll(stream);
   EXPECT_EQ(all[1].text, "RK1 arm@r 1 -\njoints arm 1\n");
   EXPECT_EQ(all[2].text, "RK1 arm@r 2 1\njoints arm 2\n");
 }
 
-TEST(CsvStream, RefusesWhatNeverFitsADatagram) {
-  const auto motion = readCsvMotion("t,a\n0," + std::string(300, '1') + "\n", "m", {}).value();
-  auto options = optionsFor("arm");
-  options.mtu_bytes = 200;
+TEST(CsvStream, RefusesWhatASourceWouldBeforeAnythingIsSent) {
+  const auto motion = motionOf("t,a_joint,another_joint,a_third_joint\n0,1,2,3\n");
+  auto options = someOptions();
+  options.mtu_bytes = 120;
   const auto stream = CsvStream::open(motion, options);
   ASSERT_FALSE(stream.ok());
-  EXPECT_NE(stream.error().what.find("--mtu is 200"), std::string::npos);
+  EXPECT_NE(stream.error().what.find("--mtu is 120"), std::string::npos);
   options.mtu_bytes = 400;
   EXPECT_TRUE(CsvStream::open(motion, options).ok());
-  options.device = std::string(256, 'x');
-  EXPECT_FALSE(CsvStream::open(motion, options).ok());
+  EXPECT_FALSE(CsvStream::open(motionOf("t,a\n0,1\n", std::string(256, 'x')), options).ok());
+  const auto poses =
+      motionOf("t,a:x,a:y,a:z,a:qx,a:qy,a:qz,a:qw\n0,1,2,3,0,0,0,1\n1,1,2,3,0,0,0,0\n", "");
+  EXPECT_EQ(CsvStream::open(poses, options).error().text(),
+            "the length of a quaternion differs from 1 by more than 0.001 (a, row 2)");
+}
+
+TEST(CsvStream, SeveralDevicesShareAPacketAndRestate) {
+  const auto motion = motionOf(
+      "t,arm.j1,tray:x,tray:y,tray:z,tray:qx,tray:qy,tray:qz,tray:qw,gantry.x\n"
+      "0,1,0,0,1,0,0,0,1,5\n0.5,1,0,0,1,0,0,0,1,6\n1,2,0,0,1,0,0,0,1,6\n",
+      "");
+  auto options = someOptions();
+  options.restate = 700ms;
+  auto stream = CsvStream::open(motion, options).value();
+  const auto all = takeAll(stream);
+  ASSERT_EQ(all.size(), 5U);
+  EXPECT_EQ(all[0].text, "RK1 arm@r 0 0\norder arm j1\norder gantry x\n");
+  // Rows are said whole, as every row of a table is.
+  EXPECT_EQ(all[2].text,
+            "RK1 arm@r 2 0.5\njoints arm 1\npose tray 0 0 1 0 0 0 1\njoints gantry 6\n");
+  EXPECT_EQ(all[3].text,
+            "RK1 arm@r 3 0.7 restated part=r1:1/1\norder arm j1\njoints arm 1\n"
+            "pose tray 0 0 1 0 0 0 1\norder gantry x\njoints gantry 6\n");
+  EXPECT_TRUE(all[3].restated);
+}
+
+TEST(CsvStream, RestatementsAreSpreadInRealTime) {
+  std::string csv = "t";
+  for (int device = 0; device < 100; ++device)
+    csv += ",device_" + std::to_string(device) + ".joint";
+  for (int row = 0; row < 300; ++row) {
+    csv += "\n" + std::to_string(row);
+    for (int device = 0; device < 100; ++device) csv += "," + std::to_string(row + device);
+  }
+  const auto motion = motionOf(csv, "");
+  for (const char* speed : {"0.1", "1/3", "1", "100"}) {
+    SCOPED_TRACE(speed);
+    auto options = someOptions();
+    options.restate = 2s;
+    options.speed = PlaybackSpeed::parse(speed).value();
+    auto stream = CsvStream::open(motion, options).value();
+    LogTime before = LogTime::min();
+    SessionState late;
+    PacketTextDecoder decoder;
+    std::size_t restated = 0;
+    for (const Sent& sent : takeAll(stream)) {
+      EXPECT_GE(sent.time, before);
+      before = sent.time;
+      restated += sent.restated;
+      // What a receiver counts is real time.
+      const LogTime heard(options.speed.realDuration(sent.time.time_since_epoch()));
+      if (restated > 0) late.apply(heard, *decoder.decode(bytesOf(sent.text)));
+    }
+    EXPECT_GT(restated, 3U);
+    EXPECT_EQ(late.devices().size(), 100U);
+    for (const auto& [name, device] : late.devices()) EXPECT_FALSE(device.joints) << name;
+  }
 }
 
 TEST(CutStream, EndsBeforeItsMoment) {
-  const auto motion = readCsvMotion("t,a\n0,1\n1,2\n2,3\n", "m", {}).value();
-  auto stream = CsvStream::open(motion, optionsFor("arm")).value();
+  const auto motion = motionOf("t,a\n0,1\n1,2\n2,3\n");
+  auto stream = CsvStream::open(motion, someOptions()).value();
   CutStream cut(stream, LogTime(2s));
   EXPECT_EQ(takeAll(cut).size(), 3U);
 }

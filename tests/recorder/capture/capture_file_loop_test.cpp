@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "recorder/capture/stream_loop.h"
 #include "tests/core/net/fake_source.h"
 
 namespace rocinante {
@@ -74,7 +75,7 @@ struct Reading {
   explicit Reading(std::size_t max_blocks) : queue(max_blocks) {}
   FakeSource file{"pcap://./x.pcap"};
   HandOver queue;
-  CaptureFileLoop loop{file, queue};
+  CaptureFileLoop loop{file, queue, LogTime{}};
 };
 
 TEST(CaptureFileLoop, DropsNothingWhenTheWriterIsSlow) {
@@ -112,7 +113,7 @@ TEST(CaptureFileLoop, DropsNothingWhenTheWriterIsSlow) {
     ++full;
     drain();
   }
-  reading.loop.finish();
+  ASSERT_TRUE(reading.loop.finish().ok());
   EXPECT_TRUE(drain());
   EXPECT_EQ(next, 2 * kCount);
   EXPECT_GT(full, 10);
@@ -123,7 +124,7 @@ TEST(CaptureFileLoop, TellsStepsAndWhatTheCaptureCut) {
   reading.file.arrive({{"a", stamp(1h)}, {"b", stamp(0s), "10.0.0.1", 1, /*truncated=*/true}});
   reading.file.end();
   while (!reading.loop.ended()) ASSERT_TRUE(reading.loop.pass().ok());
-  reading.loop.finish();
+  ASSERT_TRUE(reading.loop.finish().ok());
   const TakenOver taken = reading.queue.take(0ns);
   ASSERT_EQ(taken.steps.size(), 1U);
   EXPECT_EQ(taken.steps[0].step, Nanoseconds(-1h));
@@ -137,11 +138,47 @@ TEST(CaptureFileLoop, KeepsWhatStandsBeforeABreak) {
   ASSERT_TRUE(reading.loop.pass().ok());
   reading.file.fail();
   EXPECT_FALSE(reading.loop.pass().ok());
-  reading.loop.finish();
+  ASSERT_TRUE(reading.loop.finish().ok());
   const TakenOver taken = reading.queue.take(0ns);
   ASSERT_EQ(taken.blocks.size(), 1U);
   EXPECT_EQ(taken.blocks[0]->arrivals().size(), 1U);
   EXPECT_TRUE(taken.finished);
+}
+
+TEST(StreamLoop, HandsOverAtOnceAndTellsTheSourceWhatIsSaved) {
+  FakeSource stream{"jetstream://h/S"};
+  HandOver queue(4);
+  NoteBox notes;
+  StreamLoop loop(stream, queue, moment(9h), notes);
+  stream.arrive({{"a", stamp(0s)}, {"b", stamp(1s)}});
+  stream.drop(3);
+  stream.mend("connected again");
+  ASSERT_TRUE(*loop.pass());
+  ASSERT_FALSE(*loop.pass());
+  ASSERT_EQ(notes.take().size(), 1U);
+  TakenOver taken = queue.take(0ns);
+  ASSERT_EQ(taken.blocks.size(), 1U);
+  EXPECT_EQ(taken.blocks[0]->arrivals().size(), 2U);
+  ASSERT_EQ(taken.losses.size(), 1U);
+  EXPECT_EQ(taken.losses[0].from, moment(1s));
+  EXPECT_EQ(taken.losses[0].counts.kernel, 3U);
+  EXPECT_EQ(stream.confirmed(), 0U);
+  loop.noteSaved(2);
+  ASSERT_FALSE(*loop.pass());
+  EXPECT_EQ(stream.confirmed(), 2U);
+}
+
+TEST(StreamLoop, WhatIsGoneBeforeAnythingCameIsALossAtTheBeginning) {
+  FakeSource stream{"jetstream://h/S"};
+  HandOver queue(4);
+  NoteBox notes;
+  StreamLoop loop(stream, queue, moment(9h), notes);
+  stream.drop(2);
+  ASSERT_FALSE(*loop.pass());
+  ASSERT_TRUE(loop.finish().ok());
+  const TakenOver taken = queue.take(0ns);
+  ASSERT_EQ(taken.losses.size(), 1U);
+  EXPECT_EQ(taken.losses[0].from, moment(9h));
 }
 
 }  // namespace

@@ -4,13 +4,16 @@
 #include <sys/prctl.h>
 #include <unistd.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "core/log/log_reader.h"
 #include "core/net/udp_socket.h"
+#include "tests/core/subscription/loopback_relay.h"
 #include "tests/support/network_namespace.h"
 #include "tests/support/programs.h"
+#include "tests/support/udp_queue.h"
 
 // What the real program receives, refuses and forwards, over real sockets.
 namespace rocinante {
@@ -80,6 +83,62 @@ TEST(RecordInputs, RecordsOnlyWhomAllowNames) {
   EXPECT_EQ(summary["endpoints"][1]["refused"], 10);
   EXPECT_EQ(summary["losses"]["kernel"], 0);
   EXPECT_EQ(recording.payloads(), std::vector<std::string>(10, "kept"));
+}
+
+TEST(RecordInputs, RecordsWhatARelaySends) {
+  test::LoopbackRelay relay;
+  Recording recording({relay.endpoint(), "127.0.0.1:0"});
+  recording.program.waitForLine("subscribed to relay hall at " + relay.endpoint());
+  // As long as it takes the lease to be kept under constant traffic.
+  int sent = 0;
+  bool kept = false;
+  const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  while (!kept && std::chrono::steady_clock::now() < give_up) {
+    const bool is_sent = relay.send("RK1 arm " + std::to_string(sent) + " -\njoints arm 1\n");
+    sent += is_sent ? 1 : 0;
+    relay.with([&](const test::FakeRelay& each) { kept = each.kept > 0; });
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  EXPECT_TRUE(kept);
+  ASSERT_TRUE(relay.send("RK1 arm 5 - by=hall restated part=g:1/1\njoints arm 1\n"));
+  ASSERT_TRUE(relay.send("last"));
+  ASSERT_TRUE(recording.sender().send(bytesOf("RKS1 leave id=0000000000000000\n")).ok());
+  ASSERT_TRUE(recording.sender().send(bytesOf("direct")).ok());
+  for (const std::uint16_t port : {relay.subscriber().port, recording.bound.at(0).address.port}) {
+    ASSERT_TRUE(test::waitUntilTaken(port));
+  }
+  const Json status = recording.finish();
+  EXPECT_EQ(status["packets"], sent + 3);
+  EXPECT_EQ(status["endpoints"][0]["endpoint"], relay.endpoint());
+  EXPECT_EQ(status["endpoints"][0]["requests"], 0);
+  EXPECT_EQ(status["endpoints"][0]["strangers"], 0);
+  EXPECT_EQ(status["endpoints"][1]["requests"], 1);
+  EXPECT_TRUE(relay.waitUntil([](const test::FakeRelay& each) { return each.left == 1; }));
+
+  std::map<std::string, int> by_topic;
+  auto log = LogReader::open(recording.folder / "log.mcap");
+  ASSERT_TRUE(log.ok());
+  for (auto message = log->next(); message && *message; message = log->next()) {
+    ++by_topic[(*message)->channel->topic];
+    EXPECT_EQ(textOf((*message)->payload).find("RKS1"), std::string_view::npos);
+  }
+  const std::string root = "/subscribe/" + relay.address().text();
+  EXPECT_EQ(by_topic[root + "/arm"], sent);
+  EXPECT_EQ(by_topic[root + "/127.0.0.1"], 1);
+  EXPECT_EQ(by_topic["/rocinante/restated" + root + "/arm"], 1);
+
+  // It replays like any other.
+  auto receiver = UdpReceiver::open(Endpoint::parse("127.0.0.1:0").value());
+  ASSERT_TRUE(receiver.ok());
+  auto play = Program::start("rocinante-play",
+                             {(recording.folder / "log.mcap").string(), "--to",
+                              receiver->boundAddress().text(), "--asap", "--channel", root + "/*"});
+  EXPECT_EQ(play.finish().exit_code, 0);
+  std::vector<std::string> played;
+  for (auto batch = receiver->receive(); batch && !batch->empty(); batch = receiver->receive()) {
+    for (const ReceivedDatagram& each : *batch) played.emplace_back(textOf(each.payload));
+  }
+  EXPECT_THAT(played, testing::Contains("last"));
 }
 
 TEST(RecordInputs, SendsOnEverythingVerbatim) {

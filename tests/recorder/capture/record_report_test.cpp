@@ -92,7 +92,8 @@ TEST(RecordReport, JsonHoldsTheWholeAccount) {
   },
   "packets_before": 0,
   "warnings": []
-})");
+}
+)");
 }
 
 TEST(RecordReport, AFileNameThatIsNoUtf8StillPrints) {

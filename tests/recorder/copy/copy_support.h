@@ -59,6 +59,7 @@ inline void writeRandomLog(const std::filesystem::path& path, std::uint64_t seed
     if (found != channels.end()) return found->second;
     std::map<std::string, std::string> metadata{{"remote", options.remote}};
     if (!source.empty()) metadata["source"] = source;
+    if (topic.starts_with("/rocinante/decoded")) metadata["decoder"] = "probe-1";
     const ChannelId id = *session.addChannel(topic, encoding, metadata);
     channels.emplace(topic, id);
     return id;
@@ -89,6 +90,10 @@ inline void writeRandomLog(const std::filesystem::path& path, std::uint64_t seed
       const ChannelId octets = channelOf("/udp/1/127.0.0.1", "octets", {});
       const std::uint32_t number = sequences[octets]++;
       ASSERT_TRUE(session.write(octets, number, at(time_ns), time_ns, bytesOf(bytes)).ok());
+      const std::string packet = "RK1 decoded:probe - -\njoints probe " + std::to_string(number);
+      const ChannelId packets =
+          channelOf("/rocinante/decoded/udp/1/127.0.0.1", "rk1", "decoded:probe");
+      ASSERT_TRUE(session.write(packets, number, at(time_ns), time_ns, bytesOf(packet)).ok());
     }
     if (random.below(40) == 0) {
       ASSERT_TRUE(

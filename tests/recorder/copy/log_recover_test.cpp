@@ -8,9 +8,9 @@
 #include "core/base/atomic_file.h"
 #include "core/log/log_profile.h"
 #include "core/mcap/parse_record.h"
-#include "core/mcap/stream_reader.h"
 #include "core/session/marks.h"
 #include "tests/recorder/copy/copy_support.h"
+#include "tests/support/stream_reader.h"
 
 namespace rocinante::test {
 namespace {
@@ -38,7 +38,7 @@ Result<CopyReport> recoverInto(Bytes& out, ByteView bytes) {
 /// Reads strictly by the MCAP format; returns the messages of other channels than ours.
 std::vector<std::string> strictPayloads(ByteView file) {
   std::vector<std::string> payloads;
-  Result<mcap::StreamReader> reader = mcap::StreamReader::open(file);
+  Result<test::StreamReader> reader = test::StreamReader::open(file);
   EXPECT_TRUE(reader.ok());
   std::map<std::uint16_t, std::string> topics;
   while (reader.ok()) {

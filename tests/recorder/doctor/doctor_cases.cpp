@@ -145,7 +145,7 @@ const std::vector<DoctorCase>& doctorCases() {
       {"chunk-unread",
        [](HandMade& log) {
          foreign(log);
-         log.chunks[0].change = [](mcap::Chunk& chunk) { chunk.compression = "lz4"; };
+         log.chunks[0].change = [](mcap::Chunk& chunk) { chunk.compression = "snappy"; };
        },
        {}},
       {"chunk-records",
@@ -294,13 +294,18 @@ const std::vector<DoctorCase>& doctorCases() {
        {}},
       {"profile-compression",
        [](HandMade& log) {
-         log.chunks[0].change = [](mcap::Chunk& chunk) { chunk.compression = "lz4"; };
+         log.chunks[0].change = [](mcap::Chunk& chunk) { chunk.compression = "snappy"; };
        },
        {}},
       {"profile-schema",
        [](HandMade& log) {
          log.loose = recordOf(mcap::Schema{1, "n", "json", {}});
-         log.change_statistics = [](mcap::Statistics& said) { said.schema_count = 1; };
+         const Bytes channel = recordOf(mcap::Channel{3, 1, "/x", "json", {}});
+         log.loose.insert(log.loose.end(), channel.begin(), channel.end());
+         log.change_statistics = [](mcap::Statistics& said) {
+           said.schema_count = 1;
+           said.channel_count = 3;
+         };
        },
        {}},
       {"chunk-alone", [](HandMade& log) { log.chunks[1].channels.clear(); }, {}},

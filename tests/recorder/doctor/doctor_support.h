@@ -12,15 +12,19 @@
 #include "core/base/hash.h"
 #include "core/log/log_profile.h"
 #include "core/mcap/append_record.h"
+#include "core/mcap/record_stepper.h"
 #include "core/mcap/records.h"
-#include "core/mcap/stream_reader.h"
 #include "recorder/doctor/log_doctor.h"
 
-namespace rocinante::test {
+namespace rocinante {
 
-inline void PrintTo(const Breach& breach, std::ostream* out) {
-  *out << breach.rule << " at " << breach.offset << ": " << breach.what;
+inline void PrintTo(const Finding& breach, std::ostream* out) {
+  *out << breach.rule << " at " << breach.byte.value_or(0) << ": " << breach.text;
 }
+
+}  // namespace rocinante
+
+namespace rocinante::test {
 
 /// A file of the profile, assembled by hand, so that a test can break one rule and leave everything
 /// else correct: checksums, offsets and counts match the contents unless a test overrides them.

@@ -46,7 +46,7 @@ TEST(LogDoctor, NamesExactlyTheRuleThatIsBroken) {
     const DoctorReport report = examine(file);
     EXPECT_THAT(rulesOf(report), ElementsAre(each.rule))
         << testing::PrintToString(report.breaches());
-    for (const Breach& breach : report.breaches()) EXPECT_LE(breach.offset, file.size());
+    for (const Finding& breach : report.breaches()) EXPECT_LE(*breach.byte, file.size());
   }
 }
 
@@ -71,10 +71,10 @@ TEST(LogDoctor, TellsTheOffsetOfTheBrokenChunk) {
   const Bytes file = log.bytes();
   const DoctorReport report = examine(file);
   ASSERT_EQ(report.breaches().size(), 1U);
-  const auto chunk = mcap::recordAt(file, report.breaches()[0].offset);
+  const auto chunk = mcap::recordAt(file, *report.breaches()[0].byte);
   ASSERT_TRUE(chunk.has_value());
   EXPECT_EQ(chunk->opcode, Opcode::chunk);
-  EXPECT_THAT(report.breaches()[0].what, HasSubstr("fails its checksum"));
+  EXPECT_THAT(report.breaches()[0].text, HasSubstr("fails its checksum"));
 }
 
 TEST(LogDoctor, ListsTwentyOfARuleAndCountsAll) {

@@ -41,7 +41,7 @@ class SpyTest : public testing::Test {
 
   SpyReport after(Nanoseconds time) { return spy.report(kBegan + time); }
 
-  static auto reason(std::string name) { return Field("name", &SpyReason::name, name); }
+  static auto reason(std::string rule) { return Field("rule", &Finding::rule, rule); }
 
   Spy spy{endpoints(), kBegan};
 };
@@ -49,7 +49,7 @@ class SpyTest : public testing::Test {
 TEST_F(SpyTest, SilenceIsToldAfterTwoSeconds) {
   EXPECT_THAT(after(seconds(1)).reasons, IsEmpty());
   const SpyReport report = after(seconds(3));
-  ASSERT_THAT(report.reasons, ElementsAre(reason("nothing_arrives")));
+  ASSERT_THAT(report.reasons, ElementsAre(reason("live.nothing-received")));
   EXPECT_THAT(report.reasons[0].text, HasSubstr("udp://127.0.0.1:19960"));
 }
 
@@ -93,7 +93,7 @@ TEST_F(SpyTest, WhoSendsWhatIsNoPacketIsShownItsFirstBytes) {
   ASSERT_THAT(report.senders, SizeIs(2));
   EXPECT_EQ(report.senders[0].first_bytes, "\"RK2 me - -\\x0a\"");
   EXPECT_EQ(report.senders[1].first_bytes, "00ff");
-  EXPECT_THAT(report.reasons, Contains(reason("not_packet_text")));
+  EXPECT_THAT(report.reasons, Contains(reason("live.nothing-decoded")));
 }
 
 TEST_F(SpyTest, RatesAreOfTheLastTwoSeconds) {
@@ -124,8 +124,8 @@ TEST_F(SpyTest, DevicesShowTheirLastValuesAndWhetherTheyMove) {
   EXPECT_EQ(report.devices[1].changes, 1U);
   EXPECT_EQ(report.devices[2].pose->position.z, 3);
   EXPECT_EQ(report.devices[2].carrier, "a/tool");
-  EXPECT_THAT(report.reasons, Contains(AllOf(reason("constant"),
-                                             Field(&SpyReason::text, HasSubstr("a received")))));
+  EXPECT_THAT(report.reasons, Contains(AllOf(reason("live.constant"),
+                                             Field(&Finding::text, HasSubstr("a received")))));
 }
 
 TEST_F(SpyTest, EachKindOfFaultKeepsItsFirstLineWithItsColumn) {
@@ -149,7 +149,38 @@ TEST_F(SpyTest, TwoSendersOfOneNameAreFoundOut) {
     hear(fmt::format("RK1 arm@r {} -\n", 10 + i), milliseconds(20 * i), 40'000);
     hear(fmt::format("RK1 arm@s {} -\n", 20 + i), milliseconds(20 * i + 10), 40'001);
   }
-  EXPECT_THAT(after(seconds(1)).reasons, Contains(reason("two_senders")));
+  EXPECT_THAT(after(seconds(1)).reasons, Contains(reason("live.two-senders")));
+}
+
+TEST_F(SpyTest, TwoPathsOfOneSourceAreNotTwoSenders) {
+  for (int i = 0; i < 5; ++i) {
+    hear(fmt::format("RK1 arm@r {} -\n", 10 + i), milliseconds(20 * i), 40'000);
+    hear(fmt::format("RK1 arm@r {} -\n", 10 + i), milliseconds(20 * i + 10), 40'001);
+  }
+  const SpyReport report = after(seconds(1));
+  EXPECT_THAT(report.reasons, Contains(reason("live.two-paths")));
+  EXPECT_THAT(report.reasons, Not(Contains(reason("live.two-senders"))));
+  EXPECT_THAT(report.reasons, Not(Contains(reason("source.gap"))));
+}
+
+TEST_F(SpyTest, ASourceHeardWholeAndFilteredIsReported) {
+  hear("RK1 arm@r 7 - via=hub:slow:0\n", milliseconds(10));
+  hear("RK1 arm@r 7 - by=hub restated part=g:1/1\n", milliseconds(15));
+  hear("RK1 arm@r 9 - via=hub:slow:1\n", milliseconds(20));
+  EXPECT_THAT(after(milliseconds(30)).reasons, Not(Contains(reason("source.mixed"))));
+  // Late, and heard all the same.
+  hear("RK1 arm@r 8 -\n", milliseconds(30), 40'001);
+  EXPECT_THAT(after(milliseconds(40)).reasons, Contains(reason("source.mixed")));
+}
+
+TEST_F(SpyTest, RequestsAndStrangersAreReported) {
+  InputCounts counts;
+  counts.requests = 3;
+  counts.strangers = 1;
+  spy.setDropped(0, 0, counts);
+  const SpyReport report = after(milliseconds(40));
+  EXPECT_THAT(report.reasons, ElementsAre(reason("live.strangers"), reason("live.requests")));
+  EXPECT_THAT(spyJson(report, false), AllOf(HasSubstr("\"strangers\""), HasSubstr("\"requests\"")));
 }
 
 TEST_F(SpyTest, ASourceThatStartsAnewIsNoSecondSender) {
@@ -157,7 +188,7 @@ TEST_F(SpyTest, ASourceThatStartsAnewIsNoSecondSender) {
   hear("RK1 arm@s 0 -\n", milliseconds(20), 40'001);
   hear("RK1 arm@s 1 -\n", milliseconds(30), 40'001);
   const SpyReport report = after(milliseconds(40));
-  EXPECT_THAT(report.reasons, Not(Contains(reason("two_senders"))));
+  EXPECT_THAT(report.reasons, Not(Contains(reason("live.two-senders"))));
   EXPECT_EQ(report.sources[0].restarts, 1U);
   EXPECT_EQ(report.sources[0].run, "s");
 }
@@ -168,9 +199,51 @@ TEST_F(SpyTest, ClocksApartAndLossesAreTold) {
   spy.setDropped(0, 4);
   const SpyReport report = after(milliseconds(700));
   EXPECT_EQ(report.sources[0].gap, 8U);
-  EXPECT_THAT(report.reasons, AllOf(Contains(reason("gap")), Contains(reason("clock")),
-                                    Contains(reason("kernel_drops"))));
+  EXPECT_THAT(report.reasons,
+              AllOf(Contains(reason("source.gap")), Contains(reason("source.clock-skew")),
+                    Contains(reason("log.loss"))));
   EXPECT_EQ(report.sources[0].clock_offset, Nanoseconds(seconds(60)));
+}
+
+TEST_F(SpyTest, JudgesSourcesAsCheckDoesAndKeepsOldIdsInItsJson) {
+  hear("RK1 arm@r 0 -\njoints a 1\n", milliseconds(10));
+  hear("RK1 arm@r 5 -\njoints a 2\n", milliseconds(20));
+  hear("RK1 arm@r 3 -\njoints a 3\n", milliseconds(30));
+  const SpyReport report = after(milliseconds(40));
+  ASSERT_THAT(report.reasons, ElementsAre(reason("source.gap"), reason("source.late")));
+  EXPECT_EQ(report.reasons[1].text, "packets of source arm that arrived late and were dropped");
+  EXPECT_EQ(report.reasons[1].count, 1U);
+  EXPECT_THAT(spyJson(report, false),
+              AllOf(HasSubstr("\"reason\":\"late\""), HasSubstr("\"id\":\"source.late\""),
+                    HasSubstr("\"old_id\":\"late\"")));
+}
+
+TEST_F(SpyTest, EveryFaultHasARuleWithItsFirstLineAndSender) {
+  hear("RK1 arm@r 0 -\njoints a nan\njoints a 1,0\n", milliseconds(10));
+  hear("RK1 arm@r 1 -\norder b x y\njoints b 1 2 3\n", milliseconds(20));
+  hear("RK2 arm\n", milliseconds(30), 40'001);
+  const SpyReport report = after(milliseconds(40));
+  EXPECT_THAT(report.reasons,
+              ElementsAre(reason("packet.bad-number"), reason("packet.joint-count"),
+                          reason("packet.not-finite"), reason("packet.unknown-protocol")));
+  const auto example = [&](std::size_t number) { return report.reasons[number].example; };
+  EXPECT_EQ(example(1), "127.0.0.1:40000, line 3: joints b 1 2 3");
+  EXPECT_EQ(example(2), "127.0.0.1:40000, line 2: joints a nan");
+  EXPECT_EQ(example(3), "127.0.0.1:40001, line 1: RK2 arm");
+  EXPECT_THAT(report.reasons[0].hint, HasSubstr("no comma"));
+}
+
+TEST_F(SpyTest, RemovedDevicesAreFoundOnlyWhenTheyAreUsedAgain) {
+  hear("RK1 arm@r 0 -\npose a 0 0 0 0 0 0 1\nremove a\n", milliseconds(10));
+  EXPECT_THAT(after(milliseconds(20)).reasons, IsEmpty());
+  hear("RK1 arm@r 1 -\npose a 0 0 0 0 0 0 1\n", milliseconds(30));
+  EXPECT_THAT(after(milliseconds(40)).reasons, ElementsAre(reason("packet.after-remove")));
+}
+
+TEST_F(SpyTest, TwoSourcesOfOneDeviceAreFound) {
+  hear("RK1 arm@r 0 -\njoints a 1\n", milliseconds(10));
+  hear("RK1 cam@r 0 -\njoints a 2\n", milliseconds(20));
+  EXPECT_THAT(after(milliseconds(40)).reasons, ElementsAre(reason("packet.two-sources")));
 }
 
 TEST_F(SpyTest, StrangersWithoutNumberFillNoMemory) {

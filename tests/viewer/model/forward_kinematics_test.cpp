@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/base/number_list.h"
 #include "core/math/trigonometry.h"
 #include "tests/core/cell/cell_fixture.h"
 

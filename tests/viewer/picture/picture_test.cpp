@@ -15,6 +15,7 @@
 namespace rocinante {
 namespace {
 
+using ::testing::AnyOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
@@ -203,7 +204,9 @@ TEST_F(OtherPictures, GiveASentenceWhenTheyAreNone) {
   EXPECT_EQ(text.error().text().find('\n'), std::string::npos);
   EXPECT_THAT(text.error().text(), HasSubstr("a.jpg"));
   std::ofstream(folder_ / "b.ppm", std::ios::binary) << "P6\n20000 20000\n255\nx";
-  EXPECT_THAT(readPicture(folder_ / "b.ppm").error().text(), HasSubstr("at most 268435456"));
+  // OpenImageIO 3.1 refuses it first, in words of its own.
+  EXPECT_THAT(readPicture(folder_ / "b.ppm").error().text(),
+              AnyOf(HasSubstr("at most 268435456"), HasSubstr("a 1144 MB image from a 20 byte")));
 }
 
 TEST_F(OtherPictures, JpegTexturesDecodeToTheSameBytesEverywhere) {

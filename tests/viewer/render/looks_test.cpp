@@ -20,6 +20,7 @@ using test::TestCell;
 std::vector<std::string> wordsOf(const StyleKey& key) {
   const std::string begin = std::string(key.key) + "=";
   std::vector<std::string> words;
+  if (key.values == "PATH@X,Y,Z~PATH@X,Y,Z") return {begin + "box@1,1,1~box@-1,0.5,1"};
   if (key.repeats) {
     words.push_back(begin + "box");
     if (key.values.find("#GROUP") != key.values.npos) words.push_back(begin + "box#2");
@@ -278,9 +279,45 @@ TEST(Looks, ACloseViewWithoutPerspectiveHasFineDepthsInALargeSite) {
   EXPECT_LT(at(close, 80, 80 + 50).r, at(close, 80, 80 + 50).g);
 }
 
+TEST(Looks, AxesOfLinksAreDrawnOverEverythingInTheirColours) {
+  TestCell cell;
+  cell.add("box", squareMesh(4), {0, 0, 0}, colored(0.5F, 0.5F, 0.5F));
+  Studio studio(cell);
+  const Picture plain = studio.drawn({});
+  const Picture axes = studio.drawn({"axes=box"});
+  // From the front x points to the right and z up; y away from the eye.
+  EXPECT_GT(at(axes, 80 + 20, 80).r, at(axes, 80 + 20, 80).g + 60);
+  EXPECT_GT(at(axes, 80, 80 - 20).b, at(axes, 80, 80 - 20).r + 60);
+  EXPECT_EQ(at(axes, 80 - 20, 80), at(plain, 80 - 20, 80));
+  EXPECT_EQ(at(axes, 80 + 45, 80), at(plain, 80 + 45, 80)) << "34 pixels long";
+  EXPECT_EQ(differingPixels(studio.drawn({"axes=*"}), axes), 0);
+  EXPECT_EQ(differingPixels(studio.drawn({"axes=other"}), plain), 0);
+  EXPECT_EQ(differingPixels(studio.drawn({"axes=box"}, frontView(), {"layer/gnomon", "box"}),
+                            studio.drawn({}, frontView(), {"layer/gnomon", "box"})),
+            0)
+      << "nothing of what is hidden";
+}
+
+TEST(Looks, ADistanceIsALineBetweenTwoPointsWithItsLength) {
+  TestCell cell;
+  cell.add("a", squareMesh(1), {-3, 0, -2}, colored(0.1F, 0.1F, 0.1F))
+      .add("b", squareMesh(1), {3, 0, -2}, colored(0.1F, 0.1F, 0.1F));
+  Studio studio(cell);
+  const Picture plain = studio.drawn({});
+  const Picture line = studio.drawn({"measure=a@0,0,0~b@0,0,0"});
+  // On the line, away from the label at its middle.
+  EXPECT_GT(at(line, 80 - 24, 80 + 32).r, 200);
+  EXPECT_LT(at(line, 80 - 24, 80 + 32).b, 120);
+  EXPECT_GT(differingPixels(line, studio.drawn({"measure=a@0,0,0~b@0,0,0", "lengths=m"})), 10);
+  EXPECT_EQ(differingPixels(studio.drawn({"measure=a@0,0,0~c@0,0,0"}), plain), 0);
+}
+
 TEST(Looks, BearWithScenesThatAreNone) {
-  const std::vector<std::string> all{"shadows",   "edges",        "limits",     "ghosts=clear",
-                                     "scale-bar", "labels=apart", "outlined=*", "collision-over=*"};
+  const std::vector<std::string> all{"shadows",    "edges",
+                                     "limits",     "ghosts=clear",
+                                     "scale-bar",  "labels=apart",
+                                     "outlined=*", "collision-over=*",
+                                     "axes=*",     "measure=far@0,0,0~nowhere@0,0,0"};
   TestCell empty;
   Studio nothing(empty);
   EXPECT_EQ(at(nothing.drawn(all), 80, 80), (Rgb{0, 0, 0}));

@@ -9,6 +9,7 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/viewer/support/test_scene.h"
 #include "viewer/gl/egl_context.h"
+#include "viewer/gl/gl_table.h"
 #include "viewer/gl/offscreen_context.h"
 #include "viewer/picture/picture.h"
 
@@ -365,6 +366,16 @@ TEST(GlTable, NamesTheFirstFunctionThatIsMissing) {
   const auto gl = fillGlTable([](const char*) -> GlProc { return nullptr; });
   ASSERT_FALSE(gl.has_value());
   EXPECT_NE(gl.error().what.find("glActiveTexture"), std::string::npos);
+}
+
+TEST(EglContext, OneThatEndsLeavesTheCurrentOneCurrent) {
+  auto first = makeEglContext();
+  if (!first) GTEST_SKIP() << first.error().text();
+  const auto second = makeEglContext();
+  ASSERT_TRUE(second.has_value()) << second.error().text();
+  first->reset();
+  const auto gl = fillGlTable([&](const char* name) { return (*second)->procAddress(name); });
+  EXPECT_TRUE(gl.has_value()) << gl.error().text();
 }
 
 TEST(EglContext, DrawsTheSameBytesAsOsmesa) {

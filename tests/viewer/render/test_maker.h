@@ -53,7 +53,7 @@ class MakerTest : public testing::Test {
   FrameMaker openCell(const std::filesystem::path& file, bool with_session = true) {
     auto cell = loadCell(file, {});
     EXPECT_TRUE(cell.has_value()) << cell.error().text();
-    for (const ModelFault& fault : cell->faults) {
+    for (const Finding& fault : cell->faults) {
       EXPECT_NE(fault.severity, Severity::error) << fault.print();
     }
     std::optional<Timeline> session;

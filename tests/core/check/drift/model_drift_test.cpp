@@ -68,13 +68,13 @@ struct LoadedCell {
     Result<Cell> loaded = loadCell(folder / "cell.toml", {});
     EXPECT_TRUE(loaded.ok());
     if (loaded) cell = std::move(*loaded);
-    for (const ModelFault& fault : cell.faults) ADD_FAILURE() << fault.print();
+    for (const Finding& fault : cell.faults) ADD_FAILURE() << fault.print();
   }
   const test::TemporaryFolder folder;
   Cell cell;
 };
 
-std::vector<Finding> driftBetween(const Files& recorded, const Files& given) {
+Findings driftBetween(const Files& recorded, const Files& given) {
   const LoadedCell was(recorded), is(given);
   return modelDrift(was.cell, is.cell);
 }
@@ -345,7 +345,7 @@ TEST(ModelDrift, FindsEachSmallChangeAndNothingElse) {
       at += mutation.to.size();
     }
     ASSERT_GT(times, 0U) << "the mutation changes nothing";
-    const std::vector<Finding> found = driftBetween(soundFiles(), changed);
+    const Findings found = driftBetween(soundFiles(), changed);
     std::vector<std::string> rules;
     std::string said;
     for (const Finding& finding : found) {
@@ -385,7 +385,7 @@ TEST(ModelDrift, SaysWhichValuesWouldDriveEachOthersJoint) {
                     finger = text.find("  <joint name=\"finger\"");
   text = text.substr(0, shoulder) + text.substr(elbow, finger - elbow) +
          text.substr(shoulder, elbow - shoulder) + text.substr(finger);
-  const std::vector<Finding> found = driftBetween(soundFiles(), swapped);
+  const Findings found = driftBetween(soundFiles(), swapped);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].rule, "drift.joint-order");
   EXPECT_THAT(found[0].text,
@@ -400,7 +400,7 @@ TEST(ModelDrift, HintsAtTheCountThatMakesADeviceStandStill) {
               "<child link=\"x\"/> </joint>");
   EXPECT_THAT(driftBetween(soundFiles(), longer)[0].hint,
               HasSubstr("have 3 values and the model takes 4: arm would not move"));
-  const std::vector<Finding> back = driftBetween(longer, soundFiles());
+  const Findings back = driftBetween(longer, soundFiles());
   ASSERT_EQ(back.size(), 2U);
   EXPECT_EQ(back[0].rule, "drift.joint-removed");
   EXPECT_THAT(back[0].hint, HasSubstr("have 4 values and the model takes 3"));

@@ -195,7 +195,7 @@ Result<CheckReport> judgeExample(const RuleExample& example) {
   if (const auto bundle = readAttachedCell(*log); bundle.ok() && *bundle) {
     const Result<Cell> recorded = loadBundle(**bundle, "session.mcap:cell/", {});
     if (!recorded) return recorded.error();
-    const std::vector<Finding> drift = modelDrift(*recorded, *cell);
+    const Findings drift = modelDrift(*recorded, *cell);
     report->findings.insert(report->findings.end(), drift.begin(), drift.end());
   }
   if (example.files.contains("baseline.json")) {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/check/rules/finding.h"
+#include "core/check/rules/check_report.h"
 #include "tests/core/check/rules/rule_page.h"
 
 namespace rocinante::test {

@@ -3,12 +3,13 @@
 #include <cstdio>
 
 #include "tests/core/mcap/conformance/record_json.h"
+#include "tests/support/stream_reader.h"
 
 int main(int argc, char** argv) {
   using namespace rocinante;
   if (argc != 2) return 2;
   const std::string file = test::readWhole(argv[1]);
-  Result<mcap::StreamReader> reader = mcap::StreamReader::open(bytesOf(file));
+  Result<test::StreamReader> reader = test::StreamReader::open(bytesOf(file));
   test::Json records = test::Json::array();
   while (reader.ok()) {
     const Result<std::optional<mcap::Record>> record = reader->next();

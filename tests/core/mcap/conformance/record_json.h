@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "core/mcap/stream_reader.h"
+#include "core/mcap/record_stepper.h"
 
 namespace rocinante::test {
 

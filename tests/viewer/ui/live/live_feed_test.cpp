@@ -3,10 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <functional>
 #include <string>
 #include <thread>
 
 #include "core/net/udp_socket.h"
+#include "core/signing/trust_judge.h"
+#include "tests/core/signing/signing_support.h"
+#include "tests/core/subscription/loopback_relay.h"
 #include "tests/support/udp_queue.h"
 
 namespace rocinante {
@@ -40,20 +44,95 @@ TEST(LiveFeed, FoldsWhatComesAndHandsItOverOnce) {
   }
   ASSERT_TRUE(sender->send(bytesOf("not a packet")).ok());
 
-  std::unique_ptr<LiveSnapshot> newest;
+  const auto newest = std::make_unique<LiveSnapshot>();
   const auto deadline = std::chrono::steady_clock::now() + 1min;
-  while (std::chrono::steady_clock::now() < deadline &&
-         (newest == nullptr || newest->datagrams < kCount + 1)) {
-    if (auto snapshot = feed->take()) newest = std::move(snapshot);
+  while (std::chrono::steady_clock::now() < deadline && newest->datagrams < kCount + 1) {
+    feed->update(*newest);
     std::this_thread::yield();
   }
-  ASSERT_NE(newest, nullptr);
   EXPECT_EQ(newest->datagrams, kCount + 1U);
   EXPECT_EQ(newest->undecoded, 1U);
   EXPECT_EQ(newest->gaps, 0U);
   const auto arm = newest->state.devices().find("arm");
   ASSERT_NE(arm, newest->state.devices().end());
   EXPECT_EQ(arm->second.joints->value, std::vector<double>{kCount - 1});
+}
+
+/// The newest snapshot once it holds; null after 20 s.
+std::unique_ptr<LiveSnapshot> waitFor(
+    LiveFeed& feed, const std::function<bool(const LiveSnapshot&)>& holds,
+    const std::function<void()>& meanwhile = [] {}) {
+  const auto deadline = std::chrono::steady_clock::now() + 20s;
+  auto snapshot = std::make_unique<LiveSnapshot>();
+  while (std::chrono::steady_clock::now() < deadline) {
+    meanwhile();
+    if (feed.update(*snapshot) && holds(*snapshot)) return snapshot;
+    std::this_thread::sleep_for(2ms);
+  }
+  return nullptr;
+}
+
+TEST(LiveFeed, SeveralEndpointsGiveOneState) {
+  const Endpoint left = freeEndpoint();
+  const Endpoint right = freeEndpoint();
+  auto feed = LiveFeed::start({left, right});
+  ASSERT_TRUE(feed.ok()) << feed.error().text();
+  auto to_left = UdpSender::open(left);
+  auto to_right = UdpSender::open(right);
+  // One source by both ways, and one by each alone.
+  for (int i = 0; i < 20; ++i) {
+    const std::string both = "RK1 both@a " + std::to_string(100 + i) + " -\njoints arm 1\n";
+    ASSERT_TRUE(to_left->send(bytesOf(both)).ok());
+    ASSERT_TRUE(to_right->send(bytesOf(both)).ok());
+  }
+  ASSERT_TRUE(to_left->send(bytesOf("RK1 l@a 1 -\njoints left 1\n")).ok());
+  ASSERT_TRUE(to_right->send(bytesOf("RK1 r@a 1 -\njoints right 1\n")).ok());
+  const auto newest = waitFor(*feed, [](const LiveSnapshot& each) { return each.datagrams == 42; });
+  ASSERT_NE(newest, nullptr);
+  EXPECT_EQ(newest->state.devices().size(), 3U);
+  EXPECT_EQ(newest->gaps, 0U);
+  EXPECT_EQ(newest->state.counts().at("both").packets, 20U);
+  EXPECT_EQ(newest->state.counts().at("both").duplicates, 20U);
+}
+
+TEST(LiveFeed, FoldsWhatIsTrustedAndCountsTheRest) {
+  const Endpoint endpoint = freeEndpoint();
+  auto feed = LiveFeed::start(
+      {endpoint}, std::make_shared<TrustJudge>(test::trusting(test::vectorKey(), {"arm"})));
+  ASSERT_TRUE(feed.ok()) << feed.error().text();
+  auto sender = UdpSender::open(endpoint);
+  DatagramSigner signer(test::vectorKey(),
+                        [] { return WallTime(std::chrono::system_clock::now()); });
+  const auto sign = [&](std::string_view text) {
+    return std::string(textOf(signer.sign(bytesOf(text))));
+  };
+  const std::string mine = sign("RK1 arm@a 1 -\njoints arm 1\n");
+  for (const std::string& each : {std::string("RK1 arm@a 7 -\njoints arm 7\n"), mine, mine,
+                                  sign("RK1 leg@a 1 -\njoints leg 1\n")}) {
+    ASSERT_TRUE(sender->send(bytesOf(each)).ok());
+  }
+  const auto newest = waitFor(*feed, [](const LiveSnapshot& each) {
+    return each.datagrams == 1 && each.untrusted.total() == 3;
+  });
+  ASSERT_NE(newest, nullptr);
+  EXPECT_EQ(newest->untrusted.text(), "1 not signed, 1 not allowed, 1 repeated");
+  EXPECT_EQ(newest->state.devices().size(), 1U);
+  EXPECT_EQ(newest->state.devices().at("arm").joints->value, std::vector<double>{1});
+}
+
+TEST(LiveFeed, ShowsWhatARelaySendsAndWhatBecameOfIt) {
+  test::LoopbackRelay relay;
+  auto feed = LiveFeed::start({Endpoint::parse(relay.endpoint()).value()});
+  ASSERT_TRUE(feed.ok()) << feed.error().text();
+  const auto newest = waitFor(
+      *feed,
+      [](const LiveSnapshot& each) {
+        return each.state.devices().contains("arm") && !each.news.empty();
+      },
+      [&] { relay.send("RK1 arm - -\njoints arm 1\n"); });
+  ASSERT_NE(newest, nullptr);
+  EXPECT_EQ(newest->news, "subscribed to relay hall at " + relay.endpoint());
+  EXPECT_EQ(newest->undecoded, 0U);
 }
 
 TEST(LiveFeed, ATakenPortIsRefused) {

@@ -21,10 +21,21 @@ TEST(LiveReason, SaysNothingBeforeTwoSeconds) {
 TEST(LiveReason, NothingArrives) {
   const auto unicast = liveReason(listening("127.0.0.1:4000", 7s));
   ASSERT_TRUE(unicast.has_value());
-  EXPECT_EQ(unicast->what, "nothing received on udp://127.0.0.1:4000 for 7 s");
+  EXPECT_EQ(unicast->text, "nothing received on udp://127.0.0.1:4000 for 7 s");
   EXPECT_NE(unicast->hint.find("firewall"), std::string::npos);
   const auto group = liveReason(listening("239.255.19.96:19960", 3s));
   EXPECT_NE(group->hint.find("ttl"), std::string::npos);
+}
+
+TEST(LiveReason, ASubscriptionThatIsNotAnsweredSaysSo) {
+  LiveFacts facts = listening("subscribe://127.0.0.1:4000?device=arm*", 3s);
+  EXPECT_EQ(liveReason(facts)->text,
+            "nothing received on subscribe://127.0.0.1:4000?device=arm* for 3 s");
+  EXPECT_NE(liveReason(facts)->hint.find("relay"), std::string::npos);
+  facts.news = "it does not answer";
+  EXPECT_EQ(liveReason(facts)->hint, "it does not answer");
+  facts.datagrams = 1;
+  EXPECT_EQ(liveReason(facts)->hint, "it does not answer");
 }
 
 TEST(LiveReason, WhatComesIsNoPacket) {
@@ -32,7 +43,7 @@ TEST(LiveReason, WhatComesIsNoPacket) {
   facts.silent = 0s;
   facts.datagrams = facts.undecoded = 12;
   facts.undecoded_sample = "LCM\\x00";
-  EXPECT_EQ(liveReason(facts)->what,
+  EXPECT_EQ(liveReason(facts)->text,
             "12 datagrams received, none of them a packet; the first begins LCM\\x00");
 }
 
@@ -43,17 +54,17 @@ TEST(LiveReason, TheSenderStopped) {
   facts.silent = 1s;
   EXPECT_FALSE(liveReason(facts).has_value());
   facts.silent = 4500ms;
-  EXPECT_EQ(liveReason(facts)->what, "nothing received for the last 4 s");
+  EXPECT_EQ(liveReason(facts)->text, "nothing received for the last 4 s");
 }
 
 TEST(LiveReason, PacketsMoveNothing) {
   LiveFacts facts = listening("127.0.0.1:4000", 60s);
   facts.datagrams = 100;
   facts.silent = 0s;
-  EXPECT_EQ(liveReason(facts)->what, "packets arrive, but none is about a device");
+  EXPECT_EQ(liveReason(facts)->text, "packets arrive, but none is about a device");
   facts.devices_spoken_of = 2;
   facts.unknown_device = "puma";
-  EXPECT_EQ(liveReason(facts)->what, "packets name puma, which is not in this cell");
+  EXPECT_EQ(liveReason(facts)->text, "the cell has no device puma, and no `add` brings it");
 }
 
 }  // namespace

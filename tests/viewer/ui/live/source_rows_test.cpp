@@ -24,6 +24,17 @@ TEST(SourceWatch, TurnsCountsIntoRatesOfTheLastSecond) {
   EXPECT_FALSE(watch.look(kFirstLook + 3050ms, counts)) << "a tenth has not passed";
 }
 
+TEST(SourceWatch, TellsASourceThatIsHeardWholeAndFiltered) {
+  SourceWatch watch;
+  Counts counts;
+  counts["arm"].packets = counts["arm"].filtered = 7;
+  watch.look(kFirstLook, counts);
+  EXPECT_FALSE(watch.sources()[0].is_mixed);
+  counts["arm"].whole = 1;
+  EXPECT_TRUE(watch.look(kFirstLook + 200ms, counts));
+  EXPECT_TRUE(watch.sources()[0].is_mixed);
+}
+
 TEST(SourceWatch, ASourceThatStopsKeepsItsCountsAndWhenItWasHeard) {
   SourceWatch watch;
   Counts counts;

@@ -5,7 +5,7 @@
 #include "core/cell/cell.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/viewer/support/test_session.h"
-#include "viewer/ui/program/user_input.h"
+#include "viewer/ui/commands/key_commands.h"
 
 namespace rocinante {
 namespace {
@@ -41,7 +41,9 @@ class ViewedSession : public testing::Test {
     ViewerRequests requests;
     const auto parsed = parseKey(key);
     EXPECT_TRUE(parsed.has_value()) << key;
-    if (parsed) applyKey(*model_, *parsed, SteadyTime{}, requests);
+    if (parsed) {
+      EXPECT_TRUE(runKey(*parsed, {*model_, SteadyTime{}, 480, requests}));
+    }
     return requests;
   }
 
@@ -79,7 +81,8 @@ TEST_F(ViewedSession, EventsAreReachedForwardsAndBackwards) {
 
 TEST_F(ViewedSession, AMarkIsKeptBesideTheLogAndListed) {
   seek(500ms);
-  EXPECT_EQ(press("M").mark, "mark");
+  EXPECT_FALSE(press("M").mark.has_value());
+  EXPECT_TRUE(model_->asks_mark);
   ASSERT_TRUE(model_->addMark("look here"));
   ASSERT_EQ(model_->events().size(), 3U);
   EXPECT_EQ(model_->events()[1].text, "look here");

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+#include <numbers>
+
 namespace rocinante {
 namespace {
 
@@ -40,8 +44,8 @@ TEST(JointRows, ShowWhatIsDrawnBeforeAnythingWasSaid) {
   EXPECT_TRUE(rows[3].mimics);
   EXPECT_DOUBLE_EQ(*rows[1].part(), 0.5);
   EXPECT_FALSE(rows[2].part().has_value());
-  EXPECT_TRUE(rows[1].in_radians);
-  EXPECT_FALSE(rows[0].in_radians);
+  EXPECT_EQ(rows[1].kind, ValueKind::angle);
+  EXPECT_EQ(rows[0].kind, ValueKind::length);
 }
 
 TEST(JointRows, TellWhereAValueLiesBetweenItsLimits) {
@@ -69,6 +73,37 @@ TEST(JointRows, AWrongCountOfValuesIsAsNothingSaid) {
   const auto rows = jointRows(machine(), &state, "");
   EXPECT_FALSE(rows[0].said);
   EXPECT_EQ(rows[0].value, 0);
+}
+
+TEST(JointRows, TellWhichSourceMovesEachJoint) {
+  DeviceState state;
+  state.joints = Item<std::vector<double>>{{0.5, 0.5, 0}, "robot", {}};
+  state.named_joints["turn"] = Item<double>{0.25, "planner", {}};
+  const auto rows = jointRows(machine(), &state, "");
+  EXPECT_EQ(rows[0].owner, "robot");
+  EXPECT_EQ(rows[1].owner, "planner");
+  EXPECT_TRUE(rows[3].owner.empty());  // it follows
+  EXPECT_EQ(moversOf(state), "planner, robot");
+  EXPECT_EQ(moversOf(DeviceState()), "");
+}
+
+TEST(JointRows, SlidersCoverTheLimitsElseATurnElseWhatIncludesTheValue) {
+  auto rows = jointRows(machine(), nullptr, "");
+  const SliderRange lift = sliderRange(rows[0]);
+  EXPECT_DOUBLE_EQ(lift.lower, 0);
+  EXPECT_DOUBLE_EQ(lift.valueAt(0.25), 0.5);
+  EXPECT_DOUBLE_EQ(lift.partOf(rows[0], 3), 1);
+  EXPECT_DOUBLE_EQ(lift.partOf(rows[0], std::nan("")), 0.5);
+  const SliderRange spin = sliderRange(rows[2]);
+  EXPECT_DOUBLE_EQ(spin.upper, std::numbers::pi);
+  // Whole turns do not move the thumb of what turns without end.
+  EXPECT_NEAR(spin.partOf(rows[2], 1 + 4 * std::numbers::pi), spin.partOf(rows[2], 1), 1e-12);
+  rows[0].lower = rows[0].upper = 0;  // as files without limits have it
+  EXPECT_DOUBLE_EQ(sliderRange(rows[0]).upper, 1);
+  rows[0].value = -250;
+  EXPECT_DOUBLE_EQ(sliderRange(rows[0]).lower, -1000);
+  rows[0].value = std::numeric_limits<double>::infinity();
+  EXPECT_DOUBLE_EQ(sliderRange(rows[0]).upper, 1e9);
 }
 
 }  // namespace

@@ -87,16 +87,5 @@ TEST(InputQueue, KeysKeepTheirPlaceAmongClicks) {
   EXPECT_FALSE(queue.pending());
 }
 
-TEST(SettlingFrames, AfterAnythingThatHappenedAFewFramesAreDrawnWithoutWaiting) {
-  SettlingFrames frames;
-  while (!frames.settled()) frames.drawn(false);
-  frames.drawn(true);
-  int drawn = 0;
-  for (; !frames.settled(); ++drawn) frames.drawn(false);
-  EXPECT_EQ(drawn, SettlingFrames::kFrames);
-  frames.drawn(false);
-  EXPECT_TRUE(frames.settled());
-}
-
 }  // namespace
 }  // namespace rocinante

@@ -1,0 +1,174 @@
+// Importing a ROS 2 MCAP of six-joint JointStates with full doubles into a log with keyframes: its
+// CPU beside a bare loop that reads the same messages, prints the same text and writes both into a
+// log without fold and checks. usage: import_bench [MESSAGES [FOLDER]]
+#include <fmt/format.h>
+#include <time.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+
+#include "core/foreign/ros/bag_import.h"
+#include "core/log/log_reader.h"
+#include "core/log/new_log_file.h"
+#include "core/mcap/writer.h"
+
+namespace {
+
+using namespace rocinante;
+
+constexpr int kRuns = 3;
+constexpr std::size_t kJoints = 6;
+constexpr const char* kNames[kJoints] = {"shoulder_pan_joint", "shoulder_lift_joint",
+                                         "elbow_joint",        "wrist_1_joint",
+                                         "wrist_2_joint",      "wrist_3_joint"};
+
+double cpuSeconds() {
+  timespec now{};
+  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
+}
+
+/// CDR, little-endian.
+class Cdr {
+ public:
+  template <class T>
+  void number(T value) {
+    while ((bytes.size() - 4) % sizeof(T) != 0) bytes.push_back(std::byte{0});
+    const std::size_t at = bytes.size();
+    bytes.resize(at + sizeof(T));
+    std::memcpy(bytes.data() + at, &value, sizeof(T));
+  }
+  void string(std::string_view text) {
+    number(static_cast<std::uint32_t>(text.size() + 1));
+    const ByteView raw = bytesOf(text);
+    bytes.insert(bytes.end(), raw.begin(), raw.end());
+    bytes.push_back(std::byte{0});
+  }
+  Bytes bytes{std::byte{0}, std::byte{1}, std::byte{0}, std::byte{0}};
+};
+
+Bytes jointState(std::size_t i, std::int64_t time_ns) {
+  Cdr made;
+  made.number(static_cast<std::int32_t>(time_ns / 1'000'000'000));
+  made.number(static_cast<std::uint32_t>(time_ns % 1'000'000'000));
+  made.string("");
+  made.number(static_cast<std::uint32_t>(kJoints));
+  for (const char* const name : kNames) made.string(name);
+  for (int part = 0; part < 3; ++part) {
+    made.number(static_cast<std::uint32_t>(kJoints));
+    for (std::size_t joint = 0; joint < kJoints; ++joint) {
+      const auto angle = static_cast<double>(i) * 1e-4 * static_cast<double>(joint + 1);
+      made.number(part == 0 ? 1.7 * std::sin(angle) : part == 1 ? 0.3 * std::cos(angle) : 0.0);
+    }
+  }
+  return made.bytes;
+}
+
+void makeBag(const std::filesystem::path& path, std::size_t messages) {
+  Bytes memory;
+  Result<mcap::Writer> writer = mcap::Writer::start(makeMemorySink(memory), {}, {"ros2", "bench"});
+  writer->addSchema({1, "sensor_msgs/msg/JointState", "ros2msg", {}});
+  writer->addChannel({0, 1, "/joint_states", "cdr", {}});
+  for (std::size_t i = 0; i < messages; ++i) {
+    const auto time = static_cast<std::int64_t>(1'770'091'506'000'000'000 + i * 2'000'000);
+    const Bytes payload = jointState(i, time - 150'000);
+    mcap::Message message;
+    message.sequence = static_cast<std::uint32_t>(i);
+    message.log_time = static_cast<std::uint64_t>(time);
+    message.publish_time = static_cast<std::uint64_t>(time);
+    message.data = payload;
+    (void)writer->write(message);
+  }
+  (void)writer->finish();
+  std::FILE* const file = std::fopen(path.c_str(), "wb");
+  std::fwrite(memory.data(), 1, memory.size(), file);
+  std::fclose(file);
+}
+
+/// Knows where everything is in these messages.
+void bareLoop(const std::filesystem::path& bag, const std::filesystem::path& out) {
+  Result<LogReader> reader = LogReader::open(bag);
+  LogWriterOptions options;
+  options.overwrite = true;
+  Result<LogWriter> writer = LogWriter::create(out, options, "bare");
+  const ChannelId copy = *writer->addChannel("/joint_states", "cdr", {});
+  const ChannelId made = *writer->addChannel("/rocinante/decoded/joint_states", "rk1", {});
+  // The positions follow the stamp, the frame, the names and their own count.
+  const Bytes example = jointState(0, 0);
+  const std::size_t array_bytes = 8 + kJoints * sizeof(double);
+  const std::size_t positions = example.size() - 2 * array_bytes - kJoints * sizeof(double);
+  std::string text;
+  while (true) {
+    const Result<std::optional<LogMessage>> next = reader->next();
+    if (!*next) break;
+    const LogMessage& message = **next;
+    std::int32_t seconds = 0;
+    std::uint32_t nanoseconds = 0;
+    double values[kJoints];
+    std::memcpy(&seconds, message.payload.data() + 4, sizeof seconds);
+    std::memcpy(&nanoseconds, message.payload.data() + 8, sizeof nanoseconds);
+    std::memcpy(values, message.payload.data() + positions, sizeof values);
+    char digits[32];
+    text = "RK1 decoded:ros:joint_states - ";
+    const auto whole = std::to_chars(digits, digits + sizeof digits, seconds);
+    text.append(digits, whole.ptr);
+    const auto part = std::to_chars(digits, digits + sizeof digits, 1'000'000'000U + nanoseconds);
+    digits[0] = '.';
+    text.append(digits, part.ptr).append("\njoint robot");
+    for (std::size_t i = 0; i < kJoints; ++i) {
+      const auto number = std::to_chars(digits, digits + sizeof digits, values[i]);
+      text.append(" ").append(kNames[i]).append("=").append(digits, number.ptr);
+    }
+    text += '\n';
+    (void)writer->write(copy, message.sequence, message.log_time, message.publish_time_ns,
+                        message.payload);
+    (void)writer->write(made, message.sequence, message.log_time, message.publish_time_ns,
+                        bytesOf(text));
+  }
+  (void)writer->close("bench");
+}
+
+void import(const std::filesystem::path& bag, const std::filesystem::path& out) {
+  std::vector<std::unique_ptr<ros::BagReader>> bags;
+  bags.push_back(std::move(*ros::openBag(bag)));
+  Result<NewLogFile> file = NewLogFile::make(out, true);
+  const auto report = ros::importBags(std::move(bags), file->takeSink(), "bench", {});
+  if (!report) fmt::print("{}\n", report.error().text());
+  (void)file->publish();
+}
+
+template <class Work>
+double leastCpu(const Work& work) {
+  double least = 1e9;
+  for (int run = 0; run < kRuns; ++run) {
+    const double before = cpuSeconds();
+    work();
+    least = std::min(least, cpuSeconds() - before);
+  }
+  return least;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::size_t messages = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 1'000'000;
+  const std::filesystem::path folder = argc > 2 ? argv[2] : std::filesystem::temp_directory_path();
+  const auto bag = folder / "import_bench_bag.mcap";
+  const auto out = folder / "import_bench_log.mcap";
+  makeBag(bag, messages);
+  const double bare_s = leastCpu([&] { bareLoop(bag, out); });
+  const auto bare_bytes = std::filesystem::file_size(out);
+  const double import_s = leastCpu([&] { import(bag, out); });
+  const auto count = static_cast<double>(messages);
+  fmt::print("bare loop  {:9.0f} messages/s  {:5.1f} bytes each\n", count / bare_s,
+             static_cast<double>(bare_bytes) / count);
+  fmt::print("import     {:9.0f} messages/s  {:5.1f} bytes each  {:.2f} of the bare loop's CPU\n",
+             count / import_s, static_cast<double>(std::filesystem::file_size(out)) / count,
+             import_s / bare_s);
+  std::filesystem::remove(bag);
+  std::filesystem::remove(out);
+}

@@ -1,0 +1,28 @@
+#include "core/series/series_key.h"
+
+#include <gtest/gtest.h>
+
+namespace rocinante {
+namespace {
+
+TEST(SeriesKey, TextIsReadBack) {
+  for (const char* text : {"arm.shoulder", "arm.wrist.1", "tray:x", "cell:arm:qw", "rate", "loss",
+                           "rate/controller", "loss/a/b"}) {
+    const auto key = parseSeriesKey(text);
+    ASSERT_TRUE(key.has_value()) << text;
+    EXPECT_EQ(key->text(), text);
+  }
+  const auto wrist = parseSeriesKey("arm.wrist.1");
+  EXPECT_EQ(wrist->name, "arm");
+  EXPECT_EQ(wrist->part, "wrist.1");
+  EXPECT_EQ(parseSeriesKey("cell:arm:qw")->name, "cell:arm");
+}
+
+TEST(SeriesKey, OtherTextIsRefused) {
+  for (const char* text : {"", "arm", "arm.", ".j", "arm:w", ":x", "rate/", "rates"}) {
+    EXPECT_FALSE(parseSeriesKey(text).has_value()) << text;
+  }
+}
+
+}  // namespace
+}  // namespace rocinante

@@ -1,0 +1,127 @@
+#include "core/series/series_scan.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "tests/core/series/spoken_log.h"
+#include "tests/support/temporary_folder.h"
+
+namespace rocinante {
+namespace {
+
+using test::spokenTime;
+
+std::unique_ptr<SeriesScan> scanOf(const std::vector<test::Spoken>& packets,
+                                   SeriesScan::Options options = {}) {
+  const test::TemporaryFolder folder;
+  test::writeSpoken(folder / "s.mcap", packets);
+  auto reader = LogReader::open(folder / "s.mcap");
+  EXPECT_TRUE(reader.ok());
+  options.from = spokenTime(0);
+  options.until = spokenTime(1000);
+  auto scan = std::make_unique<SeriesScan>(std::move(options));
+  while (true) {
+    const auto message = reader->next();
+    EXPECT_TRUE(message.ok());
+    if (!message.ok() || !*message) return scan;
+    scan->add(**message);
+  }
+}
+
+std::optional<float> heldAt(const SeriesScan& scan, const char* key, std::int64_t milliseconds) {
+  const ValueBins* const values = scan.values(*parseSeriesKey(key));
+  if (values == nullptr) return std::nullopt;
+  return values
+      ->columns(spokenTime(milliseconds) - Nanoseconds(1), spokenTime(milliseconds + 1), 1)[0]
+      .held;
+}
+
+PositionalNames twoJoints() {
+  return [](std::string_view device, const DeviceState&) {
+    return device == "arm" ? std::vector<std::string>{"j1", "j2"} : std::vector<std::string>();
+  };
+}
+
+TEST(SeriesScan, FindsJointsByPositionByOrderAndByName) {
+  SeriesScan::Options options;
+  options.names = twoJoints();
+  const auto scan = scanOf({{0, "RK1 s 0 -\njoints arm 1 2\njoints other 7"},
+                            {100, "RK1 s 1 -\norder arm j2 j1"},
+                            {200, "RK1 s 2 -\njoints arm 20 10"},
+                            {300, "RK1 s 3 -\njoint arm j1=11"}},
+                           options);
+  EXPECT_EQ(heldAt(*scan, "arm.j1", 50), 1);
+  EXPECT_EQ(heldAt(*scan, "arm.j2", 50), 2);
+  EXPECT_EQ(heldAt(*scan, "other.[0]", 50), 7);
+  EXPECT_EQ(heldAt(*scan, "arm.j1", 250), 10);
+  EXPECT_EQ(heldAt(*scan, "arm.j2", 350), 20);
+  EXPECT_EQ(heldAt(*scan, "arm.j1", 350), 11);
+  EXPECT_EQ(heldAt(*scan, "arm.j3", 350), std::nullopt);
+}
+
+TEST(SeriesScan, AWrongNumberOfPositionsIsDrawnAsNone) {
+  SeriesScan::Options options;
+  options.names = twoJoints();
+  const auto scan =
+      scanOf({{0, "RK1 s 0 -\njoints arm 1 2"}, {100, "RK1 s 1 -\njoints arm 1 2 3"}}, options);
+  EXPECT_EQ(heldAt(*scan, "arm.j1", 50), 1);
+  EXPECT_EQ(heldAt(*scan, "arm.j1", 150), std::nullopt);
+}
+
+TEST(SeriesScan, PosesAndWhatIsRemoved) {
+  const auto scan = scanOf({{0, "RK1 s 0 -\npose tray 1 2 3 0 0 0 1"},
+                            {100, "RK1 s 1 -\nremove tray"},
+                            {200, "RK1 s 2 -\npose tray 4 5 6 0 0 0 1"}});
+  EXPECT_EQ(heldAt(*scan, "tray:y", 50), 2);
+  EXPECT_EQ(heldAt(*scan, "tray:qw", 50), 1);
+  EXPECT_EQ(heldAt(*scan, "tray:y", 150), std::nullopt);
+  EXPECT_EQ(heldAt(*scan, "tray:y", 250), 5);
+}
+
+TEST(SeriesScan, WhatAWholeRestatementForgetsEnds) {
+  const auto scan = scanOf({{0, "RK1 s@r 0 -\njoint arm j1=1\njoint arm j2=2"},
+                            {100, "RK1 s@r 1 - restated part=a:1/1\njoint arm j1=3"}});
+  EXPECT_EQ(heldAt(*scan, "arm.j2", 50), 2);
+  EXPECT_EQ(heldAt(*scan, "arm.j1", 150), 3);
+  EXPECT_EQ(heldAt(*scan, "arm.j2", 150), std::nullopt);
+}
+
+TEST(SeriesScan, LatePacketsDoNotCountAndGapsDo) {
+  const auto scan = scanOf({{0, "RK1 s 10 -\njoint arm j1=1"},
+                            {100, "RK1 s 14 -\njoint arm j1=2"},
+                            {200, "RK1 s 12 -\njoint arm j1=9"}});
+  EXPECT_EQ(heldAt(*scan, "arm.j1", 250), 2);
+  const SourceSeries& source = scan->sources().at("s");
+  EXPECT_EQ(source.packets.total(), 3);
+  EXPECT_EQ(source.lost.total(), 2);  // 11 and 13
+  EXPECT_EQ(scan->all().lost.total(), 2);
+}
+
+TEST(SeriesScan, StaysWithinItsMemory) {
+  std::vector<test::Spoken> packets;
+  for (int i = 0; i < 200; ++i) {
+    std::string text = "RK1 s " + std::to_string(i) + " -\n";
+    for (int joint = 0; joint < 50; ++joint) {
+      text += "joint d" + std::to_string(i) + " j" + std::to_string(joint) + "=1\n";
+    }
+    packets.push_back({i * 5, text});
+  }
+  SeriesScan::Options options;
+  options.max_bytes = std::uint64_t{16} << 20U;
+  const auto scan = scanOf(packets, options);
+  EXPECT_EQ(scan->keys().size(), 10'000U);
+  EXPECT_LE(scan->bytes(), options.max_bytes * 2);  // capacity may be twice the size
+}
+
+TEST(SeriesScan, OnlyWhatIsAskedFor) {
+  SeriesScan::Options options;
+  options.only.emplace();
+  options.only->insert(*parseSeriesKey("arm.j2"));
+  const auto scan = scanOf({{0, "RK1 s 0 -\njoint arm j1=1\njoint arm j2=2"}}, options);
+  ASSERT_EQ(scan->keys().size(), 1U);
+  EXPECT_EQ(heldAt(*scan, "arm.j2", 50), 2);
+}
+
+}  // namespace
+}  // namespace rocinante

@@ -1,0 +1,73 @@
+#include "core/series/series_table.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/atomic_file.h"
+#include "tests/core/series/spoken_log.h"
+#include "tests/support/temporary_folder.h"
+
+namespace rocinante {
+namespace {
+
+using test::spokenTime;
+
+class Table : public testing::Test {
+ protected:
+  void SetUp() override {
+    test::writeSpoken(folder_ / "s.mcap",
+                      {{0, "RK1 s 0 -\njoint arm j1=0.1"},
+                       {100, "RK1 s 1 -\njoint arm j1=0.30000000000000004\njoint other j=1"},
+                       {200, "RK1 s 2 -\njoint other j=2"},
+                       {300, "RK1 s 3 -\npose tray 1 2 3 0 0 0 1"},
+                       {400, "RK1 s 4 -\nremove arm"}});
+  }
+  Result<std::uint64_t> write(SeriesTable table) {
+    auto reader = LogReader::open(folder_ / "s.mcap");
+    EXPECT_TRUE(reader.ok());
+    return writeSeriesTable(table, SessionState(), *reader, folder_ / "t.csv");
+  }
+
+  const test::TemporaryFolder folder_;
+};
+
+TEST_F(Table, HasARowForEveryPacketAboutItsDevices) {
+  SeriesTable table;
+  table.keys = {*parseSeriesKey("arm.j1"), *parseSeriesKey("tray:z")};
+  table.from = spokenTime(0) - Nanoseconds(1);
+  table.until = spokenTime(1000);
+  const auto rows = write(table);
+  ASSERT_TRUE(rows.ok()) << rows.error().text();
+  EXPECT_EQ(*rows, 4U);
+  EXPECT_EQ(*readFile(folder_ / "t.csv"),
+            "t,arm.j1,tray:z\n"
+            "0,0.1,\n"
+            "0.1,0.30000000000000004,\n"
+            "0.3,0.30000000000000004,3\n"
+            "0.4,,3\n");
+}
+
+TEST_F(Table, EndsWhereItIsTold) {
+  SeriesTable table;
+  table.keys = {*parseSeriesKey("arm.j1")};
+  table.from = spokenTime(0) - Nanoseconds(1);
+  table.until = spokenTime(100);
+  EXPECT_EQ(*write(table), 2U);
+}
+
+TEST_F(Table, RefusesRatesNothingAndAFolder) {
+  SeriesTable table;
+  table.from = spokenTime(0);
+  table.until = spokenTime(1000);
+  EXPECT_FALSE(write(table).ok());
+  table.keys = {*parseSeriesKey("rate")};
+  EXPECT_EQ(write(table).error().text(), "a table has joints and poses only (rate)");
+  table.keys = {*parseSeriesKey("nobody.j1")};
+  EXPECT_FALSE(write(table).ok());
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "t.csv"));
+  std::filesystem::create_directory(folder_ / "t.csv");
+  table.keys = {*parseSeriesKey("arm.j1")};
+  EXPECT_FALSE(write(table).ok());
+}
+
+}  // namespace
+}  // namespace rocinante

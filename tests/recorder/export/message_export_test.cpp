@@ -1,0 +1,147 @@
+#include "recorder/export/message_export.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/recorder/export/written_session.h"
+#include "tests/support/temporary_folder.h"
+
+namespace rocinante {
+namespace {
+
+using test::Said;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// Notes what it is told, a line each.
+class NotingFormat final : public SessionFormat {
+ public:
+  explicit NotingFormat(Nanoseconds last = {}) : last_(last) {}
+
+  std::string profile() const override { return ""; }
+  Nanoseconds framesLast() const override { return last_; }
+  Status frames(ExportedMcap&, LogTime time, const std::string& device,
+                std::span<const FramePose> frames) override {
+    return note(time, "frames " + device + " in " + frames[0].parent);
+  }
+  Status joints(ExportedMcap&, LogTime time, const std::string& device,
+                std::span<const NamedValue> values) override {
+    std::string line = "joints " + device;
+    for (const NamedValue& value : values) {
+      line += " " + value.name + "=" + std::to_string(static_cast<int>(value.value));
+    }
+    return note(time, line);
+  }
+  Status drawings(ExportedMcap&, LogTime time, const std::string& source,
+                  const Drawings& drawings) override {
+    std::string line = "drawings " + source + ":";
+    for (const auto& [id, drawing] : drawings) line += " " + id;
+    return note(time, line);
+  }
+  Status event(ExportedMcap&, LogTime time, EventLevel level, std::string_view name,
+               std::string_view text) override {
+    return note(time, (level == EventLevel::warning ? "warning " : "event ") + std::string(name) +
+                          " " + std::string(text));
+  }
+  Status description(ExportedMcap&, LogTime, const std::string&, std::string_view) override {
+    return {};
+  }
+
+  std::vector<std::string> notes;
+
+ private:
+  Status note(LogTime time, const std::string& line) {
+    notes.push_back(std::to_string(nanosecondsOf(time) - test::kWrittenOrigin) + " " + line);
+    return {};
+  }
+
+  Nanoseconds last_;
+};
+
+class MessageExport : public testing::Test {
+ protected:
+  MessageExportReport exported(const std::vector<Said>& all, NotingFormat& format,
+                               bool raw = false) {
+    test::writeSession(folder_ / "s.mcap", all);
+    auto session = MomentWalk::open(folder_ / "s.mcap");
+    EXPECT_TRUE(session.ok());
+    bytes_.clear();
+    auto out = ExportedMcap::start(makeMemorySink(bytes_), "");
+    EXPECT_TRUE(out.ok());
+    MessageExportOptions options;
+    options.until = LogTime::max();
+    options.raw = raw;
+    auto report = exportMessages(*session, nullptr, format, *out, options);
+    EXPECT_TRUE(report.ok());
+    EXPECT_TRUE(out->finish().ok());
+    topics_ = out->topics();
+    return std::move(*report);
+  }
+
+  test::TemporaryFolder folder_;
+  Bytes bytes_;
+  std::map<std::string, ExportedMcap::Topic, std::less<>> topics_;
+};
+
+TEST_F(MessageExport, SaysADeviceWhenItIsWritten) {
+  NotingFormat format;
+  exported({{0, "RK1 s 0 -\npose a 0 0 1 0 0 0 1\njoint a j=1\n"},
+            {10, "RK1 s 1 -\njoint b k=2 j=3\n"},
+            {20, "RK1 s 2 -\npose a 0 0 1 0 0 0 1\n"},
+            {30, "RK1 s 3 -\nremove a\n"},
+            {40, "RK1 s 4 -\nadd a m\njoints a 5 6\n"}},
+           format);
+  EXPECT_THAT(format.notes,
+              ElementsAre("0 frames a in world", "0 joints a j=1", "10 joints b j=3 k=2",
+                          "20 frames a in world", "20 joints a j=1", "40 joints a 1=5 2=6"));
+}
+
+TEST_F(MessageExport, SaysSpacesAgainWhereReadersForget) {
+  NotingFormat format(Nanoseconds(100));
+  exported({{0, "RK1 s 0 -\npose a 0 0 1 0 0 0 1\n"},
+            {50, "RK1 s 1 -\nevent \"x\"\n"},
+            {150, "RK1 s 2 -\nevent \"y\"\n"}},
+           format);
+  EXPECT_THAT(format.notes, ElementsAre("0 frames a in world", "50 event s x",
+                                        "150 frames a in world", "150 event s y"));
+}
+
+TEST_F(MessageExport, DrawingsAreWholeAndEnd) {
+  NotingFormat format;
+  exported({{0, "RK1 s 0 -\nline p #ffffff 0 0 0 1 1 1\n"},
+            {10, "RK1 s 1 -\nlabel q 0 0 0 \"hi\"\n"},
+            {20, "RK1 s 2 -\nlabel q 0 0 0 \"hi\"\n"},
+            {30, "RK1 s 3 -\nerase p\n"},
+            {40, "RK1 t 0 -\nerase p\n"},
+            {50, "RK1 s 4 -\nerase *\n"}},
+           format);
+  EXPECT_THAT(format.notes, ElementsAre("0 drawings s: p", "10 drawings s: p q", "30 drawings s: q",
+                                        "50 drawings s:"));
+}
+
+TEST_F(MessageExport, ASourceThatRestartsHasDrawnNothing) {
+  NotingFormat format;
+  exported({{0, "RK1 s@1 0 -\nline p #ffffff 0 0 0 1 1 1\n"},
+            {10, "RK1 s@1 1 -\nevent \"x\"\n"},
+            {20, "RK1 s@2 0 - restated part=r:1/1\nlabel q 0 0 0 \"hi\"\n"}},
+           format);
+  EXPECT_THAT(format.notes, ElementsAre("0 drawings s: p", "10 event s x", "20 drawings s: q"));
+}
+
+TEST_F(MessageExport, TellsWhatIsLeftOut) {
+  NotingFormat format;
+  const std::vector<Said> all = {{0, "not a packet"},
+                                 {10, "RK1 s 0 -\npose a 0 0 1 0 0 0 1 in b/c\nhide a\nhide b\n"}};
+  const MessageExportReport report = exported(all, format);
+  EXPECT_THAT(format.notes, ElementsAre("10 frames a in b/c"));
+  EXPECT_THAT(report.gaps, ElementsAre(HasSubstr("1 datagram of /udp/test holds no packet"),
+                                       HasSubstr("a is on a link")));
+  EXPECT_THAT(report.notes, ElementsAre(HasSubstr("2 `hide` statements left out")));
+  EXPECT_THAT(exported(all, format, true).gaps, ElementsAre(HasSubstr("a is on a link")));
+  ASSERT_TRUE(topics_.contains("/udp/test"));
+  EXPECT_EQ(topics_.at("/udp/test").messages, 2U);
+}
+
+}  // namespace
+}  // namespace rocinante

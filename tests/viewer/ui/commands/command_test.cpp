@@ -1,0 +1,146 @@
+#include "viewer/ui/commands/command.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "tests/support/temporary_folder.h"
+#include "tests/viewer/support/test_session.h"
+#include "viewer/ui/commands/key_commands.h"
+
+namespace rocinante {
+namespace {
+
+std::string pageOfView() {
+  std::ifstream file(std::string(ROCINANTE_SOURCE_DIR) + "/docs/programs/view.md");
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+ViewModel armModel(const test::TemporaryFolder& folder, bool with_log) {
+  test::writeText(folder / "arm.urdf", test::kArmUrdf);
+  std::optional<Timeline> session;
+  if (with_log) {
+    test::writeSession(
+        folder / "s.mcap",
+        {{0, "event \"begun\"\n"}, {500, "event \"half\"\n"}, {1000, "event \"x\"\n"}});
+    session = std::move(*Timeline::open(folder / "s.mcap"));
+  }
+  return std::move(*ViewModel::make(std::move(*loadCell(folder / "arm.urdf", {})),
+                                    std::move(session), std::nullopt, {}, {}));
+}
+
+TEST(Commands, HaveOneNameAndOneMeaningForEachKey) {
+  std::set<std::string_view> names;
+  std::set<std::string> keys;
+  for (const Command& command : allCommands()) {
+    SCOPED_TRACE(command.name);
+    EXPECT_TRUE(names.insert(command.name).second);
+    EXPECT_NE(command.run, nullptr);
+    EXPECT_FALSE(command.means.empty());
+    EXPECT_LE(command.leastWords(), command.mostWords());
+    for (const Shortcut& shortcut : command.shortcuts) {
+      EXPECT_TRUE(keys.insert(std::string(shortcut.key)).second) << shortcut.key;
+      const auto press = parseKey(shortcut.key);
+      ASSERT_TRUE(press) << shortcut.key;
+      EXPECT_EQ(commandOfKey(*press)->shortcut, &shortcut);
+      EXPECT_TRUE(checkCommand(command.name, splitWords(shortcut.words).size()).ok());
+    }
+  }
+}
+
+// The page is written by hand around these rows; a command that is added, renamed or bound to
+// another key must be there.
+TEST(Commands, AreInThePageOfTheProgram) {
+  const std::string page = pageOfView();
+  ASSERT_FALSE(page.empty());
+  for (const Command& command : allCommands()) {
+    std::string row =
+        fmt::format("| `{}{}{}` | {} | {} |\n", command.name, command.arguments.empty() ? "" : " ",
+                    command.arguments, shownKeys(command), command.means);
+    // A bar in a table is written with a backslash.
+    for (std::size_t bar = row.find('|', 1); bar < row.find("` |"); bar = row.find('|', bar + 2)) {
+      row.insert(bar, "\\");
+    }
+    EXPECT_NE(page.find(row), std::string::npos) << row;
+  }
+}
+
+TEST(Commands, CheckTheNumberOfWords) {
+  EXPECT_EQ(checkCommand("orbit", 1).error().text(), "`orbit` takes 2 words, not 1");
+  EXPECT_EQ(checkCommand("seek", 2).error().text(), "`seek` takes 1 word, not 2");
+  EXPECT_EQ(checkCommand("panels", 2).error().text(), "`panels` takes 0 to 1 word, not 2");
+  EXPECT_EQ(checkCommand("dance", 0).error().text(), "unknown command `dance`");
+  EXPECT_TRUE(checkCommand("panels", 0).ok());
+}
+
+TEST(Commands, ThatNeedALogSayThatThereIsNone) {
+  const test::TemporaryFolder folder;
+  ViewModel model = armModel(folder, false);
+  ViewerRequests requests;
+  const CommandStage stage{model, SteadyTime{}, 480, requests};
+  EXPECT_EQ(runCommand("play", {}, stage).error().text(), "`play` needs a log");
+  EXPECT_TRUE(runKey(*parseKey("space"), stage));  // a key then does nothing
+}
+
+TEST(Commands, RunByKeyWithTheWordsOfTheKey) {
+  const test::TemporaryFolder folder;
+  ViewModel model = armModel(folder, true);
+  ASSERT_TRUE(model.update(SteadyTime{}).ok());
+  ViewerRequests requests;
+  const CommandStage stage{model, SteadyTime{}, 480, requests};
+  const auto at = [&] { return model.cursor()->position(SteadyTime{}) - model.origin(); };
+  const auto press = [&](std::string_view key) { EXPECT_TRUE(runKey(*parseKey(key), stage)); };
+  press("end");
+  EXPECT_EQ(at(), std::chrono::seconds(1));
+  press("shift+left");
+  EXPECT_EQ(at(), std::chrono::milliseconds(900));
+  press(",");
+  EXPECT_EQ(at(), std::chrono::milliseconds(500));
+  press(".");
+  press("home");
+  EXPECT_EQ(at(), Nanoseconds(0));
+
+  press("shift+E");  // nothing else is meant by it
+  EXPECT_EQ(model.style().edges, EdgeStyle::over);
+  KeyPress held = *parseKey("E");
+  held.repeated = true;
+  EXPECT_TRUE(runKey(held, stage));
+  EXPECT_EQ(model.style().edges, EdgeStyle::over);
+  KeyPress with_control = *parseKey("E");
+  with_control.control = true;
+  EXPECT_TRUE(runKey(with_control, stage));
+  EXPECT_EQ(model.style().edges, EdgeStyle::over);
+
+  press("F");
+  EXPECT_TRUE(requests.fit);
+  press("shift+F");
+  EXPECT_TRUE(requests.fit_selected);
+}
+
+TEST(Commands, RefuseWrongWords) {
+  const test::TemporaryFolder folder;
+  ViewModel model = armModel(folder, true);
+  ASSERT_TRUE(model.update(SteadyTime{}).ok());
+  ViewerRequests requests;
+  const CommandStage stage{model, SteadyTime{}, 480, requests};
+  for (const char* line :
+       {"seek later", "step far",         "step 1e9",       "event first",     "packet x",
+        "speed 0",    "loop maybe",       "camera nowhere", "camera-number 0", "camera-number 1.5",
+        "fit all",    "orbit a b",        "pan 1 b",        "zoom nan",        "edges many",
+        "shadows 2",  "hide nobody",      "show layer",     "auto x/y/z",      "select nobody",
+        "insets all", "style edges many", "detail 10",      "panels 1",        "help me",
+        "click 1 b",  "key enter2",       "frame few",      "wait long"}) {
+    std::vector<std::string> words = splitWords(line);
+    const std::string name = words.front();
+    words.erase(words.begin());
+    EXPECT_FALSE(runCommand(name, words, stage)) << line;
+  }
+}
+
+}  // namespace
+}  // namespace rocinante

@@ -1,0 +1,130 @@
+#include <gtest/gtest.h>
+
+#include "core/base/atomic_file.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/viewer/support/test_session.h"
+#include "viewer/ui/commands/command.h"
+
+namespace rocinante {
+namespace {
+
+using test::sessionTime;
+
+class TimeCommands : public testing::Test {
+ protected:
+  void SetUp() override {
+    test::writeText(folder_ / "arm.urdf", test::kArmUrdf);
+    test::writeSession(folder_ / "s.mcap", {{0, "joints arm 0\n"},
+                                            {500, "joints stranger 1\n"},
+                                            {1000, "joints arm 1\n"},
+                                            {4000, "joints arm 2\n"}});
+    auto cell = loadCell(folder_ / "arm.urdf", {});
+    auto session = Timeline::open(folder_ / "s.mcap");
+    ASSERT_TRUE(cell.ok() && session.ok());
+    auto model = ViewModel::make(std::move(*cell), std::move(*session), std::nullopt, {}, {});
+    ASSERT_TRUE(model.ok());
+    model_.emplace(std::move(*model));
+    model_->study_waits = true;
+    model_->findings_wanted = false;
+    ASSERT_TRUE(model_->update(SteadyTime{}).ok());
+  }
+  /// The sentence of what went wrong, or nothing.
+  std::string run(const std::string& line) {
+    std::vector<std::string> words = splitWords(line);
+    const std::string name = words.front();
+    words.erase(words.begin());
+    const CommandStage stage{*model_, SteadyTime{}, 480, requests_};
+    const Status done = runCommand(name, words, stage);
+    return done ? std::string() : done.error().text();
+  }
+
+  const test::TemporaryFolder folder_;
+  std::optional<ViewModel> model_;
+  ViewerRequests requests_;
+};
+
+TEST_F(TimeCommands, PlotsWhatThereIs) {
+  EXPECT_EQ(run("plot arm.turn"), "");
+  EXPECT_EQ(run("plot arm:x"), "");
+  EXPECT_EQ(run("plot rate/robot"), "");
+  EXPECT_EQ(model_->plots.curves().size(), 3U);
+  EXPECT_EQ(run("plot arm.bend"), "`arm` has no joint value `bend`");
+  EXPECT_EQ(run("plot leg.turn"), "no device is named `leg`");
+  EXPECT_EQ(run("plot arm").substr(0, 25), "`arm` is not DEVICE.JOINT");
+  EXPECT_EQ(run("plots off"), "");
+  EXPECT_FALSE(model_->plots.shown());
+  EXPECT_EQ(run("unplot arm:x"), "");
+  EXPECT_EQ(run("unplot arm:x"), "`arm:x` is not plotted");
+  EXPECT_EQ(run("unplot all"), "");
+  EXPECT_TRUE(model_->plots.curves().empty());
+}
+
+TEST_F(TimeCommands, ATableOfWhatIsSeen) {
+  const std::string path = (folder_ / "t.csv").string();
+  EXPECT_EQ(run("table " + path), "a table needs a plotted joint or pose");
+  run("plot arm.turn");
+  run("plot rate");
+  EXPECT_EQ(run("show-time 0 2s"), "");
+  EXPECT_EQ(run("table " + path), "");
+  EXPECT_EQ(*readFile(path), "t,arm.turn\n0,0\n1,1\n");
+  EXPECT_NE(run("table " + path + "/none.csv"), "");
+}
+
+TEST_F(TimeCommands, MovesTheTimeLine) {
+  EXPECT_EQ(run("show-time 1s 2s"), "");
+  EXPECT_EQ(model_->time_view.span(), std::chrono::seconds(1));
+  EXPECT_EQ(run("show-time all"), "");
+  EXPECT_TRUE(model_->time_view.showsAll());
+  EXPECT_NE(run("show-time 1s"), "");
+  EXPECT_EQ(run("part 1s -1s"), "");
+  EXPECT_EQ(model_->cursor()->partEnd(), sessionTime(3000));
+  EXPECT_EQ(run("part all"), "");
+  EXPECT_FALSE(model_->cursor()->hasPart());
+  EXPECT_EQ(run("repeat to-and-fro"), "");
+  EXPECT_EQ(model_->cursor()->repeat(), Repeat::there_and_back);
+  EXPECT_EQ(run("repeat often"), "`often` is not once, loop or to-and-fro");
+  EXPECT_EQ(run("reverse on"), "");
+  EXPECT_TRUE(model_->cursor()->reversed());
+}
+
+TEST_F(TimeCommands, AMarkHasWords) {
+  EXPECT_EQ(run("mark look at this"), "");
+  EXPECT_EQ(requests_.mark, "look at this");
+  EXPECT_FALSE(model_->asks_mark);
+  EXPECT_EQ(run("mark"), "");
+  EXPECT_TRUE(model_->asks_mark);
+}
+
+TEST_F(TimeCommands, AFindingIsGoneTo) {
+  EXPECT_EQ(run("finding 1"), "`finding` needs `findings on` first");
+  EXPECT_EQ(run("findings on"), "");
+  const CheckReport* const report = model_->findings()->report();
+  ASSERT_NE(report, nullptr);
+  std::size_t number = 0;
+  for (std::size_t i = 0; i < report->findings.size(); ++i) {
+    if (report->findings[i].subject == "stranger") number = i + 1;
+  }
+  ASSERT_GT(number, 0U);
+  EXPECT_EQ(run("finding " + std::to_string(number)), "");
+  ASSERT_TRUE(model_->update(SteadyTime{}).ok());
+  EXPECT_EQ(model_->shownTime(), sessionTime(500));
+  EXPECT_NE(run("finding 99"), "");
+  EXPECT_NE(run("finding one"), "");
+}
+
+TEST_F(TimeCommands, KeysOfTheTimeLine) {
+  ASSERT_TRUE(model_->cursor() != nullptr);
+  model_->cursor()->seek(sessionTime(1000), SteadyTime{});
+  EXPECT_EQ(run("key A"), "");
+  model_->cursor()->seek(sessionTime(2000), SteadyTime{});
+  EXPECT_EQ(run("key B"), "");
+  EXPECT_EQ(model_->cursor()->partStart(), sessionTime(1000));
+  EXPECT_EQ(model_->cursor()->partEnd(), sessionTime(2000));
+  EXPECT_EQ(run("key J"), "");
+  EXPECT_TRUE(model_->cursor()->reversed());
+  EXPECT_EQ(run("key G"), "");
+  EXPECT_TRUE(model_->asks_time);
+}
+
+}  // namespace
+}  // namespace rocinante

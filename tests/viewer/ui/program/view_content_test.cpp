@@ -1,0 +1,93 @@
+#include "viewer/ui/program/view_content.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/temporary_folder.h"
+#include "tests/viewer/support/test_session.h"
+
+namespace rocinante {
+namespace {
+
+class OpenedFiles : public testing::Test {
+ protected:
+  void SetUp() override {
+    test::writeText(folder_ / "arm.urdf", test::kArmUrdf);
+    test::writeSession(folder_ / "s.mcap", {{0, "event \"begun\"\n"}});
+  }
+  const test::TemporaryFolder folder_;
+};
+
+TEST_F(OpenedFiles, AreACellALogOrBoth) {
+  const auto model = requestOf({folder_ / "arm.urdf"}, {});
+  ASSERT_TRUE(model.ok());
+  EXPECT_EQ(model->cell, folder_ / "arm.urdf");
+  EXPECT_TRUE(model->log.empty());
+
+  const auto both = requestOf({folder_ / "s.mcap", folder_ / "arm.urdf"}, {});
+  ASSERT_TRUE(both.ok());
+  EXPECT_EQ(both->cell, folder_ / "arm.urdf");
+  EXPECT_EQ(both->log, folder_ / "s.mcap");
+}
+
+TEST_F(OpenedFiles, WithALogComesTheShownCell) {
+  ContentRequest shown;
+  shown.cell = folder_ / "arm.urdf";
+  const auto request = requestOf({folder_ / "s.mcap"}, shown);
+  ASSERT_TRUE(request.ok());
+  const auto content = loadContent(*request, {});
+  ASSERT_TRUE(content.ok()) << content.error().text();
+  EXPECT_EQ(content->request.cell, folder_ / "arm.urdf");
+  EXPECT_NE(content->model->cursor(), nullptr);
+
+  const auto alone = loadContent(*requestOf({folder_ / "s.mcap"}, {}), {});
+  ASSERT_FALSE(alone.ok());
+  EXPECT_EQ(alone.error().what,
+            "this log carries no cell: open it together with its cell or model");
+}
+
+TEST_F(OpenedFiles, AreRefusedWithASentence) {
+  const auto what = [&](const std::vector<std::filesystem::path>& files,
+                        const ContentRequest& shown) {
+    const auto request = requestOf(files, shown);
+    return request.ok() ? std::string("taken") : request.error().what;
+  };
+  EXPECT_EQ(what({folder_.path()}, {}), "a folder cannot be shown; open a file of it");
+  EXPECT_EQ(what({folder_ / "gone.urdf"}, {}), "there is no such file");
+  EXPECT_EQ(what({folder_ / "arm.urdf", folder_ / "arm.urdf"}, {}),
+            "a window shows one cell and one log at a time");
+  ContentRequest live;
+  live.live.emplace();
+  EXPECT_EQ(what({folder_ / "arm.urdf"}, live),
+            "this window shows a live session; open the file in another one");
+}
+
+TEST_F(OpenedFiles, AreLoadedInAThread) {
+  ContentLoader loader;
+  EXPECT_FALSE(loader.busy());
+  EXPECT_FALSE(loader.poll());
+  loader.start(*requestOf({folder_ / "arm.urdf"}, {}));
+  EXPECT_TRUE(loader.busy());
+  EXPECT_EQ(loader.name(), "arm.urdf");
+  const auto loaded = loader.waitFor(std::chrono::hours(1));
+  ASSERT_TRUE(loaded && loaded->ok());
+  EXPECT_EQ((*loaded)->model->cell().devices.size(), 1U);
+  EXPECT_FALSE(loader.busy());
+  // One that is not waited for ends with the loader.
+  loader.start(*requestOf({folder_ / "arm.urdf"}, {}));
+}
+
+TEST_F(OpenedFiles, AreListedWithFoldersFirst) {
+  std::filesystem::create_directory(folder_ / "z");
+  test::writeText(folder_ / "readme.txt", "");
+  test::writeText(folder_ / ".hidden.urdf", "");
+  test::writeText(folder_ / "B.STL", "");
+  const auto listed = listFolder(folder_.path());
+  ASSERT_TRUE(listed.ok());
+  EXPECT_EQ(*listed, (std::vector<FileEntry>{
+                         {"z/", true}, {"B.STL", false}, {"arm.urdf", false}, {"s.mcap", false}}));
+  EXPECT_FALSE(listFolder(folder_ / "nowhere").ok());
+  EXPECT_FALSE(canBeShown(".urdf"));
+}
+
+}  // namespace
+}  // namespace rocinante

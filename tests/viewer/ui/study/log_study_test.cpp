@@ -1,0 +1,137 @@
+#include "viewer/ui/study/log_study.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <thread>
+
+#include "core/base/atomic_file.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/viewer/support/test_session.h"
+
+namespace rocinante {
+namespace {
+
+using test::sessionTime;
+
+SeriesKey turn() { return {SeriesKey::Kind::joint, "arm", "turn"}; }
+
+/// Ten seconds of an arm that turns, a packet each 100 ms.
+class StudiedLog : public testing::Test {
+ protected:
+  void SetUp() override {
+    test::writeText(folder_ / "arm.urdf", test::kArmUrdf);
+    test::writeArmSession(folder_ / "s.mcap");
+    auto cell = loadCell(folder_ / "arm.urdf", {});
+    ASSERT_TRUE(cell.ok());
+    cell_ = std::move(*cell);
+  }
+  static StudyWish wish(std::int64_t from_ms, std::int64_t until_ms) {
+    StudyWish wish;
+    wish.keys = {turn(), {SeriesKey::Kind::rate, "robot"}, {SeriesKey::Kind::joint, "arm", "no"}};
+    wish.from = sessionTime(from_ms);
+    wish.until = sessionTime(until_ms);
+    wish.columns = wish.strip_columns = 100;
+    return wish;
+  }
+
+  const test::TemporaryFolder folder_;
+  Cell cell_;
+};
+
+TEST_F(StudiedLog, HasEveryValueAndRate) {
+  LogStudy study(cell_, folder_ / "s.mcap");
+  study.waits = true;
+  const auto picture = study.show(wish(0, 10'000));
+  ASSERT_NE(picture, nullptr);
+  EXPECT_TRUE(picture->whole);
+  EXPECT_EQ(picture->fault, "");
+  ASSERT_EQ(picture->curves.size(), 3U);
+  ASSERT_EQ(picture->curves[0].size(), 100U);
+  EXPECT_NEAR(*picture->curves[0][0].held, 0, 0.051);
+  EXPECT_NEAR(*picture->curves[0][55].held, 55 * 0.05, 0.051);
+  EXPECT_NEAR(*picture->curves[1][50].held, 10, 1.5);
+  EXPECT_TRUE(picture->curves[2].empty());
+  ASSERT_EQ(picture->strips.size(), 2U);
+  EXPECT_EQ(picture->strips[1].source, "robot");
+  EXPECT_NEAR(picture->strips[0].most, 10, 2);
+  EXPECT_FALSE(study.hasNews());
+  EXPECT_FALSE(study.isBusy());
+}
+
+TEST_F(StudiedLog, ReadsAPartAgainWhenPixelsAreFiner) {
+  LogStudy study(cell_, folder_ / "s.mcap");
+  study.waits = true;
+  // Ten microseconds about a packet: a pixel is 100 ns, and a bin of the whole log 610 us.
+  StudyWish close = wish(0, 1);
+  close.from = sessionTime(5000) - Nanoseconds(5000);
+  close.until = sessionTime(5000) + Nanoseconds(5000);
+  const auto picture = study.show(close);
+  EXPECT_TRUE(picture->whole);
+  const auto& columns = picture->curves[0];
+  EXPECT_NEAR(*columns[0].held, 49 * 0.05, 1e-5);
+  EXPECT_FALSE(columns[40].bin.hasSample());
+  EXPECT_NEAR(*columns[99].held, 50 * 0.05, 1e-5);
+  // Where exactly it steps.
+  std::size_t step = 0;
+  while (step < 100 && !columns[step].bin.hasSample()) ++step;
+  EXPECT_NEAR(static_cast<double>(step), 50, 1);
+}
+
+TEST_F(StudiedLog, AnswersWithoutWaiting) {
+  LogStudy study(cell_, folder_ / "s.mcap");
+  const StudyWish all = wish(0, 10'000);
+  std::shared_ptr<const StudyPicture> picture;
+  for (int i = 0; i < 2000 && !(picture && picture->whole); ++i) {
+    picture = study.show(all);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  ASSERT_TRUE(picture && picture->whole);
+  EXPECT_EQ(picture->wish, all);
+}
+
+TEST_F(StudiedLog, WritesATable) {
+  LogStudy study(cell_, folder_ / "s.mcap");
+  study.waits = true;
+  study.writeTable({turn()}, sessionTime(1000), sessionTime(1200), folder_ / "t.csv");
+  const auto made = study.takeTable();
+  ASSERT_TRUE(made.has_value());
+  ASSERT_TRUE(made->ok()) << made->error().text();
+  EXPECT_EQ(*readFile(folder_ / "t.csv"), "t,arm.turn\n1,0.5\n1.1,0.55\n1.2,0.6\n");
+  study.writeTable({turn()}, sessionTime(1000), sessionTime(1200), folder_ / "none" / "t.csv");
+  EXPECT_FALSE(study.takeTable()->ok());
+  EXPECT_FALSE(study.takeTable().has_value());
+}
+
+TEST_F(StudiedLog, ALogThatIsGoneIsASentence) {
+  LogStudy study(cell_, folder_ / "gone.mcap");
+  study.waits = true;
+  const auto picture = study.show(wish(0, 10'000));
+  ASSERT_NE(picture, nullptr);
+  EXPECT_NE(picture->fault.find("gone.mcap"), std::string::npos);
+  study.writeTable({turn()}, sessionTime(0), sessionTime(1), folder_ / "t.csv");
+  EXPECT_FALSE(study.takeTable()->ok());
+}
+
+TEST_F(StudiedLog, ALogCutAtAnyLengthIsShownAsFarAsItGoes) {
+  const std::string whole = *readFile(folder_ / "s.mcap");
+  for (std::size_t bytes = 0; bytes < whole.size(); bytes += 1 + whole.size() / 60) {
+    SCOPED_TRACE(bytes);
+    test::writeText(folder_ / "cut.mcap", whole.substr(0, bytes));
+    LogStudy study(cell_, folder_ / "cut.mcap");
+    study.waits = true;
+    const auto picture = study.show(wish(0, 10'000));
+    ASSERT_NE(picture, nullptr);
+    EXPECT_TRUE(picture->whole);
+  }
+}
+
+TEST_F(StudiedLog, EndsWhileItReads) {
+  for (int i = 0; i < 20; ++i) {
+    LogStudy study(cell_, folder_ / "s.mcap");
+    study.show(wish(i * 100, i * 100 + 1));
+  }
+}
+
+}  // namespace
+}  // namespace rocinante
