@@ -7,7 +7,7 @@ install(FILES completions/_rocinante DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/ve
 install(FILES completions/rocinante.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d
   COMPONENT programs)
 # bash-completion and fish load a file by the name of the command that is completed.
-foreach(verb record spy play source log model check render view golden)
+foreach(verb record spy play source relay log model check render view golden)
   foreach(link bash-completion/completions/rocinante-${verb}:rocinante
       fish/vendor_completions.d/rocinante-${verb}.fish:rocinante.fish)
     string(REGEX REPLACE ":.*" "" name ${link})

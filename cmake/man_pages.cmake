@@ -18,12 +18,17 @@ function(rocinante_man_pages program component)
     return()
   endif()
   set(pages ${PROJECT_BINARY_DIR}/man/${program})
+  # rocinante-golden-compare may be a subcommand of rocinante-golden, which is asked.
+  string(REGEX REPLACE "-[^-]*$" "" parent ${program})
+  if(NOT TARGET ${parent})
+    set(parent)
+  endif()
   # The names and what they are for are told by `rocinante`.
   add_custom_command(OUTPUT ${pages}.made
     COMMAND ${ROCINANTE_PYTHON} ${PROJECT_SOURCE_DIR}/cmake/make_man_pages ${PROJECT_BINARY_DIR}/bin ${program}
       ${pages} ${PROJECT_VERSION} ${CMAKE_INSTALL_PREFIX} ${CMAKE_CROSSCOMPILING_EMULATOR}
     COMMAND ${CMAKE_COMMAND} -E touch ${pages}.made
-    DEPENDS ${program} rocinante ${PROJECT_SOURCE_DIR}/cmake/make_man_pages
+    DEPENDS ${program} rocinante ${parent} ${PROJECT_SOURCE_DIR}/cmake/make_man_pages
     COMMENT "Man pages of ${program}" VERBATIM)
   add_custom_target(${program}_man_pages ALL DEPENDS ${pages}.made)
   add_dependencies(man_pages ${program}_man_pages)

@@ -91,7 +91,7 @@ set(headers fonts-dejavu-core libcli11-dev libexpected-dev libfast-float-dev lib
   nlohmann-json3-dev)
 rocinante_package(programs rocinante SECTION utils
   RECOMMENDS "${renderer}"
-  SUGGESTS "rocinante-view, rocinante-openimageio, rocinante-sdf, ffmpeg, git"
+  SUGGESTS "rocinante-view, rocinante-openimageio, rocinante-nats, rocinante-sdf, ffmpeg, git"
   COMPILED_IN ${headers}
   SUMMARY "record, replay and test streamed robot and simulator state"
   TEXT "Robots and simulators send poses and joint values as small text packets over
@@ -101,8 +101,9 @@ pictures, and checks a session against its model.
 .
 This package has the programs for a terminal and for CI. The window is in
 rocinante-view; textures that are not PNG need rocinante-openimageio, models
-in SDF rocinante-sdf. Drawing needs Mesa, which is recommended; recording,
-replaying and checking do not.")
+in SDF rocinante-sdf, subjects and streams of a NATS server rocinante-nats.
+Drawing needs Mesa, which is recommended; recording, replaying and checking
+do not.")
 if(ROCINANTE_GL AND ROCINANTE_WINDOW)
   list(APPEND CPACK_COMPONENTS_ALL view)
   rocinante_package(view rocinante-view SECTION utils
@@ -125,6 +126,15 @@ OpenImageIO.
 .
 It is a package of its own because OpenImageIO needs half a gigabyte.")
 endif()
+if(ROCINANTE_NATS)
+  list(APPEND CPACK_COMPONENTS_ALL nats_client)
+  rocinante_package(nats_client rocinante-nats SECTION utils
+    DEPENDS "rocinante ${same_version}"
+    SUMMARY "lets Rocinante receive from and send to a NATS server"
+    TEXT "Rocinante listens and sends by UDP. This module connects it to the subjects of
+a NATS server (nats://) and records the streams that one keeps
+(jetstream://), by libnats.")
+endif()
 if(ROCINANTE_SDF)
   list(APPEND CPACK_COMPONENTS_ALL sdformat)
   rocinante_package(sdformat rocinante-sdf SECTION utils
@@ -133,6 +143,15 @@ if(ROCINANTE_SDF)
     TEXT "Rocinante reads URDF, OBJ, STL, COLLADA and glTF by itself. This module reads
 models in SDF, by libsdformat.")
 endif()
+list(APPEND CPACK_COMPONENTS_ALL python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_ARCHITECTURE all)
+rocinante_package(python python3-rocinante SECTION python
+  DEPENDS "rocinante (>= ${CPACK_PACKAGE_VERSION}), python3 (>= 3.9), python3-numpy"
+  SUGGESTS python3-pytest
+  SUMMARY "sessions of robots and simulators in Python"
+  TEXT "Recorded sessions as NumPy arrays, frames as arrays and pictures of a notebook,
+recorders and players as context managers, a source of state, and a plugin of
+pytest that judges pictures and sessions against accepted ones.")
 # Debian's names of what rocinante_linked (rocinante_install.cmake) finds.
 set(ROCINANTE_DEV_PACKAGES libassimp-dev libexpected-dev libfmt-dev libglm-dev libisal-dev libsodium-dev
   libspng-dev libtinyxml2-dev libxxhash-dev libzstd-dev zlib1g-dev)

@@ -57,6 +57,17 @@ rocinante_part(openimageio ROCINANTE_OPENIMAGEIO "reading JPEG, TIFF, EXR" NEEDS
   FILE librocinante_openimageio.so MODULES OpenImageIO PACKAGES libopenimageio-dev)
 rocinante_part(pcap ROCINANTE_PCAP "pcap:// endpoints and captures"
   MODULES libpcap PACKAGES libpcap-dev)
+rocinante_part(nats ROCINANTE_NATS "nats:// and jetstream:// endpoints"
+  FILE librocinante_nats_client.so
+  MODULES libnats PACKAGES libnats-dev)
+rocinante_part(lz4 ROCINANTE_LZ4 "reading chunks that lz4 compressed"
+  MODULES liblz4 PACKAGES liblz4-dev)
+rocinante_part(sqlite ROCINANTE_SQLITE "reading ROS 2 bags of sqlite3"
+  MODULES sqlite3 PACKAGES libsqlite3-dev)
+# Debian 12 has no bzip2.pc: the part needs what CMake's own search finds.
+find_package(BZip2 QUIET)
+set(libbz2-dev ${BZIP2_FOUND})
+rocinante_part(bzip2 ROCINANTE_BZIP2 "reading ROS 1 bags that bzip2 compressed" NEEDS libbz2-dev)
 rocinante_part(sdf ROCINANTE_SDF "reading SDF" FILE librocinante_sdformat.so
   MODULES sdformat12 console_bridge PACKAGES libsdformat-dev libconsole-bridge-dev)
 

@@ -18,6 +18,7 @@ set(rocinante_linked
   "PkgConfig::ROCINANTE_ASSIMP|module assimp|assimp"
   "PkgConfig::ROCINANTE_ISAL|module libisal|libisal"
   "PkgConfig::ROCINANTE_LIBSPNG|module spng|spng"
+  "PkgConfig::ROCINANTE_LIBLZ4|module liblz4|liblz4"
   "PkgConfig::ROCINANTE_SODIUM|module libsodium|libsodium"
   "PkgConfig::ROCINANTE_XXHASH|module libxxhash|libxxhash"
   "PkgConfig::ROCINANTE_ZSTD|module libzstd|libzstd")

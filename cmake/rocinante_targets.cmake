@@ -27,9 +27,10 @@ endif()
 # Many files at once cost two fifths of what they cost one by one, and most of a build is headers;
 # who changes one file again and again leaves it off. The presets say ON.
 option(ROCINANTE_UNITY "Compile each target's files in a few pieces" OFF)
+set(ROCINANTE_UNITY_BATCH 24 CACHE STRING "Files in each piece: fewer rebuild sooner, more build sooner")
 function(rocinante_unity target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${ROCINANTE_UNITY}
-    UNITY_BUILD_BATCH_SIZE 24)
+    UNITY_BUILD_BATCH_SIZE ${ROCINANTE_UNITY_BATCH})
   if(ROCINANTE_UNITY)
     # A class of one .cpp may well hold what that .cpp keeps to itself: g++ takes it for a header.
     target_compile_options(${target} PRIVATE
@@ -37,16 +38,22 @@ function(rocinante_unity target)
   endif()
 endfunction()
 
+# What runs once in a command, or once in a frame that a person looks at: two thirds of the compiler's
+# time when optimised, half of it under the sanitizers.
+function(rocinante_seldom_run target)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1> $<$<CONFIG:Debug>:-O0>)
+endfunction()
+
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
 set(CMAKE_LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib)
 
 # rocinante_library(packet SOURCES a.cpp PUBLIC_HEADERS a.h HEADERS b.h LINK rocinante_base
-#   PRIVATE_LINK fmt::fmt [COMPONENT name])
+#   PRIVATE_LINK fmt::fmt [COMPONENT name] [SELDOM_RUN])
 # makes rocinante_packet. Headers are included from the project root ("core/packet/packet.h").
 # Public ones are installed (<rocinante/packet.h>), and their library with them, as component `packet`
-# or COMPONENT: rocinante_install.cmake. A library without any is not installed.
+# or COMPONENT: rocinante_install.cmake. A library with neither is not installed.
 function(rocinante_library name)
-  cmake_parse_arguments(arg "" "COMPONENT" "SOURCES;HEADERS;PUBLIC_HEADERS;LINK;PRIVATE_LINK" ${ARGN})
+  cmake_parse_arguments(arg "SELDOM_RUN" "COMPONENT" "SOURCES;HEADERS;PUBLIC_HEADERS;LINK;PRIVATE_LINK" ${ARGN})
   set(target rocinante_${name})
   add_library(${target} STATIC ${arg_SOURCES})
   set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
@@ -60,7 +67,10 @@ function(rocinante_library name)
   target_link_libraries(${target} PUBLIC ${arg_LINK}
     PRIVATE $<BUILD_INTERFACE:rocinante_build> ${arg_PRIVATE_LINK} "$<BUILD_INTERFACE:${compiled_in}>")
   rocinante_unity(${target})
-  if(arg_PUBLIC_HEADERS)
+  if(arg_SELDOM_RUN)
+    rocinante_seldom_run(${target})
+  endif()
+  if(arg_PUBLIC_HEADERS OR arg_COMPONENT)
     if(NOT arg_COMPONENT)
       set(arg_COMPONENT ${name})
     endif()
@@ -103,7 +113,7 @@ function(rocinante_program name)
   target_link_libraries(${target} PRIVATE ${arg_LINK} rocinante_cli rocinante_build)
   rocinante_unity(${target})
   # A main only parses arguments, with a library that takes long to optimise.
-  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1> $<$<CONFIG:Debug>:-Og>)
+  rocinante_seldom_run(${target})
   add_dependencies(programs ${target})
   install(TARGETS ${target} COMPONENT ${arg_COMPONENT})
   rocinante_man_pages(${target} ${arg_COMPONENT})

@@ -1,0 +1,153 @@
+"""Recorded sessions as arrays."""
+from __future__ import annotations
+
+import os
+import tempfile
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from ._programs import PathLike, Time, options, run, run_json, time_word
+
+
+@dataclass(frozen=True)
+class Event:
+    """Something that a source, or a mark beside the log, says happened."""
+    time: float     #: seconds from the session's origin
+    source: str
+    text: str
+    time_ns: int    #: log time, nanoseconds since the epoch
+
+
+@dataclass(frozen=True)
+class Columns:
+    """Joint values over time. Where a joint had no value yet, it is NaN."""
+    time: np.ndarray      #: (N,) seconds from the session's origin
+    names: tuple[str, ...]  #: of the joints; with a cell its own, else as the source orders them
+    values: np.ndarray    #: (N, len(names)) radians, metres for sliding joints
+
+    def __getitem__(self, name: str) -> np.ndarray:
+        """The values of one joint, (N,)."""
+        try:
+            return self.values[:, self.names.index(name)]
+        except ValueError:
+            raise KeyError(f"no joint {name}; there are {', '.join(self.names)}") from None
+
+
+@dataclass(frozen=True)
+class Poses:
+    """Poses of a device's base in the world over time. Before the first one they are NaN."""
+    time: np.ndarray         #: (N,) seconds from the session's origin
+    position: np.ndarray     #: (N, 3) metres, x forward, y left, z up
+    orientation: np.ndarray  #: (N, 4) unit quaternions x, y, z, w
+
+
+@dataclass(frozen=True)
+class Device:
+    """What the packets up to a moment say about one device."""
+    joints: tuple[float, ...] | None            #: by position, where a source sends them so
+    named_joints: dict[str, float]              #: by name
+    position: tuple[float, float, float] | None
+    orientation: tuple[float, float, float, float] | None
+    parent: tuple[str, str] | None              #: the device and link that carry it; None: the world
+
+
+@dataclass(frozen=True)
+class State:
+    """The folded state at a moment."""
+    time: float
+    devices: dict[str, Device]  #: those that are there
+    document: dict[str, Any]  #: all of it, as `rocinante log state --json` prints it
+
+
+class Session:
+    """A log. `cell` is the cell or model that names its joints; by default the one that the log carries.
+
+    Damage of the log is a DamageWarning wherever an answer leaves something out because of it.
+    """
+
+    def __init__(self, log: PathLike, cell: PathLike | None = None) -> None:
+        self.log = os.fspath(log)
+        self.cell = None if cell is None else os.fspath(cell)
+        #: what `rocinante log info --json` prints
+        self.info: dict[str, Any] = run_json("log", "info", "--json", self.log)
+
+    def __repr__(self) -> str:
+        return f"<Session {self.log}, {self.duration:.3f} s, {self.info['messages']} messages>"
+
+    @property
+    def duration(self) -> float:
+        """Seconds from the first message to the last."""
+        return self.info["duration_s"]
+
+    @property
+    def origin_ns(self) -> int:
+        """Log time of 0 s, in nanoseconds since the epoch."""
+        return self.info["origin_ns"]
+
+    @property
+    def sources(self) -> list[str]:
+        """The names of the sources that speak in it."""
+        return sorted({channel["source"] for channel in self.info["channels"] if channel.get("source")})
+
+    @property
+    def events(self) -> list[Event]:
+        """All events and marks, in the order of time."""
+        return [Event((each["log_time_ns"] - self.origin_ns) / 1e9, each.get("source") or "", each["text"],
+                      each["log_time_ns"]) for each in self.info["event_list"]]
+
+    def table(self, device: str | None = None, *, every: Time | None = None, start: Time | None = None,
+              end: Time | None = None) -> dict[str, np.ndarray]:
+        """The columns of `rocinante log table`, by name: `t`, `t_ns`, `DEVICE.JOINT`, `DEVICE:x` ...
+
+        One row for each moment that writes a value, or one at each multiple of `every`; from `start`
+        until before `end`.
+        """
+        with tempfile.TemporaryDirectory() as folder:
+            table = os.path.join(folder, "table.npz")
+            run("log", "table", self.log, "-o", table, *options({
+                "device": device, "cell": self.cell,
+                "every": None if every is None else time_word(every),
+                "from": None if start is None else time_word(start),
+                "until": None if end is None else time_word(end)}))
+            with np.load(table) as archive:
+                return {name: archive[name] for name in archive.files}
+
+    def joints(self, device: str, **span: Any) -> Columns:
+        """The joint values of a device; `every`, `start` and `end` as for `table`."""
+        table = self._of_device(device, span)
+        begin = device + "."
+        names = tuple(name[len(begin):] for name in table if name.startswith(begin))
+        if not names:
+            raise KeyError(f"{self.log} has no joint values of a device {device}")
+        return Columns(table["t"], names, np.column_stack([table[begin + name] for name in names]))
+
+    def poses(self, device: str, **span: Any) -> Poses:
+        """The poses of a device's base; `every`, `start` and `end` as for `table`."""
+        table = self._of_device(device, span)
+        if device + ":x" not in table:
+            raise KeyError(f"{self.log} has no pose of a device {device}")
+        columns = [np.column_stack([table[f"{device}:{axis}"] for axis in axes])
+                   for axes in (("x", "y", "z"), ("qx", "qy", "qz", "qw"))]
+        return Poses(table["t"], *columns)
+
+    def state(self, at: Time) -> State:
+        """The state at a moment: what every packet up to it says, folded."""
+        document = run_json("log", "state", self.log, f"--at={time_word(at)}", "--json")
+        devices = {}
+        for each in document["devices"]:
+            if each["presence"] and each["presence"]["is"] == "removed":
+                continue
+            pose, joints = each["pose"], each["joints"]
+            devices[each["name"]] = Device(
+                tuple(joints["values"]) if joints else None,
+                {joint["name"]: joint["value"] for joint in each["named_joints"]},
+                tuple(pose["position_m"]) if pose else None,
+                tuple(pose["orientation_xyzw"]) if pose else None,
+                (pose["in"]["device"], pose["in"]["link"]) if pose and pose["in"] else None)
+        return State((document["at_ns"] - document["origin_ns"]) / 1e9, devices, document)
+
+    def _of_device(self, device: str, span: dict[str, Any]) -> dict[str, np.ndarray]:
+        # A name is a pattern that matches itself alone once its marks are escaped (docs/patterns.md).
+        return self.table("".join("\\" + c if c in "\\*?[" else c for c in device), **span)
