@@ -24,6 +24,7 @@ mkdir state
 # One start, again as systemd does it where the name of this second is taken.
 start() {
   for _ in $(seq 200); do
+    rm -f said  # of the one before
     python3 start.py "$example" "$PWD/state" 2>said >summary &
     until grep -qs '^recording' said || ! kill -0 $! 2>/dev/null; do sleep 0.02; done
     if grep -q '^recording' said; then return 0; fi

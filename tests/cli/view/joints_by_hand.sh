@@ -12,10 +12,14 @@ cat >lift.urdf <<'URDF'
 <joint name="side" type="prismatic"><parent link="base"/><child link="stop"/><axis xyz="1 0 0"/>
 <limit lower="0" upper="1" effort="1" velocity="1"/><mimic joint="up" multiplier="0.5"/></joint></robot>
 URDF
-cat >script.txt <<'SCRIPT'
+rocinante record 127.0.0.1:0 -o driven.mcap >/dev/null 2>said &
+recorder=$!
+until grep -qs '^recording' said; do kill -0 $recorder; sleep 0.05; done
+port=$(sed 's/.*:\([0-9]*\) to .*/\1/' said)
+cat >script.txt <<SCRIPT
 panels off
 camera @3,-3,2/0,0,0.3
-drive 127.0.0.1:29987,me
+drive 127.0.0.1:$port,me
 joint lift/up 300mm
 joint lift/turn 30deg
 frame 2
@@ -30,13 +34,9 @@ frame 2
 screenshot rest.png
 quit
 SCRIPT
-rocinante record 127.0.0.1:29987 -o driven.mcap --duration 60s >/dev/null 2>&1 &
-recorder=$!
-until [ -e driven.mcap ] || compgen -G 'driven.mcap*' >/dev/null; do sleep 0.05; done
-sleep 0.3
 with_display rocinante view lift.urdf --size 320x240 --profile reproducible --script script.txt
 kill -INT $recorder
-wait $recorder || true
+wait $recorder
 rocinante render lift.urdf --joints '0.4 0.5' --camera @3,-3,2/0,0,0.3 --size 320x240 -o render.png
 rocinante render lift.urdf --camera @3,-3,2/0,0,0.3 --size 320x240 -o home.png
 rocinante golden compare window.png render.png
