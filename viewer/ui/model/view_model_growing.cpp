@@ -62,6 +62,7 @@ bool ViewModel::openKeptLog() {
 bool ViewModel::watchLog(SteadyTime now) {
   const bool waits =
       cursor_ && session_ && (cursor_->following() ? !feed_ : shownTime() > session_->end());
+  bool shows_more = false;
   if (!log_watched_ || now - *log_watched_ >= (waits ? kSoon : kSometimes)) {
     log_watched_ = now;
     if (feed_ && openKeptLog()) takeOverLog();
@@ -71,7 +72,7 @@ bool ViewModel::watchLog(SteadyTime now) {
         loseLog(grown.error());
       } else if (*grown) {
         takeOverLog();
-        if (waits) return true;
+        shows_more = waits;
       }
     }
   }
@@ -81,7 +82,7 @@ bool ViewModel::watchLog(SteadyTime now) {
     const LogTime newest = keeping_trouble_.empty() ? live_->time : session_->end();
     cursor_->resize(session_->start(), std::max(session_->end(), newest));
   }
-  return false;
+  return shows_more;
 }
 
 /// Makes what was written part of what can be shown.

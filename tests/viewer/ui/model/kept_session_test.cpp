@@ -248,6 +248,34 @@ TEST_F(KeptSession, DeletesWhatIsOlderThanItsLimit) {
   EXPECT_GE(joint(), 0);
 }
 
+TEST_F(KeptSession, NoMomentIsShownThatWasDeletedWhileThePictureWaitedForTheLog) {
+  KeepLimits limits;
+  limits.time = 1s;
+  open(limits);
+  int number = 0;
+  const auto sendNext = [&] {
+    send(number, "joints arm " + std::to_string(number));
+    ++number;
+  };
+  waitUntil([&] {
+    sendNext();
+    return model_->cursor() != nullptr;
+  });
+  // The file lags behind what is shown, and then the window is busy while its pieces come and go.
+  model_->cursor()->pause(steadyClockNow());
+  const fs::path first = model_->session()->log().name();
+  const SteadyTime began = steadyClockNow();
+  while (fs::exists(first)) {
+    ASSERT_LT(steadyClockNow() - began, 30s);
+    sendNext();
+    std::this_thread::sleep_for(2ms);
+  }
+  model_->cursor()->seek(model_->origin(), steadyClockNow());
+  ASSERT_TRUE(model_->update(steadyClockNow()).ok());
+  EXPECT_GE(model_->shownTime(), model_->session()->start());
+  EXPECT_GE(joint(), 0);
+}
+
 TEST_F(KeptSession, KeepsNothingWhenToldSo) {
   KeepLimits none;
   none.time = Nanoseconds(0);
