@@ -23,7 +23,7 @@ class OutputHeader {
   explicit OutputHeader(Options options);
 
   /// The datagram of `draft`: the source's own when its SEQUENCE is new to this output and the
-  /// draft is no part of a restatement, else `restated by=NAME`.
+  /// draft does not belong to a restatement, else `restated by=NAME`.
   /// Says `reset` while the listener may remember a higher SEQUENCE, after the fold went back.
   std::string datagramOf(const RelayDraft& draft, const SessionState& state,
                          const ThroughBySource& through, bool restating);

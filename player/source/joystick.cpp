@@ -49,7 +49,7 @@ class JoystickSpeaker {
       if (event != SourceResult::done) return refusal(event, "event:" + std::string(text));
     }
     const SourceResult flushed = source_.flush(now, time);
-    // A datagram that could not be sent is told by who sends it.
+    // Its sender says what could not be sent.
     if (flushed == SourceResult::done || flushed == SourceResult::not_sent) return {};
     return refusal(flushed, "");
   }

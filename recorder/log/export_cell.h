@@ -22,7 +22,7 @@ struct ExportCellArguments {
 /// `name` is of the option or argument: "--cell", "CELL".
 void addExportCellArguments(CLI::App& app, const char* name, ExportCellArguments& arguments);
 
-/// Empty when none is named and the log carries none. Faults of the cell are told on standard
+/// Empty when none is named and the log carries none. Faults of the cell are named on standard
 /// error. `geometry` reads the meshes too.
 Result<std::shared_ptr<const Cell>> loadExportCell(const ExportCellArguments& arguments,
                                                    const LogReader& log, bool geometry);

@@ -14,7 +14,7 @@
 namespace rocinante::bench {
 
 /// The floor of a frame: the GL calls that draw a list which was made once, and nothing else. The
-/// same buffers, shaders and draws as the renderer's; every value was reckoned beforehand, and only
+/// same buffers, shaders and draws as the renderer's; every value was computed beforehand, and only
 /// what differs from one draw to the next is set. Its context must be current.
 class BareLoop {
  public:

@@ -55,7 +55,7 @@ struct Cost {
   double wall() const { return medianOf(wall_ms); }
 };
 
-/// So many frames of each, turn by turn; each ends with its pixels made.
+/// This number of frames of each, turn by turn; each ends with its pixels made.
 std::vector<Cost> measured(const GlTable& gl, int rounds, int frames,
                            const std::vector<std::function<void()>>& ways) {
   std::vector<Cost> costs(ways.size());

@@ -1,4 +1,4 @@
-# Known findings are accepted; new ones are not, and mended ones are told of.
+# Known findings are accepted; new ones are not, and mended ones are named.
 cat >cell.toml <<'TOML'
 format = 1
 [[device]]

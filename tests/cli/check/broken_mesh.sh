@@ -1,4 +1,4 @@
-# Faults of a mesh are told with their lines, and an error makes the model incompatible.
+# Faults of a mesh are named with their lines, and an error makes the model incompatible.
 cat >part.obj <<'OBJ'
 mtllib gone.mtl
 v 0 0 0

@@ -80,7 +80,7 @@ run
 rmdir "$golden"
 echo "gone:"
 run
-# Cut off at each fiftieth, it is told without drawing anything.
+# Cut off at each fiftieth, that is said without drawing anything.
 size=$(stat -c %s accepted.png)
 told=0
 for i in $(seq 0 49); do

@@ -1,4 +1,4 @@
-# A log for other tools; what those formats cannot hold is told.
+# A log for other tools; what those formats cannot hold is named.
 cp "$SRC/examples/demo/session.mcap" session.mcap
 cell="$SRC/examples/demo/demo.cell.toml"
 rocinante log export session.mcap "$cell" --foxglove -o foxglove.mcap --json --until 1s

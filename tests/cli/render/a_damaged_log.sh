@@ -1,4 +1,4 @@
-# Damage between the keyframe that a moment begins with and the moment is told of every frame that depends on it, whatever
+# Damage between the keyframe that a moment begins with and the moment is named for every frame that depends on it, whatever
 # else is drawn; the pictures are written all the same, and the exit code is 1.
 cell=$SRC/examples/demo/demo.cell.toml
 cp "$SRC/examples/demo/session.mcap" whole.mcap

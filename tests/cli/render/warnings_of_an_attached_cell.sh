@@ -1,4 +1,4 @@
-# What is wrong inside an attached cell is told by the attachment's name, not by where it lay for a moment.
+# What is wrong inside an attached cell has the attachment's name, not by where it lay for a moment.
 cat >tank.obj <<'OBJ'
 mtllib tank.mtl
 v 0 0 0

@@ -8,7 +8,7 @@ cp "$SRC/desktop/rocinante.xml" mime/packages
 XDG_DATA_HOME=$PWD PKGSYSTEM_ENABLE_FSYNC=0 update-mime-database "$PWD/mime"
 grep -v '^#' mime/globs2
 python3 -c 'import sys, xml.dom.minidom as dom; print(dom.parse(sys.argv[1]).documentElement.tagName)' "$SRC/desktop/rocinante.svg"
-# Every type that the entry opens is one that is told of.
+# Every type that the entry opens is declared.
 for type in $(sed -n 's/^MimeType=//p' "$SRC/desktop/rocinante-view.desktop" | tr ';' ' '); do
   grep -q "type=\"$type\"" "$SRC/desktop/rocinante.xml" || echo "$type is opened and not described"
 done

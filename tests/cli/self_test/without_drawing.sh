@@ -1,4 +1,4 @@
-# A machine that records has no programs that draw: the rest is told all the same, and what was not asked for costs nothing.
+# A machine that records has no programs that draw: the rest is reported all the same, and what was not asked for costs nothing.
 bin=$(dirname "$(command -v rocinante)")
 mkdir bin
 cp "$bin"/rocinante "$bin"/rocinante-self-test bin

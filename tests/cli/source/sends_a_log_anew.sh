@@ -39,7 +39,7 @@ try --log missing.mcap
 try --csv table.csv --device arm --device leg
 try --device arm
 try --csv table.csv --device arm --from 1s
-# Damage is told, and what is left is sent.
+# Damage is named, and what is left is sent.
 cp "$SRC/examples/demo/session.mcap" damaged.mcap
 chmod u+w damaged.mcap
 printf 'xxxxxxxx' | dd of=damaged.mcap bs=1 seek=50000 conv=notrunc status=none

@@ -1,5 +1,5 @@
 # A window without a file waits for one: what is dropped on it, by XDND as a file manager does it, is shown; what cannot
-# be shown is told, and the picture stays.
+# be shown is named, and the picture stays.
 command -v xdotool >/dev/null || { echo "skipped: no xdotool"; exit 77; }
 for python in python3 /usr/bin/python3 none; do $python -c "import Xlib" 2>/dev/null && break; done
 [ $python != none ] || { echo "skipped: no python3-xlib"; exit 77; }

@@ -1,5 +1,5 @@
 # The window remembers its size and recent files; --fresh neither reads nor writes that. What
-# cannot be read stays as it is, and what cannot be written is told.
+# cannot be read stays as it is, and what cannot be written is named.
 command -v xdotool >/dev/null || { echo "skipped: no xdotool"; exit 77; }
 export ASAN_OPTIONS=detect_leaks=0
 cat >box.urdf <<'URDF'

@@ -138,7 +138,7 @@ TEST(RealPandaSession, DoesNotFitTheKuka) {
 }
 
 /// The simulator's recording: the arm with its gripper, the tray, and the block that it grasps.
-/// Joint values are positional, so many of them.
+/// Joint values are positional; `values` of them.
 Script kukaScript(std::size_t values, bool with_objects) {
   Script script{"bullet", "", {}};
   const std::map<std::string, std::string> name_of_object{

@@ -52,7 +52,7 @@ class Certificates {
   test::TemporaryFolder folder_;
 };
 
-/// What a listener and a sender at this endpoint are told; empty when a datagram passes.
+/// What a listener and a sender at this endpoint hear; empty when a datagram passes.
 std::string refusalAt(const std::string& text) {
   const Endpoint endpoint = Endpoint::parse(text).value();
   const auto source = openSource(endpoint);

@@ -22,7 +22,7 @@ struct Heard {
 
 Endpoint endpointOf(const std::string& text) { return Endpoint::parse(text).value(); }
 
-/// Receives so many; fails the test after 60 s.
+/// Receives this number; fails the test after 60 s.
 std::vector<Heard> hear(DatagramSource& source, std::size_t count) {
   std::vector<Heard> heard;
   const auto give_up = std::chrono::steady_clock::now() + std::chrono::seconds(60);

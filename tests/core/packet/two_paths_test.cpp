@@ -43,7 +43,7 @@ TEST(TwoPaths, GiveTheStateOfOneAndNoFalseLosses) {
   std::mt19937 random(16);
   const std::vector<std::string> packets = session(400);
   for (int round = 0; round < 200; ++round) {
-    // As far behind as late packets are told from a restart.
+    // As far behind as a late packet may be; further is a restart.
     const std::size_t behind = random() % 60;
     const bool lossy = round % 2 != 0;
     std::vector<Arrival> one, both;

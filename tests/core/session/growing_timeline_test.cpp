@@ -137,7 +137,7 @@ TEST(GrowingTimeline, GoesOnWithTheNextPieceAndLosesDeletedOnes) {
   pieces.begin(1);
   pieces.write(100);
   {
-    // Another session beside it is no piece of this one.
+    // Another session beside it does not belong to this one.
     SessionWriter other = newPiece(pieces.folder / "other.mcap", "t");
     const ChannelId channel = *other.addChannel("/udp/1/a", "rk1", {});
     ASSERT_TRUE(other.write(channel, 0, at(99'000'000'000), 0, bytesOf("RK1 x - -\n")).ok());

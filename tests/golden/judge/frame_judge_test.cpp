@@ -469,7 +469,7 @@ TEST_F(FrameJudgeTest, PassesBetweenProcessesWhole) {
   EXPECT_EQ(received.comparison.over_32, 1);
   EXPECT_EQ(received.masks.size(), 1U);
   EXPECT_EQ(wireBytes(received), bytes);
-  // Cut anywhere it is told, never believed.
+  // Cut anywhere, it is refused, never believed.
   for (std::size_t length = 0; length < bytes.size(); length += length < 600 ? 1 : 997) {
     JudgedFrame cut;
     const Bytes piece(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(length));

@@ -179,7 +179,7 @@ TEST_F(PlayheadTest, SilencesAreCutShort) {
   EXPECT_EQ(deck.payloads().size(), 4U);
 }
 
-TEST_F(PlayheadTest, TheLimitOfASilenceIsReckonedInRealTime) {
+TEST_F(PlayheadTest, TheLimitOfASilenceIsInRealTime) {
   PlayheadOptions options;
   options.gap_limit = 2s;
   options.speed = PlaybackSpeed::parse("10").value();

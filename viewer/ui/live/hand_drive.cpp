@@ -86,7 +86,7 @@ void HandDrive::tick(SteadyTime now, WallTime wall) {
 
 void HandDrive::finish(SteadyTime now, WallTime wall) {
   const SourceResult flushed = source_.flush(now.time_since_epoch(), wall);
-  // What could not be sent is told by the sink's own words.
+  // The sink's own words say what could not be sent.
   if (flushed != SourceResult::done && flushed != SourceResult::not_sent) {
     *trouble_ = std::string(sentenceOf(flushed));
   }

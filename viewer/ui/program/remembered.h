@@ -12,7 +12,8 @@
 namespace rocinante {
 
 /// Brings what was remembered of the user into the window and keeps what the user did there. A file
-/// that cannot be read is told and never written; one that cannot be written is told. Main thread.
+/// that cannot be read is named and never written. One that cannot be written is named. Main
+/// thread.
 class Remembered {
  public:
   /// `wanted` false: under a script or with --fresh, nothing is read or written.

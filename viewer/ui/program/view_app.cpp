@@ -393,7 +393,7 @@ Status ViewApp::makeEvidence(const std::filesystem::path& file) {
   return {};
 }
 
-/// Under a script its frame waits for the file and a fault ends it; a user is told, and goes on.
+/// Under a script its frame waits for the file and a fault ends it; a user reads it, and goes on.
 Status ViewApp::saveLive(const std::filesystem::path& file) {
   if (scripted()) return saving_.make(model_, file);
   const Status begun = saving_.ask(model_, file);

@@ -37,7 +37,7 @@ struct ViewOptions {
 };
 
 /// Shows the content until the window is closed, the script ends, or a signal stops it: null; or
-/// until the loader has something else to show. What cannot be loaded is told in the window, unless
+/// until the loader has something else to show. The window says what cannot be loaded, unless
 /// nothing was shown yet: then it is the error. Main thread.
 Result<std::unique_ptr<ViewContent>> showContent(ViewContent& content, Window& window,
                                                  const ViewOptions& options, ContentLoader& loader);
