@@ -35,6 +35,19 @@ void joinSchemas(LogIndex& index) {
   }
 }
 
+void addDamage(LogIndex& index, DamageSpan damage) {
+  if (!index.damage.empty()) {
+    DamageSpan& last = index.damage.back();
+    if (damage.from < damage.to && last.to == damage.from && last.cause == damage.cause &&
+        last.messages_lost.has_value() == damage.messages_lost.has_value()) {
+      last.to = damage.to;
+      if (damage.messages_lost) *last.messages_lost += *damage.messages_lost;
+      return;
+    }
+  }
+  index.damage.push_back(std::move(damage));
+}
+
 bool addAttachment(const mcap::Record& record, LogIndex& index) {
   mcap::Attachment attachment;
   if (!mcap::parse(record.content, attachment)) return false;

@@ -27,6 +27,9 @@ struct LogIndex {
   bool closed = false;  ///< the file ends with the Footer and the closing magic
 };
 
+/// Lists a damage. Many small ones, one directly after the other, are listed as one.
+void addDamage(LogIndex& index, DamageSpan damage);
+
 /// Adds the record's contents; false when it breaks the format.
 bool addAttachment(const mcap::Record& record, LogIndex& index);
 bool addMetadata(const mcap::Record& record, LogIndex& index);

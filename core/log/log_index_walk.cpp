@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <functional>
-#include <limits>
 
+#include "core/log/chunk_indexes.h"
+#include "core/log/log_end.h"
 #include "core/log/log_profile.h"
 #include "core/mcap/chunk_head.h"
 #include "core/mcap/parse_record.h"
@@ -62,17 +63,12 @@ class Walk {
  private:
   void damaged(std::uint64_t from, std::uint64_t to, std::string cause,
                std::optional<std::uint64_t> lost) {
-    // Many small damages, one directly after the other, are reported as one.
-    if (!index_.damage.empty()) {
-      DamageSpan& last = index_.damage.back();
-      if (from < to && last.to == from && last.cause == cause &&
-          last.messages_lost.has_value() == lost.has_value()) {
-        last.to = to;
-        if (lost) *last.messages_lost += *lost;
-        return;
-      }
-    }
-    index_.damage.push_back({from, to, std::move(cause), lost});
+    addDamage(index_, {from, to, std::move(cause), lost});
+  }
+
+  /// Reports the bytes behind the end of the closed file.
+  void takeTrailing(std::uint64_t end) {
+    if (end < file_.size()) damaged(end, file_.size(), trailingText(file_, end), std::nullopt);
   }
 
   /// Whether the record there is complete, and stays as it is. The end of the log is left to run().
@@ -238,7 +234,7 @@ class Walk {
     MessageSpan span = std::move(*chunk_);
     chunk_.reset();
     if (!span.cut) span.over_budget = !budget_.take(span.chunk);
-    bool trusted = followed && !span.cut && indexesSpan(span.chunk);
+    bool trusted = followed && !span.cut && indexesSpan(indexes_, span.chunk);
     for (const mcap::IndexEntries& index : indexes_) {
       trusted = trusted && index_.channels.contains(index.channel);
     }
@@ -250,25 +246,6 @@ class Walk {
     }
     span.indexed_messages = messages;
     addSpan(std::move(span), indexes_, &mcap::IndexEntries::channel);
-  }
-
-  /// True when the indexes' earliest and latest times are the chunk's. A recorder's indexes are in
-  /// order, so their ends suffice; only if these do not match is every entry checked.
-  bool indexesSpan(const mcap::Chunk& chunk) const {
-    if (indexes_.empty()) return false;
-    for (const bool all : {false, true}) {
-      std::uint64_t start = std::numeric_limits<std::uint64_t>::max();
-      std::uint64_t end = 0;
-      for (const mcap::IndexEntries& index : indexes_) {
-        for (std::size_t i = 0; i < index.size();
-             i += all ? 1 : std::max<std::size_t>(index.size() - 1, 1)) {
-          start = std::min(start, index.time(i));
-          end = std::max(end, index.time(i));
-        }
-      }
-      if (start == chunk.message_start_time && end == chunk.message_end_time) return true;
-    }
-    return false;
   }
 
   template <class Range, class Channel>
@@ -364,33 +341,15 @@ class Walk {
       }
       if (next->opcode != Opcode::footer) continue;
       index_.closed =
-          next->content.size() == mcap::kFooterContentBytes && magicAt(steps.position());
+          next->content.size() == mcap::kFooterContentBytes && magicAt(file_, steps.position());
       break;
     }
-    if (index_.closed) tellTrailing(steps.position() + mcap::magic().size());
+    if (index_.closed) takeTrailing(steps.position() + mcap::magic().size());
     if (!index_.closed) {
       damaged(record.end(), file_.size(), "the file ends inside its summary", std::uint64_t{0});
     }
     position_ = file_.size();
     return true;
-  }
-
-  bool magicAt(std::uint64_t position) const {
-    const ByteView magic = mcap::magic();
-    const ByteView rest = file_.subspan(static_cast<std::size_t>(position));
-    return rest.size() >= magic.size() && std::ranges::equal(rest.first(magic.size()), magic);
-  }
-
-  /// Reports the bytes behind the end of the closed file. Channels of another log may use the same
-  /// numbers, so they are not read as part of this one.
-  void tellTrailing(std::uint64_t end) {
-    if (end >= file_.size()) return;
-    damaged(end, file_.size(),
-            magicAt(end) ? fmt::format("another log follows the end of this one and is not read; "
-                                       "`tail -c +{}` of the file gives it alone",
-                                       end + 1)
-                         : std::string("bytes follow the end of the log and are not read"),
-            std::nullopt);
   }
 
   /// Resumes at the next byte that begins a credible record.

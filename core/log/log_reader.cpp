@@ -7,14 +7,16 @@
 #include <set>
 
 #include "core/base/hash.h"
+#include "core/log/captured_range.h"
 #include "core/log/content_hash.h"
 #include "core/log/foreign_file.h"
 #include "core/log/last_message.h"
+#include "core/log/log_end.h"
 #include "core/log/log_index_summary.h"
 #include "core/log/log_index_walk.h"
 #include "core/log/log_profile.h"
-#include "core/log/loss_message.h"
 #include "core/log/mapped_file.h"
+#include "core/log/recorded_losses.h"
 #include "core/log/span_damage.h"
 #include "core/log/span_merge.h"
 #include "core/mcap/parse_record.h"
@@ -67,8 +69,7 @@ struct LogReader::Impl {
   std::optional<LastMessage> last;  ///< made on the first call
 
   Status build(bool may_grow = false) {
-    const ByteView magic = mcap::magic();
-    if (file.size() < magic.size() || !std::ranges::equal(file.first(magic.size()), magic)) {
+    if (!magicAt(file, 0)) {
       return Error{ErrorKind::damaged, notALog(file), name};
     }
     std::vector<DamageSpan> summary_damage;
@@ -194,7 +195,11 @@ struct LogReader::Impl {
                               "first is used",
                               std::uint64_t{0}});
     }
-    findRange(others);
+    if (summary.messages > 0) {
+      const CapturedRange range = capturedRange(*cache, others);
+      summary.start = range.start;
+      summary.end = range.end;
+    }
     summary.origin = origin ? *origin : origin_again ? *origin_again : summary.start;
     if (summary.messages == 0) summary.start = summary.end = summary.origin;
   }
@@ -214,76 +219,7 @@ struct LogReader::Impl {
     }
   }
 
-  /// Finds the first and last captured message. If all messages are captured, the spans have both.
-  void findRange(bool others) {
-    if (summary.messages == 0) return;
-    if (!others) {
-      bool first = true;
-      for (const MessageSpan& span : index.spans) {
-        // No message: a time of 0 has no meaning.
-        if (span.start_time == LogTime{} && span.end_time == LogTime{} && span.channels.empty()) {
-          continue;
-        }
-        summary.start = first ? span.start_time : std::min(summary.start, span.start_time);
-        summary.end = first ? span.end_time : std::max(summary.end, span.end_time);
-        first = false;
-      }
-      return;
-    }
-    std::vector<std::uint32_t> spans;
-    for (std::uint32_t i = 0; i < index.spans.size(); ++i) {
-      const std::vector<ChannelId>& ids = index.spans[i].channels;
-      if (ids.empty() || std::ranges::any_of(ids, [&](ChannelId id) { return captured(id); })) {
-        spans.push_back(i);
-      }
-    }
-    findStart(spans);
-    findEnd(spans);
-    if (summary.start > summary.end) summary.start = summary.end = LogTime{};  // there is none
-  }
-
   const MessageSpan& spanAt(std::uint32_t i) const { return index.spans[i]; }
-
-  void findStart(std::vector<std::uint32_t>& spans) {
-    std::ranges::sort(spans, {}, [&](std::uint32_t i) { return spanAt(i).start_time; });
-    summary.start = LogTime::max();
-    for (const std::uint32_t span : spans) {
-      if (spanAt(span).start_time >= summary.start) return;
-      const std::shared_ptr<const SpanMessages> messages = cache->get(span);
-      for (const SpanMessages::Place& place : messages->places) {
-        if (!captured(place.channel)) continue;
-        summary.start = std::min(summary.start, LogTime(Nanoseconds(place.time_ns)));
-        break;  // they are in order of time
-      }
-      // For one that cannot be read, the times of its index.
-      if (messages->places.empty() && !messages->damage.empty()) {
-        summary.start = std::min(summary.start, spanAt(span).start_time);
-      }
-    }
-  }
-
-  void findEnd(std::vector<std::uint32_t>& spans) {
-    std::ranges::sort(spans, std::greater{}, [&](std::uint32_t i) { return spanAt(i).end_time; });
-    summary.end = LogTime{};
-    for (const std::uint32_t span : spans) {
-      if (spanAt(span).end_time <= summary.end) return;
-      const std::shared_ptr<const SpanMessages> messages = cache->get(span);
-      const std::vector<SpanMessages::Place>& places = messages->places;
-      if (places.empty() && !messages->damage.empty()) {
-        summary.end = std::max(summary.end, spanAt(span).end_time);
-      }
-      for (std::size_t i = places.size(); i-- > 0;) {
-        if (!captured(places[i].channel)) continue;
-        summary.end = std::max(summary.end, LogTime(Nanoseconds(places[i].time_ns)));
-        break;
-      }
-    }
-  }
-
-  bool captured(ChannelId id) const {
-    return id < channel_by_id.size() && channel_by_id[id] != nullptr &&
-           channel_by_id[id]->captured();
-  }
 
   void findUnreadable() {
     if (ranged == index.damage.size()) return;
@@ -297,35 +233,6 @@ struct LogReader::Impl {
     }
   }
 
-  void findLosses() {
-    losses.emplace();
-    for (const LogChannel& channel : channels) {
-      const auto count = index.message_counts.find(channel.id);
-      if (channel.topic == profile::kLossTopic && count != index.message_counts.end() &&
-          count->second > 0) {
-        readLosses(channel.id);
-      }
-    }
-    std::ranges::stable_sort(*losses, {}, &LossSpan::from);
-  }
-
-  void readLosses(ChannelId id) {
-    for (std::uint32_t i = 0; i < index.spans.size(); ++i) {
-      if (!spanAt(i).mayHold(id)) continue;
-      const std::shared_ptr<const SpanMessages> messages = cache->get(i);
-      for (const SpanMessages::Place& place : messages->places) {
-        if (place.channel != id) continue;
-        const LogMessage message = messageAt(*messages, place, i, channel_by_id);
-        if (std::optional<LossSpan> loss = parseLoss(message.payload)) {
-          losses->push_back(std::move(*loss));
-        } else {
-          index.damage.push_back({spanAt(i).offset, spanAt(i).end,
-                                  "a message on /rocinante/loss is malformed", std::uint64_t{0}});
-        }
-      }
-    }
-  }
-
   bool inOrderAt(LogPosition place) {
     const auto own = static_cast<std::size_t>(place.file_offset >> 32U);
     if (own >= index.spans.size()) return false;
@@ -333,11 +240,8 @@ struct LogReader::Impl {
       earliest_from.resize(index.spans.size() + 1, LogTime::max());
       for (std::size_t i = index.spans.size(); i-- > 0;) {
         const MessageSpan& span = index.spans[i];
-        // No message: a time of 0 has no meaning.
-        const bool is_empty =
-            span.start_time == LogTime{} && span.end_time == LogTime{} && span.channels.empty();
-        earliest_from[i] =
-            is_empty ? earliest_from[i + 1] : std::min(earliest_from[i + 1], span.start_time);
+        earliest_from[i] = span.hasMessages() ? std::min(earliest_from[i + 1], span.start_time)
+                                              : earliest_from[i + 1];
       }
     }
     if (earliest_from[own + 1] < place.time) return false;
@@ -396,7 +300,7 @@ const std::vector<LogAttachment>& LogReader::attachments() const {
   return impl_->index.attachments;
 }
 const std::vector<LossSpan>& LogReader::losses() const {
-  if (!impl_->losses) impl_->findLosses();
+  if (!impl_->losses) impl_->losses = recordedLosses(*impl_->cache, impl_->index.message_counts);
   return *impl_->losses;
 }
 const std::vector<DamageSpan>& LogReader::damage() const { return impl_->index.damage; }

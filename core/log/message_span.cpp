@@ -28,6 +28,10 @@ LogTime logTimeOf(std::uint64_t file_time) {
   return LogTime(Nanoseconds(static_cast<std::int64_t>(std::min(file_time, kLastFileTime))));
 }
 
+bool MessageSpan::hasMessages() const {
+  return start_time != LogTime{} || end_time != LogTime{} || !channels.empty();
+}
+
 bool MessageSpan::mayHold(ChannelId channel) const {
   return channels.empty() || std::ranges::binary_search(channels, channel);
 }

@@ -31,6 +31,8 @@ struct MessageSpan {
   /// The number of messages in the indexes behind it, if they were counted.
   std::optional<std::uint64_t> indexed_messages;
 
+  /// False when it holds none: then its times, both 0, have no meaning.
+  bool hasMessages() const;
   /// False when none of its messages is on the channel.
   bool mayHold(ChannelId channel) const;
 };

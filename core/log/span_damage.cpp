@@ -16,21 +16,16 @@ LogPosition endOf(std::size_t span, LogTime time) {
   return {time, (std::uint64_t{span} << kSpanShift) | std::numeric_limits<std::uint32_t>::max()};
 }
 
-/// No message: a time of 0 has no meaning.
-bool holdsNothing(const MessageSpan& span) {
-  return span.start_time == LogTime{} && span.end_time == LogTime{} && span.channels.empty();
-}
-
 /// The range between the spans before `next` and those from it on.
 UnreadableRange before(std::size_t next, const std::vector<MessageSpan>& spans) {
   UnreadableRange range;
   for (std::size_t i = next; i-- > 0;) {
-    if (holdsNothing(spans[i])) continue;
+    if (!spans[i].hasMessages()) continue;
     range.first = endOf(i, spans[i].end_time);
     break;
   }
   for (std::size_t i = next; i < spans.size(); ++i) {
-    if (holdsNothing(spans[i])) continue;
+    if (!spans[i].hasMessages()) continue;
     range.last = beginOf(i, spans[i].start_time);
     break;
   }
@@ -42,7 +37,7 @@ UnreadableRange before(std::size_t next, const std::vector<MessageSpan>& spans) 
 bool areInOrder(const std::vector<MessageSpan>& spans) {
   LogTime latest = LogTime::min();
   for (const MessageSpan& span : spans) {
-    if (holdsNothing(span)) continue;
+    if (!span.hasMessages()) continue;
     if (span.start_time < latest) return false;
     latest = span.end_time;
   }
@@ -56,7 +51,7 @@ std::optional<UnreadableRange> unreadableRange(const DamageSpan& damage,
   if (damage.to == file_bytes && !damage.messages_lost) {
     UnreadableRange range;
     for (const MessageSpan& span : spans) {
-      if (!holdsNothing(span)) range.first.time = std::max(range.first.time, span.end_time);
+      if (span.hasMessages()) range.first.time = std::max(range.first.time, span.end_time);
     }
     if (range.first.time != LogTime::min() && range.first.time != LogTime::max()) {
       range.first.time += Nanoseconds(1);
