@@ -1,5 +1,5 @@
 # Cross-builds for arm64 on a Debian of another architecture, with its crossbuild-essential-arm64 and
-# the libraries of arm64 beside its own (multiarch): scripts/arm64 makes a Debian that has them.
+# the libraries of arm64 beside its own (multiarch): tests/arm64/setup installs them.
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR aarch64)
 set(CMAKE_C_COMPILER aarch64-linux-gnu-gcc)
