@@ -77,14 +77,14 @@ void drawLive(const ViewModel& model, SteadyTime now) {
 void drawKept(const ViewModel& model) {
   const LiveKeeper* const keeper = model.feed().keeper();
   if (!model.keepingTrouble().empty()) {
-    ImGui::TextColored(kAmissColor, "not kept");
+    ImGui::TextColored(ink(kAmissColor), "not kept");
     explain(model.keepingTrouble().c_str());
   } else if (keeper != nullptr) {
     ImGui::TextUnformatted(("kept: " + sizeText(keeper->progress().bytes)).c_str());
     explain("the past can be shown; Shift S saves it as a log");
   }
   if (!model.showsNow()) {
-    ImGui::TextColored(kAmissColor, "the past");
+    ImGui::TextColored(ink(kAmissColor), "the past");
     explain("N goes to now");
   }
 }
