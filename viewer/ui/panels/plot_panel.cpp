@@ -4,46 +4,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "core/base/duration_text.h"
-#include "core/kinematics/joint_values.h"
 #include "viewer/ui/commands/study_actions.h"
 #include "viewer/ui/panels/panel_parts.h"
+#include "viewer/ui/panels/plot_lane.h"
 #include "viewer/ui/panels/plot_parts.h"
 #include "viewer/ui/panels/time_ruler.h"
-#include "viewer/ui/plot/plot_scale.h"
 #include "viewer/ui/plot/plot_shape.h"
 
 namespace rocinante {
 namespace {
 
 constexpr float kSplitter = 7;
-constexpr float kLaneGap = 6;
 constexpr float kSmallText = 12;
-
-/// One curve of the frame that is being drawn.
-struct Plotted {
-  const PlotBoard::Curve* curve = nullptr;
-  PlotValue value;
-  const std::vector<ValueColumn>* columns = nullptr;  ///< null: not known yet
-};
-
-/// Curves of one unit, under each other with the other lanes.
-struct Lane {
-  PlotUnit unit{};
-  std::vector<Plotted> curves;
-  PlotScale scale;
-  float top = 0, height = 0;
-
-  float yOf(double shown) const {
-    const double part = std::clamp(scale.part(shown), -1.0, 2.0);
-    return top + height - static_cast<float>(part) * height;
-  }
-};
 
 /// What is drawn at the mouse and at the playhead.
 struct Cursors {
@@ -51,71 +28,7 @@ struct Cursors {
   std::optional<float> mouse_x;  ///< over the plots
 };
 
-const std::vector<ValueColumn>* columnsOf(const ViewModel& model, const SeriesKey& series) {
-  if (model.picture == nullptr) return nullptr;
-  const auto& keys = model.picture->wish.keys;
-  const auto found = std::ranges::find(keys, series);
-  const auto place = static_cast<std::size_t>(found - keys.begin());
-  if (found == keys.end() || place >= model.picture->curves.size()) return nullptr;
-  return &model.picture->curves[place];
-}
-
-std::vector<Lane> lanesOf(const ViewModel& model) {
-  std::map<PlotUnit, Lane> by_unit;
-  for (const PlotBoard::Curve& curve : model.plots.curves()) {
-    const PosedDevice* const device =
-        curve.key.isOfDevice() ? model.scene().findDevice(curve.key.name) : nullptr;
-    Plotted plotted;
-    plotted.curve = &curve;
-    plotted.value = plotValue(curve.key, device == nullptr ? nullptr : device->model);
-    plotted.columns = columnsOf(model, plotted.value.series);
-    Lane& lane = by_unit[plotted.value.unit];
-    lane.unit = plotted.value.unit;
-    lane.curves.push_back(std::move(plotted));
-  }
-  std::vector<Lane> lanes;
-  for (auto& [unit, lane] : by_unit) lanes.push_back(std::move(lane));
-  return lanes;
-}
-
-/// A limit belongs to the picture when the curve comes near it.
-void includeLimits(const PlotValue& value, double& low, double& high) {
-  const double near = (high - low) * 0.35;
-  if (value.upper && *value.upper > high && *value.upper < high + near) high = *value.upper;
-  if (value.lower && *value.lower<low&& * value.lower> low - near) low = *value.lower;
-}
-
-void scaleLane(Lane& lane) {
-  double low = 1, high = -1;
-  for (const Plotted& plotted : lane.curves) {
-    if (plotted.columns == nullptr) continue;
-    const auto range = rangeOf(*plotted.columns, plotted.value);
-    if (!range) continue;
-    low = low > high ? range->first : std::min(low, range->first);
-    high = std::max(high < low ? range->second : high, range->second);
-  }
-  for (const Plotted& plotted : lane.curves) {
-    if (low <= high) includeLimits(plotted.value, low, high);
-  }
-  lane.scale = plotScale(low, high, lane.unit, std::max(1, static_cast<int>(lane.height / px(15))));
-}
-
-void placeLanes(std::vector<Lane>& lanes, float top, float height) {
-  float weights = 0;
-  const auto weight = [](const Lane& lane) {
-    return 2 + static_cast<float>(std::min<std::size_t>(lane.curves.size(), 8));
-  };
-  for (const Lane& lane : lanes) weights += weight(lane);
-  const float room = height - px(kLaneGap) * static_cast<float>(lanes.size() - 1);
-  for (Lane& lane : lanes) {
-    lane.top = top;
-    lane.height = std::max(px(12), room * weight(lane) / weights);
-    top += lane.height + px(kLaneGap);
-    scaleLane(lane);
-  }
-}
-
-void drawGround(const Lane& lane, const TimeAxis& axis, LogTime origin) {
+void drawGround(const PlotLane& lane, const TimeAxis& axis, LogTime origin) {
   ImDrawList* const list = ImGui::GetWindowDrawList();
   list->AddRectFilled(ImVec2(axis.left, lane.top),
                       ImVec2(axis.left + axis.width, lane.top + lane.height), fadedInk(0.05F));
@@ -154,7 +67,8 @@ void drawGround(const Lane& lane, const TimeAxis& axis, LogTime origin) {
 }
 
 /// Where the joint must not be; faint unless it is the one that is looked at.
-void drawLimits(const Lane& lane, const Plotted& plotted, const TimeAxis& axis, bool looked_at) {
+void drawLimits(const PlotLane& lane, const PlottedCurve& plotted, const TimeAxis& axis,
+                bool looked_at) {
   ImDrawList* const list = ImGui::GetWindowDrawList();
   const float left = axis.left, right = axis.left + axis.width;
   const ImU32 line = curveColor(plotted.curve->color, looked_at ? 200 : 90);
@@ -172,7 +86,7 @@ void drawLimits(const Lane& lane, const Plotted& plotted, const TimeAxis& axis, 
   }
 }
 
-void drawCurve(const Lane& lane, const Plotted& plotted, const StudyPicture& picture,
+void drawCurve(const PlotLane& lane, const PlottedCurve& plotted, const StudyPicture& picture,
                const TimeAxis& axis, bool thick) {
   if (plotted.columns == nullptr || plotted.columns->empty()) return;
   ImDrawList* const list = ImGui::GetWindowDrawList();
@@ -199,40 +113,6 @@ void drawCurve(const Lane& lane, const Plotted& plotted, const StudyPicture& pic
   }
 }
 
-/// What a curve has at a pixel of the axis, as shown.
-std::optional<double> valueAt(const Plotted& plotted, const StudyPicture& picture,
-                              const TimeAxis& axis, float x) {
-  if (plotted.columns == nullptr || plotted.columns->empty()) return std::nullopt;
-  const float first = axis.xOf(picture.wish.from);
-  const float last = axis.xOf(picture.wish.until);
-  const auto count = static_cast<float>(plotted.columns->size());
-  const float column = (x - first) / std::max(last - first, 1.0F) * count;
-  if (column < 0) return std::nullopt;
-  const auto place = std::min(static_cast<std::size_t>(column), plotted.columns->size() - 1);
-  const auto held = (*plotted.columns)[place].held;
-  if (!held) return std::nullopt;
-  return plotted.value.shown(static_cast<double>(*held));
-}
-
-/// The value of the shown moment itself, which is exact.
-std::optional<double> shownValue(const ViewModel& model, const Plotted& plotted) {
-  const SeriesKey& series = plotted.value.series;
-  const DeviceState* const said =
-      series.isOfDevice() ? model.state().findDevice(series.name) : nullptr;
-  if (said == nullptr) return std::nullopt;
-  if (series.kind == SeriesKey::Kind::pose) {
-    const auto part = posePart(series.part);
-    if (!said->pose || !part) return std::nullopt;
-    return plotted.value.shown(poseNumbers(said->pose->value.pose)[*part]);
-  }
-  const PosedDevice* const device = model.scene().findDevice(series.name);
-  const auto names = device != nullptr && device->model != nullptr ? positionalNames(*device->model)
-                                                                   : std::vector<std::string>();
-  const auto stated = jointSaid(*said, series.part, names);
-  if (!stated) return std::nullopt;
-  return plotted.value.shown(*stated);
-}
-
 std::string shortened(const std::string& text, float room) {
   if (ImGui::CalcTextSize(text.c_str()).x <= room) return text;
   std::size_t bytes = text.size();
@@ -247,8 +127,8 @@ std::string shortened(const std::string& text, float room) {
 }
 
 /// Names and values of a lane; returns the curve below the mouse.
-const PlotBoard::Curve* drawLegend(const ViewModel& model, const Lane& lane, const TimeAxis& axis,
-                                   const Cursors& cursors, float room,
+const PlotBoard::Curve* drawLegend(const ViewModel& model, const PlotLane& lane,
+                                   const TimeAxis& axis, const Cursors& cursors, float room,
                                    std::optional<SeriesKey>& removed) {
   const PlotBoard::Curve* hovered = nullptr;
   const float left = axis.left + axis.width + px(8);
@@ -257,7 +137,7 @@ const PlotBoard::Curve* drawLegend(const ViewModel& model, const Lane& lane, con
   ImDrawList* const list = ImGui::GetWindowDrawList();
   float y = lane.top;
   for (std::size_t i = 0; i < lane.curves.size(); ++i) {
-    const Plotted& plotted = lane.curves[i];
+    const PlottedCurve& plotted = lane.curves[i];
     const std::size_t left_over = lane.curves.size() - i;
     if (y + 2 * pitch > lane.top + lane.height && left_over > 1) {
       list->AddText(ImVec2(left, y), fadedInk(0.6F), fmt::format("and {} more", left_over).c_str());
@@ -401,7 +281,7 @@ void drawPlots(ViewModel& model, TimelineCursor& cursor, const TimeAxis& axis, f
   drawTools(model, axis, room);
   const float top = bottom - height + px(22);
   const float lanes_height = std::max(px(20), height - px(22 + 10));
-  std::vector<Lane> lanes = lanesOf(model);
+  std::vector<PlotLane> lanes = plotLanes(model);
   if (lanes.empty()) {  // cleared just now
     ImGui::End();
     return;
@@ -420,20 +300,20 @@ void drawPlots(ViewModel& model, TimelineCursor& cursor, const TimeAxis& axis, f
   ImDrawList* const list = ImGui::GetWindowDrawList();
   std::optional<SeriesKey> removed;
   const PlotBoard::Curve* looked_at = nullptr;
-  for (const Lane& lane : lanes) {
+  for (const PlotLane& lane : lanes) {
     const auto* over = drawLegend(model, lane, axis, cursors, room, removed);
     if (over != nullptr) looked_at = over;
   }
-  for (const Lane& lane : lanes) {
+  for (const PlotLane& lane : lanes) {
     drawGround(lane, axis, model.origin());
     list->PushClipRect(ImVec2(axis.left, lane.top),
                        ImVec2(axis.left + axis.width, lane.top + lane.height), true);
-    for (const Plotted& plotted : lane.curves) {
+    for (const PlottedCurve& plotted : lane.curves) {
       const bool only = lane.curves.size() == 1;
       drawLimits(lane, plotted, axis, only || plotted.curve == looked_at);
     }
     if (model.picture != nullptr) {
-      for (const Plotted& plotted : lane.curves) {
+      for (const PlottedCurve& plotted : lane.curves) {
         drawCurve(lane, plotted, *model.picture, axis, plotted.curve == looked_at);
       }
     }

@@ -1,0 +1,113 @@
+#include "viewer/ui/panels/plot_lane.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "core/kinematics/joint_values.h"
+#include "viewer/ui/panels/panel_parts.h"
+
+namespace rocinante {
+namespace {
+
+constexpr float kLaneGap = 6;
+
+const std::vector<ValueColumn>* columnsOf(const ViewModel& model, const SeriesKey& series) {
+  if (model.picture == nullptr) return nullptr;
+  const auto& keys = model.picture->wish.keys;
+  const auto found = std::ranges::find(keys, series);
+  const auto place = static_cast<std::size_t>(found - keys.begin());
+  if (found == keys.end() || place >= model.picture->curves.size()) return nullptr;
+  return &model.picture->curves[place];
+}
+
+/// A limit belongs to the picture when the curve comes near it.
+void includeLimits(const PlotValue& value, double& low, double& high) {
+  const double near = (high - low) * 0.35;
+  if (value.upper && *value.upper > high && *value.upper < high + near) high = *value.upper;
+  if (value.lower && *value.lower<low&& * value.lower> low - near) low = *value.lower;
+}
+
+void scaleLane(PlotLane& lane) {
+  double low = 1, high = -1;
+  for (const PlottedCurve& plotted : lane.curves) {
+    if (plotted.columns == nullptr) continue;
+    const auto range = rangeOf(*plotted.columns, plotted.value);
+    if (!range) continue;
+    low = low > high ? range->first : std::min(low, range->first);
+    high = std::max(high < low ? range->second : high, range->second);
+  }
+  for (const PlottedCurve& plotted : lane.curves) {
+    if (low <= high) includeLimits(plotted.value, low, high);
+  }
+  lane.scale = plotScale(low, high, lane.unit, std::max(1, static_cast<int>(lane.height / px(15))));
+}
+
+}  // namespace
+
+std::vector<PlotLane> plotLanes(const ViewModel& model) {
+  std::map<PlotUnit, PlotLane> by_unit;
+  for (const PlotBoard::Curve& curve : model.plots.curves()) {
+    const PosedDevice* const device =
+        curve.key.isOfDevice() ? model.scene().findDevice(curve.key.name) : nullptr;
+    PlottedCurve plotted;
+    plotted.curve = &curve;
+    plotted.value = plotValue(curve.key, device == nullptr ? nullptr : device->model);
+    plotted.columns = columnsOf(model, plotted.value.series);
+    PlotLane& lane = by_unit[plotted.value.unit];
+    lane.unit = plotted.value.unit;
+    lane.curves.push_back(std::move(plotted));
+  }
+  std::vector<PlotLane> lanes;
+  for (auto& [unit, lane] : by_unit) lanes.push_back(std::move(lane));
+  return lanes;
+}
+
+void placeLanes(std::vector<PlotLane>& lanes, float top, float height) {
+  float weights = 0;
+  const auto weight = [](const PlotLane& lane) {
+    return 2 + static_cast<float>(std::min<std::size_t>(lane.curves.size(), 8));
+  };
+  for (const PlotLane& lane : lanes) weights += weight(lane);
+  const float room = height - px(kLaneGap) * static_cast<float>(lanes.size() - 1);
+  for (PlotLane& lane : lanes) {
+    lane.top = top;
+    lane.height = std::max(px(12), room * weight(lane) / weights);
+    top += lane.height + px(kLaneGap);
+    scaleLane(lane);
+  }
+}
+
+std::optional<double> valueAt(const PlottedCurve& plotted, const StudyPicture& picture,
+                              const TimeAxis& axis, float x) {
+  if (plotted.columns == nullptr || plotted.columns->empty()) return std::nullopt;
+  const float first = axis.xOf(picture.wish.from);
+  const float last = axis.xOf(picture.wish.until);
+  const auto count = static_cast<float>(plotted.columns->size());
+  const float column = (x - first) / std::max(last - first, 1.0F) * count;
+  if (column < 0) return std::nullopt;
+  const auto place = std::min(static_cast<std::size_t>(column), plotted.columns->size() - 1);
+  const auto held = (*plotted.columns)[place].held;
+  if (!held) return std::nullopt;
+  return plotted.value.shown(static_cast<double>(*held));
+}
+
+std::optional<double> shownValue(const ViewModel& model, const PlottedCurve& plotted) {
+  const SeriesKey& series = plotted.value.series;
+  const DeviceState* const said =
+      series.isOfDevice() ? model.state().findDevice(series.name) : nullptr;
+  if (said == nullptr) return std::nullopt;
+  if (series.kind == SeriesKey::Kind::pose) {
+    const auto part = posePart(series.part);
+    if (!said->pose || !part) return std::nullopt;
+    return plotted.value.shown(poseNumbers(said->pose->value.pose)[*part]);
+  }
+  const PosedDevice* const device = model.scene().findDevice(series.name);
+  const auto names = device != nullptr && device->model != nullptr ? positionalNames(*device->model)
+                                                                   : std::vector<std::string>();
+  const auto stated = jointSaid(*said, series.part, names);
+  if (!stated) return std::nullopt;
+  return plotted.value.shown(*stated);
+}
+
+}  // namespace rocinante

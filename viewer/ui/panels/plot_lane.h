@@ -1,0 +1,47 @@
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+#include "viewer/ui/model/view_model.h"
+#include "viewer/ui/panels/time_axis.h"
+#include "viewer/ui/plot/plot_scale.h"
+
+namespace rocinante {
+
+/// One curve of the frame that is being drawn. Borrowed from the model.
+struct PlottedCurve {
+  const PlotBoard::Curve* curve = nullptr;
+  PlotValue value;
+  const std::vector<ValueColumn>* columns = nullptr;  ///< null: not known yet
+};
+
+/// Curves of one unit, under each other with the other lanes.
+struct PlotLane {
+  PlotUnit unit{};
+  std::vector<PlottedCurve> curves;
+  PlotScale scale;
+  float top = 0, height = 0;
+
+  float yOf(double shown) const {
+    const double part = std::clamp(scale.part(shown), -1.0, 2.0);
+    return top + height - static_cast<float>(part) * height;
+  }
+};
+
+/// The lanes of what is plotted, by unit; not placed yet.
+std::vector<PlotLane> plotLanes(const ViewModel& model);
+
+/// Places lanes under each other from `top` on, the more curves the higher, and scales them to what
+/// is known.
+void placeLanes(std::vector<PlotLane>& lanes, float top, float height);
+
+/// What a curve has at a pixel of the axis, as shown.
+std::optional<double> valueAt(const PlottedCurve& plotted, const StudyPicture& picture,
+                              const TimeAxis& axis, float x);
+
+/// The value of the shown moment itself, which is exact.
+std::optional<double> shownValue(const ViewModel& model, const PlottedCurve& plotted);
+
+}  // namespace rocinante

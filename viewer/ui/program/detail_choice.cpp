@@ -1,0 +1,58 @@
+#include "viewer/ui/program/detail_choice.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace rocinante {
+namespace {
+
+/// Threads that make coarser meshes; the others are left to drawing.
+constexpr int kDetailThreads = 1;
+
+int existingRung(int rung) { return std::clamp(rung, 0, kCoarsestRung); }
+
+}  // namespace
+
+DetailChoice::DetailChoice(std::optional<int> fixed, bool may_govern, double target_fps)
+    : governor_({1000 / target_fps, kCoarsestRung}),
+      target_fps_(target_fps),
+      may_govern_(may_govern),
+      fixed_(fixed.has_value() || !may_govern),
+      rung_(existingRung(fixed.value_or(0))) {}
+
+bool DetailChoice::prepare(Renderer& renderer) {
+  const DetailRung& rung = kDetailRungs[static_cast<std::size_t>(rung_)];
+  const bool wanted = rung.level.geometry_error_px > 0;
+  if (!wanted && fixed_) return false;
+  renderer.prepareDetail(DetailCache::ofUser(), kDetailThreads);
+  const bool news = renderer.takeReadyDetail(wanted && fixed_);
+  if (news) governor_.forget();
+  coarse_ready_ = renderer.detailReady();
+  return news;
+}
+
+void DetailChoice::apply(const ViewerRequests& requests) {
+  if (requests.target_fps) {
+    target_fps_ = *requests.target_fps;
+    governor_.setTarget(1000 / target_fps_);
+  }
+  if (requests.rung) {
+    fixed_ = *requests.rung >= 0;
+    rung_ = existingRung(fixed_ ? *requests.rung : governor_.rung());
+    governor_.forget();
+  }
+}
+
+void DetailChoice::frameDrawn(double cost_ms) {
+  if (!fixed_) rung_ = existingRung(governor_.frameDrawn(cost_ms));
+}
+
+void DetailChoice::tell(ViewerStatus& status) const {
+  status.rung = rung_;
+  status.rung_fixed = fixed_;
+  status.may_govern = may_govern_;
+  status.target_fps = target_fps_;
+  status.coarse_ready = coarse_ready_;
+}
+
+}  // namespace rocinante

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+
+#include "viewer/detail/governor.h"
+#include "viewer/render/renderer.h"
+#include "viewer/ui/commands/viewer_requests.h"
+#include "viewer/ui/panels/panels.h"
+
+namespace rocinante {
+
+/// The rung of detail of a window's frames: chosen by the user, or by the governor from what frames
+/// cost. Main thread.
+class DetailChoice {
+ public:
+  /// `fixed`: empty: the governor's, where it `may_govern`, else rung 0.
+  DetailChoice(std::optional<int> fixed, bool may_govern, double target_fps);
+
+  int rung() const { return rung_; }
+  bool fixed() const { return fixed_; }
+
+  /// Starts coarser meshes when first needed, or at once if the governor may need them. A level
+  /// chosen by number waits for its meshes before the first frame. True when there are new ones.
+  bool prepare(Renderer& renderer);
+  /// Takes what the user asked for.
+  void apply(const ViewerRequests& requests);
+  void frameDrawn(double cost_ms);
+  /// What is drawn changed: size, meshes.
+  void forget() { governor_.forget(); }
+  void tell(ViewerStatus& status) const;
+
+ private:
+  Governor governor_;
+  double target_fps_;
+  bool may_govern_;
+  bool fixed_;
+  int rung_ = 0;
+  bool coarse_ready_ = true;
+};
+
+}  // namespace rocinante

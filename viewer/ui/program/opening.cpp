@@ -1,0 +1,39 @@
+#include "viewer/ui/program/opening.h"
+
+#include <utility>
+
+namespace rocinante {
+
+Status Opening::open(const std::vector<std::filesystem::path>& files) {
+  if (files.empty()) return {};
+  if (loader_.busy()) {
+    return Error{ErrorKind::refused, "wait until " + loader_.name() + " is loaded", {}};
+  }
+  model_.open.used = true;
+  auto request = requestOf(files, shown_);
+  if (!request.ok()) return request.error();
+  loader_.start(std::move(*request));
+  return {};
+}
+
+Result<std::optional<Opening::Loaded>> Opening::take() {
+  std::optional<Loaded> loaded;
+  auto result = loader_.poll();
+  if (!result) return loaded;
+  loaded.emplace();
+  if (result->ok()) {
+    loaded->content = std::make_unique<ViewContent>(std::move(**result));
+  } else if (model_.is_empty && !model_.open.used) {
+    return result->error();
+  } else {
+    loaded->fault = result->error().text();
+  }
+  return loaded;
+}
+
+std::optional<LoadingStatus> Opening::status() const {
+  if (!loader_.busy()) return std::nullopt;
+  return LoadingStatus{loader_.name(), loader_.progress()};
+}
+
+}  // namespace rocinante

@@ -1,0 +1,23 @@
+#include "viewer/ui/program/panel_pace.h"
+
+#include <chrono>
+
+namespace rocinante {
+
+Nanoseconds panelsChangeEvery(const ViewModel& model, const ProgramBusy& busy) {
+  using namespace std::chrono_literals;
+  if (model.packet.searching()) return 16ms;
+  if (busy.loading) return 50ms;
+  if (busy.notice || busy.typing) return 200ms;
+  return model.isLive() ? Nanoseconds(1s) : Nanoseconds::max();
+}
+
+double newsWait(const ViewModel& model) {
+  const TimelineCursor* const cursor = model.cursor();
+  const bool goes_on = cursor != nullptr && cursor->following();
+  const bool is_busy =
+      model.isLive() || goes_on || model.isStudyBusy() || model.hand.driving() != nullptr;
+  return is_busy ? 0.016 : 0.05;
+}
+
+}  // namespace rocinante

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "viewer/render/fitted_cameras.h"
+#include "viewer/render/renderer.h"
+#include "viewer/ui/commands/viewer_requests.h"
+#include "viewer/ui/model/view_insets.h"
+#include "viewer/ui/model/view_model.h"
+#include "viewer/ui/program/scene_view.h"
+
+namespace rocinante {
+
+/// How a window's picture is drawn, as the program decides it for each frame.
+struct PictureTerms {
+  int width = 1, height = 1;  ///< in pixels
+  double scale = 1;           ///< of text and lines
+  CoveredEdges covered;       ///< by panels
+  int rung = 0;               ///< of kDetailRungs
+};
+
+/// The scene in a window: what of the model it shows, drawn when it changes, refined at rest, and
+/// clicked on. Main thread; its context must be current. Borrows the model.
+class WindowPicture {
+ public:
+  WindowPicture(ViewModel& model, Renderer renderer, int samples)
+      : model_(model),
+        samples_(samples),
+        renderer_(std::move(renderer)),
+        fitted_(model.cell(), renderer_) {}
+
+  /// Prepares fitted cameras. Before the first state is queried, which is only valid until the next
+  /// query.
+  Status prepare() { return fitted_.prepare(model_.session(), fit_damage_); }
+
+  Renderer& renderer() { return renderer_; }
+  const FittedCameras& fitted() const { return fitted_; }
+  const FrameBuffer& pixels() const { return view_.picture(); }
+  bool refined() const { return view_.refined(); }
+
+  /// Poses, drawings or meshes changed.
+  void changed() { ++version_; }
+  /// Draws the picture unless the same was drawn last; empty when it was.
+  Result<std::optional<DrawCounts>> draw(const PictureTerms& terms, SteadyTime now);
+  /// Draws the next slice of the picture at rest, if it is due; true when it has become whole.
+  Result<bool> refine(SteadyTime now);
+  /// A slice is due.
+  bool refinesAt(SteadyTime now) const {
+    return view_.refinesAt().value_or(SteadyTime::max()) <= now;
+  }
+
+  /// Selects what the last picture shows there, aims the camera at it, or picks it for a distance.
+  Status click(const PictureClick& click);
+  /// Points for fitted views: everything, or the selection.
+  std::vector<Vec3> corners(bool of_selection) const;
+
+ private:
+  SceneFrame frame(const RenderStyle& style) const;
+
+  ViewModel& model_;
+  int samples_;
+  Renderer renderer_;
+  FittedCameras fitted_;
+  StateDamage fit_damage_;  ///< until reported
+  SceneView view_;
+  PictureTerms terms_;
+  std::uint64_t version_ = 0;
+  std::vector<FrameInset> insets_;  ///< of the last frame, in the window's pixels
+};
+
+}  // namespace rocinante
