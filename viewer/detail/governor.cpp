@@ -16,6 +16,8 @@ constexpr std::size_t kFewFrames = 3;
 constexpr double kMargin = 0.85;
 constexpr int kBasePatience = 45;
 constexpr int kLongestPatience = 1 << 20;
+/// Of a frame with dear looks, by one of rung 0 without them, at most (docs/rendering.md, "Looks").
+constexpr double kBestCostWithLooks = 5;
 /// An ascent that lasted this many times its patience was right.
 constexpr int kHeldFor = 16;
 
@@ -27,8 +29,8 @@ double medianOf(std::vector<double> costs) {
 
 }  // namespace
 
-std::array<int, Governor::kRungs> Governor::basePatience() {
-  std::array<int, kRungs> patience{};
+std::array<int, Governor::kSteps> Governor::basePatience() {
+  std::array<int, kSteps> patience{};
   patience.fill(kBasePatience);
   return patience;
 }
@@ -43,50 +45,51 @@ bool Governor::overloaded() const {
   return costs_.size() >= kWindow && typicalMs() > settings_.target_ms;
 }
 
-int Governor::cheapEnoughRung() const {
+double Governor::bestCostOf(int step) const {
+  if (!settings_.drops_looks) return kDetailRungs[static_cast<std::size_t>(step)].best_cost;
+  return step == 0 ? kBestCostWithLooks
+                   : kDetailRungs[static_cast<std::size_t>(step - 1)].best_cost;
+}
+
+int Governor::cheapEnoughStep() const {
   // Use the last few frames only: cheap frames before a new load must not count.
   const double now = medianOf({costs_.end() - kFewFrames, costs_.end()});
-  const double here = kDetailRungs[static_cast<std::size_t>(rung_)].best_cost;
-  int rung = rung_ + 1;
-  while (rung < settings_.coarsest &&
-         now * kDetailRungs[static_cast<std::size_t>(rung)].best_cost / here >
-             settings_.target_ms) {
-    ++rung;
-  }
-  return rung;
+  const double here = bestCostOf(step_);
+  int step = step_ + 1;
+  while (step < coarsestStep() && now * bestCostOf(step) / here > settings_.target_ms) ++step;
+  return step;
 }
 
 bool Governor::ascentWouldHold() const {
-  if (rung_ == 0 || costs_.size() < kEnoughFrames) return false;
-  const auto finer = static_cast<std::size_t>(rung_ - 1);
+  if (step_ == 0 || costs_.size() < kEnoughFrames) return false;
+  const auto finer = static_cast<std::size_t>(step_ - 1);
   // Unknown saving: assume the geometric mean of none and the largest possible. The attempt
   // measures the real value.
-  const double saved = saved_[finer].value_or(
-      std::sqrt(kDetailRungs[finer].best_cost / kDetailRungs[finer + 1].best_cost));
+  const double saved = saved_[finer].value_or(std::sqrt(bestCostOf(step_ - 1) / bestCostOf(step_)));
   return typicalMs() * saved <= kMargin * settings_.target_ms;
 }
 
 void Governor::learnWhatWasSaved() {
   if (!cost_before_ || costs_.size() < kFewFrames) return;
   const double here = typicalMs();
-  if (rung_ == rung_before_ + 1 && here > 0) {
-    saved_[static_cast<std::size_t>(rung_before_)] = *cost_before_ / here;
-  } else if (rung_ == rung_before_ - 1 && *cost_before_ > 0) {
-    saved_[static_cast<std::size_t>(rung_)] = here / *cost_before_;
+  if (step_ == step_before_ + 1 && here > 0) {
+    saved_[static_cast<std::size_t>(step_before_)] = *cost_before_ / here;
+  } else if (step_ == step_before_ - 1 && *cost_before_ > 0) {
+    saved_[static_cast<std::size_t>(step_)] = here / *cost_before_;
   }
   if (costs_.size() >= kEnoughFrames) cost_before_.reset();
 }
 
-void Governor::moveTo(int rung) {
-  if (rung > rung_ && frames_since_ascent_ >= 0) {
+void Governor::moveTo(int step) {
+  if (step > step_ && frames_since_ascent_ >= 0) {
     // The ascent had to be reverted.
-    int& patience = patience_[static_cast<std::size_t>(rung_)];
+    int& patience = patience_[static_cast<std::size_t>(step_)];
     patience = std::min(patience * 2, kLongestPatience);
   }
-  frames_since_ascent_ = rung < rung_ ? 0 : -1;
+  frames_since_ascent_ = step < step_ ? 0 : -1;
   cost_before_ = typicalMs();
-  rung_before_ = rung_;
-  rung_ = rung;
+  step_before_ = step_;
+  step_ = step;
   costs_.clear();
   calm_frames_ = 0;
   skip_ = 1;
@@ -95,34 +98,41 @@ void Governor::moveTo(int rung) {
 int Governor::frameDrawn(double cost_ms) {
   if (skip_ > 0) {
     --skip_;
-    return rung_;
+    return rung();
   }
   if (costs_.size() == kWindow) costs_.erase(costs_.begin());
   costs_.push_back(std::isfinite(cost_ms) ? std::max(cost_ms, 0.0) : 0.0);
   learnWhatWasSaved();
   if (frames_since_ascent_ >= 0) {
-    int& patience = patience_[static_cast<std::size_t>(rung_)];
+    int& patience = patience_[static_cast<std::size_t>(step_)];
     if (++frames_since_ascent_ > kHeldFor * std::min(patience, kLongestPatience / kHeldFor)) {
       patience = kBasePatience;
       frames_since_ascent_ = -1;
     }
   }
-  if (rung_ < settings_.coarsest && overloaded()) {
-    moveTo(cheapEnoughRung());
-    return rung_;
+  if (step_ < coarsestStep() && overloaded()) {
+    moveTo(cheapEnoughStep());
+    return rung();
   }
   calm_frames_ = ascentWouldHold() ? calm_frames_ + 1 : 0;
-  if (calm_frames_ > 0 && calm_frames_ >= patience_[static_cast<std::size_t>(rung_ - 1)]) {
-    moveTo(rung_ - 1);
+  if (calm_frames_ > 0 && calm_frames_ >= patience_[static_cast<std::size_t>(step_ - 1)]) {
+    moveTo(step_ - 1);
   }
-  return rung_;
+  return rung();
 }
 
 void Governor::forget() {
-  const int rung = rung_;
+  const int step = step_;
   *this = Governor(settings_);
-  rung_ = rung;
+  step_ = step;
   skip_ = 1;
+}
+
+void Governor::setDropsLooks(bool drops) {
+  const int rung_now = rung();
+  settings_.drops_looks = drops;
+  step_ = drops && rung_now > 0 ? rung_now + 1 : rung_now;
+  forget();
 }
 
 void Governor::setTarget(double target_ms) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -23,15 +24,21 @@ class Governor {
   struct Settings {
     double target_ms = 1000.0 / 30;
     int coarsest = kCoarsestRung;
+    /// Before the first rung there is a step with dear looks (shadows, contact), which are what is
+    /// left out first.
+    bool drops_looks = false;
   };
 
   explicit Governor(const Settings& settings) : settings_(settings) {}
 
-  int rung() const { return rung_; }
-  /// Typical cost of the last frames on this rung; 0 without frames.
+  int rung() const { return settings_.drops_looks ? std::max(step_ - 1, 0) : step_; }
+  /// Dear looks are drawn; false only where they may be left out.
+  bool drawsLooks() const { return !settings_.drops_looks || step_ == 0; }
+  /// Typical cost of the last frames on this step; 0 without frames.
   double typicalMs() const;
 
-  /// Takes the cost of the frame just drawn on rung() and returns the rung of the next one.
+  /// Takes the cost of the frame just drawn on rung(), with looks or without, and returns the rung
+  /// of the next one.
   int frameDrawn(double cost_ms);
 
   /// Discards all measurements, because the user changed what is drawn (size, samples, layers) or
@@ -39,32 +46,36 @@ class Governor {
   void forget();
   /// Sets the target and calls forget().
   void setTarget(double target_ms);
+  /// Sets Settings::drops_looks, keeps the rung, and calls forget().
+  void setDropsLooks(bool drops);
 
  private:
-  void moveTo(int rung);
+  void moveTo(int step);
   void learnWhatWasSaved();
   bool overloaded() const;
-  int cheapEnoughRung() const;
+  int cheapEnoughStep() const;
   bool ascentWouldHold() const;
+  int coarsestStep() const { return settings_.coarsest + (settings_.drops_looks ? 1 : 0); }
+  double bestCostOf(int step) const;
 
-  static constexpr std::size_t kRungs = kDetailRungs.size();
+  static constexpr std::size_t kSteps = kDetailRungs.size() + 1;
 
   Settings settings_;
-  int rung_ = 0;
+  int step_ = 0;               ///< the rung, or one more where the first step is that with looks
   int skip_ = 2;               ///< frames to ignore, since first frames cost more
   std::vector<double> costs_;  ///< of the last frames on this rung, oldest first
-  int calm_frames_ = 0;        ///< frames for which the next finer rung would have held
+  int calm_frames_ = 0;        ///< frames for which the next finer step would have held
 
-  /// Cost on rung i by cost on rung i + 1, measured when last going from one to the other.
-  std::array<std::optional<double>, kRungs> saved_{};
-  /// Calm frames required before ascending to rung i.
-  std::array<int, kRungs> patience_ = basePatience();
-  /// The previous rung and its cost, until this rung's cost is known.
+  /// Cost on step i by cost on step i + 1, measured when last going from one to the other.
+  std::array<std::optional<double>, kSteps> saved_{};
+  /// Calm frames required before ascending to step i.
+  std::array<int, kSteps> patience_ = basePatience();
+  /// The previous step and its cost, until this step's cost is known.
   std::optional<double> cost_before_;
-  int rung_before_ = 0;
+  int step_before_ = 0;
   int frames_since_ascent_ = -1;  ///< negative: none to judge
 
-  static std::array<int, kRungs> basePatience();
+  static std::array<int, kSteps> basePatience();
 };
 
 }  // namespace rocinante

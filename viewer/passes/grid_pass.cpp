@@ -2,9 +2,11 @@
 
 #include <array>
 #include <glm/gtc/type_ptr.hpp>
+#include <string>
 #include <utility>
 
 #include "viewer/gl/depth_lift.h"
+#include "viewer/passes/contact_shaders.h"
 #include "viewer/passes/look_shaders.h"
 #include "viewer/passes/shader_source.h"
 
@@ -32,7 +34,7 @@ GridPass::GridPass(const GlTable& gl, ShaderProgram program)
 GridPass::GridPass(GridPass&& other) noexcept
     : gl_(other.gl_),
       program_(std::move(other.program_)),
-      with_shadows_(std::move(other.with_shadows_)),
+      darkened_(std::move(other.darkened_)),
       array_(std::exchange(other.array_, 0)),
       vertices_(std::exchange(other.vertices_, 0)) {}
 
@@ -41,18 +43,36 @@ GridPass::~GridPass() {
   gl_.DeleteBuffers(1, &vertices_);
 }
 
+/// Of shadows, of contact, or of both.
+Result<const ShaderProgram*> GridPass::darkened(bool by_shadows, bool by_contact) {
+  const auto found = darkened_.find({by_shadows, by_contact});
+  if (found != darkened_.end()) return &found->second;
+  std::string vertex(shader::kGridVertex), fragment(shader::kGridFragment);
+  if (by_contact) {
+    vertex = shader::withContact(vertex, false);
+    fragment = shader::withContact(fragment, true);
+  }
+  if (by_shadows) {
+    vertex = shader::withShadows(vertex, false);
+    fragment = shader::withShadows(fragment, true);
+  }
+  auto made = ShaderProgram::link(gl_, "grid", vertex, fragment);
+  if (!made) return made.error();
+  return &darkened_.emplace(std::pair(by_shadows, by_contact), std::move(*made)).first->second;
+}
+
 Status GridPass::draw(const Camera& camera, const CellScene& look, double scale,
-                      const ShadowLookup* shadows) {
+                      const ShadowLookup* shadows, const ContactLookup* contact) {
   if (!(look.grid_size_m > 0) || !(look.grid_step_m > 0)) return {};
   // A light from below casts no shadow on the ground.
-  const bool dark = shadows != nullptr && look.light_direction.z > 0;
-  if (dark && !with_shadows_) {
-    auto made = ShaderProgram::link(gl_, "grid", shader::withShadows(shader::kGridVertex, false),
-                                    shader::withShadows(shader::kGridFragment, true));
+  const bool by_shadows = shadows != nullptr && look.light_direction.z > 0;
+  const ShaderProgram* chosen = &program_;
+  if (by_shadows || contact != nullptr) {
+    const auto made = darkened(by_shadows, contact != nullptr);
     if (!made) return made.error();
-    with_shadows_.emplace(std::move(*made));
+    chosen = *made;
   }
-  const ShaderProgram& program = dark ? *with_shadows_ : program_;
+  const ShaderProgram& program = *chosen;
   gl_.Enable(GL_DEPTH_TEST);
   gl_.DepthMask(GL_FALSE);
   gl_.Enable(GL_BLEND);
@@ -60,7 +80,12 @@ Status GridPass::draw(const Camera& camera, const CellScene& look, double scale,
   gl_.Enable(GL_POLYGON_OFFSET_FILL);
   setDepthLift(gl_, -1);
   program.use();
-  if (dark) bindShadows(gl_, program, *shadows);
+  if (by_shadows) bindShadows(gl_, program, *shadows);
+  if (contact != nullptr) {
+    bindContact(gl_, program, *contact);
+    const glm::vec3 forward(camera.forward());
+    gl_.Uniform3f(program.uniform("view_direction"), forward.x, forward.y, forward.z);
+  }
   const glm::mat4 clip(camera.clipFromRelative());
   gl_.UniformMatrix4fv(program.uniform("clip_from_relative"), 1, GL_FALSE, glm::value_ptr(clip));
   const glm::vec3 center(-camera.eye());

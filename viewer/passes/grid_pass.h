@@ -1,9 +1,11 @@
 #pragma once
 
-#include <optional>
+#include <map>
+#include <utility>
 
 #include "core/cell/cell.h"
 #include "viewer/gl/shader_program.h"
+#include "viewer/passes/contact_map.h"
 #include "viewer/passes/shadow_map.h"
 #include "viewer/view/camera.h"
 
@@ -18,17 +20,18 @@ class GridPass {
   GridPass(GridPass&& other) noexcept;
   GridPass& operator=(GridPass&&) = delete;
 
-  /// Draws nothing when the cell's grid has no size or no step. `shadows`, if not null, fall on the
-  /// ground that the grid covers.
+  /// Draws nothing when the cell's grid has no size or no step. `shadows` and `contact`, if not
+  /// null, darken the ground that the grid covers.
   Status draw(const Camera& camera, const CellScene& look, double scale,
-              const ShadowLookup* shadows);
+              const ShadowLookup* shadows, const ContactLookup* contact);
 
  private:
   GridPass(const GlTable& gl, ShaderProgram program);
+  Result<const ShaderProgram*> darkened(bool by_shadows, bool by_contact);
 
   const GlTable& gl_;
   ShaderProgram program_;
-  std::optional<ShaderProgram> with_shadows_;  // made on first use
+  std::map<std::pair<bool, bool>, ShaderProgram> darkened_;  // made on first use
   GLuint array_ = 0, vertices_ = 0;
 };
 

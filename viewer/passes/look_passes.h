@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "core/cell/cell.h"
+#include "viewer/passes/contact_map.h"
 #include "viewer/passes/edge_pass.h"
 #include "viewer/passes/ghost_pass.h"
 #include "viewer/passes/mesh_buffers.h"
@@ -22,6 +23,7 @@ class LookPasses {
   Result<GhostPass*> ghosts() { return made<GhostPass>(ghosts_); }
   Result<OutlinePass*> outlines() { return made<OutlinePass>(outlines_); }
   Result<ShadowMap*> shadows() { return made<ShadowMap>(shadows_); }
+  Result<ContactMap*> contact() { return made<ContactMap>(contact_); }
 
  private:
   template <class Pass>
@@ -39,6 +41,7 @@ class LookPasses {
   std::optional<GhostPass> ghosts_;
   std::optional<OutlinePass> outlines_;
   std::optional<ShadowMap> shadows_;
+  std::optional<ContactMap> contact_;
 };
 
 }  // namespace rocinante

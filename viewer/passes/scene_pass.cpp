@@ -9,6 +9,7 @@
 
 #include "core/math/transform.h"
 #include "viewer/gl/depth_lift.h"
+#include "viewer/passes/contact_shaders.h"
 #include "viewer/passes/draw_triangles.h"
 #include "viewer/passes/item_matrices.h"
 #include "viewer/passes/look_shaders.h"
@@ -101,6 +102,7 @@ class ScenePass::Items {
     program.shader.use();
     if (&program == &standard_) {
       if (variant_.shadows) bindShadows(gl_, program.shader, *surfaces_.shadows);
+      if (variant_.contact) bindContact(gl_, program.shader, *surfaces_.contact);
       for (std::size_t i = 0; i < variant_.lights; ++i) setLight(program.shader, i);
     }
     gl_.Uniform1i(program.orthographic, camera_.orthographic() ? 1 : 0);
@@ -274,7 +276,7 @@ ScenePass::ScenePass(const GlTable& gl, Program standard, Program plain, Program
 
 ScenePass::Variant ScenePass::variantOf(const SurfaceLook& surfaces, const CellScene& look) {
   if (surfaces.shading == Shading::plain) return {};
-  return {surfaces.shadows != nullptr, look.lights.size()};
+  return {surfaces.shadows != nullptr, surfaces.contact != nullptr, look.lights.size()};
 }
 
 const ScenePass::Program& ScenePass::standardIn(const Variant& variant) const {
@@ -288,6 +290,7 @@ Status ScenePass::prepare(const SurfaceLook& surfaces, const CellScene& look) {
   const Variant variant = variantOf(surfaces, look);
   if (variant == Variant() || variants_.contains(variant)) return {};
   std::string fragment = shader::withLights(shader::kSceneFragment, variant.lights);
+  if (variant.contact) fragment = shader::withContact(fragment, true);
   if (variant.shadows) fragment = shader::withShadows(fragment, true);
   auto linked = link(gl_, "scene with looks", shader::kSceneVertex, fragment);
   if (!linked) return linked.error();

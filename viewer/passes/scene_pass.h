@@ -7,6 +7,7 @@
 #include "core/cell/cell.h"
 #include "viewer/cull/draw_list.h"
 #include "viewer/gl/shader_program.h"
+#include "viewer/passes/contact_map.h"
 #include "viewer/passes/item_batch.h"
 #include "viewer/passes/mesh_buffers.h"
 #include "viewer/passes/shadow_map.h"
@@ -19,9 +20,10 @@ namespace rocinante {
 /// How surfaces are drawn; the default is the shader without any look.
 struct SurfaceLook {
   Shading shading = Shading::standard;
-  const ShadowLookup* shadows = nullptr;  ///< of the standard shading; null: none
-  float depth_ranks = 0;                  ///< lift of all surfaces (setDepthLift)
-  bool depth_only = false;                ///< surfaces write only depth
+  const ShadowLookup* shadows = nullptr;   ///< of the standard shading; null: none
+  const ContactLookup* contact = nullptr;  ///< the same
+  float depth_ranks = 0;                   ///< lift of all surfaces (setDepthLift)
+  bool depth_only = false;                 ///< surfaces write only depth
 };
 
 /// Draws the geometry of a draw list into the bound framebuffer, between DrawPasses::begin() and
@@ -50,9 +52,10 @@ class ScenePass {
     GLint shininess = -1, has_map = -1, has_tint = -1, orthographic = -1;
     GLint view_direction = -1, key_direction = -1, fill_direction = -1;
   };
-  /// The standard shading with shadows, and with a number of lights of the cell.
+  /// The standard shading with shadows and contact, and with a number of lights of the cell.
   struct Variant {
     bool shadows = false;
+    bool contact = false;
     std::size_t lights = 0;
     auto operator<=>(const Variant&) const = default;
   };

@@ -54,7 +54,7 @@ uniform float shininess;
 uniform bool has_map;
 uniform bool has_tint;
 uniform bool orthographic;
-uniform vec3 view_direction;  // of an orthographic camera
+uniform vec3 view_direction;
 uniform vec3 key_direction;   // towards the light
 uniform vec3 fill_direction;
 uniform sampler2D map;
@@ -99,10 +99,21 @@ void main() {
   // From a texel and a half above the surface: it must not lie in its own shadow.
   if (key > 0.0) key *= litAt(from_eye + n * (texel_m * 1.5));
 #endif
+#ifdef CONTACT
+  // Light from all sides is kept away by what is near, that of lamps less. The terms are exact, so
+  // that an open place (1) has the bits that it has without the look.
+  float open = openAt(dot(from_eye, view_direction));
+  float lamps = open * 0.625 + 0.375;
+  ambient *= open;
+  key *= lamps;
+#endif
 #ifdef LIGHTS
   vec3 light = base.rgb * ambient;
   for (int i = 0; i < LIGHTS; ++i) {
     float part = i == 0 ? key : max(dot(n, light_direction[i]), 0.0);
+#ifdef CONTACT
+    if (i > 0) part *= lamps;
+#endif
     light += base.rgb * light_color[i] * part;
     vec3 half_way = light_direction[i] + to_eye;
     float facing = dot(n, half_way) * (1.0 / sqrt(max(dot(half_way, half_way), 1e-6)));
@@ -112,6 +123,9 @@ void main() {
   }
 #else
   float fill = max(dot(n, fill_direction), 0.0);
+#ifdef CONTACT
+  fill *= open;
+#endif
   vec3 light = base.rgb * (ambient + vec3(0.54, 0.52, 0.49) * key + vec3(0.20, 0.21, 0.22) * fill);
   if (shininess > 0.0) {
     vec3 half_way = key_direction + to_eye;
@@ -157,12 +171,12 @@ uniform mat4 clip_from_relative;
 uniform vec3 center_from_eye;  // the world's origin, seen from the eye
 uniform float half_size;
 out vec2 ground;  // metres from the origin
-#ifdef SHADOWS
+#if defined(SHADOWS) || defined(CONTACT)
 out vec3 from_eye;
 #endif
 void main() {
   ground = corner * half_size;
-#ifdef SHADOWS
+#if defined(SHADOWS) || defined(CONTACT)
   from_eye = center_from_eye + vec3(ground, 0.0);
 #endif
   gl_Position = clip_from_relative * vec4(center_from_eye + vec3(ground, 0.0), 1.0);
@@ -171,8 +185,9 @@ void main() {
 
 const std::string_view kGridFragment = R"(#version 330 core
 in vec2 ground;
-#ifdef SHADOWS
+#if defined(SHADOWS) || defined(CONTACT)
 in vec3 from_eye;
+uniform vec3 view_direction;
 #endif
 uniform float grid_step;
 uniform float half_size;
@@ -208,9 +223,16 @@ void main() {
   if (x_axis > 0.0) { shade = vec3(0.75, 0.22, 0.20); strength = max(strength, x_axis * 0.75); }
   else if (y_axis > 0.0) { shade = vec3(0.22, 0.56, 0.22); strength = max(strength, y_axis * 0.75); }
   color = vec4(shade, strength * fade);
-#ifdef SHADOWS
+#if defined(SHADOWS) || defined(CONTACT)
   // The ground is no surface: it shows shadows and nothing else. Lines over them.
-  float dark = (1.0 - litAt(from_eye + vec3(0.0, 0.0, texel_m))) * 0.34 * fade;
+  float lit = 1.0;
+#ifdef SHADOWS
+  lit = litAt(from_eye + vec3(0.0, 0.0, texel_m));
+#endif
+#ifdef CONTACT
+  lit *= openAt(dot(from_eye, view_direction));
+#endif
+  float dark = (1.0 - lit) * 0.34 * fade;
   float both = color.a + dark * (1.0 - color.a);
   color = vec4(mix(vec3(0.04, 0.05, 0.07), shade, color.a / max(both, 1e-6)), both);
 #endif

@@ -8,14 +8,10 @@
 #include "viewer/passes/look_shaders.h"
 
 namespace rocinante {
-namespace {
 
-/// Items that are more opaque than not cast a full shadow. Pictures with holes cast none.
-bool casts(const DrawItem& item) {
+bool keepsLight(const DrawItem& item) {
   return !item.translucent || (item.texture < 0 && item.diffuse.a >= 0.5F);
 }
-
-}  // namespace
 
 void bindShadows(const GlTable& gl, const ShaderProgram& program, const ShadowLookup& shadows) {
   gl.UniformMatrix4fv(program.uniform("map_from_relative"), 1, GL_FALSE,
@@ -73,8 +69,7 @@ Camera ShadowMap::lightCamera(const ShadowFit& fit) const {
   return Camera(fit.view, kSide, kSide, depth, fit.reach_m);
 }
 
-ShadowLookup ShadowMap::draw(std::span<const DrawnSet> casters, const Camera& light,
-                             const ShadowFit& fit, const Camera& camera) const {
+void ShadowMap::draw(std::span<const DrawnSet> casters, const Camera& light) const {
   GLint bound = 0;
   gl_.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
   gl_.BindFramebuffer(GL_FRAMEBUFFER, frame_);
@@ -96,7 +91,7 @@ ShadowLookup ShadowMap::draw(std::span<const DrawnSet> casters, const Camera& li
   for (const DrawnSet& set : casters) {
     for (const auto* items : {&set.list->opaque, &set.list->translucent}) {
       for (const DrawItem& item : *items) {
-        if (!casts(item)) continue;
+        if (!keepsLight(item)) continue;
         const glm::mat4 clip_from_model(light.clipFromRelative() * light.relative(item.world));
         gl_.UniformMatrix4fv(clip, 1, GL_FALSE, glm::value_ptr(clip_from_model));
         set.meshes->bind(item.mesh);
@@ -106,7 +101,10 @@ ShadowLookup ShadowMap::draw(std::span<const DrawnSet> casters, const Camera& li
   }
   gl_.Disable(GL_POLYGON_OFFSET_FILL);
   gl_.BindFramebuffer(GL_FRAMEBUFFER, static_cast<GLuint>(bound));
+}
 
+ShadowLookup ShadowMap::lookup(const Camera& light, const ShadowFit& fit,
+                               const Camera& camera) const {
   // Clip space to [0, 1]; the light's depth already is, except for drivers without glClipControl.
   Mat4 unit(1.0);
   unit[0][0] = unit[1][1] = unit[3][0] = unit[3][1] = 0.5;

@@ -9,6 +9,9 @@
 
 namespace rocinante {
 
+/// Items that are more opaque than not keep light from others. Pictures with holes do not.
+bool keepsLight(const DrawItem& item);
+
 /// Data for a shader that reads a shadow map.
 struct ShadowLookup {
   GLuint map = 0;                     ///< depth from the light; 1 is nearest
@@ -35,9 +38,10 @@ class ShadowMap {
   Camera lightCamera(const ShadowFit& fit) const;
 
   /// Draws the mostly opaque items of `casters`. Restores the framebuffer binding, not the
-  /// viewport. The result is for shaders relative to the eye of `camera`.
-  ShadowLookup draw(std::span<const DrawnSet> casters, const Camera& light, const ShadowFit& fit,
-                    const Camera& camera) const;
+  /// viewport.
+  void draw(std::span<const DrawnSet> casters, const Camera& light) const;
+  /// The map, for shaders relative to the eye of `camera`.
+  ShadowLookup lookup(const Camera& light, const ShadowFit& fit, const Camera& camera) const;
 
  private:
   ShadowMap(const GlTable& gl, ShaderProgram program);

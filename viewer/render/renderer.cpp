@@ -110,23 +110,6 @@ Status Renderer::Impl::checkTriangles(std::span<const DrawnSet> sets) {
                {}};
 }
 
-Result<ShadowLookup> Renderer::Impl::drawShadows(const SceneFrame& frame, const LinkLooks& looks,
-                                                 const Camera& camera) {
-  const auto map = look_passes.shadows();
-  if (!map) return map.error();
-  const ShadowFit fit = shadowFit(visibleCorners(*frame.scene, catalog, *frame.choice),
-                                  Vec3(cell.scene.light_direction), ShadowMap::kSide);
-  const Camera light = (*map)->lightCamera(fit);
-  const DrawList list = listOf(frame, light, looks);
-  std::vector<DrawnSet> sets{{&list, &catalog, &meshes}};
-  DrawList collisions;
-  if (looks.anyCollision()) {
-    collisions = collisionListOf(frame, light, looks);
-    sets.push_back({&collisions, &collision->catalog, &collision->meshes});
-  }
-  return (*map)->draw(sets, light, fit, camera);
-}
-
 Status Renderer::Impl::drawEdges(std::span<const DrawnSet> sets, const SceneFrame& frame,
                                  const Camera& camera) {
   const RenderStyle& style = styleOf(frame);
@@ -171,8 +154,8 @@ Overlay Renderer::Impl::onTopOf(const SceneFrame& frame, const Camera& camera,
 }
 
 Result<DrawCounts> Renderer::Impl::drawView(const SceneFrame& frame, const LinkLooks& looks,
-                                            const CameraView& view, const PixelRectangle& part,
-                                            int frame_height) {
+                                            const CameraView& view, std::size_t number,
+                                            const PixelRectangle& part, int frame_height) {
   const CellScene& look = cell.scene;
   const ViewChoice& choice = *frame.choice;
   const RenderStyle& style = styleOf(frame);
@@ -192,13 +175,10 @@ Result<DrawCounts> Renderer::Impl::drawView(const SceneFrame& frame, const LinkL
   if (frame.extras != nullptr) addTrails(in_scene, frame.extras->trails);
 
   clock.endStage(counts.times.cull);
-  // Draw. First the shadow map and other inputs of this view.
-  std::optional<ShadowLookup> shadows;
-  if (style.shadows && style.shading == Shading::standard) {
-    const auto drawn = drawShadows(frame, looks, camera);
-    if (!drawn) return drawn.error();
-    shadows = *drawn;
-  }
+  // Draw. First the light and other inputs of this view.
+  const glm::vec2 origin(part.x, frame_height - part.y - part.height);
+  const auto light = drawLight(frame, looks, camera, number, sets, origin);
+  if (!light) return light.error();
   OutlinePass* outlines = nullptr;
   if (looks.anyOutlined()) {
     const auto made = look_passes.outlines();
@@ -208,7 +188,8 @@ Result<DrawCounts> Renderer::Impl::drawView(const SceneFrame& frame, const LinkL
   }
   SurfaceLook surfaces;
   surfaces.shading = style.shading;
-  surfaces.shadows = shadows ? &*shadows : nullptr;
+  surfaces.shadows = light->shadows ? &*light->shadows : nullptr;
+  surfaces.contact = light->contact ? &*light->contact : nullptr;
   surfaces.depth_ranks = style.edges != EdgeStyle::none
                              ? EdgePass::kSurfaceRanks * static_cast<float>(frame.scale)
                              : 0;
@@ -226,7 +207,8 @@ Result<DrawCounts> Renderer::Impl::drawView(const SceneFrame& frame, const LinkL
   textures.endPlainFiltering();
   if (Status lines = drawEdges(sets, frame, camera); !lines) return lines.error();
   if (look.grid && choice.layerVisible("grid")) {
-    const Status grid = passes->grid.draw(camera, look, frame.scale, surfaces.shadows);
+    const Status grid =
+        passes->grid.draw(camera, look, frame.scale, surfaces.shadows, surfaces.contact);
     if (!grid) return grid.error();
   }
   // Before translucent items, so that a planner's line shows through a ghost.
@@ -280,11 +262,14 @@ Result<DrawCounts> Renderer::draw(const SceneFrame& frame, const FrameBuffer& ta
   my.passes->overlay.useText(my.atlasOf(frame.scale));
   target.bind();
   const PixelRectangle whole{0, 0, target.width(), target.height()};
-  auto counts = my.drawView(frame, *looks, frame.camera, whole, target.height());
+  ++my.frames_drawn;
+  if (!frame.goes_on) my.lights.clear();
+  auto counts = my.drawView(frame, *looks, frame.camera, 0, whole, target.height());
   if (!counts) return counts.error();
-  for (const FrameInset& inset : frame.insets) {
+  for (std::size_t i = 0; i < frame.insets.size(); ++i) {
+    const FrameInset& inset = frame.insets[i];
     if (frame.only && overlapOf(inset.part, *frame.only).height == 0) continue;
-    const auto more = my.drawView(frame, *looks, inset.camera, inset.part, target.height());
+    const auto more = my.drawView(frame, *looks, inset.camera, i + 1, inset.part, target.height());
     if (!more) return more.error();
     counts->triangles += more->triangles;
     counts->draws += more->draws;
@@ -354,6 +339,7 @@ Bounds Renderer::visibleBounds(const PosedScene& scene, const ViewChoice& choice
   return bounds;
 }
 
+std::uint64_t Renderer::framesDrawn() const { return impl_->frames_drawn; }
 const GlTable& Renderer::gl() const { return impl_->gl; }
 const RendererKey& Renderer::key() const { return impl_->key; }
 const TextAtlas& Renderer::text(double scale) const { return impl_->atlasOf(scale); }

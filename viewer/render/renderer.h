@@ -55,6 +55,9 @@ struct SceneFrame {
   /// Draw these pixels alone, the same as with the others, and leave the others as they are: a
   /// frame may be drawn in slices.
   std::optional<PixelRectangle> only{};
+  /// A further slice of the frame that was drawn last (Renderer::framesDrawn): its shadows and
+  /// contact are known.
+  bool goes_on = false;
 };
 
 /// The link shown by a pixel of a frame.
@@ -124,6 +127,9 @@ class Renderer {
   /// The bounding box of everything visible in world space; empty when nothing is visible.
   Bounds visibleBounds(const PosedScene& scene, const ViewChoice& choice,
                        const DeviceNames* devices = nullptr) const;
+
+  /// Calls of draw() so far.
+  std::uint64_t framesDrawn() const;
 
   const GlTable& gl() const;
   const RendererKey& key() const;

@@ -17,8 +17,8 @@
 
 namespace rocinante {
 
-/// The members of a Renderer, for renderer.cpp (frames) and renderer_numbers.cpp (identity and
-/// depth).
+/// The members of a Renderer, for renderer.cpp (frames), renderer_light.cpp (shadows and contact)
+/// and renderer_numbers.cpp (identity and depth).
 struct Renderer::Impl {
   static constexpr int kTextPixels = 16;
 
@@ -44,6 +44,11 @@ struct Renderer::Impl {
     MeshBuffers meshes;
   };
 
+  struct ViewLight {
+    std::optional<ShadowLookup> shadows;
+    std::optional<ContactLookup> contact;
+  };
+
   GlTable gl;
   RendererKey key;
   const Cell& cell;
@@ -60,6 +65,8 @@ struct Renderer::Impl {
   LookPasses look_passes{gl};
   std::optional<IdentityPass> identity_pass;  // made on first use
   std::optional<FrameBuffer> pick_target;     // as large as the picture clicked on
+  std::uint64_t frames_drawn = 0;
+  std::map<std::size_t, ViewLight> lights;  // of the views of the frame, by their numbers
   std::string inputs_text;
 
   const TextAtlas& atlasOf(double scale) const;
@@ -80,9 +87,16 @@ struct Renderer::Impl {
   Result<LinkLooks> looksOf(const SceneFrame& frame);
   /// unsupported when there are more than the limit of a frame.
   static Status checkTriangles(std::span<const DrawnSet> sets);
-  /// Draws one view into a part of the bound framebuffer.
+  /// Draws one view into a part of the bound framebuffer. `number`: 0 for the main view, from 1 on
+  /// for insets.
   Result<DrawCounts> drawView(const SceneFrame& frame, const LinkLooks& looks,
-                              const CameraView& view, const PixelRectangle& part, int frame_height);
+                              const CameraView& view, std::size_t number,
+                              const PixelRectangle& part, int frame_height);
+  /// What keeps light from the surfaces of a view, drawn unless `lights` has it
+  /// (renderer_light.cpp).
+  Result<ViewLight> drawLight(const SceneFrame& frame, const LinkLooks& looks, const Camera& camera,
+                              std::size_t number, std::span<const DrawnSet> sets,
+                              const glm::vec2& origin);
   Result<ShadowLookup> drawShadows(const SceneFrame& frame, const LinkLooks& looks,
                                    const Camera& camera);
   Status drawEdges(std::span<const DrawnSet> sets, const SceneFrame& frame, const Camera& camera);

@@ -17,7 +17,9 @@ Status RestPicture::drawRows(Renderer& renderer, SceneFrame frame, int width, in
   frame.detail = {};
   frame.on_top = true;
   frame.only = PixelRectangle{0, drawn, width, rows};
+  frame.goes_on = drawn > 0 && renderer.framesDrawn() == frames_drawn_;
   if (const auto done = renderer.draw(frame, *picture_); !done) return done.error();
+  frames_drawn_ = renderer.framesDrawn();
   if (drawn + rows >= height) picture_->resolve();
   return {};
 }

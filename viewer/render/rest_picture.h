@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "viewer/gl/frame_buffer.h"
@@ -22,6 +23,7 @@ class RestPicture {
 
  private:
   std::optional<FrameBuffer> picture_;  ///< made by the first slice of its size
+  std::uint64_t frames_drawn_ = 0;      ///< of the renderer, since the last slice
 };
 
 }  // namespace rocinante

@@ -17,6 +17,7 @@ constexpr Nanoseconds kLongestTrail = std::chrono::hours(24);
 constexpr std::array kKeys{
     StyleKey{"shading", "standard|plain", "plain: one light and even ambient light"},
     StyleKey{"shadows", "on|off", "shadows of the key light"},
+    StyleKey{"contact", "on|off", "darker where surfaces are near each other"},
     StyleKey{"edges", "on|only|off", "crisp edges; only: a line drawing"},
     StyleKey{"labels", "beside|apart", "apart: labels that do not cover each other"},
     StyleKey{"ghosts", "plain|clear", "clear: ghosts in one tone, behind the actual device"},
@@ -169,6 +170,8 @@ Status setOne(RenderStyle& style, const StyleKey& key, std::string_view value) {
     fit = choose(style.ghosts, value, {{"plain", GhostStyle::plain}, {"clear", GhostStyle::clear}});
   } else if (name == "shadows") {
     fit = chooseSwitch(style.shadows, value);
+  } else if (name == "contact") {
+    fit = chooseSwitch(style.contact, value);
   } else if (name == "limits") {
     fit = chooseSwitch(style.limits, value);
   } else if (name == "scale-bar") {
@@ -195,13 +198,18 @@ Status setStyle(RenderStyle& style, std::string_view key_text, std::string_view 
     return badStyle("`" + std::string(key_text) + "` is not a style; the styles are: " + all);
   }
   const bool shadows = style.shadows;
+  const bool contact = style.contact;
   const Shading shading = style.shading;
   Status set = setOne(style, *key, value);
-  const bool changed = style.shadows != shadows || style.shading != shading;
-  if (changed && style.shadows && style.shading == Shading::plain) {
+  const bool changed =
+      style.shadows != shadows || style.contact != contact || style.shading != shading;
+  if (changed && style.shading == Shading::plain && (style.shadows || style.contact)) {
+    const std::string_view what = style.shadows ? "shadows" : "contact";
     style.shadows = shadows;
+    style.contact = contact;
     style.shading = shading;
-    return badStyle("plain shading draws no shadows: leave out one of the two styles");
+    return badStyle("plain shading draws no " + std::string(what) +
+                    ": leave out one of the two styles");
   }
   return set;
 }
@@ -220,6 +228,7 @@ std::vector<std::pair<std::string, std::string>> styleWords(const RenderStyle& s
   };
   if (style.shading != plain.shading) say("shading", "plain");
   if (style.shadows && style.shading == Shading::standard) say("shadows", "on");
+  if (style.contact && style.shading == Shading::standard) say("contact", "on");
   if (style.edges != plain.edges) say("edges", style.edges == EdgeStyle::only ? "only" : "on");
   if (style.labels != plain.labels) say("labels", "apart");
   if (style.ghosts != plain.ghosts) say("ghosts", "clear");

@@ -52,6 +52,7 @@ struct TransparentStyle {
 struct RenderStyle {
   Shading shading = Shading::standard;
   bool shadows = false;  ///< of the key light
+  bool contact = false;  ///< darker where surfaces are near each other
   EdgeStyle edges = EdgeStyle::none;
   LabelStyle labels = LabelStyle::beside;
   GhostStyle ghosts = GhostStyle::plain;
@@ -84,8 +85,8 @@ struct StyleKey {
 std::span<const StyleKey> styleKeys();
 
 /// Sets or, where the key repeats, adds one value. `-` and `_` in a key are the same; `on` and
-/// `true`, `off` and `false` too. bad_argument for an unknown key, an invalid value, and shadows
-/// with plain shading; the style is then unchanged.
+/// `true`, `off` and `false` too. bad_argument for an unknown key, an invalid value, and shadows or
+/// contact with plain shading; the style is then unchanged.
 Status setStyle(RenderStyle& style, std::string_view key, std::string_view value);
 
 /// The same for one word, "KEY=VALUE", or "KEY" for "KEY=on".

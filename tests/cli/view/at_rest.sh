@@ -23,7 +23,7 @@ printf 'panels off\nplay\nwait 2\nframe 2\nscreenshot whole.png\nquit\n' >script
 cat >person.sh <<'PERSON'
 view() { rocinante view "$demo/demo.cell.toml" "$demo/session.mcap" --size 640x400 "$@"; }
 # Until the end of the log, for nothing may move later.
-view --at -0.5s --detail 0 --script script.txt
+view --at -0.5s --detail 0 --style shadows --style contact --script script.txt
 view --at -0.5s --target-fps 240 2>view.txt &
 viewer=$!
 window=$(xdotool search --sync --onlyvisible --name '^Rocinante')

@@ -45,5 +45,5 @@ wait $viewer
 echo "view: exit $?"
 PERSON
 with_display bash person.sh
-rocinante render two.cell.toml --camera front --size 640x480 --samples 1 -o there.png
+rocinante render two.cell.toml --camera front --size 640x480 --samples 1 --shadows --contact -o there.png
 rocinante golden compare evidence-*.png there.png | sed 's/^same:.*/same/'

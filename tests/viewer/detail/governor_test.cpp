@@ -190,6 +190,41 @@ TEST(Governor, ForgettingKeepsTheRungAndTriesAnew) {
   EXPECT_LE(machineCost(ready.rung, 10, 290), kTarget);
 }
 
+/// As machineCost(), with looks that cost as much as two more frames.
+double costWithLooks(const Governor& judged, double pixels_ms) {
+  const double plain = machineCost(judged.rung(), pixels_ms, 5);
+  return judged.drawsLooks() ? 3 * plain : plain;
+}
+
+TEST(Governor, DearLooksAreLeftOutFirstAndComeBack) {
+  Governor judged({kTarget, kCoarsestRung, true});
+  EXPECT_TRUE(judged.drawsLooks());
+  drive(judged, 500, [&](int, int) { return costWithLooks(judged, 20); });
+  EXPECT_TRUE(judged.drawsLooks()) << "where they fit";
+  drive(judged, 500, [&](int, int) { return costWithLooks(judged, 80); });
+  EXPECT_FALSE(judged.drawsLooks());
+  EXPECT_EQ(judged.rung(), 0) << "nothing else is left out where that is enough";
+  drive(judged, 2000, [&](int, int) { return costWithLooks(judged, 600); });
+  EXPECT_FALSE(judged.drawsLooks());
+  EXPECT_GT(judged.rung(), 0);
+  drive(judged, 5000, [&](int, int) { return costWithLooks(judged, 20); });
+  EXPECT_TRUE(judged.drawsLooks());
+  EXPECT_EQ(judged.rung(), 0);
+}
+
+TEST(Governor, LooksThatStayChangeNoRung) {
+  Governor judged({kTarget, kCoarsestRung, true});
+  drive(judged, 2000, [&](int, int) { return costWithLooks(judged, 600); });
+  const int rung = judged.rung();
+  ASSERT_GT(rung, 0);
+  judged.setDropsLooks(false);
+  EXPECT_EQ(judged.rung(), rung);
+  EXPECT_TRUE(judged.drawsLooks());
+  judged.setDropsLooks(true);
+  EXPECT_EQ(judged.rung(), rung);
+  EXPECT_FALSE(judged.drawsLooks());
+}
+
 TEST(Governor, AnotherTargetIsHeldToo) {
   Governor judged = governor();
   drive(judged, 500, [](int rung, int) { return machineCost(rung, 90, 5); });

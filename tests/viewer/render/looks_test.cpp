@@ -54,7 +54,7 @@ TEST(Looks, ALookLeavesNothingBehindInTheNextFrame) {
       ++drawn;
     }
   }
-  EXPECT_GE(drawn, 26);
+  EXPECT_GE(drawn, 28);
 }
 
 TEST(Looks, AShadowFallsAwayFromTheLightAndNotOnWhatCastsIt) {
@@ -109,6 +109,55 @@ TEST(Looks, AThingStandsOnItsShadow) {
   EXPECT_NEAR(dark, 19, 2);
   EXPECT_FALSE(at(shaded, 63, 70) == at(lit, 63, 70));
   EXPECT_EQ(at(shaded, 110, 90), at(lit, 110, 90));
+}
+
+TEST(Looks, ContactDarkensWhereSurfacesMeetAndNothingElse) {
+  TestCell cell;
+  // A plate of 10 cm on a wall, at 64 pixels a metre.
+  cell.add("wall", boxMesh({9, 0.2, 9}), {0, 1, 0}, colored(0.8F, 0.8F, 0.8F))
+      .add("plate", boxMesh({0.5, 0.1, 0.5}), {0, 0.85, 0}, colored(0.8F, 0.8F, 0.8F));
+  Studio studio(cell, 4);
+  for (const bool orthographic : {true, false}) {
+    SCOPED_TRACE(orthographic ? "orthographic" : "perspective");
+    CameraView view = frontView();
+    view.ortho_height_m = 2.5;
+    if (!orthographic) {
+      view.ortho_height_m.reset();
+      view.eye = {0, -2.2, 0};
+    }
+    const Picture open = studio.drawn({}, view);
+    const Picture near = studio.drawn({"contact"}, view);
+    // The wall beside the plate and above it, far from it, and the middle of the plate's front.
+    EXPECT_LT(at(near, 100, 80).sum(), at(open, 100, 80).sum() - 20);
+    EXPECT_LT(at(near, 80, 60).sum(), at(open, 80, 60).sum() - 20);
+    EXPECT_EQ(at(near, 145, 15), at(open, 145, 15));
+    EXPECT_EQ(at(near, 80, 80), at(open, 80, 80));
+    EXPECT_EQ(studio.drawn({"contact"}, view).rgba, near.rgba);
+  }
+}
+
+TEST(Looks, ContactFallsOnTheGroundBelowWhatStandsOnIt) {
+  TestCell cell;
+  cell.cell().scene.grid = true;
+  cell.cell().scene.background_top = cell.cell().scene.background_bottom = {0.7F, 0.7F, 0.7F};
+  cell.add("box", boxMesh({2, 2, 2}), {0, 0, 1}, colored(0.9F, 0.9F, 0.9F));
+  Studio studio(cell, 4);
+  CameraView view;
+  view.eye = {0, -6, 3};
+  view.target = {0, 0, 0.5};
+  const Picture open = studio.drawn({}, view);
+  const Picture near = studio.drawn({"contact"}, view);
+  int darker = 0, lighter = 0;
+  for (std::size_t i = 0; i < open.rgba.size(); i += 4) {
+    darker += near.rgba[i] + 8 < open.rgba[i] ? 1 : 0;
+    lighter += near.rgba[i] > open.rgba[i] + 1 ? 1 : 0;
+  }
+  EXPECT_GT(darker, 60);
+  EXPECT_EQ(lighter, 0);
+  EXPECT_EQ(at(near, 5, 150), at(open, 5, 150));
+  // Without the ground nothing is near the box.
+  EXPECT_EQ(studio.drawn({"contact"}, view, {"layer/gnomon", "layer/grid"}).rgba,
+            studio.drawn({}, view, {"layer/gnomon", "layer/grid"}).rgba);
 }
 
 TEST(Looks, WireframeShowsWhatIsBehindAndTransparentBoth) {

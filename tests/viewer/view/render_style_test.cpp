@@ -76,6 +76,17 @@ TEST(RenderStyle, RefusesWhatItDoesNotKnowAndStaysAsItWas) {
   }
 }
 
+TEST(RenderStyle, ContactComesBackAndIsNotOfPlainLight) {
+  RenderStyle style = styleSaid({"contact"});
+  EXPECT_EQ(styleWords(style),
+            (std::vector<std::pair<std::string, std::string>>{{"contact", "on"}}));
+  const Status refused = setStyle(style, "shading=plain");
+  ASSERT_FALSE(refused.has_value());
+  EXPECT_EQ(refused.error().what,
+            "plain shading draws no contact: leave out one of the two styles");
+  EXPECT_EQ(style, styleSaid({"contact=on"}));
+}
+
 TEST(RenderStyle, NamesThingsOnce) {
   EXPECT_EQ(styleSaid({"outlined=arm", "outlined=arm"}).outlined.size(), 1U);
 }

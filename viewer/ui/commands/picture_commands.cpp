@@ -52,6 +52,10 @@ Status setShadows(CommandWords words, const CommandStage& stage) {
   return setFlag(&RenderStyle::shadows, words, stage);
 }
 
+Status setContact(CommandWords words, const CommandStage& stage) {
+  return setFlag(&RenderStyle::contact, words, stage);
+}
+
 Status setLimits(CommandWords words, const CommandStage& stage) {
   return setFlag(&RenderStyle::limits, words, stage);
 }
@@ -89,6 +93,10 @@ Status toggleTrail(CommandWords /*words*/, const CommandStage& stage) {
 
 Status setOneStyle(CommandWords words, const CommandStage& stage) {
   RenderStyle style = stage.model.style();
+  // What the window chose by itself gives way.
+  if (stage.model.hasLooksByDefault() && words[0] == "shading" && words[1] == "plain") {
+    style.shadows = style.contact = false;
+  }
   Status set = setStyle(style, words[0], words[1]);
   if (set) set = stage.model.names().check(style);
   if (!set) return badWord(set.error().text());
@@ -188,6 +196,10 @@ std::vector<Command> pictureCommands() {
        .means = "shadows",
        .run = setShadows,
        .shortcuts = {{"D", "", ""}}},
+      {.name = "contact",
+       .arguments = "[on|off]",
+       .means = "darker where surfaces are near each other",
+       .run = setContact},
       {.name = "limits",
        .arguments = "[on|off]",
        .means = "links near a joint limit amber, beyond it red",

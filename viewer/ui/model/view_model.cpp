@@ -249,7 +249,15 @@ const Event* ViewModel::eventBeside(LogTime moment, bool after) const {
   return here == events_.begin() ? nullptr : &*std::prev(here);
 }
 
+void ViewModel::useLooksByDefault() {
+  RenderStyle style = style_;
+  style.shadows = style.contact = true;
+  setStyle(style);
+  looks_by_default_ = true;
+}
+
 void ViewModel::setStyle(const RenderStyle& style) {
+  if (style.shadows != style_.shadows || style.contact != style_.contact) looks_by_default_ = false;
   style_changed_ = style_changed_ || !(style == style_);
   style_ = style;
 }

@@ -151,6 +151,10 @@ class ViewModel {
   /// selection, and what is being picked.
   const RenderStyle& style() const { return style_; }
   void setStyle(const RenderStyle& style);
+  /// Shadows and contact, as looks of the window's own choice, until the user chooses one of them.
+  void useLooksByDefault();
+  /// Shadows and contact are the window's choice, which a frame may leave out to be drawn in time.
+  bool hasLooksByDefault() const { return looks_by_default_; }
   RenderStyle frameStyle() const;
   /// A click on a surface while a distance is picked.
   void pickPoint(const Selection& link, const Vec3& point);
@@ -244,6 +248,7 @@ class ViewModel {
   PosedScene scene_;
   RenderStyle style_;
   bool style_changed_ = false;
+  bool looks_by_default_ = false;
   std::optional<TrailFinder> trail_finder_;
   FrameExtras extras_;
   std::vector<Misfit> misfits_;

@@ -194,6 +194,7 @@ void drawRung(const ViewerStatus& status, ViewerRequests& requests) {
   std::string what =
       status.rung == 0 ? "everything" : fmt::format("{:.0f} %", rung.resolution * 100);
   if (status.rung > 0 && !rung.multisampled) what += ", 1 sample";
+  if (status.drops_looks) what += ", no shadows";
   if (rung.level.geometry_error_px > 0) {
     what += fmt::format(", {:g} px off", rung.level.geometry_error_px);
   }

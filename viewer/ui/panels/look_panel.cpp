@@ -89,20 +89,23 @@ void drawLookTab(ViewModel& model) {
   }
   ImGui::Checkbox("shadows", &style.shadows);
   ImGui::SameLine(px(140));
+  ImGui::Checkbox("contact", &style.contact);
+  explain("darker where surfaces are near each other");
   bool plain = style.shading == Shading::plain;
   if (ImGui::Checkbox("plain light", &plain)) {
     style.shading = plain ? Shading::plain : Shading::standard;
   }
+  explain("one light, neither shadows nor contact");
+  ImGui::SameLine(px(140));
   ImGui::Checkbox("joint limits", &style.limits);
   explain("links near a limit amber, beyond it red");
-  ImGui::SameLine(px(140));
   ImGui::Checkbox("scale bar", &style.scale_bar);
+  ImGui::SameLine(px(140));
   bool clear = style.ghosts == GhostStyle::clear;
   if (ImGui::Checkbox("clear ghosts", &clear)) {
     style.ghosts = clear ? GhostStyle::clear : GhostStyle::plain;
   }
   explain("ghosts in one tone with bright rims, behind the actual device");
-  ImGui::SameLine(px(140));
   bool apart = style.labels == LabelStyle::apart;
   if (ImGui::Checkbox("labels apart", &apart)) {
     style.labels = apart ? LabelStyle::apart : LabelStyle::beside;

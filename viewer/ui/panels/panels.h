@@ -31,6 +31,7 @@ struct ViewerStatus {
   bool refined = false;     ///< at rest: everything is drawn, whatever the rung
   double target_fps = 30;
   bool coarse_ready = true;  ///< coarser meshes are ready
+  bool drops_looks = false;  ///< shadows and contact are left out to be drawn in time
   bool tells_times = true;   ///< off under a script, for identical screenshots
   std::string notice;        ///< last action, such as a written picture; may be empty
   bool notice_is_fault = false;

@@ -43,6 +43,12 @@ void DetailChoice::apply(const ViewerRequests& requests) {
   }
 }
 
+void DetailChoice::setLooksByDefault(bool any) {
+  if (any == looks_by_default_) return;
+  looks_by_default_ = any;
+  governor_.setDropsLooks(any);
+}
+
 void DetailChoice::frameDrawn(double cost_ms) {
   if (!fixed_) rung_ = existingRung(governor_.frameDrawn(cost_ms));
 }
@@ -53,6 +59,7 @@ void DetailChoice::tell(ViewerStatus& status) const {
   status.may_govern = may_govern_;
   status.target_fps = target_fps_;
   status.coarse_ready = coarse_ready_;
+  status.drops_looks = looks_by_default_ && dropsLooks();
 }
 
 }  // namespace rocinante

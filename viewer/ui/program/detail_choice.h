@@ -17,6 +17,11 @@ class DetailChoice {
   DetailChoice(std::optional<int> fixed, bool may_govern, double target_fps);
 
   int rung() const { return rung_; }
+  /// Looks that are the window's own choice are left out: as long as a machine cannot draw them in
+  /// time, and with a level that the user chose.
+  bool dropsLooks() const { return fixed_ ? rung_ > 0 : !governor_.drawsLooks(); }
+  /// Whether there are such looks.
+  void setLooksByDefault(bool any);
   bool fixed() const { return fixed_; }
 
   /// Starts coarser meshes when first needed, or at once if the governor may need them. A level
@@ -36,6 +41,7 @@ class DetailChoice {
   bool fixed_;
   int rung_ = 0;
   bool coarse_ready_ = true;
+  bool looks_by_default_ = false;
 };
 
 }  // namespace rocinante

@@ -16,7 +16,7 @@ Result<std::optional<DrawCounts>> SceneView::draw(Renderer& renderer, const Scen
   auto drawn = view_.draw(renderer, frame);
   if (!drawn.ok()) return drawn.error();
   shown_ = shown;
-  plan_.changed(now, shown.rung > 0 ? shown.height : 0);
+  plan_.changed(now, shown.rung > 0 || shown.drops_looks ? shown.height : 0);
   return std::optional(*drawn);
 }
 

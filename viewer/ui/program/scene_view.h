@@ -22,6 +22,7 @@ struct ShownScene {
   int raised_px = 0;
   double scale = 1;
   int width = 0, height = 0, samples = 1, rung = 0;
+  bool drops_looks = false;  ///< the picture at rest has more than `style`
   bool operator==(const ShownScene&) const = default;
 };
 

@@ -114,6 +114,10 @@ Result<std::unique_ptr<ViewApp>> ViewApp::open(ViewContent& content, Window& win
   ViewerStatus& status = app->status_;
   status.renderer = app->picture_.renderer().key().renderer;
   status.tells_times = !app->scripted();
+  // What nobody chose is the window's choice, where bits need not be the same each time.
+  if (!app->scripted() && options.profile == Profile::fast && content.request.styles.empty()) {
+    model.useLooksByDefault();
+  }
   app->detail_.tell(status);
   if (!app->scripted() && !options.notice.empty()) {
     app->evidence_.say(options.notice, false, app->now());
@@ -132,6 +136,7 @@ void ViewApp::prepareView() {
   if (interface_.useScale(scale)) painter_->refreshFont();
   interface_.useTheme(model_.is_light);
   if (detail_.prepare(picture_.renderer())) picture_.changed();
+  detail_.setLooksByDefault(model_.hasLooksByDefault());
   detail_.tell(status_);
 }
 
@@ -176,7 +181,7 @@ Status ViewApp::drawFrame(double app_ms) {
 
   const SteadyTime scene_began = std::chrono::steady_clock::now();
   const auto drawn = picture_.draw(
-      {width_, height_, interface_.scale(), covered_, detail_.rung()}, now());
+      {width_, height_, interface_.scale(), covered_, detail_.rung(), detail_.dropsLooks()}, now());
   if (!drawn.ok()) return drawn.error();
   if (*drawn && !scripted()) picture_.renderer().gl().Finish();
   times.draw = millisecondsSince(scene_began);

@@ -21,7 +21,9 @@ SceneFrame WindowPicture::frame(const RenderStyle& style) const {
 
 Result<std::optional<DrawCounts>> WindowPicture::draw(const PictureTerms& terms, SteadyTime now) {
   terms_ = terms;
-  const RenderStyle style = model_.frameStyle();
+  RenderStyle style = model_.frameStyle();
+  const bool drops = terms.drops_looks && model_.hasLooksByDefault();
+  if (drops) style.shadows = style.contact = false;
   insets_ = frameInsets(model_, fitted_, terms.width, terms.height, terms.scale, terms.covered);
   const bool shows_fitted = std::ranges::any_of(model_.insets, [](const InsetChoice& choice) {
     return choice.shown && FittedCameras::knows(choice.inset.camera);
@@ -43,6 +45,7 @@ Result<std::optional<DrawCounts>> WindowPicture::draw(const PictureTerms& terms,
   shown.height = terms.height;
   shown.samples = samples_;
   shown.rung = terms.rung;
+  shown.drops_looks = drops;
   return view_.draw(renderer_, frame(style), shown, now);
 }
 

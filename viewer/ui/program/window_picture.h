@@ -18,6 +18,8 @@ struct PictureTerms {
   double scale = 1;           ///< of text and lines
   CoveredEdges covered;       ///< by panels
   int rung = 0;               ///< of kDetailRungs
+  /// Leave out the looks that are the window's own choice.
+  bool drops_looks = false;
 };
 
 /// The scene in a window: what of the model it shows, drawn when it changes, refined at rest, and
