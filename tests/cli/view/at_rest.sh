@@ -24,7 +24,7 @@ cat >person.sh <<'PERSON'
 view() { rocinante view "$demo/demo.cell.toml" "$demo/session.mcap" --size 640x400 "$@"; }
 # Until the end of the log, for nothing may move later.
 view --at -0.5s --detail 0 --style shadows --style contact --script script.txt
-view --at -0.5s --target-fps 240 2>view.txt &
+view --at -0.5s --target-fps 240 --frame-times frames.csv 2>view.txt &
 viewer=$!
 window=$(xdotool search --sync --onlyvisible --name '^Rocinante')
 xdotool key --window 0 space
@@ -46,6 +46,10 @@ spent=$(($(ticks) - before))
 xdotool key --window 0 q
 wait $viewer
 echo "view: exit $?"
+head -n 1 frames.csv
+# Every line has all fields; some frames drew the scene, the last one shows the whole picture.
+awk -F, 'NR > 1 { if (NF != 11) bad = 1; if ($5 == 1) ++drawn; whole = $7 }
+  END { print bad || !drawn ? "frames: wrong" : "frames: written", "whole:", whole }' frames.csv
 PERSON
 export demo
 with_display bash person.sh

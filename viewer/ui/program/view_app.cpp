@@ -11,6 +11,7 @@
 #include "viewer/ui/panels/panels.h"
 #include "viewer/ui/program/detail_choice.h"
 #include "viewer/ui/program/evidence_desk.h"
+#include "viewer/ui/program/frame_journal.h"
 #include "viewer/ui/program/opening.h"
 #include "viewer/ui/program/panel_pace.h"
 #include "viewer/ui/program/save_camera.h"
@@ -68,6 +69,7 @@ class ViewApp {
   Status refine();
   void compose();
   bool frameDue(bool changed) const;
+  void writeDown();
   Status applyRequests(const ViewerRequests& requests);
   void writeScreenshot();
   void openFiles(const std::vector<std::filesystem::path>& files);
@@ -90,6 +92,9 @@ class ViewApp {
   std::optional<std::filesystem::path> screenshot_;  ///< a user's, of the coming frame
   FrameDue frame_due_;
   SteadyTime scripted_now_{};
+  FrameJournal journal_;
+  bool scene_drawn_ = false;  ///< in this frame
+  FrameTimes times_;          ///< of the frame that last drew the scene
   ViewerStatus status_;
   CoveredEdges covered_;
   int width_ = 1, height_ = 1;
@@ -107,6 +112,9 @@ Result<std::unique_ptr<ViewApp>> ViewApp::open(ViewContent& content, Window& win
   auto painter = ImguiPainter::create(app->picture_.renderer().gl());
   if (!painter.ok()) return painter.error();
   app->painter_ = std::move(*painter);
+  auto journal = FrameJournal::open(options.frame_times);
+  if (!journal.ok()) return journal.error();
+  app->journal_ = std::move(*journal);
   if (auto ready = app->picture_.prepare(); !ready) return ready.error();
   app->window_->setPaced(!app->scripted());
   model.study_waits = app->scripted();
@@ -190,6 +198,7 @@ Status ViewApp::drawFrame(double app_ms) {
   times.ui += millisecondsSince(ui_began);
   frame_due_.drawn(now());
   status_.refined = picture_.refined();
+  scene_drawn_ = drawn->has_value();
   if (!*drawn) return {};
   const auto part = [&](const StageTime& stage) {
     const double ms = std::min(static_cast<double>(stage.wall_ns) / 1e6, times.draw);
@@ -201,6 +210,7 @@ Status ViewApp::drawFrame(double app_ms) {
   status_.triangles = (*drawn)->triangles;
   status_.draws = (*drawn)->draws;
   status_.times.add(times);
+  times_ = times;
   detail_.frameDrawn(times.total());
   detail_.tell(status_);
   return {};
@@ -273,6 +283,21 @@ Status ViewApp::saveLive(const std::filesystem::path& file) {
   evidence_.say(begun ? "the live session is being saved ..." : begun.error().text(), !begun,
                 now());
   return {};
+}
+
+/// The frame that was just shown, for measurements.
+void ViewApp::writeDown() {
+  if (!journal_.active()) return;
+  ShownFrame frame;
+  frame.shown_at = std::chrono::steady_clock::now();
+  frame.shown_wall = std::chrono::system_clock::now();
+  frame.moment = model_.shownTime();
+  frame.loaded = !model_.is_empty;
+  frame.drawn = scene_drawn_;
+  frame.level = detail_.rung();
+  frame.whole = picture_.refined() || (detail_.rung() == 0 && !status_.drops_looks);
+  frame.times = times_;
+  journal_.add(frame);
 }
 
 bool ViewApp::frameDue(bool changed) const {
@@ -352,6 +377,7 @@ Result<std::unique_ptr<ViewContent>> ViewApp::run() {
     if (screenshot_) writeScreenshot();
     if (scripted()) picture_.pixels().blitTo(0);
     window_->swap();
+    writeDown();
     waitForNews();
   }
   return next;

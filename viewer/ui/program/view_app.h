@@ -32,8 +32,9 @@ struct ViewOptions {
   /// Drives the window instead of a user: time then advances by 1/60 s per frame, independent of
   /// the clock, and mouse and keyboard are ignored, so that screenshots are reproducible.
   std::vector<ViewCommand> script;
-  std::string script_name;  ///< for error messages
-  std::string notice;       ///< shown for a while at the start, to a user; may be empty
+  std::string script_name;            ///< for error messages
+  std::filesystem::path frame_times;  ///< a FrameJournal that was begun; empty: none
+  std::string notice;                 ///< shown for a while at the start, to a user; may be empty
 };
 
 /// Shows the content until the window is closed, the script ends, or a signal stops it: null; or

@@ -8,6 +8,7 @@
 #include "core/cli/program.h"
 #include "core/cli/search_options.h"
 #include "viewer/ui/live/kept_folder.h"
+#include "viewer/ui/program/frame_journal.h"
 #include "viewer/ui/program/view_program.h"
 
 namespace rocinante {
@@ -43,6 +44,7 @@ struct Arguments {
   bool is_live = false, fresh = false;
   int samples = 4;
   std::optional<double> scale;
+  std::filesystem::path frame_times;
 };
 
 Result<ContentRequest> contentRequest(const Arguments& arguments) {
@@ -93,6 +95,10 @@ Result<ViewOptions> viewOptions(const Arguments& arguments) {
   }
   options.samples = arguments.samples;
   options.scale = arguments.scale;
+  options.frame_times = arguments.frame_times;
+  if (!options.frame_times.empty()) {
+    if (Status begun = FrameJournal::begin(options.frame_times); !begun) return begun.error();
+  }
   options.target_fps = arguments.target_fps;
   if (arguments.detail != "auto") {
     options.detail = parseDetailRung(arguments.detail);
@@ -211,6 +217,9 @@ int viewMain(int argc, char** argv) {
   app.add_option("--show", arguments.show, "show DEVICE, DEVICE/LINK or layer/NAME even if hidden");
   arguments.where.search_environment = true;
   cli::addSearchFolderOptions(app, arguments.where);
+  app.add_option("--frame-times", arguments.frame_times,
+                 "write when each frame was shown and what it cost, as CSV")
+      ->type_name("FILE");
   app.add_option("--script", arguments.script, "drive the window from this file, then close it");
   return cli::run(app, argc, argv, kExamples, [&]() -> Result<Exit> {
     if (arguments.leftovers || arguments.forget_leftovers) return lookAtLeftovers(arguments);
