@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cstdint>
 #include <cstring>
 
@@ -10,6 +9,7 @@ namespace rocinante {
 namespace {
 
 constexpr std::size_t kDeepestJson = 100;  // brackets in brackets
+constexpr std::uint32_t kMagic = 0x46546C67;
 constexpr std::uint32_t kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
 
 // The format is little-endian, and so is every machine that we run on.
@@ -23,13 +23,6 @@ void addNumber(Bytes& bytes, std::size_t number) {
   const auto narrow = static_cast<std::uint32_t>(number);
   const auto* from = reinterpret_cast<const std::byte*>(&narrow);
   bytes.insert(bytes.end(), from, from + 4);
-}
-
-void addChunk(Bytes& bytes, std::uint32_t kind, ByteView content, std::byte padding) {
-  addNumber(bytes, (content.size() + 3) / 4 * 4);
-  addNumber(bytes, kind);
-  bytes.insert(bytes.end(), content.begin(), content.end());
-  while (bytes.size() % 4 != 0) bytes.push_back(padding);
 }
 
 bool isTooDeep(std::string_view text) {
@@ -92,13 +85,31 @@ Result<GltfParts> gltfParts(ByteView bytes) {
   return parts;
 }
 
+Bytes glbHead(std::string_view text, std::uint64_t binary_bytes) {
+  const std::size_t text_bytes = (text.size() + 3) / 4 * 4;
+  const std::uint64_t binary_whole = binary_bytes > 0 ? 8 + binary_bytes : 0;
+  Bytes head;
+  head.reserve(28 + text_bytes);
+  addNumber(head, kMagic);
+  addNumber(head, 2);
+  addNumber(head, 20 + text_bytes + binary_whole);
+  addNumber(head, text_bytes);
+  addNumber(head, kJsonChunk);
+  const ByteView content = bytesOf(text);
+  head.insert(head.end(), content.begin(), content.end());
+  head.resize(20 + text_bytes, std::byte{' '});
+  if (binary_bytes == 0) return head;
+  addNumber(head, binary_bytes);
+  addNumber(head, kBinaryChunk);
+  return head;
+}
+
 Bytes glbOf(const GltfParts& parts) {
-  Bytes whole(12);
-  addChunk(whole, kJsonChunk, bytesOf(parts.text), std::byte{' '});
-  if (!parts.binary.empty()) addChunk(whole, kBinaryChunk, parts.binary, std::byte{0});
-  const std::array<std::uint32_t, 3> head = {0x46546C67, 2,
-                                             static_cast<std::uint32_t>(whole.size())};
-  std::memcpy(whole.data(), head.data(), sizeof head);
+  const std::size_t binary_bytes = (parts.binary.size() + 3) / 4 * 4;
+  Bytes whole = glbHead(parts.text, binary_bytes);
+  const std::size_t size = whole.size() + binary_bytes;
+  whole.insert(whole.end(), parts.binary.begin(), parts.binary.end());
+  whole.resize(size);
   return whole;
 }
 

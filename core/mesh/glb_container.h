@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string_view>
 
 #include "core/base/bytes.h"
@@ -22,5 +23,9 @@ Result<GltfParts> gltfParts(ByteView bytes);
 
 /// A .glb of these parts.
 Bytes glbOf(const GltfParts& parts);
+
+/// The beginning of a .glb, up to its binary chunk of `binary_bytes`, a multiple of 4, which
+/// follows; 0: there is none. The whole file is smaller than 4 GiB.
+Bytes glbHead(std::string_view text, std::uint64_t binary_bytes);
 
 }  // namespace rocinante

@@ -11,6 +11,7 @@
 #include "core/base/count_text.h"
 #include "core/cell/scene_pose_cache.h"
 #include "core/math/transform.h"
+#include "recorder/export/shown_shapes.h"
 #include "recorder/export/statement_census.h"
 #include "recorder/export/timed_notes.h"
 
@@ -26,9 +27,10 @@ bool sameMatrices(const std::vector<Mat4>& a, const std::vector<Mat4>& b) {
 
 class MessageExporter {
  public:
-  MessageExporter(const Cell* cell, SessionFormat& format, ExportedMcap& out)
+  MessageExporter(const Cell* cell, SessionFormat& format, ExportedMcap& out, bool shapes)
       : cell_(cell), format_(format), out_(out) {
     if (cell != nullptr) poses_.emplace(*cell);
+    if (shapes) shapes_.emplace(format, out);
   }
 
   /// What a packet may have changed besides devices.
@@ -66,6 +68,9 @@ class MessageExporter {
 
   const StatementCensus& census() const { return census_; }
   const std::set<std::string>& carried() const { return carried_; }
+  std::vector<std::string> shapeGaps() const {
+    return shapes_ ? shapes_->gaps() : std::vector<std::string>{};
+  }
 
  private:
   /// What was said of a device last.
@@ -107,7 +112,7 @@ class MessageExporter {
       if (!written) return written;
       models_[device.name] = device.model;
     }
-    return {};
+    return shapes_ ? shapes_->moment(time, scene) : Status{};
   }
 
   Status bareFrames(LogTime time, const SessionState& state) {
@@ -195,6 +200,7 @@ class MessageExporter {
   SessionFormat& format_;
   ExportedMcap& out_;
   std::optional<ScenePoseCache> poses_;
+  std::optional<ShownShapes> shapes_;
   std::map<std::string, Known, std::less<>> known_;
   std::map<std::string, const Model*, std::less<>> models_;
   std::set<std::string> drawn_;  ///< sources whose drawings may have changed
@@ -221,9 +227,9 @@ Status writeRaw(ExportedMcap& out, const LogMessage& message) {
 Result<MessageExportReport> exportMessages(MomentWalk& session, const Cell* cell,
                                            SessionFormat& format, ExportedMcap& out,
                                            const MessageExportOptions& options) {
-  Result<TimedNotes> notes = TimedNotes::of(session, options.from, options.until);
+  Result<TimedNotes> notes = TimedNotes::of(session, options.from, options.until, options.notes);
   if (!notes) return notes.error();
-  MessageExporter exporter(cell, format, out);
+  MessageExporter exporter(cell, format, out, options.shapes);
   std::map<std::string, std::uint64_t> unread;
   const LogSummary& log = session.log().summary();
   std::uint64_t moments = 0;
@@ -262,6 +268,7 @@ Result<MessageExportReport> exportMessages(MomentWalk& session, const Cell* cell
     report.gaps.push_back(
         fmt::format("{} is on a link of another device, whose place only a cell knows", device));
   }
+  for (std::string& gap : exporter.shapeGaps()) report.gaps.push_back(std::move(gap));
   report.notes = exporter.census().leftOut();
   return report;
 }

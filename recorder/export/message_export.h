@@ -10,13 +10,16 @@
 #include "core/foreign/session/session_format.h"
 #include "core/session/moment_walk.h"
 #include "recorder/export/log_table.h"
+#include "recorder/export/timed_notes.h"
 
 namespace rocinante {
 
 struct MessageExportOptions {
   LogTime from{}, until{};
-  bool raw = false;         ///< the captured datagrams too, on their own channels
-  ExportProgress progress;  ///< may be empty
+  bool raw = false;              ///< the captured datagrams too, on their own channels
+  bool shapes = false;           ///< what devices show too; the cell needs its geometry
+  std::vector<TimedNote> notes;  ///< more to say among the events; those outside the span are not
+  ExportProgress progress;       ///< may be empty
 };
 
 struct MessageExportReport {

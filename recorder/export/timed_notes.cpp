@@ -21,7 +21,8 @@ std::string lossText(const LossSpan& loss) {
 
 }  // namespace
 
-Result<TimedNotes> TimedNotes::of(MomentWalk& session, LogTime from, LogTime until) {
+Result<TimedNotes> TimedNotes::of(MomentWalk& session, LogTime from, LogTime until,
+                                  const std::vector<TimedNote>& more) {
   TimedNotes notes;
   const Result<const std::vector<Event>*> events = session.events();
   if (!events) return events.error();
@@ -33,14 +34,17 @@ Result<TimedNotes> TimedNotes::of(MomentWalk& session, LogTime from, LogTime unt
     if (loss.until < from || loss.until >= until) continue;
     notes.notes_.push_back({loss.until, EventLevel::warning, "rocinante-record", lossText(loss)});
   }
+  for (const TimedNote& note : more) {
+    if (note.time >= from && note.time < until) notes.notes_.push_back(note);
+  }
   std::stable_sort(notes.notes_.begin(), notes.notes_.end(),
-                   [](const Note& a, const Note& b) { return a.time < b.time; });
+                   [](const TimedNote& a, const TimedNote& b) { return a.time < b.time; });
   return notes;
 }
 
 Status TimedNotes::write(SessionFormat& format, ExportedMcap& out, LogTime moment) {
   for (; next_ < notes_.size() && notes_[next_].time <= moment; ++next_) {
-    const Note& note = notes_[next_];
+    const TimedNote& note = notes_[next_];
     Status written = format.event(out, note.time, note.level, note.name, note.text);
     if (!written) return written;
   }

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 
 #include "core/base/count_text.h"
+#include "core/base/duration_text.h"
+#include "core/check/check.h"
 #include "core/cli/program.h"
 #include "core/foreign/foxglove/foxglove_format.h"
 #include "core/foreign/ros_out/ros2_format.h"
@@ -12,6 +15,7 @@
 #include "recorder/copy/log_make.h"
 #include "recorder/copy/log_selection.h"
 #include "recorder/copy/output_file.h"
+#include "recorder/export/gltf_export.h"
 #include "recorder/export/message_export.h"
 #include "recorder/export/pcap_export.h"
 #include "recorder/log/command_support.h"
@@ -27,7 +31,11 @@ struct ExportArguments {
   bool foxglove = false;
   bool ros2 = false;
   bool pcap = false;
+  bool gltf = false;
+  std::string every;
   bool raw = false;
+  bool model = false;
+  bool findings = false;
   SelectionOptions times;
   std::string output;
   bool force = false;
@@ -41,12 +49,42 @@ struct ExportAccount {
   std::vector<std::string> gaps, notes;
 };
 
+/// What `check` finds, at the first time of each; what has no time, at the span's beginning.
+Result<std::vector<TimedNote>> findingsOf(const ExportArguments& my, const Cell& cell,
+                                          LogTime from) {
+  Result<LogReader> log = LogReader::open(my.log);
+  if (!log) return log.error();
+  const auto tell = stoppableProgress("checking " + my.log);
+  Status stopped;
+  const Result<CheckReport> report = checkLog(cell, *log, [&](double part) {
+    if (stopped) stopped = tell(part);
+    return stopped.ok();
+  });
+  if (!stopped) return stopped.error();
+  if (!report) return report.error();
+  std::vector<TimedNote> notes;
+  for (const Finding& finding : report->findings) {
+    const EventLevel level = finding.severity == Severity::error     ? EventLevel::error
+                             : finding.severity == Severity::warning ? EventLevel::warning
+                                                                     : EventLevel::info;
+    std::string text = cell.shown(finding.text);
+    if (finding.count > 1) text += fmt::format(" ({} times)", finding.count);
+    notes.push_back({finding.first.value_or(std::max(from, log->summary().start)), level,
+                     finding.rule, std::move(text)});
+  }
+  return notes;
+}
+
 Result<ExportAccount> exportToMcap(const ExportArguments& my, const TimeRange& range,
                                    OutputFile& output) {
   Result<MomentWalk> session = MomentWalk::open(my.log);
   if (!session) return session.error();
-  const auto cell = loadExportCell(my.cell, session->log(), false);
+  const auto cell = loadExportCell(my.cell, session->log(), my.model || my.findings);
   if (!cell) return cell.error();
+  if (*cell == nullptr && (my.model || my.findings)) {
+    return Error{ErrorKind::bad_argument, "needs a cell: name one, or record with --cell",
+                 my.model ? "--model" : "--findings"};
+  }
   const std::unique_ptr<SessionFormat> format = my.ros2 ? makeRos2Format() : makeFoxgloveFormat();
   Result<ExportedMcap> out = ExportedMcap::start(output.takeSink(), format->profile());
   if (!out) return out.error();
@@ -54,6 +92,12 @@ Result<ExportAccount> exportToMcap(const ExportArguments& my, const TimeRange& r
   options.from = range.from;
   options.until = range.until;
   options.raw = my.raw;
+  options.shapes = my.model;
+  if (my.findings) {
+    Result<std::vector<TimedNote>> found = findingsOf(my, **cell, range.from);
+    if (!found) return found.error();
+    options.notes = std::move(*found);
+  }
   options.progress = stoppableProgress("reading " + my.log);
   Result<MessageExportReport> report =
       exportMessages(*session, cell->get(), *format, *out, options);
@@ -68,7 +112,9 @@ Result<ExportAccount> exportToMcap(const ExportArguments& my, const TimeRange& r
         {{"topic", topic}, {"schema", facts.schema}, {"messages", facts.messages}});
   }
   account.text = countText(messages, "message") + " of " + countText(out->topics().size(), "topic");
-  account.gaps = std::move(report->gaps);
+  for (const std::string& gap : report->gaps) {
+    account.gaps.push_back(*cell == nullptr ? gap : (*cell)->shown(gap));
+  }
   for (std::string& sentence : session->damage()) account.gaps.push_back(std::move(sentence));
   account.notes = std::move(report->notes);
   if (*cell == nullptr) {
@@ -108,6 +154,50 @@ Result<ExportAccount> exportToPcap(const ExportArguments& my, const TimeRange& r
   return account;
 }
 
+Result<ExportAccount> exportToGltf(const ExportArguments& my, const TimeRange& range,
+                                   OutputFile& output) {
+  GltfExportOptions options;
+  options.from = range.from;
+  options.until = range.until;
+  if (!my.every.empty()) {
+    const Result<Nanoseconds> every = parseDuration(my.every);
+    if (!every) return every.error();
+    options.every = *every;
+  }
+  Result<MomentWalk> session = MomentWalk::open(my.log);
+  if (!session) return session.error();
+  const auto cell = loadExportCell(my.cell, session->log(), true);
+  if (!cell) return cell.error();
+  if (*cell == nullptr) {
+    return Error{ErrorKind::bad_argument, "a scene needs a cell: name one, or record with --cell",
+                 "--gltf"};
+  }
+  const std::string folder = output.path().parent_path().string();
+  Result<GltfRecording> recording = GltfRecording::make(folder.empty() ? "." : folder);
+  if (!recording) return recording.error();
+  options.progress = stoppableProgress("reading " + my.log);
+  if (Status done = recordGltf(*session, **cell, *recording, options); !done) return done.error();
+  const std::unique_ptr<ByteSink> sink = output.takeSink();
+  Result<GltfRecording::Facts> facts = recording->write(*sink);
+  if (!facts) return facts.error();
+  if (Status closed = sink->close(); !closed) return closed.error();
+  ExportAccount account;
+  account.text = fmt::format("{}, {}, {} over {:.3f} s", countText(facts->nodes, "node"),
+                             countText(facts->triangles, "triangle"), countText(facts->keys, "key"),
+                             facts->seconds);
+  account.contents["nodes"] = facts->nodes;
+  account.contents["meshes"] = facts->meshes;
+  account.contents["cameras"] = facts->cameras;
+  account.contents["triangles"] = facts->triangles;
+  account.contents["channels"] = facts->channels;
+  account.contents["keys"] = facts->keys;
+  account.contents["seconds"] = facts->seconds;
+  for (const std::string& gap : facts->gaps) account.gaps.push_back((*cell)->shown(gap));
+  for (std::string& sentence : session->damage()) account.gaps.push_back(std::move(sentence));
+  account.notes = std::move(facts->notes);
+  return account;
+}
+
 Status tellExport(const ExportArguments& my, const ExportAccount& account) {
   if (!my.json) return toStandardOutput(fmt::format("{}: {}\n", my.output, account.text));
   Json json;
@@ -119,15 +209,33 @@ Status tellExport(const ExportArguments& my, const ExportAccount& account) {
   return toStandardOutput(jsonText(json));
 }
 
-Result<cli::Exit> runExport(const ExportArguments& my) {
-  const int forms = (my.foxglove ? 1 : 0) + (my.ros2 ? 1 : 0) + (my.pcap ? 1 : 0);
-  if (forms != 1) {
-    return Error{ErrorKind::bad_argument, "name one format: --foxglove, --ros2 or --pcap", {}};
+Status checkExport(const ExportArguments& my) {
+  const auto bad = [](const char* what, const char* where) -> Status {
+    return Error{ErrorKind::bad_argument, what, where};
+  };
+  const int forms =
+      (my.foxglove ? 1 : 0) + (my.ros2 ? 1 : 0) + (my.pcap ? 1 : 0) + (my.gltf ? 1 : 0);
+  if (forms != 1) return bad("name one format: --foxglove, --ros2, --pcap or --gltf", "");
+  if (my.model && !my.foxglove) return bad("needs --foxglove", "--model");
+  if (my.findings && !my.foxglove && !my.ros2) {
+    return bad("needs --foxglove or --ros2", "--findings");
   }
   if (my.pcap && (my.raw || !my.cell.cell.empty())) {
-    return Error{ErrorKind::bad_argument, "a capture holds the datagrams alone: no CELL, no --raw",
-                 "--pcap"};
+    return bad("a capture holds the datagrams alone: no CELL, no --raw", "--pcap");
   }
+  if (!my.gltf) return my.every.empty() ? Status{} : bad("needs --gltf", "--every");
+  if (my.raw) return bad("a scene holds no datagrams: no --raw", "--gltf");
+  if (std::filesystem::path(my.output).extension() != ".glb") {
+    return bad("the scene's name must end with .glb", my.output.c_str());
+  }
+  if (my.every.empty()) return {};
+  const Result<Nanoseconds> every = parseDuration(my.every);
+  if (!every) return every.error();
+  return every->count() > 0 ? Status{} : bad("must be greater than zero", "--every");
+}
+
+Result<cli::Exit> runExport(const ExportArguments& my) {
+  if (Status fit = checkExport(my); !fit) return fit.error();
   if (Status free = checkOutput(my.output, my.force, {{my.log}}); !free) return free.error();
   TimeRange range;
   {
@@ -142,8 +250,9 @@ Result<cli::Exit> runExport(const ExportArguments& my) {
   const cli::StopDeadline deadline(kStopped);
   Result<OutputFile> output = OutputFile::create(my.output, my.force, {{my.log}});
   if (!output) return output.error();
-  const Result<ExportAccount> account =
-      my.pcap ? exportToPcap(my, range, *output) : exportToMcap(my, range, *output);
+  const Result<ExportAccount> account = my.pcap   ? exportToPcap(my, range, *output)
+                                        : my.gltf ? exportToGltf(my, range, *output)
+                                                  : exportToMcap(my, range, *output);
   if (!account) return output->named(account.error());
   if (Status named = output->commit(); !named) return named.error();
   if (Status told = tellExport(my, *account); !told) return told.error();
@@ -156,14 +265,22 @@ Result<cli::Exit> runExport(const ExportArguments& my) {
 
 LogCommand addExportCommand(CLI::App& program) {
   auto my = std::make_shared<ExportArguments>();
-  CLI::App* const app =
-      program.add_subcommand("export", "write a log for other tools: Foxglove, ROS 2, captures");
+  CLI::App* const app = program.add_subcommand(
+      "export", "write a log for other tools: Foxglove, ROS 2, captures, glTF");
   app->add_option("LOG", my->log, "the log to read")->required();
   addExportCellArguments(*app, "CELL", my->cell);
   app->add_flag("--foxglove", my->foxglove, "an MCAP file of protobuf messages of foxglove");
   app->add_flag("--ros2", my->ros2, "a ROS 2 bag: an MCAP file of CDR messages");
   app->add_flag("--pcap", my->pcap, "a capture of the datagrams, with nanoseconds");
+  app->add_flag("--gltf", my->gltf, "a .glb: the cell's scene, animated as the session moved it");
+  app->add_option("--every", my->every,
+                  "of --gltf: keys at each multiple of this time; by default at every moment that "
+                  "writes a value")
+      ->type_name("TIME");
   app->add_flag("--raw", my->raw, "the datagrams too, beside the messages");
+  app->add_flag("--model", my->model,
+                "of --foxglove: what every link shows, as glTF in the messages");
+  app->add_flag("--findings", my->findings, "what `check` finds too, among the events");
   app->add_option("--from", my->times.from, "begin at this session time (12.5s, -1s, RFC 3339)")
       ->type_name("TIME");
   app->add_option("--until", my->times.until, "end before this session time")->type_name("TIME");

@@ -83,6 +83,14 @@ void putLabel(ProtoWriter& entity, const Drawing& drawing) {
   });
 }
 
+/// Of all entities of the topic that are not in this message.
+void putDeletion(ProtoWriter& update, LogTime time) {
+  update.message(1, [&](ProtoWriter& deletion) {
+    putTime(deletion, 1, time);
+    deletion.number(2, 1);  // ALL
+  });
+}
+
 std::string frameOf(const Drawing& drawing) {
   return frameName(drawing.carrier.first, drawing.carrier.second);
 }
@@ -126,10 +134,7 @@ class FoxgloveFormat final : public SessionFormat {
                   const Drawings& drawings) override {
     message_.clear();
     ProtoWriter writer(message_);
-    writer.message(1, [&](ProtoWriter& deletion) {
-      putTime(deletion, 1, time);
-      deletion.number(2, 1);  // ALL: those that are not in this message
-    });
+    putDeletion(writer, time);
     std::set<std::string> clouds;
     for (const auto& [id, drawing] : drawings) {
       if (drawing->kind == StatementKind::points) {
@@ -170,13 +175,38 @@ class FoxgloveFormat final : public SessionFormat {
                std::string_view text) override {
     constexpr std::uint64_t kInfo = 2;
     constexpr std::uint64_t kWarning = 3;
+    constexpr std::uint64_t kError = 4;
     message_.clear();
     ProtoWriter writer(message_);
     putTime(writer, 1, time);
-    writer.number(2, level == EventLevel::warning ? kWarning : kInfo);
+    writer.number(2, level == EventLevel::error     ? kError
+                     : level == EventLevel::warning ? kWarning
+                                                    : kInfo);
     writer.text(3, text);
     writer.text(4, name);
     return out.write("/events", foxgloveSchema("Log"), time, message_);
+  }
+
+  Status shapes(ExportedMcap& out, LogTime time, const std::string& device,
+                std::span<const LinkShape> shapes) override {
+    message_.clear();
+    ProtoWriter writer(message_);
+    putDeletion(writer, time);
+    for (const LinkShape& shape : shapes) {
+      writer.message(2, [&](ProtoWriter& entity) {
+        putTime(entity, 1, time);
+        entity.text(2, shape.frame);
+        entity.text(3, shape.frame);
+        entity.number(5, 1);  // moves with its space
+        entity.message(14, [&](ProtoWriter& model) {
+          putPose(model, 1, {});
+          putVector(model, 2, {1, 1, 1});
+          model.text(6, "model/gltf-binary");
+          model.bytes(7, *shape.glb);
+        });
+      });
+    }
+    return out.write(topicOf("/model", device), foxgloveSchema("SceneUpdate"), time, message_);
   }
 
   Status description(ExportedMcap&, LogTime, const std::string&, std::string_view) override {

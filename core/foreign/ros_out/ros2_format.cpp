@@ -134,9 +134,12 @@ class Ros2Format final : public SessionFormat {
                std::string_view text) override {
     constexpr std::uint8_t kInfo = 20;
     constexpr std::uint8_t kWarning = 30;
+    constexpr std::uint8_t kError = 40;
     CdrWriter writer(message_);
     putStamp(writer, time);
-    writer.put(level == EventLevel::warning ? kWarning : kInfo);
+    writer.put(level == EventLevel::error     ? kError
+               : level == EventLevel::warning ? kWarning
+                                              : kInfo);
     writer.text(name);
     writer.text(text);
     writer.text("");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,7 +16,13 @@
 
 namespace rocinante {
 
-enum class EventLevel : std::uint8_t { info, warning };
+enum class EventLevel : std::uint8_t { info, warning, error };
+
+/// What a link shows, in its own space: a .glb.
+struct LinkShape {
+  std::string frame;  ///< of the link
+  std::shared_ptr<const Bytes> glb;
+};
 
 /// How a family of tools writes what a session holds: which messages on which topics. All of a
 /// device, or of a source's drawings, is in each message, so that a reader who jumps to a moment
@@ -39,6 +46,11 @@ class SessionFormat {
                           const Drawings& drawings) = 0;
   virtual Status event(ExportedMcap& out, LogTime time, EventLevel level, std::string_view name,
                        std::string_view text) = 0;
+  /// All that a device shows, when that changes; nothing where the format has no place for it.
+  virtual Status shapes(ExportedMcap&, LogTime, const std::string& /*device*/,
+                        std::span<const LinkShape>) {
+    return {};
+  }
   /// The URDF of a device, once.
   virtual Status description(ExportedMcap& out, LogTime time, const std::string& device,
                              std::string_view urdf) = 0;

@@ -1,0 +1,72 @@
+#include "core/foreign/gltf/gltf_link.h"
+
+#include <fmt/format.h>
+
+#include "core/base/version.h"
+#include "core/foreign/session/link_frames.h"
+
+namespace rocinante {
+
+Json gltfWorld() {
+  Json world;
+  world["name"] = std::string(kWorldFrame);
+  world["matrix"] = Json::array();
+  for (const int part : {1, 0, 0, 0, 0, 0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1}) {
+    world["matrix"].push_back(part);
+  }
+  return world;
+}
+
+std::vector<Json> gltfVisuals(GltfMeshes& meshes, const PosedDevice& device, std::size_t link) {
+  std::vector<Json> nodes;
+  const Link& of = device.model->links[link];
+  for (std::size_t i = 0; i < of.visuals.size(); ++i) {
+    const Visual& visual = of.visuals[i];
+    const auto mesh = meshes.add(device, link, visual);
+    if (!mesh) continue;
+    Json node;
+    node["name"] = fmt::format("{}#{}", frameName(device.name, of.name), i + 1);
+    node["mesh"] = *mesh;
+    const Vec3& at = visual.origin.position;
+    const Quat& turn = visual.origin.orientation;
+    const Vec3& scale = visual.scale;
+    if (at != Vec3(0, 0, 0)) node["translation"] = {at.x, at.y, at.z};
+    if (turn != Quat(1, 0, 0, 0)) node["rotation"] = {turn.x, turn.y, turn.z, turn.w};
+    if (scale != Vec3(1, 1, 1)) node["scale"] = {scale.x, scale.y, scale.z};
+    nodes.push_back(std::move(node));
+  }
+  return nodes;
+}
+
+Result<Bytes> gltfOfLink(const PosedDevice& device, std::size_t link,
+                         std::vector<std::string>& gaps) {
+  GltfBinary binary;
+  GltfMaterials materials(binary);
+  GltfMeshes meshes(binary, materials);
+  Json nodes = Json::array();
+  nodes.push_back(gltfWorld());
+  for (Json& visual : gltfVisuals(meshes, device, link)) {
+    nodes[0]["children"].push_back(nodes.size());
+    nodes.push_back(std::move(visual));
+  }
+  gaps.insert(gaps.end(), materials.gaps().begin(), materials.gaps().end());
+  if (nodes.size() == 1) return Bytes{};
+  Json document;
+  document["asset"]["version"] = "2.0";
+  document["asset"]["generator"] = version();
+  document["scene"] = 0;
+  Json scene;
+  scene["nodes"] = Json::array({0});
+  document["scenes"] = Json::array();
+  document["scenes"].push_back(std::move(scene));
+  document["nodes"] = std::move(nodes);
+  meshes.describe(document);
+  materials.describe(document);
+  binary.describe(document);
+  Bytes glb;
+  const std::unique_ptr<ByteSink> sink = makeMemorySink(glb);
+  if (Status written = binary.write(*sink, document); !written) return written.error();
+  return glb;
+}
+
+}  // namespace rocinante

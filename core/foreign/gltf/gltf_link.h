@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/foreign/gltf/gltf_meshes.h"
+
+namespace rocinante {
+
+/// The node that turns our space, z up, into glTF's, y up. Its children are in ours.
+Json gltfWorld();
+
+/// Nodes of what a link shows, in the link's space: "DEVICE/LINK#1" and on.
+std::vector<Json> gltfVisuals(GltfMeshes& meshes, const PosedDevice& device, std::size_t link);
+
+/// A link alone as a .glb, in its own space, coloured as `device` is. Empty when it shows nothing.
+/// unsupported beyond 2 GiB. `gaps` receives what is missing.
+Result<Bytes> gltfOfLink(const PosedDevice& device, std::size_t link,
+                         std::vector<std::string>& gaps);
+
+}  // namespace rocinante

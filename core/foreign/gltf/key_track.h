@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "core/foreign/gltf/key_spill.h"
+
+namespace rocinante {
+
+/// One property of a node over time: a translation in metres, a unit quaternion x y z w, or a
+/// scale. Nothing is written to the spill until a second value comes.
+class KeyTrack {
+ public:
+  enum class Kind : std::uint8_t { translation, rotation, scale };
+  explicit KeyTrack(Kind kind) : kind_(kind) {}
+
+  /// The value at `seconds`, which never decreases. Of a translation or rotation: it blends from
+  /// the value before, over a second at most; before that the value holds, as packets leave it. A
+  /// scale steps.
+  Status add(KeySpill& spill, double seconds, std::span<const double> value);
+  /// Call once, last.
+  Status end(KeySpill& spill);
+
+  Kind kind() const { return kind_; }
+  bool empty() const { return !first_.has_value(); }
+  bool animated() const { return lists_.has_value(); }
+  /// The first value: 3 numbers, or 4 of a rotation.
+  std::span<const float> first() const { return std::span(*first_).first(width()); }
+  std::size_t width() const { return kind_ == Kind::rotation ? 4 : 3; }
+
+  // Once it has ended, when it is animated.
+  std::uint64_t keys() const { return keys_; }
+  float firstTime() const { return first_time_; }
+  float lastTime() const { return key_time_; }
+  std::size_t timeList() const { return lists_->first; }
+  std::size_t valueList() const { return lists_->second; }
+
+ private:
+  using Value = std::array<float, 4>;
+  bool isSame(const Value& value) const;
+  Status setKey(KeySpill& spill, double seconds, const Value& value);
+  Status writeKey(KeySpill& spill);
+
+  Kind kind_;
+  std::optional<Value> first_;
+  Value key_{};         ///< the last one, which the spill does not have yet
+  float key_time_ = 0;  ///< seconds
+  float first_time_ = 0;
+  double seen_s_ = 0;  ///< when the last key's value was given again
+  std::optional<std::pair<std::size_t, std::size_t>> lists_;  ///< times, values
+  std::uint64_t keys_ = 0;
+};
+
+}  // namespace rocinante
