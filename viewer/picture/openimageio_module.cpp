@@ -2,8 +2,6 @@
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
-#include <sys/mman.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +19,7 @@
 
 #include "viewer/picture/exr_guard.h"
 #include "viewer/picture/fine_picture.h"
+#include "viewer/picture/memory_file.h"
 #include "viewer/picture/srgb_curve.h"
 
 namespace {
@@ -187,31 +186,9 @@ bool readAs(OIIO::ImageInput& input, OIIO::TypeDesc type, bool with_samples,
   return true;
 }
 
-/// Bytes under a file name: the library's JPEG reader requires one.
-class MemoryFile {
- public:
-  MemoryFile(const void* bytes, size_t size) : file_(memfd_create("picture", MFD_CLOEXEC)) {
-    const auto* next = static_cast<const char*>(bytes);
-    while (size > 0) {
-      const ssize_t written = ::write(file_, next, size);
-      if (written <= 0) break;
-      next += written;
-      size -= static_cast<size_t>(written);
-    }
-  }
-  MemoryFile(const MemoryFile&) = delete;
-  MemoryFile& operator=(const MemoryFile&) = delete;
-  ~MemoryFile() {
-    if (file_ >= 0) ::close(file_);
-  }
-  std::string path() const { return "/proc/self/fd/" + std::to_string(file_); }
-
- private:
-  int file_;
-};
-
 std::unique_ptr<OIIO::ImageInput> openJpeg(const void* bytes, size_t size) {
-  const MemoryFile file(bytes, size);
+  rocinante::MemoryFile file;
+  file.append(bytes, size);
   auto input = OIIO::ImageInput::create("jpg");
   OIIO::ImageSpec spec;
   if (input && !input->open(file.path(), spec)) input.reset();

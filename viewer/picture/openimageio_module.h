@@ -6,7 +6,7 @@
 // The C interface of librocinante_openimageio.so: the module is loaded with dlopen and shares no
 // C++ with the program. Functions are found by the names of their typedefs' comments.
 
-#define ROCINANTE_PICTURE_ABI 3
+#define ROCINANTE_PICTURE_ABI 4
 
 extern "C" {
 
@@ -34,7 +34,30 @@ struct RocinantePictureOut {
 typedef void (*RocinantePictureRead)(const char* name, const void* bytes, size_t size,
                                      int64_t max_pixels, int32_t with_samples,
                                      struct RocinantePictureOut* out);
-/// rocinante_picture_free: of `rgba` or `samples`; null is allowed.
+/// rocinante_picture_free: of `rgba`, `samples` or `bytes`; null is allowed.
 typedef void (*RocinantePictureFree)(void* memory);
+
+/// What is encoded: rows top to bottom, without padding; borrowed.
+struct RocinantePictureIn {
+  int32_t width, height;
+  /// 0: RGBA of 8 bits, straight alpha, display values; 1: one float; 2: one uint32.
+  int32_t kind;
+  const void* pixels;
+  const char* channel;      ///< of kinds 1 and 2: its name
+  const char* const* text;  ///< names and values by turns, kept in the file where it can hold them
+  int32_t text_count;       ///< of both together
+};
+
+struct RocinantePictureEncoded {
+  void* bytes;  ///< free with rocinante_picture_free
+  size_t size;
+  int32_t answer;   ///< 0 encoded; 1 no format of that ending is written; 2 failed
+  char error[256];  ///< one sentence, when not encoded
+};
+
+/// rocinante_picture_write: encodes in the format that the ending of `name` means. Without pixels
+/// (null) only says whether it could. Any thread.
+typedef void (*RocinantePictureWrite)(const char* name, const struct RocinantePictureIn* in,
+                                      struct RocinantePictureEncoded* out);
 
 }  // extern "C"

@@ -16,6 +16,7 @@ constexpr const char* kModuleName = "librocinante_openimageio.so";
 struct PictureModule {
   RocinantePictureRead read = nullptr;
   RocinantePictureFree free = nullptr;
+  RocinantePictureWrite write = nullptr;
   std::string reason;
 
   PictureModule() {
@@ -31,13 +32,16 @@ struct PictureModule {
         reinterpret_cast<RocinantePictureRead>(functionOf(library, "rocinante_picture_read"));
     const auto found_free =
         reinterpret_cast<RocinantePictureFree>(functionOf(library, "rocinante_picture_free"));
+    const auto found_write =
+        reinterpret_cast<RocinantePictureWrite>(functionOf(library, "rocinante_picture_write"));
     if (abi == nullptr || abi() != ROCINANTE_PICTURE_ABI || found_read == nullptr ||
-        found_free == nullptr) {
+        found_free == nullptr || found_write == nullptr) {
       reason = std::string(kModuleName) + " has a different version";
       return;
     }
     read = found_read;
     free = found_free;
+    write = found_write;
   }
 };
 
@@ -111,7 +115,56 @@ void countNotFinite(FinePicture& fine) {
   }
 }
 
+/// Asks the module to encode; without pixels, whether it could.
+Result<Bytes> encode(const std::string& name, const RocinantePictureIn& in) {
+  const PictureModule& module = pictureModule();
+  if (module.write == nullptr) {
+    return Error{
+        ErrorKind::unsupported,
+        "only PNG is written without the OpenImageIO module (package rocinante-openimageio); " +
+            module.reason,
+        name};
+  }
+  RocinantePictureEncoded out{};
+  module.write(name.c_str(), &in, &out);
+  if (out.answer != 0) {
+    return Error{out.answer == 1 ? ErrorKind::unsupported : ErrorKind::refused, out.error, name};
+  }
+  const auto* first = static_cast<const std::byte*>(out.bytes);
+  Bytes bytes(first, first + out.size);
+  module.free(out.bytes);
+  return bytes;
+}
+
 }  // namespace
+
+Result<Bytes> encodeByModule(const std::string& name, const Picture& picture) {
+  RocinantePictureIn in{};
+  in.width = picture.width;
+  in.height = picture.height;
+  in.pixels = picture.rgba.data();
+  return encode(name, in);
+}
+
+Result<Bytes> encodeByModule(const std::string& name, const MeasuredPicture& picture) {
+  std::vector<const char*> text;
+  for (const std::string& word : picture.text) text.push_back(word.c_str());
+  RocinantePictureIn in{};
+  in.width = picture.width;
+  in.height = picture.height;
+  in.kind = picture.floats.empty() ? 2 : 1;
+  in.pixels = picture.floats.empty() ? static_cast<const void*>(picture.numbers.data())
+                                     : static_cast<const void*>(picture.floats.data());
+  in.channel = picture.channel.c_str();
+  in.text = text.data();
+  in.text_count = static_cast<std::int32_t>(text.size());
+  return encode(name, in);
+}
+
+Status mayEncodeByModule(const std::string& name) {
+  const Result<Bytes> asked = encode(name, RocinantePictureIn{});
+  return asked ? Status{} : Status{asked.error()};
+}
 
 Result<Picture> readByModule(const fs::path& path, std::int64_t max_pixels) {
   ModuleAnswer answer;

@@ -24,6 +24,11 @@ class SrgbCurve {
     return static_cast<std::uint8_t>(above - bounds_.begin());
   }
 
+  /// The linear light of a level, 0 to 255, which encode() turns back into it.
+  static float decode(int level) {
+    return static_cast<float>(linearOf(static_cast<double>(level) / 255.0));
+  }
+
  private:
   static double linearOf(double encoded) {
     if (encoded <= 0.04045) return encoded / 12.92;

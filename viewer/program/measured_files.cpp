@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/report/json_text.h"
+#include "viewer/picture/picture_module.h"
 
 namespace rocinante {
 namespace {
@@ -24,12 +25,24 @@ Json headOf(const std::filesystem::path& path, int width, int height, const Meas
   return json;
 }
 
-Status writeBoth(const std::filesystem::path& path, const Bytes& png, const Json& json,
-                 bool overwrite, Sync sync) {
-  if (png.empty()) return Error{ErrorKind::refused, "not enough memory to encode", path.string()};
-  if (Status written = writeFileWhole(path, png, overwrite, sync); !written) return written;
-  const std::string text = jsonText(json);
-  return writeFileWhole(legendPath(path), bytesOf(text), overwrite, sync);
+/// `json` is the legend: beside the picture, and in it where it has a place for it.
+Status writeBoth(const std::filesystem::path& path, const Result<Bytes>& picture,
+                 const std::string& legend, bool overwrite, Sync sync) {
+  if (!picture) return Error{picture.error().kind, picture.error().what, path.string()};
+  if (picture->empty()) {
+    return Error{ErrorKind::refused, "not enough memory to encode", path.string()};
+  }
+  if (Status written = writeFileWhole(path, *picture, overwrite, sync); !written) return written;
+  return writeFileWhole(legendPath(path), bytesOf(legend), overwrite, sync);
+}
+
+MeasuredPicture measuredPicture(int width, int height, const char* channel, const Json& legend) {
+  MeasuredPicture picture;
+  picture.width = width;
+  picture.height = height;
+  picture.channel = channel;
+  picture.text = {"rocinante", jsonText(legend, -1)};
+  return picture;
 }
 
 }  // namespace
@@ -37,6 +50,10 @@ Status writeBoth(const std::filesystem::path& path, const Bytes& png, const Json
 std::filesystem::path legendPath(const std::filesystem::path& picture) {
   std::filesystem::path legend = picture;
   return legend.replace_extension(".json");
+}
+
+bool isExrName(const std::filesystem::path& path) {
+  return path.extension() == ".exr" || path.extension() == ".EXR";
 }
 
 Status writeIdentity(const std::filesystem::path& path, const IdentityFrame& frame,
@@ -56,7 +73,13 @@ Status writeIdentity(const std::filesystem::path& path, const IdentityFrame& fra
     one["box"] = {extent.left, extent.top, extent.right, extent.bottom};
     json["names"].push_back(std::move(one));
   }
-  return writeBoth(path, encodePng(identityPicture(frame)), json, overwrite, sync);
+  const std::string legend = jsonText(json);
+  if (!isExrName(path)) {
+    return writeBoth(path, encodePng(identityPicture(frame)), legend, overwrite, sync);
+  }
+  MeasuredPicture picture = measuredPicture(frame.width, frame.height, "id", json);
+  picture.numbers = frame.ids;
+  return writeBoth(path, encodeByModule(path.string(), picture), legend, overwrite, sync);
 }
 
 DepthUnits depthUnits(const DepthFrame& frame) {
@@ -81,10 +104,15 @@ DepthUnits depthUnits(const DepthFrame& frame) {
 
 Status writeDepth(const std::filesystem::path& path, const DepthFrame& frame,
                   const MeasuredFrame& of, bool overwrite, Sync sync) {
-  const DepthUnits depth = depthUnits(frame);
+  const bool is_exr = isExrName(path);
+  const DepthUnits depth = is_exr ? DepthUnits{1, {}} : depthUnits(frame);
   Json json = headOf(path, frame.width, frame.height, of);
   json["metres_per_unit"] = depth.metres_per_unit;
-  json["nothing"] = 0;
+  if (is_exr) {
+    json["nothing"] = "infinity";
+  } else {
+    json["nothing"] = 0;
+  }
   std::size_t pixels = 0;
   float nearest = 0, farthest = 0;
   for (const float metres : frame.metres) {
@@ -98,8 +126,14 @@ Status writeDepth(const std::filesystem::path& path, const DepthFrame& frame,
     json["nearest_m"] = nearest;
     json["farthest_m"] = farthest;
   }
-  return writeBoth(path, encodeGreyPng(frame.width, frame.height, depth.units), json, overwrite,
-                   sync);
+  const std::string legend = jsonText(json);
+  if (!is_exr) {
+    return writeBoth(path, encodeGreyPng(frame.width, frame.height, depth.units), legend, overwrite,
+                     sync);
+  }
+  MeasuredPicture picture = measuredPicture(frame.width, frame.height, "Z", json);
+  picture.floats = frame.metres;
+  return writeBoth(path, encodeByModule(path.string(), picture), legend, overwrite, sync);
 }
 
 }  // namespace rocinante

@@ -15,13 +15,18 @@ struct MeasuredFrame {
   std::string camera;  ///< empty: the default
 };
 
-/// Writes `path`, the ids as a PNG in identityColors() on black, and the legend beside it with the
+/// Whether the name's ending is .exr or .EXR.
+bool isExrName(const std::filesystem::path& path);
+
+/// Writes `path`, the ids as a PNG in identityColors() on black, or as whole numbers in an OpenEXR
+/// file, which has the legend as its attribute `rocinante` too; and the legend beside it with the
 /// extension .json: docs/programs/render.md, "Identity". Both appear whole or not at all, and are
 /// replaced only with `overwrite`. Any thread.
 Status writeIdentity(const std::filesystem::path& path, const IdentityFrame& frame,
                      const MeasuredFrame& of, bool overwrite, Sync sync);
 
-/// The same for depth: a PNG of one 16-bit component; its unit is in the JSON.
+/// The same for depth: a PNG of one 16-bit component, its unit in the JSON; or an OpenEXR file of
+/// metres.
 Status writeDepth(const std::filesystem::path& path, const DepthFrame& frame,
                   const MeasuredFrame& of, bool overwrite, Sync sync);
 

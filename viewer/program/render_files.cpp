@@ -50,7 +50,7 @@ std::filesystem::path RenderFiles::ofMoment(const std::filesystem::path& file, s
 std::filesystem::path RenderFiles::frame(std::size_t moment, std::size_t camera) const {
   std::string name = fmt::format("frame-{:05}", moment + 1);
   if (!moments[moment].event.empty()) name += "-" + fileNamePart(moments[moment].event);
-  name += ".png";
+  name += "." + frame_type;
   return cameras.size() > 1 ? frames / fileNamePart(cameras[camera]) / name : frames / name;
 }
 

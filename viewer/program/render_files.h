@@ -15,6 +15,7 @@ struct RenderFiles {
   std::filesystem::path frames;                                 ///< a folder
   std::vector<std::string> cameras;  ///< as requested; one empty name for the default
   std::vector<RenderMoment> moments;
+  std::string frame_type = "png";  ///< the ending in `frames`
 
   /// `file` for one camera of several: "f.png" becomes "f.overview.png".
   std::filesystem::path ofCamera(const std::filesystem::path& file, std::size_t camera) const;

@@ -12,6 +12,7 @@
 #include "core/base/count_text.h"
 #include "core/base/duration_text.h"
 #include "core/bundle/attached_cell.h"
+#include "viewer/picture/picture_encoding.h"
 #include "viewer/program/background_writer.h"
 #include "viewer/program/contact_sheet.h"
 #include "viewer/program/measured_files.h"
@@ -50,14 +51,31 @@ Status checkMoments(const RenderJob& job) {
   return {};
 }
 
-Status checkJob(const RenderJob& job) {
-  if (Status fit = checkMoments(job); !fit) return fit;
-  for (const auto* file : {&job.output, &job.sheet, &job.identity, &job.depth}) {
-    if (!file->empty() && file->extension() != ".png" && file->extension() != ".PNG") {
-      return Error{ErrorKind::bad_argument, "the picture's name must end with .png",
-                   file->string()};
+Status checkEndings(const RenderJob& job) {
+  for (const auto* file : {&job.output, &job.sheet}) {
+    if (file->empty()) continue;
+    if (Status fit = mayEncodePicture(*file); !fit) return fit;
+  }
+  if (!job.frame_type.empty()) {
+    if (job.frames.empty()) return badJob("--frame-type needs --frames");
+    if (Status fit = mayEncodePicture("frame." + job.frame_type); !fit) {
+      return Error{fit.error().kind, fit.error().what, "--frame-type " + job.frame_type};
     }
   }
+  for (const auto* file : {&job.identity, &job.depth}) {
+    if (file->empty() || isPngName(*file)) continue;
+    if (!isExrName(*file)) {
+      return Error{ErrorKind::bad_argument, "the picture's name must end with .png or .exr",
+                   file->string()};
+    }
+    if (Status fit = mayEncodePicture(*file); !fit) return fit;
+  }
+  return {};
+}
+
+Status checkJob(const RenderJob& job) {
+  if (Status fit = checkMoments(job); !fit) return fit;
+  if (Status fit = checkEndings(job); !fit) return fit;
   if (!job.video.empty() && !VideoFile::isVideo(job.video)) {
     return Error{ErrorKind::bad_argument,
                  "the video's name must end with .mp4, .mkv, .mov or .webm", job.video.string()};
@@ -201,7 +219,9 @@ class RenderRun {
       if (Status finished = video.finish(); !finished) return finished;
     }
     if (!sheet_) return {};
-    return writePng(job_.sheet, sheet_->picture(), job_.overwrite);
+    const Result<Bytes> encoded = encodePicture(job_.sheet, sheet_->picture());
+    if (!encoded) return encoded.error();
+    return writeFileWhole(job_.sheet, *encoded, job_.overwrite);
   }
 
   std::vector<RenderedFrame> takeFrames() { return std::move(frames_); }
@@ -265,15 +285,14 @@ class RenderRun {
     if (wanted.empty() && !job_.hashes) return {};
     return writer_.add([this, picture, wanted, &frame]() -> Status {
       if (job_.hashes) frame.sha256 = pictureSha256(*picture);
-      if (wanted.empty()) return {};
-      const Bytes png = encodePng(*picture);
-      if (png.empty()) {
-        return Error{ErrorKind::refused, "not enough memory to encode", wanted.front().string()};
-      }
-      for (const auto& file : wanted) {
-        if (Status written = writeFileWhole(file, png, job_.overwrite, sync_); !written) {
-          return written;
+      Result<Bytes> encoded = Bytes{};
+      for (std::size_t i = 0; i < wanted.size(); ++i) {
+        if (i == 0 || wanted[i].extension() != wanted[i - 1].extension()) {
+          encoded = encodePicture(wanted[i], *picture);
+          if (!encoded) return encoded.error();
         }
+        Status written = writeFileWhole(wanted[i], *encoded, job_.overwrite, sync_);
+        if (!written) return written;
       }
       return {};
     });
@@ -354,6 +373,7 @@ Result<RenderReport> render(const RenderJob& given,
   }
   RenderFiles files{job.output, job.sheet,  job.video,   job.identity,
                     job.depth,  job.frames, job.cameras, std::move(*moments)};
+  if (!job.frame_type.empty()) files.frame_type = job.frame_type;
   if (files.cameras.empty()) files.cameras.emplace_back();
   if (Status free = files.check(job.overwrite); !free) return free.error();
 

@@ -21,9 +21,10 @@ struct RenderJob : ModelSearch {
   std::filesystem::path output;      ///< one frame
   std::filesystem::path sheet;       ///< all of them on one picture
   std::filesystem::path frames;      ///< a folder of frame-00001.png ...
+  std::string frame_type;            ///< their ending, without the dot; empty: png
   std::filesystem::path video;       ///< all of them, in time order
-  std::filesystem::path identity;    ///< identity: a PNG with a JSON legend
-  std::filesystem::path depth;       ///< depth: a PNG with its unit in JSON
+  std::filesystem::path identity;    ///< identity: a PNG or EXR with a JSON legend
+  std::filesystem::path depth;       ///< depth: a PNG with its unit in JSON, or an EXR
   bool hashes = false;               ///< RenderedFrame::sha256
   FrameRequest look;                 ///< its time and camera are ignored
   std::vector<std::string> joints;   ///< for setJoints(); only without a log

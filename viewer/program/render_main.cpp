@@ -153,14 +153,20 @@ int main(int argc, char** argv) {
       ->allow_extra_args(false);
   app.add_option("--from", job.moments.from, "start of the range for --every, --events and --fps");
   app.add_option("--until", job.moments.until, "end of that range, exclusive");
-  app.add_option("-o,--output", job.output, "one frame, as PNG");
-  app.add_option("--sheet", job.sheet, "all moments on one PNG, with their times below");
+  app.add_option(
+      "-o,--output", job.output,
+      "one frame: .png, or what OpenImageIO writes by the ending (.jpg, .tif, .webp, .exr)");
+  app.add_option("--sheet", job.sheet, "all moments on one picture, with their times below");
   app.add_option("--frames", job.frames, "a folder for frame-00001.png and the following");
+  app.add_option("--frame-type", job.frame_type,
+                 "ending of the files in --frames: png, jpg, exr ...")
+      ->option_text("ENDING [png]");
   app.add_option("--video", job.video, "all moments as .mp4, .mkv, .mov or .webm, by ffmpeg");
   app.add_option("--fps", job.moments.rate, "of --video: frames per second, 25 or 30000/1001");
   app.add_option("--identity", job.identity,
-                 "devices and links as colours: a PNG and a JSON legend");
-  app.add_option("--depth", job.depth, "depth along the view: a 16-bit PNG, its unit in JSON");
+                 "devices and links as colours (.png) or numbers (.exr), and a JSON legend");
+  app.add_option("--depth", job.depth,
+                 "depth along the view: 16-bit .png, its unit in JSON, or .exr in metres");
   app.add_option("--camera", job.cameras,
                  "a camera of the cell, a `view` of the session, map, fit or fit:DEVICE; "
                  "repeatable")

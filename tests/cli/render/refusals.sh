@@ -12,7 +12,9 @@ try box.urdf --hash --size 640
 try box.urdf --hash --samples 3
 try box.urdf --hash --camera lid
 try box.urdf --hash --hide layer
-try box.urdf -o box.jpg
+try box.urdf -o box
+try box.urdf --hash --frame-type jpg
+(export ROCINANTE_MODULES=/nowhere; try box.urdf -o box.jpg)
 try box.urdf --hash --profile pretty
 try box.urdf --shadows on --hash --shading plain
 rocinante-render box.urdf -o box.png --size 64x48
