@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "core/check/judges/clearance_report.h"
 
@@ -169,6 +170,21 @@ void SessionCheck::judgePath(const PathView& path, const PacketPlace& place) {
   if (device == nullptr) return;
   device->mention(place);
   device->judgeLink(path.second, place);
+}
+
+void SessionCheck::dropFindings() {
+  stream_.dropFindings();
+  layers_.dropFindings();
+  log_.dropFindings();
+  clearance_.dropFindings();
+  device_cache_.clear();
+  for (auto each = devices_.begin(); each != devices_.end();) {
+    each->second.dropFindings();
+    // An order that the state still holds says what later values mean.
+    const DeviceState* const said = stream_.state().findDevice(each->first);
+    const bool is_over = each->second.isStray() && (said == nullptr || said->orders.empty());
+    each = is_over ? devices_.erase(each) : std::next(each);
+  }
 }
 
 void SessionCheck::finish(CheckReport& report) const {

@@ -43,6 +43,15 @@ class SessionCheck {
   /// Call it when the recorder did not close the log.
   void noteIncomplete() { log_.noteIncomplete(); }
 
+  /// It is `now`, though no datagram says so: silences grow.
+  void advance(LogTime now) { stream_.advance(now); }
+  /// Forgets what was found so far, so that findings are those of the time since; the session
+  /// itself is followed on: state, numbers, clocks, rhythms, motion. Memory stays as it is, however
+  /// long the session and however many names it uses.
+  void dropFindings();
+  std::uint64_t datagrams() const { return stream_.datagrams(); }
+  std::uint64_t packets() const { return stream_.packets(); }
+
   /// Judges what waits for the next packet: call it before finish().
   void settle() { clearance_.settle(); }
 

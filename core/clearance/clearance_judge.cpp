@@ -305,6 +305,20 @@ void ClearanceJudge::offer(const Pair& pair, const TreeContact& contact, const M
                    time};
 }
 
+void ClearanceJudge::dropFindings() {
+  for (std::size_t i = 0; i < outcomes_.size(); ++i) {
+    ClearanceOutcome& outcome = outcomes_[i];
+    outcome.when = {};
+    outcome.spans.clear();
+    outcome.violations = outcome.is_violated ? 1 : 0;
+    if (outcome.is_violated) {
+      outcome.spans.push_back({outcome.last_violation, outcome.last_violation, of_span_m_[i]});
+    } else {
+      outcome.least = {};
+    }
+  }
+}
+
 void ClearanceJudge::closeStep(LogTime time) {
   for (std::size_t i = 0; i < outcomes_.size(); ++i) {
     ClearanceOutcome& outcome = outcomes_[i];

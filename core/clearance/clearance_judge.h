@@ -84,6 +84,9 @@ class ClearanceJudge {
   /// The next placement, of the same structure; its `link_world` is not read.
   void step(LogTime time, CellPlacement placement);
 
+  /// Forgets what was found, but for the spans that go on.
+  void dropFindings();
+
   bool hasBegun() const { return has_begun_; }
   const CellPlacement& placement() const { return placement_; }
   const std::vector<ClearanceOutcome>& outcomes() const { return outcomes_; }

@@ -26,6 +26,8 @@ class ClearanceSession {
   void settle();
 
   const ClearanceJudge& judge() const { return judge_; }
+  /// Forgets what was found.
+  void dropFindings() { judge_.dropFindings(); }
 
  private:
   void restart(LogTime time, const SessionState& state);

@@ -2,7 +2,6 @@
 #include <optional>
 
 #include "core/base/atomic_file.h"
-#include "core/base/duration_text.h"
 #include "core/bundle/attached_cell.h"
 #include "core/bundle/cell_folder.h"
 #include "core/check/check.h"
@@ -16,6 +15,7 @@
 #include "golden/check/check_live.h"
 #include "golden/check/check_options.h"
 #include "golden/check/check_output.h"
+#include "golden/check/check_watch.h"
 
 namespace {
 
@@ -29,6 +29,7 @@ constexpr const char* kExamples =
     "  rocinante check cell.toml session.mcap -o junit=check.xml -o sarif=check.sarif\n"
     "  rocinante check cell.toml session.mcap --baseline known.json --strict\n"
     "  rocinante check cell.toml --live :19960 --duration 10s\n"
+    "  rocinante check cell.toml --live :19960 --watch --on-finding ./alarm\n"
     "  rocinante check --explain joint.limit\n";
 
 /// Differences between the cell attached to the log, if any, and the cell it is judged with.
@@ -73,7 +74,8 @@ Result<CheckReport> judgeLog(const CheckArguments& my, const Cell& cell) {
   return report;
 }
 
-Result<CheckReport> judge(const CheckArguments& my) {
+/// The cell, with the rules of the command line.
+Result<Cell> loadWithRules(const CheckArguments& my) {
   const Result<std::vector<CellRule>> rules = readRuleArguments(my);
   if (!rules) return rules.error();
   CellOptions options;
@@ -81,14 +83,16 @@ Result<CheckReport> judge(const CheckArguments& my) {
   options.parallel = cli::workerThreads();
   options.progress = cli::loadProgress(my.cell);
   Result<Cell> cell = loadCellOrLog(my.cell, options);
+  if (cell) cell->rules.insert(cell->rules.end(), rules->begin(), rules->end());
+  return cell;
+}
+
+Result<CheckReport> judge(const CheckArguments& my) {
+  const Result<Cell> cell = loadWithRules(my);
   if (!cell) return cell.error();
-  cell->rules.insert(cell->rules.end(), rules->begin(), rules->end());
   if (!my.live.empty()) {
-    const Result<Nanoseconds> duration = parseDuration(my.duration);
+    const auto duration = readPositive(my.duration.empty() ? "2s" : my.duration, "--duration");
     if (!duration) return duration.error();
-    if (duration->count() <= 0) {
-      return Error{ErrorKind::bad_argument, "must be greater than zero", "--duration"};
-    }
     return checkLive(*cell, my.live, my.trust, *duration);
   }
   return my.log.empty() ? checkCell(*cell) : judgeLog(my, *cell);
@@ -126,6 +130,15 @@ cli::Exit exitOf(CheckVerdict verdict) {
   return cli::Exit::could_not_run;
 }
 
+Result<cli::Exit> watch(const CheckArguments& my, const std::optional<Baseline>& baseline) {
+  Result<CheckWatchOptions> options = readWatchArguments(my);
+  if (!options) return options.error();
+  if (baseline) options->baseline = &*baseline;
+  const Result<Cell> cell = loadWithRules(my);
+  if (!cell) return cell.error();
+  return watchLive(*cell, *options);
+}
+
 Result<cli::Exit> run(CheckArguments& my) {
   if (my.list_rules) {
     printRules(my.wantsJson());
@@ -148,6 +161,7 @@ Result<cli::Exit> run(CheckArguments& my) {
     if (!read) return read.error();
     baseline = std::move(*read);
   }
+  if (my.watch) return watch(my, baseline);
   Result<CheckReport> report = judge(my);
   if (!report) return report.error();
   if (Status concluded = concludeWith(my, baseline, *report); !concluded) return concluded.error();

@@ -6,6 +6,7 @@
 #include "core/base/result.h"
 #include "core/cell/cell.h"
 #include "core/check/reports/report_formats.h"
+#include "golden/check/check_watch.h"
 
 namespace CLI {
 class App;
@@ -17,7 +18,9 @@ namespace rocinante {
 struct CheckArguments : ModelSearch {
   std::string cell, log, trust;
   std::vector<std::string> live;
-  std::string duration = "2s";
+  std::string duration;  ///< empty: 2 s, or for ever
+  bool watch = false, until_finding = false;
+  std::string watch_severity = "note", hold = "5s", on_finding;
   std::string format = "text";
   bool json = false;
   std::vector<std::string> outputs;  ///< FORMAT=FILE
@@ -41,5 +44,10 @@ void declareCheck(CLI::App& app, CheckArguments& arguments);
 /// The rules given by --rule; bad_argument for an unknown rule or severity.
 Result<std::vector<CellRule>> readRuleArguments(const CheckArguments& arguments);
 Severity failOn(const CheckArguments& arguments);
+
+/// --watch and what goes with it, but for the baseline. bad_argument for invalid values.
+Result<CheckWatchOptions> readWatchArguments(const CheckArguments& arguments);
+/// A duration greater than zero; the error names `option`.
+Result<Nanoseconds> readPositive(const std::string& text, const char* option);
 
 }  // namespace rocinante

@@ -119,6 +119,16 @@ void CadenceJudge::judgeJitter(const PacketPlace& place, double interval_s, std:
   worst_uneven_s_ = std::max(worst_uneven_s_, uneven_s);
 }
 
+void CadenceJudge::dropFindings() {
+  rate_ = silence_ = {};
+  worst_rate_hz_ = worst_rate_off_ = longest_silence_s_ = 0;
+  all_packets_ /= 2;
+  uneven_.count /= 2;
+  if (uneven_.count > 0) return;
+  uneven_ = {};
+  worst_uneven_s_ = 0;
+}
+
 void CadenceJudge::report(const std::string& source, LogTime end, Findings& findings) const {
   if (!is_begun_) return;
   Tally silence = silence_;
@@ -145,7 +155,8 @@ void CadenceJudge::report(const std::string& source, LogTime end, Findings& find
                     "{:.6g}",
                     source, worst_rate_hz_, low, high)));
   }
-  const double part = static_cast<double>(uneven_.count) / static_cast<double>(all_packets_);
+  const double part = static_cast<double>(uneven_.count) /
+                      static_cast<double>(std::max<std::uint64_t>(all_packets_, 1));
   if (uneven_.count >= kLeastUneven && part > kUnevenPart) {
     findings.push_back(uneven_.finding(
         "source.jitter", source,

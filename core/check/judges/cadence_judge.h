@@ -29,6 +29,8 @@ class CadenceJudge {
 
   /// `end`: of the session.
   void report(const std::string& source, LogTime end, Findings& findings) const;
+  /// Forgets what was found; counts of uneven packets fade by half. The rhythm is followed on.
+  void dropFindings();
 
  private:
   void begin(const PacketPlace& place);

@@ -113,6 +113,28 @@ void ClockJudge::noteDelay(const PacketPlace& place, std::int64_t delay_ns) {
   if (!least.is_set || delay_ns < least.delay_ns) least = {at, delay_ns, true};
 }
 
+void ClockJudge::dropFindings() {
+  steps_ = {};
+  worst_step_s_ = 0;
+  first_least_ns_.reset();
+  const std::int64_t old_ns = (last_ - began_ - kKeptSpan).count();
+  if (old_ns < bin_ns_) return;
+  const std::size_t old = std::min(static_cast<std::size_t>(old_ns / bin_ns_), kBins);
+  const std::int64_t moved_ns = static_cast<std::int64_t>(old) * bin_ns_;
+  std::shift_left(bins_.begin(), bins_.end(), static_cast<std::ptrdiff_t>(old));
+  std::fill(bins_.end() - static_cast<std::ptrdiff_t>(old), bins_.end(), Least{});
+  began_ += Nanoseconds(moved_ns);
+  bool has_least = false;
+  for (Least& each : bins_) {
+    if (!each.is_set) continue;
+    each.at_ns -= moved_ns;
+    if (has_least && each.delay_ns >= least_ns_) continue;
+    has_least = true;
+    least_ns_ = each.delay_ns;
+    least_at_ = began_ + Nanoseconds(each.at_ns);
+  }
+}
+
 void ClockJudge::report(const std::string& source, Findings& findings) const {
   if (is_ignored_ || !is_begun_) return;
   if (steps_.count > 0) {

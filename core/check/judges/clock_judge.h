@@ -26,9 +26,13 @@ class ClockJudge {
   void ignore() { is_ignored_ = true; }
 
   void report(const std::string& source, Findings& findings) const;
+  /// Forgets what was found, and delays of more than kKeptSpan ago.
+  void dropFindings();
 
  private:
   static constexpr std::size_t kBins = 64;
+  /// Long enough for the least drift that is reported.
+  static constexpr Nanoseconds kKeptSpan = std::chrono::minutes(5);
 
   void begin(const PacketPlace& place, std::int64_t delay_ns);
   void noteDelay(const PacketPlace& place, std::int64_t delay_ns);

@@ -63,6 +63,8 @@ void DatagramJudge::takeFaults(std::span<const FaultAt> faults, PacketPlace plac
   }
 }
 
+void DatagramJudge::dropFindings() { *this = {}; }
+
 void DatagramJudge::report(Findings& findings) const {
   const auto add = [&](const Tally& tally, std::string_view rule, std::string text,
                        std::string_view hint, std::uint32_t column) {

@@ -18,6 +18,8 @@ class DatagramJudge {
   void takeUndecoded(std::string_view encoding, const PacketPlace& place);
   void takeFaults(std::span<const FaultAt> faults, PacketPlace place);
   void report(Findings& findings) const;
+  /// Forgets what was found.
+  void dropFindings();
 
  private:
   std::array<Tally, kPacketFaultCount> faults_;

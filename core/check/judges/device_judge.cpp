@@ -67,6 +67,21 @@ void DeviceJudge::appearByAdd(const Model* model, const Statement& add, const Pa
 
 void DeviceJudge::disappear(const PacketPlace& place) { presence_.remove(place); }
 
+void DeviceJudge::dropFindings() {
+  presence_.dropFindings();
+  for (Value& value : values_) value.judge.dropFindings();
+  mentioned_ = unknown_model_ = other_kinematics_ = joint_count_ = repeated_joint_ = not_unit_ = {};
+  unknown_links_.clear();
+  unknown_joints_.clear();
+  undrivable_joints_.clear();
+  two_drivers_.tally = two_posers_.tally = {};
+  earlier_.clear();
+  // The next to write is judged again.
+  strangers_.clear();
+  stranger_ = nullptr;
+  writer_ = kNobody;
+}
+
 void DeviceJudge::useModel(const Model* model) {
   reportValues(earlier_);
   model_ = model;

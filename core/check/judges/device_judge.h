@@ -80,6 +80,10 @@ class DeviceJudge {
   std::string stranger() const;
 
   void report(const SessionRoster& roster, Findings& findings) const;
+  /// Forgets what was found, not what the device and its joints do.
+  void dropFindings();
+  /// The cell does not have it and no `add` keeps it: what is known of it may be forgotten.
+  bool isStray() const { return !in_cell_ && !presence_.isThere(); }
 
  private:
   static constexpr std::uint32_t kNobody = TwoSources::kNobody;

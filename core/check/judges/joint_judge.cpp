@@ -99,6 +99,15 @@ void JointJudge::judgeMotion(double value, const PacketPlace& place) {
   }
 }
 
+void JointJudge::dropFindings() {
+  if (is_written_) least_ = most_ = value_;
+  beyond_ = jump_ = velocity_ = acceleration_ = {};
+  worst_excess_ = worst_ = 0;
+  jump_distance_ = jump_s_ = worst_velocity_ = velocity_s_ = worst_acceleration_ = 0;
+  jump_twins_.clear();
+  velocity_twins_.clear();
+}
+
 bool JointJudge::fitsAsDegrees() const {
   constexpr double kRadians = std::numbers::pi / 180;
   return least_ * kRadians >= lower_ - kLimitSlack && most_ * kRadians <= upper_ + kLimitSlack;

@@ -38,6 +38,8 @@ class JointJudge {
   void collect(Tally& all) const;
 
   void report(const std::string& device, Findings& findings) const;
+  /// Forgets what was found; its motion is followed on.
+  void dropFindings();
 
  private:
   /// The packets with nearly the same TIME, if they caused the last fault of motion.

@@ -18,6 +18,8 @@ class LayerJudge {
 
   void judge(std::string_view layer, const PacketPlace& place);
   void report(Findings& findings) const;
+  /// Forgets what was found.
+  void dropFindings() { unknown_.clear(); }
 
  private:
   std::set<std::string, std::less<>> layers_;

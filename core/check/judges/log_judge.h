@@ -19,6 +19,8 @@ class LogJudge {
   void noteIncomplete() { is_incomplete_ = true; }
 
   void report(Findings& findings) const;
+  /// Forgets what was found.
+  void dropFindings() { *this = {}; }
 
  private:
   void reportLoss(const std::string& endpoint, const std::vector<LossSpan>& spans,

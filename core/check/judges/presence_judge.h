@@ -19,7 +19,10 @@ class PresenceJudge {
   }
 
   bool everThere() const { return state_ != State::unknown; }
+  bool isThere() const { return state_ == State::there; }
   void report(const std::string& device, Findings& findings) const;
+  /// Forgets what was found, not whether the device is there.
+  void dropFindings() { before_add_ = after_remove_ = {}; }
 
  private:
   enum class State : std::uint8_t { unknown, there, removed };

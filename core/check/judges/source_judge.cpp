@@ -109,6 +109,14 @@ void SourceJudge::judgeRestatement(const PacketPlace& place) {
   said_again_ = place.time;
 }
 
+void SourceJudge::dropFindings() {
+  dropped_ = seen_;
+  gap_ = late_ = duplicate_ = restart_ = mixed_ = unrestated_ = {};
+  longest_unrestated_s_ = 0;
+  clock_.dropFindings();
+  cadence_.dropFindings();
+}
+
 void SourceJudge::report(LogTime end, Findings& findings) const {
   const auto add = [&](const Tally& tally, std::uint64_t count, const char* rule,
                        std::string text) {
@@ -116,12 +124,19 @@ void SourceJudge::report(LogTime end, Findings& findings) const {
     findings.push_back(tally.finding(rule, name_, std::move(text)));
     findings.back().count = count;
   };
-  add(gap_, seen_.gap, "source.gap", fmt::format("packets of source {} that never arrived", name_));
-  add(late_, seen_.late - seen_.duplicates, "source.late",
+  // A count may fall: a gap that a late packet closes.
+  const auto since = [](std::uint64_t now, std::uint64_t before) {
+    return now > before ? now - before : 0;
+  };
+  const std::uint64_t duplicates = since(seen_.duplicates, dropped_.duplicates);
+  add(gap_, since(seen_.gap, dropped_.gap), "source.gap",
+      fmt::format("packets of source {} that never arrived", name_));
+  add(late_, since(since(seen_.late, dropped_.late), duplicates), "source.late",
       fmt::format("packets of source {} that arrived late and were dropped", name_));
-  add(duplicate_, seen_.duplicates, "source.duplicate",
+  add(duplicate_, duplicates, "source.duplicate",
       fmt::format("packets of source {} that arrived twice; the second was dropped", name_));
-  add(restart_, seen_.restarts, "source.restart", fmt::format("restarts of source {}", name_));
+  add(restart_, since(seen_.restarts, dropped_.restarts), "source.restart",
+      fmt::format("restarts of source {}", name_));
   add(mixed_, mixed_.count, "source.mixed",
       fmt::format("source {} is heard whole and also filtered by relay {}", name_, relay_));
   if (mixed_.count > 0) {

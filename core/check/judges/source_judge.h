@@ -39,6 +39,8 @@ class SourceJudge {
 
   /// `end`: of the session.
   void report(LogTime end, Findings& findings) const;
+  /// Forgets what was found; the stream is followed on.
+  void dropFindings();
 
  private:
   void watchPath(const PacketHeader& header, const SourceCounts& counts, const PacketPlace& place);
@@ -54,6 +56,7 @@ class SourceJudge {
     std::uint64_t gap = 0, late = 0, duplicates = 0, restarts = 0;
   };
   Seen seen_;
+  Seen dropped_;            ///< of those, the ones that dropFindings() forgot
   std::uint64_t lost_ = 0;  ///< directly before the packet that is being judged
   Tally gap_, late_, duplicate_, restart_, mixed_;
   std::string relay_;  ///< NAME:OUTPUT of the first packet of a mixed source that was filtered

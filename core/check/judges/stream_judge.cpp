@@ -88,6 +88,19 @@ std::uint64_t StreamJudge::relayGap(std::string_view relay) const {
   return found == state_.relays().end() ? 0 : found->second.gap;
 }
 
+std::uint64_t StreamJudge::relayGaps() const {
+  std::uint64_t gaps = 0;
+  for (const auto& [relay, counts] : state_.relays()) gaps += counts.gap;
+  return gaps;
+}
+
+void StreamJudge::dropFindings() {
+  faults_.dropFindings();
+  refused_ = relay_gap_ = {};
+  dropped_relay_gaps_ = relayGaps();
+  for (auto& [name, each] : sources_) each.judge.dropFindings();
+}
+
 void StreamJudge::reportSources(LogTime now, Findings& findings) const {
   for (const std::string& name : source_names_) {
     sources_.find(name)->second.judge.report(now, findings);
@@ -96,14 +109,13 @@ void StreamJudge::reportSources(LogTime now, Findings& findings) const {
     findings.push_back(
         refused_.finding("source.refused", "", "packets of more sources than the limit allows"));
   }
-  std::uint64_t relay_gap = 0;
-  for (const auto& [relay, counts] : state_.relays()) relay_gap += counts.gap;
-  if (relay_gap > 0) {
+  const std::uint64_t gaps = relayGaps();
+  if (gaps > dropped_relay_gaps_) {
     findings.push_back(
         relay_gap_.finding("source.relay-gap", "",
                            "packets that a relay sent on, by its own count, and that never "
                            "arrived"));
-    findings.back().count = relay_gap;
+    findings.back().count = gaps - dropped_relay_gaps_;
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <span>
 #include <string>
@@ -73,6 +74,10 @@ class StreamJudge {
   void reportDatagrams(Findings& findings) const { faults_.report(findings); }
   /// `now`: silences and restatements count up to it.
   void reportSources(LogTime now, Findings& findings) const;
+  /// Forgets what was found; every stream is followed on.
+  void dropFindings();
+  /// It is `now`, though no datagram says so.
+  void advance(LogTime now) { end_ = std::max(end_, now); }
 
  private:
   struct Source {
@@ -84,6 +89,7 @@ class StreamJudge {
   Source& source(std::string_view name);
   /// Losses behind a relay, by the relay's own count.
   std::uint64_t relayGap(std::string_view relay) const;
+  std::uint64_t relayGaps() const;
 
   RuleSettings rules_;
   std::span<const CellSource> cell_sources_;
@@ -95,6 +101,7 @@ class StreamJudge {
   NameCache<Source*> source_cache_;
   DatagramJudge faults_;
   Tally refused_, relay_gap_;
+  std::uint64_t dropped_relay_gaps_ = 0;
   std::uint64_t datagrams_ = 0, packets_ = 0;
   LogTime end_{};
 };

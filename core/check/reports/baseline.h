@@ -38,6 +38,8 @@ class Baseline {
   /// afterwards.
   void applyTo(CheckReport& report) const;
 
+  bool accepts(const BaselineKey& key) const { return accepted_.contains(key); }
+
   /// As read() takes it; sorted, one entry per line, so that diffs are small.
   std::string text() const;
   std::size_t size() const { return accepted_.size(); }
