@@ -275,11 +275,17 @@ Result<RecordSummary> record(const RecordOptions& options, const RecordEvents& e
   }
   Reception reception(sources, *loop);
   RecordOptions whole = options;
+  if (options.load_cell || options.load_watched) events.listening(reception.names());
   if (options.load_cell) {
-    events.listening(reception.names());
     auto cell = options.load_cell();
     if (!cell) return cell.error();
     whole.cell = std::move(*cell);
+  }
+  if (options.load_watched) {
+    Result<Cell> watched = options.load_watched();
+    if (!watched) return watched.error();
+    whole.watch = std::make_shared<FindingTrigger>(std::move(*watched), options.watch_severity,
+                                                   reception.loop().isLive());
   }
   Result<RecordSink> made = makeSink(whole, named_at, notes);
   if (!made) return made.error();

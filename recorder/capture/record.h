@@ -37,6 +37,12 @@ struct RecordOptions {
   /// Writes only on a trigger; `split` is ignored.
   std::optional<RingRule> ring;
   std::vector<Condition> ring_on;
+  /// Loads the cell that a ring's findings are judged with, after the endpoints are bound; empty:
+  /// nothing is judged.
+  std::function<Result<Cell>()> load_watched;
+  Severity watch_severity = Severity::error;  ///< a finding this severe triggers the ring
+  /// The watch itself; made by record().
+  std::shared_ptr<FindingTrigger> watch;
   std::vector<Condition> start_on;
   std::vector<Condition> stop_on;
   UdpReceiver::Options receiving;

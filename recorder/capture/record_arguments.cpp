@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "core/bundle/attached_cell.h"
+#include "core/bundle/cell_or_log.h"
 #include "core/cli/load_progress.h"
 #include "core/cli/program.h"
 #include "core/cli/search_options.h"
@@ -24,6 +25,14 @@ Result<std::shared_ptr<const CellBundle>> loadCell(const RecordArguments& argume
     for (const std::string& warning : bundleWarnings(*cell)) cli::warn(warning);
   }
   return std::make_shared<const CellBundle>(std::move(*cell));
+}
+
+Result<Cell> loadWatched(const RecordArguments& arguments) {
+  CellOptions search;
+  static_cast<ModelSearch&>(search) = arguments;
+  search.parallel = cli::workerThreads();
+  if (!arguments.quiet) search.progress = cli::loadProgress(arguments.session.watch);
+  return loadCellOrLog(arguments.session.watch, search);
 }
 
 }  // namespace
@@ -133,8 +142,14 @@ Result<RecordOptions> readRecordArguments(const RecordArguments& arguments) {
   if (Status read = readSessionArguments(arguments.session, options); !read) return read.error();
   if (!arguments.cell.empty()) {
     options.load_cell = [&arguments] { return loadCell(arguments); };
-  } else if (const std::vector<std::string> words = cli::searchWords(arguments); !words.empty()) {
-    return Error{ErrorKind::bad_argument, words.front() + " needs --cell", {}};
+  }
+  if (!arguments.session.watch.empty()) {
+    options.load_watched = [&arguments] { return loadWatched(arguments); };
+  }
+  if (arguments.cell.empty() && arguments.session.watch.empty()) {
+    if (const std::vector<std::string> words = cli::searchWords(arguments); !words.empty()) {
+      return Error{ErrorKind::bad_argument, words.front() + " needs --cell", {}};
+    }
   }
   return options;
 }

@@ -121,8 +121,8 @@ Result<RecordSink> makeSink(const RecordOptions& options, LogTime now, NoteBox& 
   };
   if (options.ring) {
     if (Status folder = checkFolder(options, now); !folder) return folder.error();
-    RingRecording::Options ring{
-        *options.ring, options.limits, {}, std::move(make), options.ring_on};
+    RingRecording::Options ring{*options.ring,   options.limits,  {},
+                                std::move(make), options.ring_on, options.watch};
     return RecordSink{std::make_unique<RingRecording>(std::move(ring), notes),
                       options.log.string()};
   }

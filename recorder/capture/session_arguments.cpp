@@ -68,6 +68,7 @@ Status readRing(const SessionArguments& arguments, RecordOptions& options) {
   if (arguments.ring.empty()) {
     const bool lonely =
         !arguments.ring_after.empty() || !arguments.ring_size.empty() || !arguments.ring_on.empty();
+    if (!arguments.watch.empty()) return badArgument("--watch needs --ring");
     return lonely ? Status(badArgument("--ring-on, --ring-after and --ring-size need --ring"))
                   : Status();
   }
@@ -91,6 +92,9 @@ Status readRing(const SessionArguments& arguments, RecordOptions& options) {
   auto triggers = readConditions(arguments.ring_on);
   if (!triggers) return triggers.error();
   options.ring_on = std::move(*triggers);
+  for (const Severity each : {Severity::note, Severity::warning, Severity::error}) {
+    if (arguments.watch_severity == nameOf(each)) options.watch_severity = each;
+  }
   options.ring = ring;
   return {};
 }
@@ -124,6 +128,14 @@ void addSessionArguments(CLI::App& app, SessionArguments& arguments) {
   add("--ring", arguments.ring, "TIME",
       "hold the last TIME in memory; write it to a file of its own\nonly on SIGUSR1 or --ring-on");
   add("--ring-on", arguments.ring_on, "COND", "write the ring when this matches, too");
+  auto* watch = add("--watch", arguments.watch, "CELL",
+                    "judge with this cell (rocinante check), and write the ring when a finding\n"
+                    "begins, too");
+  add("--watch-severity", arguments.watch_severity, "SEVERITY",
+      "least severe finding that writes the ring: note, warning or error")
+      ->needs(watch)
+      ->check(CLI::IsMember({"note", "warning", "error"}))
+      ->capture_default_str();
   add("--ring-after", arguments.ring_after, "TIME",
       "continue the ring's file for TIME after the trigger");
   add("--ring-size", arguments.ring_size, "SIZE",

@@ -22,6 +22,8 @@ struct SessionArguments {
   bool attach_once = false;
   std::string ring, ring_after, ring_size;
   std::vector<std::string> ring_on, start_on, stop_on;
+  std::string watch;  ///< a cell
+  std::string watch_severity = "error";
 };
 
 /// Adds the options with their help. `arguments` must outlive parsing.

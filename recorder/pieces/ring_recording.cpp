@@ -6,6 +6,7 @@
 #include <cstring>
 #include <utility>
 
+#include "core/base/count_text.h"
 #include "core/base/duration_text.h"
 #include "core/base/size_text.h"
 #include "core/log/loss_message.h"
@@ -76,7 +77,19 @@ Status RingRecording::write(const CapturedDatagram& datagram) {
   if (const Condition* const met = triggers_.metBy(datagram.time, datagram.packet)) {
     trigger(datagram.time, met->text());
   }
+  if (options_.watch) {
+    options_.watch->add(datagram.time, datagram.channel->encoding, datagram.captured(),
+                        datagram.payload);
+    triggerByFinding();
+  }
   return {};
+}
+
+void RingRecording::triggerByFinding() {
+  for (const FindingTrigger::Begun& each : options_.watch->take()) {
+    if (file_) notes_.say("found: " + each.text);
+    trigger(std::min(each.at, last_), each.text);
+  }
 }
 
 /// Called before anything of the span is dropped.
@@ -88,6 +101,7 @@ void RingRecording::triggerBySilence(LogTime reached) {
 
 Status RingRecording::writeLoss(const LossSpan& span) {
   const std::string text = lossText(span);
+  if (options_.watch) options_.watch->addLoss(span);
   add({RingBuffer::Kind::loss, std::max(last_, span.until), 0, 0, 0, bytesOf(text)});
   return {};
 }
@@ -214,6 +228,10 @@ void RingRecording::closeFile(const std::string& reason) {
 
 Status RingRecording::flush(LogTime reached, SteadyTime now) {
   triggerBySilence(reached);
+  if (options_.watch) {
+    options_.watch->reach(reached);
+    triggerByFinding();
+  }
   dropOld(reached);
   writeSome(kItemsATime);
   if (file_ && next_ == ring_.end() && reached > until_) closeFile(kRingReason);
@@ -232,6 +250,14 @@ Status RingRecording::flush(LogTime reached, SteadyTime now) {
 }
 
 Status RingRecording::close(const std::string& reason) {
+  if (options_.watch) {
+    options_.watch->finish();
+    triggerByFinding();
+    if (const std::uint64_t dropped = options_.watch->dropped(); dropped > 0) {
+      notes_.warn(fmt::format("--watch fell behind: {} not judged, all were kept",
+                              countText(dropped, "datagram")));
+    }
+  }
   while (file_ && !(next_ == ring_.end())) writeSome(kItemsATime);
   if (file_) closeFile(reason);
   if (Status settled = shelf_.finish(); !settled) notes_.warn(settled.error().text());

@@ -8,6 +8,7 @@
 #include "core/packet/packet_text.h"
 #include "core/recording/capture_sink.h"
 #include "core/recording/condition.h"
+#include "recorder/pieces/finding_trigger.h"
 #include "recorder/pieces/piece_sequence.h"
 #include "recorder/pieces/ring_buffer.h"
 
@@ -33,6 +34,7 @@ class RingRecording final : public CaptureSink {
     KeyframeOptions keyframes;
     PieceSequence::MakePiece make;
     std::vector<Condition> triggers;
+    std::shared_ptr<FindingTrigger> watch;  ///< its findings trigger, too; null: none
   };
 
   RingRecording(Options options, NoteBox& notes);
@@ -63,6 +65,7 @@ class RingRecording final : public CaptureSink {
   void dropFront();
   void dropOld(LogTime now);
   void triggerBySilence(LogTime reached);
+  void triggerByFinding();
   void startFile(LogTime moment, const std::string& why);
   void fold(const RingBuffer::Item& item, SessionState& state);
   RingBuffer::Place placeToBegin(LogTime from, SessionState& state);

@@ -127,6 +127,27 @@ TEST(RingRecording, ASilenceTriggersIt) {
   EXPECT_EQ(*files.pieces[0].end, logTime(2'990ms));
 }
 
+TEST(RingRecording, AFindingTriggersIt) {
+  RecordOptions options = ringOf(1s, 500ms);
+  const test::TemporaryFolder models;
+  std::ofstream(models.path() / "arm.urdf")
+      << "<robot name=\"arm\"> <link name=\"base\"/> <link name=\"hand\"/> <joint name=\"turn\" "
+         "type=\"prismatic\"> <parent link=\"base\"/> <child link=\"hand\"/> <limit lower=\"0\" "
+         "upper=\"399.5\" effort=\"1\" velocity=\"9999\"/> </joint> </robot>";
+  options.watch = std::make_shared<FindingTrigger>(loadCell(models.path() / "arm.urdf", {}).value(),
+                                                   Severity::error, /*is_live=*/false);
+  CaptureRig rig(options);
+  // The joint is at 400 after 4 s, and stays beyond its limit: one finding, one file.
+  talk(rig, 0s, 8s);
+  const RecordedFiles files = rig.close();
+  ASSERT_EQ(files.pieces.size(), 1U);
+  expectSound(files.pieces[0].file.path);
+  EXPECT_TRUE(files.pieces[0].why.starts_with("arm/turn is outside its limits"))
+      << files.pieces[0].why;
+  EXPECT_EQ(files.pieces[0].triggered, logTime(4s));
+  EXPECT_EQ(messagesOf(files.pieces[0].file.path).size(), 151U) << "3 s to 4.5 s";
+}
+
 TEST(RingRecording, BeginsWhereNoRestatementIsUnfinished) {
   CaptureRig rig(ringOf(1s));
   const auto part = [](int number, int part_number) {
