@@ -6,6 +6,7 @@
 #include <cstring>
 #include <ostream>
 
+#include "golden/compare/cdash_lines.h"
 #include "golden/compare/comparison_text.h"
 #include "golden/compare/picture_figures.h"
 
@@ -107,9 +108,11 @@ GoldenAnswer checkGolden(const PictureView& frame, std::string_view name,
     if (golden.error().kind != ErrorKind::not_found) {
       return {false, "the golden cannot be read: " + golden.error().text()};
     }
-    return {false, fmt::format("no golden was accepted yet: {}\n", golden_file.string()) +
+    std::string text = fmt::format("no golden was accepted yet: {}\n", golden_file.string()) +
                        written("frame", stem + ".frame.png", shown) +
-                       "look at it, then accept it with ROCINANTE_APPROVE=1\n"};
+                       "look at it, then accept it with ROCINANTE_APPROVE=1\n";
+    if (isUnderDashboard()) text += cdashPicture(kCdashFrame, stem + ".frame.png");
+    return {false, text};
   }
   const Comparison found = compareFine(fine, *golden, tolerance);
   if (found.verdict == Verdict::same) return {true, found.rule};
@@ -124,6 +127,12 @@ GoldenAnswer checkGolden(const PictureView& frame, std::string_view name,
   if (comparable) {
     text +=
         written("difference", stem + ".difference.png", differencePicture(shown, golden->picture));
+  }
+  if (isUnderDashboard()) {
+    // Lines of their own, as CTest looks for them.
+    text += cdashPicture(kCdashFrame, stem + ".frame.png");
+    text += cdashPicture(kCdashGolden, golden_file);
+    if (comparable) text += cdashPicture(kCdashDifference, stem + ".difference.png");
   }
   return {false, text};
 }
