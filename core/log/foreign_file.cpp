@@ -14,7 +14,7 @@ struct Kind {
 };
 
 constexpr std::string_view kCapture =
-    "it is a network capture: `rocinante record pcap://./FILE` makes a log of it";
+    "it is a network capture: `rocinante log import` makes a log of it";
 constexpr std::string_view kCompressed = "it is compressed: expand it first";
 
 constexpr std::array kKinds{
@@ -27,6 +27,7 @@ constexpr std::array kKinds{
     Kind{"\x28\xb5\x2f\xfd"sv, kCompressed},
     Kind{"\xfd\x37zXZ"sv, kCompressed},
     Kind{"PK\x03\x04"sv, kCompressed},
+    Kind{"\xed\xa1\xda\x01"sv, "it is an LCM log: `rocinante log import` makes a log of it"},
     Kind{"#ROSBAG V"sv, "it is a ROS bag: `rocinante log import` makes a log of it"},
     Kind{"SQLite format 3"sv,
          "it is a SQLite file, as ROS 2 bags are: `rocinante log import` makes a log of those"},

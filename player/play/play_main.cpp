@@ -6,7 +6,9 @@
 #include "core/base/atomic_file.h"
 #include "core/base/duration_text.h"
 #include "core/base/plain_text.h"
+#include "core/cli/import_progress.h"
 #include "core/cli/program.h"
+#include "core/foreign/recordings/opened_recording.h"
 #include "player/control/command_slot.h"
 #include "player/control/control_socket.h"
 #include "player/control/control_thread.h"
@@ -218,12 +220,38 @@ Result<PlayReport> playWithControl(Arguments& my) {
   const cli::StopDeadline deadline("stopped while reading the log; no report was made",
                                    giveTerminalBack);
   const ControlThread thread(**slot, std::move(inputs));
+  // What other programs recorded becomes a log first.
+  std::vector<OpenedRecording> opened;
+  PlayOptions options = my.options;
+  for (std::filesystem::path& log : options.logs) {
+    RecordingRequest request;
+    request.recording = log;
+    request.progress = cli::importProgress(log.string());
+    Result<OpenedRecording> found = openedRecording(request);
+    if (!found) return found.error();
+    for (const std::string& warning : found->warnings) cli::warn(warning);
+    if (!found->not_kept.empty()) cli::warn(found->not_kept);
+    log = found->log;
+    opened.push_back(std::move(*found));
+  }
+  const auto asNamed = [&](std::string text) {
+    for (const OpenedRecording& each : opened) text = each.named({{}, std::move(text), {}}).what;
+    return text;
+  };
   SendSurroundings surroundings;
   surroundings.stop = cli::stopRequested;
-  surroundings.told = [&my](std::string_view line) {
-    if (!my.quiet) cli::tell(plainText(line) + "\n");
+  surroundings.told = [&](std::string_view line) {
+    if (!my.quiet) cli::tell(plainText(asNamed(std::string(line))) + "\n");
   };
-  return play(my.options, surroundings, control);
+  Result<PlayReport> report = play(options, surroundings, control);
+  if (report) {
+    report->inputs.clear();
+    for (const auto& log : my.options.logs) report->inputs.push_back(log.string());
+    return report;
+  }
+  Error error = report.error();
+  for (const OpenedRecording& each : opened) error = each.named(std::move(error));
+  return error;
 }
 
 Result<cli::Exit> run(Arguments& my) {

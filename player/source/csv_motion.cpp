@@ -3,67 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
 
+#include "core/foreign/table/csv_line.h"
+#include "core/foreign/table/table_column.h"
 #include "core/packet/packet_limits.h"
 #include "core/packet/text_number.h"
-#include "player/source/csv_line.h"
 
 namespace rocinante {
 namespace {
-
-__extension__ using Wide = __int128;
-
-/// Parses seconds as programs print them ("12.5", "1e-05", "0.30000000000000004"), to the nearest
-/// nanosecond without going through a double. Empty for invalid or too large numbers.
-std::optional<Nanoseconds> parseSeconds(std::string_view text) {
-  double ignored = 0;
-  const char* at = text.data();
-  if (!readNumber(at, text.data() + text.size(), ignored) || at != text.data() + text.size()) {
-    return std::nullopt;
-  }
-  bool negative = false;
-  bool in_fraction = false;
-  bool any_dropped = false;
-  Wide digits = 0;
-  int exponent = 9;  // the unit is the nanosecond
-  std::size_t i = 0;
-  if (text[0] == '-' || text[0] == '+') negative = text[i++] == '-';
-  for (; i < text.size() && text[i] != 'e' && text[i] != 'E'; ++i) {
-    if (text[i] == '.') {
-      in_fraction = true;
-      continue;
-    }
-    // 30 digits hold every possible time to well below a nanosecond.
-    any_dropped = digits >= Wide{1'000'000'000'000'000} * 1'000'000'000'000'000;
-    if (!any_dropped) digits = digits * 10 + (text[i] - '0');
-    exponent += (any_dropped ? 1 : 0) - (in_fraction ? 1 : 0);
-  }
-  if (i < text.size()) {
-    const bool down = text[++i] == '-';
-    if (text[i] == '-' || text[i] == '+') ++i;
-    int written = 0;
-    for (; i < text.size(); ++i) written = std::min(written * 10 + (text[i] - '0'), 100'000);
-    exponent += down ? -written : written;
-  }
-  constexpr Wide kMax = std::numeric_limits<std::int64_t>::max();
-  for (; exponent > 0 && digits != 0; --exponent) {
-    if (digits > kMax) return std::nullopt;
-    digits *= 10;
-  }
-  int last_dropped = 0;
-  for (; exponent < 0 && (digits != 0 || last_dropped != 0); ++exponent) {
-    last_dropped = static_cast<int>(digits % 10);
-    digits /= 10;
-  }
-  if (last_dropped >= 5) ++digits;
-  if (digits > kMax) return std::nullopt;
-  const auto count = static_cast<std::int64_t>(digits);
-  return Nanoseconds(negative ? -count : count);
-}
 
 /// A field for an error message, shortened.
 std::string shown(std::string_view text) {
@@ -170,8 +120,6 @@ Status Reader::chooseColumns(const std::vector<std::string>& columns) {
 }
 
 constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
-constexpr std::array<std::string_view, 7> kPoseParts = {":x",  ":y",  ":z", ":qx",
-                                                        ":qy", ":qz", ":qw"};
 
 /// Finds the device of a column by its name, or adds it.
 CsvMotion::Device& deviceNamed(CsvMotion& motion, std::string_view name) {
@@ -184,23 +132,20 @@ CsvMotion::Device& deviceNamed(CsvMotion& motion, std::string_view name) {
 Status Reader::addColumn(std::size_t index) {
   constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
   const std::string_view name = names_[columns_at_[index]];
-  for (std::size_t part = 0; part < kPoseParts.size(); ++part) {
-    if (!name.ends_with(kPoseParts[part]) || name.size() == kPoseParts[part].size()) continue;
-    std::vector<std::size_t>& columns =
-        deviceNamed(motion_, name.substr(0, name.size() - kPoseParts[part].size())).pose_columns;
-    columns.resize(kPoseParts.size(), kNone);
-    columns[part] = index;
-    return {};
-  }
-  const std::size_t point = name.find('.');
-  if (point == name.npos || point == 0 || point + 1 == name.size()) {
+  const auto column = tableColumn(name);
+  if (!column) {
     return fault(fmt::format("column {} names no device: without --device a column is DEVICE.JOINT "
                              "or DEVICE:x, :y, :z, :qx, :qy, :qz, :qw",
                              shown(name)),
                  1);
   }
-  CsvMotion::Device& device = deviceNamed(motion_, name.substr(0, point));
-  device.joints.emplace_back(name.substr(point + 1));
+  CsvMotion::Device& device = deviceNamed(motion_, column->device);
+  if (column->pose_part) {
+    device.pose_columns.resize(kPoseEndings.size(), kNone);
+    device.pose_columns[*column->pose_part] = index;
+    return {};
+  }
+  device.joints.emplace_back(column->joint);
   device.joint_columns.push_back(index);
   return {};
 }
@@ -219,7 +164,7 @@ Status Reader::shareOut(const std::string& device) {
   for (const CsvMotion::Device& each : motion_.devices) {
     for (std::size_t part = 0; part < each.pose_columns.size(); ++part) {
       if (each.pose_columns[part] < columns_at_.size()) continue;
-      const std::string missing = each.name + std::string(kPoseParts[part]);
+      const std::string missing = each.name + std::string(kPoseEndings[part]);
       return fault(fmt::format("a pose needs seven columns: {} is missing", shown(missing)), 1);
     }
     if (each.joints.size() > limits::kJointValues) {
@@ -239,7 +184,7 @@ Status Reader::readRow() {
         fields_.back().column);
   }
   const CsvField& moment = fields_[time_at_];
-  const auto time = parseSeconds(moment.text);
+  const auto time = tableSeconds(moment.text);
   if (!time) {
     return fault(fmt::format("{} is not a time in seconds", shown(moment.text)), moment.column);
   }

@@ -7,7 +7,9 @@
 
 #include "core/base/duration_text.h"
 #include "core/base/plain_text.h"
+#include "core/cli/import_progress.h"
 #include "core/cli/program.h"
+#include "core/foreign/recordings/opened_recording.h"
 #include "player/source/joystick.h"
 #include "player/source/source.h"
 
@@ -209,7 +211,19 @@ Result<PlayReport> send(Arguments& my) {
   };
   if (!my.log.log.empty()) {
     const cli::StopDeadline deadline("stopped while reading the log");
-    return sendLog(my.log, my.options, surroundings);
+    // What another program recorded becomes a log first.
+    RecordingRequest request;
+    request.recording = my.log.log;
+    request.progress = cli::importProgress(request.recording.string());
+    const Result<OpenedRecording> opened = openedRecording(request);
+    if (!opened) return opened.error();
+    for (const std::string& warning : opened->warnings) cli::warn(warning);
+    if (!opened->not_kept.empty()) cli::warn(opened->not_kept);
+    LogSourceOptions log = my.log;
+    log.log = opened->log;
+    Result<PlayReport> report = sendLog(log, my.options, surroundings);
+    if (!report) return opened->named(report.error());
+    return report;
   }
   if (!my.csv.csv.empty()) {
     const cli::StopDeadline deadline("stopped while reading the table");

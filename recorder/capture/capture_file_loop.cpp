@@ -1,7 +1,5 @@
 #include "recorder/capture/capture_file_loop.h"
 
-#include <algorithm>
-
 #include "core/recording/reorder_window.h"
 #include "core/transport/open_source.h"
 
@@ -9,27 +7,10 @@ namespace rocinante {
 
 namespace {
 
-/// Well below the limit of 64-bit nanoseconds, so that adding a little cannot overflow.
-constexpr Nanoseconds kLatest = std::chrono::seconds(9'200'000'000);
 /// While the queue is full, until the disk catches up.
 constexpr Nanoseconds kFullPause = std::chrono::microseconds(500);
 
 }  // namespace
-
-LogTime CaptureTime::at(WallTime stamp) {
-  // Log times lie between 1970 and kLatest. A clock that is set back again and again would exceed
-  // it.
-  const Nanoseconds since = std::clamp(stamp.time_since_epoch(), Nanoseconds(0), kLatest);
-  const LogTime seen(std::min(since, kLatest - shift_) + shift_);
-  if (!reached_) reached_ = seen;
-  if (seen + kDisorder < *reached_) {
-    step_ = ClockStep{*reached_, seen - *reached_};
-    shift_ += *reached_ - seen;
-    return *reached_;
-  }
-  reached_ = std::max(*reached_, seen);
-  return *reached_;
-}
 
 Result<bool> CaptureFileLoop::pass() {
   if (left_.empty()) {

@@ -4,28 +4,11 @@
 #include <span>
 
 #include "core/net/datagram_source.h"
+#include "core/recording/capture_time.h"
 #include "core/recording/hand_over.h"
 #include "recorder/capture/input_loop.h"
 
 namespace rocinante {
-
-/// The time line of a capture file: its own timestamps, made monotonic. Timestamps slightly out of
-/// order (several network cards, several processors) are raised to the time reached; where the
-/// clock was set back, time continues from there and the jump is reported as a step. Pure.
-class CaptureTime {
- public:
-  /// A larger step back is a clock that was set, not disorder.
-  static constexpr Nanoseconds kDisorder = std::chrono::milliseconds(20);
-
-  LogTime at(WallTime stamp);
-  /// The clock step that the last timestamp revealed, if any.
-  std::optional<ClockStep> takeStep() { return std::exchange(step_, std::nullopt); }
-
- private:
-  std::optional<LogTime> reached_;
-  Nanoseconds shift_{0};
-  std::optional<ClockStep> step_;
-};
 
 /// Reads a capture file into a HandOver in place of a ReceiveLoop: as fast as the log is written,
 /// without dropping anything. One thread; reads no clock.

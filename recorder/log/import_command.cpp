@@ -1,11 +1,14 @@
 #include "recorder/log/import_command.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 
 #include "core/bundle/attached_cell.h"
 #include "core/cli/load_progress.h"
 #include "core/cli/search_options.h"
 #include "core/cli/worker_threads.h"
+#include "core/foreign/recordings/capture_import.h"
+#include "core/foreign/recordings/recording_kind.h"
 #include "recorder/copy/output_file.h"
 #include "recorder/log/command_support.h"
 #include "recorder/log/copy_options.h"
@@ -45,12 +48,23 @@ Result<std::optional<GivenCell>> readCell(const ImportArguments& my) {
   return std::optional(std::move(given));
 }
 
+bool isCapture(const std::filesystem::path& path) {
+  return recordingKindOf(path) == RecordingKind::capture;
+}
+
 Result<ros::ImportReport> import(const ImportArguments& my, const MakeOptions& make) {
   const std::vector<std::filesystem::path> paths(my.inputs.begin(), my.inputs.end());
   if (Status free = checkOutput(make.output, make.overwrite, paths); !free) return free.error();
+  const auto captures = std::ranges::count_if(paths, isCapture);
+  if (captures > 0 && paths.size() > 1) {
+    return Error{ErrorKind::bad_argument,
+                 "a capture is imported alone; `rocinante log merge` joins logs",
+                 std::ranges::find_if(paths, isCapture)->string()};
+  }
   std::vector<std::unique_ptr<ros::BagReader>> bags;
   for (const std::filesystem::path& path : paths) {
-    Result<std::unique_ptr<ros::BagReader>> bag = ros::openBag(path);
+    if (captures > 0) break;
+    Result<std::unique_ptr<ros::BagReader>> bag = openRecording(path, my.device);
     if (!bag) return bag.error();
     bags.push_back(std::move(*bag));
   }
@@ -71,7 +85,9 @@ Result<ros::ImportReport> import(const ImportArguments& my, const MakeOptions& m
   Result<OutputFile> output = OutputFile::create(make.output, make.overwrite, paths);
   if (!output) return output.error();
   Result<ros::ImportReport> report =
-      ros::importBags(std::move(bags), output->takeSink(), std::move(*session_id), options);
+      captures > 0
+          ? importCapture(paths.front(), output->takeSink(), std::move(*session_id), options)
+          : ros::importBags(std::move(bags), output->takeSink(), std::move(*session_id), options);
   if (!report) return output->named(report.error());
   if (Status named = output->commit(); !named) return named.error();
   return report;
@@ -96,10 +112,11 @@ Result<cli::Exit> runImport(const ImportArguments& my) {
 
 LogCommand addImportCommand(CLI::App& program) {
   auto my = std::make_shared<ImportArguments>();
-  CLI::App* const app =
-      program.add_subcommand("import", "make a log of ROS 2 and ROS 1 bags, with their packets");
+  CLI::App* const app = program.add_subcommand(
+      "import", "make a log of what other programs recorded, with its packets");
   app->add_option("IN", my->inputs,
-                  "bags: MCAP, sqlite3 (.db3), ROS 1 (.bag), told by content; several become one")
+                  "ROS bags (MCAP, .db3, .bag), LCM logs, CSV, JSON lines; or a capture; told by "
+                  "content; several become one")
       ->required();
   app->add_option(
          "--cell", my->cell,

@@ -1,7 +1,11 @@
 // Importing a ROS 2 MCAP of six-joint JointStates with full doubles into a log with keyframes: its
 // CPU beside a bare loop that reads the same messages, prints the same text and writes both into a
 // log without fold and checks. usage: import_bench [MESSAGES [FOLDER]]
+// import_bench --memory GB [FOLDER]: imports a bag of that size (joint states, and pictures of 1 MB
+// that do not compress), and prints the most memory that the process ever had. Needs 2 GB of disk
+// for each.
 #include <fmt/format.h>
+#include <sys/resource.h>
 #include <time.h>
 
 #include <algorithm>
@@ -10,6 +14,8 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <random>
+#include <string_view>
 
 #include "core/foreign/ros/bag_import.h"
 #include "core/log/log_reader.h"
@@ -68,11 +74,16 @@ Bytes jointState(std::size_t i, std::int64_t time_ns) {
   return made.bytes;
 }
 
-void makeBag(const std::filesystem::path& path, std::size_t messages) {
-  Bytes memory;
-  Result<mcap::Writer> writer = mcap::Writer::start(makeMemorySink(memory), {}, {"ros2", "bench"});
+/// Streamed to the file, with a picture of `picture_bytes` after every tenth message.
+void makeBag(const std::filesystem::path& path, std::size_t messages,
+             std::size_t picture_bytes = 0) {
+  Result<NewLogFile> file = NewLogFile::make(path, true);
+  Result<mcap::Writer> writer = mcap::Writer::start(file->takeSink(), {}, {"ros2", "bench"});
   writer->addSchema({1, "sensor_msgs/msg/JointState", "ros2msg", {}});
   writer->addChannel({0, 1, "/joint_states", "cdr", {}});
+  if (picture_bytes > 0) writer->addChannel({1, 0, "/camera", "cdr", {}});
+  Bytes picture(picture_bytes);
+  std::mt19937_64 random(1);
   for (std::size_t i = 0; i < messages; ++i) {
     const auto time = static_cast<std::int64_t>(1'770'091'506'000'000'000 + i * 2'000'000);
     const Bytes payload = jointState(i, time - 150'000);
@@ -82,11 +93,17 @@ void makeBag(const std::filesystem::path& path, std::size_t messages) {
     message.publish_time = static_cast<std::uint64_t>(time);
     message.data = payload;
     (void)writer->write(message);
+    if (picture_bytes == 0 || i % 10 != 9) continue;
+    for (std::size_t at = 0; at + 8 <= picture.size(); at += 8) {
+      const std::uint64_t bits = random();
+      std::memcpy(picture.data() + at, &bits, sizeof bits);
+    }
+    message.channel_id = 1;
+    message.data = picture;
+    (void)writer->write(message);
   }
   (void)writer->finish();
-  std::FILE* const file = std::fopen(path.c_str(), "wb");
-  std::fwrite(memory.data(), 1, memory.size(), file);
-  std::fclose(file);
+  (void)file->publish();
 }
 
 /// Knows where everything is in these messages.
@@ -152,9 +169,35 @@ double leastCpu(const Work& work) {
   return least;
 }
 
+/// The most memory that the process ever had, in MB: all of it, with pages of files.
+double peakMegabytes() {
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) * 1024 * 1e-6;
+}
+
+int measureMemory(double gigabytes, const std::filesystem::path& folder) {
+  constexpr std::size_t kPictureBytes = 1'000'000;
+  const auto bag = folder / "import_bench_big.mcap";
+  const auto out = folder / "import_bench_big_log.mcap";
+  makeBag(bag, static_cast<std::size_t>(gigabytes * 1e4), kPictureBytes);
+  const double before = peakMegabytes();
+  import(bag, out);
+  fmt::print("bag {:.2f} GB, log {:.2f} GB; peak memory {:.0f} MB ({:.0f} MB before the import)\n",
+             static_cast<double>(std::filesystem::file_size(bag)) * 1e-9,
+             static_cast<double>(std::filesystem::file_size(out)) * 1e-9, peakMegabytes(), before);
+  std::filesystem::remove(bag);
+  std::filesystem::remove(out);
+  return 0;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (argc > 2 && std::string_view(argv[1]) == "--memory") {
+    return measureMemory(std::strtod(argv[2], nullptr),
+                         argc > 3 ? argv[3] : std::filesystem::temp_directory_path());
+  }
   const std::size_t messages = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 1'000'000;
   const std::filesystem::path folder = argc > 2 ? argv[2] : std::filesystem::temp_directory_path();
   const auto bag = folder / "import_bench_bag.mcap";

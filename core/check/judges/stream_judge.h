@@ -47,10 +47,11 @@ class StreamJudge {
     SourceJudge* source = nullptr;
     PacketPlace place;  ///< of the header
   };
+  /// The next datagram in time order, which a decoder turned into a packet or, when not `decoded`,
+  /// nobody could.
+  void addOctets(LogTime time, std::string_view encoding, bool decoded);
   /// The next datagram in time order. `captured`: it came from outside (LogChannel::captured); all
   /// others are restatements by a recorder, judged but not counted.
-  /// The next datagram, which a decoder turned into a packet or, when not `decoded`, nobody could.
-  void addOctets(LogTime time, std::string_view encoding, bool decoded);
   Judged add(LogTime time, std::string_view encoding, bool captured, ByteView datagram);
 
   /// Faults of the packet at `place` that only the caller can tell.

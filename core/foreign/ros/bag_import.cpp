@@ -29,7 +29,10 @@ class Import {
   Import(std::vector<std::unique_ptr<BagReader>> bags, SessionWriter session,
          const DeviceFinder& devices, const ImportOptions& options)
       : session_(std::move(session)), translator_(devices), options_(options) {
-    for (auto& bag : bags) inputs_.push_back({std::move(bag), {}, {}});
+    for (auto& bag : bags) {
+      bag->useDevices(devices);
+      inputs_.push_back({std::move(bag), {}, {}});
+    }
   }
 
   /// `notes`: what is known before it begins.
@@ -39,6 +42,13 @@ class Import {
     }
     Input* const first = earliest();
     if (first == nullptr) return nothing();
+    // The earliest moment that any of them is shown from.
+    std::optional<LogTime> origin;
+    for (const Input& input : inputs_) {
+      const std::optional<LogTime> its = input.bag->origin();
+      if (its && input.head) origin = std::min(origin.value_or(*its), *its);
+    }
+    if (origin && first->head->log_time >= *origin) session_.log().setOrigin(*origin);
     if (bundle != nullptr) {
       const LogTime time = std::clamp(first->head->log_time, LogTime{}, kLastLogTime);
       if (Status put = AttachedBundle(*bundle).writeTo(session_.log(), time); !put) {
@@ -63,6 +73,7 @@ class Import {
     std::size_t place = 0;  ///< in the report
     ChannelId channel = 0, decoded_channel = 0;
     std::optional<std::size_t> translation;
+    bool decoded = false;  ///< the reader makes its packets
   };
   struct Input {
     std::unique_ptr<BagReader> bag;
@@ -110,10 +121,14 @@ class Import {
     outlet.channel = *channel;
     const MessageType type = messageType(topic.type);
     const std::optional<FieldCursor::Layout> layout = topic.layout();
-    if (type != MessageType::other && layout) {
+    outlet.decoded = !topic.decoder.empty();
+    if (!outlet.decoded && type != MessageType::other && layout) {
       outlet.translation = translator_.addTopic(topic.name, type, *layout);
-      metadata.insert_or_assign(std::string(profile::kDecoderKey), std::string(kDecoderName));
-      metadata.insert_or_assign("source", sourceOf(topic.name));
+    }
+    if (outlet.decoded || outlet.translation) {
+      const std::string decoder = outlet.decoded ? topic.decoder : std::string(kDecoderName);
+      metadata.insert_or_assign(std::string(profile::kDecoderKey), decoder);
+      metadata.insert_or_assign("source", sourceOf(topic.name, decoder));
       const Result<ChannelId> decoded = session_.addChannel(
           std::string(profile::kDecodedPrefix) + name, "rk1", std::move(metadata));
       if (!decoded) return decoded.error();
@@ -123,7 +138,7 @@ class Import {
     ImportedTopic& told = report_.topics.emplace_back();
     told.name = name;
     told.type = topic.type;
-    told.translated = outlet.translation.has_value();
+    told.translated = outlet.decoded || outlet.translation.has_value();
     known = outlet;
     return &*known;
   }
@@ -149,7 +164,20 @@ class Import {
     ++report_.messages;
     ImportedTopic& told = report_.topics[out.place];
     ++told.messages;
+    if (out.decoded) return takePacket(message, out, told);
     return out.translation ? translate(message, out, told) : Status{};
+  }
+
+  Status takePacket(const BagMessage& message, const Outlet& out, ImportedTopic& told) {
+    if (message.malformed) {
+      ++told.malformed;
+      ++report_.malformed;
+    }
+    if (message.packet.empty()) return {};
+    ++told.packets;
+    ++report_.packets;
+    return session_.write(out.decoded_channel, message.sequence, message.log_time,
+                          message.publish_time_ns, bytesOf(message.packet));
   }
 
   Status translate(const BagMessage& message, const Outlet& out, ImportedTopic& told) {
@@ -179,9 +207,12 @@ class Import {
       if (Status copied = input.bag->copyExtras(session_.log()); !copied) return copied.error();
       const std::vector<std::string> damage = input.bag->damage();
       report_.damage.insert(report_.damage.end(), damage.begin(), damage.end());
-      for (const std::optional<Outlet>& outlet : input.outlets) {
-        if (!outlet || !outlet->translation) continue;
-        report_.topics[outlet->place].notes = translator_.notes(*outlet->translation);
+      for (std::size_t i = 0; i < input.outlets.size(); ++i) {
+        const std::optional<Outlet>& outlet = input.outlets[i];
+        if (!outlet) continue;
+        TranslationNotes& told = report_.topics[outlet->place].notes;
+        if (outlet->decoded) told = input.bag->notesOf(i);
+        if (outlet->translation) told = translator_.notes(*outlet->translation);
       }
     }
     report_.notes.insert(report_.notes.begin(), notes.begin(), notes.end());
@@ -209,7 +240,8 @@ Result<ImportReport> importBags(std::vector<std::unique_ptr<BagReader>> bags,
                                 const ImportOptions& options) {
   std::optional<DescribedRobot> robot;
   std::vector<std::string> notes;
-  for (std::size_t i = 0; i < bags.size() && options.cell == nullptr && !robot; ++i) {
+  const bool describe = options.cell == nullptr || (options.describe && options.bundle == nullptr);
+  for (std::size_t i = 0; i < bags.size() && describe && !robot; ++i) {
     Result<std::optional<DescribedRobot>> found = describedRobot(*bags[i], options.search);
     if (found) {
       robot = std::move(*found);
@@ -220,7 +252,7 @@ Result<ImportReport> importBags(std::vector<std::unique_ptr<BagReader>> bags,
   const Cell* cell = options.cell;
   const CellBundle* bundle = options.bundle;
   if (robot) {
-    cell = &robot->cell;
+    if (cell == nullptr) cell = &robot->cell;
     if (robot->bundle) bundle = &*robot->bundle;
     notes.insert(notes.end(), robot->notes.begin(), robot->notes.end());
   }

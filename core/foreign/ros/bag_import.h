@@ -30,8 +30,11 @@ namespace rocinante::ros {
 struct ImportOptions {
   const Cell* cell = nullptr;          ///< whose devices are meant; null: the bag's own, or none
   const CellBundle* bundle = nullptr;  ///< attached when given
-  std::string device;                  ///< of what names no other; empty: none
-  ModelSearch search;                  ///< for the meshes of a robot description
+  /// With a cell and no bundle: attach the robot that a bag describes, so that the cell can be
+  /// compared with it.
+  bool describe = false;
+  std::string device;  ///< of what names no other; empty: none
+  ModelSearch search;  ///< for the meshes of a robot description
   LogWriterOptions log;
   KeyframeOptions keyframes;
   /// Called now and then with the part that is done, 0 to 1; an error ends the import.

@@ -11,10 +11,13 @@
 
 #include "core/base/result.h"
 #include "core/foreign/ros/field_cursor.h"
+#include "core/foreign/ros/translation_notes.h"
 #include "core/log/log_types.h"
 #include "core/log/log_writer.h"
 
 namespace rocinante::ros {
+
+class DeviceFinder;
 
 /// Most topics of a bag. Two channels of each must fit into a log.
 inline constexpr std::size_t kMaxBagTopics = 32000;
@@ -26,6 +29,9 @@ struct BagTopic {
   std::string encoding;  ///< "cdr", "ros1", or any other
   std::map<std::string, std::string> metadata;
   std::shared_ptr<const LogSchema> schema;  ///< null: none
+  /// What makes the packets of its messages, when the reader does it itself; empty: RosTranslator,
+  /// where it knows the type.
+  std::string decoder;
 
   /// Empty for messages that are neither CDR nor of ROS 1.
   std::optional<FieldCursor::Layout> layout() const;
@@ -38,6 +44,9 @@ struct BagMessage {
   LogTime log_time{};
   std::int64_t publish_time_ns = 0;
   ByteView payload;
+  /// Of a topic with a decoder: its packet text, borrowed like the payload; empty: there is none.
+  std::string_view packet = {};
+  bool malformed = false;  ///< it does not have the form of its topic
 };
 
 /// Reads the messages of another program's recording. Memory does not grow with the file. Not for
@@ -46,7 +55,7 @@ class BagReader {
  public:
   virtual ~BagReader() = default;
 
-  /// Of the metadata `imported`: "ros2-mcap", "ros2-sqlite", "ros1-bag".
+  /// Of the metadata `imported`: "ros2-mcap", "ros2-sqlite", "ros1-bag", "lcm", "csv", "json".
   virtual std::string_view kind() const = 0;
   /// May grow while messages are read, never changes.
   virtual const std::vector<BagTopic>& topics() const = 0;
@@ -61,6 +70,13 @@ class BagReader {
   virtual std::vector<std::string> damage() const = 0;
   /// Copies what the file holds beside messages.
   virtual Status copyExtras(LogWriter&) { return {}; }
+  /// For those that make packets themselves: whose names are meant. Called once, before any
+  /// message; borrowed.
+  virtual void useDevices(const DeviceFinder&) {}
+  /// Why they did not, or not of the whole message: a sentence, and of how many messages.
+  virtual TranslationNotes notesOf(std::size_t) const { return {}; }
+  /// The moment that the log's times are shown from; empty: its first message.
+  virtual std::optional<LogTime> origin() const { return std::nullopt; }
 };
 
 /// The kinds of files that their first bytes show.

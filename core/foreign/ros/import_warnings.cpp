@@ -1,15 +1,9 @@
 #include "core/base/count_text.h"
 #include "core/base/plain_text.h"
 #include "core/foreign/ros/bag_import.h"
+#include "core/log/import_record.h"
 
 namespace rocinante::ros {
-namespace {
-
-constexpr std::string_view kRecord = "rocinante.import";
-constexpr std::string_view kWarnings = "warnings";
-
-}  // namespace
-
 std::vector<std::string> importWarnings(const ImportReport& report) {
   std::vector<std::string> warnings = report.damage;
   if (report.dropped > 0) {
@@ -34,7 +28,7 @@ std::vector<std::string> importWarnings(const ImportReport& report) {
 LogMetadata warningsRecord(const ImportReport& report) {
   std::string lines;
   for (const std::string& warning : importWarnings(report)) lines += warning + "\n";
-  return {std::string(kRecord), {{std::string(kWarnings), std::move(lines)}}};
+  return {std::string(kImportRecord), {{std::string(kImportWarningsKey), std::move(lines)}}};
 }
 
 }  // namespace rocinante::ros

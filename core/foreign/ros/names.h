@@ -28,8 +28,8 @@ inline bool isName(std::string_view name) {
 }
 
 /// The SOURCE of the packets made of a topic: "decoded:ros:arm:joint_states".
-inline std::string sourceOf(std::string_view topic) {
-  const std::string first = std::string(profile::kDecodedSource) + std::string(kDecoderName);
+inline std::string sourceOf(std::string_view topic, std::string_view decoder = kDecoderName) {
+  const std::string first = std::string(profile::kDecodedSource) + std::string(decoder);
   std::string name = first + (topic.starts_with('/') ? "" : ":");
   for (const char byte : topic) name += byte == '/' ? ':' : byte;
   return isName(name) ? name : first + ":" + hexOf(xxh3(bytesOf(topic)));

@@ -58,6 +58,13 @@ Result<DescribedRobot> robotOf(std::string_view urdf, const ModelSearch& search)
   robot.cell = std::move(*cell);
   options.geometry = true;
   Result<CellBundle> bundle = collectCell(*path, options);
+  if (!bundle) {
+    // Its kinematics alone: enough to pose it, and to compare it.
+    const std::string why = bundle.error().what;
+    options.geometry = false;
+    bundle = collectCell(*path, options);
+    if (bundle) robot.notes.push_back("the robot description is attached without meshes: " + why);
+  }
   if (bundle) {
     const auto missing = std::ranges::count_if(
         bundle->manifest.names,

@@ -10,6 +10,7 @@
 #include "core/base/time.h"
 #include "core/foreign/ros/device_finder.h"
 #include "core/foreign/ros/ros_message.h"
+#include "core/foreign/ros/translation_notes.h"
 #include "core/packet/packet.h"
 
 namespace rocinante::ros {
@@ -19,9 +20,6 @@ struct Translated {
   std::string_view text;
   const Packet* packet = nullptr;  ///< what decoding `text` gives; null: not made, decode it
 };
-
-/// Why messages were not translated, or not whole, by sentence: "NaN joint values" and how often.
-using TranslationNotes = std::map<std::string, std::uint64_t, std::less<>>;
 
 /// Turns ROS messages into packet text (docs/other-formats.md, "ROS"). One for a whole import:
 /// frames and drawings are remembered from message to message. Messages must come in time order.

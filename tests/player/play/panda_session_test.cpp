@@ -9,9 +9,9 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/hash.h"
+#include "core/foreign/table/csv_line.h"
 #include "core/log/log_reader.h"
 #include "core/packet/packet_text.h"
-#include "player/source/csv_line.h"
 #include "player/source/csv_motion.h"
 #include "tests/support/programs.h"
 #include "tests/support/shared_data.h"

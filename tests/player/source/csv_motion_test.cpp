@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "core/base/atomic_file.h"
-#include "player/source/csv_line.h"
+#include "core/foreign/table/csv_line.h"
 #include "tests/support/shared_data.h"
 
 namespace rocinante {

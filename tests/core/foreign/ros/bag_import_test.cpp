@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "core/log/log_profile.h"
+#include "core/mcap/lz4_frame.h"
 #include "core/mcap/writer.h"
 #include "core/session/keyframe.h"
 #include "core/session/message_folder.h"
@@ -177,6 +178,49 @@ TEST(BagImport, TellsWhereABagWasCut) {
     while (*(*reader)->next()) {
     }
     EXPECT_FALSE((*reader)->damage().empty());
+  }
+}
+
+TEST(BagImport, ReadsRos1ChunksOfLz4) {
+  if (!mcap::canExpandLz4()) GTEST_SKIP() << "this build has no liblz4";
+  const Bytes connection = bagConnection(4, "/joint_states", "sensor_msgs/JointState");
+  Bytes records = connection;
+  mcap::appendBytes(records, bagMessage(4, 3, jointState(Kind::ros1, 1, {"a"}, {0.5})));
+  // A frame of LZ4: magic, flags and block size with their checksum, one stored block, end mark.
+  Bytes frame;
+  for (const unsigned byte : {0x04, 0x22, 0x4D, 0x18, 0x60, 0x40, 0x82}) {
+    frame.push_back(static_cast<std::byte>(byte));
+  }
+  mcap::appendNumber(frame, static_cast<std::uint32_t>(records.size()) | 0x8000'0000U);
+  mcap::appendBytes(frame, records);
+  mcap::appendNumber(frame, std::uint32_t{0});
+  Result<Imported> made =
+      imported(*openRos1Bytes(bagOf(records, connection, "lz4", frame), "a.bag"));
+  ASSERT_TRUE(made.ok()) << made.error().text();
+  EXPECT_TRUE(made->report.lostNothing());
+  EXPECT_EQ(made->report.packets, 1U);
+}
+
+TEST(BagImport, TellsWhereAnMcapBagWasCut) {
+  const Bytes bag = ros2Bag(3);
+  for (std::size_t length = 0; length < bag.size(); ++length) {
+    SCOPED_TRACE(length);
+    const Bytes cut = rocinante::test::cutAt(bag, length);
+    Result<std::unique_ptr<BagReader>> reader = openMcapBytes(cut, "bag.mcap");
+    if (!reader) continue;
+    std::size_t messages = 0;
+    while (true) {
+      const auto message = (*reader)->next();
+      if (!message.ok() || !*message) break;
+      ++messages;
+    }
+    // The messages of a cut chunk are read as far as they are whole.
+    EXPECT_LE(messages, 3U);
+    const Result<Imported> made = imported(*openMcapBytes(cut, "bag.mcap"));
+    EXPECT_EQ(made.ok(), messages > 0);
+    if (made.ok()) {
+      EXPECT_EQ(made->report.messages, messages);
+    }
   }
 }
 

@@ -1,4 +1,4 @@
-#include "player/source/csv_line.h"
+#include "core/foreign/table/csv_line.h"
 
 namespace rocinante {
 namespace {

@@ -1,0 +1,195 @@
+#include "core/foreign/recordings/capture_import.h"
+
+#include <algorithm>
+#include <map>
+
+#include "core/base/count_text.h"
+#include "core/pcap/pcap_source.h"
+#include "core/recording/capture_time.h"
+#include "core/recording/capture_writer.h"
+#include "core/recording/piece_log.h"
+
+namespace rocinante {
+namespace {
+
+/// Two would do: one is filled while the other's last datagrams wait to be sorted.
+constexpr std::size_t kBlocks = 4;
+/// Datagrams between two calls of `progress`.
+constexpr std::uint64_t kProgressDatagrams = 4096;
+
+/// What was written, shared with the sink, which the writer owns.
+struct CaptureTally {
+  std::map<std::size_t, std::pair<std::string, std::uint64_t>> flows;  ///< topic and datagrams
+  std::uint64_t packets = 0;
+  std::optional<LogTime> start;
+  LogTime end{};
+  std::uint64_t bytes = 0;
+};
+
+class CaptureLog final : public CaptureSink {
+ public:
+  CaptureLog(MadePiece made, const ros::ImportOptions& options, std::shared_ptr<CaptureTally> tally)
+      : piece_(std::move(made), options.keyframes), tally_(std::move(tally)) {}
+
+  Status begin(const SessionState& preceding, LogTime moment) override {
+    return piece_.begin(preceding, moment, std::nullopt);
+  }
+  bool seamDue(LogTime) override { return false; }
+  Status seam(LogTime) override { return {}; }
+  Status write(const CapturedDatagram& datagram) override {
+    auto& [topic, count] = tally_->flows[datagram.flow];
+    if (topic.empty()) topic = datagram.channel->topic;
+    ++count;
+    tally_->packets += datagram.packet != nullptr ? 1 : 0;
+    tally_->start = std::min(tally_->start.value_or(datagram.time), datagram.time);
+    tally_->end = std::max(tally_->end, datagram.time);
+    return piece_.write(datagram);
+  }
+  Status writeLoss(const LossSpan& span) override { return piece_.writeLoss(span); }
+  Status writeStep(const ClockStep& step) override { return piece_.writeStep(step); }
+  Status flush(LogTime, SteadyTime now) override { return piece_.flush(now); }
+  Status flushAll() override { return piece_.flushAll(); }
+  Status close(const std::string& reason) override {
+    Status closed = piece_.close(reason);
+    tally_->bytes = piece_.bytes();
+    return closed;
+  }
+  void askForSeam() override {}
+  void trigger(LogTime, const std::string&) override {}
+  std::uint64_t bytesWritten() const override { return piece_.bytes(); }
+  std::vector<std::uint64_t> refusedByFlow() const override {
+    std::vector<std::uint64_t> refused;
+    piece_.addRefused(refused);
+    return refused;
+  }
+  RecordedFiles files() const override { return {}; }
+
+ private:
+  PieceLog piece_;
+  std::shared_ptr<CaptureTally> tally_;
+};
+
+/// Fills blocks and passes them to the writer, on one thread.
+class CapturePump {
+ public:
+  CapturePump(DatagramSource& source, std::unique_ptr<CaptureSink> sink)
+      : source_(source),
+        writer_(std::move(sink), {{source.endpoint(), source.boundAddress()}}, CaptureLimits()) {}
+
+  Status run(const ros::ImportOptions& options) {
+    while (!source_.ended() && !writer_.over()) {
+      const auto batch = source_.receive();
+      if (!batch) return batch.error();
+      for (const ReceivedDatagram& datagram : *batch) keep(datagram);
+      if (options.progress && read_ / kProgressDatagrams != told_) {
+        told_ = read_ / kProgressDatagrams;
+        // How long the file is, the capture library does not say.
+        if (Status goes_on = options.progress(0); !goes_on) return goes_on;
+      }
+    }
+    handOver();
+    queue_.finish();
+    writer_.write(queue_.take(Nanoseconds(0)), queue_);
+    writer_.close("rocinante log import", queue_);
+    if (writer_.trouble()) return *writer_.trouble();
+    return {};
+  }
+
+  std::uint64_t read() const { return read_; }
+  std::uint64_t truncated() const { return truncated_; }
+
+ private:
+  void keep(const ReceivedDatagram& datagram) {
+    const std::size_t most =
+        datagram.payload.size() + datagram.subject.size() + sizeof(SocketAddress);
+    if (block_ && !block_->hasRoom(most)) handOver();
+    while (!block_) {
+      block_ = queue_.freeBlock();
+      if (!block_) handOver();
+    }
+    reached_ = time_.at(datagram.kernel_time);
+    if (const auto step = time_.takeStep()) steps_.push_back(*step);
+    block_->add(0, *reached_, datagram.sender, datagram.payload, datagram.destination,
+                datagram.subject);
+    ++read_;
+    if (!datagram.truncated) return;
+    ++truncated_;
+    LossCounts counts;
+    counts.truncated = 1;
+    addLoss(losses_, {0, *reached_, *reached_, counts});
+  }
+
+  void handOver() {
+    // Nothing earlier follows, so that no datagram is held back.
+    const auto drained = reached_ ? std::optional(*reached_ + ReorderWindow::kWidth) : std::nullopt;
+    queue_.give(std::move(block_), losses_, steps_, drained);
+    writer_.write(queue_.take(Nanoseconds(0)), queue_);
+  }
+
+  DatagramSource& source_;
+  HandOver queue_{kBlocks};
+  CaptureWriter writer_;
+  CaptureTime time_;
+  std::unique_ptr<DatagramBlock> block_;
+  std::optional<LogTime> reached_;
+  std::vector<EndpointLoss> losses_;
+  std::vector<ClockStep> steps_;
+  std::uint64_t read_ = 0, told_ = 0, truncated_ = 0;
+};
+
+void tellLeftOut(const InputCounts& counts, ros::ImportReport& report) {
+  const auto tell = [&](std::uint64_t count, const char* noun, const char* what) {
+    if (count > 0) report.notes.push_back(countText(count, noun) + what);
+  };
+  tell(counts.incomplete, "datagram", " with missing fragments left out");
+  tell(counts.malformed, "frame", " that break the rules of IP or UDP left out");
+  tell(counts.other, "frame", " of other protocols than UDP left out");
+}
+
+}  // namespace
+
+Result<ros::ImportReport> importCapture(const std::filesystem::path& capture,
+                                        std::unique_ptr<ByteSink> sink, std::string session_id,
+                                        const ros::ImportOptions& options) {
+  Endpoint endpoint;
+  endpoint.scheme = Endpoint::Scheme::pcap;
+  // As pcap:// writes a file, not an interface.
+  endpoint.file = (capture.has_parent_path() ? "" : "./") + capture.string();
+  const auto source = openPcap(endpoint, {});
+  if (!source) return source.error();
+  Result<LogWriter> log = LogWriter::createOn(std::move(sink), options.log, std::move(session_id));
+  if (!log) return log.error();
+  if (options.bundle != nullptr) {
+    if (Status put = AttachedBundle(*options.bundle).writeTo(*log, LogTime{}); !put) {
+      return put.error();
+    }
+  }
+  const auto tally = std::make_shared<CaptureTally>();
+  MadePiece made{std::move(*log), {}};
+  CapturePump pump(**source, std::make_unique<CaptureLog>(std::move(made), options, tally));
+  if (Status read = pump.run(options); !read) return read.error();
+  if (pump.read() == 0) {
+    return Error{ErrorKind::not_found, "the capture file contains no UDP datagram",
+                 capture.string()};
+  }
+  ros::ImportReport report;
+  for (const auto& [flow, kept] : tally->flows) {
+    ros::ImportedTopic& topic = report.topics.emplace_back();
+    topic.name = kept.first;
+    topic.type = "datagrams";
+    topic.messages = kept.second;
+    report.messages += kept.second;
+  }
+  report.packets = tally->packets;
+  report.start = tally->start.value_or(LogTime{});
+  report.end = tally->end;
+  report.bytes = tally->bytes;
+  if (pump.truncated() > 0) {
+    report.damage.push_back(countText(pump.truncated(), "datagram") +
+                            " shorter than sent: the capture cut them (" + capture.string() + ")");
+  }
+  tellLeftOut((*source)->counts(), report);
+  return report;
+}
+
+}  // namespace rocinante

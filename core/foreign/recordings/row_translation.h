@@ -1,0 +1,62 @@
+#pragma once
+
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/time.h"
+#include "core/foreign/ros/bag_reader.h"
+#include "core/foreign/ros/device_finder.h"
+
+namespace rocinante {
+
+/// Turns rows of named numbers into packet text: joints and poses of devices
+/// (docs/other-formats.md, "Tables and JSON lines"). One per recording.
+class RowTranslation {
+ public:
+  /// `topic` of the rows, `decoder` the name of what makes the packets: both are in their SOURCE.
+  RowTranslation(std::string topic, std::string_view decoder);
+
+  /// Borrowed; before the first row. Without it there is no cell and no device by default.
+  void useDevices(const ros::DeviceFinder& devices) { devices_ = &devices; }
+
+  /// The names of the next rows' numbers. Cheap when they are those of the rows before.
+  void setNames(std::span<const std::string_view> names);
+  void setNames(std::span<const std::string> names);
+
+  /// NaN: the row does not say it.
+  struct Outcome {
+    std::string_view packet;  ///< borrowed until the next call; empty: nothing to say
+    bool malformed = false;   ///< a part of a pose alone
+  };
+  Outcome translate(Nanoseconds time, std::span<const double> numbers);
+
+  /// Why numbers were left out, and in how many rows.
+  const std::map<std::string, std::uint64_t, std::less<>>& notes() const { return notes_; }
+
+ private:
+  struct DevicePlan {
+    std::string first_words;            ///< "joint DEVICE", "pose DEVICE"
+    std::vector<std::size_t> places;    ///< of a row
+    std::vector<std::string> prefixes;  ///< " NAME=" of joints; empty: a pose
+  };
+
+  void makePlans();
+  void addJoint(const std::string& device, const std::string& joint, std::size_t place);
+  void addPose(const std::string& device, std::size_t part, std::size_t place);
+  void note(std::string_view sentence);
+  bool sayPose(const DevicePlan& plan, std::span<const double> numbers);
+  void sayJoints(const DevicePlan& plan, std::span<const double> numbers);
+
+  std::string topic_, first_words_, text_;
+  const ros::DeviceFinder* devices_ = nullptr;
+  const ros::DeviceFinder nobody_{nullptr, {}};
+  std::vector<std::string> names_;
+  std::vector<DevicePlan> plans_;
+  std::vector<std::string> left_out_;
+  std::map<std::string, std::uint64_t, std::less<>> notes_;
+};
+
+}  // namespace rocinante

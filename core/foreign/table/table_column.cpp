@@ -1,0 +1,72 @@
+#include "core/foreign/table/table_column.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "core/packet/text_number.h"
+
+namespace rocinante {
+namespace {
+
+__extension__ using Wide = __int128;
+
+}  // namespace
+
+std::optional<Nanoseconds> tableSeconds(std::string_view text) {
+  double ignored = 0;
+  const char* at = text.data();
+  if (!readNumber(at, text.data() + text.size(), ignored) || at != text.data() + text.size()) {
+    return std::nullopt;
+  }
+  bool negative = false;
+  bool in_fraction = false;
+  bool any_dropped = false;
+  Wide digits = 0;
+  int exponent = 9;  // the unit is the nanosecond
+  std::size_t i = 0;
+  if (text[0] == '-' || text[0] == '+') negative = text[i++] == '-';
+  for (; i < text.size() && text[i] != 'e' && text[i] != 'E'; ++i) {
+    if (text[i] == '.') {
+      in_fraction = true;
+      continue;
+    }
+    // 30 digits hold every possible time to well below a nanosecond.
+    any_dropped = digits >= Wide{1'000'000'000'000'000} * 1'000'000'000'000'000;
+    if (!any_dropped) digits = digits * 10 + (text[i] - '0');
+    exponent += (any_dropped ? 1 : 0) - (in_fraction ? 1 : 0);
+  }
+  if (i < text.size()) {
+    const bool down = text[++i] == '-';
+    if (text[i] == '-' || text[i] == '+') ++i;
+    int written = 0;
+    for (; i < text.size(); ++i) written = std::min(written * 10 + (text[i] - '0'), 100'000);
+    exponent += down ? -written : written;
+  }
+  constexpr Wide kMax = std::numeric_limits<std::int64_t>::max();
+  for (; exponent > 0 && digits != 0; --exponent) {
+    if (digits > kMax) return std::nullopt;
+    digits *= 10;
+  }
+  int last_dropped = 0;
+  for (; exponent < 0 && (digits != 0 || last_dropped != 0); ++exponent) {
+    last_dropped = static_cast<int>(digits % 10);
+    digits /= 10;
+  }
+  if (last_dropped >= 5) ++digits;
+  if (digits > kMax) return std::nullopt;
+  const auto count = static_cast<std::int64_t>(digits);
+  return Nanoseconds(negative ? -count : count);
+}
+
+std::optional<TableColumn> tableColumn(std::string_view name) {
+  for (std::size_t part = 0; part < kPoseEndings.size(); ++part) {
+    const std::string_view ending = kPoseEndings[part];
+    if (!name.ends_with(ending) || name.size() == ending.size()) continue;
+    return TableColumn{name.substr(0, name.size() - ending.size()), {}, part};
+  }
+  const std::size_t point = name.find('.');
+  if (point == name.npos || point == 0 || point + 1 == name.size()) return std::nullopt;
+  return TableColumn{name.substr(0, point), name.substr(point + 1), std::nullopt};
+}
+
+}  // namespace rocinante

@@ -1,0 +1,28 @@
+#include "core/recording/capture_time.h"
+
+#include <algorithm>
+
+namespace rocinante {
+namespace {
+
+/// Well below the limit of 64-bit nanoseconds, so that adding a little cannot overflow.
+constexpr Nanoseconds kLatest = std::chrono::seconds(9'200'000'000);
+
+}  // namespace
+
+LogTime CaptureTime::at(WallTime stamp) {
+  // Log times lie between 1970 and kLatest. A clock that is set back again and again would exceed
+  // it.
+  const Nanoseconds since = std::clamp(stamp.time_since_epoch(), Nanoseconds(0), kLatest);
+  const LogTime seen(std::min(since, kLatest - shift_) + shift_);
+  if (!reached_) reached_ = seen;
+  if (seen + kDisorder < *reached_) {
+    step_ = ClockStep{*reached_, seen - *reached_};
+    shift_ += *reached_ - seen;
+    return *reached_;
+  }
+  reached_ = std::max(*reached_, seen);
+  return *reached_;
+}
+
+}  // namespace rocinante

@@ -1,0 +1,248 @@
+#include <gmock/gmock.h>
+
+#include <functional>
+
+#include "core/foreign/recordings/json_lines.h"
+#include "core/foreign/recordings/lcm_log.h"
+#include "core/foreign/recordings/recording_bytes.h"
+#include "core/foreign/recordings/recording_kind.h"
+#include "core/foreign/recordings/table_recording.h"
+#include "core/foreign/ros/bag_import.h"
+#include "tests/core/log/log_support.h"
+
+namespace rocinante::test {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+using Opened = Result<std::unique_ptr<ros::BagReader>>;
+
+struct ImportedText {
+  ros::ImportReport report;
+  Bytes log;
+  std::vector<std::string> packets;
+};
+
+Result<ImportedText> importedFrom(Opened recording, const std::string& device = {}) {
+  if (!recording) return recording.error();
+  ImportedText made;
+  ros::ImportOptions options;
+  options.device = device;
+  std::vector<std::unique_ptr<ros::BagReader>> all;
+  all.push_back(std::move(*recording));
+  auto report = ros::importBags(std::move(all), makeMemorySink(made.log), "session", options);
+  if (!report) return report.error();
+  made.report = std::move(*report);
+  LogReader reader = openLog(made.log);
+  for (const KeptMessage& message : readAll(reader)) {
+    if (message.topic.starts_with("/rocinante/decoded/")) made.packets.push_back(message.payload);
+  }
+  return made;
+}
+
+Opened table(std::string_view text, const std::string& device = {}) {
+  return openTableBytes(bytesOf(text), "t.csv", device);
+}
+Opened lines(std::string_view text, const std::string& device = {}) {
+  return openJsonBytes(bytesOf(text), "l.jsonl", device);
+}
+
+TEST(TableRecording, MakesAPacketOfEachRowOfManyDevices) {
+  const auto made = importedFrom(
+      table("t,arm.j1,arm.j2,tray:x,tray:y,tray:z,tray:qx,tray:qy,tray:qz,tray:qw,remark\r\n"
+            "0.5,0.25,-0,1,2,3,0,0,0,1,begins\r\n"
+            "\r\n"
+            "1.000000001,,1e-3,,,,,,,,\"it, says\"\r\n"));
+  ASSERT_TRUE(made.ok()) << made.error().text();
+  EXPECT_TRUE(made->report.lostNothing());
+  EXPECT_THAT(made->packets,
+              ElementsAre("RK1 decoded:csv:table - 0.5\njoint arm j1=0.25 j2=0\n"
+                          "pose tray 1 2 3 0 0 0 1\n",
+                          "RK1 decoded:csv:table - 1.000000001\njoint arm j2=0.001\n"));
+  LogReader reader = openLog(made->log);
+  // Times stay those of the table.
+  EXPECT_EQ(reader.summary().origin, LogTime{});
+  const KeptMessage first = readAll(reader).front();
+  EXPECT_EQ(first.topic, "/table");
+  EXPECT_EQ(first.log_time_ns, 500'000'000);
+  EXPECT_EQ(first.payload, "0.5,0.25,-0,1,2,3,0,0,0,1,begins");
+}
+
+TEST(TableRecording, ReadsTheLongForm) {
+  const auto made = importedFrom(table("time_ns,device,joint,value\n"
+                                       "1700000000123456789,arm,j1,0.5\n"
+                                       "1700000000123456790,,j2,7\n"),
+                                 "robot");
+  ASSERT_TRUE(made.ok()) << made.error().text();
+  EXPECT_THAT(made->packets,
+              ElementsAre("RK1 decoded:csv:table - 1700000000.123456789\njoint arm j1=0.5\n",
+                          "RK1 decoded:csv:table - 1700000000.12345679\njoint robot j2=7\n"));
+}
+
+TEST(TableRecording, KeepsAndCountsRowsThatDoNotFit) {
+  const auto made = importedFrom(table("t,arm.a,arm.b\n1,2,3\n2,2\nsoon,1,2\n3,0x1,2\n4,5,6\n"));
+  ASSERT_TRUE(made.ok());
+  EXPECT_EQ(made->report.messages, 4U);
+  EXPECT_EQ(made->report.malformed, 2U);
+  EXPECT_THAT(made->report.damage,
+              ElementsAre("1 row without a time left out, the first here (t.csv, line 4)"));
+  EXPECT_THAT(made->packets, SizeIs(2));
+}
+
+TEST(TableRecording, RefusesATextWithoutAHeader) {
+  for (const char* const text : {"", "\n\n", "a,b\n1,2\n", "t\n1\n", "t,\n1,2\n", "\"t,a\n"}) {
+    SCOPED_TRACE(text);
+    EXPECT_FALSE(table(text).ok());
+    EXPECT_FALSE(looksLikeTable(text));
+  }
+  EXPECT_TRUE(looksLikeTable("\xEF\xBB\xBFt,arm.j1\r\n"));
+}
+
+TEST(TableRecording, SkipsALineThatIsTooLong) {
+  const std::string text =
+      "t,arm.a\n1,2\n" + std::string(RecordingLines::kMaxBytes * 2, '7') + "\n2,3\n";
+  const auto made = importedFrom(table(text));
+  ASSERT_TRUE(made.ok());
+  EXPECT_EQ(made->report.messages, 2U);
+  EXPECT_THAT(made->report.damage, ElementsAre(HasSubstr("of more than 1 MiB left out")));
+}
+
+TEST(JsonLines, NamesNumbersByTheKeysThatLeadToThem) {
+  const auto made = importedFrom(
+      lines("{\"t\": 1.000000001, \"arm\": {\"j1\": 0.5, \"on\": true}, \"arm.j2\": -2}\n"
+            "{\"t_ns\": 1700000000123456789, \"device\": \"arm\", \"name\": [\"a\", \"b\"], "
+            "\"position\": [1, 2.5]}\n"
+            "{\"t\": 3, \"device\": \"arm\", \"joint\": \"c\", \"value\": 4}\n"));
+  ASSERT_TRUE(made.ok()) << made.error().text();
+  EXPECT_THAT(made->packets,
+              ElementsAre("RK1 decoded:json:json - 1.000000001\njoint arm j1=0.5 j2=-2\n",
+                          "RK1 decoded:json:json - 3\njoint arm c=4\n",
+                          "RK1 decoded:json:json - 1700000000.123456789\njoint arm a=1 b=2.5\n"));
+}
+
+TEST(JsonLines, KeepsAndCountsWhatDoesNotFit) {
+  const auto made =
+      importedFrom(lines("{\"t\": 1, \"arm.a\": 2}\n"
+                         "{\"t\": 2, \"arm.a\": [{}]}\n"
+                         "{\"arm.a\": 2}\n"
+                         "no JSON\n"
+                         "{\"t\": 3, \"name\": [\"a\"], \"position\": [1, 2]}\n"));
+  ASSERT_TRUE(made.ok());
+  EXPECT_EQ(made->report.messages, 3U);
+  EXPECT_EQ(made->report.malformed, 2U);
+  EXPECT_THAT(made->report.damage,
+              ElementsAre("2 lines without a time left out, the first here (l.jsonl, line 3)"));
+}
+
+TEST(JsonLines, AreNotTakenForOtherJson) {
+  for (const char* const text :
+       {"{}", "{\n\"t\": 1}", "[1]", "{\"asset\": {\"t\": 1}}", "{\"t\": 1"}) {
+    EXPECT_FALSE(looksLikeJsonLines(text)) << text;
+  }
+  EXPECT_TRUE(looksLikeJsonLines("{\"t\": 1}\n"));
+}
+
+/// An event of LCM, byte by byte as its format has it; everything is big-endian.
+void appendEvent(Bytes& out, std::uint64_t number, std::int64_t time_us, std::string_view channel,
+                 std::string_view data) {
+  const auto big = [&](std::uint64_t value, int bytes) {
+    for (int i = bytes - 1; i >= 0; --i) out.push_back(static_cast<std::byte>(value >> (8 * i)));
+  };
+  big(0xEDA1DA01, 4);                           // sync word
+  big(number, 8);                               // event number
+  big(static_cast<std::uint64_t>(time_us), 8);  // microseconds since 1970
+  big(channel.size(), 4);                       // length of the channel's name
+  big(data.size(), 4);                          // length of the data
+  for (const char byte : channel) out.push_back(static_cast<std::byte>(byte));
+  for (const char byte : data) out.push_back(static_cast<std::byte>(byte));
+}
+
+Bytes lcmLog() {
+  Bytes out;
+  appendEvent(out, 0, 1'700'000'000'000'001, "POSE", std::string("\x01\x02\x00\xff", 4));
+  appendEvent(out, 1, 1'700'000'000'000'002, "ARM", "RK1 arm 1 0\njoint arm a=0.5\n");
+  appendEvent(out, 2, 1'700'000'000'000'003, "POSE", "");
+  return out;
+}
+
+TEST(LcmLog, KeepsEveryEventWithItsMicroseconds) {
+  const Bytes events = lcmLog();
+  EXPECT_EQ(recordingKindOf(events), RecordingKind::lcm);
+  const auto made = importedFrom(openLcmBytes(events, "x.lcm"));
+  ASSERT_TRUE(made.ok()) << made.error().text();
+  EXPECT_TRUE(made->report.lostNothing());
+  LogReader reader = openLog(made->log);
+  std::vector<std::string> kept;
+  for (const KeptMessage& message : readAll(reader)) {
+    if (!message.topic.starts_with("/rocinante/")) {
+      kept.push_back(message.topic + " " + std::to_string(message.log_time_ns) + " " +
+                     std::to_string(message.payload.size()));
+    }
+  }
+  EXPECT_THAT(kept, ElementsAre("/POSE 1700000000000001000 4", "/ARM 1700000000000002000 28",
+                                "/POSE 1700000000000003000 0"));
+  for (const LogChannel& channel : reader.channels()) {
+    if (channel.topic == "/ARM") {
+      EXPECT_EQ(channel.encoding, "rk1");
+    }
+    if (channel.topic == "/POSE") {
+      EXPECT_EQ(channel.encoding, "lcm");
+    }
+  }
+}
+
+TEST(LcmLog, FindsTheNextEventBehindDamage) {
+  Bytes events = lcmLog();
+  const std::size_t whole = events.size();
+  // The length of the second event's data, to one that does not fit.
+  events[28 + 4 + 4 + 24] = std::byte{0x7F};
+  const auto made = importedFrom(openLcmBytes(events, "x.lcm"));
+  ASSERT_TRUE(made.ok());
+  EXPECT_EQ(made->report.messages, 2U);
+  EXPECT_THAT(made->report.damage,
+              ElementsAre(HasSubstr("no event begins here: 59 bytes skipped (x.lcm, byte 36)")));
+  EXPECT_EQ(whole, events.size());
+}
+
+/// Cut at every length: whole messages, or a sentence; never a crash, and never more than there is.
+void cutEverywhere(ByteView whole, const std::function<Opened(ByteView)>& open) {
+  std::uint64_t last = 0;
+  for (std::size_t bytes = 0; bytes <= whole.size(); ++bytes) {
+    SCOPED_TRACE(bytes);
+    // A buffer of its own, so that the sanitizer sees one byte too many.
+    const Bytes cut(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(bytes));
+    const auto made = importedFrom(open(cut));
+    const std::uint64_t messages = made.ok() ? made->report.messages : 0;
+    EXPECT_GE(messages + 1, last);
+    last = std::max(last, messages);
+  }
+  EXPECT_EQ(last, 3U);
+}
+
+TEST(RecordingReaders, SurviveACutAtEveryLength) {
+  cutEverywhere(lcmLog(), [](ByteView bytes) { return openLcmBytes(bytes, "x"); });
+  const std::string_view rows = "t,arm.a,arm.b\n1,2,3\n2,\"3\",4\n3,4,5\n";
+  cutEverywhere(bytesOf(rows), [](ByteView bytes) { return openTableBytes(bytes, "x", {}); });
+  const std::string_view objects =
+      "{\"t\":1,\"a\":{\"b\":2}}\n{\"t\":2,\"name\":[\"x\"],\"position\":[1]}\n{\"t\":3}\n";
+  cutEverywhere(bytesOf(objects), [](ByteView bytes) { return openJsonBytes(bytes, "x", {}); });
+}
+
+TEST(RecordingLines, GiveTheSameLinesWhereverTheWindowEnds) {
+  std::string text = "first\r\n";
+  for (int i = 0; i < 40'000; ++i) text += "line " + std::to_string(i) + "\n";
+  text += "last";
+  RecordingLines lines{RecordingBytes(bytesOf(text))};
+  EXPECT_EQ(lines.next(), "first");
+  for (int i = 0; i < 40'000; ++i) ASSERT_EQ(lines.next(), "line " + std::to_string(i));
+  EXPECT_EQ(lines.next(), "last");
+  EXPECT_EQ(lines.number(), 40'002U);
+  EXPECT_EQ(lines.next(), std::nullopt);
+  EXPECT_DOUBLE_EQ(lines.part(), 1.0);
+}
+
+}  // namespace
+}  // namespace rocinante::test
