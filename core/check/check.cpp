@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/check/session_check.h"
+#include "core/log/import_record.h"
 #include "core/log/log_profile.h"
 #include "core/log/octets_before.h"
 #include "core/session/keyframe.h"
@@ -62,24 +63,27 @@ class WaitingOctets {
 
   /// Judges those that waited. True when the message itself waits now.
   bool take(const LogMessage& message, SessionCheck& session) {
-    if (waiting_) session.addOctets(time_, encoding_, before_.areOf(message));
+    // What an import made no packet of, log.import tells.
+    const bool is_decoded = waiting_ && before_.areOf(message);
+    if (waiting_ && (is_decoded || !imported_)) session.addOctets(time_, encoding_, is_decoded);
     before_.take(message);
     const LogChannel& channel = *message.channel;
     waiting_ = !decoded_.empty() && channel.captured() && channel.encoding != "rk1" &&
                decoded_.contains(channel.topic);
     time_ = message.log_time;
     encoding_ = channel.encoding;
+    imported_ = channel.imported();
     return waiting_;
   }
 
   void finish(SessionCheck& session) {
-    if (std::exchange(waiting_, false)) session.addOctets(time_, encoding_, false);
+    if (std::exchange(waiting_, false) && !imported_) session.addOctets(time_, encoding_, false);
   }
 
  private:
   std::set<std::string, std::less<>> decoded_;  ///< topics whose octets have packets
   OctetsBefore before_;
-  bool waiting_ = false;
+  bool waiting_ = false, imported_ = false;
   LogTime time_{};
   std::string_view encoding_;  ///< of the reader's channel
 };
@@ -115,6 +119,11 @@ Result<CheckReport> checkLog(const Cell& cell, LogReader& log,
       session.addClockStep(message.log_time, message.payload);
     }
     if (!message.channel->folded()) continue;
+    // Of another program: its messages need not be packets, and log.import says what was wrong.
+    if (message.channel->imported() && message.channel->captured() &&
+        message.channel->encoding != "rk1") {
+      continue;
+    }
     session.add(message.log_time, message.channel->encoding, message.channel->captured(),
                 message.payload);
   }
@@ -127,6 +136,9 @@ Result<CheckReport> checkLog(const Cell& cell, LogReader& log,
     const bool at_end = damage.to == file_bytes && !damage.messages_lost;
     const bool is_torn_end = !log.summary().complete && at_end;
     if (damage.from != damage.to && !is_torn_end) session.addDamage(damage);
+  }
+  for (std::string& text : importWarningsOf(log.metadata())) {
+    session.addImportWarning(std::move(text));
   }
   if (!log.summary().complete) session.noteIncomplete();
   session.settle();

@@ -1,16 +1,21 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "core/base/atomic_file.h"
 #include "core/bundle/attached_cell.h"
 #include "core/bundle/cell_folder.h"
 #include "core/check/check.h"
+#include "core/check/drift/description_drift.h"
 #include "core/check/drift/model_drift.h"
 #include "core/check/reports/baseline.h"
+#include "core/cli/import_progress.h"
 #include "core/cli/load_progress.h"
 #include "core/cli/program.h"
 #include "core/cli/progress_line.h"
 #include "core/cli/worker_threads.h"
+#include "core/foreign/recordings/opened_recording.h"
 #include "core/log/log_profile.h"
 #include "golden/check/check_live.h"
 #include "golden/check/check_options.h"
@@ -26,6 +31,7 @@ constexpr const char* kExamples =
     "  rocinante check cell.toml session.mcap            does this session fit this model?\n"
     "  rocinante check session.mcap                      a log that carries its cell\n"
     "  rocinante check arm.urdf session.mcap --json      for a program\n"
+    "  rocinante check arm.urdf bag.db3                  a bag, a capture or a table\n"
     "  rocinante check cell.toml session.mcap -o junit=check.xml -o sarif=check.sarif\n"
     "  rocinante check cell.toml session.mcap --baseline known.json --strict\n"
     "  rocinante check cell.toml --live :19960 --duration 10s\n"
@@ -33,7 +39,8 @@ constexpr const char* kExamples =
     "  rocinante check --explain joint.limit\n";
 
 /// Differences between the cell attached to the log, if any, and the cell it is judged with.
-Findings driftOf(const LogReader& log, const Cell& given) {
+/// `is_description`: what is attached is the robot that a bag describes.
+Findings driftOf(const LogReader& log, const Cell& given, bool is_description) {
   const auto unreadable = [&](const Error& error) {
     Finding finding;
     finding.rule = "drift.unreadable";
@@ -48,27 +55,52 @@ Findings driftOf(const LogReader& log, const Cell& given) {
   CellOptions options;
   options.parallel = cli::workerThreads();
   options.progress = cli::loadProgress(shown_as);
-  const Result<Cell> recorded = loadBundle(**bundle, shown_as, options);
+  Result<Cell> recorded = loadBundle(**bundle, shown_as, options);
   if (!recorded) return unreadable(recorded.error());
-  return modelDrift(*recorded, given);
+  if (!is_description) return modelDrift(*recorded, given);
+  const bool has_meshes = std::ranges::none_of(recorded->faults, [](const Finding& fault) {
+    return fault.severity == Severity::error || fault.rule == "model.missing-file";
+  });
+  return descriptionDrift(*recorded, has_meshes, given);
 }
 
-Result<CheckReport> judgeLog(const CheckArguments& my, const Cell& cell) {
+/// The session's log: made of it where another program recorded it.
+Result<OpenedRecording> openSession(CheckArguments& my) {
+  RecordingRequest request;
+  request.recording = my.log;
+  request.cell = my.cell;
+  request.search = my;
+  request.progress = cli::importProgress(my.log.empty() ? my.cell : my.log);
+  cli::catchStopSignals();
+  const Result<CellAndRecording> found = openedCellAndRecording(std::move(request));
+  if (!found) return found.error();
+  if (!found->opened.not_kept.empty()) cli::warn(found->opened.not_kept);
+  const bool is_its_own = found->opened.imported && found->cell == found->log;
+  // Its meshes were looked for when it was imported.
+  if (is_its_own) static_cast<ModelSearch&>(my) = {};
+  my.cell = found->cell.string();
+  my.log = found->log.string();
+  return found->opened;
+}
+
+Result<CheckReport> judgeLog(const CheckArguments& my, const Cell& cell,
+                             const OpenedRecording& opened) {
   Result<LogReader> log = LogReader::open(my.log);
   if (!log) return log.error();
   cli::catchStopSignals();
+  const std::string name = opened.imported ? opened.recording.string() : my.log;
   Result<CheckReport> report = [&] {
-    cli::ProgressLine line("judging " + my.log);
+    cli::ProgressLine line("judging " + name);
     return checkLog(cell, *log, [&](double part) {
       line.show(part);
       return !cli::stopRequested();
     });
   }();
   if (!report) return report;
-  report->session = my.log;
+  report->session = name;
   // A log judged with its own cell cannot have drifted.
   if (my.log != my.cell) {
-    Findings drift = driftOf(*log, cell);
+    Findings drift = driftOf(*log, cell, opened.imported);
     report->findings.insert(report->findings.end(), drift.begin(), drift.end());
   }
   return report;
@@ -87,7 +119,7 @@ Result<Cell> loadWithRules(const CheckArguments& my) {
   return cell;
 }
 
-Result<CheckReport> judge(const CheckArguments& my) {
+Result<CheckReport> judge(const CheckArguments& my, const OpenedRecording& opened) {
   const Result<Cell> cell = loadWithRules(my);
   if (!cell) return cell.error();
   if (!my.live.empty()) {
@@ -95,7 +127,7 @@ Result<CheckReport> judge(const CheckArguments& my) {
     if (!duration) return duration.error();
     return checkLive(*cell, my.live, my.trust, *duration);
   }
-  return my.log.empty() ? checkCell(*cell) : judgeLog(my, *cell);
+  return my.log.empty() ? checkCell(*cell) : judgeLog(my, *cell, opened);
 }
 
 /// Applies the baseline and sets the verdict from the remaining findings.
@@ -151,8 +183,6 @@ Result<cli::Exit> run(CheckArguments& my) {
   if (my.cell.empty()) {
     return Error{ErrorKind::bad_argument, "CELL is required (see rocinante-check --help)", {}};
   }
-  // A log that carries its cell needs no other argument.
-  if (my.log.empty() && my.live.empty() && isLog(my.cell)) my.log = my.cell;
   const Result<std::vector<CheckOutput>> outputs = readOutputs(my);
   if (!outputs) return outputs.error();
   std::optional<Baseline> baseline;
@@ -162,8 +192,17 @@ Result<cli::Exit> run(CheckArguments& my) {
     baseline = std::move(*read);
   }
   if (my.watch) return watch(my, baseline);
-  Result<CheckReport> report = judge(my);
-  if (!report) return report.error();
+  OpenedRecording opened;
+  if (my.live.empty()) {
+    Result<OpenedRecording> found = openSession(my);
+    if (!found) return found.error();
+    opened = std::move(*found);
+    // A log that carries its cell needs no other argument.
+    if (my.log.empty() && isLog(my.cell)) my.log = my.cell;
+  }
+  Result<CheckReport> report = judge(my, opened);
+  if (!report) return opened.named(report.error());
+  if (opened.imported) report->cell = opened.named({{}, report->cell, {}}).what;
   if (Status concluded = concludeWith(my, baseline, *report); !concluded) return concluded.error();
   if (Status written = writeReport(*report, my, *outputs); !written) return written.error();
   return exitOf(report->verdict);

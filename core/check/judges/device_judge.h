@@ -119,6 +119,7 @@ class DeviceJudge {
   void reportNames(Findings& findings) const;
   void reportValues(Findings& findings) const;
   bool reportDegrees(Findings& findings) const;
+  bool reportPercent(Findings& findings) const;
   void reportUndriven(const SessionRoster& roster, Findings& findings) const;
   void reportWriters(const SessionRoster& roster, Findings& findings) const;
 

@@ -36,7 +36,7 @@ void DeviceJudge::report(const SessionRoster& roster, Findings& findings) const 
   }
   findings.insert(findings.end(), earlier_.begin(), earlier_.end());
   reportNames(findings);
-  if (!reportDegrees(findings)) reportValues(findings);
+  if (!reportDegrees(findings) && !reportPercent(findings)) reportValues(findings);
   reportWriters(roster, findings);
   reportUndriven(roster, findings);
 }
@@ -114,6 +114,37 @@ bool DeviceJudge::reportDegrees(Findings& findings) const {
   findings.back().hint = "packets give angles in radians";
   for (const Value& value : values_) {
     if (!value.judge.isAngle()) value.judge.report(name_, findings);
+  }
+  return true;
+}
+
+// One joint beyond its limits, or only sliding ones, could as well be in millimetres.
+bool DeviceJudge::reportPercent(Findings& findings) const {
+  std::size_t limited = 0, beyond = 0, turning = 0;
+  double largest = 0;
+  Tally tally;
+  for (const Value& value : values_) {
+    const JointJudge& joint = value.judge;
+    if (!joint.isLimited() || !joint.isWritten()) continue;
+    if (!joint.fitsAsPercent()) return false;
+    ++limited;
+    beyond += joint.wasBeyond();
+    turning += joint.wasBeyond() && joint.isAngle();
+    largest = std::max(largest, joint.largest());
+    joint.collect(tally);
+  }
+  if (beyond < 2 || 2 * beyond < limited || turning == 0 || largest <= 2 * std::numbers::pi) {
+    return false;
+  }
+  findings.push_back(tally.finding(
+      "joint.percent", name_,
+      fmt::format("the joint values of device {} are from 0 up to {:.6g}, which fits percent of "
+                  "their ranges",
+                  name_, largest)));
+  findings.back().hint =
+      "packets give radians and metres: lower + value / 100 * (upper - lower) of each joint";
+  for (const Value& value : values_) {
+    if (!value.judge.isLimited()) value.judge.report(name_, findings);
   }
   return true;
 }

@@ -113,6 +113,10 @@ bool JointJudge::fitsAsDegrees() const {
   return least_ * kRadians >= lower_ - kLimitSlack && most_ * kRadians <= upper_ + kLimitSlack;
 }
 
+bool JointJudge::fitsAsPercent() const {
+  return least_ >= -kLimitSlack && most_ <= 100 + kLimitSlack;
+}
+
 double JointJudge::largest() const { return std::max(std::abs(least_), std::abs(most_)); }
 
 void JointJudge::collect(Tally& all) const {

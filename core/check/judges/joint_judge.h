@@ -33,8 +33,10 @@ class JointJudge {
   bool wasBeyond() const { return beyond_.count > 0; }
   /// Whether all its values are within the limits when read as degrees.
   bool fitsAsDegrees() const;
+  /// Whether all its values are from 0 to 100.
+  bool fitsAsPercent() const;
   double largest() const;
-  /// Adds the tallies of all faults, when the values are degrees.
+  /// Adds the tallies of all faults, when the values have another unit.
   void collect(Tally& all) const;
 
   void report(const std::string& device, Findings& findings) const;

@@ -44,6 +44,9 @@ void LogJudge::report(Findings& findings) const {
       text += fmt::format(" ({} lost)", countText(*span.messages_lost, "message"));
     findings.push_back(makeFinding("log.damage", "", std::move(text)));
   }
+  for (const std::string& text : import_warnings_) {
+    findings.push_back(makeFinding("log.import", "", text));
+  }
   if (is_incomplete_) {
     findings.push_back(makeFinding("log.incomplete", "",
                                    "the recorder did not close the log: its end may be missing"));

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/log/log_types.h"
@@ -16,6 +17,8 @@ class LogJudge {
   void takeDamage(const DamageSpan& span) { damage_.push_back(span); }
   /// A message on /rocinante/clock.
   void takeClockStep(LogTime time, ByteView payload);
+  /// What an import could not keep or translate: a sentence.
+  void takeImportWarning(std::string text) { import_warnings_.push_back(std::move(text)); }
   void noteIncomplete() { is_incomplete_ = true; }
 
   void report(Findings& findings) const;
@@ -28,6 +31,7 @@ class LogJudge {
 
   std::map<std::string, std::vector<LossSpan>, std::less<>> losses_;  ///< by endpoint
   std::vector<DamageSpan> damage_;
+  std::vector<std::string> import_warnings_;
   Finding clock_steps_;
   double worst_step_s_ = 0;
   bool is_incomplete_ = false;

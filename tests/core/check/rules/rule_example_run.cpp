@@ -11,6 +11,7 @@
 #include "core/check/check.h"
 #include "core/check/drift/model_drift.h"
 #include "core/check/reports/baseline.h"
+#include "core/log/import_record.h"
 #include "core/log/log_writer.h"
 #include "core/packet/decoder.h"
 #include "core/recording/session_writer.h"
@@ -124,6 +125,12 @@ class SessionText {
     if (order == "as") {
       words >> encoding_;
       return {};
+    }
+    if (order == "import") {
+      std::string sentence;
+      std::getline(words >> std::ws, sentence);
+      return writer_.log().writeMetadata(
+          {std::string(kImportRecord), {{std::string(kImportWarningsKey), sentence + "\n"}}});
     }
     if (order == "damage") {
       words >> damage_at_;
