@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "core/bundle/attached_cell.h"
+#include "core/cli/import_progress.h"
+#include "core/foreign/recordings/opened_recording.h"
 #include "core/log/log_reader.h"
 #include "golden/judge/frame_judge.h"
 #include "golden/judge/stability.h"
@@ -37,7 +39,23 @@ Result<SuiteSession> SuiteSession::open(const std::filesystem::path& suite_file,
   Suite& the_suite = *made.suite_;
   if (options.cell) the_suite.cell = *options.cell;
   if (options.log) the_suite.log = *options.log;
-  if (the_suite.cell.empty() && the_suite.log) the_suite.cell = *the_suite.log;
+  // What another program recorded becomes a log first; the suite keeps the name that it gives.
+  OpenedRecording recording;
+  ModelSearch search = options;
+  if (the_suite.log) {
+    RecordingRequest request;
+    request.recording = *the_suite.log;
+    request.cell = the_suite.cell;
+    request.search = options;
+    request.progress = cli::importProgress(the_suite.log->string());
+    auto opened = openedRecording(request);
+    if (!opened.ok()) return opened.error();
+    recording = std::move(*opened);
+    const bool is_alone = the_suite.cell.empty() || the_suite.cell == *the_suite.log;
+    if (is_alone) the_suite.cell = recording.log;
+    // The meshes of its own robot were looked for when it was imported.
+    if (is_alone && recording.imported) search = {};
+  }
   auto manifest = Manifest::read(the_suite.goldens);
   if (!manifest.ok()) return manifest.error();
   made.manifest_ = std::move(*manifest);
@@ -45,16 +63,22 @@ Result<SuiteSession> SuiteSession::open(const std::filesystem::path& suite_file,
   made.now_ms_ = options.now_ms;
 
   CellOptions cell_options;
-  static_cast<ModelSearch&>(cell_options) = options;
+  static_cast<ModelSearch&>(cell_options) = search;
   cell_options.parallel = options.parallel;
   auto cell = loadCellOrLog(the_suite.cell, cell_options);
   if (!cell.ok()) return cell.error();
+  if (recording.folder) {
+    // A temporary log lasts as long as the session.
+    cell->keeps_files = std::make_shared<
+        const std::pair<std::shared_ptr<const void>, std::shared_ptr<const PrivateFolder>>>(
+        cell->keeps_files, recording.folder);
+  }
   made.cell_ = std::move(*cell);
   if (!options.incomplete) made.incomplete_ = incompleteText(made.cell_);
 
   std::optional<Timeline> session;
   if (the_suite.log) {
-    auto reader = LogReader::open(*the_suite.log);
+    auto reader = LogReader::open(recording.log);
     if (!reader.ok()) return reader.error();
     auto hashes = sessionHashes(*reader);
     if (!hashes.ok()) return hashes.error();
@@ -68,7 +92,9 @@ Result<SuiteSession> SuiteSession::open(const std::filesystem::path& suite_file,
   auto selected = selectFrames(std::move(*frames), options.selection, the_suite);
   if (!selected.ok()) return selected.error();
   made.frames_ = std::move(*selected);
-  made.make_drawer_ = options.drawers ? options.drawers : sceneDrawers(made.cell_, the_suite.log);
+  std::optional<std::filesystem::path> log;
+  if (the_suite.log) log = recording.log;
+  made.make_drawer_ = options.drawers ? options.drawers : sceneDrawers(made.cell_, log);
   return made;
 }
 

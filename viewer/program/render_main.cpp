@@ -4,11 +4,13 @@
 #include <optional>
 #include <tuple>
 
+#include "core/cli/import_progress.h"
 #include "core/cli/load_progress.h"
 #include "core/cli/program.h"
 #include "core/cli/progress_line.h"
 #include "core/cli/search_options.h"
 #include "core/cli/worker_threads.h"
+#include "core/foreign/recordings/opened_recording.h"
 #include "core/report/json_text.h"
 #include "viewer/detail/detail_level.h"
 #include "viewer/gl/context_option.h"
@@ -21,6 +23,7 @@ using namespace rocinante;
 constexpr const char* kExamples =
     "  rocinante render cell.toml session.mcap --at 12.5s -o frame.png\n"
     "  rocinante render session.mcap --at 12.5s -o frame.png   a log that carries its cell\n"
+    "  rocinante render robot.urdf bag.mcap --every 1s --sheet sheet.png   a ROS bag\n"
     "  rocinante render panda.urdf -o panda.png --size 1280x720\n"
     "  rocinante render cell.toml session.mcap --at 1 --at 2.5 --at -1s --sheet sheet.png\n"
     "  rocinante render cell.toml session.mcap --every 0.04s --frames frames/\n"
@@ -41,6 +44,24 @@ void printWarnings(const RenderReport& report) {
     cli::warn("... and " + std::to_string(report.warnings.size() - kWarningsShown) +
               " more faults of the model (rocinante check lists all)");
   }
+}
+
+/// Makes logs of other programs' recordings, and lets the job read those.
+Result<OpenedRecording> openRecordingOf(RenderJob& job) {
+  RecordingRequest request;
+  request.recording = job.log;
+  request.cell = job.cell;
+  request.search = job;
+  request.progress = cli::importProgress((job.log.empty() ? job.cell : job.log).string());
+  Result<CellAndRecording> found = openedCellAndRecording(std::move(request));
+  if (!found) return found.error();
+  for (const std::string& warning : found->opened.warnings) cli::warn(warning);
+  if (!found->opened.not_kept.empty()) cli::warn(found->opened.not_kept);
+  // Its meshes were looked for when it was imported.
+  if (found->opened.imported && found->cell == found->log) static_cast<ModelSearch&>(job) = {};
+  job.cell = found->cell;
+  job.log = found->log;
+  return std::move(found->opened);
 }
 
 void printJson(const RenderReport& report) {
@@ -136,9 +157,11 @@ int main(int argc, char** argv) {
   bool hash = false;
   bool json = false;
   Looks looks;
-  app.add_option("CELL", job.cell, "a .cell.toml, a .urdf, an .obj or a log that carries its cell")
+  app.add_option("CELL", job.cell,
+                 "a .cell.toml, a .urdf, an .obj, or a log or bag that carries its cell")
       ->required();
-  app.add_option("LOG", job.log, "the session; without one, the cell at rest");
+  app.add_option("LOG", job.log,
+                 "the session: a log, or a bag, capture or table; without one, the cell at rest");
   app.add_option("--at", job.moments.at,
                  "a moment: 12.5, 1m02.5s, -1s from the end, or RFC 3339; repeatable")
       ->allow_extra_args(false);
@@ -243,8 +266,12 @@ int main(int argc, char** argv) {
               ErrorKind::bad_argument, "--inset and --no-insets cannot be used together", {}};
         }
         job.parallel = cli::workerThreads();
-        job.load_progress = cli::loadProgress(job.cell.string());
         cli::catchStopSignals();
+        const Result<OpenedRecording> recording = openRecordingOf(job);
+        if (!recording) return recording.error();
+        job.load_progress = cli::loadProgress(recording->imported && job.cell == job.log
+                                                  ? recording->recording.string()
+                                                  : job.cell.string());
         const cli::StopDeadline until_stopped("stopped");
         std::optional<cli::ProgressLine> line;
         const auto report = render(job, [&](std::size_t done, std::size_t of) {
@@ -253,7 +280,7 @@ int main(int argc, char** argv) {
           return !cli::stopRequested();
         });
         line.reset();
-        if (!report) return report.error();
+        if (!report) return recording->named(report.error());
         printWarnings(*report);
         if (json) {
           printJson(*report);

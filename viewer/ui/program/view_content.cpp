@@ -8,7 +8,9 @@
 
 #include "core/bundle/attached_cell.h"
 #include "core/cli/load_progress.h"
+#include "core/cli/program.h"
 #include "core/cli/worker_threads.h"
+#include "core/foreign/recordings/opened_recording.h"
 #include "core/session/session_time.h"
 #include "core/signing/trust_judge.h"
 
@@ -42,14 +44,35 @@ void warnOfFaults(const Cell& cell, std::vector<std::string>& warnings) {
   }
 }
 
+/// The log, which is made of a recording of another program first. Names its joints by the cell.
+Result<OpenedRecording> openRecordingOf(const ContentRequest& request, const fs::path& cell,
+                                        const TellLoadProgress& progress) {
+  constexpr std::uint64_t kWhole = 1'000'000;
+  RecordingRequest wanted;
+  wanted.recording = request.log;
+  wanted.cell = cell;
+  wanted.search = request.where;
+  wanted.progress = [&](double part) -> Status {
+    if (cli::stopRequested()) {
+      return Error{ErrorKind::refused, "stopped while importing", {}};
+    }
+    const auto done = static_cast<std::uint64_t>(part * static_cast<double>(kWhole));
+    if (progress) progress({0, 1, done, kWhole});
+    return {};
+  };
+  auto opened = openedRecording(wanted);
+  if (opened.ok() && opened->imported && progress) progress({1, 1, kWhole, kWhole});
+  return opened;
+}
+
 /// The file that has the cell. Of a log without one it is the cell that was shown before.
-Result<fs::path> cellFile(const ContentRequest& request) {
-  if (!request.cell.empty()) return request.cell;
-  const auto log = LogReader::open(request.log);
+Result<fs::path> cellFile(const ContentRequest& request, const OpenedRecording& opened) {
+  if (!request.cell.empty() && request.cell != request.log) return request.cell;
+  const auto log = LogReader::open(opened.log);
   if (!log.ok()) return log.error();
   const auto carried = readAttachedCell(*log);
   if (!carried.ok()) return carried.error();
-  if (*carried) return request.log;
+  if (*carried) return opened.log;
   if (!request.fallback_cell.empty()) return request.fallback_cell;
   return Error{ErrorKind::not_found,
                "this log carries no cell: open it together with its cell or model",
@@ -116,22 +139,47 @@ Status applyArguments(const ContentRequest& request, ViewModel& model,
 }  // namespace
 
 Result<ViewContent> loadContent(ContentRequest request, const TellLoadProgress& progress) {
-  const auto file = cellFile(request);
-  if (!file.ok()) return file.error();
-  request.cell = *file;
+  OpenedRecording recording;
+  if (!request.log.empty()) {
+    auto opened = openRecordingOf(request, request.cell, progress);
+    if (!opened.ok()) return opened.error();
+    recording = std::move(*opened);
+  }
+  const auto file = cellFile(request, recording);
+  if (!file.ok()) return recording.named(file.error());
+  const bool is_own_cell = !recording.log.empty() && *file == recording.log;
+  if (recording.imported && request.cell.empty() && !is_own_cell) {
+    // Of the cell that is shown: its names are meant.
+    auto opened = openRecordingOf(request, *file, progress);
+    if (!opened.ok()) return opened.error();
+    recording = std::move(*opened);
+  }
   CellOptions options;
-  static_cast<ModelSearch&>(options) = request.where;
+  // A cell in a log is complete; an import has looked for its files.
+  if (!recording.imported || !is_own_cell) {
+    static_cast<ModelSearch&>(options) = request.where;
+  }
+  request.cell = is_own_cell ? request.log : *file;
   options.parallel = cli::workerThreads();
   options.progress = progress;
-  auto cell = loadCellOrLog(request.cell, options);
-  if (!cell.ok()) return cell.error();
+  auto cell = loadCellOrLog(*file, options);
+  if (!cell.ok()) return recording.named(cell.error());
+  if (recording.folder) {
+    // A temporary log lasts as long as the cell that is shown with it.
+    cell->keeps_files = std::make_shared<
+        const std::pair<std::shared_ptr<const void>, std::shared_ptr<const PrivateFolder>>>(
+        cell->keeps_files, recording.folder);
+  }
   ViewContent content;
   warnOfFaults(*cell, content.warnings);
+  content.warnings.insert(content.warnings.end(), recording.warnings.begin(),
+                          recording.warnings.end());
+  if (!recording.not_kept.empty()) content.warnings.push_back(recording.not_kept);
 
   std::optional<Timeline> session;
   if (!request.log.empty()) {
-    auto opened = openSession(request.log);
-    if (!opened.ok()) return opened.error();
+    auto opened = openSession(recording.log);
+    if (!opened.ok()) return recording.named(opened.error());
     session = std::move(*opened);
   }
   auto feed = openFeed(request, content.warnings);
@@ -173,7 +221,7 @@ Result<ContentRequest> requestOf(const std::vector<fs::path>& files, const Conte
     if (!fs::exists(file, fault)) {
       return Error{ErrorKind::not_found, "there is no such file", file.string()};
     }
-    fs::path& place = isLog(file) ? request.log : request.cell;
+    fs::path& place = isLog(file) || isForeignRecording(file) ? request.log : request.cell;
     if (!place.empty()) {
       return Error{ErrorKind::bad_argument, "a window shows one cell and one log at a time",
                    file.string()};

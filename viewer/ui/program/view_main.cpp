@@ -7,6 +7,7 @@
 #include "core/bundle/cell_or_log.h"
 #include "core/cli/program.h"
 #include "core/cli/search_options.h"
+#include "core/foreign/recordings/opened_recording.h"
 #include "viewer/ui/live/kept_folder.h"
 #include "viewer/ui/program/frame_journal.h"
 #include "viewer/ui/program/view_program.h"
@@ -155,10 +156,11 @@ Result<Exit> view(const Arguments& arguments) {
 int viewMain(int argc, char** argv) {
   CLI::App app("Shows a cell at rest, in a recorded session or live.", "rocinante-view");
   Arguments arguments;
-  app.add_option("CELL", arguments.cell,
-                 "a *.cell.toml, a .urdf, an .obj or a log that carries its cell; without it "
-                 "the window says how to open one");
-  app.add_option("LOG", arguments.log, "a recorded session");
+  app.add_option(
+      "CELL", arguments.cell,
+      "a *.cell.toml, a .urdf, an .obj, or a log or bag that carries its cell; without it "
+      "the window says how to open one");
+  app.add_option("LOG", arguments.log, "a recorded session: a log, or a bag, capture or table");
   auto* live = app.add_option("--live", arguments.live,
                               "show live packets; EP as in `rocinante record`, default: the "
                               "standard group; repeatable")
@@ -226,7 +228,8 @@ int viewMain(int argc, char** argv) {
     cli::catchStopSignals();
     const cli::StopDeadline until_stopped("stopped");
     arguments.is_live = live->count() > 0;
-    if (arguments.log.empty() && !arguments.is_live && isLog(arguments.cell)) {
+    const bool is_recording = isLog(arguments.cell) || isForeignRecording(arguments.cell);
+    if (arguments.log.empty() && !arguments.is_live && is_recording) {
       arguments.log = arguments.cell;
     }
     return view(arguments);
