@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include "core/base/atomic_file.h"
+#include "core/base/hash.h"
 #include "viewer/picture/lfs_pointer.h"
 
 namespace rocinante {
 namespace {
 
 constexpr std::uint64_t kMaxPictureBytes = std::uint64_t{1} << 30U;
+constexpr std::uint64_t kMaxLogBytes = std::uint64_t{4} << 30U;
 
 Result<Picture> readOne(const std::filesystem::path& file, const std::string& pixels) {
   const auto bytes = readFile(file, kMaxPictureBytes);
@@ -50,6 +52,35 @@ std::filesystem::path GoldenFolder::fileOf(const std::string& picture,
 
 std::filesystem::path GoldenFolder::arrivingFile(const std::string& picture) const {
   return goldens_ / ("." + picture + ".new");
+}
+
+std::filesystem::path GoldenFolder::fileOf(const AcceptedRun& accepted) const {
+  return hasStore() && accepted.log == accepted.session + ".mcap" ? store_ / accepted.log
+                                                                  : goldens_ / accepted.log;
+}
+
+Status GoldenFolder::verify(const AcceptedRun& accepted) const {
+  const std::string file = fileOf(accepted).string();
+  const auto bytes = readFile(file, kMaxLogBytes);
+  if (!bytes.ok()) {
+    return Error{bytes.error().kind,
+                 bytes.error().kind == ErrorKind::not_found
+                     ? fmt::format("accepted log {} is missing", file)
+                     : fmt::format("accepted log {} cannot be read: {}", file, bytes.error().what),
+                 {}};
+  }
+  if (isLfsPointer(bytesOf(*bytes))) {
+    return Error{
+        ErrorKind::unsupported,
+        fmt::format("accepted log {} is a Git LFS pointer; `git lfs pull` fetches the log", file),
+        {}};
+  }
+  if (hexOf(xxh3(bytesOf(*bytes))) != accepted.bytes) {
+    return Error{ErrorKind::damaged,
+                 fmt::format("accepted log {} is not the one that the manifest lists", file),
+                 {}};
+  }
+  return {};
 }
 
 bool GoldenFolder::has(const AcceptedPicture& accepted) const {

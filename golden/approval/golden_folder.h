@@ -30,6 +30,12 @@ class GoldenFolder {
   std::filesystem::path arrivingFile(const std::string& picture) const;
   bool has(const AcceptedPicture& accepted) const;
 
+  /// Path of an accepted log.
+  std::filesystem::path fileOf(const AcceptedRun& accepted) const;
+  /// Checks that the log is the one that was accepted: not_found, unsupported for a Git LFS
+  /// pointer, otherwise damaged.
+  Status verify(const AcceptedRun& accepted) const;
+
   /// Reads the picture and checks its pixel hash against the manifest. not_found when it is
   /// missing, unsupported for a Git LFS pointer, otherwise damaged.
   Result<Picture> read(const AcceptedPicture& accepted) const;

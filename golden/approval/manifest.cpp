@@ -58,6 +58,37 @@ Result<AcceptedPicture> acceptedOf(const Json& entry, const std::string& name,
   return accepted;
 }
 
+bool isLogName(const std::string& name) {
+  return name.size() > 5 && name.size() <= 255 && name.ends_with(".mcap") && name.front() != '.' &&
+         isFileText(name);
+}
+
+Result<std::map<std::string, std::vector<AcceptedRun>>> runsIn(const Json& root,
+                                                               const std::filesystem::path& file) {
+  std::map<std::string, std::vector<AcceptedRun>> runs;
+  const auto found = root.find("runs");
+  if (found == root.end()) return runs;
+  if (!found->is_object()) return broken(file, "`runs` is not an object");
+  for (const auto& [name, logs] : found->items()) {
+    if (!logs.is_array()) {
+      return broken(file, fmt::format("run `{}` is not a list", plainText(name)));
+    }
+    for (const Json& entry : logs) {
+      AcceptedRun accepted{textIn(entry, "log"),         textIn(entry, "bytes"),
+                           textIn(entry, "session"),     textIn(entry, "decoded"),
+                           textIn(entry, "accepted_by"), textIn(entry, "accepted_at"),
+                           textIn(entry, "reason"),      textIn(entry, "cell")};
+      if (!isLogName(accepted.log) || accepted.session.empty() || accepted.bytes.empty()) {
+        return broken(file, fmt::format("a log of run `{}` lacks its session, its bytes' hash or a "
+                                        "plain file name",
+                                        plainText(name)));
+      }
+      runs[name].push_back(std::move(accepted));
+    }
+  }
+  return runs;
+}
+
 /// Skips invalid entries: hashes only explain failures and decide no verdict.
 std::map<std::string, FileHashes> cellsOf(const Json& root) {
   std::map<std::string, FileHashes> cells;
@@ -139,6 +170,9 @@ Result<Manifest> Manifest::parse(std::string_view text, const std::filesystem::p
   Manifest manifest;
   manifest.cells = cellsOf(root);
   manifest.texts = keptTexts(root);
+  auto runs = runsIn(root, file);
+  if (!runs.ok()) return runs.error();
+  manifest.runs = std::move(*runs);
   std::set<std::string> files;
   for (const auto& [name, pictures] : cases->items()) {
     if (!pictures.is_array()) {
@@ -181,6 +215,20 @@ Status Manifest::write(const std::filesystem::path& folder) const {
       if (accepted.areas.empty()) continue;
       entry["areas"] = accepted.areas;
       entry["areas_pixels"] = accepted.areas_pixels;
+    }
+  }
+  for (const auto& [name, logs] : runs) {
+    Json& list = root["runs"][name] = Json::array();
+    for (const AcceptedRun& accepted : logs) {
+      Json entry = {{"log", accepted.log},
+                    {"bytes", accepted.bytes},
+                    {"session", accepted.session},
+                    {"accepted_by", accepted.accepted_by},
+                    {"accepted_at", accepted.accepted_at},
+                    {"reason", accepted.reason}};
+      if (!accepted.decoded.empty()) entry["decoded"] = accepted.decoded;
+      if (!accepted.cell.empty()) entry["cell"] = accepted.cell;
+      list.push_back(std::move(entry));
     }
   }
   for (const auto& [key, hashes] : cells) root["cells"][key] = hashes;
@@ -237,15 +285,32 @@ std::set<std::string> Manifest::files() const {
   return files;
 }
 
-const FileHashes* Manifest::cellOf(const AcceptedPicture& accepted) const {
-  const auto found = cells.find(accepted.cell);
+const FileHashes* Manifest::cellNamed(const std::string& key) const {
+  const auto found = cells.find(key);
   return found == cells.end() ? nullptr : &found->second;
+}
+
+const std::vector<AcceptedRun>& Manifest::runsOf(const std::string& run_name) const {
+  static const std::vector<AcceptedRun> kNone;
+  const auto found = runs.find(run_name);
+  return found == runs.end() ? kNone : found->second;
+}
+
+std::set<std::string> Manifest::runFiles() const {
+  std::set<std::string> names;
+  for (const auto& [name, logs] : runs) {
+    for (const AcceptedRun& accepted : logs) names.insert(accepted.log);
+  }
+  return names;
 }
 
 void Manifest::dropUnusedCells() {
   std::set<std::string> used;
   for (const auto& [name, pictures] : cases) {
     for (const AcceptedPicture& accepted : pictures) used.insert(accepted.cell);
+  }
+  for (const auto& [name, logs] : runs) {
+    for (const AcceptedRun& accepted : logs) used.insert(accepted.cell);
   }
   std::erase_if(cells, [&](const auto& cell) { return !used.contains(cell.first); });
   std::set<std::string> hashes;

@@ -28,6 +28,17 @@ struct AcceptedPicture {
   bool operator==(const AcceptedPicture&) const = default;
 };
 
+/// A log accepted for a run of a suite.
+struct AcceptedRun {
+  std::string log;      ///< file name in the manifest's folder, or SESSION.mcap in the store
+  std::string bytes;    ///< XXH3-128 of the file: what was accepted is what is there
+  std::string session;  ///< content_sha256 of the log
+  std::string decoded;  ///< its decoded_sha256; empty without decoded packets
+  std::string accepted_by, accepted_at, reason;
+  std::string cell{};  ///< key into Manifest::cells; empty: unknown files
+  bool operator==(const AcceptedRun&) const = default;
+};
+
 /// The files of a cell: path relative to the cell's folder to SHA-256.
 using FileHashes = std::map<std::string, std::string>;
 /// Contents of text files by SHA-256.
@@ -37,6 +48,8 @@ using FileTexts = std::map<std::string, std::string>;
 /// writes it.
 struct Manifest {
   std::map<std::string, std::vector<AcceptedPicture>> cases;
+  /// Accepted logs by run, oldest first.
+  std::map<std::string, std::vector<AcceptedRun>> runs;
   /// The cell files that accepted pictures were drawn from, by a hash of the list, so that a
   /// failure can name the mesh, material or texture that changed.
   std::map<std::string, FileHashes> cells;
@@ -61,12 +74,18 @@ struct Manifest {
                                                  std::string_view pixels,
                                                  std::string_view key) const;
   /// The files of the cell that an accepted picture was drawn from; null when unknown.
-  const FileHashes* cellOf(const AcceptedPicture& accepted) const;
+  const FileHashes* cellOf(const AcceptedPicture& accepted) const {
+    return cellNamed(accepted.cell);
+  }
+  const FileHashes* cellNamed(const std::string& key) const;
+  const std::vector<AcceptedRun>& runsOf(const std::string& run_name) const;
   /// Replaces the pictures of the same case and key with `accepted`, or adds it to them.
   void accept(const std::string& case_name, AcceptedPicture accepted, bool beside = false);
   /// Names of all files used: pictures and areas.
   std::set<std::string> files() const;
-  /// Removes cells that no picture uses and texts that no cell uses.
+  /// Names of the logs of all runs.
+  std::set<std::string> runFiles() const;
+  /// Removes cells that no picture or run uses and texts that no cell uses.
   void dropUnusedCells();
 };
 

@@ -12,6 +12,7 @@
 #include "core/base/atomic_file.h"
 #include "golden/approval/approval.h"
 #include "golden/approval/approval_list.h"
+#include "golden/approval/run_approval.h"
 #include "golden/why/frame_explainer.h"
 
 namespace rocinante {
@@ -212,6 +213,35 @@ Result<std::optional<ApprovalList>> listOf(const ApproveArguments& arguments) {
   return std::optional(std::move(*list));
 }
 
+Result<cli::Exit> approveOneRun(const ApproveArguments& arguments) {
+  const auto options = suiteOptions(arguments.suite);
+  if (!options.ok()) return options.error();
+  const auto session = SuiteSession::open(arguments.suite.suite, *options);
+  if (!session.ok()) return session.error();
+  const auto& runs = session->suite().runs;
+  const auto run = std::ranges::find(runs, arguments.run, &SuiteRun::name);
+  if (run == runs.end()) {
+    return Error{ErrorKind::bad_argument, "the suite has no such run", "--run " + arguments.run};
+  }
+  const auto log = session->logOf(*run);
+  if (!log) {
+    return Error{ErrorKind::bad_argument, "a log to accept is needed",
+                 "--log " + arguments.run + "=FILE"};
+  }
+  RunCandidate candidate{run->name, *log, userName(), nowText(), arguments.message};
+  candidate.replace = arguments.replace;
+  if (const auto cell = collectSessionCell(*session, *options); cell.ok()) {
+    candidate.cell_files = hashesOf(*cell);
+    candidate.cell_texts = toldTexts(*cell);
+  }
+  const auto approved = approveRun(session->folder(), candidate);
+  if (!approved.ok()) return approved.error();
+  fmt::print("{} {} for run {}; goldens in {}\n", log->string(),
+             *approved == RunApproved::added ? "accepted" : "was accepted already", run->name,
+             session->suite().goldens.lexically_normal().string());
+  return cli::Exit::done;
+}
+
 }  // namespace
 
 CLI::App* addApproveCommand(CLI::App& app, ApproveArguments& arguments) {
@@ -225,10 +255,18 @@ CLI::App* addApproveCommand(CLI::App& app, ApproveArguments& arguments) {
       ->type_name("LIST");
   command->add_flag("--also", arguments.also, "keep the pictures accepted so far");
   command->add_flag("-i,--interactive", arguments.interactive, "ask about each frame");
+  CLI::Option* const run =
+      command
+          ->add_option("--run", arguments.run,
+                       "add the log under test of this [[run]] to its accepted ones; draws nothing")
+          ->type_name("RUN");
+  command->add_flag("--replace", arguments.replace, "with --run: instead of those accepted so far")
+      ->needs(run);
   return command;
 }
 
 Result<cli::Exit> runApproveCommand(const ApproveArguments& arguments) {
+  if (!arguments.run.empty()) return approveOneRun(arguments);
   if (arguments.interactive && ::isatty(STDIN_FILENO) != 1) {
     return Error{ErrorKind::refused, "--interactive needs a terminal as standard input", {}};
   }
@@ -238,6 +276,10 @@ Result<cli::Exit> runApproveCommand(const ApproveArguments& arguments) {
   if (!options.ok()) return options.error();
   auto session = SuiteSession::open(arguments.suite.suite, *options);
   if (!session.ok()) return session.error();
+  if (session->frames().empty()) {
+    return Error{ErrorKind::bad_argument, "no case is selected; --run RUN accepts the log of a run",
+                 arguments.suite.suite.string()};
+  }
   warnOfModelFaults(session->cell());
   std::size_t unknown = 0;
   if (*list) {

@@ -15,7 +15,9 @@ struct ApproveArguments {
   std::string message;
   std::filesystem::path from;  ///< a list of approvals copied from the report
   bool interactive = false;
-  bool also = false;  ///< keep the pictures accepted so far
+  std::string run;       ///< accept the log under test of this run instead of frames
+  bool replace = false;  ///< of a run: instead of the logs accepted so far
+  bool also = false;     ///< keep the pictures accepted so far
 };
 
 /// Adds the sub-command `approve` to `app`; parsing fills `arguments`, which must outlive it.

@@ -45,6 +45,39 @@ void printTable(const SuiteSession& session) {
   fmt::print("{}", table.text());
 }
 
+/// The runs with their accepted logs.
+void printRuns(const SuiteSession& session) {
+  if (session.runs().empty()) return;
+  cli::TextTable table;
+  table.rows.push_back({"run", "accepted log", "accepted by", "at", "why"});
+  for (const SuiteRun* run : session.runs()) {
+    const auto& logs = session.manifest().runsOf(run->name);
+    std::string name = run->name;
+    if (logs.empty()) table.rows.push_back({name, "none", "", "", ""});
+    for (const AcceptedRun& accepted : logs) {
+      table.rows.push_back({std::exchange(name, ""), accepted.log, plainText(accepted.accepted_by),
+                            plainText(accepted.accepted_at), plainText(accepted.reason)});
+    }
+  }
+  table.is_number = {false, false, false, false, false};
+  fmt::print("{}", table.text());
+}
+
+void addRunsTo(Json& root, const SuiteSession& session) {
+  for (const SuiteRun* run : session.runs()) {
+    Json entry = {{"name", run->name}, {"align", nameOf(run->spec.align)}, {"tags", run->tags}};
+    entry["accepted"] = Json::array();
+    for (const AcceptedRun& accepted : session.manifest().runsOf(run->name)) {
+      entry["accepted"].push_back({{"log", accepted.log},
+                                   {"session", accepted.session},
+                                   {"accepted_by", accepted.accepted_by},
+                                   {"accepted_at", accepted.accepted_at},
+                                   {"reason", accepted.reason}});
+    }
+    root["runs"].push_back(std::move(entry));
+  }
+}
+
 void printJson(const SuiteSession& session, const std::vector<std::string>& faults) {
   Json root = {{"format", 1}, {"suite", session.suite().file.string()}};
   root["frames"] = Json::array();
@@ -64,6 +97,7 @@ void printJson(const SuiteSession& session, const std::vector<std::string>& faul
     }
     root["frames"].push_back(std::move(entry));
   }
+  addRunsTo(root, session);
   root["faults"] = faults;
   std::cout << jsonText(root);
 }
@@ -85,20 +119,30 @@ Result<cli::Exit> runListCommand(const ListArguments& arguments) {
   const auto session = SuiteSession::open(arguments.suite.suite, *options);
   if (!session.ok()) return session.error();
   const std::vector<std::string> faults =
-      folderFaults(session->manifest(), session->folder(), session->allFrames(), arguments.verify);
+      folderFaults(session->manifest(), session->folder(), session->allFrames(), arguments.verify,
+                   session->suite().runs);
   std::size_t without = 0;
   for (const SuiteFrame& frame : session->frames()) {
     without += picturesOf(*session, frame.name).empty() ? 1 : 0;
   }
+  std::size_t runs_without = 0;
+  for (const SuiteRun* run : session->runs()) {
+    runs_without += session->manifest().runsOf(run->name).empty() ? 1 : 0;
+  }
   if (arguments.json) {
     printJson(*session, faults);
   } else {
-    printTable(*session);
+    if (!session->frames().empty()) printTable(*session);
+    printRuns(*session);
     for (const std::string& fault : faults) fmt::print("{}\n", fault);
+    if (!session->runs().empty()) {
+      fmt::print("{}, {} without an accepted log\n", cli::counted(session->runs().size(), "run"),
+                 runs_without);
+    }
     fmt::print("{}, {} without a golden, {} faults\n",
                cli::counted(session->frames().size(), "frame"), without, faults.size());
   }
-  return faults.empty() && without == 0 ? cli::Exit::done : cli::Exit::no;
+  return faults.empty() && without + runs_without == 0 ? cli::Exit::done : cli::Exit::no;
 }
 
 }  // namespace rocinante

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <fstream>
 #include <iostream>
 
@@ -71,6 +72,16 @@ Status writeReportFiles(const SuiteReport& report, const ReportFiles& files) {
 
 void printReportSummary(const SuiteReport& report) {
   for (const std::string& note : report.notes) fmt::print("note: {}\n", plainText(note));
+  if (!report.runs.empty()) {
+    const auto count = [&](FrameVerdict verdict) {
+      return std::ranges::count(report.runs, verdict, &JudgedRun::verdict);
+    };
+    fmt::print("{}: {} same, {} different, {} missing, {} incomparable\n",
+               countText(report.runs.size(), "run"), count(FrameVerdict::same),
+               count(FrameVerdict::different), count(FrameVerdict::missing),
+               count(FrameVerdict::incomparable));
+    if (report.frames.empty()) return;
+  }
   fmt::print("{}: {} same, {} different, {} missing, {} unstable, {} incomparable",
              countText(report.frames.size(), "frame"), report.count(FrameVerdict::same),
              report.count(FrameVerdict::different), report.count(FrameVerdict::missing),

@@ -11,7 +11,10 @@
 #include "golden/command/report_output.h"
 #include "golden/judge/housekeeping.h"
 #include "golden/judge/suite_jobs.h"
+#include "golden/judge/suite_runs.h"
 #include "golden/report/report.h"
+#include "golden/report/report_runs.h"
+#include "golden/why/explain_runs.h"
 #include "golden/why/frame_explainer.h"
 #include "golden/why/frame_why.h"
 
@@ -27,8 +30,8 @@ std::vector<std::string> notesOf(const SuiteSession& session, const FrameSelecti
   std::vector<std::string> notes = suiteNotes(judged);
   // A partial run cannot judge the rest of the folder.
   if (!selection.isWhole()) return notes;
-  for (std::string& fault :
-       folderFaults(session.manifest(), session.folder(), session.allFrames(), false)) {
+  for (std::string& fault : folderFaults(session.manifest(), session.folder(), session.allFrames(),
+                                         false, session.suite().runs)) {
     notes.push_back(std::move(fault));
   }
   return notes;
@@ -125,6 +128,13 @@ Result<cli::Exit> runSuiteCommand(const RunArguments& arguments) {
   auto judged = judgeFrames(*session, arguments.jobs, quiet);
   if (!judged.ok()) return judged.error();
   report.frames = std::move(*judged);
+  auto runs = judgeRuns(*session, {cli::stopRequested, steadyMs, TrackCache::ofUser()});
+  if (!runs.ok()) return runs.error();
+  report.runs = std::move(*runs);
+  explainRuns(*session, *options, report.runs);
+  if (!quiet) {
+    for (const JudgedRun& run : report.runs) fmt::print("{}", runText(run));
+  }
   report.notes = notesOf(*session, options->selection, report.frames);
   report.renderer = rendererOfRun(report.frames);
   FrameExplainer explainer(*session, arguments.suite.suite, *options);

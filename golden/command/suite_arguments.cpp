@@ -18,7 +18,11 @@ namespace rocinante {
 void addSuiteOptions(CLI::App& app, SuiteArguments& arguments) {
   app.add_option("SUITE", arguments.suite, "the suite's TOML file")->required();
   app.add_option("--cell", arguments.cell, "use this cell instead of the suite's");
-  app.add_option("--log", arguments.log, "use this log instead of the suite's");
+  app.add_option("--log", arguments.logs,
+                 "use this log instead of the suite's; RUN=FILE: the log under test of a [[run]]; "
+                 "repeatable")
+      ->option_text("[RUN=]FILE")
+      ->allow_extra_args(false);
   app.add_option("--only", arguments.only,
                  "only frames and cases that match this pattern; repeatable")
       ->allow_extra_args(false);
@@ -37,7 +41,7 @@ void addIncompleteOption(CLI::App& app, SuiteArguments& arguments) {
 Result<SuiteOptions> suiteOptions(const SuiteArguments& arguments) {
   SuiteOptions options;
   if (!arguments.cell.empty()) options.cell = arguments.cell;
-  if (!arguments.log.empty()) options.log = arguments.log;
+  options.logs = arguments.logs;
   options.selection.only = arguments.only;
   options.selection.tags = arguments.tags;
   options.selection.not_tags = arguments.not_tags;
@@ -61,7 +65,7 @@ std::string commandText(const char* verb, const SuiteArguments& arguments) {
     if (!value.empty()) text += fmt::format(" {} {}", option, shellWord(value));
   };
   add("--cell", arguments.cell);
-  add("--log", arguments.log);
+  for (const std::string& log : arguments.logs) add("--log", log);
   if (arguments.incomplete) text += " --incomplete";
   for (const std::string& glob : arguments.only) add("--only", glob);
   for (const std::string& tag : arguments.tags) add("--tag", tag);

@@ -13,7 +13,9 @@ namespace rocinante {
 /// Arguments of the subcommands that draw a suite's frames.
 struct SuiteArguments : ModelSearch {
   std::filesystem::path suite;
-  std::string cell, log, shard;
+  std::string cell, shard;
+  /// Of a run as NAME=FILE, or the suite's.
+  std::vector<std::string> logs;
   std::vector<std::string> only, tags, not_tags;
   bool incomplete = false;
   MakeDrawer drawers{};  ///< for tests; empty: the cell's and log's own

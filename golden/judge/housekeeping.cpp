@@ -75,9 +75,28 @@ void addStrayFiles(const std::filesystem::path& folder, const std::set<std::stri
       faults.push_back(
           fmt::format("{} was left by an interrupted approve; the next approve removes it",
                       plainText(entry.path().string())));
-    } else if (name.ends_with(".png") && !known.contains(name)) {
+    } else if ((name.ends_with(".png") || name.ends_with(".mcap")) && !known.contains(name)) {
       faults.push_back(
           fmt::format("file {} is not a golden of the manifest", plainText(entry.path().string())));
+    }
+  }
+}
+
+void addRunFaults(const Manifest& manifest, const GoldenFolder& folder,
+                  std::span<const SuiteRun> runs, bool verify, std::vector<std::string>& faults) {
+  std::error_code ignored;
+  for (const auto& [name, logs] : manifest.runs) {
+    const bool is_run = std::ranges::find(runs, name, &SuiteRun::name) != runs.end();
+    for (const AcceptedRun& accepted : logs) {
+      const std::string file = folder.fileOf(accepted).string();
+      if (!is_run) {
+        faults.push_back(fmt::format("accepted log {} is stale: the suite has no run {}", file,
+                                     plainText(name)));
+      } else if (!std::filesystem::exists(file, ignored)) {
+        faults.push_back(fmt::format("accepted log {} is missing", file));
+      } else if (verify) {
+        if (Status read = folder.verify(accepted); !read) faults.push_back(read.error().text());
+      }
     }
   }
 }
@@ -85,7 +104,8 @@ void addStrayFiles(const std::filesystem::path& folder, const std::set<std::stri
 }  // namespace
 
 std::vector<std::string> folderFaults(const Manifest& manifest, const GoldenFolder& folder,
-                                      std::span<const SuiteFrame> frames, bool verify) {
+                                      std::span<const SuiteFrame> frames, bool verify,
+                                      std::span<const SuiteRun> runs) {
   std::set<std::string> names;
   for (const SuiteFrame& frame : frames) names.insert(frame.name);
   std::vector<std::string> faults;
@@ -102,7 +122,10 @@ std::vector<std::string> folderFaults(const Manifest& manifest, const GoldenFold
       }
     }
   }
-  addStrayFiles(folder.goldens(), manifest.files(), faults);
+  addRunFaults(manifest, folder, runs, verify, faults);
+  std::set<std::string> known = manifest.files();
+  known.merge(manifest.runFiles());
+  addStrayFiles(folder.goldens(), known, faults);
   std::ranges::sort(faults);
   return faults;
 }

@@ -28,7 +28,33 @@ void keepWhatReportsNeed(JudgedFrame& judged) {
   judged.unmasked.reset();
 }
 
+/// Sorts `--log` arguments: NAME=FILE where NAME is a run of the suite, otherwise the suite's log.
+Status readLogArguments(const std::vector<std::string>& arguments, Suite& suite,
+                        std::map<std::string, std::filesystem::path, std::less<>>& run_logs) {
+  for (const std::string& argument : arguments) {
+    const std::size_t equals = argument.find('=');
+    const std::string name = argument.substr(0, equals);
+    if (equals != std::string::npos &&
+        std::ranges::find(suite.runs, name, &SuiteRun::name) != suite.runs.end()) {
+      run_logs[name] = argument.substr(equals + 1);
+      continue;
+    }
+    std::error_code ignored;
+    if (equals != std::string::npos && !std::filesystem::exists(argument, ignored)) {
+      return Error{ErrorKind::bad_argument, fmt::format("the suite has no run `{}`", name),
+                   "--log " + argument};
+    }
+    suite.log = argument;
+  }
+  return {};
+}
+
 }  // namespace
+
+std::optional<std::filesystem::path> SuiteSession::logOf(const SuiteRun& run) const {
+  if (const auto own = run_logs_.find(run.name); own != run_logs_.end()) return own->second;
+  return log_;
+}
 
 Result<SuiteSession> SuiteSession::open(const std::filesystem::path& suite_file,
                                         const SuiteOptions& options) {
@@ -38,7 +64,9 @@ Result<SuiteSession> SuiteSession::open(const std::filesystem::path& suite_file,
   made.suite_ = std::make_unique<Suite>(std::move(*suite));
   Suite& the_suite = *made.suite_;
   if (options.cell) the_suite.cell = *options.cell;
-  if (options.log) the_suite.log = *options.log;
+  if (Status given = readLogArguments(options.logs, the_suite, made.run_logs_); !given) {
+    return given.error();
+  }
   // What another program recorded becomes a log first; the suite keeps the name that it gives.
   OpenedRecording recording;
   ModelSearch search = options;
@@ -56,6 +84,8 @@ Result<SuiteSession> SuiteSession::open(const std::filesystem::path& suite_file,
     // The meshes of its own robot were looked for when it was imported.
     if (is_alone && recording.imported) search = {};
   }
+  // Only pictures need meshes.
+  const bool draws = !the_suite.cases.empty();
   auto manifest = Manifest::read(the_suite.goldens);
   if (!manifest.ok()) return manifest.error();
   made.manifest_ = std::move(*manifest);
@@ -65,6 +95,7 @@ Result<SuiteSession> SuiteSession::open(const std::filesystem::path& suite_file,
   CellOptions cell_options;
   static_cast<ModelSearch&>(cell_options) = search;
   cell_options.parallel = options.parallel;
+  cell_options.geometry = draws;
   auto cell = loadCellOrLog(the_suite.cell, cell_options);
   if (!cell.ok()) return cell.error();
   if (recording.folder) {
@@ -74,10 +105,10 @@ Result<SuiteSession> SuiteSession::open(const std::filesystem::path& suite_file,
         cell->keeps_files, recording.folder);
   }
   made.cell_ = std::move(*cell);
-  if (!options.incomplete) made.incomplete_ = incompleteText(made.cell_);
+  if (draws && !options.incomplete) made.incomplete_ = incompleteText(made.cell_);
 
   std::optional<Timeline> session;
-  if (the_suite.log) {
+  if (the_suite.log && draws) {
     auto reader = LogReader::open(recording.log);
     if (!reader.ok()) return reader.error();
     auto hashes = sessionHashes(*reader);
@@ -89,12 +120,12 @@ Result<SuiteSession> SuiteSession::open(const std::filesystem::path& suite_file,
   auto frames = planFrames(the_suite, session ? &*session : nullptr);
   if (!frames.ok()) return frames.error();
   made.all_frames_ = *frames;
+  made.runs_ = selectRuns(the_suite, *frames, options.selection);
   auto selected = selectFrames(std::move(*frames), options.selection, the_suite);
-  if (!selected.ok()) return selected.error();
-  made.frames_ = std::move(*selected);
-  std::optional<std::filesystem::path> log;
-  if (the_suite.log) log = recording.log;
-  made.make_drawer_ = options.drawers ? options.drawers : sceneDrawers(made.cell_, log);
+  if (!selected.ok() && made.runs_.empty()) return selected.error();
+  if (selected.ok()) made.frames_ = std::move(*selected);
+  if (the_suite.log) made.log_ = recording.log;
+  made.make_drawer_ = options.drawers ? options.drawers : sceneDrawers(made.cell_, made.log_);
   return made;
 }
 

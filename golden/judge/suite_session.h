@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -21,6 +22,8 @@ namespace rocinante {
 struct SuiteOptions : ModelSearch {
   std::optional<std::filesystem::path> cell;  ///< replaces the suite's
   std::optional<std::filesystem::path> log;
+  /// `--log` as given: NAME=FILE of a run, or a file, which replaces the suite's.
+  std::vector<std::string> logs{};
   FrameSelection selection;
   bool incomplete = false;         ///< judge although a mesh is missing
   ParallelFor parallel;            ///< for loading the cell; may be empty
@@ -48,7 +51,11 @@ class SuiteSession {
   const std::string& decodedHash() const { return session_hashes_.decoded; }
   /// The log's origin; empty without a log.
   std::optional<LogTime> origin() const { return origin_; }
-  /// The selected frames in suite order, never empty.
+  /// The selected runs in suite order.
+  const std::vector<const SuiteRun*>& runs() const { return runs_; }
+  /// The log under test of a run: its own of --log, else the suite's.
+  std::optional<std::filesystem::path> logOf(const SuiteRun& run) const;
+  /// The selected frames in suite order; empty only when runs are selected.
   const std::vector<SuiteFrame>& frames() const { return frames_; }
   const std::vector<SuiteFrame>& allFrames() const { return all_frames_; }
 
@@ -84,6 +91,9 @@ class SuiteSession {
   MakeDrawer make_drawer_;
   std::unique_ptr<FrameDrawer> drawer_;
   std::vector<SuiteFrame> frames_, all_frames_;
+  std::vector<const SuiteRun*> runs_;
+  std::map<std::string, std::filesystem::path, std::less<>> run_logs_;
+  std::optional<std::filesystem::path> log_;  ///< the suite's, as a log
 };
 
 }  // namespace rocinante

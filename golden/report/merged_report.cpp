@@ -60,6 +60,7 @@ Result<SuiteReport> mergeReports(std::vector<SuiteReport> parts) {
   const bool is_one_suite = parts.front().suite == parts.back().suite;
   SuiteReport merged = parts.front();
   merged.frames.clear();
+  merged.runs.clear();
   merged.notes.clear();
   merged.shard = merged.shards = 1;
   for (std::string* command : {&merged.run_command, &merged.approve_command}) {
@@ -76,6 +77,7 @@ Result<SuiteReport> mergeReports(std::vector<SuiteReport> parts) {
     const std::string suite = part->suite;
     if (suite != parts.front().suite) merged.suite += ", " + suite;
     const std::size_t first = merged.frames.size();
+    const std::size_t first_run = merged.runs.size();
     // A shard's notes on masks and limits hold only for its own frames.
     const bool is_whole = part->shards == 1;
     for (; part != parts.end() && part->suite == suite; ++part) {
@@ -96,7 +98,16 @@ Result<SuiteReport> mergeReports(std::vector<SuiteReport> parts) {
         }
         merged.frames.push_back(std::move(judged));
       }
+      for (JudgedRun& run : part->runs) {
+        if (!names.insert("run " + run.name).second) {
+          return Error{ErrorKind::refused, fmt::format("two reports have a run {}", run.name),
+                       suite};
+        }
+        merged.runs.push_back(std::move(run));
+      }
     }
+    std::ranges::stable_sort(merged.runs.begin() + static_cast<std::ptrdiff_t>(first_run),
+                             merged.runs.end(), {}, &JudgedRun::place);
     std::ranges::stable_sort(merged.frames.begin() + static_cast<std::ptrdiff_t>(first),
                              merged.frames.end(), {},
                              [](const JudgedFrame& judged) { return judged.frame.place; });

@@ -7,6 +7,7 @@
 #include "core/base/atomic_file.h"
 #include "core/report/json_text.h"
 #include "core/report/junit.h"
+#include "golden/report/report_runs.h"
 #include "golden/why/frame_why.h"
 
 namespace rocinante {
@@ -126,10 +127,17 @@ std::size_t SuiteReport::count(FrameVerdict verdict) const {
 }
 
 Verdict SuiteReport::verdict() const {
-  const std::size_t fine = static_cast<std::size_t>(std::ranges::count_if(
-      frames, [](const JudgedFrame& frame) { return isFine(frame.verdict); }));
-  if (!frames.empty() && fine == frames.size()) return Verdict::same;
-  const bool no = frames.size() > fine + count(FrameVerdict::incomparable);
+  std::size_t fine = 0;
+  std::size_t incomparable = 0;
+  const auto add = [&](FrameVerdict verdict) {
+    fine += isFine(verdict) ? 1 : 0;
+    incomparable += verdict == FrameVerdict::incomparable ? 1 : 0;
+  };
+  for (const JudgedFrame& frame : frames) add(frame.verdict);
+  for (const JudgedRun& run : runs) add(run.verdict);
+  const std::size_t all = frames.size() + runs.size();
+  if (all > 0 && fine == all) return Verdict::same;
+  const bool no = all > fine + incomparable;
   return no ? Verdict::different : Verdict::incomparable;
 }
 
@@ -167,6 +175,7 @@ std::string reportJson(const SuiteReport& report) {
   root["notes"] = report.notes;
   root["frames"] = Json::array();
   for (const JudgedFrame& judged : report.frames) root["frames"].push_back(frameJson(judged));
+  if (!report.runs.empty()) root["runs"] = runsJson(report.runs);
   return jsonText(root);
 }
 
@@ -174,6 +183,7 @@ std::string reportJunit(const SuiteReport& report) {
   JunitSuite suite;
   suite.name = report.suite;
   for (const JudgedFrame& judged : report.frames) suite.cases.push_back(junitCase(report, judged));
+  for (const JudgedRun& run : report.runs) suite.cases.push_back(junitRun(report.suite, run));
   return junitXml(suite);
 }
 

@@ -7,6 +7,7 @@
 
 #include "core/base/result.h"
 #include "golden/judge/judged_frame.h"
+#include "golden/judge/judged_run.h"
 
 namespace rocinante {
 
@@ -35,10 +36,11 @@ struct SuiteReport {
   std::vector<std::string>
       notes;  ///< about the suite itself: idle masks, loose limits, stale goldens
   std::vector<JudgedFrame> frames;
+  std::vector<JudgedRun> runs{};
 
   std::size_t count(FrameVerdict verdict) const;
-  /// same when every frame is fine; incomparable when the worst frame is, or when there are no
-  /// frames; otherwise different.
+  /// same when every frame and run is fine; incomparable when the worst one is, or when there are
+  /// none; otherwise different.
   Verdict verdict() const;
 };
 

@@ -13,6 +13,7 @@
 #include "core/base/version.h"
 #include "core/check/reports/report_formats.h"
 #include "core/report/json_text.h"
+#include "golden/report/report_runs.h"
 #include "golden/why/frame_why.h"
 
 namespace rocinante {
@@ -60,6 +61,51 @@ std::string markdownCode(std::string_view text) {
   return fmt::format("{}{}{}{}{}", fence, space, plain, space, fence);
 }
 
+/// The same of a run.
+std::string failureText(const JudgedRun& run) {
+  std::string text = plainText(run.name + ": " + run.rule);
+  if (run.judgement.findings.size() < 2 && run.changes.empty()) return text;
+  for (const std::string& line : runReasons(run, 20)) text += "\n" + line;
+  return text;
+}
+
+std::string runRuleOf(FrameVerdict verdict) { return "golden.run-" + std::string(nameOf(verdict)); }
+
+constexpr std::array kRunFailures = {
+    std::pair{FrameVerdict::different, "The session differs from the accepted ones."},
+    std::pair{FrameVerdict::missing, "No session was accepted for the run yet."},
+    std::pair{FrameVerdict::incomparable, "The session could not be judged."}};
+
+Json runResult(const SuiteReport& report, const JudgedRun& run) {
+  Json result;
+  result["ruleId"] = runRuleOf(run.verdict);
+  for (std::size_t i = 0; i < kRunFailures.size(); ++i) {
+    if (kRunFailures[i].first == run.verdict) result["ruleIndex"] = kFailures.size() + i;
+  }
+  result["level"] = "error";
+  result["message"]["text"] = failureText(run);
+  Json location;
+  location["physicalLocation"]["artifactLocation"]["uri"] = uriOf(report.suite);
+  location["physicalLocation"]["region"]["startLine"] = std::max(run.line, 1);
+  location["logicalLocations"] = {{{"name", run.name}}};
+  result["locations"] = Json::array({location});
+  result["partialFingerprints"]["rocinanteRun/v1"] =
+      hexOf(xxh3(bytesOf(report.suite + "\n" + run.name)));
+  return result;
+}
+
+void addRunsMarkdown(const SuiteReport& report, std::string& text) {
+  for (const JudgedRun& run : report.runs) {
+    if (isFine(run.verdict)) continue;
+    text += fmt::format("**Run {}: {}**\n\n", markdownText(run.name), nameOf(run.verdict));
+    if (run.judgement.findings.empty()) text += fmt::format("- {}\n", markdownText(run.rule));
+    for (const std::string& line : runReasons(run, 20)) {
+      text += fmt::format("- {}\n", markdownText(line));
+    }
+    text += "\n";
+  }
+}
+
 Json frameResult(const SuiteReport& report, const JudgedFrame& judged) {
   Json result;
   result["ruleId"] = ruleOf(judged.verdict);
@@ -99,14 +145,28 @@ std::string reportSarif(const SuiteReport& report) {
     rule["defaultConfiguration"]["level"] = "error";
     driver["rules"].push_back(std::move(rule));
   }
+  if (!report.runs.empty()) {
+    for (const auto& [verdict, meaning] : kRunFailures) {
+      Json rule;
+      rule["id"] = runRuleOf(verdict);
+      rule["shortDescription"]["text"] = meaning;
+      rule["defaultConfiguration"]["level"] = "error";
+      driver["rules"].push_back(std::move(rule));
+    }
+  }
   Json invocation;
   invocation["executionSuccessful"] =
-      !report.frames.empty() && report.count(FrameVerdict::incomparable) == 0;
+      report.frames.size() + report.runs.size() > 0 &&
+      report.count(FrameVerdict::incomparable) == 0 &&
+      std::ranges::count(report.runs, FrameVerdict::incomparable, &JudgedRun::verdict) == 0;
   run["invocations"] = Json::array({invocation});
   run["columnKind"] = "unicodeCodePoints";
   run["results"] = Json::array();
   for (const JudgedFrame& judged : report.frames) {
     if (!isFine(judged.verdict)) run["results"].push_back(frameResult(report, judged));
+  }
+  for (const JudgedRun& judged : report.runs) {
+    if (!isFine(judged.verdict)) run["results"].push_back(runResult(report, judged));
   }
   Json json;
   json["$schema"] = "https://json.schemastore.org/sarif-2.1.0.json";
@@ -122,14 +182,29 @@ std::string reportGithub(const SuiteReport& report) {
     const std::string title = ruleOf(judged.verdict), what = failureText(judged);
     text += githubCommand({"error", report.suite, judged.frame.line, 0, title, what});
   }
+  for (const JudgedRun& run : report.runs) {
+    if (isFine(run.verdict)) continue;
+    const std::string title = runRuleOf(run.verdict), what = failureText(run);
+    text += githubCommand({"error", report.suite, run.line, 0, title, what});
+  }
   return text;
 }
 
 std::string reportMarkdown(const SuiteReport& report, const std::string& page) {
   const std::size_t fine =
       static_cast<std::size_t>(std::ranges::count_if(report.frames, isFine, &JudgedFrame::verdict));
-  std::string text = fmt::format("## {}: {} of {} as accepted\n\n", markdownText(report.suite),
-                                 fine, countText(report.frames.size(), "frame"));
+  const std::size_t fine_runs =
+      static_cast<std::size_t>(std::ranges::count_if(report.runs, isFine, &JudgedRun::verdict));
+  std::string text = fmt::format("## {}: ", markdownText(report.suite));
+  if (!report.frames.empty() || report.runs.empty()) {
+    text += fmt::format("{} of {} as accepted", fine, countText(report.frames.size(), "frame"));
+    if (!report.runs.empty()) text += ", ";
+  }
+  if (!report.runs.empty()) {
+    text += fmt::format("{} of {} as accepted", fine_runs, countText(report.runs.size(), "run"));
+  }
+  text += "\n\n";
+  addRunsMarkdown(report, text);
   if (fine < report.frames.size()) {
     text += "| frame | verdict | rule |\n|---|---|---|\n";
     for (const JudgedFrame& judged : report.frames) {
@@ -146,11 +221,18 @@ std::string reportMarkdown(const SuiteReport& report, const std::string& page) {
       }
       text += "\n";
     }
+  }
+  if (fine < report.frames.size() || fine_runs < report.runs.size()) {
     text += fmt::format("Repeat: {}\n\n", markdownCode(report.run_command));
+  }
+  if (fine < report.frames.size()) {
     text += fmt::format("Accept all: {}\n\n", markdownCode(report.approve_command));
   }
   for (const std::string& note : report.notes) text += fmt::format("- {}\n", markdownText(note));
   if (!report.notes.empty()) text += "\n";
+  if (report.frames.empty() && !report.runs.empty()) {
+    return text + (page.empty() ? "" : fmt::format("Curves in {}.\n\n", markdownCode(page)));
+  }
   text += fmt::format("Drawn by {}", markdownCode(report.renderer));
   return text + (page.empty() ? ".\n\n" : fmt::format("; pictures in {}.\n\n", markdownCode(page)));
 }

@@ -13,6 +13,7 @@
 #include "core/base/shell_word.h"
 #include "golden/report/page_pictures.h"
 #include "golden/report/report_page.h"
+#include "golden/report/report_runs.h"
 #include "golden/why/frame_why.h"
 
 namespace rocinante {
@@ -189,6 +190,10 @@ std::string plainHtml(const SuiteReport& report) {
     html += fmt::format("<li>{}: <b>{}</b>, {}</li>\n", xmlText(judged.frame.name),
                         nameOf(judged.verdict), xmlText(judged.rule));
   }
+  for (const JudgedRun& run : report.runs) {
+    html += fmt::format("<li>run {}: <b>{}</b>, {}</li>\n", xmlText(run.name), nameOf(run.verdict),
+                        xmlText(run.rule));
+  }
   return html + "</ul>\n";
 }
 
@@ -239,7 +244,8 @@ std::string reportHtml(const SuiteReport& report) {
       {"show_first", shownFirst(report)},
       {"approve_from",
        report.approve_from_command.empty() ? Json(nullptr) : Json(report.approve_from_command)},
-      {"frames", frames}};
+      {"frames", frames},
+      {"runs", runsJson(report.runs)}};
   const std::string title = fmt::format("{}: {}", nameOf(report.verdict()), xmlText(report.suite));
   const std::string plain = plainHtml(report);
   const std::string data = scriptJson(root);

@@ -6,6 +6,7 @@
 
 #include "core/base/atomic_file.h"
 #include "golden/report/page_pictures.h"
+#include "golden/report/report_runs.h"
 #include "golden/suite/suite_case.h"
 #include "golden/suite/suite_plan.h"
 #include "golden/why/frame_why.h"
@@ -261,6 +262,7 @@ Result<SuiteReport> parseReport(std::string_view text, const std::filesystem::pa
     if (!judged.ok()) return judged.error();
     report.frames.push_back(std::move(*judged));
   }
+  if (const auto runs = root.find("runs"); runs != root.end()) report.runs = readRunsJson(*runs);
   return report;
 }
 

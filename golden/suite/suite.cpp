@@ -62,6 +62,27 @@ void readCases(SuiteTable& root, const SuiteCase& defaults, Suite& suite) {
   }
 }
 
+void readRuns(SuiteTable& root, Suite& suite) {
+  const TomlNode* runs = root.node("run");
+  if (runs == nullptr) return;
+  if (runs->kind != TomlNode::Kind::array ||
+      !std::ranges::all_of(
+          runs->items, [](const TomlNode& item) { return item.kind == TomlNode::Kind::table; })) {
+    root.complain(*runs, "runs must be tables: [[run]]");
+    return;
+  }
+  std::set<std::string> names;
+  for (const SuiteCase& made : suite.cases) names.insert(made.name);
+  for (const TomlNode& item : runs->items) {
+    SuiteTable table(item, root.file(), root.fault());
+    SuiteRun& made = suite.runs.emplace_back(readSuiteRun(table));
+    made.line = item.place.line;
+    if (!names.insert(made.name).second) {
+      root.complain(item, fmt::format("two cases or runs are named `{}`", made.name));
+    }
+  }
+}
+
 }  // namespace
 
 std::string PictureArea::text() const { return rectangle ? rectangle->text() : path; }
@@ -76,7 +97,8 @@ Result<Suite> parseSuite(std::string_view text, const std::filesystem::path& pat
 
   std::optional<Error> fault;
   SuiteTable root(*root_node, file, fault);
-  root.onlyKeys({"format", "cell", "log", "goldens", "store", "defaults", "tolerance", "case"});
+  root.onlyKeys(
+      {"format", "cell", "log", "goldens", "store", "defaults", "tolerance", "case", "run"});
   if (root.integer("format").value_or(0) != 1) {
     root.complainHere("a suite must begin with `format = 1`");
   }
@@ -90,7 +112,10 @@ Result<Suite> parseSuite(std::string_view text, const std::filesystem::path& pat
     readDefaults(table, suite, defaults);
   }
   readCases(root, defaults, suite);
-  if (suite.cases.empty()) root.complainHere("a suite needs at least one [[case]]");
+  readRuns(root, suite);
+  if (suite.cases.empty() && suite.runs.empty()) {
+    root.complainHere("a suite needs at least one [[case]] or [[run]]");
+  }
   if (fault) return *fault;
   return suite;
 }

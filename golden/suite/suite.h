@@ -11,6 +11,7 @@
 #include "core/base/time.h"
 #include "golden/compare/compare.h"
 #include "golden/compare/picture_mask.h"
+#include "golden/suite/suite_run.h"
 #include "viewer/view/render_style.h"
 
 namespace rocinante {
@@ -60,8 +61,8 @@ struct SuiteCase {
   int line = 0;  ///< in the suite's file
 };
 
-/// A suite of cases to draw and judge (docs/golden-suites.md). Paths are relative to the suite's
-/// file.
+/// A suite of cases to draw and judge, and of runs to judge as motion (docs/golden-suites.md).
+/// Paths are relative to the suite's file.
 struct Suite {
   std::filesystem::path file;
   std::filesystem::path cell;                ///< empty: the one that the log carries
@@ -71,6 +72,7 @@ struct Suite {
   std::filesystem::path store;
   std::map<std::string, Tolerance, std::less<>> tolerances;  ///< [tolerance.NAME]
   std::vector<SuiteCase> cases;
+  std::vector<SuiteRun> runs;
 };
 
 /// Reads a suite. Returns the first fault, with its line and column.

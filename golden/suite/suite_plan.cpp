@@ -240,6 +240,31 @@ Result<std::vector<SuiteFrame>> selectFrames(std::vector<SuiteFrame> frames,
   return frames;
 }
 
+std::vector<const SuiteRun*> selectRuns(const Suite& suite, const std::vector<SuiteFrame>& frames,
+                                        const FrameSelection& selection) {
+  const auto hasAny = [](const SuiteRun& run, const std::vector<std::string>& tags) {
+    return std::ranges::any_of(tags, [&](const std::string& tag) {
+      return std::ranges::find(run.tags, tag) != run.tags.end();
+    });
+  };
+  std::set<const SuiteCase*> cases;
+  FrameSelection of_all = selection;
+  of_all.shard = of_all.shards = 1;
+  if (const auto selected = selectFrames(frames, of_all, suite); selected.ok()) {
+    for (const SuiteFrame& frame : *selected) cases.insert(frame.suite_case);
+  }
+  std::vector<const SuiteRun*> runs;
+  std::size_t turn = cases.size();
+  for (const SuiteRun& run : suite.runs) {
+    if (!selection.only.empty() && !anyPatternMatches(selection.only, run.name)) continue;
+    if (!selection.tags.empty() && !hasAny(run, selection.tags)) continue;
+    if (hasAny(run, selection.not_tags)) continue;
+    const auto its = static_cast<int>(turn++ % static_cast<std::size_t>(selection.shards));
+    if (its == selection.shard - 1) runs.push_back(&run);
+  }
+  return runs;
+}
+
 std::vector<std::size_t> inLogOrder(const std::vector<SuiteFrame>& frames) {
   std::vector<std::size_t> order(frames.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

@@ -35,6 +35,11 @@ Result<std::vector<SuiteFrame>> planFrames(const Suite& suite, Timeline* session
 Result<std::vector<SuiteFrame>> selectFrames(std::vector<SuiteFrame> frames,
                                              const FrameSelection& selection, const Suite& suite);
 
+/// The selected runs of the suite, by the same patterns and tags; for shards they follow the cases
+/// of `frames`, all of the suite. May be empty.
+std::vector<const SuiteRun*> selectRuns(const Suite& suite, const std::vector<SuiteFrame>& frames,
+                                        const FrameSelection& selection);
+
 /// Indices of `frames` sorted by time, stable, so that a session is read once.
 std::vector<std::size_t> inLogOrder(const std::vector<SuiteFrame>& frames);
 

@@ -37,11 +37,12 @@ FrameExplainer::FrameExplainer(SuiteSession& session, std::filesystem::path suit
 
 void FrameExplainer::findCandidates() {
   looked_ = true;
-  if (options_.cell || options_.log) {
+  if (options_.cell || options_.log || !options_.logs.empty()) {
     Candidate own;
     own.options = options_;
     own.options.cell.reset();
     own.options.log.reset();
+    own.options.logs.clear();
     candidates_.push_back(std::move(own));
   }
   const auto suite = readSuite(suite_file_);
@@ -53,6 +54,7 @@ void FrameExplainer::findCandidates() {
   Candidate attached;
   attached.options = options_;
   attached.options.log.reset();
+  attached.options.logs.clear();
   attached.options.cell = *suite->log;
   // An attached cell is complete: search roots do not apply.
   static_cast<ModelSearch&>(attached.options) = {};

@@ -18,6 +18,14 @@
     find("notes").lastChild.append(...report.notes.map((note) => make("li", { textContent: note })));
   }
 
+  new RunView(report.runs);
+  if (frames.length === 0) {
+    document.querySelector(".columns").hidden = true;
+    find("approval").hidden = true;
+    document.body.classList.add("only-runs");
+    return;
+  }
+
   const stage = new Stage(store, (text, row) => {
     find("readout").textContent = row ? `${text}  ${why.nameOf(row)}` : text;
     why.mark(row || why.pinned);

@@ -151,7 +151,7 @@ TEST(ParseSuite, EveryFaultNamesItsPlace) {
   const std::string named = head + "[[case]]\nname = \"a\"\n";
   EXPECT_EQ(faultOf("format = 2\ncell = \"c\"\n[[case]]\nname = \"a\"\n"),
             "a suite must begin with `format = 1` (s.toml:1:1)");
-  EXPECT_EQ(faultOf(head), "a suite needs at least one [[case]] (s.toml:1:1)");
+  EXPECT_EQ(faultOf(head), "a suite needs at least one [[case]] or [[run]] (s.toml:1:1)");
   EXPECT_EQ(faultOf(named + "colour = 1\n"), "unknown key `colour` (s.toml:5:10)");
   EXPECT_EQ(faultOf(named + "samples = 3\n"), "`samples` must be 1, 2, 4 or 8 (s.toml:5:11)");
   EXPECT_EQ(faultOf(named + "size = [0, 5]\n"),

@@ -1,4 +1,4 @@
-#include "golden/session/event_alignment.h"
+#include "golden/run/event_alignment.h"
 
 #include <algorithm>
 #include <cstdint>

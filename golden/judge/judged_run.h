@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "golden/judge/judged_frame.h"
+#include "golden/run/run_judgement.h"
+
+namespace rocinante {
+
+/// A judged run of a suite with all data for reports.
+struct JudgedRun {
+  std::string name;
+  std::vector<std::string> tags;
+  std::size_t place = 0;  ///< among all runs of the suite
+  int line = 0;           ///< in the suite's file
+  /// same, different, missing (no log was accepted yet) or incomparable.
+  FrameVerdict verdict = FrameVerdict::incomparable;
+  std::string rule;  ///< the sentence that decided
+  std::string log;   ///< under test
+  std::string align;
+  std::vector<std::string> accepted;  ///< file names, oldest first
+  RunJudgement judgement;
+  std::vector<std::string> changes;  ///< of the model since the first log was accepted
+  double judge_ms = 0;
+};
+
+}  // namespace rocinante

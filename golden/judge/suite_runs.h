@@ -1,0 +1,23 @@
+#pragma once
+
+#include <functional>
+
+#include "core/base/result.h"
+#include "golden/judge/judged_run.h"
+#include "golden/judge/suite_session.h"
+#include "golden/run/track_cache.h"
+
+namespace rocinante {
+
+struct RunOptions {
+  /// Called between logs; true ends the run with an error. May be empty.
+  std::function<bool()> stop;
+  std::function<double()> now_ms;  ///< a steady clock
+  TrackCache cache{};              ///< of accepted logs
+};
+
+/// Judges the selected runs of a session in suite order: each log is read once. Errors only when
+/// stopped: a log that cannot be judged makes its run incomparable.
+Result<std::vector<JudgedRun>> judgeRuns(const SuiteSession& session, const RunOptions& options);
+
+}  // namespace rocinante

@@ -1,0 +1,61 @@
+// Runs: sessions compared as motion. Findings as a list, joints as curves: the accepted band and the
+// session under test.
+class RunView {
+  constructor(runs) {
+    find("runs").hidden = runs.length === 0;
+    find("runs").append(...runs.map((run) => this.section(run)));
+  }
+
+  section(run) {
+    const head = make("h3", {}, make("span", { className: "verdict " + run.verdict, textContent: run.verdict }),
+      " run " + run.name);
+    const section = make("section", { className: "run" }, head, make("p", { textContent: run.rule }));
+    if (run.findings.length > 0) {
+      section.append(make("ul", {}, ...run.findings.map((finding) => this.finding(finding))));
+    }
+    if (run.changes.length > 0) {
+      section.append(make("h4", { textContent: "Changed in the model since" }),
+        make("ul", {}, ...run.changes.map((change) => make("li", { textContent: change }))));
+    }
+    const about = [`log ${run.log}`, `accepted ${run.accepted.join(", ")}`, `aligned by ${run.align}`, ...run.notes];
+    section.append(make("p", { className: "soft", textContent: about.join("; ") }));
+    return section;
+  }
+
+  finding(finding) {
+    const item = make("li", {}, finding.what);
+    if (finding.curve) item.append(this.curve(finding));
+    return item;
+  }
+
+  // Gaps where a value is null.
+  curve({ item, unit, curve, first_accepted_ns, until_accepted_ns }) {
+    const width = 640, height = 160, left = 56, bottom = 20;
+    const numbers = [...curve.least, ...curve.most, ...curve.value].filter((number) => number !== null);
+    const low = Math.min(...numbers), high = Math.max(...numbers);
+    const begin = curve.seconds[0], end = curve.seconds[curve.seconds.length - 1];
+    const x = (seconds) => left + (seconds - begin) / (end - begin || 1) * (width - left - 4);
+    const y = (number) => 6 + (high - number) / (high - low || 1) * (height - bottom - 6);
+    const place = (index, number) => `${x(curve.seconds[index]).toFixed(1)},${y(number).toFixed(1)}`;
+    const line = (values, order) => order.filter((index) => values[index] !== null)
+      .map((index) => place(index, values[index])).join(" ");
+    const forth = curve.seconds.map((_, index) => index), back = [...forth].reverse();
+    const svg = (tag, properties, ...children) => {
+      const element = document.createElementNS(find("svg").namespaceURI, tag);
+      for (const [name, value] of Object.entries(properties)) element.setAttribute(name, value);
+      element.append(...children);
+      return element;
+    };
+    const label = (text, at_x, at_y, anchor) => svg("text", { x: at_x, y: at_y, "text-anchor": anchor }, text);
+    const from = x(Math.max(begin, first_accepted_ns / 1e9)), until = x(Math.min(end, until_accepted_ns / 1e9));
+    return svg("svg", { class: "curve", viewBox: `0 0 ${width} ${height}`, role: "img",
+      "aria-label": `${item}: the accepted band and this session over time` },
+      svg("rect", { class: "beyond", x: from, y: 6, width: Math.max(1, until - from), height: height - bottom - 6 }),
+      svg("polygon", { class: "band", points: `${line(curve.most, forth)} ${line(curve.least, back)}` }),
+      svg("polyline", { class: "value", points: line(curve.value, forth) }),
+      label(`${high.toFixed(2)} ${unit}`, left - 4, 14, "end"),
+      label(`${low.toFixed(2)} ${unit}`, left - 4, height - bottom, "end"),
+      label(`${begin.toFixed(1)} s`, left, height - 5, "start"),
+      label(`${end.toFixed(1)} s`, width - 4, height - 5, "end"));
+  }
+}

@@ -1,0 +1,235 @@
+#include "golden/report/report_runs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/base/count_text.h"
+#include "core/base/plain_text.h"
+#include "golden/suite/suite_case.h"
+
+namespace rocinante {
+namespace {
+
+constexpr std::size_t kMaxReadFindings = 10'000;
+constexpr std::size_t kMaxReadPoints = 2'000;
+
+Json numbersJson(const std::vector<double>& numbers) {
+  Json list = Json::array();
+  for (const double number : numbers) {
+    list.push_back(std::isfinite(number) ? Json(number) : Json(nullptr));
+  }
+  return list;
+}
+
+Json findingJson(const RunFinding& finding) {
+  Json json = {{"kind", nameOf(finding.kind)},
+               {"item", finding.item},
+               {"what", finding.what},
+               {"first_accepted_ns", finding.first_accepted.count()},
+               {"first_run_ns", finding.first_run.count()},
+               {"until_accepted_ns", finding.until_accepted.count()}};
+  if (finding.largest) {
+    json["unit"] = finding.unit;
+    json["largest"] = *finding.largest;
+    json["limit"] = finding.limit;
+    json["largest_accepted_ns"] = finding.at_accepted.count();
+    json["largest_run_ns"] = finding.at_run.count();
+  }
+  if (!finding.curve.seconds.empty()) {
+    json["curve"] = {{"seconds", numbersJson(finding.curve.seconds)},
+                     {"least", numbersJson(finding.curve.least)},
+                     {"most", numbersJson(finding.curve.most)},
+                     {"value", numbersJson(finding.curve.value)}};
+  }
+  return json;
+}
+
+std::string readText(const nlohmann::json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+template <class T>
+T readNumber(const nlohmann::json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_number() ? found->get<T>() : T{};
+}
+
+std::vector<std::string> readTexts(const nlohmann::json& object, const char* key) {
+  std::vector<std::string> texts;
+  const auto found = object.find(key);
+  if (found == object.end() || !found->is_array()) return texts;
+  for (const auto& item : *found) {
+    if (item.is_string()) texts.push_back(item.get<std::string>());
+  }
+  return texts;
+}
+
+std::vector<double> readNumbers(const nlohmann::json& object, const char* key) {
+  std::vector<double> numbers;
+  const auto found = object.find(key);
+  if (found == object.end() || !found->is_array()) return numbers;
+  for (const auto& item : *found) {
+    if (numbers.size() == kMaxReadPoints) break;
+    numbers.push_back(item.is_number() ? item.get<double>()
+                                       : std::numeric_limits<double>::quiet_NaN());
+  }
+  return numbers;
+}
+
+RunFinding readFinding(const nlohmann::json& json) {
+  RunFinding finding;
+  const std::string kind = readText(json, "kind");
+  for (const auto one : {RunFinding::Kind::event, RunFinding::Kind::rate, RunFinding::Kind::joint,
+                         RunFinding::Kind::pose, RunFinding::Kind::fact,
+                         RunFinding::Kind::drawing}) {
+    if (nameOf(one) == kind) finding.kind = one;
+  }
+  finding.item = readText(json, "item");
+  finding.what = readText(json, "what");
+  const auto time = [&](const char* key) { return Nanoseconds(readNumber<std::int64_t>(json, key)); };
+  finding.first_accepted = time("first_accepted_ns");
+  finding.first_run = time("first_run_ns");
+  finding.until_accepted = time("until_accepted_ns");
+  if (json.contains("largest")) {
+    finding.unit = readText(json, "unit");
+    finding.largest = readNumber<double>(json, "largest");
+    finding.limit = readNumber<double>(json, "limit");
+    finding.at_accepted = time("largest_accepted_ns");
+    finding.at_run = time("largest_run_ns");
+  }
+  const auto curve = json.find("curve");
+  if (curve == json.end() || !curve->is_object()) return finding;
+  RunCurve read{readNumbers(*curve, "seconds"), readNumbers(*curve, "least"),
+                readNumbers(*curve, "most"), readNumbers(*curve, "value")};
+  const std::size_t count = read.seconds.size();
+  if (read.least.size() == count && read.most.size() == count && read.value.size() == count) {
+    finding.curve = std::move(read);
+  }
+  return finding;
+}
+
+}  // namespace
+
+std::vector<std::string> runReasons(const JudgedRun& run, std::size_t most) {
+  std::vector<std::string> lines;
+  const auto& findings = run.judgement.findings;
+  for (std::size_t i = 0; i < std::min(most, findings.size()); ++i) {
+    lines.push_back(plainText(findings[i].what));
+  }
+  if (findings.size() > most) lines.push_back(fmt::format("... and {} more", findings.size() - most));
+  for (const std::string& change : run.changes) lines.push_back(plainText(change));
+  return lines;
+}
+
+std::string runText(const JudgedRun& run) {
+  std::string text = fmt::format("{:<13} {}: {}\n", nameOf(run.verdict), run.name,
+                                 plainText(run.rule));
+  const auto& findings = run.judgement.findings;
+  if (findings.size() > 1 || !run.changes.empty()) {
+    text += fmt::format("why {}:\n", run.name);
+    for (const std::string& line : runReasons(run, 30)) text += fmt::format("    {}\n", line);
+  }
+  for (const std::string& note : run.judgement.notes) {
+    text += fmt::format("note: run {}: {}\n", run.name, plainText(note));
+  }
+  return text;
+}
+
+Json runsJson(const std::vector<JudgedRun>& runs) {
+  Json list = Json::array();
+  for (const JudgedRun& run : runs) {
+    const RunJudgement& judged = run.judgement;
+    Json json = {{"name", run.name},
+                 {"verdict", nameOf(run.verdict)},
+                 {"rule", run.rule},
+                 {"log", run.log},
+                 {"accepted", run.accepted},
+                 {"align", run.align},
+                 {"items", judged.items},
+                 {"events", judged.events},
+                 {"samples", judged.samples},
+                 {"step_ns", judged.step.count()},
+                 {"from_ns", judged.from.count()},
+                 {"until_ns", judged.until.count()},
+                 {"judge_ms", run.judge_ms},
+                 {"place", run.place}};
+    if (run.line > 0) json["line"] = run.line;
+    if (!run.tags.empty()) json["tags"] = run.tags;
+    json["findings"] = Json::array();
+    for (const RunFinding& finding : judged.findings) {
+      json["findings"].push_back(findingJson(finding));
+    }
+    json["changes"] = run.changes;
+    json["notes"] = judged.notes;
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
+std::vector<JudgedRun> readRunsJson(const nlohmann::json& list) {
+  std::vector<JudgedRun> runs;
+  if (!list.is_array()) return runs;
+  for (const auto& json : list) {
+    if (!json.is_object()) continue;
+    JudgedRun run;
+    run.name = readText(json, "name");
+    if (!isCaseName(run.name)) continue;
+    const std::string verdict = readText(json, "verdict");
+    for (const FrameVerdict one : {FrameVerdict::same, FrameVerdict::different,
+                                   FrameVerdict::missing, FrameVerdict::incomparable}) {
+      if (nameOf(one) == verdict) run.verdict = one;
+    }
+    run.rule = readText(json, "rule");
+    run.log = readText(json, "log");
+    run.accepted = readTexts(json, "accepted");
+    run.align = readText(json, "align");
+    run.judge_ms = readNumber<double>(json, "judge_ms");
+    run.place = readNumber<std::size_t>(json, "place");
+    run.line = readNumber<int>(json, "line");
+    run.tags = readTexts(json, "tags");
+    run.changes = readTexts(json, "changes");
+    RunJudgement& judged = run.judgement;
+    judged.comparable = run.verdict == FrameVerdict::same || run.verdict == FrameVerdict::different;
+    judged.rule = run.rule;
+    judged.accepted = run.accepted.size();
+    judged.items = readNumber<std::size_t>(json, "items");
+    judged.events = readNumber<std::size_t>(json, "events");
+    judged.samples = readNumber<std::size_t>(json, "samples");
+    judged.step = Nanoseconds(readNumber<std::int64_t>(json, "step_ns"));
+    judged.from = Nanoseconds(readNumber<std::int64_t>(json, "from_ns"));
+    judged.until = Nanoseconds(readNumber<std::int64_t>(json, "until_ns"));
+    judged.notes = readTexts(json, "notes");
+    const auto findings = json.find("findings");
+    if (findings != json.end() && findings->is_array()) {
+      for (const auto& finding : *findings) {
+        if (judged.findings.size() == kMaxReadFindings) break;
+        if (finding.is_object()) judged.findings.push_back(readFinding(finding));
+      }
+    }
+    runs.push_back(std::move(run));
+  }
+  return runs;
+}
+
+JunitCase junitRun(const std::string& suite, const JudgedRun& run) {
+  JunitCase test;
+  test.classname = suite;
+  test.name = run.name;
+  if (run.line > 0) test.file = suite;
+  test.line = run.line;
+  test.seconds = run.judge_ms / 1000;
+  if (!run.log.empty()) test.properties.emplace_back("log", run.log);
+  for (const std::string& log : run.accepted) test.properties.emplace_back("accepted", log);
+  if (isFine(run.verdict)) return test;
+  test.outcome = run.verdict == FrameVerdict::incomparable ? JunitCase::Outcome::error
+                                                           : JunitCase::Outcome::failure;
+  test.message = fmt::format("{}: {}", nameOf(run.verdict), run.rule);
+  for (const std::string& line : runReasons(run)) test.text += line + "\n";
+  return test;
+}
+
+}  // namespace rocinante

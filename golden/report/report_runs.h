@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/report/json_text.h"
+#include "core/report/junit.h"
+#include "golden/judge/judged_run.h"
+
+namespace rocinante {
+
+/// The lines that `run` prints: the verdict, then each finding, what changed, and what was not
+/// judged.
+std::string runText(const JudgedRun& run);
+/// Everything that explains the verdict, a sentence each: findings (at most `most`), then changes.
+std::vector<std::string> runReasons(const JudgedRun& run, std::size_t most = 100);
+
+Json runsJson(const std::vector<JudgedRun>& runs);
+/// Reads what runsJson() writes, from a stranger: skips what is malformed.
+std::vector<JudgedRun> readRunsJson(const nlohmann::json& list);
+
+JunitCase junitRun(const std::string& suite, const JudgedRun& run);
+
+}  // namespace rocinante

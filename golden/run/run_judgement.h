@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/time.h"
+
+namespace rocinante {
+
+/// A value over time beside the accepted band, reduced to a few hundred points.
+struct RunCurve {
+  std::vector<double> seconds;       ///< since the accepted origin
+  std::vector<double> least, most;   ///< the accepted band, widened by the limit
+  std::vector<double> value;         ///< the run's; NaN: it has none
+};
+
+/// Something in which a run leaves what was accepted.
+struct RunFinding {
+  enum class Kind : std::uint8_t { event, rate, joint, pose, fact, drawing };
+  Kind kind = Kind::joint;
+  std::string item;  ///< "arm/elbow", "arm", "arm/hand", "event/picked", "drawing/planner/path"
+  std::string unit;  ///< "°", "mm", "ms", "/s"; empty without a figure
+  std::string what;  ///< one sentence, with both times
+  std::optional<double> largest;  ///< beyond the accepted band
+  double limit = 0;
+  /// Since the origin of each session; `first`: where it begins, `at`: where it is largest.
+  Nanoseconds first_accepted{0}, first_run{0}, at_accepted{0}, at_run{0}, until_accepted{0};
+  RunCurve curve;
+
+  bool operator<(const RunFinding& other) const;
+};
+std::string_view nameOf(RunFinding::Kind kind);
+
+/// The outcome of comparing a session with the accepted ones of a run.
+struct RunJudgement {
+  bool comparable = false;  ///< false: `rule` says why not
+  std::string rule;         ///< one sentence
+  std::vector<RunFinding> findings;  ///< in order of time; empty: the run is as accepted
+  std::vector<std::string> notes;    ///< what was not judged
+  std::size_t accepted = 0, items = 0, samples = 0, events = 0;
+  Nanoseconds step{0};
+  Nanoseconds from{0}, until{0};  ///< the judged range, since the accepted origin
+};
+
+/// "0.52°", "3.1 mm", "50 ms".
+std::string figureText(double figure, std::string_view unit);
+
+}  // namespace rocinante

@@ -1,0 +1,43 @@
+#include "golden/run/run_spec.h"
+
+#include <algorithm>
+
+#include "core/base/pattern.h"
+
+namespace rocinante {
+
+std::string_view nameOf(RunAlign align) {
+  switch (align) {
+    case RunAlign::origin:
+      return "origin";
+    case RunAlign::events:
+      return "events";
+    case RunAlign::warp:
+      return "warp";
+  }
+  return "events";
+}
+
+RunLimits RunSpec::limitsOf(std::string_view item) const {
+  RunLimits found = limits;
+  const auto apply = [&](std::string_view name) {
+    const auto own = own_limits.find(name);
+    if (own == own_limits.end()) return;
+    found.joint_deg = own->second.joint_deg.value_or(found.joint_deg);
+    found.position_mm = own->second.position_mm.value_or(found.position_mm);
+    found.turn_deg = own->second.turn_deg.value_or(found.turn_deg);
+    found.event_ms = own->second.event_ms.value_or(found.event_ms);
+  };
+  apply(item.substr(0, item.find('/')));
+  if (item.find('/') != std::string_view::npos) apply(item);
+  return found;
+}
+
+bool RunSpec::isMasked(std::string_view item, Nanoseconds since_origin) const {
+  return std::ranges::any_of(masks, [&](const RunMask& mask) {
+    if (since_origin < mask.from || since_origin > mask.until) return false;
+    return patternMatches(mask.item, item) || patternMatches(mask.item, item.substr(0, item.find('/')));
+  });
+}
+
+}  // namespace rocinante

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/time.h"
+
+namespace rocinante {
+
+/// How the times of two sessions are matched (docs/golden-suites.md, "Runs").
+enum class RunAlign : std::uint8_t {
+  origin,  ///< from each session's first datagram
+  events,  ///< piecewise between common events
+  warp,    ///< and within a bound between them, by motion
+};
+std::string_view nameOf(RunAlign align);
+
+/// How far a run may leave the band of the accepted ones.
+struct RunLimits {
+  double joint_deg = 0.05;  ///< joint angles
+  double position_mm = 0.5;  ///< positions of links and drawings, joints that slide
+  double turn_deg = 0.05;   ///< orientations of links
+  double event_ms = 20;     ///< events, and how much earlier or later a value may come
+};
+/// No limit may be smaller: recordings of one motion differ by so much.
+inline constexpr RunLimits kRunFloors{};
+
+/// Limits of a device or an item; empty ones are the run's.
+struct OwnLimits {
+  std::optional<double> joint_deg, position_mm, turn_deg, event_ms;
+};
+
+/// What is not judged.
+struct RunMask {
+  std::string item = "*";  ///< a pattern of RunFinding::item; a device covers everything of it
+  Nanoseconds from = Nanoseconds::min(), until = Nanoseconds::max();  ///< since the accepted origin
+};
+
+/// What to compare, and how closely.
+struct RunSpec {
+  RunAlign align = RunAlign::events;
+  Nanoseconds warp{std::chrono::milliseconds(200)};  ///< for RunAlign::warp
+  RunLimits limits;
+  std::map<std::string, OwnLimits, std::less<>> own_limits;  ///< by DEVICE or DEVICE/JOINT
+  std::vector<RunMask> masks;
+
+  /// Of an item "DEVICE/PART": its own, else its device's, else the run's.
+  RunLimits limitsOf(std::string_view item) const;
+  bool isMasked(std::string_view item, Nanoseconds since_origin) const;
+};
+
+}  // namespace rocinante

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "core/base/result.h"
+#include "golden/run/session_track.h"
+
+namespace rocinante {
+
+/// Keeps the tracks of accepted logs between runs: one file each, named by its key. Never fails:
+/// what is missing, damaged or of another version is made again, and write errors are ignored.
+class TrackCache {
+ public:
+  static constexpr std::uint64_t kMostBytes = std::uint64_t{2} << 30;
+
+  /// A cache that keeps nothing.
+  TrackCache() = default;
+  explicit TrackCache(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  /// XDG_CACHE_HOME/rocinante/runs, else HOME/.cache/rocinante/runs; keeps nothing if neither is an
+  /// absolute path.
+  static TrackCache ofUser();
+
+  /// trackSession(), or what it returned before for a file of these bytes (their XXH3-128) and a
+  /// cell of these kinematics.
+  Result<SessionTrack> track(const Cell& cell, const std::filesystem::path& log,
+                             const std::string& bytes_hash, Nanoseconds step) const;
+
+ private:
+  void makeRoomFor(std::uint64_t bytes) const;
+
+  std::filesystem::path folder_;  ///< empty: none
+};
+
+/// A hash of everything of a cell that a track depends on: devices, where they are, and their
+/// kinematics.
+std::string trackCellHash(const Cell& cell);
+
+}  // namespace rocinante
