@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace rocinante {
 namespace {
@@ -10,7 +11,7 @@ namespace {
 void between(const TrackColumn& column, const double* a, const double* b, double part,
              double* out) {
   if (column.kind == TrackColumn::Kind::full_angle) {
-    out[0] = a[0] + part * std::remainder(b[0] - a[0], 2 * M_PI);
+    out[0] = a[0] + part * std::remainder(b[0] - a[0], 2 * std::numbers::pi);
     return;
   }
   const std::size_t linear = column.width() == 7 ? 3 : 1;

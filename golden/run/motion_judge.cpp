@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 
 #include "golden/run/motion_words.h"
@@ -14,7 +15,7 @@
 namespace rocinante {
 namespace {
 
-constexpr double kDegrees = 180 / M_PI;
+constexpr double kDegrees = 180 / std::numbers::pi;
 constexpr double kMillimetres = 1000;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
@@ -59,7 +60,7 @@ Apart apartOf(TrackColumn::Kind kind, const double* reference, const double* val
       apart[0] = (value[0] - reference[0]) * kDegrees;
       break;
     case TrackColumn::Kind::full_angle:
-      apart[0] = std::remainder(value[0] - reference[0], 2 * M_PI) * kDegrees;
+      apart[0] = std::remainder(value[0] - reference[0], 2 * std::numbers::pi) * kDegrees;
       break;
     case TrackColumn::Kind::length:
       apart[0] = (value[0] - reference[0]) * kMillimetres;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -58,7 +59,7 @@ void interpolate(const std::vector<TrackColumn>& columns, const double* from, co
     double* out = into + column.offset;
     for (std::size_t i = 0; i < column.width(); ++i) out[i] = a[i] + part * (b[i] - a[i]);
     if (column.kind == TrackColumn::Kind::full_angle) {
-      out[0] = a[0] + part * std::remainder(b[0] - a[0], 2 * M_PI);
+      out[0] = a[0] + part * std::remainder(b[0] - a[0], 2 * std::numbers::pi);
     } else if (column.width() == 7) {
       // q and -q are the same orientation.
       double dot = 0;
