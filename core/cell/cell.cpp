@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "core/cell/cell_clearances.h"
+#include "core/cell/cell_decoders.h"
 #include "core/cell/cell_files.h"
 #include "core/cell/cell_insets.h"
 #include "core/cell/cell_layers.h"
@@ -224,9 +225,11 @@ Result<Cell> readCell(ByteView bytes, const fs::path& path, const CellOptions& o
     const CellFile& file = **at;
     readRules(*file.root, cell);
     readScene(*file.root, cell);
+    readDecodersName(file, search, cell);
     materials.read(*file.root, file.folder, meshes);
   }
   finishLights(cell);
+  if (!cell.decoders.empty()) meshes.addFile(cell.decoders);
   if (options.geometry) materials.apply(cell);
   files.finish();
   cell.files.assign(meshes.files().begin(), meshes.files().end());

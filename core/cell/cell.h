@@ -157,6 +157,8 @@ struct Cell {
   std::vector<CellRule> rules;            ///< as the file has them
   std::vector<CellClearance> clearances;  ///< as the files have them
   CellScene scene;
+  /// The file that declares decoders of what its machines send (docs/decoders.md); empty: none.
+  std::filesystem::path decoders;
   Findings faults;  ///< of the cell and all files that it names
   /// Every file that was read, for attaching and hashing; sorted.
   std::vector<std::filesystem::path> files;

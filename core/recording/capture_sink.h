@@ -9,6 +9,7 @@
 #include "core/log/log_types.h"
 #include "core/packet/session_state.h"
 #include "core/recording/flow_table.h"
+#include "core/recording/octet_decoder.h"
 #include "core/recording/recorded_files.h"
 #include "core/recording/session_clock.h"
 
@@ -22,7 +23,11 @@ struct CapturedDatagram {
   LogTime time{};
   std::int64_t publish_time_ns = 0;
   ByteView payload;
-  const Packet* packet = nullptr;  ///< the decoded packet; null if it is not a packet
+  /// What it says: its packet, or the one that was made of it; null if there is none.
+  const Packet* packet = nullptr;
+  /// The packet that was made of octets: written directly behind them, with the same time, sender's
+  /// time and sequence. Null: none was.
+  const MadePacket* made = nullptr;
 
   /// False for a restatement by another program: not a message of the session.
   bool captured() const { return !channel->topic.starts_with(profile::kOwnTopics); }

@@ -9,18 +9,22 @@
 namespace rocinante {
 
 CaptureWriter::CaptureWriter(std::unique_ptr<CaptureSink> sink,
-                             std::vector<ListenedEndpoint> endpoints, CaptureLimits limits)
+                             std::vector<ListenedEndpoint> endpoints, CaptureLimits limits,
+                             std::shared_ptr<OctetDecoder> octets)
     : sink_(std::move(sink)),
       endpoints_(std::move(endpoints)),
       limits_(std::move(limits)),
       flows_(endpoints_),
+      octets_(std::move(octets)),
       window_(endpoints_.size()),
       ledger_(endpoints_.size()),
       taken_(endpoints_.size()),
       started_(limits_.start_on.empty()),
       start_(limits_.start_on),
       stop_(limits_.stop_on),
-      saved_bytes_(logBytes()) {}
+      saved_bytes_(logBytes()) {
+  if (octets_ && !started_) flows_before_.emplace(endpoints_);
+}
 
 void CaptureWriter::write(TakenOver taken, HandOver& blocks) {
   for (std::unique_ptr<DatagramBlock>& block : taken.blocks) {
@@ -80,8 +84,31 @@ void CaptureWriter::writeHeld(const ReorderWindow::Held& held, HandOver& blocks)
 void CaptureWriter::takeDatagram(const Arrival& arrival, LogTime time, ByteView payload) {
   // Decoded once: for its flow, for the conditions and for the fold.
   const Packet* const packet = decoder_.decode(payload);
+  if (packet == nullptr && octets_) return takeOctets(arrival, time, payload);
   if (!started_ && !begins(time, packet)) return;
-  writeDatagram(arrival, time, payload, packet);
+  writeDatagram(arrival, time, payload, flowOf(flows_, arrival, payload, packet), packet, nullptr);
+  endWith(time, packet);
+}
+
+void CaptureWriter::takeOctets(const Arrival& arrival, LogTime time, ByteView payload) {
+  FlowTable& flows = started_ ? flows_ : *flows_before_;
+  std::size_t flow = flowOf(flows, arrival, payload, nullptr);
+  const FlowChannel& channel = flows.channels()[flow];
+  const MadePacket* made = nullptr;
+  // Damaged packet text is nobody's octets.
+  if (channel.encoding != "rk1") {
+    made = octets_->decode(channel, time.time_since_epoch().count(), payload);
+  }
+  const Packet* const packet = made == nullptr ? nullptr : made->packet;
+  if (!started_) {
+    if (!begins(time, packet)) return;
+    flow = flowOf(flows_, arrival, payload, nullptr);
+  }
+  writeDatagram(arrival, time, payload, flow, packet, made);
+  endWith(time, packet);
+}
+
+void CaptureWriter::endWith(LogTime time, const Packet* packet) {
   if (limits_.max_packets && packets_ == *limits_.max_packets) endAt(time, "packets");
   if (stop_.any() && stop_.metBy(time, packet) != nullptr && !end_) endAt(time, "condition");
 }
@@ -93,6 +120,7 @@ bool CaptureWriter::begins(LogTime time, const Packet* packet) {
     return false;
   }
   started_ = true;
+  flows_before_.reset();
   if (limits_.duration) limits_.until = time + *limits_.duration;
   std::erase_if(new_losses_, [&](const EndpointLoss& loss) { return loss.until < time; });
   std::erase_if(steps_, [&](const ClockStep& step) { return step.at < time; });
@@ -101,14 +129,13 @@ bool CaptureWriter::begins(LogTime time, const Packet* packet) {
 }
 
 void CaptureWriter::writeDatagram(const Arrival& arrival, LogTime time, ByteView payload,
-                                  const Packet* packet) {
+                                  std::size_t flow, const Packet* packet, const MadePacket* made) {
   if (sink_->seamDue(time)) {
     enterLosses(time);
     writeSteps(time - Nanoseconds(1));
     writeLosses(ledger_.upTo(time));
     keep(sink_->seam(time));
   }
-  const std::size_t flow = flowOf(arrival, payload, packet);
   if (flow == sequences_.size()) sequences_.push_back(0);
   if (logBytes() != saved_bytes_) {
     saved_bytes_ = logBytes();
@@ -119,6 +146,7 @@ void CaptureWriter::writeDatagram(const Arrival& arrival, LogTime time, ByteView
   last_time_ = time;
   ++packets_;
   ++taken_[arrival.endpoint];
+  if (packet != nullptr && !packet->header.by.empty()) ++restated_;
   payload_bytes_ += payload.size();
   CapturedDatagram datagram;
   datagram.flow = flow;
@@ -132,10 +160,12 @@ void CaptureWriter::writeDatagram(const Arrival& arrival, LogTime time, ByteView
   }
   datagram.payload = payload;
   datagram.packet = packet;
+  datagram.made = made;
   keep(sink_->write(datagram));
 }
 
-std::size_t CaptureWriter::flowOf(const Arrival& arrival, ByteView payload, const Packet* packet) {
+std::size_t CaptureWriter::flowOf(FlowTable& flows, const Arrival& arrival, ByteView payload,
+                                  const Packet* packet) {
   Flow flow{arrival.endpoint, arrival.sender, {}, false, false};
   const auto destination = DatagramBlock::destinationOf(arrival, payload);
   if (destination) flow.destination = &*destination;
@@ -144,11 +174,10 @@ std::size_t CaptureWriter::flowOf(const Arrival& arrival, ByteView payload, cons
     flow.source = packet->header.source;
     flow.is_packet_text = true;
     flow.is_restated = !packet->header.by.empty();
-    if (flow.is_restated) ++restated_;
   } else {
     flow.is_packet_text = encodingOf(payload) == "rk1";
   }
-  return flows_.channelOf(flow);
+  return flows.channelOf(flow);
 }
 
 void CaptureWriter::enterLosses(LogTime time) {

@@ -39,8 +39,9 @@ struct EndpointAccount {
 /// the recording begins it only follows the session's state. One thread; reads no clock.
 class CaptureWriter {
  public:
+  /// With `octets`, what is not packet text is decoded by it; conditions see the packets made.
   CaptureWriter(std::unique_ptr<CaptureSink> sink, std::vector<ListenedEndpoint> endpoints,
-                CaptureLimits limits);
+                CaptureLimits limits, std::shared_ptr<OctetDecoder> octets = nullptr);
 
   /// Writes the datagrams that are due. Blocks that are fully written go back to `blocks`. A
   /// failure of the sink is remembered: later datagrams count as lost to the disk.
@@ -86,7 +87,13 @@ class CaptureWriter {
   void takeDatagram(const Arrival& arrival, LogTime time, ByteView payload);
   /// Follows the state until a start condition is met; true from then on.
   bool begins(LogTime time, const Packet* packet);
-  void writeDatagram(const Arrival& arrival, LogTime time, ByteView payload, const Packet* packet);
+  /// The same for what is not a packet, when it may be decoded.
+  void takeOctets(const Arrival& arrival, LogTime time, ByteView payload);
+  /// `packet`: what it is or, with `made`, what was made of it.
+  void writeDatagram(const Arrival& arrival, LogTime time, ByteView payload, std::size_t flow,
+                     const Packet* packet, const MadePacket* made);
+  /// Ends the recording with this datagram if a limit or a condition says so.
+  void endWith(LogTime time, const Packet* packet);
   /// Adds this turn's losses that ended by `time` to the ledger.
   void enterLosses(LogTime time);
   void writeLosses(const std::vector<EndpointLoss>& losses);
@@ -94,8 +101,9 @@ class CaptureWriter {
   void endAt(LogTime time, const char* reason);
   void release(DatagramBlock* block, HandOver& blocks);
   std::vector<EndpointLoss> newDiskLosses();
-  /// The flow of a datagram; `packet` is the decoded packet, if there is one.
-  std::size_t flowOf(const Arrival& arrival, ByteView payload, const Packet* packet);
+  /// The flow of a datagram; `packet` is the packet that it is, if it is one.
+  static std::size_t flowOf(FlowTable& flows, const Arrival& arrival, ByteView payload,
+                            const Packet* packet);
   bool keep(const Status& done);
 
   std::unique_ptr<CaptureSink> sink_;
@@ -103,6 +111,8 @@ class CaptureWriter {
   CaptureLimits limits_;
   FlowTable flows_;
   PacketTextDecoder decoder_;
+  std::shared_ptr<OctetDecoder> octets_;   ///< null: what is not packet text is not decoded
+  std::optional<FlowTable> flows_before_;  ///< of octets before the recording begins
   ReorderWindow window_;
   LossLedger ledger_;
   std::vector<std::uint32_t> sequences_;  ///< the next one, by flow

@@ -36,12 +36,38 @@ Status PieceLog::write(const CapturedDatagram& datagram, bool decoded) {
   ++packets_;
   if (!start_) start_ = datagram.time;
   end_ = datagram.time;
-  if (!decoded) {
+  const auto write = [&] {
+    if (!decoded) {
+      return session_.write(*channel, datagram.sequence, datagram.time, datagram.publish_time_ns,
+                            datagram.payload);
+    }
     return session_.write(*channel, datagram.sequence, datagram.time, datagram.publish_time_ns,
-                          datagram.payload);
+                          datagram.payload, datagram.made == nullptr ? datagram.packet : nullptr);
+  };
+  if (datagram.made == nullptr) return write();
+  Status written = write();
+  return written ? writeMade(datagram, decoded) : written;
+}
+
+Status PieceLog::writeMade(const CapturedDatagram& octets, bool decoded) {
+  const MadePacket& made = *octets.made;
+  const std::pair key(octets.flow, made.decoder);
+  auto channel = made_channels_.find(key);
+  if (channel == made_channels_.end()) {
+    std::map<std::string, std::string> metadata = octets.channel->metadata;
+    for (const auto& [name, value] : *made.metadata) metadata[name] = value;
+    const Result<ChannelId> added = session_.addChannel(
+        std::string(profile::kDecodedPrefix) + octets.channel->topic, "rk1", std::move(metadata));
+    if (!added) return added.error();
+    channel = made_channels_.emplace(key, *added).first;
   }
-  return session_.write(*channel, datagram.sequence, datagram.time, datagram.publish_time_ns,
-                        datagram.payload, datagram.packet);
+  const ByteView text = bytesOf(made.text);
+  if (!decoded) {
+    return session_.write(channel->second, octets.sequence, octets.time, octets.publish_time_ns,
+                          text);
+  }
+  return session_.write(channel->second, octets.sequence, octets.time, octets.publish_time_ns, text,
+                        made.packet);
 }
 
 Status PieceLog::writeStep(const ClockStep& step) {

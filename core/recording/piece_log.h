@@ -1,7 +1,9 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/recording/capture_sink.h"
@@ -22,7 +24,8 @@ class PieceLog {
 
   /// As SessionWriter's; `origin` is that of the session, if known by now.
   Status begin(const SessionState& preceding, LogTime moment, std::optional<LogTime> origin);
-  /// Folds the datagram; decodes it first if `decoded` is false.
+  /// Folds the datagram and the packet that was made of it, which is written directly behind it;
+  /// decodes them first if `decoded` is false.
   Status write(const CapturedDatagram& datagram, bool decoded = true);
   Status writeLoss(const LossSpan& span) { return session_.log().writeLoss(span); }
   Status writeStep(const ClockStep& step);
@@ -46,12 +49,15 @@ class PieceLog {
   void addRefused(std::vector<std::uint64_t>& by_flow) const;
 
  private:
+  Status writeMade(const CapturedDatagram& octets, bool decoded);
+
   SessionWriter session_;
   PieceFile file_;
   SteadyTime looked_{};
   std::optional<Error> disturbance_;
   bool disturbance_told_ = false;
-  std::vector<std::optional<ChannelId>> channels_;  ///< by flow
+  std::vector<std::optional<ChannelId>> channels_;                          ///< by flow
+  std::map<std::pair<std::size_t, std::size_t>, ChannelId> made_channels_;  ///< by flow, decoder
   std::optional<ChannelId> clock_channel_;
   std::uint32_t steps_ = 0;
   std::uint64_t packets_ = 0;

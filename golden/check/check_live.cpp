@@ -18,20 +18,17 @@ constexpr std::int64_t kLongestWaitMs = 100;
 
 }  // namespace
 
-Result<CheckReport> checkLive(const Cell& cell, const std::vector<std::string>& endpoints,
-                              const std::string& trust_file, Nanoseconds duration) {
+Result<CheckReport> checkLive(const Cell& cell, const LiveCheckOptions& options) {
   SessionCheck session(cell);
-  Result<LiveInput> opened =
-      LiveInput::open(endpoints, trust_file, LiveTime::arrival,
-                      [&](LogTime time, std::string_view encoding, ByteView payload) {
-                        session.add(time, encoding, true, payload);
-                      });
+  Result<LiveInput> opened = LiveInput::open(
+      options.endpoints, options.trust_file, options.decoders, LiveTime::arrival,
+      [&](LogTime time, const LiveDatagram& datagram) { judge(session, time, datagram); });
   if (!opened) return opened.error();
   LiveInput& input = *opened;
   const bool is_file = input.isFile();
   cli::catchStopSignals();
   cli::warn((is_file ? "reading " : "listening on ") + input.names());
-  const auto deadline = std::chrono::steady_clock::now() + duration;
+  const auto deadline = std::chrono::steady_clock::now() + options.duration;
   while (!cli::stopRequested() && !input.ended()) {
     const auto left =
         std::chrono::ceil<std::chrono::milliseconds>(deadline - std::chrono::steady_clock::now());
@@ -52,6 +49,11 @@ Result<CheckReport> checkLive(const Cell& cell, const std::vector<std::string>& 
     for (std::size_t i = 0; i < kUntrustedReasons; ++i) {
       report.untrusted.emplace_back(nameOf(static_cast<Untrusted>(i)), untrusted->by_reason[i]);
     }
+  }
+  if (const auto decoded = input.decoded()) {
+    cli::warn(fmt::format("decoded {} of {}:", decoded->decoded(),
+                          countText(decoded->octets, "datagram")));
+    cli::tell(decode::accountText(*decoded));
   }
   report.session = input.names();
   report.origin = input.first().value_or(LogTime{});

@@ -15,6 +15,7 @@
 #include "core/cli/program.h"
 #include "core/cli/progress_line.h"
 #include "core/cli/worker_threads.h"
+#include "core/foreign/live/cell_decoders.h"
 #include "core/foreign/recordings/opened_recording.h"
 #include "core/log/log_profile.h"
 #include "golden/check/check_live.h"
@@ -36,6 +37,7 @@ constexpr const char* kExamples =
     "  rocinante check cell.toml session.mcap --baseline known.json --strict\n"
     "  rocinante check cell.toml --live :19960 --duration 10s\n"
     "  rocinante check cell.toml --live :19960 --watch --on-finding ./alarm\n"
+    "  rocinante check cell.toml --live :49152 --decoders kuka.decoders.toml\n"
     "  rocinante check --explain joint.limit\n";
 
 /// Differences between the cell attached to the log, if any, and the cell it is judged with.
@@ -125,7 +127,9 @@ Result<CheckReport> judge(const CheckArguments& my, const OpenedRecording& opene
   if (!my.live.empty()) {
     const auto duration = readPositive(my.duration.empty() ? "2s" : my.duration, "--duration");
     if (!duration) return duration.error();
-    return checkLive(*cell, my.live, my.trust, *duration);
+    auto decoders = decodersFor(my.decoders, *cell);
+    if (!decoders) return decoders.error();
+    return checkLive(*cell, {my.live, my.trust, std::move(*decoders), *duration});
   }
   return my.log.empty() ? checkCell(*cell) : judgeLog(my, *cell, opened);
 }
@@ -168,6 +172,9 @@ Result<cli::Exit> watch(const CheckArguments& my, const std::optional<Baseline>&
   if (baseline) options->baseline = &*baseline;
   const Result<Cell> cell = loadWithRules(my);
   if (!cell) return cell.error();
+  auto decoders = decodersFor(my.decoders, *cell);
+  if (!decoders) return decoders.error();
+  options->decoders = std::move(*decoders);
   return watchLive(*cell, *options);
 }
 

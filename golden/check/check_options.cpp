@@ -60,6 +60,10 @@ void declareCheck(CLI::App& app, CheckArguments& my) {
                  "judge only what is signed with a key of this file (rocinante key)")
       ->needs(live)
       ->type_name("FILE");
+  app.add_option("--decoders", my.decoders,
+                 "judge what is not packet text as this file declares; default: the cell's")
+      ->needs(live)
+      ->type_name("FILE");
   declareWatch(app, my, live);
   cli::addSearchOptions(app, my);
 

@@ -16,7 +16,7 @@ namespace rocinante {
 
 /// The command line arguments of rocinante-check.
 struct CheckArguments : ModelSearch {
-  std::string cell, log, trust;
+  std::string cell, log, trust, decoders;
   std::vector<std::string> live;
   std::string duration;  ///< empty: 2 s, or for ever
   bool watch = false, until_finding = false;

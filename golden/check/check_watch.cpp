@@ -34,10 +34,10 @@ class Watcher {
         command_(std::move(command)),
         shows_status_(::isatty(STDERR_FILENO) == 1 && !options.quiet) {}
 
-  void take(LogTime time, std::string_view encoding, ByteView payload) {
+  void take(LogTime time, const LiveDatagram& datagram) {
     // Time passes with datagrams, too: a file has no other.
     reach(time);
-    if (!isOver()) watch_.add(time, encoding, true, payload);
+    if (!isOver()) judge(watch_, time, datagram);
   }
 
   void reach(LogTime now) {
@@ -168,6 +168,14 @@ void warnOfUntrusted(const LiveInput& input) {
                         untrusted->text()));
 }
 
+void warnOfDecoded(const LiveInput& input) {
+  const auto decoded = input.decoded();
+  if (!decoded) return;
+  cli::warn(fmt::format("decoded {} of {}:", decoded->decoded(),
+                        countText(decoded->octets, "datagram")));
+  cli::tell(decode::accountText(*decoded));
+}
+
 }  // namespace
 
 Result<cli::Exit> watchLive(const Cell& cell, const CheckWatchOptions& options) {
@@ -179,9 +187,9 @@ Result<cli::Exit> watchLive(const Cell& cell, const CheckWatchOptions& options) 
   }
   Watcher watcher(cell, options, std::move(command));
   Result<LiveInput> input =
-      LiveInput::open(options.endpoints, options.trust_file, LiveTime::steady,
-                      [&](LogTime time, std::string_view encoding, ByteView payload) {
-                        watcher.take(time, encoding, payload);
+      LiveInput::open(options.endpoints, options.trust_file, options.decoders, LiveTime::steady,
+                      [&](LogTime time, const LiveDatagram& datagram) {
+                        watcher.take(time, datagram);
                       });
   if (!input) return input.error();
   cli::catchStopSignals();
@@ -210,6 +218,7 @@ Result<cli::Exit> watchLive(const Cell& cell, const CheckWatchOptions& options) 
   if (const auto reached = input->now()) watcher.reach(*reached);
   input->warnOfSilence();
   warnOfUntrusted(*input);
+  warnOfDecoded(*input);
   return watcher.finish();
 }
 

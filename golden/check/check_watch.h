@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "core/cell/cell.h"
 #include "core/check/watch/finding_watch.h"
 #include "core/cli/program.h"
+#include "core/foreign/decode/decoder_set.h"
 
 namespace rocinante {
 
@@ -15,6 +17,8 @@ namespace rocinante {
 struct CheckWatchOptions : WatchOptions {
   std::vector<std::string> endpoints;
   std::string trust_file;
+  /// Make packets of what is not packet text; null for none.
+  std::shared_ptr<const decode::DecoderSet> decoders;
   std::optional<Nanoseconds> duration;  ///< empty: until it is stopped
   bool until_finding = false;           ///< ends when a finding that fails begins
   std::string command;                  ///< run for each change; empty: none

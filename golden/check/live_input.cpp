@@ -28,7 +28,9 @@ ClockReading readBothClocks() {
 }  // namespace
 
 Result<LiveInput> LiveInput::open(const std::vector<std::string>& endpoints,
-                                  const std::string& trust_file, LiveTime time, Take take) {
+                                  const std::string& trust_file,
+                                  std::shared_ptr<const decode::DecoderSet> decoders,
+                                  LiveTime time, Take take) {
   std::vector<Endpoint> parsed;
   for (const std::string& text : endpoints) {
     const Result<Endpoint> endpoint = Endpoint::parse(text);
@@ -41,14 +43,16 @@ Result<LiveInput> LiveInput::open(const std::vector<std::string>& endpoints,
   listening.trust = std::move(*trust);
   Result<Sources> sources = openSources(parsed, listening);
   if (!sources) return sources.error();
-  return LiveInput(std::move(*sources), time, std::move(take));
+  return LiveInput(std::move(*sources), std::move(decoders), time, std::move(take));
 }
 
-LiveInput::LiveInput(Sources sources, LiveTime time, Take take)
+LiveInput::LiveInput(Sources sources, std::shared_ptr<const decode::DecoderSet> decoders,
+                     LiveTime time, Take take)
     : sources_(std::move(sources)),
       take_(std::move(take)),
       received_(sources_.size()),
       dropped_(sources_.size()) {
+  if (decoders) decoder_.emplace(std::move(decoders), listenedEndpoints(sources_));
   for (const auto& each : sources_) names_.push_back(boundText(*each));
   const bool has_own_times = sources_[0]->endpoint().hasOwnTimes();
   if (time == LiveTime::steady && !has_own_times) clock_.emplace(readBothClocks());
@@ -83,10 +87,19 @@ Status LiveInput::drain(std::size_t index) {
       // order.
       last_ = std::max(last_.value_or(LogTime{}), arrived);
       if (!first_) first_ = last_;
-      take_(*last_, encodingOf(datagram.payload), datagram.payload);
+      take(index, datagram);
     }
   }
   return {};
+}
+
+void LiveInput::take(std::size_t index, const ReceivedDatagram& datagram) {
+  LiveDatagram taken{encodingOf(datagram.payload), datagram.payload, std::nullopt};
+  if (decoder_) {
+    const MadePacket* const made = decoder_->decode(index, datagram, *last_);
+    if (made != nullptr) taken.decoded = made->text;
+  }
+  take_(*last_, taken);
 }
 
 std::optional<LogTime> LiveInput::now() {
@@ -128,6 +141,11 @@ std::optional<UntrustedCounts> LiveInput::untrusted() const {
     }
   }
   return all;
+}
+
+std::optional<decode::DecodeAccount> LiveInput::decoded() const {
+  if (!decoder_) return std::nullopt;
+  return decoder_->decoder().account();
 }
 
 }  // namespace rocinante

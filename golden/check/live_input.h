@@ -1,12 +1,14 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/foreign/live/received_decoder.h"
 #include "core/log/log_types.h"
 #include "core/recording/session_clock.h"
 #include "core/transport/open_source.h"
@@ -19,17 +21,33 @@ enum class LiveTime : std::uint8_t {
   steady,   ///< the session's own, which a clock that is set does not move
 };
 
+/// A datagram as a judge takes it; borrowed for the call.
+struct LiveDatagram {
+  std::string_view encoding;
+  ByteView payload;
+  std::optional<std::string_view> decoded;  ///< the packet text that a decoder made of it
+};
+
+/// Gives it to a SessionCheck or a FindingWatch.
+template <class Judge>
+void judge(Judge& judge, LogTime time, const LiveDatagram& datagram) {
+  if (!datagram.decoded) return judge.add(time, datagram.encoding, true, datagram.payload);
+  judge.addOctets(time, datagram.encoding, true);
+  judge.add(time, "rk1", false, bytesOf(*datagram.decoded));
+}
+
 /// The datagrams that several endpoints receive, in the order of one time line that never
 /// decreases. One thread.
 class LiveInput {
  public:
-  /// A datagram as a judge takes it; borrowed for the call.
-  using Take = std::function<void(LogTime, std::string_view encoding, ByteView payload)>;
+  using Take = std::function<void(LogTime, const LiveDatagram&)>;
 
   /// Opens all endpoints; fails as openSources() does. With a trust file, only what it trusts is
-  /// received.
+  /// received. `decoders` make packets of what is not packet text; null for none.
   static Result<LiveInput> open(const std::vector<std::string>& endpoints,
-                                const std::string& trust_file, LiveTime time, Take take);
+                                const std::string& trust_file,
+                                std::shared_ptr<const decode::DecoderSet> decoders, LiveTime time,
+                                Take take);
 
   /// A capture file, which has times of its own and ends.
   bool isFile() const { return !sources_[0]->endpoint().file.empty(); }
@@ -48,16 +66,21 @@ class LiveInput {
   void warnOfSilence() const;
   /// What the trust file refused, by reason; empty without one.
   std::optional<UntrustedCounts> untrusted() const;
+  /// What the decoders made; empty without any.
+  std::optional<decode::DecodeAccount> decoded() const;
 
   std::optional<LogTime> first() const { return first_; }
   std::optional<LogTime> last() const { return last_; }
 
  private:
-  LiveInput(Sources sources, LiveTime time, Take take);
+  LiveInput(Sources sources, std::shared_ptr<const decode::DecoderSet> decoders, LiveTime time,
+            Take take);
+  void take(std::size_t index, const ReceivedDatagram& datagram);
   Status drain(std::size_t index);
 
   Sources sources_;
   Take take_;
+  std::optional<ReceivedDecoder> decoder_;
   std::optional<SessionClock> clock_;  ///< of LiveTime::steady
   std::vector<std::uint64_t> received_, dropped_;
   std::vector<std::string> names_;

@@ -22,12 +22,13 @@ constexpr const char* kExamples =
     "  rocinante relay --from :19960 --to 10.0.0.7:19960 --to 239.1.2.3:5000?interface=eth0\n"
     "  rocinante relay --from :19960 --to 10.0.0.7:19960 --device 'arm*' --max-rate 10\n"
     "  rocinante relay --from :19960 --to 10.0.0.7:19960 --bandwidth 28.8k\n"
+    "  rocinante relay --from :49152 --to 239.1.2.3:5000 --decoders kuka.decoders.toml\n"
     "  rocinante relay --serve :19961 --allow 10.0.0.0/8 --statement joints,pose\n";
 
 struct Arguments {
   std::vector<std::string> from, to, serve, allow;
   std::vector<std::string> sources, devices, statements, min_change;
-  std::string name, max_rate, bandwidth, trust, key;
+  std::string name, max_rate, bandwidth, trust, key, decoders;
   std::string restate = "2s";
   std::string realtime = "auto";
   bool json = false;
@@ -77,6 +78,9 @@ void declare(CLI::App& app, Arguments& my) {
       ->allow_extra_args(false);
   app.add_option("--trust", my.trust,
                  "pass only what is signed with a key of this file (rocinante key)")
+      ->option_text("FILE");
+  app.add_option("--decoders", my.decoders,
+                 "make packets of what is not packet text as this file declares, and pass them")
       ->option_text("FILE");
   app.add_option("--key", my.key, "sign with this secret key what the relay writes itself")
       ->option_text("FILE");
@@ -213,6 +217,11 @@ Result<RelayProgramOptions> readOptions(const Arguments& my) {
                      options.name == plainText(options.name);
   if (!named) return bad("--name is at most 200 bytes of text without a colon", options.name);
   options.run = randomName();
+  if (!my.decoders.empty()) {
+    auto decoders = decode::readDecoders(my.decoders);
+    if (!decoders) return decoders.error();
+    options.decoders = std::move(*decoders);
+  }
   options.trust = my.trust;
   options.key = my.key;
   options.realtime = realtimeOf(my.realtime);

@@ -11,6 +11,7 @@
 #include <memory>
 #include <utility>
 
+#include "core/foreign/live/received_decoder.h"
 #include "core/net/local_address.h"
 #include "core/signing/signed_datagram.h"
 #include "core/transport/open_sink.h"
@@ -65,6 +66,7 @@ class RunningRelay {
 
  private:
   Status receive(std::size_t input);
+  void pass(std::size_t input, const ReceivedDatagram& datagram, LogTime now);
   void sendOutgoing();
   void sleep();
   void showProgress();
@@ -78,6 +80,7 @@ class RunningRelay {
   FoldClock clock_;
   Sources sources_;
   std::vector<std::uint64_t> received_;  ///< by source
+  std::optional<ReceivedDecoder> decoder_;
   std::vector<ToPort> to_;
   std::vector<std::unique_ptr<ServePort>> serve_;
   std::optional<PacingThread> thread_;
@@ -120,6 +123,7 @@ Status RunningRelay::open() {
   if (!sources) return sources.error();
   sources_ = std::move(*sources);
   received_.resize(sources_.size());
+  if (options_.decoders) decoder_.emplace(options_.decoders, listenedEndpoints(sources_));
   for (const Endpoint& each : options_.serve) {
     SubscriptionDesk::Options desk;
     desk.relay = options_.name;
@@ -166,12 +170,23 @@ Status RunningRelay::receive(std::size_t input) {
     const LogTime now = clock_.at(steadyNow());
     for (const ReceivedDatagram& each : *batch) {
       ++received_[input];
-      relay_.receive(each.truncated ? ByteView() : each.payload, now);
+      pass(input, each, now);
     }
     // The payloads are the source's until it receives again.
     sendOutgoing();
   }
   return {};
+}
+
+void RunningRelay::pass(std::size_t input, const ReceivedDatagram& datagram, LogTime now) {
+  if (datagram.truncated) return relay_.receive({}, now);
+  const MadePacket* const made =
+      decoder_ ? decoder_->decode(input, datagram, LogTime(datagram.kernel_time.time_since_epoch()))
+               : nullptr;
+  if (made == nullptr) return relay_.receive(datagram.payload, now);
+  relay_.receive(bytesOf(made->text), now);
+  // The decoder's text is good until the next.
+  sendOutgoing();
 }
 
 void RunningRelay::sendOutgoing() {
@@ -275,6 +290,7 @@ RelayReport RunningRelay::report() const {
     report.requests.bytes_out += counts.bytes_out;
   }
   report.most_subscribers = most_subscribers_;
+  if (decoder_) report.decoded = decoder_->decoder().account();
   return report;
 }
 

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/foreign/decode/decoder_set.h"
 #include "core/net/address_filter.h"
 #include "core/net/endpoint.h"
 #include "core/relay/relay.h"
@@ -23,6 +25,8 @@ struct RelayProgramOptions {
   AddressFilter allow;         ///< senders and subscribers
   std::string trust;           ///< a trust file: pass only what it accepts (docs/signing.md)
   std::string key;             ///< a secret key: sign what the relay writes itself
+  /// Make packets of what is not packet text, which then pass; null for none.
+  std::shared_ptr<const decode::DecoderSet> decoders;
   Nanoseconds restate = std::chrono::seconds(2);
   Realtime realtime = Realtime::automatic;
   bool progress = false;

@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/foreign/decode/decode_account_json.h"
+
 namespace rocinante {
 
 std::uint64_t RelayReport::lost() const {
@@ -14,7 +16,6 @@ std::uint64_t RelayReport::lost() const {
 }
 
 std::string jsonText(const RelayReport& report) {
-  using Json = nlohmann::ordered_json;
   Json json;
   json["format"] = 1;
   json["name"] = report.name;
@@ -58,6 +59,7 @@ std::string jsonText(const RelayReport& report) {
                          {"dropped", report.served_dropped}, {"requests", asked.requests},
                          {"challenged", asked.challenged},   {"refused", asked.refused},
                          {"ignored", asked.ignored},         {"malformed", asked.malformed}};
+  if (report.decoded) json["decoded"] = decode::accountJson(*report.decoded);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -85,6 +87,10 @@ std::string summaryText(const RelayReport& report) {
         "{} requests refused\n",
         report.most_subscribers, report.served, report.served_conflated, report.served_dropped,
         report.requests.refused);
+  }
+  if (report.decoded) {
+    text += fmt::format("{} decoded:\n{}", report.decoded->decoded(),
+                        decode::accountText(*report.decoded));
   }
   return text;
 }

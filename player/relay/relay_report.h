@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "core/foreign/decode/decode_account.h"
 #include "core/net/datagram_source.h"
 #include "core/relay/relay.h"
 #include "core/subscription/subscription_desk.h"
@@ -33,7 +35,8 @@ struct RelayReport {
   std::uint64_t served = 0, served_dropped = 0;         ///< datagrams to subscribers
   std::uint64_t served_conflated = 0;                   ///< values
   SubscriptionDesk::Counts requests;
-  std::string scheduling;  ///< "fifo" or "other"
+  std::optional<decode::DecodeAccount> decoded;  ///< empty without decoders
+  std::string scheduling;                        ///< "fifo" or "other"
   double seconds = 0;
 
   /// Datagrams that were lost on the way in or out, as far as this machine knows.

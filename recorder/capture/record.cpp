@@ -7,6 +7,7 @@
 #include <thread>
 #include <utility>
 
+#include "core/foreign/live/live_decoder.h"
 #include "core/net/interface_wait.h"
 #include "core/transport/open_source.h"
 #include "recorder/capture/capture_file_loop.h"
@@ -168,7 +169,9 @@ RecordSummary recordInto(std::unique_ptr<CaptureSink> sink, const std::string& n
     listened.push_back({source->endpoint(), source->boundAddress()});
   }
   InputLoop& loop = reception.loop();
-  CaptureWriter writer(std::move(sink), std::move(listened), limitsOf(options, loop));
+  std::shared_ptr<LiveDecoder> octets;
+  if (options.decoders) octets = std::make_shared<LiveDecoder>(options.decoders);
+  CaptureWriter writer(std::move(sink), std::move(listened), limitsOf(options, loop), octets);
   Writing writing(writer, queue, loop);
   events.ready(reception.names(), name);
   Control control(options, events, notes, queue, reception, writing);
@@ -191,6 +194,7 @@ RecordSummary recordInto(std::unique_ptr<CaptureSink> sink, const std::string& n
   summary.warnings = control.takeWarnings();
   summary.inputs = inputAccounts(reception.sources(), loop);
   summary.tees = tees.accounts();
+  if (octets) summary.decoded = octets->account();
   return summary;
 }
 
@@ -279,7 +283,8 @@ Result<RecordSummary> record(const RecordOptions& options, const RecordEvents& e
   if (options.load_cell) {
     auto cell = options.load_cell();
     if (!cell) return cell.error();
-    whole.cell = std::move(*cell);
+    whole.cell = std::move(cell->cell);
+    if (!whole.decoders) whole.decoders = std::move(cell->decoders);
   }
   if (options.load_watched) {
     Result<Cell> watched = options.load_watched();

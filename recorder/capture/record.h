@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/bundle/cell_bundle.h"
+#include "core/foreign/decode/decoder_set.h"
 #include "core/log/log_writer.h"
 #include "core/net/address_filter.h"
 #include "core/net/datagram_source.h"
@@ -19,16 +20,25 @@
 
 namespace rocinante {
 
+/// A cell to attach, and the decoders that it names; null for none.
+struct LoadedCell {
+  std::shared_ptr<const CellBundle> cell;
+  std::shared_ptr<const decode::DecoderSet> decoders;
+};
+
 struct RecordOptions {
   std::vector<Endpoint> endpoints;
   std::filesystem::path log;  ///< a file, a folder or a name pattern: recordPath()
   LogWriterOptions writing;
   /// Attached before anything is recorded; null for none.
   std::shared_ptr<const CellBundle> cell;
-  /// Loads the cell on the caller's thread, in place of `cell`, after the endpoints are bound:
+  /// Loads the cell on the caller's thread, in place of `cell` and where there are no `decoders`,
+  /// after the endpoints are bound:
   /// datagrams wait in the queue meanwhile. Empty: `cell` is used.
-  std::function<Result<std::shared_ptr<const CellBundle>>()> load_cell;
+  std::function<Result<LoadedCell>()> load_cell;
   bool attach_once = false;  ///< attach the cell to the first log only
+  /// Decode what is not packet text, and are attached to each log; null for none.
+  std::shared_ptr<const decode::DecoderSet> decoders;
   /// How long to wait for network interfaces that do not exist yet; empty: a missing one is an
   /// error.
   std::optional<Nanoseconds> wait_interface;
@@ -89,7 +99,8 @@ struct RecordEvents {
 /// deletes them. Fails when nothing could be recorded; later failures are in the summary.
 Result<RecordSummary> record(const RecordOptions& options, const RecordEvents& events);
 
-/// The same from open sources into an existing log, the only one of the recording.
+/// The same from open sources into an existing log, the only one of the recording, to which the
+/// caller has attached the decoders.
 RecordSummary recordFrom(const std::vector<DatagramSource*>& sources, LogWriter log,
                          const RecordOptions& options, const RecordEvents& events);
 

@@ -8,13 +8,14 @@
 #include "core/cli/program.h"
 #include "core/cli/search_options.h"
 #include "core/cli/worker_threads.h"
+#include "core/foreign/live/cell_decoders.h"
 #include "core/recording/compression_text.h"
 #include "core/recording/record_path.h"
 
 namespace rocinante {
 namespace {
 
-Result<std::shared_ptr<const CellBundle>> loadCell(const RecordArguments& arguments) {
+Result<LoadedCell> loadCell(const RecordArguments& arguments) {
   CellOptions search;
   static_cast<ModelSearch&>(search) = arguments;
   search.parallel = cli::workerThreads();
@@ -24,7 +25,17 @@ Result<std::shared_ptr<const CellBundle>> loadCell(const RecordArguments& argume
   if (!arguments.quiet) {
     for (const std::string& warning : bundleWarnings(*cell)) cli::warn(warning);
   }
-  return std::make_shared<const CellBundle>(std::move(*cell));
+  LoadedCell loaded;
+  loaded.cell = std::make_shared<const CellBundle>(std::move(*cell));
+  if (!arguments.decoders.empty()) return loaded;
+  search.geometry = false;
+  search.progress = {};
+  const Result<Cell> named = loadCellOrLog(arguments.cell, search);
+  if (!named) return named.error();
+  auto decoders = decodersFor("", *named);
+  if (!decoders) return decoders.error();
+  loaded.decoders = std::move(*decoders);
+  return loaded;
 }
 
 Result<Cell> loadWatched(const RecordArguments& arguments) {
@@ -65,6 +76,10 @@ void addRecordArguments(CLI::App& app, RecordArguments& arguments) {
   app.add_option("--cell", arguments.cell,
                  "attach this cell and every file it names: the log then replays alone")
       ->type_name("CELL");
+  app.add_option("--decoders", arguments.decoders,
+                 "decode what is not packet text as this file declares, and attach the file;\n"
+                 "default: the one that the cell names")
+      ->type_name("FILE");
   cli::addSearchOptions(app, arguments);
   app.add_option("--duration", arguments.duration, "end after TIME (12.5s, 1m30s)")
       ->type_name("TIME");
@@ -140,6 +155,11 @@ Result<RecordOptions> readRecordArguments(const RecordArguments& arguments) {
   if (!path) return path.error();
   options.log = arguments.output;
   if (Status read = readSessionArguments(arguments.session, options); !read) return read.error();
+  if (!arguments.decoders.empty()) {
+    auto decoders = decode::readDecoders(arguments.decoders);
+    if (!decoders) return decoders.error();
+    options.decoders = std::move(*decoders);
+  }
   if (!arguments.cell.empty()) {
     options.load_cell = [&arguments] { return loadCell(arguments); };
   }

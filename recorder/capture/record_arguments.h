@@ -24,6 +24,7 @@ struct RecordArguments : ModelSearch {
   std::string wait_interface;
   std::string output;
   std::string cell;
+  std::string decoders;
   std::string duration;
   std::optional<std::uint64_t> max_packets, max_loss;
   std::uint64_t min_packets = 0;
@@ -42,8 +43,8 @@ void addRecordArguments(CLI::App& app, RecordArguments& arguments);
 /// Period of the status lines; empty: none.
 Result<std::optional<Nanoseconds>> readStatusPeriod(const RecordArguments& arguments);
 
-/// Parses the arguments. Reads the trust file; binds and creates nothing. `arguments` must outlive
-/// the result, which loads the cell later.
+/// Parses the arguments. Reads the files of trust and decoders; binds and creates nothing.
+/// `arguments` must outlive the result, which loads the cell later.
 Result<RecordOptions> readRecordArguments(const RecordArguments& arguments);
 
 }  // namespace rocinante

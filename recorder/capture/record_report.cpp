@@ -7,6 +7,7 @@
 #include "core/base/count_text.h"
 #include "core/base/duration_text.h"
 #include "core/base/size_text.h"
+#include "core/foreign/decode/decode_account_json.h"
 #include "core/net/datagram_source.h"
 #include "core/report/json_text.h"
 
@@ -126,7 +127,12 @@ std::string summaryText(const RecordSummary& summary) {
         each.listened.endpoint.isNats() ? "at the server or on the way" : "in the kernel",
         lost.queue, lost.disk, lost.truncated);
   }
-  return text + inputText(summary);
+  text += inputText(summary);
+  if (!summary.decoded) return text;
+  text += fmt::format("\ndecoded {}:\n{}", countText(summary.decoded->decoded(), "packet"),
+                      decode::accountText(*summary.decoded));
+  text.pop_back();  // the caller ends the line
+  return text;
 }
 
 std::string summaryJson(const RecordSummary& summary) {
@@ -166,6 +172,7 @@ std::string summaryJson(const RecordSummary& summary) {
       {"pieces", deleted.count}, {"packets", deleted.packets}, {"bytes", deleted.bytes}};
   object["packets_before"] = summary.packets_before;
   object["warnings"] = summary.warnings;
+  if (summary.decoded) object["decoded"] = decode::accountJson(*summary.decoded);
   return jsonText(object);
 }
 

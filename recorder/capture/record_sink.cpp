@@ -114,6 +114,7 @@ Result<RecordSink> makeSink(const RecordOptions& options, LogTime now, NoteBox& 
   making.session_id = newSessionId();
   making.cell = options.cell;
   making.attach_once = options.attach_once;
+  making.decoders = options.decoders;
   making.notes = &notes;
   auto maker = std::make_shared<PieceMaker>(std::move(making));
   PieceSequence::MakePiece make = [maker](LogTime start, const PieceNamer::Ours& ours) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/foreign/decode/decode_account.h"
 #include "core/recording/capture_writer.h"
 #include "recorder/capture/input_account.h"
 
@@ -18,6 +19,8 @@ struct RecordSummary {
   std::vector<EndpointAccount> endpoints;
   std::vector<InputAccount> inputs;  ///< one per endpoint
   std::vector<Tee::Account> tees;
+  /// Of the decoders, if there were any.
+  std::optional<decode::DecodeAccount> decoded;
   std::uint64_t packets = 0;         ///< recorded; those the disk refused are not counted
   std::uint64_t restated = 0;        ///< given to the log and restated by another sender (`by=`)
   std::uint64_t payload_bytes = 0;   ///< of datagrams given to the log

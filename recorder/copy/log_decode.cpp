@@ -28,7 +28,8 @@ class DecodedAddition final : public CopyAddition {
     const decode::DecodedPacket* const packet =
         decoders_.decode(decode::routeOf(channel), item.publish_time_ns, item.message.payload);
     if (packet == nullptr) return {};
-    return piece.addDecoded(item, decode::decodedMetadata(decoders_.set(), *packet), packet->text);
+    return piece.addDecoded(item, decode::decodedMetadata(decoders_.set(), packet->decoder),
+                            packet->text);
   }
 
   std::uint64_t octets() const { return octets_; }
@@ -64,7 +65,7 @@ Result<DecodeReport> decodeLog(const std::filesystem::path& log, decode::Datagra
       makeLog(sources, make, {make.log, make.keyframes, *session_id, sources.front().origin()},
               "rocinante log decode", false, &addition);
   if (!copied) return copied.error();
-  return DecodeReport{std::move(*copied), addition.octets(), decoders.counts()};
+  return DecodeReport{std::move(*copied), decode::accountOf(decoders, addition.octets())};
 }
 
 }  // namespace rocinante

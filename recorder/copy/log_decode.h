@@ -1,15 +1,14 @@
 #pragma once
 
 #include "core/foreign/decode/datagram_decoders.h"
+#include "core/foreign/decode/decode_account.h"
 #include "recorder/copy/log_make.h"
 
 namespace rocinante {
 
 struct DecodeReport {
   CopyReport copy;
-  std::uint64_t octets = 0;  ///< captured messages that are not packet text
-  /// By decoder, in the order of the declaration.
-  std::vector<decode::DecodeCounts> counts;
+  decode::DecodeAccount account;
 };
 
 /// Makes a log with the packets that `decoders` make of a log's octets, in place of those that

@@ -1,10 +1,7 @@
 #include "recorder/log/decode_command.h"
 
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 
-#include "core/base/count_text.h"
 #include "recorder/copy/copy_report.h"
 #include "recorder/copy/log_decode.h"
 #include "recorder/log/command_support.h"
@@ -18,26 +15,6 @@ struct DecodeArguments {
   std::string decoders;
   CopyArguments copy;
 };
-
-/// One line for each decoder, and what none of them understood.
-std::string decodeText(const DecodeReport& report, const decode::DecoderSet& set) {
-  std::string text;
-  std::uint64_t decoded = 0;
-  for (std::size_t i = 0; i < report.counts.size(); ++i) {
-    const decode::DecodeCounts& counts = report.counts[i];
-    decoded += counts.decoded;
-    text += fmt::format("  {}: {}", set.decoders[i].name, countText(counts.decoded, "packet"));
-    if (counts.refused > 0) {
-      text += fmt::format(", {} refused: {}", counts.refused, counts.last_reason);
-    }
-    if (counts.empty > 0) text += fmt::format(", {} without its fields", counts.empty);
-    text += '\n';
-  }
-  if (decoded < report.octets) {
-    text += fmt::format("  not decoded: {}\n", countText(report.octets - decoded, "datagram"));
-  }
-  return text;
-}
 
 Result<cli::Exit> runDecode(const DecodeArguments& arguments) {
   auto decoders = decode::DatagramDecoders::open(arguments.decoders);
@@ -55,7 +32,7 @@ Result<cli::Exit> runDecode(const DecodeArguments& arguments) {
   const Result<cli::Exit> told = tellCopy(arguments.copy, *report);
   if (!told) return told;
   if (!arguments.copy.json) {
-    if (Status said = toStandardOutput(decodeText(whole, decoders->set())); !said)
+    if (Status said = toStandardOutput(decode::accountText(whole.account)); !said)
       return said.error();
   }
   // Nothing decoded is not what anybody asked for.

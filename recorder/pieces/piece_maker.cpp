@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "core/foreign/decode/carried_decoders.h"
+
 namespace rocinante {
 
 Error PieceMaker::failed(Error error) {
@@ -29,14 +31,16 @@ Result<MadePiece> PieceMaker::make(LogTime start, const PieceNamer::Ours& ours) 
                     path->string()));
   }
   const PieceFile file = PieceFile::at(*path);
-  if (options_.cell && !(options_.attach_once && attached_)) {
-    if (Status attached = AttachedBundle(*options_.cell).writeTo(*log, start); !attached) {
-      // A log without its cell is not kept.
-      if (file.isThere()) std::filesystem::remove(*path, ignored);
-      return failed(attached.error());
-    }
-    attached_ = true;
+  Status attached;
+  if (options_.decoders) attached = decode::attachDecoders(*options_.decoders, *log, start);
+  const bool with_cell = options_.cell && !(options_.attach_once && attached_);
+  if (attached && with_cell) attached = AttachedBundle(*options_.cell).writeTo(*log, start);
+  if (!attached) {
+    // A log without its cell or decoders is not kept.
+    if (file.isThere()) std::filesystem::remove(*path, ignored);
+    return failed(attached.error());
   }
+  attached_ = attached_ || with_cell;
   return MadePiece{std::move(*log), file};
 }
 

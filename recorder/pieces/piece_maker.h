@@ -4,13 +4,15 @@
 #include <string>
 
 #include "core/bundle/cell_bundle.h"
+#include "core/foreign/decode/decoder_set.h"
 #include "core/recording/piece_log.h"
 #include "core/recording/piece_namer.h"
 #include "recorder/pieces/note_box.h"
 
 namespace rocinante {
 
-/// Creates the logs of one session: each with its own name, the session's id and the cell.
+/// Creates the logs of one session: each with its own name, the session's id, the cell and the
+/// decoders.
 class PieceMaker {
  public:
   struct Options {
@@ -18,8 +20,10 @@ class PieceMaker {
     LogWriterOptions writing;
     std::string session_id;
     std::shared_ptr<const CellBundle> cell;  ///< attached to each log; null for none
-    bool attach_once = false;                ///< to the first only
-    NoteBox* notes = nullptr;                ///< may be null
+    bool attach_once = false;                ///< the cell to the first only
+    /// Attached to each log; null for none.
+    std::shared_ptr<const decode::DecoderSet> decoders;
+    NoteBox* notes = nullptr;  ///< may be null
   };
 
   explicit PieceMaker(Options options) : options_(std::move(options)), namer_(options_.naming) {}

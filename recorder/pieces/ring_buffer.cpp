@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <limits>
 #include <utility>
 
 namespace rocinante {
@@ -15,8 +16,8 @@ constexpr std::size_t kAlignment = 8;
 RingBuffer::RingBuffer(std::uint64_t max_bytes)
     : max_blocks_(std::max(kFewestBlocks, max_bytes / kBlockBytes)) {}
 
-std::size_t RingBuffer::spaceFor(std::size_t payload_bytes) {
-  return (sizeof(Header) + payload_bytes + kAlignment - 1) / kAlignment * kAlignment;
+std::size_t RingBuffer::spaceFor(std::size_t bytes) {
+  return (sizeof(Header) + bytes + kAlignment - 1) / kAlignment * kAlignment;
 }
 
 bool RingBuffer::startBlock() {
@@ -42,8 +43,9 @@ void RingBuffer::dropFrontBlock() {
 }
 
 bool RingBuffer::add(const Item& item) {
-  const std::size_t space = spaceFor(item.payload.size());
+  const std::size_t space = spaceFor(item.payload.size() + item.made.size());
   assert(space <= kBlockBytes);
+  assert(item.made.size() <= std::numeric_limits<std::uint16_t>::max());
   if (blocks_.empty() || kBlockBytes - blocks_.back().used < space) {
     if (!startBlock()) return false;
   }
@@ -52,12 +54,17 @@ bool RingBuffer::add(const Item& item) {
                       item.publish_time_ns,
                       item.flow,
                       item.sequence,
-                      static_cast<std::uint32_t>(item.kind),
+                      item.kind,
+                      item.decoder,
+                      static_cast<std::uint16_t>(item.made.size()),
                       static_cast<std::uint32_t>(item.payload.size())};
   std::byte* const at = block.bytes.get() + block.used;
   std::memcpy(at, &header, sizeof header);
   if (!item.payload.empty()) {
     std::memcpy(at + sizeof header, item.payload.data(), item.payload.size());
+  }
+  if (!item.made.empty()) {
+    std::memcpy(at + sizeof header + item.payload.size(), item.made.data(), item.made.size());
   }
   block.used += static_cast<std::uint32_t>(space);
   ++next_.number;
@@ -86,19 +93,22 @@ RingBuffer::Item RingBuffer::at(const Place& place) const {
   const Header header = headerAt(there);
   const std::byte* const payload =
       blocks_[there.block - first_block_].bytes.get() + there.offset + sizeof header;
-  return {static_cast<Kind>(header.kind),
+  return {header.kind,
           LogTime(Nanoseconds(header.time_ns)),
           header.publish_time_ns,
           header.flow,
           header.sequence,
-          {payload, header.payload_bytes}};
+          {payload, header.payload_bytes},
+          {payload + header.payload_bytes, header.made_bytes},
+          header.decoder};
 }
 
 RingBuffer::Place RingBuffer::after(const Place& place) const {
   const Place there = found(place);
   const Header header = headerAt(there);
   return {place.number + 1, there.block,
-          there.offset + static_cast<std::uint32_t>(spaceFor(header.payload_bytes))};
+          there.offset + static_cast<std::uint32_t>(
+                             spaceFor(std::size_t{header.payload_bytes} + header.made_bytes))};
 }
 
 void RingBuffer::popFront() {

@@ -14,7 +14,7 @@ namespace rocinante {
 /// Items are removed at the front and added at the end. Pure.
 class RingBuffer {
  public:
-  enum class Kind : std::uint32_t { datagram, loss, step };
+  enum class Kind : std::uint8_t { datagram, loss, step };
 
   struct Item {
     Kind kind = Kind::datagram;
@@ -22,7 +22,10 @@ class RingBuffer {
     std::int64_t publish_time_ns = 0;
     std::uint32_t flow = 0;
     std::uint32_t sequence = 0;
-    ByteView payload;  ///< borrowed until the item is removed
+    ByteView payload;  ///< borrowed until the item is removed, as is the next
+    /// The packet that a decoder made of a datagram, and the decoder's number; empty: none.
+    ByteView made{};  ///< at most 65,535 bytes
+    std::uint8_t decoder = 0;
   };
 
   /// A place between two items. Invalid once it lies before the front.
@@ -62,7 +65,9 @@ class RingBuffer {
     std::int64_t publish_time_ns;
     std::uint32_t flow;
     std::uint32_t sequence;
-    std::uint32_t kind;
+    Kind kind;
+    std::uint8_t decoder;
+    std::uint16_t made_bytes;
     std::uint32_t payload_bytes;
   };
   struct Block {
@@ -70,7 +75,7 @@ class RingBuffer {
     std::uint32_t used = 0;
   };
 
-  static std::size_t spaceFor(std::size_t payload_bytes);
+  static std::size_t spaceFor(std::size_t bytes);
   Header headerAt(const Place& place) const;
   Place found(const Place& place) const;
   bool startBlock();

@@ -38,8 +38,9 @@ Status RingRecording::begin(const SessionState& preceding, LogTime) {
 
 void RingRecording::fold(const RingBuffer::Item& item, SessionState& state) {
   if (item.kind != RingBuffer::Kind::datagram) return;
-  if (channels_[item.flow]->encoding != decoder_.encoding()) return;
-  if (const Packet* const packet = decoder_.decode(item.payload)) {
+  const bool is_packet_text = channels_[item.flow]->encoding == decoder_.encoding();
+  if (!is_packet_text && item.made.empty()) return;
+  if (const Packet* const packet = decoder_.decode(is_packet_text ? item.payload : item.made)) {
     foldPacket(state, item.time, *packet);
   }
 }
@@ -72,8 +73,16 @@ Status RingRecording::write(const CapturedDatagram& datagram) {
   if (channels_.size() <= datagram.flow) channels_.resize(datagram.flow + 1);
   if (!channels_[datagram.flow]) channels_[datagram.flow] = *datagram.channel;
   triggerBySilence(datagram.time);
-  add({RingBuffer::Kind::datagram, datagram.time, datagram.publish_time_ns,
-       static_cast<std::uint32_t>(datagram.flow), datagram.sequence, datagram.payload});
+  RingBuffer::Item item{RingBuffer::Kind::datagram, datagram.time,
+                        datagram.publish_time_ns,   static_cast<std::uint32_t>(datagram.flow),
+                        datagram.sequence,          datagram.payload};
+  if (const MadePacket* const made = datagram.made) {
+    item.made = bytesOf(made->text);
+    item.decoder = static_cast<std::uint8_t>(made->decoder);
+    if (decoders_.size() <= made->decoder) decoders_.resize(made->decoder + 1);
+    decoders_[made->decoder] = made->metadata;
+  }
+  add(item);
   if (const Condition* const met = triggers_.metBy(datagram.time, datagram.packet)) {
     trigger(datagram.time, met->text());
   }
@@ -199,6 +208,13 @@ Status RingRecording::writeItem(const RingBuffer::Item& item) {
   datagram.time = item.time;
   datagram.publish_time_ns = item.publish_time_ns;
   datagram.payload = item.payload;
+  MadePacket made;
+  if (!item.made.empty()) {
+    made.decoder = item.decoder;
+    made.metadata = decoders_[item.decoder];
+    made.text = textOf(item.made);
+    datagram.made = &made;
+  }
   return file_->write(datagram, /*decoded=*/false);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -78,7 +79,9 @@ class RingRecording final : public CaptureSink {
   ConditionWatch triggers_;
   RingBuffer ring_;
   std::vector<std::optional<FlowChannel>> channels_;  ///< by flow
-  SessionState tail_;                                 ///< fold of everything that has left the ring
+  /// By decoder: the metadata of its packets' channels, of the OctetDecoder.
+  std::vector<const std::map<std::string, std::string>*> decoders_;
+  SessionState tail_;  ///< fold of everything that has left the ring
   PacketTextDecoder decoder_;
   LogTime last_{};                        ///< of any item
   std::optional<LogTime> dropped_early_;  ///< the latest item that was dropped early

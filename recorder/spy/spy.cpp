@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 #include "core/base/hash.h"
 #include "core/base/plain_text.h"
 #include "core/check/judges/fault_rules.h"
+#include "core/log/log_profile.h"
 #include "core/packet/item_text.h"
 #include "core/packet/packet_limits.h"
 #include "recorder/spy/spy_reasons.h"
@@ -65,8 +67,10 @@ std::size_t valuesHash(const DeviceState& state) {
 
 }  // namespace
 
-Spy::Spy(const std::vector<ListenedEndpoint>& endpoints, LogTime began)
+Spy::Spy(const std::vector<ListenedEndpoint>& endpoints, LogTime began,
+         std::shared_ptr<const decode::DecoderSet> decoders)
     : began_(began), reached_(began), endpoint_last_(endpoints.size()) {
+  if (decoders) decoders_.emplace(std::move(decoders), endpoints);
   for (const ListenedEndpoint& each : endpoints) {
     SpyEndpoint seen;
     seen.endpoint = boundText(each.endpoint, each.bound);
@@ -110,7 +114,12 @@ void Spy::add(std::size_t endpoint, const ReceivedDatagram& datagram, LogTime ar
 
   Sender* const sender = senderFor(endpoint, datagram);
   const std::string_view encoding = encodingOf(datagram.payload);
-  const StreamJudge::Judged judged = stream_.add(arrived, encoding, true, datagram.payload);
+  const MadePacket* const made =
+      decoders_ ? decoders_->decode(endpoint, datagram, arrived) : nullptr;
+  if (made != nullptr) stream_.addOctets(arrived, encoding, true);
+  const ByteView said = made != nullptr ? bytesOf(made->text) : datagram.payload;
+  const StreamJudge::Judged judged =
+      stream_.add(arrived, made != nullptr ? "rk1" : encoding, made == nullptr, said);
   if (sender != nullptr) {
     SpySender& seen = sender->seen;
     const std::size_t bytes = datagram.payload.size();
@@ -127,7 +136,7 @@ void Spy::add(std::size_t endpoint, const ReceivedDatagram& datagram, LogTime ar
   const std::string address = sender != nullptr ? sender->seen.address : senderText(datagram);
   constexpr FaultAt kNotAPacket{PacketFault::not_a_packet, 1, 1};
   const bool is_undecoded = judged.packet == nullptr && judged.faults.empty();
-  readFaults(is_undecoded ? std::span(&kNotAPacket, 1) : judged.faults, datagram.payload, address);
+  readFaults(is_undecoded ? std::span(&kNotAPacket, 1) : judged.faults, said, address);
   if (judged.packet != nullptr) readPacket(judged, address);
 }
 
@@ -151,7 +160,9 @@ void Spy::readPacket(const StreamJudge::Judged& judged, const std::string& sende
     if (header.restated) ++source.restated;
     // A sender that restates for others is not a sender of their SOURCE.
     if (header.by.empty()) hearSender(source, sender);
-    if (header.time_ns && header.by.empty()) {
+    // The time of a decoded packet is that of its arrival.
+    const bool has_clock = header.by.empty() && !profile::isDecodedSource(header.source);
+    if (header.time_ns && has_clock) {
       source.clock_offset = Nanoseconds(*header.time_ns) - arrived.time_since_epoch();
     }
   }
@@ -327,6 +338,10 @@ SpyReport Spy::report(LogTime now) {
   report.watched = now - began_;
   report.datagrams = stream_.datagrams();
   report.packets = stream_.packets();
+  if (decoders_) {
+    report.decoded = decoders_->decoded();
+    report.decoders = decoders_->report();
+  }
   report.endpoints = endpoints_;
   for (std::size_t i = 0; i < endpoints_.size(); ++i) {
     if (endpoints_[i].datagrams > 0) report.endpoints[i].silent = now - endpoint_last_[i];

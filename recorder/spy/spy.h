@@ -3,6 +3,7 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "core/net/datagram_source.h"
 #include "core/recording/flow_table.h"
 #include "recorder/spy/rate_meter.h"
+#include "recorder/spy/spy_decoders.h"
 #include "recorder/spy/spy_report.h"
 
 namespace rocinante {
@@ -22,7 +24,9 @@ namespace rocinante {
 class Spy {
  public:
   /// `began` is the start of watching; no later time may precede it.
-  Spy(const std::vector<ListenedEndpoint>& endpoints, LogTime began);
+  /// With `decoders`, what is not packet text is decoded.
+  Spy(const std::vector<ListenedEndpoint>& endpoints, LogTime began,
+      std::shared_ptr<const decode::DecoderSet> decoders = nullptr);
 
   void add(std::size_t endpoint, const ReceivedDatagram& datagram, LogTime arrived);
   /// Sets the endpoint's drop count so far, and its other input counts.
@@ -88,6 +92,7 @@ class Spy {
   std::uint64_t more_events_ = 0;
   std::array<SpyFault, kPacketFaultCount> faults_;
   StreamJudge stream_;
+  std::optional<SpyDecoders> decoders_;
 };
 
 }  // namespace rocinante

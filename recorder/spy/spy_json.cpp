@@ -62,6 +62,24 @@ Json sourceJson(const SpySource& each) {
   return json;
 }
 
+Json decoderJson(const SpyDecoder& each) {
+  Json json;
+  json["decoder"] = each.name;
+  json["kind"] = each.kind;
+  json["packets"] = each.packets;
+  json["refused"] = each.refused;
+  json["empty"] = each.empty;
+  json["reason"] = orNull(each.reason);
+  json["fields"] = Json::array();
+  for (const SpyField& field : each.fields) {
+    json["fields"].push_back({{"field", field.name},
+                              {"value", field.number ? Json(*field.number) : orNull(field.value)},
+                              {"declared", field.declared},
+                              {"used", field.used}});
+  }
+  return json;
+}
+
 Json deviceJson(const SpyDevice& each) {
   Json json;
   json["device"] = each.name;
@@ -104,14 +122,16 @@ std::string spyJson(const SpyReport& report, bool indented) {
   json["watched_s"] = secondsOf(report.watched);
   json["datagrams"] = report.datagrams;
   json["packets"] = report.packets;
+  json["decoded"] = report.decoded;
   json["more_senders"] = report.more_senders;
   json["more_events"] = report.more_events;
-  for (const char* key :
-       {"endpoints", "senders", "sources", "devices", "drawings", "events", "faults", "reasons"}) {
+  for (const char* key : {"endpoints", "senders", "decoders", "sources", "devices", "drawings",
+                          "events", "faults", "reasons"}) {
     json[key] = Json::array();
   }
   for (const auto& each : report.endpoints) json["endpoints"].push_back(endpointJson(each));
   for (const auto& each : report.senders) json["senders"].push_back(senderJson(each, report));
+  for (const auto& each : report.decoders) json["decoders"].push_back(decoderJson(each));
   for (const auto& each : report.sources) json["sources"].push_back(sourceJson(each));
   for (const auto& each : report.devices) json["devices"].push_back(deviceJson(each));
   for (const SpyDrawing& each : report.drawings) {

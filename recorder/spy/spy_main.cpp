@@ -26,15 +26,19 @@ constexpr std::string_view kExamples =
     "  rocinante spy subscribe://hall:19961   what a relay forwards\n"
     "  rocinante spy pcap://eth0              traffic that other programs receive\n"
     "  rocinante spy pcap://./cell.pcapng     the contents of a capture file\n"
+    "  rocinante spy :49152 --decoders robot.decoders.toml   while you write a decoder\n"
     "  rocinante spy --duration 5s            a report after five seconds\n"
     "  rocinante spy --duration 5s --json     the same for scripts\n";
 
 constexpr Nanoseconds kRefresh = std::chrono::milliseconds(250);
 
+using Decoders = std::shared_ptr<const decode::DecoderSet>;
+
 struct Arguments {
   std::vector<std::string> endpoints;
   std::vector<std::string> allow;
   std::string trust;
+  std::string decoders;
   std::string duration;
   bool json = false;
 };
@@ -101,14 +105,9 @@ Status drain(const Sources& sources, Spy& spy) {
   return {};
 }
 
-std::vector<ListenedEndpoint> listenedTo(const Sources& sources) {
-  std::vector<ListenedEndpoint> listened;
-  for (const auto& each : sources) listened.push_back({each->endpoint(), each->boundAddress()});
-  return listened;
-}
-
 /// Reads a capture file on its own time line.
-Result<SpyReport> read(DatagramSource& source, const std::vector<ListenedEndpoint>& listened) {
+Result<SpyReport> read(DatagramSource& source, const std::vector<ListenedEndpoint>& listened,
+                       const Decoders& decoders) {
   std::optional<Spy> spy;
   LogTime last{};
   while (!source.ended() && !cli::stopRequested()) {
@@ -121,20 +120,21 @@ Result<SpyReport> read(DatagramSource& source, const std::vector<ListenedEndpoin
     }
     for (const ReceivedDatagram& each : *batch) {
       const LogTime time(each.kernel_time.time_since_epoch());
-      if (!spy) spy.emplace(listened, time);
+      if (!spy) spy.emplace(listened, time, decoders);
       last = std::max(last, time);
       spy->add(0, each, time);
     }
   }
-  if (!spy) spy.emplace(listened, last);
+  if (!spy) spy.emplace(listened, last, decoders);
   spy->setDropped(0, 0, source.counts());
   return spy->report(last);
 }
 
-Result<SpyReport> watch(const Sources& sources, std::optional<Nanoseconds> duration, bool live) {
-  const std::vector<ListenedEndpoint> listened = listenedTo(sources);
-  if (!listened[0].endpoint.file.empty()) return read(*sources[0], listened);
-  Spy spy(listened, wallNow());
+Result<SpyReport> watch(const Sources& sources, const Decoders& decoders,
+                        std::optional<Nanoseconds> duration, bool live) {
+  const std::vector<ListenedEndpoint> listened = listenedEndpoints(sources);
+  if (!listened[0].endpoint.file.empty()) return read(*sources[0], listened, decoders);
+  Spy spy(listened, wallNow(), decoders);
   std::optional<Screen> screen;
   if (live) {
     screen.emplace();
@@ -189,11 +189,17 @@ Result<cli::Exit> run(const Arguments& arguments) {
   Result<std::shared_ptr<TrustJudge>> trust = TrustJudge::open(arguments.trust);
   if (!trust) return trust.error();
   options.trust = std::move(*trust);
+  Decoders decoders;
+  if (!arguments.decoders.empty()) {
+    auto read = decode::readDecoders(arguments.decoders);
+    if (!read) return read.error();
+    decoders = std::move(*read);
+  }
   const Result<Sources> sources = openSources(endpoints, options);
   if (!sources) return sources.error();
   cli::catchStopSignals();
   const bool live = !arguments.json && ::isatty(STDOUT_FILENO) == 1;
-  const Result<SpyReport> report = watch(*sources, duration, live);
+  const Result<SpyReport> report = watch(*sources, decoders, duration, live);
   if (!report) return report.error();
   const std::string text = arguments.json ? spyJson(*report, true) : spyText(*report, 0, 0);
   cli::say(text);
@@ -220,6 +226,9 @@ int main(int argc, char** argv) {
       ->allow_extra_args(false);
   app.add_option("--trust", arguments.trust,
                  "accept only what is signed with a key of this file (rocinante key)")
+      ->type_name("FILE");
+  app.add_option("--decoders", arguments.decoders,
+                 "decode what is not packet text as this file declares, and show its fields")
       ->type_name("FILE");
   app.add_option("--duration", arguments.duration, "report after TIME (5s); default at Ctrl-C")
       ->type_name("TIME");

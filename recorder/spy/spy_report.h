@@ -33,7 +33,7 @@ struct SpySender {
   std::string address;
   std::string to;  ///< destination of watched traffic
   std::uint64_t datagrams = 0;
-  std::uint64_t packets = 0;  ///< of these, packet text
+  std::uint64_t packets = 0;  ///< of these, packet text or decoded
   double rate_hz = 0;         ///< over the last two seconds
   std::size_t smallest_bytes = 0;
   std::size_t largest_bytes = 0;
@@ -97,14 +97,34 @@ struct SpyFault {
   std::string hint;
 };
 
+/// A field of the last datagram that a decoder could read.
+struct SpyField {
+  std::string name;
+  std::optional<std::string> value;  ///< safe to print, cut; empty: the datagram lacks it
+  std::optional<double> number;      ///< the value as a number, if it is one
+  bool declared = true;              ///< false: the bytes name it, no declaration points to it
+  bool used = true;                  ///< by a line, a condition or the decoder itself
+};
+
+/// A declared decoder and what became of the datagrams that fit it.
+struct SpyDecoder {
+  std::string name, kind;
+  std::uint64_t packets = 0, refused = 0;
+  std::uint64_t empty = 0;       ///< none of its lines applied
+  std::string reason;            ///< why the last one was refused
+  std::vector<SpyField> fields;  ///< declared ones first
+};
+
 /// The observations of a spy up to a moment.
 struct SpyReport {
   Nanoseconds watched{};
   std::uint64_t datagrams = 0;
-  std::uint64_t packets = 0;
+  std::uint64_t packets = 0;  ///< packet text, and what decoders made
+  std::uint64_t decoded = 0;  ///< of these, made by decoders
   std::vector<SpyEndpoint> endpoints;
   std::vector<SpySender> senders;    ///< in order of appearance
   std::uint64_t more_senders = 0;    ///< datagrams of senders beyond those kept
+  std::vector<SpyDecoder> decoders;  ///< as declared
   std::vector<SpySource> sources;    ///< by name
   std::vector<SpyDevice> devices;    ///< by name
   std::vector<SpyDrawing> drawings;  ///< by source and name

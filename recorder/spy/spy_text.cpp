@@ -55,10 +55,15 @@ class Page {
       : report_(report), rows_(rows), columns_(columns) {}
 
   std::string text() {
-    out_ = line(fmt::format("{}: {}, {} in packet text", secondsCell(report_.watched),
-                            counted(report_.datagrams, "datagram"), grouped(report_.packets)));
+    const std::string decoded =
+        report_.decoders.empty() ? "" : ", " + grouped(report_.decoded) + " decoded";
+    out_ = line(fmt::format("{}: {}, {} in packet text{}", secondsCell(report_.watched),
+                            counted(report_.datagrams, "datagram"),
+                            grouped(report_.packets - report_.decoded), decoded));
     addEndpoints();
     addSenders();
+    addDecoders();
+    addFields();
     addSources();
     addDevices();
     addDrawings();
@@ -112,6 +117,32 @@ class Page {
       out_ += line(
           fmt::format("  ... and {} from further ones", counted(report_.more_senders, "datagram")));
     }
+  }
+
+  void addDecoders() {
+    TextTable table;
+    table.is_number = {false, false, true, true, true, false};
+    table.rows.push_back({"decoder", "kind", "packets", "refused", "no field", "last refusal"});
+    for (const SpyDecoder& each : report_.decoders) {
+      table.rows.push_back({each.name, each.kind, grouped(each.packets), grouped(each.refused),
+                            grouped(each.empty), each.reason});
+    }
+    add(std::move(table), "decoders");
+  }
+
+  void addFields() {
+    TextTable table;
+    table.is_number = {false, false, false, false};
+    table.rows.push_back({"decoder", "field", "value", ""});
+    for (const SpyDecoder& decoder : report_.decoders) {
+      for (const SpyField& each : decoder.fields) {
+        const std::string_view use = each.used       ? ""
+                                     : each.declared ? "no line uses it"
+                                                     : "not declared";
+        table.rows.push_back({decoder.name, each.name, each.value.value_or("-"), std::string(use)});
+      }
+    }
+    add(std::move(table), "fields");
   }
 
   void addSources() {

@@ -121,6 +121,27 @@ device = "{t}"
 joint = "j"
 field = "q"
 )",
+    R"([[decoder]]
+name = "a"
+kind = "dis"
+origin = { latitude = 42, longitude = -71, height = 10 }
+[[decoder.field]]
+name = "m"
+at = "marking"
+[[decoder.field]]
+name = "x"
+at = "local.x"
+[[decoder.field]]
+name = "w"
+at = "local.qw"
+[[decoder.field]]
+name = "t"
+at = "primary-turret-1.azimuth"
+[[decoder.joints]]
+device = "{m}"
+joints = ["a", "b", "c"]
+fields = ["x", "w", "t"]
+)",
 };
 constexpr std::size_t kDeclarationCount = sizeof kDeclarations / sizeof kDeclarations[0];
 

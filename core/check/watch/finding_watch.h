@@ -64,6 +64,10 @@ class FindingWatch {
   void add(LogTime time, std::string_view encoding, bool captured, ByteView datagram) {
     session_.add(time, encoding, captured, datagram);
   }
+  /// What is not packet text, and whether a decoder understood it; its packet is added as another.
+  void addOctets(LogTime time, std::string_view encoding, bool decoded) {
+    session_.addOctets(time, encoding, decoded);
+  }
   void addLoss(const LossSpan& span) { session_.addLoss(span); }
 
   /// What began and what ended up to `now`, which never decreases and is not before the latest

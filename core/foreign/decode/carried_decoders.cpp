@@ -17,19 +17,19 @@ Status attachDecoders(const DecoderSet& set, LogWriter& log, LogTime time) {
                              rocinante::bytesOf(set.text));
 }
 
-std::map<std::string, std::string> decodedMetadata(const DecoderSet& set,
-                                                   const DecodedPacket& packet) {
-  return {{"source", std::string(packet.source)}, {std::string(profile::kDecoderKey), set.hash}};
+std::map<std::string, std::string> decodedMetadata(const DecoderSet& set, std::size_t decoder) {
+  return {{"source", std::string(profile::kDecodedSource) + set.decoders[decoder].name},
+          {std::string(profile::kDecoderKey), set.hash}};
 }
 
-Route routeOf(const LogChannel& channel) {
+Route routeOf(std::string_view topic, const std::map<std::string, std::string>& metadata) {
   Route route;
-  route.topic = channel.topic;
-  if (const auto remote = channel.metadata.find("remote"); remote != channel.metadata.end()) {
+  route.topic = topic;
+  if (const auto remote = metadata.find("remote"); remote != metadata.end()) {
     route.sender = remote->second;
   }
-  const auto local = channel.metadata.find("local");
-  if (local == channel.metadata.end()) return route;
+  const auto local = metadata.find("local");
+  if (local == metadata.end()) return route;
   const std::string& text = local->second;
   const std::size_t colon = text.rfind(':');
   if (colon == text.npos) return route;

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 
 #include "core/foreign/decode/datagram_decoders.h"
 #include "core/log/log_types.h"
@@ -15,10 +16,10 @@ LogAttachment attachmentOf(const DecoderSet& set, LogTime time);
 Status attachDecoders(const DecoderSet& set, LogWriter& log, LogTime time);
 
 /// What a channel of decoded packets has beside the metadata of its octets: `source`, `decoder`.
-std::map<std::string, std::string> decodedMetadata(const DecoderSet& set,
-                                                   const DecodedPacket& packet);
+std::map<std::string, std::string> decodedMetadata(const DecoderSet& set, std::size_t decoder);
 
-/// The route of a recorded message, from its channel's metadata; borrowed from the channel.
-Route routeOf(const LogChannel& channel);
+/// The route of a message from its channel's topic and metadata, of which it borrows.
+Route routeOf(std::string_view topic, const std::map<std::string, std::string>& metadata);
+inline Route routeOf(const LogChannel& channel) { return routeOf(channel.topic, channel.metadata); }
 
 }  // namespace rocinante::decode

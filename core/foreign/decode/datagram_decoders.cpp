@@ -114,6 +114,11 @@ bool DatagramDecoders::decodeBy(std::size_t index, const Route& route, std::int6
     ++counts.empty;
     return false;
   }
+  if (text_.size() > kMostPacketBytes) {
+    ++counts.refused;
+    counts.last_reason = "its packet would be longer than a datagram";
+    return false;
+  }
   ++counts.decoded;
   packet_ = {index, reader.source, text_};
   return true;

@@ -24,7 +24,7 @@ struct Route {
 /// What became of the datagrams that a decoder's match fits.
 struct DecodeCounts {
   std::uint64_t decoded = 0;
-  std::uint64_t refused = 0;       ///< not of the declared form
+  std::uint64_t refused = 0;       ///< not of the declared form, or their packet is too long
   std::uint64_t empty = 0;         ///< no line applied: its fields were missing
   std::string_view last_reason{};  ///< of the last one refused
 
@@ -37,6 +37,9 @@ struct DecodedPacket {
   std::string_view source;  ///< "decoded:NAME"
   std::string_view text;
 };
+
+/// Most bytes of a packet: those of an IPv4 datagram, so that it can be sent on.
+inline constexpr std::size_t kMostPacketBytes = 65'507;
 
 /// Makes packets of datagrams by a set of decoders: the first decoder whose match fits and whose
 /// lines apply. Bounded memory whatever arrives. One per thread; reads no clock.
@@ -60,6 +63,10 @@ class DatagramDecoders {
   }
   /// See FieldReader::undeclared(), for the decoder that would read the datagram; empty for none.
   std::vector<FoundField> undeclared(const Route& route, ByteView payload, std::size_t most);
+  /// Whether this decoder is one for the datagram, by all that its declaration says but `where`.
+  bool fits(std::size_t decoder, const Route& route, ByteView payload) const {
+    return fits(set_->decoders[decoder].match, route, payload);
+  }
 
  private:
   struct Reader {

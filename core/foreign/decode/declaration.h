@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/bytes.h"
@@ -13,7 +14,10 @@
 /// field resolved to its index.
 namespace rocinante::decode {
 
-enum class Kind : std::uint8_t { structure, delimited, json, xml };
+enum class Kind : std::uint8_t { structure, delimited, json, xml, dis };
+
+/// "struct", "delimited" and so on.
+std::string_view nameOf(Kind kind);
 
 /// Limits of one file.
 inline constexpr std::size_t kMaxDecoders = 256;
@@ -50,7 +54,8 @@ struct Field {
   unsigned bits = 0;           ///< 0: the whole number
   // delimited
   std::size_t column = 0;
-  // json: a JSON pointer; xml: ELEMENT/ELEMENT or ELEMENT@ATTRIBUTE, below the root
+  // json: a JSON pointer; xml: ELEMENT/ELEMENT or ELEMENT@ATTRIBUTE, below the root;
+  // dis: a name of dis_field.h
   std::string path;
   /// A line, a condition or the decoder itself reads it.
   bool used = false;
@@ -137,6 +142,13 @@ struct Match {
   std::vector<Condition> where;
 };
 
+/// A place on the WGS 84 ellipsoid, or above it.
+struct GeoPlace {
+  double latitude_deg = 0;   ///< -90 to 90
+  double longitude_deg = 0;  ///< -360 to 360, positive to the east
+  double height_m = 0;
+};
+
 struct Decoder {
   std::string name;  ///< 1 to 200 bytes
   Place place;
@@ -149,6 +161,8 @@ struct Decoder {
   bool zero_filled = false;
   // delimited
   std::string separator = ",";
+  // dis
+  std::optional<GeoPlace> origin;
 
   std::vector<JointsLine> joints;
   std::vector<PoseLine> poses;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kMostNameBytes = 200;  // "decoded:" is put in front
 constexpr std::int64_t kMostBytes = std::int64_t{1} << 30U;
-const std::vector<std::string_view> kKinds{"struct", "delimited", "json", "xml"};
+const std::vector<std::string_view> kKinds{"struct", "delimited", "json", "xml", "dis"};
 const std::vector<std::string_view> kSums{"sum8",         "xor8",          "crc16-ccitt",
                                           "crc16-modbus", "crc16-mcrf4xx", "crc32"};
 
@@ -30,7 +30,7 @@ class DecoderTable {
     const auto kind = choiceAt(table_, "kind", kKinds);
     if (!table_.has("kind")) {
       table_.error("decoder.missing-key", "name", "a decoder needs `kind`",
-                   "struct, delimited, json or xml");
+                   "struct, delimited, json, xml or dis");
     }
     decoder_.kind = static_cast<Kind>(kind.value_or(0));
     readMatch();
@@ -98,6 +98,7 @@ class DecoderTable {
         table_.error(kBadValue, "zero_filled", "`zero_filled` needs a checksum behind the fields");
       }
     }
+    if (kind == Kind::dis) readOrigin();
     if (kind == Kind::delimited) {
       decoder_.separator = table_.text("separator").value_or(",");
       if (decoder_.separator.empty() || decoder_.separator.size() > 16) {
@@ -105,6 +106,25 @@ class DecoderTable {
         decoder_.separator = ",";
       }
     }
+  }
+
+  void readOrigin() {
+    std::optional<TomlTable> table = table_.table("origin", "`origin`");
+    if (!table) return;
+    const auto within = [&](const char* key, double least, double most) {
+      const std::optional<double> number = table->number(key);
+      if (number && *number >= least && *number <= most) return *number;
+      if (number) {
+        table->error(kBadValue, key, fmt::format("`{}` is {} to {}", key, least, most));
+      } else if (!table->has(key)) {
+        table->error("decoder.missing-key", key, fmt::format("`origin` needs `{}`", key),
+                     "latitude and longitude in degrees, height in metres above the ellipsoid");
+      }
+      return 0.0;
+    };
+    decoder_.origin = {within("latitude", -90, 90), within("longitude", -360, 360),
+                       within("height", -12'000, 1e9)};
+    table->finish();
   }
 
   void readChecksum(bool little_endian) {
@@ -155,6 +175,8 @@ class DecoderTable {
 };
 
 }  // namespace
+
+std::string_view nameOf(Kind kind) { return kKinds[static_cast<std::size_t>(kind)]; }
 
 std::vector<Decoder> decodersIn(const TomlNode& document, FaultList& faults) {
   TomlTable whole(document, "the file", faults);

@@ -33,6 +33,8 @@ std::unique_ptr<FieldReader> makeFieldReader(const Decoder& decoder) {
       return makeJsonReader(decoder);
     case Kind::xml:
       return makeXmlReader(decoder);
+    case Kind::dis:
+      return makeDisReader(decoder);
   }
   return nullptr;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/base/name_hint.h"
+#include "core/foreign/decode/dis_field.h"
 #include "core/foreign/decode/number_type.h"
 #include "core/foreign/decode/toml_values.h"
 
@@ -80,8 +81,22 @@ void FieldTable::readField(TomlTable& table, bool little_endian) {
         table.error(kBadValue, "at", quotedInFault(field.path) + " is not a path in XML",
                     "one looks like \"AIPos@A1\" or \"Pose/X\", below the root element");
       }
+      if (decoder_.kind == Kind::dis && !field.path.empty()) checkDis(table, field.path);
   }
   if (name) add(std::move(field), count, step);
+}
+
+void FieldTable::checkDis(TomlTable& table, const std::string& path) {
+  const std::optional<DisField> known = disFieldNamed(path);
+  if (!known) {
+    table.error(kBadValue, "at", quotedInFault(path) + " is no field of an Entity State PDU",
+                "one looks like \"location.x\" or \"primary-turret-1.azimuth\"");
+  } else if (known->isLocal() && !decoder_.origin) {
+    table.error("decoder.missing-key", "at",
+                fmt::format("decoder {} needs `origin` for {}", quotedInFault(decoder_.name),
+                            quotedInFault(path)),
+                "origin = { latitude = 48.1, longitude = 11.6, height = 520 }");
+  }
 }
 
 void FieldTable::readStruct(TomlTable& table, Field& field, bool little_endian) {

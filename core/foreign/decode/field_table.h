@@ -21,6 +21,7 @@ class FieldTable {
 
  private:
   void readField(TomlTable& table, bool little_endian);
+  void checkDis(TomlTable& table, const std::string& path);
   void readStruct(TomlTable& table, Field& field, bool little_endian);
   void add(Field field, std::size_t count, std::size_t step);
 

@@ -40,6 +40,17 @@ class CellBundleTest : public testing::Test {
   test::TemporaryFolder folder_;
 };
 
+TEST_F(CellBundleTest, HoldsTheDecodersThatTheCellNames) {
+  test::writeFile(folder_ / "cell/robots/my.decoders.toml", "# decoders");
+  test::writeFile(folder_ / "cell/a.cell.toml",
+                  "format = 1\ndecoders = \"robots/my.decoders.toml\"\n");
+  const CellBundle bundle = collected(folder_ / "cell/a.cell.toml");
+  EXPECT_THAT(test::namesIn(bundle), ElementsAre("a.cell.toml", "robots/my.decoders.toml"));
+  const Cell cell = loadedAlone(bundle);
+  EXPECT_EQ(test::fileText(cell.decoders), "# decoders");
+  EXPECT_EQ(cell.shown(cell.decoders.string()), "log:robots/my.decoders.toml");
+}
+
 TEST_F(CellBundleTest, HoldsEveryFileThatACellNames) {
   test::writeTank(folder_ / "cell/tanks", "../skins/steel.png");
   test::writeFile(folder_ / "cell/skins/steel.png", "picture");

@@ -50,6 +50,26 @@ layer = "robots"
   EXPECT_EQ(cell->files.size(), 5U) << "all of them, for attaching";
 }
 
+TEST_F(CellInclude, TheDecodersOfWhatIncludesAreUsed) {
+  test::writeFile(folder_ / "site/site.cell.toml", "format = 1\ndecoders = \"site.toml\"\n");
+  test::writeFile(folder_ / "site/site.toml", "");
+  test::writeFile(folder_ / "mine.toml", "");
+  const std::string below = "format = 1\ninclude = [\"site/site.cell.toml\"]\n";
+  const auto theirs = load(below);
+  ASSERT_TRUE(theirs.ok()) << theirs.error().text();
+  EXPECT_EQ(theirs->decoders.filename(), "site.toml");
+  EXPECT_EQ(theirs->files.size(), 3U) << "all of them, for attaching";
+  const auto mine = load(below + "decoders = \"mine.toml\"\n");
+  ASSERT_TRUE(mine.ok()) << mine.error().text();
+  EXPECT_EQ(mine->decoders.filename(), "mine.toml");
+  const auto missing = load("format = 1\ndecoders = \"nowhere.toml\"\n");
+  ASSERT_TRUE(missing.ok()) << missing.error().text();
+  EXPECT_TRUE(missing->decoders.empty());
+  ASSERT_EQ(missing->faults.size(), 1U);
+  EXPECT_EQ(missing->faults[0].rule, "cell.missing-file");
+  EXPECT_EQ(missing->faults[0].line, 2U);
+}
+
 TEST_F(CellInclude, WhatIncludesOutranksWhatIsIncluded) {
   test::writeFile(folder_ / "below.cell.toml", R"(format = 1
 [[camera]]

@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "core/foreign/live/live_decoder.h"
 #include "core/log/content_hash.h"
 #include "core/log/log_reader.h"
 #include "core/session/timeline.h"
@@ -30,7 +32,8 @@ class CaptureRig {
       return;
     }
     writer.emplace(std::move(made->sink),
-                   std::vector<ListenedEndpoint>{{endpoint, endpoint.address}}, std::move(limits));
+                   std::vector<ListenedEndpoint>{{endpoint, endpoint.address}}, std::move(limits),
+                   options.decoders ? std::make_shared<LiveDecoder>(options.decoders) : nullptr);
   }
 
   /// Advances the time between two arrivals.

@@ -38,6 +38,21 @@ TEST(RingBuffer, GivesBackWhatItTook) {
   EXPECT_TRUE(ring.begin() == ring.end());
 }
 
+TEST(RingBuffer, KeepsAMadePacketWithItsOctets) {
+  RingBuffer ring(0);
+  RingBuffer::Item octets = item(1, "octets");
+  octets.made = bytesOf("a packet");
+  octets.decoder = 200;
+  ASSERT_TRUE(ring.add(octets));
+  ASSERT_TRUE(ring.add(item(2, "more")));
+  EXPECT_EQ(textOf(ring.front().payload), "octets");
+  EXPECT_EQ(textOf(ring.front().made), "a packet");
+  EXPECT_EQ(ring.front().decoder, 200U);
+  ring.popFront();
+  EXPECT_EQ(textOf(ring.front().payload), "more");
+  EXPECT_TRUE(ring.front().made.empty());
+}
+
 TEST(RingBuffer, HoldsNoMoreThanItsBytes) {
   RingBuffer ring(8 * RingBuffer::kBlockBytes);
   const std::string payload(60'000, 'x');

@@ -259,6 +259,66 @@ TEST_F(SpyTest, TimesThatGoBackAreHeldUp) {
   EXPECT_THAT(spy.report(kBegan).devices[0].joints, ElementsAre(2));
 }
 
+TEST_F(SpyTest, ShowsWhatDecodersMakeAndTheFieldsThatNobodyUses) {
+  auto set = decode::parseDecoders(R"(
+[[decoder]]
+name = "cell"
+kind = "json"
+begins_with = "{"
+[[decoder.field]]
+name = "q"
+at = "/q"
+[[decoder.field]]
+name = "speed"
+at = "/v"
+[[decoder.joint]]
+device = "arm"
+joint = "j"
+field = "q"
+)",
+                                   "test");
+  ASSERT_TRUE(set.ok()) << set.error().text();
+  Spy decoding(endpoints(), kBegan, *set);
+  const auto say = [&](std::string_view payload, Nanoseconds at) {
+    ReceivedDatagram datagram;
+    datagram.payload = bytesOf(payload);
+    datagram.sender = SocketAddress::parse("127.0.0.1", 40'000).value();
+    decoding.add(0, datagram, kBegan + at);
+  };
+  say(R"({"q":0.5,"v":2,"mode":"run"})", milliseconds(10));
+  say(R"({"q":0.75,"v":3,"mode":"\u001b[2J"})", milliseconds(20));
+  say("{", milliseconds(30));
+  say("RK1 lamp 0 -\njoints lamp 1", milliseconds(40));
+  say("others", milliseconds(50));
+  const SpyReport report = decoding.report(kBegan + seconds(3));
+  EXPECT_EQ(report.datagrams, 5U);
+  EXPECT_EQ(report.packets, 3U);
+  EXPECT_EQ(report.decoded, 2U);
+  ASSERT_THAT(report.decoders, SizeIs(1));
+  const SpyDecoder& cell = report.decoders[0];
+  EXPECT_EQ(cell.packets, 2U);
+  EXPECT_EQ(cell.refused, 1U);
+  EXPECT_EQ(cell.reason, "it is not JSON");
+  // Of the last datagram that gave a packet.
+  ASSERT_THAT(cell.fields, SizeIs(3));
+  EXPECT_EQ(cell.fields[0].number, 0.75);
+  EXPECT_TRUE(cell.fields[0].used);
+  EXPECT_EQ(cell.fields[1].name, "speed");
+  EXPECT_EQ(cell.fields[1].value, "3");
+  EXPECT_FALSE(cell.fields[1].used);
+  EXPECT_EQ(cell.fields[2].name, "/mode");
+  EXPECT_FALSE(cell.fields[2].declared);
+  ASSERT_THAT(report.devices, SizeIs(2));
+  EXPECT_EQ(report.devices[0].name, "arm");
+  EXPECT_EQ(report.devices[0].changes, 1U);
+  const std::string text = spyText(report, 0, 0);
+  EXPECT_THAT(text, HasSubstr("5 datagrams, 1 in packet text, 2 decoded\n"));
+  EXPECT_THAT(text, HasSubstr("no line uses it"));
+  EXPECT_THAT(text, HasSubstr("not declared"));
+  EXPECT_THAT(text, Not(HasSubstr("\x1b")));
+  EXPECT_THAT(spyJson(report, true), HasSubstr("\"field\": \"/mode\""));
+}
+
 TEST_F(SpyTest, NoLineOfATableObeysAStranger) {
   hear("RK1 a%1Bb - -\njoints d%0Ae 1\n", milliseconds(10));
   hear("RK1 a - -\nlabel x 0 0 0 \"\x1b[2J\"\n", milliseconds(20));

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/base/hash.h"
+#include "core/foreign/decode/carried_decoders.h"
 #include "core/log/log_profile.h"
 
 namespace rocinante {
@@ -34,9 +35,11 @@ RetentionLimits retentionOf(const KeepLimits& limits) {
 
 }  // namespace
 
-KeptPieces::KeptPieces(std::filesystem::path folder, const KeepLimits& limits)
+KeptPieces::KeptPieces(std::filesystem::path folder, const KeepLimits& limits,
+                       std::shared_ptr<const decode::DecoderSet> decoders)
     : folder_(std::move(folder)),
       limits_(limits),
+      decoders_(std::move(decoders)),
       session_id_(newSessionId()),
       retention_(retentionOf(limits)) {}
 
@@ -78,6 +81,11 @@ Status KeptPieces::openPiece(LogTime time) {
       std::clamp<std::uint64_t>(limits_.bytes / kPieces / 16, 4096, options.chunk_bytes));
   Result<LogWriter> log = LogWriter::create(path, options, session_id_);
   if (!log) return log.error();
+  if (decoders_) {
+    if (Status attached = decode::attachDecoders(*decoders_, *log, time); !attached) {
+      return attached;
+    }
+  }
   piece_ = std::make_unique<PieceLog>(MadePiece{std::move(*log), PieceFile::at(path)},
                                       KeyframeOptions{});
   piece_began_ = time;

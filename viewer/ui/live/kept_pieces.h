@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/foreign/decode/decoder_set.h"
 #include "core/recording/capture_sink.h"
 #include "core/recording/piece_log.h"
 #include "core/recording/retention.h"
@@ -20,7 +21,9 @@ namespace rocinante {
 /// thread; starts none.
 class KeptPieces final : public CaptureSink {
  public:
-  KeptPieces(std::filesystem::path folder, const KeepLimits& limits);
+  /// `decoders`, if any, are attached to each piece.
+  KeptPieces(std::filesystem::path folder, const KeepLimits& limits,
+             std::shared_ptr<const decode::DecoderSet> decoders = nullptr);
 
   /// The piece that has everything before `moment` is to be finished by flush().
   void finishBefore(LogTime moment) { finish_at_ = moment; }
@@ -61,6 +64,7 @@ class KeptPieces final : public CaptureSink {
 
   std::filesystem::path folder_;
   KeepLimits limits_;
+  std::shared_ptr<const decode::DecoderSet> decoders_;
   std::string session_id_;
   std::uint64_t made_ = 0;
   std::unique_ptr<PieceLog> piece_;  ///< null between two pieces

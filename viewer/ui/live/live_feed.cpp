@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/base/plain_text.h"
+#include "core/foreign/live/received_decoder.h"
 #include "core/packet/decoder.h"
 #include "core/recording/session_clock.h"
 #include "core/transport/open_source.h"
@@ -104,6 +105,7 @@ struct LiveFeed::Impl {
   std::unique_ptr<Mail> mail = std::make_unique<Mail>();  ///< being filled
   bool whole = false;  ///< too much has changed: the state is handed over as a copy
   std::optional<SessionClock> clock;
+  std::optional<ReceivedDecoder> octets;  ///< empty: without decoders
   std::vector<Listening> listening;
 
   ~Impl() {
@@ -155,7 +157,14 @@ void LiveFeed::Impl::take(std::uint32_t endpoint, const ReceivedDatagram& datagr
   if (keeper) keeper->add(endpoint, from.last, datagram);
   // The fold's time must not decrease from one source to the next.
   figures.time = std::max(figures.time, from.last);
-  const Packet* const packet = decoder.decode(datagram.payload);
+  const Packet* packet = decoder.decode(datagram.payload);
+  ByteView said = datagram.payload;
+  if (packet == nullptr && octets) {
+    if (const MadePacket* const made = octets->decode(endpoint, datagram, from.last)) {
+      packet = made->packet;
+      said = bytesOf(made->text);
+    }
+  }
   if (packet == nullptr) {
     if (figures.undecoded++ == 0) {
       figures.undecoded_sample = plainText(textOf(
@@ -164,7 +173,7 @@ void LiveFeed::Impl::take(std::uint32_t endpoint, const ReceivedDatagram& datagr
     return;
   }
   state.apply(figures.time, *packet);
-  whole = whole || !mail->changes.add(figures.time, datagram.payload, state);
+  whole = whole || !mail->changes.add(figures.time, said, state);
 }
 
 /// Tells the keeper what was lost, and up to when everything was received.
@@ -247,7 +256,8 @@ LiveFeed& LiveFeed::operator=(LiveFeed&&) noexcept = default;
 
 Result<LiveFeed> LiveFeed::start(const std::vector<Endpoint>& endpoints,
                                  std::shared_ptr<TrustJudge> trust,
-                                 const std::optional<KeepLimits>& keep) {
+                                 const std::optional<KeepLimits>& keep,
+                                 LiveKeeper::Decoders decoders) {
   auto impl = std::make_unique<Impl>();
   impl->endpoints = endpoints;
   for (const Endpoint& endpoint : endpoints) {
@@ -264,13 +274,12 @@ Result<LiveFeed> LiveFeed::start(const std::vector<Endpoint>& endpoints,
   impl->sources = std::move(*sources);
   impl->clock.emplace(readClocks());
   impl->listening.resize(impl->sources.size());
-  std::vector<ListenedEndpoint> listened;
-  for (std::size_t i = 0; i < impl->sources.size(); ++i) {
-    listened.push_back({impl->sources[i]->endpoint(), impl->sources[i]->boundAddress()});
-    impl->listening[i].checked = impl->clock->now();
-  }
+  for (Impl::Listening& each : impl->listening) each.checked = impl->clock->now();
+  std::vector<ListenedEndpoint> listened = listenedEndpoints(impl->sources);
+  if (decoders) impl->octets.emplace(decoders, listened);
   if (keep && !keep->none()) {
-    auto keeper = LiveKeeper::start(KeptFolder::ofUser(), *keep, std::move(listened));
+    auto keeper =
+        LiveKeeper::start(KeptFolder::ofUser(), *keep, std::move(listened), std::move(decoders));
     if (keeper.ok()) {
       impl->keeper = std::move(*keeper);
     } else {

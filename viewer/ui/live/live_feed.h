@@ -22,7 +22,7 @@ class TrustJudge;
 struct LiveFigures {
   LogTime time{};                ///< of the newest datagram
   std::uint64_t datagrams = 0;   ///< since the start
-  std::uint64_t undecoded = 0;   ///< datagrams that are not packets
+  std::uint64_t undecoded = 0;   ///< datagrams that are no packets, nor were decoded
   std::string undecoded_sample;  ///< the beginning of the first of them, printable
   std::uint64_t dropped = 0;     ///< by the kernel: its buffer was full
   UntrustedCounts untrusted;     ///< refused by --trust; not among `datagrams`
@@ -47,10 +47,12 @@ class LiveFeed {
  public:
   /// refused, as in openSource(), when it cannot listen on or watch an endpoint.
   /// `trust`, if set, judges every datagram; the feed's thread then owns it. With `keep`, what is
-  /// heard is kept in a log; when that is impossible, kept() tells why.
+  /// heard is kept in a log; when that is impossible, keepingFault() tells why. With `decoders`,
+  /// what is not packet text is decoded, here and in that log.
   static Result<LiveFeed> start(const std::vector<Endpoint>& endpoints,
                                 std::shared_ptr<TrustJudge> trust = nullptr,
-                                const std::optional<KeepLimits>& keep = std::nullopt);
+                                const std::optional<KeepLimits>& keep = std::nullopt,
+                                LiveKeeper::Decoders decoders = nullptr);
 
   ~LiveFeed();
   LiveFeed(LiveFeed&&) noexcept;

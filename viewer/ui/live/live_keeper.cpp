@@ -5,6 +5,8 @@
 #include <chrono>
 #include <utility>
 
+#include "core/foreign/live/live_decoder.h"
+
 namespace rocinante {
 namespace {
 
@@ -21,19 +23,21 @@ constexpr char kKeeperThreadName[] = "rocinante-keep";
 
 Result<std::unique_ptr<LiveKeeper>> LiveKeeper::start(const std::filesystem::path& parent,
                                                       const KeepLimits& limits,
-                                                      std::vector<ListenedEndpoint> endpoints) {
+                                                      std::vector<ListenedEndpoint> endpoints,
+                                                      Decoders decoders) {
   Result<KeptFolder> folder = KeptFolder::make(parent);
   if (!folder) return folder.error();
   return std::unique_ptr<LiveKeeper>(
-      new LiveKeeper(std::move(*folder), limits, std::move(endpoints)));
+      new LiveKeeper(std::move(*folder), limits, std::move(endpoints), decoders));
 }
 
 LiveKeeper::LiveKeeper(KeptFolder folder, const KeepLimits& limits,
-                       std::vector<ListenedEndpoint> endpoints)
+                       std::vector<ListenedEndpoint> endpoints, const Decoders& decoders)
     : folder_(std::move(folder)),
       queue_(kMaxBlocks),
-      pieces_(new KeptPieces(folder_.path(), limits)),
-      writer_(std::unique_ptr<CaptureSink>(pieces_), std::move(endpoints), CaptureLimits()),
+      pieces_(new KeptPieces(folder_.path(), limits, decoders)),
+      writer_(std::unique_ptr<CaptureSink>(pieces_), std::move(endpoints), CaptureLimits(),
+              decoders ? std::make_shared<LiveDecoder>(decoders) : nullptr),
       thread_([this] { write(); }) {
   ::pthread_setname_np(thread_.native_handle(), kKeeperThreadName);
 }

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/foreign/decode/decoder_set.h"
 #include "core/net/datagram_source.h"
 #include "core/recording/capture_writer.h"
 #include "core/recording/hand_over.h"
@@ -33,11 +34,14 @@ struct KeptProgress {
 /// the network's thread hands over. The log is deleted with this object.
 class LiveKeeper {
  public:
-  /// Makes a folder below `parent` (KeptFolder) and starts the thread. unreadable when the folder
-  /// cannot be made.
+  using Decoders = std::shared_ptr<const decode::DecoderSet>;
+
+  /// With `decoders`, the packets that they make are kept behind their octets. Makes a folder below
+  /// `parent` (KeptFolder) and starts the thread. unreadable when the folder cannot be made.
   static Result<std::unique_ptr<LiveKeeper>> start(const std::filesystem::path& parent,
                                                    const KeepLimits& limits,
-                                                   std::vector<ListenedEndpoint> endpoints);
+                                                   std::vector<ListenedEndpoint> endpoints,
+                                                   Decoders decoders = nullptr);
   ~LiveKeeper();
 
   // For the network's thread.
@@ -60,7 +64,8 @@ class LiveKeeper {
   const std::filesystem::path& folder() const { return folder_.path(); }
 
  private:
-  LiveKeeper(KeptFolder folder, const KeepLimits& limits, std::vector<ListenedEndpoint> endpoints);
+  LiveKeeper(KeptFolder folder, const KeepLimits& limits, std::vector<ListenedEndpoint> endpoints,
+             const Decoders& decoders);
   void write();
   void handOver(std::optional<LogTime> drained_until);
 

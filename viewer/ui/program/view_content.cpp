@@ -10,6 +10,7 @@
 #include "core/cli/load_progress.h"
 #include "core/cli/program.h"
 #include "core/cli/worker_threads.h"
+#include "core/foreign/live/cell_decoders.h"
 #include "core/foreign/recordings/opened_recording.h"
 #include "core/session/session_time.h"
 #include "core/signing/trust_judge.h"
@@ -19,12 +20,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Result<std::optional<LiveFeed>> openFeed(const ContentRequest& request,
+Result<std::optional<LiveFeed>> openFeed(const ContentRequest& request, const Cell& cell,
                                          std::vector<std::string>& warnings) {
   if (!request.live) return std::optional<LiveFeed>();
   auto trust = TrustJudge::open(request.trust);
   if (!trust.ok()) return trust.error();
-  auto feed = LiveFeed::start(*request.live, std::move(*trust), request.keep);
+  auto decoders = decodersFor(request.decoders, cell);
+  if (!decoders.ok()) return decoders.error();
+  auto feed = LiveFeed::start(*request.live, std::move(*trust), request.keep, std::move(*decoders));
   if (!feed.ok()) return feed.error();
   if (!feed->keepingFault().empty()) {
     warnings.push_back("this session is not kept, so its past cannot be shown: " +
@@ -182,7 +185,7 @@ Result<ViewContent> loadContent(ContentRequest request, const TellLoadProgress& 
     if (!opened.ok()) return recording.named(opened.error());
     session = std::move(*opened);
   }
-  auto feed = openFeed(request, content.warnings);
+  auto feed = openFeed(request, *cell, content.warnings);
   if (!feed.ok()) return feed.error();
   auto model = ViewModel::make(std::move(*cell), std::move(session), std::move(*feed), request.hide,
                                request.show);

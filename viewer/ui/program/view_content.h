@@ -24,6 +24,7 @@ struct ContentRequest {
   std::filesystem::path fallback_cell;
   std::optional<std::vector<Endpoint>> live;
   std::string trust;
+  std::string decoders;             ///< of a live session: a file; empty: those of the cell
   KeepLimits keep;                  ///< of a live session
   std::vector<std::string> joints;  ///< moved by hand: a device's values, as --joints
   std::string drive, drive_as;      ///< an endpoint and a SOURCE for joints by hand; empty: neither

@@ -26,6 +26,7 @@ constexpr char kExamples[] =
     "  rocinante view puma.urdf --live --drive 127.0.0.1:19960 --as me"
     "    move it by hand\n"
     "  rocinante view cell.toml --live --keep 1h,8GB\n"
+    "  rocinante view cell.toml --live :49152 --decoders kuka.decoders.toml\n"
     "  rocinante view cell.toml --live 0.0.0.0:19960 --camera overview\n"
     "  rocinante view cell.toml session.mcap --profile reproducible --script look.txt\n";
 
@@ -34,7 +35,7 @@ struct Arguments {
   std::vector<std::string> live;
   std::string keep = "10m,2GB";
   bool leftovers = false, forget_leftovers = false;
-  std::string trust;
+  std::string trust, decoders;
   std::vector<std::string> joints;
   std::string drive, drive_as;
   std::string profile = "fast", camera, at, size, detail = "auto";
@@ -53,6 +54,7 @@ Result<ContentRequest> contentRequest(const Arguments& arguments) {
   request.cell = arguments.cell;
   request.log = arguments.log;
   request.trust = arguments.trust;
+  request.decoders = arguments.decoders;
   request.hide = arguments.hide;
   request.show = arguments.show;
   request.styles = arguments.styles;
@@ -177,6 +179,10 @@ int viewMain(int argc, char** argv) {
   app.add_flag("--forget-leftovers", arguments.forget_leftovers, "delete them");
   app.add_option("--trust", arguments.trust,
                  "show only what is signed with a key of this file (rocinante key)")
+      ->needs(live)
+      ->type_name("FILE");
+  app.add_option("--decoders", arguments.decoders,
+                 "decode what is not packet text as this file declares; default: the cell's")
       ->needs(live)
       ->type_name("FILE");
   app.add_option("--joints", arguments.joints,

@@ -7,6 +7,7 @@
 #include <string>
 #include <thread>
 
+#include "core/log/log_reader.h"
 #include "core/net/udp_socket.h"
 #include "core/signing/trust_judge.h"
 #include "tests/core/signing/signing_support.h"
@@ -133,6 +134,51 @@ TEST(LiveFeed, ShowsWhatARelaySendsAndWhatBecameOfIt) {
   ASSERT_NE(newest, nullptr);
   EXPECT_EQ(newest->news, "subscribed to relay hall at " + relay.endpoint());
   EXPECT_EQ(newest->undecoded, 0U);
+}
+
+TEST(LiveFeed, DecodesWhatIsDeclaredInItsStateAndInTheKeptLog) {
+  const Endpoint endpoint = freeEndpoint();
+  auto set = decode::parseDecoders(
+      "[[decoder]]\nname = \"arm\"\nkind = \"delimited\"\nbegins_with = \"J,\"\n"
+      "[[decoder.field]]\nname = \"q\"\ncolumn = 1\n"
+      "[[decoder.joint]]\ndevice = \"arm\"\njoint = \"j\"\nfield = \"q\"\n",
+      "test");
+  ASSERT_TRUE(set.ok()) << set.error().text();
+  auto feed = LiveFeed::start({endpoint}, nullptr, KeepLimits{}, *set);
+  ASSERT_TRUE(feed.ok()) << feed.error().text();
+  auto sender = UdpSender::open(endpoint);
+  for (const char* const text : {"J,1", "others", "RK1 me@a 1 -\njoints leg 1\n", "J,2.5"}) {
+    ASSERT_TRUE(sender->send(bytesOf(std::string_view(text))).ok());
+  }
+  const auto newest = waitFor(*feed, [](const LiveSnapshot& each) { return each.datagrams == 4; });
+  ASSERT_NE(newest, nullptr);
+  EXPECT_EQ(newest->undecoded, 1U);
+  ASSERT_TRUE(newest->state.devices().contains("arm"));
+  EXPECT_EQ(newest->state.devices().at("arm").named_joints.at("j").value, 2.5);
+  EXPECT_TRUE(newest->state.devices().contains("leg"));
+
+  ASSERT_NE(feed->keeper(), nullptr) << feed->keepingFault();
+  feed->keeper()->finishUpTo(newest->time);
+  const auto deadline = std::chrono::steady_clock::now() + 20s;
+  while (feed->keeper()->progress().finished.empty() &&
+         std::chrono::steady_clock::now() < deadline) {
+    std::this_thread::sleep_for(2ms);
+  }
+  const KeptProgress kept = feed->keeper()->progress();
+  ASSERT_FALSE(kept.finished.empty()) << kept.trouble;
+  auto log = LogReader::open(kept.finished.front());
+  ASSERT_TRUE(log.ok()) << log.error().text();
+  ASSERT_EQ(log->attachments().size(), 1U);
+  EXPECT_EQ(log->attachments()[0].name, "decoders/" + (*set)->hash + ".toml");
+  std::vector<std::string> topics;
+  for (auto message = log->next(); message.ok() && *message; message = log->next()) {
+    topics.push_back((*message)->channel->topic);
+  }
+  const std::string root = "/udp/" + std::to_string(endpoint.address.port);
+  EXPECT_EQ(topics, (std::vector<std::string>{
+                        root + "/127.0.0.1", "/rocinante/decoded" + root + "/127.0.0.1",
+                        root + "/127.0.0.1", root + "/me", root + "/127.0.0.1",
+                        "/rocinante/decoded" + root + "/127.0.0.1"}));
 }
 
 TEST(LiveFeed, ATakenPortIsRefused) {

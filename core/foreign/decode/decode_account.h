@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/foreign/decode/datagram_decoders.h"
+
+namespace rocinante::decode {
+
+/// What became of the datagrams of a session that are not packet text.
+struct DecodeAccount {
+  struct Decoder {
+    std::string name;
+    DecodeCounts counts;
+  };
+  std::vector<Decoder> decoders;  ///< as declared
+  std::uint64_t octets = 0;       ///< datagrams that are not packet text
+
+  std::uint64_t decoded() const;
+};
+
+DecodeAccount accountOf(const DatagramDecoders& decoders, std::uint64_t octets);
+
+/// A line for each decoder and one for what none understood, indented and with LF.
+std::string accountText(const DecodeAccount& account);
+
+}  // namespace rocinante::decode
