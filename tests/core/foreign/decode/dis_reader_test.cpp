@@ -256,13 +256,14 @@ TEST(DisReader, ReadsWhatOtherSimulatorsSend) {
   EXPECT_NEAR(qx, 0, 1e-5);
   EXPECT_NEAR(qy, 0, 1e-5);
   EXPECT_NEAR(qz, 0, 1e-5);
-  EXPECT_NEAR(qw, 1, 1e-9);
+  EXPECT_NEAR(qw * qw, 1, 1e-9);
   EXPECT_THAT(disText(example, fileBytes(folder / "dis7_EntityStatePdu-articulated_parts.raw")),
               HasSubstr("joint entity-1.200.1 turret=1.7826199531555176\n"
                         "joint entity-1.200.1 gun=1.2814699411392212"));
   // Sixteen articulations, two of which the example uses.
   const Bytes vbs = fileBytes(folder / "dis_EntityStatePdu-vbs-articulated-parameters.raw");
-  EXPECT_THAT(disText(example, vbs), HasSubstr("turret=1.5411100387573242\n"));
+  EXPECT_THAT(disText(example, vbs),
+              HasSubstr("turret=1.5411100387573242 gun=0.07811719179153442\n"));
   EXPECT_EQ(example.undeclared(Route{}, vbs, 100).size(), 14U);
   EXPECT_EQ(example.counts()[0].refused, 0U);
   for (std::size_t bytes = 0; bytes < vbs.size(); ++bytes) {
