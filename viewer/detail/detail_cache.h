@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "core/base/cache_folder.h"
 #include "viewer/detail/mesh_detail.h"
 
 namespace rocinante {
@@ -19,24 +20,19 @@ class DetailCache {
   /// A cache that keeps nothing.
   DetailCache() = default;
   /// Deletes the least recently used files when they take more than `most_bytes`.
-  explicit DetailCache(std::filesystem::path folder, std::uint64_t most_bytes = kDefaultBytes)
-      : folder_(std::move(folder)), most_bytes_(most_bytes) {}
+  explicit DetailCache(std::filesystem::path folder, std::uint64_t most_bytes = kDefaultBytes);
 
   /// XDG_CACHE_HOME/rocinante/lod, else HOME/.cache/rocinante/lod; keeps nothing if neither is an
   /// absolute path.
   static DetailCache ofUser();
 
-  const std::filesystem::path& folder() const { return folder_; }
+  const std::filesystem::path& folder() const { return files_.path(); }
 
   std::optional<MeshDetail> load(const std::string& key, const DetailInput& input) const;
   void store(const std::string& key, const MeshDetail& detail) const;
 
  private:
-  std::filesystem::path fileOf(const std::string& key) const;
-  void makeRoom(std::uint64_t bytes) const;
-
-  std::filesystem::path folder_;  ///< empty: none
-  std::uint64_t most_bytes_ = 0;
+  CacheFolder files_;
 };
 
 }  // namespace rocinante
