@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "core/search/package_names.h"
+#include "core/search/search_facts.h"
 
 namespace rocinante {
 namespace {
@@ -119,6 +120,16 @@ std::vector<fs::path> candidatesFor(const ParsedName& name, const fs::path& besi
 
 FileSearch::FileSearch() : names_(std::make_shared<PackageNames>()) {}
 
+void FileSearch::noteFactsIn(SearchFacts* facts) {
+  facts_ = facts;
+  names_->noteIn(facts);
+}
+
+fs::path FileSearch::canonicalOf(const fs::path& path, std::error_code& error) const {
+  if (facts_ != nullptr) facts_->note(path);
+  return fs::canonical(path, error);
+}
+
 bool FileSearch::Root::holds(const fs::path& path) const {
   const auto [in_root, in_path] =
       std::mismatch(canonical.begin(), canonical.end(), path.begin(), path.end());
@@ -128,7 +139,7 @@ bool FileSearch::Root::holds(const fs::path& path) const {
 Status FileSearch::addRoot(const fs::path& root) {
   if (answers_) return Status{};
   std::error_code error;
-  const fs::path canonical = fs::canonical(root, error);
+  const fs::path canonical = canonicalOf(root, error);
   if (error) return Error{ErrorKind::not_found, "the search root does not exist", root.string()};
   if (!fs::is_directory(canonical, error)) {
     return Error{ErrorKind::bad_argument, "the search root is not a folder", root.string()};
@@ -165,7 +176,7 @@ void FileSearch::addEnvironmentRoots() {
 
 FoundFile FileSearch::checkIn(const std::vector<Root>& roots, const fs::path& file) const {
   std::error_code error;
-  const fs::path canonical = fs::canonical(file, error);
+  const fs::path canonical = canonicalOf(file, error);
   if (error) return {};
   for (const Root& root : roots) {
     if (!root.holds(canonical)) continue;
@@ -209,7 +220,7 @@ FoundFile FileSearch::lookFor(const std::string& given, const fs::path& beside,
   }
 
   std::error_code error;
-  fs::path from = fs::canonical(beside.empty() ? fs::path(".") : beside, error);
+  fs::path from = canonicalOf(beside.empty() ? fs::path(".") : beside, error);
   if (error) from = beside;
   FoundFile best;
   for (const std::string& name : {given, decodedPercent(given)}) {

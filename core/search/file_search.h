@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -14,6 +15,7 @@
 namespace rocinante {
 
 class PackageNames;
+class SearchFacts;
 
 /// Finds files by the names that models use, within search roots and nowhere else
 /// (docs/cell-format.md, section "Where files are looked for"). Links are followed before a file
@@ -24,6 +26,8 @@ class FileSearch {
 
   /// Notes roots and lookups in `lookups` from now on; borrowed.
   void noteIn(FileLookups* lookups) { lookups_ = lookups; }
+  /// Notes what the file system answers from now on in `facts`; borrowed.
+  void noteFactsIn(SearchFacts* facts);
   /// From now on names are resolved by `answers` alone: nothing is looked for, and roots are
   /// ignored.
   void answerFrom(FileAnswers answers) { answers_ = std::move(answers); }
@@ -64,6 +68,8 @@ class FileSearch {
     Root folder;
   };
   using Folders = std::vector<std::filesystem::path>;
+  std::filesystem::path canonicalOf(const std::filesystem::path& path,
+                                    std::error_code& error) const;
   FoundFile checkIn(const std::vector<Root>& roots, const std::filesystem::path& file) const;
   FoundFile lookFor(const std::string& name, const std::filesystem::path& beside,
                     const FoundFile* within) const;
@@ -78,6 +84,7 @@ class FileSearch {
                const std::vector<Root>& roots, FoundFile& missing) const;
 
   FileLookups* lookups_ = nullptr;
+  SearchFacts* facts_ = nullptr;
   FileAnswers answers_;
   std::vector<Root> roots_;
   std::vector<Package> packages_;

@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "core/document/xml_tags.h"
+#include "core/search/search_facts.h"
 
 namespace rocinante {
 namespace {
@@ -48,7 +49,10 @@ std::string readName(const std::filesystem::path& file) {
 std::string PackageNames::nameOf(const std::filesystem::path& folder) {
   const std::lock_guard lock(mutex_);
   const auto [known, is_new] = names_.try_emplace(folder);
-  if (is_new) known->second = readName(folder / "package.xml");
+  if (is_new) {
+    if (facts_ != nullptr) facts_->noteContent(folder / "package.xml");
+    known->second = readName(folder / "package.xml");
+  }
   return known->second;
 }
 
@@ -56,6 +60,7 @@ std::vector<std::filesystem::path> PackageNames::foldersIn(const std::filesystem
   const std::lock_guard lock(mutex_);
   const auto [known, is_new] = folders_.try_emplace(folder);
   if (!is_new) return known->second;
+  if (facts_ != nullptr) facts_->noteMore();
   std::error_code error;
   std::filesystem::directory_iterator each(folder, error);
   for (; !error && each != std::filesystem::directory_iterator(); each.increment(error)) {

@@ -51,7 +51,7 @@ bool isFolder(const fs::path& path) {
 Status FileSearch::addPackage(const PackageFolder& package) {
   if (answers_) return Status{};
   std::error_code error;
-  const fs::path canonical = fs::canonical(package.folder, error);
+  const fs::path canonical = canonicalOf(package.folder, error);
   if (error || !fs::is_directory(canonical, error)) {
     return Error{
         ErrorKind::not_found,
@@ -69,7 +69,7 @@ void FileSearch::setPackagesAbove(const fs::path& folder) {
   packages_above_ = folder;
   std::error_code error;
   fs::path given = folder;
-  for (const fs::path& above : foldersUpFrom(fs::canonical(folder, error), kMaxFoldersAbove)) {
+  for (const fs::path& above : foldersUpFrom(canonicalOf(folder, error), kMaxFoldersAbove)) {
     if (!names_->nameOf(above).empty()) {
       static_cast<void>(addRoot(given).ok());  // it exists
       return;
@@ -83,7 +83,7 @@ void FileSearch::addPackagesAbove(const std::string& name, std::vector<Root>& ro
   std::error_code error;
   fs::path given = packages_above_;
   for (const fs::path& folder :
-       foldersUpFrom(fs::canonical(packages_above_, error), kMaxFoldersAbove)) {
+       foldersUpFrom(canonicalOf(packages_above_, error), kMaxFoldersAbove)) {
     if (folder.filename() == name || names_->nameOf(folder) == name) {
       roots.push_back({given, folder});
     }
@@ -127,6 +127,7 @@ FileSearch::Folders FileSearch::saidPackages(const std::string& name, const fs::
 
 void FileSearch::explain(const std::string& name, const std::string& path, const fs::path& from,
                          const std::vector<Root>& roots, FoundFile& missing) const {
+  if (facts_ != nullptr) facts_->noteMore();
   Folders about = foldersUpFrom(from, kNearFoldersAbove);
   for (const Root& root : roots) about.push_back(root.canonical);
   Folders near = about;
