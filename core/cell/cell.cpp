@@ -43,6 +43,7 @@ std::string endingOf(const fs::path& path) {
 FileSearch searchFor(const CellOptions& options) {
   FileSearch search;
   search.noteIn(options.lookups);
+  search.noteFactsIn(options.facts);
   if (options.answers) search.answerFrom(options.answers);
   return search;
 }

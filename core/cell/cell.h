@@ -20,6 +20,8 @@
 
 namespace rocinante {
 
+class SearchFacts;
+
 /// A device that the cell names.
 struct CellDevice {
   std::string name;
@@ -166,6 +168,10 @@ struct Cell {
   /// users know it by, each with a trailing `/`.
   std::shared_ptr<const void> keeps_files;
   std::string files_below, files_shown_as;
+  /// Pictures at hand without their files, by Material::diffuse_map: PNGs in `keeps_pictures`. Of a
+  /// baked cell (docs/baked-cell.md); otherwise empty.
+  std::map<std::filesystem::path, ByteView> pictures;
+  std::shared_ptr<const void> keeps_pictures;
 
   /// The model of a device with its appearance; null when it could not be read.
   const Model* modelOf(const CellDevice& device) const;
@@ -183,6 +189,7 @@ struct CellOptions : ModelSearch {
   TellLoadProgress progress;       ///< of the meshes; may be empty
   bool strict = false;             ///< an error when any fault is one
   FileLookups* lookups = nullptr;  ///< borrowed: receives every root and name that is looked for
+  SearchFacts* facts = nullptr;    ///< borrowed: receives what the search asked the file system
   FileAnswers answers;             ///< resolves names instead of searching; roots are then ignored
 };
 

@@ -52,7 +52,7 @@ std::uint32_t putOneSidedLast(const MeshPart& part, const std::vector<std::uint8
 
 }  // namespace
 
-SceneCatalog::SceneCatalog(const Cell& cell, DrawnGeometry geometry) {
+SceneCatalog::SceneCatalog(const Cell& cell, DrawnGeometry geometry) : at_hand_(&cell.pictures) {
   for (const auto& [name, model] : cell.models) {
     if (model) addModel(*model, geometry);
   }
@@ -61,6 +61,7 @@ SceneCatalog::SceneCatalog(const Cell& cell, DrawnGeometry geometry) {
     if (device.dressed && dressed.insert(device.dressed.get()).second)
       addModel(*device.dressed, geometry);
   }
+  at_hand_ = nullptr;
 }
 
 void SceneCatalog::addModel(const Model& model, DrawnGeometry geometry) {
@@ -90,7 +91,9 @@ void SceneCatalog::addTexture(const Material& material) {
   if (material.diffuse_map.empty()) return;
   const auto number = static_cast<std::uint32_t>(textures_.size());
   if (texture_numbers_.emplace(material.diffuse_map, number).second) {
-    textures_.push_back({material.diffuse_map, material.diffuse_bytes});
+    const auto at_hand = at_hand_->find(material.diffuse_map);
+    textures_.push_back({material.diffuse_map, material.diffuse_bytes,
+                         at_hand == at_hand_->end() ? ByteView() : at_hand->second});
   }
 }
 

@@ -45,10 +45,12 @@ struct CatalogMesh {
   }
 };
 
-/// A picture from a file, or from `bytes` if not empty; `file` is then only a name.
+/// A picture from `at_hand` or `bytes` if not empty, `file` then being only a name; else from a
+/// file.
 struct CatalogTexture {
   std::filesystem::path file;
   std::shared_ptr<const Bytes> bytes;
+  ByteView at_hand{};  ///< of Cell::pictures
 };
 
 /// Every mesh and texture of a cell's models, numbered. Numbers depend only on the cell (models by
@@ -80,6 +82,7 @@ class SceneCatalog {
   std::vector<CatalogTexture> textures_;
   std::map<std::filesystem::path, std::uint32_t> texture_numbers_;
   std::map<const Model*, LinkReaches> reaches_;  // lookup only, never iterated
+  const std::map<std::filesystem::path, ByteView>* at_hand_ = nullptr;  // while it is made
 };
 
 }  // namespace rocinante

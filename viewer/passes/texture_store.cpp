@@ -39,8 +39,10 @@ TextureStore::TextureStore(const GlTable& gl, const std::vector<CatalogTexture>&
   gl_.SamplerParameteri(plain_sampler_, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   gl_.SamplerParameteri(plain_sampler_, GL_TEXTURE_WRAP_S, GL_REPEAT);
   gl_.SamplerParameteri(plain_sampler_, GL_TEXTURE_WRAP_T, GL_REPEAT);
-  for (const auto& [file, bytes] : files) {
-    Result<Picture> picture = bytes ? decodePicture(*bytes, file.string()) : readPicture(file);
+  for (const auto& [file, bytes, at_hand] : files) {
+    Result<Picture> picture = !at_hand.empty() ? decodePicture(at_hand, file.string())
+                              : bytes          ? decodePicture(*bytes, file.string())
+                                               : readPicture(file);
     inputs.add(std::uint64_t{0x74657874});  // "text"
     if (!picture || picture->width < 1 || picture->height < 1) {
       warnings_.push_back(picture ? "an empty picture (" + file.string() + ")"

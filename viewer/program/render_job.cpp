@@ -12,6 +12,7 @@
 #include "core/base/count_text.h"
 #include "core/base/duration_text.h"
 #include "core/bundle/attached_cell.h"
+#include "viewer/bake/cell_cache.h"
 #include "viewer/picture/picture_encoding.h"
 #include "viewer/program/background_writer.h"
 #include "viewer/program/contact_sheet.h"
@@ -381,7 +382,7 @@ Result<RenderReport> render(const RenderJob& given,
   static_cast<ModelSearch&>(options) = job;
   options.parallel = job.parallel;
   options.progress = job.load_progress;
-  auto cell = loadCellOrLog(job.cell, options);
+  auto cell = CellCache::ofUser().load(job.cell, options);
   if (!cell) return cell.error();
   if (!job.layers.empty()) chooseLayers(job.layers, look.hide, look.show);
   for (const std::string& text : job.joints) {

@@ -14,6 +14,7 @@
 #include "core/foreign/recordings/opened_recording.h"
 #include "core/session/session_time.h"
 #include "core/signing/trust_judge.h"
+#include "viewer/bake/cell_cache.h"
 
 namespace rocinante {
 namespace {
@@ -165,7 +166,7 @@ Result<ViewContent> loadContent(ContentRequest request, const TellLoadProgress& 
   request.cell = is_own_cell ? request.log : *file;
   options.parallel = cli::workerThreads();
   options.progress = progress;
-  auto cell = loadCellOrLog(*file, options);
+  auto cell = CellCache::ofUser().load(*file, options);
   if (!cell.ok()) return recording.named(cell.error());
   if (recording.folder) {
     // A temporary log lasts as long as the cell that is shown with it.
