@@ -9,6 +9,8 @@
 
 #include <array>
 
+#include "viewer/gl/hidden_drirc.h"
+
 namespace rocinante {
 namespace {
 
@@ -91,8 +93,11 @@ Result<std::unique_ptr<RenderContext>> makeEglContext() {
   if (!egl) return egl.error();
   EGLDisplay display =
       egl->GetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
-  if (display == EGL_NO_DISPLAY || egl->Initialize(display, nullptr, nullptr) != EGL_TRUE) {
-    return refusal("EGL has no surfaceless display here");
+  {
+    const HiddenDrirc hidden;
+    if (display == EGL_NO_DISPLAY || egl->Initialize(display, nullptr, nullptr) != EGL_TRUE) {
+      return refusal("EGL has no surfaceless display here");
+    }
   }
   if (egl->BindAPI(EGL_OPENGL_API) != EGL_TRUE) return refusal("this EGL has no desktop GL");
   const std::array<EGLint, 5> wanted{EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, 0,

@@ -10,6 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "viewer/gl/hidden_drirc.h"
+
 namespace rocinante {
 namespace {
 
@@ -120,8 +122,13 @@ void pinRendererEnvironment(const std::string& caps) {
   ::setenv("GALLIUM_DRIVER", "llvmpipe", 1);
   ::setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
   ::setenv("LP_NATIVE_VECTOR_WIDTH", "128", 1);
-  // A missing folder: from Mesa 23 on, no drirc is read.
-  ::setenv("DRIRC_CONFIGDIR", "/nonexistent", 1);
+  // A missing folder: from Mesa 23 on no drirc of the system is read, and ~/.drirc is hidden too.
+  ::setenv("DRIRC_CONFIGDIR", kNoDrircFolder, 1);
+  // What Mesa takes from HOME, which is hidden from it: the place of its cache of shaders.
+  const char* const home = ::getenv("HOME");
+  if (::getenv("XDG_CACHE_HOME") == nullptr && home != nullptr && *home == '/') {
+    ::setenv("XDG_CACHE_HOME", (std::string(home) + "/.cache").c_str(), 1);
+  }
   if (const char* file = mesaVendorFile()) ::setenv("__EGL_VENDOR_LIBRARY_FILENAMES", file, 1);
 }
 

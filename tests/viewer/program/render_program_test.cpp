@@ -106,7 +106,8 @@ TEST(RenderProgram, AnUnknownContextIsExitTwo) {
       << result.err;
 }
 
-// OSMesa reads none; the same of the window is tests/cli/view/drirc_changes_nothing.sh.
+// OSMesa reads none, EGL must see none; the same of the window is
+// tests/cli/view/drirc_changes_nothing.sh.
 TEST(RenderProgram, ADrircChangesNoPixel) {
   const test::TemporaryFolder folder;
   test::writeText(folder / "arm.urdf", test::kArmUrdf);
@@ -122,6 +123,8 @@ TEST(RenderProgram, ADrircChangesNoPixel) {
   const Environment environment({{"HOME", folder.path().string()},
                                  {"force_integer_tex_nearest", "true"},
                                  {"force_glsl_version", "110"}});
+  EXPECT_EQ(hashesOf(arguments), plain);
+  const Environment by_egl(std::map<std::string, std::string>{{"ROCINANTE_CONTEXT", "egl"}});
   EXPECT_EQ(hashesOf(arguments), plain);
 }
 
