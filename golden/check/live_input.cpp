@@ -52,7 +52,9 @@ LiveInput::LiveInput(Sources sources, std::shared_ptr<const decode::DecoderSet> 
       take_(std::move(take)),
       received_(sources_.size()),
       dropped_(sources_.size()) {
-  if (decoders) decoder_.emplace(std::move(decoders), listenedEndpoints(sources_));
+  if (decoders) {
+    decoder_ = std::make_unique<ReceivedDecoder>(std::move(decoders), listenedEndpoints(sources_));
+  }
   for (const auto& each : sources_) names_.push_back(boundText(*each));
   const bool has_own_times = sources_[0]->endpoint().hasOwnTimes();
   if (time == LiveTime::steady && !has_own_times) clock_.emplace(readBothClocks());

@@ -80,7 +80,7 @@ class LiveInput {
 
   Sources sources_;
   Take take_;
-  std::optional<ReceivedDecoder> decoder_;
+  std::unique_ptr<ReceivedDecoder> decoder_;  ///< null without decoders
   std::optional<SessionClock> clock_;  ///< of LiveTime::steady
   std::vector<std::uint64_t> received_, dropped_;
   std::vector<std::string> names_;

@@ -213,6 +213,7 @@ TEST(BakeCellTest, EveryFieldIsBaked) {
       [](Cell& c) { c.scene.grid = true; },
       [](Cell& c) { c.scene.grid_size_m = 1; },
       [](Cell& c) { c.scene.grid_step_m = 1; },
+      [](Cell& c) { c.decoders = "x"; },
       [](Cell& c) { c.faults[0].rule = "x"; },
       [](Cell& c) { c.faults[0].severity = Severity::note; },
       [](Cell& c) { c.faults[0].text = "x"; },
