@@ -6,14 +6,14 @@ lua=$SRC/share/wireshark/rocinante.lua
 reader=()
 echo 'print("a script")' >script.lua
 if [ "$(tshark -r session.pcap -c 1 -X lua_script:script.lua 2>/dev/null | grep -c '^a script$')" = 0 ]; then
-  # For root Wireshark loads no Lua from 4.6 on: a user without rights reads it, where everybody may.
+  # For root newer Wiresharks load no Lua: a user without rights reads it, where everybody may.
   command -v setpriv >/dev/null || { echo "skipped: tshark loads no Lua for this user, and there is no setpriv"; exit 77; }
   open=$(mktemp -d)
   trap 'rm -rf "$open"' EXIT
   cp "$lua" "$open"
   chmod -R a+rX "$open"
   lua=$open/rocinante.lua
-  reader=(setpriv --reuid=65534 --regid=65534 --clear-groups env HOME="$open")
+  reader=(setpriv --reuid=65534 --regid=65534 --clear-groups env -i -C "$open" PATH="$PATH" HOME="$open")
 fi
 show() { "${reader[@]}" tshark -r - "$@" <session.pcap 2>/dev/null; }
 show -o ip.check_checksum:TRUE -o udp.check_checksum:TRUE -T fields -e ip.checksum.status -e udp.checksum.status |
