@@ -11,8 +11,8 @@ namespace rocinante {
 /// What the pinned environment (renderer_key.h) calls Mesa's folder of drirc files: there is none.
 inline constexpr const char* kNoDrircFolder = "/nonexistent";
 
-/// Mesa reads ~/.drirc too, whatever DRIRC_CONFIGDIR names. While this lives, HOME is nowhere, if the
-/// environment is pinned; Mesa's cache of shaders stays where XDG_CACHE_HOME, pinned too, says.
+/// Mesa reads ~/.drirc too, whatever DRIRC_CONFIGDIR names. While this lives, HOME is nowhere, if
+/// the environment is pinned; Mesa's cache of shaders stays where XDG_CACHE_HOME, pinned too, says.
 /// Replaces a variable that is there already, so that threads which read the environment meanwhile
 /// read one of both values.
 class HiddenDrirc {
