@@ -52,7 +52,8 @@ Result<RunApproved> approveRun(const GoldenFolder& folder, const RunCandidate& c
   const auto bytes = readFile(candidate.log, kMaxCopiedLogBytes);
   if (!bytes.ok()) return bytes.error();
   const std::filesystem::path copy = staging->path() / "1.mcap";
-  if (Status written = writeFileWhole(copy, bytesOf(*bytes), true); !written) return written.error();
+  if (Status written = writeFileWhole(copy, bytesOf(*bytes), true); !written)
+    return written.error();
   const auto hashes = hashesOfWhole(copy);
   if (!hashes.ok()) return Error{hashes.error().kind, hashes.error().what, candidate.log.string()};
 

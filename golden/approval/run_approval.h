@@ -22,10 +22,10 @@ struct RunCandidate {
 enum class RunApproved : std::uint8_t { added, already };
 
 /// Adds a log to those accepted for a run: a copy in the golden folder, or in the store. Completely
-/// or not at all: the copy has its own name, which depends on its content, before the manifest names
-/// it; a process killed in between leaves a file that `list` tells of and a repetition uses. Several
-/// processes may approve at once. damaged when a part of the log cannot be read; refused when the
-/// run has kMaxOfOneRun.
+/// or not at all: the copy has its own name, which depends on its content, before the manifest
+/// names it; a process killed in between leaves a file that `list` tells of and a repetition uses.
+/// Several processes may approve at once. damaged when a part of the log cannot be read; refused
+/// when the run has kMaxOfOneRun.
 Result<RunApproved> approveRun(const GoldenFolder& folder, const RunCandidate& candidate);
 
 inline constexpr std::size_t kMaxOfOneRun = 16;

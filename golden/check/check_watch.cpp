@@ -80,11 +80,11 @@ class Watcher {
       }
     }
     if (watch_.isFull()) {
-      cli::warn(fmt::format("more than {} findings at a time: not all were told",
-                            FindingWatch::kMost));
+      cli::warn(
+          fmt::format("more than {} findings at a time: not all were told", FindingWatch::kMost));
     }
     clearStatus();
-    const CheckVerdict verdict = watch_.failed()          ? CheckVerdict::incompatible
+    const CheckVerdict verdict = watch_.failed()         ? CheckVerdict::incompatible
                                  : watch_.packets() == 0 ? CheckVerdict::nothing_judged
                                                          : CheckVerdict::compatible;
     printSummary(verdict);
@@ -171,8 +171,8 @@ void warnOfUntrusted(const LiveInput& input) {
 void warnOfDecoded(const LiveInput& input) {
   const auto decoded = input.decoded();
   if (!decoded) return;
-  cli::warn(fmt::format("decoded {} of {}:", decoded->decoded(),
-                        countText(decoded->octets, "datagram")));
+  cli::warn(
+      fmt::format("decoded {} of {}:", decoded->decoded(), countText(decoded->octets, "datagram")));
   cli::tell(decode::accountText(*decoded));
 }
 
@@ -186,11 +186,9 @@ Result<cli::Exit> watchLive(const Cell& cell, const CheckWatchOptions& options) 
     command = std::move(*parsed);
   }
   Watcher watcher(cell, options, std::move(command));
-  Result<LiveInput> input =
-      LiveInput::open(options.endpoints, options.trust_file, options.decoders, LiveTime::steady,
-                      [&](LogTime time, const LiveDatagram& datagram) {
-                        watcher.take(time, datagram);
-                      });
+  Result<LiveInput> input = LiveInput::open(
+      options.endpoints, options.trust_file, options.decoders, LiveTime::steady,
+      [&](LogTime time, const LiveDatagram& datagram) { watcher.take(time, datagram); });
   if (!input) return input.error();
   cli::catchStopSignals();
   cli::ServiceNotice notice = cli::ServiceNotice::fromEnvironment();

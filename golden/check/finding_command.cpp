@@ -36,9 +36,7 @@ bool isFound(const std::string& program) {
   return false;
 }
 
-Error systemError(const char* what) {
-  return {ErrorKind::refused, std::strerror(errno), what};
-}
+Error systemError(const char* what) { return {ErrorKind::refused, std::strerror(errno), what}; }
 
 /// A file in memory that is read from its beginning.
 Result<int> memoryFile(const std::string& text) {

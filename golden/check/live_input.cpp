@@ -29,8 +29,8 @@ ClockReading readBothClocks() {
 
 Result<LiveInput> LiveInput::open(const std::vector<std::string>& endpoints,
                                   const std::string& trust_file,
-                                  std::shared_ptr<const decode::DecoderSet> decoders,
-                                  LiveTime time, Take take) {
+                                  std::shared_ptr<const decode::DecoderSet> decoders, LiveTime time,
+                                  Take take) {
   std::vector<Endpoint> parsed;
   for (const std::string& text : endpoints) {
     const Result<Endpoint> endpoint = Endpoint::parse(text);

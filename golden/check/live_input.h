@@ -81,7 +81,7 @@ class LiveInput {
   Sources sources_;
   Take take_;
   std::unique_ptr<ReceivedDecoder> decoder_;  ///< null without decoders
-  std::optional<SessionClock> clock_;  ///< of LiveTime::steady
+  std::optional<SessionClock> clock_;         ///< of LiveTime::steady
   std::vector<std::uint64_t> received_, dropped_;
   std::vector<std::string> names_;
   std::optional<LogTime> first_, last_, losses_until_;

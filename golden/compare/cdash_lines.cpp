@@ -22,8 +22,9 @@ std::string cdashPicture(std::string_view role, const std::filesystem::path& png
     return c == '<' || c == '>' || static_cast<unsigned char>(c) < 0x20;
   });
   if (!fits) return {};
-  return fmt::format("<DartMeasurementFile name=\"{}\" type=\"image/png\">{}</DartMeasurementFile>\n",
-                     xmlText(role), path);
+  return fmt::format(
+      "<DartMeasurementFile name=\"{}\" type=\"image/png\">{}</DartMeasurementFile>\n",
+      xmlText(role), path);
 }
 
 }  // namespace rocinante

@@ -10,9 +10,9 @@ namespace rocinante {
 /// DASHBOARD_TEST_FROM_CTEST and takes the lines of cdashPicture() out of what a test prints.
 bool isUnderDashboard();
 
-/// A line by which CTest uploads a picture with the test's result: CDash shows TestImage, ValidImage
-/// and DifferenceImage2 of one test over one another. The file must exist until the tests have
-/// ended; a path that no such line can hold gives an empty text.
+/// A line by which CTest uploads a picture with the test's result: CDash shows TestImage,
+/// ValidImage and DifferenceImage2 of one test over one another. The file must exist until the
+/// tests have ended; a path that no such line can hold gives an empty text.
 std::string cdashPicture(std::string_view role, const std::filesystem::path& png);
 
 inline constexpr std::string_view kCdashFrame = "TestImage";

@@ -80,8 +80,9 @@ class SuiteRunJudge {
         return Error{ErrorKind::refused, "interrupted: nothing was judged",
                      session_.suite().file.string()};
       }
-      auto track = i == 0 ? trackSession(session_.cell(), logs[i], step)
-                          : options_.cache.track(session_.cell(), logs[i], accepted[i - 1].bytes, step);
+      auto track =
+          i == 0 ? trackSession(session_.cell(), logs[i], step)
+                 : options_.cache.track(session_.cell(), logs[i], accepted[i - 1].bytes, step);
       if (!track.ok()) {
         judged.rule = track.error().text();
         return {};

@@ -83,14 +83,16 @@ std::vector<double> readNumbers(const nlohmann::json& object, const char* key) {
 RunFinding readFinding(const nlohmann::json& json) {
   RunFinding finding;
   const std::string kind = readText(json, "kind");
-  for (const auto one : {RunFinding::Kind::event, RunFinding::Kind::rate, RunFinding::Kind::joint,
-                         RunFinding::Kind::pose, RunFinding::Kind::fact,
-                         RunFinding::Kind::drawing}) {
+  for (const auto one :
+       {RunFinding::Kind::event, RunFinding::Kind::rate, RunFinding::Kind::joint,
+        RunFinding::Kind::pose, RunFinding::Kind::fact, RunFinding::Kind::drawing}) {
     if (nameOf(one) == kind) finding.kind = one;
   }
   finding.item = readText(json, "item");
   finding.what = readText(json, "what");
-  const auto time = [&](const char* key) { return Nanoseconds(readNumber<std::int64_t>(json, key)); };
+  const auto time = [&](const char* key) {
+    return Nanoseconds(readNumber<std::int64_t>(json, key));
+  };
   finding.first_accepted = time("first_accepted_ns");
   finding.first_run = time("first_run_ns");
   finding.until_accepted = time("until_accepted_ns");
@@ -120,14 +122,15 @@ std::vector<std::string> runReasons(const JudgedRun& run, std::size_t most) {
   for (std::size_t i = 0; i < std::min(most, findings.size()); ++i) {
     lines.push_back(plainText(findings[i].what));
   }
-  if (findings.size() > most) lines.push_back(fmt::format("... and {} more", findings.size() - most));
+  if (findings.size() > most)
+    lines.push_back(fmt::format("... and {} more", findings.size() - most));
   for (const std::string& change : run.changes) lines.push_back(plainText(change));
   return lines;
 }
 
 std::string runText(const JudgedRun& run) {
-  std::string text = fmt::format("{:<13} {}: {}\n", nameOf(run.verdict), run.name,
-                                 plainText(run.rule));
+  std::string text =
+      fmt::format("{:<13} {}: {}\n", nameOf(run.verdict), run.name, plainText(run.rule));
   const auto& findings = run.judgement.findings;
   if (findings.size() > 1 || !run.changes.empty()) {
     text += fmt::format("why {}:\n", run.name);

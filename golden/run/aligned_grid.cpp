@@ -31,8 +31,7 @@ void between(const TrackColumn& column, const double* a, const double* b, double
 
 }  // namespace
 
-AlignedGrid::AlignedGrid(const SessionTrack& first, const SessionTrack& other,
-                         const TimeMap& map) {
+AlignedGrid::AlignedGrid(const SessionTrack& first, const SessionTrack& other, const TimeMap& map) {
   times_.reserve(first.samples);
   places_.reserve(first.samples);
   const double last = static_cast<double>(other.samples) - 1;

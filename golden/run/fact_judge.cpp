@@ -121,8 +121,8 @@ class FactJudge {
     bool was_reached = false;
     for (std::size_t k = 0; k < accepted_.size(); ++k) {
       const LogTime accepted_time = grids_.accepted_grids[k].time(i);
-      was_accepted = was_accepted || accepted_[k].anyIn(accepted_time - slack_,
-                                                        accepted_time + slack_, isNow);
+      was_accepted =
+          was_accepted || accepted_[k].anyIn(accepted_time - slack_, accepted_time + slack_, isNow);
       if (was_reached) continue;
       const FactChange& accepted_now = accepted_[k].at(accepted_time);
       was_reached = run_.anyIn(time - slack_, time + slack_, [&](const FactChange& other) {

@@ -46,7 +46,8 @@ class LinkPlacer {
   }
 
   void place(std::size_t samples) {
-    for (Chain& chain : chains_) chain.rows.reserve(samples * (chain.own_width + 7 * chain.tips.size()));
+    for (Chain& chain : chains_)
+      chain.rows.reserve(samples * (chain.own_width + 7 * chain.tips.size()));
     for (std::size_t sample = 0; sample < samples; ++sample) {
       for (Chain& chain : chains_) {
         placeOne(chain, sample);
@@ -88,7 +89,8 @@ class LinkPlacer {
       carrier = carrierOf(on, sample);
       chain.in_progress = false;
     }
-    chain.base = carrier * matrixOf({{pose[0], pose[1], pose[2]}, {pose[6], pose[3], pose[4], pose[5]}});
+    chain.base =
+        carrier * matrixOf({{pose[0], pose[1], pose[2]}, {pose[6], pose[3], pose[4], pose[5]}});
   }
 
   Mat4 carrierOf(const Path& on, std::size_t sample) {
@@ -122,8 +124,8 @@ class LinkPlacer {
       }
       const Pose pose = poseOf(chain.base * chain.links[tip]);
       const Quat& turn = pose.orientation;
-      for (const double number : {pose.position.x, pose.position.y, pose.position.z, turn.x, turn.y,
-                                  turn.z, turn.w}) {
+      for (const double number :
+           {pose.position.x, pose.position.y, pose.position.z, turn.x, turn.y, turn.z, turn.w}) {
         chain.rows.push_back(number);
       }
     }
@@ -145,8 +147,8 @@ std::vector<std::size_t> tipLinks(const Model& model) {
   return tips;
 }
 
-void addLinkTracks(std::vector<CarriedTrack>& devices,
-                   const std::vector<Path>& carrier_names, std::size_t samples) {
+void addLinkTracks(std::vector<CarriedTrack>& devices, const std::vector<Path>& carrier_names,
+                   std::size_t samples) {
   LinkPlacer(devices, carrier_names).place(samples);
 }
 

@@ -24,7 +24,7 @@ struct CarriedTrack {
 /// Adds the poses of tip links in the world to each device's rows, by the kinematics of the cell.
 /// `carrier_names`: the first is the world. A carrier that is missing or carried in a loop counts
 /// as the world.
-void addLinkTracks(std::vector<CarriedTrack>& devices,
-                   const std::vector<Path>& carrier_names, std::size_t samples);
+void addLinkTracks(std::vector<CarriedTrack>& devices, const std::vector<Path>& carrier_names,
+                   std::size_t samples);
 
 }  // namespace rocinante

@@ -211,7 +211,8 @@ class ColumnJudge {
         double beyond = std::max({above, below, 0.0});
         if (beyond > measure.limit) {
           if (!unseen) unseen = unseenAt(i, reference);
-          beyond = std::max(0.0, beyond - (*unseen)[c] - std::min(unseenInRun(i, reference, c), measure.limit / 2));
+          beyond = std::max(0.0, beyond - (*unseen)[c] -
+                                     std::min(unseenInRun(i, reference, c), measure.limit / 2));
         }
         sign = above >= below ? 1 : -1;
         square += beyond * beyond;
@@ -288,8 +289,8 @@ class ColumnJudge {
       finding.until_accepted = grids_.sinceOrigin(measure.last);
       finding.what = sentence(measure);
       if (measures_.size() == 1) {
-        finding.curve = curve_.reduced(grids_, scalarScale(), accepted_.front().numbers,
-                                       measure.limit);
+        finding.curve =
+            curve_.reduced(grids_, scalarScale(), accepted_.front().numbers, measure.limit);
       }
       findings.push_back(std::move(finding));
     }
@@ -307,8 +308,13 @@ class ColumnJudge {
       text += fmt::format("; largest at {}", grids_.bothTimes(measure.at));
     }
     if (measures_.size() == 1 && !constant_) {
-      const MotionShape shape{run_.numbers, accepted_.front().numbers, *measure.first, measure.last,
-                              secondsOf(grids_.first().step), scalarScale(), measure.limit,
+      const MotionShape shape{run_.numbers,
+                              accepted_.front().numbers,
+                              *measure.first,
+                              measure.last,
+                              secondsOf(grids_.first().step),
+                              scalarScale(),
+                              measure.limit,
                               measure.unit};
       const std::string how = howItDiffers(shape);
       if (!how.empty()) text += "; " + how;
@@ -349,7 +355,8 @@ Nanoseconds RunGrids::inRun(std::size_t sample) const {
 
 std::size_t RunGrids::reachOf(const RunLimits& limits) const {
   const double step_ms = secondsOf(first().step) * 1e3;
-  return std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(limits.event_ms / step_ms - 1e-9)));
+  return std::max<std::size_t>(
+      1, static_cast<std::size_t>(std::ceil(limits.event_ms / step_ms - 1e-9)));
 }
 
 std::string RunGrids::bothTimes(std::size_t sample) const {

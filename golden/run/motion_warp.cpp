@@ -156,8 +156,8 @@ TimeMap warpedMap(const SessionTrack& first, const SessionTrack& other, const Ti
                            bends[i] != bends[i + 1] || fixed[i];
     if (!is_corner) continue;
     const LogTime time = first.start + first.step * static_cast<std::int64_t>(i);
-    const std::ptrdiff_t place = std::clamp(static_cast<std::ptrdiff_t>(i) + bends[i],
-                                            std::ptrdiff_t{0}, last);
+    const std::ptrdiff_t place =
+        std::clamp(static_cast<std::ptrdiff_t>(i) + bends[i], std::ptrdiff_t{0}, last);
     LogTime in_other = other_grid.time(static_cast<std::size_t>(place));
     if (!warped.knots.empty()) in_other = std::max(in_other, warped.knots.back().run);
     warped.knots.push_back({time, in_other});

@@ -86,15 +86,14 @@ std::string howItDiffers(const MotionShape& shape) {
   const ShapeReader reader(shape);
   if (shape.last < shape.first + 2) return "for an instant";
   if (std::string frozen = frozenText(shape, reader); !frozen.empty()) return frozen;
-  const double plain =
-      reader.rms([&](double i) { return reader.run(i) - reader.accepted(i); });
-  const double mirrored =
-      reader.rms([&](double i) { return reader.run(i) + reader.accepted(i); });
+  const double plain = reader.rms([&](double i) { return reader.run(i) - reader.accepted(i); });
+  const double mirrored = reader.rms([&](double i) { return reader.run(i) + reader.accepted(i); });
   if (mirrored < plain / 10) return "its sign is flipped";
   double mean = 0;
   std::size_t count = 0;
   for (std::size_t i = shape.first; i <= shape.last; ++i) {
-    const double apart = reader.run(static_cast<double>(i)) - reader.accepted(static_cast<double>(i));
+    const double apart =
+        reader.run(static_cast<double>(i)) - reader.accepted(static_cast<double>(i));
     if (std::isnan(apart)) continue;
     mean += apart;
     ++count;

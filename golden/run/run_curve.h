@@ -8,7 +8,8 @@ namespace rocinante {
 
 struct RunGrids;
 
-/// Keeps the band and the run's value, relative to the first accepted one, while a column is judged.
+/// Keeps the band and the run's value, relative to the first accepted one, while a column is
+/// judged.
 class CurveKeeper {
  public:
   void add(std::size_t sample, double least, double most, double value) {

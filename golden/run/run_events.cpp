@@ -67,8 +67,8 @@ class EventJudge {
     for (const Event& event : first_.events) own.push_back(event.time);
     moments_.push_back(own);
     for (std::size_t i = 1; i < accepted_.size(); ++i) {
-      found_.accepted.push_back(alignEvents(first_.events, accepted_[i]->events, first_.origin,
-                                            accepted_[i]->origin));
+      found_.accepted.push_back(
+          alignEvents(first_.events, accepted_[i]->events, first_.origin, accepted_[i]->origin));
       moments_.push_back(momentsOf(first_.events, found_.accepted.back()));
     }
     for (std::size_t i = 0; i < accepted_.size(); ++i) {
@@ -102,9 +102,8 @@ class EventJudge {
     const Nanoseconds measured = since(new_, run_);
     const Nanoseconds its(std::llround(static_cast<double>(measured.count()) / rate));
     const RunLimits limits = spec_.limitsOf(eventItem(first_.events[i]));
-    const Nanoseconds allowed(std::llround(limits.event_ms * 1e6 +
-                                           std::abs(static_cast<double>(its.count())) * kClockPpm *
-                                               1e-6));
+    const Nanoseconds allowed(std::llround(
+        limits.event_ms * 1e6 + std::abs(static_cast<double>(its.count())) * kClockPpm * 1e-6));
     late = its > most ? its - most : its < least ? its - least : Nanoseconds(0);
     return late > allowed ? late - allowed : late < -allowed ? late + allowed : Nanoseconds(0);
   }
@@ -123,8 +122,7 @@ class EventJudge {
         Nanoseconds late_by_good = late;
         const bool is_good = by == Nanoseconds(0);
         const bool is_good_by_other =
-            !is_good && good && good != previous &&
-            beyond(i, good, late_by_good) == Nanoseconds(0);
+            !is_good && good && good != previous && beyond(i, good, late_by_good) == Nanoseconds(0);
         // Only the one before was late: it is no knot.
         if (is_good_by_other) isolated_[*previous] = true;
         if (!is_good && !is_good_by_other) {
@@ -146,10 +144,10 @@ class EventJudge {
     finding.largest = std::abs(secondsOf(late)) * 1e3;
     finding.limit = spec_.limitsOf(finding.item).event_ms;
     const std::string by = since ? fmt::format(" after \"{}\"", first_.events[*since].text) : "";
-    finding.what = fmt::format("event \"{}\" of {} is {} {}{}: at {} (accepted {})", event.text,
-                               event.source, figureText(*finding.largest, "ms"),
-                               late < Nanoseconds(0) ? "early" : "late", by,
-                               timeText(finding.first_run), timeText(finding.first_accepted));
+    finding.what =
+        fmt::format("event \"{}\" of {} is {} {}{}: at {} (accepted {})", event.text, event.source,
+                    figureText(*finding.largest, "ms"), late < Nanoseconds(0) ? "early" : "late",
+                    by, timeText(finding.first_run), timeText(finding.first_accepted));
     add(std::move(finding));
   }
 
@@ -170,9 +168,9 @@ class EventJudge {
                                    timeText(finding.first_accepted));
         told_.push_back(&*moved);
       } else {
-        finding.what =
-            fmt::format("event \"{}\" of {} is missing: expected at {} (accepted {})", event.text,
-                        event.source, timeText(finding.first_run), timeText(finding.first_accepted));
+        finding.what = fmt::format("event \"{}\" of {} is missing: expected at {} (accepted {})",
+                                   event.text, event.source, timeText(finding.first_run),
+                                   timeText(finding.first_accepted));
       }
       add(std::move(finding));
     }
@@ -189,9 +187,9 @@ class EventJudge {
           });
       if (is_accepted) continue;
       RunFinding finding = findingAt(event, found_.run_map.inAccepted(event.time), event.time);
-      finding.what = fmt::format("event \"{}\" of {} was never accepted: at {} (accepted {})",
-                                 event.text, event.source, timeText(finding.first_run),
-                                 timeText(finding.first_accepted));
+      finding.what =
+          fmt::format("event \"{}\" of {} was never accepted: at {} (accepted {})", event.text,
+                      event.source, timeText(finding.first_run), timeText(finding.first_accepted));
       add(std::move(finding));
     }
   }
@@ -200,7 +198,8 @@ class EventJudge {
     RunFinding finding;
     finding.kind = RunFinding::Kind::event;
     finding.item = eventItem(event);
-    finding.first_accepted = finding.at_accepted = finding.until_accepted = accepted - first_.origin;
+    finding.first_accepted = finding.at_accepted = finding.until_accepted =
+        accepted - first_.origin;
     finding.first_run = finding.at_run = run - run_.origin;
     return finding;
   }

@@ -37,16 +37,19 @@ void addNotes(const RunGrids& grids, RunJudgement& judged) {
   const SessionTrack& first = grids.first();
   const LogTime last = grids.run_grid.time(first.samples - 1);
   if (grids.run.end - last > kTellsOfMore) {
-    judged.notes.push_back(fmt::format("the last {:.1f} s of the log are after the accepted end and were not judged",
-                                       secondsOf(grids.run.end - last)));
+    judged.notes.push_back(
+        fmt::format("the last {:.1f} s of the log are after the accepted end and were not judged",
+                    secondsOf(grids.run.end - last)));
   }
   if (last - grids.run.end > kTellsOfMore) {
-    judged.notes.push_back(fmt::format("the log ends {:.1f} s before the accepted one; its last state was held",
-                                       secondsOf(last - grids.run.end)));
+    judged.notes.push_back(
+        fmt::format("the log ends {:.1f} s before the accepted one; its last state was held",
+                    secondsOf(last - grids.run.end)));
   }
   if (grids.run.start - grids.run_grid.time(0) > kTellsOfMore) {
-    judged.notes.push_back(fmt::format("the log begins {:.1f} s after the accepted one; its first state was held",
-                                       secondsOf(grids.run.start - grids.run_grid.time(0))));
+    judged.notes.push_back(
+        fmt::format("the log begins {:.1f} s after the accepted one; its first state was held",
+                    secondsOf(grids.run.start - grids.run_grid.time(0))));
   }
 }
 
@@ -63,9 +66,8 @@ void judgeMotion(const RunGrids& grids, RunJudgement& judged) {
     const auto found = grids.first().devices.find(name);
     const DeviceTrack* device = found != grids.first().devices.end() ? &found->second : nullptr;
     if (device == nullptr) {
-      const bool is_accepted = std::ranges::any_of(grids.accepted, [&](const SessionTrack* track) {
-        return track->devices.contains(name);
-      });
+      const bool is_accepted = std::ranges::any_of(
+          grids.accepted, [&](const SessionTrack* track) { return track->devices.contains(name); });
       if (is_accepted || grids.spec.isMasked(name, Nanoseconds(0))) continue;
       RunFinding finding;
       finding.kind = RunFinding::Kind::fact;
@@ -127,7 +129,8 @@ RunJudgement judgeRun(const RunSpec& spec, const std::vector<const SessionTrack*
   }
   judged.comparable = true;
   if (spec.align == RunAlign::warp) {
-    const auto bend = [&](const SessionTrack& track, TimeMap& map, const EventAlignment& alignment) {
+    const auto bend = [&](const SessionTrack& track, TimeMap& map,
+                          const EventAlignment& alignment) {
       map = warpedMap(first, track, map, !alignment.matched.empty(), spec.warp);
     };
     bend(run, events.run_map, events.run);

@@ -30,7 +30,10 @@ std::string_view nameOf(RunFinding::Kind kind) {
 }
 
 std::string figureText(double figure, std::string_view unit) {
-  const int digits = unit == "ms" || figure >= 99.95 ? 0 : figure >= 9.995 ? 1 : figure >= 0.0995 ? 2 : 3;
+  const int digits = unit == "ms" || figure >= 99.95 ? 0
+                     : figure >= 9.995               ? 1
+                     : figure >= 0.0995              ? 2
+                                                     : 3;
   return fmt::format("{:.{}f}{}{}", figure, digits, unit == "°" || unit == "/s" ? "" : " ", unit);
 }
 

@@ -12,9 +12,9 @@ namespace rocinante {
 
 /// A value over time beside the accepted band, reduced to a few hundred points.
 struct RunCurve {
-  std::vector<double> seconds;       ///< since the accepted origin
-  std::vector<double> least, most;   ///< the accepted band, widened by the limit
-  std::vector<double> value;         ///< the run's; NaN: it has none
+  std::vector<double> seconds;      ///< since the accepted origin
+  std::vector<double> least, most;  ///< the accepted band, widened by the limit
+  std::vector<double> value;        ///< the run's; NaN: it has none
 };
 
 /// Something in which a run leaves what was accepted.
@@ -36,8 +36,8 @@ std::string_view nameOf(RunFinding::Kind kind);
 
 /// The outcome of comparing a session with the accepted ones of a run.
 struct RunJudgement {
-  bool comparable = false;  ///< false: `rule` says why not
-  std::string rule;         ///< one sentence
+  bool comparable = false;           ///< false: `rule` says why not
+  std::string rule;                  ///< one sentence
   std::vector<RunFinding> findings;  ///< in order of time; empty: the run is as accepted
   std::vector<std::string> notes;    ///< what was not judged
   std::size_t accepted = 0, items = 0, samples = 0, events = 0;

@@ -36,7 +36,8 @@ RunLimits RunSpec::limitsOf(std::string_view item) const {
 bool RunSpec::isMasked(std::string_view item, Nanoseconds since_origin) const {
   return std::ranges::any_of(masks, [&](const RunMask& mask) {
     if (since_origin < mask.from || since_origin > mask.until) return false;
-    return patternMatches(mask.item, item) || patternMatches(mask.item, item.substr(0, item.find('/')));
+    return patternMatches(mask.item, item) ||
+           patternMatches(mask.item, item.substr(0, item.find('/')));
   });
 }
 

@@ -21,10 +21,10 @@ std::string_view nameOf(RunAlign align);
 
 /// How far a run may leave the band of the accepted ones.
 struct RunLimits {
-  double joint_deg = 0.05;  ///< joint angles
+  double joint_deg = 0.05;   ///< joint angles
   double position_mm = 0.5;  ///< positions of links and drawings, joints that slide
-  double turn_deg = 0.05;   ///< orientations of links
-  double event_ms = 20;     ///< events, and how much earlier or later a value may come
+  double turn_deg = 0.05;    ///< orientations of links
+  double event_ms = 20;      ///< events, and how much earlier or later a value may come
 };
 /// No limit may be smaller: recordings of one motion differ by so much.
 inline constexpr RunLimits kRunFloors{};

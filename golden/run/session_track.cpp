@@ -182,8 +182,8 @@ class TrackRecorder {
 
   const Model* modelOf(std::string_view name) const {
     const DeviceState* said = state_.findDevice(name);
-    if (said != nullptr && said->presence &&
-        said->presence->value.presence == Presence::added && !said->presence->value.model.empty()) {
+    if (said != nullptr && said->presence && said->presence->value.presence == Presence::added &&
+        !said->presence->value.model.empty()) {
       const auto model = cell_.models.find(said->presence->value.model);
       if (model != cell_.models.end()) return model->second.get();
     }
@@ -246,8 +246,8 @@ class TrackRecorder {
       on = {false, of_cell->on_device, of_cell->on_link};
     }
     const Quat& turn = stated.orientation;
-    const double numbers[] = {stated.position.x, stated.position.y, stated.position.z, turn.x,
-                              turn.y,            turn.z,            turn.w};
+    const double numbers[] = {
+        stated.position.x, stated.position.y, stated.position.z, turn.x, turn.y, turn.z, turn.w};
     std::copy(std::begin(numbers), std::end(numbers), pose);
     carrier = carrierNumber(on);
   }
@@ -294,8 +294,8 @@ class TrackRecorder {
         if (!device.is_stated) {
           std::fill(row, row + width, kUnstated);
         } else if (is_smooth && timeOf(device.filled) > device.last) {
-          const double part = secondsOf(timeOf(device.filled) - device.last) /
-                              secondsOf(time - device.last);
+          const double part =
+              secondsOf(timeOf(device.filled) - device.last) / secondsOf(time - device.last);
           std::copy(device.before.begin(), device.before.end(), row);
           interpolate(device.track->columns, device.before.data(), device.after.data(), part, row);
         } else {
@@ -448,7 +448,8 @@ Result<SessionTrack> trackSession(const Cell& cell, const std::filesystem::path&
     if (!message.ok()) return message.error();
     if (!*message || (*message)->log_time > track.end) break;
     if (!(*message)->channel->folded()) continue;
-    if (const Packet* packet = folder.decode(**message)) recorder.add((*message)->log_time, *packet);
+    if (const Packet* packet = folder.decode(**message))
+      recorder.add((*message)->log_time, *packet);
   }
   if (!reader->unreadable().empty() && !reader->damage().empty()) {
     const DamageSpan& span = reader->damage().front();

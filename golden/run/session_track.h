@@ -32,8 +32,8 @@ struct TrackColumn {
 /// Samples of one device, row by row. NaN: nothing was stated yet, or the device is absent.
 struct DeviceTrack {
   std::vector<TrackColumn> columns;
-  std::size_t width = 0;      ///< numbers of a row
-  std::vector<double> rows;   ///< one row when nothing ever changed
+  std::size_t width = 0;     ///< numbers of a row
+  std::vector<double> rows;  ///< one row when nothing ever changed
   /// Packets that stated something of the device, by sample.
   std::vector<std::uint16_t> updates;
 

@@ -19,11 +19,10 @@ LogTime mapped(const std::vector<TimeMap::Knot>& knots, double rate, LogTime tim
   const TimeMap::Knot& before = *std::prev(after);
   if (after == knots.end()) return before.*to + scaled(time - before.*from, rate);
   const Nanoseconds its = *after.*from - before.*from;
-  const double share = static_cast<double>((time - before.*from).count()) /
-                       static_cast<double>(its.count());
+  const double share =
+      static_cast<double>((time - before.*from).count()) / static_cast<double>(its.count());
   const Nanoseconds other = *after.*to - before.*to;
-  return before.*to +
-         Nanoseconds(std::llround(share * static_cast<double>(other.count())));
+  return before.*to + Nanoseconds(std::llround(share * static_cast<double>(other.count())));
 }
 
 }  // namespace

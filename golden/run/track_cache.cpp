@@ -34,9 +34,9 @@ std::string trackCellHash(const Cell& cell) {
   for (const CellDevice& device : cell.devices) {
     const Model* model = cell.modelOf(device);
     const Pose& pose = device.pose;
-    text += fmt::format("{}\n{}\n{}\n{} {} {} {} {} {} {}\n{:016x}\n", device.name, device.on_device,
-                        device.on_link, pose.position.x, pose.position.y, pose.position.z,
-                        pose.orientation.x, pose.orientation.y, pose.orientation.z,
+    text += fmt::format("{}\n{}\n{}\n{} {} {} {} {} {} {}\n{:016x}\n", device.name,
+                        device.on_device, device.on_link, pose.position.x, pose.position.y,
+                        pose.position.z, pose.orientation.x, pose.orientation.y, pose.orientation.z,
                         pose.orientation.w, model == nullptr ? 0 : kinematicsHash(*model));
   }
   for (const auto& [name, model] : cell.models) {
@@ -46,7 +46,8 @@ std::string trackCellHash(const Cell& cell) {
 }
 
 TrackCache TrackCache::ofUser() {
-  for (const auto& [variable, below] : {std::pair("XDG_CACHE_HOME", ""), std::pair("HOME", ".cache")}) {
+  for (const auto& [variable, below] :
+       {std::pair("XDG_CACHE_HOME", ""), std::pair("HOME", ".cache")}) {
     const char* const text = std::getenv(variable);
     if (text == nullptr || !fs::path(text).is_absolute()) continue;
     return TrackCache(fs::path(text) / below / "rocinante" / "runs");
@@ -57,8 +58,8 @@ TrackCache TrackCache::ofUser() {
 Result<SessionTrack> TrackCache::track(const Cell& cell, const fs::path& log,
                                        const std::string& bytes_hash, Nanoseconds step) const {
   if (folder_.empty()) return trackSession(cell, log, step);
-  const std::string key = hexOf(xxh3(bytesOf(fmt::format(
-      "{} {} {} {}", kTrackVersion, bytes_hash, step.count(), trackCellHash(cell)))));
+  const std::string key = hexOf(xxh3(bytesOf(
+      fmt::format("{} {} {} {}", kTrackVersion, bytes_hash, step.count(), trackCellHash(cell)))));
   const fs::path file = folder_ / (key + std::string(kTrackExtension));
   if (const auto bytes = readFile(file, kMostBytes); bytes.ok()) {
     if (auto track = decodeTrack(bytesOf(*bytes), key)) {

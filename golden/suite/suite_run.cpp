@@ -18,9 +18,10 @@ constexpr double kMostWarp_ms = 2'000;
 std::optional<double> limitIn(SuiteTable& table, std::string_view key, double floor) {
   const auto limit = table.number(key);
   if (limit && !(*limit >= floor && *limit <= kMostLimit)) {
-    table.complain(*table.node(key),
-                   fmt::format("`{}` must be at least {}: recordings of one motion differ by so much",
-                               key, floor));
+    table.complain(
+        *table.node(key),
+        fmt::format("`{}` must be at least {}: recordings of one motion differ by so much", key,
+                    floor));
   }
   return limit;
 }
@@ -76,7 +77,8 @@ void readRunMasks(SuiteTable& table, RunSpec& spec) {
   const TomlNode* node = table.node("mask");
   if (node == nullptr) return;
   if (node->kind != TomlNode::Kind::array) {
-    table.complain(*node, "`mask` is a list of items and of { item = ..., from = ..., until = ... }");
+    table.complain(*node,
+                   "`mask` is a list of items and of { item = ..., from = ..., until = ... }");
     return;
   }
   for (const TomlNode& item : node->items) {

@@ -7,8 +7,8 @@
 
 namespace rocinante {
 
-/// Sets JudgedRun::changes of runs that are not as accepted: what changed in the model or cell since
-/// their first log was accepted, as modelChanges() says it.
+/// Sets JudgedRun::changes of runs that are not as accepted: what changed in the model or cell
+/// since their first log was accepted, as modelChanges() says it.
 void explainRuns(const SuiteSession& session, const SuiteOptions& options,
                  std::vector<JudgedRun>& runs);
 

@@ -100,7 +100,8 @@ void FindingTrigger::judge(const Queue& queue) {
   for (const LossSpan& loss : queue.losses) watch_.addLoss(loss);
   std::size_t at = 0;
   for (const Queued& each : queue.items) {
-    judge(each.time, each.encoding, each.captured, ByteView(queue.payloads).subspan(at, each.bytes));
+    judge(each.time, each.encoding, each.captured,
+          ByteView(queue.payloads).subspan(at, each.bytes));
     at += each.bytes;
   }
   if (queue.reached) passTo(*queue.reached);
@@ -120,8 +121,7 @@ void FindingTrigger::passTo(LogTime now) {
     // The cell's own faults, which have no time, are none of the session's.
     if (!change.begins || !change.finding.first) continue;
     const std::lock_guard lock(mutex_);
-    begun_.push_back(
-        {change.at, fmt::format("{} [{}]", change.finding.text, change.finding.rule)});
+    begun_.push_back({change.at, fmt::format("{} [{}]", change.finding.text, change.finding.rule)});
   }
 }
 

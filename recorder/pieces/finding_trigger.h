@@ -85,7 +85,7 @@ class FindingTrigger {
 
   std::mutex mutex_;
   std::condition_variable given_;
-  Queue queue_;               ///< guarded by mutex_, as are the next two
+  Queue queue_;  ///< guarded by mutex_, as are the next two
   std::vector<Begun> begun_;
   bool is_finished_ = false;
   std::thread thread_;  ///< last: it uses the members above

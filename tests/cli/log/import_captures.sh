@@ -14,4 +14,5 @@ for file in "$captures"/ouster/*.pcap "$captures"/navico_br24_radar/*.pcap; do
   fi
   echo "tshark: $counted"
 done
-rocinante log import "$captures"/ouster/*.pcap "$captures"/navico_br24_radar/*.pcap -o all.mcap || echo "exit $?"
+rocinante log import "$captures"/ouster/*.pcap "$captures"/navico_br24_radar/*.pcap -o all.mcap 2>&1 |
+  sed "s#$captures/##" || echo "exit $?"

@@ -54,8 +54,8 @@ void setWatchdog(const char* period_us, const std::string& process) {
 
 TEST(ServiceNotice, TellsAtAPathAndAtAnAbstractName) {
   const test::TemporaryFolder folder;
-  for (const std::string& name : {(folder.path() / "notify").string(),
-                                  "@rocinante-test-" + std::to_string(::getpid())}) {
+  for (const std::string& name :
+       {(folder.path() / "notify").string(), "@rocinante-test-" + std::to_string(::getpid())}) {
     SCOPED_TRACE(name);
     Manager manager(name);
     ServiceNotice notice = ServiceNotice::fromEnvironment();

@@ -71,7 +71,8 @@ TEST(CheckWatch, TellsBeginningAndEndAndExitsWithOne) {
   watched.waitFor(" ends: error: arm/turn is outside its limits");
   const test::ProgramResult result = watched.program->stop();
   EXPECT_EQ(result.exit_code, 1);
-  EXPECT_THAT(result.out, HasSubstr("2 packets; lasting: nothing; 1 finding began\nincompatible\n"));
+  EXPECT_THAT(result.out,
+              HasSubstr("2 packets; lasting: nothing; 1 finding began\nincompatible\n"));
 }
 
 TEST(CheckWatch, SaysYesWhenNothingWasFoundAndNothingJudgedWithoutAPacket) {

@@ -45,7 +45,8 @@ void delay(SaidSession& session, const std::string& device, std::size_t number, 
     return value;
   });
   session.joint(device, number, from, until, [&](double value, double at) {
-    const auto after = std::ranges::upper_bound(before, at - by_s, {}, [](auto& one) { return one.first; });
+    const auto after =
+        std::ranges::upper_bound(before, at - by_s, {}, [](auto& one) { return one.first; });
     return after == before.begin() ? value : std::prev(after)->second;
   });
 }
@@ -58,7 +59,8 @@ std::vector<Regression> demoRegressions() {
     all.push_back({"a joint is 0.1 degrees off", Kind::joint, kNames[joint], 0, 0.1,
                    [joint](SaidSession& s) { s.joint("arm", joint, 0, 1e9, plus(0.1 * kDegree)); },
                    "offset by +0.10°"});
-    all.push_back({"a joint is 0.5 degrees off from a moment on", Kind::joint, kNames[joint], 5.9, 6.1,
+    all.push_back({"a joint is 0.5 degrees off from a moment on", Kind::joint, kNames[joint], 5.9,
+                   6.1,
                    [joint](SaidSession& s) { s.joint("arm", joint, 6, 1e9, plus(-0.5 * kDegree)); },
                    "offset by -0.50°"});
     all.push_back({"a joint is frozen", Kind::joint, kNames[joint], 13, 15.5,
@@ -87,10 +89,8 @@ std::vector<Regression> demoRegressions() {
   add({"another one is 50 ms late", Kind::joint, "arm/joint5", 1, 3,
        [](SaidSession& s) { delay(s, "arm", 4, 0.05); }, "ms late"});
   add({"a device is 50 ms late", Kind::joint, "gantry/x", 0, 2,
-       [](SaidSession& s) {
-         s.times("gantry", [](double at) { return at + 0.05; });
-       },
-       "ms late", RunAlign::origin});
+       [](SaidSession& s) { s.times("gantry", [](double at) { return at + 0.05; }); }, "ms late",
+       RunAlign::origin});
   add({"a device is 50 ms late beside events in time", Kind::joint, "gantry/y", 0, 2,
        [](SaidSession& s) {
          s.times("gantry", [](double at) { return at < 0.01 ? at : at + 0.05; });
@@ -106,41 +106,37 @@ std::vector<Regression> demoRegressions() {
          s.replace("grip=0.06", "grip=0");
        },
        "frozen at"});
-  add({"two joints are swapped", Kind::joint, "arm/joint2", 0, 0.1,
-       [](SaidSession& s) {
+  add({"two joints are swapped", Kind::joint, "arm/joint2", 0, 0.1, [](SaidSession& s) {
          for (auto& said : s.packets) {
            std::vector<double> values;
            SaidSession::changedJoints(said.body, "arm", [&](double value, std::size_t) {
              values.push_back(value);
              return value;
            });
-           said.body = SaidSession::changedJoints(said.body, "arm", [&](double value, std::size_t i) {
-             return i == 1 ? values[2] : i == 2 ? values[1] : value;
-           });
+           said.body =
+               SaidSession::changedJoints(said.body, "arm", [&](double value, std::size_t i) {
+                 return i == 1 ? values[2] : i == 2 ? values[1] : value;
+               });
          }
        }});
   add({"a value leaps for 40 ms", Kind::joint, "arm/joint3", 7.9, 8.1,
        [](SaidSession& s) { s.joint("arm", 2, 8, 8.04, plus(0.2)); }});
   add({"a value leaps for one packet", Kind::joint, "arm/joint3", 7.9, 8.1,
        [](SaidSession& s) { s.joint("arm", 2, 8.015, 8.025, plus(0.2)); }});
-  add({"a motion overshoots", Kind::joint, "arm/joint1", 3.4, 4.6,
-       [](SaidSession& s) {
+  add({"a motion overshoots", Kind::joint, "arm/joint1", 3.4, 4.6, [](SaidSession& s) {
          s.joint("arm", 0, 3.5, 5, [](double value, double at) {
            return value + 0.02 * std::sin((at - 3.5) / 1.5 * M_PI);
          });
        }});
-  add({"a motion trembles", Kind::joint, "arm/joint6", 6.9, 7.2,
-       [](SaidSession& s) {
+  add({"a motion trembles", Kind::joint, "arm/joint6", 6.9, 7.2, [](SaidSession& s) {
          s.joint("arm", 5, 7, 9, [](double value, double at) {
            return value + 0.004 * std::sin(at * 2 * M_PI * 4);
          });
        }});
-  add({"a joint drifts", Kind::joint, "arm/joint1", 4.5, 12,
-       [](SaidSession& s) {
+  add({"a joint drifts", Kind::joint, "arm/joint1", 4.5, 12, [](SaidSession& s) {
          s.joint("arm", 0, 4, 1e9, [](double value, double at) { return value + (at - 4) * 2e-4; });
        }});
-  add({"a motion is 10 % too small", Kind::joint, "arm/joint2", 0, 3,
-       [](SaidSession& s) {
+  add({"a motion is 10 % too small", Kind::joint, "arm/joint2", 0, 3, [](SaidSession& s) {
          s.joint("arm", 1, 0, 1e9, [](double value, double) { return -0.8 + 0.9 * (value + 0.8); });
        }});
   add({"an event is missing", Kind::event, "event/placed", 11, 11.2,
@@ -153,7 +149,9 @@ std::vector<Regression> demoRegressions() {
        [](SaidSession& s) { s.say("arm", 8, "event \"collision\""); }, "was never accepted"});
   add({"two events are swapped", Kind::event, "event/p", 4.5, 11.2,
        [](SaidSession& s) {
-         s.replace("\"picked\"", "\"x\"").replace("\"placed\"", "\"picked\"").replace("\"x\"", "\"placed\"");
+         s.replace("\"picked\"", "\"x\"")
+             .replace("\"placed\"", "\"picked\"")
+             .replace("\"x\"", "\"placed\"");
        },
        "is out of order"});
   add({"an event is 50 ms late", Kind::event, "event/placed", 11, 11.2,
@@ -164,25 +162,19 @@ std::vector<Regression> demoRegressions() {
        },
        "50 ms late"});
   add({"a pause is 300 ms longer", Kind::event, "event/placed", 11, 11.2,
-       [](SaidSession& s) {
-         s.times("", [](double at) { return at < 8 ? at : at + 0.3; });
-       },
+       [](SaidSession& s) { s.times("", [](double at) { return at < 8 ? at : at + 0.3; }); },
        "300 ms late"});
   add({"everything after a moment is 100 ms late", Kind::event, "event/placed", 11, 11.2,
-       [](SaidSession& s) {
-         s.times("", [](double at) { return at < 6.5 ? at : at + 0.1; });
-       },
+       [](SaidSession& s) { s.times("", [](double at) { return at < 6.5 ? at : at + 0.1; }); },
        "late", RunAlign::origin});
   add({"a rate is halved", Kind::rate, "arm", 0, 1.1,
        [](SaidSession& s) {
          std::size_t count = 0;
-         std::erase_if(s.packets, [&](const auto& said) {
-           return said.source == "arm" && count++ % 2 == 1;
-         });
+         std::erase_if(s.packets,
+                       [&](const auto& said) { return said.source == "arm" && count++ % 2 == 1; });
        },
        "times a second"});
-  add({"a rate is halved for five seconds", Kind::rate, "gantry", 8.5, 10.5,
-       [](SaidSession& s) {
+  add({"a rate is halved for five seconds", Kind::rate, "gantry", 8.5, 10.5, [](SaidSession& s) {
          std::size_t count = 0;
          std::erase_if(s.packets, [&](const auto& said) {
            return said.source == "gantry" && said.at_s > 9 && said.at_s < 14 && count++ % 2 == 1;
@@ -190,16 +182,15 @@ std::vector<Regression> demoRegressions() {
        }});
   add({"a source falls silent for a second while it moves", Kind::joint, "gantry/x", 6.9, 7.6,
        [](SaidSession& s) { s.erase("gantry", 7, 8.5); }});
-  add({"a session ends early", Kind::joint, "arm/joint2", 17.4, 19,
-       [](SaidSession& s) {
+  add({"a session ends early", Kind::joint, "arm/joint2", 17.4, 19, [](SaidSession& s) {
          std::erase_if(s.packets, [](const auto& said) { return said.at_s > 17.5; });
        }});
   add({"a device never speaks", Kind::joint, "arm/joint1", 0, 0.1,
        [](SaidSession& s) { s.erase("arm", 0, 1e9); }, "no value"});
-  add({"a canister stands elsewhere", Kind::pose, "canister", 0, 0.1,
-       [](SaidSession& s) { s.replace("pose canister -2.4 -1 0.25", "pose canister -2.4 -1.002 0.25"); }});
-  add({"a canister is not picked up", Kind::fact, "canister", 4.4, 5,
-       [](SaidSession& s) {
+  add({"a canister stands elsewhere", Kind::pose, "canister", 0, 0.1, [](SaidSession& s) {
+         s.replace("pose canister -2.4 -1 0.25", "pose canister -2.4 -1.002 0.25");
+       }});
+  add({"a canister is not picked up", Kind::fact, "canister", 4.4, 5, [](SaidSession& s) {
          for (auto& said : s.packets) {
            if (said.body.find("in gantry/gripper") == std::string::npos) continue;
            const std::size_t at = said.body.find("pose canister ");
@@ -238,7 +229,8 @@ class RunRegressions : public testing::Test {
 
   /// `judged` names the regression, at its time.
   static void expectNamed(const Regression& regression, const RunJudgement& judged) {
-    SCOPED_TRACE(fmt::format("{} ({})\n{}", regression.what, regression.item, textOfFindings(judged)));
+    SCOPED_TRACE(
+        fmt::format("{} ({})\n{}", regression.what, regression.item, textOfFindings(judged)));
     ASSERT_TRUE(judged.comparable);
     const auto found = std::ranges::find_if(judged.findings, [&](const RunFinding& finding) {
       return finding.kind == regression.kind && finding.item.starts_with(regression.item) &&
@@ -250,8 +242,8 @@ class RunRegressions : public testing::Test {
   }
 
   static void expectSilent(const char* what, const RunJudgement& judged) {
-    EXPECT_TRUE(judged.comparable && judged.findings.empty())
-        << what << "\n" << textOfFindings(judged);
+    EXPECT_TRUE(judged.comparable && judged.findings.empty()) << what << "\n"
+                                                              << textOfFindings(judged);
   }
 
   test::TemporaryFolder folder_;
@@ -294,7 +286,8 @@ std::vector<std::pair<const char*, std::function<void(SaidSession&)>>> benignCha
          std::mt19937 random(7);
          std::normal_distribution<double> noise(0, 0.005 * kDegree);
          for (std::size_t joint = 0; joint < 6; ++joint) {
-           s.joint("arm", joint, 0, 1e9, [&](double value, double) { return value + noise(random); });
+           s.joint("arm", joint, 0, 1e9,
+                   [&](double value, double) { return value + noise(random); });
          }
          std::normal_distribution<double> noise_m(0, 0.00005);
          for (std::size_t joint = 0; joint < 4; ++joint) {
@@ -303,13 +296,9 @@ std::vector<std::pair<const char*, std::function<void(SaidSession&)>>> benignCha
          }
        }},
       {"a clock 200 ppm fast",
-       [](SaidSession& s) {
-         s.times("", [](double at) { return at * 1.0002; });
-       }},
+       [](SaidSession& s) { s.times("", [](double at) { return at * 1.0002; }); }},
       {"a clock 200 ppm slow",
-       [](SaidSession& s) {
-         s.times("", [](double at) { return at * 0.9998; });
-       }},
+       [](SaidSession& s) { s.times("", [](double at) { return at * 0.9998; }); }},
       {"arrivals that jitter by 3 ms",
        [](SaidSession& s) {
          std::mt19937 random(11);
@@ -317,9 +306,7 @@ std::vector<std::pair<const char*, std::function<void(SaidSession&)>>> benignCha
          s.times("", [&](double at) { return at + late(random); });
        }},
       {"one source 8 ms behind the others",
-       [](SaidSession& s) {
-         s.times("arm", [](double at) { return at + 0.008; });
-       }},
+       [](SaidSession& s) { s.times("arm", [](double at) { return at + 0.008; }); }},
       {"one packet in fifty lost",
        [](SaidSession& s) {
          std::size_t count = 0;
@@ -506,7 +493,8 @@ TEST_F(RunRegressions, ChangesOfARealRecordingAreNamed) {
   std::mt19937 random(3);
   std::normal_distribution<double> noise(0, 0.004 * kDegree);
   for (std::size_t joint = 0; joint < 7; ++joint) {
-    noisy.joint("panda", joint, 0, 1e9, [&](double value, double) { return value + noise(random); });
+    noisy.joint("panda", joint, 0, 1e9,
+                [&](double value, double) { return value + noise(random); });
   }
   noisy.times("", [](double at) { return at * 1.0002 + 0.5; });
   const auto run = trackOf(cell, noisy);

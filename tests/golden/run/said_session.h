@@ -1,5 +1,6 @@
 #pragma once
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,8 +13,6 @@
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include "core/log/log_reader.h"
 #include "core/log/log_writer.h"
 
@@ -23,7 +22,7 @@ namespace rocinante::test {
 class SaidSession {
  public:
   struct Said {
-    double at_s = 0;  ///< since the origin
+    double at_s = 0;                   ///< since the origin
     std::string source, header, body;  ///< the first line without its LF, and the rest
   };
   std::vector<Said> packets;
@@ -37,7 +36,8 @@ class SaidSession {
       const auto message = reader->next();
       if (!message.ok() || !*message) break;
       if (!(*message)->channel->captured()) continue;
-      const std::string text((*message)->payload.size() == 0 ? "" : std::string(textOf((*message)->payload)));
+      const std::string text(
+          (*message)->payload.size() == 0 ? "" : std::string(textOf((*message)->payload)));
       const std::size_t line = text.find('\n');
       session.packets.push_back({secondsOf((*message)->log_time - reader->summary().origin),
                                  (*message)->channel->metadata.at("source"), text.substr(0, line),
@@ -58,8 +58,8 @@ class SaidSession {
     std::ranges::stable_sort(order, {}, &Said::at_s);
     for (const Said* said : order) {
       if (!channels.contains(said->source)) {
-        const auto made = writer->addChannel("/udp/19960/" + said->source, "rk1",
-                                             {{"source", said->source}});
+        const auto made =
+            writer->addChannel("/udp/19960/" + said->source, "rk1", {{"source", said->source}});
         ASSERT_TRUE(made.ok());
         channels[said->source] = *made;
       }
@@ -73,8 +73,9 @@ class SaidSession {
           fmt::format("{} {} {} -{}\n{}", magic, source, count, rest, said->body);
       const LogTime at(std::chrono::seconds(1'700'000'000) +
                        Nanoseconds(std::llround(said->at_s * 1e9)));
-      ASSERT_TRUE(writer->write(channels[said->source], count, at, at.time_since_epoch().count(),
-                                bytesOf(text))
+      ASSERT_TRUE(writer
+                      ->write(channels[said->source], count, at, at.time_since_epoch().count(),
+                              bytesOf(text))
                       .ok());
     }
     ASSERT_TRUE(writer->close("test").ok());
@@ -103,7 +104,8 @@ class SaidSession {
       if (verb == "joints" && name == device) {
         line = verb + " " + name;
         double value = 0;
-        for (std::size_t i = 0; words >> value; ++i) line += fmt::format(" {:.9f}", change(value, i));
+        for (std::size_t i = 0; words >> value; ++i)
+          line += fmt::format(" {:.9f}", change(value, i));
       }
       changed += line + "\n";
     }

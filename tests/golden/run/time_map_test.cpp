@@ -28,7 +28,8 @@ TEST(ClockRate, IsTheMedianOfPairsAndNoMoreThanClocksAreOff) {
   EXPECT_NEAR(clockRate(events), 1.0002, 1e-6);
   for (auto& event : events) event.run += (event.run - secondsAt(0)) / 1000;
   EXPECT_EQ(clockRate(events), 1);  // no clock is 1,000 ppm off
-  EXPECT_EQ(clockRate({{secondsAt(0), secondsAt(0)}, {secondsAt(1), secondsAt(1.0002)}}), 1);  // too short to tell
+  EXPECT_EQ(clockRate({{secondsAt(0), secondsAt(0)}, {secondsAt(1), secondsAt(1.0002)}}),
+            1);  // too short to tell
 }
 
 }  // namespace

@@ -168,9 +168,9 @@ struct SlowCell {
 TEST(RecordWithACell, WhatComesWhileItIsReadIsRecorded) {
   const TemporaryFolder folder;
   SlowCell slow(folder / "log.mcap");
-  slow.options.load_cell = [&]() -> Result<std::shared_ptr<const CellBundle>> {
+  slow.options.load_cell = [&]() -> Result<LoadedCell> {
     slow.hear();
-    return std::shared_ptr<const CellBundle>();
+    return LoadedCell();
   };
   slow.options.max_packets = 10;
   const Result<RecordSummary> summary = record(slow.options, slow.events);
@@ -182,7 +182,7 @@ TEST(RecordWithACell, WhatComesWhileItIsReadIsRecorded) {
 TEST(RecordWithACell, OneThatDoesNotLoadLeavesNoLog) {
   const TemporaryFolder folder;
   SlowCell slow(folder / "log.mcap");
-  slow.options.load_cell = [&]() -> Result<std::shared_ptr<const CellBundle>> {
+  slow.options.load_cell = [&]() -> Result<LoadedCell> {
     slow.hear();
     return Error{ErrorKind::damaged, "no cell", "cell.toml"};
   };
