@@ -258,8 +258,7 @@ TEST(DisReader, ReadsWhatOtherSimulatorsSend) {
   EXPECT_NEAR(qz, 0, 1e-5);
   EXPECT_NEAR(qw * qw, 1, 1e-9);
   EXPECT_THAT(disText(example, fileBytes(folder / "dis7_EntityStatePdu-articulated_parts.raw")),
-              HasSubstr("joint entity-1.200.1 turret=1.7826199531555176\n"
-                        "joint entity-1.200.1 gun=1.2814699411392212"));
+              HasSubstr("joint entity-1.200.1 turret=1.7826199531555176 gun=1.2814699411392212\n"));
   // Sixteen articulations, two of which the example uses.
   const Bytes vbs = fileBytes(folder / "dis_EntityStatePdu-vbs-articulated-parameters.raw");
   EXPECT_THAT(disText(example, vbs),
