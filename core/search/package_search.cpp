@@ -6,6 +6,7 @@
 #include "core/document/fault_list.h"
 #include "core/search/file_search.h"
 #include "core/search/package_names.h"
+#include "core/search/search_facts.h"
 
 // Finds the folder of a package when no folder has the package's name.
 

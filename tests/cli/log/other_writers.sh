@@ -33,4 +33,4 @@ try rocinante log split no_summary.mcap -o pieces/ --time 1s
 try rocinante log merge pieces/*.mcap -o again.mcap
 for made in same recovered again; do sums $made.mcap; done
 for made in part same recovered both again; do rocinante log doctor $made.mcap | cut -d'(' -f1; done
-rocinante play whole.mcap --to 127.0.0.1:9 --asap --json 2>play.err | grep -E '"(sent|restatements|stream_sha256)"' || cat play.err
+rocinante play whole.mcap --channel /chatter --to 127.0.0.1:9 --asap --json 2>play.err | grep -E '"(sent|restatements|stream_sha256)"' || cat play.err
