@@ -188,7 +188,7 @@ TEST(BagImport, ReadsRos1ChunksOfLz4) {
   mcap::appendBytes(records, bagMessage(4, 3, jointState(Kind::ros1, 1, {"a"}, {0.5})));
   // A frame of LZ4: magic, flags and block size with their checksum, one stored block, end mark.
   Bytes frame;
-  for (const unsigned byte : {0x04, 0x22, 0x4D, 0x18, 0x60, 0x40, 0x82}) {
+  for (const int byte : {0x04, 0x22, 0x4D, 0x18, 0x60, 0x40, 0x82}) {
     frame.push_back(static_cast<std::byte>(byte));
   }
   mcap::appendNumber(frame, static_cast<std::uint32_t>(records.size()) | 0x8000'0000U);
