@@ -103,7 +103,7 @@ class Watcher {
     if (options_.quiet && !options_.json) return;
     clearStatus();
     cli::say(options_.json ? json : findingChangeText(change) + "\n");
-    // A reader of the pipe is told now.
+    // A reader of the pipe sees it now.
     std::fflush(stdout);
   }
 

@@ -15,7 +15,7 @@ constexpr Nanoseconds kFinestStep = std::chrono::milliseconds(20);
 /// Numbers of all tracks of a run together: 400 MB.
 constexpr std::int64_t kMostNumbers = 50'000'000;
 
-/// The longest of some logs, without reading them; those that cannot be opened are told later.
+/// The longest of some logs, without reading them; those that cannot be opened are reported later.
 Nanoseconds longestOf(const std::vector<std::filesystem::path>& logs) {
   Nanoseconds longest{0};
   for (const std::filesystem::path& log : logs) {

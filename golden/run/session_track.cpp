@@ -423,7 +423,7 @@ Result<SessionTrack> trackSession(const Cell& cell, const std::filesystem::path&
   if (!summary.closed) {
     return Error{ErrorKind::damaged,
                  "the log has no end, so perhaps not the whole session; `rocinante log recover` "
-                 "writes what there is",
+                 "writes a whole log of what it has",
                  log.string()};
   }
   if (summary.messages == 0) {

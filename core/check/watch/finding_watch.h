@@ -47,7 +47,7 @@ struct FindingChange {
 /// (nobody drives a device, a source never spoke) when it has stood for the hold, since sources may
 /// be started a moment later; a fault of the cell at once. **It ends** when it has not occurred, or
 /// has not stood, for the hold. One that begins again soon after it ended is given twice the hold
-/// each time, up to kLongestHold, so that what flickers is told a few times and not for ever.
+/// each time, up to kLongestHold, so that what flickers is reported a few times and not for ever.
 ///
 /// Time is data: it reads no clock. Memory is bounded: kMost findings at a time; what is beyond is
 /// not told (isFull()). The cell and the baseline must outlive it. One thread.

@@ -89,7 +89,7 @@ void FieldTable::readField(TomlTable& table, bool little_endian) {
 void FieldTable::checkDis(TomlTable& table, const std::string& path) {
   const std::optional<DisField> known = disFieldNamed(path);
   if (!known) {
-    table.error(kBadValue, "at", quotedInFault(path) + " is no field of an Entity State PDU",
+    table.error(kBadValue, "at", quotedInFault(path) + " is not a field of an Entity State PDU",
                 "one looks like \"location.x\" or \"primary-turret-1.azimuth\"");
   } else if (known->isLocal() && !decoder_.origin) {
     table.error("decoder.missing-key", "at",

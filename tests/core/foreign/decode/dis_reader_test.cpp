@@ -222,7 +222,7 @@ TEST(DisReader, WantsAnOriginForLocalFieldsAndNamesThatItKnows) {
   };
   EXPECT_EQ(fault("location.x", ""), "");
   EXPECT_THAT(fault("local.x", ""), HasSubstr("needs `origin`"));
-  EXPECT_THAT(fault("location", ""), HasSubstr("is no field of an Entity State PDU"));
+  EXPECT_THAT(fault("location", ""), HasSubstr("is not a field of an Entity State PDU"));
   EXPECT_THAT(fault("site", "origin = { latitude = 91, longitude = 0, height = 0 }\n"),
               HasSubstr("`latitude` is -90 to 90"));
   EXPECT_THAT(fault("site", "origin = { latitude = 1, longitude = 0 }\n"),
