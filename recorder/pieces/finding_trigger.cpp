@@ -37,15 +37,23 @@ FindingTrigger::~FindingTrigger() { finish(); }
 
 void FindingTrigger::add(LogTime time, std::string_view encoding, bool captured,
                          ByteView datagram) {
-  if (!is_live_) return judge(time, encoding, captured, datagram);
+  add({time, std::string(encoding), captured, false, datagram.size()}, datagram);
+}
+
+void FindingTrigger::addMade(LogTime time, std::string_view encoding, ByteView made) {
+  add({time, std::string(encoding), true, true, made.size()}, made);
+}
+
+void FindingTrigger::add(Queued item, ByteView payload) {
+  if (!is_live_) return judge(item, payload);
   const std::lock_guard lock(mutex_);
   const std::size_t held = queue_.payloads.size() + kItemBytes * queue_.items.size();
-  if (held + datagram.size() + kItemBytes > kMaxQueuedBytes) {
+  if (held + payload.size() + kItemBytes > kMaxQueuedBytes) {
     ++dropped_;
     return;
   }
-  queue_.items.push_back({time, std::string(encoding), captured, datagram.size()});
-  queue_.payloads.insert(queue_.payloads.end(), datagram.begin(), datagram.end());
+  queue_.items.push_back(std::move(item));
+  queue_.payloads.insert(queue_.payloads.end(), payload.begin(), payload.end());
 }
 
 void FindingTrigger::addLoss(const LossSpan& span) {
@@ -100,17 +108,17 @@ void FindingTrigger::judge(const Queue& queue) {
   for (const LossSpan& loss : queue.losses) watch_.addLoss(loss);
   std::size_t at = 0;
   for (const Queued& each : queue.items) {
-    judge(each.time, each.encoding, each.captured,
-          ByteView(queue.payloads).subspan(at, each.bytes));
+    judge(each, ByteView(queue.payloads).subspan(at, each.bytes));
     at += each.bytes;
   }
   if (queue.reached) passTo(*queue.reached);
 }
 
-void FindingTrigger::judge(LogTime time, std::string_view encoding, bool captured,
-                           ByteView datagram) {
-  passTo(time);
-  watch_.add(time, encoding, captured, datagram);
+void FindingTrigger::judge(const Queued& item, ByteView payload) {
+  passTo(item.time);
+  if (!item.made) return watch_.add(item.time, item.encoding, item.captured, payload);
+  watch_.addOctets(item.time, item.encoding, true);
+  watch_.add(item.time, "rk1", false, payload);
 }
 
 void FindingTrigger::passTo(LogTime now) {

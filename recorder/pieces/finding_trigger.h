@@ -42,6 +42,8 @@ class FindingTrigger {
 
   /// The next datagram in time order, as SessionCheck takes it; copied.
   void add(LogTime time, std::string_view encoding, bool captured, ByteView datagram);
+  /// A datagram that is not packet text, by the packet that a decoder made of it; copied.
+  void addMade(LogTime time, std::string_view encoding, ByteView made);
   void addLoss(const LossSpan& span);
   /// Everything before this moment was added.
   void reach(LogTime moment);
@@ -59,6 +61,7 @@ class FindingTrigger {
     LogTime time{};
     std::string encoding;
     bool captured = false;
+    bool made = false;      ///< the payload is what a decoder made
     std::size_t bytes = 0;  ///< of the payload, in the queue's order
   };
   /// Datagrams in order, their payloads one after another.
@@ -71,9 +74,11 @@ class FindingTrigger {
     void clear();
   };
 
+  /// Queues an item, or judges it at once.
+  void add(Queued item, ByteView payload);
   void work();
   void judge(const Queue& queue);
-  void judge(LogTime time, std::string_view encoding, bool captured, ByteView datagram);
+  void judge(const Queued& item, ByteView payload);
   void passTo(LogTime now);
 
   const Cell cell_;

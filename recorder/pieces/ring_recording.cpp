@@ -87,8 +87,13 @@ Status RingRecording::write(const CapturedDatagram& datagram) {
     trigger(datagram.time, met->text());
   }
   if (options_.watch) {
-    options_.watch->add(datagram.time, datagram.channel->encoding, datagram.captured(),
-                        datagram.payload);
+    if (datagram.made != nullptr) {
+      options_.watch->addMade(datagram.time, datagram.channel->encoding,
+                              bytesOf(datagram.made->text));
+    } else {
+      options_.watch->add(datagram.time, datagram.channel->encoding, datagram.captured(),
+                          datagram.payload);
+    }
     triggerByFinding();
   }
   return {};

@@ -44,6 +44,25 @@ TEST(FindingTrigger, OfAFileTellsAtOnceInItsOwnTime) {
   EXPECT_THAT(trigger.take(), IsEmpty());
 }
 
+TEST(FindingTrigger, JudgesWhatDecodersMade) {
+  for (const bool is_live : {false, true}) {
+    const test::TemporaryFolder folder;
+    FindingTrigger trigger(limitedArm(folder.path()), Severity::warning, is_live);
+    for (int i = 0; i < 100; ++i) {
+      const std::string made =
+          fmt::format("RK1 decoded:d - {}\njoints arm {}\n", i, i == 50 ? 3 : 1);
+      trigger.addMade(kTriggerStart + 10ms * i, "octets", bytesOf(made));
+    }
+    trigger.reach(kTriggerStart + 1s);
+    trigger.finish();
+    const auto begun = trigger.take();
+    // Not that octets are no packets.
+    ASSERT_THAT(begun, SizeIs(1));
+    EXPECT_EQ(begun[0].at, kTriggerStart + 500ms);
+    EXPECT_THAT(begun[0].text, HasSubstr("[joint.limit]"));
+  }
+}
+
 TEST(FindingTrigger, LiveJudgesEverythingOnItsOwnThread) {
   const test::TemporaryFolder folder;
   FindingTrigger trigger(limitedArm(folder.path()), Severity::error, /*is_live=*/true);
