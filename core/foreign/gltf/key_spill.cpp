@@ -1,13 +1,7 @@
 #include "core/foreign/gltf/key_spill.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstdlib>
-#include <cstring>
 #include <utility>
 
 namespace rocinante {
@@ -16,40 +10,12 @@ namespace {
 constexpr std::size_t kBlockNumbers = 1024;
 constexpr std::size_t kBlockBytes = kBlockNumbers * sizeof(float);
 
-/// A file without a name, which is gone when it is closed; -1 with errno.
-int unnamedFileIn(const std::string& folder) {
-  const int file = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
-  if (file >= 0) return file;
-  // Some file systems have no O_TMPFILE.
-  std::string path = folder + "/.rocinante-XXXXXX";
-  const int named = ::mkostemp(path.data(), O_CLOEXEC);
-  if (named >= 0) ::unlink(path.c_str());
-  return named;
-}
-
 }  // namespace
 
 Result<KeySpill> KeySpill::make(const std::string& folder) {
-  const int file = unnamedFileIn(folder);
-  if (file < 0) {
-    return Error{ErrorKind::unreadable,
-                 std::string("cannot make a temporary file: ") + std::strerror(errno), folder};
-  }
-  return KeySpill(file, folder);
-}
-
-KeySpill::~KeySpill() {
-  if (file_ >= 0) ::close(file_);
-}
-
-KeySpill::KeySpill(KeySpill&& other) noexcept
-    : file_(std::exchange(other.file_, -1)),
-      folder_(std::move(other.folder_)),
-      lists_(std::move(other.lists_)),
-      blocks_(other.blocks_) {}
-
-Error KeySpill::refusal(const char* what) const {
-  return {ErrorKind::unreadable, std::string(what) + ": " + std::strerror(errno), folder_};
+  Result<UnnamedFile> file = UnnamedFile::make(folder);
+  if (!file) return file.error();
+  return KeySpill(std::move(*file));
 }
 
 std::size_t KeySpill::addList() {
@@ -71,15 +37,8 @@ Status KeySpill::append(std::size_t list, std::span<const float> numbers) {
 }
 
 Status KeySpill::writeBlock(List& list) {
-  const ByteView bytes = std::as_bytes(std::span(list.open));
-  const std::uint64_t from = blocks_ * kBlockBytes;
-  for (std::size_t done = 0; done < bytes.size();) {
-    const ssize_t count =
-        ::pwrite(file_, bytes.data() + done, bytes.size() - done, static_cast<off_t>(from + done));
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return refusal("cannot write a temporary file");
-    done += static_cast<std::size_t>(count);
-  }
+  Status written = file_.write(blocks_ * kBlockBytes, std::as_bytes(std::span(list.open)));
+  if (!written) return written;
   list.blocks.push_back(blocks_++);
   list.open.clear();
   return {};
@@ -93,14 +52,7 @@ std::uint64_t KeySpill::bytesOf(std::size_t list) const {
 Status KeySpill::read(std::size_t list, const std::function<Status(ByteView)>& use) const {
   std::array<std::byte, kBlockBytes> bytes;
   for (const std::uint64_t block : lists_[list].blocks) {
-    const std::uint64_t from = block * kBlockBytes;
-    for (std::size_t done = 0; done < bytes.size();) {
-      const ssize_t count =
-          ::pread(file_, bytes.data() + done, bytes.size() - done, static_cast<off_t>(from + done));
-      if (count < 0 && errno == EINTR) continue;
-      if (count <= 0) return refusal("cannot read a temporary file");
-      done += static_cast<std::size_t>(count);
-    }
+    if (Status filled = file_.read(block * kBlockBytes, bytes); !filled) return filled;
     if (Status used = use(bytes); !used) return used;
   }
   const std::vector<float>& open = lists_[list].open;

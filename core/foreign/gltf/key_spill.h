@@ -4,10 +4,12 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/bytes.h"
 #include "core/base/result.h"
+#include "core/base/unnamed_file.h"
 
 namespace rocinante {
 
@@ -17,9 +19,6 @@ class KeySpill {
  public:
   /// unreadable when no file can be made in `folder`.
   static Result<KeySpill> make(const std::string& folder);
-  ~KeySpill();
-  KeySpill(KeySpill&& other) noexcept;
-  KeySpill& operator=(KeySpill&&) = delete;
 
   /// A new, empty list.
   std::size_t addList();
@@ -35,12 +34,10 @@ class KeySpill {
     std::vector<float> open;            ///< what is not in the file yet
   };
 
-  KeySpill(int file, std::string folder) : file_(file), folder_(std::move(folder)) {}
+  explicit KeySpill(UnnamedFile file) : file_(std::move(file)) {}
   Status writeBlock(List& list);
-  Error refusal(const char* what) const;
 
-  int file_;
-  std::string folder_;
+  UnnamedFile file_;
   std::vector<List> lists_;
   std::uint64_t blocks_ = 0;  ///< in the file
 };

@@ -5,9 +5,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "core/base/count_text.h"
-#include "core/foreign/recordings/recording_bytes.h"
-#include "core/foreign/recordings/row_translation.h"
+#include "core/foreign/recordings/line_recording.h"
 #include "core/foreign/table/table_column.h"
 
 namespace rocinante {
@@ -139,89 +137,27 @@ bool parseRow(std::string_view line, JsonRow& row) {
   return nlohmann::json::sax_parse(line.begin(), line.end(), &row) && row.is_object;
 }
 
-class JsonLines final : public ros::BagReader {
+class JsonLines final : public LineRecording {
  public:
   JsonLines(RecordingBytes bytes, std::string name, std::string device)
-      : lines_(std::move(bytes)),
-        name_(std::move(name)),
-        device_(std::move(device)),
-        rows_(kJsonTopic, kJsonDecoder) {
-    ros::BagTopic topic;
-    topic.name = kJsonTopic;
-    topic.type = "JSON lines";
-    topic.encoding = kJsonDecoder;
-    topic.decoder = kJsonDecoder;
-    topics_.push_back(std::move(topic));
+      : LineRecording(std::move(bytes), std::move(name), kJsonTopic, kJsonDecoder, "line"),
+        device_(std::move(device)) {
+    topic().type = "JSON lines";
   }
 
-  std::string_view kind() const override { return "json"; }
-  const std::vector<ros::BagTopic>& topics() const override { return topics_; }
-  Result<std::optional<Bytes>> lastOf(std::size_t) override { return std::optional<Bytes>(); }
-  double part() const override { return lines_.part(); }
-  void useDevices(const ros::DeviceFinder& devices) override { rows_.useDevices(devices); }
-  ros::TranslationNotes notesOf(std::size_t) const override { return rows_.notes(); }
-  std::optional<LogTime> origin() const override {
-    if (!first_ || *first_ >= kFirstDate) return std::nullopt;
-    return LogTime{};
-  }
-
-  std::vector<std::string> damage() const override {
-    std::vector<std::string> sentences;
-    const auto tell = [&](std::uint64_t count, const char* what, std::size_t line) {
-      if (count == 0) return;
-      sentences.push_back(countText(count, "line") + what + " (" + name_ + ", line " +
-                          std::to_string(line) + ")");
-    };
-    tell(timeless_, " without a time left out, the first here", first_timeless_);
-    tell(too_long_, " of more than 1 MiB left out, the first here", first_too_long_);
-    if (lines_.isCut()) sentences.push_back("the file has become shorter (" + name_ + ")");
-    return sentences;
-  }
-
-  Result<std::optional<ros::BagMessage>> next() override {
-    while (const auto line = lines_.next()) {
-      if (lines_.wasTooLong()) {
-        if (too_long_++ == 0) first_too_long_ = lines_.number();
-        continue;
-      }
-      if (line->find_first_not_of(" \t") == line->npos) continue;
-      JsonRow row;
-      bool fits = parseRow(*line, row);
-      if (!row.time) {
-        if (timeless_++ == 0) first_timeless_ = lines_.number();
-        continue;
-      }
-      if (!first_) first_ = LogTime(*row.time);
-      ros::BagMessage message;
-      message.sequence = sequence_++;
-      message.log_time = LogTime(*row.time);
-      message.publish_time_ns = row.time->count();
-      message.payload = bytesOf(*line);
-      fits = fits && row.finish(device_);
-      if (fits) {
-        rows_.setNames(row.names);
-        const RowTranslation::Outcome outcome = rows_.translate(*row.time, row.numbers);
-        message.packet = outcome.packet;
-        fits = !outcome.malformed;
-      }
-      message.malformed = !fits;
-      return std::optional(message);
-    }
-    return std::optional<ros::BagMessage>();
+ protected:
+  std::optional<Row> rowOf(std::string_view line) override {
+    JsonRow said;
+    const bool fits = parseRow(line, said);
+    if (!said.time) return std::nullopt;
+    if (!fits || !said.finish(device_)) return Row{*said.time, {}, true};
+    rows().setNames(said.names);
+    const RowTranslation::Outcome outcome = rows().translate(*said.time, said.numbers);
+    return Row{*said.time, outcome.packet, outcome.malformed};
   }
 
  private:
-  /// Ten years after 1970: later times are dates.
-  static constexpr LogTime kFirstDate{std::chrono::seconds(315'360'000)};
-
-  RecordingLines lines_;
-  std::string name_, device_;
-  std::vector<ros::BagTopic> topics_;
-  RowTranslation rows_;
-  std::optional<LogTime> first_;
-  std::uint32_t sequence_ = 0;
-  std::uint64_t timeless_ = 0, too_long_ = 0;
-  std::size_t first_timeless_ = 0, first_too_long_ = 0;
+  std::string device_;
 };
 
 }  // namespace

@@ -5,9 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/base/count_text.h"
-#include "core/foreign/recordings/recording_bytes.h"
-#include "core/foreign/recordings/row_translation.h"
+#include "core/foreign/recordings/line_recording.h"
 #include "core/foreign/table/csv_line.h"
 #include "core/foreign/table/table_column.h"
 #include "core/packet/text_number.h"
@@ -79,92 +77,38 @@ std::optional<TableHeader> tableHeader(std::string_view line) {
   return header;
 }
 
-class TableRecording final : public ros::BagReader {
+class TableRecording final : public LineRecording {
  public:
   TableRecording(RecordingBytes bytes, std::string name, std::string device)
-      : lines_(std::move(bytes)),
-        name_(std::move(name)),
-        device_(std::move(device)),
-        rows_(kTableTopic, kTableDecoder) {}
+      : LineRecording(std::move(bytes), std::move(name), kTableTopic, kTableDecoder, "row"),
+        device_(std::move(device)) {}
 
   Status begin() {
-    std::optional<std::string_view> line = lines_.next();
-    while (line && line->find_first_not_of(" \t") == line->npos) line = lines_.next();
+    const std::optional<std::string_view> line = firstLine();
     std::optional<TableHeader> header = line ? tableHeader(*line) : std::nullopt;
     if (!header) {
       return Error{ErrorKind::bad_argument,
-                   "the first line is not a header with a column `t` or `time`", name_};
+                   "the first line is not a header with a column `t` or `time`", name()};
     }
     header_ = std::move(*header);
-    ros::BagTopic topic;
-    topic.name = kTableTopic;
-    topic.type = header_.isLong() ? "long table" : "wide table";
-    topic.encoding = kTableDecoder;
-    topic.decoder = kTableDecoder;
+    topic().type = header_.isLong() ? "long table" : "wide table";
     LogSchema schema{"table", kTableDecoder, {}};
     const ByteView text = bytesOf(*line);
     schema.data.assign(text.begin(), text.end());
-    topic.schema = std::make_shared<const LogSchema>(std::move(schema));
-    topics_.push_back(std::move(topic));
+    topic().schema = std::make_shared<const LogSchema>(std::move(schema));
     return {};
   }
 
-  std::string_view kind() const override { return "csv"; }
-  const std::vector<ros::BagTopic>& topics() const override { return topics_; }
-  Result<std::optional<Bytes>> lastOf(std::size_t) override { return std::optional<Bytes>(); }
-  double part() const override { return lines_.part(); }
-  void useDevices(const ros::DeviceFinder& devices) override { rows_.useDevices(devices); }
-  ros::TranslationNotes notesOf(std::size_t) const override { return rows_.notes(); }
-  /// Times are shown as the table has them, unless they are dates.
-  std::optional<LogTime> origin() const override {
-    if (!first_ || *first_ >= kFirstDate) return std::nullopt;
-    return LogTime{};
-  }
-
-  std::vector<std::string> damage() const override {
-    std::vector<std::string> sentences;
-    const auto tell = [&](std::uint64_t count, const char* what, std::size_t line) {
-      if (count == 0) return;
-      sentences.push_back(countText(count, "row") + what + " (" + name_ + ", line " +
-                          std::to_string(line) + ")");
-    };
-    tell(timeless_, " without a time left out, the first here", first_timeless_);
-    tell(too_long_, " of more than 1 MiB left out, the first here", first_too_long_);
-    if (lines_.isCut()) sentences.push_back("the file has become shorter (" + name_ + ")");
-    return sentences;
-  }
-
-  Result<std::optional<ros::BagMessage>> next() override {
-    while (const auto line = lines_.next()) {
-      if (lines_.wasTooLong()) {
-        if (too_long_++ == 0) first_too_long_ = lines_.number();
-        continue;
-      }
-      if (line->find_first_not_of(" \t") == line->npos) continue;
-      const bool is_split = splitCsvLine(*line, fields_);
-      const std::optional<Nanoseconds> time = timeOf();
-      if (!time) {
-        if (timeless_++ == 0) first_timeless_ = lines_.number();
-        continue;
-      }
-      if (!first_) first_ = LogTime(*time);
-      ros::BagMessage message;
-      message.sequence = sequence_++;
-      message.log_time = LogTime(*time);
-      message.publish_time_ns = time->count();
-      message.payload = bytesOf(*line);
-      message.malformed = !is_split || fields_.size() != header_.names.size() ||
-                          !(header_.isLong() ? sayValue(*time) : sayRow(*time));
-      if (!message.malformed) message.packet = packet_;
-      return std::optional(message);
-    }
-    return std::optional<ros::BagMessage>();
+ protected:
+  std::optional<Row> rowOf(std::string_view line) override {
+    const bool is_split = splitCsvLine(line, fields_);
+    const std::optional<Nanoseconds> time = timeOf();
+    if (!time) return std::nullopt;
+    if (!is_split || fields_.size() != header_.names.size()) return Row{*time, {}, true};
+    return header_.isLong() ? valueRow(*time) : wideRow(*time);
   }
 
  private:
-  /// Ten years after 1970.
-  static constexpr LogTime kFirstDate{std::chrono::seconds(315'360'000)};
-
   std::optional<Nanoseconds> timeOf() const {
     if (fields_.size() <= header_.time) return std::nullopt;
     const std::string_view text = fields_[header_.time].text;
@@ -176,10 +120,9 @@ class TableRecording final : public ros::BagReader {
     return Nanoseconds(static_cast<std::int64_t>(*count));
   }
 
-  bool translate(Nanoseconds time) {
-    const RowTranslation::Outcome outcome = rows_.translate(time, numbers_);
-    packet_ = outcome.packet;
-    return !outcome.malformed;
+  Row translated(Nanoseconds time) {
+    const RowTranslation::Outcome outcome = rows().translate(time, numbers_);
+    return {time, outcome.malformed ? std::string_view() : outcome.packet, outcome.malformed};
   }
 
   /// Columns whose first field is text are remarks; the others are values from then on.
@@ -191,49 +134,41 @@ class TableRecording final : public ros::BagReader {
       columns_.push_back(i);
       names.push_back(header_.names[i]);
     }
-    rows_.setNames(names);
+    rows().setNames(names);
     chosen_ = true;
   }
 
-  bool sayRow(Nanoseconds time) {
+  Row wideRow(Nanoseconds time) {
     if (!chosen_) chooseColumns();
     numbers_.clear();
     for (const std::size_t column : columns_) {
       const std::string_view text = fields_[column].text;
       const std::optional<double> number = text.empty() ? kNothing : numberIn(text);
-      if (!number) return false;
+      if (!number) return {time, {}, true};
       numbers_.push_back(*number);
     }
-    return translate(time);
+    return translated(time);
   }
 
-  bool sayValue(Nanoseconds time) {
+  Row valueRow(Nanoseconds time) {
     const std::optional<double> number = numberIn(fields_[header_.value].text);
-    if (!number) return false;
+    if (!number) return {time, {}, true};
     numbers_.assign(1, *number);
     std::string name;
     if (header_.device != kNoColumn) name = fields_[header_.device].unescaped();
     if (name.empty()) name = device_;
     if (!name.empty()) name += '.';
     name += fields_[header_.joint].unescaped();
-    rows_.setNames(std::span<const std::string>(&name, 1));
-    return translate(time);
+    rows().setNames(std::span<const std::string>(&name, 1));
+    return translated(time);
   }
 
-  RecordingLines lines_;
-  std::string name_, device_;
+  std::string device_;
   TableHeader header_;
-  std::vector<ros::BagTopic> topics_;
-  RowTranslation rows_;
   std::vector<CsvField> fields_;      ///< of the current line
   std::vector<std::size_t> columns_;  ///< of the wide form: those with values
   bool chosen_ = false;
   std::vector<double> numbers_;
-  std::string_view packet_;
-  std::optional<LogTime> first_;
-  std::uint32_t sequence_ = 0;
-  std::uint64_t timeless_ = 0, too_long_ = 0;
-  std::size_t first_timeless_ = 0, first_too_long_ = 0;
 };
 
 Result<std::unique_ptr<ros::BagReader>> tableOf(RecordingBytes bytes, std::string name,

@@ -7,6 +7,7 @@
 
 #include "core/base/bytes.h"
 #include "core/base/result.h"
+#include "core/base/unnamed_file.h"
 
 namespace rocinante {
 
@@ -16,9 +17,6 @@ class RowSpill {
  public:
   /// unreadable when no file can be made in `folder`.
   static Result<RowSpill> make(const std::string& folder, std::size_t columns);
-  ~RowSpill();
-  RowSpill(RowSpill&& other) noexcept;
-  RowSpill& operator=(RowSpill&&) = delete;
 
   /// As many cells as columns.
   Status add(std::span<const std::uint64_t> row);
@@ -28,12 +26,10 @@ class RowSpill {
   Status readColumn(std::size_t column, const std::function<Status(ByteView)>& use);
 
  private:
-  RowSpill(int file, std::string folder, std::size_t columns);
+  RowSpill(UnnamedFile file, std::size_t columns);
   Status writeBlock();
-  Error refusal(const char* what) const;
 
-  int file_;
-  std::string folder_;
+  UnnamedFile file_;
   std::size_t columns_;
   std::size_t block_rows_;            ///< of a full block
   std::vector<std::uint64_t> block_;  ///< column after column

@@ -1,0 +1,80 @@
+#include "core/foreign/recordings/line_recording.h"
+
+#include <chrono>
+#include <utility>
+
+#include "core/base/count_text.h"
+
+namespace rocinante {
+namespace {
+
+/// Ten years after 1970: later times are dates.
+constexpr LogTime kFirstDate{std::chrono::seconds(315'360'000)};
+
+bool isBlank(std::string_view line) { return line.find_first_not_of(" \t") == line.npos; }
+
+}  // namespace
+
+LineRecording::LineRecording(RecordingBytes bytes, std::string name, const char* topic,
+                             const char* decoder, const char* unit)
+    : lines_(std::move(bytes)),
+      name_(std::move(name)),
+      decoder_(decoder),
+      unit_(unit),
+      topics_(1),
+      rows_(topic, decoder) {
+  topics_[0].name = topic;
+  topics_[0].encoding = decoder;
+  topics_[0].decoder = decoder;
+}
+
+std::optional<LogTime> LineRecording::origin() const {
+  if (!first_ || *first_ >= kFirstDate) return std::nullopt;
+  return LogTime{};
+}
+
+std::vector<std::string> LineRecording::damage() const {
+  std::vector<std::string> sentences;
+  const auto tell = [&](std::uint64_t count, const char* what, std::size_t line) {
+    if (count == 0) return;
+    sentences.push_back(countText(count, unit_) + what + " (" + name_ + ", line " +
+                        std::to_string(line) + ")");
+  };
+  tell(timeless_, " without a time left out, the first here", first_timeless_);
+  tell(too_long_, " of more than 1 MiB left out, the first here", first_too_long_);
+  if (lines_.isCut()) sentences.push_back("the file has become shorter (" + name_ + ")");
+  return sentences;
+}
+
+std::optional<std::string_view> LineRecording::firstLine() {
+  std::optional<std::string_view> line = lines_.next();
+  while (line && isBlank(*line)) line = lines_.next();
+  return line;
+}
+
+Result<std::optional<ros::BagMessage>> LineRecording::next() {
+  while (const auto line = lines_.next()) {
+    if (lines_.wasTooLong()) {
+      if (too_long_++ == 0) first_too_long_ = lines_.number();
+      continue;
+    }
+    if (isBlank(*line)) continue;
+    const std::optional<Row> row = rowOf(*line);
+    if (!row) {
+      if (timeless_++ == 0) first_timeless_ = lines_.number();
+      continue;
+    }
+    if (!first_) first_ = LogTime(row->time);
+    ros::BagMessage message;
+    message.sequence = sequence_++;
+    message.log_time = LogTime(row->time);
+    message.publish_time_ns = row->time.count();
+    message.payload = bytesOf(*line);
+    message.packet = row->packet;
+    message.malformed = row->malformed;
+    return std::optional(message);
+  }
+  return std::optional<ros::BagMessage>();
+}
+
+}  // namespace rocinante

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/foreign/recordings/recording_bytes.h"
+#include "core/foreign/recordings/row_translation.h"
+#include "core/foreign/ros/bag_reader.h"
+
+namespace rocinante {
+
+/// A text of lines with a time each, as a recording with one topic: what tables and JSON lines have
+/// in common (docs/other-formats.md, "Tables and JSON lines").
+class LineRecording : public ros::BagReader {
+ public:
+  std::string_view kind() const final { return decoder_; }
+  const std::vector<ros::BagTopic>& topics() const final { return topics_; }
+  Result<std::optional<Bytes>> lastOf(std::size_t) final { return std::optional<Bytes>(); }
+  double part() const final { return lines_.part(); }
+  void useDevices(const ros::DeviceFinder& devices) final { rows_.useDevices(devices); }
+  ros::TranslationNotes notesOf(std::size_t) const final { return rows_.notes(); }
+  /// Times are shown as the text has them, unless they are dates.
+  std::optional<LogTime> origin() const final;
+  std::vector<std::string> damage() const final;
+  Result<std::optional<ros::BagMessage>> next() final;
+
+ protected:
+  /// What a line says.
+  struct Row {
+    Nanoseconds time{};
+    std::string_view packet;  ///< borrowed until the next line; empty: nothing to say
+    bool malformed = false;
+  };
+
+  /// `unit` is what a line is called: "row".
+  LineRecording(RecordingBytes bytes, std::string name, const char* topic, const char* decoder,
+                const char* unit);
+
+  /// Of a line that is not blank. Empty when it has no time.
+  virtual std::optional<Row> rowOf(std::string_view line) = 0;
+
+  /// The first line that is not blank, before next() is called.
+  std::optional<std::string_view> firstLine();
+  const std::string& name() const { return name_; }
+  ros::BagTopic& topic() { return topics_.front(); }
+  RowTranslation& rows() { return rows_; }
+
+ private:
+  RecordingLines lines_;
+  std::string name_;
+  const char* decoder_;
+  const char* unit_;
+  std::vector<ros::BagTopic> topics_;
+  RowTranslation rows_;
+  std::optional<LogTime> first_;
+  std::uint32_t sequence_ = 0;
+  std::uint64_t timeless_ = 0, too_long_ = 0;
+  std::size_t first_timeless_ = 0, first_too_long_ = 0;
+};
+
+}  // namespace rocinante
