@@ -7,6 +7,7 @@
 #include <exception>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "viewer/picture/memory_file.h"
@@ -62,7 +63,12 @@ std::vector<uint8_t> bytePixels(const uint8_t* rgba, std::size_t pixels, int cha
   return bytes;
 }
 
-void describe(const RocinantePictureIn& in, OIIO::ImageSpec& spec) {
+void describe(const RocinantePictureIn& in, const OIIO::ImageOutput& output,
+              OIIO::ImageSpec& spec) {
+  // A TIFF has a time in any case: not that of writing, so that the same picture is the same file.
+  if (output.format_name() == std::string_view("tiff")) {
+    spec.attribute("DateTime", "1970:01:01 00:00:00");
+  }
   for (int32_t i = 0; i + 1 < in.text_count; i += 2) spec.attribute(in.text[i], in.text[i + 1]);
   if (in.kind == 0) {
     // JPEG at 95 without subsampling keeps thin lines and text; WebP at 95 is alike.
@@ -80,21 +86,21 @@ bool put(OIIO::ImageOutput& output, const std::string& path, const RocinantePict
   if (in.kind != 0) {
     const OIIO::TypeDesc type = in.kind == 1 ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT32;
     OIIO::ImageSpec spec(in.width, in.height, 1, type);
-    describe(in, spec);
+    describe(in, output, spec);
     return output.open(path, spec) && output.write_image(type, in.pixels) && output.close();
   }
   const auto* rgba = static_cast<const uint8_t*>(in.pixels);
   const int channels = isOpaque(rgba, pixels) || !output.supports("alpha") ? 3 : 4;
   if (isLinear(output)) {
     OIIO::ImageSpec spec(in.width, in.height, channels, OIIO::TypeDesc::HALF);
-    describe(in, spec);
+    describe(in, output, spec);
     spec.erase_attribute("oiio:UnassociatedAlpha");
     const std::vector<float> light = linearPixels(rgba, pixels, channels);
     return output.open(path, spec) && output.write_image(OIIO::TypeDesc::FLOAT, light.data()) &&
            output.close();
   }
   OIIO::ImageSpec spec(in.width, in.height, channels, OIIO::TypeDesc::UINT8);
-  describe(in, spec);
+  describe(in, output, spec);
   const std::vector<uint8_t> bytes = bytePixels(rgba, pixels, channels);
   return output.open(path, spec) && output.write_image(OIIO::TypeDesc::UINT8, bytes.data()) &&
          output.close();
