@@ -91,7 +91,7 @@ set(headers fonts-dejavu-core libcli11-dev libexpected-dev libfast-float-dev lib
   nlohmann-json3-dev)
 rocinante_package(programs rocinante SECTION utils
   RECOMMENDS "${renderer}"
-  SUGGESTS "rocinante-view, rocinante-openimageio, rocinante-nats, rocinante-sdf, ffmpeg, git"
+  SUGGESTS "rocinante-view, rocinante-openimageio, rocinante-nats, rocinante-protobuf, rocinante-sdf, ffmpeg, git"
   COMPILED_IN ${headers}
   SUMMARY "record, replay and test streamed robot and simulator state"
   TEXT "Robots and simulators send poses and joint values as small text packets over
@@ -101,7 +101,8 @@ pictures, and checks a session against its model.
 .
 This package has the programs for a terminal and for CI. The window is in
 rocinante-view; textures that are not PNG need rocinante-openimageio, models
-in SDF rocinante-sdf, subjects and streams of a NATS server rocinante-nats.
+in SDF rocinante-sdf, subjects and streams of a NATS server rocinante-nats,
+decoders of protobuf messages rocinante-protobuf.
 Drawing needs Mesa, which is recommended; recording, replaying and checking
 do not.")
 if(ROCINANTE_GL AND ROCINANTE_WINDOW)
@@ -134,6 +135,15 @@ if(ROCINANTE_NATS)
     TEXT "Rocinante listens and sends by UDP. This module connects it to the subjects of
 a NATS server (nats://) and records the streams that one keeps
 (jetstream://), by libnats.")
+endif()
+if(ROCINANTE_PROTOBUF)
+  list(APPEND CPACK_COMPONENTS_ALL protobuf_messages)
+  rocinante_package(protobuf_messages rocinante-protobuf SECTION utils
+    DEPENDS "rocinante ${same_version}"
+    SUMMARY "lets Rocinante decode protobuf messages"
+    TEXT "Rocinante decodes datagrams of robots by a declaration: binary, XML, JSON, text
+and DIS by itself. This module reads protobuf messages by a descriptor file, by
+libprotobuf.")
 endif()
 if(ROCINANTE_SDF)
   list(APPEND CPACK_COMPONENTS_ALL sdformat)

@@ -230,7 +230,7 @@ Result<Cell> readCell(ByteView bytes, const fs::path& path, const CellOptions& o
     materials.read(*file.root, file.folder, meshes);
   }
   finishLights(cell);
-  if (!cell.decoders.empty()) meshes.addFile(cell.decoders);
+  addDecoderFiles(cell, meshes);
   if (options.geometry) materials.apply(cell);
   files.finish();
   cell.files.assign(meshes.files().begin(), meshes.files().end());

@@ -91,7 +91,8 @@ class WaitingOctets {
 }  // namespace
 
 Result<CheckReport> checkLog(const Cell& cell, LogReader& log,
-                             const std::function<bool(double)>& progress) {
+                             const std::function<bool(double)>& progress,
+                             const OctetPackets& packets) {
   if (Status status = log.rewind(); !status) return status.error();
   SessionCheck session(cell);
   const LogTime start = log.summary().start;
@@ -122,6 +123,12 @@ Result<CheckReport> checkLog(const Cell& cell, LogReader& log,
     // Of another program: its messages need not be packets, and log.import says what was wrong.
     if (message.channel->imported() && message.channel->captured() &&
         message.channel->encoding != "rk1") {
+      continue;
+    }
+    if (packets && message.channel->captured() && message.channel->encoding != "rk1") {
+      const std::string_view packet = packets(message);
+      session.addOctets(message.log_time, message.channel->encoding, !packet.empty());
+      if (!packet.empty()) session.add(message.log_time, "rk1", false, bytesOf(packet));
       continue;
     }
     session.add(message.log_time, message.channel->encoding, message.channel->captured(),

@@ -18,6 +18,12 @@ constexpr std::int64_t kLongestWaitMs = 100;
 
 }  // namespace
 
+void tellDecoded(const decode::DecodeAccount& decoded) {
+  cli::warn(
+      fmt::format("decoded {} of {}:", decoded.decoded(), countText(decoded.octets, "datagram")));
+  cli::tell(decode::accountText(decoded));
+}
+
 Result<CheckReport> checkLive(const Cell& cell, const LiveCheckOptions& options) {
   SessionCheck session(cell);
   Result<LiveInput> opened = LiveInput::open(
@@ -51,9 +57,7 @@ Result<CheckReport> checkLive(const Cell& cell, const LiveCheckOptions& options)
     }
   }
   if (const auto decoded = input.decoded()) {
-    cli::warn(fmt::format("decoded {} of {}:", decoded->decoded(),
-                          countText(decoded->octets, "datagram")));
-    cli::tell(decode::accountText(*decoded));
+    tellDecoded(*decoded);
   }
   report.session = input.names();
   report.origin = input.first().value_or(LogTime{});

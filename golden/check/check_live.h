@@ -7,6 +7,7 @@
 #include "core/base/result.h"
 #include "core/cell/cell.h"
 #include "core/check/rules/check_report.h"
+#include "core/foreign/decode/decode_account.h"
 #include "core/foreign/decode/decoder_set.h"
 
 namespace rocinante {
@@ -24,5 +25,8 @@ struct LiveCheckOptions {
 /// trusted, what the decoders made, and at the end those of several endpoints at which nothing
 /// arrived.
 Result<CheckReport> checkLive(const Cell& cell, const LiveCheckOptions& options);
+
+/// What became of the datagrams that decoders were given, on standard error.
+void tellDecoded(const decode::DecodeAccount& decoded);
 
 }  // namespace rocinante

@@ -22,6 +22,7 @@
 #include "golden/check/check_options.h"
 #include "golden/check/check_output.h"
 #include "golden/check/check_watch.h"
+#include "golden/check/log_octets.h"
 
 namespace {
 
@@ -89,17 +90,26 @@ Result<CheckReport> judgeLog(const CheckArguments& my, const Cell& cell,
                              const OpenedRecording& opened) {
   Result<LogReader> log = LogReader::open(my.log);
   if (!log) return log.error();
+  Result<LogOctets> octets = LogOctets::of(*log, my.decoders, cell);
+  if (!octets) return octets.error();
+  const auto packets =
+      *octets ? OctetPackets([&](const LogMessage& message) { return octets->packetOf(message); })
+              : OctetPackets();
   cli::catchStopSignals();
   const std::string name = opened.imported ? opened.recording.string() : my.log;
   Result<CheckReport> report = [&] {
     cli::ProgressLine line("judging " + name);
-    return checkLog(cell, *log, [&](double part) {
-      line.show(part);
-      return !cli::stopRequested();
-    });
+    return checkLog(
+        cell, *log,
+        [&](double part) {
+          line.show(part);
+          return !cli::stopRequested();
+        },
+        packets);
   }();
   if (!report) return report;
   report->session = name;
+  if (*octets && octets->account().octets > 0) tellDecoded(octets->account());
   // A log judged with its own cell cannot have drifted.
   if (my.log != my.cell) {
     Findings drift = driftOf(*log, cell, opened.imported);
@@ -131,7 +141,11 @@ Result<CheckReport> judge(const CheckArguments& my, const OpenedRecording& opene
     if (!decoders) return decoders.error();
     return checkLive(*cell, {my.live, my.trust, std::move(*decoders), *duration});
   }
-  return my.log.empty() ? checkCell(*cell) : judgeLog(my, *cell, opened);
+  if (!my.log.empty()) return judgeLog(my, *cell, opened);
+  if (!my.decoders.empty()) {
+    return Error{ErrorKind::bad_argument, "--decoders needs a LOG or --live", {}};
+  }
+  return checkCell(*cell);
 }
 
 /// Applies the baseline and sets the verdict from the remaining findings.

@@ -62,7 +62,6 @@ void declareCheck(CLI::App& app, CheckArguments& my) {
       ->type_name("FILE");
   app.add_option("--decoders", my.decoders,
                  "judge what is not packet text as this file declares; default: the cell's")
-      ->needs(live)
       ->type_name("FILE");
   declareWatch(app, my, live);
   cli::addSearchOptions(app, my);

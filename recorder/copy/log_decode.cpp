@@ -16,8 +16,10 @@ class DecodedAddition final : public CopyAddition {
   }
 
   Status begin(PieceWriter& piece, LogTime start) override {
-    const decode::DecoderSet& set = decoders_.set();
-    return piece.addAttachment(decode::attachmentOf(set, start), bytesOf(set.text));
+    for (const decode::CarriedFile& file : decode::carriedFiles(decoders_.set(), start)) {
+      if (Status added = piece.addAttachment(file.attachment, file.bytes); !added) return added;
+    }
+    return {};
   }
 
   Status follow(const CopyItem& item, PieceWriter& piece) override {

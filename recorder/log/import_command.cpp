@@ -3,11 +3,13 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "core/base/hash.h"
 #include "core/bundle/attached_cell.h"
 #include "core/cli/load_progress.h"
 #include "core/cli/search_options.h"
 #include "core/cli/worker_threads.h"
 #include "core/foreign/recordings/capture_import.h"
+#include "core/foreign/recordings/datagram_folder.h"
 #include "core/foreign/recordings/recording_kind.h"
 #include "recorder/copy/output_file.h"
 #include "recorder/log/command_support.h"
@@ -52,8 +54,49 @@ bool isCapture(const std::filesystem::path& path) {
   return recordingKindOf(path) == RecordingKind::capture;
 }
 
+/// The inputs, with the files of each folder that is a ROS 2 bag in its place.
+std::vector<std::filesystem::path> pathsOf(const std::vector<std::string>& inputs) {
+  std::vector<std::filesystem::path> paths;
+  for (const std::string& input : inputs) {
+    std::vector<std::filesystem::path> files = filesOfBagFolder(input);
+    if (files.empty()) files.emplace_back(input);
+    paths.insert(paths.end(), files.begin(), files.end());
+  }
+  return paths;
+}
+
+bool isFolder(const std::filesystem::path& path) {
+  std::error_code error;
+  return std::filesystem::is_directory(path, error);
+}
+
+Result<std::unique_ptr<ros::BagReader>> openInput(const std::filesystem::path& path,
+                                                  const std::string& device) {
+  return isFolder(path) ? openDatagramFolder(path) : openRecording(path, device);
+}
+
+/// Depends on the inputs alone.
+Result<std::string> sessionIdOf(const std::vector<std::filesystem::path>& paths) {
+  std::vector<std::filesystem::path> files;
+  std::string folders;
+  for (const std::filesystem::path& path : paths) {
+    if (!isFolder(path)) {
+      files.push_back(path);
+      continue;
+    }
+    const Result<std::string> id = datagramFolderId(path);
+    if (!id) return id.error();
+    folders += *id;
+  }
+  Result<std::string> id = ros::importedSessionId(files);
+  if (!id || folders.empty()) return id;
+  Sha256 hash;
+  hash.add(bytesOf(*id + folders));
+  return hexOf(hash.finish()).substr(0, 32);
+}
+
 Result<ros::ImportReport> import(const ImportArguments& my, const MakeOptions& make) {
-  const std::vector<std::filesystem::path> paths(my.inputs.begin(), my.inputs.end());
+  const std::vector<std::filesystem::path> paths = pathsOf(my.inputs);
   if (Status free = checkOutput(make.output, make.overwrite, paths); !free) return free.error();
   const auto captures = std::ranges::count_if(paths, isCapture);
   if (captures > 0 && paths.size() > 1) {
@@ -64,13 +107,13 @@ Result<ros::ImportReport> import(const ImportArguments& my, const MakeOptions& m
   std::vector<std::unique_ptr<ros::BagReader>> bags;
   for (const std::filesystem::path& path : paths) {
     if (captures > 0) break;
-    Result<std::unique_ptr<ros::BagReader>> bag = openRecording(path, my.device);
+    Result<std::unique_ptr<ros::BagReader>> bag = openInput(path, my.device);
     if (!bag) return bag.error();
     bags.push_back(std::move(*bag));
   }
   const Result<std::optional<GivenCell>> cell = readCell(my);
   if (!cell) return cell.error();
-  Result<std::string> session_id = ros::importedSessionId(paths);
+  Result<std::string> session_id = sessionIdOf(paths);
   if (!session_id) return session_id.error();
   ros::ImportOptions options;
   options.device = my.device;
@@ -115,8 +158,9 @@ LogCommand addImportCommand(CLI::App& program) {
   CLI::App* const app = program.add_subcommand(
       "import", "make a log of what other programs recorded, with its packets");
   app->add_option("IN", my->inputs,
-                  "ROS bags (MCAP, .db3, .bag), LCM logs, CSV, JSON lines; or a capture; told by "
-                  "content; several become one")
+                  "ROS bags (MCAP, .db3, .bag, or the folder of one), LCM logs, CSV, JSON lines, "
+                  "folders with a datagram a file; or a capture; told by content; several become "
+                  "one")
       ->required();
   app->add_option(
          "--cell", my->cell,

@@ -6,15 +6,27 @@
 
 namespace rocinante::decode {
 
-LogAttachment attachmentOf(const DecoderSet& set, LogTime time) {
-  return {std::string(profile::kDecodersFolder) + set.hash + ".toml", "application/toml", time,
-          set.text.size()};
+std::vector<CarriedFile> carriedFiles(const DecoderSet& set, LogTime time) {
+  const std::string name = std::string(profile::kDecodersFolder) + set.hash;
+  std::vector<CarriedFile> files;
+  const auto add = [&](std::string called, const char* media_type, std::string_view content) {
+    files.push_back(
+        {{std::move(called), media_type, time, content.size()}, rocinante::bytesOf(content)});
+  };
+  add(name + ".toml", "application/toml", set.text);
+  for (const DescriptorFiles::File& each : set.descriptors) {
+    add(name + "/" + each.name, "application/protobuf", each.bytes);
+  }
+  return files;
 }
 
 Status attachDecoders(const DecoderSet& set, LogWriter& log, LogTime time) {
-  const LogAttachment attachment = attachmentOf(set, time);
-  return log.writeAttachment(attachment.name, attachment.media_type, time,
-                             rocinante::bytesOf(set.text));
+  for (const CarriedFile& file : carriedFiles(set, time)) {
+    const LogAttachment& attachment = file.attachment;
+    Status written = log.writeAttachment(attachment.name, attachment.media_type, time, file.bytes);
+    if (!written) return written;
+  }
+  return {};
 }
 
 std::map<std::string, std::string> decodedMetadata(const DecoderSet& set, std::size_t decoder) {

@@ -3,6 +3,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/foreign/decode/datagram_decoders.h"
 #include "core/log/log_types.h"
@@ -10,9 +11,14 @@
 
 namespace rocinante::decode {
 
-/// The attachment that carries the declaration (docs/log-format.md, "Decoded packets"); its content
-/// is the text of the set.
-LogAttachment attachmentOf(const DecoderSet& set, LogTime time);
+struct CarriedFile {
+  LogAttachment attachment;
+  ByteView bytes;  ///< the set's
+};
+
+/// The attachments that carry the declaration and its descriptors (docs/log-format.md, "Decoded
+/// packets").
+std::vector<CarriedFile> carriedFiles(const DecoderSet& set, LogTime time);
 Status attachDecoders(const DecoderSet& set, LogWriter& log, LogTime time);
 
 /// What a channel of decoded packets has beside the metadata of its octets: `source`, `decoder`.

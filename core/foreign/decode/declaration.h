@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,11 +11,15 @@
 #include "core/base/bytes.h"
 #include "core/document/fault_list.h"
 
+namespace rocinante::protobuf {
+class Schema;
+}
+
 /// What a file of decoders declares (docs/decoders.md): plain values, checked, with every name of a
 /// field resolved to its index.
 namespace rocinante::decode {
 
-enum class Kind : std::uint8_t { structure, delimited, json, xml, dis };
+enum class Kind : std::uint8_t { structure, delimited, json, xml, dis, protobuf };
 
 /// "struct", "delimited" and so on.
 std::string_view nameOf(Kind kind);
@@ -55,7 +60,7 @@ struct Field {
   // delimited
   std::size_t column = 0;
   // json: a JSON pointer; xml: ELEMENT/ELEMENT or ELEMENT@ATTRIBUTE, below the root;
-  // dis: a name of dis_field.h
+  // dis: a name of dis_field.h; protobuf: a.b[2].c
   std::string path;
   /// A line, a condition or the decoder itself reads it.
   bool used = false;
@@ -163,6 +168,8 @@ struct Decoder {
   std::string separator = ",";
   // dis
   std::optional<GeoPlace> origin;
+  // protobuf
+  std::shared_ptr<const protobuf::Schema> schema;
 
   std::vector<JointsLine> joints;
   std::vector<PoseLine> poses;

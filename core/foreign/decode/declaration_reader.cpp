@@ -4,11 +4,13 @@
 
 #include <algorithm>
 
+#include "core/base/plain_text.h"
 #include "core/document/toml_table.h"
 #include "core/foreign/decode/checksum.h"
 #include "core/foreign/decode/field_table.h"
 #include "core/foreign/decode/line_table.h"
 #include "core/foreign/decode/toml_values.h"
+#include "core/foreign/protobuf/protobuf_schema.h"
 #include "core/packet/text_name.h"
 
 namespace rocinante::decode {
@@ -16,13 +18,14 @@ namespace {
 
 constexpr std::size_t kMostNameBytes = 200;  // "decoded:" is put in front
 constexpr std::int64_t kMostBytes = std::int64_t{1} << 30U;
-const std::vector<std::string_view> kKinds{"struct", "delimited", "json", "xml", "dis"};
+const std::vector<std::string_view> kKinds{"struct", "delimited", "json", "xml", "dis", "protobuf"};
 const std::vector<std::string_view> kSums{"sum8",         "xor8",          "crc16-ccitt",
                                           "crc16-modbus", "crc16-mcrf4xx", "crc32"};
 
 class DecoderTable {
  public:
-  DecoderTable(TomlTable& table, FaultList& faults) : table_(table), faults_(faults) {}
+  DecoderTable(TomlTable& table, DescriptorFiles& files, FaultList& faults)
+      : table_(table), files_(files), faults_(faults) {}
 
   Decoder read() {
     decoder_.place = table_.place();
@@ -30,7 +33,7 @@ class DecoderTable {
     const auto kind = choiceAt(table_, "kind", kKinds);
     if (!table_.has("kind")) {
       table_.error("decoder.missing-key", "name", "a decoder needs `kind`",
-                   "struct, delimited, json, xml or dis");
+                   "struct, delimited, json, xml, dis or protobuf");
     }
     decoder_.kind = static_cast<Kind>(kind.value_or(0));
     readMatch();
@@ -99,6 +102,7 @@ class DecoderTable {
       }
     }
     if (kind == Kind::dis) readOrigin();
+    if (kind == Kind::protobuf) readMessage();
     if (kind == Kind::delimited) {
       decoder_.separator = table_.text("separator").value_or(",");
       if (decoder_.separator.empty() || decoder_.separator.size() > 16) {
@@ -106,6 +110,24 @@ class DecoderTable {
         decoder_.separator = ",";
       }
     }
+  }
+
+  void readMessage() {
+    const std::optional<std::string> file = table_.requiredText("descriptor");
+    const std::optional<std::string> message = table_.requiredText("message");
+    if (!file || !message) return;
+    const Result<std::string_view> bytes = files_.read(*file);
+    if (!bytes) {
+      table_.error(kBadValue, "descriptor", bytes.error().text());
+      return;
+    }
+    auto schema = protobuf::Schema::open(*bytes, *message);
+    if (!schema) {
+      table_.error(kBadValue, schema.error().kind == ErrorKind::refused ? "kind" : "descriptor",
+                   quotedInFault(*file) + ": " + plainText(schema.error().what));
+      return;
+    }
+    decoder_.schema = std::move(*schema);
   }
 
   void readOrigin() {
@@ -170,6 +192,7 @@ class DecoderTable {
   }
 
   TomlTable& table_;
+  DescriptorFiles& files_;
   FaultList& faults_;
   Decoder decoder_;
 };
@@ -178,7 +201,8 @@ class DecoderTable {
 
 std::string_view nameOf(Kind kind) { return kKinds[static_cast<std::size_t>(kind)]; }
 
-std::vector<Decoder> decodersIn(const TomlNode& document, FaultList& faults) {
+std::vector<Decoder> decodersIn(const TomlNode& document, DescriptorFiles& files,
+                                FaultList& faults) {
   TomlTable whole(document, "the file", faults);
   std::vector<Decoder> decoders;
   if (const auto format = wholeAt(whole, "format", 0, 1'000'000); format.value_or(1) != 1) {
@@ -190,7 +214,7 @@ std::vector<Decoder> decodersIn(const TomlNode& document, FaultList& faults) {
                    fmt::format("a file has at most {} decoders", kMaxDecoders));
       break;
     }
-    Decoder decoder = DecoderTable(table, faults).read();
+    Decoder decoder = DecoderTable(table, files, faults).read();
     if (std::ranges::find(decoders, decoder.name, &Decoder::name) != decoders.end()) {
       faults.error("decoder.same-name", decoder.place,
                    fmt::format("a second decoder {}", quotedInFault(decoder.name)));

@@ -35,10 +35,14 @@ Result<std::shared_ptr<const DecoderSet>> parseDecoders(std::string_view text,
   Findings found;
   {
     FaultList faults(found, file);
-    set->decoders = decodersIn(*document, faults);
+    DescriptorFiles files(file);
+    set->decoders = decodersIn(*document, files, faults);
+    set->descriptors = files.files();
   }
   if (!found.empty()) return firstFault(found);
-  set->hash = sha256Of(text);
+  std::string hashed(text);
+  for (const DescriptorFiles::File& each : set->descriptors) hashed += sha256Of(each.bytes);
+  set->hash = sha256Of(hashed);
   return std::shared_ptr<const DecoderSet>(std::move(set));
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -8,6 +9,7 @@
 
 #include "core/base/result.h"
 #include "core/foreign/decode/declaration.h"
+#include "core/foreign/decode/descriptor_files.h"
 
 namespace rocinante::decode {
 
@@ -16,7 +18,9 @@ struct DecoderSet {
   std::string file;  ///< for messages
   std::string text;  ///< of the file, as it was read
   std::vector<Decoder> decoders;
-  /// SHA-256 of the text, in lower-case hexadecimal: channel metadata `decoder`
+  std::deque<DescriptorFiles::File> descriptors;  ///< in the order of first mention
+  /// SHA-256 of the text and, behind it, of the SHA-256s of the descriptors, all in lower-case
+  /// hexadecimal: channel metadata `decoder`
   /// (docs/log-format.md, "Decoded packets").
   std::string hash;
 };
@@ -24,7 +28,7 @@ struct DecoderSet {
 /// Reads a file of decoders. not_found, unreadable, or bad_argument with the first fault and
 /// FILE:LINE:COLUMN.
 Result<std::shared_ptr<const DecoderSet>> readDecoders(const std::filesystem::path& file);
-/// The same of a text; `file` is used in messages.
+/// The same of a text; `file` is used in messages, and descriptors lie beside it.
 Result<std::shared_ptr<const DecoderSet>> parseDecoders(std::string_view text,
                                                         const std::string& file);
 

@@ -35,6 +35,8 @@ std::unique_ptr<FieldReader> makeFieldReader(const Decoder& decoder) {
       return makeXmlReader(decoder);
     case Kind::dis:
       return makeDisReader(decoder);
+    case Kind::protobuf:
+      return makeProtobufReader(decoder);
   }
   return nullptr;
 }

@@ -64,5 +64,6 @@ std::unique_ptr<FieldReader> makeDelimitedReader(const Decoder& decoder);
 std::unique_ptr<FieldReader> makeJsonReader(const Decoder& decoder);
 std::unique_ptr<FieldReader> makeXmlReader(const Decoder& decoder);
 std::unique_ptr<FieldReader> makeDisReader(const Decoder& decoder);
+std::unique_ptr<FieldReader> makeProtobufReader(const Decoder& decoder);
 
 }  // namespace rocinante::decode

@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "core/base/name_hint.h"
+#include "core/base/plain_text.h"
 #include "core/foreign/decode/dis_field.h"
 #include "core/foreign/decode/number_type.h"
 #include "core/foreign/decode/toml_values.h"
+#include "core/foreign/protobuf/protobuf_schema.h"
 
 namespace rocinante::decode {
 namespace {
@@ -49,6 +52,7 @@ void FieldTable::readField(TomlTable& table, bool little_endian) {
   field.place = table.place();
   std::size_t count = 1;
   std::size_t step = 0;
+  std::string elements_of;  // of protobuf: the repeated field
   switch (decoder_.kind) {
     case Kind::structure: {
       readStruct(table, field, little_endian);
@@ -82,8 +86,14 @@ void FieldTable::readField(TomlTable& table, bool little_endian) {
                     "one looks like \"AIPos@A1\" or \"Pose/X\", below the root element");
       }
       if (decoder_.kind == Kind::dis && !field.path.empty()) checkDis(table, field.path);
+      if (decoder_.kind != Kind::protobuf) break;
+      if (const auto many = wholeAt(table, "count", 1, kMostCount)) {
+        count = static_cast<std::size_t>(*many);
+        elements_of = std::exchange(field.path, field.path + "[0]");
+      }
+      if (!field.path.empty() && decoder_.schema) checkProtobuf(table, field.path);
   }
-  if (name) add(std::move(field), count, step);
+  if (name) add(std::move(field), count, step, elements_of);
 }
 
 void FieldTable::checkDis(TomlTable& table, const std::string& path) {
@@ -96,6 +106,14 @@ void FieldTable::checkDis(TomlTable& table, const std::string& path) {
                 fmt::format("decoder {} needs `origin` for {}", quotedInFault(decoder_.name),
                             quotedInFault(path)),
                 "origin = { latitude = 48.1, longitude = 11.6, height = 520 }");
+  }
+}
+
+void FieldTable::checkProtobuf(TomlTable& table, const std::string& path) {
+  const Status found = decoder_.schema->find(path);
+  if (!found) {
+    table.error(kBadValue, "at",
+                quotedInFault(path) + " leads to no value: " + plainText(found.error().what));
   }
 }
 
@@ -139,10 +157,12 @@ void FieldTable::readStruct(TomlTable& table, Field& field, bool little_endian) 
 }
 
 /// Several become NAME[0], NAME[1] and so on.
-void FieldTable::add(Field field, std::size_t count, std::size_t step) {
+void FieldTable::add(Field field, std::size_t count, std::size_t step,
+                     const std::string& elements_of) {
   const std::string name = field.name;
   for (std::size_t i = 0; i < count && decoder_.fields.size() < kMaxFields; ++i) {
     if (count > 1) field.name = fmt::format("{}[{}]", name, i);
+    if (!elements_of.empty()) field.path = fmt::format("{}[{}]", elements_of, i);
     if (std::ranges::find(decoder_.fields, field.name, &Field::name) != decoder_.fields.end()) {
       faults_.error("decoder.same-name", field.place,
                     fmt::format("a second field {}", quotedInFault(field.name)));

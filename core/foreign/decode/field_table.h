@@ -22,8 +22,9 @@ class FieldTable {
  private:
   void readField(TomlTable& table, bool little_endian);
   void checkDis(TomlTable& table, const std::string& path);
+  void checkProtobuf(TomlTable& table, const std::string& path);
   void readStruct(TomlTable& table, Field& field, bool little_endian);
-  void add(Field field, std::size_t count, std::size_t step);
+  void add(Field field, std::size_t count, std::size_t step, const std::string& elements_of);
 
   Decoder& decoder_;
   FaultList& faults_;

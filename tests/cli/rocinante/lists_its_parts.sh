@@ -7,7 +7,7 @@ state() { awk -v part="$1" '$1 == part { print $2 }' parts; }
 grep -vE '^(rocinante [0-9.]+|  [a-z0-9]+ +(on|off) +[^ ].*)$' parts || true
 grep -E '^  [a-z0-9]+ +off ' parts | grep -vE ': (built without .|switched off: ROCINANTE_|needs ROCINANTE_)' || true
 # A library with its version, where a part has one.
-grep -E '^  (window|openimageio|pcap|nats|lz4|sqlite|sdf|osmesa) +on ' parts | grep -vE ': [A-Za-z0-9_]+ [0-9][0-9a-z.]*(, [A-Za-z0-9_]+ [0-9][0-9a-z.]*)*$' || true
+grep -E '^  (window|openimageio|pcap|nats|lz4|sqlite|protobuf|sdf|osmesa) +on ' parts | grep -vE ': [A-Za-z0-9_]+ [0-9][0-9a-z.]*(, [A-Za-z0-9_]+ [0-9][0-9a-z.]*)*$' || true
 
 same() { [ "$(state "$1")" = "$2" ] || echo "$1 is listed as $(state "$1"), and is $2"; }
 there() { [ -e "$1" ] && echo on || echo off; }
@@ -15,6 +15,7 @@ same pictures "$(there "$folder/rocinante-render")"
 same window "$(there "$folder/rocinante-view")"
 same openimageio "$(there "$folder/../lib/librocinante_openimageio.so")"
 same nats "$(there "$folder/../lib/librocinante_nats_client.so")"
+same protobuf "$(there "$folder/../lib/librocinante_protobuf_messages.so")"
 same sdf "$(there "$folder/../lib/librocinante_sdformat.so")"
 said=$(rocinante record pcap://no-such-interface -o x.mcap 2>&1) || true
 case $said in *"has no pcap://"*) same pcap off ;; *) same pcap on ;; esac

@@ -1,0 +1,35 @@
+#include "golden/check/log_octets.h"
+
+#include <algorithm>
+
+#include "core/foreign/decode/carried_decoders.h"
+#include "core/foreign/live/cell_decoders.h"
+
+namespace rocinante {
+namespace {
+
+bool hasOctets(const LogReader& log) {
+  return std::ranges::any_of(log.channels(), [](const LogChannel& channel) {
+    return channel.captured() && !channel.imported() && channel.encoding != "rk1";
+  });
+}
+
+}  // namespace
+
+Result<LogOctets> LogOctets::of(const LogReader& log, const std::string& file, const Cell& cell) {
+  LogOctets octets;
+  if (file.empty() && !hasOctets(log)) return octets;
+  auto set = decodersFor(file, cell);
+  if (!set) return set.error();
+  if (*set) octets.decoders_.emplace(std::move(*set));
+  return octets;
+}
+
+std::string_view LogOctets::packetOf(const LogMessage& message) {
+  ++octets_;
+  const decode::DecodedPacket* const packet = decoders_->decode(
+      decode::routeOf(*message.channel), message.publish_time_ns, message.payload);
+  return packet == nullptr ? std::string_view() : packet->text;
+}
+
+}  // namespace rocinante

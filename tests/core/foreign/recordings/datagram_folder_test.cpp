@@ -1,0 +1,148 @@
+#include "core/foreign/recordings/datagram_folder.h"
+
+#include <fcntl.h>
+#include <gmock/gmock.h>
+#include <sys/stat.h>
+
+#include <fstream>
+
+#include "core/foreign/recordings/datagram_times.h"
+#include "core/foreign/ros/bag_import.h"
+#include "tests/core/log/log_support.h"
+#include "tests/support/temporary_folder.h"
+
+namespace rocinante::test {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using Rule = DatagramOrder::Rule;
+
+/// "NAME@TIME_NS" of the files, which were changed at 1, 2, 3 ... ns.
+std::vector<std::string> orderedNames(const std::vector<std::string>& names, Rule rule) {
+  std::vector<DatagramFile> files;
+  for (const std::string& name : names) {
+    files.push_back({name, static_cast<std::int64_t>(files.size() + 1), 0});
+  }
+  const DatagramOrder order = orderedDatagrams(std::move(files));
+  EXPECT_EQ(order.rule, rule);
+  std::vector<std::string> ordered;
+  for (const TimedDatagram& each : order.datagrams) {
+    ordered.push_back(each.name + "@" + std::to_string(each.time.time_since_epoch().count()));
+  }
+  return ordered;
+}
+
+TEST(DatagramTimes, AreTheNamesWhenAllOfThemAreTimes) {
+  EXPECT_THAT(
+      orderedNames({"1700000000.25.bin", "1700000000250000001", "1700000000249.raw",
+                    "1700000000249999.x", "1700000000", "999999999.000000001"},
+                   Rule::names_are_times),
+      ElementsAre("999999999.000000001@999999999000000001", "1700000000@1700000000000000000",
+                  "1700000000249.raw@1700000000249000000",
+                  "1700000000249999.x@1700000000249999000",
+                  "1700000000.25.bin@1700000000250000000",
+                  "1700000000250000001@1700000000250000001"));
+}
+
+TEST(DatagramTimes, AreThoseOfTheFilesInTheOrderOfNumbers) {
+  EXPECT_THAT(orderedNames({"p2.raw", "p10.raw", "p09.raw", "q1.raw"}, Rule::names_are_numbers),
+              ElementsAre("q1.raw@4", "p2.raw@4", "p09.raw@4", "p10.raw@4"));
+  // Too long for a time, and for any whole number.
+  EXPECT_THAT(orderedNames({"99999999999999999999999", "100000000000000000000000"},
+                           Rule::names_are_numbers),
+              ElementsAre("99999999999999999999999@1", "100000000000000000000000@2"));
+}
+
+TEST(DatagramTimes, AreThoseOfTheFilesWhenNamesSayNothing) {
+  EXPECT_THAT(orderedNames({"b.raw", "a.raw", "1.raw"}, Rule::changed),
+              ElementsAre("b.raw@1", "a.raw@2", "1.raw@3"));
+  EXPECT_THAT(orderedNames({"9223372036854775807.1", "-1", ".5"}, Rule::names_are_numbers),
+              testing::SizeIs(3));
+}
+
+class DatagramFolderTest : public testing::Test {
+ protected:
+  void put(const std::string& name, std::string_view bytes, std::int64_t changed_ns = 0) const {
+    std::ofstream(folder_ / name, std::ios::binary) << bytes;
+    const timespec time{changed_ns / 1'000'000'000, changed_ns % 1'000'000'000};
+    const timespec both[2] = {time, time};
+    ASSERT_EQ(::utimensat(AT_FDCWD, (folder_ / name).c_str(), both, 0), 0);
+  }
+
+  Result<ros::ImportReport> import() {
+    auto opened = openDatagramFolder(folder_.path());
+    if (!opened) return opened.error();
+    std::vector<std::unique_ptr<ros::BagReader>> all;
+    all.push_back(std::move(*opened));
+    log_.clear();
+    return ros::importBags(std::move(all), makeMemorySink(log_), "session", {});
+  }
+
+  const TemporaryFolder folder_;
+  Bytes log_;
+};
+
+TEST_F(DatagramFolderTest, KeepsEachFileAsACapturedDatagram) {
+  constexpr std::int64_t kDay = 1'700'000'000'000'000'000;
+  const std::string octets("\0\xFFraw", 5);
+  put("d.1", octets, kDay + 5);
+  put("d.2", "RK1 a@b 1 -\njoints arm 1\n", kDay + 3);
+  put("d.3", "", kDay + 7);
+  put(".hidden4", "x");
+  std::filesystem::create_directory(folder_ / "5");
+  ASSERT_EQ(::mkfifo((folder_ / "6").c_str(), 0600), 0);
+  const auto report = import();
+  ASSERT_TRUE(report) << report.error().text();
+  EXPECT_TRUE(report->lostNothing());
+  EXPECT_THAT(report->notes,
+              ElementsAre(HasSubstr("the numbers in their files' names"),
+                          HasSubstr("1 file changed before the one in front"),
+                          HasSubstr("3 folder or hidden or special files passed over")));
+  LogReader reader = openLog(log_);
+  for (const LogChannel& channel : reader.channels()) {
+    EXPECT_FALSE(channel.imported()) << channel.topic;
+  }
+  std::vector<std::string> kept;
+  for (const KeptMessage& message : readAll(reader)) {
+    if (message.topic == "/datagrams") kept.push_back(message.payload);
+  }
+  EXPECT_THAT(kept, ElementsAre(octets, "RK1 a@b 1 -\njoints arm 1\n", ""));
+  EXPECT_EQ(nanosecondsOf(report->start), kDay + 5);
+  EXPECT_EQ(nanosecondsOf(report->end), kDay + 7);
+}
+
+TEST_F(DatagramFolderTest, SaysWhatItLeavesOut) {
+  EXPECT_THAT(import().error().text(), HasSubstr("the folder has no files"));
+  put("1", std::string((1U << 20U) + 1, 'x'));
+  put("2", "x", 1);
+  const auto report = import();
+  ASSERT_TRUE(report) << report.error().text();
+  EXPECT_FALSE(report->lostNothing());
+  EXPECT_THAT(report->damage, ElementsAre(HasSubstr("1 file of more than 1 MiB left out")));
+  // Before 1970 a log has no times.
+  put("2", "x", -5'000'000'000);
+  EXPECT_THAT(import().error().text(), HasSubstr("no message"));
+}
+
+TEST_F(DatagramFolderTest, AnIdDependsOnItsFilesAlone) {
+  put("a", "1", 5);
+  const auto first = datagramFolderId(folder_.path());
+  ASSERT_TRUE(first);
+  EXPECT_EQ(*datagramFolderId(folder_.path()), *first);
+  put("b", "1", 5);
+  EXPECT_NE(*datagramFolderId(folder_.path()), *first);
+}
+
+TEST_F(DatagramFolderTest, FindsTheFilesOfABag) {
+  put("bag_1.db3", "");
+  put("bag_0.db3", "");
+  EXPECT_THAT(filesOfBagFolder(folder_.path()), IsEmpty());
+  put("metadata.yaml", "");
+  EXPECT_THAT(filesOfBagFolder(folder_.path()),
+              ElementsAre(folder_ / "bag_0.db3", folder_ / "bag_1.db3"));
+}
+
+}  // namespace
+}  // namespace rocinante::test
