@@ -169,7 +169,7 @@ void ClearanceJudge::measure(Pair& pair, const Mat4& at, const CellPlacement& pl
   need.near_m = std::max(outcome.min_m, kTolerance_m);
   need.exact_below_m = outcome.is_violated ? of_span_m_[pair.outcome]
                                            : std::max(outcome.least.distance_m, need.near_m);
-  const BoundedDistance found = boundedDistance(*pair.body_a, *pair.body_b, at, need, &pair.known);
+  const BoundedDistance found = search_.bounded(*pair.body_a, *pair.body_b, at, need, &pair.known);
   pair.known = found.contact;
   pair.measured_at = at;
   pair.measured_m = pair.seen_m = found.at_least_m;
@@ -261,7 +261,7 @@ void ClearanceJudge::sweep(const Pair& pair, Step& step, const Motion& motion, d
     swept.to = relative(motion.to, pair);
     const double before = least.contact.distance_m;
     const bool may_be_nearer =
-        sweepTrees(*pair.body_a, *pair.body_b, swept, cut_m, kTolerance_m, least.contact);
+        search_.sweep(*pair.body_a, *pair.body_b, swept, cut_m, kTolerance_m, least.contact);
     if (least.contact.distance_m < before) {
       const CellPlacement& there = least.contact.at_end ? motion.to : motion.from;
       least.at = least.contact.at_end ? part.next() : part;

@@ -14,6 +14,7 @@
 #include "core/cell/cell.h"
 #include "core/clearance/clearance_pairs.h"
 #include "core/clearance/moving_bodies.h"
+#include "core/clearance/tree_distance.h"
 #include "core/report/time_histogram.h"
 
 namespace rocinante {
@@ -59,12 +60,12 @@ struct ClearanceOutcome {
 /// **How.** A body is followed once for all its pairs (MovingBodies). A pair is looked at again
 /// only when both bodies together have moved, since it was last looked at, as far as what was left
 /// between its distance and one that matters. Then in turn: the motion of one against the other
-/// since it was measured, their spheres, and last their trees (boundedDistance()), beginning with
-/// the triangles that were nearest and ending as soon as nothing nearer matters. A step is swept
-/// (sweepTrees()) only when the distances at its ends, the way between them and the bulge of the
-/// arcs leave room for one below `min_m`: with each corner on a straight line, give or take the
-/// bulge, (w^2 D + 2 w v) / 8 for joints that turn by w and slide by v in all and reach as far as
-/// D; where that still leaves room the step is halved, which quarters the bulge.
+/// since it was measured, their spheres, and last their trees (TreeSearch::bounded()), beginning
+/// with the triangles that were nearest and ending as soon as nothing nearer matters. A step is
+/// swept (TreeSearch::sweep()) only when the distances at its ends, the way between them and the
+/// bulge of the arcs leave room for one below `min_m`: with each corner on a straight line, give or
+/// take the bulge, (w^2 D + 2 w v) / 8 for joints that turn by w and slide by v in all and reach as
+/// far as D; where that still leaves room the step is halved, which quarters the bulge.
 ///
 /// A step in which the links of a pair turn by more than half a turn or slide by more than 2 m is a
 /// jump: judged at its end alone. So are devices that appear, disappear or change their carrier.
@@ -137,6 +138,7 @@ class ClearanceJudge {
 
   const Cell& cell_;
   BodyStore bodies_;
+  TreeSearch search_;
   bool has_begun_ = false, had_too_many_ = false;
   LogTime time_{};
   CellPlacement placement_;

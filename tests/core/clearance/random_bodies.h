@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/clearance/triangle_tree.h"
+#include "core/clearance/tree_distance.h"
 #include "core/math/transform.h"
 
 namespace rocinante::test {

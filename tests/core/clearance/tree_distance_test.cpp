@@ -1,4 +1,4 @@
-#include "core/clearance/triangle_tree.h"
+#include "core/clearance/tree_distance.h"
 
 #include <gtest/gtest.h>
 
@@ -27,7 +27,7 @@ double bruteForce(const std::vector<Solid>& a, const std::vector<Solid>& b, cons
   return least;
 }
 
-TEST(TriangleTree, GivesTheDistanceOfBruteForceToTheBitAtRandomPoses) {
+TEST(TreeDistance, GivesTheDistanceOfBruteForceToTheBitAtRandomPoses) {
   test::Random random(7);
   int touching = 0;
   for (int round = 0; round < 60; ++round) {
@@ -52,7 +52,28 @@ TEST(TriangleTree, GivesTheDistanceOfBruteForceToTheBitAtRandomPoses) {
   EXPECT_LT(touching, 55);
 }
 
-TEST(TriangleTree, SpheresAndCapsulesAreExact) {
+TEST(TreeDistance, OneSearchAfterAnotherGivesTheSameBitsAndItsBoundHolds) {
+  test::Random random(29);
+  TreeSearch search;
+  TreeContact known;
+  for (int round = 0; round < 12; ++round) {
+    SCOPED_TRACE(round);
+    const std::vector<Solid> a = random.solids(round % 2 == 0 ? 90 : 300), b = random.solids(120);
+    const TriangleTree tree_a(a), tree_b(b);
+    const Mat4 placement = random.placement(2);
+    const double expected = bruteForce(a, b, placement);
+    constexpr double kAny = std::numeric_limits<double>::infinity();
+    known = search.bounded(tree_a, tree_b, placement, {kAny, kAny}, &known).contact;
+    EXPECT_EQ(known.distance_m, expected);
+    // Only whether it is below half a metre.
+    const BoundedDistance rough = search.bounded(tree_a, tree_b, placement, {0.5, 0}, nullptr);
+    EXPECT_EQ(rough.contact.distance_m < 0.5, expected < 0.5);
+    EXPECT_GE(rough.contact.distance_m, expected);
+    EXPECT_LE(rough.at_least_m, expected + 1e-12);
+  }
+}
+
+TEST(TreeDistance, SpheresAndCapsulesAreExact) {
   const TriangleTree ball({{{Vec3(0), Vec3(0), Vec3(0)}, 0.25}});
   EXPECT_DOUBLE_EQ(treeDistance(ball, ball, translationMatrix({3, 4, 0})).distance_m, 4.5);
   EXPECT_EQ(treeDistance(ball, ball, translationMatrix({0.3, 0, 0})).distance_m, 0);
@@ -64,33 +85,33 @@ TEST(TriangleTree, SpheresAndCapsulesAreExact) {
   EXPECT_NEAR(contact.on_b.x, 0.1, 1e-15);
 }
 
-TEST(TriangleTree, AnEmptyOneIsInfinitelyFar) {
+TEST(TreeDistance, AnEmptyOneIsInfinitelyFar) {
   const TriangleTree none({}), ball({{{Vec3(0), Vec3(0), Vec3(0)}, 1}});
   EXPECT_EQ(treeDistance(none, ball, Mat4{1.0}).distance_m,
             std::numeric_limits<double>::infinity());
   TreeContact least;
-  EXPECT_FALSE(sweepTrees(ball, none, {}, 1, 1e-3, least));
+  EXPECT_FALSE(TreeSearch().sweep(ball, none, {}, 1, 1e-3, least));
 }
 
-TEST(TriangleTree, ASweepFindsTheLeastOfItsEndsAndAsksForMoreWhereBetweenIsNearer) {
+TEST(TreeDistance, ASweepFindsTheLeastOfItsEndsAndAsksForMoreWhereBetweenIsNearer) {
   const TriangleTree ball({{{Vec3(0), Vec3(0), Vec3(0)}, 0.25}});
   TreeContact least;
   // Past another at 0.1: nearest in the middle.
   const TreeSweep past{translationMatrix({-1, 0.6, 0}), translationMatrix({1, 0.6, 0}), 0};
-  EXPECT_TRUE(sweepTrees(ball, ball, past, 1, 1e-3, least));
+  EXPECT_TRUE(TreeSearch().sweep(ball, ball, past, 1, 1e-3, least));
   EXPECT_NEAR(least.distance_m, std::sqrt(1.36) - 0.5, 1e-12);
   // Away from it: nearest at its start.
   least = {};
   const TreeSweep away{translationMatrix({1, 0, 0}), translationMatrix({2, 0, 0}), 0};
-  EXPECT_FALSE(sweepTrees(ball, ball, away, 1, 1e-3, least));
+  EXPECT_FALSE(TreeSearch().sweep(ball, ball, away, 1, 1e-3, least));
   EXPECT_DOUBLE_EQ(least.distance_m, 0.5);
   EXPECT_FALSE(least.at_end);
   // Farther than what matters.
   least = {};
-  EXPECT_FALSE(sweepTrees(ball, ball, away, 0.3, 1e-3, least));
+  EXPECT_FALSE(TreeSearch().sweep(ball, ball, away, 0.3, 1e-3, least));
 }
 
-TEST(TriangleTree, DisplacementBoundsThatOfEveryPoint) {
+TEST(TreeDistance, DisplacementBoundsThatOfEveryPoint) {
   test::Random random(3);
   for (int round = 0; round < 200; ++round) {
     const Mat4 from = random.placement(1), to = random.placement(1);
