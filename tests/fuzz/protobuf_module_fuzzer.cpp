@@ -1,6 +1,6 @@
-// What the protobuf module makes of any descriptor set and any message: the bytes are a length of two
-// bytes, a descriptor set of that length, the message's name with a NUL, and a message. The module is
-// part of the program here; the library below it is the system's, without sanitizers.
+// What the protobuf module makes of any descriptor set and any message: the bytes are a length of
+// two bytes, a descriptor set of that length, the message's name with a NUL, and a message. The
+// module is part of the program here; the library below it is the system's, without sanitizers.
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>

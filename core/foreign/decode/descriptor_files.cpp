@@ -31,7 +31,8 @@ Result<std::string_view> DescriptorFiles::read(const std::string& name) {
   if (known != files_.end()) return std::string_view(known->bytes);
   if (!isBelow(name)) {
     return Error{ErrorKind::bad_argument,
-                 "a descriptor lies in the folder of its declaration, or below it", {}};
+                 "a descriptor lies in the folder of its declaration, or below it",
+                 {}};
   }
   if (files_.size() == kMostDescriptors) {
     return Error{ErrorKind::bad_argument, "a declaration has at most 16 descriptors", {}};

@@ -78,8 +78,8 @@ MessageCost::Answer MessageCost::walk(const Descriptor& type, std::string_view& 
       case 3: {
         // Of an unknown group the type itself stands for the contents: it costs, and ends, alike.
         bool any_inner = false;
-        const Answer answer = walk(is_message ? *field->message_type() : type, bytes, depth + 1,
-                                   number, any_inner);
+        const Answer answer =
+            walk(is_message ? *field->message_type() : type, bytes, depth + 1, number, any_inner);
         if (answer != Answer::fits) return answer;
         break;
       }

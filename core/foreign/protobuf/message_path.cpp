@@ -57,8 +57,9 @@ bool findPath(const Descriptor& type, std::string_view path, MessagePath& found,
       return false;
     }
     if (index == -2 || (index >= 0) != field->is_repeated()) {
-      error = quoted(name) + (field->is_repeated() ? " is repeated: give the index, as in "
-                                                   : " has one value, without an index: ") +
+      error = quoted(name) +
+              (field->is_repeated() ? " is repeated: give the index, as in "
+                                    : " has one value, without an index: ") +
               quoted(std::string(name) + (field->is_repeated() ? "[0]" : ""));
       return false;
     }
@@ -66,8 +67,8 @@ bool findPath(const Descriptor& type, std::string_view path, MessagePath& found,
     const bool is_message = field->cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE;
     if (dot == rest.npos) {
       if (!is_message) return true;
-      error = quoted(name) + " is a message: go on to one of its fields: " +
-              fieldsOf(*field->message_type());
+      error = quoted(name) +
+              " is a message: go on to one of its fields: " + fieldsOf(*field->message_type());
       return false;
     }
     if (!is_message) {
@@ -113,15 +114,14 @@ RocinanteProtobufValue valueOf(const Message& message, const MessagePath::Step& 
       return number(at < 0 ? has.GetFloat(message, field)
                            : has.GetRepeatedFloat(message, field, at));
     case FieldDescriptor::CPPTYPE_BOOL:
-      return number(at < 0 ? has.GetBool(message, field)
-                           : has.GetRepeatedBool(message, field, at));
+      return number(at < 0 ? has.GetBool(message, field) : has.GetRepeatedBool(message, field, at));
     case FieldDescriptor::CPPTYPE_ENUM:
       return number(at < 0 ? has.GetEnumValue(message, field)
                            : has.GetRepeatedEnumValue(message, field, at));
     case FieldDescriptor::CPPTYPE_STRING: {
-      const std::string& text =
-          at < 0 ? has.GetStringReference(message, field, &scratch)
-                 : has.GetRepeatedStringReference(message, field, at, &scratch);
+      const std::string& text = at < 0
+                                    ? has.GetStringReference(message, field, &scratch)
+                                    : has.GetRepeatedStringReference(message, field, at, &scratch);
       return {2, 0, text.data(), text.size()};
     }
     case FieldDescriptor::CPPTYPE_MESSAGE:

@@ -1,4 +1,5 @@
-// librocinante_protobuf_messages.so: messages of a type that is known from a FileDescriptorSet alone.
+// librocinante_protobuf_messages.so: messages of a type that is known from a FileDescriptorSet
+// alone.
 #include "core/foreign/protobuf/protobuf_module.h"
 
 #include <google/protobuf/descriptor.h>

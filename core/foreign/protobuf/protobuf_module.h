@@ -3,9 +3,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
-// The C interface of librocinante_protobuf_messages.so: the module is loaded with dlopen and shares no C++
-// with the program. Functions are found by the names of their typedefs' comments. A schema is used
-// by any number of threads, a reader by one.
+// The C interface of librocinante_protobuf_messages.so: the module is loaded with dlopen and shares
+// no C++ with the program. Functions are found by the names of their typedefs' comments. A schema
+// is used by any number of threads, a reader by one.
 
 #define ROCINANTE_PROTOBUF_ABI 1
 
@@ -25,8 +25,8 @@ typedef struct RocinanteProtobufSchema* (*RocinanteProtobufOpen)(const void* set
 /// rocinante_protobuf_close: null is allowed. The schema's readers are closed before.
 typedef void (*RocinanteProtobufClose)(struct RocinanteProtobufSchema* schema);
 
-/// rocinante_protobuf_find: whether `path` ("a.b[2].c") leads to one value. 1, or 0 with one sentence
-/// in `error`.
+/// rocinante_protobuf_find: whether `path` ("a.b[2].c") leads to one value. 1, or 0 with one
+/// sentence in `error`.
 typedef int32_t (*RocinanteProtobufFind)(const struct RocinanteProtobufSchema* schema,
                                          const char* path, char* error, size_t error_bytes);
 

@@ -29,8 +29,8 @@ struct ProtobufModule {
       return;
     }
     const auto get = [&](auto& function, const char* name) {
-      function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(
-          functionOf(*loaded, name));
+      function =
+          reinterpret_cast<std::remove_reference_t<decltype(function)>>(functionOf(*loaded, name));
       return function != nullptr;
     };
     RocinanteProtobufAbi abi = nullptr;
@@ -72,12 +72,14 @@ Result<std::shared_ptr<const Schema>> Schema::open(std::string_view descriptor_s
                                                    const std::string& message) {
   const ProtobufModule& module = protobufModule();
   if (!module.reason.empty()) {
-    return Error{ErrorKind::refused, "protobuf is not read without its module (package rocinante-protobuf); " + module.reason,
-                 {}};
+    return Error{
+        ErrorKind::refused,
+        "protobuf is not read without its module (package rocinante-protobuf); " + module.reason,
+        {}};
   }
   char error[1024] = "";
-  RocinanteProtobufSchema* const schema = module.open(
-      descriptor_set.data(), descriptor_set.size(), message.c_str(), error, sizeof error);
+  RocinanteProtobufSchema* const schema = module.open(descriptor_set.data(), descriptor_set.size(),
+                                                      message.c_str(), error, sizeof error);
   if (schema == nullptr) return Error{ErrorKind::bad_argument, error, {}};
   return std::shared_ptr<const Schema>(new Schema(schema));
 }

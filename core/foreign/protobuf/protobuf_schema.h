@@ -18,8 +18,8 @@ struct NamedValue {
   std::string value;
 };
 
-/// A message type of a FileDescriptorSet, by the module that knows libprotobuf. Any threads; what it
-/// makes keeps it alive.
+/// A message type of a FileDescriptorSet, by the module that knows libprotobuf. Any threads; what
+/// it makes keeps it alive.
 class Schema : public std::enable_shared_from_this<Schema> {
  public:
   /// refused: the module is not there; bad_argument: the set or the name, with one sentence.

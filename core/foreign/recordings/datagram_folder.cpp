@@ -44,9 +44,10 @@ Result<FolderContent> contentOf(const fs::path& folder) {
       continue;
     }
     if (content.files.size() == kMostFiles) {
-      return Error{ErrorKind::unsupported,
-                   "the folder has more than 1,000,000 files: import parts of it, and merge the logs",
-                   folder.string()};
+      return Error{
+          ErrorKind::unsupported,
+          "the folder has more than 1,000,000 files: import parts of it, and merge the logs",
+          folder.string()};
     }
     const std::int64_t changed_ns =
         static_cast<std::int64_t>(facts.st_mtim.tv_sec) * 1'000'000'000 + facts.st_mtim.tv_nsec;

@@ -72,9 +72,8 @@ std::weak_ordering byNameNumber(std::string_view left, std::string_view right) {
 DatagramOrder orderedDatagrams(std::vector<DatagramFile> files) {
   DatagramOrder order;
   const auto all = [&](const auto& has) {
-    return std::ranges::all_of(files, [&](const DatagramFile& file) {
-      return has(file.name).has_value();
-    });
+    return std::ranges::all_of(
+        files, [&](const DatagramFile& file) { return has(file.name).has_value(); });
   };
   if (all(timeInName)) {
     order.rule = DatagramOrder::Rule::names_are_times;
@@ -84,7 +83,8 @@ DatagramOrder orderedDatagrams(std::vector<DatagramFile> files) {
   }
   std::ranges::sort(files, [&](const DatagramFile& left, const DatagramFile& right) {
     if (order.rule == DatagramOrder::Rule::names_are_numbers) {
-      const std::weak_ordering number = byNameNumber(*numberInName(left.name), *numberInName(right.name));
+      const std::weak_ordering number =
+          byNameNumber(*numberInName(left.name), *numberInName(right.name));
       return number != 0 ? number < 0 : left.name < right.name;
     }
     if (left.changed_ns != right.changed_ns) return left.changed_ns < right.changed_ns;

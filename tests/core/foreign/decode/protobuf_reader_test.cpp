@@ -176,13 +176,12 @@ TEST_F(ProtobufDecoder, NamesWhatNoDeclarationPointsTo) {
   DatagramDecoders decoders = egmDecoders();
   const std::string message = egm({1, 2, 3, 4, 5, 6, 7}).text();
   std::vector<std::string> found;
-  for (const FoundField& each :
-       decoders.undeclared(kEgmRoute, rocinante::bytesOf(message), 100)) {
+  for (const FoundField& each : decoders.undeclared(kEgmRoute, rocinante::bytesOf(message), 100)) {
     found.push_back(each.name + "=" + each.value);
   }
-  EXPECT_THAT(found, ElementsAre("header.seqno=4711", "header.tm=98765",
-                                 "feedBack.joints.joints[6]=7", "feedBack.#4=10 bytes",
-                                 "#5=2 bytes", "#6=1", "#8=2 bytes"));
+  EXPECT_THAT(found,
+              ElementsAre("header.seqno=4711", "header.tm=98765", "feedBack.joints.joints[6]=7",
+                          "feedBack.#4=10 bytes", "#5=2 bytes", "#6=1", "#8=2 bytes"));
   EXPECT_EQ(decoders.undeclared(kEgmRoute, rocinante::bytesOf(message), 2).size(), 2U);
 }
 
@@ -227,8 +226,8 @@ TEST_F(ProtobufDecoder, CarriesItsDescriptorAndHashesItToo) {
   const test::TemporaryFolder folder;
   std::filesystem::create_directory(folder.path() / (*set)->hash);
   for (const CarriedFile& each : carried) {
-    std::ofstream(folder.path() / std::filesystem::path(each.attachment.name).lexically_relative(
-                                      "decoders"))
+    std::ofstream(folder.path() /
+                  std::filesystem::path(each.attachment.name).lexically_relative("decoders"))
         << textOf(each.bytes);
   }
   auto again = readDecoders(folder.path() / ((*set)->hash + ".toml"));
@@ -291,8 +290,7 @@ TEST_F(ProtobufDecoder, BoundsTheMemoryOfAMessage) {
   EXPECT_EQ(reader.read(rocinante::bytesOf(message)), "");
   EXPECT_EQ(reader.values()[0].kind, 0);
   for (int i = 0; i < 30'000; ++i) message += std::string("\x0A\x00", 2);
-  EXPECT_EQ(reader.read(rocinante::bytesOf(message)),
-            "it would need more than 64 MiB of memory");
+  EXPECT_EQ(reader.read(rocinante::bytesOf(message)), "it would need more than 64 MiB of memory");
 }
 
 TEST(ProtobufPart, SaysWhenItsModuleIsMissing) {
