@@ -6,6 +6,7 @@
 #include <google/protobuf/descriptor.pb.h>
 #include <google/protobuf/dynamic_message.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <exception>
@@ -51,7 +52,9 @@ constexpr int kMostTypes = 4096;
 constexpr int kMostFields = 65'536;
 constexpr int kDeepestType = 64;
 
-void answer(char* error, std::size_t bytes, const std::string& text) {
+/// Names in a set may hold NUL bytes.
+void answer(char* error, std::size_t bytes, std::string text) {
+  std::replace(text.begin(), text.end(), '\0', '?');
   std::snprintf(error, bytes, "%s", text.c_str());
 }
 
