@@ -47,8 +47,7 @@ void AimedTree::aim(const Aim& aim, std::span<const Mat4> places, double more_m)
     }
     farthest = std::max(farthest, lengthOf(positionOf(at)));
   }
-  more_m_ = more_m +
-            kExtentRounding * (1 + farthest + lengthOf(tree_->centre()) + tree_->radius());
+  more_m_ = more_m + kExtentRounding * (1 + farthest + lengthOf(tree_->centre()) + tree_->radius());
 }
 
 void AimedTree::fillNode(std::uint32_t i, Known& known) {

@@ -57,9 +57,9 @@ class TreeSearch {
                           const DistanceNeed& need, const TreeContact* known = nullptr);
 
   /// Looks for distances below `cut_m` during a sweep. `least` is improved by the distances at both
-  /// ends of it, of those triangles that may matter; its solids are looked at first. Returns whether
-  /// there may be a distance between that is below `cut_m` and more than `tolerance_m` below `least`:
-  /// then split the sweep, and ask for each part.
+  /// ends of it, of those triangles that may matter; its solids are looked at first. Returns
+  /// whether there may be a distance between that is below `cut_m` and more than `tolerance_m`
+  /// below `least`: then split the sweep, and ask for each part.
   bool sweep(const TriangleTree& a, const TriangleTree& b, const TreeSweep& sweep, double cut_m,
              double tolerance_m, TreeContact& least);
 
