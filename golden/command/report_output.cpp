@@ -10,6 +10,8 @@
 #include "core/base/atomic_file.h"
 #include "core/base/count_text.h"
 #include "core/base/plain_text.h"
+#include "golden/compare/cdash_lines.h"
+#include "golden/report/report_cdash.h"
 #include "golden/report/report_ci.h"
 #include "golden/report/report_folder.h"
 
@@ -26,7 +28,8 @@ Status appendToFile(const std::string& path, const std::string& text) {
 }  // namespace
 
 void addReportFiles(CLI::App& command, ReportFiles& files) {
-  command.add_option("--report", files.folder, "folder for index.html and the pictures");
+  CLI::Option* const folder =
+      command.add_option("--report", files.folder, "folder for index.html and the pictures");
   command.add_option("--junit", files.junit, "write JUnit XML");
   command.add_option("--sarif", files.sarif, "write SARIF 2.1.0, for code scanning");
   command.add_option("--summary", files.summary,
@@ -37,6 +40,11 @@ void addReportFiles(CLI::App& command, ReportFiles& files) {
           ->expected(0, 1)
           ->default_str("-");
   command.add_flag("--github", files.github, "annotate the suite file in GitHub Actions")
+      ->excludes(json);
+  command
+      .add_flag("--cdash", files.cdash,
+                "print the report's pictures for CTest to upload, as in a dashboard's test")
+      ->needs(folder)
       ->excludes(json);
 }
 
@@ -67,7 +75,10 @@ Status writeReportFiles(const SuiteReport& report, const ReportFiles& files) {
     }
   }
   if (files.folder.empty()) return {};
-  return writeReport(report, files.folder);
+  if (auto written = writeReport(report, files.folder); !written) return written;
+  const bool is_told = files.cdash || (isUnderDashboard() && files.json_file != "-");
+  if (is_told) fmt::print("{}", reportCdash(report, files.folder));
+  return {};
 }
 
 void printReportSummary(const SuiteReport& report) {

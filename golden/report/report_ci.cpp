@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -13,6 +15,7 @@
 #include "core/base/version.h"
 #include "core/check/reports/report_formats.h"
 #include "core/report/json_text.h"
+#include "golden/report/difference_sheet.h"
 #include "golden/report/report_runs.h"
 #include "golden/why/frame_why.h"
 
@@ -129,6 +132,24 @@ Json frameResult(const SuiteReport& report, const JudgedFrame& judged) {
   return result;
 }
 
+/// Where the picture of all differences is, and what it shows: a job's page shows no file of the
+/// job.
+std::string sheetText(const SuiteReport& report, const std::string& page) {
+  const std::optional<DifferenceSheet> sheet = differenceSheet(report);
+  if (!sheet) return {};
+  const std::string file =
+      (std::filesystem::path(page).parent_path() / kDifferenceSheetFile).string();
+  std::string rows;
+  for (const std::string& row : sheet->rows) {
+    rows += (rows.empty() ? "" : ", ") + markdownText(row);
+  }
+  std::string text = fmt::format(
+      "Frame, golden and difference beside one another: [{}]({}); rows from the top: {}",
+      markdownText(kDifferenceSheetFile), uriOf(file), rows);
+  if (sheet->left_out > 0) text += fmt::format("; {} more are left out", sheet->left_out);
+  return text + ".\n\n";
+}
+
 }  // namespace
 
 std::string reportSarif(const SuiteReport& report) {
@@ -223,6 +244,7 @@ std::string reportMarkdown(const SuiteReport& report, const std::string& page) {
     }
   }
   if (fine < report.frames.size() || fine_runs < report.runs.size()) {
+    if (!page.empty()) text += sheetText(report, page);
     text += fmt::format("Repeat: {}\n\n", markdownCode(report.run_command));
   }
   if (fine < report.frames.size()) {

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "core/base/atomic_file.h"
+#include "golden/report/difference_sheet.h"
 #include "golden/report/page_pictures.h"
 #include "golden/report/report_html.h"
 #include "golden/report/report_reader.h"
@@ -85,6 +86,7 @@ std::set<std::string> picturesOfReport(const std::filesystem::path& folder) {
   if (!text.ok()) return names;
   const auto old = parseReport(*text, folder);
   if (!old.ok()) return names;
+  names.insert(kDifferenceSheetFile);
   for (const JudgedFrame& judged : old->frames) {
     for (const char* ending : kPictureEndings) names.insert(judged.frame.name + ending);
   }
@@ -98,6 +100,10 @@ Status writeReport(const SuiteReport& report, const std::filesystem::path& folde
   if (auto opened = files.open(); !opened) return opened;
   for (const JudgedFrame& judged : report.frames) {
     if (auto written = writePictures(judged, files); !written) return written;
+  }
+  if (const auto sheet = differenceSheet(report)) {
+    const Bytes png = encodePng(sheet->picture);
+    if (auto written = files.write(kDifferenceSheetFile, png); !written) return written;
   }
   if (auto written = files.write(kPagePicturesFile, bytesOf(pagePicturesJson(report))); !written) {
     return written;

@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/atomic_file.h"
+#include "golden/report/difference_sheet.h"
+#include "golden/report/report_cdash.h"
 #include "golden/report/report_ci.h"
 #include "golden/report/report_folder.h"
 #include "golden/report/report_html.h"
@@ -57,6 +59,74 @@ TEST_F(ReportTest, OneDifferentFrameMakesTheAnswerNo) {
   EXPECT_EQ(report_.verdict(), Verdict::incomparable);
   add(FrameVerdict::missing);
   EXPECT_EQ(report_.verdict(), Verdict::different);
+}
+
+TEST_F(ReportTest, OnePictureHoldsAllDifferences) {
+  EXPECT_FALSE(differenceSheet(report_)) << "nothing differs";
+  add(FrameVerdict::same);
+  EXPECT_FALSE(differenceSheet(report_));
+  add(FrameVerdict::different);
+  add(FrameVerdict::missing);  // not drawn
+  report_.frames.back().frame.name = "gone";
+  add(FrameVerdict::missing);
+  report_.frames.back().frame.name = "new";
+  report_.frames.back().drawn =
+      Picture{480, 960, std::vector<std::uint8_t>(std::size_t{480} * 960 * 4, 77)};
+  const auto sheet = differenceSheet(report_);
+  ASSERT_TRUE(sheet);
+  EXPECT_THAT(sheet->rows, testing::ElementsAre("pick", "new"));
+  // Gaps of 8, tiles 240 wide; 16x16 pixels stay as they are, 480x960 become 240x480.
+  EXPECT_EQ(sheet->picture.width, 752);
+  EXPECT_EQ(sheet->picture.height, 8 + 16 + 8 + 480 + 8);
+  const auto at = [&](int x, int y) {
+    return int{sheet->picture.rgba[static_cast<std::size_t>(y * 752 + x) * 4]};
+  };
+  EXPECT_EQ(at(128, 16), 10) << "the frame, in the middle of its tile";
+  EXPECT_EQ(at(128 + 248, 16), 90) << "its golden";
+  EXPECT_EQ(at(100, 200), 77);
+  EXPECT_EQ(at(100 + 248, 200), 0xD8) << "no golden";
+  const std::string text = reportMarkdown(report_, "out put/index.html");
+  EXPECT_THAT(text, HasSubstr("[differences.png](out%20put/differences.png); rows from the top: "
+                              "pick, new."));
+  EXPECT_THAT(reportMarkdown(report_, ""), Not(HasSubstr("differences.png")));
+}
+
+TEST_F(ReportTest, TheSheetOfDifferencesIsBoundedAndGoesWithThem) {
+  for (int i = 0; i < 50; ++i) {
+    add(FrameVerdict::different);
+    report_.frames.back().frame.name = "tour-" + std::to_string(i);
+  }
+  const auto sheet = differenceSheet(report_);
+  ASSERT_TRUE(sheet);
+  EXPECT_EQ(sheet->rows.size(), 40U);
+  EXPECT_EQ(sheet->left_out, 10U);
+  EXPECT_THAT(reportMarkdown(report_, "r/index.html"), HasSubstr("; 10 more are left out"));
+  const test::TemporaryFolder folder;
+  ASSERT_TRUE(writeReport(report_, folder.path()).ok());
+  EXPECT_EQ(readPng(folder / "differences.png").value(), sheet->picture);
+  report_.frames.clear();
+  add(FrameVerdict::same);
+  ASSERT_TRUE(writeReport(report_, folder.path()).ok());
+  EXPECT_FALSE(std::filesystem::exists(folder / "differences.png"));
+}
+
+TEST_F(ReportTest, CtestIsToldThePicturesThatTheReportWrote) {
+  add(FrameVerdict::same);
+  add(FrameVerdict::different);
+  add(FrameVerdict::different);
+  report_.frames.back().frame.name = "other";
+  const test::TemporaryFolder folder;
+  ASSERT_TRUE(writeReport(report_, folder.path()).ok());
+  const std::string text = reportCdash(report_, folder.path());
+  const auto line = [&](const std::string& role, const std::string& file) {
+    return "<DartMeasurementFile name=\"" + role + "\" type=\"image/png\">" +
+           (folder / file).string() + "</DartMeasurementFile>\n";
+  };
+  EXPECT_EQ(text, line("TestImage", "pick.frame.png") + line("ValidImage", "pick.golden.png") +
+                      line("DifferenceImage2", "pick.difference.png") +
+                      line("TestImage other", "other.frame.png") +
+                      line("ValidImage other", "other.golden.png") +
+                      line("DifferenceImage2 other", "other.difference.png"));
 }
 
 TEST_F(ReportTest, JsonHoldsTheFigures) {
