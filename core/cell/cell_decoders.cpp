@@ -8,7 +8,7 @@
 namespace rocinante {
 namespace {
 
-constexpr std::size_t kMostDecoderBytes = std::size_t{1} << 20U;
+constexpr std::size_t kMaxDecoderBytes = std::size_t{1} << 20U;
 
 }  // namespace
 
@@ -30,7 +30,7 @@ void readDecodersName(const CellFile& file, const FileSearch& search, Cell& cell
 void addDecoderFiles(const Cell& cell, MeshStore& files) {
   if (cell.decoders.empty()) return;
   files.addFile(cell.decoders);
-  const Result<std::string> text = readFile(cell.decoders, kMostDecoderBytes);
+  const Result<std::string> text = readFile(cell.decoders, kMaxDecoderBytes);
   if (!text) return;
   const Result<TomlNode> document = parseToml(*text, cell.decoders.string());
   if (!document) return;

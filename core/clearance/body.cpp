@@ -10,7 +10,7 @@ namespace rocinante {
 namespace {
 
 constexpr double kRoundWithin_m = 1e-5;
-constexpr std::uint32_t kFewestSides = 24, kMostSides = 1024;
+constexpr std::uint32_t kFewestSides = 24, kMaxSides = 1024;
 
 bool isFinite(const Vec3& point) {
   return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
@@ -26,7 +26,7 @@ void add(const Solid& solid, std::vector<Solid>& solids) {
 /// The sagitta of a side is r (1 - cos(pi / n)), below r * 5 / n^2.
 std::uint32_t sidesFor(double radius_m) {
   const double sides = std::ceil(std::sqrt(5 * radius_m / kRoundWithin_m));
-  if (!(sides < kMostSides)) return kMostSides;
+  if (!(sides < kMaxSides)) return kMaxSides;
   return std::max(kFewestSides, static_cast<std::uint32_t>(sides));
 }
 

@@ -13,7 +13,7 @@ namespace {
 constexpr double kBurstSeconds = 0.01;
 /// On a slow link, how many other datagrams go before each one of a restatement.
 constexpr int kLiveForEachRestated = 5;
-constexpr std::size_t kMostRepeatedErases = 4096;
+constexpr std::size_t kMaxRepeatedErases = 4096;
 constexpr int kErasesAgain = 2;  ///< three in all
 constexpr Nanoseconds kEraseAgain = std::chrono::seconds(1);
 
@@ -55,7 +55,7 @@ void FilteredOutput::takeImmediate(const Step& step, const Packet& packet,
   std::string line = statementText(statement) + '\n';
   if (statement.kind == StatementKind::remove) pending_.removed(statement.name);
   if (statement.kind == StatementKind::erase && forgets_nothing_ &&
-      erases_.size() < kMostRepeatedErases) {
+      erases_.size() < kMaxRepeatedErases) {
     erases_.push_back(
         {step.now + kEraseAgain, kErasesAgain, draft.source, std::string(statement.name)});
   }
@@ -134,7 +134,7 @@ void FilteredOutput::restate(const SessionState& state, const ThroughBySource& t
   options.text_bytes = header_.roomInParts(state, through, id, datagramBytes());
   options.id = std::move(id);
   restating_.emplace(state, std::move(options));
-  std::size_t most = RestatingPace::kMostWithParts;
+  std::size_t most = RestatingPace::kMaxWithParts;
   if (options_.bytes_per_second) {
     const double bytes = *options_.bytes_per_second * secondsOf(RestatingPace::kLongest) /
                          (kLiveForEachRestated + 1);

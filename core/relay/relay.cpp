@@ -155,7 +155,7 @@ void Relay::begin(OutputId id, Output& output, LogTime now) {
       state_, through_, part_id, FilteredOutput::kDatagramBytes - options_.signature_bytes);
   how.id = std::move(part_id);
   output.greeting.emplace(state_, std::move(how));
-  if (output.greeting->left() > RestatingPace::kMostWithParts) output.greeting->leaveOutParts();
+  if (output.greeting->left() > RestatingPace::kMaxWithParts) output.greeting->leaveOutParts();
   sendGreeting(id, output, now);
 }
 

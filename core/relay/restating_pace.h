@@ -13,7 +13,7 @@ class RestatingPace {
   static constexpr Nanoseconds kPeriod = std::chrono::milliseconds(10);
   /// What takes longer has no part=.
   static constexpr Nanoseconds kLongest = std::chrono::milliseconds(500);
-  static constexpr std::size_t kMostWithParts =
+  static constexpr std::size_t kMaxWithParts =
       kDatagrams * static_cast<std::size_t>(kLongest / kPeriod);
 
   bool allows(LogTime now) {

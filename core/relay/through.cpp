@@ -32,7 +32,7 @@ bool isLoop(std::string_view through, std::string_view name) {
   std::size_t relays = 0;
   while (!through.empty()) {
     const std::size_t comma = std::min(through.find(','), through.size());
-    if (++relays > kMostRelays || through.substr(0, comma) == name) return true;
+    if (++relays > kMaxRelays || through.substr(0, comma) == name) return true;
     through.remove_prefix(std::min(comma + 1, through.size()));
   }
   return false;

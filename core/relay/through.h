@@ -7,12 +7,12 @@ namespace rocinante {
 
 /// The header word `through=A,B,...` of what newest-wins cannot judge (docs/programs/relay.md,
 /// "Loops"): the names, percent-encoded, of the relays that a datagram has passed.
-inline constexpr std::size_t kMostRelays = 8;
+inline constexpr std::size_t kMaxRelays = 8;
 
 /// The value of the word in packet text; empty when its header has none.
 std::string_view throughOf(std::string_view packet);
 
-/// True when the encoded `name` is one of `through`, or they are more than kMostRelays.
+/// True when the encoded `name` is one of `through`, or they are more than kMaxRelays.
 bool isLoop(std::string_view through, std::string_view name);
 
 /// `through` with `name` after it.

@@ -92,8 +92,8 @@ void SeriesScan::add(const LogMessage& message) {
 void SeriesScan::addLoss(const LossSpan& span) {
   const std::uint64_t lost = span.counts.kernel + span.counts.queue + span.counts.disk;
   // A log may say any number.
-  constexpr std::uint64_t kMost = std::uint64_t{1} << 50U;
-  all_.lost.add(span.until, static_cast<std::int64_t>(std::min(lost, kMost)));
+  constexpr std::uint64_t kMax = std::uint64_t{1} << 50U;
+  all_.lost.add(span.until, static_cast<std::int64_t>(std::min(lost, kMax)));
 }
 
 void SeriesScan::count(const Packet& packet, LogTime time) {

@@ -12,8 +12,8 @@ std::int64_t since(LogTime start, LogTime time) {
   if (time <= start) return 0;
   const auto span = static_cast<std::uint64_t>(time.time_since_epoch().count()) -
                     static_cast<std::uint64_t>(start.time_since_epoch().count());
-  constexpr auto kMost = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
-  return static_cast<std::int64_t>(std::min(span, kMost));
+  constexpr auto kMax = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+  return static_cast<std::int64_t>(std::min(span, kMax));
 }
 
 /// The width that one doubling gives; as wide as times can be in the end.

@@ -15,13 +15,13 @@ constexpr Nanoseconds kFirstRetry = std::chrono::milliseconds(250);
 constexpr Nanoseconds kLastRetry = std::chrono::seconds(1);
 // A relay may say anything; a subscription is kept at a sane pace all the same.
 constexpr Nanoseconds kLeastRestate = std::chrono::milliseconds(500);
-constexpr Nanoseconds kMostRestate = std::chrono::seconds(kMaxLeaseSeconds);
+constexpr Nanoseconds kMaxRestate = std::chrono::seconds(kMaxLeaseSeconds);
 constexpr std::size_t kSentenceBytes = 200;
 constexpr std::string_view kNoSubscription = "no subscription";
 
 Nanoseconds restateOf(double restate_s) {
   // Compared as a double: a huge one has no nanoseconds.
-  if (restate_s >= secondsOf(kMostRestate)) return kMostRestate;
+  if (restate_s >= secondsOf(kMaxRestate)) return kMaxRestate;
   const auto restate =
       std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(restate_s));
   return std::max(restate, kLeastRestate);

@@ -81,7 +81,7 @@ class Watcher {
     }
     if (watch_.isFull()) {
       cli::warn(
-          fmt::format("more than {} findings at a time: not all were told", FindingWatch::kMost));
+          fmt::format("more than {} findings at a time: not all were told", FindingWatch::kMax));
     }
     clearStatus();
     const CheckVerdict verdict = watch_.failed()         ? CheckVerdict::incompatible

@@ -9,8 +9,8 @@ namespace {
 constexpr int kTileWidth = 240;
 constexpr int kTileGap = 8;
 /// 40 rows of tall pictures stay below 20 megapixels.
-constexpr std::size_t kMostRows = 40;
-constexpr int kMostTileHeight = 480;
+constexpr std::size_t kMaxRows = 40;
+constexpr int kMaxTileHeight = 480;
 constexpr std::array<std::uint8_t, 4> kPaper = {0xF4, 0xF5, 0xF6, 0xFF};
 constexpr std::array<std::uint8_t, 4> kNothing = {0xD8, 0xDA, 0xDD, 0xFF};
 
@@ -19,7 +19,7 @@ using TileRow = std::array<Tile, 3>;
 
 /// As wide as a tile at most, by a whole fraction of its size.
 Picture tileOf(const Picture& picture) {
-  const double tallest = static_cast<double>(picture.width) * kMostTileHeight / picture.height;
+  const double tallest = static_cast<double>(picture.width) * kMaxTileHeight / picture.height;
   return reducedPicture(picture, std::clamp(static_cast<int>(tallest), 1, kTileWidth));
 }
 
@@ -67,7 +67,7 @@ std::optional<DifferenceSheet> differenceSheet(const SuiteReport& report) {
   int height = kTileGap;
   for (const JudgedFrame& judged : report.frames) {
     if (isFine(judged.verdict) || !judged.drawn || judged.drawn->rgba.empty()) continue;
-    if (rows.size() == kMostRows) {
+    if (rows.size() == kMaxRows) {
       ++sheet.left_out;
       continue;
     }

@@ -373,7 +373,7 @@ void judgeRate(const RunGrids& grids, const std::string& device,
                std::vector<RunFinding>& findings) {
   // A rate is another one when it is beyond these times the accepted ones, and by two packets.
   constexpr double kLeast = 0.67;
-  constexpr double kMost = 1.5;
+  constexpr double kMax = 1.5;
   constexpr double kSlack = 2;
   const auto window = std::max<std::size_t>(
       1, static_cast<std::size_t>(std::chrono::seconds(1) / grids.first().step));
@@ -398,7 +398,7 @@ void judgeRate(const RunGrids& grids, const std::string& device,
       most = std::max(most, sums[until] - sums[from]);
     }
     const double count = own[until] - own[from];
-    const bool is_beyond = count < kLeast * least - kSlack || count > kMost * most + kSlack;
+    const bool is_beyond = count < kLeast * least - kSlack || count > kMax * most + kSlack;
     in_a_row = is_beyond ? in_a_row + 1 : 0;
     if (!is_beyond || grids.spec.isMasked(device, grids.sinceOrigin(from))) return;
     if (in_a_row < needed) return;

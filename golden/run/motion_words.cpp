@@ -63,11 +63,11 @@ std::string frozenText(const MotionShape& shape, const ShapeReader& reader) {
 }
 
 std::string lateText(const MotionShape& shape, const ShapeReader& reader, double plain) {
-  constexpr double kMostLate_s = 1;
+  constexpr double kMaxLate_s = 1;
   double best = plain;
   double best_lag = 0;
   const double half = 0.5;
-  const double most = std::min(kMostLate_s / shape.step_s, static_cast<double>(shape.last) / 2 + 2);
+  const double most = std::min(kMaxLate_s / shape.step_s, static_cast<double>(shape.last) / 2 + 2);
   for (double lag = -most; lag <= most; lag += half) {
     const double error =
         reader.rms([&](double i) { return reader.run(i) - reader.accepted(i - lag); });

@@ -37,12 +37,12 @@ LogTime TimeMap::inAccepted(LogTime run_time) const {
 
 double clockRate(const std::vector<TimeMap::Knot>& events) {
   constexpr Nanoseconds kShortest = std::chrono::seconds(10);
-  constexpr std::size_t kMostEvents = 400;
-  constexpr double kMostPpm = 300;
+  constexpr std::size_t kMaxSampledEvents = 400;
+  constexpr double kMaxPpm = 300;
   if (events.size() < 2) return 1;
   const Nanoseconds span = events.back().accepted - events.front().accepted;
   if (span < kShortest) return 1;
-  const std::size_t stride = events.size() / kMostEvents + 1;
+  const std::size_t stride = events.size() / kMaxSampledEvents + 1;
   std::vector<double> rates;
   for (std::size_t i = 0; i < events.size(); i += stride) {
     for (std::size_t j = i + stride; j < events.size(); j += stride) {
@@ -55,7 +55,7 @@ double clockRate(const std::vector<TimeMap::Knot>& events) {
   if (rates.empty()) return 1;
   const auto middle = rates.begin() + static_cast<std::ptrdiff_t>(rates.size() / 2);
   std::ranges::nth_element(rates, middle);
-  return std::abs(*middle - 1) <= kMostPpm * 1e-6 ? *middle : 1;
+  return std::abs(*middle - 1) <= kMaxPpm * 1e-6 ? *middle : 1;
 }
 
 }  // namespace rocinante

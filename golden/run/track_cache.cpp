@@ -61,7 +61,7 @@ Result<SessionTrack> TrackCache::track(const Cell& cell, const fs::path& log,
   const std::string key = hexOf(xxh3(bytesOf(
       fmt::format("{} {} {} {}", kTrackVersion, bytes_hash, step.count(), trackCellHash(cell)))));
   const fs::path file = folder_ / (key + std::string(kTrackExtension));
-  if (const auto bytes = readFile(file, kMostBytes); bytes.ok()) {
+  if (const auto bytes = readFile(file, kMaxBytes); bytes.ok()) {
     if (auto track = decodeTrack(bytesOf(*bytes), key)) {
       std::error_code ignored;
       fs::last_write_time(file, fs::file_time_type::clock::now(), ignored);
@@ -73,7 +73,7 @@ Result<SessionTrack> TrackCache::track(const Cell& cell, const fs::path& log,
   const Bytes bytes = encodeTrack(*track, key);
   std::error_code refused;
   fs::create_directories(folder_, refused);
-  if (refused || bytes.size() > kMostBytes) return track;
+  if (refused || bytes.size() > kMaxBytes) return track;
   makeRoomFor(bytes.size());
   static_cast<void>(writeFileWhole(file, bytes, true, Sync::later).has_value());
   return track;
@@ -101,7 +101,7 @@ void TrackCache::makeRoomFor(std::uint64_t bytes) const {
     return a.used != b.used ? a.used < b.used : a.file < b.file;
   });
   for (const KeptTrack& oldest : kept) {
-    if (total <= kMostBytes) return;
+    if (total <= kMaxBytes) return;
     if (fs::remove(oldest.file, fault)) total -= oldest.bytes;
   }
 }

@@ -13,7 +13,7 @@ namespace rocinante {
 /// what is missing, damaged or of another version is made again, and write errors are ignored.
 class TrackCache {
  public:
-  static constexpr std::uint64_t kMostBytes = std::uint64_t{2} << 30;
+  static constexpr std::uint64_t kMaxBytes = std::uint64_t{2} << 30;
 
   /// A cache that keeps nothing.
   TrackCache() = default;

@@ -12,12 +12,12 @@
 namespace rocinante {
 namespace {
 
-constexpr double kMostLimit = 1e6;
-constexpr double kMostWarp_ms = 2'000;
+constexpr double kMaxLimit = 1e6;
+constexpr double kMaxWarp_ms = 2'000;
 
 std::optional<double> limitIn(SuiteTable& table, std::string_view key, double floor) {
   const auto limit = table.number(key);
-  if (limit && !(*limit >= floor && *limit <= kMostLimit)) {
+  if (limit && !(*limit >= floor && *limit <= kMaxLimit)) {
     table.complain(
         *table.node(key),
         fmt::format("`{}` must be at least {}: recordings of one motion differ by so much", key,
@@ -120,7 +120,7 @@ SuiteRun readSuiteRun(SuiteTable& table) {
   if (const auto warp = table.number("warp_ms")) {
     if (run.spec.align != RunAlign::warp) {
       table.complain(*table.node("warp_ms"), "`warp_ms` needs `align = \"warp\"`");
-    } else if (!(*warp > 0 && *warp <= kMostWarp_ms)) {
+    } else if (!(*warp > 0 && *warp <= kMaxWarp_ms)) {
       table.complain(*table.node("warp_ms"), "`warp_ms` must be above 0 and at most 2000");
     } else {
       run.spec.warp = Nanoseconds(std::llround(*warp * 1e6));

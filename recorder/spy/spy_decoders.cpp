@@ -8,12 +8,12 @@
 namespace rocinante {
 namespace {
 
-constexpr std::size_t kMostUndeclared = 200;
-constexpr std::size_t kMostValueBytes = 80;
+constexpr std::size_t kMaxUndeclared = 200;
+constexpr std::size_t kMaxValueBytes = 80;
 
 std::string shownValue(std::string_view text) {
-  const std::string plain = plainText(text.substr(0, kMostValueBytes));
-  return text.size() > kMostValueBytes ? plain + "..." : plain;
+  const std::string plain = plainText(text.substr(0, kMaxValueBytes));
+  return text.size() > kMaxValueBytes ? plain + "..." : plain;
 }
 
 }  // namespace
@@ -60,7 +60,7 @@ void SpyDecoders::readFields(std::size_t decoder, SpyDecoder& report) {
     field.number = values[i].asNumber();
     field.value = shownValue(decode::valueText(values[i]));
   }
-  for (const decode::FoundField& each : last.reader->undeclared(last.datagram, kMostUndeclared)) {
+  for (const decode::FoundField& each : last.reader->undeclared(last.datagram, kMaxUndeclared)) {
     SpyField& field = report.fields.emplace_back();
     field.name = shownValue(each.name);
     field.value = shownValue(each.value);

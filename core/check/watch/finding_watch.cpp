@@ -13,7 +13,7 @@ namespace {
 /// A finding that begins again within this many holds of its end flickers.
 constexpr int kSoonHolds = 4;
 /// Of one reach().
-constexpr int kMostSteps = 512;
+constexpr int kMaxSteps = 512;
 
 /// Judged once for each use, or not at a time: it stands until the use is right.
 bool isStanding(const Finding& finding) {
@@ -30,7 +30,7 @@ FindingWatch::FindingWatch(const Cell& cell, const WatchOptions& options)
 std::vector<FindingChange> FindingWatch::reach(LogTime now) {
   if (!updated_) return update(now);
   std::vector<FindingChange> all;
-  const Nanoseconds step = std::max<Nanoseconds>(kPeriod, (now - *updated_) / kMostSteps);
+  const Nanoseconds step = std::max<Nanoseconds>(kPeriod, (now - *updated_) / kMaxSteps);
   while (now - *updated_ >= step) {
     for (FindingChange& each : update(*updated_ + step)) all.push_back(std::move(each));
   }
@@ -69,7 +69,7 @@ void FindingWatch::tellCell(std::vector<FindingChange>& changes, LogTime now) {
     if (finding.severity < options_.least) continue;
     const BaselineKey key = baselineKeyOf(names_, finding);
     if (options_.baseline != nullptr && options_.baseline->accepts(key)) continue;
-    if (known_.size() >= kMost) {
+    if (known_.size() >= kMax) {
       is_full_ = true;
       continue;
     }
@@ -86,7 +86,7 @@ void FindingWatch::take(Finding finding, LogTime now, std::vector<FindingChange>
   if (options_.baseline != nullptr && options_.baseline->accepts(key)) return;
   auto found = known_.find(key);
   if (found == known_.end()) {
-    if (known_.size() >= kMost) {
+    if (known_.size() >= kMax) {
       is_full_ = true;
       return;
     }

@@ -49,14 +49,14 @@ struct FindingChange {
 /// has not stood, for the hold. One that begins again soon after it ended is given twice the hold
 /// each time, up to kLongestHold, so that what flickers is reported a few times and not for ever.
 ///
-/// Time is data: it reads no clock. Memory is bounded: kMost findings at a time; what is beyond is
+/// Time is data: it reads no clock. Memory is bounded: kMax findings at a time; what is beyond is
 /// not told (isFull()). The cell and the baseline must outlive it. One thread.
 class FindingWatch {
  public:
   static constexpr Nanoseconds kPeriod = std::chrono::milliseconds(200);
   static constexpr Nanoseconds kWindow = std::chrono::seconds(60);
   static constexpr Nanoseconds kLongestHold = std::chrono::minutes(10);
-  static constexpr std::size_t kMost = 1000;
+  static constexpr std::size_t kMax = 1000;
 
   FindingWatch(const Cell& cell, const WatchOptions& options);
 
@@ -84,7 +84,7 @@ class FindingWatch {
   std::uint64_t begun() const { return begun_; }
   /// One that fails has begun.
   bool failed() const { return failed_; }
-  /// There were more than kMost findings at a time: not all were told.
+  /// There were more than kMax findings at a time: not all were told.
   bool isFull() const { return is_full_; }
 
  private:

@@ -114,7 +114,7 @@ bool DatagramDecoders::decodeBy(std::size_t index, const Route& route, std::int6
     ++counts.empty;
     return false;
   }
-  if (text_.size() > kMostPacketBytes) {
+  if (text_.size() > kMaxPacketBytes) {
     ++counts.refused;
     counts.last_reason = "its packet would be longer than a datagram";
     return false;

@@ -39,7 +39,7 @@ struct DecodedPacket {
 };
 
 /// Most bytes of a packet: those of an IPv4 datagram, so that it can be sent on.
-inline constexpr std::size_t kMostPacketBytes = 65'507;
+inline constexpr std::size_t kMaxPacketBytes = 65'507;
 
 /// Makes packets of datagrams by a set of decoders: the first decoder whose match fits and whose
 /// lines apply. Bounded memory whatever arrives. One per thread; reads no clock.

@@ -16,8 +16,8 @@
 namespace rocinante::decode {
 namespace {
 
-constexpr std::size_t kMostNameBytes = 200;  // "decoded:" is put in front
-constexpr std::int64_t kMostBytes = std::int64_t{1} << 30U;
+constexpr std::size_t kMaxNameBytes = 200;  // "decoded:" is put in front
+constexpr std::int64_t kMaxBytes = std::int64_t{1} << 30U;
 const std::vector<std::string_view> kKinds{"struct", "delimited", "json", "xml", "dis", "protobuf"};
 const std::vector<std::string_view> kSums{"sum8",         "xor8",          "crc16-ccitt",
                                           "crc16-modbus", "crc16-mcrf4xx", "crc32"};
@@ -51,7 +51,7 @@ class DecoderTable {
   void readName() {
     decoder_.name = table_.requiredName("name").value_or("");
     for (const char each : decoder_.name) {
-      if (isNameByte(each) && decoder_.name.size() <= kMostNameBytes) continue;
+      if (isNameByte(each) && decoder_.name.size() <= kMaxNameBytes) continue;
       table_.error(kBadValue, "name", quotedInFault(decoder_.name) + " is not a decoder's name",
                    "use at most 200 letters, digits and _ . - :");
       return;
@@ -84,9 +84,8 @@ class DecoderTable {
     const TomlNode* const bytes = table_.node("bytes");
     if (bytes == nullptr) return;
     const bool is_range = bytes->kind == TomlNode::Kind::array && bytes->items.size() == 2;
-    const auto least =
-        wholeOf(is_range ? bytes->items[0] : *bytes, "bytes", 0, kMostBytes, faults_);
-    const auto most = wholeOf(is_range ? bytes->items[1] : *bytes, "bytes", 0, kMostBytes, faults_);
+    const auto least = wholeOf(is_range ? bytes->items[0] : *bytes, "bytes", 0, kMaxBytes, faults_);
+    const auto most = wholeOf(is_range ? bytes->items[1] : *bytes, "bytes", 0, kMaxBytes, faults_);
     if (!least || !most) return;
     match.least_bytes = std::max(match.least_bytes, static_cast<std::size_t>(*least));
     match.most_bytes = static_cast<std::size_t>(*most);
@@ -160,9 +159,9 @@ class DecoderTable {
     sum.kind = static_cast<ChecksumKind>(kind.value_or(0));
     if (decoder_.kind == Kind::structure) {
       const auto bytes = static_cast<std::int64_t>(checksumBytes(sum.kind));
-      sum.from = wholeAt(*table, "from", -kMostBytes, kMostBytes).value_or(0);
-      sum.at = wholeAt(*table, "at", -kMostBytes, kMostBytes).value_or(-bytes);
-      sum.until = wholeAt(*table, "until", -kMostBytes, kMostBytes).value_or(sum.at);
+      sum.from = wholeAt(*table, "from", -kMaxBytes, kMaxBytes).value_or(0);
+      sum.at = wholeAt(*table, "at", -kMaxBytes, kMaxBytes).value_or(-bytes);
+      sum.until = wholeAt(*table, "until", -kMaxBytes, kMaxBytes).value_or(sum.at);
       sum.little_endian = isLittleEndian(*table, little_endian);
       sum.then = hexBytes(*table, "then");
     } else if (sum.kind != ChecksumKind::xor8 && sum.kind != ChecksumKind::sum8) {

@@ -9,8 +9,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostDescriptorBytes = std::size_t{4} << 20U;
-constexpr std::size_t kMostDescriptors = 16;
+constexpr std::size_t kMaxDescriptorBytes = std::size_t{4} << 20U;
+constexpr std::size_t kMaxDescriptors = 16;
 
 bool isBelow(const fs::path& name) {
   return !name.empty() && name.is_relative() && name.has_filename() &&
@@ -34,10 +34,10 @@ Result<std::string_view> DescriptorFiles::read(const std::string& name) {
                  "a descriptor lies in the folder of its declaration, or below it",
                  {}};
   }
-  if (files_.size() == kMostDescriptors) {
+  if (files_.size() == kMaxDescriptors) {
     return Error{ErrorKind::bad_argument, "a declaration has at most 16 descriptors", {}};
   }
-  Result<std::string> bytes = readFile(descriptorPath(file_, name), kMostDescriptorBytes);
+  Result<std::string> bytes = readFile(descriptorPath(file_, name), kMaxDescriptorBytes);
   if (!bytes) return bytes.error();
   return std::string_view(files_.emplace_back(File{name, std::move(*bytes)}).bytes);
 }

@@ -15,8 +15,8 @@
 namespace rocinante::decode {
 namespace {
 
-constexpr std::int64_t kMostOffset = std::int64_t{1} << 20U;
-constexpr std::int64_t kMostCount = 1024;
+constexpr std::int64_t kMaxOffset = std::int64_t{1} << 20U;
+constexpr std::int64_t kMaxCount = 1024;
 
 bool isPointer(std::string_view path) {
   if (!path.starts_with('/')) return false;
@@ -58,17 +58,17 @@ void FieldTable::readField(TomlTable& table, bool little_endian) {
       readStruct(table, field, little_endian);
       const std::size_t own_bytes =
           field.type == NumberType::text ? field.text_bytes : bytesOf(field.type);
-      if (const auto many = wholeAt(table, "count", 1, kMostCount)) {
+      if (const auto many = wholeAt(table, "count", 1, kMaxCount)) {
         count = static_cast<std::size_t>(*many);
       }
       step = own_bytes;
-      if (const auto apart = wholeAt(table, "step", 1, kMostOffset)) {
+      if (const auto apart = wholeAt(table, "step", 1, kMaxOffset)) {
         step = static_cast<std::size_t>(*apart);
       }
       break;
     }
     case Kind::delimited:
-      if (const auto column = wholeAt(table, "column", 0, kMostOffset)) {
+      if (const auto column = wholeAt(table, "column", 0, kMaxOffset)) {
         field.column = static_cast<std::size_t>(*column);
       } else if (!table.has("column")) {
         table.error("decoder.missing-key", "name", "a field of delimited text needs `column`",
@@ -87,7 +87,7 @@ void FieldTable::readField(TomlTable& table, bool little_endian) {
       }
       if (decoder_.kind == Kind::dis && !field.path.empty()) checkDis(table, field.path);
       if (decoder_.kind != Kind::protobuf) break;
-      if (const auto many = wholeAt(table, "count", 1, kMostCount)) {
+      if (const auto many = wholeAt(table, "count", 1, kMaxCount)) {
         count = static_cast<std::size_t>(*many);
         elements_of = std::exchange(field.path, field.path + "[0]");
       }
@@ -119,7 +119,7 @@ void FieldTable::checkProtobuf(TomlTable& table, const std::string& path) {
 
 void FieldTable::readStruct(TomlTable& table, Field& field, bool little_endian) {
   field.little_endian = isLittleEndian(table, little_endian);
-  if (const auto at = wholeAt(table, "at", 0, kMostOffset)) {
+  if (const auto at = wholeAt(table, "at", 0, kMaxOffset)) {
     field.at = static_cast<std::size_t>(*at);
   } else if (!table.has("at")) {
     table.error("decoder.missing-key", "name", "a field of a struct needs `at`, its first byte");

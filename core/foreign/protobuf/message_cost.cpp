@@ -9,7 +9,7 @@ using google::protobuf::Descriptor;
 using google::protobuf::FieldDescriptor;
 
 constexpr int kDeepest = 64;
-constexpr std::size_t kMostObjectBytes = std::size_t{64} << 20U;
+constexpr std::size_t kMaxObjectBytes = std::size_t{64} << 20U;
 
 bool takeVarint(std::string_view& bytes, std::uint64_t& value) {
   value = 0;
@@ -40,7 +40,7 @@ bool MessageCost::add(const Descriptor& type) {
     found->second = static_cast<std::size_t>(size);
   }
   bytes_ += found->second + sizeof(void*);
-  return bytes_ <= kMostObjectBytes;
+  return bytes_ <= kMaxObjectBytes;
 }
 
 MessageCost::Answer MessageCost::walk(const Descriptor& type, std::string_view& bytes, int depth,

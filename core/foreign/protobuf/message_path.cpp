@@ -10,17 +10,17 @@ using google::protobuf::FieldDescriptor;
 using google::protobuf::Message;
 using google::protobuf::Reflection;
 
-constexpr std::size_t kMostSteps = 64;
-constexpr std::size_t kMostNames = 12;
+constexpr std::size_t kMaxSteps = 64;
+constexpr std::size_t kMaxNames = 12;
 
 std::string quoted(std::string_view text) { return "`" + std::string(text) + "`"; }
 
 std::string fieldsOf(const Descriptor& type) {
   std::string names;
-  for (int i = 0; i < type.field_count() && i < static_cast<int>(kMostNames); ++i) {
+  for (int i = 0; i < type.field_count() && i < static_cast<int>(kMaxNames); ++i) {
     names += (i == 0 ? "" : ", ") + std::string(type.field(i)->name());
   }
-  if (type.field_count() > static_cast<int>(kMostNames)) names += ", ...";
+  if (type.field_count() > static_cast<int>(kMaxNames)) names += ", ...";
   return names.empty() ? "none" : names;
 }
 
@@ -42,7 +42,7 @@ bool findPath(const Descriptor& type, std::string_view path, MessagePath& found,
               std::string& error) {
   const Descriptor* at = &type;
   std::string_view rest = path;
-  while (found.steps.size() < kMostSteps) {
+  while (found.steps.size() < kMaxSteps) {
     const std::size_t dot = rest.find('.');
     std::string_view name = rest.substr(0, dot);
     const int index = takeIndex(name);

@@ -46,10 +46,10 @@ namespace {
 
 #define ROCINANTE_EXPORT extern "C" __attribute__((visibility("default")))
 
-constexpr std::size_t kMostMessageBytes = std::size_t{1} << 20U;
+constexpr std::size_t kMaxMessageBytes = std::size_t{1} << 20U;
 // libprotobuf goes through a chain of types by calling itself.
-constexpr int kMostTypes = 4096;
-constexpr int kMostFields = 65'536;
+constexpr int kMaxTypes = 4096;
+constexpr int kMaxFields = 65'536;
 constexpr int kDeepestType = 64;
 
 /// Names in a set may hold NUL bytes.
@@ -67,7 +67,7 @@ struct TypeCount {
     types += 1 + type.enum_type_size();
     fields += type.field_size() + type.extension_size() + type.oneof_decl_size();
     for (const auto& each : type.enum_type()) fields += each.value_size();
-    if (types > kMostTypes || fields > kMostFields || depth > kDeepestType) return false;
+    if (types > kMaxTypes || fields > kMaxFields || depth > kDeepestType) return false;
     for (const auto& each : type.nested_type()) {
       if (!add(each, depth + 1)) return false;
     }
@@ -116,7 +116,7 @@ std::string load(const std::string& bytes, const std::string& message,
     count.fields += file.extension_size() + file.dependency_size();
     count.types += file.enum_type_size() + file.service_size() + 1;
     for (const auto& type : file.enum_type()) count.fields += type.value_size();
-    if (count.types > kMostTypes || count.fields > kMostFields) {
+    if (count.types > kMaxTypes || count.fields > kMaxFields) {
       return "it declares more than 4,096 types or 65,536 fields";
     }
   }
@@ -137,7 +137,7 @@ std::string load(const std::string& bytes, const std::string& message,
 
 /// Null, or why the bytes are not a message.
 const char* parse(RocinanteProtobufReader& reader, const void* bytes, std::size_t size) {
-  if (size > kMostMessageBytes) return "it has more than 1 MiB";
+  if (size > kMaxMessageBytes) return "it has more than 1 MiB";
   switch (reader.cost.of(reader.type, {static_cast<const char*>(bytes), size})) {
     case MessageCost::Answer::fits:
       break;

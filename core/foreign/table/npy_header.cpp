@@ -17,12 +17,12 @@ std::string pythonText(std::string_view text) {
 }
 
 std::string npyHeader(std::string_view descr, std::uint64_t rows) {
-  constexpr std::size_t kMostDigits = 20;
+  constexpr std::size_t kMaxDigits = 20;
   constexpr std::size_t kAlignment = 64;
   const std::string count = std::to_string(rows);
   std::string text =
       fmt::format("{{'descr': {}, 'fortran_order': False, 'shape': ({},), }}", descr, count);
-  text.append(kMostDigits - count.size(), ' ');
+  text.append(kMaxDigits - count.size(), ' ');
   const bool is_ascii = std::all_of(descr.begin(), descr.end(), [](char byte) {
     return static_cast<unsigned char>(byte) < 0x80;
   });

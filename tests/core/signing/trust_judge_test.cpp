@@ -53,8 +53,8 @@ TEST(TrustJudge, OnlyARelaySaysByAndViaAndSubscriptionLines) {
 }
 
 TEST(TrustJudge, AClockMayBeTenSecondsOff) {
-  constexpr std::int64_t kMost = 10'000'000'000;
-  for (const std::int64_t off : {kMost, -kMost}) {
+  constexpr std::int64_t kMax = 10'000'000'000;
+  for (const std::int64_t off : {kMax, -kMax}) {
     TrustJudge judge = armJudge();
     EXPECT_EQ(judged(judge, kSignedPacket, kVectorAt + off + (off > 0 ? 1 : -1)), "out_of_time");
     EXPECT_EQ(judged(judge, kSignedPacket, kVectorAt + off), "trusted");

@@ -11,7 +11,7 @@ namespace rocinante {
 namespace {
 
 /// A palette with more lines than this per command helps nobody; typing the name works for all.
-constexpr std::size_t kMostChoices = 2000;
+constexpr std::size_t kMaxChoices = 2000;
 
 char lowered(char letter) {
   return static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
@@ -42,7 +42,7 @@ void addEntries(const Command& command, const ViewModel& model,
   }
   if (command.choices != nullptr) {
     std::vector<std::string> choices = command.choices(model);
-    choices.resize(std::min(choices.size(), kMostChoices));
+    choices.resize(std::min(choices.size(), kMaxChoices));
     for (const std::string& choice : choices) {
       entries.push_back({means, name + " " + choice, keyOf(command, choice)});
     }

@@ -54,9 +54,9 @@ Status seekEnd(CommandWords /*words*/, const CommandStage& stage) {
 Status stepSeconds(CommandWords words, const CommandStage& stage) {
   const auto seconds = numberOf(words[0]);
   if (!seconds.ok()) return seconds.error();
-  constexpr double kMostSeconds = 1e6;
-  if (std::abs(*seconds) > kMostSeconds) {
-    return badWord(fmt::format("`{}` is more than {} seconds", words[0], kMostSeconds));
+  constexpr double kMaxSeconds = 1e6;
+  if (std::abs(*seconds) > kMaxSeconds) {
+    return badWord(fmt::format("`{}` is more than {} seconds", words[0], kMaxSeconds));
   }
   cursorOf(stage).step(Nanoseconds(std::llround(*seconds * 1e9)), stage.now);
   return {};

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t kMostCellBytes = 64U << 20U;
+constexpr std::uint64_t kMaxCellBytes = 64U << 20U;
 
 std::string vectorText(const Vec3& vector) {
   return fmt::format("[{}, {}, {}]", vector.x, vector.y, vector.z);
@@ -109,7 +109,7 @@ Status appendCamera(const fs::path& file, const CellCamera& camera) {
     return Error{ErrorKind::bad_argument, "only a cell (*.cell.toml) can keep a camera",
                  file.string()};
   }
-  const auto text = readFile(file, kMostCellBytes);
+  const auto text = readFile(file, kMaxCellBytes);
   if (!text.ok()) return text.error();
   const auto added = addedText(*text, camera, file.string());
   if (!added.ok()) return added.error();

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostEntries = 5000;
+constexpr std::size_t kMaxEntries = 5000;
 
 }  // namespace
 
@@ -35,7 +35,7 @@ Result<std::vector<FileEntry>> listFolder(const fs::path& folder) {
     return Error{ErrorKind::refused, "cannot list the folder: " + fault.message(), folder.string()};
   }
   std::vector<FileEntry> entries;
-  for (; !fault && each != fs::directory_iterator() && entries.size() < kMostEntries;
+  for (; !fault && each != fs::directory_iterator() && entries.size() < kMaxEntries;
        each.increment(fault)) {
     const std::string name = each->path().filename().string();
     if (name.starts_with('.')) continue;

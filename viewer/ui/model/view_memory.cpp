@@ -16,10 +16,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t kMostBytes = 1U << 20U;
+constexpr std::uint64_t kMaxBytes = 1U << 20U;
 constexpr int kLeastSize = 64;
-constexpr int kMostSize = 8192;
-constexpr double kMostUnits = 1e5;
+constexpr int kMaxSize = 8192;
+constexpr double kMaxUnits = 1e5;
 
 bool canBeWritten(const fs::path& path) {
   return isUtf8(std::as_bytes(std::span(path.native().data(), path.native().size())));
@@ -32,7 +32,7 @@ std::optional<fs::path> absoluteVariable(const char* name) {
 }
 
 float units(TomlTable& table, std::string_view key) {
-  return static_cast<float>(std::clamp(table.number(key).value_or(0), 0.0, kMostUnits));
+  return static_cast<float>(std::clamp(table.number(key).value_or(0), 0.0, kMaxUnits));
 }
 
 std::pair<std::string, PanelPlace> readPanel(TomlTable& table) {
@@ -57,13 +57,13 @@ std::pair<std::string, PanelPlace> readPanel(TomlTable& table) {
 void ViewMemory::shown(const RecentContent& content) {
   std::erase(recent, content);
   recent.insert(recent.begin(), content);
-  recent.resize(std::min(recent.size(), kMostRecent));
+  recent.resize(std::min(recent.size(), kMaxRecent));
 }
 
 void ViewMemory::keepPanels(const fs::path& cell, std::map<std::string, PanelPlace> panels) {
   std::erase_if(cells, [&](const CellMemory& one) { return one.cell == cell; });
   if (!panels.empty()) cells.insert(cells.begin(), {cell, std::move(panels)});
-  cells.resize(std::min(cells.size(), kMostCells));
+  cells.resize(std::min(cells.size(), kMaxCells));
 }
 
 const std::map<std::string, PanelPlace>* ViewMemory::panelsOf(const fs::path& cell) const {
@@ -114,7 +114,7 @@ Result<ViewMemory> ViewMemory::parse(std::string_view text, const std::string& f
     memory.theme = theme == "light" ? Theme::light : Theme::dark;
     if (const auto size = root.pair("size")) {
       const auto side = [](double length) {
-        return static_cast<int>(std::clamp(length, double{kLeastSize}, double{kMostSize}));
+        return static_cast<int>(std::clamp(length, double{kLeastSize}, double{kMaxSize}));
       };
       memory.width = side(size->x);
       memory.height = side(size->y);
@@ -124,7 +124,7 @@ Result<ViewMemory> ViewMemory::parse(std::string_view text, const std::string& f
       one.cell = table.requiredText("cell").value_or("");
       one.log = table.text("log").value_or("");
       table.finish();
-      if (memory.recent.size() < kMostRecent) memory.recent.push_back(std::move(one));
+      if (memory.recent.size() < kMaxRecent) memory.recent.push_back(std::move(one));
     }
     for (TomlTable& table : root.tables("cell", "[[cell]]")) {
       CellMemory one;
@@ -133,7 +133,7 @@ Result<ViewMemory> ViewMemory::parse(std::string_view text, const std::string& f
         one.panels.insert(readPanel(panel));
       }
       table.finish();
-      if (memory.cells.size() < kMostCells) memory.cells.push_back(std::move(one));
+      if (memory.cells.size() < kMaxCells) memory.cells.push_back(std::move(one));
     }
     root.finish();
   }
@@ -156,7 +156,7 @@ fs::path ViewMemory::fileOfUser() {
 Result<ViewMemory> ViewMemory::load(const fs::path& file) {
   std::error_code unknown;
   if (file.empty() || !fs::exists(file, unknown)) return ViewMemory();
-  const auto text = readFile(file, kMostBytes);
+  const auto text = readFile(file, kMaxBytes);
   if (!text.ok()) return text.error();
   return parse(*text, file.string());
 }

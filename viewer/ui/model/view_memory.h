@@ -23,8 +23,8 @@ struct CellMemory {
 /// What the window remembers of a user from one run to the next (docs/programs/view.md): kept in
 /// XDG_CONFIG_HOME/rocinante/view.toml, else HOME/.config/rocinante/view.toml.
 struct ViewMemory {
-  static constexpr std::size_t kMostRecent = 12;
-  static constexpr std::size_t kMostCells = 50;
+  static constexpr std::size_t kMaxRecent = 12;
+  static constexpr std::size_t kMaxCells = 50;
 
   Theme theme = Theme::dark;
   int width = 0, height = 0;          ///< of the window; 0: never said

@@ -12,7 +12,7 @@ namespace rocinante {
 namespace {
 
 constexpr float kPaletteWidth = 560;
-constexpr std::size_t kMostLines = 200;
+constexpr std::size_t kMaxLines = 200;
 constexpr int kLinesShown = 12;
 
 void runEntry(const PaletteEntry& entry, ViewModel& model, SteadyTime now,
@@ -98,7 +98,7 @@ void drawPalette(ViewModel& model, SteadyTime now, ViewerRequests& requests) {
   if (ImGui::IsItemActive()) palette.collects = false;
   if (before != palette.text.data()) palette.chosen = 0;
   const std::vector<PaletteEntry> entries =
-      matchingEntries(palette.text.data(), paletteEntries(model), kMostLines);
+      matchingEntries(palette.text.data(), paletteEntries(model), kMaxLines);
   const std::size_t chosen_before = palette.chosen;
   if (keyPressed(ImGuiKey_DownArrow)) ++palette.chosen;
   if (keyPressed(ImGuiKey_UpArrow) && palette.chosen > 0) --palette.chosen;

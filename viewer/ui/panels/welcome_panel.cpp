@@ -11,7 +11,7 @@ namespace rocinante {
 namespace {
 
 constexpr float kWelcomeWidth = 430;
-constexpr std::size_t kMostRecent = 6;
+constexpr std::size_t kMaxRecent = 6;
 
 std::string megabytes(std::uint64_t bytes) {
   return fmt::format("{:.1f} MB", static_cast<double>(bytes) / 1e6);
@@ -34,7 +34,7 @@ void drawWelcome(ViewModel& model, bool loading, ViewerRequests& requests) {
     std::error_code ignored;
     model.open.open(std::filesystem::current_path(ignored));
   }
-  const std::size_t shown = std::min(model.open.recent.size(), kMostRecent);
+  const std::size_t shown = std::min(model.open.recent.size(), kMaxRecent);
   if (shown > 0) {
     ImGui::Spacing();
     ImGui::TextDisabled("Shown before");

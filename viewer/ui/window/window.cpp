@@ -129,10 +129,10 @@ void Window::onWheel(GLFWwindow* window, double /*across*/, double /*down*/) { o
 
 void Window::onDrop(GLFWwindow* window, int count, const char** paths) {
   // More than anybody means to show.
-  constexpr int kMostFiles = 64;
+  constexpr int kMaxFiles = 64;
   Window& self = of(window);
   self.news_ = true;
-  for (int i = 0; i < std::min(count, kMostFiles); ++i) self.dropped_.emplace_back(paths[i]);
+  for (int i = 0; i < std::min(count, kMaxFiles); ++i) self.dropped_.emplace_back(paths[i]);
 }
 
 void Window::onNews(GLFWwindow* window) { of(window).news_ = true; }

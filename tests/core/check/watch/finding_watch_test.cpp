@@ -302,7 +302,7 @@ TEST_F(FindingWatchTest, ManyFindingsAreBounded) {
   for (int i = 0; i < 1'200; ++i) say(fmt::format("joints stranger{} 1", i));
   now_ += 1s;
   update();
-  EXPECT_EQ(take().size(), FindingWatch::kMost);
+  EXPECT_EQ(take().size(), FindingWatch::kMax);
   EXPECT_TRUE(watch_->isFull());
 }
 

@@ -89,11 +89,11 @@ TEST(ViewMemory, KeepsTheNewestOnly) {
   ViewMemory memory;
   for (int i = 0; i < 40; ++i) memory.shown({"/" + std::to_string(i), {}});
   memory.shown({"/35", {}});
-  ASSERT_EQ(memory.recent.size(), ViewMemory::kMostRecent);
+  ASSERT_EQ(memory.recent.size(), ViewMemory::kMaxRecent);
   EXPECT_EQ(memory.recent[0].cell, "/35");
   EXPECT_EQ(memory.recent[1].cell, "/39");
   for (int i = 0; i < 90; ++i) memory.keepPanels("/" + std::to_string(i), {{"Scene", {}}});
-  EXPECT_EQ(memory.cells.size(), ViewMemory::kMostCells);
+  EXPECT_EQ(memory.cells.size(), ViewMemory::kMaxCells);
   memory.keepPanels("/89", {});
   EXPECT_EQ(memory.panelsOf("/89"), nullptr);
 }
