@@ -75,6 +75,7 @@ Result<OpenedRecording> openSession(CheckArguments& my) {
   request.search = my;
   request.progress = cli::importProgress(my.log.empty() ? my.cell : my.log);
   cli::catchStopSignals();
+  const cli::StopDeadline deadline("stopped while reading the session");
   const Result<CellAndRecording> found = openedCellAndRecording(std::move(request));
   if (!found) return found.error();
   if (!found->opened.not_kept.empty()) cli::warn(found->opened.not_kept);

@@ -223,20 +223,20 @@ Result<cli::Exit> approveOneRun(const ApproveArguments& arguments) {
   if (run == runs.end()) {
     return Error{ErrorKind::bad_argument, "the suite has no such run", "--run " + arguments.run};
   }
-  const auto log = session->logOf(*run);
-  if (!log) {
+  const OpenedRecording* const log = session->logOf(*run);
+  if (log == nullptr) {
     return Error{ErrorKind::bad_argument, "a log to accept is needed",
                  "--log " + arguments.run + "=FILE"};
   }
-  RunCandidate candidate{run->name, *log, userName(), nowText(), arguments.message};
+  RunCandidate candidate{run->name, log->log, userName(), nowText(), arguments.message};
   candidate.replace = arguments.replace;
   if (const auto cell = collectSessionCell(*session, *options); cell.ok()) {
     candidate.cell_files = hashesOf(*cell);
     candidate.cell_texts = toldTexts(*cell);
   }
   const auto approved = approveRun(session->folder(), candidate);
-  if (!approved.ok()) return approved.error();
-  fmt::print("{} {} for run {}; goldens in {}\n", log->string(),
+  if (!approved.ok()) return log->named(approved.error());
+  fmt::print("{} {} for run {}; goldens in {}\n", log->recording.string(),
              *approved == RunApproved::added ? "accepted" : "was accepted already", run->name,
              session->suite().goldens.lexically_normal().string());
   return cli::Exit::done;

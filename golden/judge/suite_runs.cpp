@@ -52,19 +52,19 @@ class SuiteRunJudge {
 
  private:
   Status judgeInto(const SuiteRun& run, JudgedRun& judged) {
-    const auto log = session_.logOf(run);
-    if (!log) {
+    const OpenedRecording* const log = session_.logOf(run);
+    if (log == nullptr) {
       judged.rule = fmt::format("no log under test: --log {}=FILE names it", run.name);
       return {};
     }
-    judged.log = log->string();
+    judged.log = log->recording.string();
     const auto& accepted = session_.manifest().runsOf(run.name);
     if (accepted.empty()) {
       judged.verdict = FrameVerdict::missing;
       judged.rule = "no log was accepted yet";
       return {};
     }
-    std::vector<std::filesystem::path> logs{*log};
+    std::vector<std::filesystem::path> logs{log->log};
     for (const AcceptedRun& one : accepted) {
       logs.push_back(session_.folder().fileOf(one));
       judged.accepted.push_back(one.log);
@@ -84,7 +84,7 @@ class SuiteRunJudge {
           i == 0 ? trackSession(session_.cell(), logs[i], step)
                  : options_.cache.track(session_.cell(), logs[i], accepted[i - 1].bytes, step);
       if (!track.ok()) {
-        judged.rule = track.error().text();
+        judged.rule = log->named(track.error()).text();
         return {};
       }
       tracks.push_back(std::move(*track));

@@ -8,7 +8,7 @@
 
 #include "core/bundle/attached_cell.h"
 #include "core/cli/import_progress.h"
-#include "core/foreign/recordings/opened_recording.h"
+#include "core/cli/program.h"
 #include "core/log/log_reader.h"
 #include "golden/judge/frame_judge.h"
 #include "golden/judge/stability.h"
@@ -49,11 +49,27 @@ Status readLogArguments(const std::vector<std::string>& arguments, Suite& suite,
   return {};
 }
 
+/// What another program recorded becomes a log, and what that could not keep is told.
+Result<OpenedRecording> openLog(const std::filesystem::path& log, const std::filesystem::path& cell,
+                                const ModelSearch& search) {
+  RecordingRequest request;
+  request.recording = log;
+  request.cell = cell;
+  request.search = search;
+  request.progress = cli::importProgress(log.string());
+  const cli::StopDeadline deadline("stopped while reading the session");
+  auto opened = openedRecording(request);
+  if (!opened.ok()) return opened;
+  for (const std::string& warning : opened->warnings) cli::warn(warning);
+  if (!opened->not_kept.empty()) cli::warn(opened->not_kept);
+  return opened;
+}
+
 }  // namespace
 
-std::optional<std::filesystem::path> SuiteSession::logOf(const SuiteRun& run) const {
-  if (const auto own = run_logs_.find(run.name); own != run_logs_.end()) return own->second;
-  return log_;
+const OpenedRecording* SuiteSession::logOf(const SuiteRun& run) const {
+  if (const auto own = run_logs_.find(run.name); own != run_logs_.end()) return &own->second;
+  return log_ ? &*log_ : nullptr;
 }
 
 Result<SuiteSession> SuiteSession::open(const std::filesystem::path& suite_file,
@@ -61,28 +77,29 @@ Result<SuiteSession> SuiteSession::open(const std::filesystem::path& suite_file,
   auto suite = readSuite(suite_file);
   if (!suite.ok()) return suite.error();
   SuiteSession made;
+  std::map<std::string, std::filesystem::path, std::less<>> run_logs;
   made.suite_ = std::make_unique<Suite>(std::move(*suite));
   Suite& the_suite = *made.suite_;
   if (options.cell) the_suite.cell = *options.cell;
-  if (Status given = readLogArguments(options.logs, the_suite, made.run_logs_); !given) {
+  if (Status given = readLogArguments(options.logs, the_suite, run_logs); !given) {
     return given.error();
   }
   // What another program recorded becomes a log first; the suite keeps the name that it gives.
   OpenedRecording recording;
   ModelSearch search = options;
   if (the_suite.log) {
-    RecordingRequest request;
-    request.recording = *the_suite.log;
-    request.cell = the_suite.cell;
-    request.search = options;
-    request.progress = cli::importProgress(the_suite.log->string());
-    auto opened = openedRecording(request);
+    auto opened = openLog(*the_suite.log, the_suite.cell, options);
     if (!opened.ok()) return opened.error();
     recording = std::move(*opened);
     const bool is_alone = the_suite.cell.empty() || the_suite.cell == *the_suite.log;
     if (is_alone) the_suite.cell = recording.log;
     // The meshes of its own robot were looked for when it was imported.
     if (is_alone && recording.imported) search = {};
+  }
+  for (const auto& [run, log] : run_logs) {
+    auto opened = openLog(log, the_suite.cell, search);
+    if (!opened.ok()) return opened.error();
+    made.run_logs_.emplace(run, std::move(*opened));
   }
   // Only pictures need meshes.
   const bool draws = !the_suite.cases.empty();
@@ -124,8 +141,12 @@ Result<SuiteSession> SuiteSession::open(const std::filesystem::path& suite_file,
   auto selected = selectFrames(std::move(*frames), options.selection, the_suite);
   if (!selected.ok() && made.runs_.empty()) return selected.error();
   if (selected.ok()) made.frames_ = std::move(*selected);
-  if (the_suite.log) made.log_ = recording.log;
-  made.make_drawer_ = options.drawers ? options.drawers : sceneDrawers(made.cell_, made.log_);
+  std::optional<std::filesystem::path> drawn_log;
+  if (the_suite.log) {
+    drawn_log = recording.log;
+    made.log_ = std::move(recording);
+  }
+  made.make_drawer_ = options.drawers ? options.drawers : sceneDrawers(made.cell_, drawn_log);
   return made;
 }
 

@@ -10,6 +10,7 @@
 
 #include "core/base/parallel_for.h"
 #include "core/base/result.h"
+#include "core/foreign/recordings/opened_recording.h"
 #include "golden/approval/golden_folder.h"
 #include "golden/approval/manifest.h"
 #include "golden/judge/frame_drawer.h"
@@ -53,8 +54,8 @@ class SuiteSession {
   std::optional<LogTime> origin() const { return origin_; }
   /// The selected runs in suite order.
   const std::vector<const SuiteRun*>& runs() const { return runs_; }
-  /// The log under test of a run: its own of --log, else the suite's.
-  std::optional<std::filesystem::path> logOf(const SuiteRun& run) const;
+  /// The log under test of a run: its own of --log, else the suite's; null when there is none.
+  const OpenedRecording* logOf(const SuiteRun& run) const;
   /// The selected frames in suite order; empty only when runs are selected.
   const std::vector<SuiteFrame>& frames() const { return frames_; }
   const std::vector<SuiteFrame>& allFrames() const { return all_frames_; }
@@ -92,8 +93,8 @@ class SuiteSession {
   std::unique_ptr<FrameDrawer> drawer_;
   std::vector<SuiteFrame> frames_, all_frames_;
   std::vector<const SuiteRun*> runs_;
-  std::map<std::string, std::filesystem::path, std::less<>> run_logs_;
-  std::optional<std::filesystem::path> log_;  ///< the suite's, as a log
+  std::map<std::string, OpenedRecording, std::less<>> run_logs_;
+  std::optional<OpenedRecording> log_;  ///< the suite's
 };
 
 }  // namespace rocinante

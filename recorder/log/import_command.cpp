@@ -3,13 +3,12 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "core/base/hash.h"
 #include "core/bundle/attached_cell.h"
 #include "core/cli/load_progress.h"
 #include "core/cli/search_options.h"
 #include "core/cli/worker_threads.h"
 #include "core/foreign/recordings/capture_import.h"
-#include "core/foreign/recordings/datagram_folder.h"
+#include "core/foreign/recordings/recording_inputs.h"
 #include "core/foreign/recordings/recording_kind.h"
 #include "recorder/copy/output_file.h"
 #include "recorder/log/command_support.h"
@@ -58,41 +57,10 @@ bool isCapture(const std::filesystem::path& path) {
 std::vector<std::filesystem::path> pathsOf(const std::vector<std::string>& inputs) {
   std::vector<std::filesystem::path> paths;
   for (const std::string& input : inputs) {
-    std::vector<std::filesystem::path> files = filesOfBagFolder(input);
-    if (files.empty()) files.emplace_back(input);
+    const std::vector<std::filesystem::path> files = filesOfRecording(input);
     paths.insert(paths.end(), files.begin(), files.end());
   }
   return paths;
-}
-
-bool isFolder(const std::filesystem::path& path) {
-  std::error_code error;
-  return std::filesystem::is_directory(path, error);
-}
-
-Result<std::unique_ptr<ros::BagReader>> openInput(const std::filesystem::path& path,
-                                                  const std::string& device) {
-  return isFolder(path) ? openDatagramFolder(path) : openRecording(path, device);
-}
-
-/// Depends on the inputs alone.
-Result<std::string> sessionIdOf(const std::vector<std::filesystem::path>& paths) {
-  std::vector<std::filesystem::path> files;
-  std::string folders;
-  for (const std::filesystem::path& path : paths) {
-    if (!isFolder(path)) {
-      files.push_back(path);
-      continue;
-    }
-    const Result<std::string> id = datagramFolderId(path);
-    if (!id) return id.error();
-    folders += *id;
-  }
-  Result<std::string> id = ros::importedSessionId(files);
-  if (!id || folders.empty()) return id;
-  Sha256 hash;
-  hash.add(bytesOf(*id + folders));
-  return hexOf(hash.finish()).substr(0, 32);
 }
 
 Result<ros::ImportReport> import(const ImportArguments& my, const MakeOptions& make) {
@@ -113,7 +81,7 @@ Result<ros::ImportReport> import(const ImportArguments& my, const MakeOptions& m
   }
   const Result<std::optional<GivenCell>> cell = readCell(my);
   if (!cell) return cell.error();
-  Result<std::string> session_id = sessionIdOf(paths);
+  Result<std::string> session_id = sessionIdOfInputs(paths);
   if (!session_id) return session_id.error();
   ros::ImportOptions options;
   options.device = my.device;

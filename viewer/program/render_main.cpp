@@ -267,12 +267,12 @@ int main(int argc, char** argv) {
         }
         job.parallel = cli::workerThreads();
         cli::catchStopSignals();
+        const cli::StopDeadline until_stopped("stopped");
         const Result<OpenedRecording> recording = openRecordingOf(job);
         if (!recording) return recording.error();
         job.load_progress = cli::loadProgress(recording->imported && job.cell == job.log
                                                   ? recording->recording.string()
                                                   : job.cell.string());
-        const cli::StopDeadline until_stopped("stopped");
         std::optional<cli::ProgressLine> line;
         const auto report = render(job, [&](std::size_t done, std::size_t of) {
           if (!line) line.emplace("drawing");

@@ -10,6 +10,7 @@
 #include "core/base/count_text.h"
 #include "core/base/hash.h"
 #include "core/foreign/recordings/datagram_times.h"
+#include "core/log/mapped_file.h"
 #include "core/packet/decoder.h"
 
 namespace rocinante {
@@ -24,7 +25,30 @@ struct FolderContent {
   std::vector<DatagramFile> files;
   std::size_t passed_over = 0;  ///< folders, hidden files, devices
   std::size_t too_long = 0;
+  std::string long_file;  ///< one of those; empty: none
 };
+
+/// What somebody named by mistake is not imported as datagrams: a folder of recordings, or a bag
+/// whose files are compressed.
+Status holdsDatagrams(const fs::path& folder, const FolderContent& content) {
+  for (const DatagramFile& file : content.files) {
+    if (file.name != "metadata.yaml") continue;
+    return Error{ErrorKind::unsupported,
+                 "a ROS 2 bag without a .db3 or .mcap file; files compressed as .zstd are unpacked "
+                 "first: zstd -d FILE",
+                 folder.string()};
+  }
+  if (content.files.empty() && content.long_file.empty()) return {};
+  const std::string& one =
+      content.long_file.empty() ? content.files.front().name : content.long_file;
+  const Result<MappedFile> file = MappedFile::open(folder / one);
+  // What cannot be read is counted when it is its turn.
+  if (!file) return {};
+  Bytes head(std::min<std::size_t>(file->bytes().size(), 64));
+  if (!file->read(0, head) || ros::bagKindOf(head) == ros::BagKind::none) return {};
+  return Error{ErrorKind::unsupported,
+               "the folder holds recordings, not datagrams: name those files", folder.string()};
+}
 
 Result<FolderContent> contentOf(const fs::path& folder) {
   FolderContent content;
@@ -41,6 +65,7 @@ Result<FolderContent> contentOf(const fs::path& folder) {
     const auto bytes = static_cast<std::uint64_t>(facts.st_size);
     if (bytes > kMostDatagramBytes) {
       ++content.too_long;
+      content.long_file = path.filename().string();
       continue;
     }
     if (content.files.size() == kMostFiles) {
@@ -57,6 +82,7 @@ Result<FolderContent> contentOf(const fs::path& folder) {
     return Error{ErrorKind::unreadable, "the folder cannot be read: " + error.message(),
                  folder.string()};
   }
+  if (Status they_are = holdsDatagrams(folder, content); !they_are) return they_are.error();
   if (content.files.empty()) {
     return Error{ErrorKind::not_found,
                  "the folder has no files: datagrams are files of at most 1 MiB, one each",

@@ -14,6 +14,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/file_lock.h"
+#include "core/base/unfinished_path.h"
 #include "core/foreign/recordings/file_digest.h"
 
 namespace rocinante {
@@ -84,7 +85,10 @@ class KeyLock {
         std::this_thread::sleep_for(kBetweenLooks);
       }
       lock.path_ = path;
-      if (isOpenFile(path, file)) return lock;
+      if (isOpenFile(path, file)) {
+        lock.unfinished_ = UnfinishedPath(path);
+        return lock;
+      }
       lock.path_.clear();
     }
   }
@@ -92,9 +96,13 @@ class KeyLock {
   ~KeyLock() {
     if (file_ < 0) return;
     if (!path_.empty()) ::unlink(path_.c_str());
+    unfinished_.keep();  // from here on it may be another's
     ::close(file_);
   }
-  KeyLock(KeyLock&& other) noexcept : file_(other.file_), path_(std::move(other.path_)) {
+  KeyLock(KeyLock&& other) noexcept
+      : file_(other.file_),
+        path_(std::move(other.path_)),
+        unfinished_(std::move(other.unfinished_)) {
     other.file_ = -1;
   }
   KeyLock& operator=(KeyLock&&) = delete;
@@ -103,6 +111,7 @@ class KeyLock {
   KeyLock(int file, fs::path path) : file_(file), path_(std::move(path)) {}
   int file_;
   fs::path path_;
+  UnfinishedPath unfinished_;
 };
 
 }  // namespace
@@ -110,7 +119,8 @@ class KeyLock {
 std::vector<ImportCache> ImportCache::placesFor(const fs::path& recording) {
   std::vector<ImportCache> places;
   std::error_code fault;
-  const fs::path whole = fs::absolute(recording, fault);
+  fs::path whole = fs::absolute(recording, fault).lexically_normal();
+  if (!whole.has_filename()) whole = whole.parent_path();
   if (!fault && mayLieIn(whole.parent_path())) {
     places.emplace_back(whole.parent_path() / ".rocinante" / "imports");
   }
@@ -166,6 +176,7 @@ Result<ImportCache::Made> ImportCache::findOrMake(const std::string& key, const 
   std::error_code ignored;
   fs::remove(fileOf(key, kSumEnding), ignored);
   fs::remove(log, ignored);
+  UnfinishedPath unfinished(log);
   if (Status made = make(log); !made) {
     const bool is_folders = made.error().where.starts_with(folder_.string());
     return is_folders ? Result<Made>(Made{{}, made.error()}) : Result<Made>(made.error());
@@ -174,6 +185,7 @@ Result<ImportCache::Made> ImportCache::findOrMake(const std::string& key, const 
   const Status noted =
       sum ? writeFileWhole(fileOf(key, kSumEnding), bytesOf(*sum), true) : Status(sum.error());
   if (!noted) return Made{{}, noted.error()};
+  unfinished.keep();
   makeRoom(key);
   return Made{log, std::nullopt};
 }

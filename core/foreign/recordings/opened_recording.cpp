@@ -4,11 +4,14 @@
 #include <utility>
 
 #include "core/base/hash.h"
+#include "core/base/unfinished_path.h"
 #include "core/base/version.h"
 #include "core/bundle/cell_or_log.h"
 #include "core/foreign/recordings/capture_import.h"
+#include "core/foreign/recordings/datagram_folder.h"
 #include "core/foreign/recordings/file_digest.h"
 #include "core/foreign/recordings/import_cache.h"
+#include "core/foreign/recordings/recording_inputs.h"
 #include "core/foreign/recordings/recording_kind.h"
 #include "core/foreign/ros/bag_import.h"
 #include "core/foreign/ros/robot_description.h"
@@ -29,7 +32,7 @@ constexpr double kHashedPart = 0.1;
 class RecordingOpening {
  public:
   RecordingOpening(const RecordingRequest& request, RecordingKind kind)
-      : request_(request), kind_(kind) {}
+      : request_(request), kind_(kind), files_(filesOfRecording(request.recording)) {}
 
   Result<OpenedRecording> open() {
     if (Status read = readCellNames(); !read) return read.error();
@@ -54,7 +57,9 @@ class RecordingOpening {
     if (!folder) return folder.error();
     opened.folder = *folder;
     const fs::path log = (*folder)->path() / "imported.mcap";
+    UnfinishedPath unfinished(log);
     if (Status made = make(log); !made) return made.error();
+    unfinished.keep();
     Result<OpenedRecording> whole = withWarnings(std::move(opened), log);
     if (whole) whole->not_kept = "the import is not kept for the next time: " + trouble;
     return whole;
@@ -83,22 +88,40 @@ class RecordingOpening {
     };
     add(kImportFormat);
     add(version());
-    add(request_.recording.filename().string());  // damage names it
+    // Damage names it; what is told of a folder of datagrams, with its path.
+    add(kind_ == RecordingKind::datagrams ? request_.recording.string()
+                                          : request_.recording.filename().string());
     add(request_.device);
     addNames(add);
     if (Status described = addDescription(add); !described) return described.error();
-    if (Status added = addFile(hash, request_.recording,
-                               [&](double part) { return tell(part * kHashedPart); });
-        !added) {
-      return added.error();
+    if (kind_ == RecordingKind::datagrams) {
+      const Result<std::string> id = datagramFolderId(request_.recording);
+      if (!id) return id.error();
+      add(*id);
+      return hexOf(hash.finish());
     }
-    // What a killed writer of a sqlite3 bag left beside it is read with it.
-    const fs::path journal = request_.recording.string() + "-wal";
-    std::error_code none;
-    if (fs::is_regular_file(journal, none)) {
-      if (Status added = addFile(hash, journal, {}); !added) return added.error();
+    for (std::size_t i = 0; i < files_.size(); ++i) {
+      if (Status added = addOneFile(hash, i); !added) return added.error();
     }
     return hexOf(hash.finish());
+  }
+
+  Status addOneFile(Sha256& hash, std::size_t number) const {
+    const fs::path& file = files_[number];
+    if (file != request_.recording) {
+      const std::string name = file.filename().string();
+      hash.addU64(name.size());
+      hash.add(bytesOf(name));
+    }
+    const auto before = static_cast<double>(number);
+    const auto all = static_cast<double>(files_.size());
+    Status added =
+        addFile(hash, file, [&](double part) { return tell((before + part) / all * kHashedPart); });
+    // What a killed writer of a sqlite3 bag left beside it is read with it.
+    const fs::path journal = file.string() + "-wal";
+    std::error_code none;
+    if (added && fs::is_regular_file(journal, none)) added = addFile(hash, journal, {});
+    return added;
   }
 
   template <class Add>
@@ -125,20 +148,22 @@ class RecordingOpening {
   template <class Add>
   Status addDescription(const Add& add) const {
     if (kind_ != RecordingKind::bag) return {};
-    const auto bag = ros::openBag(request_.recording);
-    if (!bag) return bag.error();
-    const auto robot = ros::describedRobot(**bag, request_.search);
-    if (!robot || !*robot) return {};
-    for (const std::string& note : (*robot)->notes) add(note);
-    if ((*robot)->bundle) add(manifestText((*robot)->bundle->manifest));
+    for (const fs::path& file : files_) {
+      const auto bag = ros::openBag(file);
+      if (!bag) return bag.error();
+      const auto robot = ros::describedRobot(**bag, request_.search);
+      if (!robot || !*robot) continue;
+      for (const std::string& note : (*robot)->notes) add(note);
+      if ((*robot)->bundle) add(manifestText((*robot)->bundle->manifest));
+      break;
+    }
     return {};
   }
 
   Status make(const fs::path& log) const {
     Result<NewLogFile> file = NewLogFile::make(log, true);
     if (!file) return file.error();
-    const std::vector<fs::path> inputs{request_.recording};
-    Result<std::string> session_id = ros::importedSessionId(inputs);
+    Result<std::string> session_id = sessionIdOfInputs(files_);
     if (!session_id) return session_id.error();
     ros::ImportOptions options;
     options.cell = names_ ? &*names_ : nullptr;
@@ -151,10 +176,12 @@ class RecordingOpening {
           importCapture(request_.recording, file->takeSink(), std::move(*session_id), options);
       if (!report) return report.error();
     } else {
-      auto recording = openRecording(request_.recording, request_.device);
-      if (!recording) return recording.error();
       std::vector<std::unique_ptr<ros::BagReader>> all;
-      all.push_back(std::move(*recording));
+      for (const fs::path& input : files_) {
+        auto recording = openInput(input, request_.device);
+        if (!recording) return recording.error();
+        all.push_back(std::move(*recording));
+      }
       const auto report =
           ros::importBags(std::move(all), file->takeSink(), std::move(*session_id), options);
       if (!report) {
@@ -177,6 +204,7 @@ class RecordingOpening {
 
   const RecordingRequest& request_;
   RecordingKind kind_;
+  std::vector<fs::path> files_;
   std::optional<Cell> names_;
 };
 
@@ -202,7 +230,13 @@ Result<OpenedRecording> openedRecording(const RecordingRequest& request) {
     as_it_is.recording = as_it_is.log = request.recording;
     return as_it_is;
   }
-  return RecordingOpening(request, kind).open();
+  // "bag/" is "bag": what is kept of it lies beside the folder, not in it.
+  RecordingRequest its = request;
+  if (!its.recording.has_filename()) its.recording = its.recording.parent_path();
+  if (request.cell == request.recording) its.cell = its.recording;
+  Result<OpenedRecording> opened = RecordingOpening(its, kind).open();
+  if (opened) opened->recording = request.recording;
+  return opened;
 }
 
 Result<CellAndRecording> openedCellAndRecording(RecordingRequest request) {
@@ -220,7 +254,8 @@ Result<CellAndRecording> openedCellAndRecording(RecordingRequest request) {
 }
 
 bool isForeignRecording(const std::filesystem::path& path) {
-  return isForeign(recordingKindOf(path));
+  const RecordingKind kind = recordingKindOf(path);
+  return isForeign(kind) && kind != RecordingKind::datagrams;
 }
 
 }  // namespace rocinante

@@ -13,7 +13,7 @@
 namespace rocinante {
 
 struct RecordingRequest {
-  std::filesystem::path recording;  ///< a log, or what another program recorded
+  std::filesystem::path recording;  ///< a log, or what another program recorded, also as a folder
   std::filesystem::path cell;       ///< whose devices are meant; empty: those of the recording
   std::string device;               ///< of what names no other; empty: none
   ModelSearch search;               ///< for the meshes of a robot description
@@ -40,7 +40,8 @@ struct OpenedRecording {
 /// describes is attached, so that the two can be compared.
 Result<OpenedRecording> openedRecording(const RecordingRequest& request);
 
-/// True for a file that openedRecording() imports.
+/// True for what openedRecording() imports and nobody takes for a cell: a file, or a folder that is
+/// a ROS 2 bag, but not any folder, although it may be one of datagrams.
 bool isForeignRecording(const std::filesystem::path& path);
 
 /// What a program that takes CELL and LOG shall read in their place. Without a LOG, a CELL that is

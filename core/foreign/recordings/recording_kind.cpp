@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/foreign/recordings/datagram_folder.h"
 #include "core/foreign/recordings/json_lines.h"
 #include "core/foreign/recordings/lcm_log.h"
 #include "core/foreign/recordings/table_recording.h"
@@ -70,6 +71,9 @@ RecordingKind recordingKindOf(ByteView first_bytes) {
 
 RecordingKind recordingKindOf(const std::filesystem::path& path) {
   std::error_code fault;
+  if (std::filesystem::is_directory(path, fault)) {
+    return filesOfBagFolder(path).empty() ? RecordingKind::datagrams : RecordingKind::bag;
+  }
   if (!std::filesystem::is_regular_file(path, fault)) return RecordingKind::none;
   const Result<Bytes> first = firstBytesOf(path);
   if (!first) return RecordingKind::none;
@@ -97,6 +101,7 @@ Result<std::unique_ptr<ros::BagReader>> openRecording(const std::filesystem::pat
     case RecordingKind::log:
       return ros::openBag(path);
     case RecordingKind::capture:
+    case RecordingKind::datagrams:
     case RecordingKind::none:
       break;
   }

@@ -14,13 +14,14 @@ namespace rocinante {
 
 /// What a file holds, told by its first bytes, never by its name.
 enum class RecordingKind : std::uint8_t {
-  none,        ///< nothing that we can import, or not a file
+  none,        ///< nothing that we can import
   log,         ///< one of ours: read as it is
-  bag,         ///< of ROS 1 or ROS 2, or any other MCAP file
+  bag,         ///< of ROS 1 or ROS 2, also as a folder, or any other MCAP file
   lcm,         ///< an event log of LCM
   capture,     ///< pcap or pcapng
   table,       ///< CSV with a column `t` or `time`
   json_lines,  ///< a JSON object a line
+  datagrams,   ///< any other folder: a datagram a file
 };
 
 RecordingKind recordingKindOf(const std::filesystem::path& path);

@@ -12,8 +12,9 @@
 namespace rocinante::ros {
 namespace {
 
-/// Messages between two calls of `progress`.
+/// Messages or bytes between two calls of `progress`.
 constexpr std::uint64_t kProgressMessages = 4096;
+constexpr std::uint64_t kProgressBytes = std::uint64_t{8} << 20;
 /// The largest payload that a log takes.
 constexpr std::size_t kMaxPayload = mcap::kMaxChunkBytes / 2;
 
@@ -55,11 +56,14 @@ class Import {
         return put.error();
       }
     }
-    std::uint64_t taken = 0;
+    std::uint64_t taken = 0, taken_bytes = 0;
     while (Input* const input = earliest()) {
+      taken_bytes += input->head->payload.size();
       if (Status kept = take(*input); !kept) return kept.error();
       if (Status read = advance(*input); !read) return read.error();
-      if (++taken % kProgressMessages == 0 && options_.progress) {
+      if (++taken < kProgressMessages && taken_bytes < kProgressBytes) continue;
+      taken = taken_bytes = 0;
+      if (options_.progress) {
         if (Status goes_on = options_.progress(part()); !goes_on) return goes_on.error();
       }
     }
