@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "core/clearance/enclosure.h"
 #include "core/math/transform.h"
 
 namespace rocinante {
@@ -203,7 +204,15 @@ BoundedDistance TreeSearch::bounded(const TriangleTree& a, const TriangleTree& b
         if (squaredGap(a_.ofSolid(i), b_.ofSolid(j)) > far * far) return;
         measure(i, j);
       });
-  return {least, std::max(0.0, limit())};
+  const double at_least = std::max(0.0, limit());
+  if (least.distance_m > 0) {
+    if (const auto inside = enclosedPoint(a, b, a_in_b, at_least)) {
+      least.distance_m = 0;
+      least.on_a = least.on_b = *inside;
+      return {least, 0};
+    }
+  }
+  return {least, at_least};
 }
 
 bool TreeSearch::sweep(const TriangleTree& a, const TriangleTree& b, const TreeSweep& sweep,

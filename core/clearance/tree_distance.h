@@ -18,8 +18,9 @@ struct TreeContact {
 };
 
 /// The distance between two trees, a placed in b's space by `a_in_b`; 0 where surfaces touch or
-/// cross. A body wholly inside another does not touch it. `known`: where the nearest solids were
-/// last, which makes the search faster and the answer no other. Infinite when a tree is empty.
+/// cross, and where a part of one lies inside the other (encloses()). `known`: where the nearest
+/// solids were last, which makes the search faster and the answer no other. Infinite when a tree is
+/// empty.
 TreeContact treeDistance(const TriangleTree& a, const TriangleTree& b, const Mat4& a_in_b,
                          const TreeContact* known = nullptr);
 

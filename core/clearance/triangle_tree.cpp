@@ -25,6 +25,7 @@ TriangleTree::TriangleTree(std::vector<Solid> solids) : solids_(std::move(solids
   nodes_.reserve(2 * solids_.size());
   nodes_.emplace_back();
   build(0, 0, static_cast<std::uint32_t>(solids_.size()));
+  parts_ = partsOf(solids_);
   centre_ = nodes_[0].box.centre;
   for (const Solid& solid : solids_) {
     for (const Vec3& corner : solid.triangle) {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "core/clearance/enclosure.h"
 #include "core/clearance/triangle_distance.h"
 #include "core/math/vector.h"
 
@@ -42,12 +43,15 @@ class TriangleTree {
   /// The root comes first; none when empty.
   const std::vector<Node>& nodes() const { return nodes_; }
   const std::vector<Solid>& solids() const { return solids_; }
+  /// In the order of solids().
+  const SurfaceParts& parts() const { return parts_; }
 
  private:
   void build(std::uint32_t node, std::uint32_t first, std::uint32_t count);
 
   std::vector<Solid> solids_;
   std::vector<Node> nodes_;
+  SurfaceParts parts_;
   Vec3 centre_{};
   double radius_m_ = 0;
 };

@@ -102,7 +102,7 @@ Status Reader::readHeader(const std::vector<std::string>& columns) {
 Status Reader::chooseColumns(const std::vector<std::string>& columns) {
   if (columns.empty()) {
     for (std::size_t i = 0; i < names_.size(); ++i) {
-      if (i != time_at_) columns_at_.push_back(i);
+      if (i != time_at_ && !names_[i].starts_with(kClearanceColumn)) columns_at_.push_back(i);
     }
   }
   for (const std::string& wanted : columns) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <span>
 
 namespace rocinante {
 namespace {
@@ -41,16 +42,19 @@ bool sameBits(const std::vector<double>& a, const std::vector<double>& b) {
 Result<TableReport> writeTable(MomentWalk& session, SessionTable& table, TableWriter& writer,
                                const TableOptions& options) {
   const LogSummary& log = session.log().summary();
+  ClearanceColumns* const clearances = options.clearances;
   const bool is_grid = options.rows == TableOptions::Rows::grid;
   if (is_grid || options.from > log.start) {
     // What was said before the first row holds there.
     const Result<const SessionState*> first = session.stateAt(options.from);
     if (!first) return first.error();
     table.noticeAll(**first);
+    if (clearances != nullptr) clearances->notice(**first);
   }
   PassProgress finding(options, log, 0);
   const auto notice = [&](LogTime moment, const SessionState& state) -> Status {
     table.notice(state, moment);
+    if (clearances != nullptr) clearances->notice(state);
     return finding.at(moment);
   };
   if (Status found = session.visit(options.from, options.until, {{}, notice}); !found) {
@@ -63,12 +67,19 @@ Result<TableReport> writeTable(MomentWalk& session, SessionTable& table, TableWr
   }
   TableReport report;
   report.columns = table.columns();
-  if (Status begun = writer.begin(table.columns()); !begun) return begun.error();
-  std::vector<double> values(table.columns().size());
+  if (clearances != nullptr) {
+    clearances->layOut();
+    const std::vector<std::string>& more = clearances->columns();
+    report.columns.insert(report.columns.end(), more.begin(), more.end());
+  }
+  if (Status begun = writer.begin(report.columns); !begun) return begun.error();
+  const std::size_t of_table = table.columns().size();
+  std::vector<double> values(report.columns.size());
   std::vector<double> former;
   PassProgress writing(options, log, 0.5);
   const auto write = [&](LogTime moment, const SessionState& state) -> Status {
-    table.fill(state, values);
+    table.fill(state, std::span(values).first(of_table));
+    if (clearances != nullptr) clearances->fill(state, std::span(values).subspan(of_table));
     if (options.rows == TableOptions::Rows::changed) {
       if (report.rows > 0 && sameBits(values, former)) return {};
       former = values;

@@ -9,6 +9,7 @@
 #include "core/foreign/table/session_table.h"
 #include "core/foreign/table/table_writer.h"
 #include "core/session/moment_walk.h"
+#include "recorder/export/clearance_columns.h"
 
 namespace rocinante {
 
@@ -23,7 +24,8 @@ struct TableOptions {
   } rows = Rows::written;
   Nanoseconds every{};  ///< grid: above 0
   LogTime from{}, until{};
-  ExportProgress progress;  ///< may be empty
+  ExportProgress progress;                 ///< may be empty
+  ClearanceColumns* clearances = nullptr;  ///< behind the other columns; borrowed
 };
 
 struct TableReport {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <optional>
 
 #include "core/base/count_text.h"
 #include "core/base/duration_text.h"
@@ -27,6 +28,7 @@ struct TableArguments {
   SelectionOptions times;
   std::string every;
   bool changes = false;
+  bool clearance = false;
   ExportCellArguments cell;
   std::string output;
   bool force = false;
@@ -107,6 +109,20 @@ Status tellTable(const TableArguments& my, const TableReport& report,
   return toStandardOutput(jsonText(json));
 }
 
+Result<std::optional<ClearanceColumns>> clearancesOf(const TableArguments& my, const Cell* cell) {
+  std::optional<ClearanceColumns> columns;
+  if (!my.clearance) return columns;
+  if (cell == nullptr) {
+    return Error{ErrorKind::bad_argument, "needs a cell: the log carries none, --cell CELL",
+                 "--clearance"};
+  }
+  if (cell->clearances.empty()) {
+    return Error{ErrorKind::bad_argument, "the cell has no [[clearance]]", "--clearance"};
+  }
+  columns.emplace(*cell, my.devices);
+  return columns;
+}
+
 Result<cli::Exit> runTable(const TableArguments& my) {
   const Result<TableForm> form = formOf(my.output);
   if (!form) return form.error();
@@ -122,8 +138,11 @@ Result<cli::Exit> runTable(const TableArguments& my) {
   if (!session) return session.error();
   Result<TableOptions> options = readTableOptions(my, session->log().summary());
   if (!options) return options.error();
-  const auto cell = loadExportCell(my.cell, session->log(), false);
+  const auto cell = loadExportCell(my.cell, session->log(), my.clearance);
   if (!cell) return cell.error();
+  Result<std::optional<ClearanceColumns>> clearances = clearancesOf(my, cell->get());
+  if (!clearances) return clearances.error();
+  if (*clearances) options->clearances = &**clearances;
   cli::catchStopSignals();
   options->progress = stoppableProgress("reading " + my.log);
   const cli::StopDeadline deadline(kStopped);
@@ -131,6 +150,9 @@ Result<cli::Exit> runTable(const TableArguments& my) {
   const Result<TableReport> report = writeTo(my, *form, *session, table, *options);
   if (!report) return report.error();
   std::vector<std::string> gaps = table.gaps();
+  if (*clearances) {
+    for (std::string& sentence : (*clearances)->gaps()) gaps.push_back(std::move(sentence));
+  }
   for (std::string& sentence : session->damage()) gaps.push_back(std::move(sentence));
   if (Status told = tellTable(my, *report, gaps); !told) return told.error();
   for (const std::string& sentence : table.remarks()) cli::warn(sentence);
@@ -155,6 +177,8 @@ LogCommand addTableCommand(CLI::App& program) {
           ->type_name("TIME");
   app->add_flag("--changes", my->changes, "only rows that differ from the one before")
       ->excludes(every);
+  app->add_flag("--clearance", my->clearance,
+                "the distances of the cell's clearances too, in metres, a column for each pair");
   app->add_option("--from", my->times.from, "begin at this session time (12.5s, -1s, RFC 3339)")
       ->type_name("TIME");
   app->add_option("--until", my->times.until, "end before this session time")->type_name("TIME");

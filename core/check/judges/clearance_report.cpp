@@ -6,15 +6,10 @@
 #include <cmath>
 
 #include "core/check/judges/tally.h"
+#include "core/clearance/clearance_figure.h"
 
 namespace rocinante {
 namespace {
-
-/// To 0.01 mm; only what penetrates is 0.
-double rounded(double metres) {
-  if (!(metres > 0)) return 0;
-  return std::max(1.0, std::floor(metres * 1e5 + 0.5)) / 1e5;
-}
 
 std::array<double, 3> roundedPoint(const Vec3& point) {
   const auto each = [](double value) { return std::floor(value * 1e5 + 0.5) / 1e5; };
@@ -27,7 +22,7 @@ CheckedClearance checkedOf(const ClearanceOutcome& outcome, const std::string& n
   checked.device_a = outcome.device_a;
   checked.device_b = outcome.device_b;
   checked.min_m = outcome.min_m;
-  checked.least_m = rounded(outcome.least.distance_m);
+  checked.least_m = roundedClearance(outcome.least.distance_m);
   checked.link_a = outcome.least.link_a;
   checked.link_b = outcome.least.link_b;
   checked.on_a = roundedPoint(outcome.least.on_a);
@@ -35,7 +30,7 @@ CheckedClearance checkedOf(const ClearanceOutcome& outcome, const std::string& n
   checked.at = outcome.least.time;
   checked.violations = outcome.violations;
   for (const ClearanceSpan& span : outcome.spans) {
-    checked.spans.push_back({span.from, span.until, rounded(span.least_m)});
+    checked.spans.push_back({span.from, span.until, roundedClearance(span.least_m)});
   }
   return checked;
 }
@@ -59,7 +54,9 @@ Finding findingOf(const ClearanceOutcome& outcome) {
 
 }  // namespace
 
-std::string millimetres(double metres) { return fmt::format("{:.2f} mm", rounded(metres) * 1e3); }
+std::string millimetres(double metres) {
+  return fmt::format("{:.2f} mm", roundedClearance(metres) * 1e3);
+}
 
 void reportClearances(const Cell& cell, const ClearanceJudge& judge,
                       std::vector<CheckedClearance>& clearances, Findings& findings) {

@@ -14,6 +14,9 @@ namespace rocinante {
 inline constexpr std::array<std::string_view, 7> kPoseEndings = {":x",  ":y",  ":z", ":qx",
                                                                  ":qy", ":qz", ":qw"};
 
+/// Begins a column of distances, which says nothing about a device; device names hold no slash.
+inline constexpr std::string_view kClearanceColumn = "clearance/";
+
 /// A column that names its device. Borrowed from the name.
 struct TableColumn {
   std::string_view device;
