@@ -16,8 +16,8 @@ namespace {
 
 /// Of rays, one after another where one hits an edge: along no axis, and in no plane of two.
 constexpr std::array<Vec3, 6> kRays = {
-    Vec3{0.5773, 0.2137, 0.7881},   Vec3{-0.3119, 0.8941, 0.3217},  Vec3{0.7243, -0.6061, 0.3287},
-    Vec3{-0.4561, -0.2713, 0.8477}, Vec3{0.1931, 0.4219, -0.8859},  Vec3{0.8839, 0.3371, -0.3243}};
+    Vec3{0.5773, 0.2137, 0.7881},   Vec3{-0.3119, 0.8941, 0.3217}, Vec3{0.7243, -0.6061, 0.3287},
+    Vec3{-0.4561, -0.2713, 0.8477}, Vec3{0.1931, 0.4219, -0.8859}, Vec3{0.8839, 0.3371, -0.3243}};
 
 /// Sets of corners, joined one by one.
 class CornerSets {
@@ -79,8 +79,8 @@ std::optional<int> crossing(const Triangle& triangle, const Vec3& from, const Ve
   if (a == b && b == c) return 0;
   if (at_a == 0 || at_b == 0 || at_c == 0) return std::nullopt;
   const double all = at_a + at_b + at_c;
-  const double ahead = (at_a / all) * dotOf(a, ray) + (at_b / all) * dotOf(b, ray) +
-                       (at_c / all) * dotOf(c, ray);
+  const double ahead =
+      (at_a / all) * dotOf(a, ray) + (at_b / all) * dotOf(b, ray) + (at_c / all) * dotOf(c, ray);
   if (!(ahead > 0)) return 0;
   return some_above ? 1 : -1;
 }

@@ -15,8 +15,8 @@ class TriangleTree;
 /// closed when each edge of its triangles is passed as often one way as the other, as in a solid
 /// whose triangles all face outwards. Immutable; any thread.
 struct SurfaceParts {
-  std::vector<Vec3> points;      ///< a corner of each part
-  std::vector<bool> is_closed;   ///< by solid: its part is
+  std::vector<Vec3> points;     ///< a corner of each part
+  std::vector<bool> is_closed;  ///< by solid: its part is
   bool any_closed = false;
 };
 SurfaceParts partsOf(const std::vector<Solid>& solids);

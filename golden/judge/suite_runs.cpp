@@ -13,7 +13,7 @@ namespace {
 
 constexpr Nanoseconds kFinestStep = std::chrono::milliseconds(20);
 /// Numbers of all tracks of a run together: 400 MB.
-constexpr std::int64_t kMostNumbers = 50'000'000;
+constexpr std::int64_t kMaxNumbers = 50'000'000;
 
 /// The longest of some logs, without reading them; those that cannot be opened are reported later.
 Nanoseconds longestOf(const std::vector<std::filesystem::path>& logs) {
@@ -28,7 +28,7 @@ Nanoseconds longestOf(const std::vector<std::filesystem::path>& logs) {
 /// A multiple of the finest one, so that all tracks fit in memory.
 Nanoseconds stepFor(const Cell& cell, const std::vector<std::filesystem::path>& logs) {
   const auto width = static_cast<std::int64_t>(trackWidth(cell) * logs.size());
-  const std::int64_t samples = std::max<std::int64_t>(1000, kMostNumbers / width);
+  const std::int64_t samples = std::max<std::int64_t>(1000, kMaxNumbers / width);
   return kFinestStep * (longestOf(logs) / (kFinestStep * samples) + 1);
 }
 

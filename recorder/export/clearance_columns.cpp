@@ -49,9 +49,9 @@ std::vector<std::string> ClearanceColumns::gaps() const {
     }
   }
   if (gauge_.hadTooMany()) {
-    sentences.push_back(fmt::format(
-        "the clearances name more than {} pairs of links: the rest is not measured",
-        kMaxClearancePairs));
+    sentences.push_back(
+        fmt::format("the clearances name more than {} pairs of links: the rest is not measured",
+                    kMaxClearancePairs));
   }
   return sentences;
 }

@@ -18,8 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostFiles = 1'000'000;
-constexpr std::uint64_t kMostDatagramBytes = std::uint64_t{1} << 20U;
+constexpr std::size_t kMaxFiles = 1'000'000;
+constexpr std::uint64_t kMaxDatagramBytes = std::uint64_t{1} << 20U;
 
 struct FolderContent {
   std::vector<DatagramFile> files;
@@ -63,12 +63,12 @@ Result<FolderContent> contentOf(const fs::path& folder) {
       continue;
     }
     const auto bytes = static_cast<std::uint64_t>(facts.st_size);
-    if (bytes > kMostDatagramBytes) {
+    if (bytes > kMaxDatagramBytes) {
       ++content.too_long;
       content.long_file = path.filename().string();
       continue;
     }
-    if (content.files.size() == kMostFiles) {
+    if (content.files.size() == kMaxFiles) {
       return Error{
           ErrorKind::unsupported,
           "the folder has more than 1,000,000 files: import parts of it, and merge the logs",
@@ -117,7 +117,7 @@ class DatagramFolder final : public ros::BagReader {
   Result<std::optional<ros::BagMessage>> next() override {
     while (at_ < order_.datagrams.size()) {
       const TimedDatagram& datagram = order_.datagrams[at_++];
-      Result<std::string> bytes = readFile(folder_ / datagram.name, kMostDatagramBytes);
+      Result<std::string> bytes = readFile(folder_ / datagram.name, kMaxDatagramBytes);
       if (!bytes) {
         if (unread_++ == 0) first_unread_ = bytes.error().text();
         continue;

@@ -37,9 +37,10 @@ class ClearanceGaugeTest : public testing::Test {
       text += fmt::format("[[device]]\nname = \"{}\"\nmodel = \"{}.urdf\"\n", device,
                           std::string_view(device) == "arm" ? "arm" : "box");
     }
-    text += "[[device]]\nname = \"late\"\nmodel = \"box.urdf\"\noptional = true\n"
-            "[[clearance]]\nname = \"reach\"\nbetween = [\"arm\", \"*\"]\nmin_m = 0.1\n"
-            "[[clearance]]\nname = \"boxes\"\nbetween = [\"left\", \"right\"]\nmin_m = 0\n";
+    text +=
+        "[[device]]\nname = \"late\"\nmodel = \"box.urdf\"\noptional = true\n"
+        "[[clearance]]\nname = \"reach\"\nbetween = [\"arm\", \"*\"]\nmin_m = 0.1\n"
+        "[[clearance]]\nname = \"boxes\"\nbetween = [\"left\", \"right\"]\nmin_m = 0\n";
     test::writeFile(folder_ / "cell.toml", text);
     auto cell = loadCell(folder_ / "cell.toml", {});
     EXPECT_TRUE(cell.ok());
@@ -68,10 +69,8 @@ class ClearanceGaugeTest : public testing::Test {
         if (pair.clearance != gap.clearance || a.name != gap.device_a || b.name != gap.device_b) {
           continue;
         }
-        const Mat4 a_in_b =
-            inverseOfRigid(b.link_world[pair.b.link]) * a.link_world[pair.a.link];
-        distance =
-            std::min(distance, treeDistance(*pair.body_a, *pair.body_b, a_in_b).distance_m);
+        const Mat4 a_in_b = inverseOfRigid(b.link_world[pair.b.link]) * a.link_world[pair.a.link];
+        distance = std::min(distance, treeDistance(*pair.body_a, *pair.body_b, a_in_b).distance_m);
       }
       least.push_back(distance);
     }
@@ -131,9 +130,8 @@ TEST_F(ClearanceGaugeTest, WhatIsNotThereHasNoDistance) {
 }
 
 TEST_F(ClearanceGaugeTest, OnlyWhatIsChosenIsMeasured) {
-  ClearanceGauge gauge(cell_, [](std::string_view a, std::string_view b) {
-    return a == "right" || b == "right";
-  });
+  ClearanceGauge gauge(
+      cell_, [](std::string_view a, std::string_view b) { return a == "right" || b == "right"; });
   gauge.notice(state_);
   const auto gaps = gauge.gaps();
   ASSERT_EQ(gaps.size(), 2U);

@@ -16,12 +16,8 @@ using Solids = std::vector<Solid>;
 
 /// The surface of a box whose sides are `half` from its middle, facing outwards.
 Solids boxOf(const Vec3& middle, double half) {
-  constexpr std::array<std::array<int, 4>, 6> kFaces = {{{0, 2, 3, 1},
-                                                         {4, 5, 7, 6},
-                                                         {0, 1, 5, 4},
-                                                         {2, 6, 7, 3},
-                                                         {0, 4, 6, 2},
-                                                         {1, 3, 7, 5}}};
+  constexpr std::array<std::array<int, 4>, 6> kFaces = {
+      {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}};
   const auto corner = [&](int i) {
     return middle + Vec3((i & 1) != 0 ? half : -half, (i & 2) != 0 ? half : -half,
                          (i & 4) != 0 ? half : -half);
