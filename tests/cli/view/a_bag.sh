@@ -11,3 +11,10 @@ with_display bash look 2>/dev/null || true
 cat code
 ls evidence.png
 ls .rocinante/imports | grep -c '\.mcap$'
+# A folder that is a bag, too.
+mkdir folder && mv bag.mcap folder/bag_0.mcap && touch folder/metadata.yaml
+sed -i 's/bag.mcap/folder/' look
+rm evidence.png code
+with_display bash look 2>/dev/null || true
+cat code
+ls evidence.png

@@ -218,7 +218,7 @@ Result<ContentRequest> requestOf(const std::vector<fs::path>& files, const Conte
   for (const fs::path& given : files) {
     std::error_code fault;
     const fs::path file = fs::absolute(given, fault);
-    if (fs::is_directory(file, fault)) {
+    if (fs::is_directory(file, fault) && !isForeignRecording(file)) {
       return Error{ErrorKind::bad_argument, "a folder cannot be shown; open a file of it",
                    file.string()};
     }
