@@ -241,14 +241,14 @@ std::string example() {
   listChunkHead(open);
 
   return fmt::format(
-      R"(Two datagrams of one source, uncompressed; numbers have their least significant byte first. After the
-first datagram was flushed, the file ends with an open chunk, whose head is
+      R"(Two datagrams of one source, uncompressed; numbers have their least significant byte first. After
+the first datagram was flushed, the file ends with an open chunk, whose head is
 
 ```
 {}```
 
-and whose records, a Channel and a Message, end the file. When the second had come and the recording was
-over, it was this:
+and whose records, a Channel and a Message, end the file. When the second had come and the recording
+was over, it was this:
 
 ```
 {}```
