@@ -12,7 +12,7 @@ namespace {
 /// More than the rounding of an extent, absolutely and for each metre from the origin.
 constexpr double kExtentRounding = 1e-12;
 
-/// Of so many the extents are united, which is tighter than their box turned.
+/// Of this number the extents are united, which is tighter than their box turned.
 constexpr std::uint32_t kFewSolids = 32;
 
 constexpr double kFar = std::numeric_limits<double>::infinity();

@@ -49,7 +49,7 @@ Status readLogArguments(const std::vector<std::string>& arguments, Suite& suite,
   return {};
 }
 
-/// What another program recorded becomes a log, and what that could not keep is told.
+/// What another program recorded becomes a log, and warnings say what it could not keep.
 Result<OpenedRecording> openLog(const std::filesystem::path& log, const std::filesystem::path& cell,
                                 const ModelSearch& search) {
   RecordingRequest request;

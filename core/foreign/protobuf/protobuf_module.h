@@ -54,7 +54,7 @@ typedef const char* (*RocinanteProtobufRead)(struct RocinanteProtobufReader* rea
 typedef int32_t (*RocinanteProtobufFound)(void* to, const char* path, size_t path_bytes,
                                           const char* value, size_t value_bytes);
 /// rocinante_protobuf_list: reads a message and names every value in it, also those of fields that
-/// the schema does not know ("a.#7"), until it is told to stop. Nothing for other bytes.
+/// the schema does not know ("a.#7"), until `found` answers 0. Nothing for other bytes.
 typedef void (*RocinanteProtobufList)(struct RocinanteProtobufReader* reader, const void* message,
                                       size_t bytes, RocinanteProtobufFound found, void* to);
 

@@ -88,7 +88,7 @@ class RecordingOpening {
     };
     add(kImportFormat);
     add(version());
-    // Damage names it; what is told of a folder of datagrams, with its path.
+    // Damage names it; messages about a folder of datagrams name its path.
     add(kind_ == RecordingKind::datagrams ? request_.recording.string()
                                           : request_.recording.filename().string());
     add(request_.device);
