@@ -30,4 +30,11 @@ case "$exit_code $said" in
   "2 "*"(package rocinante-nats); librocinante_nats_client.so is not in $PWD"*) ;;
   *) echo "nats:// without its module: exit $exit_code: $said" ;;
 esac
+exit_code=0
+said=$(ROCINANTE_MODULES=$PWD rocinante spy 127.0.0.1:0 --decoders "$SRC/examples/decoders/abb_egm.decoders.toml" \
+  --duration 1s 2>&1) || exit_code=$?
+case "$exit_code $said" in
+  "2 "*"protobuf is not read without its module (package rocinante-protobuf); "*"is not in $PWD"*) ;;
+  *) echo "protobuf without its module: exit $exit_code: $said" ;;
+esac
 rocinante --version --partz || echo "exit $?"

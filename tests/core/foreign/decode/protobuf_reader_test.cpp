@@ -293,12 +293,5 @@ TEST_F(ProtobufDecoder, BoundsTheMemoryOfAMessage) {
   EXPECT_EQ(reader.read(rocinante::bytesOf(message)), "it would need more than 64 MiB of memory");
 }
 
-TEST(ProtobufPart, SaysWhenItsModuleIsMissing) {
-  if (ROCINANTE_TEST_HAS_PROTOBUF) GTEST_SKIP() << "the part is built";
-  const auto set = readDecoders(kExamples / "abb_egm.decoders.toml");
-  ASSERT_FALSE(set);
-  EXPECT_THAT(set.error().text(), HasSubstr("protobuf is not read without its module"));
-}
-
 }  // namespace
 }  // namespace rocinante::decode
