@@ -31,9 +31,10 @@ struct DistanceNeed {
 };
 struct BoundedDistance {
   TreeContact contact;  ///< two points this far apart; the nearest if below exact_below_m
-  double at_least_m =
-      0;  ///< the distance is not smaller; equal to the contact's where that is exact
+  /// The distance is not smaller; equal to the contact's where that is exact.
+  double at_least_m = 0;
 };
+
 /// How far b begins behind the end of a along a direction of unit length in b's space: their
 /// distance is not smaller. Of bodies that are not hollowed towards each other it is the distance
 /// itself along the line between their nearest points. Far cheaper than that is to find.

@@ -12,8 +12,8 @@ namespace rocinante {
 
 /// Opens a folder of raw datagrams, a file each (docs/other-formats.md, "Folders of datagrams").
 /// Its topic is captured, not imported. Memory is about 100 bytes a file, of a million files at
-/// most. not_found when there is no file;
-/// unsupported when there are more, or when they are recordings.
+/// most. not_found when there is no file; unsupported when there are more, or when they are
+/// recordings.
 Result<std::unique_ptr<ros::BagReader>> openDatagramFolder(const std::filesystem::path& folder);
 
 /// The files of a ROS 2 bag that is a folder with a metadata.yaml; empty for any other folder.
