@@ -63,20 +63,26 @@ void put(Picture& sheet, int left, int top, const Picture& tile) {
 
 std::optional<DifferenceSheet> differenceSheet(const SuiteReport& report) {
   DifferenceSheet sheet;
-  std::vector<TileRow> rows;
-  int height = kTileGap;
   for (const JudgedFrame& judged : report.frames) {
     if (isFine(judged.verdict) || !judged.drawn || judged.drawn->rgba.empty()) continue;
-    if (rows.size() == kMaxRows) {
+    if (sheet.rows.size() == kMaxRows) {
       ++sheet.left_out;
-      continue;
+    } else {
+      sheet.rows.push_back(&judged);
     }
-    rows.push_back(tilesOf(judged));
-    sheet.rows.push_back(judged.frame.name);
+  }
+  if (sheet.rows.empty()) return std::nullopt;
+  return sheet;
+}
+
+Picture sheetPicture(const DifferenceSheet& sheet) {
+  std::vector<TileRow> rows;
+  int height = kTileGap;
+  for (const JudgedFrame* const judged : sheet.rows) {
+    rows.push_back(tilesOf(*judged));
     height += heightOf(rows.back()) + kTileGap;
   }
-  if (rows.empty()) return std::nullopt;
-  Picture& picture = sheet.picture;
+  Picture picture;
   picture.width = 3 * (kTileWidth + kTileGap) + kTileGap;
   picture.height = height;
   picture.rgba.resize(static_cast<std::size_t>(picture.width) *
@@ -96,7 +102,7 @@ std::optional<DifferenceSheet> differenceSheet(const SuiteReport& report) {
     }
     top += row_height + kTileGap;
   }
-  return sheet;
+  return picture;
 }
 
 }  // namespace rocinante

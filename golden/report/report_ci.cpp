@@ -140,8 +140,8 @@ std::string sheetText(const SuiteReport& report, const std::string& page) {
   const std::string file =
       (std::filesystem::path(page).parent_path() / kDifferenceSheetFile).string();
   std::string rows;
-  for (const std::string& row : sheet->rows) {
-    rows += (rows.empty() ? "" : ", ") + markdownText(row);
+  for (const JudgedFrame* const row : sheet->rows) {
+    rows += (rows.empty() ? "" : ", ") + markdownText(row->frame.name);
   }
   std::string text = fmt::format(
       "Frame, golden and difference beside one another: [{}]({}); rows from the top: {}",

@@ -102,7 +102,7 @@ Status writeReport(const SuiteReport& report, const std::filesystem::path& folde
     if (auto written = writePictures(judged, files); !written) return written;
   }
   if (const auto sheet = differenceSheet(report)) {
-    const Bytes png = encodePng(sheet->picture);
+    const Bytes png = encodePng(sheetPicture(*sheet));
     if (auto written = files.write(kDifferenceSheetFile, png); !written) return written;
   }
   if (auto written = files.write(kPagePicturesFile, bytesOf(pagePicturesJson(report))); !written) {
