@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "golden/run/event_alignment.h"
+#include "core/session/event_alignment.h"
 #include "golden/run/run_judgement.h"
 #include "golden/run/run_spec.h"
 #include "golden/run/session_track.h"

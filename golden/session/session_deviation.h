@@ -8,7 +8,7 @@
 #include "core/base/result.h"
 #include "core/cell/cell.h"
 #include "core/session/timeline.h"
-#include "golden/run/event_alignment.h"
+#include "core/session/event_alignment.h"
 
 namespace rocinante {
 

@@ -1,4 +1,4 @@
-#include "golden/run/event_alignment.h"
+#include "core/session/event_alignment.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
