@@ -11,6 +11,9 @@
 
 namespace rocinante {
 
+/// Of ghosts: 0xRRGGBBAA.
+inline constexpr std::uint32_t kGhostColor = 0x66A3FF59;
+
 /// Which parts of a device are visible, and how: docs/cell-format.md, section "What is drawn".
 /// Packets override the cell, and settings of a link override those of its device. A layer's
 /// settings rank directly below those of the things that it holds, and the last of several layers

@@ -13,8 +13,6 @@
 namespace rocinante {
 namespace {
 
-constexpr std::uint32_t kGhostColor = 0x66A3FF59;
-
 // A present device, before its place in the world is known.
 struct Standing {
   PosedDevice device;

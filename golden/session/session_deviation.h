@@ -7,8 +7,8 @@
 
 #include "core/base/result.h"
 #include "core/cell/cell.h"
-#include "core/session/timeline.h"
 #include "core/session/event_alignment.h"
+#include "core/session/timeline.h"
 
 namespace rocinante {
 

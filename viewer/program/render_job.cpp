@@ -75,6 +75,7 @@ Status checkEndings(const RenderJob& job) {
 }
 
 Status checkJob(const RenderJob& job) {
+  if (!job.beside.empty() && job.log.empty()) return badJob("--beside needs a LOG");
   if (Status fit = checkMoments(job); !fit) return fit;
   if (Status fit = checkEndings(job); !fit) return fit;
   if (!job.video.empty() && !VideoFile::isVideo(job.video)) {
@@ -145,6 +146,16 @@ Status chooseInsets(const RenderJob& job, FrameRequest& look) {
     if (!inset) return inset.error();
     look.insets->push_back(std::move(*inset));
   }
+  return {};
+}
+
+Status showBeside(const RenderJob& job, FrameMaker& maker, StateDamage& hiding) {
+  if (job.beside.empty()) return {};
+  auto beside = Timeline::open(job.beside);
+  if (!beside) return beside.error();
+  auto alignment = alignBeside(job.align, *maker.session(), *beside, hiding);
+  if (!alignment) return alignment.error();
+  maker.showBeside(std::move(*beside), std::move(*alignment));
   return {};
 }
 
@@ -392,6 +403,7 @@ Result<RenderReport> render(const RenderJob& given,
   }
   auto maker = FrameMaker::open(std::move(*cell), std::move(session), job.profile);
   if (!maker) return maker.error();
+  if (Status shown = showBeside(job, *maker, hiding); !shown) return shown.error();
   if (Status made = makeFolders(files); !made) return made.error();
 
   RenderReport report;

@@ -16,6 +16,8 @@ namespace rocinante {
 struct RenderJob : ModelSearch {
   std::filesystem::path cell;        ///< for loadCellOrLog()
   std::filesystem::path log;         ///< empty: `cell` if it is a log, else at rest
+  std::filesystem::path beside;      ///< another log, drawn as ghosts; empty: none
+  std::string align;                 ///< of `beside`, for alignBeside(); empty: by the origins
   MomentChoice moments;              ///< `rate` is the video's if other moments are given
   std::vector<std::string> cameras;  ///< one picture each; none: the default
   std::filesystem::path output;      ///< one frame

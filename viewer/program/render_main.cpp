@@ -64,6 +64,21 @@ Result<OpenedRecording> openRecordingOf(RenderJob& job) {
   return std::move(found->opened);
 }
 
+/// The same for the log beside.
+Result<OpenedRecording> openBeside(RenderJob& job) {
+  if (job.beside.empty()) return OpenedRecording{};
+  RecordingRequest request;
+  request.recording = job.beside;
+  request.cell = job.cell;
+  request.search = job;
+  request.progress = cli::importProgress(job.beside.string());
+  auto opened = openedRecording(request);
+  if (!opened) return opened.error();
+  for (const std::string& warning : opened->warnings) cli::warn(warning);
+  job.beside = opened->log;
+  return opened;
+}
+
 void printJson(const RenderReport& report) {
   Json json;
   json["format"] = 1;
@@ -162,6 +177,14 @@ int main(int argc, char** argv) {
       ->required();
   app.add_option("LOG", job.log,
                  "the session: a log, or a bag, capture or table; without one, the cell at rest");
+  auto* second = app.add_option("--beside", job.beside,
+                                "another log of the same cell: its devices as clear ghosts, where "
+                                "they are elsewhere")
+                     ->type_name("LOG");
+  app.add_option("--align", job.align,
+                 "of --beside: origin, events, event:TEXT, or an offset, 2.5s; default: origin")
+      ->needs(second)
+      ->type_name("HOW");
   app.add_option("--at", job.moments.at,
                  "a moment: 12.5, 1m02.5s, -1s from the end, or RFC 3339; repeatable")
       ->allow_extra_args(false);
@@ -270,6 +293,8 @@ int main(int argc, char** argv) {
         const cli::StopDeadline until_stopped("stopped");
         const Result<OpenedRecording> recording = openRecordingOf(job);
         if (!recording) return recording.error();
+        const Result<OpenedRecording> beside = openBeside(job);
+        if (!beside) return beside.error();
         job.load_progress = cli::loadProgress(recording->imported && job.cell == job.log
                                                   ? recording->recording.string()
                                                   : job.cell.string());

@@ -31,14 +31,14 @@ struct FoundFrame {
   CameraView camera;
   std::vector<FrameInset> insets;
   std::vector<std::string> inset_cameras;  // by name, as `insets`
-  const RenderStyle* style = nullptr;
+  RenderStyle style;
   FrameExtras extras;
   std::map<std::string, std::uint64_t> counted;  // datagrams in the last second, for the panel
   const DetailRung* rung = nullptr;
   double scale = 1;
 
   SceneFrame shown() const {
-    SceneFrame frame{&scene, camera, &choice, style, &extras};
+    SceneFrame frame{&scene, camera, &choice, &style, &extras};
     frame.insets = insets;
     frame.detail = rung->level;
     frame.scale = scale;
@@ -77,6 +77,7 @@ struct FrameMaker::Impl {
   KnownNames names{cell};
   Profile profile;
   std::optional<Timeline> session;
+  std::optional<BesideSession> beside;
   SessionState nothing_said;
   SessionState by_hand;  // with the joints of the last request
   std::unique_ptr<RenderContext> context;
@@ -164,7 +165,8 @@ Result<FoundFrame> FrameMaker::Impl::findDamaged(const FrameRequest& request, St
   }
   if (Status current = context->makeCurrent(); !current) return current.error();
   FoundFrame found;
-  found.style = &request.style;
+  found.style = request.style;
+  if (beside) found.style.ghosts = GhostStyle::clear;
   found.scale = request.scale;
   const auto rung = prepareRung(request.detail);
   if (!rung) return rung.error();
@@ -201,6 +203,10 @@ Result<FoundFrame> FrameMaker::Impl::findDamaged(const FrameRequest& request, St
   }
   found.scene = poses.pose(*found.state);
   if (request.style.limits) found.extras.limits = limitLevels(found.scene, *found.state);
+  if (beside) {
+    Status added = beside->addGhosts(found.scene, request.time, damage);
+    if (!added) return added.error();
+  }
   if (Status placed = placeCameras(request, found); !placed) return placed.error();
   return found;
 }
@@ -270,6 +276,11 @@ Result<FrameMaker> FrameMaker::open(Cell cell, std::optional<Timeline> session, 
   // Everything is in memory now: a temporary folder of this cell can be removed.
   impl->cell.keeps_files.reset();
   return FrameMaker(std::move(impl));
+}
+
+void FrameMaker::showBeside(Timeline beside, EventAlignment alignment) {
+  impl_->names.expectBeside();
+  impl_->beside.emplace(impl_->cell, std::move(beside), std::move(alignment));
 }
 
 Result<Picture> FrameMaker::frame(const FrameRequest& request, StateDamage* damage) {

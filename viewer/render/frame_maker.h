@@ -11,6 +11,7 @@
 #include "viewer/gl/renderer_key.h"
 #include "viewer/picture/picture.h"
 #include "viewer/render/identity_frame.h"
+#include "viewer/view/beside_session.h"
 #include "viewer/view/camera.h"
 #include "viewer/view/hand_joints.h"
 #include "viewer/view/pictured_view.h"
@@ -55,6 +56,10 @@ class FrameMaker {
   ~FrameMaker();
   FrameMaker(FrameMaker&&) noexcept;
   FrameMaker& operator=(FrameMaker&&) noexcept;
+
+  /// Shows another session of the same cell beside the first, as clear ghosts; the cell's own
+  /// ghosts are clear then, too. Only with a session.
+  void showBeside(Timeline beside, EventAlignment alignment);
 
   /// bad_argument for a time outside the log or an unsupported size or sample count; not_found for
   /// an unknown camera or PATH (KnownNames). When a damaged log may make the picture stale: an

@@ -9,6 +9,7 @@
 #include "core/log/log_reader.h"
 #include "core/session/message_folder.h"
 #include "core/session/timeline.h"
+#include "viewer/view/beside_session.h"
 #include "viewer/view/layer_choice.h"
 
 namespace rocinante {
@@ -71,7 +72,9 @@ KnownNames::Models KnownNames::allModels() const {
   return models;
 }
 
-std::optional<KnownNames::Models> KnownNames::modelsOf(const std::string& device) const {
+std::optional<KnownNames::Models> KnownNames::modelsOf(const std::string& named) const {
+  const bool is_beside = beside_is_shown_ && named.starts_with(kBesidePrefix);
+  const std::string device = is_beside ? named.substr(kBesidePrefix.size()) : named;
   Models models;
   bool known = false;
   if (const CellDevice* of_cell = cell_.findDevice(device)) {

@@ -25,6 +25,8 @@ class KnownNames {
   void useLog(std::filesystem::path log) { log_ = std::move(log); }
   /// For a live session: unknown devices and views may still appear.
   void expectOthers() { others_may_come_ = true; }
+  /// Devices have a ghost each (BesideSession).
+  void expectBeside() { beside_is_shown_ = true; }
 
   /// not_found for a layer, device, link or part that no picture can have. Invalid PATHs are
   /// accepted here; their users refuse them.
@@ -46,7 +48,7 @@ class KnownNames {
   Status checkBelow(const ViewPath& path, const Models& models) const;
   Status readLog();
   /// The possible models of a device; empty for an unknown name.
-  std::optional<Models> modelsOf(const std::string& device) const;
+  std::optional<Models> modelsOf(const std::string& named) const;
   Models allModels() const;
   std::string deviceHint(const std::string& name) const;
 
@@ -58,6 +60,7 @@ class KnownNames {
   std::map<std::string, std::set<std::string>, std::less<>> added_;  ///< models by device
   std::set<std::string, std::less<>> views_;
   bool others_may_come_ = false;
+  bool beside_is_shown_ = false;
   std::set<std::string> sound_;  ///< PATHs already checked
 };
 

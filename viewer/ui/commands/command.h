@@ -46,6 +46,7 @@ struct Command {
   std::vector<Shortcut> shortcuts{};
   bool needs_log = false;
   bool needs_live = false;        ///< a session that goes on; only the palette asks
+  bool needs_beside = false;      ///< a session beside; only the palette asks
   bool repeats = false;           ///< while its key is held
   std::string_view keys_shown{};  ///< one text for all shortcuts: "1 to 9"
   /// Values that its first argument may have now, for the palette; null: unknown.

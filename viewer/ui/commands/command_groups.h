@@ -24,6 +24,9 @@ std::vector<Command> programCommands();
 /// What only a script needs.
 std::vector<Command> scriptCommands();
 
+/// "next" or "previous", as true or false. bad_argument without a place.
+Result<bool> isNext(const std::string& word);
+
 /// A finite number. bad_argument without a place.
 Result<double> numberOf(const std::string& word);
 

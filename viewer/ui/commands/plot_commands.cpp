@@ -97,6 +97,35 @@ Status goToFinding(CommandWords words, const CommandStage& stage) {
   return {};
 }
 
+Status setBeside(CommandWords words, const CommandStage& stage) {
+  ViewModel& model = stage.model;
+  if (model.beside() == nullptr) return badWord("there is no session beside (view --beside LOG)");
+  const auto on = switched(words, model.beside_shown);
+  if (!on.ok()) return on.error();
+  model.beside_shown = *on;
+  return {};
+}
+
+Status goToParting(CommandWords words, const CommandStage& stage) {
+  const auto next = isNext(words[0]);
+  if (!next.ok()) return next.error();
+  ViewModel& model = stage.model;
+  const PartingStudy* const partings = model.partings();
+  if (partings == nullptr) return badWord("there is no session beside (view --beside LOG)");
+  TimelineCursor& cursor = *model.cursor();
+  if (const auto moment = partings->beside(cursor.position(stage.now), *next)) {
+    cursor.seek(*moment, stage.now);
+    model.time_view.follow(*moment);
+  } else if (!partings->fault().empty()) {
+    return badWord(partings->fault());
+  } else if (!stage.model.study_waits) {
+    stage.requests.fault =
+        fmt::format("the two do not part {} this moment{}", *next ? "after" : "before",
+                    partings->isFinished() ? "" : ", as far as is known yet");
+  }
+  return {};
+}
+
 }  // namespace
 
 std::vector<Command> plotCommands() {
@@ -126,6 +155,19 @@ std::vector<Command> plotCommands() {
        .arguments = "N",
        .means = "go to a finding, by its number",
        .run = goToFinding},
+      {.name = "beside",
+       .arguments = "[on|off]",
+       .means = "the session beside: its ghosts and curves",
+       .run = setBeside,
+       .shortcuts = {{"Y", "", ""}},
+       .needs_beside = true},
+      {.name = "parting",
+       .arguments = "next|previous",
+       .means = "where the session beside begins to be elsewhere",
+       .run = goToParting,
+       .shortcuts = {{"K", "next", "the next moment at which the two sessions part"},
+                     {"shift+K", "previous", "the moment before at which they part"}},
+       .needs_beside = true},
   };
   for (Command& command : commands) {
     command.group = CommandGroup::time;

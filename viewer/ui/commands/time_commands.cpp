@@ -62,14 +62,6 @@ Status stepSeconds(CommandWords words, const CommandStage& stage) {
   return {};
 }
 
-/// "next" or "previous".
-Result<bool> isNext(const std::string& word) {
-  if (word != "next" && word != "previous") {
-    return badWord(fmt::format("`{}` is neither next nor previous", word));
-  }
-  return word == "next";
-}
-
 Status goToEvent(CommandWords words, const CommandStage& stage) {
   const auto next = isNext(words[0]);
   if (!next.ok()) return next.error();
@@ -186,6 +178,13 @@ std::vector<std::string> speedChoices(const ViewModel& /*model*/) {
 }
 
 }  // namespace
+
+Result<bool> isNext(const std::string& word) {
+  if (word != "next" && word != "previous") {
+    return badWord(fmt::format("`{}` is neither next nor previous", word));
+  }
+  return word == "next";
+}
 
 std::vector<Command> timeCommands() {
   std::vector<Command> commands{

@@ -50,6 +50,16 @@ Result<ViewModel> ViewModel::make(Cell cell, std::optional<Timeline> session,
   return model;
 }
 
+Status ViewModel::showBeside(Timeline beside, std::string_view align) {
+  if (!session_) return Error{ErrorKind::bad_argument, "--beside needs a log", {}};
+  StateDamage hiding;  // the panel counts all places of damage
+  auto alignment = alignBeside(align, *session_, beside, hiding);
+  if (!alignment.ok()) return alignment.error();
+  beside_.emplace(*cell_, std::move(beside), std::move(*alignment));
+  names_->expectBeside();
+  return {};
+}
+
 Status ViewModel::updateChoice() {
   auto choice = ViewChoice::make(hiddenPaths(), shownPaths());
   if (!choice.ok()) return choice.error();
@@ -87,6 +97,7 @@ void ViewModel::receive(const SessionState& state) {
 
 Result<bool> ViewModel::update(SteadyTime now) {
   bool changed = !shown_.has_value() || std::exchange(style_changed_, false);
+  changed = std::exchange(beside_was_shown_, beside_shown) != beside_shown || changed;
   LogTime moment = shownTime();
   if (feed_ && hear(now)) changed = true;
   if (log_grows_ || feed_) changed = watchLog(now) || changed;
@@ -119,7 +130,7 @@ Result<bool> ViewModel::update(SteadyTime now) {
   changed = std::exchange(scene_is_old_, false) || changed;
   if (changed || !hand.drawn()) state_ = hand.over(*received_, moment);
   if (changed) {
-    scene_ = poses_->pose(*state_);
+    if (auto posed = pose(moment); !posed) return posed.error();
     follow();
     extras_.limits =
         style_.limits ? limitLevels(scene_, *state_) : std::vector<std::vector<LimitLevel>>();
@@ -130,6 +141,16 @@ Result<bool> ViewModel::update(SteadyTime now) {
     }
   }
   return changed;
+}
+
+Status ViewModel::pose(LogTime moment) {
+  scene_ = poses_->pose(*state_);
+  if (!beside_ || !beside_shown) return {};
+  StateDamage damage;
+  if (auto added = beside_->addGhosts(scene_, moment, damage); !added) return added;
+  damage_.add(damage);
+  seen_damage_.add(damage);
+  return {};
 }
 
 Selection ViewModel::inspected() const {
@@ -188,6 +209,25 @@ LogStudy* ViewModel::study() {
   return study_.get();
 }
 
+LogStudy* ViewModel::studyBeside() {
+  if (!beside_) return nullptr;
+  if (!study_beside_) {
+    study_beside_ = std::make_unique<LogStudy>(*cell_, beside_->session().log().name());
+  }
+  study_beside_->waits = study_waits;
+  return study_beside_.get();
+}
+
+const PartingStudy* ViewModel::partings() {
+  if (!beside_) return nullptr;
+  if (!partings_) {
+    partings_ = std::make_unique<PartingStudy>(
+        *cell_, session_->log().name(), beside_->session().log().name(), beside_->alignment());
+  }
+  if (study_waits) partings_->wait();
+  return partings_.get();
+}
+
 const FindingsStudy* ViewModel::findings() {
   if (!session_ || !findings_wanted) return nullptr;
   if (!judged_) {
@@ -201,11 +241,13 @@ const FindingsStudy* ViewModel::findings() {
 }
 
 bool ViewModel::hasStudyNews() const {
-  return (study_ && study_->hasNews()) || (judged_ && !judged_seen_ && judged_->isFinished());
+  return (study_ && study_->hasNews()) || (judged_ && !judged_seen_ && judged_->isFinished()) ||
+         (study_beside_ && study_beside_->hasNews()) || (partings_ && partings_->takeNews());
 }
 
 bool ViewModel::isStudyBusy() const {
   return (study_ && study_->isBusy()) || (judged_ && !judged_->isFinished()) ||
+         (study_beside_ && study_beside_->isBusy()) || (partings_ && !partings_->isFinished()) ||
          (study_ && findings_wanted && !judged_);
 }
 
@@ -266,6 +308,7 @@ RenderStyle ViewModel::frameStyle() const {
   RenderStyle style = style_;
   if (picking.first()) style.measures.push_back({*picking.first(), *picking.first()});
   if (!style.measures.empty()) style.lengths = hand.units.length;
+  if (beside_ && beside_shown) style.ghosts = GhostStyle::clear;
   if (outline_selected && !selected.device.empty()) style.outlined.push_back(selected.path());
   return style;
 }
@@ -315,8 +358,8 @@ void ViewModel::useCamera(const std::string& name) {
 void ViewModel::addCamera(CellCamera camera) {
   camera_name_ = camera.name;
   cell_->cameras.push_back(std::move(camera));
-  // Cameras are posed with the scene.
-  scene_ = poses_->pose(*state_);
+  // Cameras are posed with the scene. What cannot be read was said when it was shown.
+  static_cast<void>(pose(shownTime()));
 }
 
 void ViewModel::resetCamera() {

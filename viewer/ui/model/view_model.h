@@ -28,6 +28,8 @@
 #include "viewer/ui/model/turntable.h"
 #include "viewer/ui/study/findings_study.h"
 #include "viewer/ui/study/log_study.h"
+#include "viewer/ui/study/parting_study.h"
+#include "viewer/view/beside_session.h"
 #include "viewer/view/frame_extras.h"
 #include "viewer/view/known_names.h"
 #include "viewer/view/render_style.h"
@@ -52,6 +54,10 @@ class ViewModel {
   static Result<ViewModel> make(Cell cell, std::optional<Timeline> session,
                                 std::optional<LiveFeed> feed, std::vector<std::string> hide,
                                 std::vector<std::string> show);
+
+  /// Shows another log of the cell beside the session, as clear ghosts. bad_argument without a
+  /// session; alignBeside() says what `align` is.
+  Status showBeside(Timeline beside, std::string_view align);
 
   const Cell& cell() const { return *cell_; }
   /// Checks PATHs and cameras' names.
@@ -102,6 +108,14 @@ class ViewModel {
   const StateDamage& seenDamage() const { return seen_damage_; }
   Timeline* session() { return session_ ? &*session_ : nullptr; }
   const Timeline* session() const { return session_ ? &*session_ : nullptr; }
+
+  /// The session beside; null without one. It may be out of sight (beside_shown).
+  const BesideSession* beside() const { return beside_ ? &*beside_ : nullptr; }
+  /// Where the two are apart, looked for in the background from the first call on; null without a
+  /// session beside.
+  const PartingStudy* partings();
+  /// The log beside as functions of its time, as study(); null without one.
+  LogStudy* studyBeside();
 
   /// The log as functions of time, read in the background from the first call on; null without one.
   LogStudy* study();
@@ -169,15 +183,17 @@ class ViewModel {
   HandControl hand;
   TimeView time_view;  ///< what the time line shows
   PlotBoard plots;
-  std::shared_ptr<const StudyPicture> picture;  ///< of the log, as far as known; may be null
-  bool study_waits = false;                     ///< under a script, for identical screenshots
-  bool findings_wanted = true;                  ///< judge the log in the background
-  std::size_t finding_shown = 0;                ///< number in the report, from 1; 0: none
-  bool asks_mark = false;                       ///< the text of a mark is being typed
-  bool asks_time = false;                       ///< an exact time is being typed
-  std::array<char, 64> time_text{};             ///< that; NUL-terminated
-  Selection reference;      ///< in whose space poses are shown; empty: the world
-  DistancePicking picking;  ///< of a distance
+  std::shared_ptr<const StudyPicture> picture;         ///< of the log, as far as known; may be null
+  std::shared_ptr<const StudyPicture> picture_beside;  ///< the same of the log beside
+  bool beside_shown = true;                            ///< its ghosts and curves
+  bool study_waits = false;          ///< under a script, for identical screenshots
+  bool findings_wanted = true;       ///< judge the log in the background
+  std::size_t finding_shown = 0;     ///< number in the report, from 1; 0: none
+  bool asks_mark = false;            ///< the text of a mark is being typed
+  bool asks_time = false;            ///< an exact time is being typed
+  std::array<char, 64> time_text{};  ///< that; NUL-terminated
+  Selection reference;               ///< in whose space poses are shown; empty: the world
+  DistancePicking picking;           ///< of a distance
   PacketLookup packet;
   Selection followed;  ///< the camera moves with it; empty: with nothing
   bool outline_selected = true;
@@ -200,6 +216,8 @@ class ViewModel {
   ViewModel() = default;
   Status updateChoice();
   Status findState(LogTime moment);
+  /// Makes scene_ of state_, which is of this moment, with the ghosts beside.
+  Status pose(LogTime moment);
   void follow();
   /// Trails up to `moment`, as far as the log goes.
   Status findTrails(LogTime moment);
@@ -254,8 +272,11 @@ class ViewModel {
   std::vector<Misfit> misfits_;
   std::optional<SteadyTime> misfits_at_;
   std::vector<Event> events_;
-  std::unique_ptr<LogStudy> study_;        // borrows *cell_
-  std::unique_ptr<FindingsStudy> judged_;  // borrows *cell_
+  std::optional<BesideSession> beside_;  // borrows *cell_
+  bool beside_was_shown_ = true;
+  std::unique_ptr<PartingStudy> partings_;          // borrows *cell_
+  std::unique_ptr<LogStudy> study_, study_beside_;  // borrow *cell_
+  std::unique_ptr<FindingsStudy> judged_;           // borrows *cell_
   bool judged_seen_ = false;
   std::set<std::string> hidden_, shown_paths_;
   ViewChoice choice_;

@@ -111,6 +111,34 @@ void drawSession(const ViewModel& model, SteadyTime now) {
   }
 }
 
+/// Draws what the session beside has, and where it is elsewhere at the shown moment.
+void drawBeside(const ViewModel& model) {
+  const BesideSession* const beside = model.beside();
+  if (beside == nullptr) return;
+  const std::string name =
+      std::filesystem::path(beside->session().log().name()).filename().string();
+  if (!model.beside_shown) {
+    ImGui::TextDisabled("beside: %s, hidden", name.c_str());
+    return;
+  }
+  ImGui::TextUnformatted(("beside: " + name).c_str());
+  if (!beside->covers(model.shownTime())) {
+    ImGui::TextDisabled("which has not this moment");
+  } else if (beside->elsewhere().empty()) {
+    ImGui::TextUnformatted("everything is where it is here");
+  } else {
+    const std::vector<std::string>& devices = beside->elsewhere();
+    constexpr std::size_t kMaxNamed = 3;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(devices.size(), kMaxNamed); ++i) {
+      text += (i > 0 ? ", " : "") + plainText(devices[i]);
+    }
+    if (devices.size() > kMaxNamed) text += fmt::format(" and {} more", devices.size() - kMaxNamed);
+    ImGui::TextColored(ink(kAmissColor), "elsewhere: %s", text.c_str());
+    explain("K and Shift K go to where the two part");
+  }
+}
+
 /// Draws received data that does not fit the cell.
 void drawMisfits(const ViewModel& model) {
   constexpr std::size_t kMaxNamed = 8;
@@ -264,6 +292,7 @@ float drawFigures(const ViewModel& model, const ViewerStatus& status, SteadyTime
     drawBrief(model, status);
   } else {
     drawSession(model, now);
+    drawBeside(model);
     drawMisfits(model);
     std::string frame = rungText(status);
     if (status.tells_times && status.times.count() > 0) {

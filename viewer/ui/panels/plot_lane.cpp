@@ -12,13 +12,13 @@ namespace {
 
 constexpr float kLaneGap = 6;
 
-const std::vector<ValueColumn>* columnsOf(const ViewModel& model, const SeriesKey& series) {
-  if (model.picture == nullptr) return nullptr;
-  const auto& keys = model.picture->wish.keys;
+const std::vector<ValueColumn>* columnsOf(const StudyPicture* picture, const SeriesKey& series) {
+  if (picture == nullptr) return nullptr;
+  const auto& keys = picture->wish.keys;
   const auto found = std::ranges::find(keys, series);
   const auto place = static_cast<std::size_t>(found - keys.begin());
-  if (found == keys.end() || place >= model.picture->curves.size()) return nullptr;
-  return &model.picture->curves[place];
+  if (found == keys.end() || place >= picture->curves.size()) return nullptr;
+  return &picture->curves[place];
 }
 
 /// A limit belongs to the picture when the curve comes near it.
@@ -31,11 +31,13 @@ void includeLimits(const PlotValue& value, double& low, double& high) {
 void scaleLane(PlotLane& lane) {
   double low = 1, high = -1;
   for (const PlottedCurve& plotted : lane.curves) {
-    if (plotted.columns == nullptr) continue;
-    const auto range = rangeOf(*plotted.columns, plotted.value);
-    if (!range) continue;
-    low = low > high ? range->first : std::min(low, range->first);
-    high = std::max(high < low ? range->second : high, range->second);
+    for (const std::vector<ValueColumn>* columns : {plotted.columns, plotted.beside}) {
+      const auto range = columns == nullptr ? std::nullopt : rangeOf(*columns, plotted.value);
+      if (!range) continue;
+      const bool is_first = low > high;
+      low = is_first ? range->first : std::min(low, range->first);
+      high = is_first ? range->second : std::max(high, range->second);
+    }
   }
   for (const PlottedCurve& plotted : lane.curves) {
     if (low <= high) includeLimits(plotted.value, low, high);
@@ -53,7 +55,8 @@ std::vector<PlotLane> plotLanes(const ViewModel& model) {
     PlottedCurve plotted;
     plotted.curve = &curve;
     plotted.value = plotValue(curve.key, device == nullptr ? nullptr : device->model);
-    plotted.columns = columnsOf(model, plotted.value.series);
+    plotted.columns = columnsOf(model.picture.get(), plotted.value.series);
+    plotted.beside = columnsOf(model.picture_beside.get(), plotted.value.series);
     PlotLane& lane = by_unit[plotted.value.unit];
     lane.unit = plotted.value.unit;
     lane.curves.push_back(std::move(plotted));

@@ -15,6 +15,7 @@ struct PlottedCurve {
   const PlotBoard::Curve* curve = nullptr;
   PlotValue value;
   const std::vector<ValueColumn>* columns = nullptr;  ///< null: not known yet
+  const std::vector<ValueColumn>* beside = nullptr;   ///< of the session beside; null: none
 };
 
 /// Curves of one unit, under each other with the other lanes.

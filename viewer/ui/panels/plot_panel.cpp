@@ -86,18 +86,23 @@ void drawLimits(const PlotLane& lane, const PlottedCurve& plotted, const TimeAxi
   }
 }
 
-void drawCurve(const PlotLane& lane, const PlottedCurve& plotted, const StudyPicture& picture,
-               const TimeAxis& axis, bool thick) {
-  if (plotted.columns == nullptr || plotted.columns->empty()) return;
+/// How a curve is drawn.
+struct CurveLook {
+  ImU32 color = 0;
+  float width = 1;
+};
+
+void drawCurve(const PlotLane& lane, const PlotValue& value,
+               const std::vector<ValueColumn>* columns, const StudyPicture& picture,
+               const TimeAxis& axis, const CurveLook& look) {
+  if (columns == nullptr || columns->empty()) return;
   ImDrawList* const list = ImGui::GetWindowDrawList();
-  const PlotShape shape = plotShape(*plotted.columns, plotted.value, lane.scale, lane.height);
+  const PlotShape shape = plotShape(*columns, value, lane.scale, lane.height);
   // The picture may be of another part of the time: it is moved there until there is a newer one.
   const float first = axis.xOf(picture.wish.from);
-  const float wide =
-      (axis.xOf(picture.wish.until) - first) / static_cast<float>(plotted.columns->size());
+  const float wide = (axis.xOf(picture.wish.until) - first) / static_cast<float>(columns->size());
   const float bottom = lane.top + lane.height;
-  const ImU32 color = curveColor(plotted.curve->color);
-  const float width = px(thick ? 2.4F : 1.5F);
+  const auto [color, width] = look;
   for (const PlotShape::Bar& bar : shape.bars) {
     const float x = first + bar.x * wide;
     list->AddRectFilled(ImVec2(x, bottom - bar.high - width / 2),
@@ -312,10 +317,16 @@ void drawPlots(ViewModel& model, TimelineCursor& cursor, const TimeAxis& axis, f
       const bool only = lane.curves.size() == 1;
       drawLimits(lane, plotted, axis, only || plotted.curve == looked_at);
     }
-    if (model.picture != nullptr) {
-      for (const PlottedCurve& plotted : lane.curves) {
-        drawCurve(lane, plotted, *model.picture, axis, plotted.curve == looked_at);
-      }
+    // The session beside lies under the shown one, fainter and wider, so that both can be followed.
+    for (const PlottedCurve& plotted : lane.curves) {
+      if (model.picture_beside == nullptr) break;
+      drawCurve(lane, plotted.value, plotted.beside, *model.picture_beside, axis,
+                {curveColor(plotted.curve->color, 110), px(3.5F)});
+    }
+    for (const PlottedCurve& plotted : lane.curves) {
+      if (model.picture == nullptr) break;
+      drawCurve(lane, plotted.value, plotted.columns, *model.picture, axis,
+                {curveColor(plotted.curve->color), px(plotted.curve == looked_at ? 2.4F : 1.5F)});
     }
     list->PopClipRect();
   }

@@ -62,6 +62,16 @@ void askStudy(ViewModel& model, const TimeAxis& axis) {
     }
   }
   model.picture = study->show(wish);
+  LogStudy* const study_beside = model.beside_shown ? model.studyBeside() : nullptr;
+  model.picture_beside.reset();
+  if (study_beside == nullptr) return;
+  const EventAlignment& alignment = model.beside()->alignment();
+  StudyWish wish_beside = wish;
+  wish_beside.from = alignment.inB(wish.from);
+  wish_beside.until = alignment.inB(wish.until);
+  if (const auto picture = study_beside->show(wish_beside)) {
+    model.picture_beside = alignedPicture(*picture, wish, alignment);
+  }
 }
 
 void applyTimeMouse(ViewModel& model, TimelineCursor& cursor, const TimeAxis& axis,

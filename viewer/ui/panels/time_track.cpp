@@ -23,6 +23,9 @@ constexpr float kRulerText = 11;
 constexpr std::size_t kMaxStrips = 6;
 constexpr float kReach = 5;  // of the mouse
 
+/// The tone of clear ghosts.
+constexpr ImU32 kBesideColor = IM_COL32(120, 190, 255, 255);
+
 /// What the left button holds.
 enum class Grab : int { none, moment, part_start, part_end, finding };
 
@@ -103,6 +106,17 @@ void drawStrips(const StudyPicture& picture, const TimeAxis& axis, float top) {
                         IM_COL32(255, 60, 60, 110));
   }
   list->PopClipRect();
+}
+
+/// Where the session beside is elsewhere.
+void drawPartings(const PartingStudy& study, const TimeAxis& axis, float middle) {
+  ImDrawList* const list = ImGui::GetWindowDrawList();
+  for (const Parting& parting : study.found()) {
+    if (parting.until < axis.from || parting.from > axis.until) continue;
+    const float left = axis.xOf(std::max(parting.from, axis.from));
+    const float right = std::max(axis.xOf(std::min(parting.until, axis.until)), left + px(1));
+    list->AddRectFilled(ImVec2(left, middle - px(6)), ImVec2(right, middle - px(3)), kBesideColor);
+  }
 }
 
 /// Draws no more of the ticks than there is room for.
@@ -310,6 +324,9 @@ void drawTrack(ViewModel& model, TimelineCursor& cursor, const TimeAxis& axis, f
                       ImVec2(std::clamp(at, axis.left, right), middle + half),
                       IM_COL32(255, 168, 64, 255), half);
   drawPart(cursor, axis, top, middle);
+  if (const PartingStudy* const partings = model.beside_shown ? model.partings() : nullptr) {
+    drawPartings(*partings, axis, middle);
+  }
   drawTicks(axis, middle, model.events());
   if (report != nullptr) drawFindings(*report, axis, middle, model.finding_shown);
   if (axis.shows(shown)) {

@@ -55,6 +55,8 @@ std::vector<std::string> evidenceArguments(const EvidenceRequest& request) {
     words.push_back(std::move(value));
   };
   if (!request.at.empty()) add("--at", request.at);
+  if (!request.beside.empty()) add("--beside", request.beside.string());
+  if (!request.align.empty()) words.push_back("--align=" + request.align);
   words.push_back("--camera=" +
                   (request.camera.empty() ? viewpointText(request.view) : request.camera));
   add("--size", fmt::format("{}x{}", request.width, request.height));

@@ -18,6 +18,8 @@ namespace rocinante {
 /// that anyone can reproduce its bytes.
 struct EvidenceRequest : ModelSearch {
   std::filesystem::path cell, log;  ///< as given to the viewer; `log` may be empty
+  std::filesystem::path beside;     ///< as given to the viewer; empty: none
+  std::string align;                ///< of it; may be empty
   std::string at;                   ///< RFC 3339, to the nanosecond; empty without a log
   std::string camera;               ///< by name; empty: `view`
   CameraView view;

@@ -30,6 +30,10 @@ Result<EvidenceRequest> EvidenceDesk::requestOf(ViewModel& model, const WindowSi
     request.log = std::move(*log);
   }
   if (model.session() != nullptr) request.at = sinceOrigin(model);
+  if (model.beside_shown) {
+    request.beside = shown_.beside;
+    request.align = shown_.align;
+  }
   request.camera = model.cameraName();
   request.view = model.cameraView();
   request.width = size.width;

@@ -49,11 +49,11 @@ void warnOfFaults(const Cell& cell, std::vector<std::string>& warnings) {
 }
 
 /// The log, which is made of a recording of another program first. Names its joints by the cell.
-Result<OpenedRecording> openRecordingOf(const ContentRequest& request, const fs::path& cell,
-                                        const TellLoadProgress& progress) {
+Result<OpenedRecording> openRecordingOf(const ContentRequest& request, const fs::path& recording,
+                                        const fs::path& cell, const TellLoadProgress& progress) {
   constexpr std::uint64_t kWhole = 1'000'000;
   RecordingRequest wanted;
-  wanted.recording = request.log;
+  wanted.recording = recording;
   wanted.cell = cell;
   wanted.search = request.where;
   wanted.progress = [&](double part) -> Status {
@@ -89,6 +89,20 @@ Result<Timeline> openSession(const fs::path& log) {
   auto session = Timeline::follow(log);
   if (!session.ok() || session->log().growing()) return session;
   return Timeline::open(log);
+}
+
+/// The log beside, if one is wanted.
+Status showBeside(const ContentRequest& request, const fs::path& cell,
+                  const TellLoadProgress& progress, ViewContent& content) {
+  if (request.beside.empty()) return {};
+  auto opened = openRecordingOf(request, request.beside, cell, progress);
+  if (!opened.ok()) return opened.error();
+  content.warnings.insert(content.warnings.end(), opened->warnings.begin(), opened->warnings.end());
+  if (!opened->not_kept.empty()) content.warnings.push_back(opened->not_kept);
+  auto beside = Timeline::open(opened->log);
+  if (!beside.ok()) return opened->named(beside.error());
+  content.beside_folder = opened->folder;
+  return content.model->showBeside(std::move(*beside), request.align);
 }
 
 /// The options that move joints by hand.
@@ -145,7 +159,7 @@ Status applyArguments(const ContentRequest& request, ViewModel& model,
 Result<ViewContent> loadContent(ContentRequest request, const TellLoadProgress& progress) {
   OpenedRecording recording;
   if (!request.log.empty()) {
-    auto opened = openRecordingOf(request, request.cell, progress);
+    auto opened = openRecordingOf(request, request.log, request.cell, progress);
     if (!opened.ok()) return opened.error();
     recording = std::move(*opened);
   }
@@ -154,7 +168,7 @@ Result<ViewContent> loadContent(ContentRequest request, const TellLoadProgress& 
   const bool is_own_cell = !recording.log.empty() && *file == recording.log;
   if (recording.imported && request.cell.empty() && !is_own_cell) {
     // Of the cell that is shown: its names are meant.
-    auto opened = openRecordingOf(request, *file, progress);
+    auto opened = openRecordingOf(request, request.log, *file, progress);
     if (!opened.ok()) return opened.error();
     recording = std::move(*opened);
   }
@@ -192,6 +206,7 @@ Result<ViewContent> loadContent(ContentRequest request, const TellLoadProgress& 
                                request.show);
   if (!model.ok()) return model.error();
   content.model = std::make_unique<ViewModel>(std::move(*model));
+  if (auto shown = showBeside(request, *file, progress, content); !shown) return shown.error();
   if (auto applied = applyArguments(request, *content.model, content.warnings); !applied) {
     return applied.error();
   }

@@ -11,6 +11,7 @@
 #include "core/base/model_search.h"
 #include "core/base/parallel_for.h"
 #include "core/base/result.h"
+#include "core/bundle/private_folder.h"
 #include "viewer/ui/live/keep_limits.h"
 #include "viewer/ui/model/view_model.h"
 
@@ -18,8 +19,10 @@ namespace rocinante {
 
 /// What the window shall show, as arguments of the program say it or as opened in the window.
 struct ContentRequest {
-  std::filesystem::path cell;  ///< empty: nothing, or the cell that the log carries
-  std::filesystem::path log;   ///< empty: none
+  std::filesystem::path cell;    ///< empty: nothing, or the cell that the log carries
+  std::filesystem::path log;     ///< empty: none
+  std::filesystem::path beside;  ///< another log of the cell, shown as ghosts; empty: none
+  std::string align;             ///< of it, for alignBeside()
   /// Shown with a log that carries no cell; empty: there is none.
   std::filesystem::path fallback_cell;
   std::optional<std::vector<Endpoint>> live;
@@ -41,7 +44,8 @@ struct ContentRequest {
 struct ViewContent {
   ContentRequest request;  ///< `cell` and `log` as they were found
   std::unique_ptr<ViewModel> model;
-  std::vector<std::string> warnings;  ///< one sentence each, to be printed
+  std::vector<std::string> warnings;                   ///< one sentence each, to be printed
+  std::shared_ptr<const PrivateFolder> beside_folder;  ///< a temporary log beside lies in it
 };
 
 /// Reads files and starts a live feed; any thread. `progress` may be called by other threads.

@@ -21,6 +21,7 @@ constexpr char kExamples[] =
     "  rocinante view                                   open or drop files in the window\n"
     "  rocinante view examples/demo/demo.cell.toml out/demo/live.mcap\n"
     "  rocinante view session.mcap                      a log that carries its cell\n"
+    "  rocinante view cell.toml today.mcap --beside accepted.mcap --align events\n"
     "  rocinante view puma.urdf                         every joint has a slider\n"
     "  rocinante view puma.urdf --live\n"
     "  rocinante view puma.urdf --live --drive 127.0.0.1:19960 --as me"
@@ -31,7 +32,8 @@ constexpr char kExamples[] =
     "  rocinante view cell.toml session.mcap --profile reproducible --script look.txt\n";
 
 struct Arguments {
-  std::filesystem::path cell, log, script;
+  std::filesystem::path cell, log, beside, script;
+  std::string align;
   std::vector<std::string> live;
   std::string keep = "10m,2GB";
   bool leftovers = false, forget_leftovers = false;
@@ -53,6 +55,8 @@ Result<ContentRequest> contentRequest(const Arguments& arguments) {
   ContentRequest request;
   request.cell = arguments.cell;
   request.log = arguments.log;
+  request.beside = arguments.beside;
+  request.align = arguments.align;
   request.trust = arguments.trust;
   request.decoders = arguments.decoders;
   request.hide = arguments.hide;
@@ -163,6 +167,14 @@ int viewMain(int argc, char** argv) {
       "a *.cell.toml, a .urdf, an .obj, or a log or bag that carries its cell; without it "
       "the window says how to open one");
   app.add_option("LOG", arguments.log, "a recorded session: a log, or a bag, capture or table");
+  auto* beside = app.add_option("--beside", arguments.beside,
+                                "another log of the cell: its devices as clear ghosts, where they "
+                                "are elsewhere, and its curves")
+                     ->type_name("LOG");
+  app.add_option("--align", arguments.align,
+                 "of --beside: origin, events, event:TEXT, or an offset, 2.5s; default: origin")
+      ->needs(beside)
+      ->type_name("HOW");
   auto* live = app.add_option("--live", arguments.live,
                               "show live packets; EP as in `rocinante record`, default: the "
                               "standard group; repeatable")

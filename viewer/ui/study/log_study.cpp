@@ -83,6 +83,33 @@ struct TableWish {
 
 }  // namespace
 
+std::shared_ptr<const StudyPicture> alignedPicture(const StudyPicture& beside,
+                                                   const StudyWish& wish,
+                                                   const EventAlignment& alignment) {
+  auto aligned = std::make_shared<StudyPicture>();
+  aligned->wish = wish;
+  aligned->wish.keys = beside.wish.keys;
+  aligned->whole = beside.whole;
+  const Nanoseconds known = beside.wish.until - beside.wish.from;
+  for (const std::vector<ValueColumn>& curve : beside.curves) {
+    std::vector<ValueColumn>& columns = aligned->curves.emplace_back();
+    if (curve.empty() || known.count() <= 0) continue;
+    columns.resize(wish.columns);
+    const double count = static_cast<double>(curve.size());
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      // The middle of the column.
+      const double part = (static_cast<double>(i) + 0.5) / static_cast<double>(columns.size());
+      const Nanoseconds since(
+          static_cast<std::int64_t>(part * static_cast<double>((wish.until - wish.from).count())));
+      const LogTime there = alignment.inB(wish.from + since);
+      const double place = static_cast<double>((there - beside.wish.from).count()) /
+                           static_cast<double>(known.count()) * count;
+      if (place >= 0 && place < count) columns[i] = curve[static_cast<std::size_t>(place)];
+    }
+  }
+  return aligned;
+}
+
 PositionalNames positionalNames(const Cell& cell) {
   return [&cell](std::string_view device, const DeviceState& said) {
     const Model* const model = modelFor(cell, device, said);

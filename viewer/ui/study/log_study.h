@@ -10,6 +10,7 @@
 
 #include "core/cell/cell.h"
 #include "core/series/series_scan.h"
+#include "core/session/event_alignment.h"
 
 namespace rocinante {
 
@@ -74,6 +75,11 @@ class LogStudy {
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
+
+/// The curves of a picture of the log beside, at the times of `wish`, which is of the shown log.
+std::shared_ptr<const StudyPicture> alignedPicture(const StudyPicture& beside,
+                                                   const StudyWish& wish,
+                                                   const EventAlignment& alignment);
 
 /// The names of the values of a positional `joints`, in order, by the cell's models: for devices of
 /// the cell, added ones and ghosts. Borrows the cell.

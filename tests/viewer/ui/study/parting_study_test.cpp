@@ -1,0 +1,51 @@
+#include "viewer/ui/study/parting_study.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/temporary_folder.h"
+#include "tests/viewer/support/test_session.h"
+
+namespace rocinante {
+namespace {
+
+using test::sessionTime;
+
+TEST(PartingStudy, FindsWhereTwoSessionsArePart) {
+  const test::TemporaryFolder folder;
+  test::writeText(folder / "arm.urdf", test::kArmUrdf);
+  test::writeSession(folder / "a.mcap",
+                     {{0, "joints arm 0\n"}, {1000, "joints arm 1\n"}, {3000, "joints arm 0\n"}});
+  test::writeSession(folder / "b.mcap", {{0, "joints arm 0\n"},
+                                         {1100, "joints arm 1\n"},
+                                         {2010, "joints arm 2\n"},
+                                         {3000, "joints arm 0\n"}});
+  const auto cell = loadCell(folder / "arm.urdf", {});
+  ASSERT_TRUE(cell.ok());
+  EventAlignment origin;
+  origin.anchor_a = origin.anchor_b = sessionTime(0);
+  const PartingStudy study(*cell, folder / "a.mcap", folder / "b.mcap", origin);
+  study.wait();
+  EXPECT_EQ(study.fault(), "");
+  const std::vector<Parting> expected{{sessionTime(1000), sessionTime(1080), {"arm"}},
+                                      {sessionTime(2020), sessionTime(2980), {"arm"}}};
+  EXPECT_EQ(study.found(), expected);
+  EXPECT_TRUE(study.takeNews());
+  EXPECT_FALSE(study.takeNews());
+  EXPECT_EQ(study.beside(sessionTime(0), true), sessionTime(1000));
+  EXPECT_EQ(study.beside(sessionTime(1000), true), sessionTime(2020));
+  EXPECT_EQ(study.beside(sessionTime(2020), true), std::nullopt);
+  EXPECT_EQ(study.beside(sessionTime(2020), false), sessionTime(1000));
+  EXPECT_EQ(study.beside(sessionTime(1000), false), std::nullopt);
+}
+
+TEST(PartingStudy, ALogThatIsGoneIsASentence) {
+  const test::TemporaryFolder folder;
+  const Cell cell;
+  const PartingStudy study(cell, folder / "gone.mcap", folder / "gone.mcap", {});
+  study.wait();
+  EXPECT_NE(study.fault().find("gone.mcap"), std::string::npos);
+  EXPECT_TRUE(study.found().empty());
+}
+
+}  // namespace
+}  // namespace rocinante
