@@ -98,6 +98,10 @@ Result<bool> PacketSearch::step(std::size_t messages) {
     PacketBehind found;
     found.source = packet->header.source;
     found.topic = (*message)->channel->topic;
+    const auto& known = (*message)->channel->metadata;
+    if (const auto remote = known.find("remote"); remote != known.end()) {
+      found.sender = remote->second;
+    }
     found.sequence = packet->header.sequence;
     found.by = packet->header.by;
     found.restated = packet->header.restated;

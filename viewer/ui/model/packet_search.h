@@ -23,6 +23,7 @@ struct SaidItem {
 /// The packet that a shown value comes from.
 struct PacketBehind {
   std::string source, topic;
+  std::string sender;                     ///< address and port; empty: the log does not have it
   std::optional<std::uint64_t> sequence;  ///< empty: the source numbers nothing
   std::string by;                         ///< who said it again; empty: the source itself
   bool restated = false;
@@ -70,7 +71,8 @@ class PacketSearch {
 /// The window's question after the packet behind a value.
 struct PacketLookup {
   bool wanted = false;
-  std::string value_name;  ///< of the inspected device; empty: what was last said about it
+  bool shows_bytes = false;  ///< in place of the text
+  std::string value_name;    ///< of the inspected device; empty: what was last said about it
   std::optional<PacketSearch> search;
   std::string trouble;  ///< why it cannot be answered; a sentence
 

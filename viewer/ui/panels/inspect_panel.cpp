@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "core/base/count_text.h"
 #include "core/base/duration_text.h"
 #include "core/base/plain_text.h"
 #include "viewer/ui/panels/panel_parts.h"
@@ -20,7 +21,25 @@ std::string spaceName(const Selection& selection) {
   return selection.link.empty() ? selection.device : selection.device + "/" + selection.link;
 }
 
-void drawFound(const ViewModel& model, const PacketBehind& packet, float bottom) {
+/// Rows of eight bytes with their place and what is printable of them.
+std::string bytesText(std::string_view bytes) {
+  constexpr std::size_t kRow = 8;
+  std::string text;
+  for (std::size_t row = 0; row < bytes.size(); row += kRow) {
+    text += fmt::format("{:4d} ", row);
+    const std::string_view part = bytes.substr(row, kRow);
+    for (std::size_t i = 0; i < kRow; ++i) {
+      text += i < part.size() ? fmt::format(" {:02x}", static_cast<unsigned char>(part[i])) : "   ";
+    }
+    text += "  ";
+    for (const char byte : part) text += byte >= ' ' && byte <= '~' ? byte : '.';
+    text += '\n';
+  }
+  return text;
+}
+
+void drawFound(const ViewModel& model, const PacketBehind& packet, bool& shows_bytes,
+               float bottom) {
   std::string head = plainText(packet.source);
   if (packet.sequence) head += fmt::format(" {}", *packet.sequence);
   head += fmt::format(" at {} s", secondsText(packet.time - model.origin(), 6));
@@ -35,15 +54,19 @@ void drawFound(const ViewModel& model, const PacketBehind& packet, float bottom)
   ImGui::TextDisabled("%s s before what is shown%s%s", secondsText(age, 6).c_str(),
                       packet.restated ? ", said again" : "",
                       packet.by.empty() ? "" : (" by " + plainText(packet.by)).c_str());
+  ImGui::TextDisabled("%s", (countText(packet.text.size(), "byte") +
+                             (packet.sender.empty() ? "" : " from " + plainText(packet.sender)))
+                                .c_str());
+  const std::string shown = shows_bytes ? bytesText(packet.text) : packet.text;
   const float line = ImGui::GetTextLineHeight();
-  const auto lines = static_cast<float>(
-      std::clamp<std::ptrdiff_t>(std::ranges::count(packet.text, '\n') + 1, 2, 8));
+  const auto lines =
+      static_cast<float>(std::clamp<std::ptrdiff_t>(std::ranges::count(shown, '\n') + 1, 2, 8));
   const float room = bottom - ImGui::GetCursorScreenPos().y - 6 * line;
   ImGui::BeginChild(
       "packet", ImVec2(0, std::clamp(lines * line + px(14), 2 * line, std::max(room, 2 * line))),
       true, ImGuiWindowFlags_HorizontalScrollbar);
   // A stranger's bytes: line by line, each printable.
-  std::string_view text = packet.text;
+  std::string_view text = shown;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     ImGui::TextUnformatted(plainText(text.substr(0, end)).c_str());
@@ -51,6 +74,8 @@ void drawFound(const ViewModel& model, const PacketBehind& packet, float bottom)
   }
   ImGui::EndChild();
   if (ImGui::SmallButton("copy packet")) ImGui::SetClipboardText(packet.text.c_str());
+  ImGui::SameLine();
+  if (ImGui::SmallButton(shows_bytes ? "text" : "bytes")) shows_bytes = !shows_bytes;
 }
 
 }  // namespace
@@ -120,7 +145,7 @@ void drawPacketBehind(ViewModel& model, const PosedDevice& device, const Selecti
   } else if (!packet.search->found()) {
     ImGui::TextDisabled("no packet up to here said it");
   } else {
-    drawFound(model, *packet.search->found(), bottom);
+    drawFound(model, *packet.search->found(), packet.shows_bytes, bottom);
   }
 }
 
