@@ -2,6 +2,7 @@
 // arm. How long until the first strokes of six curves, until all of them are whole, until a part
 // shown twenty times larger is as fine as pixels are; and the bare reading and folding of the same
 // log. usage: study_bench [SECONDS [FOLDER]]
+//        study_bench make LOG [SECONDS]     only writes that log, for other benches
 #include <fmt/format.h>
 #include <time.h>
 #include <unistd.h>
@@ -133,6 +134,10 @@ void benchBareFold(const std::filesystem::path& path) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (argc > 2 && std::string_view(argv[1]) == "make") {
+    writeLog(argv[2], argc > 3 ? std::atoll(argv[3]) : 600);
+    return 0;
+  }
   const std::int64_t seconds = argc > 1 ? std::atoll(argv[1]) : 600;
   const std::filesystem::path folder = argc > 2 ? argv[2] : "/tmp";
   if (seconds < 20) {
