@@ -7,6 +7,7 @@
 #include <array>
 #include <atomic>
 #include <chrono>
+#include <mutex>
 #include <thread>
 #include <utility>
 
@@ -22,7 +23,9 @@ namespace {
 
 /// Shown by `top -H`.
 constexpr char kThreadName[] = "rocinante-feed";
-constexpr int kPollMs = 10;
+/// A datagram ends the wait at once: this is how late a rate, a loss or a lease is looked at, while
+/// something comes and when nothing has come for a second.
+constexpr int kPollMs = 10, kSilentPollMs = 50;
 constexpr std::size_t kSampleBytes = 24;
 /// One endpoint under a flood must not keep the others waiting.
 constexpr int kBatchesATurn = 64;
@@ -96,6 +99,8 @@ struct LiveFeed::Impl {
   std::atomic<Mail*> mailbox{nullptr};
   std::atomic<Mail*> returned{nullptr};  ///< taken, and empty again
   std::atomic<bool> stop{false};
+  std::mutex wake_mutex;
+  std::function<void()> wake;  ///< guarded by wake_mutex
   std::thread thread;
   std::unique_ptr<Decoder> window_decoder = makeDecoder("rk1");
 
@@ -200,6 +205,8 @@ bool LiveFeed::Impl::handOver() {
   mailbox.store(mail.release(), std::memory_order_release);
   mail.reset(returned.exchange(nullptr, std::memory_order_acq_rel));
   if (!mail) mail = std::make_unique<Mail>();
+  const std::lock_guard lock(wake_mutex);
+  if (wake) wake();
   return true;
 }
 
@@ -219,7 +226,8 @@ void LiveFeed::Impl::run() {
       }
       polls[i] = {sources[i]->fileDescriptor(), POLLIN, 0};
     }
-    ::poll(polls.data(), polls.size(), kPollMs);
+    const bool is_silent = !news && figures.rate_hz == 0;
+    ::poll(polls.data(), polls.size(), is_silent ? kSilentPollMs : kPollMs);
     observeClock();
     const std::uint64_t count = drain(*decoder);
     state.takeEvents();
@@ -302,6 +310,11 @@ bool LiveFeed::update(LiveSnapshot& live) {
   if (mail->sources) live.sources = *std::exchange(mail->sources, std::nullopt);
   delete impl_->returned.exchange(mail.release(), std::memory_order_acq_rel);
   return true;
+}
+
+void LiveFeed::onNews(std::function<void()> wake) {
+  const std::lock_guard lock(impl_->wake_mutex);
+  impl_->wake = std::move(wake);
 }
 
 LiveKeeper* LiveFeed::keeper() const { return impl_->keeper.get(); }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -61,6 +62,10 @@ class LiveFeed {
   /// Brings `live` up to date: false when there is nothing since the last call. It must be the one
   /// of all earlier calls. For one calling thread.
   bool update(LiveSnapshot& live);
+
+  /// `wake` is called by the feed's thread whenever it has handed something over, so that nobody
+  /// has to look for it all the time; empty: nobody is. Once this returns, no earlier one runs.
+  void onNews(std::function<void()> wake);
 
   /// The kept log; null when nothing is kept.
   LiveKeeper* keeper() const;

@@ -15,8 +15,9 @@ Nanoseconds panelsChangeEvery(const ViewModel& model, const ProgramBusy& busy) {
 double newsWait(const ViewModel& model) {
   const TimelineCursor* const cursor = model.cursor();
   const bool goes_on = cursor != nullptr && cursor->following();
+  // A live feed wakes the window (LiveFeed::onNews).
   const bool is_busy =
-      model.isLive() || goes_on || model.isStudyBusy() || model.hand.driving() != nullptr;
+      (goes_on && !model.isLive()) || model.isStudyBusy() || model.hand.driving() != nullptr;
   return is_busy ? 0.016 : 0.05;
 }
 

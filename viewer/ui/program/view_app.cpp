@@ -41,6 +41,11 @@ class ViewApp {
  public:
   static Result<std::unique_ptr<ViewApp>> open(ViewContent& content, Window& window,
                                                const ViewOptions& options, ContentLoader& loader);
+  ~ViewApp() {
+    if (model_.isLive()) model_.feed().onNews({});
+  }
+  ViewApp(const ViewApp&) = delete;
+  ViewApp& operator=(const ViewApp&) = delete;
   /// What to show next; null: nothing, the window closes.
   Result<std::unique_ptr<ViewContent>> run();
 
@@ -117,6 +122,7 @@ Result<std::unique_ptr<ViewApp>> ViewApp::open(ViewContent& content, Window& win
   app->journal_ = std::move(*journal);
   if (auto ready = app->picture_.prepare(); !ready) return ready.error();
   app->window_->setPaced(!app->scripted());
+  if (model.isLive()) model.feed().onNews([] { glfwPostEmptyEvent(); });
   model.study_waits = app->scripted();
   if (app->scripted()) model.findings_wanted = false;  // until the script asks
   ViewerStatus& status = app->status_;

@@ -94,8 +94,8 @@ Status PartingStudy::Impl::look(const std::stop_token& stop) {
 
 PartingStudy::PartingStudy(const Cell& cell, std::filesystem::path shown,
                            std::filesystem::path beside, EventAlignment alignment)
-    : impl_(std::make_unique<Impl>(cell, std::move(shown), std::move(beside),
-                                   std::move(alignment))) {
+    : impl_(
+          std::make_unique<Impl>(cell, std::move(shown), std::move(beside), std::move(alignment))) {
   Impl& my = *impl_;
   my.thread = std::jthread([&my](const std::stop_token& stop) {
     lowerPriority();
@@ -113,9 +113,7 @@ std::vector<Parting> PartingStudy::found() const {
   return impl_->found;
 }
 
-std::string PartingStudy::fault() const {
-  return impl_->finished ? impl_->fault : std::string();
-}
+std::string PartingStudy::fault() const { return impl_->finished ? impl_->fault : std::string(); }
 
 std::optional<LogTime> PartingStudy::beside(LogTime moment, bool after) const {
   const std::lock_guard lock(impl_->mutex);

@@ -13,7 +13,7 @@ namespace rocinante {
 
 /// A time during which devices of two sessions are apart, in the shown session's time.
 struct Parting {
-  LogTime from{}, until{};  ///< the first and the last moment; they may be the same
+  LogTime from{}, until{};           ///< the first and the last moment; they may be the same
   std::vector<std::string> devices;  ///< those that are apart somewhere in it, sorted
   bool operator==(const Parting&) const = default;
 };

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <chrono>
 #include <functional>
 #include <string>
@@ -25,6 +26,30 @@ Endpoint freeEndpoint() {
   Endpoint endpoint = Endpoint::parse("127.0.0.1:1").value();
   endpoint.address.port = probe->boundAddress().port;
   return endpoint;
+}
+
+TEST(LiveFeed, WakesWhoWaitsForNews) {
+  const Endpoint endpoint = freeEndpoint();
+  auto feed = LiveFeed::start({endpoint});
+  ASSERT_TRUE(feed.ok()) << feed.error().text();
+  std::atomic<int> woken{0};
+  feed->onNews([&] { woken.fetch_add(1), woken.notify_all(); });
+  auto sender = UdpSender::open(endpoint);
+  ASSERT_TRUE(sender.ok());
+  const auto newest = std::make_unique<LiveSnapshot>();
+  while (feed->update(*newest)) continue;
+  for (std::uint64_t i = 1; i <= 3; ++i) {
+    const int before = woken;
+    ASSERT_TRUE(sender->send(bytesOf("RK1 me " + std::to_string(i) + " -\n")).ok());
+    while (newest->datagrams < i) {
+      if (!feed->update(*newest)) woken.wait(before);
+    }
+  }
+  feed->onNews({});
+  const int last = woken;
+  ASSERT_TRUE(sender->send(bytesOf("RK1 me 4 -\n")).ok());
+  while (newest->datagrams < 4) feed->update(*newest);
+  EXPECT_EQ(woken, last);
 }
 
 TEST(LiveFeed, FoldsWhatComesAndHandsItOverOnce) {
