@@ -35,6 +35,7 @@ constexpr std::array kVerbs{
     Verb{"check", "does this session still fit this model?"},
     Verb{"render", "draw frames of a cell and a log without a window"},
     Verb{"view", "the interactive viewer"},
+    Verb{"page", "one HTML file that shows a session in any browser"},
     Verb{"golden", "visual regression: frames against accepted pictures"},
     Verb{"self-test", "what works on this machine, and what to do: also `rocinante --self-test`"},
 };

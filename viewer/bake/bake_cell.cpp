@@ -147,6 +147,7 @@ Status readPictures(const BakedFile& file, const ReadSharing& sharing, Cell& cel
 
 Bytes bakeCell(const Cell& cell, const BakeOptions& options, const MoreSections& more) {
   BakedSharing sharing;
+  sharing.path_text = options.path_text;
   std::vector<std::pair<std::uint32_t, Bytes>> made;
   FieldWriter cell_fields(sharing);
   cell_fields(cell);

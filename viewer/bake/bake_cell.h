@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <utility>
@@ -20,6 +21,9 @@ struct BakeOptions {
   bool pictures = true;
   bool compressed = false;  ///< pictures as compressed PNGs: a fifth to a third, and slow to decode
   ParallelFor parallel;     ///< decodes pictures on several threads; may be empty
+  /// What a path is written as, different paths differently; empty: itself. Once the cell is baked
+  /// paths only name pictures.
+  std::function<std::string(const std::filesystem::path&)> path_text{};
 };
 
 /// Section ids from here on are the caller's own.

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -24,6 +25,8 @@ struct BakedSharing {
   PointerTable<Model> models;
   PointerTable<Mesh> meshes;
   PointerTable<Bytes> images;  ///< embedded in a mesh's file
+  /// What a path is written as; empty: itself.
+  std::function<std::string(const std::filesystem::path&)> path_text;
 };
 
 /// Writes values one after the other (docs/baked-cell.md, "Values"). What a struct consists of is
@@ -43,7 +46,9 @@ class FieldWriter {
  private:
   void put(bool value) { putNumber<std::uint8_t>(value ? 1 : 0); }
   void put(const std::string& text) { putText(text); }
-  void put(const std::filesystem::path& path) { putText(path.string()); }
+  void put(const std::filesystem::path& path) {
+    putText(sharing_.path_text ? sharing_.path_text(path) : path.string());
+  }
   void put(const Vec3& value) { (*this)(value.x, value.y, value.z); }
   void put(const glm::vec2& value) { (*this)(value.x, value.y); }
   void put(const glm::vec3& value) { (*this)(value.x, value.y, value.z); }

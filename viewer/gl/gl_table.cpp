@@ -1,6 +1,7 @@
 #include "viewer/gl/gl_table.h"
 
 #include <cstring>
+#include <string_view>
 
 namespace rocinante {
 
@@ -29,11 +30,20 @@ Result<GlTable> fillGlTable(const GlProcFinder& find) {
   GLint minor = 0;
   gl.GetIntegerv(GL_MAJOR_VERSION, &major);
   gl.GetIntegerv(GL_MINOR_VERSION, &minor);
-  if (major * 10 + minor < 33) {
+  const auto* const version = reinterpret_cast<const char*>(gl.GetString(GL_VERSION));
+  gl.is_embedded = version != nullptr && std::string_view(version).starts_with("OpenGL ES");
+  if (major * 10 + minor < (gl.is_embedded ? 30 : 33)) {
     return Error{ErrorKind::refused,
-                 "GL 3.3 is required, but this context is " + std::to_string(major) + "." +
+                 "GL 3.3 or OpenGL ES 3.0 is required, but this context is " +
+                     std::string(gl.is_embedded ? "ES " : "") + std::to_string(major) + "." +
                      std::to_string(minor),
                  {}};
+  }
+  if (gl.is_embedded) {
+    // Both are extensions there, whose functions are found only where they work.
+    gl.ClipControl = reinterpret_cast<PFNGLCLIPCONTROLPROC>(find("glClipControl"));
+    gl.clamps_depth = gl.hasExtension("GL_EXT_depth_clamp");
+    return gl;
   }
   // A driver may return addresses of unsupported functions, so check the feature first.
   if (major * 10 + minor >= 45 || gl.hasExtension("GL_ARB_clip_control")) {

@@ -101,8 +101,9 @@ using GlProcFinder = std::function<GlProc(const char* name)>;
   X(PFNGLVERTEXATTRIBPOINTERPROC, VertexAttribPointer)                       \
   X(PFNGLVIEWPORTPROC, Viewport)
 
-/// The functions of one GL 3.3 core context, named as in the specification without "gl":
-/// `gl.Clear(GL_COLOR_BUFFER_BIT)`. Valid while its context is current on the calling thread.
+/// The functions of one context of GL 3.3 core or of OpenGL ES 3.0 (WebGL 2), named as in the
+/// specification without "gl": `gl.Clear(GL_COLOR_BUFFER_BIT)`. Valid while its context is current
+/// on the calling thread.
 struct GlTable {
 #define ROCINANTE_GL_MEMBER(type, name) type name = nullptr;
   ROCINANTE_GL_FUNCTIONS(ROCINANTE_GL_MEMBER)
@@ -110,12 +111,16 @@ struct GlTable {
 
   /// Of GL 4.5 or ARB_clip_control; null when the driver has neither.
   PFNGLCLIPCONTROLPROC ClipControl = nullptr;
+  /// OpenGL ES: other first lines of shaders, and no copies into multisampled framebuffers.
+  bool is_embedded = false;
+  /// Has GL_DEPTH_CLAMP, as every GL 3.3.
+  bool clamps_depth = true;
 
   bool hasExtension(const char* name) const;
 };
 
 /// Requires a current context. refused, naming the first missing function or the version, when the
-/// context is older than 3.3.
+/// context is older than GL 3.3 or OpenGL ES 3.0.
 Result<GlTable> fillGlTable(const GlProcFinder& find);
 
 }  // namespace rocinante

@@ -8,9 +8,20 @@
 namespace rocinante {
 namespace {
 
+constexpr std::string_view kFirstLine = "#version 330 core\n";
+/// In its place for OpenGL ES, where precision has no default; the sources are the same.
+constexpr std::string_view kEmbeddedFirstLines =
+    "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n"
+    "precision highp usampler2D;\n";
+
 Result<GLuint> compile(const GlTable& gl, GLenum stage, std::string_view name,
                        std::string_view source) {
   const GLuint shader = gl.CreateShader(stage);
+  std::string embedded;
+  if (gl.is_embedded && source.starts_with(kFirstLine)) {
+    embedded = std::string(kEmbeddedFirstLines).append(source.substr(kFirstLine.size()));
+    source = embedded;
+  }
   const GLchar* text = source.data();
   const auto length = static_cast<GLint>(source.size());
   gl.ShaderSource(shader, 1, &text, &length);

@@ -10,6 +10,7 @@ namespace rocinante {
 /// A linked GLSL program. Its context must be current whenever it is used or destroyed.
 class ShaderProgram {
  public:
+  /// The sources begin with "#version 330 core" and a line end, also for contexts of OpenGL ES.
   /// refused with the compiler's message. `name` is used in messages.
   static Result<ShaderProgram> link(const GlTable& gl, std::string_view name,
                                     std::string_view vertex, std::string_view fragment);

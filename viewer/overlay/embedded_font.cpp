@@ -2,6 +2,21 @@
 
 // ROCINANTE_FONT_FILE is set by CMakeLists.txt. The assembler embeds the file: a C++ array would
 // take seconds to compile.
+#ifdef __wasm__
+asm(".section .rodata.rocinante_font,\"\",@\n"
+    ".globl rocinante_font_begin\n"
+    ".type rocinante_font_begin,@object\n"
+    "rocinante_font_begin:\n"
+    ".incbin \"" ROCINANTE_FONT_FILE
+    "\"\n"
+    ".Lrocinante_font_last:\n"
+    ".size rocinante_font_begin, .Lrocinante_font_last-rocinante_font_begin\n"
+    ".globl rocinante_font_end\n"
+    ".type rocinante_font_end,@object\n"
+    "rocinante_font_end:\n"
+    ".int8 0\n"
+    ".size rocinante_font_end, 1\n");
+#else
 asm(".section .rodata\n"
     ".balign 16\n"
     ".global rocinante_font_begin\n"
@@ -12,6 +27,7 @@ asm(".section .rodata\n"
     "rocinante_font_end:\n"
     ".byte 0\n"
     ".previous\n");
+#endif
 
 extern "C" {
 // Hidden, so that their distance is a link-time constant in a shared library too.

@@ -206,9 +206,9 @@ Result<ContactLookup> ContactMap::draw(std::size_t view, std::span<const DrawnSe
   gl_.Disable(GL_CULL_FACE);
   gl_.Disable(GL_POLYGON_OFFSET_FILL);
   gl_.ActiveTexture(GL_TEXTURE0);
-  if (camera.orthographic()) gl_.Enable(GL_DEPTH_CLAMP);
+  if (camera.orthographic() && gl_.clamps_depth) gl_.Enable(GL_DEPTH_CLAMP);
   drawDepths(map, sets, camera, ground_m);
-  gl_.Disable(GL_DEPTH_CLAMP);
+  if (gl_.clamps_depth) gl_.Disable(GL_DEPTH_CLAMP);
   gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   drawOpenness(map, camera);
   even(map);

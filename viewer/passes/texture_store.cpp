@@ -91,7 +91,10 @@ GLuint TextureStore::upload(Picture picture, Profile profile) {
   gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
   gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_REPEAT);
-  if (profile == Profile::fast && gl_.hasExtension("GL_EXT_texture_filter_anisotropic")) {
+  // Browsers' renderers differ most in this filter: without it a page looks as the reproducible
+  // profile does.
+  if (profile == Profile::fast && !gl_.is_embedded &&
+      gl_.hasExtension("GL_EXT_texture_filter_anisotropic")) {
     gl_.TexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY, 8.0F);
   }
   return name;

@@ -70,6 +70,8 @@ struct FrameMaker::Impl {
   void addPanel(LogTime time, const FoundFrame& found, Picture& picture);
   Status findRates(LogTime time, StateDamage& damage, FoundFrame& found);
   Result<const DetailRung*> prepareRung(int detail);
+  /// Draws all but the panel into `view`.
+  Status draw(const FrameRequest& request, const FoundFrame& found);
   Status prepareNumbers(const FrameRequest& request);
 
   Cell cell;
@@ -245,6 +247,15 @@ Result<const DetailRung*> FrameMaker::Impl::prepareRung(int detail) {
   return &rung;
 }
 
+Status FrameMaker::Impl::draw(const FrameRequest& request, const FoundFrame& found) {
+  Status ready =
+      view.prepare(renderer->gl(), request.width, request.height, request.samples, *found.rung);
+  if (!ready) return ready.error();
+  const auto drawn = view.draw(*renderer, found.shown());
+  if (!drawn) return drawn.error();
+  return {};
+}
+
 Status FrameMaker::Impl::prepareNumbers(const FrameRequest& request) {
   if (number_target && number_target->width() == request.width &&
       number_target->height() == request.height) {
@@ -262,12 +273,17 @@ FrameMaker::FrameMaker(FrameMaker&&) noexcept = default;
 FrameMaker& FrameMaker::operator=(FrameMaker&&) noexcept = default;
 
 Result<FrameMaker> FrameMaker::open(Cell cell, std::optional<Timeline> session, Profile profile) {
+  auto context = makeOffscreenContext(profile);
+  if (!context) return context.error();
+  return open(std::move(cell), std::move(session), profile, std::move(*context));
+}
+
+Result<FrameMaker> FrameMaker::open(Cell cell, std::optional<Timeline> session, Profile profile,
+                                    std::unique_ptr<RenderContext> context) {
   auto impl = std::make_unique<Impl>(std::move(cell), profile);
   impl->session = std::move(session);
   if (impl->session) impl->names.useLog(impl->session->log().name());
-  auto context = makeOffscreenContext(profile);
-  if (!context) return context.error();
-  impl->context = std::move(*context);
+  impl->context = std::move(context);
   auto renderer = Renderer::create(*impl->context, impl->cell, profile);
   if (!renderer) return renderer.error();
   impl->renderer = std::move(*renderer);
@@ -287,14 +303,21 @@ Result<Picture> FrameMaker::frame(const FrameRequest& request, StateDamage* dama
   Impl& my = *impl_;
   const auto found = my.find(request, damage);
   if (!found) return found.error();
-  Status ready = my.view.prepare(my.renderer->gl(), request.width, request.height, request.samples,
-                                 *found->rung);
-  if (!ready) return ready.error();
-  const auto drawn = my.view.draw(*my.renderer, found->shown());
-  if (!drawn) return drawn.error();
+  if (Status drawn = my.draw(request, *found); !drawn) return drawn.error();
   Picture picture = my.view.picture().read();
   if (request.panel) my.addPanel(request.time, *found, picture);
   return picture;
+}
+
+Status FrameMaker::show(const FrameRequest& request, StateDamage* damage) {
+  Impl& my = *impl_;
+  FrameRequest without_panel = request;
+  without_panel.panel = false;
+  const auto found = my.find(without_panel, damage);
+  if (!found) return found.error();
+  if (Status drawn = my.draw(request, *found); !drawn) return drawn.error();
+  my.view.picture().blitTo(0);
+  return {};
 }
 
 Result<IdentityFrame> FrameMaker::identity(const FrameRequest& request, StateDamage* damage) {

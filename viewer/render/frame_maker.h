@@ -8,6 +8,7 @@
 
 #include "core/cell/cell.h"
 #include "core/session/timeline.h"
+#include "viewer/gl/render_context.h"
 #include "viewer/gl/renderer_key.h"
 #include "viewer/picture/picture.h"
 #include "viewer/render/identity_frame.h"
@@ -53,6 +54,10 @@ class FrameMaker {
   /// pinned.
   static Result<FrameMaker> open(Cell cell, std::optional<Timeline> session, Profile profile);
 
+  /// The same with a context of the caller's own, current in this thread.
+  static Result<FrameMaker> open(Cell cell, std::optional<Timeline> session, Profile profile,
+                                 std::unique_ptr<RenderContext> context);
+
   ~FrameMaker();
   FrameMaker(FrameMaker&&) noexcept;
   FrameMaker& operator=(FrameMaker&&) noexcept;
@@ -67,6 +72,9 @@ class FrameMaker {
   /// includes every state that the picture depends on, also of trails and fitted cameras, and does
   /// not depend on the order of requests. The same holds for identity(), depth() and camera().
   Result<Picture> frame(const FrameRequest& request, StateDamage* damage = nullptr);
+  /// The same frame in the context's default framebuffer (a window's), from its bottom left, in
+  /// place of a picture in memory. The request's panel is ignored.
+  Status show(const FrameRequest& request, StateDamage* damage = nullptr);
   /// The device and link of each pixel, insets included. Ignores the request's samples and panel;
   /// only the geometry of its detail counts.
   Result<IdentityFrame> identity(const FrameRequest& request, StateDamage* damage = nullptr);

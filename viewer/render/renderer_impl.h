@@ -112,6 +112,7 @@ struct Renderer::Impl {
 /// Clamps depth for orthographic views: lines and grid beyond the depth range stay in front of or
 /// behind everything else.
 inline void setClamp(const GlTable& gl, bool clamp) {
+  if (!gl.clamps_depth) return;
   clamp ? gl.Enable(GL_DEPTH_CLAMP) : gl.Disable(GL_DEPTH_CLAMP);
 }
 

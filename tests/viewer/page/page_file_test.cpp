@@ -1,0 +1,103 @@
+#include "viewer/page/page_file.h"
+
+#include <gtest/gtest.h>
+
+#include "viewer/page/base64.h"
+
+namespace rocinante {
+namespace {
+
+Bytes bytesFrom(std::string_view text) {
+  const ByteView view = bytesOf(text);
+  return Bytes(view.begin(), view.end());
+}
+
+PageParts smallParts() {
+  PageParts parts;
+  parts.title = "session.mcap";
+  parts.viewer_script = "var rocinanteViewer = 1;  // </script><script>\n";
+  parts.viewer = bytesFrom(std::string("\0asm", 4) + std::string(200, 'w'));
+  parts.cell = bytesFrom("a baked cell");
+  parts.log = bytesFrom(std::string("\x89MCAP0\r\n", 8) + std::string(50, '\xFF'));
+  return parts;
+}
+
+TEST(PageFile, CarriesItsLogByteForByte) {
+  for (const std::size_t size : {0U, 1U, 2U, 3U, 4U, 1000U}) {
+    SCOPED_TRACE(size);
+    PageParts parts = smallParts();
+    parts.log.assign(size, std::byte{0xA5});
+    const auto log = logOfPage(pageOf(parts), "page.html");
+    ASSERT_TRUE(log.has_value()) << log.error().text();
+    EXPECT_EQ(*log, parts.log);
+  }
+}
+
+TEST(PageFile, IsTheSameForTheSameParts) { EXPECT_EQ(pageOf(smallParts()), pageOf(smallParts())); }
+
+TEST(PageFile, LoadsNothingAndSaysSo) {
+  const std::string page = pageOf(smallParts());
+  EXPECT_NE(page.find("default-src 'none'"), std::string::npos);
+  for (const char* const loads : {"http:", "https:", " src=", "@import", "url("}) {
+    EXPECT_EQ(page.find(loads), std::string::npos) << loads;
+  }
+}
+
+TEST(PageFile, ANameIsTextAndNothingElse) {
+  PageParts parts = smallParts();
+  parts.title = "</title><script>alert(\"1\")</script>{{data}}{{script}}";
+  const std::string page = pageOf(parts);
+  EXPECT_EQ(page.find("alert(\"1\")"), std::string::npos);
+  EXPECT_NE(page.find("&#123;&#123;data}}&#123;&#123;script}}</title>"), std::string::npos);
+  const auto log = logOfPage(page, "page.html");
+  ASSERT_TRUE(log.has_value()) << log.error().text();
+  EXPECT_EQ(*log, parts.log);
+}
+
+TEST(PageFile, NothingOfAPartEndsIt) {
+  const std::string page = pageOf(smallParts());
+  // Four parts and the page's own script.
+  std::size_t ends = 0;
+  for (std::size_t at = page.find("</script>"); at != std::string::npos;
+       at = page.find("</script>", at + 1)) {
+    ++ends;
+  }
+  EXPECT_EQ(ends, 5U);
+}
+
+TEST(PageFile, APageThatWasCutOrChangedGivesNoLog) {
+  const std::string page = pageOf(smallParts());
+  const std::size_t log_ends = page.find("</script>", page.find("id=\"rocinante-log\""));
+  for (std::size_t size = 0; size <= log_ends; ++size) {
+    const std::string cut = page.substr(0, size);
+    EXPECT_FALSE(logOfPage(cut, "page.html").has_value()) << size;
+  }
+  const std::size_t log_begins = page.find("id=\"rocinante-log\"");
+  for (std::size_t at = log_begins + 18; at < log_ends; ++at) {
+    std::string changed = page;
+    changed[at] = changed[at] == 'B' ? 'C' : 'B';
+    EXPECT_FALSE(logOfPage(changed, "page.html").has_value()) << at;
+  }
+}
+
+TEST(PageFile, OtherFilesAreRefusedByName) {
+  for (const char* const text : {"", "<!DOCTYPE html>\n<p>hello", "\x89MCAP0\r\n"}) {
+    const auto log = logOfPage(text, "some.html");
+    ASSERT_FALSE(log.has_value());
+    EXPECT_EQ(log.error().kind, ErrorKind::unsupported);
+    EXPECT_EQ(log.error().where, "some.html");
+  }
+}
+
+TEST(Base64, IsThatOfRfc4648) {
+  EXPECT_EQ(base64Of(bytesOf("")), "");
+  EXPECT_EQ(base64Of(bytesOf("f")), "Zg==");
+  EXPECT_EQ(base64Of(bytesOf("foobar")), "Zm9vYmFy");
+  EXPECT_EQ(bytesOfBase64("Zm9vYmFy"), bytesFrom("foobar"));
+  for (const char* const text : {"Zg", "Zg=", "Zh==", "Zg==\n", " Zg==", "Zm9v!", "="}) {
+    EXPECT_FALSE(bytesOfBase64(text).has_value()) << text;
+  }
+}
+
+}  // namespace
+}  // namespace rocinante

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/base/bytes.h"
+#include "core/base/result.h"
+
+namespace rocinante {
+
+/// What a page consists of (docs/page.md).
+struct PageParts {
+  std::string title;
+  std::string viewer_script;  ///< rocinante-viewer.js: emscripten's, which starts the next
+  Bytes viewer;               ///< rocinante-viewer.wasm
+  Bytes cell;                 ///< a baked cell (docs/baked-cell.md)
+  Bytes log;
+};
+
+/// One HTML file of them, which loads nothing else. The same parts give the same bytes. The log is
+/// in it byte for byte; the viewer and the cell are compressed.
+std::string pageOf(const PageParts& parts);
+
+/// The log that a page carries. unsupported when it is no page of ours; damaged when its log is cut
+/// or changed. Allocates no more than the page's size.
+Result<Bytes> logOfPage(std::string_view page, const std::string& name);
+
+}  // namespace rocinante

@@ -1,0 +1,142 @@
+#include "viewer/page/page_job.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "core/base/atomic_file.h"
+#include "core/base/data_file.h"
+#include "core/base/size_text.h"
+#include "core/bundle/cell_or_log.h"
+#include "core/cell/cell.h"
+#include "core/log/log_reader.h"
+#include "viewer/page/page_cell.h"
+#include "viewer/page/page_file.h"
+
+namespace rocinante {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kScriptName = "rocinante-viewer.js";
+constexpr const char* kViewerName = "rocinante-viewer.wasm";
+/// A page is held in memory several times while it is made.
+constexpr std::uint64_t kMostPageBytes = std::uint64_t{1} << 30U;
+
+Error noViewer(const std::string& why) {
+  return {ErrorKind::not_found,
+          "the viewer of pages is not there: build it with scripts/build_web, then name its folder "
+          "with --viewer DIR; " +
+              why,
+          {}};
+}
+
+Result<std::string> viewerFile(const PageJob& job, const char* name) {
+  if (job.viewer.empty()) {
+    const auto found = findDataFile(std::string("web/") + name);
+    if (!found) return noViewer(found.error().what);
+    return readFile(*found, kMostPageBytes);
+  }
+  auto content = readFile(job.viewer / name, kMostPageBytes);
+  if (!content) return noViewer(content.error().text());
+  return content;
+}
+
+Bytes ownedBytes(const std::string& text) {
+  const ByteView view = bytesOf(text);
+  return Bytes(view.begin(), view.end());
+}
+
+/// Reads every message once, so that damage is known before the page is given away.
+Status checkLog(const Bytes& bytes, const std::string& name, PageReport& report) {
+  auto reader = LogReader::openBytes(bytes, name);
+  if (!reader) return reader.error();
+  if (reader->summary().messages == 0) {
+    return Error{ErrorKind::unsupported, "the log has no messages: a page would show nothing",
+                 name};
+  }
+  while (true) {
+    const auto message = reader->next();
+    if (!message) return message.error();
+    if (!*message) break;
+  }
+  if (reader->damage().empty()) return {};
+  report.is_whole = false;
+  report.warnings.push_back(
+      fmt::format("the log is damaged in {} place{}; the page says so where it matters ({})",
+                  reader->damage().size(), reader->damage().size() == 1 ? "" : "s", name));
+  return {};
+}
+
+void noteFaults(const Cell& cell, PageReport& report) {
+  for (const Finding& fault : cell.faults) {
+    report.warnings.push_back(fault.text + (fault.file.empty() ? "" : " (" + fault.file + ")"));
+    if (fault.severity == Severity::error) report.is_whole = false;
+  }
+}
+
+}  // namespace
+
+Result<PageReport> makePage(const PageJob& job) {
+  if (Status may = mayWriteFile(job.output, job.overwrite); !may) return may.error();
+  PageReport report;
+  PageParts parts;
+  const auto log = readFile(job.log, kMostPageBytes);
+  if (!log) return log.error();
+  if (!isLog(job.log)) {
+    return Error{ErrorKind::unsupported,
+                 "is not a log; `rocinante log import` makes one of a bag, capture or table",
+                 job.log.string()};
+  }
+  parts.log = ownedBytes(*log);
+  if (Status read = checkLog(parts.log, job.log.string(), report); !read) return read.error();
+  auto script = viewerFile(job, kScriptName);
+  if (!script) return script.error();
+  parts.viewer_script = std::move(*script);
+  const auto viewer = viewerFile(job, kViewerName);
+  if (!viewer) return viewer.error();
+  parts.viewer = ownedBytes(*viewer);
+
+  CellOptions options;
+  static_cast<ModelSearch&>(options) = job;
+  options.parallel = job.parallel;
+  auto cell = loadCellOrLog(job.cell.empty() ? job.log : job.cell, options);
+  if (!cell && job.cell.empty() && cell.error().kind == ErrorKind::not_found) {
+    return Error{ErrorKind::not_found, "the log carries no cell: name one after it",
+                 job.log.string()};
+  }
+  if (!cell) return cell.error();
+  noteFaults(*cell, report);
+  parts.cell = pageCell(*cell, job.parallel);
+  parts.title = job.log.filename().string();
+  const std::string page = pageOf(parts);
+  report.page_bytes = page.size();
+  report.log_bytes = parts.log.size();
+  report.cell_bytes = parts.cell.size();
+  report.viewer_bytes = parts.viewer.size();
+  if (page.size() > job.most_bytes) {
+    return Error{
+        ErrorKind::unsupported,
+        fmt::format("the page would have {}, more than --size {}; the log alone has {}: "
+                    "cut it with `rocinante log cut`, or allow more",
+                    sizeText(page.size()), sizeText(job.most_bytes), sizeText(parts.log.size())),
+        job.output.string()};
+  }
+  if (Status written = writeFileWhole(job.output, bytesOf(page), job.overwrite); !written) {
+    return written.error();
+  }
+  return report;
+}
+
+Result<std::uint64_t> extractLog(const fs::path& page, const fs::path& output, bool overwrite) {
+  if (Status may = mayWriteFile(output, overwrite); !may) return may.error();
+  const auto text = readFile(page, kMostPageBytes);
+  if (!text) return text.error();
+  const auto log = logOfPage(*text, page.string());
+  if (!log) return log.error();
+  if (Status written = writeFileWhole(output, *log, overwrite); !written) return written.error();
+  return log->size();
+}
+
+}  // namespace rocinante

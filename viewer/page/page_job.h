@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/base/model_search.h"
+#include "core/base/parallel_for.h"
+#include "core/base/result.h"
+
+namespace rocinante {
+
+struct PageJob : ModelSearch {
+  std::filesystem::path log;
+  std::filesystem::path cell;  ///< empty: the one that the log carries
+  std::filesystem::path output;
+  std::filesystem::path
+      viewer;  ///< folder of what scripts/build_web made; empty: the installed one
+  std::uint64_t most_bytes = 0;  ///< of the page
+  bool overwrite = false;
+  ParallelFor parallel;
+};
+
+struct PageReport {
+  std::uint64_t page_bytes = 0, log_bytes = 0, cell_bytes = 0, viewer_bytes = 0;
+  std::vector<std::string> warnings;  ///< faults of the cell
+  bool is_whole = true;  ///< nothing of the cell is missing, nothing of the log damaged
+};
+
+/// Writes a page (docs/page.md). unsupported, with both sizes, when it would be larger than
+/// `most_bytes`; not_found, with what to do, without the viewer.
+Result<PageReport> makePage(const PageJob& job);
+
+/// Writes the log that a page carries, byte for byte. Returns its size.
+Result<std::uint64_t> extractLog(const std::filesystem::path& page,
+                                 const std::filesystem::path& output, bool overwrite);
+
+}  // namespace rocinante

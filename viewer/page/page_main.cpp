@@ -1,0 +1,80 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "core/base/size_text.h"
+#include "core/cli/program.h"
+#include "core/cli/search_options.h"
+#include "core/cli/worker_threads.h"
+#include "viewer/page/page_job.h"
+
+namespace {
+
+using namespace rocinante;
+
+constexpr const char* kExamples =
+    "  rocinante page session.mcap cell.toml -o session.html\n"
+    "  rocinante page session.mcap -o session.html          a log that carries its cell\n"
+    "  rocinante page session.mcap robot.urdf -o session.html --size 50MB\n"
+    "  rocinante page --extract session.html -o session.mcap\n";
+
+/// Faults shown; further ones are only counted.
+constexpr std::size_t kWarningsShown = 5;
+
+Result<cli::Exit> make(PageJob job) {
+  job.parallel = cli::workerThreads();
+  const auto report = makePage(job);
+  if (!report) return report.error();
+  for (std::size_t i = 0; i < report->warnings.size() && i < kWarningsShown; ++i) {
+    cli::warn(report->warnings[i]);
+  }
+  if (report->warnings.size() > kWarningsShown) {
+    cli::warn(fmt::format("... and {} more", report->warnings.size() - kWarningsShown));
+  }
+  cli::say(fmt::format("{}: {}, with a log of {}\n", job.output.string(),
+                       sizeText(report->page_bytes), sizeText(report->log_bytes)));
+  return report->is_whole ? cli::Exit::done : cli::Exit::no;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Makes one HTML file that shows a session in any browser, without a network.",
+               "rocinante-page");
+  PageJob job;
+  std::string page;
+  std::string most = "20MB";
+  app.add_option("LOG", job.log, "the session");
+  app.add_option("CELL", job.cell,
+                 "a .cell.toml, a .urdf or an .obj; without it, the cell that the log carries");
+  app.add_option("-o,--output", job.output, "the page; with --extract, the log")->required();
+  app.add_option("--size", most, "the largest page that is written")->capture_default_str();
+  app.add_option("--extract", page, "write the log that this page carries, byte for byte")
+      ->option_text("PAGE");
+  app.add_option("--viewer", job.viewer,
+                 "the folder of rocinante-viewer.js and .wasm, which scripts/build_web makes; "
+                 "without it, the installed one")
+      ->option_text("DIR");
+  app.add_flag("--force", job.overwrite, "replace an existing file");
+  cli::addSearchOptions(app, job);
+  return cli::run(app, argc, argv, kExamples, [&]() -> Result<cli::Exit> {
+    const cli::StopDeadline until_stopped("stopped");
+    if (!page.empty()) {
+      if (!job.log.empty()) {
+        return Error{ErrorKind::bad_argument, "--extract takes no LOG and no CELL", {}};
+      }
+      const auto bytes = extractLog(page, job.output, job.overwrite);
+      if (!bytes) return bytes.error();
+      cli::say(fmt::format("{}: {}\n", job.output.string(), sizeText(*bytes)));
+      return cli::Exit::done;
+    }
+    if (job.log.empty()) {
+      return Error{ErrorKind::bad_argument, "give a LOG, or --extract PAGE", {}};
+    }
+    const auto bytes = parseSize(most);
+    if (!bytes) return Error{bytes.error().kind, bytes.error().what, "--size"};
+    job.most_bytes = *bytes;
+    return make(std::move(job));
+  });
+}

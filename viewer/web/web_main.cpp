@@ -1,0 +1,86 @@
+// What a page calls (viewer/page/page.js). Text goes out as UTF-8 that is valid until the next
+// call; times are nanoseconds from the session's origin, which a JavaScript number holds exactly
+// for a hundred days.
+
+#include <emscripten.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "core/base/version.h"
+#include "core/report/json_text.h"
+#include "viewer/web/web_session.h"
+
+namespace {
+
+using namespace rocinante;
+
+std::optional<WebSession> session;
+std::string answer;
+
+const char* say(std::string text) {
+  answer = std::move(text);
+  return answer.c_str();
+}
+const char* say(const Status& status) { return say(status ? "" : status.error().text()); }
+/// JSON, or an object whose `error` says why there is none.
+const char* say(const Result<std::string>& json) {
+  if (json) return say(*json);
+  return say(
+      Json{{"error", json.error().text()}}.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+Bytes bytesAt(const std::uint8_t* at, std::size_t size) {
+  const auto* const first = reinterpret_cast<const std::byte*>(at);
+  return Bytes(first, first + size);
+}
+
+std::int64_t ns(double given) { return static_cast<std::int64_t>(given); }
+
+}  // namespace
+
+extern "C" {
+
+/// Empty, or what is wrong.
+EMSCRIPTEN_KEEPALIVE const char* rocinante_open(const std::uint8_t* cell, std::size_t cell_size,
+                                                const std::uint8_t* log, std::size_t log_size) {
+  session.reset();
+  auto opened = WebSession::open(bytesAt(cell, cell_size), bytesAt(log, log_size));
+  if (!opened) return say(opened.error().text());
+  session.emplace(std::move(*opened));
+  return say(std::string());
+}
+
+// The others require an open session.
+
+EMSCRIPTEN_KEEPALIVE const char* rocinante_about() { return say(session->aboutJson()); }
+EMSCRIPTEN_KEEPALIVE const char* rocinante_events() { return say(session->eventsJson()); }
+EMSCRIPTEN_KEEPALIVE const char* rocinante_devices(double at) {
+  return say(session->devicesJson(ns(at)));
+}
+EMSCRIPTEN_KEEPALIVE const char* rocinante_poses(double at) {
+  return say(session->posesJson(ns(at)));
+}
+EMSCRIPTEN_KEEPALIVE const char* rocinante_draw(double at, int width, int height, double scale) {
+  return say(session->draw(ns(at), width, height, scale));
+}
+EMSCRIPTEN_KEEPALIVE const char* rocinante_use_camera(const char* name) {
+  return say(session->useCamera(name));
+}
+EMSCRIPTEN_KEEPALIVE const char* rocinante_orbit(double at, double dx, double dy, int width,
+                                                 int height) {
+  return say(session->orbit(ns(at), dx, dy, width, height));
+}
+EMSCRIPTEN_KEEPALIVE const char* rocinante_pan(double at, double dx, double dy, int width,
+                                               int height) {
+  return say(session->pan(ns(at), dx, dy, width, height));
+}
+EMSCRIPTEN_KEEPALIVE const char* rocinante_zoom(double at, double steps, double right, double down,
+                                                int width, int height) {
+  return say(session->zoomAt(ns(at), steps, right, down, width, height));
+}
+EMSCRIPTEN_KEEPALIVE const char* rocinante_camera() { return say(session->camera()); }
+EMSCRIPTEN_KEEPALIVE const char* rocinante_warning() { return say(session->warning()); }
+EMSCRIPTEN_KEEPALIVE const char* rocinante_version() { return say(std::string(version())); }
+}

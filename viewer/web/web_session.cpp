@@ -1,0 +1,184 @@
+#include "viewer/web/web_session.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "core/bundle/baked_file.h"
+#include "core/report/json_text.h"
+#include "viewer/bake/bake_cell.h"
+#include "viewer/model/link_poses.h"
+#include "viewer/ui/panels/joint_rows.h"
+#include "viewer/view/camera_choice.h"
+#include "viewer/web/web_context.h"
+
+namespace rocinante {
+namespace {
+
+std::string text(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+Json jointJson(const JointRow& row) {
+  Json json;
+  json["name"] = row.name;
+  json["value"] = row.value;
+  json["kind"] = row.kind == ValueKind::angle    ? "angle"
+                 : row.kind == ValueKind::length ? "length"
+                                                 : "number";
+  json["said"] = row.said;
+  json["outside"] = row.outside();
+  return json;
+}
+
+}  // namespace
+
+Result<WebSession> WebSession::open(Bytes cell_bytes, Bytes log_bytes) {
+  const auto cell_file = std::make_shared<const Bytes>(std::move(cell_bytes));
+  const auto baked = BakedFile::parse(*cell_file, "the page's cell");
+  if (!baked) return baked.error();
+  auto cell = readBakedCell(*baked, cell_file);
+  if (!cell) return cell.error();
+  auto log = std::make_shared<const Bytes>(std::move(log_bytes));
+  auto reader = LogReader::openBytes(*log, "the page's log");
+  if (!reader) return reader.error();
+  auto context = makeWebContext();
+  if (!context) return context.error();
+  auto maker = FrameMaker::open(std::move(*cell), Timeline::of(std::move(*reader)), Profile::fast,
+                                std::move(*context));
+  if (!maker) return maker.error();
+  return WebSession(std::move(log), std::move(*maker));
+}
+
+LogTime WebSession::momentOf(std::int64_t ns) {
+  Timeline& session = *maker_.session();
+  return std::clamp(session.origin() + Nanoseconds(ns), session.start(), session.end());
+}
+
+void WebSession::note(const StateDamage& damage) {
+  warning_ = damage.empty() ? "" : damage.what() + " (" + damage.where() + ")";
+}
+
+Result<const SessionState*> WebSession::stateAt(std::int64_t ns) {
+  StateDamage damage;
+  auto state = maker_.session()->stateAt(momentOf(ns), &damage);
+  note(damage);
+  return state;
+}
+
+FrameRequest WebSession::requestAt(std::int64_t ns, int width, int height) {
+  FrameRequest request;
+  request.time = momentOf(ns);
+  request.camera = by_hand_ ? viewpointText(by_hand_->view()) : camera_;
+  request.width = width;
+  request.height = height;
+  return request;
+}
+
+std::string WebSession::aboutJson() {
+  Timeline& session = *maker_.session();
+  Json json;
+  json["start_ns"] = (session.start() - session.origin()).count();
+  json["end_ns"] = (session.end() - session.origin()).count();
+  json["cameras"] = Json::array();
+  for (const CellCamera& camera : maker_.cell().cameras) json["cameras"].push_back(camera.name);
+  for (const char* built_in : {"fit", "map"}) json["cameras"].push_back(built_in);
+  json["warnings"] = maker_.warnings();
+  return text(json);
+}
+
+std::string WebSession::eventsJson() {
+  Timeline& session = *maker_.session();
+  Json json = Json::array();
+  StateDamage damage;
+  const auto events = session.events(&damage);
+  if (!events) return "[]";
+  for (const Event& event : **events) {
+    Json one;
+    one["ns"] = (event.time - session.origin()).count();
+    one["text"] = event.text;
+    json.push_back(std::move(one));
+  }
+  return text(json);
+}
+
+Result<std::string> WebSession::devicesJson(std::int64_t ns) {
+  const auto state = stateAt(ns);
+  if (!state) return state.error();
+  const PosedScene scene = poseScene(maker_.cell(), **state);
+  Json json = Json::array();
+  for (const PosedDevice& device : scene.devices) {
+    Json one;
+    one["name"] = device.name;
+    one["visible"] = device.visible;
+    one["joints"] = Json::array();
+    const DeviceState* const said = (*state)->findDevice(device.name);
+    for (const JointRow& row : jointRows(*device.model, said, "")) {
+      one["joints"].push_back(jointJson(row));
+    }
+    json.push_back(std::move(one));
+  }
+  return text(json);
+}
+
+Result<std::string> WebSession::posesJson(std::int64_t ns) {
+  const auto state = stateAt(ns);
+  if (!state) return state.error();
+  return forwardKinematicsJson(linkPoses(maker_.cell(), **state));
+}
+
+Status WebSession::draw(std::int64_t ns, int width, int height, double scale) {
+  FrameRequest request = requestAt(ns, width, height);
+  request.scale = std::clamp(scale, kLeastScale, kLargestScale);
+  StateDamage damage;
+  Status shown = maker_.show(request, &damage);
+  note(damage);
+  return shown;
+}
+
+Status WebSession::useCamera(const std::string& name) {
+  FrameRequest request = requestAt(0, 640, 480);
+  request.camera = name;
+  if (name.starts_with('@')) {
+    const auto view = parseViewpoint(name);
+    if (!view) return view.error();
+  } else if (const auto view = maker_.camera(request); !view) {
+    return view.error();
+  }
+  camera_ = name;
+  by_hand_.reset();
+  return {};
+}
+
+Status WebSession::takeByHand(std::int64_t ns, int width, int height) {
+  if (by_hand_) return {};
+  const auto view = maker_.camera(requestAt(ns, width, height));
+  if (!view) return view.error();
+  by_hand_.emplace(*view);
+  return {};
+}
+
+Status WebSession::orbit(std::int64_t ns, double dx, double dy, int width, int height) {
+  if (Status taken = takeByHand(ns, width, height); !taken) return taken;
+  by_hand_->orbit(dx, dy, height);
+  return {};
+}
+
+Status WebSession::pan(std::int64_t ns, double dx, double dy, int width, int height) {
+  if (Status taken = takeByHand(ns, width, height); !taken) return taken;
+  by_hand_->pan(dx, dy, height);
+  return {};
+}
+
+Status WebSession::zoomAt(std::int64_t ns, double steps, double right, double down, int width,
+                          int height) {
+  if (Status taken = takeByHand(ns, width, height); !taken) return taken;
+  by_hand_->zoomAt(steps, right, down, height);
+  return {};
+}
+
+std::string WebSession::camera() const {
+  return by_hand_ ? viewpointText(by_hand_->view()) : camera_;
+}
+
+}  // namespace rocinante

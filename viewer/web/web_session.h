@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/bytes.h"
+#include "core/base/result.h"
+#include "viewer/render/frame_maker.h"
+#include "viewer/ui/model/turntable.h"
+
+namespace rocinante {
+
+/// A session in a page: a log and a baked cell in memory, and a camera that the mouse moves. The
+/// fold, the poses and the frames are those of the programs. One thread.
+class WebSession {
+ public:
+  /// Takes the bytes of a log and of a baked cell (docs/baked-cell.md), and the canvas. damaged,
+  /// with a sentence for the reader of the page, when either is.
+  static Result<WebSession> open(Bytes cell, Bytes log);
+
+  WebSession(WebSession&&) noexcept = default;
+  WebSession& operator=(WebSession&&) noexcept = default;
+
+  /// JSON: start_ns, end_ns (from the session's origin), cameras, devices.
+  std::string aboutJson();
+  /// JSON: events and marks, each with ns (from the origin) and text.
+  std::string eventsJson();
+  /// JSON: devices at that moment, each with its joints' names, values and kinds.
+  Result<std::string> devicesJson(std::int64_t ns);
+  /// What `rocinante model fk --json` prints for that moment.
+  Result<std::string> posesJson(std::int64_t ns);
+
+  /// Draws to the canvas, which has that size.
+  Status draw(std::int64_t ns, int width, int height, double scale);
+
+  /// A camera by its name, a viewpoint in numbers, or empty for the cell's first. From then on the
+  /// picture is the one of `rocinante render --camera`.
+  Status useCamera(const std::string& name);
+  /// Moves by hand from where the camera is at that moment; lengths in pixels of the canvas.
+  Status orbit(std::int64_t ns, double dx, double dy, int width, int height);
+  Status pan(std::int64_t ns, double dx, double dy, int width, int height);
+  Status zoomAt(std::int64_t ns, double steps, double right, double down, int width, int height);
+  /// The camera in use: its name, or the viewpoint in numbers once it was moved by hand.
+  std::string camera() const;
+
+  /// Why a picture or state may lack something: a damaged log. Empty when nothing is known of.
+  const std::string& warning() const { return warning_; }
+
+ private:
+  WebSession(std::shared_ptr<const Bytes> log, FrameMaker maker)
+      : log_(std::move(log)), maker_(std::move(maker)) {}
+
+  LogTime momentOf(std::int64_t ns);
+  FrameRequest requestAt(std::int64_t ns, int width, int height);
+  Result<const SessionState*> stateAt(std::int64_t ns);
+  Status takeByHand(std::int64_t ns, int width, int height);
+  void note(const StateDamage& damage);
+
+  std::shared_ptr<const Bytes> log_;  // the maker's timeline borrows it
+  FrameMaker maker_;
+  std::string camera_;
+  std::optional<Turntable> by_hand_;
+  std::string warning_;
+};
+
+}  // namespace rocinante
