@@ -22,6 +22,9 @@ namespace {
 /// Loose messages are grouped up to this size, so that a run is read like a chunk.
 constexpr std::uint64_t kLooseRunBytes = 1U << 20U;
 
+/// Of the file, between two calls of releasePages().
+constexpr std::uint64_t kWalkBeforeRelease = std::uint64_t{64} << 20U;
+
 /// Walks over one file. Every step either takes a record or reports why it cannot.
 class Walk {
  public:
@@ -47,9 +50,13 @@ class Walk {
   std::size_t settledSpans() const { return index_.spans.size(); }
   std::uint64_t position() const { return position_; }
 
-  LogIndex run() {
+  LogIndex run(const MappedFile* mapped = nullptr) {
+    std::uint64_t released = position_;
     while (position_ < file_.size() && !index_.closed) {
       if (!takeRecord()) skipDamage();
+      if (mapped == nullptr || position_ - released < kWalkBeforeRelease) continue;
+      mapped->releasePages();
+      released = position_;
     }
     endChunk(false);
     endLooseRun();
@@ -382,7 +389,7 @@ class Walk {
 
 }  // namespace
 
-LogIndex indexByWalking(ByteView file) { return Walk(file).run(); }
+LogIndex indexByWalking(ByteView file, const MappedFile* mapped) { return Walk(file).run(mapped); }
 
 struct GrowingIndex::Impl {
   std::optional<Walk> settled;

@@ -5,13 +5,14 @@
 
 #include "core/base/bytes.h"
 #include "core/log/log_index.h"
+#include "core/log/mapped_file.h"
 
 namespace rocinante {
 
 /// Builds the index by walking over the whole file, record by record. Expands chunks only when
 /// their message indexes are not sufficient. Continues after damage. The file must start with the
-/// magic.
-LogIndex indexByWalking(ByteView file);
+/// magic. `mapped`: whose bytes these are, if anybody's; its pages are released on the way.
+LogIndex indexByWalking(ByteView file, const MappedFile* mapped = nullptr);
 
 /// The same for a file that grows: each record that is complete is walked over once, and only the
 /// rest again. Not for sharing between threads.

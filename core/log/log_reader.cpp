@@ -80,7 +80,7 @@ struct LogReader::Impl {
       being_written = mapped.beingWritten();
       walkOn();
     } else {
-      index = indexByWalking(file);
+      index = indexByWalking(file, is_mapped ? &mapped : nullptr);
     }
     index.damage.insert(index.damage.begin(), summary_damage.begin(), summary_damage.end());
     useIndex();

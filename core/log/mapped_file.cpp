@@ -16,6 +16,9 @@ namespace {
 /// Address space costs nothing until it is used; few files grow longer.
 constexpr std::uint64_t kRoomBytes = std::uint64_t{256} << 30U;
 
+/// Whoever reads chunks accesses their heads in place, and the system pages in 64 KiB around each.
+constexpr std::uint64_t kReadBeforeRelease = std::uint64_t{64} << 20U;
+
 }  // namespace
 
 Result<MappedFile> MappedFile::open(const std::filesystem::path& path) {
@@ -120,7 +123,16 @@ bool MappedFile::whole() const {
          static_cast<std::uint64_t>(status.st_size) >= bytes_.size();
 }
 
+void MappedFile::releasePages() const {
+  if (mapped_bytes_ == 0) return;
+  ::madvise(const_cast<std::byte*>(bytes_.data()), bytes_.size(), MADV_DONTNEED);
+}
+
 bool MappedFile::read(std::uint64_t offset, std::span<std::byte> out) const {
+  if (read_bytes_.fetch_add(out.size(), std::memory_order_relaxed) > kReadBeforeRelease) {
+    read_bytes_.store(0, std::memory_order_relaxed);
+    releasePages();
+  }
   while (!out.empty()) {
     const ssize_t count = ::pread(file_, out.data(), out.size(), static_cast<off_t>(offset));
     if (count < 0 && errno == EINTR) continue;

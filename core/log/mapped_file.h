@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <filesystem>
 #include <span>
@@ -41,8 +42,12 @@ class MappedFile {
 
   /// False when the file has become shorter since it was opened.
   bool whole() const;
-  /// Copies bytes of the file; false when some are missing or cannot be read.
+  /// Copies bytes of the file; false when some are missing or cannot be read. Now and then it calls
+  /// releasePages(), so that reading a file of any size needs little memory. From any thread.
   bool read(std::uint64_t offset, std::span<std::byte> out) const;
+  /// Takes the pages that were accessed out of this process's memory. bytes() stays valid: what is
+  /// accessed again is paged in again. From any thread.
+  void releasePages() const;
 
  private:
   static Result<MappedFile> openWithRoom(const std::filesystem::path& path, std::uint64_t room);
@@ -51,6 +56,7 @@ class MappedFile {
   std::size_t mapped_bytes_ = 0;  ///< with the room behind the file's end
   std::string name_;
   int file_ = -1;
+  mutable std::atomic<std::uint64_t> read_bytes_{0};  ///< by read(), since pages were released
 };
 
 }  // namespace rocinante

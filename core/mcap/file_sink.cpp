@@ -159,7 +159,7 @@ class FileSink final : public ByteSink {
   }
 
   Error cannotWrite(int number) const {
-    return systemError("cannot write to the log", number, name_);
+    return systemError("cannot write to the file", number, name_);
   }
 
   Result<std::size_t> writeAt(std::uint64_t offset, ByteView bytes) {

@@ -102,6 +102,14 @@ void addDamage(std::string& out, const LogInfo& info) {
   }
 }
 
+/// Of ROS, as its recorders or converters wrote it.
+bool isBag(const LogInfo& info) {
+  return info.summary.profile != profile::kName &&
+         std::ranges::any_of(info.channels, [](const auto& each) {
+           return each.channel.encoding == "cdr" || each.channel.encoding == "ros1";
+         });
+}
+
 }  // namespace
 
 std::string logInfoText(const LogInfo& info) {
@@ -125,6 +133,11 @@ std::string logInfoText(const LogInfo& info) {
     out += fmt::format("; {} could be decoded", grouped(understood));
   }
   out += "\n";
+  if (understood == 0 && isBag(info)) {
+    out +=
+        "              `rocinante log import` makes packets of them; check, render and view take\n"
+        "              the bag as it is\n";
+  }
   if (info.events > 0) {
     out += fmt::format("  events      {}", grouped(info.events));
     if (info.marks > 0) out += fmt::format(", {} of them marks", grouped(info.marks));

@@ -231,6 +231,7 @@ Result<MessageExportReport> exportMessages(MomentWalk& session, const Cell* cell
   if (!notes) return notes.error();
   MessageExporter exporter(cell, format, out, options.shapes);
   std::map<std::string, std::uint64_t> unread;
+  std::uint64_t* last_unread = nullptr;  ///< of the topic of the message before
   const LogSummary& log = session.log().summary();
   std::uint64_t moments = 0;
   MomentVisitor visitor;
@@ -240,10 +241,14 @@ Result<MessageExportReport> exportMessages(MomentWalk& session, const Cell* cell
     if (options.raw && message.channel->captured()) {
       if (written = writeRaw(out, message); !written) return written;
     }
+    // What was decoded or imported directly follows the octets that it was made of.
+    if (last_unread != nullptr && message.channel->decoded()) --*last_unread;
+    last_unread = nullptr;
     if (packet != nullptr) {
       exporter.notice(*packet);
     } else if (!options.raw) {
-      ++unread[message.channel->topic];
+      last_unread = &unread[message.channel->topic];
+      ++*last_unread;
     }
     return {};
   };
@@ -259,6 +264,7 @@ Result<MessageExportReport> exportMessages(MomentWalk& session, const Cell* cell
   if (!done) return done.error();
   MessageExportReport report;
   for (const auto& [topic, count] : unread) {
+    if (count == 0) continue;
     report.gaps.push_back(fmt::format("{} of {} {} no packet, and {} left out (--raw keeps {})",
                                       countText(count, "datagram"), topic,
                                       count == 1 ? "holds" : "hold", count == 1 ? "is" : "are",

@@ -74,8 +74,9 @@ FlowAddresses addressesOf(const LogChannel& channel) {
   return flow;
 }
 
+/// Decoded packets were never sent.
 bool isTraffic(const LogChannel& channel) {
-  return channel.folded() && channel.topic != profile::kRestatedKeyframeTopic;
+  return channel.received() && channel.topic != profile::kRestatedKeyframeTopic;
 }
 
 }  // namespace

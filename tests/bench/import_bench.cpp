@@ -4,6 +4,7 @@
 // import_bench --memory GB [FOLDER]: imports a bag of that size (joint states, and pictures of 1 MB
 // that do not compress), and prints the most memory that the process ever had. Needs 2 GB of disk
 // for each.
+// import_bench --bag GB FILE: makes a bag of that size, half of it joint states (tests/memory/run).
 #include <fmt/format.h>
 #include <sys/resource.h>
 #include <time.h>
@@ -74,15 +75,23 @@ Bytes jointState(std::size_t i, std::int64_t time_ns) {
   return made.bytes;
 }
 
-/// Streamed to the file, with a picture of `picture_bytes` after every tenth message.
-void makeBag(const std::filesystem::path& path, std::size_t messages,
-             std::size_t picture_bytes = 0) {
+/// What a bag has beside its joint states, and how it is stored.
+struct BagShape {
+  std::size_t picture_bytes = 0;   ///< 0: no pictures
+  std::size_t picture_every = 10;  ///< joint states
+  bool compressed = true;
+};
+
+/// Streamed to the file.
+void makeBag(const std::filesystem::path& path, std::size_t messages, const BagShape& shape = {}) {
   Result<NewLogFile> file = NewLogFile::make(path, true);
-  Result<mcap::Writer> writer = mcap::Writer::start(file->takeSink(), {}, {"ros2", "bench"});
+  mcap::WriterOptions options;
+  if (!shape.compressed) options.zstd_level.reset();
+  Result<mcap::Writer> writer = mcap::Writer::start(file->takeSink(), options, {"ros2", "bench"});
   writer->addSchema({1, "sensor_msgs/msg/JointState", "ros2msg", {}});
   writer->addChannel({0, 1, "/joint_states", "cdr", {}});
-  if (picture_bytes > 0) writer->addChannel({1, 0, "/camera", "cdr", {}});
-  Bytes picture(picture_bytes);
+  if (shape.picture_bytes > 0) writer->addChannel({1, 0, "/camera", "cdr", {}});
+  Bytes picture(shape.picture_bytes);
   std::mt19937_64 random(1);
   for (std::size_t i = 0; i < messages; ++i) {
     const auto time = static_cast<std::int64_t>(1'770'091'506'000'000'000 + i * 2'000'000);
@@ -93,7 +102,7 @@ void makeBag(const std::filesystem::path& path, std::size_t messages,
     message.publish_time = static_cast<std::uint64_t>(time);
     message.data = payload;
     (void)writer->write(message);
-    if (picture_bytes == 0 || i % 10 != 9) continue;
+    if (picture.empty() || (i + 1) % shape.picture_every != 0) continue;
     for (std::size_t at = 0; at + 8 <= picture.size(); at += 8) {
       const std::uint64_t bits = random();
       std::memcpy(picture.data() + at, &bits, sizeof bits);
@@ -176,11 +185,25 @@ double peakMegabytes() {
   return static_cast<double>(usage.ru_maxrss) * 1024 * 1e-6;
 }
 
+constexpr std::size_t kPictureBytes = 1'000'000;
+
+/// As many bytes of joint states, with what MCAP adds, as of pictures.
+int makeMixedBag(double gigabytes, const std::filesystem::path& bag) {
+  constexpr double kStateBytes = 360;
+  BagShape shape;
+  shape.picture_bytes = kPictureBytes;
+  shape.picture_every = static_cast<std::size_t>(kPictureBytes / kStateBytes);
+  shape.compressed = false;
+  makeBag(bag, static_cast<std::size_t>(gigabytes * 0.5e9 / kStateBytes), shape);
+  return std::filesystem::exists(bag) ? 0 : 2;
+}
+
 int measureMemory(double gigabytes, const std::filesystem::path& folder) {
-  constexpr std::size_t kPictureBytes = 1'000'000;
   const auto bag = folder / "import_bench_big.mcap";
   const auto out = folder / "import_bench_big_log.mcap";
-  makeBag(bag, static_cast<std::size_t>(gigabytes * 1e4), kPictureBytes);
+  BagShape shape;
+  shape.picture_bytes = kPictureBytes;
+  makeBag(bag, static_cast<std::size_t>(gigabytes * 1e4), shape);
   const double before = peakMegabytes();
   import(bag, out);
   fmt::print("bag {:.2f} GB, log {:.2f} GB; peak memory {:.0f} MB ({:.0f} MB before the import)\n",
@@ -197,6 +220,9 @@ int main(int argc, char** argv) {
   if (argc > 2 && std::string_view(argv[1]) == "--memory") {
     return measureMemory(std::strtod(argv[2], nullptr),
                          argc > 3 ? argv[3] : std::filesystem::temp_directory_path());
+  }
+  if (argc == 4 && std::string_view(argv[1]) == "--bag") {
+    return makeMixedBag(std::strtod(argv[2], nullptr), argv[3]);
   }
   const std::size_t messages = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 1'000'000;
   const std::filesystem::path folder = argc > 2 ? argv[2] : std::filesystem::temp_directory_path();

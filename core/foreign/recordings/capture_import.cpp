@@ -79,7 +79,12 @@ class CapturePump {
   Status run(const ros::ImportOptions& options) {
     while (!source_.ended() && !writer_.over()) {
       const auto batch = source_.receive();
-      if (!batch) return batch.error();
+      if (!batch) {
+        // What a capturing program that was killed left behind is imported as far as it goes.
+        if (read_ == 0 || batch.error().kind != ErrorKind::damaged) return batch.error();
+        cut_ = batch.error().what;
+        break;
+      }
       for (const ReceivedDatagram& datagram : *batch) keep(datagram);
       if (options.progress && read_ / kProgressDatagrams != told_) {
         told_ = read_ / kProgressDatagrams;
@@ -97,6 +102,7 @@ class CapturePump {
 
   std::uint64_t read() const { return read_; }
   std::uint64_t truncated() const { return truncated_; }
+  const std::string& cut() const { return cut_; }  ///< why the file ended early; else empty
 
  private:
   void keep(const ReceivedDatagram& datagram) {
@@ -135,6 +141,7 @@ class CapturePump {
   std::vector<EndpointLoss> losses_;
   std::vector<ClockStep> steps_;
   std::uint64_t read_ = 0, told_ = 0, truncated_ = 0;
+  std::string cut_;
 };
 
 void tellLeftOut(const InputCounts& counts, ros::ImportReport& report) {
@@ -184,6 +191,9 @@ Result<ros::ImportReport> importCapture(const std::filesystem::path& capture,
   report.start = tally->start.value_or(LogTime{});
   report.end = tally->end;
   report.bytes = tally->bytes;
+  if (!pump.cut().empty()) {
+    report.damage.push_back(pump.cut() + " (" + capture.string() + ")");
+  }
   if (pump.truncated() > 0) {
     report.damage.push_back(countText(pump.truncated(), "datagram") +
                             " shorter than sent: the capture cut them (" + capture.string() + ")");

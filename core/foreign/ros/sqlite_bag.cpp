@@ -89,6 +89,7 @@ class SqliteBag final : public BagReader {
 
   Status begin() {
     if (isCut(name_)) damage_.push_back("the file is shorter than its head says (" + name_ + ")");
+    if (Status tables = checkTables(); !tables) return tables;
     if (Status read = readTopics(); !read) return read;
     Result<Query> count = prepare("SELECT max(rowid) FROM messages");
     if (!count) return count.error();
@@ -151,6 +152,19 @@ class SqliteBag final : public BagReader {
     const int bytes = sqlite3_column_bytes(row, column);
     if (data == nullptr || bytes <= 0) return {};
     return {static_cast<const std::byte*>(data), static_cast<std::size_t>(bytes)};
+  }
+
+  /// A view can have rows without end.
+  Status checkTables() {
+    Result<Query> others = prepare(
+        "SELECT name FROM sqlite_master WHERE type <> 'table' AND "
+        "name COLLATE NOCASE IN ('topics', 'messages', 'message_definitions')");
+    if (!others) return others.error();
+    if (sqlite3_step(others->get()) != SQLITE_ROW) return {};
+    return Error{ErrorKind::damaged,
+                 "this SQLite file is not a ROS 2 bag: its " + plainText(textAt(others->get(), 0)) +
+                     " is not a table",
+                 name_};
   }
 
   Status readTopics() {

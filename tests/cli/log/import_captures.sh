@@ -16,3 +16,7 @@ for file in "$captures"/ouster/*.pcap "$captures"/navico_br24_radar/*.pcap; do
 done
 rocinante log import "$captures"/ouster/*.pcap "$captures"/navico_br24_radar/*.pcap -o all.mcap 2>&1 |
   sed "s#$captures/##" || echo "exit $?"
+# What a killed tcpdump left is imported as far as it goes.
+head -c 200000 "$captures"/ouster/*.pcap >cut.pcap
+rocinante log import cut.pcap -o cut.mcap 2>&1 | sed 's/early: .* (/early: ... (/' || echo "exit $?"
+rocinante log doctor cut.mcap | sed 's/, [0-9]* bytes//'

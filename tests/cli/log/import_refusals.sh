@@ -20,6 +20,10 @@ tables = {
     "no_messages": ["create table topics(id integer primary key, name, type, serialization_format)"],
     "empty": ["create table topics(id integer primary key, name, type, serialization_format)",
               "create table messages(id integer primary key, topic_id, timestamp, data)"],
+    # A view could have rows without end.
+    "view": ["create table topics(id integer primary key, name, type, serialization_format)",
+             "create view messages as with recursive n(x) as (select 1 union all select x + 1 from n) "
+             "select x as id, 1 as topic_id, x as timestamp, zeroblob(10) as data from n"],
     # Values of other types than rosbag2 writes.
     "odd": ["create table topics(id integer primary key, name, type, serialization_format)",
             "create table messages(id integer primary key, topic_id, timestamp, data)",
@@ -39,5 +43,5 @@ for name, commands in tables.items():
     base.commit()
     base.close()
 PY
-for name in no_topics no_column no_messages empty odd; do try $name.db3; done
+for name in no_topics no_column no_messages empty view odd; do try $name.db3; done
 ls *.mcap

@@ -171,7 +171,7 @@ TEST_P(DiskFault, AnyOneWriteThatFailsLeavesAWholeFileAndAnExactCount) {
       if (!outcome.begun) continue;
       ASSERT_FALSE(outcome.closed.ok());
       EXPECT_EQ(outcome.closed.error().text(),
-                "cannot write to the log: Input/output error (disk)");
+                "cannot write to the file: Input/output error (disk)");
       bool complete = false;
       EXPECT_EQ(storedIn(outcome.file, &complete) + outcome.refused, kMessages);
       // The disk works again, so only the last two are written: rocinante.end and the summary.
@@ -308,7 +308,7 @@ TEST(DiskFaults, AFileWhoseDiskGoesAwayKeepsWhatItHad) {
     }
     const Status closed = writer->close("finished");
     ASSERT_FALSE(closed.ok());
-    EXPECT_EQ(closed.error().text(), "cannot write to the log: Input/output error (disk)");
+    EXPECT_EQ(closed.error().text(), "cannot write to the file: Input/output error (disk)");
     std::uint64_t refused = 0;
     for (const auto& [id, count] : writer->refusedByDisk()) refused += count;
     const std::string text = *readFile(path);

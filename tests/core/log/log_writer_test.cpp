@@ -25,7 +25,8 @@ class FullSink final : public ByteSink {
     const std::size_t fits = std::min(bytes.size(), room_ - out_.size());
     out_.insert(out_.end(), bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(fits));
     if (fits == bytes.size()) return {};
-    return Error{ErrorKind::unreadable, "cannot write to the log: No space left on device", "full"};
+    return Error{ErrorKind::unreadable, "cannot write to the file: No space left on device",
+                 "full"};
   }
   Status truncate(std::uint64_t size) override {
     out_.resize(static_cast<std::size_t>(size));
@@ -96,7 +97,7 @@ TEST(LogWriter, OntoAFullDeviceFailsWithTheSystemsReason) {
   options.overwrite = true;
   const Result<LogWriter> writer = LogWriter::create("/dev/full", options, "s");
   ASSERT_FALSE(writer.ok());
-  EXPECT_EQ(writer.error().text(), "cannot write to the log: No space left on device (/dev/full)");
+  EXPECT_EQ(writer.error().text(), "cannot write to the file: No space left on device (/dev/full)");
 }
 
 TEST(LogWriter, RefusesAnExistingFileUnlessToldToOverwrite) {

@@ -74,10 +74,10 @@ class FaultySink final : public ByteSink {
     return now;
   }
   Error full() const {
-    return {ErrorKind::unreadable, "cannot write to the log: No space left on device", name_};
+    return {ErrorKind::unreadable, "cannot write to the file: No space left on device", name_};
   }
   Error disappeared() const {
-    return {ErrorKind::unreadable, "cannot write to the log: Input/output error", name_};
+    return {ErrorKind::unreadable, "cannot write to the file: Input/output error", name_};
   }
 
   Bytes& out_;

@@ -65,9 +65,9 @@ TEST(FileSink, FailsWithTheSystemsReason) {
   };
   SinkFile file(calls);
   EXPECT_EQ(file.sink->append(bytesOf("x")).error().text(),
-            "cannot write to the log: Input/output error (disk)");
+            "cannot write to the file: Input/output error (disk)");
   EXPECT_EQ(file.sink->overwriteAt(0, bytesOf("x")).error().text(),
-            "cannot write to the log: Input/output error (disk)");
+            "cannot write to the file: Input/output error (disk)");
 }
 
 TEST(FileSink, AWriteOfNothingIsAFullDisk) {
@@ -75,7 +75,7 @@ TEST(FileSink, AWriteOfNothingIsAFullDisk) {
   calls.pwrite = [](int, const void*, std::size_t, off_t) -> ssize_t { return 0; };
   SinkFile file(calls);
   EXPECT_EQ(file.sink->append(bytesOf("x")).error().text(),
-            "cannot write to the log: No space left on device (disk)");
+            "cannot write to the file: No space left on device (disk)");
 }
 
 TEST(FileSink, AFailedWritebackSyncOrCloseIsAnswered) {
@@ -147,7 +147,7 @@ TEST(FileSink, RoomThatIsNotThereIsSaidBeforeAnythingIsWritten) {
   };
   SinkFile file(calls);
   EXPECT_EQ(file.sink->reserve(1000).error().text(),
-            "cannot write to the log: No space left on device (disk)");
+            "cannot write to the file: No space left on device (disk)");
 }
 
 TEST(FileSink, TheLimitOnFileSizesCountsAsFull) {

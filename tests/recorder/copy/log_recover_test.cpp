@@ -217,7 +217,7 @@ class SmallDisk final : public ByteSink {
       : below_(std::move(below)), room_(room) {}
   Status append(ByteView bytes) override {
     if (bytes.size() > room_) {
-      return Error{ErrorKind::unreadable, "cannot write to the log: No space left", "disk"};
+      return Error{ErrorKind::unreadable, "cannot write to the file: No space left", "disk"};
     }
     room_ -= bytes.size();
     return below_->append(bytes);
