@@ -73,6 +73,7 @@ let playing = false;
 let speed = 1;
 let selected = "";
 let due = false;         // a frame was asked for
+let linkFault = "";      // what is wrong with the link, until another camera is chosen
 let lastTick = 0;
 // Since the page was opened, in the order in which they come.
 const stats = {frames: 0, scriptMs: performance.now(), startedMs: 0, openedMs: 0, firstPictureMs: 0};
@@ -123,7 +124,7 @@ function draw() {
   if (canvas.width !== width || canvas.height !== height) { canvas.width = width; canvas.height = height; }
   const fault = calls.draw(now, width, height, scale);
   const warning = calls.warning();
-  say(fault || warning, Boolean(fault));
+  say(fault || linkFault || warning, Boolean(fault || linkFault));
   element("time").textContent = seconds(now);
   if (document.activeElement !== element("scrub") || playing) element("scrub").value = String(now);
   showDevices();
@@ -167,16 +168,14 @@ function setLink() {
 }
 function useLink() {
   const words = new URLSearchParams(location.hash.slice(1));
-  let fault = "";
-  if (words.has("camera")) fault = calls.useCamera(words.get("camera"));
+  linkFault = words.has("camera") ? calls.useCamera(words.get("camera")) : "";
   if (words.has("select")) selected = words.get("select");
   if (words.has("t")) {
     const t = Number(words.get("t"));
     if (Number.isFinite(t)) now = clamped(t * 1e9);
-    else fault = "the link's t= is no number of seconds";
+    else linkFault = "the link's t= is not a number of seconds";
   }
   showCamera();
-  return fault;
 }
 function showCamera() {
   const name = calls.camera();
@@ -195,8 +194,7 @@ function showCamera() {
 }
 
 function chooseCamera(name) {
-  const fault = calls.useCamera(name);
-  if (fault) say(fault, true);
+  linkFault = calls.useCamera(name);
   showCamera();
   setLink();
   ask();
@@ -235,6 +233,7 @@ function listenToPointers() {
   });
   const end = (event) => {
     if (!fingers.delete(event.pointerId)) return;
+    linkFault = "";
     showCamera();
     setLink();
   };
@@ -314,12 +313,11 @@ try {
   listenToBar();
   listenToPointers();
   listenToKeys();
-  const unknown = useLink();
+  useLink();
   draw();
-  if (unknown) say(unknown, true);
   stats.firstPictureMs = performance.now();
   new ResizeObserver(ask).observe(canvas);
-  window.addEventListener("hashchange", () => { const wrong = useLink(); ask(); if (wrong) say(wrong, true); });
+  window.addEventListener("hashchange", () => { useLink(); ask(); });
   canvas.addEventListener("webglcontextlost", () => say("the browser has taken its WebGL 2 back: open the page again", true));
   setTimeout(showEvents, 0);
   // For tests, and for whoever looks from the console.

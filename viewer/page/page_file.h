@@ -8,7 +8,7 @@
 
 namespace rocinante {
 
-/// What a page consists of (docs/page.md).
+/// What a page consists of (docs/programs/page.md).
 struct PageParts {
   std::string title;
   std::string viewer_script;  ///< rocinante-viewer.js: emscripten's, which starts the next

@@ -28,7 +28,7 @@ struct PageReport {
   bool is_whole = true;  ///< nothing of the cell is missing, nothing of the log damaged
 };
 
-/// Writes a page (docs/page.md). unsupported, with both sizes, when it would be larger than
+/// Writes a page (docs/programs/page.md). unsupported, with both sizes, when it would be larger than
 /// `most_bytes`; not_found, with what to do, without the viewer.
 Result<PageReport> makePage(const PageJob& job);
 
