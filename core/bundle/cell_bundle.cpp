@@ -188,14 +188,18 @@ Status prove(const CellBundle& bundle, const Cell& cell, const ParallelFor& para
 
 }  // namespace
 
-Result<CellBundle> collectCell(const fs::path& path, CellOptions options) {
+Result<CellBundle> collectCell(const fs::path& path, CellOptions options, MissingMeshes missing) {
   FileLookups noted;
   options.lookups = &noted;
   options.answers = {};
   options.geometry = true;
   const auto cell = loadCell(path, options);
   if (!cell.ok()) return cell.error();
-  if (const Finding* const first = firstError(cell->faults)) return refusalOf(*cell, *first);
+  const auto refused = std::ranges::find_if(cell->faults, [&](const Finding& fault) {
+    return fault.severity == Severity::error &&
+           (missing == MissingMeshes::refused || fault.rule != "model.missing-file");
+  });
+  if (refused != cell->faults.end()) return refusalOf(*cell, *refused);
   const auto given = givenRoots(options);
   if (!given.ok()) return given.error();
 

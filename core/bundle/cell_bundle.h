@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -20,11 +21,15 @@ struct CellBundle {
   Findings warnings;            ///< missing parts that the cell can be drawn without
 };
 
+/// Whether a cell whose meshes are not found is collected. It is loaded, and drawn, without them.
+enum class MissingMeshes : std::uint8_t { refused, left_out };
+
 /// Loads the cell with `options` and collects every file that was read and the meaning of every
 /// name. Names hold no folder of this machine above the one that the files have in common. An error
 /// when the cell does not load without errors, when it is too large (bundle_manifest.h), or when
 /// the collected files do not load like the cell. options.lookups and options.answers are not used.
-Result<CellBundle> collectCell(const std::filesystem::path& path, CellOptions options);
+Result<CellBundle> collectCell(const std::filesystem::path& path, CellOptions options,
+                               MissingMeshes missing = MissingMeshes::refused);
 
 /// The first warnings as text, one per line, and the number of the rest.
 std::vector<std::string> bundleWarnings(const CellBundle& bundle);

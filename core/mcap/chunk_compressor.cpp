@@ -18,6 +18,11 @@ constexpr std::size_t kLeastToCompress = 1024;
 constexpr int kLowestLevel = 1;
 constexpr int kLowestHashLog = 12;
 
+void setLevel(ZSTD_CCtx* zstd, int level) {
+  ZSTD_CCtx_setParameter(zstd, ZSTD_c_compressionLevel, level);
+  if (level == kLowestLevel) ZSTD_CCtx_setParameter(zstd, ZSTD_c_hashLog, kLowestHashLog);
+}
+
 }  // namespace
 
 struct ChunkCompressor::Context {
@@ -31,10 +36,7 @@ struct ChunkCompressor::Context {
 };
 
 ChunkCompressor::ChunkCompressor(int zstd_level) : context_(std::make_unique<Context>()) {
-  ZSTD_CCtx_setParameter(context_->zstd, ZSTD_c_compressionLevel, zstd_level);
-  if (zstd_level == kLowestLevel) {
-    ZSTD_CCtx_setParameter(context_->zstd, ZSTD_c_hashLog, kLowestHashLog);
-  }
+  setLevel(context_->zstd, zstd_level);
 }
 ChunkCompressor::~ChunkCompressor() = default;
 ChunkCompressor::ChunkCompressor(ChunkCompressor&&) noexcept = default;
@@ -70,7 +72,7 @@ FrameStream& FrameStream::operator=(FrameStream&&) noexcept = default;
 void FrameStream::begin(int zstd_level, std::size_t frame_bytes) {
   ZSTD_CCtx* const zstd = context_->zstd;
   ZSTD_CCtx_reset(zstd, ZSTD_reset_session_and_parameters);
-  ZSTD_CCtx_setParameter(zstd, ZSTD_c_compressionLevel, zstd_level);
+  setLevel(zstd, zstd_level);
   // Without a given size, high levels use windows of 128 MiB, here and in every reader.
   const int window = std::clamp(static_cast<int>(std::bit_width(frame_bytes)), 17, 24);
   ZSTD_CCtx_setParameter(zstd, ZSTD_c_windowLog, window);

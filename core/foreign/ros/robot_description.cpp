@@ -56,15 +56,8 @@ Result<DescribedRobot> robotOf(std::string_view urdf, const ModelSearch& search)
   }
   DescribedRobot robot;
   robot.cell = std::move(*cell);
-  options.geometry = true;
-  Result<CellBundle> bundle = collectCell(*path, options);
-  if (!bundle) {
-    // Its kinematics alone: enough to pose it, and to compare it.
-    const std::string why = bundle.error().what;
-    options.geometry = false;
-    bundle = collectCell(*path, options);
-    if (bundle) robot.notes.push_back("the robot description is attached without meshes: " + why);
-  }
+  // Elsewhere a bag's packages are rarely found; without meshes it can still be posed and compared.
+  Result<CellBundle> bundle = collectCell(*path, options, MissingMeshes::left_out);
   if (bundle) {
     const auto missing = std::ranges::count_if(
         bundle->manifest.names,
