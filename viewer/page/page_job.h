@@ -28,8 +28,8 @@ struct PageReport {
   bool is_whole = true;  ///< nothing of the cell is missing, nothing of the log damaged
 };
 
-/// Writes a page (docs/programs/page.md). unsupported, with both sizes, when it would be larger than
-/// `most_bytes`; not_found, with what to do, without the viewer.
+/// Writes a page (docs/programs/page.md). unsupported, with both sizes, when it would be larger
+/// than `most_bytes`; not_found, with what to do, without the viewer.
 Result<PageReport> makePage(const PageJob& job);
 
 /// Writes the log that a page carries, byte for byte. Returns its size.
