@@ -267,6 +267,8 @@ Result<JudgedFrame> SuiteSession::judge(const SuiteFrame& frame) {
       judged.rule = std::move(*rule);
     }
   }
+  // For those who approve this picture without drawing it.
+  if (*case_areas && !isFine(judged.verdict)) judged.areas = areasPicture(made, **case_areas);
   keepWhatReportsNeed(judged);
   judged.judge_ms = now_ms_() - rendered;
   return judged;
