@@ -218,7 +218,7 @@ Result<Cell> readCell(ByteView bytes, const fs::path& path, const CellOptions& o
   layers.finish();
   for (const CellFile* file : files.inOrder()) {
     readInsets(*file->root, cell);
-    readClearances(*file->root, names, cell);
+    readClearances(*file->root, file->folder, names, meshes, cell);
   }
   CellMaterials materials;
   // Later files override earlier ones.

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/cell/cell_sections.h"
+#include "core/cell/disabled_collisions.h"
 #include "core/document/fault_list.h"
 
 namespace rocinante {
@@ -108,9 +109,42 @@ void readExceptions(TomlTable& table, const Cell& cell, CellClearance& clearance
   }
 }
 
+/// What SRDF files disable, as exceptions: of the file named by `srdf`, and of those beside URDF
+/// files.
+void readDisabledCollisions(TomlTable& table, const std::filesystem::path& folder, MeshStore& files,
+                            Cell& cell, CellClearance& clearance) {
+  const auto srdf = table.text("srdf");
+  if (!clearance.is_self) {
+    if (srdf) table.error("cell.missing-key", "srdf", "`srdf` needs `self`", "self = \"arm\"");
+    return;
+  }
+  std::filesystem::path named;
+  if (srdf) {
+    const FoundFile found = files.search().find(*srdf, folder);
+    if (found.path.empty()) {
+      table.error("cell.missing-file", "srdf",
+                  fmt::format("{} is not used: {}", quotedPathInFault(*srdf), found.problem()),
+                  found.hint());
+    }
+    named = found.path;
+  }
+  const auto beside = [&](const std::filesystem::path& file) {
+    std::optional<std::filesystem::path> there;
+    const std::string name = file.filename().string();
+    // Looked for first, so that only what is there is noted as a file of the cell.
+    if (!files.search().look(name, file.parent_path()).path.empty()) {
+      there = files.search().find(name, file.parent_path()).path;
+    }
+    return there;
+  };
+  exceptDisabledCollisions(cell, clearance, named, beside,
+                           [&](const std::filesystem::path& used) { files.addFile(used); });
+}
+
 }  // namespace
 
-void readClearances(TomlTable& root, CellNames& names, Cell& cell) {
+void readClearances(TomlTable& root, const std::filesystem::path& folder, CellNames& names,
+                    MeshStore& files, Cell& cell) {
   for (TomlTable& table : root.tables("clearance", "[[clearance]]")) {
     CellClearance clearance;
     const bool has_sides = readSides(table, cell, clearance);
@@ -133,6 +167,7 @@ void readClearances(TomlTable& root, CellNames& names, Cell& cell) {
       table.error("cell.bad-number", "min_m", fmt::format("`min_m` must be 0 to {}", kMaxLeast_m));
     }
     readExceptions(table, cell, clearance);
+    readDisabledCollisions(table, folder, files, cell, clearance);
     table.finish();
     if (!has_sides || !is_new || !least || !(*least >= 0 && *least <= kMaxLeast_m)) continue;
     if (cell.clearances.size() == kMaxClearances) {

@@ -59,12 +59,33 @@ void ClearanceGauge::arrange(const PosedScene& scene, const CellPlacement& place
   }
 }
 
-void ClearanceGauge::measure(const SessionState& state, std::vector<double>& distances_m) {
+CellPlacement ClearanceGauge::placed(const SessionState& state) {
   const PosedScene scene = poseScene(cell_, state);
-  const CellPlacement placement = placementOf(scene, state);
+  CellPlacement placement = placementOf(scene, state);
   if (!is_arranged_ || !sameStructure(placement, placement_)) arrange(scene, placement);
+  return placement;
+}
+
+void ClearanceGauge::measure(const SessionState& state, std::vector<double>& distances_m) {
+  const CellPlacement placement = placed(state);
   distances_m.clear();
   for (auto& [key, group] : groups_) distances_m.push_back(measure(group, placement));
+}
+
+std::vector<GapPlace> ClearanceGauge::places(const SessionState& state) {
+  const CellPlacement placement = placed(state);
+  std::vector<GapPlace> places;
+  for (auto& [key, group] : groups_) {
+    if (group.pairs.empty()) continue;
+    GapPlace place{std::get<0>(key), measure(group, placement), {}, {}};
+    // The nearest is always exact, so its points are those of now.
+    const Pair& pair = group.pairs[group.nearest];
+    const Mat4& world = placement.devices[pair.b.device].link_world[pair.b.link];
+    place.on_a = transformPoint(world, pair.known.on_a);
+    place.on_b = transformPoint(world, pair.known.on_b);
+    places.push_back(place);
+  }
+  return places;
 }
 
 double ClearanceGauge::measure(Group& group, const CellPlacement& placement) {

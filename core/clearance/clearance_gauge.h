@@ -21,6 +21,13 @@ struct ClearanceGap {
   std::string device_a, device_b;
 };
 
+/// Where the distance of such two is found.
+struct GapPlace {
+  std::size_t clearance = 0;  ///< into Cell::clearances
+  double distance_m = 0;
+  Vec3 on_a{}, on_b{};  ///< the nearest points, in the world
+};
+
 /// Measures the distance of every two devices that a cell's clearances name, in one state after
 /// another: the least of their links, exact (where ClearanceJudge only looks for the least of a
 /// session). A state like the one before is fast: what cannot have become the nearest is not
@@ -38,6 +45,8 @@ class ClearanceGauge {
   void notice(const SessionState& state);
   /// Measures: `distances_m` is then as long as gaps(), NaN where a device is not there.
   void measure(const SessionState& state, std::vector<double>& distances_m);
+  /// The same with the places: as gaps(), without those of which a device is not there.
+  std::vector<GapPlace> places(const SessionState& state);
 
   /// In order of clearances and names. New ones may come in between with every state.
   std::vector<ClearanceGap> gaps() const;
@@ -59,6 +68,7 @@ class ClearanceGauge {
     std::size_t nearest = 0;  ///< of the pairs, the last time
   };
 
+  CellPlacement placed(const SessionState& state);
   void arrange(const PosedScene& scene, const CellPlacement& placement);
   double measure(Group& group, const CellPlacement& placement);
   double measure(Pair& pair, const CellPlacement& placement, double best_m);

@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "golden/approval/folder_lock.h"
+#include "golden/store/folder_lock.h"
 
 namespace rocinante {
 namespace {

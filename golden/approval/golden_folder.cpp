@@ -45,6 +45,13 @@ Result<Picture> readOne(const std::filesystem::path& file, const std::string& pi
 
 }  // namespace
 
+Result<GoldenFolder> GoldenFolder::of(const Suite& suite) {
+  if (suite.store_ref.empty()) return GoldenFolder(suite.goldens, suite.store);
+  auto git = GitStore::open(suite.file.parent_path(), suite.store_ref);
+  if (!git.ok()) return git.error();
+  return GoldenFolder(suite.goldens, std::move(*git));
+}
+
 std::filesystem::path GoldenFolder::fileOf(const std::string& picture,
                                            const std::string& pixels) const {
   return isInStore(picture, pixels) ? store_ / picture : goldens_ / picture;
@@ -61,6 +68,9 @@ std::filesystem::path GoldenFolder::fileOf(const AcceptedRun& accepted) const {
 
 Status GoldenFolder::verify(const AcceptedRun& accepted) const {
   const std::string file = fileOf(accepted).string();
+  if (git_ && fileOf(accepted).parent_path() == store_) {
+    if (Status brought = git_->bring(accepted.log); !brought) return brought;
+  }
   const auto bytes = readFile(file, kMaxLogBytes);
   if (!bytes.ok()) {
     return Error{bytes.error().kind,
@@ -84,6 +94,7 @@ Status GoldenFolder::verify(const AcceptedRun& accepted) const {
 }
 
 bool GoldenFolder::has(const AcceptedPicture& accepted) const {
+  if (git_ && isInStore(accepted.picture, accepted.pixels)) return git_->has(accepted.picture);
   std::error_code ignored;
   return std::filesystem::exists(fileOf(accepted.picture, accepted.pixels), ignored) ||
          std::filesystem::exists(arrivingFile(accepted.picture), ignored);
@@ -91,6 +102,9 @@ bool GoldenFolder::has(const AcceptedPicture& accepted) const {
 
 Result<Picture> GoldenFolder::readVerified(const std::string& picture,
                                            const std::string& pixels) const {
+  if (git_ && isInStore(picture, pixels)) {
+    if (Status brought = git_->bring(picture); !brought) return brought.error();
+  }
   auto found = readOne(fileOf(picture, pixels), pixels);
   if (found.ok()) return found;
   // An approve was killed between writing the manifest and the last rename.

@@ -1,24 +1,35 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "core/base/result.h"
 #include "golden/approval/manifest.h"
+#include "golden/store/git_store.h"
+#include "golden/suite/suite.h"
 #include "viewer/picture/picture.h"
 
 namespace rocinante {
 
 /// Location of a suite's accepted pictures: beside the manifest, or in a store, which is a folder
-/// of pictures named by their pixel hash that several suites may share. docs/golden-suites.md.
+/// of pictures named by their pixel hash that several suites may share, or a ref of git.
+/// docs/golden-suites.md.
 class GoldenFolder {
  public:
   GoldenFolder(std::filesystem::path goldens, std::filesystem::path store)
       : goldens_(std::move(goldens)), store_(std::move(store)) {}
+  /// The store's files are those of a ref, brought when they are read.
+  GoldenFolder(std::filesystem::path goldens, GitStore git)
+      : goldens_(std::move(goldens)), store_(git.files()), git_(std::move(git)) {}
+  /// The folder of a suite. refused when its store is a ref and it is in no repository.
+  static Result<GoldenFolder> of(const Suite& suite);
 
   const std::filesystem::path& goldens() const { return goldens_; }
   const std::filesystem::path& store() const { return store_; }
   bool hasStore() const { return !store_.empty(); }
+  /// Null unless the store is a ref.
+  const GitStore* git() const { return git_ ? &*git_ : nullptr; }
 
   /// True for a picture named by its hash, when there is a store.
   bool isInStore(const std::string& picture, const std::string& pixels) const {
@@ -46,6 +57,7 @@ class GoldenFolder {
   Result<Picture> readVerified(const std::string& picture, const std::string& pixels) const;
 
   std::filesystem::path goldens_, store_;
+  std::optional<GitStore> git_;
 };
 
 }  // namespace rocinante

@@ -285,6 +285,22 @@ std::set<std::string> Manifest::files() const {
   return files;
 }
 
+std::set<std::string> Manifest::storeNames() const {
+  std::set<std::string> names;
+  for (const auto& [case_name, pictures] : cases) {
+    for (const AcceptedPicture& one : pictures) {
+      if (one.picture == one.pixels + ".png") names.insert(one.picture);
+      if (!one.areas.empty() && one.areas == one.areas_pixels + ".png") names.insert(one.areas);
+    }
+  }
+  for (const auto& [run_name, logs] : runs) {
+    for (const AcceptedRun& one : logs) {
+      if (one.log == one.session + ".mcap") names.insert(one.log);
+    }
+  }
+  return names;
+}
+
 const FileHashes* Manifest::cellNamed(const std::string& key) const {
   const auto found = cells.find(key);
   return found == cells.end() ? nullptr : &found->second;

@@ -83,6 +83,8 @@ struct Manifest {
   void accept(const std::string& case_name, AcceptedPicture accepted, bool beside = false);
   /// Names of all files used: pictures and areas.
   std::set<std::string> files() const;
+  /// Names of pictures, areas and logs that lie in a store: named by their hash.
+  std::set<std::string> storeNames() const;
   /// Names of the logs of all runs.
   std::set<std::string> runFiles() const;
   /// Removes cells that no picture or run uses and texts that no cell uses.

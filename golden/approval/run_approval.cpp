@@ -8,8 +8,8 @@
 #include "core/base/atomic_file.h"
 #include "core/base/hash.h"
 #include "core/log/log_reader.h"
-#include "golden/approval/folder_lock.h"
 #include "golden/approval/staging_folder.h"
+#include "golden/store/folder_lock.h"
 
 namespace rocinante {
 namespace {

@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "core/base/result.h"
-#include "golden/approval/folder_lock.h"
+#include "golden/store/folder_lock.h"
 
 namespace rocinante {
 

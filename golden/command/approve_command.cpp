@@ -13,6 +13,7 @@
 #include "golden/approval/approval.h"
 #include "golden/approval/approval_list.h"
 #include "golden/approval/run_approval.h"
+#include "golden/command/approve_artifact.h"
 #include "golden/why/frame_explainer.h"
 
 namespace rocinante {
@@ -253,13 +254,26 @@ CLI::App* addApproveCommand(CLI::App& app, ApproveArguments& arguments) {
       ->add_option("--from", arguments.from,
                    "only frames of this list whose pixels match it (as copied from the report)")
       ->type_name("LIST");
+  CLI::Option* const artifact =
+      command
+          ->add_option("--artifact", arguments.artifact,
+                       "take the pictures of this report of CI (a folder or ZIP file) instead of "
+                       "drawing")
+          ->type_name("DIR|ZIP")
+          ->needs("--from");
+  for (const char* of_drawing :
+       {"--log", "--only", "--tag", "--not-tag", "--shard", "--incomplete"}) {
+    artifact->excludes(command->get_option(of_drawing));
+  }
   command->add_flag("--also", arguments.also, "keep the pictures accepted so far");
-  command->add_flag("-i,--interactive", arguments.interactive, "ask about each frame");
+  command->add_flag("-i,--interactive", arguments.interactive, "ask about each frame")
+      ->excludes(artifact);
   CLI::Option* const run =
       command
           ->add_option("--run", arguments.run,
                        "add the log under test of this [[run]] to its accepted ones; draws nothing")
-          ->type_name("RUN");
+          ->type_name("RUN")
+          ->excludes(artifact);
   command->add_flag("--replace", arguments.replace, "with --run: instead of those accepted so far")
       ->needs(run);
   return command;
@@ -272,6 +286,7 @@ Result<cli::Exit> runApproveCommand(const ApproveArguments& arguments) {
   }
   auto list = listOf(arguments);
   if (!list.ok()) return list.error();
+  if (!arguments.artifact.empty()) return approveArtifact(arguments, **list);
   const auto options = suiteOptions(arguments.suite);
   if (!options.ok()) return options.error();
   auto session = SuiteSession::open(arguments.suite.suite, *options);

@@ -13,7 +13,8 @@ namespace rocinante {
 struct ApproveArguments {
   SuiteArguments suite;
   std::string message;
-  std::filesystem::path from;  ///< a list of approvals copied from the report
+  std::filesystem::path from;      ///< a list of approvals copied from the report
+  std::filesystem::path artifact;  ///< folder or ZIP file of a report: take its pictures
   bool interactive = false;
   std::string run;       ///< accept the log under test of this run instead of frames
   bool replace = false;  ///< of a run: instead of the logs accepted so far

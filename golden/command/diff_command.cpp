@@ -68,17 +68,19 @@ bool isOfGoldens(const GitRevision& revision, const std::filesystem::path& golde
   return now.ok() && !now->cases.empty();
 }
 
-/// The stores named by suites of the repository, by golden folder.
-Result<std::map<std::filesystem::path, std::filesystem::path>> storesIn(
-    const GitRevision& revision) {
+/// The golden folders of suites of the repository that have a store.
+Result<std::map<std::filesystem::path, GoldenFolder>> storesIn(const GitRevision& revision) {
   const auto files = revision.filesThatEndWith(".toml");
   if (!files.ok()) return files.error();
-  std::map<std::filesystem::path, std::filesystem::path> stores;
+  std::map<std::filesystem::path, GoldenFolder> stores;
   for (const std::filesystem::path& file : *files) {
     // Skip files that are not suites.
     const auto suite = readSuite(revision.root() / file);
-    if (!suite.ok() || suite->store.empty()) continue;
-    stores.emplace(std::filesystem::absolute(suite->goldens).lexically_normal(), suite->store);
+    if (!suite.ok()) continue;
+    auto golden_folder = GoldenFolder::of(*suite);
+    if (!golden_folder.ok() || !golden_folder->hasStore()) continue;
+    stores.emplace(std::filesystem::absolute(suite->goldens).lexically_normal(),
+                   std::move(*golden_folder));
   }
   return stores;
 }
@@ -98,7 +100,7 @@ Result<std::vector<JudgedFrame>> changesInRepository(const std::string& since) {
     const auto store = stores->find(folder);
     auto changes = changesIn(
         *revision,
-        GoldenFolder(folder, store == stores->end() ? std::filesystem::path() : store->second),
+        store == stores->end() ? GoldenFolder(folder, std::filesystem::path()) : store->second,
         since);
     if (!changes.ok()) return changes.error();
     for (JudgedFrame& judged : *changes) {
@@ -118,7 +120,9 @@ Result<std::vector<JudgedFrame>> allChanges(const DiffArguments& arguments) {
   if (!suite.ok()) return suite.error();
   const auto revision = GitRevision::open(arguments.suite.parent_path(), arguments.revision);
   if (!revision.ok()) return revision.error();
-  return changesIn(*revision, GoldenFolder(suite->goldens, suite->store), arguments.revision);
+  const auto folder = GoldenFolder::of(*suite);
+  if (!folder.ok()) return folder.error();
+  return changesIn(*revision, *folder, arguments.revision);
 }
 
 }  // namespace

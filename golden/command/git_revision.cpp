@@ -5,7 +5,7 @@
 #include <set>
 
 #include "core/base/plain_text.h"
-#include "golden/command/child_output.h"
+#include "golden/store/child_output.h"
 
 namespace rocinante {
 namespace {

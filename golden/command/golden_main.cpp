@@ -12,6 +12,7 @@
 #include "golden/command/report_command.h"
 #include "golden/command/run_command.h"
 #include "golden/command/session_command.h"
+#include "golden/command/store_command.h"
 #include "viewer/gl/context_option.h"
 #include "viewer/gl/renderer_key.h"
 
@@ -54,6 +55,11 @@ int goldenMain(int argc, char** argv) {
   SessionArguments session_arguments;
   CLI::App* session = addSessionCommand(app, session_arguments);
 
+  PushArguments push_arguments;
+  CLI::App* push = addPushCommand(app, push_arguments);
+  GcArguments gc_arguments;
+  CLI::App* gc = addGcCommand(app, gc_arguments);
+
   // Subcommands that draw.
   for (CLI::App* command : {run, approve, diff, bisect, session}) addContextOption(*command);
 
@@ -69,6 +75,8 @@ int goldenMain(int argc, char** argv) {
     if (report->parsed()) return runReportCommand(report_arguments);
     if (compare->parsed()) return runCompareCommand(compare_arguments);
     if (bisect->parsed()) return runBisectCommand(bisect_arguments);
+    if (push->parsed()) return runPushCommand(push_arguments);
+    if (gc->parsed()) return runGcCommand(gc_arguments);
     if (session->parsed()) return runSessionCommand(session_arguments);
     return cli::Exit::could_not_run;
   });

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <thread>
 #include <tuple>
 
@@ -142,6 +143,10 @@ Result<cli::Exit> runSuiteCommand(const RunArguments& arguments) {
     return explained.error();
   }
   if (!quiet) printWhy(report.frames);
+  if (!arguments.files.folder.empty() && std::ranges::any_of(report.frames, canApprove)) {
+    const auto cell = collectSessionCell(*session, *options);
+    if (cell.ok()) report.cell_files = hashesOf(*cell);
+  }
   if (auto written = writeReportFiles(report, arguments.files); !written) return written.error();
   if (!quiet) {
     printReportSummary(report);

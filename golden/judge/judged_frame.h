@@ -50,7 +50,9 @@ struct JudgedFrame {
   std::string decoded{};                  ///< its decoded_sha256; empty without decoded packets
   std::optional<AcceptedPicture> golden;  ///< the nearest accepted one
   std::optional<Picture> drawn, accepted;
-  std::optional<Picture> unmasked;      ///< drawn, with the golden's pixels where masks hide
+  std::optional<Picture> unmasked;  ///< drawn, with the golden's pixels where masks hide
+  /// areasPicture of the case's masks where the frame may become a golden; empty without masks.
+  std::optional<Picture> areas{};
   std::optional<Picture> thumbnail;     ///< small picture of a fine frame, for the report
   std::shared_ptr<const FrameWhy> why;  ///< set by FrameExplainer for failures
   /// Commands for this frame in a report of several suites.

@@ -104,6 +104,7 @@ class WireWriter {
     wire.item(judged.drawn);
     wire.item(judged.accepted);
     wire.item(judged.unmasked);
+    wire.item(judged.areas);
     wire.item(judged.thumbnail);
     wire.item(judged.render_ms);
     wire.item(judged.judge_ms);

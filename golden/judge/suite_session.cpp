@@ -106,7 +106,9 @@ Result<SuiteSession> SuiteSession::open(const std::filesystem::path& suite_file,
   auto manifest = Manifest::read(the_suite.goldens);
   if (!manifest.ok()) return manifest.error();
   made.manifest_ = std::move(*manifest);
-  made.folder_ = GoldenFolder(the_suite.goldens, the_suite.store);
+  auto folder = GoldenFolder::of(the_suite);
+  if (!folder.ok()) return folder.error();
+  made.folder_ = std::move(*folder);
   made.now_ms_ = options.now_ms;
 
   CellOptions cell_options;
@@ -265,6 +267,8 @@ Result<JudgedFrame> SuiteSession::judge(const SuiteFrame& frame) {
       judged.rule = std::move(*rule);
     }
   }
+  // For those who approve this picture without drawing it.
+  if (*case_areas && !isFine(judged.verdict)) judged.areas = areasPicture(made, **case_areas);
   keepWhatReportsNeed(judged);
   judged.judge_ms = now_ms_() - rendered;
   return judged;

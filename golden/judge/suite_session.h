@@ -79,7 +79,7 @@ class SuiteSession {
   Result<std::string> instability(const SuiteFrame& frame, const Picture& drawn);
 
  private:
-  SuiteSession() : folder_({}, {}) {}
+  SuiteSession() : folder_({}, std::filesystem::path()) {}
 
   std::unique_ptr<Suite> suite_;  // frames point into it
   Manifest manifest_;

@@ -72,6 +72,9 @@ Result<SuiteReport> mergeReports(std::vector<SuiteReport> parts) {
     merged.approve_one_command.clear();
     merged.approve_from_command.clear();
   }
+  for (const SuiteReport& part : parts) {
+    if (merged.cell_files.empty() && is_one_suite) merged.cell_files = part.cell_files;
+  }
   std::set<std::string> names;
   for (auto part = parts.begin(); part != parts.end();) {
     const std::string suite = part->suite;

@@ -54,6 +54,9 @@ std::string pagePicturesJson(const SuiteReport& report) {
     if (judged.unmasked && !isFine(judged.verdict)) {
       frame["compared"] = base64Text(encodePng(*judged.unmasked));
     }
+    if (judged.areas && canApprove(judged)) {
+      frame["areas"] = base64Text(encodePng(*judged.areas));
+    }
     if (!frame.empty()) frames[judged.frame.name] = std::move(frame);
   }
   return PagesJson{{"format", 1}, {"frames", std::move(frames)}}.dump() + "\n";
@@ -77,6 +80,7 @@ void addPagePictures(std::string_view json, SuiteReport& report) {
       return fits ? std::move(over) : std::nullopt;
     };
     judged.unmasked = pictureOver("compared");
+    judged.areas = pictureOver("areas");
     auto blame = pictureOver("blame");
     if (!judged.why || !blame) continue;
     auto why = std::make_shared<FrameWhy>(*judged.why);

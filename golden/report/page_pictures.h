@@ -9,8 +9,9 @@
 namespace rocinante {
 
 /// Pictures that only the page contains: small pictures of fine frames, attribution masks, and the
-/// compared frame where masks hide pixels. `golden report` merges pages with it: {"format": 1,
-/// "frames": {NAME: {"small": PNG, "blame": PNG, "compared": PNG}}}, PNG in base64.
+/// compared frame where masks hide pixels; and the areas of masks of frames that may be approved.
+/// `golden report` merges pages with it, `golden approve --artifact` approves: {"format": 1,
+/// "frames": {NAME: {"small": PNG, "blame": PNG, "compared": PNG, "areas": PNG}}}, in base64.
 inline constexpr char kPagePicturesFile[] = "page-pictures.json";
 std::string pagePicturesJson(const SuiteReport& report);
 /// Assigns them to the frames by name. Invalid entries are skipped, since no verdict depends on

@@ -171,6 +171,7 @@ std::string reportJson(const SuiteReport& report) {
   add("run_one_command", report.run_one_command);
   add("approve_one_command", report.approve_one_command);
   add("approve_from_command", report.approve_from_command);
+  if (!report.cell_files.empty()) root["cell_files"] = report.cell_files;
   if (report.shards > 1) root["shard"] = {{"number", report.shard}, {"of", report.shards}};
   root["notes"] = report.notes;
   root["frames"] = Json::array();

@@ -32,6 +32,8 @@ struct SuiteReport {
   std::string approve_from_command;
   /// Further lines about the environment: name and value.
   std::vector<std::pair<std::string, std::string>> environment;
+  /// Files of the cell, when some frame may be approved; empty: unknown.
+  FileHashes cell_files{};
   int shard = 1, shards = 1;  ///< of a sharded suite
   std::vector<std::string>
       notes;  ///< about the suite itself: idle masks, loose limits, stale goldens

@@ -57,6 +57,17 @@ std::optional<std::array<double, N>> numbersIn(const ReportJson& object, const c
   return numbers;
 }
 
+/// Skips what is no hash: hashes only explain failures and decide no verdict.
+FileHashes cellFilesOf(const ReportJson& root) {
+  FileHashes files;
+  const auto found = root.find("cell_files");
+  if (found == root.end() || !found->is_object()) return files;
+  for (const auto& [name, hash] : found->items()) {
+    if (hash.is_string() && hash.get_ref<const std::string&>().size() == 64) files[name] = hash;
+  }
+  return files;
+}
+
 /// The object in a field; empty when missing.
 ReportJson objectIn(const ReportJson& object, const char* key) {
   const auto found = object.find(key);
@@ -248,6 +259,7 @@ Result<SuiteReport> parseReport(std::string_view text, const std::filesystem::pa
   report.approve_one_command = fieldOf<std::string>(root, "approve_one_command");
   report.approve_from_command = fieldOf<std::string>(root, "approve_from_command");
   report.notes = textsOf(root, "notes");
+  report.cell_files = cellFilesOf(root);
   if (const auto shard = root.find("shard"); shard != root.end() && shard->is_object()) {
     report.shard = fieldOf<int>(*shard, "number", 1);
     report.shards = fieldOf<int>(*shard, "of", 1);

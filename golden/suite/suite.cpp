@@ -6,6 +6,7 @@
 #include <set>
 
 #include "core/base/atomic_file.h"
+#include "golden/store/git_store.h"
 #include "golden/suite/merge_conflict.h"
 #include "golden/suite/suite_case.h"
 #include "golden/suite/suite_table.h"
@@ -23,7 +24,18 @@ void readFiles(SuiteTable& root, Suite& suite) {
     root.complainHere("a suite needs a `cell`, or a `log` that carries one");
   }
   suite.goldens = folder / root.text("goldens").value_or("goldens");
-  if (const auto store = root.text("store")) suite.store = folder / *store;
+  const auto store = root.text("store");
+  if (!store) return;
+  if (!store->starts_with(kGitStorePrefix)) {
+    suite.store = folder / *store;
+    return;
+  }
+  auto ref = storeRef(*store);
+  if (ref.ok()) {
+    suite.store_ref = std::move(*ref);
+  } else {
+    root.complain(*root.node("store"), ref.error().what);
+  }
 }
 
 void readTolerances(SuiteTable& root, Suite& suite) {

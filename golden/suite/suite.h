@@ -70,6 +70,9 @@ struct Suite {
   std::filesystem::path goldens;             ///< folder of pictures with manifest.json
   /// Pictures named by their pixel hash, for goldens too large for the repository; empty: none.
   std::filesystem::path store;
+  /// "refs/goldens/files": the store is a ref of the repository's remote (GitStore); empty: it is
+  /// not.
+  std::string store_ref{};
   std::map<std::string, Tolerance, std::less<>> tolerances;  ///< [tolerance.NAME]
   std::vector<SuiteCase> cases;
   std::vector<SuiteRun> runs;

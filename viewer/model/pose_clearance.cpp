@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/base/plain_text.h"
+#include "core/cell/disabled_collisions.h"
 #include "core/check/judges/clearance_report.h"
 #include "core/cli/text_table.h"
 #include "core/report/json_text.h"
@@ -21,6 +22,7 @@ void addAll(Cell& cell) {
   within.name = "self";
   within.between = {"*", "*"};
   within.is_self = true;
+  exceptDisabledCollisions(cell, within, {}, srdfOnDisk, [](const std::filesystem::path&) {});
   cell.clearances = {apart, within};
 }
 

@@ -16,6 +16,7 @@ constexpr double kAxisWidthPx = 2.5;
 constexpr std::array<std::uint32_t, 3> kAxisColors{0xE8453BFF, 0x49B044FF, 0x3F86F0FF};
 constexpr std::uint32_t kAxisShade = 0x14181C90;
 constexpr std::uint32_t kMeasureInk = 0xFFD84AFF;
+constexpr std::uint32_t kKeptInk = 0x52C765FF, kViolatedInk = 0xFF5A4DFF;
 
 struct LinkSpace {
   Mat4 to_world{1.0};
@@ -41,6 +42,16 @@ void addAxes(Overlay& overlay, const LinkSpace& space, const Camera& camera) {
   std::ranges::stable_sort(axes, [](const Axis& a, const Axis& b) { return a.depth > b.depth; });
   for (const Axis& axis : axes) overlay.addLine({origin, axis.end}, kAxisShade, kAxisWidthPx + 2);
   for (const Axis& axis : axes) overlay.addLine({origin, axis.end}, axis.rgba, kAxisWidthPx);
+}
+
+/// A line with a dot at each end.
+void addSpan(Overlay& overlay, const Vec3& from, const Vec3& to, std::uint32_t ink) {
+  overlay.addLine({from, to}, kAxisShade, 4.5);
+  overlay.addLine({from, to}, ink, 2);
+  for (const Vec3& end : {from, to}) {
+    overlay.addPoint(end, kAxisShade, 9);
+    overlay.addPoint(end, ink, 6);
+  }
 }
 
 }  // namespace
@@ -69,6 +80,19 @@ void addLinkFrames(Overlay& overlay, const PosedScene& scene, const ViewChoice& 
   for (const LinkSpace& space : spaces) addAxes(overlay, space, camera);
 }
 
+void addClearances(Overlay& overlay, const std::vector<ClearanceLine>& lines, LengthUnit unit,
+                   const TextAtlas& atlas) {
+  // Those that are kept first, so that a violation covers them.
+  for (const bool is_kept : {true, false}) {
+    for (const ClearanceLine& line : lines) {
+      if (line.is_kept != is_kept) continue;
+      addSpan(overlay, line.from, line.to, is_kept ? kKeptInk : kViolatedInk);
+      overlay.addLabel(atlas, (line.from + line.to) * 0.5, is_kept ? kKeptInk : kViolatedInk,
+                       lengthText(line.distance_m, unit));
+    }
+  }
+}
+
 void addMeasures(Overlay& overlay, const PosedScene& scene, const RenderStyle& style,
                  const TextAtlas& atlas) {
   for (const MeasureStyle& measure : style.measures) {
@@ -77,12 +101,7 @@ void addMeasures(Overlay& overlay, const PosedScene& scene, const RenderStyle& s
     if (!from || !to) continue;
     const double length = lengthOf(*to - *from);
     if (!std::isfinite(length)) continue;
-    overlay.addLine({*from, *to}, kAxisShade, 4.5);
-    overlay.addLine({*from, *to}, kMeasureInk, 2);
-    for (const Vec3& end : {*from, *to}) {
-      overlay.addPoint(end, kAxisShade, 9);
-      overlay.addPoint(end, kMeasureInk, 6);
-    }
+    addSpan(overlay, *from, *to, kMeasureInk);
     // Picking has begun, and there is no second point yet.
     if (measure.from == measure.to) continue;
     overlay.addLabel(atlas, (*from + *to) * 0.5, kMeasureInk, lengthText(length, style.lengths));

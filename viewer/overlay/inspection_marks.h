@@ -2,6 +2,7 @@
 
 #include "core/cell/posed_scene.h"
 #include "viewer/overlay/overlay.h"
+#include "viewer/view/frame_extras.h"
 #include "viewer/view/render_style.h"
 #include "viewer/view/view_choice.h"
 
@@ -16,5 +17,10 @@ void addLinkFrames(Overlay& overlay, const PosedScene& scene, const ViewChoice& 
 /// length. Those with a missing device or link are left out.
 void addMeasures(Overlay& overlay, const PosedScene& scene, const RenderStyle& style,
                  const TextAtlas& atlas);
+
+/// Adds FrameExtras::clearances, over everything: a line between the nearest points with the
+/// distance, green where it is kept and red where not; a dot where two touch.
+void addClearances(Overlay& overlay, const std::vector<ClearanceLine>& lines, LengthUnit unit,
+                   const TextAtlas& atlas);
 
 }  // namespace rocinante

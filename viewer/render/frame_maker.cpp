@@ -15,6 +15,7 @@
 #include "viewer/render/scaled_view.h"
 #include "viewer/render/source_rates.h"
 #include "viewer/view/camera_choice.h"
+#include "viewer/view/clearance_lines.h"
 #include "viewer/view/inset_layout.h"
 #include "viewer/view/known_names.h"
 #include "viewer/view/limit_levels.h"
@@ -87,7 +88,8 @@ struct FrameMaker::Impl {
   std::optional<FittedCameras> fitted;
   Impl* fit_of = this;  // whose `fitted` is used
   std::optional<TrailFinder> trails;
-  std::optional<SourceRates> rates;  // made on first use
+  std::optional<SourceRates> rates;          // made on first use
+  std::optional<ClearanceGauge> clearances;  // the same
   ScaledView view;
   std::optional<FrameBuffer> number_target;  // one sample per pixel
 };
@@ -205,6 +207,10 @@ Result<FoundFrame> FrameMaker::Impl::findDamaged(const FrameRequest& request, St
   }
   found.scene = poses.pose(*found.state);
   if (request.style.limits) found.extras.limits = limitLevels(found.scene, *found.state);
+  if (request.style.clearance) {
+    if (!clearances) clearances.emplace(cell);
+    found.extras.clearances = clearanceLines(cell, *clearances, *found.state);
+  }
   if (beside) {
     Status added = beside->addGhosts(found.scene, request.time, damage);
     if (!added) return added.error();

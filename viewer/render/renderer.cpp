@@ -144,6 +144,8 @@ Overlay Renderer::Impl::onTopOf(const SceneFrame& frame, const Camera& camera,
   on_top.setOwner(0);
   addLinkFrames(on_top, *frame.scene, *frame.choice, style.frames, camera);
   addMeasures(on_top, *frame.scene, style, glyphs);
+  if (frame.extras != nullptr)
+    addClearances(on_top, frame.extras->clearances, style.lengths, glyphs);
   if (frame.choice->layerVisible("gnomon")) on_top.addGnomon(glyphs, raised_px);
   if (style.scale_bar) {
     const double metres_per_pixel = camera.metersPerPixel(camera.depthOf(view.target));

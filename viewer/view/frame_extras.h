@@ -28,12 +28,20 @@ struct Trail {
   std::vector<std::vector<Point>> runs;
 };
 
+/// The nearest points of two devices that the cell keeps apart, in the world.
+struct ClearanceLine {
+  Vec3 from{}, to{};
+  double distance_m = 0;
+  bool is_kept = true;  ///< not nearer than the cell's least distance
+};
+
 /// Data for some looks besides the scene, computed only from the state and the log, by
-/// limitLevels() and TrailFinder.
+/// limitLevels(), TrailFinder and clearanceLines().
 struct FrameExtras {
   /// By device of the scene and link of its model; empty: no tint.
   std::vector<std::vector<LimitLevel>> limits;
   std::vector<Trail> trails;
+  std::vector<ClearanceLine> clearances;
 };
 
 }  // namespace rocinante

@@ -22,6 +22,7 @@ constexpr std::array kKeys{
     StyleKey{"labels", "beside|apart", "apart: labels that do not cover each other"},
     StyleKey{"ghosts", "plain|clear", "clear: ghosts in one tone, behind the actual device"},
     StyleKey{"limits", "on|off", "links near a joint's limit amber, beyond it red"},
+    StyleKey{"clearance", "on|off", "distances of what the cell keeps apart, red where too near"},
     StyleKey{"scale-bar", "on|off", "a scale bar, true at the camera's target"},
     StyleKey{"layer-looks", "on|off", "off: ignore the cell's styles of layers"},
     StyleKey{"outlined", "PATH[#GROUP]", "an outline, also where the object is hidden", true},
@@ -174,6 +175,8 @@ Status setOne(RenderStyle& style, const StyleKey& key, std::string_view value) {
     fit = chooseSwitch(style.contact, value);
   } else if (name == "limits") {
     fit = chooseSwitch(style.limits, value);
+  } else if (name == "clearance") {
+    fit = chooseSwitch(style.clearance, value);
   } else if (name == "scale-bar") {
     fit = chooseSwitch(style.scale_bar, value);
   } else if (name == "lengths") {
@@ -233,6 +236,7 @@ std::vector<std::pair<std::string, std::string>> styleWords(const RenderStyle& s
   if (style.labels != plain.labels) say("labels", "apart");
   if (style.ghosts != plain.ghosts) say("ghosts", "clear");
   if (style.limits) say("limits", "on");
+  if (style.clearance) say("clearance", "on");
   if (style.scale_bar) say("scale-bar", "on");
   if (!style.layer_looks) say("layer-looks", "off");
   for (const std::string& path : style.outlined) say("outlined", path);

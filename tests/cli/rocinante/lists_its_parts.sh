@@ -7,7 +7,7 @@ state() { awk -v part="$1" '$1 == part { print $2 }' parts; }
 grep -vE '^(rocinante [0-9.]+|  [a-z0-9]+ +(on|off) +[^ ].*)$' parts || true
 grep -E '^  [a-z0-9]+ +off ' parts | grep -vE ': (built without .|switched off: ROCINANTE_|needs ROCINANTE_)' || true
 # A library with its version, where a part has one.
-grep -E '^  (window|openimageio|pcap|nats|lz4|sqlite|protobuf|sdf|osmesa) +on ' parts | grep -vE ': [A-Za-z0-9_]+ [0-9][0-9a-z.]*(, [A-Za-z0-9_]+ [0-9][0-9a-z.]*)*$' || true
+grep -E '^  (window|openimageio|pcap|nats|lz4|sqlite|zip|protobuf|sdf|osmesa) +on ' parts | grep -vE ': [A-Za-z0-9_]+ [0-9][0-9a-z.]*(, [A-Za-z0-9_]+ [0-9][0-9a-z.]*)*$' || true
 
 same() { [ "$(state "$1")" = "$2" ] || echo "$1 is listed as $(state "$1"), and is $2"; }
 there() { [ -e "$1" ] && echo on || echo off; }

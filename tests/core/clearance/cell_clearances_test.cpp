@@ -67,6 +67,59 @@ TEST_F(CellClearances, FaultsAreNamedAndTheTableIsLeftOut) {
   EXPECT_TRUE(read("[[clearance]]\nself = \"arm\"\nmin_m = -1\n").clearances.empty());
 }
 
+TEST_F(CellClearances, OfADeviceWithItselfTakeWhatSrdfDisables) {
+  const std::string arm =
+      "<robot name='arm'><link name='base'/><link name='a*'/><link name='tip'/>"
+      "<joint name='j' type='fixed'><parent link='base'/><child link='a*'/></joint>"
+      "<joint name='k' type='fixed'><parent link='base'/><child link='tip'/></joint></robot>";
+  const std::string beside =
+      "<robot name='arm'><group name='all'/>"
+      "<disable_collisions link1='base' link2='tip' reason='Never'/>"
+      "<disable_collisions link1='base' link2='tip'/>"
+      "<disable_collisions link1='base' link2='of another gripper'/></robot>";
+  const std::string named = "<robot><disable_collisions link1='tip' link2='a*'/></robot>";
+  test::writeFile(folder_ / "big.urdf", arm);
+  test::writeFile(folder_ / "big.srdf", beside);
+  test::writeFile(folder_ / "more.srdf", named);
+  const std::string device = "[[device]]\nname = \"big\"\nmodel = \"big.urdf\"\n";
+  const Cell cell = read(device +
+                         "[[clearance]]\nself = \"*\"\nmin_m = 0\nsrdf = \"more.srdf\"\n"
+                         "[[clearance]]\nself = \"big/base\"\nmin_m = 0\n"
+                         "[[clearance]]\nself = \"arm\"\nmin_m = 0\n"
+                         "[[clearance]]\nbetween = [\"big\", \"arm\"]\nmin_m = 0\n");
+  EXPECT_TRUE(cell.faults.empty());
+  ASSERT_EQ(cell.clearances.size(), 4U);
+  const std::vector<ClearancePatterns> both{{"big/tip", "big/a\\*"}, {"big/base", "big/tip"}};
+  EXPECT_EQ(cell.clearances[0].except, both);
+  EXPECT_EQ(cell.clearances[1].except, std::vector{both[1]});
+  EXPECT_TRUE(cell.clearances[2].except.empty());
+  EXPECT_TRUE(cell.clearances[3].except.empty());
+  // They are files of the cell, which are attached and hashed with it.
+  std::vector<std::string> files;
+  for (const auto& file : cell.files) files.push_back(file.filename().string());
+  EXPECT_EQ(files, (std::vector<std::string>{"arm.urdf", "big.srdf", "big.urdf", "cell.toml",
+                                             "more.srdf"}));
+}
+
+TEST_F(CellClearances, FaultsOfSrdfHaveTheirPlace) {
+  const std::string self = "self = \"arm\"\nmin_m = 1\nsrdf = \"x.srdf\"\n";
+  EXPECT_EQ(ruleOf(self), "cell.missing-file");
+  EXPECT_EQ(ruleOf("between = [\"arm\", \"*\"]\nmin_m = 1\nsrdf = \"x.srdf\"\n"),
+            "cell.missing-key");
+  const auto ruleOfSrdf = [&](const std::string& text) {
+    test::writeFile(folder_ / "x.srdf", text);
+    return ruleOf(self);
+  };
+  EXPECT_EQ(ruleOfSrdf(""), "urdf.xml");
+  EXPECT_EQ(ruleOfSrdf("<robot><disable_collisions"), "urdf.xml");
+  EXPECT_EQ(ruleOfSrdf("<sdf/>"), "urdf.no-robot");
+  EXPECT_EQ(ruleOfSrdf("<robot><disable_collisions link1='a'/></robot>"), "urdf.missing-attribute");
+  EXPECT_EQ(ruleOfSrdf("<robot/>"), "");
+  std::string many = "<robot>";
+  for (int i = 0; i <= 20'000; ++i) many += "<disable_collisions link1='base' link2='b'/>";
+  EXPECT_EQ(ruleOfSrdf(many + "</robot>"), "urdf.too-many");
+}
+
 TEST_F(CellClearances, OfOneNameCountOnce) {
   const std::string table = "[[clearance]]\nname = \"x\"\nself = \"arm\"\nmin_m = 1\n";
   const Cell cell = read(table + table);

@@ -107,6 +107,36 @@ TEST_F(ClearanceGaugeTest, MeasuresWhatBruteForceDoesInEveryState) {
   }
 }
 
+TEST_F(ClearanceGaugeTest, PlacesLieOnTheSurfaces) {
+  ClearanceGauge gauge(cell_);
+  std::vector<double> distances;
+  test::Random random(5);
+  for (int i = 0; i < 50; ++i) {
+    const Vec3 left = Vec3{2, 0, 0} + random.point(0.4), right = Vec3{-2, 1, 0} + random.point(0.4);
+    say(fmt::format("joints arm {} 0\npose left {} {} {} 0 0 0 1\npose right {} {} {} 0 0 0 1\n",
+                    0.1 * i, left.x, left.y, left.z, right.x, right.y, right.z));
+    // Some states are measured without asking for places.
+    gauge.measure(state_, distances);
+    if (i % 3 == 0) continue;
+    const std::vector<GapPlace> places = gauge.places(state_);
+    ASSERT_EQ(places.size(), distances.size());
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      EXPECT_EQ(places[k].distance_m, distances[k]);
+      EXPECT_EQ(places[k].clearance, gauge.gaps()[k].clearance);
+      if (distances[k] > 0) {
+        EXPECT_NEAR(lengthOf(places[k].on_a - places[k].on_b), distances[k], 1e-9);
+      }
+    }
+    // Of two boxes that are not turned, both ends are on their surfaces.
+    const Vec3 off = places.back().on_a - left;
+    EXPECT_NEAR(std::max({std::abs(off.x), std::abs(off.y), std::abs(off.z)}), 0.5, 1e-9);
+  }
+  say("add late late\npose late 0 0 5 0 0 0 1\n");
+  EXPECT_EQ(gauge.places(state_).size(), 4U);
+  say("remove late\n");
+  EXPECT_EQ(gauge.places(state_).size(), 3U) << "without what is not there";
+}
+
 TEST_F(ClearanceGaugeTest, WhatIsNotThereHasNoDistance) {
   ClearanceGauge gauge(cell_);
   std::vector<double> distances;

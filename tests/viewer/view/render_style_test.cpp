@@ -20,12 +20,26 @@ TEST(RenderStyle, SaysNothingByDefault) {
 }
 
 TEST(RenderStyle, ComesBackFromItsOwnWords) {
-  const RenderStyle style =
-      styleSaid({"shading=plain", "edges=only", "labels=apart", "ghosts=clear", "limits=on",
-                 "scale-bar", "layer-looks=off", "outlined=arm", "outlined=gantry/x", "wireframe=*",
-                 "transparent=hall@0.25", "collision=arm", "collision-over=layer/robots",
-                 "trail=arm/tool0@2.5s", "trail=gantry@250ms", "axes=arm", "axes=gantry/x",
-                 "measure=arm/tool0@0,0,0.1~gantry@1,2,3", "lengths=m"});
+  const RenderStyle style = styleSaid({"shading=plain",
+                                       "edges=only",
+                                       "labels=apart",
+                                       "ghosts=clear",
+                                       "limits=on",
+                                       "clearance",
+                                       "scale-bar",
+                                       "layer-looks=off",
+                                       "outlined=arm",
+                                       "outlined=gantry/x",
+                                       "wireframe=*",
+                                       "transparent=hall@0.25",
+                                       "collision=arm",
+                                       "collision-over=layer/robots",
+                                       "trail=arm/tool0@2.5s",
+                                       "trail=gantry@250ms",
+                                       "axes=arm",
+                                       "axes=gantry/x",
+                                       "measure=arm/tool0@0,0,0.1~gantry@1,2,3",
+                                       "lengths=m"});
   RenderStyle again;
   for (const auto& [key, value] : styleWords(style)) {
     ASSERT_TRUE(setStyle(again, key, value).has_value()) << key << "=" << value;

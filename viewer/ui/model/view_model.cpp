@@ -134,6 +134,11 @@ Result<bool> ViewModel::update(SteadyTime now) {
     follow();
     extras_.limits =
         style_.limits ? limitLevels(scene_, *state_) : std::vector<std::vector<LimitLevel>>();
+    extras_.clearances.clear();
+    if (style_.clearance) {
+      if (!clearances_) clearances_.emplace(*cell_);
+      extras_.clearances = clearanceLines(*cell_, *clearances_, *state_);
+    }
     // Checking thousands of devices for each frame would cost as much as posing them.
     if (!feed_ || !misfits_at_ || now - *misfits_at_ >= std::chrono::milliseconds(500)) {
       misfits_ = rocinante::misfits(*cell_, scene_, *state_);

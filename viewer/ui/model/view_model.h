@@ -30,6 +30,7 @@
 #include "viewer/ui/study/log_study.h"
 #include "viewer/ui/study/parting_study.h"
 #include "viewer/view/beside_session.h"
+#include "viewer/view/clearance_lines.h"
 #include "viewer/view/frame_extras.h"
 #include "viewer/view/known_names.h"
 #include "viewer/view/render_style.h"
@@ -268,6 +269,7 @@ class ViewModel {
   bool style_changed_ = false;
   bool looks_by_default_ = false;
   std::optional<TrailFinder> trail_finder_;
+  std::optional<ClearanceGauge> clearances_;  // made on first use
   FrameExtras extras_;
   std::vector<Misfit> misfits_;
   std::optional<SteadyTime> misfits_at_;

@@ -1,4 +1,4 @@
-#include "golden/command/child_output.h"
+#include "golden/store/child_output.h"
 
 #include <fcntl.h>
 #include <poll.h>

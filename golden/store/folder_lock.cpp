@@ -1,4 +1,4 @@
-#include "golden/approval/folder_lock.h"
+#include "golden/store/folder_lock.h"
 
 #include <fcntl.h>
 #include <sys/file.h>
