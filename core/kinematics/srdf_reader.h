@@ -10,8 +10,8 @@
 
 namespace rocinante {
 
-/// Most pairs of links of an SRDF file; more is refused. Its bytes and elements are bounded as those
-/// of URDF.
+/// Most pairs of links of an SRDF file; more is refused. Its bytes and elements are bounded as
+/// those of URDF.
 inline constexpr std::size_t kMaxSrdfPairs = 20'000;
 
 /// Names of two links that are not judged against each other.
