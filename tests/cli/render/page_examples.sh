@@ -1,6 +1,6 @@
 # Every example of docs/programs/render.md is taken as it stands, but small, and makes the files that it names.
 cp "$SRC"/examples/demo/*.* . && cp -r "$SRC/examples/demo/arm" "$SRC/examples/demo/textures" .
-mv demo.cell.toml cell.toml && cp arm.urdf panda.urdf
+mv demo.cell.toml cell.toml && cp arm.urdf panda.urdf && cp session.mcap today.mcap && cp session.mcap accepted.mcap
 mkdir bin && printf '#!/bin/sh\nfor last; do :; done\ncat >"${last#file:}"\n' >bin/ffmpeg && chmod +x bin/ffmpeg
 cat >run.py <<'PY'
 import os, re, shlex, subprocess
