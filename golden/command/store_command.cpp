@@ -11,10 +11,10 @@
 namespace rocinante {
 namespace {
 
-/// The store of a suite; bad_argument when it is no ref of git.
+/// The store of a suite; bad_argument when it is not a ref of git.
 Result<GitStore> storeOf(const Suite& suite) {
   if (suite.store_ref.empty()) {
-    return Error{ErrorKind::bad_argument, "its `store` is no ref of git, as git:refs/goldens",
+    return Error{ErrorKind::bad_argument, "its `store` is not a ref of git, as git:refs/goldens",
                  suite.file.string()};
   }
   return GitStore::open(suite.file.parent_path(), suite.store_ref);

@@ -102,8 +102,8 @@ inline constexpr int kMaxPushes = 20;
 void waitForOthers(int attempt);
 
 /// "refs/goldens/files" of "git:refs/goldens", since git refuses to push a ref of one word;
-/// "refs/a/b" of "git:refs/a/b". bad_argument, without a place, when it is no ref of its own below
-/// refs/ (a branch or tag would be checked out or fetched by everybody).
+/// "refs/a/b" of "git:refs/a/b". bad_argument, without a place, when it is not a ref of its own
+/// below refs/ (a branch or tag would be checked out or fetched by everybody).
 Result<std::string> storeRef(std::string_view store);
 inline constexpr std::string_view kGitStorePrefix = "git:";
 

@@ -1,4 +1,5 @@
-// Any bytes as SRDF: at most so many pairs, each with two names, and every fault can be printed.
+// Any bytes as SRDF: the number of pairs is bounded, each has two names, and every fault can be
+// printed.
 
 #include <cstdlib>
 #include <span>

@@ -21,7 +21,7 @@ struct PageParts {
 /// in it byte for byte; the viewer and the cell are compressed.
 std::string pageOf(const PageParts& parts);
 
-/// The log that a page carries. unsupported when it is no page of ours; damaged when its log is cut
+/// The log that a page carries. unsupported when it is not one of ours; damaged when its log is cut
 /// or changed. Allocates no more than the page's size.
 Result<Bytes> logOfPage(std::string_view page, const std::string& name);
 
