@@ -13,7 +13,8 @@ shown() {
 }
 
 # build_preset PRESET [TARGET...]: configures and builds, quietly unless it fails. With
-# ROCINANTE_WERROR=1 in the environment, as CI and developers have it, a warning fails it.
+# ROCINANTE_WERROR=1 in the environment, as CI and developers have it, a warning fails it. One at a
+# time in each folder: a second one waits, and builds what the first has not.
 build_preset() {
   local preset=$1
   shift
@@ -24,12 +25,17 @@ build_preset() {
   [ $# -gt 0 ] && targets=(--target "$@")
   local options=()
   [ "${ROCINANTE_WERROR:-0}" = 0 ] || options=(-DROCINANTE_WERROR=ON)
+  local lock
+  exec {lock}>"build/$preset.lock"
+  flock "$lock"
   if ! { cmake --preset "$preset" "${options[@]}" && cmake --build --preset "$preset" "${targets[@]}"; } 2>&1 |
     shown "$log" '^\[[0-9]+/[0-9]+\]'; then
     grep -E -A 12 'error|FAILED' "$log" | head -n 60 >&2 || true
     echo "build: $preset failed; all that it said is in $log" >&2
+    exec {lock}>&-
     return 2
   fi
+  exec {lock}>&-
   # Not what was switched off.
   sed -n 's/^-- rocinante: \(.*: built without \)/   \1/p' "$log"
   say "build: $preset in $((SECONDS - started)) s"
