@@ -115,8 +115,12 @@ Judged judgeOnce(const Cell& cell, const std::vector<std::filesystem::path>& log
   const double began = cpuSeconds();
   std::vector<SessionTrack> accepted;
   for (std::size_t i = 1; i < logs.size(); ++i) {
-    const std::string bytes = need(readFile(logs[i]));
-    accepted.push_back(need(cache.track(cell, logs[i], hexOf(xxh3(bytesOf(bytes))), kStep)));
+    Xxh3 hash;
+    need(readFileInParts(logs[i], std::uint64_t{1} << 40, [&](ByteView part, std::uint64_t) {
+      hash.add(part);
+      return Status{};
+    }));
+    accepted.push_back(need(cache.track(cell, logs[i], hexOf(hash.digest()), kStep)));
   }
   const double read = cpuSeconds();
   const SessionTrack session = need(trackSession(cell, logs[0], kStep));
