@@ -43,10 +43,11 @@ TEST(ReadFileInParts, StopsAtTheFirstRefusal) {
   const test::TemporaryFolder folder;
   ASSERT_TRUE(writeFileWhole(folder / "a", Bytes(600'000), false).ok());
   int parts = 0;
-  const Status read = readFileInParts(folder / "a", 1 << 20, [&](ByteView, std::uint64_t) -> Status {
-    ++parts;
-    return Error{ErrorKind::refused, "enough", {}};
-  });
+  const Status read =
+      readFileInParts(folder / "a", 1 << 20, [&](ByteView, std::uint64_t) -> Status {
+        ++parts;
+        return Error{ErrorKind::refused, "enough", {}};
+      });
   EXPECT_EQ(read.error().text(), "enough");
   EXPECT_EQ(parts, 1);
 }
