@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <utility>
@@ -12,6 +13,9 @@
 
 namespace rocinante {
 namespace {
+
+constexpr std::uint64_t kLeastPartBytes = 4096;
+constexpr std::uint64_t kMostPartBytes = 256 << 10;
 
 Error systemError(std::string what, const std::filesystem::path& path) {
   const int code = errno;
@@ -49,6 +53,18 @@ Status renameOver(const std::filesystem::path& beside, const std::filesystem::pa
 }  // namespace
 
 Result<std::string> readFile(const std::filesystem::path& path, std::uint64_t max_bytes) {
+  std::string content;
+  const Status read = readFileInParts(path, max_bytes, [&](ByteView part, std::uint64_t size) {
+    content.reserve(static_cast<std::size_t>(size));
+    content.append(reinterpret_cast<const char*>(part.data()), part.size());
+    return Status{};
+  });
+  if (!read) return read.error();
+  return content;
+}
+
+Status readFileInParts(const std::filesystem::path& path, std::uint64_t max_bytes,
+                       const std::function<Status(ByteView, std::uint64_t)>& take) {
   const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC)};
   if (file.number < 0) return systemError("cannot open", path);
   struct stat facts {};
@@ -56,26 +72,28 @@ Result<std::string> readFile(const std::filesystem::path& path, std::uint64_t ma
   if (S_ISDIR(facts.st_mode)) {
     return Error{ErrorKind::unreadable, "this is a folder, not a file", path.string()};
   }
-  if (static_cast<std::uint64_t>(facts.st_size) > max_bytes) {
+  const auto size = static_cast<std::uint64_t>(facts.st_size);
+  if (size > max_bytes) {
     return Error{ErrorKind::unsupported,
                  "the file is larger than the limit of " + std::to_string(max_bytes) + " bytes",
                  path.string()};
   }
-  std::string content;
-  content.reserve(static_cast<std::size_t>(facts.st_size));
-  char buffer[1 << 16];
+  Bytes part(std::clamp<std::uint64_t>(size + 1, kLeastPartBytes, kMostPartBytes));
+  std::uint64_t total = 0;
   while (true) {
-    const ssize_t got = ::read(file.number, buffer, sizeof buffer);
+    const ssize_t got = ::read(file.number, part.data(), part.size());
     if (got < 0) {
       if (errno == EINTR) continue;
       return systemError("cannot read", path);
     }
-    if (got == 0) return content;
-    content.append(buffer, static_cast<std::size_t>(got));
-    if (content.size() > max_bytes) {
+    if (got == 0) return {};
+    total += static_cast<std::uint64_t>(got);
+    if (total > max_bytes) {
       return Error{ErrorKind::unsupported, "the file grew too large while it was read",
                    path.string()};
     }
+    const ByteView taken = ByteView(part).first(static_cast<std::size_t>(got));
+    if (Status goes_on = take(taken, size); !goes_on) return goes_on;
   }
 }
 

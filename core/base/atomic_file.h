@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 
 #include "core/base/bytes.h"
@@ -11,6 +12,12 @@ namespace rocinante {
 /// Reads a whole file into memory: at most `max_bytes`, checked before anything is allocated.
 Result<std::string> readFile(const std::filesystem::path& path,
                              std::uint64_t max_bytes = std::uint64_t{1} << 31);
+
+/// Hands over a file in parts of at most 256 KiB, which are gone after the call: where all of it in
+/// memory at once would cost more than what is done with it. `size` is what the file had at
+/// opening. Stops at the first refusal of `take`, and returns it.
+Status readFileInParts(const std::filesystem::path& path, std::uint64_t max_bytes,
+                       const std::function<Status(ByteView part, std::uint64_t size)>& take);
 
 /// When the bytes must be on the disk: once writeFileWhole() returns, or, for many small files that
 /// can be regenerated, once syncFileSystem() does. Until then a reader sees the file whole, even if

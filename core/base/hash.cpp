@@ -5,6 +5,9 @@
 #include <xxhash.h>
 #include <zlib.h>
 
+#include <cstring>
+#include <new>
+
 namespace rocinante {
 
 std::uint32_t crc32(ByteView bytes, std::uint32_t previous) {
@@ -47,12 +50,42 @@ Sha256::Digest Sha256::finish() {
   return digest;
 }
 
-std::array<std::byte, 16> xxh3(ByteView bytes) {
+namespace {
+
+Xxh3::Digest canonicalOf(XXH128_hash_t hash) {
   XXH128_canonical_t canonical;
-  XXH128_canonicalFromHash(&canonical, XXH3_128bits(bytes.data(), bytes.size()));
-  std::array<std::byte, 16> digest;
+  XXH128_canonicalFromHash(&canonical, hash);
+  Xxh3::Digest digest;
   std::memcpy(digest.data(), canonical.digest, digest.size());
   return digest;
+}
+
+}  // namespace
+
+std::array<std::byte, 16> xxh3(ByteView bytes) {
+  return canonicalOf(XXH3_128bits(bytes.data(), bytes.size()));
+}
+
+namespace {
+
+/// Its size is the library's secret, which also aligns it.
+XXH3_state_t* libraryState(void* state) { return static_cast<XXH3_state_t*>(state); }
+
+}  // namespace
+
+Xxh3::Xxh3() : state_(reinterpret_cast<State*>(XXH3_createState())) {
+  if (!state_) throw std::bad_alloc();
+  XXH3_128bits_reset(libraryState(state_.get()));
+}
+
+void Xxh3::Free::operator()(State* state) const { XXH3_freeState(libraryState(state)); }
+
+void Xxh3::add(ByteView bytes) {
+  XXH3_128bits_update(libraryState(state_.get()), bytes.data(), bytes.size());
+}
+
+Xxh3::Digest Xxh3::digest() const {
+  return canonicalOf(XXH3_128bits_digest(libraryState(state_.get())));
 }
 
 std::string hexOf(ByteView bytes) {

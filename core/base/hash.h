@@ -41,6 +41,25 @@ class Sha256 {
 /// XXH3 with 128 bits, canonical (big-endian) form: for pictures and other hot paths.
 std::array<std::byte, 16> xxh3(ByteView bytes);
 
+/// The same, fed piece by piece.
+class Xxh3 {
+ public:
+  using Digest = std::array<std::byte, 16>;
+
+  Xxh3();
+
+  void add(ByteView bytes);
+  /// The digest of everything added; more may be added.
+  Digest digest() const;
+
+ private:
+  struct State;
+  struct Free {
+    void operator()(State* state) const;
+  };
+  std::unique_ptr<State, Free> state_;
+};
+
 /// Lower-case hexadecimal.
 std::string hexOf(ByteView bytes);
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "core/base/atomic_file.h"
 #include "core/base/hash.h"
 #include "viewer/picture/lfs_pointer.h"
@@ -71,21 +73,27 @@ Status GoldenFolder::verify(const AcceptedRun& accepted) const {
   if (git_ && fileOf(accepted).parent_path() == store_) {
     if (Status brought = git_->bring(accepted.log); !brought) return brought;
   }
-  const auto bytes = readFile(file, kMaxLogBytes);
-  if (!bytes.ok()) {
-    return Error{bytes.error().kind,
-                 bytes.error().kind == ErrorKind::not_found
+  Xxh3 hash;
+  bool is_first = true, is_pointer = false;
+  const Status read = readFileInParts(file, kMaxLogBytes, [&](ByteView part, std::uint64_t) {
+    if (std::exchange(is_first, false)) is_pointer = isLfsPointer(part);
+    hash.add(part);
+    return Status{};
+  });
+  if (!read) {
+    return Error{read.error().kind,
+                 read.error().kind == ErrorKind::not_found
                      ? fmt::format("accepted log {} is missing", file)
-                     : fmt::format("accepted log {} cannot be read: {}", file, bytes.error().what),
+                     : fmt::format("accepted log {} cannot be read: {}", file, read.error().what),
                  {}};
   }
-  if (isLfsPointer(bytesOf(*bytes))) {
+  if (is_pointer) {
     return Error{
         ErrorKind::unsupported,
         fmt::format("accepted log {} is a Git LFS pointer; `git lfs pull` fetches the log", file),
         {}};
   }
-  if (hexOf(xxh3(bytesOf(*bytes))) != accepted.bytes) {
+  if (hexOf(hash.digest()) != accepted.bytes) {
     return Error{ErrorKind::damaged,
                  fmt::format("accepted log {} is not the one that the manifest lists", file),
                  {}};

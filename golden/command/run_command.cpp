@@ -18,6 +18,7 @@
 #include "golden/why/explain_runs.h"
 #include "golden/why/frame_explainer.h"
 #include "golden/why/frame_why.h"
+#include "golden/why/run_pictures.h"
 
 namespace rocinante {
 namespace {
@@ -119,8 +120,9 @@ CLI::App* addRunCommand(CLI::App& app, RunArguments& arguments) {
 }
 
 Result<cli::Exit> runSuiteCommand(const RunArguments& arguments) {
-  const auto options = suiteOptions(arguments.suite);
+  auto options = suiteOptions(arguments.suite);
   if (!options.ok()) return options.error();
+  options->run_pictures = !arguments.files.folder.empty();
   auto session = SuiteSession::open(arguments.suite.suite, *options);
   if (!session.ok()) return session.error();
   warnOfModelFaults(session->cell());
@@ -133,6 +135,9 @@ Result<cli::Exit> runSuiteCommand(const RunArguments& arguments) {
   if (!runs.ok()) return runs.error();
   report.runs = std::move(*runs);
   explainRuns(*session, *options, report.runs);
+  if (!arguments.files.folder.empty()) {
+    for (JudgedRun& run : report.runs) drawRunPictures(*session, run);
+  }
   if (!quiet) {
     for (const JudgedRun& run : report.runs) fmt::print("{}", runText(run));
   }

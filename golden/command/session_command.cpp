@@ -7,7 +7,6 @@
 #include <iostream>
 #include <tuple>
 
-#include "core/base/duration_text.h"
 #include "core/cli/search_options.h"
 #include "golden/command/suite_arguments.h"
 #include "golden/report/report_folder.h"
@@ -23,18 +22,20 @@ Result<SessionQuestion> questionOf(const SessionArguments& arguments) {
   question.b = arguments.b;
   question.camera = arguments.camera;
   question.pictures = !arguments.no_pictures;
-  question.limits.radians = arguments.radians;
-  question.limits.metres = arguments.metres;
-  const auto slack = parseDuration(arguments.slack);
-  if (!slack.ok()) return slack.error();
-  const auto step = parseDuration(arguments.step);
-  if (!step.ok()) return step.error();
-  if (*slack < Nanoseconds(0) || *step <= Nanoseconds(0)) {
-    return Error{ErrorKind::bad_argument, "--slack must be at least zero, --step greater than zero",
+  const RunLimits& limits = arguments.limits;
+  for (const auto& [option, limit, least] :
+       {std::tuple("--joint-deg", limits.joint_deg, kRunFloors.joint_deg),
+        std::tuple("--position-mm", limits.position_mm, kRunFloors.position_mm),
+        std::tuple("--turn-deg", limits.turn_deg, kRunFloors.turn_deg),
+        std::tuple("--event-ms", limits.event_ms, kRunFloors.event_ms)}) {
+    if (limit >= least && limit <= 1e9) continue;
+    return Error{ErrorKind::bad_argument,
+                 fmt::format("{} must be at least {}: recordings of one motion differ by so much",
+                             option, least),
                  ""};
   }
-  question.limits.slack = *slack;
-  question.limits.step = *step;
+  question.spec.limits = limits;
+  question.spec.align = *runAlignNamed(arguments.align);
   const auto tolerance = Tolerance::named(arguments.tier);
   if (!tolerance.ok()) return tolerance.error();
   question.tolerance = *tolerance;
@@ -52,23 +53,24 @@ CLI::App* addSessionCommand(CLI::App& app, SessionArguments& arguments) {
   command->add_option("A", arguments.a, "the accepted recording")->required();
   command->add_option("B", arguments.b, "the new recording")->required();
   command->add_option("CELL", arguments.cell, "the cell; default: the one that A carries");
-  command->add_option("--radians", arguments.radians, "largest difference of a joint angle")
-      ->check(CLI::NonNegativeNumber)
+  command->add_option("--align", arguments.align, "how times are matched: events, origin or warp")
+      ->check(CLI::IsMember({"events", "origin", "warp"}))
       ->capture_default_str();
-  command->add_option("--metres", arguments.metres, "largest difference of a position")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-  command->add_option("--slack", arguments.slack, "largest time shift of a value")
-      ->capture_default_str();
-  command->add_option("--step", arguments.step, "period at which states are compared")
-      ->capture_default_str();
+  const auto addLimit = [&](const char* name, double& limit, const char* what) {
+    command->add_option(name, limit, what)->capture_default_str();
+  };
+  addLimit("--joint-deg", arguments.limits.joint_deg, "largest difference of a joint angle");
+  addLimit("--position-mm", arguments.limits.position_mm, "largest difference of a position");
+  addLimit("--turn-deg", arguments.limits.turn_deg, "largest difference of an orientation");
+  addLimit("--event-ms", arguments.limits.event_ms,
+           "how much earlier or later an event or a value may come");
   command
       ->add_option("--tier", arguments.tier,
                    std::string("tolerance of the pictures: ") + kTierNames)
       ->capture_default_str();
   command->add_option("--camera", arguments.camera, "a camera of the cell; default: its first");
   command->add_option("--size", arguments.size, "picture size")->capture_default_str();
-  command->add_flag("--no-pictures", arguments.no_pictures, "compare only events and states");
+  command->add_flag("--no-pictures", arguments.no_pictures, "compare behaviour alone");
   command->add_option("--report", arguments.report, "folder for index.html and the pictures");
   cli::addSearchOptions(*command, arguments);
   command->add_flag("--json", arguments.json, "print the answer as JSON");
@@ -91,8 +93,8 @@ Result<cli::Exit> runSessionCommand(const SessionArguments& arguments) {
   if (!comparison.ok()) return comparison.error();
   std::cout << (arguments.json ? sessionJson(*comparison) : sessionText(*comparison));
   if (!arguments.report.empty()) {
-    comparison->pictures.made_at = nowText();
-    if (auto written = writeReport(comparison->pictures, arguments.report); !written) {
+    comparison->report.made_at = nowText();
+    if (auto written = writeReport(comparison->report, arguments.report); !written) {
       return written.error();
     }
     if (!arguments.json) fmt::print("report: {}/index.html\n", arguments.report);

@@ -7,14 +7,15 @@
 #include "core/base/model_search.h"
 #include "core/base/result.h"
 #include "core/cli/program.h"
+#include "golden/run/run_spec.h"
 
 namespace rocinante {
 
 /// Arguments of `rocinante golden session` (docs/programs/golden.md).
 struct SessionArguments : ModelSearch {
   std::filesystem::path a, b;
-  std::string cell, camera, tier = "loose", size = "640x480", report, slack = "50ms", step = "20ms";
-  double radians = 1e-3, metres = 1e-3;
+  std::string cell, camera, tier = "loose", size = "640x480", report, align = "events";
+  RunLimits limits;
   bool no_pictures = false, json = false;
 };
 

@@ -119,6 +119,9 @@ std::vector<std::string> folderFaults(const Manifest& manifest, const GoldenFold
         faults.push_back(fmt::format("golden {} is missing", file));
       } else if (verify) {
         if (auto read = folder.read(accepted); !read.ok()) faults.push_back(read.error().text());
+        if (accepted.areas.empty()) continue;
+        if (auto read = folder.readAreas(accepted); !read.ok())
+          faults.push_back(read.error().text());
       }
     }
   }

@@ -8,6 +8,13 @@
 
 namespace rocinante {
 
+/// A device where a run left what was accepted, with the accepted session as a clear ghost.
+struct RunPicture {
+  std::string device;
+  Nanoseconds at_run{0}, at_accepted{0};  ///< since the origin of each session
+  Picture picture;
+};
+
 /// A judged run of a suite with all data for reports.
 struct JudgedRun {
   std::string name;
@@ -21,7 +28,8 @@ struct JudgedRun {
   std::string align;
   std::vector<std::string> accepted;  ///< file names, oldest first
   RunJudgement judgement;
-  std::vector<std::string> changes;  ///< of the model since the first log was accepted
+  std::vector<RunPicture> pictures{};  ///< only for a report's folder
+  std::vector<std::string> changes;    ///< of the model since the first log was accepted
   double judge_ms = 0;
 };
 

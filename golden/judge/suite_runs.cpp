@@ -4,33 +4,11 @@
 
 #include <algorithm>
 
-#include "core/log/log_reader.h"
 #include "golden/run/run_judge.h"
 #include "golden/run/session_track.h"
 
 namespace rocinante {
 namespace {
-
-constexpr Nanoseconds kFinestStep = std::chrono::milliseconds(20);
-/// Numbers of all tracks of a run together: 400 MB.
-constexpr std::int64_t kMaxNumbers = 50'000'000;
-
-/// The longest of some logs, without reading them; those that cannot be opened are reported later.
-Nanoseconds longestOf(const std::vector<std::filesystem::path>& logs) {
-  Nanoseconds longest{0};
-  for (const std::filesystem::path& log : logs) {
-    const auto reader = LogReader::open(log);
-    if (reader.ok()) longest = std::max(longest, reader->summary().end - reader->summary().start);
-  }
-  return longest;
-}
-
-/// A multiple of the finest one, so that all tracks fit in memory.
-Nanoseconds stepFor(const Cell& cell, const std::vector<std::filesystem::path>& logs) {
-  const auto width = static_cast<std::int64_t>(trackWidth(cell) * logs.size());
-  const std::int64_t samples = std::max<std::int64_t>(1000, kMaxNumbers / width);
-  return kFinestStep * (longestOf(logs) / (kFinestStep * samples) + 1);
-}
 
 class SuiteRunJudge {
  public:
@@ -73,7 +51,7 @@ class SuiteRunJudge {
         return {};
       }
     }
-    const Nanoseconds step = stepFor(session_.cell(), logs);
+    const Nanoseconds step = trackStep(session_.cell(), logs);
     std::vector<SessionTrack> tracks;
     for (std::size_t i = 0; i < logs.size(); ++i) {
       if (options_.stop && options_.stop()) {

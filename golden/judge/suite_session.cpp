@@ -114,7 +114,7 @@ Result<SuiteSession> SuiteSession::open(const std::filesystem::path& suite_file,
   CellOptions cell_options;
   static_cast<ModelSearch&>(cell_options) = search;
   cell_options.parallel = options.parallel;
-  cell_options.geometry = draws;
+  cell_options.geometry = draws || options.run_pictures;
   auto cell = loadCellOrLog(the_suite.cell, cell_options);
   if (!cell.ok()) return cell.error();
   if (recording.folder) {

@@ -27,6 +27,7 @@ struct SuiteOptions : ModelSearch {
   std::vector<std::string> logs{};
   FrameSelection selection;
   bool incomplete = false;         ///< judge although a mesh is missing
+  bool run_pictures = false;       ///< load geometry also where only runs are selected
   ParallelFor parallel;            ///< for loading the cell; may be empty
   std::function<double()> now_ms;  ///< a steady clock, for the report's timings
   MakeDrawer drawers;              ///< for tests; empty: sceneDrawers()

@@ -7,6 +7,7 @@
 #include "golden/report/page_pictures.h"
 #include "golden/report/report_html.h"
 #include "golden/report/report_reader.h"
+#include "golden/why/run_pictures.h"
 
 namespace rocinante {
 namespace {
@@ -79,6 +80,14 @@ Status writePictures(const JudgedFrame& judged, ArrivingFiles& files) {
   return write(kPictureEndings[2], differencePicture(judged.compared(), *judged.accepted));
 }
 
+Status writeRunPictures(const JudgedRun& run, ArrivingFiles& files) {
+  for (std::size_t i = 0; i < run.pictures.size(); ++i) {
+    const Bytes png = encodePng(run.pictures[i].picture);
+    if (Status written = files.write(runPictureFile(run, i), png); !written) return written;
+  }
+  return {};
+}
+
 /// The picture names of the report in a folder, whether or not the files exist.
 std::set<std::string> picturesOfReport(const std::filesystem::path& folder) {
   std::set<std::string> names;
@@ -90,6 +99,9 @@ std::set<std::string> picturesOfReport(const std::filesystem::path& folder) {
   for (const JudgedFrame& judged : old->frames) {
     for (const char* ending : kPictureEndings) names.insert(judged.frame.name + ending);
   }
+  for (const JudgedRun& run : old->runs) {
+    for (std::size_t i = 0; i < kMaxRunPictures; ++i) names.insert(runPictureFile(run, i));
+  }
   return names;
 }
 
@@ -100,6 +112,9 @@ Status writeReport(const SuiteReport& report, const std::filesystem::path& folde
   if (auto opened = files.open(); !opened) return opened;
   for (const JudgedFrame& judged : report.frames) {
     if (auto written = writePictures(judged, files); !written) return written;
+  }
+  for (const JudgedRun& run : report.runs) {
+    if (auto written = writeRunPictures(run, files); !written) return written;
   }
   if (const auto sheet = differenceSheet(report)) {
     const Bytes png = encodePng(sheetPicture(*sheet));

@@ -154,6 +154,18 @@ Json pageFrameJson(const SuiteReport& report, const JudgedFrame& judged, PagePic
   return json;
 }
 
+/// Pictures by their numbers in the page.
+Json pageRunsJson(const SuiteReport& report, PagePictures& pictures) {
+  Json runs = runsJson(report.runs);
+  for (std::size_t i = 0; i < report.runs.size(); ++i) {
+    const JudgedRun& run = report.runs[i];
+    for (std::size_t k = 0; k < run.pictures.size(); ++k) {
+      runs[i]["pictures"][k]["picture"] = pictures.add(run.pictures[k].picture);
+    }
+  }
+  return runs;
+}
+
 Json environmentJson(const SuiteReport& report) {
   Json entries = Json::array();
   const auto add = [&](const std::string& name, const std::string& value, bool command = false) {
@@ -245,7 +257,7 @@ std::string reportHtml(const SuiteReport& report) {
       {"approve_from",
        report.approve_from_command.empty() ? Json(nullptr) : Json(report.approve_from_command)},
       {"frames", frames},
-      {"runs", runsJson(report.runs)}};
+      {"runs", pageRunsJson(report, pictures)}};
   const std::string title = fmt::format("{}: {}", nameOf(report.verdict()), xmlText(report.suite));
   const std::string plain = plainHtml(report);
   const std::string data = scriptJson(root);

@@ -10,6 +10,7 @@
 #include "golden/suite/suite_case.h"
 #include "golden/suite/suite_plan.h"
 #include "golden/why/frame_why.h"
+#include "golden/why/run_pictures.h"
 
 namespace rocinante {
 namespace {
@@ -236,6 +237,15 @@ Status readPictures(const std::filesystem::path& folder, JudgedFrame& judged) {
   return read(".golden.png", judged.golden ? judged.golden->pixels : "", judged.accepted);
 }
 
+Status readRunPictures(const std::filesystem::path& folder, JudgedRun& run) {
+  for (std::size_t i = 0; i < run.pictures.size(); ++i) {
+    auto picture = readPng(folder / runPictureFile(run, i));
+    if (!picture.ok()) return picture.error();
+    run.pictures[i].picture = std::move(*picture);
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<SuiteReport> parseReport(std::string_view text, const std::filesystem::path& file) {
@@ -288,6 +298,9 @@ Result<SuiteReport> readReport(const std::filesystem::path& folder) {
   if (!report.ok()) return report;
   for (JudgedFrame& judged : report->frames) {
     if (auto read = readPictures(folder, judged); !read) return read.error();
+  }
+  for (JudgedRun& run : report->runs) {
+    if (auto read = readRunPictures(folder, run); !read) return read.error();
   }
   const auto small = readFile(folder / kPagePicturesFile, kMaxReportBytes);
   if (small.ok()) addPagePictures(*small, *report);

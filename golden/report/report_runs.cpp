@@ -9,6 +9,7 @@
 #include "core/base/count_text.h"
 #include "core/base/plain_text.h"
 #include "golden/suite/suite_case.h"
+#include "golden/why/run_pictures.h"
 
 namespace rocinante {
 namespace {
@@ -45,6 +46,18 @@ Json findingJson(const RunFinding& finding) {
                      {"value", numbersJson(finding.curve.value)}};
   }
   return json;
+}
+
+Json picturesJson(const JudgedRun& run) {
+  Json pictures = Json::array();
+  for (std::size_t i = 0; i < run.pictures.size(); ++i) {
+    const RunPicture& picture = run.pictures[i];
+    pictures.push_back({{"file", runPictureFile(run, i)},
+                        {"device", picture.device},
+                        {"run_ns", picture.at_run.count()},
+                        {"accepted_ns", picture.at_accepted.count()}});
+  }
+  return pictures;
 }
 
 std::string readText(const nlohmann::json& object, const char* key) {
@@ -162,6 +175,7 @@ Json runsJson(const std::vector<JudgedRun>& runs) {
                  {"place", run.place}};
     if (run.line > 0) json["line"] = run.line;
     if (!run.tags.empty()) json["tags"] = run.tags;
+    if (!run.pictures.empty()) json["pictures"] = picturesJson(run);
     json["findings"] = Json::array();
     for (const RunFinding& finding : judged.findings) {
       json["findings"].push_back(findingJson(finding));
@@ -206,6 +220,16 @@ std::vector<JudgedRun> readRunsJson(const nlohmann::json& list) {
     judged.from = Nanoseconds(readNumber<std::int64_t>(json, "from_ns"));
     judged.until = Nanoseconds(readNumber<std::int64_t>(json, "until_ns"));
     judged.notes = readTexts(json, "notes");
+    const auto pictures = json.find("pictures");
+    if (pictures != json.end() && pictures->is_array()) {
+      for (const auto& picture : *pictures) {
+        if (!picture.is_object() || run.pictures.size() == kMaxRunPictures) break;
+        run.pictures.push_back({readText(picture, "device"),
+                                Nanoseconds(readNumber<std::int64_t>(picture, "run_ns")),
+                                Nanoseconds(readNumber<std::int64_t>(picture, "accepted_ns")),
+                                {}});
+      }
+    }
     const auto findings = json.find("findings");
     if (findings != json.end() && findings->is_array()) {
       for (const auto& finding : *findings) {

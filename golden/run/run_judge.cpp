@@ -142,6 +142,7 @@ RunJudgement judgeRun(const RunSpec& spec, const std::vector<const SessionTrack*
   for (std::size_t i = 0; i < accepted.size(); ++i) {
     grids.accepted_grids.emplace_back(first, *accepted[i], events.accepted_maps[i]);
   }
+  judged.times = std::move(events.run_map);
   judged.findings = std::move(events.findings);
   judgeMotion(grids, judged);
   std::stable_sort(judged.findings.begin(), judged.findings.end());

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/time.h"
+#include "golden/run/time_map.h"
 
 namespace rocinante {
 
@@ -43,6 +44,7 @@ struct RunJudgement {
   std::size_t accepted = 0, items = 0, samples = 0, events = 0;
   Nanoseconds step{0};
   Nanoseconds from{0}, until{0};  ///< the judged range, since the accepted origin
+  TimeMap times{};                ///< from the first accepted session to the run; not in reports
 };
 
 /// "0.52°", "3.1 mm", "50 ms".

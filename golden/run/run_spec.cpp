@@ -18,6 +18,13 @@ std::string_view nameOf(RunAlign align) {
   return "events";
 }
 
+std::optional<RunAlign> runAlignNamed(std::string_view name) {
+  for (const RunAlign align : {RunAlign::origin, RunAlign::events, RunAlign::warp}) {
+    if (nameOf(align) == name) return align;
+  }
+  return std::nullopt;
+}
+
 RunLimits RunSpec::limitsOf(std::string_view item) const {
   RunLimits found = limits;
   const auto apply = [&](std::string_view name) {

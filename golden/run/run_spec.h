@@ -18,6 +18,7 @@ enum class RunAlign : std::uint8_t {
   warp,    ///< and within a bound between them, by motion
 };
 std::string_view nameOf(RunAlign align);
+std::optional<RunAlign> runAlignNamed(std::string_view name);
 
 /// How far a run may leave the band of the accepted ones.
 struct RunLimits {

@@ -19,6 +19,9 @@
 namespace rocinante {
 namespace {
 
+constexpr Nanoseconds kFinestStep = std::chrono::milliseconds(20);
+/// Of all tracks that are judged together: 400 MB.
+constexpr std::int64_t kMaxNumbers = 50'000'000;
 constexpr Nanoseconds kBurst = std::chrono::milliseconds(10);
 constexpr double kUnstated = std::numeric_limits<double>::quiet_NaN();
 
@@ -393,6 +396,18 @@ class TrackRecorder {
   std::optional<LogTime> facts_due_;  ///< when something was stated that is not noted yet
 };
 
+/// Numbers that a sample of this cell takes, about.
+std::size_t trackWidth(const Cell& cell) {
+  std::size_t width = 1;
+  for (const CellDevice& device : cell.devices) {
+    const Model* model = cell.modelOf(device);
+    if (model == nullptr) continue;
+    width += 7 + 7 * tipLinks(*model).size();
+    for (const Joint& joint : model->joints) width += valueCount(joint.type);
+  }
+  return width;
+}
+
 }  // namespace
 
 const TrackColumn* DeviceTrack::find(std::string_view part, bool is_link) const {
@@ -404,15 +419,15 @@ const TrackColumn* DeviceTrack::find(std::string_view part, bool is_link) const 
   return nullptr;
 }
 
-std::size_t trackWidth(const Cell& cell) {
-  std::size_t width = 1;
-  for (const CellDevice& device : cell.devices) {
-    const Model* model = cell.modelOf(device);
-    if (model == nullptr) continue;
-    width += 7 + 7 * tipLinks(*model).size();
-    for (const Joint& joint : model->joints) width += valueCount(joint.type);
+Nanoseconds trackStep(const Cell& cell, const std::vector<std::filesystem::path>& logs) {
+  Nanoseconds longest{0};
+  for (const std::filesystem::path& log : logs) {
+    const auto reader = LogReader::open(log);
+    if (reader.ok()) longest = std::max(longest, reader->summary().end - reader->summary().start);
   }
-  return width;
+  const auto width = static_cast<std::int64_t>(trackWidth(cell) * logs.size());
+  const std::int64_t samples = std::max<std::int64_t>(1000, kMaxNumbers / width);
+  return kFinestStep * (longest / (kFinestStep * samples) + 1);
 }
 
 Result<SessionTrack> trackSession(const Cell& cell, const std::filesystem::path& log,

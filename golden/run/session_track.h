@@ -63,8 +63,9 @@ struct SessionTrack {
   std::vector<Event> events;  ///< without marks
 };
 
-/// Numbers that a sample of this cell takes, about: to choose a step that fits in memory.
-std::size_t trackWidth(const Cell& cell);
+/// The step for tracks that are judged together: 20 ms, or the least multiple of it with which all
+/// of them fit in memory (400 MB). Logs that cannot be opened do not count.
+Nanoseconds trackStep(const Cell& cell, const std::vector<std::filesystem::path>& logs);
 
 /// Reads a log. Between two packets that are at most kInterpolated apart, values are interpolated;
 /// otherwise the earlier one holds. damaged when a part of the log cannot be read: what is not seen

@@ -9,6 +9,7 @@
 #include "core/base/atomic_file.h"
 #include "core/base/hash.h"
 #include "core/kinematics/kinematics.h"
+#include "core/log/mapped_file.h"
 #include "golden/run/track_file.h"
 
 namespace rocinante {
@@ -61,8 +62,9 @@ Result<SessionTrack> TrackCache::track(const Cell& cell, const fs::path& log,
   const std::string key = hexOf(xxh3(bytesOf(
       fmt::format("{} {} {} {}", kTrackVersion, bytes_hash, step.count(), trackCellHash(cell)))));
   const fs::path file = folder_ / (key + std::string(kTrackExtension));
-  if (const auto bytes = readFile(file, kMaxBytes); bytes.ok()) {
-    if (auto track = decodeTrack(bytesOf(*bytes), key)) {
+  // A kept file is replaced and removed, never changed: a mapping of it stays whole.
+  if (const auto kept = MappedFile::open(file); kept.ok() && kept->bytes().size() <= kMaxBytes) {
+    if (auto track = decodeTrack(kept->bytes(), key)) {
       std::error_code ignored;
       fs::last_write_time(file, fs::file_time_type::clock::now(), ignored);
       return std::move(*track);

@@ -96,8 +96,17 @@ class TrackReader {
   template <class T>
   void item(std::vector<T>& values) {
     if constexpr (std::is_arithmetic_v<T>) {
-      values.resize(count(sizeof(T)));
-      take(values.data(), values.size() * sizeof(T));
+      const std::size_t size = count(sizeof(T)) * sizeof(T);
+      if (!sound_ || size == 0) return;
+      // Not resized first: zeros would be written before what is there.
+      const ByteView taken = bytes_.first(size);
+      values.reserve(size / sizeof(T));
+      for (std::size_t at = 0; at < size; at += sizeof(T)) {
+        T value;
+        std::memcpy(&value, taken.data() + at, sizeof value);
+        values.push_back(value);
+      }
+      bytes_ = bytes_.subspan(size);
     } else {
       values.resize(count(8));
       for (T& value : values) item(value);

@@ -1,14 +1,20 @@
 #include "golden/session/session_comparison.h"
 
 #include <algorithm>
-#include <map>
+#include <cmath>
+#include <functional>
+#include <iterator>
 #include <set>
 
 #include "core/base/plain_text.h"
 #include "core/bundle/attached_cell.h"
 #include "core/log/log_reader.h"
+#include "golden/run/run_judge.h"
+#include "golden/run/session_track.h"
 #include "golden/session/bisect.h"
+#include "golden/session/nearest_moment.h"
 #include "golden/why/explain_pictures.h"
+#include "golden/why/run_pictures.h"
 
 namespace rocinante {
 namespace {
@@ -20,7 +26,6 @@ constexpr int kBetween = 3;
 constexpr int kSmallPicturePixels = 320;
 /// Most moments of the other session that are compared within the slack.
 constexpr std::size_t kMaxInSlack = 256;
-constexpr const char* kWorst = "worst-";
 
 std::string frameNameOf(const std::string& text) {
   std::string name;
@@ -32,54 +37,68 @@ std::string frameNameOf(const std::string& text) {
   return name.substr(0, 80);
 }
 
-/// Moments with unique names.
+/// What to draw of both.
+struct Moment {
+  std::string name;
+  LogTime a{}, b{};
+  bool is_worst = false;
+};
+
+/// Moments with unique names, within what both sessions have.
 class MomentList {
  public:
-  explicit MomentList(const SessionDeviation& state) : state_(state) {}
+  MomentList(LogTime from, LogTime until) : from_(from), until_(until) {}
 
-  void add(const std::string& name, LogTime moment) {
-    if (moment < state_.from || moment > state_.until || !times_.insert(moment).second) return;
-    std::string unique = name;
-    for (int turn = 2; !names_.insert(unique).second; ++turn) {
-      unique = name + "-" + std::to_string(turn);
+  void add(Moment moment) {
+    if (moment.a < from_ || moment.a > until_ || !times_.insert(moment.a).second) return;
+    const std::string name = moment.name;
+    for (int turn = 2; !names_.insert(moment.name).second; ++turn) {
+      moment.name = name + "-" + std::to_string(turn);
     }
-    moments_.emplace_back(unique, moment);
+    moments_.push_back(std::move(moment));
   }
-  std::vector<std::pair<std::string, LogTime>> inOrder() {
-    std::ranges::sort(moments_, {}, [](const auto& moment) { return moment.second; });
-    return moments_;
+  std::vector<Moment> inOrder() {
+    std::ranges::sort(moments_, {}, &Moment::a);
+    return std::move(moments_);
   }
 
  private:
-  const SessionDeviation& state_;
+  LogTime from_, until_;
   std::set<LogTime> times_;
   std::set<std::string> names_;
-  std::vector<std::pair<std::string, LogTime>> moments_;
+  std::vector<Moment> moments_;
 };
 
-std::vector<std::pair<std::string, LogTime>> momentsToDraw(const SessionComparison& comparison) {
-  const SessionDeviation& state = comparison.state;
-  MomentList moments(state);
-  std::vector<Deviation> worst = state.beyond;
-  std::ranges::stable_sort(worst, [](const Deviation& a, const Deviation& b) {
-    return a.largest.value_or(1e9) > b.largest.value_or(1e9);
-  });
+/// Findings without a figure, such as a missing device, come first.
+double severityOf(const RunFinding& finding) {
+  return finding.largest ? *finding.largest / std::max(finding.limit, 1e-9) : 1e9;
+}
+
+std::vector<Moment> momentsToDraw(const SessionComparison& comparison, LogTime from,
+                                  LogTime until) {
+  const RunJudgement& judged = comparison.run().judgement;
+  MomentList moments(from, until);
+  std::vector<RunFinding> worst = judged.findings;
+  std::ranges::stable_sort(worst, std::greater(), severityOf);
   worst.resize(std::min(worst.size(), kMaxWorst));
-  for (const Deviation& item : worst) {
-    moments.add(kWorst + frameNameOf(item.item), item.largest_at);
+  for (const RunFinding& finding : worst) {
+    moments.add({"worst-" + frameNameOf(finding.item), comparison.origin_a + finding.at_accepted,
+                 comparison.origin_b + finding.at_run, true});
   }
   const auto& events = comparison.events.matched;
   const std::size_t count = std::min(events.size(), kMaxEvents);
   for (std::size_t i = 0; i < count; ++i) {
     const MatchedEvent& event = events[i * events.size() / count];
-    moments.add("event-" + frameNameOf(event.text), event.a);
+    moments.add({"event-" + frameNameOf(event.text), event.a, event.b});
   }
-  moments.add("start", state.from);
+  const auto add = [&](const std::string& name, LogTime a) {
+    moments.add({name, a, judged.times.inRun(a)});
+  };
+  add("start", from);
   for (int i = 1; i <= kBetween; ++i) {
-    moments.add("between-" + std::to_string(i),
-                state.from + (state.until - state.from) / (kBetween + 1) * i);
+    add("between-" + std::to_string(i), from + (until - from) / (kBetween + 1) * i);
   }
-  moments.add("end", state.until);
+  add("end", until);
   return moments.inOrder();
 }
 
@@ -109,8 +128,9 @@ class SlackMoments {
       changes_ = std::move(*changes);
     }
     const Nanoseconds moment = in_b - b.origin();
-    const auto from = std::ranges::lower_bound(changes_, moment - question_.limits.slack);
-    const auto until = std::ranges::upper_bound(changes_, moment + question_.limits.slack);
+    const Nanoseconds slack = Nanoseconds(std::llround(question_.spec.limits.event_ms * 1e6));
+    const auto from = std::ranges::lower_bound(changes_, moment - slack);
+    const auto until = std::ranges::upper_bound(changes_, moment + slack);
     const auto count = static_cast<std::size_t>(until - from);
     std::vector<LogTime> candidates{in_b};
     const std::size_t taken = std::min(count, kMaxInSlack);
@@ -118,7 +138,8 @@ class SlackMoments {
       candidates.push_back(b.origin() + from[static_cast<std::ptrdiff_t>(i * count / taken)]);
     }
     std::ranges::sort(candidates);
-    return nearestMoment(a_.cell(), *a_.session(), in_a, b, in_b, candidates, question_.limits);
+    return nearestMoment(a_.cell(), *a_.session(), in_a, b, in_b, candidates,
+                         question_.spec.limits);
   }
 
  private:
@@ -188,15 +209,79 @@ Result<JudgedFrame> judgeMoment(FrameMaker& maker_a, FrameMaker& maker_b, LogTim
   return judged;
 }
 
+/// b as a run that accepted a alone.
+JudgedRun judgeBehaviour(const Cell& cell, const SessionQuestion& question,
+                         SessionComparison& comparison) {
+  JudgedRun run;
+  run.name = "session";
+  run.log = question.b.string();
+  run.accepted = {question.a.string()};
+  RunSpec spec = question.spec;
+  if (spec.align == RunAlign::events && comparison.events.matched.empty()) {
+    spec.align = RunAlign::origin;
+    run.judgement.notes.emplace_back("no event is in both; aligned at the first packets");
+  }
+  run.align = nameOf(spec.align);
+  const Nanoseconds step = trackStep(cell, {question.a, question.b});
+  std::vector<SessionTrack> tracks;
+  for (const std::filesystem::path& log : {question.a, question.b}) {
+    auto track = trackSession(cell, log, step);
+    if (!track.ok()) {
+      run.rule = track.error().text();
+      return run;
+    }
+    tracks.push_back(std::move(*track));
+  }
+  RunJudgement judged = judgeRun(spec, {&tracks.front()}, tracks.back());
+  std::ranges::move(judged.notes, std::back_inserter(run.judgement.notes));
+  judged.notes = std::move(run.judgement.notes);
+  run.judgement = std::move(judged);
+  run.rule = run.judgement.rule;
+  run.verdict = !run.judgement.comparable        ? FrameVerdict::incomparable
+                : run.judgement.findings.empty() ? FrameVerdict::same
+                                                 : FrameVerdict::different;
+  return run;
+}
+
+/// Draws and judges the moments of both.
+Status judgePictures(const SessionQuestion& question, FrameMaker& maker_a, FrameMaker& maker_b,
+                     const std::function<void(const std::string&)>& tell,
+                     SessionComparison& comparison) {
+  Timeline& a = *maker_a.session();
+  Timeline& b = *maker_b.session();
+  const TimeMap& times = comparison.run().judgement.times;
+  const LogTime from = std::max(a.start(), times.inAccepted(b.start()));
+  const LogTime until = std::min(a.end(), times.inAccepted(b.end()));
+  if (until < from) {
+    return Error{ErrorKind::not_found, "the sessions have no time in common", b.log().name()};
+  }
+  SlackMoments slack_moments(question, maker_a, maker_b);
+  maker_b.fitLike(maker_a);
+  FrameRequest asked;
+  asked.camera = question.camera;
+  if (maker_a.asksFit(asked)) {
+    comparison.report.notes.push_back("`fit` and `map` are fitted to " +
+                                      plainText(question.a.string()) + " in both");
+  }
+  for (const Moment& moment : momentsToDraw(comparison, from, until)) {
+    tell("picture " + moment.name);
+    // The worst moments are beyond the slack and drawn exactly.
+    SlackMoments* const slack = moment.is_worst ? nullptr : &slack_moments;
+    LogTime time_b = moment.b;
+    auto judged = judgeMoment(maker_a, maker_b, moment.a, time_b, question, slack);
+    if (!judged.ok()) return judged.error();
+    comparison.times_b.push_back(time_b);
+    judged->frame.name = moment.name;
+    judged->frame.case_name = moment.name;
+    comparison.report.frames.push_back(std::move(*judged));
+  }
+  return {};
+}
+
 }  // namespace
 
 Verdict SessionComparison::verdict() const {
-  if (!damage.empty() || pictures.count(FrameVerdict::incomparable) > 0) {
-    return Verdict::incomparable;
-  }
-  const bool same = events.only_a.empty() && events.only_b.empty() && state.beyond.empty() &&
-                    pictures.count(FrameVerdict::different) == 0;
-  return same ? Verdict::same : Verdict::different;
+  return damage.empty() ? report.verdict() : Verdict::incomparable;
 }
 
 Result<SessionComparison> judgeSessions(const std::filesystem::path& cell,
@@ -226,38 +311,18 @@ Result<SessionComparison> judgeSessions(const std::filesystem::path& cell,
   comparison.origin_a = a.origin();
   comparison.origin_b = b.origin();
   comparison.events = alignEvents(**events_a, **events_b, a.start(), b.start());
-  tell("states");
-  auto state =
-      compareSessions(maker_a->cell(), a, b, comparison.events, question.limits, comparison.damage);
-  if (!state.ok()) return state.error();
-  comparison.state = std::move(*state);
-
-  SuiteReport& report = comparison.pictures;
+  SuiteReport& report = comparison.report;
   report.suite = question.a.string() + " against " + question.b.string();
   report.cell = cell.string();
   report.log = question.b.string();
   report.renderer = maker_a->key().text();
-  if (!question.pictures) return comparison;
-  SlackMoments slack_moments(question, *maker_a, *maker_b);
-  maker_b->fitLike(*maker_a);
-  FrameRequest asked;
-  asked.camera = question.camera;
-  if (maker_a->asksFit(asked)) {
-    report.notes.push_back("`fit` and `map` are fitted to " + plainText(question.a.string()) +
-                           " in both");
+  tell("behaviour");
+  report.runs.push_back(judgeBehaviour(maker_a->cell(), question, comparison));
+  if (!question.pictures || !comparison.run().judgement.comparable) return comparison;
+  if (Status drawn = judgePictures(question, *maker_a, *maker_b, tell, comparison); !drawn) {
+    return drawn.error();
   }
-  for (const auto& [name, moment] : momentsToDraw(comparison)) {
-    tell("picture " + name);
-    // The worst moments are beyond the slack and drawn exactly.
-    SlackMoments* slack = name.starts_with(kWorst) ? nullptr : &slack_moments;
-    LogTime time_b = comparison.events.inB(moment);
-    auto judged = judgeMoment(*maker_a, *maker_b, moment, time_b, question, slack);
-    if (!judged.ok()) return judged.error();
-    comparison.times_b.push_back(time_b);
-    judged->frame.name = name;
-    judged->frame.case_name = name;
-    report.frames.push_back(std::move(*judged));
-  }
+  drawRunPictures(maker_a->cell(), question.b, question.a, report.runs.front());
   return comparison;
 }
 

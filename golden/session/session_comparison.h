@@ -7,37 +7,36 @@
 
 #include "core/base/result.h"
 #include "core/cell/cell.h"
+#include "core/session/timeline.h"
 #include "golden/report/report.h"
-#include "golden/session/session_deviation.h"
+#include "golden/run/run_spec.h"
 
 namespace rocinante {
 
 struct SessionQuestion {
   std::filesystem::path a, b;
-  SessionLimits limits;
+  RunSpec spec;
   std::string camera;  ///< empty: chosen as by `render`
   int width = 640, height = 480, samples = 4;
   Tolerance tolerance = Tolerance::loose();  ///< for pictures
   bool pictures = true;
 };
 
-/// Two recordings of one scenario, compared by events, state and pictures (docs/programs/golden.md,
+/// Two recordings of one scenario, compared by behaviour and pictures (docs/programs/golden.md,
 /// "session"). a is the accepted one.
 struct SessionComparison {
   EventAlignment events;
   LogTime origin_a{}, origin_b{};
-  SessionDeviation state;
-  /// The drawn moments as frames of a suite, named "start", "event-picked", "worst-arm-elbow" ...;
-  /// a is the golden.
-  SuiteReport pictures;
+  /// One run, "session": b judged against a. And the drawn moments as frames, named "start",
+  /// "event-picked", "worst-arm-elbow" ...; a is the golden.
+  SuiteReport report;
   std::vector<LogTime> times_b;  ///< by picture: the time of b
-  /// Damage of either log in the compared range, or where it may hide an event. It makes
-  /// differences and their absence uncertain.
+  /// Damage of either log that may hide an event: it makes differences and their absence uncertain.
   StateDamage damage;
 
-  /// incomparable when a log is damaged; same when no event is missing, no deviation is beyond its
-  /// limit and every picture is the same.
+  /// incomparable when a log is damaged; same when b behaves as a and every picture is the same.
   Verdict verdict() const;
+  const JudgedRun& run() const { return report.runs.front(); }
 };
 
 /// not_found when the two have no time in common. `progress` receives the current step.

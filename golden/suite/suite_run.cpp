@@ -109,11 +109,9 @@ SuiteRun readSuiteRun(SuiteTable& table) {
     table.complainHere("a run needs a `name` of at most 100 letters, digits, `_`, `-` and `.`");
   }
   if (const auto align = table.text("align")) {
-    if (*align == "origin") {
-      run.spec.align = RunAlign::origin;
-    } else if (*align == "warp") {
-      run.spec.align = RunAlign::warp;
-    } else if (*align != "events") {
+    if (const auto named = runAlignNamed(*align)) {
+      run.spec.align = *named;
+    } else {
       table.complain(*table.node("align"), "`align` must be \"origin\", \"events\" or \"warp\"");
     }
   }

@@ -3,7 +3,6 @@
 // doing nothing, and beside reading and folding it; and how often judging allocates memory.
 // usage: check_bench [SECONDS [FOLDER]]
 #include <fmt/format.h>
-#include <time.h>
 #include <unistd.h>
 
 #include <cmath>
@@ -17,6 +16,7 @@
 #include "core/log/log_writer.h"
 #include "core/packet/decoder.h"
 #include "core/recording/session_writer.h"
+#include "tests/bench/bench_support.h"
 
 namespace {
 
@@ -41,52 +41,12 @@ constexpr std::int64_t kRateHz = 6'000;
 constexpr std::size_t kArms = 6, kJoints = 6;
 constexpr double kBarSeconds = 3;
 
-double cpuSeconds() {
-  timespec now{};
-  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
-}
-
-template <class T>
-T need(Result<T> result) {
-  if (result) return std::move(*result);
-  fmt::print(stderr, "{}\n", result.error().text());
-  std::exit(2);
-}
-void need(const Status& status) {
-  if (status) return;
-  fmt::print(stderr, "{}\n", status.error().text());
-  std::exit(2);
-}
-
-void writeCell(const std::filesystem::path& folder) {
-  std::ofstream urdf(folder / "arm.urdf");
-  urdf << "<robot name=\"arm\"> <link name=\"link0\"/>\n";
-  for (std::size_t i = 0; i < kJoints; ++i) {
-    urdf << fmt::format(
-        "<link name=\"link{1}\"/> <joint name=\"j{0}\" type=\"revolute\"> <parent "
-        "link=\"link{0}\"/> "
-        "<child link=\"link{1}\"/> <axis xyz=\"0 0 1\"/> <limit lower=\"-3\" upper=\"3\" "
-        "effort=\"1\" velocity=\"3\"/> </joint>\n",
-        i, i + 1);
-  }
-  urdf << "</robot>\n";
-  std::ofstream cell(folder / "cell.toml");
-  cell << "format = 1\n";
-  for (std::size_t arm = 0; arm < kArms; ++arm) {
-    cell << fmt::format(
-        "[[device]]\nname = \"arm{0}\"\nmodel = \"arm.urdf\"\n[[source]]\nname = \"control{0}\"\n"
-        "rate_hz = [900, 1100]\njitter_ms = 5\ndevices = [\"arm{0}\"]\n",
-        arm);
-  }
-}
-
 void writeLog(const std::filesystem::path& path, std::int64_t packets) {
-  SessionWriter writer(need(LogWriter::create(path, {}, "check bench")), {});
+  SessionWriter writer(bench::need(LogWriter::create(path, {}, "check bench")), {});
   std::vector<ChannelId> channels;
   for (std::size_t arm = 0; arm < kArms; ++arm) {
     channels.push_back(
-        need(writer.addChannel(fmt::format("/udp/19960/control{}", arm), "rk1", {})));
+        bench::need(writer.addChannel(fmt::format("/udp/19960/control{}", arm), "rk1", {})));
   }
   std::string text;
   for (std::int64_t i = 0; i < packets; ++i) {
@@ -104,25 +64,25 @@ void writeLog(const std::filesystem::path& path, std::int64_t packets) {
       text += fmt::format(" {:.5f}", 1.5 * std::sin(t * (0.3 + 0.17 * phase) + phase));
     }
     text += "\n";
-    need(writer.write(channels[arm], static_cast<std::uint32_t>(sequence),
-                      LogTime(Nanoseconds(kOriginNs + ns + 200'000)), kOriginNs + ns,
-                      bytesOf(text)));
+    bench::need(writer.write(channels[arm], static_cast<std::uint32_t>(sequence),
+                             LogTime(Nanoseconds(kOriginNs + ns + 200'000)), kOriginNs + ns,
+                             bytesOf(text)));
   }
-  need(writer.log().close("done"));
+  bench::need(writer.log().close("done"));
 }
 
 /// Reads the whole log, and folds it when told to.
 double floorSeconds(const std::filesystem::path& path, bool folds) {
-  LogReader log = need(LogReader::open(path));
+  LogReader log = bench::need(LogReader::open(path));
   SessionState state;
   const auto decoder = makeDecoder("rk1");
-  const double began = cpuSeconds();
-  while (const auto message = need(log.next())) {
+  const double began = bench::processSeconds();
+  while (const auto message = bench::need(log.next())) {
     if (!folds || !message->channel->captured()) continue;
     const Packet* const packet = decoder->decode(message->payload);
     if (packet != nullptr) state.apply(message->log_time, *packet);
   }
-  return cpuSeconds() - began;
+  return bench::processSeconds() - began;
 }
 
 }  // namespace
@@ -135,17 +95,17 @@ int main(int argc, char** argv) {
   std::filesystem::create_directories(folder);
   const std::filesystem::path path = folder / "session.mcap";
   const std::int64_t packets = seconds * kRateHz;
-  writeCell(folder);
+  bench::writeArms(folder, kArms, kJoints);
   writeLog(path, packets);
-  const Cell cell = need(loadCell(folder / "cell.toml", {}));
+  const Cell cell = bench::need(loadCell(folder / "cell.toml", {}));
 
   const double read = floorSeconds(path, false);
   const double folded = floorSeconds(path, true);
-  LogReader log = need(LogReader::open(path));
+  LogReader log = bench::need(LogReader::open(path));
   const std::uint64_t allocated_before = allocations;
-  const double began = cpuSeconds();
-  const CheckReport report = need(checkLog(cell, log));
-  const double checked = cpuSeconds() - began;
+  const double began = bench::processSeconds();
+  const CheckReport report = bench::need(checkLog(cell, log));
+  const double checked = bench::processSeconds() - began;
   const std::uint64_t allocated = allocations - allocated_before;
 
   fmt::print("{} packets, {:.0f} MB of log, {} findings\n", packets,

@@ -4,7 +4,6 @@
 // links at each, and where that is below the allowed one at four moments of each step, which must
 // not be below what the check reports. usage: clearance_bench [SECONDS]
 #include <fmt/format.h>
-#include <time.h>
 #include <unistd.h>
 
 #include <cmath>
@@ -18,6 +17,7 @@
 #include "core/math/transform.h"
 #include "core/packet/decoder.h"
 #include "core/recording/session_writer.h"
+#include "tests/bench/bench_support.h"
 
 namespace {
 
@@ -28,24 +28,6 @@ constexpr std::int64_t kRateHz = 50;
 constexpr double kBarSeconds = 10, kExact_m = 1e-4;
 constexpr std::int64_t kComparedSteps = 12;
 constexpr int kArms = 3, kLinks = 6;
-
-double cpuSeconds() {
-  timespec now{};
-  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
-}
-
-template <class T>
-T need(Result<T> result) {
-  if (result) return std::move(*result);
-  fmt::print(stderr, "{}\n", result.error().text());
-  std::exit(2);
-}
-void need(const Status& status) {
-  if (status) return;
-  fmt::print(stderr, "{}\n", status.error().text());
-  std::exit(2);
-}
 
 /// A round body with dents, along x: 2 * around * along triangles.
 void writeBody(const std::filesystem::path& path, double length, double radius, int around,
@@ -127,10 +109,10 @@ std::string joints(int device, double t) {
 }
 
 void writeLog(const std::filesystem::path& path, std::int64_t packets) {
-  SessionWriter writer(need(LogWriter::create(path, {}, "clearance bench")), {});
+  SessionWriter writer(bench::need(LogWriter::create(path, {}, "clearance bench")), {});
   std::vector<ChannelId> channels;
   for (int i = 0; i <= kArms; ++i) {
-    channels.push_back(need(writer.addChannel(fmt::format("/udp/19960/s{}", i), "rk1", {})));
+    channels.push_back(bench::need(writer.addChannel(fmt::format("/udp/19960/s{}", i), "rk1", {})));
   }
   for (std::int64_t i = 0; i < packets; ++i) {
     const std::int64_t ns = i * 1'000'000'000 / kRateHz;
@@ -138,19 +120,20 @@ void writeLog(const std::filesystem::path& path, std::int64_t packets) {
       const std::int64_t at = ns + device * 3'000'000;
       const std::string text = fmt::format("RK1 s{}@7f3a {} -\n{}", device, i,
                                            joints(device, static_cast<double>(at) * 1e-9));
-      need(writer.write(channels[static_cast<std::size_t>(device)], static_cast<std::uint32_t>(i),
-                        LogTime(Nanoseconds(kOriginNs + at)), kOriginNs + at, bytesOf(text)));
+      bench::need(writer.write(channels[static_cast<std::size_t>(device)],
+                               static_cast<std::uint32_t>(i), LogTime(Nanoseconds(kOriginNs + at)),
+                               kOriginNs + at, bytesOf(text)));
     }
   }
-  need(writer.log().close("done"));
+  bench::need(writer.log().close("done"));
 }
 
 CheckReport checked(const std::filesystem::path& folder, const char* name, double& seconds) {
-  const Cell cell = need(loadCell(folder / name, {}));
-  LogReader log = need(LogReader::open(folder / "session.mcap"));
-  const double began = cpuSeconds();
-  CheckReport report = need(checkLog(cell, log));
-  seconds = cpuSeconds() - began;
+  const Cell cell = bench::need(loadCell(folder / name, {}));
+  LogReader log = bench::need(LogReader::open(folder / "session.mcap"));
+  const double began = bench::processSeconds();
+  CheckReport report = bench::need(checkLog(cell, log));
+  seconds = bench::processSeconds() - began;
   return report;
 }
 
@@ -223,7 +206,7 @@ int main(int argc, char** argv) {
   double with = 0, without = 0;
   const CheckReport report = checked(folder, "cell.toml", with);
   checked(folder, "without.toml", without);
-  const Cell cell = need(loadCell(folder / "cell.toml", {}));
+  const Cell cell = bench::need(loadCell(folder / "cell.toml", {}));
   std::size_t triangles = 0, near = 0;
   for (const CellDevice& device : cell.devices) {
     for (const Link& link : cell.modelOf(device)->links) {

@@ -7,7 +7,6 @@
 // import_bench --bag GB FILE: makes a bag of that size, half of it joint states (tests/memory/run).
 #include <fmt/format.h>
 #include <sys/resource.h>
-#include <time.h>
 
 #include <algorithm>
 #include <charconv>
@@ -22,6 +21,7 @@
 #include "core/log/log_reader.h"
 #include "core/log/new_log_file.h"
 #include "core/mcap/writer.h"
+#include "tests/bench/bench_support.h"
 
 namespace {
 
@@ -32,12 +32,6 @@ constexpr std::size_t kJoints = 6;
 constexpr const char* kNames[kJoints] = {"shoulder_pan_joint", "shoulder_lift_joint",
                                          "elbow_joint",        "wrist_1_joint",
                                          "wrist_2_joint",      "wrist_3_joint"};
-
-double cpuSeconds() {
-  timespec now{};
-  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
-}
 
 /// CDR, little-endian.
 class Cdr {
@@ -171,9 +165,9 @@ template <class Work>
 double leastCpu(const Work& work) {
   double least = 1e9;
   for (int run = 0; run < kRuns; ++run) {
-    const double before = cpuSeconds();
+    const double before = bench::processSeconds();
     work();
-    least = std::min(least, cpuSeconds() - before);
+    least = std::min(least, bench::processSeconds() - before);
   }
   return least;
 }

@@ -25,6 +25,7 @@
 #include "core/log/mapped_file.h"
 #include "core/mcap/parse_record.h"
 #include "core/mcap/record_stepper.h"
+#include "tests/bench/bench_support.h"
 
 namespace {
 
@@ -43,12 +44,6 @@ template <class T>
 T must(Result<T> result) {
   if (!result) fail(result.error().text());
   return std::move(*result);
-}
-
-double cpuSeconds() {
-  timespec now{};
-  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 template <class Work>
@@ -112,7 +107,7 @@ void writeLogApart(const std::filesystem::path& path, Compression compression,
 double floorCpuSeconds(const std::filesystem::path& path) {
   const MappedFile mapped = must(MappedFile::open(path));
   const ByteView file = mapped.bytes();
-  const double start = cpuSeconds();
+  const double start = bench::processSeconds();
   Bytes expanded;
   std::uint64_t sum = 0;
   ZSTD_DCtx* const context = ZSTD_createDCtx();
@@ -139,7 +134,7 @@ double floorCpuSeconds(const std::filesystem::path& path) {
   }
   ZSTD_freeDCtx(context);
   if (sum == 0) fail("the log is empty");
-  return cpuSeconds() - start;
+  return bench::processSeconds() - start;
 }
 
 void report(const char* what, double value, const char* unit, const std::string& more = {}) {
@@ -152,7 +147,7 @@ void readThrough(const std::filesystem::path& path, std::int64_t messages, bool 
                  double floor_s) {
   LogReader reader = must(LogReader::open(path));
   if (backwards) (void)reader.seek(LogTime::max());
-  const double start = cpuSeconds();
+  const double start = bench::processSeconds();
   std::int64_t count = 0;
   double most_mb = 0;
   LogTime last = backwards ? LogTime::max() : LogTime::min();
@@ -162,7 +157,7 @@ void readThrough(const std::filesystem::path& path, std::int64_t messages, bool 
     last = message->log_time;
     if (++count % 200'000 == 0) most_mb = std::max(most_mb, anonymousMegabytes());
   }
-  const double used_s = cpuSeconds() - start;
+  const double used_s = bench::processSeconds() - start;
   if (count != messages || !reader.damage().empty()) fail("not everything was read");
   report(backwards ? "read backwards" : "read in time order",
          static_cast<double>(messages) / used_s / 1e6, "M messages/CPU-s",
@@ -195,7 +190,7 @@ void seekAround(const std::filesystem::path& path, std::int64_t messages) {
   std::mt19937_64 random(11);
   std::vector<double> each_ms;
   double sum_ms = 0;
-  const double start_s = cpuSeconds();
+  const double start_s = bench::processSeconds();
   for (int i = 0; i < 1000; ++i) {
     const auto to = static_cast<std::int64_t>(random() % static_cast<std::uint64_t>(messages));
     each_ms.push_back(wallMilliseconds([&] {
@@ -208,7 +203,7 @@ void seekAround(const std::filesystem::path& path, std::int64_t messages) {
   std::ranges::sort(each_ms);
   report("random seek + first message, mean", sum_ms / 1000, "ms",
          fmt::format(", p99 {:.2f}, worst {:.2f}, {:.2f} CPU-ms each", each_ms[989], each_ms.back(),
-                     cpuSeconds() - start_s));
+                     bench::processSeconds() - start_s));
 }
 
 void openCut(const std::filesystem::path& path) {

@@ -4,7 +4,6 @@
 // keyframes costs beside bare ZSTD_compress2 of the same records.
 // usage: log_state_bench [SECONDS [FOLDER]]
 #include <fmt/format.h>
-#include <time.h>
 #include <unistd.h>
 #include <zstd.h>
 
@@ -18,6 +17,7 @@
 #include "core/mcap/records.h"
 #include "core/recording/session_writer.h"
 #include "core/session/timeline.h"
+#include "tests/bench/bench_support.h"
 #include "tests/support/joint_packets.h"
 
 namespace {
@@ -29,30 +29,6 @@ constexpr std::int64_t kRateHz = 6'000;
 constexpr std::int64_t kPeriodNs = 1'000'000'000 / kRateHz;
 constexpr std::size_t kArms = 6;
 constexpr double kBarMs = 16;
-
-double threadCpuMs() {
-  timespec now{};
-  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
-}
-
-double cpuSeconds() {
-  timespec now{};
-  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
-}
-
-template <class T>
-T need(Result<T> result) {
-  if (result) return std::move(*result);
-  fmt::print(stderr, "{}\n", result.error().text());
-  std::exit(2);
-}
-void need(const Status& status) {
-  if (status) return;
-  fmt::print(stderr, "{}\n", status.error().text());
-  std::exit(2);
-}
 
 /// What the sources say, packet by packet.
 class Sources {
@@ -101,10 +77,11 @@ class Sources {
 void writeSession(const std::filesystem::path& path, std::size_t packets) {
   LogWriterOptions options;
   options.overwrite = true;
-  SessionWriter session(need(LogWriter::create(path, options, "bench")), {});
+  SessionWriter session(bench::need(LogWriter::create(path, options, "bench")), {});
   std::vector<ChannelId> channels;
   for (std::size_t i = 0; i < Sources::kCount; ++i) {
-    channels.push_back(need(session.addChannel(fmt::format("/udp/19960/s{}", i), "rk1", {})));
+    channels.push_back(
+        bench::need(session.addChannel(fmt::format("/udp/19960/s{}", i), "rk1", {})));
   }
   Sources sources;
   std::string text;
@@ -113,10 +90,10 @@ void writeSession(const std::filesystem::path& path, std::size_t packets) {
     const std::size_t source = sources.say(i, text);
     const std::int64_t time_ns = kOriginNs + static_cast<std::int64_t>(i) * kPeriodNs;
     bytes += text.size();
-    need(session.write(channels[source], static_cast<std::uint32_t>(i),
-                       LogTime(Nanoseconds(time_ns)), time_ns, bytesOf(text)));
+    bench::need(session.write(channels[source], static_cast<std::uint32_t>(i),
+                              LogTime(Nanoseconds(time_ns)), time_ns, bytesOf(text)));
   }
-  need(session.log().close("finished"));
+  bench::need(session.log().close("finished"));
   fmt::print("{} packets of {} bytes in {} s, {} keyframes, a file of {} MB\n", packets,
              bytes / packets, packets / static_cast<std::size_t>(kRateHz), session.keyframes(),
              std::filesystem::file_size(path) / 1'000'000);
@@ -125,13 +102,13 @@ void writeSession(const std::filesystem::path& path, std::size_t packets) {
 /// Asks for the state at each moment; tells the times that the answers took.
 void ask(const char* name, const std::filesystem::path& path, const std::vector<LogTime>& moments) {
   using Clock = std::chrono::steady_clock;
-  Timeline timeline = need(Timeline::open(path));
+  Timeline timeline = bench::need(Timeline::open(path));
   std::vector<double> took_ms, cpu_ms;
   for (const LogTime moment : moments) {
-    const double cpu_before = threadCpuMs();
+    const double cpu_before = 1e3 * bench::threadSeconds();
     const Clock::time_point start = Clock::now();
-    (void)need(timeline.stateAt(moment));
-    cpu_ms.push_back(threadCpuMs() - cpu_before);
+    (void)bench::need(timeline.stateAt(moment));
+    cpu_ms.push_back(1e3 * bench::threadSeconds() - cpu_before);
     took_ms.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
   }
   const auto at = [](std::vector<double>& times, double part) {
@@ -195,20 +172,20 @@ void measureWriting(const std::filesystem::path& path, std::size_t packets) {
     options.overwrite = true;
     KeyframeOptions how;
     how.enabled = keyframes;
-    SessionWriter session(need(LogWriter::create(path, options, "bench")), how);
-    const ChannelId channel = need(session.addChannel("/udp/19960/arm", "rk1", {}));
+    SessionWriter session(bench::need(LogWriter::create(path, options, "bench")), how);
+    const ChannelId channel = bench::need(session.addChannel("/udp/19960/arm", "rk1", {}));
     for (std::size_t i = 0; i < packets; ++i) {
       const std::int64_t time_ns = kOriginNs + static_cast<std::int64_t>(i) * kPeriodNs;
-      need(session.write(channel, static_cast<std::uint32_t>(i), LogTime(Nanoseconds(time_ns)),
-                         time_ns, bytesOf(payloads[i])));
+      bench::need(session.write(channel, static_cast<std::uint32_t>(i),
+                                LogTime(Nanoseconds(time_ns)), time_ns, bytesOf(payloads[i])));
     }
-    need(session.log().close("finished"));
+    bench::need(session.log().close("finished"));
   };
   double least[3] = {1e9, 1e9, 1e9};
   const auto measure = [&](double& least_s, auto work) {
-    const double start = cpuSeconds();
+    const double start = bench::processSeconds();
     work();
-    least_s = std::min(least_s, cpuSeconds() - start);
+    least_s = std::min(least_s, bench::processSeconds() - start);
   };
   for (int run = 0; run < 5; ++run) {
     measure(least[0], bare);

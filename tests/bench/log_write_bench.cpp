@@ -3,7 +3,6 @@
 // index; beside it, what it costs when it comes at 6,000/s and is flushed every 50 ms. Keyframes
 // are another matter. usage: log_write_bench [MESSAGES [FOLDER]]
 #include <fmt/format.h>
-#include <time.h>
 #include <unistd.h>
 #include <zstd.h>
 
@@ -14,6 +13,7 @@
 #include "core/log/log_writer.h"
 #include "core/mcap/append_record.h"
 #include "core/mcap/records.h"
+#include "tests/bench/bench_support.h"
 #include "tests/support/joint_packets.h"
 
 namespace {
@@ -68,12 +68,6 @@ Bytes recordsOf(const Session& session) {
   return records;
 }
 
-double cpuSeconds() {
-  timespec now{};
-  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
-}
-
 /// The least CPU of a few runs, and the bytes made.
 struct Cost {
   double cpu_s = 1e9;
@@ -81,9 +75,9 @@ struct Cost {
 
   template <class Work>
   void measure(Work work) {
-    const double start = cpuSeconds();
+    const double start = bench::processSeconds();
     bytes = work();
-    cpu_s = std::min(cpu_s, cpuSeconds() - start);
+    cpu_s = std::min(cpu_s, bench::processSeconds() - start);
   }
 };
 

@@ -7,7 +7,6 @@
 #include <signal.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
-#include <time.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -21,17 +20,12 @@
 
 #include "core/transport/open_sink.h"
 #include "core/transport/open_source.h"
+#include "tests/bench/bench_support.h"
 
 namespace {
 
 using namespace rocinante;
 using Clock = std::chrono::steady_clock;
-
-double ownSeconds() {
-  timespec time{};
-  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
-}
 
 /// User and system time of another process.
 double processSeconds(pid_t process) {
@@ -93,7 +87,7 @@ int measure(const std::string& endpoint, pid_t server, std::uint64_t rate, int s
   receiver.ages_us.reserve(20'000'000);
   receiver.start();
   const auto start = Clock::now();
-  const double ours = ownSeconds();
+  const double ours = bench::processSeconds();
   const double servers = processSeconds(server);
   std::uint64_t sent = 0;
   const auto run = std::chrono::seconds(seconds);
@@ -132,7 +126,7 @@ int measure(const std::string& endpoint, pid_t server, std::uint64_t rate, int s
       "cores"
       " | age p50 {} us, p99 {} us\n",
       rate == 0 ? "unbounded" : fmt::format("{}/s", rate), static_cast<double>(sent) / span, sent,
-      sent - receiver.received, (ownSeconds() - ours) / span,
+      sent - receiver.received, (bench::processSeconds() - ours) / span,
       (processSeconds(server) - servers) / span, at_share(0.5), at_share(0.99));
   return sent == receiver.received ? 0 : 1;
 }

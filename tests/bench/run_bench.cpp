@@ -3,7 +3,6 @@
 // and its track comes from the cache (the first time it is made). CPU of one thread. usage:
 // run_bench [SECONDS [FOLDER]]
 #include <fmt/format.h>
-#include <time.h>
 #include <unistd.h>
 
 #include <cmath>
@@ -17,6 +16,7 @@
 #include "core/recording/session_writer.h"
 #include "golden/run/run_judge.h"
 #include "golden/run/track_cache.h"
+#include "tests/bench/bench_support.h"
 
 namespace {
 
@@ -29,51 +29,14 @@ constexpr std::size_t kAccepted = 5;
 constexpr Nanoseconds kStep = std::chrono::milliseconds(20);
 constexpr double kBarSeconds = 6;
 
-double cpuSeconds() {
-  timespec now{};
-  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
-}
-
-template <class T>
-T need(Result<T> result) {
-  if (result) return std::move(*result);
-  fmt::print(stderr, "{}\n", result.error().text());
-  std::exit(2);
-}
-void need(const Status& status) {
-  if (status) return;
-  fmt::print(stderr, "{}\n", status.error().text());
-  std::exit(2);
-}
-
-void writeCell(const std::filesystem::path& folder) {
-  std::ofstream urdf(folder / "arm.urdf");
-  urdf << "<robot name=\"arm\"> <link name=\"link0\"/>\n";
-  for (std::size_t i = 0; i < kJoints; ++i) {
-    urdf << fmt::format(
-        "<link name=\"link{1}\"/> <joint name=\"j{0}\" type=\"revolute\"> <parent "
-        "link=\"link{0}\"/> "
-        "<child link=\"link{1}\"/> <axis xyz=\"0 0 1\"/> <limit lower=\"-3\" upper=\"3\" "
-        "effort=\"1\" velocity=\"3\"/> </joint>\n",
-        i, i + 1);
-  }
-  urdf << "</robot>\n";
-  std::ofstream cell(folder / "cell.toml");
-  cell << "format = 1\n";
-  for (std::size_t arm = 0; arm < kArms; ++arm) {
-    cell << fmt::format("[[device]]\nname = \"arm{}\"\nmodel = \"arm.urdf\"\n", arm);
-  }
-}
-
 /// Sessions of one motion: each begins a little later, and its encoders have noise of their own.
 void writeLog(const std::filesystem::path& path, std::int64_t packets, std::uint64_t session) {
   std::uint64_t chance = 0x9E3779B97F4A7C15U * (session + 1);
-  SessionWriter writer(need(LogWriter::create(path, {}, "run bench")), {});
+  SessionWriter writer(bench::need(LogWriter::create(path, {}, "run bench")), {});
   std::vector<ChannelId> channels;
   for (std::size_t arm = 0; arm < kArms; ++arm) {
     channels.push_back(
-        need(writer.addChannel(fmt::format("/udp/19960/control{}", arm), "rk1", {})));
+        bench::need(writer.addChannel(fmt::format("/udp/19960/control{}", arm), "rk1", {})));
   }
   const auto shift_ns = static_cast<std::int64_t>(session) * 137'000;
   std::string text;
@@ -95,11 +58,11 @@ void writeLog(const std::filesystem::path& path, std::int64_t packets, std::uint
     }
     text += "\n";
     if (arm == 0 && sequence % 20'000 == 10'000) text += "event \"reached\"\n";
-    need(writer.write(channels[arm], static_cast<std::uint32_t>(sequence),
-                      LogTime(Nanoseconds(kOriginNs + shift_ns + ns + 200'000)),
-                      kOriginNs + shift_ns + ns, bytesOf(text)));
+    bench::need(writer.write(channels[arm], static_cast<std::uint32_t>(sequence),
+                             LogTime(Nanoseconds(kOriginNs + shift_ns + ns + 200'000)),
+                             kOriginNs + shift_ns + ns, bytesOf(text)));
   }
-  need(writer.log().close("done"));
+  bench::need(writer.log().close("done"));
 }
 
 struct Judged {
@@ -112,19 +75,23 @@ struct Judged {
 Judged judgeOnce(const Cell& cell, const std::vector<std::filesystem::path>& logs,
                  const TrackCache& cache) {
   Judged judged;
-  const double began = cpuSeconds();
+  const double began = bench::processSeconds();
   std::vector<SessionTrack> accepted;
   for (std::size_t i = 1; i < logs.size(); ++i) {
-    const std::string bytes = need(readFile(logs[i]));
-    accepted.push_back(need(cache.track(cell, logs[i], hexOf(xxh3(bytesOf(bytes))), kStep)));
+    Xxh3 hash;
+    bench::need(readFileInParts(logs[i], std::uint64_t{1} << 40, [&](ByteView part, std::uint64_t) {
+      hash.add(part);
+      return Status{};
+    }));
+    accepted.push_back(bench::need(cache.track(cell, logs[i], hexOf(hash.digest()), kStep)));
   }
-  const double read = cpuSeconds();
-  const SessionTrack session = need(trackSession(cell, logs[0], kStep));
-  const double tracked = cpuSeconds();
+  const double read = bench::processSeconds();
+  const SessionTrack session = bench::need(trackSession(cell, logs[0], kStep));
+  const double tracked = bench::processSeconds();
   std::vector<const SessionTrack*> band;
   for (const SessionTrack& one : accepted) band.push_back(&one);
   const RunJudgement found = judgeRun({}, band, session);
-  judged.judge_s = cpuSeconds() - tracked;
+  judged.judge_s = bench::processSeconds() - tracked;
   judged.session_s = tracked - read;
   judged.tracks_s = read - began;
   judged.findings = found.findings.size();
@@ -145,13 +112,13 @@ int main(int argc, char** argv) {
       argc > 2 ? std::filesystem::path(argv[2])
                : std::filesystem::temp_directory_path() / fmt::format("run_bench_{}", ::getpid());
   std::filesystem::create_directories(folder);
-  writeCell(folder);
+  bench::writeArms(folder, kArms, kJoints);
   std::vector<std::filesystem::path> logs;
   for (std::size_t i = 0; i <= kAccepted; ++i) {
     logs.push_back(folder / fmt::format("{}.mcap", i));
     if (!std::filesystem::exists(logs.back())) writeLog(logs.back(), seconds * kRateHz, i);
   }
-  const Cell cell = need(loadCell(folder / "cell.toml", {}));
+  const Cell cell = bench::need(loadCell(folder / "cell.toml", {}));
   const TrackCache cache(folder / "tracks");
   const Judged first = judgeOnce(cell, logs, cache);
   const Judged again = judgeOnce(cell, logs, cache);

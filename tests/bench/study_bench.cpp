@@ -4,7 +4,6 @@
 // log. usage: study_bench [SECONDS [FOLDER]]
 //        study_bench make LOG [SECONDS]     only writes that log, for other benches
 #include <fmt/format.h>
-#include <time.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -15,6 +14,7 @@
 #include "core/log/log_reader.h"
 #include "core/log/log_writer.h"
 #include "core/session/message_folder.h"
+#include "tests/bench/bench_support.h"
 #include "tests/support/joint_packets.h"
 #include "viewer/ui/study/log_study.h"
 
@@ -26,43 +26,25 @@ constexpr std::int64_t kOriginNs = 1'770'091'506'000'000'000;
 constexpr std::int64_t kRateHz = 6'000;
 constexpr std::size_t kColumns = 1200;
 
-double cpuSeconds() {
-  timespec now{};
-  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
-}
-
-template <class T>
-T need(Result<T> result) {
-  if (result.ok()) return std::move(*result);
-  fmt::print(stderr, "{}\n", result.error().text());
-  std::exit(2);
-}
-void need(const Status& status) {
-  if (status) return;
-  fmt::print(stderr, "{}\n", status.error().text());
-  std::exit(2);
-}
-
 void writeLog(const std::filesystem::path& path, std::int64_t seconds) {
-  auto writer = need(LogWriter::create(path, {}, "0123456789abcdef0123456789abcdef"));
-  const auto channel = need(writer.addChannel("/udp/19960/arm", "rk1", {}));
+  auto writer = bench::need(LogWriter::create(path, {}, "0123456789abcdef0123456789abcdef"));
+  const auto channel = bench::need(writer.addChannel("/udp/19960/arm", "rk1", {}));
   for (std::int64_t i = 0; i < seconds * kRateHz; ++i) {
     const std::string text = test::jointPacket(static_cast<std::size_t>(i), kRateHz);
     const std::int64_t time_ns = kOriginNs + i * 1'000'000'000 / kRateHz;
-    need(writer.write(channel, static_cast<std::uint32_t>(i), LogTime(Nanoseconds(time_ns)),
-                      time_ns, bytesOf(text)));
+    bench::need(writer.write(channel, static_cast<std::uint32_t>(i), LogTime(Nanoseconds(time_ns)),
+                             time_ns, bytesOf(text)));
   }
-  need(writer.close("bench"));
+  bench::need(writer.close("bench"));
 }
 
 struct Stopwatch {
   std::chrono::steady_clock::time_point began = std::chrono::steady_clock::now();
-  double cpu = cpuSeconds();
+  double cpu = bench::processSeconds();
   double wall() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   }
-  double cpuSpent() const { return cpuSeconds() - cpu; }
+  double cpuSpent() const { return bench::processSeconds() - cpu; }
 };
 
 bool anyCurve(const StudyPicture& picture) {
@@ -119,11 +101,11 @@ void benchStudy(const std::filesystem::path& path, std::int64_t seconds) {
 
 void benchBareFold(const std::filesystem::path& path) {
   const Stopwatch bare;
-  auto reader = need(LogReader::open(path));
+  auto reader = bench::need(LogReader::open(path));
   MessageFolder folder;
   SessionState state;
   std::uint64_t messages = 0;
-  while (const auto message = need(reader.next())) {
+  while (const auto message = bench::need(reader.next())) {
     folder.fold(state, *message);
     ++messages;
   }

@@ -3,7 +3,6 @@
 // two passes: one finds the columns, one writes the rows. usage: table_bench [ROWS [FOLDER]]
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <time.h>
 
 #include <algorithm>
 #include <charconv>
@@ -18,6 +17,7 @@
 #include "core/log/log_writer.h"
 #include "core/mcap/file_sink.h"
 #include "recorder/export/log_table.h"
+#include "tests/bench/bench_support.h"
 
 namespace {
 
@@ -27,12 +27,6 @@ constexpr int kRuns = 3;
 constexpr std::size_t kJoints = 6;
 constexpr std::int64_t kStart = 1'770'091'506'000'000'000;
 constexpr std::int64_t kStep = 2'000'000;
-
-double cpuSeconds() {
-  timespec now{};
-  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
-}
 
 double valueAt(std::size_t row, std::size_t joint) {
   return 1.7 * std::sin(static_cast<double>(row) * 1e-4 * static_cast<double>(joint + 1));
@@ -103,9 +97,9 @@ template <class Work>
 double leastCpu(const Work& work) {
   double least = 1e9;
   for (int run = 0; run < kRuns; ++run) {
-    const double before = cpuSeconds();
+    const double before = bench::processSeconds();
     work();
-    least = std::min(least, cpuSeconds() - before);
+    least = std::min(least, bench::processSeconds() - before);
   }
   return least;
 }

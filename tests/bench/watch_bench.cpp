@@ -3,7 +3,6 @@
 // a part of the session's own time. The bar is a tenth of a core.
 // usage: watch_bench [SECONDS]
 #include <fmt/format.h>
-#include <time.h>
 #include <unistd.h>
 
 #include <cmath>
@@ -13,6 +12,7 @@
 
 #include "core/check/watch/finding_change_text.h"
 #include "core/check/watch/finding_watch.h"
+#include "tests/bench/bench_support.h"
 
 namespace {
 
@@ -21,33 +21,6 @@ using namespace rocinante;
 constexpr std::int64_t kRateHz = 6'000;
 constexpr std::int64_t kArms = 6, kJoints = 6;
 constexpr double kBar = 0.1;
-
-double cpuSeconds() {
-  timespec now{};
-  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
-}
-
-void writeCell(const std::filesystem::path& folder) {
-  std::ofstream urdf(folder / "arm.urdf");
-  urdf << "<robot name=\"arm\"> <link name=\"link0\"/>\n";
-  for (std::int64_t i = 0; i < kJoints; ++i) {
-    urdf << fmt::format(
-        "<link name=\"link{1}\"/> <joint name=\"j{0}\" type=\"revolute\"> <parent "
-        "link=\"link{0}\"/> <child link=\"link{1}\"/> <axis xyz=\"0 0 1\"/> <limit lower=\"-3\" "
-        "upper=\"3\" effort=\"1\" velocity=\"3\"/> </joint>\n",
-        i, i + 1);
-  }
-  urdf << "</robot>\n";
-  std::ofstream cell(folder / "cell.toml");
-  cell << "format = 1\n";
-  for (std::int64_t arm = 0; arm < kArms; ++arm) {
-    cell << fmt::format(
-        "[[device]]\nname = \"arm{0}\"\nmodel = \"arm.urdf\"\n[[source]]\nname = \"control{0}\"\n"
-        "rate_hz = [900, 1100]\njitter_ms = 5\ndevices = [\"arm{0}\"]\n",
-        arm);
-  }
-}
 
 /// The packet of this number, sent at `ns`.
 void writePacket(std::int64_t number, std::int64_t ns, std::string& text) {
@@ -75,7 +48,7 @@ int main(int argc, char** argv) {
   const std::filesystem::path folder =
       std::filesystem::temp_directory_path() / fmt::format("watch_bench_{}", ::getpid());
   std::filesystem::create_directories(folder);
-  writeCell(folder);
+  bench::writeArms(folder, kArms, kJoints);
   const Result<Cell> cell = loadCell(folder / "cell.toml", {});
   std::filesystem::remove_all(folder);
   if (!cell) return 2;
@@ -91,7 +64,7 @@ int main(int argc, char** argv) {
       writePacket(i, i * 1'000'000'000 / kRateHz, text);
       batch.push_back(text);
     }
-    const double began = cpuSeconds();
+    const double began = bench::processSeconds();
     for (std::int64_t i = 0; i < kBatch; ++i) {
       const std::int64_t ns = (done + i) * 1'000'000'000 / kRateHz + 200'000;
       const LogTime time(Nanoseconds(1'770'091'506'000'000'000 + ns));
@@ -100,7 +73,7 @@ int main(int argc, char** argv) {
       }
       watch.add(time, "rk1", true, bytesOf(batch[static_cast<std::size_t>(i)]));
     }
-    spent += cpuSeconds() - began;
+    spent += bench::processSeconds() - began;
   }
   const double part = spent / static_cast<double>(seconds);
   fmt::print("{} s at {}/s: {} findings began, {} bytes of JSON\n", seconds, kRateHz, watch.begun(),

@@ -18,7 +18,7 @@
     find("notes").lastChild.append(...report.notes.map((note) => make("li", { textContent: note })));
   }
 
-  new RunView(report.runs);
+  new RunView(report.runs, store);
   if (frames.length === 0) {
     document.querySelector(".columns").hidden = true;
     find("approval").hidden = true;

@@ -1,7 +1,8 @@
 // Runs: sessions compared as motion. Findings as a list, joints as curves: the accepted band and the
 // session under test.
 class RunView {
-  constructor(runs) {
+  constructor(runs, pictures) {
+    this.pictures = pictures;
     find("runs").hidden = runs.length === 0;
     find("runs").append(...runs.map((run) => this.section(run)));
   }
@@ -13,6 +14,7 @@ class RunView {
     if (run.findings.length > 0) {
       section.append(make("ul", {}, ...run.findings.map((finding) => this.finding(finding))));
     }
+    if (run.pictures) section.append(make("div", { className: "run-pictures" }, ...run.pictures.map((one) => this.picture(one))));
     if (run.changes.length > 0) {
       section.append(make("h4", { textContent: "Changed in the model since" }),
         make("ul", {}, ...run.changes.map((change) => make("li", { textContent: change }))));
@@ -20,6 +22,14 @@ class RunView {
     const about = [`log ${run.log}`, `accepted ${run.accepted.join(", ")}`, `aligned by ${run.align}`, ...run.notes];
     section.append(make("p", { className: "soft", textContent: about.join("; ") }));
     return section;
+  }
+
+  // The accepted session is its clear ghost.
+  picture({ picture, device, run_ns, accepted_ns }) {
+    const at = (ns) => (ns / 1e9).toFixed(3) + " s";
+    const says = `${device} at ${at(run_ns)}; clear: as accepted, at ${at(accepted_ns)}`;
+    return make("figure", {}, make("img", { src: this.pictures.address(`${picture}`), alt: says, loading: "lazy" }),
+      make("figcaption", { textContent: says }));
   }
 
   finding(finding) {

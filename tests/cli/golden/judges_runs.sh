@@ -43,6 +43,15 @@ print(sarif["ruleId"], sarif["locations"][0]["physicalLocation"]["region"]["star
 PYTHON
 head -3 summary.md | cut -c1-80
 grep -c '"runs": \[' report/report.json
+ls report
+python3 - <<'PYTHON'
+import json
+run = json.load(open("out.json"))["runs"][0]
+for picture in run["pictures"]:
+    print(picture["file"], picture["device"], picture["run_ns"] // 10**8, picture["accepted_ns"] // 10**8)
+page = open("report/index.html").read()
+print(page.count('"file":"lift.run-'), "in the page")
+PYTHON
 rocinante golden run runs.toml --log lift=still.mcap --github | grep -c '^::error file=runs.toml,line=3' || echo "exit $?"
 rocinante golden report report --json merged.json | tail -1 || echo "exit $?"
 python3 -c 'import json; print(json.load(open("merged.json"))["runs"] == json.load(open("out.json"))["runs"])'

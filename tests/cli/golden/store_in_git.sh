@@ -79,6 +79,11 @@ git -C ../remote.git rev-list --count refs/goldens/files
 # What is here can be pushed again.
 (cd ../eve && rocinante golden push suite.toml)
 
+echo "a submodule:"
+git init --quiet ../super
+(cd ../super && git -c protocol.file.allow=always submodule --quiet add "$remote" parts 2>/dev/null && cd parts &&
+  rocinante golden list suite.toml --verify | tail -1 && ls ../.git/modules/parts/rocinante && git status --short)
+
 echo "a remote without filters:"
 git -C ../remote.git config uploadpack.allowFilter false
 git -C ../remote.git config uploadpack.allowAnySHA1InWant false

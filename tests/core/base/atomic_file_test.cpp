@@ -24,6 +24,34 @@ TEST(WriteFileWhole, WhatIsWrittenIsReadBack) {
   EXPECT_EQ(filesIn(folder.path()), 1U);
 }
 
+TEST(ReadFileInParts, HandsOverAllOfItInOrder) {
+  const test::TemporaryFolder folder;
+  std::string text;
+  for (int i = 0; text.size() < 600'000; ++i) text += std::to_string(i);
+  ASSERT_TRUE(writeFileWhole(folder / "a", bytesOf(text), false).ok());
+  std::string read;
+  ASSERT_TRUE(readFileInParts(folder / "a", text.size(), [&](ByteView part, std::uint64_t size) {
+                EXPECT_EQ(size, text.size());
+                EXPECT_LE(part.size(), std::size_t{256} << 10);
+                read += textOf(part);
+                return Status{};
+              }).ok());
+  EXPECT_EQ(read, text);
+}
+
+TEST(ReadFileInParts, StopsAtTheFirstRefusal) {
+  const test::TemporaryFolder folder;
+  ASSERT_TRUE(writeFileWhole(folder / "a", Bytes(600'000), false).ok());
+  int parts = 0;
+  const Status read =
+      readFileInParts(folder / "a", 1 << 20, [&](ByteView, std::uint64_t) -> Status {
+        ++parts;
+        return Error{ErrorKind::refused, "enough", {}};
+      });
+  EXPECT_EQ(read.error().text(), "enough");
+  EXPECT_EQ(parts, 1);
+}
+
 TEST(WriteFileWhole, LeavesAnExistingFileAlone) {
   const test::TemporaryFolder folder;
   ASSERT_TRUE(writeFileWhole(folder / "a", bytesOf("first"), false).ok());

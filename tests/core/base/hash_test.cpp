@@ -43,5 +43,18 @@ TEST(Xxh3, GivesTheLibrarysCanonicalFormOfNothing) {
   EXPECT_EQ(hexOf(xxh3({})), "99aa06d3014798d86001c324468d497f");
 }
 
+TEST(Xxh3, IsTheSameHoweverItIsFed) {
+  std::string text;
+  for (int i = 0; text.size() < 5'000; ++i) text += std::to_string(i);
+  Xxh3 hash;
+  std::size_t at = 0;
+  for (std::size_t step = 1; at < text.size(); step = step * 2 + 1) {
+    const std::string_view part = std::string_view(text).substr(at, step);
+    hash.add(bytesOf(part));
+    at += part.size();
+    EXPECT_EQ(hash.digest(), xxh3(bytesOf(text.substr(0, at))));
+  }
+}
+
 }  // namespace
 }  // namespace rocinante

@@ -266,7 +266,7 @@ TEST_F(RunRegressions, ChangesOfARealRecordingAreNamed) {
   session.packets.back().body += "event \"end\"\n";
   const auto accepted = trackOf(cell, session);
   ASSERT_TRUE(accepted.ok()) << accepted.error().text();
-  const std::vector<Regression> regressions = {
+  std::vector<Regression> regressions = {
       {"0.1 degrees", Kind::joint, "panda/panda_joint4", 0, 0.1,
        [](SaidSession& s) { s.joint("panda", 3, 0, 1e9, plus(0.1 * kDegree)); }, "beyond"},
       {"0.5 degrees for a second", Kind::joint, "panda/panda_joint2", 9.9, 10.1,
@@ -292,7 +292,21 @@ TEST_F(RunRegressions, ChangesOfARealRecordingAreNamed) {
          std::size_t count = 0;
          std::erase_if(s.packets, [&](const auto&) { return count++ % 2 == 1; });
        }},
+      {"nothing is said for half a second", Kind::joint, "panda/panda_joint", 4.9, 5.3,
+       [](SaidSession& s) { s.erase("panda", 5, 5.5); }},
+      {"it ends early", Kind::event, "event/end", 20.4, 20.6,
+       [](SaidSession& s) {
+         std::erase_if(s.packets, [](const auto& said) { return said.at_s > 20.5; });
+         s.say("panda", 20.5, "event \"end\"");
+       }},
   };
+  for (std::size_t joint = 0; joint < 7; ++joint) {
+    static const char* const kNames[] = {
+        "panda/panda_joint1", "panda/panda_joint2", "panda/panda_joint3", "panda/panda_joint4",
+        "panda/panda_joint5", "panda/panda_joint6", "panda/panda_joint7"};
+    regressions.push_back({"a joint lags from a moment on", Kind::joint, kNames[joint], 11.9, 15,
+                           [joint](SaidSession& s) { delay(s, "panda", joint, 0.08, 12); }});
+  }
   for (const Regression& regression : regressions) {
     SaidSession changed = session;
     regression.change(changed);
@@ -312,6 +326,109 @@ TEST_F(RunRegressions, ChangesOfARealRecordingAreNamed) {
   }
   noisy.times("", [](double at) { return at * 1.0002 + 0.5; });
   const auto run = trackOf(cell, noisy);
+  ASSERT_TRUE(run.ok());
+  expectSilent("noise, another start and a clock 200 ppm off", judgeRun({}, {&*accepted}, *run));
+}
+
+/// An arm that reaches for a block: a simulator's session, with a body whose pose is stated. Events
+/// of our own mark its ends.
+TEST_F(RunRegressions, ChangesOfARecordedGraspAreNamed) {
+  ROCINANTE_NEEDS_SHARED_DATA("recordings/kuka_block_grasp/block_grasp_log.csv");
+  std::ofstream(folder_ / "block.urdf") << "<robot name=\"block\"><link name=\"body\"/></robot>";
+  std::ofstream(folder_ / "cell.toml") << fmt::format(
+      "format = 1\nsearch = [\"{0}\"]\n[[device]]\nname = \"kuka\"\nmodel = "
+      "\"{0}/model.urdf\"\n[[device]]\nname = \"block\"\nmodel = \"block.urdf\"\n",
+      test::sharedData("robots/kuka_iiwa").string());
+  const Cell cell = cellAt(folder_ / "cell.toml");
+  SaidSession session;
+  std::ifstream csv(test::sharedData("recordings/kuka_block_grasp/block_grasp_log.csv"));
+  std::string line;
+  std::getline(csv, line);
+  while (std::getline(csv, line)) {
+    std::vector<std::string> fields;
+    std::istringstream words(line);
+    for (std::string field; std::getline(words, field, ',');) fields.push_back(field);
+    ASSERT_GE(fields.size(), 10U);
+    const auto listed = [&](std::size_t first, std::size_t count) {
+      std::string text;
+      for (std::size_t i = first; i < first + count; ++i) text += " " + fields[i];
+      return text + "\n";
+    };
+    const double at = std::stod(fields[1]);
+    if (fields[2] == "0") {
+      session.packets.push_back({at, "arm", "RK1 arm 0 -", "joints kuka" + listed(10, 7)});
+    } else if (fields[2] == "2") {
+      session.packets.push_back({at, "block", "RK1 block 0 -", "pose block" + listed(3, 7)});
+    }
+  }
+  ASSERT_GT(session.packets.size(), 4'000U);
+  session.say("arm", 0, "event \"begin\"").say("arm", 4.2, "event \"end\"");
+  const auto accepted = trackOf(cell, session);
+  ASSERT_TRUE(accepted.ok()) << accepted.error().text();
+  /// Changes the block's numbers from a moment on.
+  const auto moved = [](std::size_t number, double by, double from) {
+    return [number, by, from](SaidSession& s) {
+      for (auto& said : s.packets) {
+        if (said.source != "block" || said.at_s < from) continue;
+        std::istringstream words(said.body);
+        std::string text, word;
+        for (std::size_t i = 0; words >> word; ++i) {
+          text += (i == 0 ? "" : " ") +
+                  (i == number + 2 ? fmt::format("{:.9f}", std::stod(word) + by) : word);
+        }
+        said.body = text + "\n";
+      }
+    };
+  };
+  const std::vector<Regression> regressions = {
+      {"0.1 degrees", Kind::joint, "kuka/lbr_iiwa_joint_2", 0, 0.1,
+       [](SaidSession& s) { s.joint("kuka", 1, 0, 1e9, plus(0.1 * kDegree)); }, "beyond"},
+      {"0.5 degrees from a moment on", Kind::joint, "kuka/lbr_iiwa_joint_6", 1.4, 1.6,
+       [](SaidSession& s) { s.joint("kuka", 5, 1.5, 1e9, plus(0.5 * kDegree)); }},
+      {"late", Kind::joint, "kuka/lbr_iiwa_joint_1", 0.5, 1.5,
+       [](SaidSession& s) { delay(s, "kuka", 0, 0.06); }},
+      {"its sign is flipped", Kind::joint, "kuka/lbr_iiwa_joint_4", 0, 0.1,
+       [](SaidSession& s) {
+         s.joint("kuka", 3, 0, 1e9, [](double value, double) { return -value; });
+       },
+       "its sign is flipped"},
+      {"frozen", Kind::joint, "kuka/lbr_iiwa_joint_7", 0.9, 1.3,
+       [](SaidSession& s) {
+         double held = NAN;
+         s.joint("kuka", 6, 1, 2, [held](double value, double) mutable {
+           if (std::isnan(held)) held = value;
+           return held;
+         });
+       },
+       "frozen at"},
+      {"the block lies 1 mm lower", Kind::pose, "block", 0, 0.1, moved(2, -1e-3, 0)},
+      {"the block is pushed 2 mm", Kind::pose, "block", 1.9, 2.1, moved(0, 2e-3, 2)},
+      {"the block is turned", Kind::pose, "block", 2.9, 3.1, moved(5, 0.01, 3)},
+      {"the block is said half as often", Kind::rate, "block", 0, 1.5,
+       [](SaidSession& s) {
+         std::size_t count = 0;
+         std::erase_if(s.packets, [&](const auto& said) {
+           return said.source == "block" && count++ % 2 == 1;
+         });
+       }},
+      {"the block is hidden", Kind::fact, "block", 1.9, 2.1,
+       [](SaidSession& s) { s.say("arm", 2, "hide block"); }},
+  };
+  for (const Regression& regression : regressions) {
+    SaidSession changed = session;
+    regression.change(changed);
+    const auto run = trackOf(cell, changed);
+    ASSERT_TRUE(run.ok());
+    expectNamed(regression, judgeRun({}, {&*accepted}, *run));
+  }
+  SaidSession again = session;
+  std::mt19937 random(5);
+  std::normal_distribution<double> noise(0, 0.004 * kDegree);
+  for (std::size_t joint = 0; joint < 7; ++joint) {
+    again.joint("kuka", joint, 0, 1e9, [&](double value, double) { return value + noise(random); });
+  }
+  again.times("", [](double at) { return at * 0.9998 + 0.3; });
+  const auto run = trackOf(cell, again);
   ASSERT_TRUE(run.ok());
   expectSilent("noise, another start and a clock 200 ppm off", judgeRun({}, {&*accepted}, *run));
 }

@@ -48,10 +48,10 @@ TEST(SessionComparison, NamesTheJointThatChangedAndByAllOfIt) {
   const auto found = judgeSessions(folder / "cell.toml", {}, question, {});
   ASSERT_TRUE(found.ok()) << found.error().text();
   EXPECT_EQ(found->verdict(), Verdict::different);
-  ASSERT_EQ(found->times_b.size(), found->pictures.frames.size());
+  ASSERT_EQ(found->times_b.size(), found->report.frames.size());
   bool any_between = false;
-  for (std::size_t i = 0; i < found->pictures.frames.size(); ++i) {
-    const JudgedFrame& judged = found->pictures.frames[i];
+  for (std::size_t i = 0; i < found->report.frames.size(); ++i) {
+    const JudgedFrame& judged = found->report.frames[i];
     SCOPED_TRACE(judged.frame.name);
     // At the ends a joint that is late has nowhere to come from.
     if (!judged.frame.name.starts_with("between")) continue;
@@ -65,6 +65,41 @@ TEST(SessionComparison, NamesTheJointThatChangedAndByAllOfIt) {
   }
   EXPECT_TRUE(any_between);
   EXPECT_THAT(sessionText(*found), testing::HasSubstr(", b at "));
+  // Behaviour names the joint alone, too.
+  for (const RunFinding& finding : found->run().judgement.findings) {
+    EXPECT_THAT(finding.item, testing::AnyOf("arm/first", "arm/one"));
+  }
+}
+
+TEST(SessionComparison, WhatIsLateBeyondTheLimitIsNamedWithItsTime) {
+  const test::TemporaryFolder folder;
+  test::writeText(folder / "arm.urdf", kTwoBars);
+  const auto packets = [](std::int64_t late_ms) {
+    std::vector<std::pair<std::int64_t, std::string>> said = {{0, "event \"go\"\n"}};
+    for (int i = 1; i < 200; ++i) {
+      said.emplace_back(i * 10 + (i > 100 ? late_ms : 0),
+                        "joints arm " + std::to_string(0.01 * i) + " 0\n");
+    }
+    return said;
+  };
+  test::writeSession(folder / "a.mcap", packets(0));
+  test::writeSession(folder / "b.mcap", packets(15));
+  test::writeSession(folder / "c.mcap", packets(200));
+  SessionQuestion question;
+  question.a = folder / "a.mcap";
+  question.b = folder / "b.mcap";
+  question.pictures = false;
+  const auto near = judgeSessions(folder / "arm.urdf", {}, question, {});
+  ASSERT_TRUE(near.ok()) << near.error().text();
+  EXPECT_EQ(near->verdict(), Verdict::same) << sessionText(*near);
+  question.b = folder / "c.mcap";
+  const auto late = judgeSessions(folder / "arm.urdf", {}, question, {});
+  ASSERT_TRUE(late.ok()) << late.error().text();
+  EXPECT_EQ(late->verdict(), Verdict::different);
+  ASSERT_FALSE(late->run().judgement.findings.empty());
+  const RunFinding& first = late->run().judgement.findings.front();
+  EXPECT_EQ(first.item, "arm/first");
+  EXPECT_NEAR(secondsOf(first.first_accepted), 1.05, 0.1);
 }
 
 }  // namespace

@@ -1,0 +1,85 @@
+#include "golden/session/nearest_moment.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "core/cell/posed_scene.h"
+#include "core/math/transform.h"
+
+namespace rocinante {
+namespace {
+
+/// How far two states are apart; the first difference decides.
+struct Apart {
+  std::size_t facts = 0;  ///< that one has and the other has not, or otherwise
+  double most = 0;        ///< of a link, in limits
+  Nanoseconds away{0};
+  auto operator<=>(const Apart&) const = default;
+};
+
+std::size_t differing(const SessionState::Drawings& a, const SessionState::Drawings& b) {
+  std::size_t count = 0;
+  for (const auto& [key, value] : a) {
+    const auto found = b.find(key);
+    if (found == b.end() || !(found->second == value)) ++count;
+  }
+  for (const auto& [key, value] : b) count += a.contains(key) ? 0 : 1;
+  return count;
+}
+
+/// In limits.
+double apartOf(const Mat4& a, const Mat4& b, const RunLimits& limits) {
+  const double away_mm = glm::length(Vec3(a[3]) - Vec3(b[3])) * 1e3;
+  double trace = 0;
+  for (int column = 0; column < 3; ++column) trace += glm::dot(Vec3(a[column]), Vec3(b[column]));
+  const double turn_deg = glm::degrees(std::acos(std::clamp((trace - 1) / 2, -1.0, 1.0)));
+  return std::max(away_mm / limits.position_mm, turn_deg / limits.turn_deg);
+}
+
+Apart apartOf(const PosedScene& a, const SessionState& said_a, const PosedScene& b,
+              const SessionState& said_b, const RunLimits& limits) {
+  Apart apart;
+  apart.facts = differing(said_a.drawings(), said_b.drawings());
+  for (const PosedDevice& device : a.devices) {
+    const PosedDevice* const other = b.findDevice(device.name);
+    if (other == nullptr || other->model != device.model) {
+      ++apart.facts;
+      continue;
+    }
+    if (device.link_visible != other->link_visible) ++apart.facts;
+    if (device.link_color != other->link_color) ++apart.facts;
+    for (std::size_t link = 0; link < device.link_world.size(); ++link) {
+      apart.most =
+          std::max(apart.most, apartOf(device.link_world[link], other->link_world[link], limits));
+    }
+  }
+  for (const PosedDevice& device : b.devices) {
+    if (a.findDevice(device.name) == nullptr) ++apart.facts;
+  }
+  return apart;
+}
+
+}  // namespace
+
+Result<LogTime> nearestMoment(const Cell& cell, Timeline& a, LogTime in_a, Timeline& b,
+                              LogTime in_b, const std::vector<LogTime>& candidates,
+                              const RunLimits& limits) {
+  const auto said_a = a.stateAt(in_a);
+  if (!said_a.ok()) return said_a.error();
+  const PosedScene scene_a = poseScene(cell, **said_a);
+  LogTime best = in_b;
+  std::optional<Apart> least;
+  for (const LogTime candidate : candidates) {
+    const auto said_b = b.stateAt(candidate);
+    if (!said_b.ok()) return said_b.error();
+    Apart apart = apartOf(scene_a, **said_a, poseScene(cell, **said_b), **said_b, limits);
+    apart.away = std::chrono::abs(candidate - in_b);
+    if (least && (apart <=> *least) >= 0) continue;
+    least = apart;
+    best = candidate;
+  }
+  return best;
+}
+
+}  // namespace rocinante

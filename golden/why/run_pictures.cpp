@@ -1,0 +1,97 @@
+#include "golden/why/run_pictures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+
+#include "viewer/render/frame_maker.h"
+
+namespace rocinante {
+namespace {
+
+constexpr int kWidth = 640, kHeight = 400;
+/// Findings of one device that are closer together show the same.
+constexpr Nanoseconds kOneMoment = std::chrono::seconds(1);
+
+/// What to draw, without the pixels.
+std::vector<RunPicture> chosenPictures(const RunJudgement& judgement) {
+  std::vector<RunPicture> chosen;
+  for (const RunFinding& finding : judgement.findings) {
+    const bool moves =
+        finding.kind == RunFinding::Kind::joint || finding.kind == RunFinding::Kind::pose;
+    if (!moves || !finding.largest) continue;
+    RunPicture picture;
+    picture.device = finding.item.substr(0, finding.item.find('/'));
+    picture.at_run = finding.at_run;
+    picture.at_accepted = finding.at_accepted;
+    const bool is_shown = std::ranges::any_of(chosen, [&](const RunPicture& other) {
+      const Nanoseconds apart = other.at_run - picture.at_run;
+      return other.device == picture.device && std::chrono::abs(apart) < kOneMoment;
+    });
+    if (!is_shown) chosen.push_back(std::move(picture));
+    if (chosen.size() == kMaxRunPictures) break;
+  }
+  return chosen;
+}
+
+LogTime within(const Timeline& session, LogTime time) {
+  return std::clamp(time, session.start(), session.end());
+}
+
+Status drawInto(const Cell& cell, const std::filesystem::path& log,
+                const std::filesystem::path& accepted, std::vector<RunPicture>& pictures) {
+  auto shown = Timeline::open(log);
+  if (!shown.ok()) return shown.error();
+  auto maker = FrameMaker::open(cell, std::move(*shown), Profile::reproducible);
+  if (!maker.ok()) return maker.error();
+  for (RunPicture& picture : pictures) {
+    auto beside = Timeline::open(accepted);
+    if (!beside.ok()) return beside.error();
+    FrameRequest request;
+    request.time = within(*maker->session(), maker->session()->origin() + picture.at_run);
+    request.camera = "fit:" + picture.device;
+    request.width = kWidth;
+    request.height = kHeight;
+    request.insets.emplace();
+    // The judge has matched these two moments already.
+    EventAlignment alignment;
+    alignment.anchor_a = request.time;
+    alignment.anchor_b = within(*beside, beside->origin() + picture.at_accepted);
+    maker->showBeside(std::move(*beside), std::move(alignment));
+    auto drawn = maker->frame(request);
+    if (!drawn.ok()) return drawn.error();
+    picture.picture = std::move(*drawn);
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string runPictureFile(const JudgedRun& run, std::size_t index) {
+  return fmt::format("{}.run-{}.png", run.name, index + 1);
+}
+
+void drawRunPictures(const Cell& cell, const std::filesystem::path& log,
+                     const std::filesystem::path& accepted, JudgedRun& run) {
+  if (run.verdict != FrameVerdict::different) return;
+  std::vector<RunPicture> pictures = chosenPictures(run.judgement);
+  if (pictures.empty()) return;
+  if (Status drawn = drawInto(cell, log, accepted, pictures); !drawn) {
+    run.judgement.notes.push_back("no pictures: " + drawn.error().text());
+    return;
+  }
+  run.pictures = std::move(pictures);
+}
+
+void drawRunPictures(const SuiteSession& session, JudgedRun& run) {
+  const auto wanted = std::ranges::find(session.runs(), run.name, &SuiteRun::name);
+  const auto& accepted = session.manifest().runsOf(run.name);
+  if (wanted == session.runs().end() || accepted.empty()) return;
+  if (const OpenedRecording* const log = session.logOf(**wanted)) {
+    drawRunPictures(session.cell(), log->log, session.folder().fileOf(accepted.front()), run);
+  }
+}
+
+}  // namespace rocinante
