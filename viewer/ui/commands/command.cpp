@@ -24,7 +24,8 @@ std::vector<std::string> splitWords(std::string_view line) {
 
 std::size_t Command::mostWords() const {
   constexpr std::size_t kAnyNumber = 1'000;
-  return arguments.ends_with("...]") ? kAnyNumber : splitWords(arguments).size();
+  return arguments.ends_with("...]") || arguments.ends_with("...") ? kAnyNumber
+                                                                   : splitWords(arguments).size();
 }
 
 std::size_t Command::leastWords() const {
@@ -38,7 +39,8 @@ const std::vector<Command>& allCommands() {
     std::vector<Command> all;
     for (std::vector<Command> group :
          {timeCommands(), liveCommands(), plotCommands(), cameraCommands(), pictureCommands(),
-          handCommands(), inspectCommands(), programCommands(), scriptCommands()}) {
+          handCommands(), inspectCommands(), publishCommands(), programCommands(),
+          scriptCommands()}) {
       std::ranges::move(group, std::back_inserter(all));
     }
     return all;

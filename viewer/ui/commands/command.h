@@ -36,8 +36,8 @@ enum class CommandGroup { time, camera, picture, program, script };
 /// docs/programs/view.md all take it from this one description. The texts outlive it.
 struct Command {
   std::string_view name{};
-  /// One word each, optional ones in brackets and last: "DX DY", "[on|off]"; "[TEXT...]" takes any
-  /// number.
+  /// One word each, optional ones in brackets and last: "DX DY", "[on|off]"; "[TEXT...]" and
+  /// "TEXT..." take any number.
   std::string_view arguments{};
   std::string_view means{};
   CommandGroup group = CommandGroup::program;
@@ -47,6 +47,8 @@ struct Command {
   bool needs_log = false;
   bool needs_live = false;        ///< a session that goes on; only the palette asks
   bool needs_beside = false;      ///< a session beside; only the palette asks
+  bool needs_others = false;      ///< another window's view; only the palette asks
+  bool needs_publishing = false;  ///< something is published; only the palette asks
   bool repeats = false;           ///< while its key is held
   std::string_view keys_shown{};  ///< one text for all shortcuts: "1 to 9"
   /// Values that its first argument may have now, for the palette; null: unknown.

@@ -147,6 +147,8 @@ Status clearSelection(CommandWords /*words*/, const CommandStage& stage) {
     model.palette.shown = model.open.shown = model.help_shown = false;
   } else if (model.picking.active()) {
     model.picking.end();
+  } else if (model.publishing.takesClicks()) {
+    model.publishing.endClicks();
   } else {
     model.selected = {};
   }

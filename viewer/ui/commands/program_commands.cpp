@@ -94,6 +94,16 @@ Status quitProgram(CommandWords /*words*/, const CommandStage& stage) {
   return {};
 }
 
+Status pointAt(CommandWords words, const CommandStage& stage) {
+  const auto x = numberOf(words[0]);
+  const auto y = numberOf(words[1]);
+  if (!x.ok()) return x.error();
+  if (!y.ok()) return y.error();
+  if (!stage.model.publishing.points()) return badWord("no pointer is published to others");
+  stage.requests.point = PictureClick{*x, *y, false};
+  return {};
+}
+
 Status clickPicture(CommandWords words, const CommandStage& stage) {
   const auto x = numberOf(words[0]);
   const auto y = numberOf(words[1]);
@@ -182,6 +192,10 @@ std::vector<Command> scriptCommands() {
        .arguments = "X Y",
        .means = "click the picture, in pixels from its top left",
        .run = clickPicture},
+      {.name = "point-at",
+       .arguments = "X Y",
+       .means = "point others there, in pixels from the picture's top left",
+       .run = pointAt},
       {.name = "key", .arguments = "KEY", .means = "press a key", .run = pressKey},
       {.name = "frame", .arguments = "N", .means = "draw N frames", .run = drawFrameCount},
       {.name = "wait",

@@ -33,6 +33,8 @@ struct ViewerRequests {
   /// Wait until the session that goes on is this long.
   std::optional<Nanoseconds> await_length;
   std::optional<PictureClick> click;
+  /// What others are pointed at: a place of the picture.
+  std::optional<PictureClick> point;
   std::optional<std::string> mark;
   std::optional<double> target_fps;
   /// A fixed rung, or -1 for the governor's choice.

@@ -1,97 +1,32 @@
 #include "viewer/ui/live/hand_drive.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <array>
-#include <random>
 #include <utility>
 
-#include "core/base/plain_text.h"
-#include "core/transport/open_sink.h"
-
 namespace rocinante {
-namespace {
-
-/// Ten times a second, as Source::flush() asks for, with room for a late frame.
-constexpr Nanoseconds kLongestPause = std::chrono::milliseconds(80);
-
-/// Different at each start, so that receivers can tell a restart from late packets.
-std::string freshRun() {
-  std::random_device random;
-  return fmt::format("{:08x}{:02x}", random(), random() & 0xFFU);
-}
-
-std::string refusalOf(SourceResult result, std::string_view device) {
-  return fmt::format("{} is not sent: {}", plainText(device), sentenceOf(result));
-}
-
-}  // namespace
 
 Result<HandDrive> HandDrive::open(const Endpoint& to, const DriveSettings& settings) {
-  auto sink = openSink(to);
-  if (!sink) return sink.error();
-  return into(std::move(*sink), settings);
+  auto sending = SendingSource::open(to, {settings.source, settings.run});
+  if (!sending) return sending.error();
+  return HandDrive(std::move(*sending));
 }
 
 Result<HandDrive> HandDrive::into(std::unique_ptr<DatagramSink> sink,
                                   const DriveSettings& settings) {
-  auto trouble = std::make_unique<std::string>();
-  const std::string run = settings.run.empty() ? freshRun() : settings.run;
-  SourceSettings how;
-  how.source = settings.source;
-  how.run = run;
-  auto source =
-      Source::open(how, [to = sink.get(), why = trouble.get()](std::span<std::byte> datagram) {
-        const std::array payloads{ByteView(datagram)};
-        const auto sent = to->sendWithoutWaiting(payloads);
-        if (!sent) {
-          *why = sent.error().text();
-          return false;
-        }
-        if (*sent == 0) {
-          *why = "the system has no room for more datagrams";
-          return false;
-        }
-        why->clear();
-        return true;
-      });
-  if (!source) return source.error();
-  return HandDrive(std::move(sink), std::move(trouble), std::move(*source), settings.source);
+  auto sending = SendingSource::into(std::move(sink), {settings.source, settings.run});
+  if (!sending) return sending.error();
+  return HandDrive(std::move(*sending));
 }
 
 void HandDrive::set(const std::string& device, std::span<const double> values) {
   auto known = devices_.find(device);
   if (known == devices_.end()) {
-    known = devices_.emplace(device, Driven{source_.device(device), {}}).first;
+    known = devices_.emplace(device, Driven{sending_.source().device(device), {}}).first;
   } else if (std::ranges::equal(known->second.values, values)) {
     return;
   }
-  const SourceResult set = source_.setJoints(known->second.device, values);
   known->second.values.assign(values.begin(), values.end());
-  if (set == SourceResult::done) {
-    changed_ = true;
-  } else {
-    *trouble_ = refusalOf(set, device);
-  }
-}
-
-void HandDrive::tick(SteadyTime now, WallTime wall) {
-  if (flushed_at_) {
-    const Nanoseconds since = now - *flushed_at_;
-    if (since < (changed_ ? kPeriod : kLongestPause)) return;
-  }
-  finish(now, wall);
-}
-
-void HandDrive::finish(SteadyTime now, WallTime wall) {
-  const SourceResult flushed = source_.flush(now.time_since_epoch(), wall);
-  // The sink's own words say what could not be sent.
-  if (flushed != SourceResult::done && flushed != SourceResult::not_sent) {
-    *trouble_ = std::string(sentenceOf(flushed));
-  }
-  changed_ = false;
-  flushed_at_ = now;
+  sending_.said(sending_.source().setJoints(known->second.device, values), device);
 }
 
 std::vector<std::string> HandDrive::devices() const {

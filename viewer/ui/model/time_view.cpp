@@ -50,10 +50,11 @@ void TimeView::follow(LogTime moment) {
   show(std::min(from, end_ - length), std::min(from, end_ - length) + length);
 }
 
-void TimeView::extendTo(LogTime end) {
+void TimeView::resize(LogTime start, LogTime end) {
   const bool all = showsAll();
-  end_ = std::max(end_, end);
-  if (all) showAll();
+  start_ = start;
+  end_ = std::max(end, start + Nanoseconds(1));
+  all ? showAll() : show(from_, until_);
 }
 
 }  // namespace rocinante

@@ -27,8 +27,9 @@ class TimeView {
   void pan(double part);
   /// Moves on so that a moment that leaves one side comes in at the other: for playing.
   void follow(LogTime moment);
-  /// The log has become longer.
-  void extendTo(LogTime end);
+  /// The log has become longer, or its beginning is gone. All of it stays all of it; a part stays
+  /// where it is, as far as the log has it.
+  void resize(LogTime start, LogTime end);
 
  private:
   LogTime start_{}, end_{Nanoseconds(1)};

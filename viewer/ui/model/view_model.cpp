@@ -127,6 +127,7 @@ Result<bool> ViewModel::update(SteadyTime now) {
   shown_ = moment;
   hand.setSituation(shows_live, cursor_ && cursor_->playing());
   changed = hand.takeChanged() || changed;
+  changed = publishing.takeChanged() || changed;
   changed = std::exchange(scene_is_old_, false) || changed;
   if (changed || !hand.drawn()) state_ = hand.over(*received_, moment);
   if (changed) {
@@ -150,6 +151,7 @@ Result<bool> ViewModel::update(SteadyTime now) {
 
 Status ViewModel::pose(LogTime moment) {
   scene_ = poses_->pose(*state_);
+  publishing.addTo(scene_);
   if (!beside_ || !beside_shown) return {};
   StateDamage damage;
   if (auto added = beside_->addGhosts(scene_, moment, damage); !added) return added;
@@ -383,6 +385,23 @@ Turntable& ViewModel::holdCamera() {
 
 void ViewModel::fit(const std::vector<Vec3>& points, int width, int height) {
   holdCamera().fit(points, width, height);
+}
+
+std::vector<std::string> ViewModel::viewsOfOthers() const {
+  std::vector<std::string> names;
+  for (const PosedCamera& camera : scene_.cameras) {
+    if (camera.of_session) names.push_back(camera.name);
+  }
+  return names;
+}
+
+std::string ViewModel::watched() const {
+  const PosedCamera* const camera = scene_.findCamera(camera_name_);
+  return camera != nullptr && camera->of_session ? camera_name_ : std::string();
+}
+
+void ViewModel::stopWatching() {
+  if (!watched().empty()) holdCamera();
 }
 
 std::vector<std::string> ViewModel::cameraNames() const {

@@ -22,6 +22,7 @@
 #include "viewer/ui/model/palette_state.h"
 #include "viewer/ui/model/panel_places.h"
 #include "viewer/ui/model/plot_board.h"
+#include "viewer/ui/model/publishing.h"
 #include "viewer/ui/model/selection.h"
 #include "viewer/ui/model/time_view.h"
 #include "viewer/ui/model/timeline_cursor.h"
@@ -150,6 +151,12 @@ class ViewModel {
   Turntable& holdCamera();
   /// Shows `points`, everything visible, from the present direction.
   void fit(const std::vector<Vec3>& points, int width, int height);
+  /// The views that sources of the session publish, those of other windows among them.
+  std::vector<std::string> viewsOfOthers() const;
+  /// The one that is shown; empty: none.
+  std::string watched() const;
+  /// Stays where the watched one looks from now.
+  void stopWatching();
   /// Names of the cell's cameras and of the session's views.
   std::vector<std::string> cameraNames() const;
 
@@ -182,6 +189,7 @@ class ViewModel {
   std::vector<InsetChoice> insets;
   Selection selected;
   HandControl hand;
+  Publishing publishing;
   TimeView time_view;  ///< what the time line shows
   PlotBoard plots;
   std::shared_ptr<const StudyPicture> picture;         ///< of the log, as far as known; may be null

@@ -81,13 +81,17 @@ bool ViewModel::watchLog(SteadyTime now) {
     // What is no longer kept cannot be shown again.
     const LogTime newest = keeping_trouble_.empty() ? live_->time : session_->end();
     cursor_->resize(session_->start(), std::max(session_->end(), newest));
+    time_view.resize(cursor_->start(), cursor_->end());
   }
   return shows_more;
 }
 
 /// Makes what was written part of what can be shown.
 void ViewModel::takeOverLog() {
-  if (!feed_) cursor_->resize(session_->start(), session_->end());
+  if (!feed_) {
+    cursor_->resize(session_->start(), session_->end());
+    time_view.resize(cursor_->start(), cursor_->end());
+  }
   StateDamage hiding;  // the panel counts all places of damage
   const auto events = session_->events(&hiding);
   if (!events.ok()) {
@@ -166,6 +170,7 @@ Result<std::filesystem::path> ViewModel::logOfShownMoment() {
     // This frame draws it, before the next update.
     state_ = hand.over(*received_, moment);
     scene_ = poses_->pose(*state_);
+    publishing.addTo(scene_);
     if (!session_) return Error{ErrorKind::unreadable, keeping_trouble_, {}};
   }
   return std::filesystem::path(session_->logAt(moment).name());

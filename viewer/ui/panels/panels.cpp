@@ -10,6 +10,7 @@
 #include "viewer/ui/panels/look_panel.h"
 #include "viewer/ui/panels/mark_prompt.h"
 #include "viewer/ui/panels/open_panel.h"
+#include "viewer/ui/panels/others_panel.h"
 #include "viewer/ui/panels/palette_panel.h"
 #include "viewer/ui/panels/panel_parts.h"
 #include "viewer/ui/panels/placed_panel.h"
@@ -133,6 +134,10 @@ void drawBanners(const ViewModel& model, const ViewerStatus& status, const Middl
   }
   if (const HandBanner hand = handBanner(model); !hand.what.empty()) {
     top = drawBanner("hand", middle, top, hand.color, hand.what, hand.hint);
+  }
+  if (const OthersBanner others = othersBanner(model); !others.what.empty()) {
+    top = drawBanner("others", middle, top, others.is_fault ? fault : ImVec4(0.6F, 0.85F, 1, 1),
+                     others.what, others.hint);
   }
   if (model.picking.active()) {
     top = drawBanner(

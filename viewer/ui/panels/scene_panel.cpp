@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/packet/packet_text.h"
+#include "viewer/ui/panels/others_panel.h"
 #include "viewer/ui/panels/panel_parts.h"
 
 namespace rocinante {
@@ -208,6 +209,7 @@ void drawEventRow(const ViewModel& model, const Event& event, TimelineCursor& cu
 void drawSceneTab(ViewModel& model, float bottom, ViewerRequests& requests) {
   drawCameraRow(model, requests);
   drawInsets(model);
+  drawOthers(model);
   drawLayers(model);
   drawDevices(model, bottom);
 }

@@ -58,6 +58,13 @@ void collectLetters(ViewModel& model) {
 
 }  // namespace
 
+std::optional<PicturePlace> mouseOnPicture() {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (io.WantCaptureMouse || !ImGui::IsMousePosValid()) return std::nullopt;
+  if (ImGui::IsAnyMouseDown()) return std::nullopt;
+  return PicturePlace(io.MousePos.x, io.MousePos.y);
+}
+
 std::optional<PictureClick> applyUserInput(ViewModel& model, SteadyTime now, int width_px,
                                            int height_px, ViewerRequests& requests,
                                            Window& window) {

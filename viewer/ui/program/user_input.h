@@ -5,6 +5,7 @@
 #include "core/base/time.h"
 #include "viewer/ui/commands/viewer_requests.h"
 #include "viewer/ui/model/view_model.h"
+#include "viewer/ui/program/pointer_pace.h"
 #include "viewer/ui/window/window.h"
 
 namespace rocinante {
@@ -13,5 +14,8 @@ namespace rocinante {
 /// a click on the picture.
 std::optional<PictureClick> applyUserInput(ViewModel& model, SteadyTime now, int width_px,
                                            int height_px, ViewerRequests& requests, Window& window);
+
+/// Where the mouse points in the picture; empty: at a panel, elsewhere, or it drags something.
+std::optional<PicturePlace> mouseOnPicture();
 
 }  // namespace rocinante

@@ -14,6 +14,7 @@
 #include "viewer/ui/program/frame_journal.h"
 #include "viewer/ui/program/opening.h"
 #include "viewer/ui/program/panel_pace.h"
+#include "viewer/ui/program/pointer_pace.h"
 #include "viewer/ui/program/save_camera.h"
 #include "viewer/ui/program/save_desk.h"
 #include "viewer/ui/program/script_runner.h"
@@ -43,6 +44,7 @@ class ViewApp {
                                                const ViewOptions& options, ContentLoader& loader);
   ~ViewApp() {
     if (model_.isLive()) model_.feed().onNews({});
+    model_.publishing.end(now(), std::chrono::system_clock::now());
   }
   ViewApp(const ViewApp&) = delete;
   ViewApp& operator=(const ViewApp&) = delete;
@@ -79,6 +81,7 @@ class ViewApp {
   void writeScreenshot();
   void openFiles(const std::vector<std::filesystem::path>& files);
   void waitForNews();
+  Status publish();
   Status saveLive(const std::filesystem::path& file);
   WindowSize size() const { return {width_, height_, interface_.scale()}; }
 
@@ -98,6 +101,7 @@ class ViewApp {
   FrameDue frame_due_;
   SteadyTime scripted_now_{};
   FrameJournal journal_;
+  PointerPace pointer_pace_;
   bool scene_drawn_ = false;  ///< in this frame
   FrameTimes times_;          ///< of the frame that last drew the scene
   ViewerStatus status_;
@@ -237,6 +241,9 @@ Status ViewApp::applyRequests(const ViewerRequests& requests) {
   if (requests.click) {
     if (auto clicked = picture_.click(*requests.click); !clicked) return clicked;
   }
+  if (requests.point) {
+    if (auto pointed = picture_.point(*requests.point); !pointed) return pointed;
+  }
   if (requests.reset) model_.resetCamera();
   if (requests.fit || (requests.reset && model_.cameraName().empty())) {
     model_.fit(picture_.corners(false), width_, height_);
@@ -330,6 +337,27 @@ void ViewApp::waitForNews() {
   if (window_->takeNews() || window_->input().pending()) frame_due_.happened(now());
 }
 
+/// Tells others where this window looks from and where its mouse points. Who watches another says
+/// nothing of it: two who watch each other would hand each other's old view to and fro.
+Status ViewApp::publish() {
+  Publishing& publishing = model_.publishing;
+  if (publishing.active() == nullptr) return {};
+  if (!scripted() && publishing.points()) {
+    const auto place = mouseOnPicture();
+    if (pointer_pace_.due(place, now())) {
+      if (!place) {
+        publishing.point(std::nullopt);
+      } else if (auto pointed = picture_.point({place->first, place->second, false}); !pointed) {
+        return pointed;
+      }
+    }
+  }
+  const bool watches = !model_.watched().empty();
+  publishing.sendDue(watches ? std::nullopt : std::optional(model_.cameraView()), now(),
+                     std::chrono::system_clock::now());
+  return {};
+}
+
 void ViewApp::openFiles(const std::vector<std::filesystem::path>& files) {
   if (Status begun = opening_.open(files); !begun) evidence_.say(begun.error().text(), true, now());
 }
@@ -354,6 +382,7 @@ Result<std::unique_ptr<ViewContent>> ViewApp::run() {
     if (!changed.ok()) return changed.error();
     const double app_ms = millisecondsSince(began);
     model_.hand.sendDue(model_.scene(), model_.state(), now(), std::chrono::system_clock::now());
+    if (auto published = publish(); !published) return published.error();
     if (*changed) picture_.changed();
     if (!frameDue(*changed)) {
       if (auto refined = refine(); !refined) return refined.error();

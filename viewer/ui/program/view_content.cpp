@@ -105,7 +105,7 @@ Status showBeside(const ContentRequest& request, const fs::path& cell,
   return content.model->showBeside(std::move(*beside), request.align);
 }
 
-/// The options that move joints by hand.
+/// The options that move joints by hand, and those that send.
 Status moveByHand(const ContentRequest& request, ViewModel& model) {
   HandJoints hand;
   for (const std::string& text : request.joints) {
@@ -118,6 +118,11 @@ Status moveByHand(const ContentRequest& request, ViewModel& model) {
     }
   }
   if (!hand.empty()) model.hand.take(std::move(hand));
+  if (!request.publish.empty()) {
+    const Status begun =
+        model.publishing.begin(request.publish, request.publish_as, SteadyTime{}, WallTime{});
+    if (!begun) return begun;
+  }
   if (request.drive.empty()) return {};
   return model.hand.drive(request.drive,
                           request.drive_as.empty() ? DriveSettings().source : request.drive_as);

@@ -31,6 +31,7 @@ struct ContentRequest {
   KeepLimits keep;                  ///< of a live session
   std::vector<std::string> joints;  ///< moved by hand: a device's values, as --joints
   std::string drive, drive_as;      ///< an endpoint and a SOURCE for joints by hand; empty: neither
+  std::string publish, publish_as;  ///< an endpoint and a SOURCE for other windows; empty: neither
   std::vector<std::string> hide, show, styles;
   std::string camera, at;
   ModelSearch where;

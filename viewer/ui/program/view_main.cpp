@@ -26,6 +26,8 @@ constexpr char kExamples[] =
     "  rocinante view puma.urdf --live\n"
     "  rocinante view puma.urdf --live --drive 127.0.0.1:19960 --as me"
     "    move it by hand\n"
+    "  rocinante view cell.toml --live --publish udp://239.255.86.10:19960?interface=lo --as ann\n"
+    "    others see where ann looks and points; Z watches another\n"
     "  rocinante view cell.toml --live --keep 1h,8GB\n"
     "  rocinante view cell.toml --live :49152 --decoders kuka.decoders.toml\n"
     "  rocinante view cell.toml --live 0.0.0.0:19960 --camera overview\n"
@@ -39,7 +41,7 @@ struct Arguments {
   bool leftovers = false, forget_leftovers = false;
   std::string trust, decoders;
   std::vector<std::string> joints;
-  std::string drive, drive_as;
+  std::string drive, publish, as;
   std::string profile = "fast", camera, at, size, detail = "auto";
   std::vector<std::string> styles;
   double target_fps = 30;
@@ -52,6 +54,14 @@ struct Arguments {
 };
 
 Result<ContentRequest> contentRequest(const Arguments& arguments) {
+  if (!arguments.publish.empty() && arguments.as.empty()) {
+    return Error{ErrorKind::bad_argument, "others need a name for this window: add --as NAME",
+                 "--publish " + arguments.publish};
+  }
+  if (!arguments.as.empty() && arguments.publish.empty() && arguments.drive.empty()) {
+    return Error{ErrorKind::bad_argument, "this needs --publish or --drive",
+                 "--as " + arguments.as};
+  }
   ContentRequest request;
   request.cell = arguments.cell;
   request.log = arguments.log;
@@ -66,7 +76,11 @@ Result<ContentRequest> contentRequest(const Arguments& arguments) {
   request.at = arguments.at;
   request.joints = arguments.joints;
   request.drive = arguments.drive;
-  request.drive_as = arguments.drive_as;
+  request.publish = arguments.publish;
+  request.publish_as = arguments.as;
+  // Two sources of one name would be taken for one that begins anew again and again.
+  const bool both = !arguments.publish.empty() && !arguments.drive.empty();
+  request.drive_as = both ? arguments.as + "-hand" : arguments.as;
   request.where = arguments.where;
   if (!arguments.is_live) return request;
   if (!arguments.log.empty()) {
@@ -202,11 +216,15 @@ int viewMain(int argc, char** argv) {
                  "\"0 -0.785 0\"; repeatable")
       ->option_text("[DEVICE=]VALUES")
       ->allow_extra_args(false);
-  auto* drive = app.add_option("--drive", arguments.drive,
-                               "send the joints that are moved by hand to this endpoint")
-                    ->option_text("EP");
-  app.add_option("--as", arguments.drive_as, "the SOURCE name of --drive; default: hand")
-      ->needs(drive)
+  app.add_option("--drive", arguments.drive,
+                 "send the joints that are moved by hand to this endpoint")
+      ->option_text("EP");
+  app.add_option("--publish", arguments.publish,
+                 "let other windows that hear this endpoint see where this one looks and points, "
+                 "what is drawn and said in it; with --as")
+      ->option_text("EP");
+  app.add_option("--as", arguments.as,
+                 "the SOURCE name of --publish and --drive; default of --drive: hand")
       ->option_text("NAME");
   app.add_option("--profile", arguments.profile,
                  "fast: the driver as it is; reproducible: the same bits everywhere")

@@ -54,13 +54,30 @@ Result<bool> WindowPicture::refine(SteadyTime now) {
   return view_.refine(renderer_, frame(style), now);
 }
 
-Status WindowPicture::click(const PictureClick& click) {
+Result<std::optional<PickedLink>> WindowPicture::pick(const PictureClick& at) {
   // On the clicked frame, with its insets, looks and choices.
   const RenderStyle style = model_.frameStyle();
-  const auto met = renderer_.pick(frame(style), terms_.width, terms_.height, click.x, click.y);
+  return renderer_.pick(frame(style), terms_.width, terms_.height, at.x, at.y);
+}
+
+Status WindowPicture::point(const PictureClick& at) {
+  const auto met = pick(at);
+  if (!met) return met.error();
+  model_.publishing.point(*met ? std::optional((*met)->point) : std::nullopt);
+  return {};
+}
+
+Status WindowPicture::click(const PictureClick& click) {
+  const auto met = pick(click);
   if (!met) return met.error();
   if (model_.picking.active()) {
     if (*met) model_.pickPoint({(*met)->name.device, (*met)->name.link}, (*met)->point);
+    return {};
+  }
+  if (model_.publishing.takesClicks()) {
+    if (!*met) return {};
+    const Selection link{(*met)->name.device, (*met)->name.link};
+    model_.publishing.clicked(model_.scene(), link, (*met)->point);
     return {};
   }
   if (!*met) {

@@ -54,10 +54,13 @@ class WindowPicture {
 
   /// Selects what the last picture shows there, aims the camera at it, or picks it for a distance.
   Status click(const PictureClick& click);
+  /// Shows others the place of a surface that the last picture has there, or that there is none.
+  Status point(const PictureClick& at);
   /// Points for fitted views: everything, or the selection.
   std::vector<Vec3> corners(bool of_selection) const;
 
  private:
+  Result<std::optional<PickedLink>> pick(const PictureClick& at);
   SceneFrame frame(const RenderStyle& style) const;
 
   ViewModel& model_;

@@ -6,43 +6,17 @@
 
 #include "core/packet/decoder.h"
 #include "core/session/message_folder.h"
+#include "tests/viewer/support/kept_datagrams.h"
 
 namespace rocinante {
 namespace {
 
 using namespace std::chrono_literals;
 
-/// Keeps what is sent; refuses while it is told to.
-class KeptDatagrams final : public DatagramSink {
- public:
-  struct Kept {
-    std::vector<std::string> texts;
-    bool refuses = false, full = false;
-  };
-  explicit KeptDatagrams(std::shared_ptr<Kept> kept) : kept_(std::move(kept)) {}
-
-  Status send(std::span<const ByteView> payloads) override {
-    const auto sent = sendWithoutWaiting(payloads);
-    return sent ? Status{} : Status{sent.error()};
-  }
-  Result<std::size_t> sendWithoutWaiting(std::span<const ByteView> payloads) override {
-    if (kept_->refuses) return Error{ErrorKind::refused, "no route", "nowhere"};
-    if (kept_->full) return std::size_t{0};
-    for (const ByteView& payload : payloads) kept_->texts.emplace_back(textOf(payload));
-    return payloads.size();
-  }
-  int fileDescriptor() const override { return -1; }
-  const Endpoint& endpoint() const override { return endpoint_; }
-
- private:
-  std::shared_ptr<Kept> kept_;
-  Endpoint endpoint_ = Endpoint::standard();
-};
-
 class Driving : public testing::Test {
  protected:
   HandDrive open(DriveSettings settings = {"me", "run1"}) {
-    auto drive = HandDrive::into(std::make_unique<KeptDatagrams>(kept_), settings);
+    auto drive = HandDrive::into(std::make_unique<test::KeptDatagrams>(kept_), settings);
     EXPECT_TRUE(drive.ok());
     return std::move(*drive);
   }
@@ -59,7 +33,7 @@ class Driving : public testing::Test {
     return state;
   }
 
-  std::shared_ptr<KeptDatagrams::Kept> kept_ = std::make_shared<KeptDatagrams::Kept>();
+  std::shared_ptr<test::KeptDatagrams::Kept> kept_ = std::make_shared<test::KeptDatagrams::Kept>();
 };
 
 TEST_F(Driving, SendsTheJointsAsAnOrdinarySource) {
@@ -120,7 +94,7 @@ TEST_F(Driving, WhatCannotBeSentIsToldAndMadeUpFor) {
 }
 
 TEST_F(Driving, RefusesANameThatNoPacketCanHave) {
-  EXPECT_FALSE(HandDrive::into(std::make_unique<KeptDatagrams>(kept_), {"", "run"}).ok());
+  EXPECT_FALSE(HandDrive::into(std::make_unique<test::KeptDatagrams>(kept_), {"", "run"}).ok());
   HandDrive drive = open();
   drive.set("arm", std::vector<double>(2000, 0.123456789));
   EXPECT_NE(drive.trouble().find("arm is not sent"), std::string::npos) << drive.trouble();

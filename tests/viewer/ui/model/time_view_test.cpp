@@ -65,11 +65,23 @@ TEST(TimeView, FollowsWhatPlays) {
 
 TEST(TimeView, OfALogThatGrowsGoesOnShowingAll) {
   TimeView view(kFirst, kLast);
-  view.extendTo(kLast + 10s);
+  view.resize(kFirst, kLast + 10s);
   EXPECT_EQ(view.until(), kLast + 10s);
   view.show(kFirst, kFirst + 10s);
-  view.extendTo(kLast + 20s);
+  view.resize(kFirst, kLast + 20s);
   EXPECT_EQ(view.span(), 10s);
+  // What is shown of a beginning that is no longer kept moves with it.
+  view.resize(kFirst + 5s, kLast + 20s);
+  EXPECT_EQ(view.from(), kFirst + 5s);
+  EXPECT_EQ(view.span(), 10s);
+}
+
+TEST(TimeView, OfASessionThatBeginsShowsAllOfIt) {
+  TimeView view;
+  view.resize(kFirst, kFirst);
+  view.resize(kFirst, kLast);
+  EXPECT_EQ(view.from(), kFirst);
+  EXPECT_EQ(view.until(), kLast);
 }
 
 TEST(TimeView, OfALogOfOneMoment) {

@@ -1,0 +1,84 @@
+#include "viewer/ui/live/sending_source.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <random>
+#include <utility>
+
+#include "core/base/plain_text.h"
+#include "core/transport/open_sink.h"
+
+namespace rocinante {
+namespace {
+
+/// Ten times a second, as Source::flush() asks for, with room for a late frame.
+constexpr Nanoseconds kLongestPause = std::chrono::milliseconds(80);
+
+/// Different at each start, so that receivers can tell a restart from late packets.
+std::string freshRun() {
+  std::random_device random;
+  return fmt::format("{:08x}{:02x}", random(), random() & 0xFFU);
+}
+
+}  // namespace
+
+Result<SendingSource> SendingSource::open(const Endpoint& to, const SendingSettings& settings) {
+  auto sink = openSink(to);
+  if (!sink) return sink.error();
+  return into(std::move(*sink), settings);
+}
+
+Result<SendingSource> SendingSource::into(std::unique_ptr<DatagramSink> sink,
+                                          const SendingSettings& settings) {
+  auto trouble = std::make_unique<std::string>();
+  const std::string run = settings.run.empty() ? freshRun() : settings.run;
+  SourceSettings how;
+  how.source = settings.source;
+  how.run = run;
+  auto source =
+      Source::open(how, [to = sink.get(), why = trouble.get()](std::span<std::byte> datagram) {
+        const std::array payloads{ByteView(datagram)};
+        const auto sent = to->sendWithoutWaiting(payloads);
+        if (!sent) {
+          *why = sent.error().text();
+          return false;
+        }
+        if (*sent == 0) {
+          *why = "the system has no room for more datagrams";
+          return false;
+        }
+        why->clear();
+        return true;
+      });
+  if (!source) return source.error();
+  return SendingSource(std::move(sink), std::move(trouble), std::move(*source), settings.source);
+}
+
+void SendingSource::said(SourceResult answer, std::string_view what) {
+  if (answer == SourceResult::done) {
+    changed_ = true;
+  } else {
+    *trouble_ = fmt::format("{} is not sent: {}", plainText(what), sentenceOf(answer));
+  }
+}
+
+void SendingSource::tick(SteadyTime now, WallTime wall) {
+  if (flushed_at_) {
+    const Nanoseconds since = now - *flushed_at_;
+    if (since < (changed_ ? kPeriod : kLongestPause)) return;
+  }
+  finish(now, wall);
+}
+
+void SendingSource::finish(SteadyTime now, WallTime wall) {
+  const SourceResult flushed = source_.flush(now.time_since_epoch(), wall);
+  // The sink's own words say what could not be sent.
+  if (flushed != SourceResult::done && flushed != SourceResult::not_sent) {
+    *trouble_ = std::string(sentenceOf(flushed));
+  }
+  changed_ = false;
+  flushed_at_ = now;
+}
+
+}  // namespace rocinante
