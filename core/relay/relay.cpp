@@ -111,6 +111,7 @@ void Relay::receive(ByteView datagram, LogTime now) {
       ++counts_.applied;
   }
   state_.takeEvents();
+  if (options_.applied) options_.applied(*packet, state_);
   noteThrough(packet->header.source, through);
   passOn(datagram, *packet, now);
 }

@@ -50,7 +50,8 @@ Status MomentMessages::moment(MessageSink& out, LogTime time, const SessionState
   return written;
 }
 
-bool MomentMessages::framesDue(Known& known, std::vector<Mat4> now, bool is_written, LogTime time) const {
+bool MomentMessages::framesDue(Known& known, std::vector<Mat4> now, bool is_written,
+                               LogTime time) const {
   const bool is_first = known.links.empty();
   const bool has_moved = !sameMatrices(known.links, now);
   const Nanoseconds last = format_.framesLast();
@@ -68,8 +69,8 @@ Status MomentMessages::cellFrames(MessageSink& out, LogTime time, const SessionS
     const DeviceState* const stated = state.findDevice(device.name);
     std::vector<Mat4> now{device.base};
     now.insert(now.end(), device.link_world.begin(), device.link_world.end());
-    if (!framesDue(known_[device.name], std::move(now),
-                   stated != nullptr && isWritten(*stated), time)) {
+    if (!framesDue(known_[device.name], std::move(now), stated != nullptr && isWritten(*stated),
+                   time)) {
       continue;
     }
     Status written = format_.frames(out, time, device.name, deviceFrames(device));
@@ -84,8 +85,7 @@ Status MomentMessages::bareFrames(MessageSink& out, LogTime time, const SessionS
     if (!device.pose || isRemoved(device)) continue;
     const PoseValue& pose = device.pose->value;
     if (!pose.carrier.second.empty()) carried_.insert(name);
-    if (!framesDue(known_[name], {matrixOf(pose.pose)}, isWritten(device), time))
-      continue;
+    if (!framesDue(known_[name], {matrixOf(pose.pose)}, isWritten(device), time)) continue;
     const FramePose frame{frameName(pose.carrier.first, pose.carrier.second), name, pose.pose};
     if (Status written = format_.frames(out, time, name, {&frame, 1}); !written) return written;
   }

@@ -1,5 +1,6 @@
 // What the sources of a page refer to and a page does not have: modules, caches, contexts without a
-// window, a second session beside the first, clearances. Each answers as it does where its thing is missing.
+// window, a second session beside the first, clearances. Each answers as it does where its thing
+// is missing.
 
 #include "core/base/atomic_file.h"
 #include "core/base/cache_folder.h"
