@@ -2,6 +2,7 @@
 
 #include <libwebsockets.h>
 
+#include <algorithm>
 #include <array>
 
 namespace rocinante {
@@ -36,7 +37,19 @@ bool HttpHead::isGet() const { return ::lws_hdr_total_length(wsi_, WSI_TOKEN_GET
 
 std::string HttpHead::range() const { return headerOf(wsi_, WSI_TOKEN_HTTP_RANGE); }
 
-std::string HttpHead::protocols() const { return headerOf(wsi_, WSI_TOKEN_PROTOCOL); }
+bool HttpHead::offers(std::string_view protocol) const {
+  const std::string list = headerOf(wsi_, WSI_TOKEN_PROTOCOL);
+  std::string_view left = list;
+  while (!left.empty()) {
+    const std::size_t comma = std::min(left.find(','), left.size());
+    std::string_view name = left.substr(0, comma);
+    while (name.starts_with(' ')) name.remove_prefix(1);
+    while (name.ends_with(' ')) name.remove_suffix(1);
+    if (name == protocol) return true;
+    left.remove_prefix(std::min(comma + 1, left.size()));
+  }
+  return false;
+}
 
 AccessRequest HttpHead::accessRequest() const {
   return {headerOf(wsi_, WSI_TOKEN_HOST), headerOf(wsi_, WSI_TOKEN_ORIGIN), tokenOf(wsi_)};

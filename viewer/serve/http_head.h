@@ -17,7 +17,8 @@ class HttpHead {
 
   bool isGet() const;
   std::string range() const;
-  std::string protocols() const;  ///< the offered subprotocols of a socket
+  /// Whether a socket may speak this subprotocol.
+  bool offers(std::string_view protocol) const;
   AccessRequest accessRequest() const;
 
  private:

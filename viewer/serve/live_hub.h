@@ -18,8 +18,8 @@ class LiveHub {
     std::string name;     ///< of the relay that it is for its clients
     std::string run;      ///< chosen anew at each start
     double rate_hz = 60;  ///< values of a device a second, at most
-    /// Sees each packet that the fold applied.
-    std::function<void(const Packet&, const SessionState&)> applied{};
+    /// Sees each packet that the fold applied, with its new events.
+    std::function<void(const Packet&, const std::vector<Event>&)> applied{};
   };
 
   explicit LiveHub(Options options, LogTime now);

@@ -6,6 +6,7 @@
 
 #include "core/base/time.h"
 #include "viewer/serve/feed.h"
+#include "viewer/serve/foxglove_desk.h"
 #include "viewer/serve/live_hub.h"
 
 namespace rocinante {
@@ -13,8 +14,14 @@ namespace rocinante {
 /// A live session at the server's thread: what the feed hands over, folded.
 class LiveSession {
  public:
-  LiveSession(std::unique_ptr<Feed> feed, LiveHub::Options options)
-      : feed_(std::move(feed)), hub_(std::move(options), now()) {}
+  /// Borrows the cell.
+  LiveSession(std::unique_ptr<Feed> feed, LiveHub::Options options, const Cell& cell)
+      : feed_(std::move(feed)),
+        desk_(cell, options.run),
+        period_(static_cast<std::int64_t>(1e9 / options.rate_hz)),
+        hub_(withDesk(std::move(options)), now()) {}
+  LiveSession(const LiveSession&) = delete;
+  LiveSession& operator=(const LiveSession&) = delete;
 
   /// The wall clock of the start, continued by the steady one, so that it never goes back.
   LogTime now() const { return began_ + (std::chrono::steady_clock::now() - steady_); }
@@ -39,16 +46,35 @@ class LiveSession {
     return hub_.due() == LogTime::max() ? Nanoseconds::max() : hub_.due() - now();
   }
 
+  /// Brings the desk up to date, not more often than the rate; true when it did.
+  bool fillDesk() {
+    const LogTime time = now();
+    if (time - filled_ < period_) return false;
+    filled_ = time;
+    desk_.moment(time, hub_.state());
+    return true;
+  }
+  const FoxgloveDesk& desk() const { return desk_; }
   const LiveHub& hub() const { return hub_; }
   const Feed& feed() const { return *feed_; }
 
  private:
+  LiveHub::Options withDesk(LiveHub::Options options) {
+    options.applied = [this](const Packet& packet, const std::vector<Event>& events) {
+      desk_.applied(packet, events);
+    };
+    return options;
+  }
+
   std::chrono::steady_clock::time_point steady_ = std::chrono::steady_clock::now();
   LogTime began_{
       std::chrono::duration_cast<Nanoseconds>(std::chrono::system_clock::now().time_since_epoch())};
   std::unique_ptr<Feed> feed_;
   Feed::Batch batch_;
-  LiveHub hub_;
+  FoxgloveDesk desk_;
+  Nanoseconds period_;
+  LogTime filled_{};
+  LiveHub hub_;  // its options refer to the desk
 };
 
 }  // namespace rocinante

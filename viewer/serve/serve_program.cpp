@@ -104,7 +104,7 @@ Result<std::unique_ptr<LiveSession>> listen(const ServeRequest& request, const C
   hub.run = randomText();
   hub.name = "serve-" + hub.run;
   hub.rate_hz = request.rate_hz;
-  return std::make_unique<LiveSession>(std::move(*feed), std::move(hub));
+  return std::make_unique<LiveSession>(std::move(*feed), std::move(hub), cell);
 }
 
 std::string addressText(const ServeRequest& request, std::uint16_t port) {

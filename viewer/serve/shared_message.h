@@ -13,7 +13,12 @@ class SharedMessage {
   static constexpr std::size_t kRoom = 32;
 
   /// Empty bytes to append to.
-  static Bytes begin() { return Bytes(kRoom); }
+  static Bytes begin() {
+    Bytes bytes;
+    bytes.reserve(512);
+    bytes.resize(kRoom);
+    return bytes;
+  }
 
   SharedMessage() = default;
   explicit SharedMessage(Bytes with_room) : bytes_(std::make_shared<Bytes>(std::move(with_room))) {}

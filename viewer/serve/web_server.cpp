@@ -13,17 +13,18 @@
 
 #include "core/base/plain_text.h"
 #include "viewer/serve/byte_range.h"
-#include "viewer/serve/client_queue.h"
 #include "viewer/serve/http_head.h"
+#include "viewer/serve/socket_client.h"
 
 namespace rocinante {
 namespace {
 
 static_assert(LWS_PRE <= SharedMessage::kRoom);
 
-/// What is sent of a file in one go, and the longest message that a client may send.
+/// What is sent of a file in one go.
 constexpr std::size_t kPieceBytes = 32 * 1024;
-constexpr std::size_t kMostFromClient = 64 * 1024;
+constexpr std::array kProtocols{WebServer::kLiveProtocol, WebServer::kFoxgloveProtocol,
+                                WebServer::kFoxgloveSdkProtocol};
 constexpr Nanoseconds kLongestSleep = std::chrono::milliseconds(100);
 /// Clients are told at most this often: a message for each packet would cost each of them a frame.
 constexpr Nanoseconds kPace = std::chrono::milliseconds(5);
@@ -70,26 +71,22 @@ class LwsServer final : public WebServer {
     lws_sorted_usec_list_t sul{};
     LwsServer* server = nullptr;
   };
-  struct Client {
-    explicit Client(std::uint64_t most_bytes) : queue(most_bytes) {}
-    ClientQueue queue;
-    std::size_t received = 0;  ///< of the message that is coming
-  };
-
   static int onHttp(lws* wsi, lws_callback_reasons reason, void* user, void* in, std::size_t size);
-  static int onLive(lws* wsi, lws_callback_reasons reason, void* user, void* in, std::size_t size);
+  static int onSocket(lws* wsi, lws_callback_reasons reason, void* user, void* in,
+                      std::size_t size);
   static LwsServer* of(lws* wsi) {
     return static_cast<LwsServer*>(::lws_context_user(::lws_get_context(wsi)));
   }
 
   bool mayConnect(int socket);
   std::optional<AccessRefusal> refusalOf(lws* wsi, bool is_socket) const;
-  bool speaks(std::string_view offered) const;
   int answerText(lws* wsi, unsigned status, std::string_view text);
   int request(lws* wsi, std::string_view path);
   int sendFile(lws* wsi, std::string_view text, const std::string& type, std::uint64_t size);
   int sendPiece(lws* wsi);
-  int sendLive(lws* wsi);
+  void admit(lws* wsi);
+  int sendNext(lws* wsi);
+  int hear(lws* wsi, std::string_view part);
   void step();
   void stepIn(Nanoseconds sleep);
   void stepSoon();
@@ -104,15 +101,17 @@ class LwsServer final : public WebServer {
   LiveSession* live_ = nullptr;
   std::chrono::steady_clock::time_point stepped_{};
   std::map<lws*, Transfer> transfers_;
-  std::map<lws*, Client> clients_;
+  std::map<lws*, std::unique_ptr<SocketClient>> clients_;
   Counts counts_;
 };
 
 Status LwsServer::open() {
   ::lws_set_log_level(LLL_ERR | LLL_WARN, noteComplaint);
-  protocols_ = {{"http-only", onHttp, 0, 4096, 0, nullptr, 0},
-                {kLiveProtocol, onLive, 0, 4096, 0, nullptr, 0},
-                {nullptr, nullptr, 0, 0, 0, nullptr, 0}};
+  protocols_ = {{"http-only", onHttp, 0, 4096, 0, nullptr, 0}};
+  for (const char* name : kProtocols) {
+    protocols_.push_back({name, onSocket, 0, 4096, 0, nullptr, 0});
+  }
+  protocols_.push_back({nullptr, nullptr, 0, 0, 0, nullptr, 0});
   lws_context_creation_info info{};
   info.options = LWS_SERVER_OPTION_EXPLICIT_VHOSTS;
   info.user = this;
@@ -171,13 +170,17 @@ void LwsServer::step() {
   stepped_ = std::chrono::steady_clock::now();
   Nanoseconds sleep = kLongestSleep;
   if (live_ != nullptr) {
-    for (const SharedMessage& message : live_->step()) {
-      for (auto& [wsi, client] : clients_) {
-        client.queue.add(message);
-        ::lws_callback_on_writable(wsi);
-      }
+    const std::vector<SharedMessage> messages = live_->step();
+    const bool reads_desk =
+        std::ranges::any_of(clients_, [](const auto& each) { return each.second->readsDesk(); });
+    const bool is_filled = reads_desk && live_->fillDesk();
+    for (auto& [wsi, client] : clients_) {
+      for (const SharedMessage& message : messages) client->add(message);
+      if (!messages.empty() || is_filled) ::lws_callback_on_writable(wsi);
     }
-    sleep = std::clamp(live_->idle(), kPace, kLongestSleep);
+    // The desk may have been filled too lately for what has just come.
+    const Nanoseconds longest = reads_desk ? 4 * kPace : kLongestSleep;
+    sleep = std::clamp(live_->idle(), kPace, longest);
   }
   stepIn(sleep);
 }
@@ -218,8 +221,9 @@ std::optional<AccessRefusal> LwsServer::refusalOf(lws* wsi, bool is_socket) cons
   const HttpHead head(wsi);
   if (auto refusal = rules_.refusal(head.accessRequest())) return refusal;
   if (!is_socket) return {};
-  if (!speaks(head.protocols())) {
-    return AccessRefusal{400, fmt::format("A socket here speaks {}.", kLiveProtocol)};
+  const auto offers = [&](const char* name) { return head.offers(name); };
+  if (std::ranges::none_of(kProtocols, offers)) {
+    return AccessRefusal{400, fmt::format("A socket here speaks {}.", fmt::join(kProtocols, ", "))};
   }
   if (live_ == nullptr) {
     return AccessRefusal{404, "A recorded log is served here: there is nothing live."};
@@ -227,24 +231,6 @@ std::optional<AccessRefusal> LwsServer::refusalOf(lws* wsi, bool is_socket) cons
   if (clients_.size() < options_.clients) return {};
   return AccessRefusal{
       503, fmt::format("{} look already, as many as --clients allows.", options_.clients)};
-}
-
-/// Whether one of the subprotocols that a client offers is ours.
-bool LwsServer::speaks(std::string_view offered) const {
-  const auto is_ours = [this](std::string_view name) {
-    return std::ranges::any_of(protocols_, [name](const lws_protocols& each) {
-      return each.callback == onLive && name == each.name;
-    });
-  };
-  while (!offered.empty()) {
-    const std::size_t comma = std::min(offered.find(','), offered.size());
-    std::string_view name = offered.substr(0, comma);
-    while (name.starts_with(' ')) name.remove_prefix(1);
-    while (name.ends_with(' ')) name.remove_suffix(1);
-    if (is_ours(name)) return true;
-    offered.remove_prefix(std::min(comma + 1, offered.size()));
-  }
-  return false;
 }
 
 int LwsServer::answerText(lws* wsi, unsigned status, std::string_view text) {
@@ -346,53 +332,62 @@ int LwsServer::onHttp(lws* wsi, lws_callback_reasons reason, void* user, void* i
   }
 }
 
-int LwsServer::sendLive(lws* wsi) {
-  Client& client = clients_.at(wsi);
-  if (client.queue.empty() && client.queue.needsGreeting()) {
-    // The others first: what was folded and not said yet is in this greeting.
-    step();
-    client.queue.greet(live_->hub().greeting(live_->now()));
+void LwsServer::admit(lws* wsi) {
+  const bool is_page = std::string_view(::lws_get_protocol(wsi)->name) == kLiveProtocol;
+  auto& client = clients_[wsi];
+  if (is_page) {
+    client = std::make_unique<PageSocket>(*live_, options_.client_bytes);
+  } else {
+    live_->fillDesk();
+    client = std::make_unique<FoxgloveSocket>(live_->desk());
   }
-  if (client.queue.empty()) return 0;
-  const SharedMessage message = client.queue.take();
-  auto* const at = reinterpret_cast<unsigned char*>(message.data());
-  if (::lws_write(wsi, at, message.size(), LWS_WRITE_BINARY) < 0) return -1;
-  if (!client.queue.empty() || client.queue.needsGreeting()) ::lws_callback_on_writable(wsi);
+  ++counts_.clients;
+  ::lws_callback_on_writable(wsi);
+}
+
+int LwsServer::sendNext(lws* wsi) {
+  const auto next = clients_.at(wsi)->next();
+  if (!next) return 0;
+  auto* const at = reinterpret_cast<unsigned char*>(next->message.data());
+  const auto kind = next->is_text ? LWS_WRITE_TEXT : LWS_WRITE_BINARY;
+  if (::lws_write(wsi, at, next->message.size(), kind) < 0) return -1;
+  ::lws_callback_on_writable(wsi);
   return 0;
 }
 
-int LwsServer::onLive(lws* wsi, lws_callback_reasons reason, void* user, void* in,
-                      std::size_t size) {
+int LwsServer::hear(lws* wsi, std::string_view part) {
+  const bool is_first = ::lws_is_first_fragment(wsi) != 0;
+  const bool is_last = ::lws_is_final_fragment(wsi) != 0;
+  const bool is_binary = ::lws_frame_is_binary(wsi) != 0;
+  if (clients_.at(wsi)->receive(part, is_first, is_last, is_binary)) {
+    if (is_last) ::lws_callback_on_writable(wsi);
+    return 0;
+  }
+  ::lws_close_reason(wsi, LWS_CLOSE_STATUS_MESSAGE_TOO_LARGE, nullptr, 0);
+  return -1;
+}
+
+int LwsServer::onSocket(lws* wsi, lws_callback_reasons reason, void*, void* in, std::size_t size) {
   LwsServer* const server = of(wsi);
   switch (reason) {
     case LWS_CALLBACK_FILTER_PROTOCOL_CONNECTION:
       return server->refusalOf(wsi, true) ? 1 : 0;
     case LWS_CALLBACK_ESTABLISHED:
-      server->clients_.try_emplace(wsi, server->options_.client_bytes);
-      ++server->counts_.clients;
-      ::lws_callback_on_writable(wsi);
+      server->admit(wsi);
       return 0;
     case LWS_CALLBACK_SERVER_WRITEABLE:
-      return server->sendLive(wsi);
-    case LWS_CALLBACK_RECEIVE: {
-      // Pages say nothing; whoever does is heard out, and no more.
-      std::size_t& received = server->clients_.at(wsi).received;
-      received = ::lws_is_first_fragment(wsi) != 0 ? size : received + size;
-      if (received <= kMostFromClient) return 0;
-      ::lws_close_reason(wsi, LWS_CLOSE_STATUS_MESSAGE_TOO_LARGE, nullptr, 0);
-      return -1;
-    }
+      return server->sendNext(wsi);
+    case LWS_CALLBACK_RECEIVE:
+      return server->hear(wsi, {static_cast<const char*>(in), size});
     case LWS_CALLBACK_CLOSED: {
       const auto client = server->clients_.find(wsi);
       if (client == server->clients_.end()) return 0;
-      server->counts_.skipped += client->second.queue.skipped();
+      server->counts_.skipped += client->second->skipped();
       server->clients_.erase(client);
       return 0;
     }
-    case LWS_CALLBACK_EVENT_WAIT_CANCELLED:
-      return 0;
     default:
-      return ::lws_callback_http_dummy(wsi, reason, user, in, size);
+      return 0;
   }
 }
 

@@ -21,12 +21,16 @@ struct WebContent {
 };
 
 /// HTTP and WebSocket by libwebsockets, in the thread that calls run() (docs/programs/serve.md):
-/// `/` is the page, `/log` the log, by ranges too, and `/live` with the subprotocol rocinante.v1 a
-/// live session. Memory is bounded: by the number of clients, and for each by `client_bytes`.
+/// `/` is the page, `/log` the log, by ranges too, and sockets have a live session: for pages, and
+/// for clients of Foxglove. Memory is bounded: by the number of clients, and for each by
+/// `client_bytes`.
 class WebServer {
  public:
   /// The subprotocol of the page's socket.
   static constexpr const char* kLiveProtocol = "rocinante.v1";
+  /// Foxglove's, by its old name and its new one.
+  static constexpr const char* kFoxgloveProtocol = "foxglove.websocket.v1";
+  static constexpr const char* kFoxgloveSdkProtocol = "foxglove.sdk.v1";
 
   struct Options {
     SocketAddress listen;

@@ -47,7 +47,17 @@ Status MomentMessages::moment(MessageSink& out, LogTime time, const SessionState
   if (written) written = joints(out, time, state);
   if (written) written = drawings(out, time, state);
   before_ = time;
+  forgetGone(state);
   return written;
+}
+
+/// Devices come and go in a live session: what is kept of them does not outgrow the state.
+void MomentMessages::forgetGone(const SessionState& state) {
+  constexpr std::size_t kFew = 64;
+  if (known_.size() < 2 * state.devices().size() + 2 * models_.size() + kFew) return;
+  std::erase_if(known_, [&](const auto& each) {
+    return state.findDevice(each.first) == nullptr && !models_.contains(each.first);
+  });
 }
 
 bool MomentMessages::framesDue(Known& known, std::vector<Mat4> now, bool is_written,

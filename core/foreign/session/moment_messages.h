@@ -47,6 +47,7 @@ class MomentMessages {
     std::vector<std::pair<std::string, Drawing>> drawings;
   };
 
+  void forgetGone(const SessionState& state);
   bool isWritten(const DeviceState& device) const { return device.last_write > before_; }
   bool framesDue(Known& known, std::vector<Mat4> now, bool is_written, LogTime time) const;
   Status cellFrames(MessageSink& out, LogTime time, const SessionState& state);
