@@ -68,6 +68,8 @@ rocinante_part(sqlite ROCINANTE_SQLITE "reading ROS 2 bags of sqlite3"
 find_package(BZip2 QUIET)
 set(libbz2-dev ${BZIP2_FOUND})
 rocinante_part(bzip2 ROCINANTE_BZIP2 "reading ROS 1 bags that bzip2 compressed" NEEDS libbz2-dev)
+rocinante_part(serve ROCINANTE_SERVE "serving a session to browsers" NEEDS ROCINANTE_GL
+  FILE rocinante-serve MODULES libwebsockets PACKAGES libwebsockets-dev)
 rocinante_part(zip ROCINANTE_ZIP "approving pictures from a ZIP file of CI" NEEDS ROCINANTE_GL
   MODULES libzip PACKAGES libzip-dev)
 rocinante_part(protobuf ROCINANTE_PROTOBUF "decoders of protobuf messages"

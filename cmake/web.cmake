@@ -68,7 +68,7 @@ rocinante_web_sources(viewer/render fitted_cameras frame_maker identity_frame id
 rocinante_web_sources(viewer/model link_poses)
 rocinante_web_sources(viewer/ui/model turntable)
 rocinante_web_sources(viewer/ui/panels joint_rows)
-rocinante_web_sources(viewer/web web_context web_main web_session)
+rocinante_web_sources(viewer/web web_context web_live web_main web_session)
 rocinante_web_sources(viewer/web/port not_in_a_page)
 
 target_include_directories(rocinante-viewer PRIVATE ${PROJECT_SOURCE_DIR} viewer/web/port)

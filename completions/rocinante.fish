@@ -46,6 +46,6 @@ function __rocinante_offers
     end
 end
 
-for each in rocinante rocinante-{record,spy,play,source,relay,key,log,model,check,render,view,page,golden}
+for each in rocinante rocinante-{record,spy,play,source,relay,key,log,model,check,render,view,page,serve,golden}
     complete -c $each -f -a '(__rocinante_offers)'
 end

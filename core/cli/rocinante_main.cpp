@@ -36,6 +36,7 @@ constexpr std::array kVerbs{
     Verb{"render", "draw frames of a cell and a log without a window"},
     Verb{"view", "the interactive viewer"},
     Verb{"page", "one HTML file that shows a session in any browser"},
+    Verb{"serve", "the same page over HTTP, with a log or live"},
     Verb{"golden", "visual regression: frames against accepted pictures"},
     Verb{"self-test", "what works on this machine, and what to do: also `rocinante --self-test`"},
 };

@@ -110,7 +110,8 @@ void Relay::receive(ByteView datagram, LogTime now) {
     case Applied::yes:
       ++counts_.applied;
   }
-  state_.takeEvents();
+  const std::vector<Event> events = state_.takeEvents();
+  if (options_.applied) options_.applied(*packet, events);
   noteThrough(packet->header.source, through);
   passOn(datagram, *packet, now);
 }

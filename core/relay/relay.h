@@ -46,6 +46,8 @@ class Relay {
     /// valid until its next call. Empty: nothing is signed.
     std::function<ByteView(ByteView)> sign{};
     std::size_t signature_bytes = 0;
+    /// Sees each packet that the fold has just applied, with its new events. Empty: nobody looks.
+    std::function<void(const Packet&, const std::vector<Event>&)> applied{};
   };
   struct Outgoing {
     OutputId output;

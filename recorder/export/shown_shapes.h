@@ -15,7 +15,7 @@ namespace rocinante {
 /// of a link is made once and kept in memory. Borrows format and file.
 class ShownShapes {
  public:
-  ShownShapes(SessionFormat& format, ExportedMcap& out) : format_(format), out_(out) {}
+  ShownShapes(SessionFormat& format, MessageSink& out) : format_(format), out_(out) {}
 
   Status moment(LogTime time, const PosedScene& scene);
   const std::vector<std::string>& gaps() const { return gaps_; }
@@ -33,7 +33,7 @@ class ShownShapes {
   Result<std::shared_ptr<const Bytes>> shapeOf(const PosedDevice& device, std::size_t link);
 
   SessionFormat& format_;
-  ExportedMcap& out_;
+  MessageSink& out_;
   std::map<std::string, Look> looks_;
   std::map<ShapeKey, std::shared_ptr<const Bytes>> shapes_;
   std::vector<std::string> gaps_;

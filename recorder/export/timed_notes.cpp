@@ -42,7 +42,7 @@ Result<TimedNotes> TimedNotes::of(MomentWalk& session, LogTime from, LogTime unt
   return notes;
 }
 
-Status TimedNotes::write(SessionFormat& format, ExportedMcap& out, LogTime moment) {
+Status TimedNotes::write(SessionFormat& format, MessageSink& out, LogTime moment) {
   for (; next_ < notes_.size() && notes_[next_].time <= moment; ++next_) {
     const TimedNote& note = notes_[next_];
     Status written = format.event(out, note.time, note.level, note.name, note.text);

@@ -24,7 +24,7 @@ class TimedNotes {
                                const std::vector<TimedNote>& more = {});
 
   /// Those up to and including `moment` that were not written yet.
-  Status write(SessionFormat& format, ExportedMcap& out, LogTime moment);
+  Status write(SessionFormat& format, MessageSink& out, LogTime moment);
 
  private:
   std::vector<TimedNote> notes_;  ///< by time

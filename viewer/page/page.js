@@ -124,7 +124,8 @@ function draw() {
   if (canvas.width !== width || canvas.height !== height) { canvas.width = width; canvas.height = height; }
   const fault = calls.draw(now, width, height, scale);
   const warning = calls.warning();
-  say(fault || linkFault || warning, Boolean(fault || linkFault));
+  const trouble = window.rocinanteServed ? window.rocinanteServed.trouble : "";
+  say(fault || linkFault || trouble || warning, Boolean(fault || linkFault));
   element("time").textContent = seconds(now);
   if (document.activeElement !== element("scrub") || playing) element("scrub").value = String(now);
   showDevices();
@@ -147,6 +148,7 @@ function ask() {
 }
 
 function setPlaying(on) {
+  if (about.live) return;
   if (on && now >= about.end_ns) now = about.start_ns;
   playing = on;
   lastTick = performance.now();
@@ -303,7 +305,8 @@ try {
   const [viewer, cell] = await Promise.all([startViewer(), inflated("cell")]);
   calls = makeCalls(viewer);
   stats.startedMs = performance.now();
-  const fault = calls.open(cell, bytesOf("log"));
+  const served = window.rocinanteServed;  // served.js: the session comes from a server
+  const fault = served ? await served.open(viewer, calls, cell, say) : calls.open(cell, bytesOf("log"));
   if (fault) { say(fault, true); return; }
   stats.openedMs = performance.now();
   about = calls.about();
@@ -320,6 +323,7 @@ try {
   window.addEventListener("hashchange", () => { useLink(); ask(); });
   canvas.addEventListener("webglcontextlost", () => say("the browser has taken its WebGL 2 back: open the page again", true));
   setTimeout(showEvents, 0);
+  if (served) served.run(about, seek);
   // For tests, and for whoever looks from the console.
   window.rocinante = {calls, stats, about, now: () => now, seek, setPlaying, isPlaying: () => playing};
 } catch (problem) {

@@ -83,16 +83,39 @@ void fill(std::string& page, std::string_view place, std::string_view content) {
   page.replace(at, place.size(), content);
 }
 
+/// The page up to its data, and the data but for the log.
+struct PageDraft {
+  std::string page;
+  std::string data;
+};
+
+PageDraft draftOf(const PageParts& parts) {
+  PageDraft draft{std::string(kFirstLines), {}};
+  draft.page += kPageHtml;
+  fill(draft.page, "{{title}}", escaped(parts.title));
+  fill(draft.page, "{{style}}", kPageStyle);
+  draft.data = part("viewer-script", bytesOf(parts.viewer_script));
+  draft.data += part("viewer", parts.viewer);
+  draft.data += part("cell", parts.cell);
+  return draft;
+}
+
 }  // namespace
 
+std::string servedPageOf(const PageParts& parts, bool is_live) {
+  auto [page, data] = draftOf(parts);
+  data += fmt::format("<script type=\"text/plain\" id=\"rocinante-served\" data-kind=\"{}\">{}",
+                      is_live ? "live" : "log", kPartEnds);
+  // Its own server alone: neither the state nor the token goes anywhere else.
+  constexpr std::string_view kPolicy = "img-src data:";
+  page.insert(page.find(kPolicy) + kPolicy.size(), "; connect-src 'self'");
+  fill(page, "{{script}}", std::string(kServedScript) + std::string(kPageScript));
+  fill(page, "{{data}}", data);
+  return page;
+}
+
 std::string pageOf(const PageParts& parts) {
-  std::string page(kFirstLines);
-  page += kPageHtml;
-  fill(page, "{{title}}", escaped(parts.title));
-  fill(page, "{{style}}", kPageStyle);
-  std::string data = part("viewer-script", bytesOf(parts.viewer_script));
-  data += part("viewer", parts.viewer);
-  data += part("cell", parts.cell);
+  auto [page, data] = draftOf(parts);
   data.pop_back();  // the line end before the log's own
   data += fmt::format("{}{}\">{}{}", kLogBegins, hexOf(xxh3(parts.log)), base64Of(parts.log),
                       kPartEnds);

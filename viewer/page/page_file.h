@@ -21,6 +21,10 @@ struct PageParts {
 /// in it byte for byte; the viewer and the cell are compressed.
 std::string pageOf(const PageParts& parts);
 
+/// The same page for a server to give: without the log, which it reads at `/log` of its server, or,
+/// when `is_live`, with a session that comes through the socket `/live` (docs/programs/serve.md).
+std::string servedPageOf(const PageParts& parts, bool is_live);
+
 /// The log that a page carries. unsupported when it is not one of ours; damaged when its log is cut
 /// or changed. Allocates no more than the page's size.
 Result<Bytes> logOfPage(std::string_view page, const std::string& name);

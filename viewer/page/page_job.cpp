@@ -6,42 +6,21 @@
 #include <utility>
 
 #include "core/base/atomic_file.h"
-#include "core/base/data_file.h"
 #include "core/base/size_text.h"
 #include "core/bundle/cell_or_log.h"
 #include "core/cell/cell.h"
 #include "core/log/log_reader.h"
 #include "viewer/page/page_cell.h"
 #include "viewer/page/page_file.h"
+#include "viewer/page/page_viewer.h"
 
 namespace rocinante {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kScriptName = "rocinante-viewer.js";
-constexpr const char* kViewerName = "rocinante-viewer.wasm";
 /// A page is held in memory several times while it is made.
 constexpr std::uint64_t kMostPageBytes = std::uint64_t{1} << 30U;
-
-Error noViewer(const std::string& why) {
-  return {ErrorKind::not_found,
-          "the viewer of pages is not there: build it with scripts/build_web, then name its folder "
-          "with --viewer DIR; " +
-              why,
-          {}};
-}
-
-Result<std::string> viewerFile(const PageJob& job, const char* name) {
-  if (job.viewer.empty()) {
-    const auto found = findDataFile(std::string("web/") + name);
-    if (!found) return noViewer(found.error().what);
-    return readFile(*found, kMostPageBytes);
-  }
-  auto content = readFile(job.viewer / name, kMostPageBytes);
-  if (!content) return noViewer(content.error().text());
-  return content;
-}
 
 Bytes ownedBytes(const std::string& text) {
   const ByteView view = bytesOf(text);
@@ -91,13 +70,7 @@ Result<PageReport> makePage(const PageJob& job) {
   }
   parts.log = ownedBytes(*log);
   if (Status read = checkLog(parts.log, job.log.string(), report); !read) return read.error();
-  auto script = viewerFile(job, kScriptName);
-  if (!script) return script.error();
-  parts.viewer_script = std::move(*script);
-  const auto viewer = viewerFile(job, kViewerName);
-  if (!viewer) return viewer.error();
-  parts.viewer = ownedBytes(*viewer);
-
+  if (Status has = readPageViewer(job.viewer, parts); !has) return has.error();
   CellOptions options;
   static_cast<ModelSearch&>(options) = job;
   options.parallel = job.parallel;

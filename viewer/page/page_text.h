@@ -4,7 +4,8 @@
 
 namespace rocinante {
 
-// The files page.html, page.css and page.js beside this one, built in (cmake/embed_text.cmake).
-extern const std::string_view kPageHtml, kPageStyle, kPageScript;
+// The files page.html, page.css, page.js and served.js beside this one, built in
+// (cmake/embed_text.cmake).
+extern const std::string_view kPageHtml, kPageStyle, kPageScript, kServedScript;
 
 }  // namespace rocinante

@@ -59,7 +59,7 @@ struct FrameMaker::Impl {
 
   Status checkTime(LogTime time) const;
   Result<const SessionState*> stateAt(LogTime time, StateDamage& damage) {
-    if (!session) return &nothing_said;
+    if (!session) return given != nullptr ? given : &nothing_said;
     return session->stateAt(time, &damage);
   }
   Result<CameraView> cameraNamed(const std::string& name, const FrameRequest& request,
@@ -82,7 +82,8 @@ struct FrameMaker::Impl {
   std::optional<Timeline> session;
   std::optional<BesideSession> beside;
   SessionState nothing_said;
-  SessionState by_hand;  // with the joints of the last request
+  const SessionState* given = nullptr;  // by showState()
+  SessionState by_hand;                 // with the joints of the last request
   std::unique_ptr<RenderContext> context;
   std::optional<Renderer> renderer;
   std::optional<FittedCameras> fitted;
@@ -299,6 +300,8 @@ Result<FrameMaker> FrameMaker::open(Cell cell, std::optional<Timeline> session, 
   impl->cell.keeps_files.reset();
   return FrameMaker(std::move(impl));
 }
+
+void FrameMaker::showState(const SessionState* state) { impl_->given = state; }
 
 void FrameMaker::showBeside(Timeline beside, EventAlignment alignment) {
   impl_->names.expectBeside();

@@ -62,6 +62,9 @@ class FrameMaker {
   FrameMaker(FrameMaker&&) noexcept;
   FrameMaker& operator=(FrameMaker&&) noexcept;
 
+  /// Without a session: shows this state, which is borrowed, in place of the cell at rest.
+  void showState(const SessionState* state);
+
   /// Shows another session of the same cell beside the first, as clear ghosts; the cell's own
   /// ghosts are clear then, too. Only with a session.
   void showBeside(Timeline beside, EventAlignment alignment);

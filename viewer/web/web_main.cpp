@@ -52,7 +52,27 @@ EMSCRIPTEN_KEEPALIVE const char* rocinante_open(const std::uint8_t* cell, std::s
   return say(std::string());
 }
 
+/// The same for a live session, which rocinante_take() feeds.
+EMSCRIPTEN_KEEPALIVE const char* rocinante_open_live(const std::uint8_t* cell,
+                                                     std::size_t cell_size) {
+  session.reset();
+  auto opened = WebSession::openLive(bytesAt(cell, cell_size));
+  if (!opened) return say(opened.error().text());
+  session.emplace(std::move(*opened));
+  return say(std::string());
+}
+
 // The others require an open session.
+
+/// A message of the server of a live session. Empty, or what is wrong.
+EMSCRIPTEN_KEEPALIVE const char* rocinante_take(const std::uint8_t* at, std::size_t size) {
+  return say(session->live()->take({reinterpret_cast<const std::byte*>(at), size}));
+}
+/// The time of the newest one, from the first.
+EMSCRIPTEN_KEEPALIVE double rocinante_live_ns() {
+  const WebLive& live = *session->live();
+  return static_cast<double>((live.time() - live.origin()).count());
+}
 
 EMSCRIPTEN_KEEPALIVE const char* rocinante_about() { return say(session->aboutJson()); }
 EMSCRIPTEN_KEEPALIVE const char* rocinante_events() { return say(session->eventsJson()); }

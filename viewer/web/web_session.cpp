@@ -31,13 +31,30 @@ Json jointJson(const JointRow& row) {
   return json;
 }
 
+Result<Cell> cellOf(Bytes bytes) {
+  const auto file = std::make_shared<const Bytes>(std::move(bytes));
+  const auto baked = BakedFile::parse(*file, "the page's cell");
+  if (!baked) return baked.error();
+  return readBakedCell(*baked, file);
+}
+
 }  // namespace
 
+Result<WebSession> WebSession::openLive(Bytes cell_bytes) {
+  auto cell = cellOf(std::move(cell_bytes));
+  if (!cell) return cell.error();
+  auto context = makeWebContext();
+  if (!context) return context.error();
+  auto maker = FrameMaker::open(std::move(*cell), std::nullopt, Profile::fast, std::move(*context));
+  if (!maker) return maker.error();
+  WebSession session(nullptr, std::move(*maker));
+  session.live_ = std::make_unique<WebLive>();
+  session.maker_.showState(&session.live_->state());
+  return session;
+}
+
 Result<WebSession> WebSession::open(Bytes cell_bytes, Bytes log_bytes) {
-  const auto cell_file = std::make_shared<const Bytes>(std::move(cell_bytes));
-  const auto baked = BakedFile::parse(*cell_file, "the page's cell");
-  if (!baked) return baked.error();
-  auto cell = readBakedCell(*baked, cell_file);
+  auto cell = cellOf(std::move(cell_bytes));
   if (!cell) return cell.error();
   auto log = std::make_shared<const Bytes>(std::move(log_bytes));
   auto reader = LogReader::openBytes(*log, "the page's log");
@@ -51,6 +68,7 @@ Result<WebSession> WebSession::open(Bytes cell_bytes, Bytes log_bytes) {
 }
 
 LogTime WebSession::momentOf(std::int64_t ns) {
+  if (live_) return live_->time();
   Timeline& session = *maker_.session();
   return std::clamp(session.origin() + Nanoseconds(ns), session.start(), session.end());
 }
@@ -60,6 +78,7 @@ void WebSession::note(const StateDamage& damage) {
 }
 
 Result<const SessionState*> WebSession::stateAt(std::int64_t ns) {
+  if (live_) return &live_->state();
   StateDamage damage;
   auto state = maker_.session()->stateAt(momentOf(ns), &damage);
   note(damage);
@@ -76,10 +95,14 @@ FrameRequest WebSession::requestAt(std::int64_t ns, int width, int height) {
 }
 
 std::string WebSession::aboutJson() {
-  Timeline& session = *maker_.session();
   Json json;
-  json["start_ns"] = (session.start() - session.origin()).count();
-  json["end_ns"] = (session.end() - session.origin()).count();
+  json["live"] = live_ != nullptr;
+  if (Timeline* const session = maker_.session()) {
+    json["start_ns"] = (session->start() - session->origin()).count();
+    json["end_ns"] = (session->end() - session->origin()).count();
+  } else {
+    json["start_ns"] = json["end_ns"] = 0;
+  }
   json["cameras"] = Json::array();
   for (const CellCamera& camera : maker_.cell().cameras) json["cameras"].push_back(camera.name);
   for (const char* built_in : {"fit", "map"}) json["cameras"].push_back(built_in);
@@ -88,6 +111,7 @@ std::string WebSession::aboutJson() {
 }
 
 std::string WebSession::eventsJson() {
+  if (live_) return "[]";
   Timeline& session = *maker_.session();
   Json json = Json::array();
   StateDamage damage;

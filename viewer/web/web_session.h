@@ -9,6 +9,7 @@
 #include "core/base/result.h"
 #include "viewer/render/frame_maker.h"
 #include "viewer/ui/model/turntable.h"
+#include "viewer/web/web_live.h"
 
 namespace rocinante {
 
@@ -20,8 +21,14 @@ class WebSession {
   /// with a sentence for the reader of the page, when either is.
   static Result<WebSession> open(Bytes cell, Bytes log);
 
+  /// The same without a log: shows what live() is given.
+  static Result<WebSession> openLive(Bytes cell);
+
   WebSession(WebSession&&) noexcept = default;
   WebSession& operator=(WebSession&&) noexcept = default;
+
+  /// Null with a log.
+  WebLive* live() { return live_.get(); }
 
   /// JSON: start_ns, end_ns (from the session's origin), cameras, devices.
   std::string aboutJson();
@@ -59,6 +66,7 @@ class WebSession {
   void note(const StateDamage& damage);
 
   std::shared_ptr<const Bytes> log_;  // the maker's timeline borrows it
+  std::unique_ptr<WebLive> live_;     // the maker borrows its state
   FrameMaker maker_;
   std::string camera_;
   std::optional<Turntable> by_hand_;

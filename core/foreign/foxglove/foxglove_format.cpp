@@ -100,7 +100,7 @@ class FoxgloveFormat final : public SessionFormat {
   std::string profile() const override { return ""; }
   Nanoseconds framesLast() const override { return {}; }
 
-  Status frames(ExportedMcap& out, LogTime time, const std::string& device,
+  Status frames(MessageSink& out, LogTime time, const std::string& device,
                 std::span<const FramePose> frames) override {
     message_.clear();
     ProtoWriter writer(message_);
@@ -116,7 +116,7 @@ class FoxgloveFormat final : public SessionFormat {
     return out.write(topicOf("/tf", device), foxgloveSchema("FrameTransforms"), time, message_);
   }
 
-  Status joints(ExportedMcap& out, LogTime time, const std::string& device,
+  Status joints(MessageSink& out, LogTime time, const std::string& device,
                 std::span<const NamedValue> values) override {
     message_.clear();
     ProtoWriter writer(message_);
@@ -130,7 +130,7 @@ class FoxgloveFormat final : public SessionFormat {
     return out.write(topicOf("/joints", device), foxgloveSchema("JointStates"), time, message_);
   }
 
-  Status drawings(ExportedMcap& out, LogTime time, const std::string& source,
+  Status drawings(MessageSink& out, LogTime time, const std::string& source,
                   const Drawings& drawings) override {
     message_.clear();
     ProtoWriter writer(message_);
@@ -171,7 +171,7 @@ class FoxgloveFormat final : public SessionFormat {
     return {};
   }
 
-  Status event(ExportedMcap& out, LogTime time, EventLevel level, std::string_view name,
+  Status event(MessageSink& out, LogTime time, EventLevel level, std::string_view name,
                std::string_view text) override {
     constexpr std::uint64_t kInfo = 2;
     constexpr std::uint64_t kWarning = 3;
@@ -187,7 +187,7 @@ class FoxgloveFormat final : public SessionFormat {
     return out.write("/events", foxgloveSchema("Log"), time, message_);
   }
 
-  Status shapes(ExportedMcap& out, LogTime time, const std::string& device,
+  Status shapes(MessageSink& out, LogTime time, const std::string& device,
                 std::span<const LinkShape> shapes) override {
     message_.clear();
     ProtoWriter writer(message_);
@@ -209,12 +209,12 @@ class FoxgloveFormat final : public SessionFormat {
     return out.write(topicOf("/model", device), foxgloveSchema("SceneUpdate"), time, message_);
   }
 
-  Status description(ExportedMcap&, LogTime, const std::string&, std::string_view) override {
+  Status description(MessageSink&, LogTime, const std::string&, std::string_view) override {
     return {};  // it is an attachment
   }
 
  private:
-  Status cloud(ExportedMcap& out, LogTime time, const std::string& source, const std::string& id,
+  Status cloud(MessageSink& out, LogTime time, const std::string& source, const std::string& id,
                const Drawing* drawing) {
     constexpr std::uint32_t kStride = 28;  // x y z as doubles, then four bytes of colour
     constexpr std::uint32_t kUint8 = 1;

@@ -83,7 +83,7 @@ class Ros2Format final : public SessionFormat {
   // tf buffers keep ten seconds.
   Nanoseconds framesLast() const override { return std::chrono::seconds(1); }
 
-  Status frames(ExportedMcap& out, LogTime time, const std::string&,
+  Status frames(MessageSink& out, LogTime time, const std::string&,
                 std::span<const FramePose> frames) override {
     CdrWriter writer(message_);
     writer.count(frames.size());
@@ -96,7 +96,7 @@ class Ros2Format final : public SessionFormat {
     return out.write("/tf", ros2Schema("tf2_msgs/msg/TFMessage"), time, message_);
   }
 
-  Status joints(ExportedMcap& out, LogTime time, const std::string& device,
+  Status joints(MessageSink& out, LogTime time, const std::string& device,
                 std::span<const NamedValue> values) override {
     CdrWriter writer(message_);
     putHeader(writer, time, "");
@@ -110,7 +110,7 @@ class Ros2Format final : public SessionFormat {
                      ros2Schema("sensor_msgs/msg/JointState"), time, message_);
   }
 
-  Status drawings(ExportedMcap& out, LogTime time, const std::string& source,
+  Status drawings(MessageSink& out, LogTime time, const std::string& source,
                   const Drawings& drawings) override {
     std::vector<MarkerParts> markers(1);
     markers[0].action = kDeleteAll;
@@ -130,7 +130,7 @@ class Ros2Format final : public SessionFormat {
                      ros2Schema("visualization_msgs/msg/MarkerArray"), time, message_);
   }
 
-  Status event(ExportedMcap& out, LogTime time, EventLevel level, std::string_view name,
+  Status event(MessageSink& out, LogTime time, EventLevel level, std::string_view name,
                std::string_view text) override {
     constexpr std::uint8_t kInfo = 20;
     constexpr std::uint8_t kWarning = 30;
@@ -148,7 +148,7 @@ class Ros2Format final : public SessionFormat {
     return out.write("/rosout", ros2Schema("rcl_interfaces/msg/Log"), time, message_);
   }
 
-  Status description(ExportedMcap& out, LogTime time, const std::string& device,
+  Status description(MessageSink& out, LogTime time, const std::string& device,
                      std::string_view urdf) override {
     CdrWriter writer(message_);
     writer.text(urdf);

@@ -8,21 +8,22 @@
 
 #include "core/base/result.h"
 #include "core/base/time.h"
-#include "core/foreign/session/message_schema.h"
+#include "core/foreign/session/message_sink.h"
 #include "core/mcap/writer.h"
 
 namespace rocinante {
 
 /// An MCAP file for other tools: channels with schemas, made when their first message is written.
 /// Messages are to come in order of time. Chunks are zstd.
-class ExportedMcap {
+class ExportedMcap final : public MessageSink {
  public:
   /// `profile` is MCAP's: empty or "ros2".
   static Result<ExportedMcap> start(std::unique_ptr<ByteSink> sink, std::string profile);
 
-  /// The schema and `metadata` count when the topic is new. unsupported beyond 65,535 channels.
+  /// unsupported beyond 65,535 channels.
   Status write(std::string_view topic, const MessageSchema& schema, LogTime time, ByteView message,
-               const std::map<std::string, std::string>& metadata = {});
+               const std::map<std::string, std::string>& metadata) override;
+  using MessageSink::write;
   /// A message without schema, as another log had it.
   Status writeRaw(const std::string& topic, const std::string& encoding,
                   const std::map<std::string, std::string>& metadata, const mcap::Message& message);

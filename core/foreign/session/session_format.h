@@ -9,9 +9,9 @@
 
 #include "core/base/result.h"
 #include "core/base/time.h"
-#include "core/foreign/session/exported_mcap.h"
 #include "core/foreign/session/joint_values.h"
 #include "core/foreign/session/link_frames.h"
+#include "core/foreign/session/message_sink.h"
 #include "core/packet/session_state.h"
 
 namespace rocinante {
@@ -36,23 +36,23 @@ class SessionFormat {
   /// How long readers remember a space that is not said again; 0: for good.
   virtual Nanoseconds framesLast() const = 0;
 
-  virtual Status frames(ExportedMcap& out, LogTime time, const std::string& device,
+  virtual Status frames(MessageSink& out, LogTime time, const std::string& device,
                         std::span<const FramePose> frames) = 0;
-  virtual Status joints(ExportedMcap& out, LogTime time, const std::string& device,
+  virtual Status joints(MessageSink& out, LogTime time, const std::string& device,
                         std::span<const NamedValue> values) = 0;
   /// All drawings of a source, by id; none when it has erased them.
   using Drawings = std::vector<std::pair<std::string, const Drawing*>>;
-  virtual Status drawings(ExportedMcap& out, LogTime time, const std::string& source,
+  virtual Status drawings(MessageSink& out, LogTime time, const std::string& source,
                           const Drawings& drawings) = 0;
-  virtual Status event(ExportedMcap& out, LogTime time, EventLevel level, std::string_view name,
+  virtual Status event(MessageSink& out, LogTime time, EventLevel level, std::string_view name,
                        std::string_view text) = 0;
   /// All that a device shows, when that changes; nothing where the format has no place for it.
-  virtual Status shapes(ExportedMcap&, LogTime, const std::string& /*device*/,
+  virtual Status shapes(MessageSink&, LogTime, const std::string& /*device*/,
                         std::span<const LinkShape>) {
     return {};
   }
   /// The URDF of a device, once.
-  virtual Status description(ExportedMcap& out, LogTime time, const std::string& device,
+  virtual Status description(MessageSink& out, LogTime time, const std::string& device,
                              std::string_view urdf) = 0;
 };
 

@@ -21,11 +21,11 @@ class NotingFormat final : public SessionFormat {
 
   std::string profile() const override { return ""; }
   Nanoseconds framesLast() const override { return last_; }
-  Status frames(ExportedMcap&, LogTime time, const std::string& device,
+  Status frames(MessageSink&, LogTime time, const std::string& device,
                 std::span<const FramePose> frames) override {
     return note(time, "frames " + device + " in " + frames[0].parent);
   }
-  Status joints(ExportedMcap&, LogTime time, const std::string& device,
+  Status joints(MessageSink&, LogTime time, const std::string& device,
                 std::span<const NamedValue> values) override {
     std::string line = "joints " + device;
     for (const NamedValue& value : values) {
@@ -33,18 +33,18 @@ class NotingFormat final : public SessionFormat {
     }
     return note(time, line);
   }
-  Status drawings(ExportedMcap&, LogTime time, const std::string& source,
+  Status drawings(MessageSink&, LogTime time, const std::string& source,
                   const Drawings& drawings) override {
     std::string line = "drawings " + source + ":";
     for (const auto& [id, drawing] : drawings) line += " " + id;
     return note(time, line);
   }
-  Status event(ExportedMcap&, LogTime time, EventLevel level, std::string_view name,
+  Status event(MessageSink&, LogTime time, EventLevel level, std::string_view name,
                std::string_view text) override {
     return note(time, (level == EventLevel::warning ? "warning " : "event ") + std::string(name) +
                           " " + std::string(text));
   }
-  Status description(ExportedMcap&, LogTime, const std::string&, std::string_view) override {
+  Status description(MessageSink&, LogTime, const std::string&, std::string_view) override {
     return {};
   }
 

@@ -29,21 +29,21 @@ class ShapeFormat final : public SessionFormat {
  public:
   std::string profile() const override { return ""; }
   Nanoseconds framesLast() const override { return {}; }
-  Status frames(ExportedMcap&, LogTime, const std::string&, std::span<const FramePose>) override {
+  Status frames(MessageSink&, LogTime, const std::string&, std::span<const FramePose>) override {
     return {};
   }
-  Status joints(ExportedMcap&, LogTime, const std::string&, std::span<const NamedValue>) override {
+  Status joints(MessageSink&, LogTime, const std::string&, std::span<const NamedValue>) override {
     return {};
   }
-  Status drawings(ExportedMcap&, LogTime, const std::string&, const Drawings&) override {
+  Status drawings(MessageSink&, LogTime, const std::string&, const Drawings&) override {
     return {};
   }
-  Status event(ExportedMcap&, LogTime time, EventLevel level, std::string_view name,
+  Status event(MessageSink&, LogTime time, EventLevel level, std::string_view name,
                std::string_view text) override {
     return note(time, (level == EventLevel::error ? "error " : "event ") + std::string(name) + " " +
                           std::string(text));
   }
-  Status shapes(ExportedMcap&, LogTime time, const std::string& device,
+  Status shapes(MessageSink&, LogTime time, const std::string& device,
                 std::span<const LinkShape> shapes) override {
     std::string line = "shapes " + device + ":";
     for (const LinkShape& shape : shapes) {
@@ -56,7 +56,7 @@ class ShapeFormat final : public SessionFormat {
     }
     return note(time, line);
   }
-  Status description(ExportedMcap&, LogTime, const std::string&, std::string_view) override {
+  Status description(MessageSink&, LogTime, const std::string&, std::string_view) override {
     return {};
   }
 

@@ -1,0 +1,149 @@
+#include "core/foreign/session/moment_messages.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "core/math/transform.h"
+
+namespace rocinante {
+namespace {
+
+bool sameMatrices(const std::vector<Mat4>& a, const std::vector<Mat4>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Mat4)) == 0;
+}
+
+}  // namespace
+
+MomentMessages::MomentMessages(const Cell* cell, SessionFormat& format)
+    : cell_(cell), format_(format) {
+  if (cell != nullptr) poses_.emplace(*cell);
+}
+
+void MomentMessages::notice(const Packet& packet) {
+  bool draws = packet.header.part.has_value() || packet.header.reset;
+  // A source that restarts has drawn nothing yet.
+  const auto kept = kept_.find(packet.header.source);
+  if (kept != kept_.end() && kept->second.run != packet.header.run) draws = true;
+  for (const Statement& statement : packet.statements) {
+    switch (statement.kind) {
+      case StatementKind::line:
+      case StatementKind::points:
+      case StatementKind::label:
+      case StatementKind::erase:
+        draws = true;
+        break;
+      case StatementKind::remove:
+        all_drawn_ = true;  // with what is drawn on the device
+        break;
+      default:
+        break;
+    }
+  }
+  if (draws) drawn_.insert(std::string(packet.header.source));
+}
+
+Status MomentMessages::moment(MessageSink& out, LogTime time, const SessionState& state) {
+  Status written = cell_ == nullptr ? bareFrames(out, time, state) : cellFrames(out, time, state);
+  if (written) written = joints(out, time, state);
+  if (written) written = drawings(out, time, state);
+  before_ = time;
+  forgetGone(state);
+  return written;
+}
+
+/// Devices come and go in a live session: what is kept of them does not outgrow the state.
+void MomentMessages::forgetGone(const SessionState& state) {
+  constexpr std::size_t kFew = 64;
+  if (known_.size() < 2 * state.devices().size() + 2 * models_.size() + kFew) return;
+  std::erase_if(known_, [&](const auto& each) {
+    return state.findDevice(each.first) == nullptr && !models_.contains(each.first);
+  });
+}
+
+bool MomentMessages::framesDue(Known& known, std::vector<Mat4> now, bool is_written,
+                               LogTime time) const {
+  const bool is_first = known.links.empty();
+  const bool has_moved = !sameMatrices(known.links, now);
+  const Nanoseconds last = format_.framesLast();
+  const bool is_old = !is_first && last.count() > 0 && time - known.frames_said >= last;
+  if (!is_first && !has_moved && !is_written && !is_old) return false;
+  known.links = std::move(now);
+  known.frames_said = time;
+  return true;
+}
+
+Status MomentMessages::cellFrames(MessageSink& out, LogTime time, const SessionState& state) {
+  const PosedScene scene = poses_->pose(state);
+  for (const PosedDevice& device : scene.devices) {
+    if (device.ghost) continue;
+    const DeviceState* const stated = state.findDevice(device.name);
+    std::vector<Mat4> now{device.base};
+    now.insert(now.end(), device.link_world.begin(), device.link_world.end());
+    if (!framesDue(known_[device.name], std::move(now), stated != nullptr && isWritten(*stated),
+                   time)) {
+      continue;
+    }
+    Status written = format_.frames(out, time, device.name, deviceFrames(device));
+    if (!written) return written;
+    models_[device.name] = device.model;
+  }
+  return shown ? shown(time, scene) : Status{};
+}
+
+Status MomentMessages::bareFrames(MessageSink& out, LogTime time, const SessionState& state) {
+  for (const auto& [name, device] : state.devices()) {
+    if (!device.pose || isRemoved(device)) continue;
+    const PoseValue& pose = device.pose->value;
+    if (!pose.carrier.second.empty()) carried_.insert(name);
+    if (!framesDue(known_[name], {matrixOf(pose.pose)}, isWritten(device), time)) continue;
+    const FramePose frame{frameName(pose.carrier.first, pose.carrier.second), name, pose.pose};
+    if (Status written = format_.frames(out, time, name, {&frame, 1}); !written) return written;
+  }
+  return {};
+}
+
+Status MomentMessages::joints(MessageSink& out, LogTime time, const SessionState& state) {
+  for (const auto& [name, device] : state.devices()) {
+    if (!hasJoints(device) || isRemoved(device)) continue;
+    Known& known = known_[name];
+    if (known.joints_said && !isWritten(device)) continue;
+    known.joints_said = true;
+    const auto model = models_.find(name);
+    Status written = format_.joints(
+        out, time, name, jointValues(model == models_.end() ? nullptr : model->second, device));
+    if (!written) return written;
+  }
+  return {};
+}
+
+Status MomentMessages::drawings(MessageSink& out, LogTime time, const SessionState& state) {
+  if (!has_begun_ || all_drawn_) {
+    for (const auto& [key, drawing] : state.drawings()) drawn_.insert(key.first);
+    for (const auto& [source, kept] : kept_) drawn_.insert(source);
+  }
+  has_begun_ = true;
+  all_drawn_ = false;
+  for (const std::string& source : drawn_) {
+    SessionFormat::Drawings now;
+    auto each = state.drawings().lower_bound({source, ""});
+    for (; each != state.drawings().end() && each->first.first == source; ++each) {
+      now.emplace_back(each->first.second, &each->second);
+    }
+    const auto stated = state.sources().find(source);
+    const auto known = kept_.find(source);
+    if (known == kept_.end() && now.empty()) continue;
+    Drawn& kept = known == kept_.end() ? kept_[source] : known->second;
+    if (stated != state.sources().end()) kept.run = stated->second.run;
+    const bool is_same = std::equal(
+        now.begin(), now.end(), kept.drawings.begin(), kept.drawings.end(),
+        [](const auto& a, const auto& b) { return a.first == b.first && *a.second == b.second; });
+    if (is_same) continue;
+    kept.drawings.clear();
+    for (const auto& [id, drawing] : now) kept.drawings.emplace_back(id, *drawing);
+    if (Status written = format_.drawings(out, time, source, now); !written) return written;
+  }
+  drawn_.clear();
+  return {};
+}
+
+}  // namespace rocinante

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/cell/scene_pose_cache.h"
+#include "core/foreign/session/session_format.h"
+#include "core/packet/packet.h"
+#include "core/packet/session_state.h"
+
+namespace rocinante {
+
+/// Writes what a session says from one moment to the next as the messages of a format: spaces and
+/// joints of a device when they are written or it moves, the drawings of a source when they change.
+/// Borrows cell and format. One thread.
+class MomentMessages {
+ public:
+  /// Without a cell (null) there are no links, and only joints that packets name.
+  MomentMessages(const Cell* cell, SessionFormat& format);
+
+  /// Sees what each moment shows; only with a cell. Empty: nobody looks.
+  std::function<Status(LogTime, const PosedScene&)> shown;
+
+  /// What an applied packet may have changed besides devices.
+  void notice(const Packet& packet);
+  /// The state at `time`, which is later than the last call's, and after all packets so far.
+  Status moment(MessageSink& out, LogTime time, const SessionState& state);
+
+  /// Devices on links that no cell places.
+  const std::set<std::string>& carried() const { return carried_; }
+
+ private:
+  /// What was said of a device last.
+  struct Known {
+    std::vector<Mat4> links;  ///< in the world; the first is the device's own
+    LogTime frames_said = LogTime::min();
+    bool joints_said = false;
+  };
+  /// The drawings of a source as they were written last.
+  struct Drawn {
+    std::string run;
+    std::vector<std::pair<std::string, Drawing>> drawings;
+  };
+
+  void forgetGone(const SessionState& state);
+  bool isWritten(const DeviceState& device) const { return device.last_write > before_; }
+  bool framesDue(Known& known, std::vector<Mat4> now, bool is_written, LogTime time) const;
+  Status cellFrames(MessageSink& out, LogTime time, const SessionState& state);
+  Status bareFrames(MessageSink& out, LogTime time, const SessionState& state);
+  Status joints(MessageSink& out, LogTime time, const SessionState& state);
+  Status drawings(MessageSink& out, LogTime time, const SessionState& state);
+
+  const Cell* cell_;
+  SessionFormat& format_;
+  std::optional<ScenePoseCache> poses_;
+  std::map<std::string, Known, std::less<>> known_;
+  std::map<std::string, const Model*, std::less<>> models_;
+  std::set<std::string> drawn_;  ///< sources whose drawings may have changed
+  bool all_drawn_ = false;
+  bool has_begun_ = false;
+  LogTime before_ = LogTime::min();                 ///< the last moment
+  std::map<std::string, Drawn, std::less<>> kept_;  ///< by source
+  std::set<std::string> carried_;
+};
+
+}  // namespace rocinante

@@ -1,0 +1,221 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "core/base/atomic_file.h"
+#include "core/base/count_text.h"
+#include "core/base/plain_text.h"
+#include "core/base/size_text.h"
+#include "core/bundle/cell_or_log.h"
+#include "core/cli/program.h"
+#include "core/cli/search_options.h"
+#include "core/cli/worker_threads.h"
+#include "viewer/serve/serve_program.h"
+
+namespace {
+
+using namespace rocinante;
+
+constexpr const char* kExamples =
+    "  rocinante serve cell.toml session.mcap\n"
+    "  rocinante serve cell.toml --live\n"
+    "  rocinante serve cell.toml --live :19960 --listen 0.0.0.0:8080 --token-file secret\n"
+    "  rocinante serve cell.toml --live --listen 0.0.0.0:8443 --tls-cert cert.pem --tls-key "
+    "key.pem\n"
+    "  rocinante serve cell.toml --live --origin https://lichtblick.example\n";
+
+struct Arguments {
+  ServeRequest request;
+  std::vector<std::string> live, allow;
+  std::string listen = "127.0.0.1:8080";
+  std::string token_file;
+  std::string buffer = "4MB";
+  bool is_live = false;
+  bool quiet = false;
+};
+
+Error bad(std::string what, const std::string& where) {
+  return {ErrorKind::bad_argument, std::move(what), where};
+}
+
+Status readSession(Arguments& my) {
+  ServeRequest& request = my.request;
+  if (my.is_live && !request.log.empty()) {
+    return bad("a log and --live cannot be used together", "");
+  }
+  if (!my.is_live && request.log.empty()) {
+    if (!isLog(request.cell)) return bad("give a LOG after the cell, or --live", "");
+    request.log = request.cell;
+  }
+  if (!my.is_live && (!request.trust.empty() || !request.decoders.empty())) {
+    return bad("--trust and --decoders are for --live", "");
+  }
+  for (const std::string& text : my.live) {
+    auto endpoint = Endpoint::parse(text);
+    if (!endpoint) return endpoint.error();
+    request.live.push_back(std::move(*endpoint));
+  }
+  if (my.is_live && request.live.empty()) request.live.push_back(Endpoint::standard());
+  if (!(request.rate_hz >= 1 && request.rate_hz <= 1000)) {
+    return bad("--rate is 1 to 1000 a second", fmt::format("{}", request.rate_hz));
+  }
+  return {};
+}
+
+Status readListening(const Arguments& my, WebServer::Options& web) {
+  const auto endpoint = Endpoint::parse(my.listen);
+  const bool is_plain = endpoint && endpoint->scheme == Endpoint::Scheme::udp &&
+                        !endpoint->isMulticast() && !endpoint->ttl && !endpoint->source &&
+                        endpoint->interface.empty() && my.listen.find("://") == std::string::npos;
+  if (!is_plain) {
+    return bad("--listen takes ADDRESS:PORT: 127.0.0.1:8080, [::1]:8080, 0.0.0.0:8080", my.listen);
+  }
+  web.listen = endpoint->address;
+  auto allow = AddressFilter::of(my.allow);
+  if (!allow) return allow.error();
+  web.allow = std::move(*allow);
+  if (web.certificate.empty() != web.key.empty()) {
+    return bad("--tls-cert and --tls-key belong together", "");
+  }
+  const auto bytes = parseSize(my.buffer);
+  if (!bytes) return bad(bytes.error().what, "--buffer");
+  if (*bytes < 64'000) return bad("--buffer is at least 64kB", my.buffer);
+  web.client_bytes = *bytes;
+  if (web.clients < 1 || web.clients > 10'000) {
+    return bad("--clients is 1 to 10000", std::to_string(web.clients));
+  }
+  return {};
+}
+
+Status readToken(const Arguments& my, WebServer::Options& web) {
+  constexpr std::size_t kLeastToken = 8, kMostToken = 256;
+  if (!my.token_file.empty()) {
+    if (!web.token.empty()) return bad("--token and --token-file are the same twice", "");
+    auto text = readFile(my.token_file, 4096);
+    if (!text) return text.error();
+    web.token = text->substr(0, text->find_first_of("\r\n"));
+    if (web.token.empty()) return bad("the file of the token is empty", my.token_file);
+  }
+  const bool is_word = web.token.find_first_not_of(
+                           "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrst"
+                           "uvwxyz0123456789-._~") == std::string::npos;
+  if (web.token.empty()) return {};
+  if (!is_word || web.token.size() < kLeastToken || web.token.size() > kMostToken) {
+    return bad("a token is 8 to 256 letters, digits and -._~", "");
+  }
+  return {};
+}
+
+bool isOpenToAll(const WebServer::Options& web) {
+  const auto& address = web.listen.address;
+  const bool is_v6_loopback = web.listen.is_ipv6 && web.listen.hostText() == "::1";
+  const bool is_loopback = web.listen.is_ipv6 ? is_v6_loopback : address[0] == 127;
+  return !is_loopback && web.token.empty() && web.allow.empty();
+}
+
+Result<cli::Exit> run(Arguments& my) {
+  if (Status read = readSession(my); !read) return read.error();
+  WebServer::Options& web = my.request.web;
+  if (Status read = readListening(my, web); !read) return read.error();
+  if (Status read = readToken(my, web); !read) return read.error();
+  if (isOpenToAll(web) && !my.quiet) {
+    cli::warn("whoever reaches this address may look: --token, --allow and --tls-cert limit that");
+  }
+  cli::catchStopSignals();
+  my.request.parallel = cli::workerThreads();
+  ServeSurroundings surroundings;
+  surroundings.stop = cli::stopRequested;
+  surroundings.told = [&my](std::string_view line) {
+    if (!my.quiet) std::fprintf(stderr, "%s\n", plainText(line).c_str());
+  };
+  const auto report = serveUntilStopped(my.request, surroundings);
+  if (!report) return report.error();
+  if (!my.quiet) {
+    std::string text = countText(report->web.clients, "client");
+    if (my.is_live) {
+      text += fmt::format(", {} received, {} lost", countText(report->received, "datagram"),
+                          report->lost);
+    }
+    if (report->web.skipped > 0) {
+      text +=
+          fmt::format(", {} skipped for slow clients", countText(report->web.skipped, "message"));
+    }
+    if (report->web.refused > 0) text += fmt::format(", {} refused", report->web.refused);
+    cli::say(text + "\n");
+  }
+  return report->lost == 0 ? cli::Exit::done : cli::Exit::no;
+}
+
+void declare(CLI::App& app, Arguments& my, CLI::Option*& live) {
+  app.add_option("CELL", my.request.cell,
+                 "a .cell.toml, a .urdf, an .obj, or a log that carries its cell")
+      ->required();
+  app.add_option("LOG", my.request.log, "the session; without it, that of CELL or --live");
+  live = app.add_option("--live", my.live,
+                        "show live packets; EP as in `rocinante record`, default: the local group; "
+                        "may be repeated")
+             ->option_text("EP")
+             ->expected(0, 1)
+             ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  app.add_option("--listen", my.listen, "where browsers find it; port 0: a free one")
+      ->option_text("ADDRESS:PORT=127.0.0.1:8080");
+  app.add_option("--origin", my.request.web.origins,
+                 "pages of this origin may look too, and this server may be called by its host; "
+                 "may be repeated")
+      ->option_text("SCHEME://HOST[:PORT]")
+      ->allow_extra_args(false);
+  app.add_option("--token", my.request.web.token, "ask for this token: /?token=TEXT")
+      ->option_text("TEXT");
+  app.add_option("--token-file", my.token_file, "the same from the first line of a file")
+      ->option_text("FILE");
+  app.add_option("--allow", my.allow,
+                 "answer clients in this network only (10.0.0.0/8); may be repeated")
+      ->option_text("CIDR")
+      ->allow_extra_args(false);
+  app.add_option("--tls-cert", my.request.web.certificate,
+                 "serve https with this certificate (PEM)")
+      ->option_text("FILE");
+  app.add_option("--tls-key", my.request.web.key, "and its key (PEM)")->option_text("FILE");
+  app.add_option("--clients", my.request.web.clients, "live clients at a time, at most")
+      ->option_text("N=64");
+  app.add_option("--buffer", my.buffer,
+                 "what waits for a slow client, at most; beyond it, moments are skipped")
+      ->option_text("SIZE=4MB");
+  app.add_option("--rate", my.request.rate_hz,
+                 "send the values of a device at most HZ times a second")
+      ->option_text("HZ=60");
+  app.add_option("--trust", my.request.trust,
+                 "show only what is signed with a key of this file (rocinante key)")
+      ->option_text("FILE");
+  app.add_option(
+         "--decoders", my.request.decoders,
+         "make packets of what is not packet text as this file declares; without it, as the "
+         "cell does")
+      ->option_text("FILE");
+  app.add_option("--viewer", my.request.viewer,
+                 "the folder of rocinante-viewer.js and .wasm, which scripts/build_web makes; "
+                 "without it, the installed one")
+      ->option_text("DIR");
+  app.add_flag("--quiet", my.quiet, "print nothing but errors");
+  cli::addSearchOptions(app, my.request);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app(
+      "Shows a session in any browser: serves the page of `rocinante page` over HTTP, with a log "
+      "or\n"
+      "with what comes live.",
+      "rocinante-serve");
+  Arguments my;
+  CLI::Option* live = nullptr;
+  declare(app, my, live);
+  return cli::run(app, argc, argv, kExamples, [&] {
+    my.is_live = live->count() > 0;
+    return run(my);
+  });
+}
