@@ -91,7 +91,7 @@ set(headers fonts-dejavu-core libcli11-dev libexpected-dev libfast-float-dev lib
   nlohmann-json3-dev)
 rocinante_package(programs rocinante SECTION utils
   RECOMMENDS "${renderer}"
-  SUGGESTS "rocinante-view, rocinante-openimageio, rocinante-nats, rocinante-protobuf, rocinante-sdf, ffmpeg, git"
+  SUGGESTS "rocinante-view, rocinante-serve, rocinante-openimageio, rocinante-nats, rocinante-protobuf, rocinante-sdf, ffmpeg, git"
   COMPILED_IN ${headers}
   SUMMARY "record, replay and test streamed robot and simulator state"
   TEXT "Robots and simulators send poses and joint values as small text packets over
@@ -116,6 +116,16 @@ if(ROCINANTE_GL AND ROCINANTE_WINDOW)
 SDF, OBJ, STL, COLLADA or glTF.
 .
 This package has the window of Rocinante, its desktop entry included.")
+endif()
+if(ROCINANTE_SERVE)
+  list(APPEND CPACK_COMPONENTS_ALL serve)
+  rocinante_package(serve rocinante-serve SECTION utils
+    DEPENDS "rocinante ${same_version}"
+    COMPILED_IN ${headers}
+    SUMMARY "shows Rocinante's sessions in any browser of the network"
+    TEXT "Serves the page of rocinante-page over HTTP, with a recorded session or with what
+comes live, and speaks the protocol of Foxglove and Lichtblick, by
+libwebsockets.")
 endif()
 if(ROCINANTE_OPENIMAGEIO)
   list(APPEND CPACK_COMPONENTS_ALL openimageio)

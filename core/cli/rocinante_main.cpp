@@ -115,7 +115,9 @@ int main(int argc, char** argv) {
   if (errno == ENOENT && isKnown(verb)) {
     // Not in this build, as on a recorder's machine without a display.
     std::fprintf(stderr, "rocinante: %s is not installed here%s\n", program.c_str(),
-                 verb == "view" ? ": install the package rocinante-view" : "");
+                 verb == "view"    ? ": install the package rocinante-view"
+                 : verb == "serve" ? ": install the package rocinante-serve"
+                                   : "");
   } else if (errno == ENOENT) {
     std::fprintf(stderr, "rocinante: there is no verb `%.*s`%s (see rocinante --help)\n",
                  static_cast<int>(verb.size()), verb.data(), hintAt(verb).c_str());

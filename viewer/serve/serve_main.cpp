@@ -54,6 +54,7 @@ Status readSession(Arguments& my) {
     return bad("--trust and --decoders are for --live", "");
   }
   for (const std::string& text : my.live) {
+    if (text.empty()) continue;
     auto endpoint = Endpoint::parse(text);
     if (!endpoint) return endpoint.error();
     request.live.push_back(std::move(*endpoint));

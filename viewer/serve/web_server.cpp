@@ -9,11 +9,10 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <mutex>
 
-#include "core/base/plain_text.h"
 #include "viewer/serve/byte_range.h"
 #include "viewer/serve/http_head.h"
+#include "viewer/serve/library_complaint.h"
 #include "viewer/serve/socket_client.h"
 
 namespace rocinante {
@@ -32,17 +31,6 @@ constexpr Nanoseconds kPace = std::chrono::milliseconds(5);
 constexpr unsigned kRequestSeconds = 10;
 /// Silent sockets are asked, and given up.
 constexpr lws_retry_bo_t kIdle = {nullptr, 0, 0, 20, 40, 0};
-
-/// The last complaint of the library, which has no other way to say why it fails.
-std::mutex complaint_mutex;
-std::string complaint;
-
-void noteComplaint(int, const char* line) {
-  std::string text = plainText(line);
-  const std::size_t from = text.find(": ");
-  const std::lock_guard lock(complaint_mutex);
-  complaint = from == std::string::npos ? text : text.substr(from + 2);
-}
 
 /// An answer that is being sent.
 struct Transfer {
@@ -106,7 +94,7 @@ class LwsServer final : public WebServer {
 };
 
 Status LwsServer::open() {
-  ::lws_set_log_level(LLL_ERR | LLL_WARN, noteComplaint);
+  collectComplaints();
   protocols_ = {{"http-only", onHttp, 0, 4096, 0, nullptr, 0}};
   for (const char* name : kProtocols) {
     protocols_.push_back({name, onSocket, 0, 4096, 0, nullptr, 0});
@@ -120,7 +108,7 @@ Status LwsServer::open() {
   if (is_secure) info.options |= LWS_SERVER_OPTION_DO_SSL_GLOBAL_INIT;
   context_ = ::lws_create_context(&info);
   if (context_ == nullptr) {
-    return Error{ErrorKind::refused, "the web server cannot start: " + complaint, {}};
+    return Error{ErrorKind::refused, "the web server cannot start: " + lastComplaint(), {}};
   }
   const std::string host = options_.listen.hostText();
   const std::string certificate = options_.certificate.string(), key = options_.key.string();
@@ -142,7 +130,13 @@ Status LwsServer::open() {
   }
   lws_vhost* const vhost = ::lws_create_vhost(context_, &info);
   if (vhost == nullptr) {
-    return Error{ErrorKind::refused, "cannot listen: " + complaint, options_.listen.text()};
+    // The library opens the certificate before the port, and says of the port less than the system.
+    if (is_secure && lastComplaint().find("ssl") != std::string::npos) {
+      return Error{ErrorKind::refused, "cannot use this certificate with this key", certificate};
+    }
+    return Error{ErrorKind::refused,
+                 "cannot listen here: the port is taken, or the address is not this machine's",
+                 options_.listen.text()};
   }
   port_ = static_cast<std::uint16_t>(::lws_get_vhost_listen_port(vhost));
   std::array<char, 256> name{};
@@ -159,7 +153,7 @@ Status LwsServer::run(LiveSession* live, const std::function<bool()>& stop) {
   step();
   while (!stop()) {
     if (::lws_service(context_, 0) < 0) {
-      return Error{ErrorKind::refused, "the web server has stopped: " + complaint, {}};
+      return Error{ErrorKind::refused, "the web server has stopped: " + lastComplaint(), {}};
     }
   }
   return {};
