@@ -132,7 +132,7 @@ class TrackRecorder {
     for (Recording* device : touched_) keepBefore(*device, time);
     const Applied applied = foldPacket(state_, time, packet, &track_.events);
     if (applied != Applied::yes) return;
-    for (Recording* device : touched_) update(*device, time);
+    for (Recording* device : touched_) update(*device, time, packet.header.restated);
     if (!facts_due_ && (says_facts || !new_names_.empty())) facts_due_ = time;
   }
 
@@ -278,13 +278,14 @@ class TrackRecorder {
     if (device.has_before) rowOf(device, device.before, device.carrier_before);
   }
 
-  /// Fills the samples before `time`, at which a packet stated something of the device.
-  void update(Recording& device, LogTime time) {
+  /// Fills the samples before `time`, at which a packet stated something of the device. What is
+  /// restated for late joiners is no part of the machine's rate.
+  void update(Recording& device, LogTime time, bool restated) {
     const auto sample = static_cast<std::size_t>(std::clamp<std::int64_t>(
         (time - track_.start) / track_.step, 0, static_cast<std::int64_t>(track_.samples) - 1));
     auto& updates = device.track->updates;
     if (updates.size() <= sample) updates.resize(sample + 1);
-    if (updates[sample] < std::numeric_limits<std::uint16_t>::max()) ++updates[sample];
+    if (!restated && updates[sample] < std::numeric_limits<std::uint16_t>::max()) ++updates[sample];
     if (device.has_before) {
       const std::size_t width = ownWidth(device);
       std::size_t carrier = 0;

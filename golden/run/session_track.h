@@ -34,7 +34,7 @@ struct DeviceTrack {
   std::vector<TrackColumn> columns;
   std::size_t width = 0;     ///< numbers of a row
   std::vector<double> rows;  ///< one row when nothing ever changed
-  /// Packets that stated something of the device, by sample.
+  /// Packets that stated something of the device, restated ones left out, by sample.
   std::vector<std::uint16_t> updates;
 
   const double* row(std::size_t sample) const {

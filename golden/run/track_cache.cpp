@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kTrackExtension = ".track";
 /// Goes into keys: to be raised when tracks are made otherwise.
-constexpr int kTrackVersion = 1;
+constexpr int kTrackVersion = 2;
 
 bool isTrackFile(const fs::path& file) {
   const std::string name = file.filename().string();
