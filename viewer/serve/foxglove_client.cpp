@@ -99,7 +99,7 @@ std::optional<FoxgloveClient::Outgoing> FoxgloveClient::nextMessage() {
     auto& [channel, subscription] = *each;
     const auto& messages = desk_.channels()[channel].messages;
     const auto message = std::ranges::find_if(
-        messages, [&](const auto& one) { return one.number > subscription.seen; });
+        messages, [seen = subscription.seen](const auto& one) { return one.number > seen; });
     if (message == messages.end()) continue;
     subscription.seen = message->number;
     turn_ = channel + 1;
