@@ -129,8 +129,7 @@ class ColumnJudge {
     }
     // Not stated for a while at the start is a matter of when the recorder was started.
     const std::size_t count = constant_ ? 1 : grids_.run_grid.size();
-    // As near to an end as a value may be late or early, there is nothing that it could be late
-    // from.
+    // Nearer to an end than a value may be late or early, the motion before or after is unknown.
     const std::size_t edge = count > 4 * reach_ ? reach_ : 0;
     for (std::size_t i = edge; i < count - edge; ++i) {
       if (!grids_.spec.isMasked(item_, grids_.sinceOrigin(i))) judgeSample(i);

@@ -278,8 +278,8 @@ class TrackRecorder {
     if (device.has_before) rowOf(device, device.before, device.carrier_before);
   }
 
-  /// Fills the samples before `time`, at which a packet stated something of the device. What is
-  /// restated for late joiners is no part of the machine's rate.
+  /// Fills the samples before `time`, at which a packet stated something of the device. Packets
+  /// that are restated for late joiners do not count in the device's rate.
   void update(Recording& device, LogTime time, bool restated) {
     const auto sample = static_cast<std::size_t>(std::clamp<std::int64_t>(
         (time - track_.start) / track_.step, 0, static_cast<std::int64_t>(track_.samples) - 1));

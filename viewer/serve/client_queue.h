@@ -9,7 +9,7 @@
 
 namespace rocinante {
 
-/// What a client has yet to be sent, in at most so many bytes. One that is too slow for them loses
+/// What a client has yet to be sent, within a limit of bytes. One that is too slow for it loses
 /// what waits, and is greeted anew with the present state once it has taken what it was being sent:
 /// so it skips moments, and is never waited for. One thread.
 class ClientQueue {

@@ -30,7 +30,7 @@ class LiveHub {
   /// When advance() has something to do.
   LogTime due() const { return relay_.due(); }
 
-  /// What there is to say since the last call; empty when there is nothing. To be called before
+  /// What changed since the last call; empty when nothing did. To be called before
   /// what was received goes away.
   SharedMessage takeMessage(LogTime now);
   /// Everything, for a client that knows nothing: takeMessage() comes first, for the others.

@@ -26,7 +26,7 @@ class LiveSession {
   /// The wall clock of the start, continued by the steady one, so that it never goes back.
   LogTime now() const { return began_ + (std::chrono::steady_clock::now() - steady_); }
 
-  /// Folds what has arrived; returns what there is to say to those who know the state so far.
+  /// Folds what has arrived; returns the changes, for clients that know the state so far.
   std::vector<SharedMessage> step() {
     std::vector<SharedMessage> messages;
     const LogTime time = now();

@@ -25,7 +25,7 @@ constexpr std::size_t kPieceBytes = 32 * 1024;
 constexpr std::array kProtocols{WebServer::kLiveProtocol, WebServer::kFoxgloveProtocol,
                                 WebServer::kFoxgloveSdkProtocol};
 constexpr Nanoseconds kLongestSleep = std::chrono::milliseconds(100);
-/// Clients are told at most this often: a message for each packet would cost each of them a frame.
+/// At most this often a message goes out: one for each packet would cost each of them a frame.
 constexpr Nanoseconds kPace = std::chrono::milliseconds(5);
 /// A request that does not come to its end.
 constexpr unsigned kRequestSeconds = 10;
