@@ -9,5 +9,8 @@ rocinante golden session "$session" still.mcap "$cell" --no-pictures --json >ans
 python3 -c 'import json; a = json.load(open("answer.json")); print(a["format"], a["verdict"])'
 rocinante golden bisect "$session" "$cell" --other-log "$session"
 rocinante golden bisect "$session" "$cell" --other-log still.mcap || echo "exit $?"
+rocinante golden session "$session" "$session" "$cell" --no-pictures --align warp --event-ms 100 | tail -1
+rocinante golden session "$session" "$session" "$cell" --joint-deg 0.01 || echo "exit $?"
+rocinante golden session "$session" "$session" "$cell" --align time || echo "exit $?"
 rocinante golden session "$session" nowhere.mcap || echo "exit $?"
 rocinante golden bisect "$session" "$cell" || echo "exit $?"
