@@ -7,7 +7,7 @@
 
 #include "core/base/atomic_file.h"
 #include "golden/suite/suite_append.h"
-#include "viewer/program/render_job.h"
+#include "viewer/picture/picture_size.h"
 #include "viewer/view/render_style.h"
 
 namespace rocinante {
@@ -50,7 +50,7 @@ Result<NewCase> caseOf(const AddArguments& arguments) {
     made.addTexts("camera", arguments.cameras);
   }
   if (!arguments.size.empty()) {
-    const auto size = parseSize(arguments.size);
+    const auto size = parsePictureSize(arguments.size);
     if (!size.ok()) return size.error();
     made.add("size", fmt::format("[{}, {}]", size->first, size->second));
   }

@@ -17,7 +17,7 @@
 #include "golden/session/bisect.h"
 #include "golden/store/child_output.h"
 #include "golden/why/state_change.h"
-#include "viewer/program/render_job.h"
+#include "viewer/picture/picture_size.h"
 #include "viewer/render/frame_maker.h"
 
 namespace rocinante {
@@ -248,7 +248,7 @@ Result<BisectQuestion> bisectQuestion(const BisectArguments& arguments) {
   FrameRequest request;
   request.camera = arguments.camera;
   request.samples = arguments.samples;
-  const auto size = parseSize(arguments.size);
+  const auto size = parsePictureSize(arguments.size);
   if (!size.ok()) return size.error();
   std::tie(request.width, request.height) = *size;
   BisectQuestion question;

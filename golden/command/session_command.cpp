@@ -11,7 +11,7 @@
 #include "golden/command/suite_arguments.h"
 #include "golden/report/report_folder.h"
 #include "golden/session/session_comparison_text.h"
-#include "viewer/program/render_job.h"
+#include "viewer/picture/picture_size.h"
 
 namespace rocinante {
 namespace {
@@ -39,7 +39,7 @@ Result<SessionQuestion> questionOf(const SessionArguments& arguments) {
   const auto tolerance = Tolerance::named(arguments.tier);
   if (!tolerance.ok()) return tolerance.error();
   question.tolerance = *tolerance;
-  const auto size = parseSize(arguments.size);
+  const auto size = parsePictureSize(arguments.size);
   if (!size.ok()) return size.error();
   std::tie(question.width, question.height) = *size;
   return question;

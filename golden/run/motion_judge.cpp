@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -11,12 +10,11 @@
 
 #include "golden/run/motion_words.h"
 #include "golden/run/run_curve.h"
+#include "golden/run/value_difference.h"
 
 namespace rocinante {
 namespace {
 
-constexpr double kDegrees = 180 / std::numbers::pi;
-constexpr double kMillimetres = 1000;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// Values of one column in one session, by sample; see AlignedGrid::values.
@@ -28,67 +26,6 @@ struct ColumnValues {
     return numbers.data() + (numbers.size() == width ? 0 : sample * width);
   }
   bool isConstant() const { return numbers.size() == width; }
-};
-
-/// Components in which a value may differ from another of its column: degrees, or millimetres and
-/// then degrees.
-using Apart = std::array<double, 6>;
-
-/// The rotation from `from` to `to` as a vector, degrees.
-void turnBetween(const double* from, const double* to, double* into) {
-  // conjugate(from) * to
-  const double x = from[3] * to[0] - from[0] * to[3] - from[1] * to[2] + from[2] * to[1];
-  const double y = from[3] * to[1] + from[0] * to[2] - from[1] * to[3] - from[2] * to[0];
-  const double z = from[3] * to[2] - from[0] * to[1] + from[1] * to[0] - from[2] * to[3];
-  const double w = from[3] * to[3] + from[0] * to[0] + from[1] * to[1] + from[2] * to[2];
-  const double sine = std::sqrt(x * x + y * y + z * z);
-  if (sine < 1e-15) {
-    into[0] = into[1] = into[2] = 0;
-    return;
-  }
-  const double sign = w < 0 ? -1 : 1;
-  const double angle = 2 * std::atan2(sine, sign * w) * kDegrees;
-  into[0] = sign * x / sine * angle;
-  into[1] = sign * y / sine * angle;
-  into[2] = sign * z / sine * angle;
-}
-
-Apart apartOf(TrackColumn::Kind kind, const double* reference, const double* value) {
-  Apart apart{};
-  switch (kind) {
-    case TrackColumn::Kind::angle:
-      apart[0] = (value[0] - reference[0]) * kDegrees;
-      break;
-    case TrackColumn::Kind::full_angle:
-      apart[0] = std::remainder(value[0] - reference[0], 2 * std::numbers::pi) * kDegrees;
-      break;
-    case TrackColumn::Kind::length:
-      apart[0] = (value[0] - reference[0]) * kMillimetres;
-      break;
-    case TrackColumn::Kind::pose:
-    case TrackColumn::Kind::link_pose:
-      for (std::size_t i = 0; i < 3; ++i) apart[i] = (value[i] - reference[i]) * kMillimetres;
-      turnBetween(reference + 3, value + 3, apart.data() + 3);
-      break;
-  }
-  return apart;
-}
-
-struct Range {
-  Apart least, most;
-  bool any = false;
-
-  void add(const Apart& apart) {
-    if (!any) {
-      least = most = apart;
-      any = true;
-      return;
-    }
-    for (std::size_t i = 0; i < apart.size(); ++i) {
-      least[i] = std::min(least[i], apart[i]);
-      most[i] = std::max(most[i], apart[i]);
-    }
-  }
 };
 
 /// The deviation of one measure of a column over time.
@@ -165,8 +102,9 @@ class ColumnJudge {
   }
 
   /// Around a sample, as far as a value may come earlier or later.
-  Range rangeOf(const ColumnValues& values, const double* reference, std::size_t sample) const {
-    Range range;
+  ApartRange rangeOf(const ColumnValues& values, const double* reference,
+                     std::size_t sample) const {
+    ApartRange range;
     if (values.isConstant()) {
       if (!std::isnan(values.numbers.front())) {
         range.add(apartOf(column_.kind, reference, values.at(0)));
@@ -191,16 +129,16 @@ class ColumnJudge {
       return;
     }
     absent_ = 0;
-    Range band, points;
+    ApartRange band, points;
     for (const ColumnValues& values : accepted_) {
       if (std::isnan(values.at(i)[0])) continue;
-      const Range around = rangeOf(values, reference, i);
+      const ApartRange around = rangeOf(values, reference, i);
       band.add(around.least);
       band.add(around.most);
       points.add(apartOf(column_.kind, reference, values.at(i)));
     }
     const Apart apart = apartOf(column_.kind, reference, own);
-    const Range around = rangeOf(run_, reference, i);
+    const ApartRange around = rangeOf(run_, reference, i);
     std::optional<Apart> unseen;  // only where it matters
     for (Measure& measure : measures_) {
       double square = 0;

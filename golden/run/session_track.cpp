@@ -3,18 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <optional>
 #include <utility>
 
 #include "core/cell/posed_scene.h"
 #include "core/kinematics/joint_values.h"
 #include "core/log/log_reader.h"
-#include "core/packet/item_text.h"
 #include "core/session/message_folder.h"
 #include "core/session/timeline.h"
-#include "golden/run/drawing_shape.h"
+#include "golden/run/fact_recorder.h"
 #include "golden/run/link_tracks.h"
+#include "golden/run/track_columns.h"
 
 namespace rocinante {
 namespace {
@@ -25,64 +24,10 @@ constexpr std::int64_t kMaxNumbers = 50'000'000;
 constexpr Nanoseconds kBurst = std::chrono::milliseconds(10);
 constexpr double kUnstated = std::numeric_limits<double>::quiet_NaN();
 
-TrackColumn::Kind columnKind(const Joint& joint, std::size_t component) {
-  if (kindOf(joint, component) != ValueKind::angle) return TrackColumn::Kind::length;
-  return joint.type == JointType::revolute ? TrackColumn::Kind::angle
-                                           : TrackColumn::Kind::full_angle;
-}
-
-/// Columns for every value of the joints, and the device's own pose last.
-std::vector<TrackColumn> columnsOf(const Model& model) {
-  std::vector<TrackColumn> columns;
-  std::size_t offset = 0;
-  const auto add = [&](TrackColumn column) {
-    column.offset = offset;
-    offset += column.width();
-    columns.push_back(std::move(column));
-  };
-  for (const Joint& joint : model.joints) {
-    if (joint.type == JointType::floating) {
-      add({joint.name, TrackColumn::Kind::pose});
-      continue;
-    }
-    for (std::size_t i = 0; i < valueCount(joint.type); ++i) {
-      add({valueName(joint, i), columnKind(joint, i)});
-    }
-  }
-  add({"", TrackColumn::Kind::pose});
-  return columns;
-}
-
-/// Between two rows, `part` of the way from the first.
-void interpolate(const std::vector<TrackColumn>& columns, const double* from, const double* to,
-                 double part, double* into) {
-  for (const TrackColumn& column : columns) {
-    const double* a = from + column.offset;
-    const double* b = to + column.offset;
-    double* out = into + column.offset;
-    for (std::size_t i = 0; i < column.width(); ++i) out[i] = a[i] + part * (b[i] - a[i]);
-    if (column.kind == TrackColumn::Kind::full_angle) {
-      out[0] = a[0] + part * std::remainder(b[0] - a[0], 2 * std::numbers::pi);
-    } else if (column.width() == 7) {
-      // q and -q are the same orientation.
-      double dot = 0;
-      for (std::size_t i = 3; i < 7; ++i) dot += a[i] * b[i];
-      const double sign = dot < 0 ? -1 : 1;
-      double square = 0;
-      for (std::size_t i = 3; i < 7; ++i) {
-        out[i] = a[i] + part * (sign * b[i] - a[i]);
-        square += out[i] * out[i];
-      }
-      if (square > 0) {
-        for (std::size_t i = 3; i < 7; ++i) out[i] /= std::sqrt(square);
-      }
-    }
-  }
-}
-
 class TrackRecorder {
  public:
-  TrackRecorder(const Cell& cell, SessionTrack& track) : cell_(cell), track_(track) {
+  TrackRecorder(const Cell& cell, SessionTrack& track)
+      : cell_(cell), track_(track), facts_(track.facts) {
     for (const CellDevice& device : cell.devices) {
       if (const Model* model = cell.modelOf(device)) recording(device.name, model);
     }
@@ -340,49 +285,12 @@ class TrackRecorder {
     device.rows.shrink_to_fit();
   }
 
-  void setFact(const std::string& name, LogTime time, std::string text,
-               std::vector<double> shape = {}) {
-    auto& changes = track_.facts[name];
-    seen_.push_back(&changes);
-    if (!changes.empty() && changes.back().text == text && changes.back().shape == shape) return;
-    changes.push_back({time, std::move(text), std::move(shape)});
-  }
-
-  static std::string pathText(const Path& path) {
-    if (path.is_layer) return "layer/" + path.first;
-    return path.first + (path.second.empty() ? "" : "/" + path.second);
-  }
-
   void noteFacts(LogTime time) {
     facts_due_.reset();
     for (const std::string& name : std::exchange(new_names_, {})) {
       if (!recordings_.contains(name)) touch(name, time, false);
     }
-    seen_.clear();
-    for (const auto& [path, item] : state_.visibility()) {
-      if (item.value.kind == Visibility::Kind::by_default) continue;
-      setFact("visibility of " + pathText(path), time, visibilityText(path, item.value));
-    }
-    for (const auto& [path, item] : state_.colors()) {
-      if (!item.value.rgba) continue;
-      setFact("color of " + pathText(path), time, colorText(path, item.value));
-    }
-    for (const auto& [name, said] : state_.devices()) {
-      if (said.presence) {
-        setFact("presence of " + name, time, presenceText(name, said.presence->value));
-      }
-      if (said.pose && !said.pose->value.carrier.first.empty()) {
-        setFact("carrier of " + name, time, "in " + pathText(said.pose->value.carrier));
-      }
-    }
-    for (const auto& [key, drawing] : state_.drawings()) {
-      setFact("drawing/" + key.first + "/" + key.second, time, drawingStyle(drawing),
-              drawingShape(drawing));
-    }
-    for (auto& [name, changes] : track_.facts) {
-      if (changes.back().text.empty()) continue;
-      if (std::ranges::find(seen_, &changes) == seen_.end()) changes.push_back({time, "", {}});
-    }
+    facts_.note(state_, time);
   }
 
   const Cell& cell_;
@@ -393,7 +301,7 @@ class TrackRecorder {
   Recording* last_touched_ = nullptr;
   std::vector<std::string> new_names_;
   std::vector<Path> carrier_names_{Path{}};  ///< the first: the world
-  std::vector<const std::vector<FactChange>*> seen_;
+  FactRecorder facts_;
   std::optional<LogTime> facts_due_;  ///< when something was stated that is not noted yet
 };
 

@@ -6,12 +6,12 @@
 #include <tuple>
 #include <utility>
 
-#include "core/base/hash.h"
 #include "core/base/plain_text.h"
 #include "core/check/judges/fault_rules.h"
 #include "core/log/log_profile.h"
 #include "core/packet/item_text.h"
 #include "core/packet/packet_limits.h"
+#include "recorder/spy/shown_datagram.h"
 #include "recorder/spy/spy_reasons.h"
 
 namespace rocinante {
@@ -20,28 +20,7 @@ namespace {
 // Further senders are counted together.
 constexpr std::size_t kSenders = 4'096;
 constexpr std::size_t kNamesKept = 4;
-constexpr std::size_t kFirstBytes = 16;
 constexpr std::size_t kEvents = 200;
-constexpr std::size_t kShownBytes = 200;
-
-/// A statement or an event, cut to fit a line.
-std::string shownText(std::string_view text) {
-  const std::string plain = plainText(text.substr(0, kShownBytes));
-  return text.size() > kShownBytes ? plain + "..." : plain;
-}
-
-/// The first bytes, so that the user can compare them with what should have been sent.
-std::string firstBytes(ByteView payload) {
-  if (payload.empty()) return "an empty datagram";
-  const ByteView first = payload.first(std::min(payload.size(), kFirstBytes));
-  if (isUtf8(first)) return fmt::format("\"{}\"", plainText(textOf(first)));
-  return hexOf(first);
-}
-
-/// A NATS server does not tell who sends: its subjects take the place of addresses.
-std::string senderText(const ReceivedDatagram& datagram) {
-  return datagram.subject.empty() ? datagram.sender.text() : plainText(datagram.subject);
-}
 
 void keepName(std::vector<std::string>& names, std::string_view name) {
   if (names.size() >= kNamesKept || std::ranges::find(names, name) != names.end()) return;

@@ -69,7 +69,4 @@ struct RenderReport {
 Result<RenderReport> render(const RenderJob& job,
                             const std::function<bool(std::size_t, std::size_t)>& progress);
 
-/// "640x480", each from 1 to 16384.
-Result<std::pair<int, int>> parseSize(const std::string& text);
-
 }  // namespace rocinante

@@ -14,6 +14,7 @@
 #include "core/report/json_text.h"
 #include "viewer/detail/detail_level.h"
 #include "viewer/gl/context_option.h"
+#include "viewer/picture/picture_size.h"
 #include "viewer/program/render_job.h"
 
 namespace {
@@ -271,7 +272,7 @@ int main(int argc, char** argv) {
         // Mesa reads the environment when the first context is made.
         job.profile = profile == "fast" ? Profile::fast : Profile::reproducible;
         if (job.profile == Profile::reproducible) pinRendererEnvironment(caps);
-        const auto pixels = parseSize(size);
+        const auto pixels = parsePictureSize(size);
         if (!pixels) return pixels.error();
         std::tie(job.look.width, job.look.height) = *pixels;
         if (Status set = setLooks(looks, job.look.style); !set) return set.error();

@@ -86,6 +86,7 @@ rocinante golden approve suite.toml --artifact two --from taller.txt -m x 2>&1 |
 zipped none.zip suite.toml
 rocinante golden approve suite.toml --artifact none.zip --from taller.txt -m x || echo "exit $?"
 head -c 300 session.zip >cut.zip
-rocinante golden approve suite.toml --artifact cut.zip --from taller.txt -m x || echo "exit $?"
+# The reason is in the words of libzip, which differ by its version.
+rocinante golden approve suite.toml --artifact cut.zip --from taller.txt -m x 2>&1 | sed "s/read: .* (/read: REASON (/" || echo "exit $?"
 rocinante golden approve suite.toml --artifact none --from taller.txt -m x || echo "exit $?"
 rocinante golden approve suite.toml --artifact ci -m x || echo "exit $?"
