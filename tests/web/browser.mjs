@@ -32,7 +32,7 @@ export async function openBrowser(size) {
 
 // Waits for the first picture; fails with the page's own sentence.
 export async function shown(page) {
-  await page.waitForFunction(() => window.rocinante || document.querySelector("#message.fault"), null,
+  await page.waitForFunction(() => window.rocinante ? window.rocinante.stats.firstPictureMs > 0 : document.querySelector("#message.fault"), null,
     { timeout: 120000 });
   const fault = await page.evaluate(() => window.rocinante ? "" : document.querySelector("#message").textContent);
   if (fault) throw new Error("the page says: " + fault);

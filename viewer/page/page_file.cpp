@@ -90,15 +90,20 @@ std::string pageOf(const PageParts& parts) {
   page += kPageHtml;
   fill(page, "{{title}}", escaped(parts.title));
   fill(page, "{{style}}", kPageStyle);
-  std::string data = part("viewer-script", bytesOf(parts.viewer_script));
-  data += part("viewer", parts.viewer);
-  data += part("cell", parts.cell);
+  // Before the script, which starts it while a browser still reads what comes after.
+  const std::string viewer = part("viewer", parts.viewer) +
+                             part("viewer-script", bytesOf(parts.viewer_script));
+  std::string data = part("findings", bytesOf(parts.findings)) + part("cell", parts.cell);
   data.pop_back();  // the line end before the log's own
   data += fmt::format("{}{}\">{}{}", kLogBegins, hexOf(xxh3(parts.log)), base64Of(parts.log),
                       kPartEnds);
-  // The script first: what stands in the data is not looked at.
+  // From the end, so that what stands in a part is not looked at.
+  fill(page, "{{session}}", data);
   fill(page, "{{script}}", kPageScript);
-  fill(page, "{{data}}", data);
+  fill(page, "{{plots}}", kPagePlots);
+  fill(page, "{{pointers}}", kPagePointers);
+  fill(page, "{{panels}}", kPagePanels);
+  fill(page, "{{viewer}}", viewer);
   return page;
 }
 

@@ -4,7 +4,9 @@
 
 namespace rocinante {
 
-// The files page.html, page.css and page.js beside this one, built in (cmake/embed_text.cmake).
+// The files page.html, page.css, page.js and page_*.js beside this one, built in
+// (cmake/embed_text.cmake).
 extern const std::string_view kPageHtml, kPageStyle, kPageScript;
+extern const std::string_view kPagePanels, kPagePlots, kPagePointers;
 
 }  // namespace rocinante

@@ -1,10 +1,12 @@
 // What the sources of a page refer to and a page does not have: modules, caches, contexts without a
-// window. Each answers as it does where its thing is missing.
+// window, a second session beside the first, clearances. Each answers as it does where its thing is missing.
 
 #include "core/base/atomic_file.h"
 #include "core/base/cache_folder.h"
 #include "viewer/gl/offscreen_context.h"
 #include "viewer/picture/picture_module.h"
+#include "viewer/view/beside_session.h"
+#include "viewer/view/clearance_lines.h"
 
 namespace rocinante {
 namespace {
@@ -39,6 +41,17 @@ Result<Picture> decodeByModule(ByteView, const std::string& name, std::int64_t) 
 }
 Result<FinePicture> readFineByModule(const std::filesystem::path& path, std::int64_t) {
   return notHere("a page reads PNG alone", path.string());
+}
+
+Status BesideSession::addGhosts(PosedScene&, LogTime, StateDamage&) {
+  return notHere("a page shows one session");
+}
+
+// A page's cell has none.
+ClearanceGauge::ClearanceGauge(const Cell& cell, Chosen chosen)
+    : cell_(cell), chosen_(std::move(chosen)) {}
+std::vector<ClearanceLine> clearanceLines(const Cell&, ClearanceGauge&, const SessionState&) {
+  return {};
 }
 
 }  // namespace rocinante
