@@ -44,13 +44,14 @@ rocinante_web_sources(core/log captured_range chunk_indexes clock_message follow
 rocinante_web_sources(core/session keyframe keyframe_finder log_fold log_pieces marks message_folder
   moment_walk session_time state_cache state_damage timeline)
 rocinante_web_sources(core/report json_text)
+rocinante_web_sources(core/series series_key series_scan value_bins)
 rocinante_web_sources(core/mesh mesh mesh_builder polygon shapes smooth_normals)
 rocinante_web_sources(core/kinematics model joint_values kinematics mesh_scale)
 rocinante_web_sources(core/cell cell cell_names device_appearance layer_index posed_scene view_path)
 rocinante_web_sources(core/bundle baked_file)
 rocinante_web_sources(viewer/bake bake_cell baked_guard)
 rocinante_web_sources(viewer/picture picture picture_encoding plain_png png whole_png stored_png lfs_pointer)
-rocinante_web_sources(viewer/detail detail_builder detail_cache detail_file detail_level mesh_detail)
+rocinante_web_sources(viewer/detail detail_builder detail_cache detail_file detail_level governor mesh_detail)
 rocinante_web_sources(viewer/gl frame_buffer gl_table renderer_key shader_program)
 rocinante_web_sources(viewer/view camera camera_choice depth_reach hand_joints inset_layout known_names
   layer_choice limit_levels link_looks measure_style missing_meshes movable_devices render_style
@@ -68,7 +69,9 @@ rocinante_web_sources(viewer/render fitted_cameras frame_maker identity_frame id
 rocinante_web_sources(viewer/model link_poses)
 rocinante_web_sources(viewer/ui/model turntable)
 rocinante_web_sources(viewer/ui/panels joint_rows)
-rocinante_web_sources(viewer/web web_context web_live web_main web_session)
+rocinante_web_sources(viewer/ui/plot plot_scale plot_shape)
+rocinante_web_sources(viewer/ui/study positional_names)
+rocinante_web_sources(viewer/web web_context web_live web_main web_plots web_session)
 rocinante_web_sources(viewer/web/port not_in_a_page)
 
 target_include_directories(rocinante-viewer PRIVATE ${PROJECT_SOURCE_DIR} viewer/web/port)
@@ -85,7 +88,7 @@ target_link_options(rocinante-viewer PRIVATE -O3 -sENVIRONMENT=web -sMODULARIZE=
   -sEXPORT_NAME=rocinanteViewer -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2 -sALLOW_MEMORY_GROWTH=1
   -sINITIAL_MEMORY=64MB -sMAXIMUM_MEMORY=2GB -sTOTAL_STACK=2MB -sASSERTIONS=0
   -sGL_ASSERTIONS=0 -sEXPORTED_FUNCTIONS=_malloc,_free -sEXPORTED_RUNTIME_METHODS=UTF8ToString,stringToUTF8,lengthBytesUTF8
-  -sINCOMING_MODULE_JS_API=wasmBinary,canvas,print,printErr,onAbort)
+  -sINCOMING_MODULE_JS_API=instantiateWasm,wasmBinary,canvas,print,printErr,onAbort)
 # Starting the compiler is most of what a small file costs. Files whose local names clash with
 # those of others are compiled alone.
 set_target_properties(rocinante-viewer PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin

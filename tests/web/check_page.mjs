@@ -18,6 +18,8 @@ async function check(what, body) {
 }
 const now = () => page.evaluate(() => window.rocinante.now() / 1e9);
 const camera = () => page.evaluate(() => window.rocinante.calls.camera());
+// Nothing moves and everything is drawn.
+const rest = () => page.waitForFunction(() => window.rocinante.isAtRest(), null, { timeout: 60000 });
 const pixels = () => page.evaluate(() => document.querySelector("#rocinante-canvas").toDataURL());
 
 await check("a link opens its moment and its camera", async () => {
@@ -28,6 +30,18 @@ await check("a link opens its moment and its camera", async () => {
 });
 await check("first picture", async () =>
   Math.round(await page.evaluate(() => window.rocinante.stats.firstPictureMs)) + " ms after opening");
+await check("nothing is left of the first, coarse picture", async () => {
+  await page.waitForFunction(() => window.rocinante.stats.frames > 1);
+  await rest();
+  const [shown, whole] = await page.evaluate(async () => {
+    const canvas = document.querySelector("#rocinante-canvas");
+    await new Promise((done) => setTimeout(done, 0));
+    const before = canvas.toDataURL();
+    window.rocinante.calls.draw(window.rocinante.now(), canvas.width, canvas.height, 1, 0);
+    return [before, canvas.toDataURL()];
+  });
+  assert.equal(shown, whole);
+});
 await check("poses equal `model fk --json` as text", async () => {
   const poses = JSON.parse(fs.readFileSync(poses_file, "utf8"));
   const ours = await page.evaluate((times) => times.map((ns) => window.rocinante.calls.poses(ns)), poses.map((each) => each.ns));
@@ -78,6 +92,77 @@ await check("the left button turns, the wheel zooms, the right button moves", as
   await page.locator("#camera").selectOption("fit");
   assert.equal(await camera(), "fit");
 });
+await check("a click selects what is there: list, outline, link and place; Escape forgets it", async () => {
+  await page.locator("#camera").selectOption("overview");
+  await rest();
+  const before = await pixels();
+  // Where the arm is, by the viewer's own pixels.
+  const at = await page.evaluate(() => {
+    const canvas = document.querySelector("#rocinante-canvas");
+    const { calls, now } = window.rocinante;
+    for (let y = 20; y < canvas.height; y += 15) {
+      for (let x = 20; x < canvas.width; x += 15) {
+        const picked = calls.pick(now(), x, y, canvas.width, canvas.height);
+        if (picked && picked.device === "arm") return { x, y, link: picked.link };
+      }
+    }
+    return null;
+  });
+  assert.ok(at, "no pixel of the arm");
+  const box = await page.locator("#rocinante-canvas").boundingBox();
+  await page.mouse.click(box.x + at.x, box.y + at.y);
+  assert.equal(await page.locator("#devices h2.selected").innerText(), "arm");
+  assert.equal(await page.locator("#devices dt.link").innerText(), at.link);
+  assert.match(page.url(), new RegExp("select=arm%2F" + at.link));
+  const fk = JSON.parse(await page.evaluate(() => window.rocinante.calls.poses(window.rocinante.now())));
+  const place = (await page.locator("#devices dd.link").innerText()).split(" ").slice(0, 3).map(Number);
+  const name = Object.keys(fk).find((key) => key.endsWith("arm/" + at.link));
+  assert.ok(name, "fk has " + Object.keys(fk).join(", "));
+  const text = JSON.stringify(fk[name]);
+  const numbers = (text.match(/-?[0-9.]+(e-?[0-9]+)?/g) || []).map(Number);
+  place.forEach((each) => assert.ok(numbers.some((number) => Math.abs(number - each) < 6e-4), each + " in " + text));
+  await page.waitForFunction((old) => document.querySelector("#rocinante-canvas").toDataURL() !== old, before);
+  await page.keyboard.press("Escape");
+  assert.equal(await page.locator("#devices h2.selected").count(), 0);
+  await page.waitForFunction((old) => document.querySelector("#rocinante-canvas").toDataURL() === old, before);
+  return "arm/" + at.link;
+});
+await check("curves of the selected device, with its limits; a click on one scrubs", async () => {
+  await page.locator("#devices h2", { hasText: "arm" }).first().click();
+  await page.keyboard.press("p");
+  await page.waitForFunction(() => window.rocinante.plots.part() === 1);
+  const lanes = page.locator("#lanes .lane");
+  const joints = await page.evaluate(() =>
+    window.rocinante.calls.devices(window.rocinante.now()).find((device) => device.name === "arm").joints.map((joint) => joint.name));
+  assert.deepEqual(await page.locator("#lanes .joint").allInnerTexts(), joints);
+  const moving = await page.locator("#lanes path.curve").evaluateAll((all) => all.filter((each) => each.getAttribute("d").length > 100).length);
+  assert.ok(moving > 0, "no curve moves");
+  const box = await lanes.first().locator("svg").boundingBox();
+  await page.mouse.click(box.x + box.width * 0.25, box.y + 20);
+  const { start_ns, end_ns } = await page.evaluate(() => window.rocinante.about);
+  const part = (await page.evaluate(() => window.rocinante.now()) - start_ns) / (end_ns - start_ns);
+  assert.ok(Math.abs(part - 0.25) < 0.01, "at " + part);
+  await rest();
+  const listed = await page.locator("#devices section:has(h2.selected) dl").innerText();
+  assert.ok(listed.includes(await page.locator("#lanes .value").first().innerText()));
+  await page.screenshot({ path: folder + "/../plots.png" });
+  await page.keyboard.press("p");
+  await page.keyboard.press("Escape");
+  return joints.length + " lanes, " + moving + " of them move";
+});
+await check("findings and events are listed and marked, and a click goes to one", async () => {
+  await page.keyboard.press("l");
+  const rows = page.locator("#list .row");
+  assert.ok(await rows.count() > 0);
+  assert.equal(await page.locator("#list .row.event").count(), await page.locator("#marks .event").count());
+  const row = page.locator("#list .row.event").first();
+  const when = parseFloat(await row.locator(".when").innerText());
+  await row.click();
+  assert.ok(Math.abs(await now() - when) < 1e-3, (await now()) + " in place of " + when);
+  await page.screenshot({ path: folder + "/../list.png" });
+  await page.keyboard.press("l");
+  return await page.locator("#list h2").allTextContents().then((all) => all.join(", "));
+});
 await check("plays at 4x, and pauses, by keys", async () => {
   await page.locator("#speed").selectOption("4");
   await page.locator("#rocinante-canvas").focus();
@@ -93,9 +178,11 @@ await check("plays at 4x, and pauses, by keys", async () => {
   const stopped = await page.evaluate(() => performance.now());
   assert.ok(paused - begun <= 4 * (stopped - at) / 1000 + 0.1, "played " + (paused - begun) + " s");
   assert.equal(await page.evaluate(() => window.rocinante.isPlaying()), false);
-  await page.waitForTimeout(200);
+  await page.waitForFunction(() => window.rocinante.stats.restMs > 0);
   assert.equal(await now(), paused);
-  return ((later - frames) * 1000 / (then - at)).toFixed(1) + " frames/s";
+  const [rest, rung] = await page.evaluate(() => [window.rocinante.stats.restMs, window.rocinante.calls.rung()]);
+  return ((later - frames) * 1000 / (then - at)).toFixed(1) + " frames/s on rung " + rung +
+    ", whole " + Math.round(rest) + " ms after rest";
 });
 await check("pictures of ten moments", async () => {
   await page.evaluate(() => { document.querySelector("#panel").click(); });
@@ -124,6 +211,14 @@ await check("a link to a camera that there is not is answered with those there a
   const other = await open(path, "#t=1&camera=nowhere");
   await shown(other.page);
   assert.match(await other.page.locator("#message").innerText(), /nowhere.*overview/);
+});
+await check("a link selects; one to a device that there is not says so", async () => {
+  const other = await open(path, "#t=1&select=arm");
+  await shown(other.page);
+  assert.equal(await other.page.locator("#devices h2.selected").innerText(), "arm");
+  const wrong = await open(path, "#t=1&select=nobody");
+  await shown(wrong.page);
+  assert.match(await wrong.page.locator("#message").innerText(), /nobody/);
 });
 console.log(`web: ${checks} checks`);
 await browser.close();

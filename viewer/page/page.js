@@ -19,18 +19,36 @@ function bytesOf(id) {
   return bytes;
 }
 
-async function inflated(id) {
-  const stream = new Blob([bytesOf(id)]).stream().pipeThrough(new DecompressionStream("gzip"));
-  return new Uint8Array(await new Response(stream).arrayBuffer());
-}
+const inflatedStream = (id) => new Blob([bytesOf(id)]).stream().pipeThrough(new DecompressionStream("gzip"));
+const inflated = async (id) => new Uint8Array(await new Response(inflatedStream(id)).arrayBuffer());
 
+// Compiled while it is inflated, and while the browser reads what comes after this script.
 async function startViewer() {
+  const response = new Response(inflatedStream("viewer"), {headers: {"Content-Type": "application/wasm"}});
+  const compiled = WebAssembly.compileStreaming(response);
   // In place of a second file: the script is a part of this one.
   const script = document.createElement("script");
   script.textContent = new TextDecoder().decode(await inflated("viewer-script"));
   document.head.append(script);
-  return rocinanteViewer({canvas, wasmBinary: await inflated("viewer"), printErr: (text) => console.error(text)});
+  const module = await compiled;
+  return rocinanteViewer({
+    canvas,
+    instantiateWasm(imports, done) {
+      WebAssembly.instantiate(module, imports).then((instance) => done(instance, module), fail);
+      return {};
+    },
+    printErr: (text) => console.error(text),
+  });
 }
+function fail(problem) {
+  say("This browser cannot show the session: " + (problem && problem.message || problem), true);
+}
+
+// Parts that stand after this script are there once the document is.
+const wholeDocument = new Promise((done) => {
+  if (document.readyState !== "loading") done();
+  else document.addEventListener("DOMContentLoaded", done);
+});
 
 // Calls of the viewer.
 function makeCalls(viewer) {
@@ -41,6 +59,12 @@ function makeCalls(viewer) {
   };
   const text = (at) => viewer.UTF8ToString(at);
   const json = (at) => JSON.parse(text(at));
+  const withText = (given, use) => {
+    const at = taken(new TextEncoder().encode(given + "\0"));
+    const answer = use(at);
+    viewer._free(at);
+    return answer;
+  };
   return {
     open(cell, log) {
       const at = [taken(cell), taken(log)];
@@ -52,31 +76,44 @@ function makeCalls(viewer) {
     events: () => json(viewer._rocinante_events()),
     devices: (ns) => json(viewer._rocinante_devices(ns)),
     poses: (ns) => text(viewer._rocinante_poses(ns)),
-    draw: (ns, width, height, scale) => text(viewer._rocinante_draw(ns, width, height, scale)),
+    // Care: 0 everything, 1 as much as is drawn in time, 2 little.
+    draw: (ns, width, height, scale, care = 0) => text(viewer._rocinante_draw(ns, width, height, scale, care)),
+    frameTook: (ms) => viewer._rocinante_frame_took(ms),
+    rung: () => viewer._rocinante_rung(),
+    pick: (...all) => json(viewer._rocinante_pick(...all)),
+    select: (path) => withText(path, (at) => text(viewer._rocinante_select(at))),
+    readPlots: (messages) => viewer._rocinante_read_plots(messages),
+    plots: (device, ...all) => withText(device, (at) => json(viewer._rocinante_plots(at, ...all))),
     warning: () => text(viewer._rocinante_warning()),
     camera: () => text(viewer._rocinante_camera()),
-    useCamera(name) {
-      const at = taken(new TextEncoder().encode(name + "\0"));
-      const fault = text(viewer._rocinante_use_camera(at));
-      viewer._free(at);
-      return fault;
-    },
+    useCamera: (name) => withText(name, (at) => text(viewer._rocinante_use_camera(at))),
     orbit: (...all) => text(viewer._rocinante_orbit(...all)),
     pan: (...all) => text(viewer._rocinante_pan(...all)),
     zoom: (...all) => text(viewer._rocinante_zoom(...all)),
   };
 }
 
-let calls, about;
+let calls, about, panels, plots;
+let events = [];
 let now = 0;             // ns from the session's origin
 let playing = false;
 let speed = 1;
-let selected = "";
+let selected = {device: "", link: ""};
 let due = false;         // a frame was asked for
+let askedAt = 0;
 let linkFault = "";      // what is wrong with the link, until another camera is chosen
 let lastTick = 0;
-// Since the page was opened, in the order in which they come.
-const stats = {frames: 0, scriptMs: performance.now(), startedMs: 0, openedMs: 0, firstPictureMs: 0};
+let movedAt = -1e9;      // when the picture was last asked to move
+let wasMoving = false;   // the last frame was drawn as one of many
+let listedAt = 0;        // when the devices were last listed
+let restTimer = 0;
+const kRestMs = 60;      // nothing moved for this long: at rest, and everything is drawn
+const kListMs = 100;     // how often the values are listed while frames are drawn one after another
+const careOf = {whole: 0, moving: 1, first: 2};
+// Since the page was opened, in the order in which they come; restMs: from the last movement until
+// everything was drawn.
+const stats = {frames: 0, scriptMs: performance.now(), startedMs: 0, openedMs: 0, firstDrawnMs: 0, firstPictureMs: 0,
+  restMs: 0};
 
 const size = () => {
   const scale = Math.min(Math.max(window.devicePixelRatio || 1, 1), 4);
@@ -86,65 +123,61 @@ const size = () => {
 const clamped = (ns) => Math.min(Math.max(Math.round(ns), about.start_ns), about.end_ns);
 const seconds = (ns) => (ns / 1e9).toFixed(3) + " s";
 
-function jointText(joint) {
-  if (joint.kind === "angle") return (joint.value * 180 / Math.PI).toFixed(1) + "\u00b0";
-  return joint.value.toFixed(4) + (joint.kind === "length" ? " m" : "");
+// Calls `then` once the browser has drawn what was asked for so far.
+function whenDrawn(then) {
+  const gl = canvas.getContext("webgl2");
+  const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+  gl.flush();
+  const look = () => {
+    if (gl.clientWaitSync(fence, 0, 0) === gl.TIMEOUT_EXPIRED) { setTimeout(look, 3); return; }
+    gl.deleteSync(fence);
+    then();
+  };
+  setTimeout(look, 0);
 }
 
-function showDevices() {
-  const panel = element("devices");
-  if (panel.hidden) return;
-  const devices = calls.devices(now);
-  if (devices.error) return;
-  const rows = devices.map((device) => {
-    const box = document.createElement("section");
-    box.classList.toggle("away", !device.visible);
-    const title = document.createElement("h2");
-    title.textContent = device.name;
-    title.classList.toggle("selected", device.name === selected);
-    title.onclick = () => { selected = selected === device.name ? "" : device.name; showDevices(); setLink(); };
-    const list = document.createElement("dl");
-    for (const joint of device.joints) {
-      const name = document.createElement("dt");
-      name.textContent = joint.name;
-      const value = document.createElement("dd");
-      value.textContent = jointText(joint);
-      value.classList.toggle("outside", joint.outside);
-      list.append(name, value);
-    }
-    box.append(title, list);
-    return box;
-  });
-  panel.replaceChildren(...rows);
-}
-
-function draw() {
-  due = false;
+function draw(care) {
   const {width, height, scale} = size();
   if (canvas.width !== width || canvas.height !== height) { canvas.width = width; canvas.height = height; }
-  const fault = calls.draw(now, width, height, scale);
+  const fault = calls.draw(now, width, height, scale, care);
   const warning = calls.warning();
   const trouble = window.rocinanteServed ? window.rocinanteServed.trouble : "";
   say(fault || linkFault || trouble || warning, Boolean(fault || linkFault));
   element("time").textContent = seconds(now);
   if (document.activeElement !== element("scrub") || playing) element("scrub").value = String(now);
-  showDevices();
+  const at = performance.now();
+  const isListed = care !== careOf.moving || at - listedAt >= kListMs;
+  if (isListed) listedAt = at;
+  plots.moveCursor(now, isListed ? panels.showDevices() : null);
   ++stats.frames;
 }
 
 function tick(at) {
+  due = false;
   if (playing) {
     now = clamped(now + (at - lastTick) * 1e6 * speed);
     if (now >= about.end_ns) setPlaying(false);
   }
+  const isMoving = playing || performance.now() - movedAt < kRestMs;
+  // What a frame costs is how long the next one was kept waiting.
+  if (isMoving && wasMoving) calls.frameTook(performance.now() - Math.max(askedAt, lastTick));
   lastTick = at;
-  draw();
-  if (playing) ask();
+  draw(isMoving ? careOf.moving : careOf.whole);
+  if (wasMoving && !isMoving) whenDrawn(() => { stats.restMs = performance.now() - movedAt; });
+  wasMoving = isMoving;
+  clearTimeout(restTimer);
+  if (playing) askToMove(); else if (isMoving) restTimer = setTimeout(ask, kRestMs + 1);
 }
 function ask() {
   if (due) return;
   due = true;
+  askedAt = performance.now();
   requestAnimationFrame(tick);
+}
+// For pictures that are followed by others.
+function askToMove() {
+  movedAt = performance.now();
+  ask();
 }
 
 function setPlaying(on) {
@@ -154,24 +187,46 @@ function setPlaying(on) {
   lastTick = performance.now();
   element("play").textContent = on ? "\u275a\u275a" : "\u25b6";
   element("play").setAttribute("aria-label", on ? "Pause" : "Play");
-  if (on) ask(); else setLink();
+  if (on) askToMove(); else { ask(); setLink(); }
 }
 function seek(ns) {
   now = clamped(ns);
+  askToMove();
+}
+function nextEvent(direction) {
+  const ahead = events.filter((event) => direction * (event.ns - now) > 0).map((event) => event.ns);
+  if (ahead.length) seek(direction > 0 ? Math.min(...ahead) : Math.max(...ahead));
+}
+
+// A PATH of docs/rendering.md.
+const wordOf = (name) => name.replace(/[%/#*]/g, (each) => "%" + each.charCodeAt(0).toString(16).toUpperCase());
+const pathOf = ({device, link}) => device && wordOf(device) + (link ? "/" + wordOf(link) : "");
+function select(device, link) {
+  selected = {device, link};
+  linkFault = calls.select(pathOf(selected));
+  plots.show();
+  setLink();
   ask();
+}
+function useSelection(path) {
+  const parts = path.split("/").map((word) => { try { return decodeURIComponent(word); } catch { return word; } });
+  selected = {device: parts[0], link: parts[1] || ""};
+  const fault = calls.select(pathOf(selected));
+  if (fault) selected = {device: "", link: ""};
+  return fault;
 }
 
 // A link to this moment, as it is read when a page is opened with it.
 function setLink() {
   const words = ["t=" + String(now / 1e9)];
   if (calls.camera()) words.push("camera=" + encodeURIComponent(calls.camera()));
-  if (selected) words.push("select=" + encodeURIComponent(selected));
+  if (selected.device) words.push("select=" + encodeURIComponent(pathOf(selected)));
   history.replaceState(null, "", "#" + words.join("&"));
 }
 function useLink() {
   const words = new URLSearchParams(location.hash.slice(1));
   linkFault = words.has("camera") ? calls.useCamera(words.get("camera")) : "";
-  if (words.has("select")) selected = words.get("select");
+  if (words.has("select")) linkFault = useSelection(words.get("select")) || linkFault;
   if (words.has("t")) {
     const t = Number(words.get("t"));
     if (Number.isFinite(t)) now = clamped(t * 1e9);
@@ -202,58 +257,13 @@ function chooseCamera(name) {
   ask();
 }
 
-// The mouse as in `rocinante view`: the left button turns, the right one or shift moves, the wheel
-// zooms to the pointer. Two fingers move and zoom.
-function listenToPointers() {
-  const fingers = new Map();
-  const place = (event) => {
-    const box = canvas.getBoundingClientRect();
-    const {width, height, scale} = size();
-    return {x: (event.clientX - box.left) * scale, y: (event.clientY - box.top) * scale, width, height};
-  };
-  const zoomAt = (steps, at) => calls.zoom(now, steps, at.x - at.width / 2, at.y - at.height / 2, at.width, at.height);
-  canvas.addEventListener("pointerdown", (event) => {
-    canvas.setPointerCapture(event.pointerId);
-    fingers.set(event.pointerId, place(event));
-    canvas.focus({preventScroll: true});
-  });
-  canvas.addEventListener("pointermove", (event) => {
-    const before = fingers.get(event.pointerId);
-    if (!before) return;
-    const at = place(event);
-    if (fingers.size === 2) {
-      const other = [...fingers].find(([id]) => id !== event.pointerId)[1];
-      const span = (a) => Math.max(Math.hypot(a.x - other.x, a.y - other.y), 1);
-      zoomAt(10 * Math.log(span(at) / span(before)), {...at, x: (at.x + other.x) / 2, y: (at.y + other.y) / 2});
-      calls.pan(now, (at.x - before.x) / 2, (at.y - before.y) / 2, at.width, at.height);
-    } else {
-      const moves = event.shiftKey || (event.buttons & 6) !== 0;
-      (moves ? calls.pan : calls.orbit)(now, at.x - before.x, at.y - before.y, at.width, at.height);
-    }
-    fingers.set(event.pointerId, at);
-    ask();
-  });
-  const end = (event) => {
-    if (!fingers.delete(event.pointerId)) return;
-    linkFault = "";
-    showCamera();
-    setLink();
-  };
-  canvas.addEventListener("pointerup", end);
-  canvas.addEventListener("pointercancel", end);
-  canvas.addEventListener("contextmenu", (event) => event.preventDefault());
-  canvas.addEventListener("wheel", (event) => {
-    event.preventDefault();
-    zoomAt(-Math.sign(event.deltaY) * Math.min(Math.abs(event.deltaY) / 100, 3), place(event));
-    showCamera();
-    setLink();
-    ask();
-  }, {passive: false});
+function press(button) {
+  if (!element(button).hidden) element(button).click();
 }
-
 function listenToKeys() {
   document.addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.altKey || event.metaKey || event.target.tagName === "SELECT") return;
+    if (event.key === " " && event.target.classList.contains("row")) return;
     const step = event.shiftKey ? 1e9 : 1e8;
     const keys = {
       " ": () => setPlaying(!playing),
@@ -261,7 +271,12 @@ function listenToKeys() {
       ArrowRight: () => seek(now + step),
       Home: () => seek(about.start_ns),
       End: () => seek(about.end_ns),
-      d: () => element("panel").click(),
+      ",": () => nextEvent(-1),
+      ".": () => nextEvent(1),
+      d: () => press("panel"),
+      l: () => press("lists"),
+      p: () => press("curves"),
+      Escape: () => select("", ""),
     };
     if (!keys[event.key]) return;
     event.preventDefault();
@@ -279,30 +294,34 @@ function listenToBar() {
   scrub.addEventListener("change", () => setLink());
   element("speed").onchange = (event) => { speed = Number(event.target.value); };
   element("camera").onchange = (event) => chooseCamera(event.target.value);
-  element("panel").onclick = () => {
-    element("devices").hidden = !element("devices").hidden;
-    element("panel").setAttribute("aria-pressed", String(!element("devices").hidden));
-    ask();
-  };
+  element("panel").onclick = () => panels.toggle("devices", "panel");
+  element("lists").onclick = () => panels.toggle("list", "lists");
+  element("curves").onclick = () => plots.toggle();
   for (const name of about.cameras) {
     const option = element("camera").appendChild(document.createElement("option"));
     option.value = option.textContent = name;
   }
 }
 
-function showEvents() {
-  const length = Math.max(about.end_ns - about.start_ns, 1);
-  const marks = calls.events().slice(0, 2000).map((event) => {
-    const mark = document.createElement("i");
-    mark.style.left = 100 * (event.ns - about.start_ns) / length + "%";
-    mark.title = event.text;
-    return mark;
-  });
-  element("marks").replaceChildren(...marks);
-}
+// What pointers and the panels beside the picture see of it.
+const page = {
+  get calls() { return calls; },
+  get about() { return about; },
+  now: () => now,
+  selectedDevice: () => selected.device,
+  hasDevice: (name) => about.devices.includes(name),
+  select,
+  selectFirst() { if (about.devices.length) select(about.movable[0] || about.devices[0], ""); },
+  canvas, size, say, seek, setLink, ask, askToMove,
+  // The camera was moved by hand.
+  cameraMoved() { linkFault = ""; showCamera(); setLink(); },
+};
 
 try {
-  const [viewer, cell] = await Promise.all([startViewer(), inflated("cell")]);
+  const viewerStarts = startViewer();
+  await wholeDocument;
+  const findings = inflated("findings");
+  const [viewer, cell] = await Promise.all([viewerStarts, inflated("cell")]);
   calls = makeCalls(viewer);
   stats.startedMs = performance.now();
   const served = window.rocinanteServed;  // served.js: the session comes from a server
@@ -311,22 +330,33 @@ try {
   stats.openedMs = performance.now();
   about = calls.about();
   now = about.start_ns;
+  panels = rocinantePanels(page);
+  plots = rocinantePlots(page);
   element("bar").hidden = false;
   element("devices").hidden = window.innerWidth < 640;
-  listenToBar();
-  listenToPointers();
-  listenToKeys();
   useLink();
-  draw();
-  stats.firstPictureMs = performance.now();
-  new ResizeObserver(ask).observe(canvas);
+  listenToBar();
+  rocinantePointers(page);
+  listenToKeys();
   window.addEventListener("hashchange", () => { useLink(); ask(); });
   canvas.addEventListener("webglcontextlost", () => say("the browser has taken its WebGL 2 back: open the page again", true));
-  setTimeout(showEvents, 0);
-  if (served) served.run(about, seek);
   // For tests, and for whoever looks from the console.
-  window.rocinante = {calls, stats, about, now: () => now, seek, setPlaying, isPlaying: () => playing};
+  window.rocinante = {calls, stats, about, plots, now: () => now, seek, setPlaying, isPlaying: () => playing,
+    isAtRest: () => !due && !playing && !wasMoving};
+  draw(careOf.first);
+  stats.firstDrawnMs = performance.now();
+  const found = JSON.parse(new TextDecoder().decode(await findings));
+  whenDrawn(() => {
+    stats.firstPictureMs = performance.now();
+    ask();
+    new ResizeObserver(() => { plots.show(); ask(); }).observe(canvas);
+    setTimeout(() => {
+      events = calls.events();
+      panels.showList(found, events);
+      if (served) served.run(about, seek);
+    }, 0);
+  });
 } catch (problem) {
-  say("This browser cannot show the session: " + (problem && problem.message || problem), true);
+  fail(problem);
 }
 })();

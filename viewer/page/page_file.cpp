@@ -83,46 +83,49 @@ void fill(std::string& page, std::string_view place, std::string_view content) {
   page.replace(at, place.size(), content);
 }
 
-/// The page up to its data, and the data but for the log.
-struct PageDraft {
-  std::string page;
-  std::string data;
-};
+/// The page with these scripts and parts. The viewer stands before the script, which starts it
+/// while a browser still reads what comes after.
+std::string filled(const PageParts& parts, const std::string& before_script,
+                   const std::string& session) {
+  std::string page(kFirstLines);
+  page += kPageHtml;
+  fill(page, "{{title}}", escaped(parts.title));
+  fill(page, "{{style}}", kPageStyle);
+  // From the end, so that what stands in a part is not looked at.
+  fill(page, "{{session}}", session);
+  fill(page, "{{script}}", kPageScript);
+  fill(page, "{{plots}}", kPagePlots);
+  fill(page, "{{pointers}}", kPagePointers);
+  fill(page, "{{panels}}", kPagePanels);
+  fill(page, "{{viewer}}",
+       part("viewer", parts.viewer) + part("viewer-script", bytesOf(parts.viewer_script)) +
+           before_script);
+  return page;
+}
 
-PageDraft draftOf(const PageParts& parts) {
-  PageDraft draft{std::string(kFirstLines), {}};
-  draft.page += kPageHtml;
-  fill(draft.page, "{{title}}", escaped(parts.title));
-  fill(draft.page, "{{style}}", kPageStyle);
-  draft.data = part("viewer-script", bytesOf(parts.viewer_script));
-  draft.data += part("viewer", parts.viewer);
-  draft.data += part("cell", parts.cell);
-  return draft;
+std::string sessionParts(const PageParts& parts) {
+  return part("findings", bytesOf(parts.findings)) + part("cell", parts.cell);
 }
 
 }  // namespace
 
 std::string servedPageOf(const PageParts& parts, bool is_live) {
-  auto [page, data] = draftOf(parts);
-  data += fmt::format("<script type=\"text/plain\" id=\"rocinante-served\" data-kind=\"{}\">{}",
-                      is_live ? "live" : "log", kPartEnds);
+  const std::string served =
+      fmt::format("{}served\" data-kind=\"{}\">{}<script>\n{}</script>\n", kPartBegins,
+                  is_live ? "live" : "log", kPartEnds, kServedScript);
+  std::string page = filled(parts, served, sessionParts(parts));
   // Its own server alone: neither the state nor the token goes anywhere else.
   constexpr std::string_view kPolicy = "img-src data:";
   page.insert(page.find(kPolicy) + kPolicy.size(), "; connect-src 'self'");
-  fill(page, "{{script}}", std::string(kServedScript) + std::string(kPageScript));
-  fill(page, "{{data}}", data);
   return page;
 }
 
 std::string pageOf(const PageParts& parts) {
-  auto [page, data] = draftOf(parts);
-  data.pop_back();  // the line end before the log's own
-  data += fmt::format("{}{}\">{}{}", kLogBegins, hexOf(xxh3(parts.log)), base64Of(parts.log),
-                      kPartEnds);
-  // The script first: what stands in the data is not looked at.
-  fill(page, "{{script}}", kPageScript);
-  fill(page, "{{data}}", data);
-  return page;
+  std::string session = sessionParts(parts);
+  session.pop_back();  // the line end before the log's own
+  session += fmt::format("{}{}\">{}{}", kLogBegins, hexOf(xxh3(parts.log)), base64Of(parts.log),
+                         kPartEnds);
+  return filled(parts, "", session);
 }
 
 Result<Bytes> logOfPage(std::string_view page, const std::string& name) {

@@ -11,9 +11,10 @@ namespace rocinante {
 /// What a page consists of (docs/programs/page.md).
 struct PageParts {
   std::string title;
-  std::string viewer_script;  ///< rocinante-viewer.js: emscripten's, which starts the next
-  Bytes viewer;               ///< rocinante-viewer.wasm
-  Bytes cell;                 ///< a baked cell (docs/baked-cell.md)
+  std::string viewer_script;      ///< rocinante-viewer.js: emscripten's, which starts the next
+  Bytes viewer;                   ///< rocinante-viewer.wasm
+  Bytes cell;                     ///< a baked cell (docs/baked-cell.md)
+  std::string findings = "null";  ///< pageFindings(), or null: nobody has looked
   Bytes log;
 };
 

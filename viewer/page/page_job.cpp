@@ -9,9 +9,11 @@
 #include "core/base/size_text.h"
 #include "core/bundle/cell_or_log.h"
 #include "core/cell/cell.h"
+#include "core/check/check.h"
 #include "core/log/log_reader.h"
 #include "viewer/page/page_cell.h"
 #include "viewer/page/page_file.h"
+#include "viewer/page/page_findings.h"
 #include "viewer/page/page_viewer.h"
 
 namespace rocinante {
@@ -28,7 +30,7 @@ Bytes ownedBytes(const std::string& text) {
 }
 
 /// Reads every message once, so that damage is known before the page is given away.
-Status checkLog(const Bytes& bytes, const std::string& name, PageReport& report) {
+Status readWhole(const Bytes& bytes, const std::string& name, PageReport& report) {
   auto reader = LogReader::openBytes(bytes, name);
   if (!reader) return reader.error();
   if (reader->summary().messages == 0) {
@@ -55,6 +57,21 @@ void noteFaults(const Cell& cell, PageReport& report) {
   }
 }
 
+/// What `check` says about the session, by the rules of the cell.
+Result<std::string> judged(const Cell& cell, const Bytes& bytes, const std::string& name,
+                           PageReport& report) {
+  auto reader = LogReader::openBytes(bytes, name);
+  if (!reader) return reader.error();
+  const auto found = checkLog(cell, *reader);
+  if (!found) return found.error();
+  for (const Finding& finding : found->findings) {
+    if (finding.accepted) continue;
+    ++report.findings;
+    if (finding.severity == Severity::error) ++report.errors;
+  }
+  return pageFindings(*found);
+}
+
 }  // namespace
 
 Result<PageReport> makePage(const PageJob& job) {
@@ -69,7 +86,7 @@ Result<PageReport> makePage(const PageJob& job) {
                  job.log.string()};
   }
   parts.log = ownedBytes(*log);
-  if (Status read = checkLog(parts.log, job.log.string(), report); !read) return read.error();
+  if (Status read = readWhole(parts.log, job.log.string(), report); !read) return read.error();
   if (Status has = readPageViewer(job.viewer, parts); !has) return has.error();
   CellOptions options;
   static_cast<ModelSearch&>(options) = job;
@@ -81,6 +98,9 @@ Result<PageReport> makePage(const PageJob& job) {
   }
   if (!cell) return cell.error();
   noteFaults(*cell, report);
+  auto findings = judged(*cell, parts.log, job.log.string(), report);
+  if (!findings) return findings.error();
+  parts.findings = std::move(*findings);
   parts.cell = pageCell(*cell, job.parallel);
   parts.title = job.log.filename().string();
   const std::string page = pageOf(parts);

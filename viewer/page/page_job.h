@@ -24,7 +24,8 @@ struct PageJob : ModelSearch {
 
 struct PageReport {
   std::uint64_t page_bytes = 0, log_bytes = 0, cell_bytes = 0, viewer_bytes = 0;
-  std::vector<std::string> warnings;  ///< faults of the cell
+  std::vector<std::string> warnings;       ///< faults of the cell
+  std::uint64_t findings = 0, errors = 0;  ///< what `check` finds; errors are among the findings
   bool is_whole = true;  ///< nothing of the cell is missing, nothing of the log damaged
 };
 

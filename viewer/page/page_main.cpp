@@ -34,6 +34,10 @@ Result<cli::Exit> make(PageJob job) {
   }
   cli::say(fmt::format("{}: {}, with a log of {}\n", job.output.string(),
                        sizeText(report->page_bytes), sizeText(report->log_bytes)));
+  if (report->findings > 0) {
+    cli::say(fmt::format("findings of check: {}, of them {} error{}\n", report->findings,
+                         report->errors, report->errors == 1 ? "" : "s"));
+  }
   return report->is_whole ? cli::Exit::done : cli::Exit::no;
 }
 

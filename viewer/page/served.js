@@ -88,7 +88,7 @@ function listen(about, show) {
 // After the first picture: `show` draws that moment.
 served.run = (about, show) => {
   if (kind !== "live") return;
-  for (const id of ["play", "track"]) document.getElementById(id).hidden = true;
+  for (const id of ["play", "track", "lists", "curves"]) document.getElementById(id).hidden = true;
   document.getElementById("speed").parentElement.hidden = true;
   document.getElementById("bar").prepend(Object.assign(document.createElement("strong"), {id: "live", textContent: "live"}));
   listen(about, show);

@@ -219,8 +219,11 @@ std::vector<NumberedPixel> IdentityPass::readPart(const PixelRectangle& part, in
   const int bottom = frame_height - part.y - part.height;
   gl_.PixelStorei(GL_PACK_ALIGNMENT, 4);
   gl_.ReadPixels(part.x, bottom, part.width, part.height, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
-  gl_.ReadPixels(part.x, bottom, part.width, part.height, GL_DEPTH_COMPONENT, GL_FLOAT,
-                 stored.data());
+  // A browser gives no depth: there it is infinitely far.
+  if (!gl_.is_embedded) {
+    gl_.ReadPixels(part.x, bottom, part.width, part.height, GL_DEPTH_COMPONENT, GL_FLOAT,
+                   stored.data());
+  }
   std::vector<NumberedPixel> pixels;
   for (int y = part.height - 1; y >= 0; --y) {
     for (int x = 0; x < part.width; ++x) {

@@ -245,7 +245,8 @@ Result<const DetailRung*> FrameMaker::Impl::prepareRung(int detail) {
                  {}};
   }
   const DetailRung& rung = kDetailRungs[static_cast<std::size_t>(detail)];
-  if (rung.level.geometry_error_px > 0) {
+  // A browser's page has neither threads nor a cache for them.
+  if (rung.level.geometry_error_px > 0 && !renderer->gl().is_embedded) {
     // A reproducible picture must not depend on cached files: coarser meshes are made anew.
     const DetailCache cache = profile == Profile::fast ? DetailCache::ofUser() : DetailCache();
     renderer->prepareDetail(cache, static_cast<int>(std::thread::hardware_concurrency()));
@@ -289,11 +290,16 @@ Result<FrameMaker> FrameMaker::open(Cell cell, std::optional<Timeline> session, 
                                     std::unique_ptr<RenderContext> context) {
   auto impl = std::make_unique<Impl>(std::move(cell), profile);
   impl->session = std::move(session);
-  if (impl->session) impl->names.useLog(impl->session->log().name());
   impl->context = std::move(context);
   auto renderer = Renderer::create(*impl->context, impl->cell, profile);
   if (!renderer) return renderer.error();
   impl->renderer = std::move(*renderer);
+  // A page's log is no file.
+  if (impl->session && impl->renderer->gl().is_embedded) {
+    impl->names.expectOthers();
+  } else if (impl->session) {
+    impl->names.useLog(impl->session->log().name());
+  }
   impl->fitted.emplace(impl->cell, *impl->renderer);
   impl->trails.emplace(impl->cell);
   // Everything is in memory now: a temporary folder of this cell can be removed.
@@ -349,6 +355,13 @@ Result<DepthFrame> FrameMaker::depth(const FrameRequest& request, StateDamage* d
   Status ready = my.prepareNumbers(request);
   if (!ready) return ready.error();
   return my.renderer->depth(found->shown(), *my.number_target);
+}
+
+Result<std::optional<PickedLink>> FrameMaker::pick(const FrameRequest& request, double x, double y,
+                                                   StateDamage* damage) {
+  const auto found = impl_->find(request, damage);
+  if (!found) return found.error();
+  return impl_->renderer->pick(found->shown(), request.width, request.height, x, y);
 }
 
 Result<CameraView> FrameMaker::camera(const FrameRequest& request) {

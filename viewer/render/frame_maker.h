@@ -20,6 +20,8 @@
 
 namespace rocinante {
 
+struct PickedLink;
+
 /// Range of FrameRequest::scale.
 inline constexpr double kLeastScale = 0.5, kLargestScale = 4;
 
@@ -31,9 +33,10 @@ struct FrameRequest {
   std::string camera;
   int width = 640;
   int height = 480;
-  double scale = 1;               ///< of everything sized in pixels: 0.5 to 4
-  int samples = 4;                ///< MSAA; llvmpipe has 1 and 4
-  int detail = 0;                 ///< a rung of kDetailRungs; 0 draws everything
+  double scale = 1;  ///< of everything sized in pixels: 0.5 to 4
+  int samples = 4;   ///< MSAA; llvmpipe has 1 and 4
+  /// A rung of kDetailRungs; 0 draws everything. In a browser meshes stay as they are.
+  int detail = 0;
   std::vector<std::string> hide;  ///< PATHs; override packets and cell (ViewChoice)
   std::vector<std::string> show;
   RenderStyle style;
@@ -83,6 +86,10 @@ class FrameMaker {
   Result<IdentityFrame> identity(const FrameRequest& request, StateDamage* damage = nullptr);
   /// The depth of each pixel of the main view.
   Result<DepthFrame> depth(const FrameRequest& request, StateDamage* damage = nullptr);
+  /// The link at a pixel from the top left, as Renderer::pick() finds it; in a browser without the
+  /// point.
+  Result<std::optional<PickedLink>> pick(const FrameRequest& request, double x, double y,
+                                         StateDamage* damage = nullptr);
   /// The main view's camera.
   Result<CameraView> camera(const FrameRequest& request);
   /// The main view, then the drawn insets in order.

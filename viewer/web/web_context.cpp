@@ -7,6 +7,7 @@
 #include <emscripten/html5.h>
 
 #include <cstring>
+#include <map>
 
 // What WebGL 2 has under another name, or lacks.
 extern "C" {
@@ -32,6 +33,95 @@ EM_JS(void, setClipControl, (unsigned origin, unsigned depth), {
 });
 // clang-format on
 
+/// Answers here what a browser answers only once all that was drawn before is done: a question a
+/// frame, and nothing is drawn beside what computes. Of the page's only context.
+namespace known {
+
+GLuint bound_frame = 0, bound_buffer = 0;
+std::map<GLuint, GLint> buffer_samples, frame_samples;  // by name
+std::map<GLenum, GLint> limits;
+bool is_allocated = false;  // since GetError() asked
+
+void APIENTRY bindFramebuffer(GLenum target, GLuint name) {
+  if (target != GL_READ_FRAMEBUFFER) bound_frame = name;
+  glBindFramebuffer(target, name);
+}
+void APIENTRY bindRenderbuffer(GLenum target, GLuint name) {
+  bound_buffer = name;
+  glBindRenderbuffer(target, name);
+}
+void APIENTRY renderbufferStorageMultisample(GLenum target, GLsizei samples, GLenum format,
+                                             GLsizei width, GLsizei height) {
+  buffer_samples[bound_buffer] = samples;
+  is_allocated = true;
+  glRenderbufferStorageMultisample(target, samples, format, width, height);
+}
+void APIENTRY framebufferRenderbuffer(GLenum target, GLenum attachment, GLenum buffer_target,
+                                      GLuint name) {
+  frame_samples[bound_frame] = buffer_samples[name];
+  glFramebufferRenderbuffer(target, attachment, buffer_target, name);
+}
+void APIENTRY framebufferTexture2D(GLenum target, GLenum attachment, GLenum texture_target,
+                                   GLuint name, GLint level) {
+  frame_samples[bound_frame] = 0;
+  glFramebufferTexture2D(target, attachment, texture_target, name, level);
+}
+
+/// A browser may give more samples than asked for, which harms nothing.
+void APIENTRY getRenderbufferParameteriv(GLenum target, GLenum what, GLint* value) {
+  if (what == GL_RENDERBUFFER_SAMPLES) {
+    *value = buffer_samples[bound_buffer];
+  } else {
+    glGetRenderbufferParameteriv(target, what, value);
+  }
+}
+
+void APIENTRY getIntegerv(GLenum what, GLint* value) {
+  switch (what) {
+    case GL_DRAW_FRAMEBUFFER_BINDING:
+      *value = static_cast<GLint>(bound_frame);
+      return;
+    case GL_SAMPLES:
+      *value = frame_samples[bound_frame];
+      return;
+    case GL_MAX_RENDERBUFFER_SIZE:
+    case GL_MAX_SAMPLES:
+    case GL_MAX_TEXTURE_SIZE:
+      if (const auto [at, is_new] = limits.try_emplace(what, 0); is_new) {
+        glGetIntegerv(what, &at->second);
+      }
+      *value = limits[what];
+      return;
+    default:
+      glGetIntegerv(what, value);
+  }
+}
+
+/// What is drawn wrongly the browser's console tells; what memory there is not is asked for.
+GLenum APIENTRY getError() {
+  if (!is_allocated) return GL_NO_ERROR;
+  is_allocated = false;
+  return glGetError();
+}
+
+GlProc find(const char* name) {
+  const std::map<std::string_view, GlProc> functions{
+      {"glBindFramebuffer", reinterpret_cast<GlProc>(&bindFramebuffer)},
+      {"glBindRenderbuffer", reinterpret_cast<GlProc>(&bindRenderbuffer)},
+      {"glRenderbufferStorageMultisample",
+       reinterpret_cast<GlProc>(&renderbufferStorageMultisample)},
+      {"glFramebufferRenderbuffer", reinterpret_cast<GlProc>(&framebufferRenderbuffer)},
+      {"glFramebufferTexture2D", reinterpret_cast<GlProc>(&framebufferTexture2D)},
+      {"glGetRenderbufferParameteriv", reinterpret_cast<GlProc>(&getRenderbufferParameteriv)},
+      {"glGetIntegerv", reinterpret_cast<GlProc>(&getIntegerv)},
+      {"glGetError", reinterpret_cast<GlProc>(&getError)},
+  };
+  const auto found = functions.find(name);
+  return found == functions.end() ? nullptr : found->second;
+}
+
+}  // namespace known
+
 class WebContext final : public RenderContext {
  public:
   explicit WebContext(EMSCRIPTEN_WEBGL_CONTEXT_HANDLE handle) : handle_(handle) {}
@@ -43,6 +133,7 @@ class WebContext final : public RenderContext {
   }
 
   GlProc procAddress(const char* name) const override {
+    if (const GlProc mine = known::find(name); mine != nullptr) return mine;
 #define ROCINANTE_GL_FIND(type, function)             \
   if (std::strcmp(name, "gl" #function) == 0) {       \
     return reinterpret_cast<GlProc>(&::gl##function); \

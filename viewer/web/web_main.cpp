@@ -82,8 +82,28 @@ EMSCRIPTEN_KEEPALIVE const char* rocinante_devices(double at) {
 EMSCRIPTEN_KEEPALIVE const char* rocinante_poses(double at) {
   return say(session->posesJson(ns(at)));
 }
-EMSCRIPTEN_KEEPALIVE const char* rocinante_draw(double at, int width, int height, double scale) {
-  return say(session->draw(ns(at), width, height, scale));
+/// `care`: 0 whole, 1 moving, 2 first.
+EMSCRIPTEN_KEEPALIVE const char* rocinante_draw(double at, int width, int height, double scale,
+                                                int care) {
+  return say(session->draw(ns(at), width, height, scale, static_cast<WebSession::Care>(care % 3)));
+}
+EMSCRIPTEN_KEEPALIVE void rocinante_frame_took(double ms) { session->frameTook(ms); }
+EMSCRIPTEN_KEEPALIVE int rocinante_rung() { return session->rung(); }
+EMSCRIPTEN_KEEPALIVE const char* rocinante_pick(double at, double x, double y, int width,
+                                                int height) {
+  return say(session->pickJson(ns(at), x, y, width, height));
+}
+EMSCRIPTEN_KEEPALIVE const char* rocinante_select(const char* path) {
+  return say(session->select(path));
+}
+/// The part that is read, or -1 when the log cannot be read on.
+EMSCRIPTEN_KEEPALIVE double rocinante_read_plots(int messages) {
+  const auto part = session->readPlots(static_cast<std::uint64_t>(messages));
+  return part ? *part : -1.0;
+}
+EMSCRIPTEN_KEEPALIVE const char* rocinante_plots(const char* device, double at, int width,
+                                                 double height) {
+  return say(session->plotsJson(device, ns(at), static_cast<std::size_t>(width), height));
 }
 EMSCRIPTEN_KEEPALIVE const char* rocinante_use_camera(const char* name) {
   return say(session->useCamera(name));

@@ -5,9 +5,11 @@
 #include <utility>
 
 #include "core/bundle/baked_file.h"
+#include "core/math/transform.h"
 #include "core/report/json_text.h"
 #include "viewer/bake/bake_cell.h"
 #include "viewer/model/link_poses.h"
+#include "viewer/render/renderer.h"
 #include "viewer/ui/panels/joint_rows.h"
 #include "viewer/view/camera_choice.h"
 #include "viewer/web/web_context.h"
@@ -18,6 +20,9 @@ namespace {
 std::string text(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
+
+/// A rung without dear things, whose framebuffers are small.
+constexpr int kFirstRung = 4;
 
 Json jointJson(const JointRow& row) {
   Json json;
@@ -91,6 +96,7 @@ FrameRequest WebSession::requestAt(std::int64_t ns, int width, int height) {
   request.camera = by_hand_ ? viewpointText(by_hand_->view()) : camera_;
   request.width = width;
   request.height = height;
+  if (!selected_path_.empty()) request.style.outlined.push_back(selected_path_);
   return request;
 }
 
@@ -106,6 +112,15 @@ std::string WebSession::aboutJson() {
   json["cameras"] = Json::array();
   for (const CellCamera& camera : maker_.cell().cameras) json["cameras"].push_back(camera.name);
   for (const char* built_in : {"fit", "map"}) json["cameras"].push_back(built_in);
+  json["devices"] = Json::array();
+  json["movable"] = Json::array();
+  for (const CellDevice& device : maker_.cell().devices) {
+    json["devices"].push_back(device.name);
+    const Model* const model = maker_.cell().modelOf(device);
+    if (model != nullptr && !jointRows(*model, nullptr, "").empty()) {
+      json["movable"].push_back(device.name);
+    }
+  }
   json["warnings"] = maker_.warnings();
   return text(json);
 }
@@ -140,6 +155,13 @@ Result<std::string> WebSession::devicesJson(std::int64_t ns) {
     for (const JointRow& row : jointRows(*device.model, said, "")) {
       one["joints"].push_back(jointJson(row));
     }
+    if (selected_ && selected_->path.first == device.name && !selected_->path.second.empty()) {
+      const auto link = device.model->findLink(selected_->path.second);
+      if (link) {
+        const Vec3 place = positionOf(device.link_world[*link]);
+        one["link"] = {{"name", selected_->path.second}, {"place", {place.x, place.y, place.z}}};
+      }
+    }
     json.push_back(std::move(one));
   }
   return text(json);
@@ -151,13 +173,70 @@ Result<std::string> WebSession::posesJson(std::int64_t ns) {
   return forwardKinematicsJson(linkPoses(maker_.cell(), **state));
 }
 
-Status WebSession::draw(std::int64_t ns, int width, int height, double scale) {
+Status WebSession::draw(std::int64_t ns, int width, int height, double scale, Care care) {
   FrameRequest request = requestAt(ns, width, height);
+  if (care == Care::moving) request.detail = governor_.rung();
+  if (care == Care::first) request.detail = kFirstRung;
   request.scale = std::clamp(scale, kLeastScale, kLargestScale);
   StateDamage damage;
   Status shown = maker_.show(request, &damage);
   note(damage);
   return shown;
+}
+
+Result<std::string> WebSession::pickJson(std::int64_t ns, double x, double y, int width,
+                                         int height) {
+  StateDamage damage;
+  const auto picked = maker_.pick(requestAt(ns, width, height), x, y, &damage);
+  if (!picked) return picked.error();
+  if (!*picked) return std::string("null");
+  return text(Json{{"device", (*picked)->name.device}, {"link", (*picked)->name.link}});
+}
+
+Status WebSession::select(const std::string& path) {
+  selected_.reset();
+  selected_path_.clear();
+  if (path.empty()) return {};
+  auto parsed = parseViewPath(path);
+  if (!parsed) return parsed.error();
+  // In the cell, or in the session as it ends or stands now.
+  const std::string& device = parsed->path.first;
+  if (maker_.cell().findDevice(device) == nullptr) {
+    Timeline* const session = maker_.session();
+    const auto state = stateAt(session ? (session->end() - session->origin()).count() : 0);
+    if (!state) return state.error();
+    if ((*state)->findDevice(device) == nullptr) {
+      return Error{ErrorKind::not_found, "there is no device '" + device + "' to select", {}};
+    }
+  }
+  FrameRequest request = requestAt(0, 640, 480);
+  request.style.outlined = {path};
+  if (const auto known = maker_.camera(request); !known) return known.error();
+  selected_ = std::move(*parsed);
+  selected_path_ = path;
+  return {};
+}
+
+Result<double> WebSession::readPlots(std::uint64_t messages) {
+  if (live_) return 1.0;  // what was is not kept
+  if (!plots_) {
+    auto reader = LogReader::openBytes(*log_, "the page's log");
+    if (!reader) return reader.error();
+    if (Status there = reader->rewind(); !there) return there.error();
+    plots_.emplace(maker_.cell(), std::move(*reader), maker_.session()->start(),
+                   maker_.session()->end());
+  }
+  return plots_->read(messages);
+}
+
+Result<std::string> WebSession::plotsJson(const std::string& device, std::int64_t ns,
+                                          std::size_t width, double height) {
+  const auto state = stateAt(ns);
+  if (!state) return state.error();
+  const PosedScene scene = poseScene(maker_.cell(), **state);
+  const PosedDevice* const posed = scene.findDevice(device);
+  if (posed == nullptr || !plots_) return std::string("[]");
+  return plots_->lanesJson(*posed, (*state)->findDevice(device), width, height);
 }
 
 Status WebSession::useCamera(const std::string& name) {

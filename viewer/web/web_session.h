@@ -7,9 +7,12 @@
 
 #include "core/base/bytes.h"
 #include "core/base/result.h"
+#include "core/cell/view_path.h"
+#include "viewer/detail/governor.h"
 #include "viewer/render/frame_maker.h"
 #include "viewer/ui/model/turntable.h"
 #include "viewer/web/web_live.h"
+#include "viewer/web/web_plots.h"
 
 namespace rocinante {
 
@@ -30,17 +33,41 @@ class WebSession {
   /// Null with a log.
   WebLive* live() { return live_.get(); }
 
-  /// JSON: start_ns, end_ns (from the session's origin), cameras, devices.
+  /// JSON: start_ns, end_ns (from the session's origin), cameras, the cell's devices
+  /// and those of them that have joints.
   std::string aboutJson();
   /// JSON: events and marks, each with ns (from the origin) and text.
   std::string eventsJson();
-  /// JSON: devices at that moment, each with its joints' names, values and kinds.
+  /// JSON: devices at that moment, each with its joints' names, values and kinds, and of the
+  /// selected link its place in the world.
   Result<std::string> devicesJson(std::int64_t ns);
   /// What `rocinante model fk --json` prints for that moment.
   Result<std::string> posesJson(std::int64_t ns);
 
+  /// How much of a picture is drawn.
+  enum class Care {
+    whole,   ///< everything
+    moving,  ///< as much as the machine draws in time, by what frames cost (frameTook())
+    first,   ///< little, so that something is there soon
+  };
   /// Draws to the canvas, which has that size.
-  Status draw(std::int64_t ns, int width, int height, double scale);
+  Status draw(std::int64_t ns, int width, int height, double scale, Care care);
+  /// What the last frame cost, drawn with Care::moving.
+  void frameTook(double ms) { governor_.frameDrawn(ms); }
+  /// The rung of detail of moving pictures.
+  int rung() const { return governor_.rung(); }
+
+  /// JSON: device and link at that pixel, or null.
+  Result<std::string> pickJson(std::int64_t ns, double x, double y, int width, int height);
+  /// Outlines a DEVICE or DEVICE/LINK from now on; nothing for an empty path. not_found for one
+  /// that neither cell nor session has.
+  Status select(const std::string& path);
+
+  /// Reads on for the plots; the part that is read, 0 to 1.
+  Result<double> readPlots(std::uint64_t messages);
+  /// WebPlots::lanesJson() of a device at that moment.
+  Result<std::string> plotsJson(const std::string& device, std::int64_t ns, std::size_t width,
+                                double height);
 
   /// A camera by its name, a viewpoint in numbers, or empty for the cell's first. From then on the
   /// picture is the one of `rocinante render --camera`.
@@ -70,6 +97,10 @@ class WebSession {
   FrameMaker maker_;
   std::string camera_;
   std::optional<Turntable> by_hand_;
+  std::optional<ViewPath> selected_;
+  std::string selected_path_;
+  std::optional<WebPlots> plots_;  // made on first use
+  Governor governor_{Governor::Settings{}};
   std::string warning_;
 };
 

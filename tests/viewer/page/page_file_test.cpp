@@ -56,13 +56,13 @@ TEST(PageFile, ANameIsTextAndNothingElse) {
 
 TEST(PageFile, NothingOfAPartEndsIt) {
   const std::string page = pageOf(smallParts());
-  // Four parts and the page's own script.
+  // Five parts and the page's own script.
   std::size_t ends = 0;
   for (std::size_t at = page.find("</script>"); at != std::string::npos;
        at = page.find("</script>", at + 1)) {
     ++ends;
   }
-  EXPECT_EQ(ends, 5U);
+  EXPECT_EQ(ends, 6U);
 }
 
 TEST(PageFile, APageThatWasCutOrChangedGivesNoLog) {

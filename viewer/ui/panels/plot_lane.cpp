@@ -21,13 +21,6 @@ const std::vector<ValueColumn>* columnsOf(const StudyPicture* picture, const Ser
   return &picture->curves[place];
 }
 
-/// A limit belongs to the picture when the curve comes near it.
-void includeLimits(const PlotValue& value, double& low, double& high) {
-  const double near = (high - low) * 0.35;
-  if (value.upper && *value.upper > high && *value.upper < high + near) high = *value.upper;
-  if (value.lower && *value.lower<low&& * value.lower> low - near) low = *value.lower;
-}
-
 void scaleLane(PlotLane& lane) {
   double low = 1, high = -1;
   for (const PlottedCurve& plotted : lane.curves) {

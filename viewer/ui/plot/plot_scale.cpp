@@ -142,6 +142,12 @@ std::string plotText(double shown, PlotUnit unit, const PlotScale& scale) {
   return unit == PlotUnit::degrees || name.empty() ? text + name : text + " " + name;
 }
 
+void includeLimits(const PlotValue& value, double& low, double& high) {
+  const double near = (high - low) * 0.35;
+  if (value.upper && *value.upper > high && *value.upper < high + near) high = *value.upper;
+  if (value.lower && *value.lower<low&& * value.lower> low - near) low = *value.lower;
+}
+
 std::optional<std::pair<double, double>> rangeOf(const std::vector<ValueColumn>& columns,
                                                  const PlotValue& value) {
   std::optional<std::pair<double, double>> range;

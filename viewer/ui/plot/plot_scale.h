@@ -49,6 +49,9 @@ std::string plotText(double shown, PlotUnit unit, const PlotScale& scale);
 /// "°", "m", "mm", "/s" or nothing.
 std::string unitText(PlotUnit unit, const PlotScale& scale);
 
+/// Widens the range of a curve by its limits, where the curve comes near them.
+void includeLimits(const PlotValue& value, double& low, double& high);
+
 /// The range of the columns, as shown by `value`; empty without any.
 std::optional<std::pair<double, double>> rangeOf(const std::vector<ValueColumn>& columns,
                                                  const PlotValue& value);

@@ -8,10 +8,10 @@
 #include <thread>
 #include <utility>
 
-#include "core/kinematics/joint_values.h"
 #include "core/log/log_reader.h"
 #include "core/series/series_table.h"
 #include "core/session/timeline.h"
+#include "viewer/ui/study/positional_names.h"
 #include "viewer/ui/study/study_thread.h"
 
 namespace rocinante {
@@ -28,22 +28,6 @@ constexpr Nanoseconds kShowEvery = 100ms;
 constexpr Nanoseconds kRateOver = 1s;
 
 SteadyTime studyNow() { return std::chrono::steady_clock::now(); }
-
-const Model* modelFor(const Cell& cell, std::string_view device, const DeviceState& said) {
-  if (said.presence && said.presence->value.presence == Presence::added) {
-    const auto added = cell.models.find(said.presence->value.model);
-    if (added != cell.models.end()) return added->second.get();
-  }
-  if (const CellDevice* own = cell.findDevice(device)) return cell.modelOf(*own);
-  for (const CellSource& source : cell.sources) {
-    const auto ghost = source.ghost_of.find(std::string(device));
-    if (ghost == source.ghost_of.end()) continue;
-    if (const CellDevice* original = cell.findDevice(ghost->second)) {
-      return cell.modelOf(*original);
-    }
-  }
-  return nullptr;
-}
 
 std::vector<ValueColumn> columnsOfRates(const std::vector<float>& rates) {
   std::vector<ValueColumn> columns(rates.size());
@@ -108,13 +92,6 @@ std::shared_ptr<const StudyPicture> alignedPicture(const StudyPicture& beside,
     }
   }
   return aligned;
-}
-
-PositionalNames positionalNames(const Cell& cell) {
-  return [&cell](std::string_view device, const DeviceState& said) {
-    const Model* const model = modelFor(cell, device, said);
-    return model == nullptr ? std::vector<std::string>() : positionalNames(*model);
-  };
 }
 
 struct LogStudy::Impl {

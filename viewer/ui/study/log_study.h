@@ -81,8 +81,4 @@ std::shared_ptr<const StudyPicture> alignedPicture(const StudyPicture& beside,
                                                    const StudyWish& wish,
                                                    const EventAlignment& alignment);
 
-/// The names of the values of a positional `joints`, in order, by the cell's models: for devices of
-/// the cell, added ones and ghosts. Borrows the cell.
-PositionalNames positionalNames(const Cell& cell);
-
 }  // namespace rocinante

@@ -1,0 +1,95 @@
+"use strict";
+// Curves of the selected device's joints over the session. What a curve is, its scale and its
+// limits come from viewer/web; here they are laid out, with a cursor that scrubs.
+function rocinantePlots(page) {
+  const kHeight = 40;            // of a lane, in pixels
+  const kMessages = 2000;        // read at a time
+  const kReadMs = 12;            // in one go, so that the page goes on
+  const kShowMs = 150;           // how often curves grow while the log is read
+  const panel = document.getElementById("plots");
+  const say = document.getElementById("plots-say");
+  let part = 0;                  // of the log that is read; -1: it cannot be read on
+  let isReading = false;
+  let shownAt = 0;
+  let lanes = [];
+  let drawn = "";                // what the lanes show
+
+  function readOn() {
+    const begun = performance.now();
+    while (part >= 0 && part < 1 && performance.now() - begun < kReadMs) part = page.calls.readPlots(kMessages);
+    isReading = part >= 0 && part < 1 && !panel.hidden;
+    if (performance.now() - shownAt > kShowMs || !isReading) show();
+    if (isReading) setTimeout(readOn, 0);
+  }
+
+  function makeLane(lane, width) {
+    const box = document.getElementById("lane").content.firstElementChild.cloneNode(true);
+    const one = (name) => box.querySelector("." + name);
+    one("joint").textContent = lane.joint;
+    one("range").textContent = lane.text || "nothing said";
+    const svg = one("curves");
+    svg.setAttribute("viewBox", `0 0 ${width} ${kHeight}`);
+    one("curve").setAttribute("d", lane.curve);
+    one("bars").setAttribute("d", lane.bars);
+    for (const name of ["lower", "upper"]) {
+      const at = lane[name];
+      if (at === null) { one(name).remove(); continue; }
+      for (const [key, value] of [["x1", 0], ["x2", width], ["y1", at], ["y2", at]]) one(name).setAttribute(key, value);
+    }
+    return {box, svg, joint: lane.joint, value: one("value"), cursor: one("cursor")};
+  }
+
+  function show() {
+    if (panel.hidden) return;
+    const device = page.selectedDevice();
+    const width = Math.max(50, Math.round(panel.clientWidth - 16));
+    const wanted = JSON.stringify([device, width, part]);
+    if (wanted === drawn) return;
+    drawn = wanted;
+    shownAt = performance.now();
+    const given = device ? page.calls.plots(device, page.now(), width, kHeight) : [];
+    const lists = Array.isArray(given) ? given : [];
+    lanes = lists.map((lane) => makeLane(lane, width));
+    document.getElementById("lanes").replaceChildren(...lanes.map((lane) => lane.box));
+    say.textContent = !device ? "Choose a device: click it in the picture or in the list."
+      : part < 0 ? "The log cannot be read on: the curves end there."
+      : part < 1 ? `${device}: reading the log, ${Math.round(100 * part)} %`
+      : lanes.length ? device : device + " has no joints";
+    moveCursor(page.now(), null);
+  }
+
+  // `joints`: name and text of the values of this moment, or null when they are not at hand.
+  function moveCursor(now, joints) {
+    const length = Math.max(page.about.end_ns - page.about.start_ns, 1);
+    for (const lane of lanes) {
+      const x = (now - page.about.start_ns) / length * lane.svg.viewBox.baseVal.width;
+      lane.cursor.setAttribute("x1", x);
+      lane.cursor.setAttribute("x2", x);
+      if (joints) lane.value.textContent = joints.get(lane.joint) || "";
+    }
+  }
+
+  function scrub(event) {
+    const box = document.getElementById("lanes").getBoundingClientRect();
+    const x = (event.clientX - box.left) / Math.max(box.width, 1);
+    page.seek(page.about.start_ns + x * (page.about.end_ns - page.about.start_ns));
+  }
+  const area = document.getElementById("lanes");
+  area.addEventListener("pointerdown", (event) => { area.setPointerCapture(event.pointerId); scrub(event); });
+  area.addEventListener("pointermove", (event) => { if (event.buttons & 1) scrub(event); });
+  area.addEventListener("pointerup", () => page.setLink());
+
+  return {
+    show,
+    moveCursor,
+    toggle() {
+      panel.hidden = !panel.hidden;
+      document.getElementById("curves").setAttribute("aria-pressed", String(!panel.hidden));
+      if (!panel.hidden && !page.selectedDevice()) page.selectFirst();
+      drawn = "";
+      if (!isReading) readOn();
+      page.ask();
+    },
+    part: () => part,
+  };
+}

@@ -1,0 +1,117 @@
+#include "viewer/web/web_plots.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "core/report/json_text.h"
+#include "viewer/ui/panels/joint_rows.h"
+#include "viewer/ui/plot/plot_scale.h"
+#include "viewer/ui/plot/plot_shape.h"
+#include "viewer/ui/study/positional_names.h"
+
+namespace rocinante {
+namespace {
+
+constexpr std::size_t kMaxColumns = 8192;
+
+SeriesScan::Options optionsOf(const Cell& cell, LogTime start, LogTime end) {
+  SeriesScan::Options options;
+  options.from = start;
+  options.until = end;
+  options.names = positionalNames(cell);
+  return options;
+}
+
+std::string curvePath(const PlotShape& shape, double height) {
+  std::string path;
+  for (const auto& line : shape.lines) {
+    char pen = 'M';
+    for (const PlotShape::Point& point : line) {
+      path += fmt::format("{}{:.1f} {:.1f}", pen, point.x, height - point.y);
+      pen = 'L';
+    }
+  }
+  return path;
+}
+
+std::string barsPath(const PlotShape& shape, double height) {
+  std::string path;
+  for (const PlotShape::Bar& bar : shape.bars) {
+    path += fmt::format("M{:.1f} {:.1f}V{:.1f}", bar.x + 0.5F, height - bar.high, height - bar.low);
+  }
+  return path;
+}
+
+Json placeOf(const std::optional<double>& limit, const PlotScale& scale, double height) {
+  if (!limit) return nullptr;
+  const double part = scale.part(*limit);
+  if (!(part >= 0 && part <= 1)) return nullptr;
+  return height - part * height;
+}
+
+Json laneJson(const PlotValue& value, const std::vector<ValueColumn>& columns, double height) {
+  const auto range = rangeOf(columns, value);
+  double low = range ? range->first : 1;
+  double high = range ? range->second : -1;
+  if (range) includeLimits(value, low, high);
+  const PlotScale scale = plotScale(low, high, value.unit, 2);
+  const PlotShape shape = plotShape(columns, value, scale, static_cast<float>(height));
+  Json lane;
+  if (range) {
+    lane["text"] = plotText(range->first, value.unit, scale) + " to " +
+                   plotText(range->second, value.unit, scale);
+  }
+  lane["curve"] = curvePath(shape, height);
+  lane["bars"] = barsPath(shape, height);
+  lane["lower"] = placeOf(value.lower, scale, height);
+  lane["upper"] = placeOf(value.upper, scale, height);
+  return lane;
+}
+
+}  // namespace
+
+WebPlots::WebPlots(const Cell& cell, LogReader log, LogTime start, LogTime end)
+    : log_(std::move(log)),
+      start_(start),
+      end_(end),
+      series_(std::make_unique<SeriesScan>(optionsOf(cell, start, end))) {}
+
+Result<double> WebPlots::read(std::uint64_t messages) {
+  for (std::uint64_t i = 0; i < messages && !ended_; ++i) {
+    const auto message = log_.next();
+    if (!message) return message.error();
+    ended_ = !*message;
+    if (!ended_) series_->add(**message);
+  }
+  if (ended_ || end_ <= start_) return 1.0;
+  const double part = static_cast<double>((series_->reached() - start_).count()) /
+                      static_cast<double>((end_ - start_).count());
+  return std::clamp(part, 0.0, 0.999);
+}
+
+std::string WebPlots::lanesJson(const PosedDevice& device, const DeviceState* said,
+                                std::size_t width, double height) const {
+  Json lanes = Json::array();
+  const std::size_t count = std::clamp<std::size_t>(width, 1, kMaxColumns);
+  for (const JointRow& row : jointRows(*device.model, said, "")) {
+    const PlotValue value =
+        plotValue({SeriesKey::Kind::joint, device.name, row.name}, device.model);
+    const ValueBins* const bins = series_->values(value.series);
+    std::vector<ValueColumn> columns;
+    if (bins != nullptr) columns = bins->columns(start_, end_, count);
+    // Nothing is known behind what was read: a curve ends there.
+    for (std::size_t i = 0; !ended_ && i < columns.size(); ++i) {
+      const Nanoseconds since =
+          (end_ - start_) / static_cast<std::int64_t>(count) * static_cast<std::int64_t>(i);
+      if (start_ + since > series_->reached()) columns[i].held.reset();
+    }
+    Json lane = laneJson(value, columns, height);
+    lane["joint"] = row.name;
+    lanes.push_back(std::move(lane));
+  }
+  return lanes.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace rocinante

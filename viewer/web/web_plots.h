@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "core/base/result.h"
+#include "core/cell/posed_scene.h"
+#include "core/log/log_reader.h"
+#include "core/packet/session_state.h"
+#include "core/series/series_scan.h"
+
+namespace rocinante {
+
+/// The joint values of a session as curves, drawn as the window's plots are. One pass over the log
+/// gathers them, a few messages at a time, between which a page goes on.
+class WebPlots {
+ public:
+  /// Borrows the cell and the bytes of the log.
+  WebPlots(const Cell& cell, LogReader log, LogTime start, LogTime end);
+
+  /// Reads so many messages on; the part that is read, 0 to 1.
+  Result<double> read(std::uint64_t messages);
+
+  /// JSON: one lane for each joint, of that many pixels: joint, text (its low and high end with the
+  /// unit), curve and bars (paths of SVG), lower and upper (its limits from the top, where they are
+  /// in the lane).
+  std::string lanesJson(const PosedDevice& device, const DeviceState* said, std::size_t width,
+                        double height) const;
+
+ private:
+  LogReader log_;
+  LogTime start_, end_;
+  std::unique_ptr<SeriesScan> series_;
+  bool ended_ = false;
+};
+
+}  // namespace rocinante
