@@ -220,7 +220,7 @@ int main(int argc, char** argv) {
       ->option_text("NAME")
       ->allow_extra_args(false);
   app.add_option("--inset", job.insets, "an inset that replaces the cell's; repeatable")
-      ->option_text("CAMERA[:CORNER]")
+      ->option_text("CAMERA[:CORNER][:SIZE]")
       ->allow_extra_args(false);
   app.add_flag("--no-insets", without_insets, "leave out the cell's insets");
   app.add_flag("--overlay", job.look.panel, "time, devices, joint values and rates in a corner");

@@ -145,8 +145,8 @@ Status FrameMaker::Impl::placeCameras(const FrameRequest& request, FoundFrame& f
     camera = cameraNamed(inset.camera, request, found, parts[i].width, parts[i].height);
     if (!camera && request.insets) return camera.error();
     if (!camera || parts[i].width == 0) continue;
-    found.insets.push_back({parts[i], *camera, inset.title.value_or(inset.camera),
-                            inset.border_rgba, inset.border_px});
+    found.insets.push_back(
+        {parts[i], *camera, insetTitle(inset), inset.border_rgba, inset.border_px});
     found.inset_cameras.push_back(inset.camera);
   }
   return {};

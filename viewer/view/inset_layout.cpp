@@ -1,8 +1,12 @@
 #include "viewer/view/inset_layout.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -93,18 +97,54 @@ bool repeatsMainView(const CellInset& inset, std::string_view main_name, const C
   return view.ok() && *view == main;
 }
 
+namespace {
+
+constexpr std::array<std::pair<std::string_view, InsetCorner>, 4> kCorners{
+    {{":top-right", InsetCorner::top_right},
+     {":top-left", InsetCorner::top_left},
+     {":bottom-right", InsetCorner::bottom_right},
+     {":bottom-left", InsetCorner::bottom_left}}};
+
+std::optional<double> sideNumber(std::string_view text) {
+  double value = 0;
+  const auto [stop, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (fault != std::errc{} || stop != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+/// Takes "WxH" or "WxHpx" with sides that an inset can have.
+bool takeSize(std::string_view text, CellInset& inset) {
+  const bool in_pixels = text.ends_with("px");
+  if (in_pixels) text.remove_suffix(2);
+  const std::size_t cross = text.find('x');
+  if (cross == std::string_view::npos) return false;
+  const auto width = sideNumber(text.substr(0, cross));
+  const auto height = sideNumber(text.substr(cross + 1));
+  const double least = in_pixels ? kLeastSidePx : 0.01;
+  const double most = in_pixels ? 16384 : 1;
+  for (const auto& side : {width, height}) {
+    if (!side || !(*side >= least && *side <= most)) return false;
+  }
+  inset.width = *width;
+  inset.height = *height;
+  inset.in_pixels = in_pixels;
+  return true;
+}
+
+}  // namespace
+
 Result<CellInset> parseInset(std::string_view text) {
-  constexpr std::array<std::pair<std::string_view, InsetCorner>, 4> kCorners{
-      {{":top-right", InsetCorner::top_right},
-       {":top-left", InsetCorner::top_left},
-       {":bottom-right", InsetCorner::bottom_right},
-       {":bottom-left", InsetCorner::bottom_left}}};
   CellInset inset;
   std::string_view name = text;
+  const std::size_t last = name.rfind(':');
+  if (last != std::string_view::npos && takeSize(name.substr(last + 1), inset)) {
+    name = name.substr(0, last);
+  }
   for (const auto& [ending, corner] : kCorners) {
-    if (!text.ends_with(ending)) continue;
+    if (!name.ends_with(ending)) continue;
     name.remove_suffix(ending.size());
     inset.corner = corner;
+    break;
   }
   if (name.empty()) {
     return Error{
@@ -114,6 +154,21 @@ Result<CellInset> parseInset(std::string_view text) {
   }
   inset.camera = name;
   return inset;
+}
+
+std::string insetTitle(const CellInset& inset) {
+  return inset.title.value_or(inset.camera.starts_with('@') ? "free view" : inset.camera);
+}
+
+std::string insetText(const CellInset& inset) {
+  std::string text = inset.camera;
+  for (const auto& [ending, corner] : kCorners) {
+    if (corner == inset.corner) text += ending;
+  }
+  const CellInset usual;
+  const bool sized = inset.width != usual.width || inset.height != usual.height || inset.in_pixels;
+  if (!sized) return text;
+  return text + fmt::format(":{}x{}{}", inset.width, inset.height, inset.in_pixels ? "px" : "");
 }
 
 }  // namespace rocinante

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -29,9 +30,13 @@ std::vector<PixelRectangle> placeInsets(const std::vector<CellInset>& insets, in
 bool repeatsMainView(const CellInset& inset, std::string_view main_name, const CameraView& main,
                      const PosedScene& scene);
 
-/// "CAMERA" or "CAMERA:CORNER" ("map:bottom-left"), with defaults for everything else. A camera's
-/// name may contain a colon: the text after the last one is a corner only if it is valid.
-/// bad_argument for an empty name.
+/// "CAMERA[:CORNER][:SIZE]" ("map:bottom-left:0.3x0.2"), with defaults for everything else. SIZE is
+/// parts of the picture's, or pixels: "160x120px". A camera's name may contain colons: what follows
+/// one is a corner or a size only if it is valid. bad_argument for an empty name.
 Result<CellInset> parseInset(std::string_view text);
+/// Its title; without one the camera's name, "free view" of a viewpoint in numbers.
+std::string insetTitle(const CellInset& inset);
+/// The text for parseInset(): camera and corner, and a size that is not the default.
+std::string insetText(const CellInset& inset);
 
 }  // namespace rocinante

@@ -166,6 +166,21 @@ TEST(InsetLayout, ReadsACameraAndItsCorner) {
   EXPECT_EQ(parseInset("map:bottom-left")->corner, InsetCorner::bottom_left);
   EXPECT_EQ(parseInset("map:bottom-left")->camera, "map");
   EXPECT_EQ(parseInset("a:b")->camera, "a:b");
+  const auto sized = parseInset("a:b:top-left:0.25x0.5");
+  EXPECT_EQ(sized->camera, "a:b");
+  EXPECT_EQ(sized->corner, InsetCorner::top_left);
+  EXPECT_EQ(sized->width, 0.25);
+  EXPECT_EQ(sized->height, 0.5);
+  EXPECT_TRUE(parseInset("map:160x120px")->in_pixels);
+  for (const char* no_size :
+       {"map:0x1", "map:2x1", "map:8x8px", "map:nanx1", "map:1x", "map:0.5"}) {
+    EXPECT_EQ(parseInset(no_size)->camera, no_size);
+  }
+  for (const char* text :
+       {"map:top-right", "map:bottom-left:0.333x0.1", "a:b:bottom-right:160x120px"}) {
+    EXPECT_EQ(insetText(*parseInset(text)), text);
+  }
+  EXPECT_FALSE(parseInset(":0.5x0.5").has_value());
   EXPECT_FALSE(parseInset("").has_value());
   EXPECT_FALSE(parseInset(":top-left").has_value());
 }

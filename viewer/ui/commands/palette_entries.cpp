@@ -97,6 +97,7 @@ std::vector<PaletteEntry> paletteEntries(ViewModel& model) {
     if (command.group == CommandGroup::script) continue;
     if (command.needs_log && model.cursor() == nullptr) continue;
     if (command.needs_live && !goes_on) continue;
+    if (command.needs_insets && model.inset_places.empty()) continue;
     if (command.needs_others && model.viewsOfOthers().empty()) continue;
     if (command.needs_publishing && model.publishing.active() == nullptr) continue;
     if (command.needs_beside && model.beside() == nullptr) continue;

@@ -4,6 +4,8 @@
 
 #include "viewer/detail/detail_level.h"
 #include "viewer/ui/commands/command_groups.h"
+#include "viewer/ui/model/view_insets.h"
+#include "viewer/view/inset_layout.h"
 
 namespace rocinante {
 namespace {
@@ -163,6 +165,45 @@ Status setInsets(CommandWords words, const CommandStage& stage) {
   return {};
 }
 
+/// The inset of a number from 1.
+Result<std::size_t> insetOf(const std::string& word, const ViewModel& model) {
+  const auto number = numberOf(word);
+  if (!number.ok()) return number.error();
+  if (*number < 1 || *number > static_cast<double>(model.insets.size()) ||
+      *number != std::floor(*number)) {
+    return badWord(
+        fmt::format("there is no inset {}, but {}", word,
+                    model.insets.empty() ? "none" : fmt::format("1 to {}", model.insets.size())));
+  }
+  return static_cast<std::size_t>(*number) - 1;
+}
+
+/// Sets corner or size by what parseInset() takes.
+Status changeInset(CommandWords words, const CommandStage& stage) {
+  const auto number = insetOf(words[0], stage.model);
+  if (!number.ok()) return number.error();
+  CellInset& inset = stage.model.insets[*number].inset;
+  const auto asked = parseInset("x:" + words[1]);
+  if (!asked.ok() || asked->camera != "x") {
+    return badWord(fmt::format(
+        "`{}` is neither a corner, as top-left, nor a size, as 0.3x0.2 or 160x120px", words[1]));
+  }
+  if (words[1].find_first_of("0123456789") == std::string::npos) {
+    inset.corner = asked->corner;
+    return {};
+  }
+  inset.width = asked->width;
+  inset.height = asked->height;
+  inset.in_pixels = asked->in_pixels;
+  return {};
+}
+
+Status swapWithInset(CommandWords words, const CommandStage& stage) {
+  const auto number = insetOf(words.empty() ? "1" : words[0], stage.model);
+  if (!number.ok()) return number.error();
+  return swapInset(stage.model, *number);
+}
+
 Status setDetail(CommandWords words, const CommandStage& stage) {
   stage.requests.rung = parseDetailRung(words[0]);
   if (stage.requests.rung) return {};
@@ -254,6 +295,16 @@ std::vector<Command> pictureCommands() {
        .means = "insets on or off",
        .run = setInsets,
        .shortcuts = {{"I", "", ""}}},
+      {.name = "inset",
+       .arguments = "N CORNER|SIZE",
+       .means = "an inset's corner, as top-left, or size, as 0.3x0.2 or 160x120px",
+       .run = changeInset},
+      {.name = "swap-inset",
+       .arguments = "[N]",
+       .means = "an inset's view in place of the picture's, and the other way round",
+       .run = swapWithInset,
+       .shortcuts = {{"shift+I", "", "the first inset's view and the picture's, swapped"}},
+       .needs_insets = true},
       {.name = "style",
        .arguments = "KEY VALUE",
        .means = "a look of the picture, as --style",

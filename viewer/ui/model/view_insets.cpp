@@ -1,6 +1,7 @@
 #include "viewer/ui/model/view_insets.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "viewer/view/camera_choice.h"
 #include "viewer/view/inset_layout.h"
@@ -8,39 +9,44 @@
 namespace rocinante {
 namespace {
 
-const char* nameOfCorner(InsetCorner corner) {
-  switch (corner) {
-    case InsetCorner::top_left:
-      return "top-left";
-    case InsetCorner::bottom_left:
-      return "bottom-left";
-    case InsetCorner::bottom_right:
-      return "bottom-right";
-    case InsetCorner::top_right:
-      break;
-  }
-  return "top-right";
-}
+/// No smaller by the mouse: what it shows must be seen.
+constexpr double kLeastDraggedPx = 48;
 
-std::vector<CellInset> shownInsets(const ViewModel& model) {
-  std::vector<CellInset> shown;
-  for (const InsetChoice& choice : model.insets) {
-    if (choice.shown) shown.push_back(choice.inset);
+std::vector<std::size_t> shownInsets(const ViewModel& model) {
+  std::vector<std::size_t> shown;
+  for (std::size_t i = 0; i < model.insets.size(); ++i) {
+    if (model.insets[i].shown) shown.push_back(i);
   }
   return shown;
+}
+
+bool isLeft(InsetCorner corner) {
+  return corner == InsetCorner::top_left || corner == InsetCorner::bottom_left;
+}
+
+bool isTop(InsetCorner corner) {
+  return corner == InsetCorner::top_left || corner == InsetCorner::top_right;
+}
+
+InsetCorner cornerOf(bool left, bool top) {
+  if (top) return left ? InsetCorner::top_left : InsetCorner::top_right;
+  return left ? InsetCorner::bottom_left : InsetCorner::bottom_right;
 }
 
 }  // namespace
 
 std::vector<FrameInset> frameInsets(ViewModel& model, FittedCameras& fitted, int width, int height,
                                     double scale, const CoveredEdges& covered) {
-  std::vector<CellInset> insets = shownInsets(model);
+  std::vector<std::size_t> numbers = shownInsets(model);
   const CameraView main = model.cameraView();
-  std::erase_if(insets, [&](const CellInset& inset) {
-    return repeatsMainView(inset, model.cameraName(), main, model.scene());
+  std::erase_if(numbers, [&](std::size_t number) {
+    return repeatsMainView(model.insets[number].inset, model.cameraName(), main, model.scene());
   });
+  std::vector<CellInset> insets;
+  for (const std::size_t number : numbers) insets.push_back(model.insets[number].inset);
   const std::vector<PixelRectangle> parts = placeInsets(insets, width, height, scale, covered);
   std::vector<FrameInset> shown;
+  model.inset_places.clear();
   for (std::size_t i = 0; i < insets.size(); ++i) {
     if (parts[i].width == 0 || parts[i].height == 0) continue;
     const CellInset& inset = insets[i];
@@ -50,18 +56,70 @@ std::vector<FrameInset> frameInsets(ViewModel& model, FittedCameras& fitted, int
                            parts[i].width, parts[i].height);
     }
     if (!camera.ok()) continue;
-    shown.push_back({parts[i], *camera, inset.title.value_or(inset.camera), inset.border_rgba,
-                     inset.border_px});
+    shown.push_back({parts[i], *camera, insetTitle(inset), inset.border_rgba, inset.border_px});
+    model.inset_places.push_back({numbers[i], parts[i], *camera});
   }
   return shown;
 }
 
 std::vector<std::string> insetWords(const ViewModel& model) {
   std::vector<std::string> words;
-  for (const CellInset& inset : shownInsets(model)) {
-    words.push_back(inset.camera + ":" + nameOfCorner(inset.corner));
+  for (const std::size_t number : shownInsets(model)) {
+    words.push_back(insetText(model.insets[number].inset));
   }
   return words;
+}
+
+std::optional<InsetDrag> grabInset(const ViewModel& model, double x, double y, double reach_px) {
+  std::optional<InsetDrag> grabbed;
+  for (const InsetPlace& place : model.inset_places) {
+    const PixelRectangle& at = place.part;
+    if (!(x >= at.x && y >= at.y && x < at.x + at.width && y < at.y + at.height)) continue;
+    const InsetCorner corner = model.insets[place.number].inset.corner;
+    const double across = isLeft(corner) ? at.x + at.width - x : x - at.x;
+    const double down = isTop(corner) ? at.y + at.height - y : y - at.y;
+    grabbed = InsetDrag{place.number, across < reach_px && down < reach_px, at};
+  }
+  return grabbed;
+}
+
+void dragInset(ViewModel& model, const InsetDrag& drag, double x, double y, int width, int height,
+               double scale) {
+  if (drag.number >= model.insets.size()) return;
+  CellInset& inset = model.insets[drag.number].inset;
+  if (!drag.sizes) {
+    inset.corner = cornerOf(x < width / 2.0, y < height / 2.0);
+    return;
+  }
+  // The corner at the picture's edge stays where it is.
+  const PixelRectangle& at = drag.part;
+  const double across = isLeft(inset.corner) ? x - at.x : at.x + at.width - x;
+  const double down = isTop(inset.corner) ? y - at.y : at.y + at.height - y;
+  const double least = kLeastDraggedPx * scale;
+  const double w = std::clamp(across, least, std::max(least, 0.9 * width));
+  const double h = std::clamp(down, least, std::max(least, 0.9 * height));
+  // To a thousandth: such numbers are read and typed.
+  const auto part = [](double of, double whole) {
+    return std::clamp(std::round(of / whole * 1000) / 1000, 0.01, 1.0);
+  };
+  inset.width = inset.in_pixels ? std::round(w / scale) : part(w, width);
+  inset.height = inset.in_pixels ? std::round(h / scale) : part(h, height);
+}
+
+Status swapInset(ViewModel& model, std::size_t number) {
+  const auto place = std::ranges::find(model.inset_places, number, &InsetPlace::number);
+  if (place == model.inset_places.end()) {
+    return Error{ErrorKind::bad_argument, "this inset is not shown", {}};
+  }
+  CellInset& inset = model.insets[number].inset;
+  const bool is_named = !model.cameraName().empty() && model.cameraName()[0] != '@';
+  const std::string before = is_named ? model.cameraName() : viewpointText(model.cameraView());
+  // `map` and `fit` are no cameras of the main view: it takes what the inset shows.
+  const bool is_camera = model.scene().findCamera(inset.camera) != nullptr;
+  model.useCamera(is_camera ? inset.camera : viewpointText(place->camera));
+  inset.camera = before;
+  inset.title.reset();  // it was of the camera before
+  return {};
 }
 
 }  // namespace rocinante

@@ -10,12 +10,25 @@
 namespace rocinante {
 
 /// The shown insets with their places in a window of that size, as in a picture but beside the
-/// panels. An inset with an unknown camera or that repeats the main view is left out. `fitted` must
-/// be prepared.
+/// panels; the places are kept in the model too. An inset with an unknown camera or that repeats
+/// the main view is left out. `fitted` must be prepared.
 std::vector<FrameInset> frameInsets(ViewModel& model, FittedCameras& fitted, int width, int height,
                                     double scale, const CoveredEdges& covered);
 
-/// "CAMERA:CORNER" of each shown inset, for `rocinante render --inset`.
+/// insetText() of each shown inset, for `rocinante render --inset`.
 std::vector<std::string> insetWords(const ViewModel& model);
+
+/// So near its inner corner an inset is held by that, at scale 1.
+constexpr double kInsetGripPx = 18;
+
+/// The inset of the last frame at that pixel, to be dragged: by the corner towards the picture's
+/// middle, within `reach_px`, it changes its size, else its place. The topmost counts.
+std::optional<InsetDrag> grabInset(const ViewModel& model, double x, double y, double reach_px);
+/// The mouse is there now, in a picture of that size.
+void dragInset(ViewModel& model, const InsetDrag& drag, double x, double y, int width, int height,
+               double scale);
+/// The inset shows what the picture shows, and the picture what the inset shows. bad_argument for
+/// one that the last frame does not have.
+Status swapInset(ViewModel& model, std::size_t number);
 
 }  // namespace rocinante

@@ -33,6 +33,7 @@
 #include "viewer/view/beside_session.h"
 #include "viewer/view/clearance_lines.h"
 #include "viewer/view/frame_extras.h"
+#include "viewer/view/inset_layout.h"
 #include "viewer/view/known_names.h"
 #include "viewer/view/render_style.h"
 #include "viewer/view/trail_finder.h"
@@ -44,6 +45,20 @@ namespace rocinante {
 struct InsetChoice {
   CellInset inset;
   bool shown = true;
+};
+
+/// Where the last frame shows an inset.
+struct InsetPlace {
+  std::size_t number = 0;  ///< of ViewModel::insets
+  PixelRectangle part;
+  CameraView camera;
+};
+
+/// An inset that the mouse holds.
+struct InsetDrag {
+  std::size_t number = 0;  ///< of ViewModel::insets
+  bool sizes = false;      ///< else it moves to another corner
+  PixelRectangle part;     ///< where it was when it was grabbed
 };
 
 /// The state behind the panels: what the window shows and what the user chose. Needs no window. Not
@@ -187,6 +202,8 @@ class ViewModel {
   const FrameExtras& extras() const { return extras_; }
 
   std::vector<InsetChoice> insets;
+  std::vector<InsetPlace> inset_places;  ///< of the last frame
+  std::optional<InsetDrag> inset_drag;
   Selection selected;
   HandControl hand;
   Publishing publishing;

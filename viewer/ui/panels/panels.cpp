@@ -7,6 +7,7 @@
 #include "viewer/ui/panels/findings_tab.h"
 #include "viewer/ui/panels/hand_panel.h"
 #include "viewer/ui/panels/help_panel.h"
+#include "viewer/ui/panels/inset_grip.h"
 #include "viewer/ui/panels/look_panel.h"
 #include "viewer/ui/panels/mark_prompt.h"
 #include "viewer/ui/panels/open_panel.h"
@@ -206,6 +207,7 @@ CoveredEdges drawPanels(ViewModel& model, const ViewerStatus& status, SteadyTime
     covered.left = static_cast<int>(middle.left);
     covered.right_top = static_cast<int>(right_end);
   }
+  drawInsetGrip(model);
   if (status.loading) drawLoading(*status.loading, model.is_empty);
   drawBanners(model, status, middle, now);
   if (model.asks_mark) drawMarkPrompt(model, requests);

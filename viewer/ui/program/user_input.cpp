@@ -6,6 +6,8 @@
 #include <imgui_internal.h>
 
 #include "viewer/ui/commands/key_commands.h"
+#include "viewer/ui/model/view_insets.h"
+#include "viewer/ui/window/interface_context.h"
 
 namespace rocinante {
 namespace {
@@ -27,6 +29,15 @@ std::optional<PictureClick> applyMouse(ViewModel& model, int width_px, int heigh
   const auto dragged = [&](ImGuiMouseButton button) {
     return io.MouseDragMaxDistanceSqr[button] >= kClickReach * kClickReach;
   };
+  const double scale = ImGui::GetFontSize() / kFontPixels;
+  if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !io.KeyShift) {
+    model.inset_drag = grabInset(model, io.MousePos.x, io.MousePos.y, kInsetGripPx * scale);
+  }
+  if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) model.inset_drag.reset();
+  if (model.inset_drag && dragged(ImGuiMouseButton_Left)) {
+    dragInset(model, *model.inset_drag, io.MousePos.x, io.MousePos.y, width_px, height_px, scale);
+    return std::nullopt;
+  }
   if (moved.x != 0 || moved.y != 0) {
     if (panning) {
       model.holdCamera().pan(moved.x, moved.y, height_px);
@@ -39,6 +50,11 @@ std::optional<PictureClick> applyMouse(ViewModel& model, int width_px, int heigh
                               io.MousePos.y - height_px / 2.0, height_px);
   }
   if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+    if (const auto inset = grabInset(model, io.MousePos.x, io.MousePos.y, 0)) {
+      // It was there a moment ago.
+      static_cast<void>(swapInset(model, inset->number));
+      return std::nullopt;
+    }
     return PictureClick{io.MousePos.x, io.MousePos.y, true};
   }
   if (ImGui::IsMouseReleased(ImGuiMouseButton_Left) && !dragged(ImGuiMouseButton_Left) &&
