@@ -12,6 +12,7 @@ namespace rocinante {
 struct RunPicture {
   std::string device;
   Nanoseconds at_run{0}, at_accepted{0};  ///< since the origin of each session
+  std::vector<std::string> left_out;      ///< devices that would cover it
   Picture picture;
 };
 

@@ -55,7 +55,8 @@ Json picturesJson(const JudgedRun& run) {
     pictures.push_back({{"file", runPictureFile(run, i)},
                         {"device", picture.device},
                         {"run_ns", picture.at_run.count()},
-                        {"accepted_ns", picture.at_accepted.count()}});
+                        {"accepted_ns", picture.at_accepted.count()},
+                        {"left_out", picture.left_out}});
   }
   return pictures;
 }
@@ -227,6 +228,7 @@ std::vector<JudgedRun> readRunsJson(const nlohmann::json& list) {
         run.pictures.push_back({readText(picture, "device"),
                                 Nanoseconds(readNumber<std::int64_t>(picture, "run_ns")),
                                 Nanoseconds(readNumber<std::int64_t>(picture, "accepted_ns")),
+                                readTexts(picture, "left_out"),
                                 {}});
       }
     }

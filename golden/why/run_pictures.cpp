@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "golden/why/devices_in_front.h"
 #include "viewer/render/frame_maker.h"
 
 namespace rocinante {
@@ -60,6 +61,9 @@ Status drawInto(const Cell& cell, const std::filesystem::path& log,
     alignment.anchor_a = request.time;
     alignment.anchor_b = within(*beside, beside->origin() + picture.at_accepted);
     maker->showBeside(std::move(*beside), std::move(alignment));
+    auto in_front = devicesInFront(*maker, request, picture.device);
+    if (!in_front.ok()) return in_front.error();
+    request.hide = picture.left_out = std::move(*in_front);
     auto drawn = maker->frame(request);
     if (!drawn.ok()) return drawn.error();
     picture.picture = std::move(*drawn);

@@ -25,9 +25,10 @@ class RunView {
   }
 
   // The accepted session is its clear ghost.
-  picture({ picture, device, run_ns, accepted_ns }) {
+  picture({ picture, device, run_ns, accepted_ns, left_out }) {
     const at = (ns) => (ns / 1e9).toFixed(3) + " s";
-    const says = `${device} at ${at(run_ns)}; clear: as accepted, at ${at(accepted_ns)}`;
+    const hidden = left_out?.length ? `; not shown: ${left_out.join(", ")}` : "";
+    const says = `${device} at ${at(run_ns)}; clear: as accepted, at ${at(accepted_ns)}${hidden}`;
     return make("figure", {}, make("img", { src: this.pictures.address(`${picture}`), alt: says, loading: "lazy" }),
       make("figcaption", { textContent: says }));
   }
