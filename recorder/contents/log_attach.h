@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/bundle/cell_bundle.h"
-#include "recorder/copy/log_make.h"
+#include "core/copy/log_make.h"
 
 namespace rocinante {
 

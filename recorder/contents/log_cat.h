@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/copy/log_selection.h"
 #include "core/log/log_reader.h"
 #include "recorder/contents/message_printer.h"
-#include "recorder/copy/log_selection.h"
 
 namespace rocinante {
 

@@ -4,8 +4,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "core/copy/nothing_chosen.h"
 #include "recorder/contents/log_cat.h"
-#include "recorder/copy/nothing_chosen.h"
 #include "recorder/log/command_support.h"
 
 namespace rocinante {

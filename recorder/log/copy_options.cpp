@@ -3,8 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "core/copy/copy_report.h"
 #include "core/recording/compression_text.h"
-#include "recorder/copy/copy_report.h"
 #include "recorder/log/command_support.h"
 
 namespace rocinante {

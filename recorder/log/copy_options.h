@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/cli/program.h"
-#include "recorder/copy/log_make.h"
+#include "core/copy/log_make.h"
 
 namespace CLI {
 class App;

@@ -2,8 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "recorder/copy/copy_report.h"
-#include "recorder/copy/log_decode.h"
+#include "core/copy/copy_report.h"
+#include "core/copy/log_decode.h"
 #include "recorder/log/command_support.h"
 #include "recorder/log/copy_options.h"
 

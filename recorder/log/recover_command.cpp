@@ -4,8 +4,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "recorder/copy/copy_report.h"
-#include "recorder/copy/log_recover.h"
+#include "core/copy/copy_report.h"
+#include "core/copy/log_recover.h"
 #include "recorder/log/command_support.h"
 #include "recorder/log/copy_options.h"
 

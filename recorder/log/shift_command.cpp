@@ -2,7 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "recorder/copy/log_shift.h"
+#include "core/copy/log_shift.h"
 #include "recorder/log/copy_options.h"
 
 namespace rocinante {

@@ -4,8 +4,8 @@
 
 #include "core/base/duration_text.h"
 #include "core/base/size_text.h"
-#include "recorder/copy/copy_report.h"
-#include "recorder/copy/log_split.h"
+#include "core/copy/copy_report.h"
+#include "core/copy/log_split.h"
 #include "recorder/log/command_support.h"
 #include "recorder/log/copy_options.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "recorder/copy/log_recover.h"
+#include "core/copy/log_recover.h"
 #include "tests/support/stream_reader.h"
 
 namespace {

@@ -14,20 +14,14 @@
 #include "viewer/page/page_cell.h"
 #include "viewer/page/page_file.h"
 #include "viewer/page/page_findings.h"
+#include "viewer/page/page_limits.h"
+#include "viewer/page/page_span.h"
 #include "viewer/page/page_viewer.h"
 
 namespace rocinante {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A page is held in memory several times while it is made.
-constexpr std::uint64_t kMostPageBytes = std::uint64_t{1} << 30U;
-
-Bytes ownedBytes(const std::string& text) {
-  const ByteView view = bytesOf(text);
-  return Bytes(view.begin(), view.end());
-}
 
 /// Reads every message once, so that damage is known before the page is given away.
 Status readWhole(const Bytes& bytes, const std::string& name, PageReport& report) {
@@ -78,14 +72,14 @@ Result<PageReport> makePage(const PageJob& job) {
   if (Status may = mayWriteFile(job.output, job.overwrite); !may) return may.error();
   PageReport report;
   PageParts parts;
-  const auto log = readFile(job.log, kMostPageBytes);
+  auto log = carriedLog(job, report);
   if (!log) return log.error();
   if (!isLog(job.log)) {
     return Error{ErrorKind::unsupported,
                  "is not a log; `rocinante log import` makes one of a bag, capture or table",
                  job.log.string()};
   }
-  parts.log = ownedBytes(*log);
+  parts.log = std::move(*log);
   if (Status read = readWhole(parts.log, job.log.string(), report); !read) return read.error();
   if (Status has = readPageViewer(job.viewer, parts); !has) return has.error();
   CellOptions options;
@@ -112,7 +106,7 @@ Result<PageReport> makePage(const PageJob& job) {
     return Error{
         ErrorKind::unsupported,
         fmt::format("the page would have {}, more than --size {}; the log alone has {}: "
-                    "cut it with `rocinante log cut`, or allow more",
+                    "make a page of a part with --from and --until, or allow more",
                     sizeText(page.size()), sizeText(job.most_bytes), sizeText(parts.log.size())),
         job.output.string()};
   }

@@ -16,7 +16,8 @@ struct PageJob : ModelSearch {
   std::filesystem::path cell;  ///< empty: the one that the log carries
   std::filesystem::path output;
   std::filesystem::path
-      viewer;  ///< folder of what scripts/build_web made; empty: the installed one
+      viewer;               ///< folder of what scripts/build_web made; empty: the installed one
+  std::string from, until;  ///< session times; empty: the whole log
   std::uint64_t most_bytes = 0;  ///< of the page
   bool overwrite = false;
   ParallelFor parallel;

@@ -17,6 +17,7 @@ constexpr const char* kExamples =
     "  rocinante page session.mcap cell.toml -o session.html\n"
     "  rocinante page session.mcap -o session.html          a log that carries its cell\n"
     "  rocinante page session.mcap robot.urdf -o session.html --size 50MB\n"
+    "  rocinante page session.mcap -o fall.html --from 30s --until 45s\n"
     "  rocinante page --extract session.html -o session.mcap\n";
 
 /// Faults shown; further ones are only counted.
@@ -54,6 +55,10 @@ int main(int argc, char** argv) {
                  "a .cell.toml, a .urdf or an .obj; without it, the cell that the log carries");
   app.add_option("-o,--output", job.output, "the page; with --extract, the log")->required();
   app.add_option("--size", most, "the largest page that is written")->capture_default_str();
+  app.add_option("--from", job.from,
+                 "begin at this session time (12.5s, -1s, RFC 3339), as `log cut` does")
+      ->option_text("TIME");
+  app.add_option("--until", job.until, "end before this session time")->option_text("TIME");
   app.add_option("--extract", page, "write the log that this page carries, byte for byte")
       ->option_text("PAGE");
   app.add_option("--viewer", job.viewer,
@@ -65,8 +70,8 @@ int main(int argc, char** argv) {
   return cli::run(app, argc, argv, kExamples, [&]() -> Result<cli::Exit> {
     const cli::StopDeadline until_stopped("stopped");
     if (!page.empty()) {
-      if (!job.log.empty()) {
-        return Error{ErrorKind::bad_argument, "--extract takes no LOG and no CELL", {}};
+      if (!job.log.empty() || !job.from.empty() || !job.until.empty()) {
+        return Error{ErrorKind::bad_argument, "--extract takes no LOG, no CELL and no times", {}};
       }
       const auto bytes = extractLog(page, job.output, job.overwrite);
       if (!bytes) return bytes.error();

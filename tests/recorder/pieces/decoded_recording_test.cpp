@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 
+#include "core/copy/log_decode.h"
 #include "core/log/octets_before.h"
-#include "recorder/copy/log_decode.h"
 #include "recorder/doctor/log_doctor.h"
 #include "tests/recorder/pieces/capture_rig.h"
 
