@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "core/cell/view_path.h"
@@ -78,6 +79,33 @@ void addLinkFrames(Overlay& overlay, const PosedScene& scene, const ViewChoice& 
   std::ranges::stable_sort(
       spaces, [](const LinkSpace& a, const LinkSpace& b) { return a.depth > b.depth; });
   for (const LinkSpace& space : spaces) addAxes(overlay, space, camera);
+}
+
+void addCameraCone(Overlay& overlay, const Camera& shown, double depth_m, const Camera& camera) {
+  constexpr std::uint32_t kConeInk = 0xFFA840FF, kConeShade = 0x14181CB0;
+  if (!camera.orthographic() || !(depth_m > 0) || !std::isfinite(depth_m)) return;
+  const auto corners = [&](double depth) {
+    const double unit = shown.orthographic() || depth > 0 ? shown.metersPerPixel(depth) : 0;
+    const Vec3 middle = shown.eye() + shown.forward() * depth;
+    const Vec3 across = shown.right() * (unit * shown.width() / 2);
+    const Vec3 upward = shown.up() * (unit * shown.height() / 2);
+    return std::array{middle - across - upward, middle + across - upward, middle + across + upward,
+                      middle - across + upward};
+  };
+  const auto pixel = [&](const Vec3& world) {
+    const Vec4 clip = camera.clipOf(world);
+    return Vec2((clip.x + 1) / 2 * overlay.width(), (1 - clip.y) / 2 * overlay.height());
+  };
+  const auto from = corners(0), to = corners(depth_m);
+  std::vector<std::pair<Vec2, Vec2>> lines;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    lines.emplace_back(pixel(from.at(i)), pixel(to.at(i)));
+    lines.emplace_back(pixel(to.at(i)), pixel(to.at((i + 1) % to.size())));
+  }
+  for (const auto& [a, b] : lines) overlay.addScreenLine(a, b, kConeShade, 3.5);
+  for (const auto& [a, b] : lines) overlay.addScreenLine(a, b, kConeInk, 1.5);
+  overlay.addPoint(shown.eye(), kConeShade, 11);
+  overlay.addPoint(shown.eye(), kConeInk, 8);
 }
 
 void addClearances(Overlay& overlay, const std::vector<ClearanceLine>& lines, LengthUnit unit,

@@ -23,4 +23,8 @@ void addMeasures(Overlay& overlay, const PosedScene& scene, const RenderStyle& s
 void addClearances(Overlay& overlay, const std::vector<ClearanceLine>& lines, LengthUnit unit,
                    const TextAtlas& atlas);
 
+/// Adds where the camera `shown` is and what it shows as far as `depth_m`: the outline of that part
+/// of space, over everything. Nothing for a `camera` with perspective.
+void addCameraCone(Overlay& overlay, const Camera& shown, double depth_m, const Camera& camera);
+
 }  // namespace rocinante

@@ -144,6 +144,10 @@ Overlay Renderer::Impl::onTopOf(const SceneFrame& frame, const Camera& camera,
   on_top.setOwner(0);
   addLinkFrames(on_top, *frame.scene, *frame.choice, style.frames, camera);
   addMeasures(on_top, *frame.scene, style, glyphs);
+  if (style.camera_cone && &view != &frame.camera && camera.orthographic()) {
+    const Camera shown(frame.camera, whole_width, whole_height, passes->clipDepth(), 1);
+    addCameraCone(on_top, shown, shown.depthOf(frame.camera.target), camera);
+  }
   if (frame.extras != nullptr)
     addClearances(on_top, frame.extras->clearances, style.lengths, glyphs);
   if (frame.choice->layerVisible("gnomon")) on_top.addGnomon(glyphs, raised_px);
@@ -262,6 +266,8 @@ Result<DrawCounts> Renderer::draw(const SceneFrame& frame, const FrameBuffer& ta
   const auto looks = my.looksOf(frame);
   if (!looks) return looks.error();
   my.passes->overlay.useText(my.atlasOf(frame.scale));
+  my.whole_width = target.width();
+  my.whole_height = target.height();
   target.bind();
   const PixelRectangle whole{0, 0, target.width(), target.height()};
   ++my.frames_drawn;
@@ -287,6 +293,8 @@ Status Renderer::drawOnTop(const SceneFrame& frame, const FrameBuffer& target,
                            const std::function<void(std::size_t)>& refill_inset) {
   Impl& my = *impl_;
   my.passes->overlay.useText(my.atlasOf(frame.scale));
+  my.whole_width = target.width();
+  my.whole_height = target.height();
   target.resolve();
   const auto drawView = [&](const CameraView& view, const PixelRectangle& part) {
     my.passes->beginOnTop(part, target.height());

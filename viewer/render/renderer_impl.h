@@ -65,6 +65,7 @@ struct Renderer::Impl {
   LookPasses look_passes{gl};
   std::optional<IdentityPass> identity_pass;  // made on first use
   std::optional<FrameBuffer> pick_target;     // as large as the picture clicked on
+  int whole_width = 1, whole_height = 1;      // of the picture that is being drawn
   std::uint64_t frames_drawn = 0;
   std::map<std::size_t, ViewLight> lights;  // of the views of the frame, by their numbers
   std::string inputs_text;

@@ -24,6 +24,7 @@ constexpr std::array kKeys{
     StyleKey{"limits", "on|off", "links near a joint's limit amber, beyond it red"},
     StyleKey{"clearance", "on|off", "distances of what the cell keeps apart, red where too near"},
     StyleKey{"scale-bar", "on|off", "a scale bar, true at the camera's target"},
+    StyleKey{"camera-cone", "on|off", "what the picture shows, in insets without perspective"},
     StyleKey{"layer-looks", "on|off", "off: ignore the cell's styles of layers"},
     StyleKey{"outlined", "PATH[#GROUP]", "an outline, also where the object is hidden", true},
     StyleKey{"wireframe", "PATH[#GROUP]", "triangle edges instead of surfaces", true},
@@ -179,6 +180,8 @@ Status setOne(RenderStyle& style, const StyleKey& key, std::string_view value) {
     fit = chooseSwitch(style.clearance, value);
   } else if (name == "scale-bar") {
     fit = chooseSwitch(style.scale_bar, value);
+  } else if (name == "camera-cone") {
+    fit = chooseSwitch(style.camera_cone, value);
   } else if (name == "lengths") {
     fit =
         choose(style.lengths, value, {{"mm", LengthUnit::millimetres}, {"m", LengthUnit::metres}});
@@ -238,6 +241,7 @@ std::vector<std::pair<std::string, std::string>> styleWords(const RenderStyle& s
   if (style.limits) say("limits", "on");
   if (style.clearance) say("clearance", "on");
   if (style.scale_bar) say("scale-bar", "on");
+  if (style.camera_cone) say("camera-cone", "on");
   if (!style.layer_looks) say("layer-looks", "off");
   for (const std::string& path : style.outlined) say("outlined", path);
   for (const std::string& path : style.wireframe) say("wireframe", path);

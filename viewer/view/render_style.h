@@ -56,9 +56,10 @@ struct RenderStyle {
   EdgeStyle edges = EdgeStyle::none;
   LabelStyle labels = LabelStyle::beside;
   GhostStyle ghosts = GhostStyle::plain;
-  bool limits = false;     ///< links whose joint is near a limit amber, beyond it red
-  bool clearance = false;  ///< lines between the nearest points of what the cell keeps apart
-  bool scale_bar = false;  ///< true at the camera's target
+  bool limits = false;       ///< links whose joint is near a limit amber, beyond it red
+  bool clearance = false;    ///< lines between the nearest points of what the cell keeps apart
+  bool scale_bar = false;    ///< true at the camera's target
+  bool camera_cone = false;  ///< what the picture shows, drawn in insets without perspective
   /// Use the looks of the cell's layers (LayerLook), which this style overrides.
   bool layer_looks = true;
   std::vector<std::string> outlined;

@@ -26,6 +26,10 @@ other() { local it; it=$(hash "${@:2}"); test "$it" != "$with" && echo "$1"; }
 test "$with" != "$without" && echo "the cell's insets are drawn"
 same "and may be said" --inset map
 other "elsewhere" --inset map:top-left
+other "the camera's cone in a map" --inset map --camera-cone
+test "$(hash --inset side --camera @0,-3,2/0,0,0)" = "$(hash --inset side --camera @0,-3,2/0,0,0 --camera-cone)" &&
+  echo "but not in perspective"
+test "$(hash --no-insets --camera-cone)" = "$without" && echo "nor in the picture"
 things=$(hash --layers things)
 rest=$(hash --hide layer/grid --hide layer/gnomon --hide layer/labels --hide layer/lines --hide layer/points)
 test "$things" = "$rest" && echo "only that layer"

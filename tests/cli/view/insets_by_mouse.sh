@@ -23,9 +23,14 @@ camera = "side"
 size = [0.4, 0.4]
 TOML
 cat >person.sh <<'PERSON'
-rocinante view box.cell.toml --size 640x480 --detail 0 --samples 1 --style shadows=off --style contact=off 2>view.txt &
+rocinante view box.cell.toml --size 640x480 --detail 0 --samples 1 --style shadows=off --style contact=off --frame-times frames.csv 2>view.txt &
 viewer=$!
 window=$(xdotool search --sync --onlyvisible --name '^Rocinante')
+# What is loaded is shown first.
+until grep -qs '^[0-9]*,[0-9]*,[0-9]*,1,1,' frames.csv; do
+  kill -0 $viewer || { cat view.txt; exit 1; }
+  sleep 0.1
+done
 drag() {
   xdotool mousemove --window "$window" "$1" "$2" mousedown 1
   xdotool mousemove --window "$window" $((($1 + $3) / 2)) $((($2 + $4) / 2)) mousemove --window "$window" "$3" "$4"

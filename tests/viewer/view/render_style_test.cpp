@@ -27,6 +27,7 @@ TEST(RenderStyle, ComesBackFromItsOwnWords) {
                                        "limits=on",
                                        "clearance",
                                        "scale-bar",
+                                       "camera-cone",
                                        "layer-looks=off",
                                        "outlined=arm",
                                        "outlined=gantry/x",

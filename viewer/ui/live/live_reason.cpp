@@ -42,7 +42,9 @@ std::optional<Finding> liveReason(const LiveFacts& facts) {
     if (!facts.news.empty()) silence.hint = facts.news;
     return silence;
   }
-  if (facts.devices_spoken_of == 0 && facts.watched >= kPatience) return noDeviceNamed();
+  if (facts.devices_spoken_of == 0 && facts.watched >= kPatience && !facts.only_windows) {
+    return noDeviceNamed();
+  }
   if (!facts.unknown_device.empty()) return unknownDevice(facts.unknown_device);
   return std::nullopt;
 }

@@ -21,6 +21,7 @@ struct LiveFacts {
   std::string undecoded_sample;  ///< the beginning of the first of them, printable
   UntrustedCounts untrusted;     ///< refused by --trust; not among `datagrams`
   std::size_t devices_spoken_of = 0;
+  bool only_windows = false;   ///< every source is another window's, or says where one looks
   std::string news;            ///< what a source said last about receiving; may be empty
   std::string unknown_device;  ///< one of them, when the cell has none of them
 };

@@ -32,6 +32,7 @@ class PlotBoard {
 
   bool hidden = false;  ///< the curves are kept
   float height = 200;
+  std::vector<SeriesKey> dragged;  ///< by the mouse, to be dropped onto the plots
 
  private:
   std::vector<Curve> curves_;

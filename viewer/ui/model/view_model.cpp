@@ -192,6 +192,11 @@ std::optional<Finding> ViewModel::liveReason(SteadyTime now) const {
     facts.undecoded_sample = live_->undecoded_sample;
     facts.news = live_->news;
     facts.devices_spoken_of = live_->state.devices().size();
+    const SessionState& heard = live_->state;
+    facts.only_windows =
+        !heard.counts().empty() && std::ranges::all_of(heard.counts(), [&](const auto& source) {
+          return heard.views().contains(source.first);
+        });
     bool any_known = false;
     for (const auto& [name, device] : live_->state.devices()) {
       any_known = any_known || scene_.findDevice(name) != nullptr;
@@ -300,7 +305,7 @@ const Event* ViewModel::eventBeside(LogTime moment, bool after) const {
 
 void ViewModel::useLooksByDefault() {
   RenderStyle style = style_;
-  style.shadows = style.contact = true;
+  style.shadows = style.contact = style.camera_cone = true;
   setStyle(style);
   looks_by_default_ = true;
 }

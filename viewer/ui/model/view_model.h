@@ -17,6 +17,7 @@
 #include "viewer/ui/model/hand_control.h"
 #include "viewer/ui/model/inspection.h"
 #include "viewer/ui/model/misfits.h"
+#include "viewer/ui/model/moment_hover.h"
 #include "viewer/ui/model/open_state.h"
 #include "viewer/ui/model/packet_search.h"
 #include "viewer/ui/model/palette_state.h"
@@ -188,7 +189,8 @@ class ViewModel {
   /// selection, and what is being picked.
   const RenderStyle& style() const { return style_; }
   void setStyle(const RenderStyle& style);
-  /// Shadows and contact, as looks of the window's own choice, until the user chooses one of them.
+  /// Shadows and contact, as looks of the window's own choice, until the user chooses one of them;
+  /// and the camera's cone in maps.
   void useLooksByDefault();
   /// Shadows and contact are the window's choice, which a frame may leave out to be drawn in time.
   bool hasLooksByDefault() const { return looks_by_default_; }
@@ -208,6 +210,7 @@ class ViewModel {
   HandControl hand;
   Publishing publishing;
   TimeView time_view;  ///< what the time line shows
+  MomentHover hover;
   PlotBoard plots;
   std::shared_ptr<const StudyPicture> picture;         ///< of the log, as far as known; may be null
   std::shared_ptr<const StudyPicture> picture_beside;  ///< the same of the log beside

@@ -9,6 +9,7 @@
 #include "core/base/duration_text.h"
 #include "core/base/plain_text.h"
 #include "viewer/ui/panels/panel_parts.h"
+#include "viewer/ui/panels/plot_parts.h"
 
 namespace rocinante {
 namespace {
@@ -78,6 +79,28 @@ void drawFound(const ViewModel& model, const PacketBehind& packet, bool& shows_b
   if (ImGui::SmallButton(shows_bytes ? "text" : "bytes")) shows_bytes = !shows_bytes;
 }
 
+void drawPosition(ViewModel& model, const Selection& shown, const Vec3& at) {
+  const LengthUnit unit = model.hand.units.length;
+  const std::string x = "at " + lengthNumber(at.x, unit), y = lengthNumber(at.y, unit);
+  const std::string text = x + " " + y + " " + lengthText(at.z, unit);
+  const DeviceState* const state = model.received().findDevice(shown.device);
+  if (model.session() == nullptr || state == nullptr || !state->pose) {
+    ImGui::TextUnformatted(text.c_str());
+    return;
+  }
+  // The number that was pressed is dragged.
+  const float pressed = ImGui::GetIO().MouseClickedPos[0].x - ImGui::GetCursorScreenPos().x;
+  const float gap = ImGui::CalcTextSize(" ").x / 2;
+  const char* part = "z";
+  if (pressed < ImGui::CalcTextSize(x.c_str()).x + gap) {
+    part = "x";
+  } else if (pressed < ImGui::CalcTextSize((x + " " + y).c_str()).x + gap) {
+    part = "y";
+  }
+  drawDraggable(model, "position", text, ImGuiCol_Text,
+                {{SeriesKey::Kind::pose, shown.device, part}});
+}
+
 }  // namespace
 
 void drawPose(ViewModel& model, const Selection& shown) {
@@ -85,8 +108,7 @@ void drawPose(ViewModel& model, const Selection& shown) {
   const auto pose = poseIn(model.scene(), shown, model.reference);
   if (pose) {
     const Vec3& at = pose->position;
-    ImGui::Text("at %s %s %s", lengthNumber(at.x, units.length).c_str(),
-                lengthNumber(at.y, units.length).c_str(), lengthText(at.z, units.length).c_str());
+    drawPosition(model, shown, at);
     const Quat& q = pose->orientation;
     explain(fmt::format("where its space begins, in {}\nquaternion x y z w {:.6f} {:.6f} {:.6f} "
                         "{:.6f}",

@@ -265,11 +265,8 @@ void drawRow(ViewModel& model, const PosedDevice& device, const HandRow& one, St
     ImGui::SameLine(0, px(5));
   }
   const std::string name = endOfName(row.name, ImGui::GetContentRegionAvail().x);
-  if (row.said || one.by_hand) {
-    ImGui::TextUnformatted(name.c_str());
-  } else {
-    ImGui::TextDisabled("%s", name.c_str());
-  }
+  const ImGuiCol ink = row.said || one.by_hand ? ImGuiCol_Text : ImGuiCol_TextDisabled;
+  drawDraggable(model, "name", name, ink, {{SeriesKey::Kind::joint, device.name, row.name}});
   if (ImGui::IsItemClicked() && model.packet.wanted) model.packet.value_name = row.name;
   explain(rowTip(one, model.hand.units, settable).c_str());
   ImGui::TableNextColumn();

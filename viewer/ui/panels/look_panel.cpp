@@ -100,6 +100,8 @@ void drawLookTab(ViewModel& model) {
   ImGui::Checkbox("joint limits", &style.limits);
   explain("links near a limit amber, beyond it red");
   ImGui::Checkbox("scale bar", &style.scale_bar);
+  ImGui::Checkbox("camera's cone", &style.camera_cone);
+  explain("what the picture shows, in insets without perspective, such as a map");
   ImGui::SameLine(px(140));
   bool clear = style.ghosts == GhostStyle::clear;
   if (ImGui::Checkbox("clear ghosts", &clear)) {

@@ -165,6 +165,7 @@ CoveredEdges drawPanels(ViewModel& model, const ViewerStatus& status, SteadyTime
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   Middle middle{0, size.x};
   CoveredEdges covered;
+  model.hover.wanted.reset();
   if (model.is_empty) drawWelcome(model, status.loading.has_value(), requests);
   if (model.panels_shown && !model.is_empty) {
     const float unit = px(1);
@@ -202,6 +203,7 @@ CoveredEdges drawPanels(ViewModel& model, const ViewerStatus& status, SteadyTime
       drawTimeBar(model, *cursor, axis, now);
       if (plots > 0)
         drawPlots(model, *cursor, axis, size.y - px(kTimeBarHeight) + px(kPanelMargin) / 2, now);
+      drawPlotDrag(model);
       covered.bottom = static_cast<int>(px(kTimeBarHeight - kPanelMargin) + plots);
     }
     covered.left = static_cast<int>(middle.left);

@@ -268,6 +268,33 @@ float plotsHeight(const ViewModel& model, float window_height) {
                     std::max(px(PlotBoard::kLeastHeight), window_height * 0.6F));
 }
 
+void drawPlotDrag(ViewModel& model) {
+  PlotBoard& plots = model.plots;
+  if (plots.dragged.empty()) return;
+  const ImGuiIO& io = ImGui::GetIO();
+  const float margin = px(kPanelMargin);
+  const float high = std::max(plotsHeight(model, io.DisplaySize.y), px(PlotBoard::kLeastHeight));
+  const ImVec2 low(margin, io.DisplaySize.y - px(kTimeBarHeight) - high);
+  const ImVec2 end(io.DisplaySize.x - margin, io.DisplaySize.y - margin);
+  const bool inside = io.MousePos.x >= low.x && io.MousePos.x < end.x && io.MousePos.y >= low.y &&
+                      io.MousePos.y < end.y;
+  if (!ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+    for (const SeriesKey& key : plots.dragged) {
+      if (inside) plots.add(key);
+    }
+    plots.dragged.clear();
+    return;
+  }
+  ImDrawList* const list = ImGui::GetForegroundDrawList();
+  list->AddRectFilled(low, end, IM_COL32(255, 168, 64, inside ? 52 : 22), px(4));
+  list->AddRect(low, end, IM_COL32(255, 168, 64, inside ? 255 : 140), px(4), 0, px(1.5F));
+  std::string text;
+  for (const SeriesKey& key : plots.dragged) text += (text.empty() ? "" : "\n") + key.text();
+  if (plots.curves().size() >= PlotBoard::kMaxCurves)
+    text = "20 curves are plotted: remove one first";
+  ImGui::SetTooltip("%s", text.c_str());
+}
+
 void drawPlots(ViewModel& model, TimelineCursor& cursor, const TimeAxis& axis, float bottom,
                SteadyTime now) {
   const ImVec2 display = ImGui::GetIO().DisplaySize;

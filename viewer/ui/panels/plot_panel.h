@@ -14,4 +14,8 @@ float plotsHeight(const ViewModel& model, float window_height);
 void drawPlots(ViewModel& model, TimelineCursor& cursor, const TimeAxis& axis, float bottom,
                SteadyTime now);
 
+/// Draws what is dragged and where it can be dropped: onto the plots, or a band above the time line
+/// while there are none, and the time line. Plots it when it is dropped there.
+void drawPlotDrag(ViewModel& model);
+
 }  // namespace rocinante

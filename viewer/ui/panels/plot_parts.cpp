@@ -39,6 +39,22 @@ ImU32 fadedInk(float part) {
   return ImGui::ColorConvertFloat4ToU32(ink);
 }
 
+void dragFromItem(ViewModel& model, const std::vector<SeriesKey>& keys) {
+  if (model.session() == nullptr || !model.plots.dragged.empty()) return;
+  if (ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left, px(4))) {
+    model.plots.dragged = keys;
+  }
+}
+
+void drawDraggable(ViewModel& model, const char* id, const std::string& text, ImGuiCol ink,
+                   const std::vector<SeriesKey>& keys) {
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  ImGui::InvisibleButton(id, ImVec2(std::max(size.x, 1.0F), std::max(size.y, 1.0F)));
+  ImGui::GetWindowDrawList()->AddText(corner, ImGui::GetColorU32(ink), text.c_str());
+  dragFromItem(model, keys);
+}
+
 void drawPlotButton(ViewModel& model, const char* id, const std::vector<SeriesKey>& keys) {
   if (model.session() == nullptr || keys.empty()) return;
   const float side = px(11);
@@ -63,8 +79,9 @@ void drawPlotButton(ViewModel& model, const char* id, const std::vector<SeriesKe
   const bool full = model.plots.curves().size() >= PlotBoard::kMaxCurves;
   explain(curve != nullptr ? "no longer plot it"
           : full           ? "20 curves are plotted: remove one first"
-                           : "plot it over time");
-  if (!pressed) return;
+                           : "plot it over time: click, or drag it to the plots");
+  dragFromItem(model, keys);
+  if (!pressed || !model.plots.dragged.empty()) return;
   const bool all = std::ranges::all_of(
       keys, [&](const SeriesKey& key) { return model.plots.find(key) != nullptr; });
   for (const SeriesKey& key : keys) {

@@ -20,7 +20,15 @@ ImU32 fadedInk(float part);
 /// does. Draws nothing without a log.
 void drawPlotButton(ViewModel& model, const SeriesKey& key);
 
-/// The same for several values at once, such as x, y and z.
+/// Begins to drag these values when the mouse leaves the last item with its button held. Nothing
+/// without a log.
+void dragFromItem(ViewModel& model, const std::vector<SeriesKey>& keys);
+
+/// A text that can be dragged to the plots; an item like others.
+void drawDraggable(ViewModel& model, const char* id, const std::string& text, ImGuiCol ink,
+                   const std::vector<SeriesKey>& keys);
+
+/// drawPlotButton() for several values at once, such as x, y and z.
 void drawPlotButton(ViewModel& model, const char* id, const std::vector<SeriesKey>& keys);
 
 }  // namespace rocinante

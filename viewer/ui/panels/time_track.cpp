@@ -235,14 +235,35 @@ Grab grabbedAt(const TimelineCursor& cursor, const TimeAxis& axis, std::size_t f
   return Grab::moment;
 }
 
-void explainPlace(const ViewModel& model, const TimeAxis& axis, const CheckReport* report,
+/// The time, what is there, and a picture of the moment when there is one.
+void drawPlaceTip(const MomentHover& hover, const std::string& text) {
+  // Above the panel: it would hide the time that comes.
+  const ImGuiIO& io = ImGui::GetIO();
+  const float half = px(120);
+  const float x = std::clamp(io.MousePos.x, half, std::max(half, io.DisplaySize.x - half));
+  ImGui::SetNextWindowPos(ImVec2(x, io.DisplaySize.y - px(kTimeBarHeight)), ImGuiCond_Always,
+                          ImVec2(0.5F, 1));
+  ImGui::BeginTooltip();
+  ImGui::TextUnformatted(text.c_str());
+  if (hover.drawn && hover.drawn == hover.wanted) {
+    ImGui::Image((ImTextureID)hover.texture,
+                 ImVec2(static_cast<float>(hover.width), static_cast<float>(hover.height)));
+  }
+  ImGui::EndTooltip();
+}
+
+void explainPlace(ViewModel& model, const TimeAxis& axis, const CheckReport* report,
                   std::size_t finding, ImVec2 mouse, float top) {
-  std::string text = shownSeconds(axis.momentAt(mouse.x) - model.origin()) + " s";
+  // That of the tick, when there is one.
+  LogTime moment = axis.momentAt(mouse.x);
+  std::string text = shownSeconds(moment - model.origin()) + " s";
   if (finding > 0) {
     const Finding& found = report->findings[finding - 1];
     text += fmt::format("\n{}: {}", nameOf(found.severity), found.text);
     text += "\nclick: show it";
+    moment = *found.first;
   } else if (const Event* event = eventNear(model, axis, mouse.x)) {
+    moment = event->time;
     text = fmt::format("{} s\n{}{}{}", shownSeconds(event->time - model.origin()), event->source,
                        event->source.empty() ? "" : ": ", event->text);
   } else if (model.picture != nullptr && mouse.y < top + px(kStripHeight)) {
@@ -260,7 +281,8 @@ void explainPlace(const ViewModel& model, const TimeAxis& axis, const CheckRepor
       if (strips[row]->lost[column] > 0) text += ", packets lost here";
     }
   }
-  ImGui::SetTooltip("%s", text.c_str());
+  model.hover.wanted = moment;
+  drawPlaceTip(model.hover, text);
 }
 
 void applyTrackMouse(ViewModel& model, TimelineCursor& cursor, const TimeAxis& axis,

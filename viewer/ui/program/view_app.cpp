@@ -12,6 +12,7 @@
 #include "viewer/ui/program/detail_choice.h"
 #include "viewer/ui/program/evidence_desk.h"
 #include "viewer/ui/program/frame_journal.h"
+#include "viewer/ui/program/moment_preview.h"
 #include "viewer/ui/program/opening.h"
 #include "viewer/ui/program/panel_pace.h"
 #include "viewer/ui/program/pointer_pace.h"
@@ -92,6 +93,7 @@ class ViewApp {
   Window* window_;
   InterfaceContext interface_;
   WindowPicture picture_;
+  MomentPreview preview_{model_};
   std::optional<ImguiPainter> painter_;
   DetailChoice detail_;
   EvidenceDesk evidence_;
@@ -271,6 +273,7 @@ Status ViewApp::applyRequests(const ViewerRequests& requests) {
     evidence_.ask(model_, size(), now(), *requests.evidence_file);
   }
   if (requests.save_camera) {
+    preview_.pause();  // the cell changes
     const Status saved = saveCamera(model_, shown_.cell, *requests.save_camera);
     if (scripted() && !saved) return saved;
     picture_.changed();
@@ -386,6 +389,9 @@ Result<std::unique_ptr<ViewContent>> ViewApp::run() {
     if (*changed) picture_.changed();
     if (!frameDue(*changed)) {
       if (auto refined = refine(); !refined) return refined.error();
+      if (preview_.advance(picture_.renderer(), width_, height_, interface_.scale(), now())) {
+        frame_due_.happened(now());
+      }
       waitForNews();
       continue;
     }

@@ -62,6 +62,9 @@ TEST(LiveReason, PacketsMoveNothing) {
   facts.datagrams = 100;
   facts.silent = 0s;
   EXPECT_EQ(liveReason(facts)->text, "packets arrive, but none is about a device");
+  // Those who look on together need no device to move.
+  facts.only_windows = true;
+  EXPECT_FALSE(liveReason(facts).has_value());
   facts.devices_spoken_of = 2;
   facts.unknown_device = "puma";
   EXPECT_EQ(liveReason(facts)->text, "the cell has no device puma, and no `add` brings it");
