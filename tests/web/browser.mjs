@@ -25,7 +25,7 @@ export async function openBrowser(size) {
         complaints.push("asks the network for " + request.url());
       }
     });
-    await page.goto(address);
+    await page.goto(address, { timeout: 120000 });
     return { page, complaints };
   }
   return { browser, visit, open: (path, hash = "") => visit("file://" + path + hash) };
