@@ -20,6 +20,7 @@ function rocinantePlots(page) {
     isReading = part >= 0 && part < 1 && !panel.hidden;
     if (performance.now() - shownAt > kShowMs || !isReading) show();
     if (isReading) setTimeout(readOn, 0);
+    else page.ask();  // the values of this moment, beside the curves
   }
 
   function makeLane(lane, width) {
