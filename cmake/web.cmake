@@ -50,7 +50,7 @@ rocinante_web_sources(core/kinematics model joint_values kinematics mesh_scale)
 rocinante_web_sources(core/cell cell cell_names device_appearance layer_index posed_scene view_path)
 rocinante_web_sources(core/bundle baked_file)
 rocinante_web_sources(viewer/bake bake_cell baked_guard)
-rocinante_web_sources(viewer/picture picture picture_encoding plain_png png whole_png stored_png lfs_pointer)
+rocinante_web_sources(viewer/picture mipmaps picture picture_encoding plain_png png whole_png stored_png lfs_pointer)
 rocinante_web_sources(viewer/detail detail_builder detail_cache detail_file detail_level governor mesh_detail)
 rocinante_web_sources(viewer/gl frame_buffer gl_table renderer_key shader_program)
 rocinante_web_sources(viewer/view camera camera_choice depth_reach hand_joints inset_layout known_names
@@ -62,7 +62,7 @@ rocinante_web_sources(viewer/overlay embedded_font inspection_marks label_layout
   scale_bar session_drawings text_atlas)
 rocinante_web_sources(viewer/passes background_pass contact_map contact_shaders draw_passes draw_triangles
   edge_pass ghost_pass grid_pass identity_pass item_batch item_matrices look_shaders mesh_buffers
-  mesh_edges mipmaps outline_pass overlay_buffer overlay_pass plain_shader scene_pass shader_source
+  mesh_edges outline_pass overlay_buffer overlay_pass plain_shader scene_pass shader_source
   shadow_fit shadow_map texture_store)
 rocinante_web_sources(viewer/render fitted_cameras frame_maker identity_frame identity_numbers inset_frame
   renderer renderer_light renderer_numbers scaled_view source_rates stage_times)

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -9,6 +10,7 @@
 #include "viewer/bake/cell_fields.h"
 #include "viewer/bake/field_reader.h"
 #include "viewer/bake/field_writer.h"
+#include "viewer/picture/mipmaps.h"
 #include "viewer/picture/picture.h"
 #include "viewer/picture/stored_png.h"
 
@@ -64,11 +66,15 @@ void decodeAll(std::vector<NamedPicture>& pictures, const Cell& cell, const Bake
   const auto decodeOne = [&](std::size_t i) {
     NamedPicture& each = pictures[i];
     const auto at_hand = cell.pictures.find(each.name);
-    const Result<Picture> picture =
-        at_hand != cell.pictures.end() ? decodePicture(at_hand->second, each.name.string())
-        : each.embedded                ? decodePicture(*each.embedded, each.name.string())
-                                       : readPicture(each.name);
+    Result<Picture> picture = at_hand != cell.pictures.end()
+                                  ? decodePicture(at_hand->second, each.name.string())
+                              : each.embedded ? decodePicture(*each.embedded, each.name.string())
+                                              : readPicture(each.name);
     if (!picture || picture->width < 1 || picture->height < 1) return;
+    while (options.largest_side > 0 &&
+           std::max(picture->width, picture->height) > options.largest_side) {
+      picture = halved(*picture);
+    }
     each.png = options.compressed ? encodePng(*picture) : storedPng(*picture);
   };
   if (options.parallel) {

@@ -20,7 +20,9 @@ struct BakeOptions {
   /// are read when they are drawn, as without.
   bool pictures = true;
   bool compressed = false;  ///< pictures as compressed PNGs: a fifth to a third, and slow to decode
-  ParallelFor parallel;     ///< decodes pictures on several threads; may be empty
+  /// Pictures are halved until no side has more pixels; 0: they stay as they are.
+  int largest_side = 0;
+  ParallelFor parallel;  ///< decodes pictures on several threads; may be empty
   /// What a path is written as, different paths differently; empty: itself. Once the cell is baked
   /// paths only name pictures.
   std::function<std::string(const std::filesystem::path&)> path_text{};

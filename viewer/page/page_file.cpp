@@ -90,6 +90,7 @@ std::string filled(const PageParts& parts, const std::string& before_script,
   std::string page(kFirstLines);
   page += kPageHtml;
   fill(page, "{{title}}", escaped(parts.title));
+  fill(page, "{{left_out}}", escaped(parts.left_out));
   fill(page, "{{style}}", kPageStyle);
   // From the end, so that what stands in a part is not looked at.
   fill(page, "{{session}}", session);

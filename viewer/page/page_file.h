@@ -14,6 +14,7 @@ struct PageParts {
   std::string viewer_script;      ///< rocinante-viewer.js: emscripten's, which starts the next
   Bytes viewer;                   ///< rocinante-viewer.wasm
   Bytes cell;                     ///< a baked cell (docs/baked-cell.md)
+  std::string left_out;           ///< what the cell lacks to be small; empty: nothing
   std::string findings = "null";  ///< pageFindings(), or null: nobody has looked
   Bytes log;
 };

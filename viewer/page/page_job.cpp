@@ -17,6 +17,7 @@
 #include "viewer/page/page_limits.h"
 #include "viewer/page/page_span.h"
 #include "viewer/page/page_viewer.h"
+#include "viewer/page/thin_page.h"
 
 namespace rocinante {
 namespace {
@@ -95,9 +96,11 @@ Result<PageReport> makePage(const PageJob& job) {
   auto findings = judged(*cell, parts.log, job.log.string(), report);
   if (!findings) return findings.error();
   parts.findings = std::move(*findings);
-  parts.cell = pageCell(*cell, job.parallel);
+  parts.cell = pageCell(*cell, {}, job.parallel);
   parts.title = job.log.filename().string();
-  const std::string page = pageOf(parts);
+  std::string page = pageOf(parts);
+  if (page.size() > job.most_bytes && job.thin) page = thinPage(*cell, job, page.size(), parts);
+  report.left_out = parts.left_out;
   report.page_bytes = page.size();
   report.log_bytes = parts.log.size();
   report.cell_bytes = parts.cell.size();
@@ -106,8 +109,9 @@ Result<PageReport> makePage(const PageJob& job) {
     return Error{
         ErrorKind::unsupported,
         fmt::format("the page would have {}, more than --size {}; the log alone has {}: "
-                    "make a page of a part with --from and --until, or allow more",
-                    sizeText(page.size()), sizeText(job.most_bytes), sizeText(parts.log.size())),
+                    "make a page of a part with --from and --until{}, or allow more",
+                    sizeText(page.size()), sizeText(job.most_bytes), sizeText(parts.log.size()),
+                    job.thin ? "" : ", of a smaller cell with --thin"),
         job.output.string()};
   }
   if (Status written = writeFileWhole(job.output, bytesOf(page), job.overwrite); !written) {

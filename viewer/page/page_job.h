@@ -19,6 +19,7 @@ struct PageJob : ModelSearch {
       viewer;               ///< folder of what scripts/build_web made; empty: the installed one
   std::string from, until;  ///< session times; empty: the whole log
   std::uint64_t most_bytes = 0;  ///< of the page
+  bool thin = false;             ///< make the cell smaller until the page has at most `most_bytes`
   bool overwrite = false;
   ParallelFor parallel;
 };
@@ -27,11 +28,13 @@ struct PageReport {
   std::uint64_t page_bytes = 0, log_bytes = 0, cell_bytes = 0, viewer_bytes = 0;
   std::vector<std::string> warnings;       ///< faults of the cell
   std::uint64_t findings = 0, errors = 0;  ///< what `check` finds; errors are among the findings
+  std::string left_out;                    ///< of the cell, for `thin`
   bool is_whole = true;  ///< nothing of the cell is missing, nothing of the log damaged
 };
 
 /// Writes a page (docs/programs/page.md). unsupported, with both sizes, when it would be larger
-/// than `most_bytes`; not_found, with what to do, without the viewer.
+/// than `most_bytes`, or, when it may be thin, than can be made of it; not_found, with what to do,
+/// without the viewer.
 Result<PageReport> makePage(const PageJob& job);
 
 /// Writes the log that a page carries, byte for byte. Returns its size.

@@ -17,6 +17,7 @@ constexpr const char* kExamples =
     "  rocinante page session.mcap cell.toml -o session.html\n"
     "  rocinante page session.mcap -o session.html          a log that carries its cell\n"
     "  rocinante page session.mcap robot.urdf -o session.html --size 50MB\n"
+    "  rocinante page session.mcap site.cell.toml -o small.html --size 5MB --thin\n"
     "  rocinante page session.mcap -o fall.html --from 30s --until 45s\n"
     "  rocinante page --extract session.html -o session.mcap\n";
 
@@ -35,6 +36,7 @@ Result<cli::Exit> make(PageJob job) {
   }
   cli::say(fmt::format("{}: {}, with a log of {}\n", job.output.string(),
                        sizeText(report->page_bytes), sizeText(report->log_bytes)));
+  if (!report->left_out.empty()) cli::say(report->left_out + "\n");
   if (report->findings > 0) {
     cli::say(fmt::format("findings of check: {}, of them {} error{}\n", report->findings,
                          report->errors, report->errors == 1 ? "" : "s"));
@@ -55,6 +57,9 @@ int main(int argc, char** argv) {
                  "a .cell.toml, a .urdf or an .obj; without it, the cell that the log carries");
   app.add_option("-o,--output", job.output, "the page; with --extract, the log")->required();
   app.add_option("--size", most, "the largest page that is written")->capture_default_str();
+  app.add_flag("--thin", job.thin,
+               "make a page that would be larger smaller, by coarser pictures and meshes; the log "
+               "stays whole");
   app.add_option("--from", job.from,
                  "begin at this session time (12.5s, -1s, RFC 3339), as `log cut` does")
       ->option_text("TIME");

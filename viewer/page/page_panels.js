@@ -85,6 +85,8 @@ function rocinantePanels(page) {
     rows.push(...findings.slice(0, kMost).map(findingRow));
     heading(`Events: ${events.length}`);
     rows.push(...events.slice(0, kMost).map(eventRow));
+    const leftOut = element("list").dataset.leftOut;
+    if (leftOut) { heading("Left out"); rows.push(made("p", "", leftOut)); }
     element("list").replaceChildren(...rows);
     element("lists").textContent = findings.length ? `Findings (${findings.length})` : "Events";
     const timed = findings.filter((finding) => finding.first_ns !== undefined).slice(0, kMost);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "viewer/passes/mipmaps.h"
+#include "viewer/picture/mipmaps.h"
 
 #ifndef GL_TEXTURE_MAX_ANISOTROPY
 #define GL_TEXTURE_MAX_ANISOTROPY 0x84FE

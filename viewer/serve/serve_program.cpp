@@ -81,7 +81,7 @@ Result<Cell> loadServedCell(const ServeRequest& request, const ServeSurroundings
 Result<std::string> pageFor(const ServeRequest& request, const Cell& cell) {
   PageParts parts;
   if (Status has = readPageViewer(request.viewer, parts); !has) return has.error();
-  parts.cell = pageCell(cell, request.parallel);
+  parts.cell = pageCell(cell, {}, request.parallel);
   parts.title = (request.log.empty() ? request.cell : request.log).filename().string();
   return servedPageOf(parts, request.log.empty());
 }

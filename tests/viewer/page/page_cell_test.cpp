@@ -49,18 +49,18 @@ Cell cellIn(const std::string& folder) {
 }
 
 TEST(PageCell, IsTheSameWhereverTheCellLies) {
-  EXPECT_EQ(pageCell(cellIn("/home/ada/secret"), {}), pageCell(cellIn("/srv/other"), {}));
+  EXPECT_EQ(pageCell(cellIn("/home/ada/secret"), {}, {}), pageCell(cellIn("/srv/other"), {}, {}));
 }
 
 TEST(PageCell, GivesNoFolderAway) {
-  const Bytes baked = pageCell(cellIn("/home/ada/secret"), {});
+  const Bytes baked = pageCell(cellIn("/home/ada/secret"), {}, {});
   const std::string_view text = textOf(baked);
   EXPECT_EQ(text.find("secret"), std::string_view::npos);
   EXPECT_NE(text.find("hall.cell.toml"), std::string_view::npos);
 }
 
 TEST(PageCell, PicturesOfOneNameStayTwo) {
-  const auto bytes = std::make_shared<const Bytes>(pageCell(cellIn("/home/ada"), {}));
+  const auto bytes = std::make_shared<const Bytes>(pageCell(cellIn("/home/ada"), {}, {}));
   const auto file = BakedFile::parse(*bytes, "test");
   ASSERT_TRUE(file.has_value());
   const auto cell = readBakedCell(*file, bytes);
@@ -68,6 +68,15 @@ TEST(PageCell, PicturesOfOneNameStayTwo) {
   const auto& materials = cell->models.at("hall.urdf")->links[0].visuals[0].mesh->materials;
   EXPECT_NE(materials[0].diffuse_map, materials[1].diffuse_map);
   EXPECT_EQ(materials[0].diffuse_map.filename(), "wall.png");
+}
+
+TEST(PageCell, CollisionGeometryIsNoPartOfAPage) {
+  Cell cell = cellIn("/home/ada");
+  auto model = std::make_shared<Model>(*cell.models.at("hall.urdf"));
+  model->links[0].collisions = model->links[0].visuals;
+  const Bytes without = pageCell(cell, {}, {});
+  cell.models["hall.urdf"] = model;
+  EXPECT_EQ(pageCell(cell, {}, {}), without);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "viewer/passes/mipmaps.h"
+#include "viewer/picture/mipmaps.h"
 
 #include <gtest/gtest.h>
 
