@@ -101,6 +101,8 @@ let speed = 1;
 let selected = {device: "", link: ""};
 let due = false;         // a frame was asked for
 let askedAt = 0;
+let isDrawing = false;   // the browser still draws the last one, and the next one waits for it
+let wasPlaying = false;  // the last frame was one of a log that plays
 let linkFault = "";      // what is wrong with the link, until another camera is chosen
 let lastTick = 0;
 let movedAt = -1e9;      // when the picture was last asked to move
@@ -152,27 +154,40 @@ function draw(care) {
   ++stats.frames;
 }
 
+// While a log plays, the next frame is prepared as soon as the browser wants one, beside the last ones
+// that it still draws. Otherwise it waits for those, and is of what is known by then: so packets and
+// input are taken at once, and not behind frames that queue up.
 function tick(at) {
   due = false;
+  const begun = performance.now();
+  const isMoving = playing || begun - movedAt < kRestMs;
+  const isFirstAtRest = wasMoving && !isMoving;
   if (playing) {
     now = clamped(now + (at - lastTick) * 1e6 * speed);
     if (now >= about.end_ns) setPlaying(false);
+    // What a frame costs is how long the next one was kept waiting.
+    if (wasPlaying) calls.frameTook(begun - Math.max(askedAt, lastTick));
   }
-  const isMoving = playing || performance.now() - movedAt < kRestMs;
-  // What a frame costs is how long the next one was kept waiting.
-  if (isMoving && wasMoving) calls.frameTook(performance.now() - Math.max(askedAt, lastTick));
   lastTick = at;
   draw(isMoving ? careOf.moving : careOf.whole);
-  if (wasMoving && !isMoving) whenDrawn(() => { stats.restMs = performance.now() - movedAt; });
   wasMoving = isMoving;
+  wasPlaying = playing;
   clearTimeout(restTimer);
-  if (playing) askToMove(); else if (isMoving) restTimer = setTimeout(ask, kRestMs + 1);
+  if (playing) { askToMove(); return; }
+  isDrawing = true;
+  whenDrawn(() => {
+    isDrawing = false;
+    if (isMoving) calls.frameTook(performance.now() - begun);
+    if (isFirstAtRest) stats.restMs = performance.now() - movedAt;
+    if (due) requestAnimationFrame(tick);
+  });
+  if (isMoving) restTimer = setTimeout(ask, kRestMs + 1);
 }
 function ask() {
   if (due) return;
   due = true;
   askedAt = performance.now();
-  requestAnimationFrame(tick);
+  if (!isDrawing) requestAnimationFrame(tick);
 }
 // For pictures that are followed by others.
 function askToMove() {
@@ -342,7 +357,7 @@ try {
   canvas.addEventListener("webglcontextlost", () => say("the browser has taken its WebGL 2 back: open the page again", true));
   // For tests, and for whoever looks from the console.
   window.rocinante = {calls, stats, about, plots, now: () => now, seek, setPlaying, isPlaying: () => playing,
-    isAtRest: () => !due && !playing && !wasMoving};
+    isAtRest: () => !due && !isDrawing && !playing && !wasMoving};
   draw(careOf.first);
   stats.firstDrawnMs = performance.now();
   const found = JSON.parse(new TextDecoder().decode(await findings));

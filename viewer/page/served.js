@@ -8,7 +8,7 @@ const address = (path) => new URL(path + (token ? "?token=" + encodeURIComponent
 
 const kPieceBytes = 4 << 20;
 const kSilentMs = 5000;  // the server restates everything every two seconds
-const served = {kind, trouble: "", lag: null};
+const served = {kind, trouble: ""};
 
 // The log in pieces, so that a broken connection costs one of them.
 async function piece(from, size) {
