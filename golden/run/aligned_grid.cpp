@@ -3,33 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
+
+#include "golden/run/track_columns.h"
 
 namespace rocinante {
-namespace {
-
-void between(const TrackColumn& column, const double* a, const double* b, double part,
-             double* out) {
-  if (column.kind == TrackColumn::Kind::full_angle) {
-    out[0] = a[0] + part * std::remainder(b[0] - a[0], 2 * std::numbers::pi);
-    return;
-  }
-  const std::size_t linear = column.width() == 7 ? 3 : 1;
-  for (std::size_t i = 0; i < linear; ++i) out[i] = a[i] + part * (b[i] - a[i]);
-  if (linear == 1) return;
-  double dot = 0;
-  for (std::size_t i = 3; i < 7; ++i) dot += a[i] * b[i];
-  const double sign = dot < 0 ? -1 : 1;
-  double square = 0;
-  for (std::size_t i = 3; i < 7; ++i) {
-    out[i] = a[i] + part * (sign * b[i] - a[i]);
-    square += out[i] * out[i];
-  }
-  if (!(square > 0)) return;
-  for (std::size_t i = 3; i < 7; ++i) out[i] /= std::sqrt(square);
-}
-
-}  // namespace
 
 AlignedGrid::AlignedGrid(const SessionTrack& first, const SessionTrack& other, const TimeMap& map) {
   times_.reserve(first.samples);
@@ -65,7 +42,7 @@ std::vector<double> AlignedGrid::values(const DeviceTrack* device,
       std::copy(a, a + width, out);
       continue;
     }
-    between(*column, a, device->row(before + 1) + column->offset, part, out);
+    interpolate(*column, a, device->row(before + 1) + column->offset, part, out);
   }
   return values;
 }

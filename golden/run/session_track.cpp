@@ -246,7 +246,10 @@ class TrackRecorder {
           const double part =
               secondsOf(timeOf(device.filled) - device.last) / secondsOf(time - device.last);
           std::copy(device.before.begin(), device.before.end(), row);
-          interpolate(device.track->columns, device.before.data(), device.after.data(), part, row);
+          for (const TrackColumn& column : device.track->columns) {
+            interpolate(column, device.before.data() + column.offset,
+                        device.after.data() + column.offset, part, row + column.offset);
+          }
         } else {
           std::copy(device.before.begin(), device.before.end(), row);
         }

@@ -39,30 +39,26 @@ std::vector<TrackColumn> columnsOf(const Model& model) {
   return columns;
 }
 
-void interpolate(const std::vector<TrackColumn>& columns, const double* from, const double* to,
-                 double part, double* into) {
-  for (const TrackColumn& column : columns) {
-    const double* a = from + column.offset;
-    const double* b = to + column.offset;
-    double* out = into + column.offset;
-    for (std::size_t i = 0; i < column.width(); ++i) out[i] = a[i] + part * (b[i] - a[i]);
-    if (column.kind == TrackColumn::Kind::full_angle) {
-      out[0] = a[0] + part * std::remainder(b[0] - a[0], 2 * std::numbers::pi);
-    } else if (column.width() == 7) {
-      // q and -q are the same orientation.
-      double dot = 0;
-      for (std::size_t i = 3; i < 7; ++i) dot += a[i] * b[i];
-      const double sign = dot < 0 ? -1 : 1;
-      double square = 0;
-      for (std::size_t i = 3; i < 7; ++i) {
-        out[i] = a[i] + part * (sign * b[i] - a[i]);
-        square += out[i] * out[i];
-      }
-      if (square > 0) {
-        for (std::size_t i = 3; i < 7; ++i) out[i] /= std::sqrt(square);
-      }
-    }
+void interpolate(const TrackColumn& column, const double* a, const double* b, double part,
+                 double* out) {
+  if (column.kind == TrackColumn::Kind::full_angle) {
+    out[0] = a[0] + part * std::remainder(b[0] - a[0], 2 * std::numbers::pi);
+    return;
   }
+  const std::size_t linear = column.width() == 7 ? 3 : 1;
+  for (std::size_t i = 0; i < linear; ++i) out[i] = a[i] + part * (b[i] - a[i]);
+  if (linear == 1) return;
+  // q and -q are the same orientation.
+  double dot = 0;
+  for (std::size_t i = 3; i < 7; ++i) dot += a[i] * b[i];
+  const double sign = dot < 0 ? -1 : 1;
+  double square = 0;
+  for (std::size_t i = 3; i < 7; ++i) {
+    out[i] = a[i] + part * (sign * b[i] - a[i]);
+    square += out[i] * out[i];
+  }
+  if (!(square > 0)) return;
+  for (std::size_t i = 3; i < 7; ++i) out[i] /= std::sqrt(square);
 }
 
 }  // namespace rocinante

@@ -19,7 +19,7 @@ class WebPlots {
   /// Borrows the cell and the bytes of the log.
   WebPlots(const Cell& cell, LogReader log, LogTime start, LogTime end);
 
-  /// Reads so many messages on; the part that is read, 0 to 1.
+  /// Reads the next `messages`. Returns the part of the log that is read, 0 to 1.
   Result<double> read(std::uint64_t messages);
 
   /// JSON: one lane for each joint, of that many pixels: joint, text (its low and high end with the
