@@ -1,5 +1,6 @@
 # A certificate makes it https and wss, and nothing else; a client outside --allow gets no answer; a port that is
-# taken is told.
+# taken gets a sentence.
+command -v openssl >/dev/null || { echo "skipped: there is no openssl here"; exit 77; }
 export PYTHONPATH=$SRC/tests/serve
 certificate() {
   openssl req -x509 -newkey ec -pkeyopt ec_paramgen_curve:prime256v1 -nodes -keyout "$1.key" -out "$1.pem" -days 2 \
