@@ -46,7 +46,6 @@ Result<std::unique_ptr<Playhead>> Playhead::open(MultiLogReader& tape, TapeFinde
   std::unique_ptr<Playhead> playhead(new Playhead(tape, finder, routes, options));
   playhead->turns_left_ = options.turns == 0 ? 0 : options.turns - 1;
   playhead->playing_ = !options.start_paused;
-  if (options.lockstep) playhead->awaited_ = 0;
   const LogTime from = options.start.value_or(options.span.from);
   if (const Status begun = playhead->begin(TapePosition::at(from), from, true, now); !begun) {
     return begun.error();
@@ -77,11 +76,7 @@ Status Playhead::begin(TapePosition place, LogTime moment, bool jump, SteadyTime
   if (isScheduled() && options_.gap_limit) {
     run.gap_limit = options_.speed->logDuration(*options_.gap_limit);
   }
-  if (says) {
-    block_.clear();
-    block_taken_ = 0;
-    repeat_at_ = now + options_.repeat;
-  }
+  if (says) restatements_.clear(now);
   if (options_.restate) {
     Result<SessionState> state = finder_->stateBefore(place);
     if (!state) return state.error();
@@ -91,8 +86,7 @@ Status Playhead::begin(TapePosition place, LogTime moment, bool jump, SteadyTime
       run.turn_state = std::move(*turn_state);
     }
     run.sources = finder_->sources();
-    if (says)
-      block_ = restatedBlock(*state, run.sources, *routes_, run.part_id, run.restated_bytes);
+    if (says) restatements_.begin(*state, run.sources, run.part_id, now);
     run.state = std::move(*state);
     if (isScheduled() && options_.repeat.count() > 0) {
       run.repeat = options_.speed->logDuration(options_.repeat);
@@ -108,7 +102,7 @@ Status Playhead::begin(TapePosition place, LogTime moment, bool jump, SteadyTime
   run_ = std::make_unique<Run>(std::move(*tape));
   // At the start there is time to fill the memory before the first deadline.
   if (options_.read_ahead) run_->ahead.emplace(run_->tape, runs_ == 1 && options_.speed);
-  asked_at_ = now;
+  restatements_.restamp(now);
   starts_ = starts_ || jump;
   anchor(now);
   return {};
@@ -171,16 +165,12 @@ bool Playhead::isImmediate(const Due& head) const {
 /// Restates everything when it is due and there is time: while paused, or in a silence. While
 /// messages come, the run does it itself.
 Status Playhead::repeatIfDue(const std::optional<Due>& head, SteadyTime now) {
-  if (!options_.restate || options_.repeat.count() <= 0 || now < repeat_at_) return {};
-  const bool runs = playing_ && head && !awaited_;
+  if (!restatements_.isDue(now)) return {};
+  const bool runs = playing_ && head && !lockstep_.isWaiting();
   if (runs && (!isScheduled() || clock_.deadline(head->time) - now < kSilence)) return {};
   Result<SessionState> state = finder_->stateBefore(place_);
   if (!state) return state.error();
-  block_ = restatedBlock(*state, finder_->sources(), *routes_, "player" + std::to_string(++runs_),
-                         options_.restated_bytes);
-  block_taken_ = 0;
-  asked_at_ = now;
-  repeat_at_ = now + options_.repeat;
+  restatements_.begin(*state, finder_->sources(), "player" + std::to_string(++runs_), now);
   // This interrupts a restatement of a source, so the run must restate until that is complete.
   if (state->restatementOpen(time_)) {
     freeze(now);
@@ -194,18 +184,18 @@ Result<std::optional<Playhead::Next>> Playhead::next(SteadyTime now) {
   if (quit_) return next_;
   if (std::exchange(starts_, false)) {
     // The time for reading and folding must not be made up for.
-    asked_at_ = now;
-    anchor(block_taken_ < block_.size() ? now + kLead : now);
+    restatements_.restamp(now);
+    anchor(restatements_.isSending() ? now + kLead : now);
   }
-  if (block_taken_ == block_.size()) {
+  if (!restatements_.isSending()) {
     Result<std::optional<Due>> head = run_->stream().due();
     if (!head) return head.error();
     const bool immediate = *head && isImmediate(**head);
     if (!immediate) {
       if (const Status repeated = repeatIfDue(*head, now); !repeated) return repeated.error();
     }
-    if (block_taken_ == block_.size()) {
-      if (!*head || (awaited_ && !(*head)->restated)) return next_;
+    if (!restatements_.isSending()) {
+      if (!*head || (lockstep_.isWaiting() && !(*head)->restated)) return next_;
       if (immediate) {
         next_ = Next{**head, now, true};
       } else if (playing_) {
@@ -214,15 +204,15 @@ Result<std::optional<Playhead::Next>> Playhead::next(SteadyTime now) {
       return next_;
     }
   }
-  Due due{line_, span_, true, false, block_[block_taken_].route, bounds_, place_};
-  next_ = Next{due, std::min(asked_at_, now), true};
+  Due due{line_, span_, true, false, restatements_.route(), bounds_, place_};
+  next_ = Next{due, std::min(restatements_.askedAt(), now), true};
   return next_;
 }
 
 ByteView Playhead::take(SteadyTime now) {
   const Due& due = next_->due;
-  if (due.restated) repeat_at_ = now + options_.repeat;
-  if (block_taken_ < block_.size()) return bytesOf(block_[block_taken_++].text);
+  if (restatements_.isSending()) return restatements_.take(now);
+  if (due.restated) restatements_.postpone(now);
   if (due.span != span_) {
     span_ = due.span;
     if (!options_.loop && turns_left_ > 0) --turns_left_;
@@ -245,7 +235,7 @@ ByteView Playhead::take(SteadyTime now) {
   line_ = due.time;
   ++sent_;
   if (steps_ > 0) --steps_;
-  if (options_.lockstep) awaited_ = sent_;
+  lockstep_.send(sent_);
   return payload;
 }
 
@@ -319,7 +309,7 @@ Status Playhead::play(SteadyTime now) {
 }
 
 Status Playhead::execute(const PlayheadCommand& command, SteadyTime now) {
-  if (awaited_ == 0U) awaited_.reset();
+  lockstep_.hear();
   switch (command.kind) {
     case Kind::play:
       return play(now);
@@ -334,7 +324,7 @@ Status Playhead::execute(const PlayheadCommand& command, SteadyTime now) {
       freeze(now);
       playing_ = false;
       steps_ = command.count;
-      asked_at_ = now;
+      restatements_.restamp(now);
       return {};
     case Kind::back:
       freeze(now);
@@ -375,12 +365,7 @@ Status Playhead::execute(const PlayheadCommand& command, SteadyTime now) {
       quit_ = true;
       return {};
     case Kind::ack:
-      if (!options_.lockstep) return refused("ack is for --lockstep only");
-      if (awaited_ && command.count > *awaited_) {
-        return refused("step " + std::to_string(command.count) + " has not been sent yet");
-      }
-      if (awaited_ == command.count) awaited_.reset();
-      return {};
+      return lockstep_.acknowledge(command.count);
     case Kind::status:
       return {};
   }

@@ -5,17 +5,17 @@
 #include <optional>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "core/base/playback_speed.h"
 #include "core/base/result.h"
 #include "player/logs/multi_log_reader.h"
 #include "player/logs/play_routes.h"
 #include "player/logs/read_ahead.h"
-#include "player/logs/restated_block.h"
 #include "player/logs/tape_finder.h"
 #include "player/logs/tape_stream.h"
+#include "player/playhead/lockstep.h"
 #include "player/playhead/playhead_command.h"
+#include "player/playhead/restatement_schedule.h"
 #include "player/send/datagram_stream.h"
 #include "player/send/playback_clock.h"
 
@@ -83,8 +83,7 @@ class Playhead {
   std::optional<PlaybackSpeed> speed() const { return options_.speed; }
   bool isPlaying() const { return playing_; }  ///< not paused; also true at the end
   bool hasQuit() const { return quit_; }
-  /// In lockstep, the message whose `ack` is awaited; 0: the first line from a peer.
-  std::optional<std::uint64_t> awaited() const { return awaited_; }
+  const Lockstep& lockstep() const { return lockstep_; }
 
  private:
   /// The stream being played. Its destruction frees the tape.
@@ -100,7 +99,13 @@ class Playhead {
 
   Playhead(MultiLogReader& tape, TapeFinder& finder, const PlayRoutes& routes,
            const PlayheadOptions& options)
-      : tape_(&tape), finder_(&finder), routes_(&routes), options_(options) {}
+      : tape_(&tape),
+        finder_(&finder),
+        routes_(&routes),
+        options_(options),
+        restatements_(routes, options.restate ? options.repeat : Nanoseconds(0),
+                      options.restated_bytes),
+        lockstep_(options.lockstep) {}
 
   Status begin(TapePosition place, LogTime moment, bool jump, SteadyTime now);
   Status jumpTo(LogTime moment, SteadyTime now);
@@ -138,14 +143,11 @@ class Playhead {
   std::uint64_t sent_ = 0;
   std::uint64_t runs_ = 0;
 
-  std::vector<RestatedDatagram> block_;  ///< restatement sent before the run
-  std::size_t block_taken_ = 0;
-  SteadyTime asked_at_{};  ///< due time of the restatement and of datagrams that commands ask for
-  SteadyTime repeat_at_{};
-  bool in_block_ = false;           ///< a restatement of the run has begun
-  std::uint64_t steps_ = 0;         ///< messages still to send at once
-  std::optional<LogTime> through_;  ///< send all messages up to this moment at once
-  std::optional<std::uint64_t> awaited_;
+  RestatementSchedule restatements_;  ///< of what lies before place_: sent before the run goes on
+  bool in_block_ = false;             ///< a restatement of the run has begun
+  std::uint64_t steps_ = 0;           ///< messages still to send at once
+  std::optional<LogTime> through_;    ///< send all messages up to this moment at once
+  Lockstep lockstep_;
   std::optional<Next> next_;
 };
 

@@ -43,14 +43,14 @@ class PendingCommand {
 };
 
 /// Announces each message and waits for its acknowledgement.
-class Lockstep {
+class AckWatch {
  public:
-  Lockstep(CommandSource* source, Nanoseconds timeout) : source_(source), timeout_(timeout) {}
+  AckWatch(CommandSource* source, Nanoseconds timeout) : source_(source), timeout_(timeout) {}
 
   void skipTime(Nanoseconds skipped) { since_ += skipped; }
 
   Status judge(const Playhead& playhead, SteadyTime now) {
-    const std::optional<std::uint64_t> awaited = playhead.awaited();
+    const std::optional<std::uint64_t> awaited = playhead.lockstep().awaited();
     if (!awaited) {
       waits_ = false;
       return {};
@@ -93,14 +93,14 @@ Result<SendEnd> sendPlayhead(Playhead& playhead, const PlayheadRules& rules, Sen
   Pacing pacing;
   SendBatch batch;
   PendingCommand asking(commands, rules);
-  Lockstep lockstep(commands, rules.ack_timeout);
+  AckWatch ack_watch(commands, rules.ack_timeout);
   SteadyTime publish_at{};
   SteadyTime looked_at = edge.now();
   while (!edge.stopRequested()) {
     SteadyTime now = edge.now();
     if (edge.hasResumed()) {
       playhead.skipTime(looked_at, now);
-      lockstep.skipTime(now - looked_at);
+      ack_watch.skipTime(now - looked_at);
     }
     looked_at = now;
     if (asking.take(playhead, now)) now = edge.now();
@@ -108,15 +108,15 @@ Result<SendEnd> sendPlayhead(Playhead& playhead, const PlayheadRules& rules, Sen
     if (!next) return next.error();
     asking.settle(playhead, now, !*next || !(*next)->immediate);
     if (playhead.hasQuit()) return SendEnd::stopped;
-    if (const Status judged = lockstep.judge(playhead, now); !judged) return judged.error();
+    if (const Status judged = ack_watch.judge(playhead, now); !judged) return judged.error();
     if (now >= publish_at) {
       publish(playhead, *next, now, status);
       publish_at = now + kPublishEach;
     }
     if (!*next) {
       // After stepping to the end the user may want to step back.
-      const bool over =
-          playhead.state() == Playhead::State::ended && playhead.isPlaying() && !playhead.awaited();
+      const bool over = playhead.state() == Playhead::State::ended && playhead.isPlaying() &&
+                        !playhead.lockstep().isWaiting();
       if (over && !rules.stays) return SendEnd::finished;
       edge.sleepUntil(now + Pacing::kLongestSleep);
       continue;

@@ -280,11 +280,11 @@ TEST_F(PlayheadTest, InLockstepEachMessageWaitsForItsAck) {
   auto deck = this->deck(kFour, options);
   deck.playFor(1min);
   EXPECT_THAT(deck.payloads(), IsEmpty());
-  EXPECT_EQ(deck.playhead().awaited(), 0U);
+  EXPECT_EQ(deck.playhead().lockstep().awaited(), 0U);
   deck.say("status");
   deck.playFor(1min);
   EXPECT_THAT(deck.payloads(), ElementsAre("a"));
-  EXPECT_EQ(deck.playhead().awaited(), 1U);
+  EXPECT_EQ(deck.playhead().lockstep().awaited(), 1U);
   EXPECT_EQ(deck.say("ack 2"), "error step 2 has not been sent yet");
   EXPECT_THAT(deck.payloads(), ElementsAre("a"));
   deck.say("ack 1");
