@@ -1,6 +1,7 @@
 #include "viewer/serve/foxglove_messages.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <optional>
 

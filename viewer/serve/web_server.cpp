@@ -1,6 +1,7 @@
 #include "viewer/serve/web_server.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <libwebsockets.h>
 #include <netdb.h>
 #include <sys/socket.h>
