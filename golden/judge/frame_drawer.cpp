@@ -45,36 +45,35 @@ std::vector<std::vector<std::string>> layersOf(const IdentityFrame& frame,
   return layers;
 }
 
-class SceneDrawer : public FrameDrawer {
+struct HeldMaker {
+  FrameMaker maker;
+};
+
+/// With a maker of its own, which is there before what borrows it.
+class OwnSceneDrawer : HeldMaker, public SceneDrawer {
  public:
-  explicit SceneDrawer(FrameMaker maker) : maker_(std::move(maker)) {}
-
-  Result<Picture> frame(const FrameRequest& request) override { return maker_.frame(request); }
-
-  Result<SceneIdentity> identity(const FrameRequest& request) override {
-    auto frame = maker_.identity(request);
-    if (!frame.ok()) return frame.error();
-    SceneIdentity identity{std::move(*frame), {}};
-    const SessionState nothing_said;
-    const SessionState* state = &nothing_said;
-    if (maker_.session() != nullptr) {
-      const auto at_time = maker_.session()->stateAt(request.time);
-      if (!at_time.ok()) return at_time.error();
-      state = *at_time;
-    }
-    identity.layers = layersOf(identity.frame, poseScene(maker_.cell(), *state));
-    return identity;
-  }
-
-  std::string renderer() const override { return maker_.key().text(); }
-  const std::string& inputsHash() const override { return maker_.inputsHash(); }
-  FrameMaker* maker() override { return &maker_; }
-
- private:
-  FrameMaker maker_;
+  explicit OwnSceneDrawer(FrameMaker its) : HeldMaker{std::move(its)}, SceneDrawer(maker) {}
 };
 
 }  // namespace
+
+Result<SceneIdentity> SceneDrawer::identity(const FrameRequest& request) {
+  auto frame = maker_.identity(request);
+  if (!frame.ok()) return frame.error();
+  const auto said = state(request);
+  if (!said.ok()) return said.error();
+  SceneIdentity identity{std::move(*frame), {}};
+  identity.layers = layersOf(identity.frame, poseScene(maker_.cell(), *said));
+  return identity;
+}
+
+Result<SessionState> SceneDrawer::state(const FrameRequest& request) {
+  if (maker_.session() == nullptr) return SessionState{};
+  const auto said = maker_.session()->stateAt(request.time);
+  if (!said.ok()) return said.error();
+  // A copy: the next question to the session takes back what it answered.
+  return **said;
+}
 
 MakeDrawer sceneDrawers(Cell cell, std::optional<std::filesystem::path> log) {
   return [cell = std::move(cell), log = std::move(log)]() -> Result<std::unique_ptr<FrameDrawer>> {
@@ -86,7 +85,7 @@ MakeDrawer sceneDrawers(Cell cell, std::optional<std::filesystem::path> log) {
     }
     auto maker = FrameMaker::open(cell, std::move(session), Profile::reproducible);
     if (!maker.ok()) return maker.error();
-    return std::unique_ptr<FrameDrawer>(std::make_unique<SceneDrawer>(std::move(*maker)));
+    return std::unique_ptr<FrameDrawer>(std::make_unique<OwnSceneDrawer>(std::move(*maker)));
   };
 }
 

@@ -20,8 +20,30 @@ class FrameDrawer {
   /// RendererKey::text.
   virtual std::string renderer() const = 0;
   virtual const std::string& inputsHash() const = 0;
-  /// Null without a FrameMaker.
-  virtual FrameMaker* maker() { return nullptr; }
+  /// The main view, then the drawn insets in order.
+  virtual Result<std::vector<PicturedView>> views(const FrameRequest& request) = 0;
+  /// What the session has said by then; empty for a cell at rest.
+  virtual Result<SessionState> state(const FrameRequest& request) = 0;
+  virtual const Cell& cell() const = 0;
+};
+
+/// Draws by a FrameMaker, which it borrows.
+class SceneDrawer : public FrameDrawer {
+ public:
+  explicit SceneDrawer(FrameMaker& maker) : maker_(maker) {}
+
+  Result<Picture> frame(const FrameRequest& request) override { return maker_.frame(request); }
+  Result<SceneIdentity> identity(const FrameRequest& request) override;
+  std::string renderer() const override { return maker_.key().text(); }
+  const std::string& inputsHash() const override { return maker_.inputsHash(); }
+  Result<std::vector<PicturedView>> views(const FrameRequest& request) override {
+    return maker_.views(request);
+  }
+  Result<SessionState> state(const FrameRequest& request) override;
+  const Cell& cell() const override { return maker_.cell(); }
+
+ private:
+  FrameMaker& maker_;
 };
 
 /// Makes a drawer with its own context and session.

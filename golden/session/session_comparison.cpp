@@ -201,7 +201,8 @@ Result<JudgedFrame> judgeMoment(FrameMaker& maker_a, FrameMaker& maker_b, LogTim
     judged.thumbnail = reducedPicture(*frame, kSmallPicturePixels);
     return judged;
   }
-  auto why = explainBoth(*golden, {maker_a, request}, *frame, {maker_b, request_b});
+  SceneDrawer drawer_a(maker_a), drawer_b(maker_b);
+  auto why = explainBoth(*golden, {drawer_a, request}, *frame, {drawer_b, request_b});
   if (!why.ok()) return why.error();
   judged.why = std::make_shared<const FrameWhy>(std::move(*why));
   judged.drawn = std::move(*frame);

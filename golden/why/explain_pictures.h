@@ -1,14 +1,14 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "golden/judge/frame_drawer.h"
 #include "golden/why/frame_why.h"
-#include "viewer/render/frame_maker.h"
 
 namespace rocinante {
 
 /// One side of a comparison that can be drawn. Borrowed.
 struct DrawableSide {
-  FrameMaker& maker;
+  FrameDrawer& drawer;
   FrameRequest request;
 };
 

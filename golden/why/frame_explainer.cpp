@@ -81,7 +81,6 @@ Result<FrameExplainer::Found> FrameExplainer::findGolden(const JudgedFrame& judg
     if (frame == frames.end() || !frame->time) continue;
     const auto drawer = session->drawer();
     if (!drawer.ok()) return drawer.error();
-    if ((*drawer)->maker() == nullptr) continue;
     const FrameRequest request = session->request(*frame);
     const auto drawn = (*drawer)->frame(request);
     if (drawn.ok() && pictureXxh3(*drawn) == judged.golden->pixels) {
@@ -139,13 +138,11 @@ Result<std::shared_ptr<const FrameWhy>> FrameExplainer::explain(const JudgedFram
   }
   const auto drawer = now_.drawer();
   if (!drawer.ok()) return drawer.error();
-  FrameMaker* const maker = (*drawer)->maker();
-  if (maker == nullptr) return nothing;
   const Picture compared =
       judged.tolerance.limitsPixels()
           ? withoutRounding(judged.compared(), *judged.accepted, judged.tolerance.level)
           : judged.compared();
-  const DrawableSide today{*maker, now_.request(judged.frame)};
+  const DrawableSide today{**drawer, now_.request(judged.frame)};
   const auto golden = findGolden(judged);
   if (!golden.ok()) return golden.error();
   if (golden->candidate == nullptr) {
@@ -156,8 +153,7 @@ Result<std::shared_ptr<const FrameWhy>> FrameExplainer::explain(const JudgedFram
   }
   const auto golden_drawer = golden->candidate->session->drawer();
   if (!golden_drawer.ok()) return golden_drawer.error();
-  auto why =
-      explainBoth(*judged.accepted, {*(*golden_drawer)->maker(), golden->request}, compared, today);
+  auto why = explainBoth(*judged.accepted, {**golden_drawer, golden->request}, compared, today);
   if (!why.ok()) return why.error();
   why->basis = golden->basis;
   why->files = changesSince(*golden->candidate);

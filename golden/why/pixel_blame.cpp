@@ -46,16 +46,12 @@ struct LinkPixels {
   }
 };
 
-/// State of one comparison. Links are numbers: 0 is the background, others are 1 + an index into
-/// names.
-class BlameWork {
+/// The links of both frames as numbers: 0 is the background, others are 1 + an index into names.
+class LinkNumbers {
  public:
-  BlameWork(const Picture& golden, const Picture& frame) : golden_(golden), frame_(frame) {
-    pixels_ = static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height);
-    links_.resize(1);
-    names_.emplace_back();
-  }
+  LinkNumbers() { names_.emplace_back(); }
 
+  /// The frame's pixels by these numbers; links that are new get one.
   std::vector<std::uint32_t> adopt(const IdentityFrame& identity) {
     std::vector<std::uint32_t> numbers(identity.names.size() + 1);
     for (std::size_t i = 0; i < identity.names.size(); ++i) {
@@ -64,67 +60,51 @@ class BlameWork {
       if (is_new) names_.push_back(name);
       numbers[i + 1] = static_cast<std::uint32_t>(found->second);
     }
-    links_.resize(names_.size());
-    std::vector<std::uint32_t> ids(pixels_);
-    for (std::size_t i = 0; i < pixels_; ++i) {
+    std::vector<std::uint32_t> ids(identity.ids.size());
+    for (std::size_t i = 0; i < ids.size(); ++i) {
       // A number without a name is background.
       if (identity.ids[i] < numbers.size()) ids[i] = numbers[identity.ids[i]];
     }
     return ids;
   }
 
-  void setIdentities(std::vector<std::uint32_t> golden_ids, std::vector<std::uint32_t> frame_ids) {
-    golden_ids_ = std::move(golden_ids);
-    frame_ids_ = std::move(frame_ids);
-    for (std::size_t i = 0; i < pixels_; ++i) {
-      const std::uint32_t g = golden_ids_[i];
-      const std::uint32_t f = frame_ids_[i];
-      ++links_[g].golden;
-      ++links_[f].frame;
-      if (g != f) {
-        ++links_[g].lost;
-        ++links_[f].gained;
-      }
-      countOutline(golden_ids_, i);
-      countOutline(frame_ids_, i);
+  std::size_t size() const { return names_.size(); }
+  const IdentityName& name(std::size_t link) const { return names_[link]; }
+
+ private:
+  std::map<std::pair<std::string, std::string>, std::size_t> number_;
+  std::vector<IdentityName> names_;
+};
+
+/// The links of a golden and of its frame, pixel by pixel, and what is known of their movement.
+struct LinksOfPixels {
+  LinkNumbers numbers;
+  std::vector<std::uint32_t> golden, frame;
+  MovedLinks moved;
+  /// By link: for one whose pixels in the golden are estimated, how far it went.
+  std::map<std::uint32_t, std::array<double, 2>> shifts;
+};
+
+/// Who is to blame for each pixel that differs. Borrows all that it is made of.
+class PixelOwners {
+ public:
+  PixelOwners(const Picture& golden, const Picture& frame, const LinksOfPixels& links)
+      : golden_(golden),
+        frame_(frame),
+        numbers_(links.numbers),
+        shifts_(links.shifts),
+        golden_ids_(links.golden),
+        frame_ids_(links.frame),
+        pixels_(links.frame.size()),
+        links_(links.numbers.size()),
+        moved_(links.numbers.size()) {
+    countOutlines();
+    for (std::size_t link = 1; link < moved_.size(); ++link) {
+      const IdentityName& name = numbers_.name(link);
+      moved_[link] = links.moved.contains({name.device, name.link});
     }
-  }
-
-  void setMoved(const MovedLinks& moved) {
-    has_moved_ = true;
-    moved_.assign(names_.size(), false);
-    for (std::size_t link = 1; link < names_.size(); ++link) {
-      moved_[link] = moved.contains({names_[link].device, names_[link].link});
-    }
-  }
-
-  /// For a link whose outline in the golden is estimated.
-  void setShift(std::uint32_t link, double right, double down) { shifts_[link] = {right, down}; }
-
-  /// Whether it is known to have moved or, if no movement is known, looks so.
-  bool hasMoved(std::uint32_t link) const {
-    if (link == 0) return false;
-    const LinkPixels& its = links_[link];
-    if (its.golden == 0 || its.frame == 0) return true;
-    return knowsMovers() ? moved_[link] : its.change() > kMovedOutline;
-  }
-
-  void attributePixels() {
-    owner_.assign(pixels_, kNobody);
-    for (std::size_t i = 0; i < pixels_; ++i) {
-      if (samePixel(golden_, frame_, i)) continue;
-      ++differing_;
-      const std::uint32_t owner = ownerOf(i);
-      owner_[i] = owner;
-      LinkPixels& link = links_[owner];
-      ++link.owned;
-      if (golden_ids_[i] != owner || frame_ids_[i] != owner) continue;
-      ++link.in_place;
-      for (std::size_t component = 0; component < 3; ++component) {
-        link.color_shift[component] +=
-            frame_.rgba[i * 4 + component] - golden_.rgba[i * 4 + component];
-      }
-    }
+    knows_movers_ = std::ranges::find(moved_, true) != moved_.end();
+    attributePixels();
   }
 
   Blame blame() const {
@@ -151,13 +131,49 @@ class BlameWork {
     return made;
   }
 
-  std::size_t linkCount() const { return names_.size(); }
-  const IdentityName& name(std::size_t link) const { return names_[link]; }
-
  private:
   static constexpr std::uint32_t kNobody = 0xFFFFFFFF;
 
-  bool knowsMovers() const { return has_moved_ && std::ranges::find(moved_, true) != moved_.end(); }
+  void countOutlines() {
+    for (std::size_t i = 0; i < pixels_; ++i) {
+      const std::uint32_t g = golden_ids_[i];
+      const std::uint32_t f = frame_ids_[i];
+      ++links_[g].golden;
+      ++links_[f].frame;
+      if (g != f) {
+        ++links_[g].lost;
+        ++links_[f].gained;
+      }
+      countOutline(golden_ids_, i);
+      countOutline(frame_ids_, i);
+    }
+  }
+
+  void attributePixels() {
+    owner_.assign(pixels_, kNobody);
+    for (std::size_t i = 0; i < pixels_; ++i) {
+      if (samePixel(golden_, frame_, i)) continue;
+      ++differing_;
+      const std::uint32_t owner = ownerOf(i);
+      owner_[i] = owner;
+      LinkPixels& link = links_[owner];
+      ++link.owned;
+      if (golden_ids_[i] != owner || frame_ids_[i] != owner) continue;
+      ++link.in_place;
+      for (std::size_t component = 0; component < 3; ++component) {
+        link.color_shift[component] +=
+            frame_.rgba[i * 4 + component] - golden_.rgba[i * 4 + component];
+      }
+    }
+  }
+
+  /// Whether it is known to have moved or, if no movement is known, looks so.
+  bool hasMoved(std::uint32_t link) const {
+    if (link == 0) return false;
+    const LinkPixels& its = links_[link];
+    if (its.golden == 0 || its.frame == 0) return true;
+    return knows_movers_ ? moved_[link] : its.change() > kMovedOutline;
+  }
 
   void countOutline(const std::vector<std::uint32_t>& ids, std::size_t i) {
     const std::size_t width = static_cast<std::size_t>(frame_.width);
@@ -203,7 +219,7 @@ class BlameWork {
   LinkChange changeOf(std::uint32_t number, bool may_register) const {
     const LinkPixels& link = links_[number];
     LinkChange change;
-    change.name = names_[number];
+    change.name = numbers_.name(number);
     change.pixels = link.owned;
     if (link.in_place > 0) {
       for (std::size_t i = 0; i < 3; ++i) {
@@ -226,7 +242,7 @@ class BlameWork {
 
   void followOutline(std::uint32_t number, LinkChange& change) const {
     const LinkPixels& link = links_[number];
-    const bool known_mover = knowsMovers() && moved_[number];
+    const bool known_mover = moved_[number];
     if (!known_mover && link.gained + link.lost == 0) return;
     const auto regionIn = [&](const std::vector<std::uint32_t>& ids) {
       return regionOf(ids, frame_.width, frame_.height, number);
@@ -243,14 +259,14 @@ class BlameWork {
 
   const Picture& golden_;
   const Picture& frame_;
-  std::size_t pixels_ = 0;
-  std::map<std::pair<std::string, std::string>, std::size_t> number_;
-  std::vector<IdentityName> names_;
+  const LinkNumbers& numbers_;
+  const std::map<std::uint32_t, std::array<double, 2>>& shifts_;
+  const std::vector<std::uint32_t>& golden_ids_;
+  const std::vector<std::uint32_t>& frame_ids_;
+  std::size_t pixels_;
   std::vector<LinkPixels> links_;
   std::vector<bool> moved_;
-  std::map<std::uint32_t, std::array<double, 2>> shifts_;
-  bool has_moved_ = false;
-  std::vector<std::uint32_t> golden_ids_, frame_ids_;
+  bool knows_movers_ = false;
   std::vector<std::uint32_t> owner_;
   std::int64_t differing_ = 0;
 };
@@ -299,37 +315,32 @@ Blame blameLinks(const BlameSide& golden, const BlameSide& frame, const MovedLin
   assert(golden.picture.rgba.size() == frame.picture.rgba.size());
   assert(golden.identity.ids.size() * 4 == golden.picture.rgba.size());
   assert(frame.identity.ids.size() * 4 == frame.picture.rgba.size());
-  BlameWork work(golden.picture, frame.picture);
-  auto golden_ids = work.adopt(golden.identity);
-  auto frame_ids = work.adopt(frame.identity);
-  work.setIdentities(std::move(golden_ids), std::move(frame_ids));
-  work.setMoved(moved);
-  work.attributePixels();
-  return work.blame();
+  LinksOfPixels links;
+  links.golden = links.numbers.adopt(golden.identity);
+  links.frame = links.numbers.adopt(frame.identity);
+  links.moved = moved;
+  return PixelOwners(golden.picture, frame.picture, links).blame();
 }
 
 Blame guessBlame(const Picture& golden, const BlameSide& frame) {
   assert(golden.rgba.size() == frame.picture.rgba.size());
-  BlameWork work(golden, frame.picture);
-  const std::vector<std::uint32_t> frame_ids = work.adopt(frame.identity);
-  std::vector<std::uint32_t> golden_ids = frame_ids;
-  MovedLinks moved;
-  const auto to_find = linksToFind(golden, frame.picture, frame_ids, work.linkCount());
+  LinksOfPixels links;
+  links.frame = links.numbers.adopt(frame.identity);
+  links.golden = links.frame;
+  const auto to_find = linksToFind(golden, frame.picture, links.frame, links.numbers.size());
   const Picture smooth_golden = smoothed(golden);
   const Picture smooth_frame = smoothed(frame.picture);
   for (const std::uint32_t link : to_find) {
-    const Region region = regionOf(frame_ids, golden.width, golden.height, link);
+    const Region region = regionOf(links.frame, golden.width, golden.height, link);
     const auto shift = findRegion(smooth_frame, region, smooth_golden, kGuessWindow);
     if (!shift || shift->cost > kGuessExplains * shift->cost_unmoved) continue;
     if (shift->right * shift->right + shift->down * shift->down < 0.01) continue;
-    undoShift(region, *shift, golden.width, golden.height, link, golden_ids);
-    moved.emplace(work.name(link).device, work.name(link).link);
-    work.setShift(link, -shift->right, -shift->down);
+    undoShift(region, *shift, golden.width, golden.height, link, links.golden);
+    const IdentityName& name = links.numbers.name(link);
+    links.moved.emplace(name.device, name.link);
+    links.shifts[link] = {-shift->right, -shift->down};
   }
-  work.setIdentities(std::move(golden_ids), frame_ids);
-  work.setMoved(moved);
-  work.attributePixels();
-  return work.blame();
+  return PixelOwners(golden, frame.picture, links).blame();
 }
 
 }  // namespace rocinante

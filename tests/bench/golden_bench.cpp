@@ -61,7 +61,7 @@ bool drawFloor(const std::filesystem::path& suite, const SuiteOptions& options, 
   Manifest manifest;
   for (const std::size_t place : inLogOrder(session->frames())) {
     const SuiteFrame& frame = session->frames()[place];
-    const auto drawn = (*drawer)->maker()->frame(session->request(frame));
+    const auto drawn = (*drawer)->frame(session->request(frame));
     if (!drawn.ok()) return tell(drawn.error());
     if (!accept) continue;
     manifest.accept(frame.name, {*session->key(*frame.suite_case), frame.name + ".png",

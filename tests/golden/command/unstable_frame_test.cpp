@@ -1,4 +1,4 @@
-// Whole commands over frames that are not the same each time they are drawn.
+// Whole commands over frames that are drawn wrongly: each time otherwise, or always the same way.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -21,16 +21,24 @@ enum class Flaw : std::uint8_t {
   none,
   coplanar,     ///< where two boxes meet, a column of pixels is another each time
   left_behind,  ///< what was drawn before shows
-  uninitialised
+  uninitialised,
+  changed  ///< one pixel differs, always in the same way
+};
+
+/// What was asked of all drawers.
+struct Drawings {
+  int frames = 0, identities = 0;
 };
 
 /// The cell's own drawer, and then a flaw.
 class FlawedDrawer : public FrameDrawer {
  public:
-  FlawedDrawer(std::unique_ptr<FrameDrawer> sound, const Flaw& flaw, int context)
-      : sound_(std::move(sound)), flaw_(flaw), context_(context) {}
+  FlawedDrawer(std::unique_ptr<FrameDrawer> sound, const Flaw& flaw, int context,
+               Drawings& drawings)
+      : sound_(std::move(sound)), flaw_(flaw), context_(context), drawings_(drawings) {}
 
   Result<Picture> frame(const FrameRequest& request) override {
+    ++drawings_.frames;
     auto drawn = sound_->frame(request);
     if (!drawn.ok()) return drawn;
     const int turn = turns_++;
@@ -42,16 +50,25 @@ class FlawedDrawer : public FrameDrawer {
       drawn->rgba[4] = static_cast<std::uint8_t>(last_width_ == 0 ? request.width : last_width_);
     } else if (flaw_ == Flaw::uninitialised) {
       drawn->rgba[4] = static_cast<std::uint8_t>(100 * context_);
+    } else if (flaw_ == Flaw::changed) {
+      drawn->rgba[4] ^= 0x80;
     }
     last_width_ = request.width;
     return drawn;
   }
   Result<SceneIdentity> identity(const FrameRequest& request) override {
+    ++drawings_.identities;
     return sound_->identity(request);
   }
   std::string renderer() const override { return sound_->renderer(); }
   const std::string& inputsHash() const override { return sound_->inputsHash(); }
-  FrameMaker* maker() override { return sound_->maker(); }
+  Result<std::vector<PicturedView>> views(const FrameRequest& request) override {
+    return sound_->views(request);
+  }
+  Result<SessionState> state(const FrameRequest& request) override {
+    return sound_->state(request);
+  }
+  const Cell& cell() const override { return sound_->cell(); }
 
  private:
   static void addSeam(const IdentityFrame& frame, int level, Picture& drawn) {
@@ -65,6 +82,7 @@ class FlawedDrawer : public FrameDrawer {
   std::unique_ptr<FrameDrawer> sound_;
   const Flaw& flaw_;
   int context_, turns_ = 0, last_width_ = 0;
+  Drawings& drawings_;
 };
 
 class UnstableFrameTest : public testing::Test {
@@ -93,7 +111,7 @@ class UnstableFrameTest : public testing::Test {
       auto sound = sceneDrawers(std::move(*cell), std::nullopt)();
       if (!sound.ok()) return sound.error();
       return std::unique_ptr<FrameDrawer>(
-          std::make_unique<FlawedDrawer>(std::move(*sound), flaw_, contexts_++));
+          std::make_unique<FlawedDrawer>(std::move(*sound), flaw_, contexts_++, drawings_));
     };
   }
 
@@ -125,7 +143,24 @@ class UnstableFrameTest : public testing::Test {
   RunArguments arguments_;
   Flaw flaw_ = Flaw::none;
   int contexts_ = 0;
+  Drawings drawings_;
 };
+
+TEST_F(UnstableFrameTest, AChangedFrameIsJudgedByFourDrawingsAndExplainedByOneIdentity) {
+  EXPECT_EQ(approve(), cli::Exit::done);
+  drawings_ = {};
+  EXPECT_EQ(run(), cli::Exit::done);
+  EXPECT_EQ(drawings_.frames, 1);
+  EXPECT_EQ(drawings_.identities, 0);
+  drawings_ = {};
+  flaw_ = Flaw::changed;
+  EXPECT_EQ(run(), cli::Exit::no);
+  EXPECT_EQ(verdict()["verdict"], "different");
+  EXPECT_EQ(contexts_, 2);
+  // Itself, another one between, itself again, and itself in a context of its own.
+  EXPECT_EQ(drawings_.frames, 4);
+  EXPECT_EQ(drawings_.identities, 1);
+}
 
 TEST_F(UnstableFrameTest, IsAFailureOfItsOwnKindInEveryAnswer) {
   flaw_ = Flaw::coplanar;

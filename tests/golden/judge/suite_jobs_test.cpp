@@ -31,6 +31,11 @@ class CountingDrawer : public FrameDrawer {
   Result<SceneIdentity> identity(const FrameRequest&) override { return SceneIdentity{}; }
   std::string renderer() const override { return "counted"; }
   const std::string& inputsHash() const override { return inputs_; }
+  Result<std::vector<PicturedView>> views(const FrameRequest&) override {
+    return std::vector<PicturedView>{};
+  }
+  Result<SessionState> state(const FrameRequest&) override { return SessionState{}; }
+  const Cell& cell() const override { return cell_; }
 
   static Picture pictureAt(LogTime time) {
     const auto ms = time.time_since_epoch() / std::chrono::milliseconds(1);
@@ -40,6 +45,7 @@ class CountingDrawer : public FrameDrawer {
  private:
   Asked& asked_;
   std::string inputs_;
+  Cell cell_;
 };
 
 class SuiteOfFiveHundred : public testing::Test {

@@ -51,8 +51,10 @@ std::optional<RegressionAnswer> RegressionBench::answer(const Regression& regres
   answer.cpu = compare(*frame, golden_, Tolerance::cpu());
   answer.loose = compare(*frame, golden_, Tolerance::loose());
   if (answer.exact.verdict == Verdict::same) return answer;
-  const auto why = explainBoth(golden_, {*maker_, sound_.request}, *frame, {*maker, scene.request});
-  const auto guess = explainByGuess(golden_, *frame, {*maker, scene.request});
+  SceneDrawer golden_drawer(*maker_), drawer(*maker);
+  const DrawableSide frame_side{drawer, scene.request};
+  const auto why = explainBoth(golden_, {golden_drawer, sound_.request}, *frame, frame_side);
+  const auto guess = explainByGuess(golden_, *frame, frame_side);
   if (!why.ok() || !guess.ok()) {
     ADD_FAILURE() << regression.name << ": " << (why.ok() ? guess : why).error().text();
     return std::nullopt;
