@@ -89,10 +89,15 @@ if(ROCINANTE_OSMESA OR ROCINANTE_OSMESA_FOUND)
 endif()
 set(headers fonts-dejavu-core libcli11-dev libexpected-dev libfast-float-dev libglm-dev libtomlplusplus-dev
   nlohmann-json3-dev)
+# The viewer of pages, where scripts/build_web made it (viewer/page/CMakeLists.txt).
+set(viewer_headers ${headers})
+if(EXISTS ${PROJECT_SOURCE_DIR}/build/web/bin/rocinante-viewer.wasm)
+  list(APPEND viewer_headers emscripten libmeshoptimizer-dev libspng-dev libzstd-dev zlib1g-dev)
+endif()
 rocinante_package(programs rocinante SECTION utils
   RECOMMENDS "${renderer}"
   SUGGESTS "rocinante-view, rocinante-serve, rocinante-openimageio, rocinante-nats, rocinante-protobuf, rocinante-sdf, ffmpeg, git"
-  COMPILED_IN ${headers}
+  COMPILED_IN ${viewer_headers}
   SUMMARY "record, replay and test streamed robot and simulator state"
   TEXT "Robots and simulators send poses and joint values as small text packets over
 UDP. Rocinante records every datagram with its kernel time stamp to MCAP,
