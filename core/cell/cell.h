@@ -13,6 +13,7 @@
 #include "core/base/model_search.h"
 #include "core/base/parallel_for.h"
 #include "core/base/result.h"
+#include "core/cell/camera_lens.h"
 #include "core/cell/cell_rules.h"
 #include "core/kinematics/model.h"
 #include "core/report/finding.h"
@@ -46,6 +47,8 @@ struct CellCamera {
   std::string follow_device, follow_link;  ///< follows its position without turning
   /// Looks at it: `target` is an offset from its position, in the world's directions.
   std::string look_device, look_link;
+  std::optional<CameraIntrinsics> intrinsics;  ///< calibrated; `fov_deg` is then about its height
+  LensDistortion distortion;                   ///< of its real pictures
 };
 
 enum class InsetCorner : std::uint8_t { top_right, top_left, bottom_right, bottom_left };

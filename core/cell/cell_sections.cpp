@@ -7,6 +7,7 @@
 
 #include "core/base/name_hint.h"
 #include "core/cell/cell_layers.h"
+#include "core/cell/cell_lenses.h"
 #include "core/cell/rule_reader.h"
 #include "core/document/fault_list.h"
 #include "core/math/transform.h"
@@ -135,6 +136,7 @@ std::optional<CellCamera> readCamera(TomlTable& table, CellNames& names) {
     table.error("cell.two-projections", "ortho_height_m",
                 "the camera has both fov_deg and ortho_height_m");
   }
+  readLens(table, camera);
   const Target on = readTarget(table, "on"), follow = readTarget(table, "follow");
   camera.on_device = on.device;
   camera.on_link = on.link;

@@ -260,8 +260,9 @@ class ScenePoser {
 
   void addCameras() {
     for (const CellCamera& camera : cell_.cameras) {
-      PosedCamera posed{camera.name,           camera.eye, camera.target, camera.up, camera.fov_deg,
-                        camera.ortho_height_m, false};
+      PosedCamera posed{camera.name, camera.eye,       camera.target,
+                        camera.up,   camera.fov_deg,   camera.ortho_height_m,
+                        false,       camera.intrinsics};
       Mat4 space{1.0};
       if (!camera.on_device.empty()) {
         space = scene_.find(camera.on_device, camera.on_link).value_or(space);

@@ -72,9 +72,10 @@ struct PosedDrawing {
 struct PosedCamera {
   std::string name;
   Vec3 eye{}, target{}, up{0, 0, 1};
-  double fov_deg = 45;                   ///< vertical
-  std::optional<double> ortho_height_m;  ///< orthographic: metres from top to bottom
-  bool of_session = false;               ///< a `view`
+  double fov_deg = 45;                           ///< vertical
+  std::optional<double> ortho_height_m;          ///< orthographic: metres from top to bottom
+  bool of_session = false;                       ///< a `view`
+  std::optional<CameraIntrinsics> intrinsics{};  ///< calibrated
 };
 
 /// The cell in one state: what the app stage hands to cull and draw. A plain value (but for the

@@ -185,8 +185,9 @@ std::string cameraChange(const CameraView& golden, const CameraView& frame, int 
   if (turned_m > kLeastShift_px * metres_a_pixel) {
     parts.push_back(fmt::format("turned by {:.2g} deg", turned / kRadians));
   }
-  const bool zoomed =
-      golden.fov_deg != frame.fov_deg || golden.ortho_height_m != frame.ortho_height_m;
+  const bool zoomed = golden.fov_deg != frame.fov_deg ||
+                      golden.ortho_height_m != frame.ortho_height_m ||
+                      golden.intrinsics != frame.intrinsics;
   if (zoomed) parts.push_back("sees more or less");
   if (parts.empty()) return "";
   return fmt::format("its camera {}", fmt::join(parts, " and "));

@@ -104,9 +104,21 @@ void fields(Fields& io, Taken<Fields, CellDevice>& device) {
 template <class Fields>
 void fields(Fields& io, Taken<Fields, CellCamera>& camera) {
   auto& [name, eye, target, up, fov_deg, ortho_height_m, on_device, on_link, follow_device,
-         follow_link, look_device, look_link] = camera;
+         follow_link, look_device, look_link, intrinsics, distortion] = camera;
   io(name, eye, target, up, fov_deg, ortho_height_m, on_device, on_link, follow_device, follow_link,
-     look_device, look_link);
+     look_device, look_link, intrinsics, distortion);
+}
+
+template <class Fields>
+void fields(Fields& io, Taken<Fields, CameraIntrinsics>& lens) {
+  auto& [fx, fy, cx, cy, width, height] = lens;
+  io(fx, fy, cx, cy, width, height);
+}
+
+template <class Fields>
+void fields(Fields& io, Taken<Fields, LensDistortion>& lens) {
+  auto& [k1, k2, p1, p2, k3] = lens;
+  io(k1, k2, p1, p2, k3);
 }
 
 template <class Fields>

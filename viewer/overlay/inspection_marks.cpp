@@ -86,9 +86,10 @@ void addCameraCone(Overlay& overlay, const Camera& shown, double depth_m, const 
   if (!camera.orthographic() || !(depth_m > 0) || !std::isfinite(depth_m)) return;
   const auto corners = [&](double depth) {
     const double unit = shown.orthographic() || depth > 0 ? shown.metersPerPixel(depth) : 0;
-    const Vec3 middle = shown.eye() + shown.forward() * depth;
-    const Vec3 across = shown.right() * (unit * shown.width() / 2);
+    const Vec3 across = shown.right() * (unit * shown.width() / 2 * shown.pixelAspect());
     const Vec3 upward = shown.up() * (unit * shown.height() / 2);
+    const Vec3 middle = shown.eye() + shown.forward() * depth - across * shown.center().x -
+                        upward * shown.center().y;
     return std::array{middle - across - upward, middle + across - upward, middle + across + upward,
                       middle - across + upward};
   };

@@ -166,8 +166,11 @@ void ContactMap::drawOpenness(const Target& target, const Camera& camera) const 
   const glm::vec4 terms = depthTerms(camera, gl_.ClipControl != nullptr);
   gl_.Uniform4f(openness_.uniform("depth_terms"), terms.x, terms.y, terms.z, terms.w);
   const double metres = camera.metersPerPixel(1) / 2;
-  gl_.Uniform2f(openness_.uniform("half_extent"), static_cast<float>(metres * camera.width()),
+  gl_.Uniform2f(openness_.uniform("half_extent"),
+                static_cast<float>(metres * camera.width() * camera.pixelAspect()),
                 static_cast<float>(metres * camera.height()));
+  gl_.Uniform2f(openness_.uniform("center"), static_cast<float>(camera.center().x),
+                static_cast<float>(camera.center().y));
   gl_.Uniform1i(openness_.uniform("orthographic"), camera.orthographic() ? 1 : 0);
   gl_.Uniform1f(openness_.uniform("reach_m"), kReach);
   gl_.DrawArrays(GL_TRIANGLES, 0, 3);

@@ -53,6 +53,7 @@ const std::string_view kOpennessFragment = R"(#version 330 core
 uniform sampler2D depths;
 uniform vec4 depth_terms;  // stored depth at s along the view: (x + y s) / (z + w s)
 uniform vec2 half_extent;  // of the picture at s = 1, or of the whole picture when orthographic
+uniform vec2 center;       // where the line of sight meets the picture, from -1 to 1
 uniform bool orthographic;
 uniform float reach_m;     // how far surroundings count, as far as they are few or many pixels
 out vec4 color;
@@ -82,7 +83,7 @@ float awayAt(ivec2 texel) {
 }
 vec3 placeAt(ivec2 texel, float away) {
   vec2 clip = (vec2(texel) + 0.5) * 2.0 / vec2(size) - 1.0;
-  return vec3(clip * half_extent * (orthographic ? 1.0 : away), away);
+  return vec3((clip - center) * half_extent * (orthographic ? 1.0 : away), away);
 }
 // Along the surface from one texel to the next: to the neighbour that lies on it, by its depth.
 vec3 alongAt(ivec2 texel, ivec2 way, vec3 place) {

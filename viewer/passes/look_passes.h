@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "core/cell/cell.h"
+#include "viewer/passes/backdrop_pass.h"
 #include "viewer/passes/contact_map.h"
 #include "viewer/passes/edge_pass.h"
 #include "viewer/passes/ghost_pass.h"
@@ -19,6 +20,7 @@ class LookPasses {
   explicit LookPasses(const GlTable& gl) : gl_(gl) {}
 
   /// refused with the driver's message when its shader or framebuffer cannot be created.
+  Result<BackdropPass*> backdrops() { return made<BackdropPass>(backdrops_); }
   Result<EdgePass*> edges() { return made<EdgePass>(edges_); }
   Result<GhostPass*> ghosts() { return made<GhostPass>(ghosts_); }
   Result<OutlinePass*> outlines() { return made<OutlinePass>(outlines_); }
@@ -37,6 +39,7 @@ class LookPasses {
   }
 
   const GlTable& gl_;
+  std::optional<BackdropPass> backdrops_;
   std::optional<EdgePass> edges_;
   std::optional<GhostPass> ghosts_;
   std::optional<OutlinePass> outlines_;

@@ -7,7 +7,9 @@
 
 #include "core/base/count_text.h"
 #include "core/base/duration_text.h"
+#include "core/base/shell_word.h"
 #include "core/bundle/attached_cell.h"
+#include "viewer/backdrop/backdrop.h"
 #include "viewer/bake/cell_cache.h"
 #include "viewer/picture/picture_encoding.h"
 #include "viewer/program/render_files.h"
@@ -147,6 +149,39 @@ Status showBeside(const RenderJob& job, FrameMaker& maker, StateDamage& hiding) 
   return {};
 }
 
+/// Pictures are from the backdrop's camera unless the job names others, one of which must be it.
+Status openBackdrop(const RenderJob& job, const FrameRequest& look, const Cell& cell,
+                    const Timeline* session, std::vector<std::string>& cameras,
+                    std::shared_ptr<Backdrop>& opened) {
+  if (job.backdrop.file.empty()) return {};
+  auto backdrop =
+      Backdrop::open(job.backdrop, cell, session != nullptr ? session->origin() : LogTime{},
+                     session != nullptr ? session->end() : LogTime{});
+  if (!backdrop) return backdrop.error();
+  const std::string& camera = backdrop->camera();
+  if (job.cameras.empty()) cameras = {camera};
+  const std::vector<CellInset>& insets = look.insets ? *look.insets : cell.insets;
+  if (std::ranges::find(cameras, camera) == cameras.end() &&
+      std::ranges::find(insets, camera, &CellInset::camera) == insets.end()) {
+    return badJob("no picture is from `" + camera + "`, the backdrop's camera: add --camera " +
+                  shellWord(camera));
+  }
+  opened = std::make_shared<Backdrop>(std::move(*backdrop));
+  return {};
+}
+
+void showBackdrop(const std::shared_ptr<Backdrop>& backdrop, double opacity, FrameMaker& maker) {
+  if (backdrop == nullptr) return;
+  const LogTime origin = maker.session() != nullptr ? maker.session()->origin() : LogTime{};
+  maker.showBackdrop(
+      backdrop->camera(), opacity,
+      [backdrop, origin](LogTime time) -> Result<std::shared_ptr<const BackdropPicture>> {
+        const auto number = backdrop->numberAt(time - origin);
+        if (!number) return std::shared_ptr<const BackdropPicture>();
+        return backdrop->picture(*number, {});
+      });
+}
+
 Status makeFolders(const RenderFiles& files) {
   if (files.frames.empty()) return {};
   for (std::size_t camera = 0; camera < files.cameras.size(); ++camera) {
@@ -193,6 +228,12 @@ Result<RenderReport> render(const RenderJob& given,
   options.progress = job.load_progress;
   auto cell = CellCache::ofUser().load(job.cell, options);
   if (!cell) return cell.error();
+  std::shared_ptr<Backdrop> backdrop;
+  if (Status opened =
+          openBackdrop(job, look, *cell, session ? &*session : nullptr, files.cameras, backdrop);
+      !opened) {
+    return opened.error();
+  }
   if (!job.layers.empty()) chooseLayers(job.layers, look.hide, look.show);
   for (const std::string& text : job.joints) {
     if (Status set = setJoints(look.joints, *cell, text); !set) {
@@ -202,6 +243,7 @@ Result<RenderReport> render(const RenderJob& given,
   auto maker = FrameMaker::open(std::move(*cell), std::move(session), job.profile);
   if (!maker) return maker.error();
   if (Status shown = showBeside(job, *maker, hiding); !shown) return shown.error();
+  showBackdrop(backdrop, job.backdrop.opacity, *maker);
   if (Status made = makeFolders(files); !made) return made.error();
 
   RenderReport report;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "viewer/backdrop/backdrop_request.h"
 #include "viewer/program/render_moments.h"
 #include "viewer/render/frame_maker.h"
 
@@ -14,11 +15,12 @@ namespace rocinante {
 
 /// The arguments of `rocinante-render`.
 struct RenderJob : ModelSearch {
-  std::filesystem::path cell;        ///< for loadCellOrLog()
-  std::filesystem::path log;         ///< empty: `cell` if it is a log, else at rest
-  std::filesystem::path beside;      ///< another log, drawn as ghosts; empty: none
-  std::string align;                 ///< of `beside`, for alignBeside(); empty: by the origins
-  MomentChoice moments;              ///< `rate` is the video's if other moments are given
+  std::filesystem::path cell;    ///< for loadCellOrLog()
+  std::filesystem::path log;     ///< empty: `cell` if it is a log, else at rest
+  std::filesystem::path beside;  ///< another log, drawn as ghosts; empty: none
+  std::string align;             ///< of `beside`, for alignBeside(); empty: by the origins
+  MomentChoice moments;          ///< `rate` is the video's if other moments are given
+  BackdropRequest backdrop;
   std::vector<std::string> cameras;  ///< one picture each; none: the default
   std::filesystem::path output;      ///< one frame
   std::filesystem::path sheet;       ///< all of them on one picture

@@ -166,7 +166,7 @@ Status setLooks(const Looks& looks, RenderStyle& style) {
 int main(int argc, char** argv) {
   CLI::App app("Draws frames of a cell and a session without a window.", "rocinante-render");
   RenderJob job;
-  std::string size = "640x480";
+  std::string size = "640x480", backdrop_text;
   std::string caps = pinnableCaps().front();
   std::string profile = "reproducible";
   bool without_insets = false;
@@ -223,6 +223,19 @@ int main(int argc, char** argv) {
       ->option_text("CAMERA[:CORNER][:SIZE]")
       ->allow_extra_args(false);
   app.add_flag("--no-insets", without_insets, "leave out the cell's insets");
+  auto* backdrop = app.add_option("--backdrop", backdrop_text,
+                                  "pictures of a real camera behind and over the model: a picture, "
+                                  "a folder with times, or a video (by ffmpeg)")
+                       ->option_text("FILE[,camera=NAME][,fps=N]");
+  app.add_option("--backdrop-offset", job.backdrop.offset,
+                 "the session time at which the backdrop begins: 2.5s, -300ms; default: 0")
+      ->needs(backdrop)
+      ->type_name("SECONDS");
+  app.add_option("--backdrop-opacity", job.backdrop.opacity,
+                 "how much of the backdrop covers the model: 0 (nothing) to 1")
+      ->needs(backdrop)
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
   app.add_flag("--overlay", job.look.panel, "time, devices, joint values and rates in a corner");
   app.add_option("--size", size, "size in pixels")->capture_default_str();
   app.add_option("--scale", job.look.scale,
@@ -276,6 +289,13 @@ int main(int argc, char** argv) {
         if (!pixels) return pixels.error();
         std::tie(job.look.width, job.look.height) = *pixels;
         if (Status set = setLooks(looks, job.look.style); !set) return set.error();
+        if (backdrop->count() > 0) {
+          auto wanted = parseBackdrop(backdrop_text);
+          if (!wanted) return wanted.error();
+          wanted->offset = job.backdrop.offset;
+          wanted->opacity = job.backdrop.opacity;
+          job.backdrop = std::move(*wanted);
+        }
         job.show_insets = !without_insets;
         job.hashes = hash || json;
         if (job.output.empty() && job.sheet.empty() && job.frames.empty() && job.video.empty() &&

@@ -32,6 +32,9 @@ struct FoundFrame {
   CameraView camera;
   std::vector<FrameInset> insets;
   std::vector<std::string> inset_cameras;  // by name, as `insets`
+  std::shared_ptr<const BackdropPicture> backdrop;
+  double backdrop_opacity = 0;
+  bool main_has_backdrop = false;
   RenderStyle style;
   FrameExtras extras;
   std::map<std::string, std::uint64_t> counted;  // datagrams in the last second, for the panel
@@ -43,6 +46,9 @@ struct FoundFrame {
     frame.insets = insets;
     frame.detail = rung->level;
     frame.scale = scale;
+    frame.backdrop = backdrop.get();
+    frame.backdrop_opacity = backdrop_opacity;
+    frame.main_has_backdrop = main_has_backdrop;
     return frame;
   }
 };
@@ -66,6 +72,7 @@ struct FrameMaker::Impl {
                                  const FoundFrame& found, int width, int height);
   bool asksFit(const FrameRequest& request) const;
   Status placeCameras(const FrameRequest& request, FoundFrame& found);
+  Status placeBackdrop(LogTime time, const std::string& main_camera, FoundFrame& found);
   Result<FoundFrame> find(const FrameRequest& request, StateDamage* damage);
   Result<FoundFrame> findDamaged(const FrameRequest& request, StateDamage& damage);
   void addPanel(LogTime time, const FoundFrame& found, Picture& picture);
@@ -81,6 +88,9 @@ struct FrameMaker::Impl {
   Profile profile;
   std::optional<Timeline> session;
   std::optional<BesideSession> beside;
+  std::string backdrop_camera;
+  double backdrop_opacity = 0;
+  BackdropAt backdrops;  // may be empty
   SessionState nothing_said;
   const SessionState* given = nullptr;  // by showState()
   SessionState by_hand;                 // with the joints of the last request
@@ -149,6 +159,22 @@ Status FrameMaker::Impl::placeCameras(const FrameRequest& request, FoundFrame& f
         {parts[i], *camera, insetTitle(inset), inset.border_rgba, inset.border_px});
     found.inset_cameras.push_back(inset.camera);
   }
+  return backdrops ? placeBackdrop(request.time, main_name, found) : Status{};
+}
+
+Status FrameMaker::Impl::placeBackdrop(LogTime time, const std::string& main_camera,
+                                       FoundFrame& found) {
+  found.main_has_backdrop = main_camera == backdrop_camera;
+  bool any = found.main_has_backdrop;
+  for (std::size_t i = 0; i < found.insets.size(); ++i) {
+    found.insets[i].has_backdrop = found.inset_cameras[i] == backdrop_camera;
+    any = any || found.insets[i].has_backdrop;
+  }
+  if (!any) return {};
+  auto picture = backdrops(session ? time : LogTime{});
+  if (!picture) return picture.error();
+  found.backdrop = std::move(*picture);
+  found.backdrop_opacity = backdrop_opacity;
   return {};
 }
 
@@ -312,6 +338,12 @@ void FrameMaker::showState(const SessionState* state) { impl_->given = state; }
 void FrameMaker::showBeside(Timeline beside, EventAlignment alignment) {
   impl_->names.expectBeside();
   impl_->beside.emplace(impl_->cell, std::move(beside), std::move(alignment));
+}
+
+void FrameMaker::showBackdrop(std::string camera, double opacity, BackdropAt pictures) {
+  impl_->backdrop_camera = std::move(camera);
+  impl_->backdrop_opacity = opacity;
+  impl_->backdrops = std::move(pictures);
 }
 
 Result<Picture> FrameMaker::frame(const FrameRequest& request, StateDamage* damage) {

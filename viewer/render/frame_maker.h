@@ -12,6 +12,7 @@
 #include "viewer/gl/renderer_key.h"
 #include "viewer/picture/picture.h"
 #include "viewer/render/identity_frame.h"
+#include "viewer/view/backdrop_frame.h"
 #include "viewer/view/beside_session.h"
 #include "viewer/view/camera.h"
 #include "viewer/view/hand_joints.h"
@@ -71,6 +72,10 @@ class FrameMaker {
   /// Shows another session of the same cell beside the first, as clear ghosts; the cell's own
   /// ghosts are clear then, too. Only with a session.
   void showBeside(Timeline beside, EventAlignment alignment);
+
+  /// Puts pictures behind every view of this calibrated camera of the cell, and over it by
+  /// `opacity`. Without a session, that of LogTime{}.
+  void showBackdrop(std::string camera, double opacity, BackdropAt pictures);
 
   /// bad_argument for a time outside the log or an unsupported size or sample count; not_found for
   /// an unknown camera or PATH (KnownNames). When a damaged log may make the picture stale: an

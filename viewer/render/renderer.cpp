@@ -133,6 +133,16 @@ Status Renderer::Impl::drawEdges(std::span<const DrawnSet> sets, const SceneFram
   return {};
 }
 
+Status Renderer::Impl::drawBackdrop(const SceneFrame& frame, const CameraView& view,
+                                    std::size_t number, const Camera& camera, double opacity) {
+  const bool wanted = number == 0 ? frame.main_has_backdrop : frame.insets[number - 1].has_backdrop;
+  if (!wanted || frame.backdrop == nullptr || !view.intrinsics || camera.orthographic()) return {};
+  const auto pass = look_passes.backdrops();
+  if (!pass) return pass.error();
+  (*pass)->draw(*frame.backdrop, *view.intrinsics, camera.width(), camera.height(), opacity);
+  return {};
+}
+
 Overlay Renderer::Impl::onTopOf(const SceneFrame& frame, const Camera& camera,
                                 const CameraView& view) const {
   const RenderStyle& style = styleOf(frame);
@@ -148,8 +158,12 @@ Overlay Renderer::Impl::onTopOf(const SceneFrame& frame, const Camera& camera,
     const Camera shown(frame.camera, whole_width, whole_height, passes->clipDepth(), 1);
     addCameraCone(on_top, shown, shown.depthOf(frame.camera.target), camera);
   }
-  if (frame.extras != nullptr)
+  if (frame.extras != nullptr) {
     addClearances(on_top, frame.extras->clearances, style.lengths, glyphs);
+    if (frame.extras->nearest) {
+      addClearances(on_top, {*frame.extras->nearest}, style.lengths, glyphs);
+    }
+  }
   if (frame.choice->layerVisible("gnomon")) on_top.addGnomon(glyphs, raised_px);
   if (style.scale_bar) {
     const double metres_per_pixel = camera.metersPerPixel(camera.depthOf(view.target));
@@ -204,6 +218,7 @@ Result<DrawCounts> Renderer::Impl::drawView(const SceneFrame& frame, const LinkL
 
   const bool plain_filtering = frame.detail.plain_filtering || style.shading == Shading::plain;
   passes->begin(look, part, frame_height, frame.only);
+  if (Status behind = drawBackdrop(frame, view, number, camera, 1); !behind) return behind.error();
   setClamp(gl, camera.orthographic());
   if (plain_filtering) textures.beginPlainFiltering();
   for (const DrawnSet& set : sets) {
@@ -238,6 +253,8 @@ Result<DrawCounts> Renderer::Impl::drawView(const SceneFrame& frame, const LinkL
   }
   drawTranslucent(false);
   setClamp(gl, false);
+  const Status over = drawBackdrop(frame, view, number, camera, frame.backdrop_opacity);
+  if (!over) return over.error();
   if (outlines != nullptr) outlines->draw();
   if (frame.on_top) passes->overlay.drawOnTop(onTopOf(frame, camera, view));
   for (const DrawnSet& set : sets) {

@@ -18,6 +18,7 @@
 #include "viewer/picture/pixel_rectangle.h"
 #include "viewer/render/identity_frame.h"
 #include "viewer/render/stage_times.h"
+#include "viewer/view/backdrop_frame.h"
 #include "viewer/view/camera.h"
 #include "viewer/view/frame_extras.h"
 #include "viewer/view/movable_devices.h"
@@ -33,6 +34,7 @@ struct FrameInset {
   std::string title;  ///< empty: none
   std::uint32_t border_rgba = 0x14181CFF;
   int border_px = 1;  ///< drawn inside of `part`
+  bool has_backdrop = false;
   bool operator==(const FrameInset&) const = default;
 };
 
@@ -55,6 +57,11 @@ struct SceneFrame {
   /// Draw these pixels alone, the same as with the others, and leave the others as they are: a
   /// frame may be drawn in slices.
   std::optional<PixelRectangle> only{};
+  /// Behind the views that say so, of calibrated cameras, and over them by `backdrop_opacity`;
+  /// null: none.
+  const BackdropPicture* backdrop = nullptr;
+  double backdrop_opacity = kBackdropOpacity;
+  bool main_has_backdrop = false;
   /// A further slice of the frame that was drawn last (Renderer::framesDrawn): its shadows and
   /// contact are known.
   bool goes_on = false;

@@ -100,6 +100,9 @@ struct Renderer::Impl {
                               const glm::vec2& origin);
   Result<ShadowLookup> drawShadows(const SceneFrame& frame, const LinkLooks& looks,
                                    const Camera& camera);
+  /// A calibrated view's backdrop, if it shall have it: whole behind the scene, or over it.
+  Status drawBackdrop(const SceneFrame& frame, const CameraView& view, std::size_t number,
+                      const Camera& camera, double opacity);
   Status drawEdges(std::span<const DrawnSet> sets, const SceneFrame& frame, const Camera& camera);
   Overlay onTopOf(const SceneFrame& frame, const Camera& camera, const CameraView& view) const;
   void drawInsetFrames(const SceneFrame& frame, const FrameBuffer& target) const;

@@ -15,8 +15,10 @@ constexpr int kPickReach = 2;
 /// The world point at a depth behind the centre of a pixel.
 Vec3 pointAt(const Camera& camera, int x, int y, double depth_m) {
   const double metres = camera.metersPerPixel(depth_m);
-  const double right = (x + 0.5 - camera.width() * 0.5) * metres;
-  const double up = (camera.height() * 0.5 - (y + 0.5)) * metres;
+  const Vec2& center = camera.center();
+  const double right =
+      (x + 0.5 - camera.width() * 0.5 * (1 + center.x)) * metres * camera.pixelAspect();
+  const double up = (camera.height() * 0.5 * (1 - center.y) - (y + 0.5)) * metres;
   return camera.eye() + camera.forward() * depth_m + camera.right() * right + camera.up() * up;
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/math/transform.h"
 #include "core/math/trigonometry.h"
+#include "viewer/view/lens_fit.h"
 
 namespace rocinante {
 namespace {
@@ -47,16 +48,30 @@ Camera::Camera(const CameraView& view, int width, int height, ClipDepth depth, d
   const double aspect = static_cast<double>(width_) / height_;
   half_height_ = orthographic_ ? *view.ortho_height_m / 2 : halfHeightOf(view.fov_deg);
   half_width_ = half_height_ * aspect;
+  if (view.intrinsics && !orthographic_) {
+    const CameraIntrinsics& lens = *view.intrinsics;
+    const LensFit fit = fitOf(lens, width_, height_);
+    half_width_ = width_ / (2 * fit.scale * lens.fx);
+    half_height_ = height_ / (2 * fit.scale * lens.fy);
+    pixel_aspect_ = lens.fy / lens.fx;
+    // Whole numbers of OpenCV are the centres of pixels.
+    center_ = {2 * (fit.left + fit.scale * (lens.cx + 0.5)) / width_ - 1,
+               1 - 2 * (fit.top + fit.scale * (lens.cy + 0.5)) / height_};
+  }
   near_m_ = std::clamp(distance * kNearPart, 1e-5, 1.0);
 
   // Rows of the matrix from world axes, relative to the eye, to clip space.
-  const Vec4 x(right_ / half_width_, 0);
-  const Vec4 y(up_ / half_height_, 0);
+  Vec4 x(right_ / half_width_, 0);
+  Vec4 y(up_ / half_height_, 0);
   Vec4 w(forward_, 0);
   Vec4 z(0, 0, 0, near_m_);
   if (orthographic_) {
     w = Vec4(0, 0, 0, 1);
     z = Vec4(-forward_ / (2 * reach_m_), 0.5);
+  }
+  if (center_ != Vec2(0, 0)) {
+    x += w * center_.x;
+    y += w * center_.y;
   }
   if (depth == ClipDepth::minus_one_to_one) z = z * 2.0 - w;
   for (int column = 0; column < 4; ++column) {
@@ -94,14 +109,19 @@ double Camera::metersPerPixel(double depth_m) const {
 
 bool Camera::sees(const Vec3& center, double radius) const {
   const Vec3 offset = center - eye_;
-  const double x = std::abs(dotOf(offset, right_));
-  const double y = std::abs(dotOf(offset, up_));
-  if (orthographic_) return x <= half_width_ + radius && y <= half_height_ + radius;
+  const double x = dotOf(offset, right_);
+  const double y = dotOf(offset, up_);
+  if (orthographic_) {
+    return std::abs(x) <= half_width_ + radius && std::abs(y) <= half_height_ + radius;
+  }
   const double z = dotOf(offset, forward_);
   if (z < -radius) return false;
-  // Distance from the side planes through the eye, whose normals are (1, -half) normalized.
-  return x - half_width_ * z <= radius * std::sqrt(1 + half_width_ * half_width_) &&
-         y - half_height_ * z <= radius * std::sqrt(1 + half_height_ * half_height_);
+  // Distance from a side plane through the eye, whose normal is (1, -half) normalized.
+  const auto inside = [&](double across, double half) {
+    return across - half * z <= radius * std::sqrt(1 + half * half);
+  };
+  return inside(x, half_width_ * (1 - center_.x)) && inside(-x, half_width_ * (1 + center_.x)) &&
+         inside(y, half_height_ * (1 - center_.y)) && inside(-y, half_height_ * (1 + center_.y));
 }
 
 CameraView mapView(const std::vector<Vec3>& points, int width, int height) {

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/cell/camera_lens.h"
 #include "core/math/vector.h"
 
 namespace rocinante {
@@ -12,6 +13,9 @@ struct CameraView {
   Vec3 eye{4, -4, 3}, target{0, 0, 0}, up{0, 0, 1};
   double fov_deg = 45;                   ///< vertical; from 0.01 to 179
   std::optional<double> ortho_height_m;  ///< orthographic: metres from top to bottom
+  /// Of a calibrated camera, in place of `fov_deg`: its picture lies in the drawn one by fitOf(),
+  /// and the scene goes on around it. Ignored when orthographic.
+  std::optional<CameraIntrinsics> intrinsics{};
   bool operator==(const CameraView&) const = default;
 };
 
@@ -50,8 +54,13 @@ class Camera {
   double depthOf(const Vec3& world) const;
   /// The same from a depth buffer's value, 1 (near) to 0; infinity for 0.
   double depthAt(double stored) const;
-  /// Metres per pixel at this depth.
+  /// Metres per pixel at this depth, upwards.
   double metersPerPixel(double depth_m) const;
+  /// Metres per pixel to the right, as a part of those upwards.
+  double pixelAspect() const { return pixel_aspect_; }
+  /// Where the line of sight meets the picture, from -1 to 1 to the right and upwards: 0, 0 but for
+  /// a calibrated lens.
+  const Vec2& center() const { return center_; }
   /// False only when the sphere is entirely outside the picture.
   bool sees(const Vec3& center, double radius) const;
 
@@ -60,6 +69,8 @@ class Camera {
   Vec3 eye_, right_, up_, forward_;
   bool orthographic_;
   double half_width_, half_height_;  ///< at depth 1, or of the whole picture when orthographic
+  double pixel_aspect_ = 1;
+  Vec2 center_{0, 0};
   double near_m_;
   double reach_m_;  ///< orthographic
   Mat4 clip_from_relative_;

@@ -94,7 +94,8 @@ std::string viewpointText(const CameraView& view) {
 }
 
 CameraView viewOf(const PosedCamera& camera) {
-  return {camera.eye, camera.target, camera.up, camera.fov_deg, camera.ortho_height_m};
+  return {camera.eye,     camera.target,         camera.up,
+          camera.fov_deg, camera.ortho_height_m, camera.intrinsics};
 }
 
 Result<CameraView> chooseCamera(const std::string& name, const PosedScene& scene) {

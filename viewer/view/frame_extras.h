@@ -33,6 +33,7 @@ struct ClearanceLine {
   Vec3 from{}, to{};
   double distance_m = 0;
   bool is_kept = true;  ///< not nearer than the cell's least distance
+  bool operator==(const ClearanceLine&) const = default;
 };
 
 /// Data for some looks besides the scene, computed only from the state and the log, by
@@ -42,6 +43,8 @@ struct FrameExtras {
   std::vector<std::vector<LimitLevel>> limits;
   std::vector<Trail> trails;
   std::vector<ClearanceLine> clearances;
+  /// One more such line, which no clearance of the cell asks for.
+  std::optional<ClearanceLine> nearest;
 };
 
 }  // namespace rocinante

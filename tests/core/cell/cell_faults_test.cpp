@@ -30,8 +30,8 @@ fov = 45
             "test.cell.toml:9:27: error: pose has an unknown key `rpy_degrees` (its keys are "
             "quaternion, rpy, rpy_deg, xyz) [cell.unknown-key]\n"
             "test.cell.toml:14:1: error: [[camera]] has an unknown key `fov` (its keys "
-            "are eye, follow, fov_deg, look_at, name, on, ortho_height_m, target, up) "
-            "[cell.unknown-key]\n");
+            "are distortion, eye, follow, fov_deg, intrinsics, look_at, name, on, "
+            "ortho_height_m, target, up) [cell.unknown-key]\n");
 }
 
 struct CellFaultCase {
@@ -111,6 +111,18 @@ TEST_F(CellFaults, EachKindOfFaultSaysWhereAndWhat) {
        "test.cell.toml:6:11: error: `fov_deg` must be between 0 and 180 [cell.bad-number]\n"
        "test.cell.toml:7:6: error: `on` of [[camera]] names `arm`, which is not a device of the "
        "cell [cell.unknown-device]\n"},
+      {"[[camera]]\nname = 'c'\neye = [0, 0, 1]\ntarget = [0, 0, 0]\nfov_deg = 40\n"
+       "intrinsics = { fx = 0, fy = 800, cx = 320, width = 640.5, height = 480 }\n"
+       "distortion = [0.1, 0.2]\n",
+       "test.cell.toml:7:14: error: intrinsics lacks `cy` [cell.missing-key]\n"
+       "test.cell.toml:7:14: error: the camera has both intrinsics and fov_deg or ortho_height_m "
+       "[cell.two-projections]\n"
+       "test.cell.toml:7:21: error: `fx` of intrinsics must be 1 to 1000000 pixels "
+       "[cell.bad-number]\n"
+       "test.cell.toml:7:52: error: `width` of intrinsics must be a whole number up to 16384 "
+       "[cell.bad-number]\n"
+       "test.cell.toml:8:14: error: `distortion` must be the numbers k1, k2, p1, p2 and, if there "
+       "is one, k3 [cell.bad-number]\n"},
       {"[[source]]\nname = 's'\nrate_hz = [70, 50]\ndevices = ['a', 3]\nghost_of = { p = 'b' }\n",
        "test.cell.toml:4:11: error: `rate_hz` of [[source]] is [lowest, highest], but 70 is above "
        "50 [cell.bad-range]\n"

@@ -95,8 +95,20 @@ inline Cell fullCell() {
   device.dressed = std::make_shared<const Model>(fullModel());
   cell.devices = {device, CellDevice{}};
   cell.device_by_name = {{"left", 0}};
-  cell.cameras = {
-      {"near", {1, 2, 3}, {4, 5, 6}, {0, 1, 0}, 33, 2.5, "left", "upper", "a", "b", "c", "d"}};
+  cell.cameras = {{"near",
+                   {1, 2, 3},
+                   {4, 5, 6},
+                   {0, 1, 0},
+                   33,
+                   2.5,
+                   "left",
+                   "upper",
+                   "a",
+                   "b",
+                   "c",
+                   "d",
+                   CameraIntrinsics{700, 701, 319, 239, 640, 480},
+                   LensDistortion{0.1, 0.2, 0.3, 0.4, 0.5}}};
   CellInset inset;
   inset.camera = "near";
   inset.corner = InsetCorner::bottom_left;

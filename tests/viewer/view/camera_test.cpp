@@ -115,6 +115,35 @@ TEST(Camera, SeesWhatIsInThePictureAndNotWhatIsBehind) {
   EXPECT_FALSE(Camera(view, 400, 300, ClipDepth::zero_to_one, 0).sees({-5, 0, 0}, 1));
 }
 
+/// Points of the lens's own space (x right, y down, z along the view), by OpenCV's formula.
+TEST(Camera, OfACalibratedLensProjectsAsOpenCvDoes) {
+  CameraView view;
+  view.eye = {1, 2, 3};
+  view.target = {1, 6, 3};  // z along y, x along x, y downwards
+  view.intrinsics = CameraIntrinsics{820.5, 795.25, 301.75, 261.5, 640, 480};
+  const CameraIntrinsics& lens = *view.intrinsics;
+  struct Size {
+    int width, height;
+    double left, top, scale;
+  };
+  // As large, twice as large, with room at the sides, with room above and below.
+  for (const Size& size : {Size{640, 480, 0, 0, 1}, Size{1280, 960, 0, 0, 2},
+                           Size{1000, 480, 180, 0, 1}, Size{320, 300, 0, 30, 0.5}}) {
+    const Camera camera(view, size.width, size.height, ClipDepth::zero_to_one, 0);
+    for (const Vec3& p : {Vec3(0, 0, 4), Vec3(1, 0.5, 3), Vec3(-0.7, 0.9, 2.5), Vec3(3, -2, 9)}) {
+      const Pixel seen = pixelOf(camera, {1 + p.x, 2 + p.z, 3 - p.y});
+      EXPECT_NEAR(seen.x, size.left + size.scale * (lens.fx * p.x / p.z + lens.cx + 0.5), 1e-9);
+      EXPECT_NEAR(seen.y, size.top + size.scale * (lens.fy * p.y / p.z + lens.cy + 0.5), 1e-9);
+      EXPECT_NEAR(camera.depthAt(seen.depth), p.z, 1e-9);
+    }
+    // What lies at the picture's edge is seen, what lies beyond is not.
+    const double right_x = (size.width - size.left - size.scale * (lens.cx + 0.5)) / size.scale;
+    const double edge = 4 * right_x / lens.fx;
+    EXPECT_TRUE(camera.sees({1 + edge - 0.02, 6, 3}, 0.01));
+    EXPECT_FALSE(camera.sees({1 + edge + 0.02, 6, 3}, 0.01));
+  }
+}
+
 TEST(DepthReach, IsOfWhatThePictureShowsAndNotOfTheSiteAround) {
   // A site of two kilometres, flat, and a part of a centimetre on it.
   std::vector<Vec3> corners;

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+
+namespace rocinante {
+
+/// A child program whose output is read as it comes. Not thread-safe.
+class ChildPipe {
+ public:
+  /// not_found when there is no such program.
+  static Result<ChildPipe> start(const std::vector<std::string>& words);
+  /// Ends the program if it still runs.
+  ~ChildPipe();
+  ChildPipe(ChildPipe&& other) noexcept;
+  ChildPipe& operator=(ChildPipe&& other) noexcept;
+
+  /// Fills `into`; fewer bytes at the end of the output. refused when `stopped`, which is asked ten
+  /// times a second and may be empty, says so, or when nothing comes for half a minute.
+  Result<std::size_t> read(std::span<std::uint8_t> into, const std::function<bool()>& stopped);
+  /// Waits for its end: whether it was well, and else what it said, on one line.
+  Status ended();
+
+ private:
+  ChildPipe() = default;
+  void stop();
+
+  pid_t child_ = -1;
+  int output_ = -1;
+  int words_ = -1;  ///< a file in memory: its standard error
+};
+
+}  // namespace rocinante

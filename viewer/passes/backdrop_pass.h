@@ -1,0 +1,34 @@
+#pragma once
+
+#include "core/cell/camera_lens.h"
+#include "viewer/gl/shader_program.h"
+#include "viewer/picture/pixel_rectangle.h"
+#include "viewer/view/backdrop_frame.h"
+
+namespace rocinante {
+
+/// Draws a real camera's picture where a calibrated camera has it (fitOf), without depth. Keeps the
+/// last picture as a texture. Its context must be current whenever it is used or destroyed.
+class BackdropPass {
+ public:
+  static Result<BackdropPass> create(const GlTable& gl);
+  ~BackdropPass();
+  BackdropPass(BackdropPass&& other) noexcept;
+  BackdropPass& operator=(BackdropPass&&) = delete;
+
+  /// Into the viewport, which is of this size. Blends by `opacity`; leaves depth test and blending
+  /// off.
+  void draw(const BackdropPicture& picture, const CameraIntrinsics& lens, int width, int height,
+            double opacity);
+
+ private:
+  BackdropPass(const GlTable& gl, ShaderProgram program);
+  void upload(const BackdropPicture& picture);
+
+  const GlTable& gl_;
+  ShaderProgram program_;
+  GLuint empty_array_ = 0, texture_ = 0;
+  std::uint64_t uploaded_ = 0;  ///< BackdropPicture::number; 0: none
+};
+
+}  // namespace rocinante
