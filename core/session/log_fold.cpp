@@ -181,6 +181,9 @@ Result<bool> LogFold::foldTo(LogPosition last, std::uint64_t most, std::vector<E
     }
     if (at_end_ || lookahead_->place() > last) return true;
     if (count == most) return false;
+    if (count % kNearMessages == 0 && stop_.stop_requested()) {
+      return Error{ErrorKind::refused, "stopped", reader_.name()};
+    }
     fold(*lookahead_, sink);
     lookahead_.reset();
   }

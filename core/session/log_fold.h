@@ -2,6 +2,8 @@
 
 #include <cstdint>
 #include <optional>
+#include <stop_token>
+#include <utility>
 #include <vector>
 
 #include "core/base/result.h"
@@ -47,6 +49,9 @@ class LogFold {
 
   const std::vector<KeyframeFault>& keyframeFaults() const { return finder_.faults(); }
 
+  /// As Timeline::useStop().
+  void useStop(std::stop_token stop) { stop_ = std::move(stop); }
+
   /// Releases the states kept to answer quickly.
   void letGo();
 
@@ -84,6 +89,7 @@ class LogFold {
   bool at_end_ = false;
   bool placed_ = false;  ///< the reader's next message is the first behind `reached_`
 
+  std::stop_token stop_;
   StateCache cache_;
   std::vector<Event> events_;
   bool events_found_ = false;               ///< and nothing was appended since

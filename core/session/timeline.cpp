@@ -24,6 +24,7 @@ struct Timeline::Impl {
   std::optional<NextPiece> next_piece;  ///< looks for it; empty: not followed
   std::vector<Event> events;
   bool events_found = false;
+  std::stop_token stop;
 
   LogFold& last() { return *pieces.back(); }
 
@@ -56,6 +57,7 @@ struct Timeline::Impl {
       if (!next) return next.error();
       if (*next) {
         pieces.push_back(std::make_unique<LogFold>(*std::move(*next)));
+        last().useStop(stop);
         changed = true;
       }
     }
@@ -124,6 +126,11 @@ Timeline::Timeline(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 Timeline::~Timeline() = default;
 Timeline::Timeline(Timeline&&) noexcept = default;
 Timeline& Timeline::operator=(Timeline&&) noexcept = default;
+
+void Timeline::useStop(std::stop_token stop) {
+  for (const auto& piece : impl_->pieces) piece->useStop(stop);
+  impl_->stop = std::move(stop);
+}
 
 LogTime Timeline::origin() const { return impl_->pieces.front()->reader().summary().origin; }
 LogTime Timeline::start() const { return impl_->pieces.front()->reader().summary().start; }

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -53,6 +54,10 @@ class Timeline {
   ~Timeline();
   Timeline(Timeline&&) noexcept;
   Timeline& operator=(Timeline&&) noexcept;
+
+  /// From now on a query that folds ends soon after `stop` is requested, as refused. For a thread
+  /// that someone may wait for.
+  void useStop(std::stop_token stop);
 
   LogTime origin() const;
   LogTime start() const;

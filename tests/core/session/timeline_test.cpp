@@ -100,6 +100,20 @@ TEST(Timeline, TellsEveryEventOnceAndStaysRightAfterwards) {
   EXPECT_EQ((*timeline.stateAt(at(5000)))->identityText(), middle);
 }
 
+TEST(Timeline, EndsAQueryWhenItIsStoppedAndCanBeAskedAgain) {
+  const Bytes file = makeLog(30'000);
+  Timeline timeline = Timeline::of(openLog(file));
+  std::stop_source stop;
+  timeline.useStop(stop.get_token());
+  ASSERT_TRUE(timeline.stateAt(at(40'000)).ok());
+  stop.request_stop();
+  const auto stopped = timeline.stateAt(at(150'000));
+  ASSERT_FALSE(stopped.ok());
+  EXPECT_EQ(stopped.error().kind, ErrorKind::refused);
+  timeline.useStop({});
+  EXPECT_EQ((*timeline.stateAt(at(150'000)))->identityText(), stateFromStart(file, at(150'000)));
+}
+
 TEST(Timeline, AnEmptyLogHasTheEmptyStateAtEveryMoment) {
   Bytes file;
   ASSERT_TRUE(makeWriter(file).close("signal").ok());

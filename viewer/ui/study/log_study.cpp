@@ -99,7 +99,7 @@ struct LogStudy::Impl {
       : names(positionalNames(the_cell)), log(std::move(path)) {}
 
   void work(const std::stop_token& stop);
-  Status begin();
+  Status begin(const std::stop_token& stop);
   Status readAll(const std::stop_token& stop);
   Status refine(const StudyWish& wish, const std::stop_token& stop);
   bool isFineEnough(const StudyWish& wish) const;
@@ -143,12 +143,13 @@ LogStudy::LogStudy(const Cell& cell, std::filesystem::path log)
 
 LogStudy::~LogStudy() = default;
 
-Status LogStudy::Impl::begin() {
+Status LogStudy::Impl::begin(const std::stop_token& stop) {
   auto reader = LogReader::open(log);
   if (!reader.ok()) return reader.error();
   auto second = LogReader::open(log);
   if (!second.ok()) return second.error();
   timeline = Timeline::of(std::move(*second));
+  timeline->useStop(stop);
   start = timeline->start();
   end = timeline->end();
   SeriesScan::Options options;
@@ -308,7 +309,7 @@ Result<std::string> LogStudy::Impl::tableOf(const TableWish& wish, const std::st
 
 void LogStudy::Impl::work(const std::stop_token& stop) {
   lowerPriority();
-  Status read = begin();
+  Status read = begin(stop);
   if (read) read = readAll(stop);
   const auto fail = [this](const Error& error) {
     const std::lock_guard lock(mutex);

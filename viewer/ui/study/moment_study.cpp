@@ -16,7 +16,7 @@ struct MomentStudy::Impl {
   Impl(const Cell& cell, std::function<void()> ready) : on_ready(std::move(ready)), poses(cell) {}
 
   void work(const std::stop_token& stop);
-  void look();
+  void look(const std::stop_token& stop);
 
   std::function<void()> on_ready;
 
@@ -33,7 +33,7 @@ struct MomentStudy::Impl {
   std::jthread thread;  // last: it ends first
 };
 
-void MomentStudy::Impl::look() {
+void MomentStudy::Impl::look(const std::stop_token& stop) {
   scene.reset();
   // A log that grows is opened again for what was not there yet.
   if (!timeline || opened != log || moment > timeline->end()) {
@@ -41,6 +41,7 @@ void MomentStudy::Impl::look() {
     auto now = Timeline::open(log);
     if (!now.ok()) return;
     timeline = std::move(*now);
+    timeline->useStop(stop);
     opened = log;
   }
   const auto state = timeline->stateAt(moment);
@@ -54,7 +55,7 @@ void MomentStudy::Impl::work(const std::stop_token& stop) {
       std::unique_lock lock(mutex);
       if (!changed.wait(lock, stop, [this] { return busy; })) return;
     }
-    look();
+    look(stop);
     {
       const std::lock_guard lock(mutex);
       busy = false;

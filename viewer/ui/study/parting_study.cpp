@@ -16,7 +16,7 @@ namespace {
 
 /// An hour at kPartingStep.
 constexpr std::int64_t kMaxSamples = 180'000;
-/// Samples between two looks for news and for the end.
+/// Samples between two times that news are shown.
 constexpr std::int64_t kSamplesAtATime = 256;
 
 void addDevices(std::vector<std::string>& all, const std::vector<std::string>& more) {
@@ -60,6 +60,8 @@ Status PartingStudy::Impl::look(const std::stop_token& stop) {
   if (!shown.ok()) return shown.error();
   auto opened = Timeline::open(beside_log);
   if (!opened.ok()) return opened.error();
+  shown->useStop(stop);
+  opened->useStop(stop);
   ScenePoseCache poses(cell);
   BesideSession beside(cell, std::move(*opened), alignment);
   const LogTime start = shown->start();
@@ -69,10 +71,8 @@ Status PartingStudy::Impl::look(const std::stop_token& stop) {
   std::vector<Parting> partings;
   bool apart = false;
   for (std::int64_t i = 0; start + (i - 1) * step < shown->end(); ++i) {
-    if (i % kSamplesAtATime == 0) {
-      if (stop.stop_requested()) return {};
-      publish(partings);
-    }
+    if (stop.stop_requested()) return {};
+    if (i % kSamplesAtATime == 0) publish(partings);
     const LogTime moment = std::min(start + i * step, shown->end());
     if (!beside.covers(moment)) {
       apart = false;
