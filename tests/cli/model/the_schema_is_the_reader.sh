@@ -34,6 +34,7 @@ parent = "base"
 joint = {{ name = "j", type = "revolute", axis = [1, 0, 0], {odd} = 1, mimic = {{ joint = "k", {odd} = 1 }} }}
 [[camera]]
 {odd} = 1
+intrinsics = {{ {odd} = 1 }}
 [[inset]]
 {odd} = 1
 [[layer]]
@@ -56,7 +57,7 @@ tables = schema['definitions']
 expected = {'the cell': schema, '[[device]]': tables['device'], 'pose': tables['pose'],
             '[[model]]': tables['model'], '[[model.link]]': tables['link'], 'joint': tables['joint'],
             'mimic': tables['joint']['properties']['mimic'], '[[camera]]': tables['camera'],
-            '[[inset]]': tables['inset'],
+            'intrinsics': tables['camera']['properties']['intrinsics'], '[[inset]]': tables['inset'],
             '[[layer]]': tables['layer'], '[[light]]': tables['light'], '[[material]]': tables['material'],
             '[[source]]': tables['source'], '[scene]': tables['scene']}
 for table, of in expected.items():
@@ -76,7 +77,11 @@ for wrong in ['', 'format = 2', head + 'serach = []', head + '[[device]]\nname =
               head + '[[device]]\nmodel = "a.urdf"\ncolor = "red"', head + '[[device]]\nmodel = "a.urdf"\nname = "a/b"',
               head + '[[device]]\nmodel = "a.urdf"\npose = { rpy = [0, 0, 0], rpy_deg = [0, 0, 0] }',
               head + '[[model]]\nname = "a"', head + '[[model]]\nname = "a"\nobj = "a.obj"\nurdf = "a.urdf"',
-              head + '[[camera]]\nname = "c"\neye = [0, 0]\ntarget = [0, 0, 0]', head + '[[material]]\nlink = "a"', head + '[[inset]]\ncamera = "map"\ncorner = "left"',
+              head + '[[camera]]\nname = "c"\neye = [0, 0]\ntarget = [0, 0, 0]', head + '[[material]]\nlink = "a"',
+              head + '[[camera]]\nname = "c"\neye = [0, 0, 1]\ntarget = [0, 0, 0]\ndistortion = [0, 0, 0, 0]',
+              head + '[[camera]]\nname = "c"\neye = [0, 0, 1]\ntarget = [0, 0, 0]\nfov_deg = 40\n'
+              'intrinsics = { fx = 9, fy = 9, cx = 4, cy = 3, width = 8, height = 6 }',
+              head + '[[inset]]\ncamera = "map"\ncorner = "left"',
               head + '[[inset]]\ncamera = "map"\nsize = [2, 2]', head + '[[inset]]\nsize_px = [64, 64]',
               head + '[[source]]\nname = "s"\nrate_hz = [-1, 2]', head + '[rules]\n"packet.bad-name" = "loud"',
               head + '[[layer]]\nname = "l"\nopacity = 2', head + '[[layer]]\nname = "l"\ncollision = "in"', head + '[[light]]\nname = "l"',

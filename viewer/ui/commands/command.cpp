@@ -39,8 +39,8 @@ const std::vector<Command>& allCommands() {
     std::vector<Command> all;
     for (std::vector<Command> group :
          {timeCommands(), liveCommands(), plotCommands(), cameraCommands(), pictureCommands(),
-          handCommands(), inspectCommands(), publishCommands(), programCommands(),
-          scriptCommands()}) {
+          handCommands(), inspectCommands(), backdropCommands(), publishCommands(),
+          programCommands(), scriptCommands()}) {
       std::ranges::move(group, std::back_inserter(all));
     }
     return all;

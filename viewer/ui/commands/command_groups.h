@@ -20,6 +20,8 @@ std::vector<Command> pictureCommands();
 std::vector<Command> handCommands();
 /// Poses, distances and the packets behind values.
 std::vector<Command> inspectCommands();
+/// Pictures of a real camera.
+std::vector<Command> backdropCommands();
 /// What other windows see of this one.
 std::vector<Command> publishCommands();
 std::vector<Command> programCommands();

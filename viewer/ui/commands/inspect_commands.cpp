@@ -67,6 +67,13 @@ Status followSelection(CommandWords words, const CommandStage& stage) {
   return {};
 }
 
+Status showNearest(CommandWords words, const CommandStage& stage) {
+  const auto on = switched(words, stage.model.nearest_wanted);
+  if (!on.ok()) return on.error();
+  stage.model.nearest_wanted = *on;
+  return {};
+}
+
 Status toggleAxes(CommandWords /*words*/, const CommandStage& stage) {
   ViewModel& model = stage.model;
   RenderStyle style = model.style();
@@ -86,6 +93,11 @@ std::vector<Command> inspectCommands() {
        .run = measureDistance,
        .shortcuts = {{"X", "", "distance of two points"},
                      {"shift+X", "none", "without any distance"}}},
+      {.name = "nearest",
+       .arguments = "[on|off]",
+       .means = "how near the selection is to the reference, or to the nearest other device",
+       .run = showNearest,
+       .shortcuts = {{"shift+N", "", ""}}},
       {.name = "axes",
        .means = "axes of the selection, else of all links",
        .run = toggleAxes,

@@ -39,6 +39,17 @@ Status makeEvidence(CommandWords words, const CommandStage& stage) {
   return {};
 }
 
+Status makeVideo(CommandWords words, const CommandStage& stage) {
+  stage.requests.video = words.empty() ? std::string() : words[0];
+  return {};
+}
+
+Status addGoldenCase(CommandWords words, const CommandStage& stage) {
+  stage.requests.golden_case = {words.empty() ? std::string() : words[0],
+                                words.size() < 2 ? "view.suite.toml" : words[1]};
+  return {};
+}
+
 Status makeScreenshot(CommandWords words, const CommandStage& stage) {
   stage.requests.screenshot = words[0];
   return {};
@@ -150,6 +161,17 @@ std::vector<Command> programCommands() {
        .means = "the same picture, drawn by `rocinante render`",
        .run = makeEvidence,
        .shortcuts = {{"S", "", "an evidence picture"}}},
+      {.name = "video",
+       .arguments = "[FILE]",
+       .means = "the part from A to B as a video, drawn by `rocinante render`",
+       .run = makeVideo,
+       .shortcuts = {{"shift+V", "", "a video of the part"}},
+       .needs_log = true},
+      {.name = "golden-case",
+       .arguments = "[NAME] [SUITE]",
+       .means = "the view as a case of a suite, view.suite.toml by default",
+       .run = addGoldenCase,
+       .shortcuts = {{"shift+G", "", "a golden case"}}},
       {.name = "screenshot",
        .arguments = "FILE",
        .means = "draw a frame and write it as PNG, panels included",

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/time.h"
@@ -23,6 +24,10 @@ struct ViewerRequests {
   bool reset = false;     ///< back to the initial camera
   bool evidence = false;  ///< into a new file of the working folder
   std::optional<std::filesystem::path> evidence_file;
+  /// Of the part between A and B; empty: a new file of the working folder.
+  std::optional<std::filesystem::path> video;
+  /// The picture as a case of a suite: its name, which may be empty, and the suite.
+  std::optional<std::pair<std::string, std::filesystem::path>> golden_case;
   std::optional<std::filesystem::path> screenshot;  ///< of the coming frame, panels included
   std::vector<std::filesystem::path> open;          ///< show these files instead
   std::optional<std::string> save_camera;  ///< the view as a camera of the cell, by this name

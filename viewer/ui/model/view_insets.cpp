@@ -57,6 +57,7 @@ std::vector<FrameInset> frameInsets(ViewModel& model, FittedCameras& fitted, int
     }
     if (!camera.ok()) continue;
     shown.push_back({parts[i], *camera, insetTitle(inset), inset.border_rgba, inset.border_px});
+    shown.back().has_backdrop = model.backdrop && inset.camera == model.backdrop->camera;
     model.inset_places.push_back({numbers[i], parts[i], *camera});
   }
   return shown;

@@ -145,7 +145,37 @@ Result<bool> ViewModel::update(SteadyTime now) {
       misfits_ = rocinante::misfits(*cell_, scene_, *state_);
       misfits_at_ = now;
     }
+    nearest_is_old_ = true;
   }
+  return lookForNearest() || changed;
+}
+
+bool ViewModel::lookForNearest() {
+  NearestWish wish{selected.device, reference.device};
+  if (wish.other == wish.device) wish.other.clear();
+  const bool wanted = nearest_wanted && !wish.device.empty();
+  if (wanted) {
+    if (!nearest_) nearest_ = std::make_unique<NearestStudy>(*cell_);
+    if (nearest_asked_ != wish || nearest_is_old_) {
+      if (study_waits) nearest_->wait();
+      if (nearest_->ask(wish, *state_, shownTime())) {
+        nearest_asked_ = wish;
+        nearest_is_old_ = false;
+      }
+      if (study_waits) nearest_->wait();
+    }
+  }
+  nearest_found_ = wanted ? nearest_->found() : std::nullopt;
+  if (nearest_found_ && nearest_found_->wish != wish) nearest_found_.reset();
+  // A line of another moment would end in the air.
+  std::optional<ClearanceLine> line;
+  if (nearest_found_ && !nearest_found_->other.empty() && !nearest_is_old_ &&
+      nearest_found_->moment == shownTime()) {
+    const NearestFound& found = *nearest_found_;
+    line = ClearanceLine{found.on_device, found.on_other, found.distance_m, found.distance_m > 0};
+  }
+  const bool changed = line != extras_.nearest;
+  extras_.nearest = line;
   return changed;
 }
 
@@ -253,14 +283,15 @@ const FindingsStudy* ViewModel::findings() {
 }
 
 bool ViewModel::hasStudyNews() const {
-  return (study_ && study_->hasNews()) || (judged_ && !judged_seen_ && judged_->isFinished()) ||
+  return (nearest_ && nearest_->takeNews()) || (study_ && study_->hasNews()) ||
+         (judged_ && !judged_seen_ && judged_->isFinished()) ||
          (study_beside_ && study_beside_->hasNews()) || (partings_ && partings_->takeNews());
 }
 
 bool ViewModel::isStudyBusy() const {
-  return (study_ && study_->isBusy()) || (judged_ && !judged_->isFinished()) ||
-         (study_beside_ && study_beside_->isBusy()) || (partings_ && !partings_->isFinished()) ||
-         (study_ && findings_wanted && !judged_);
+  return (nearest_ && nearest_->isBusy()) || (study_ && study_->isBusy()) ||
+         (judged_ && !judged_->isFinished()) || (study_beside_ && study_beside_->isBusy()) ||
+         (partings_ && !partings_->isFinished()) || (study_ && findings_wanted && !judged_);
 }
 
 Status ViewModel::addMark(const std::string& text) {

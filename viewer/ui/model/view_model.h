@@ -14,6 +14,7 @@
 #include "viewer/ui/live/live_feed.h"
 #include "viewer/ui/live/live_reason.h"
 #include "viewer/ui/live/source_rows.h"
+#include "viewer/ui/model/backdrop_choice.h"
 #include "viewer/ui/model/hand_control.h"
 #include "viewer/ui/model/inspection.h"
 #include "viewer/ui/model/misfits.h"
@@ -30,6 +31,7 @@
 #include "viewer/ui/model/turntable.h"
 #include "viewer/ui/study/findings_study.h"
 #include "viewer/ui/study/log_study.h"
+#include "viewer/ui/study/nearest_study.h"
 #include "viewer/ui/study/parting_study.h"
 #include "viewer/view/beside_session.h"
 #include "viewer/view/clearance_lines.h"
@@ -140,6 +142,11 @@ class ViewModel {
   /// The log as `rocinante check` judges it, in the background once study() has read the log; null
   /// before that, without a log, and while `findings_wanted` is false.
   const FindingsStudy* findings();
+  /// The distance of the selected device from the reference, or from the nearest other one, as it
+  /// was last measured in the background: null while `nearest_wanted` is false, without a selection
+  /// and before the first answer. It may be of an earlier moment.
+  const NearestFound* nearest() const { return nearest_found_ ? &*nearest_found_ : nullptr; }
+
   /// The background has something new to show.
   bool hasStudyNews() const;
   /// The background is about to have something new: the window should look soon.
@@ -224,7 +231,9 @@ class ViewModel {
   Selection reference;               ///< in whose space poses are shown; empty: the world
   DistancePicking picking;           ///< of a distance
   PacketLookup packet;
-  Selection followed;  ///< the camera moves with it; empty: with nothing
+  bool nearest_wanted = false;             ///< measure how near the selection is to others
+  std::optional<BackdropChoice> backdrop;  ///< empty: there is none
+  Selection followed;                      ///< the camera moves with it; empty: with nothing
   bool outline_selected = true;
   bool panels_shown = true;
   bool help_shown = false;
@@ -248,6 +257,9 @@ class ViewModel {
   /// Makes scene_ of state_, which is of this moment, with the ghosts beside.
   Status pose(LogTime moment);
   void follow();
+  /// Asks for the nearest distance of what is shown, and takes the last answer; true when its line
+  /// in the picture changed.
+  bool lookForNearest();
   /// Trails up to `moment`, as far as the log goes.
   Status findTrails(LogTime moment);
   // Of a session that goes on (view_model_growing.cpp).
@@ -308,6 +320,10 @@ class ViewModel {
   std::unique_ptr<LogStudy> study_, study_beside_;  // borrow *cell_
   std::unique_ptr<FindingsStudy> judged_;           // borrows *cell_
   bool judged_seen_ = false;
+  std::unique_ptr<NearestStudy> nearest_;  // borrows *cell_
+  std::optional<NearestFound> nearest_found_;
+  std::optional<NearestWish> nearest_asked_;
+  bool nearest_is_old_ = false;  ///< what is shown has changed since it was asked
   std::set<std::string> hidden_, shown_paths_;
   ViewChoice choice_;
   std::string camera_name_;

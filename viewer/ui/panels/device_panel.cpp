@@ -70,6 +70,7 @@ float drawDevicePanel(ViewModel& model, float top, SteadyTime now) {
     drawPoseButton(model, *device, state);
     drawPose(model, shown);
     drawCarrier(state);
+    drawNearest(model, shown);
     drawHandButtons(model, *device);
     drawPacketBehind(model, *device, shown, bottom);
     drawJointSliders(model, *device, shown.link, bottom, now);

@@ -8,6 +8,7 @@
 #include "core/base/count_text.h"
 #include "core/base/duration_text.h"
 #include "core/base/plain_text.h"
+#include "core/clearance/clearance_figure.h"
 #include "viewer/ui/panels/panel_parts.h"
 #include "viewer/ui/panels/plot_parts.h"
 
@@ -132,6 +133,26 @@ void drawPose(ViewModel& model, const Selection& shown) {
   ImGui::SameLine();
   if (ImGui::SmallButton("world")) model.reference = {};
   explain("show poses in the world again");
+}
+
+void drawNearest(ViewModel& model, const Selection& shown) {
+  if (model.selected.device != shown.device) return;
+  if (ImGui::SmallButton(model.nearest_wanted ? "hide distance" : "nearest")) {
+    model.nearest_wanted = !model.nearest_wanted;
+  }
+  explain("how near it is to the reference (`from here`), or to the nearest other device");
+  if (!model.nearest_wanted) return;
+  ImGui::SameLine();
+  const NearestFound* const found = model.nearest();
+  if (found == nullptr) {
+    ImGui::TextDisabled("measuring ...");
+  } else if (found->other.empty()) {
+    ImGui::TextDisabled("nothing to measure");
+  } else {
+    const double mm = roundedClearance(found->distance_m) * 1e3;
+    const std::string how = mm > 0 ? fmt::format("{:.2f} mm from ", mm) : "touches ";
+    ImGui::TextWrapped("%s", (how + plainText(found->other)).c_str());
+  }
 }
 
 void drawPacketBehind(ViewModel& model, const PosedDevice& device, const Selection& shown,

@@ -1,6 +1,7 @@
 #include "viewer/ui/panels/look_panel.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "viewer/ui/panels/panel_parts.h"
 
@@ -75,9 +76,29 @@ void drawSelectedLooks(const ViewModel& model, RenderStyle& style) {
   if (path != kEverything && model.session() != nullptr) drawTrail(path, style);
 }
 
+void drawBackdrop(BackdropChoice& backdrop) {
+  ImGui::Checkbox("backdrop", &backdrop.shown);
+  explain("pictures of the real camera, in its views (Shift and B)");
+  if (!backdrop.shown) return;
+  ImGui::SameLine(px(140));
+  auto percent = static_cast<int>(backdrop.opacity * 100 + 0.5);
+  ImGui::SetNextItemWidth(-1);
+  if (ImGui::SliderInt("##backdrop", &percent, 0, 100, "%d %% over")) {
+    backdrop.opacity = percent / 100.0;
+  }
+  explain("how much of it covers the model");
+  auto offset = static_cast<float>(static_cast<double>(backdrop.offset.count()) / 1e9);
+  ImGui::SetNextItemWidth(-1);
+  if (ImGui::DragFloat("##offset", &offset, 0.01F, -86400.0F, 86400.0F, "begins at %.3f s")) {
+    backdrop.offset = Nanoseconds(std::llround(static_cast<double>(offset) * 1e3) * 1'000'000);
+  }
+  explain("the session time of the backdrop's beginning: drag, or double click and type");
+}
+
 }  // namespace
 
 void drawLookTab(ViewModel& model) {
+  if (model.backdrop) drawBackdrop(*model.backdrop);
   RenderStyle style = model.style();
   constexpr const char* kEdges[] = {"off", "on", "only"};
   int edges = static_cast<int>(style.edges);

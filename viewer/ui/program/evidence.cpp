@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -20,29 +21,27 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path renderProgram() {
+fs::path programBeside(const std::string& name) {
   std::error_code ignored;
-  const fs::path beside =
-      fs::read_symlink("/proc/self/exe", ignored).parent_path() / "rocinante-render";
-  return fs::exists(beside, ignored) ? beside : fs::path("rocinante-render");
+  const fs::path beside = fs::read_symlink("/proc/self/exe", ignored).parent_path() / name;
+  return fs::exists(beside, ignored) ? beside : fs::path(name);
 }
 
 /// A message line without the program's name.
-std::string sentenceOf(std::string line) {
-  constexpr std::string_view kName = "rocinante-render: ";
-  if (line.starts_with(kName)) line.erase(0, kName.size());
+std::string sentenceOf(std::string line, const std::string& program) {
+  if (line.starts_with(program + ": ")) line.erase(0, program.size() + 2);
   return line;
 }
 
-std::string firstSentence(const std::string& text) {
-  return sentenceOf(text.substr(0, text.find('\n')));
+std::string firstSentence(const std::string& text, const std::string& program) {
+  return sentenceOf(text.substr(0, text.find('\n')), program);
 }
 
-std::string lastSentence(std::string text) {
+std::string lastSentence(std::string text, const std::string& program) {
   while (!text.empty() && text.back() == '\n') text.pop_back();
   const std::size_t line = text.rfind('\n');
   if (line != std::string::npos) text.erase(0, line + 1);
-  return sentenceOf(std::move(text));
+  return sentenceOf(std::move(text), program);
 }
 
 }  // namespace
@@ -54,12 +53,22 @@ std::vector<std::string> evidenceArguments(const EvidenceRequest& request) {
     words.push_back(std::move(option));
     words.push_back(std::move(value));
   };
-  if (!request.at.empty()) add("--at", request.at);
+  if (request.part) {
+    add("--from", request.part->first);
+    add("--until", request.part->second);
+  } else if (!request.at.empty()) {
+    add("--at", request.at);
+  }
   if (!request.beside.empty()) add("--beside", request.beside.string());
   if (!request.align.empty()) words.push_back("--align=" + request.align);
   words.push_back("--camera=" +
                   (request.camera.empty() ? viewpointText(request.view) : request.camera));
   add("--size", fmt::format("{}x{}", request.width, request.height));
+  if (!request.backdrop.empty()) {
+    add("--backdrop", request.backdrop);
+    words.push_back("--backdrop-offset=" + request.backdrop_offset);
+    add("--backdrop-opacity", fmt::format("{}", request.backdrop_opacity));
+  }
   if (request.scale != 1) add("--scale", fmt::format("{}", request.scale));
   add("--samples", fmt::format("{}", request.samples));
   for (const std::string& path : request.hide) add("--hide", path);
@@ -72,13 +81,45 @@ std::vector<std::string> evidenceArguments(const EvidenceRequest& request) {
   }
   const std::vector<std::string> where = cli::searchWords(request);
   words.insert(words.end(), where.begin(), where.end());
-  add("-o", request.output.string());
+  add(request.part ? "--video" : "-o", request.output.string());
+  return words;
+}
+
+std::vector<std::string> caseArguments(const EvidenceRequest& request, const fs::path& suite,
+                                       const std::string& name) {
+  std::vector<std::string> words{"add", suite.string(), "--case", name};
+  const auto add = [&](const char* option, const std::string& value) {
+    words.emplace_back(option);
+    words.push_back(value);
+  };
+  std::error_code fault;
+  if (!fs::exists(suite, fault)) {
+    // Names in a suite count from its folder.
+    const auto named = [&](const fs::path& file) {
+      const fs::path folder = fs::absolute(suite, fault).parent_path();
+      return fs::absolute(file, fault).lexically_relative(folder).string();
+    };
+    if (request.cell != request.log) add("--cell", named(request.cell));
+    if (!request.log.empty()) add("--log", named(request.log));
+  }
+  if (!request.at.empty()) add("--at", request.at + "s");
+  words.push_back("--camera=" +
+                  (request.camera.empty() ? viewpointText(request.view) : request.camera));
+  add("--size", fmt::format("{}x{}", request.width, request.height));
+  add("--samples", fmt::format("{}", request.samples));
+  for (const std::string& path : request.hide) add("--hide", path);
+  for (const std::string& path : request.show) add("--show", path);
+  for (const auto& [key, value] : styleWords(request.style)) add("--style", key + "=" + value);
   return words;
 }
 
 Result<EvidenceRun> EvidenceRun::start(const EvidenceRequest& request) {
-  const fs::path program = renderProgram();
-  std::vector<std::string> words = evidenceArguments(request);
+  return startProgram("rocinante-render", evidenceArguments(request), request.output);
+}
+
+Result<EvidenceRun> EvidenceRun::startProgram(const std::string& name,
+                                              std::vector<std::string> words, fs::path output) {
+  const fs::path program = programBeside(name);
   words.insert(words.begin(), program.string());
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
@@ -89,20 +130,22 @@ Result<EvidenceRun> EvidenceRun::start(const EvidenceRequest& request) {
   ::close(ends[1]);
   if (!process) {
     ::close(ends[0]);
-    return Error{ErrorKind::refused, "cannot start rocinante-render: " + process.error().what,
+    return Error{ErrorKind::refused, "cannot start " + name + ": " + process.error().what,
                  program.string()};
   }
   EvidenceRun run;
   run.process_ = *process;
   run.said_ = ends[0];
-  run.output_ = request.output;
+  run.output_ = std::move(output);
+  run.name_ = name;
   return run;
 }
 
 EvidenceRun::EvidenceRun(EvidenceRun&& other) noexcept
     : process_(std::exchange(other.process_, -1)),
       said_(std::exchange(other.said_, -1)),
-      output_(std::move(other.output_)) {}
+      output_(std::move(other.output_)),
+      name_(std::move(other.name_)) {}
 
 EvidenceRun::~EvidenceRun() {
   if (process_ > 0) {
@@ -124,19 +167,21 @@ std::optional<Result<EvidenceMade>> EvidenceRun::look(bool wait) {
   const ssize_t got = ::read(said_, buffer.data(), buffer.size());
   const std::string said(buffer.data(), got > 0 ? static_cast<std::size_t>(got) : 0);
   // The picture exists; the first message says what may be wrong with it.
-  std::string why = code == 1 ? firstSentence(said) : lastSentence(said);
-  if (why.empty()) why = "rocinante-render failed without a message";
+  std::string why = code == 1 ? firstSentence(said, name_) : lastSentence(said, name_);
+  if (why.empty()) why = name_ + " failed without a message";
   if (code == 1) return Result<EvidenceMade>(EvidenceMade{output_, std::move(why)});
   return Result<EvidenceMade>(Error{ErrorKind::refused, std::move(why), {}});
 }
 
 fs::path freeEvidenceName(const fs::path& folder, const std::string& stem,
-                          const std::string& moment) {
+                          const std::string& moment, const std::string& kind) {
+  const std::size_t ending = std::min(kind.rfind('.'), kind.size());
   std::error_code ignored;
   for (int number = 1;; ++number) {
     const std::string again = number == 1 ? std::string() : fmt::format("-{}", number);
     const std::string time = moment.empty() ? std::string() : fmt::format("-{}s", moment);
-    fs::path name = folder / fmt::format("evidence-{}{}{}.png", stem, time, again);
+    fs::path name = folder / fmt::format("{}-{}{}{}{}", kind.substr(0, ending), stem, time, again,
+                                         kind.substr(ending));
     if (!fs::exists(name, ignored)) return name;
   }
 }

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/model_search.h"
@@ -20,8 +21,11 @@ struct EvidenceRequest : ModelSearch {
   std::filesystem::path cell, log;  ///< as given to the viewer; `log` may be empty
   std::filesystem::path beside;     ///< as given to the viewer; empty: none
   std::string align;                ///< of it; may be empty
-  std::string at;                   ///< RFC 3339, to the nanosecond; empty without a log
-  std::string camera;               ///< by name; empty: `view`
+  std::string backdrop;             ///< as `--backdrop` takes it; empty: none
+  std::string backdrop_offset;      ///< a duration
+  double backdrop_opacity = 0;
+  std::string at;      ///< RFC 3339, to the nanosecond; empty without a log
+  std::string camera;  ///< by name; empty: `view`
   CameraView view;
   int width = 0, height = 0, samples = 4;
   double scale = 1;
@@ -29,10 +33,17 @@ struct EvidenceRequest : ModelSearch {
   std::vector<std::string> joints;  ///< of `--joints`
   RenderStyle style;
   std::filesystem::path output;
+  /// A video of this part instead of a picture at `at`: as `--from` and `--until` take them.
+  std::optional<std::pair<std::string, std::string>> part;
 };
 
 /// The arguments of `rocinante-render`, without the program's name.
 std::vector<std::string> evidenceArguments(const EvidenceRequest& request);
+
+/// The arguments of `rocinante-golden` that append the picture to a suite as a case of this name; a
+/// suite that is not there yet is made, of the same cell and log.
+std::vector<std::string> caseArguments(const EvidenceRequest& request,
+                                       const std::filesystem::path& suite, const std::string& name);
 
 /// A finished picture.
 struct EvidenceMade {
@@ -46,6 +57,9 @@ class EvidenceRun {
  public:
   /// Starts the program beside this one, else the one in PATH. refused when it cannot be started.
   static Result<EvidenceRun> start(const EvidenceRequest& request);
+  /// The same with another program of ours: `output` is what it makes.
+  static Result<EvidenceRun> startProgram(const std::string& name, std::vector<std::string> words,
+                                          std::filesystem::path output);
   /// Ends the process if it still runs; it leaves no partial file.
   ~EvidenceRun();
   EvidenceRun(EvidenceRun&& other) noexcept;
@@ -62,10 +76,13 @@ class EvidenceRun {
   pid_t process_ = -1;
   int said_ = -1;  ///< its standard error
   std::filesystem::path output_;
+  std::string name_;  ///< of the program
 };
 
-/// "evidence-STEM-12.500s.png" in `folder`, or with -2, -3 appended if that exists.
+/// "evidence-STEM-12.500s.png" in `folder`, or with -2, -3 appended if that exists; `kind` is
+/// "evidence.png": what the name begins and ends with.
 std::filesystem::path freeEvidenceName(const std::filesystem::path& folder, const std::string& stem,
-                                       const std::string& moment);
+                                       const std::string& moment,
+                                       const std::string& kind = "evidence.png");
 
 }  // namespace rocinante

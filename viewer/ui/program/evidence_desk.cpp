@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/base/duration_text.h"
 #include "core/kinematics/joint_values.h"
 #include "viewer/ui/model/view_insets.h"
@@ -16,6 +18,13 @@ constexpr Nanoseconds kNoticeStays = std::chrono::seconds(6);
 /// With all nanoseconds, for the exact moment.
 std::string sinceOrigin(const ViewModel& model) {
   return secondsText(model.shownTime() - model.origin(), 9);
+}
+
+bool showsBackdrop(const ViewModel& model) {
+  return model.cameraName() == model.backdrop->camera ||
+         std::ranges::any_of(model.insets, [&](const InsetChoice& choice) {
+           return choice.shown && choice.inset.camera == model.backdrop->camera;
+         });
 }
 
 }  // namespace
@@ -35,6 +44,11 @@ Result<EvidenceRequest> EvidenceDesk::requestOf(ViewModel& model, const WindowSi
     request.align = shown_.align;
   }
   request.camera = model.cameraName();
+  if (model.backdrop && model.backdrop->shown && showsBackdrop(model)) {
+    request.backdrop = backdropText(shown_.backdrop, model.backdrop->camera);
+    request.backdrop_offset = secondsText(model.backdrop->offset, 0);
+    request.backdrop_opacity = model.backdrop->opacity;
+  }
   request.view = model.cameraView();
   request.width = size.width;
   request.height = size.height;
@@ -77,7 +91,61 @@ void EvidenceDesk::ask(ViewModel& model, const WindowSize& size, SteadyTime now,
   auto run = EvidenceRun::start(*request);
   if (!run.ok()) return say(run.error().text(), true, now);
   running_.emplace(std::move(*run));
+  what_ = "evidence";
   say("rocinante render draws the picture ...", false, now);
+}
+
+Status EvidenceDesk::begin(Result<EvidenceRun> run, const std::string& what, ViewModel& model,
+                           SteadyTime now, bool waits) {
+  if (!run.ok()) return run.error();
+  if (!waits) {
+    running_.emplace(std::move(*run));
+    what_ = what;
+    say(what + " is being made ...", false, now);
+    return {};
+  }
+  const auto made = run->wait();
+  if (!made.ok()) return made.error();
+  if (!made->doubt.empty()) model.doubts.push_back(made->file.string() + ": " + made->doubt);
+  return {};
+}
+
+Status EvidenceDesk::makeVideo(ViewModel& model, const WindowSize& size, const fs::path& file,
+                               SteadyTime now, bool waits) {
+  if (running_) return Error{ErrorKind::refused, "the last picture is still being drawn", {}};
+  const TimelineCursor* const cursor = model.cursor();
+  if (cursor == nullptr || !cursor->hasPart()) {
+    return Error{ErrorKind::bad_argument, "choose a part first: A is its start, B its end", {}};
+  }
+  auto request = requestOf(model, size);
+  if (!request.ok()) return request.error();
+  const auto sinceStart = [&](LogTime moment) { return secondsText(moment - model.origin(), 9); };
+  request->part = {sinceStart(cursor->partStart()), sinceStart(cursor->partEnd())};
+  std::error_code ignored;
+  const std::string stem = model.isLive() ? "live" : shown_.log.stem().string();
+  const std::string from = secondsText(cursor->partStart() - model.origin(), 3);
+  request->output =
+      file.empty() ? freeEvidenceName(fs::current_path(ignored), stem, from, "video.mp4") : file;
+  return begin(EvidenceRun::start(*request), "video", model, now, waits);
+}
+
+Status EvidenceDesk::addCase(ViewModel& model, const WindowSize& size, const std::string& name,
+                             const fs::path& suite, SteadyTime now, bool waits) {
+  if (running_) return Error{ErrorKind::refused, "the last picture is still being drawn", {}};
+  if (model.isLive()) {
+    return Error{ErrorKind::bad_argument, "save the live session first: a case is of a log", {}};
+  }
+  auto request = requestOf(model, size);
+  if (!request.ok()) return request.error();
+  if (!request->joints.empty()) {
+    return Error{ErrorKind::bad_argument, "a case has no joints set by hand: reset them first", {}};
+  }
+  const std::string moment =
+      request->at.empty() ? "" : secondsText(model.shownTime() - model.origin(), 3);
+  const std::string named = !name.empty() ? name : moment.empty() ? "rest" : "at-" + moment + "s";
+  return begin(
+      EvidenceRun::startProgram("rocinante-golden", caseArguments(*request, suite, named), suite),
+      "case " + named, model, now, waits);
 }
 
 Status EvidenceDesk::make(ViewModel& model, const WindowSize& size, const fs::path& file) {
@@ -99,9 +167,11 @@ void EvidenceDesk::look(SteadyTime now) {
       if (ended->ok()) {
         const EvidenceMade& made = **ended;
         const std::string doubt = made.doubt.empty() ? "" : "; " + made.doubt;
-        say("evidence: " + made.file.string() + doubt, !doubt.empty(), now);
+        say(what_ + ": " + made.file.string() + doubt, !doubt.empty(), now);
       } else {
-        say("no evidence picture: " + ended->error().text(), true, now);
+        say((what_ == "evidence" ? "no evidence picture: " : "no " + what_ + ": ") +
+                ended->error().text(),
+            true, now);
       }
     }
   } else if (notice_until_ && now > *notice_until_) {

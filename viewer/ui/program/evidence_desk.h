@@ -28,6 +28,13 @@ class EvidenceDesk {
            const std::filesystem::path& file = {});
   /// The same into `file`, and waits for it.
   Status make(ViewModel& model, const WindowSize& size, const std::filesystem::path& file);
+  /// Starts a video of the part between A and B, into `file` or a new one; bad_argument without a
+  /// part. With `waits`, until it is there.
+  Status makeVideo(ViewModel& model, const WindowSize& size, const std::filesystem::path& file,
+                   SteadyTime now, bool waits);
+  /// Appends the picture to a suite as a case.
+  Status addCase(ViewModel& model, const WindowSize& size, const std::string& name,
+                 const std::filesystem::path& suite, SteadyTime now, bool waits);
   /// Checks whether the running picture is finished.
   void look(SteadyTime now);
 
@@ -39,11 +46,14 @@ class EvidenceDesk {
   bool active() const { return running_.has_value() || !notice_.empty(); }
 
  private:
+  Status begin(Result<EvidenceRun> run, const std::string& what, ViewModel& model, SteadyTime now,
+               bool waits);
   Result<EvidenceRequest> requestOf(ViewModel& model, const WindowSize& size) const;
 
   const ContentRequest& shown_;
   int samples_;
   std::optional<EvidenceRun> running_;
+  std::string what_ = "evidence";  ///< that runs
   std::string notice_;
   bool notice_is_fault_ = false;
   std::optional<SteadyTime> notice_until_;

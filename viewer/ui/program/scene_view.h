@@ -22,7 +22,10 @@ struct ShownScene {
   int raised_px = 0;
   double scale = 1;
   int width = 0, height = 0, samples = 1, rung = 0;
-  bool drops_looks = false;  ///< the picture at rest has more than `style`
+  bool drops_looks = false;    ///< the picture at rest has more than `style`
+  std::uint64_t backdrop = 0;  ///< BackdropPicture::number; 0: none
+  double backdrop_opacity = 0;
+  bool main_has_backdrop = false;
   bool operator==(const ShownScene&) const = default;
 };
 

@@ -9,6 +9,7 @@
 
 #include "core/cli/program.h"
 #include "viewer/ui/panels/panels.h"
+#include "viewer/ui/program/backdrop_desk.h"
 #include "viewer/ui/program/detail_choice.h"
 #include "viewer/ui/program/evidence_desk.h"
 #include "viewer/ui/program/frame_journal.h"
@@ -66,6 +67,7 @@ class ViewApp {
                 options.target_fps),
         evidence_(content.request, options.samples),
         saving_(content.request),
+        backdrop_(content.backdrop.get(), [] { glfwPostEmptyEvent(); }),
         script_(options.script, options.script_name) {}
 
   bool scripted() const { return !options_.script.empty(); }
@@ -82,7 +84,9 @@ class ViewApp {
   void writeScreenshot();
   void openFiles(const std::vector<std::filesystem::path>& files);
   void waitForNews();
+  bool showBackdrop();
   Status publish();
+  Status makeVideoOrCase(const ViewerRequests& requests);
   Status saveLive(const std::filesystem::path& file);
   WindowSize size() const { return {width_, height_, interface_.scale()}; }
 
@@ -98,6 +102,7 @@ class ViewApp {
   DetailChoice detail_;
   EvidenceDesk evidence_;
   SaveDesk saving_;
+  BackdropDesk backdrop_;
   ScriptRunner script_;
   std::optional<std::filesystem::path> screenshot_;  ///< a user's, of the coming frame
   FrameDue frame_due_;
@@ -272,6 +277,7 @@ Status ViewApp::applyRequests(const ViewerRequests& requests) {
   } else if (requests.evidence_file) {
     evidence_.ask(model_, size(), now(), *requests.evidence_file);
   }
+  if (auto made = makeVideoOrCase(requests); !made) return made;
   if (requests.save_camera) {
     preview_.pause();  // the cell changes
     const Status saved = saveCamera(model_, shown_.cell, *requests.save_camera);
@@ -289,6 +295,20 @@ Status ViewApp::applyRequests(const ViewerRequests& requests) {
   evidence_.look(now());
   status_.notice = evidence_.notice();
   status_.notice_is_fault = evidence_.noticeIsFault();
+  return {};
+}
+
+/// By child programs, as evidence.
+Status ViewApp::makeVideoOrCase(const ViewerRequests& requests) {
+  Status made;
+  if (requests.video) {
+    made = evidence_.makeVideo(model_, size(), *requests.video, now(), scripted());
+  } else if (requests.golden_case) {
+    const auto& [name, suite] = *requests.golden_case;
+    made = evidence_.addCase(model_, size(), name, suite, now(), scripted());
+  }
+  if (scripted() || made) return made;
+  evidence_.say(made.error().text(), true, now());
   return {};
 }
 
@@ -361,6 +381,15 @@ Status ViewApp::publish() {
   return {};
 }
 
+/// The real picture of the shown moment; true when it is another one.
+bool ViewApp::showBackdrop() {
+  const bool changed = backdrop_.update(model_, scripted());
+  if (const std::string fault = backdrop_.takeFault(); !fault.empty()) {
+    evidence_.say("no backdrop here: " + fault, true, now());
+  }
+  return changed;
+}
+
 void ViewApp::openFiles(const std::vector<std::filesystem::path>& files) {
   if (Status begun = opening_.open(files); !begun) evidence_.say(begun.error().text(), true, now());
 }
@@ -381,8 +410,9 @@ Result<std::unique_ptr<ViewContent>> ViewApp::run() {
       frame_due_.happened(now());
     }
     const SteadyTime began = std::chrono::steady_clock::now();
-    const auto changed = model_.update(now());
+    auto changed = model_.update(now());
     if (!changed.ok()) return changed.error();
+    if (showBackdrop()) changed = true;
     const double app_ms = millisecondsSince(began);
     model_.hand.sendDue(model_.scene(), model_.state(), now(), std::chrono::system_clock::now());
     if (auto published = publish(); !published) return published.error();
@@ -404,6 +434,7 @@ Result<std::unique_ptr<ViewContent>> ViewApp::run() {
       if (script_.finished()) return next;
       // The script's changes must show in this frame.
       if (auto updated = model_.update(now()); !updated.ok()) return updated.error();
+      showBackdrop();
       prepareView();
       picture_.changed();
     }

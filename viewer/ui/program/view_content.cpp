@@ -105,6 +105,23 @@ Status showBeside(const ContentRequest& request, const fs::path& cell,
   return content.model->showBeside(std::move(*beside), request.align);
 }
 
+/// Real pictures behind the model, and the camera that has them unless another was asked for.
+Status openBackdrop(const ContentRequest& request, ViewContent& content) {
+  if (request.backdrop.file.empty()) return {};
+  ViewModel& model = *content.model;
+  const LogTime end = model.cursor() != nullptr ? model.cursor()->end() : LogTime{};
+  auto opened = Backdrop::open(request.backdrop, model.cell(), model.origin(), end);
+  if (!opened.ok()) return opened.error();
+  content.backdrop = std::make_unique<Backdrop>(std::move(*opened));
+  model.backdrop.emplace();
+  model.backdrop->camera = content.backdrop->camera();
+  model.backdrop->opacity = request.backdrop.opacity;
+  model.backdrop->offset = content.backdrop->offset();
+  content.backdrop->setOffset(Nanoseconds(0));  // the model's counts
+  if (request.camera.empty()) model.useCamera(model.backdrop->camera);
+  return {};
+}
+
 /// The options that move joints by hand, and those that send.
 Status moveByHand(const ContentRequest& request, ViewModel& model) {
   HandJoints hand;
@@ -215,6 +232,7 @@ Result<ViewContent> loadContent(ContentRequest request, const TellLoadProgress& 
   if (auto applied = applyArguments(request, *content.model, content.warnings); !applied) {
     return applied.error();
   }
+  if (auto opened = openBackdrop(request, content); !opened) return opened.error();
   content.request = std::move(request);
   return content;
 }

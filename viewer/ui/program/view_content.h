@@ -12,6 +12,7 @@
 #include "core/base/parallel_for.h"
 #include "core/base/result.h"
 #include "core/bundle/private_folder.h"
+#include "viewer/backdrop/backdrop.h"
 #include "viewer/ui/live/keep_limits.h"
 #include "viewer/ui/model/view_model.h"
 
@@ -34,6 +35,7 @@ struct ContentRequest {
   std::string publish, publish_as;  ///< an endpoint and a SOURCE for other windows; empty: neither
   std::vector<std::string> hide, show, styles;
   std::string camera, at;
+  BackdropRequest backdrop;
   ModelSearch where;
 
   bool empty() const { return cell.empty() && log.empty(); }
@@ -45,6 +47,7 @@ struct ContentRequest {
 struct ViewContent {
   ContentRequest request;  ///< `cell` and `log` as they were found
   std::unique_ptr<ViewModel> model;
+  std::unique_ptr<Backdrop> backdrop;                  ///< null: none
   std::vector<std::string> warnings;                   ///< one sentence each, to be printed
   std::shared_ptr<const PrivateFolder> beside_folder;  ///< a temporary log beside lies in it
 };

@@ -42,6 +42,8 @@ struct Arguments {
   std::string trust, decoders;
   std::vector<std::string> joints;
   std::string drive, publish, as;
+  std::string backdrop;
+  BackdropRequest backdrop_terms;
   std::string profile = "fast", camera, at, size, detail = "auto";
   std::vector<std::string> styles;
   double target_fps = 30;
@@ -75,6 +77,13 @@ Result<ContentRequest> contentRequest(const Arguments& arguments) {
   request.camera = arguments.camera;
   request.at = arguments.at;
   request.joints = arguments.joints;
+  if (!arguments.backdrop.empty()) {
+    auto backdrop = parseBackdrop(arguments.backdrop);
+    if (!backdrop.ok()) return backdrop.error();
+    backdrop->offset = arguments.backdrop_terms.offset;
+    backdrop->opacity = arguments.backdrop_terms.opacity;
+    request.backdrop = std::move(*backdrop);
+  }
   request.drive = arguments.drive;
   request.publish = arguments.publish;
   request.publish_as = arguments.as;
@@ -232,6 +241,19 @@ int viewMain(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--camera", arguments.camera, "a camera of the cell or a view of the session");
   app.add_option("--at", arguments.at, "start at this session time");
+  auto* backdrop = app.add_option("--backdrop", arguments.backdrop,
+                                  "pictures of a real camera behind and over the model: a picture, "
+                                  "a folder with times, or a video (by ffmpeg)")
+                       ->option_text("FILE[,camera=NAME][,fps=N]");
+  app.add_option("--backdrop-offset", arguments.backdrop_terms.offset,
+                 "the session time at which the backdrop begins: 2.5s, -300ms; default: 0")
+      ->needs(backdrop)
+      ->type_name("SECONDS");
+  app.add_option("--backdrop-opacity", arguments.backdrop_terms.opacity,
+                 "how much of the backdrop covers the model: 0 (nothing) to 1")
+      ->needs(backdrop)
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
   app.add_option("--size", arguments.size,
                  "size of the window, WIDTHxHEIGHT; default: as it was last, else 1280x720");
   app.add_flag("--fresh", arguments.fresh,

@@ -16,6 +16,11 @@ SceneFrame WindowPicture::frame(const RenderStyle& style) const {
   frame.insets = insets_;
   frame.raised_px = terms_.covered.bottom;
   frame.scale = terms_.scale;
+  if (model_.backdrop && model_.backdrop->shown) {
+    frame.backdrop = model_.backdrop->picture.get();
+    frame.backdrop_opacity = model_.backdrop->opacity;
+    frame.main_has_backdrop = model_.cameraName() == model_.backdrop->camera;
+  }
   return frame;
 }
 
@@ -46,7 +51,11 @@ Result<std::optional<DrawCounts>> WindowPicture::draw(const PictureTerms& terms,
   shown.samples = samples_;
   shown.rung = terms.rung;
   shown.drops_looks = drops;
-  return view_.draw(renderer_, frame(style), shown, now);
+  const SceneFrame drawn = frame(style);
+  shown.backdrop = drawn.backdrop != nullptr ? drawn.backdrop->number : 0;
+  shown.backdrop_opacity = drawn.backdrop_opacity;
+  shown.main_has_backdrop = drawn.main_has_backdrop;
+  return view_.draw(renderer_, drawn, shown, now);
 }
 
 Result<bool> WindowPicture::refine(SteadyTime now) {

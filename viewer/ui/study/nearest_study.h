@@ -1,0 +1,56 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "core/base/time.h"
+#include "core/cell/cell.h"
+#include "core/packet/session_state.h"
+
+namespace rocinante {
+
+/// Which distance is wanted: of a device from another one, or from the nearest other.
+struct NearestWish {
+  std::string device;
+  std::string other;  ///< empty: the nearest
+  bool operator==(const NearestWish&) const = default;
+};
+
+/// The least distance of two devices at a moment.
+struct NearestFound {
+  NearestWish wish;
+  LogTime moment{};
+  std::string other;  ///< empty: there is no device with geometry to measure
+  double distance_m = 0;
+  Vec3 on_device{}, on_other{};  ///< the nearest points, in the world
+};
+
+/// Measures least distances as the judge of clearances does (ClearanceGauge), in a thread of its
+/// own with a low priority: a large cell takes it longer than a frame. Of what is asked meanwhile
+/// only the last counts. For one calling thread.
+class NearestStudy {
+ public:
+  /// `cell` is borrowed, and read by the thread.
+  explicit NearestStudy(const Cell& cell);
+  ~NearestStudy();
+  NearestStudy(const NearestStudy&) = delete;
+  NearestStudy& operator=(const NearestStudy&) = delete;
+
+  /// Asks for the distance in a state, which is copied, unless the thread still works on another
+  /// one: true when it was taken.
+  bool ask(const NearestWish& wish, const SessionState& state, LogTime moment);
+  /// The last answer; empty before the first.
+  std::optional<NearestFound> found() const;
+  bool isBusy() const;
+  /// True once after each answer.
+  bool takeNews();
+  /// Until it is not busy.
+  void wait() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace rocinante
