@@ -71,7 +71,7 @@ rocinante_web_sources(viewer/ui/model turntable)
 rocinante_web_sources(viewer/ui/panels joint_rows)
 rocinante_web_sources(viewer/ui/plot plot_scale plot_shape)
 rocinante_web_sources(viewer/ui/study positional_names)
-rocinante_web_sources(viewer/web web_context web_live web_main web_plots web_session)
+rocinante_web_sources(viewer/web web_context web_fold web_live web_main web_plots web_session)
 rocinante_web_sources(viewer/web/port not_in_a_page)
 
 target_include_directories(rocinante-viewer PRIVATE ${PROJECT_SOURCE_DIR} viewer/web/port)

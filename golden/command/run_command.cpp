@@ -10,6 +10,7 @@
 
 #include "golden/command/compare_command.h"
 #include "golden/command/report_output.h"
+#include "golden/command/report_sessions.h"
 #include "golden/judge/housekeeping.h"
 #include "golden/judge/suite_jobs.h"
 #include "golden/judge/suite_runs.h"
@@ -116,6 +117,18 @@ CLI::App* addRunCommand(CLI::App& app, RunArguments& arguments) {
       ->check(CLI::Range(0, 64))
       ->capture_default_str();
   addReportFiles(*command, arguments.files);
+  auto* pages =
+      command
+          ->add_flag("--page", arguments.pages,
+                     "with --report: a page of the session of what is not fine, which opens in a "
+                     "browser at its moment")
+          ->needs("--report");
+  command
+      ->add_option("--viewer", arguments.viewer,
+                   "with --page: the folder of rocinante-viewer.js and .wasm; without it, the "
+                   "installed one")
+      ->option_text("DIR")
+      ->needs(pages);
   return command;
 }
 
@@ -146,6 +159,10 @@ Result<cli::Exit> runSuiteCommand(const RunArguments& arguments) {
   FrameExplainer explainer(*session, arguments.suite.suite, *options);
   if (auto explained = explainFailures(explainer, report.frames); !explained) {
     return explained.error();
+  }
+  if (arguments.pages) {
+    Status added = addSessionPages(*session, arguments.suite, arguments.viewer, report);
+    if (!added) return added.error();
   }
   if (!quiet) printWhy(report.frames);
   if (!arguments.files.folder.empty() && std::ranges::any_of(report.frames, canApprove)) {

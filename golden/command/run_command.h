@@ -11,7 +11,9 @@ namespace rocinante {
 struct RunArguments {
   SuiteArguments suite;
   ReportFiles files;
-  int jobs = 1;  ///< 0: by the number of frames and processors
+  bool pages = false;            ///< of the sessions, beside the report
+  std::filesystem::path viewer;  ///< folder of what they are made of; empty: the installed one
+  int jobs = 1;                  ///< 0: by the number of frames and processors
 };
 
 /// Adds the sub-command `run` to `app`; parsing fills `arguments`, which must outlive it.

@@ -60,6 +60,7 @@ struct JudgedFrame {
 
   /// The picture compared with `accepted`; requires `drawn`.
   const Picture& compared() const { return unmasked ? *unmasked : *drawn; }
+  std::string page{};  ///< "session.html#t=2": its moment in a page beside the report; or empty
   double render_ms = 0, judge_ms = 0;
 };
 

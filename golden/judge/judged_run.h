@@ -30,7 +30,8 @@ struct JudgedRun {
   std::vector<std::string> accepted;  ///< file names, oldest first
   RunJudgement judgement;
   std::vector<RunPicture> pictures{};  ///< only for a report's folder
-  std::vector<std::string> changes;    ///< of the model since the first log was accepted
+  std::string page{};  ///< "lift.run.html": the session's, beside the report; or empty
+  std::vector<std::string> changes;  ///< of the model since the first log was accepted
   double judge_ms = 0;
 };
 

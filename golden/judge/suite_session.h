@@ -53,6 +53,8 @@ class SuiteSession {
   const std::string& decodedHash() const { return session_hashes_.decoded; }
   /// The log's origin; empty without a log.
   std::optional<LogTime> origin() const { return origin_; }
+  /// The suite's log; null without one.
+  const OpenedRecording* log() const { return log_ ? &*log_ : nullptr; }
   /// The selected runs in suite order.
   const std::vector<const SuiteRun*>& runs() const { return runs_; }
   /// The log under test of a run: its own of --log, else the suite's; null when there is none.

@@ -91,6 +91,7 @@ Json frameJson(const JudgedFrame& judged) {
     }
   }
   if (judged.why) frame["why"] = whyJsonOf(*judged.why);
+  if (!judged.page.empty()) frame["page"] = judged.page;
   return frame;
 }
 

@@ -39,12 +39,18 @@ struct SuiteReport {
       notes;  ///< about the suite itself: idle masks, loose limits, stale goldens
   std::vector<JudgedFrame> frames;
   std::vector<JudgedRun> runs{};
+  /// Pages of the sessions that go beside the report: file name and text.
+  std::vector<std::pair<std::string, std::string>> pages{};
 
   std::size_t count(FrameVerdict verdict) const;
   /// same when every frame and run is fine; incomparable when the worst one is, or when there are
   /// none; otherwise different.
   Verdict verdict() const;
 };
+
+/// The page of the suite's log beside a report, and that of a run's own.
+inline const std::string kSessionPageFile = "session.html";
+inline std::string runPageFile(const JudgedRun& run) { return run.name + ".run.html"; }
 
 /// True for a frame that may become a golden: it was drawn, is stable, and is not one already.
 bool canApprove(const JudgedFrame& judged);

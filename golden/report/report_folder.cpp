@@ -88,18 +88,20 @@ Status writeRunPictures(const JudgedRun& run, ArrivingFiles& files) {
   return {};
 }
 
-/// The picture names of the report in a folder, whether or not the files exist.
-std::set<std::string> picturesOfReport(const std::filesystem::path& folder) {
+/// The names of pictures and pages of the report in a folder, whether or not the files exist.
+std::set<std::string> besideReport(const std::filesystem::path& folder) {
   std::set<std::string> names;
   const auto text = readFile(folder / "report.json");
   if (!text.ok()) return names;
   const auto old = parseReport(*text, folder);
   if (!old.ok()) return names;
   names.insert(kDifferenceSheetFile);
+  names.insert(kSessionPageFile);
   for (const JudgedFrame& judged : old->frames) {
     for (const char* ending : kPictureEndings) names.insert(judged.frame.name + ending);
   }
   for (const JudgedRun& run : old->runs) {
+    names.insert(runPageFile(run));
     for (std::size_t i = 0; i < kMaxRunPictures; ++i) names.insert(runPictureFile(run, i));
   }
   return names;
@@ -116,6 +118,9 @@ Status writeReport(const SuiteReport& report, const std::filesystem::path& folde
   for (const JudgedRun& run : report.runs) {
     if (auto written = writeRunPictures(run, files); !written) return written;
   }
+  for (const auto& [name, html] : report.pages) {
+    if (auto written = files.write(name, bytesOf(html)); !written) return written;
+  }
   if (const auto sheet = differenceSheet(report)) {
     const Bytes png = encodePng(sheetPicture(*sheet));
     if (auto written = files.write(kDifferenceSheetFile, png); !written) return written;
@@ -129,11 +134,11 @@ Status writeReport(const SuiteReport& report, const std::filesystem::path& folde
   if (auto written = files.write("index.html", bytesOf(reportHtml(report))); !written) {
     return written;
   }
-  const std::set<std::string> old_pictures = picturesOfReport(folder);
+  const std::set<std::string> old_files = besideReport(folder);
   if (auto arrived = files.arrive(); !arrived) return arrived;
   const std::set<std::string> names = files.names();
   std::error_code ignored;
-  for (const std::string& name : old_pictures) {
+  for (const std::string& name : old_files) {
     if (!names.contains(name)) std::filesystem::remove(folder / name, ignored);
   }
   return {};

@@ -145,6 +145,7 @@ Json pageFrameJson(const SuiteReport& report, const JudgedFrame& judged, PagePic
                        {"tile_over", found.worst_tile_over}};
   }
   if (judged.why) json["why"] = whyJson(*judged.why);
+  if (!judged.page.empty()) json["page"] = judged.page;
   const auto add = [&](const char* key, const std::string& own, const std::string& of_all) {
     const std::string& command = own.empty() ? of_all : own;
     if (!command.empty()) json[key] = command + " " + shellWord(frame.name);

@@ -177,6 +177,7 @@ Json runsJson(const std::vector<JudgedRun>& runs) {
     if (run.line > 0) json["line"] = run.line;
     if (!run.tags.empty()) json["tags"] = run.tags;
     if (!run.pictures.empty()) json["pictures"] = picturesJson(run);
+    if (!run.page.empty()) json["page"] = run.page;
     json["findings"] = Json::array();
     for (const RunFinding& finding : judged.findings) {
       json["findings"].push_back(findingJson(finding));

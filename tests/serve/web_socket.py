@@ -10,6 +10,8 @@ class Refused(Exception):
 
 
 class WebSocket:
+    mask = bytes(4)  # of zeros, which leaves data as it is; some servers want others
+
     def __init__(self, port, protocol, path="/live", host=None, origin=None, headers=(), receive_buffer=None,
                  tls=None):
         self.socket = socket.socket()
@@ -93,7 +95,9 @@ class WebSocket:
             head += bytes([0x80 | 126]) + struct.pack(">H", size)
         else:
             head += bytes([0x80 | 127]) + struct.pack(">Q", size)
-        self.socket.sendall(head + b"\0\0\0\0" + data)  # a mask of zeros
+        if any(self.mask):
+            data = bytes(each ^ self.mask[i % 4] for i, each in enumerate(data))
+        self.socket.sendall(head + self.mask + data)
 
     def close(self):
         self.socket.close()

@@ -109,6 +109,13 @@ Result<FrameBuffer> FrameBuffer::create(const GlTable& gl, int width, int height
   return frame;
 }
 
+FrameBuffer FrameBuffer::ofContext(const GlTable& gl, int width, int height) {
+  FrameBuffer frame(gl);
+  frame.width_ = width;
+  frame.height_ = height;
+  return frame;
+}
+
 FrameBuffer::~FrameBuffer() { release(); }
 
 FrameBuffer::FrameBuffer(FrameBuffer&& other) noexcept
@@ -201,10 +208,12 @@ void FrameBuffer::stretchPartTo(const PixelRectangle& part, const FrameBuffer& t
 }
 
 void FrameBuffer::blitTo(GLuint target) const {
-  gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, resolved());
-  gl_->BindFramebuffer(GL_DRAW_FRAMEBUFFER, target);
-  gl_->BlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT,
-                       GL_NEAREST);
+  if (resolved() != target) {
+    gl_->BindFramebuffer(GL_READ_FRAMEBUFFER, resolved());
+    gl_->BindFramebuffer(GL_DRAW_FRAMEBUFFER, target);
+    gl_->BlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT,
+                         GL_NEAREST);
+  }
   gl_->BindFramebuffer(GL_FRAMEBUFFER, target);
 }
 

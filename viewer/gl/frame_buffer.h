@@ -17,6 +17,9 @@ class FrameBuffer {
   /// when memory is insufficient.
   static Result<FrameBuffer> create(const GlTable& gl, int width, int height, int samples);
 
+  /// The context's own, which something else made and keeps: one sample, perhaps no depth.
+  static FrameBuffer ofContext(const GlTable& gl, int width, int height);
+
   ~FrameBuffer();
   FrameBuffer(FrameBuffer&& other) noexcept;
   FrameBuffer& operator=(FrameBuffer&& other) noexcept;
@@ -24,6 +27,7 @@ class FrameBuffer {
   int width() const { return width_; }
   int height() const { return height_; }
   int samples() const { return samples_; }
+  bool isOfContext() const { return frame_ == 0; }
 
   /// Binds it for drawing with all samples, and sets the viewport.
   void bind() const;
@@ -33,7 +37,7 @@ class FrameBuffer {
   /// The resolved pixels, top row first. Requires resolve().
   Picture read() const;
   /// Copies the resolved pixels unscaled to the bottom left of framebuffer `target` (0: the
-  /// window).
+  /// window), unless they are there.
   void blitTo(GLuint target) const;
   /// Fills all of `target`, which must have one sample per pixel, with the resolved pixels,
   /// interpolated if the sizes differ.

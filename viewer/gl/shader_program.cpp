@@ -14,8 +14,17 @@ constexpr std::string_view kEmbeddedFirstLines =
     "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n"
     "precision highp usampler2D;\n";
 
-Result<GLuint> compile(const GlTable& gl, GLenum stage, std::string_view name,
-                       std::string_view source) {
+/// What the driver says about a shader or a program.
+template <class Ask>
+std::string logOf(Ask ask, GLuint name) {
+  std::string log(2048, '\0');
+  GLsizei length = 0;
+  ask(name, static_cast<GLsizei>(log.size()), &length, log.data());
+  log.resize(static_cast<std::size_t>(length));
+  return log;
+}
+
+GLuint compile(const GlTable& gl, GLenum stage, std::string_view source) {
   const GLuint shader = gl.CreateShader(stage);
   std::string embedded;
   if (gl.is_embedded && source.starts_with(kFirstLine)) {
@@ -26,64 +35,83 @@ Result<GLuint> compile(const GlTable& gl, GLenum stage, std::string_view name,
   const auto length = static_cast<GLint>(source.size());
   gl.ShaderSource(shader, 1, &text, &length);
   gl.CompileShader(shader);
-  GLint done = 0;
-  gl.GetShaderiv(shader, GL_COMPILE_STATUS, &done);
-  if (done == GL_TRUE) return shader;
-  std::string log(2048, '\0');
-  GLsizei log_length = 0;
-  gl.GetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), &log_length, log.data());
-  log.resize(static_cast<std::size_t>(log_length));
-  gl.DeleteShader(shader);
-  return Error{ErrorKind::refused,
-               fmt::format("the GL driver does not compile the {} shader: {}", name, log),
-               {}};
+  return shader;
 }
 
 }  // namespace
 
-Result<ShaderProgram> ShaderProgram::link(const GlTable& gl, std::string_view name,
-                                          std::string_view vertex, std::string_view fragment) {
-  const Result<GLuint> vertex_shader = compile(gl, GL_VERTEX_SHADER, name, vertex);
-  if (!vertex_shader) return vertex_shader.error();
-  const Result<GLuint> fragment_shader = compile(gl, GL_FRAGMENT_SHADER, name, fragment);
-  if (!fragment_shader) {
-    gl.DeleteShader(*vertex_shader);
-    return fragment_shader.error();
-  }
-  ShaderProgram program(gl, gl.CreateProgram());
-  gl.AttachShader(program.program_, *vertex_shader);
-  gl.AttachShader(program.program_, *fragment_shader);
+ShaderProgram ShaderProgram::begin(const GlTable& gl, std::string_view name,
+                                   std::string_view vertex, std::string_view fragment) {
+  ShaderProgram program(gl, name);
+  program.vertex_ = compile(gl, GL_VERTEX_SHADER, vertex);
+  program.fragment_ = compile(gl, GL_FRAGMENT_SHADER, fragment);
+  gl.AttachShader(program.program_, program.vertex_);
+  gl.AttachShader(program.program_, program.fragment_);
   gl.LinkProgram(program.program_);
-  // The program keeps them alive.
-  gl.DeleteShader(*vertex_shader);
-  gl.DeleteShader(*fragment_shader);
-  GLint done = 0;
-  gl.GetProgramiv(program.program_, GL_LINK_STATUS, &done);
-  if (done != GL_TRUE) {
-    std::string log(2048, '\0');
-    GLsizei log_length = 0;
-    gl.GetProgramInfoLog(program.program_, static_cast<GLsizei>(log.size()), &log_length,
-                         log.data());
-    log.resize(static_cast<std::size_t>(log_length));
-    return Error{ErrorKind::refused,
-                 fmt::format("the GL driver does not link the {} program: {}", name, log),
-                 {}};
-  }
   return program;
 }
 
-ShaderProgram::~ShaderProgram() {
+Status ShaderProgram::compiled(GLuint shader, std::string_view stage) const {
+  GLint done = 0;
+  gl_->GetShaderiv(shader, GL_COMPILE_STATUS, &done);
+  if (done == GL_TRUE) return {};
+  return Error{ErrorKind::refused,
+               fmt::format("the GL driver does not compile the {} shader ({}): {}", name_, stage,
+                           logOf(gl_->GetShaderInfoLog, shader)),
+               {}};
+}
+
+Status ShaderProgram::finish() {
+  GLint done = 0;
+  gl_->GetProgramiv(program_, GL_LINK_STATUS, &done);
+  Status fine;
+  if (done != GL_TRUE) {
+    fine = compiled(vertex_, "vertex");
+    if (fine) fine = compiled(fragment_, "fragment");
+    if (fine) {
+      fine = Error{ErrorKind::refused,
+                   fmt::format("the GL driver does not link the {} program: {}", name_,
+                               logOf(gl_->GetProgramInfoLog, program_)),
+                   {}};
+    }
+  }
+  // The program keeps them alive.
+  gl_->DeleteShader(std::exchange(vertex_, 0));
+  gl_->DeleteShader(std::exchange(fragment_, 0));
+  return fine;
+}
+
+Result<ShaderProgram> ShaderProgram::link(const GlTable& gl, std::string_view name,
+                                          std::string_view vertex, std::string_view fragment) {
+  ShaderProgram program = begin(gl, name, vertex, fragment);
+  if (Status linked = program.finish(); !linked) return linked.error();
+  return program;
+}
+
+void ShaderProgram::release() {
+  for (const GLuint shader : {vertex_, fragment_}) {
+    if (shader != 0) gl_->DeleteShader(shader);
+  }
   if (program_ != 0) gl_->DeleteProgram(program_);
 }
 
+ShaderProgram::~ShaderProgram() { release(); }
+
 ShaderProgram::ShaderProgram(ShaderProgram&& other) noexcept
-    : gl_(other.gl_), program_(std::exchange(other.program_, 0)) {}
+    : gl_(other.gl_),
+      name_(std::move(other.name_)),
+      program_(std::exchange(other.program_, 0)),
+      vertex_(std::exchange(other.vertex_, 0)),
+      fragment_(std::exchange(other.fragment_, 0)) {}
 
 ShaderProgram& ShaderProgram::operator=(ShaderProgram&& other) noexcept {
   if (this != &other) {
-    if (program_ != 0) gl_->DeleteProgram(program_);
+    release();
     gl_ = other.gl_;
+    name_ = std::move(other.name_);
     program_ = std::exchange(other.program_, 0);
+    vertex_ = std::exchange(other.vertex_, 0);
+    fragment_ = std::exchange(other.fragment_, 0);
   }
   return *this;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "core/base/result.h"
@@ -11,7 +12,13 @@ namespace rocinante {
 class ShaderProgram {
  public:
   /// The sources begin with "#version 330 core" and a line end, also for contexts of OpenGL ES.
-  /// refused with the compiler's message. `name` is used in messages.
+  /// Waits for nothing: several programs that are begun before the first is finished are compiled
+  /// beside each other where the driver can. `name` is used in messages.
+  static ShaderProgram begin(const GlTable& gl, std::string_view name, std::string_view vertex,
+                             std::string_view fragment);
+  /// Required once before use. refused with the compiler's message.
+  Status finish();
+  /// Both.
   static Result<ShaderProgram> link(const GlTable& gl, std::string_view name,
                                     std::string_view vertex, std::string_view fragment);
 
@@ -24,10 +31,15 @@ class ShaderProgram {
   GLint uniform(const char* name) const { return gl_->GetUniformLocation(program_, name); }
 
  private:
-  ShaderProgram(const GlTable& gl, GLuint program) : gl_(&gl), program_(program) {}
+  ShaderProgram(const GlTable& gl, std::string_view name)
+      : gl_(&gl), name_(name), program_(gl.CreateProgram()) {}
+  Status compiled(GLuint shader, std::string_view stage) const;
+  void release();
 
   const GlTable* gl_;
+  std::string name_;
   GLuint program_ = 0;
+  GLuint vertex_ = 0, fragment_ = 0;  // until it is finished
 };
 
 }  // namespace rocinante

@@ -22,10 +22,13 @@ function bytesOf(id) {
 const inflatedStream = (id) => new Blob([bytesOf(id)]).stream().pipeThrough(new DecompressionStream("gzip"));
 const inflated = async (id) => new Uint8Array(await new Response(inflatedStream(id)).arrayBuffer());
 
-// Compiled while it is inflated, and while the browser reads what comes after this script.
+// Compiled while the browser makes a context to draw with, and reads what comes after this script.
 async function startViewer() {
-  const response = new Response(inflatedStream("viewer"), {headers: {"Content-Type": "application/wasm"}});
-  const compiled = WebAssembly.compileStreaming(response);
+  const compiled = WebAssembly.compile(await inflated("viewer"));
+  compiled.catch(() => {});  // awaited below
+  // viewer/web/web_context.cpp takes it over. Frames are drawn into framebuffers of its own and copied: the
+  // canvas needs neither depth nor samples. A paused page is drawn once.
+  canvas.getContext("webgl2", {alpha: false, depth: false, antialias: false, preserveDrawingBuffer: true});
   // In place of a second file: the script is a part of this one.
   const script = document.createElement("script");
   script.textContent = new TextDecoder().decode(await inflated("viewer-script"));
@@ -78,12 +81,20 @@ function makeCalls(viewer) {
     poses: (ns) => text(viewer._rocinante_poses(ns)),
     // Care: 0 everything, 1 as much as is drawn in time, 2 little.
     draw: (ns, width, height, scale, care = 0) => text(viewer._rocinante_draw(ns, width, height, scale, care)),
+    makeDetail: () => viewer._rocinante_make_detail() !== 0,
+    finishPictures: () => viewer._rocinante_finish_pictures(),
     frameTook: (ms) => viewer._rocinante_frame_took(ms),
     rung: () => viewer._rocinante_rung(),
     pick: (...all) => json(viewer._rocinante_pick(...all)),
     select: (path) => withText(path, (at) => text(viewer._rocinante_select(at))),
     readPlots: (messages) => viewer._rocinante_read_plots(messages),
     plots: (device, ...all) => withText(device, (at) => json(viewer._rocinante_plots(at, ...all))),
+    fold(log) {
+      const at = taken(log);
+      const answer = json(viewer._rocinante_fold(at, log.length));
+      viewer._free(at);
+      return answer;
+    },
     warning: () => text(viewer._rocinante_warning()),
     camera: () => text(viewer._rocinante_camera()),
     useCamera: (name) => withText(name, (at) => text(viewer._rocinante_use_camera(at))),
@@ -113,9 +124,9 @@ const kRestMs = 60;      // nothing moved for this long: at rest, and everything
 const kListMs = 100;     // how often the values are listed while frames are drawn one after another
 const careOf = {whole: 0, moving: 1, first: 2};
 // Since the page was opened, in the order in which they come; restMs: from the last movement until
-// everything was drawn.
+// everything was drawn; detailedMs: coarser meshes are there.
 const stats = {frames: 0, scriptMs: performance.now(), startedMs: 0, openedMs: 0, firstDrawnMs: 0, firstPictureMs: 0,
-  restMs: 0};
+  restMs: 0, detailedMs: 0};
 
 const size = () => {
   const scale = Math.min(Math.max(window.devicePixelRatio || 1, 1), 4);
@@ -152,6 +163,14 @@ function draw(care) {
   if (isListed) listedAt = at;
   plots.moveCursor(now, isListed ? panels.showDevices() : null);
   ++stats.frames;
+}
+
+// Mesh by mesh, what moving pictures draw in place of meshes that are finer than the eye sees: while nothing
+// else is asked for, beside a log that plays too.
+function makeDetail() {
+  if (due && !playing) { setTimeout(makeDetail, 50); return; }
+  if (calls.makeDetail()) setTimeout(makeDetail, 0);
+  else stats.detailedMs = performance.now();
 }
 
 // While a log plays, the next frame is prepared as soon as the browser wants one, beside the last ones
@@ -360,17 +379,18 @@ try {
     isAtRest: () => !due && !isDrawing && !playing && !wasMoving};
   draw(careOf.first);
   stats.firstDrawnMs = performance.now();
-  const found = JSON.parse(new TextDecoder().decode(await findings));
-  whenDrawn(() => {
+  whenDrawn(async () => {
     stats.firstPictureMs = performance.now();
     ask();
     new ResizeObserver(() => { plots.show(); ask(); }).observe(canvas);
-    setTimeout(() => {
-      events = calls.events();
-      panels.showList(found, events);
-      if (served) served.run(about, seek);
-    }, 0);
+    const found = JSON.parse(new TextDecoder().decode(await findings));
+    events = calls.events();
+    panels.showList(found, events);
+    if (served) served.run(about, seek);
+    setTimeout(makeDetail, 200);
   });
+  // Beside the browser's renderer, which draws that first picture meanwhile.
+  calls.finishPictures();
 } catch (problem) {
   fail(problem);
 }

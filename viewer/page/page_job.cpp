@@ -69,9 +69,9 @@ Result<std::string> judged(const Cell& cell, const Bytes& bytes, const std::stri
 
 }  // namespace
 
-Result<PageReport> makePage(const PageJob& job) {
-  if (Status may = mayWriteFile(job.output, job.overwrite); !may) return may.error();
-  PageReport report;
+Result<MadePage> pageFor(const PageJob& job) {
+  MadePage made;
+  PageReport& report = made.report;
   PageParts parts;
   auto log = carriedLog(job, report);
   if (!log) return log.error();
@@ -98,7 +98,8 @@ Result<PageReport> makePage(const PageJob& job) {
   parts.findings = std::move(*findings);
   parts.cell = pageCell(*cell, {}, job.parallel);
   parts.title = job.log.filename().string();
-  std::string page = pageOf(parts);
+  std::string& page = made.html;
+  page = pageOf(parts);
   if (page.size() > job.most_bytes && job.thin) page = thinPage(*cell, job, page.size(), parts);
   report.left_out = parts.left_out;
   report.page_bytes = page.size();
@@ -114,10 +115,16 @@ Result<PageReport> makePage(const PageJob& job) {
                     job.thin ? "" : ", of a smaller cell with --thin"),
         job.output.string()};
   }
-  if (Status written = writeFileWhole(job.output, bytesOf(page), job.overwrite); !written) {
-    return written.error();
-  }
-  return report;
+  return made;
+}
+
+Result<PageReport> makePage(const PageJob& job) {
+  if (Status may = mayWriteFile(job.output, job.overwrite); !may) return may.error();
+  auto made = pageFor(job);
+  if (!made) return made.error();
+  Status written = writeFileWhole(job.output, bytesOf(made->html), job.overwrite);
+  if (!written) return written.error();
+  return std::move(made->report);
 }
 
 Result<std::uint64_t> extractLog(const fs::path& page, const fs::path& output, bool overwrite) {

@@ -32,9 +32,16 @@ struct PageReport {
   bool is_whole = true;  ///< nothing of the cell is missing, nothing of the log damaged
 };
 
-/// Writes a page (docs/programs/page.md). unsupported, with both sizes, when it would be larger
-/// than `most_bytes`, or, when it may be thin, than can be made of it; not_found, with what to do,
-/// without the viewer.
+struct MadePage {
+  std::string html;
+  PageReport report;
+};
+
+/// A page (docs/programs/page.md) that goes to `output`; writes nothing. unsupported, with both
+/// sizes, when it would be larger than `most_bytes`, or, when it may be thin, than can be made of
+/// it; not_found, with what to do, without the viewer.
+Result<MadePage> pageFor(const PageJob& job);
+/// The same, and writes it.
 Result<PageReport> makePage(const PageJob& job);
 
 /// Writes the log that a page carries, byte for byte. Returns its size.

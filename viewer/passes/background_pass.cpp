@@ -54,7 +54,8 @@ const BackgroundPass::Kept* BackgroundPass::kept(const CellScene& look, int widt
                                                  GLint samples, GLuint bound) {
   const auto bytes = std::int64_t{4} * width * height * std::max(samples, 1);
   if (bytes > kKeptBytes) return nullptr;
-  if (gl_.is_embedded && samples > 1) return nullptr;  // refuses to copy into samples
+  // Refuses to copy into samples; and there drawing costs no more than copying.
+  if (gl_.is_embedded) return nullptr;
   const auto found = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& kept) {
     return kept.width == width && kept.height == height && kept.samples == samples &&
            kept.top == look.background_top && kept.bottom == look.background_bottom;

@@ -1,11 +1,13 @@
 #include "viewer/passes/scene_pass.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cstring>
 #include <glm/gtc/type_ptr.hpp>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "core/math/transform.h"
 #include "viewer/gl/depth_lift.h"
@@ -221,11 +223,9 @@ class ScenePass::Items {
   Latest<GLuint> texture_;
 };
 
-Result<ScenePass::Program> ScenePass::link(const GlTable& gl, std::string_view name,
-                                           std::string_view vertex, std::string_view fragment) {
-  auto linked = ShaderProgram::link(gl, name, vertex, fragment);
-  if (!linked) return linked.error();
-  Program program{.shader = std::move(*linked)};
+Result<ScenePass::Program> ScenePass::finish(ShaderProgram begun) {
+  if (Status linked = begun.finish(); !linked) return linked.error();
+  Program program{.shader = std::move(begun)};
   const ShaderProgram& shader = program.shader;
   program.clip_from_model = shader.uniform("clip_from_model");
   program.relative_from_model = shader.uniform("relative_from_model");
@@ -247,20 +247,24 @@ Result<ScenePass::Program> ScenePass::link(const GlTable& gl, std::string_view n
 
 Result<ScenePass> ScenePass::create(const GlTable& gl) {
   using namespace shader;
-  auto standard = link(gl, "scene", kSceneVertex, kSceneFragment);
-  if (!standard) return standard.error();
-  auto plain = link(gl, "plain scene", kPlainVertex, kPlainFragment);
-  if (!plain) return plain.error();
-  auto plain_mapped = link(gl, "plain scene with pictures", kPlainVertex, kPlainMappedFragment);
-  if (!plain_mapped) return plain_mapped.error();
-  auto batched = link(gl, "small items", kBatchedVertex, kSceneFragment);
-  if (!batched) return batched.error();
-  auto batched_plain = link(gl, "small items, plain", kBatchedPlainVertex, kPlainFragment);
-  if (!batched_plain) return batched_plain.error();
-  auto holes = link(gl, "depth of pictures with holes", kSceneVertex, kHolesFragment);
-  if (!holes) return holes.error();
-  return ScenePass(gl, std::move(*standard), std::move(*plain), std::move(*plain_mapped),
-                   std::move(*holes), std::move(*batched), std::move(*batched_plain));
+  const auto begin = [&](std::string_view name, std::string_view vertex,
+                         std::string_view fragment) {
+    return ShaderProgram::begin(gl, name, vertex, fragment);
+  };
+  std::array begun{begin("scene", kSceneVertex, kSceneFragment),
+                   begin("plain scene", kPlainVertex, kPlainFragment),
+                   begin("plain scene with pictures", kPlainVertex, kPlainMappedFragment),
+                   begin("depth of pictures with holes", kSceneVertex, kHolesFragment),
+                   begin("small items", kBatchedVertex, kSceneFragment),
+                   begin("small items, plain", kBatchedPlainVertex, kPlainFragment)};
+  std::vector<Program> made;
+  for (ShaderProgram& each : begun) {
+    auto program = finish(std::move(each));
+    if (!program) return program.error();
+    made.push_back(std::move(*program));
+  }
+  return ScenePass(gl, std::move(made[0]), std::move(made[1]), std::move(made[2]),
+                   std::move(made[3]), std::move(made[4]), std::move(made[5]));
 }
 
 ScenePass::ScenePass(const GlTable& gl, Program standard, Program plain, Program plain_mapped,
@@ -292,7 +296,8 @@ Status ScenePass::prepare(const SurfaceLook& surfaces, const CellScene& look) {
   std::string fragment = shader::withLights(shader::kSceneFragment, variant.lights);
   if (variant.contact) fragment = shader::withContact(fragment, true);
   if (variant.shadows) fragment = shader::withShadows(fragment, true);
-  auto linked = link(gl_, "scene with looks", shader::kSceneVertex, fragment);
+  auto linked =
+      finish(ShaderProgram::begin(gl_, "scene with looks", shader::kSceneVertex, fragment));
   if (!linked) return linked.error();
   variants_.emplace(variant, std::move(*linked));
   return {};

@@ -65,8 +65,7 @@ class ScenePass {
   class Items;  // one run of items: caches GL's state
   ScenePass(const GlTable& gl, Program standard, Program plain, Program plain_mapped, Program holes,
             Program batched, Program batched_plain);
-  static Result<Program> link(const GlTable& gl, std::string_view name, std::string_view vertex,
-                              std::string_view fragment);
+  static Result<Program> finish(ShaderProgram begun);
 
   const GlTable& gl_;
   Program standard_, plain_, plain_mapped_;

@@ -33,30 +33,42 @@ void flipRows(Picture& picture) {
 
 TextureStore::TextureStore(const GlTable& gl, const std::vector<CatalogTexture>& files,
                            Profile profile, InputsHash& inputs)
-    : gl_(gl) {
+    : gl_(gl),
+      files_(files),
+      profile_(profile),
+      inputs_(inputs),
+      names_(files.size()),
+      translucent_(files.size()) {
   gl_.GenSamplers(1, &plain_sampler_);
   gl_.SamplerParameteri(plain_sampler_, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
   gl_.SamplerParameteri(plain_sampler_, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   gl_.SamplerParameteri(plain_sampler_, GL_TEXTURE_WRAP_S, GL_REPEAT);
   gl_.SamplerParameteri(plain_sampler_, GL_TEXTURE_WRAP_T, GL_REPEAT);
-  for (const auto& [file, bytes, at_hand] : files) {
-    Result<Picture> picture = !at_hand.empty() ? decodePicture(at_hand, file.string())
-                              : bytes          ? decodePicture(*bytes, file.string())
-                                               : readPicture(file);
-    inputs.add(std::uint64_t{0x74657874});  // "text"
-    if (!picture || picture->width < 1 || picture->height < 1) {
-      warnings_.push_back(picture ? "an empty picture (" + file.string() + ")"
-                                  : picture.error().text());
-      names_.push_back(0);
-      translucent_.push_back(0);
-      continue;
-    }
-    inputs.add(static_cast<std::uint64_t>(picture->width));
-    inputs.add(static_cast<std::uint64_t>(picture->height));
-    inputs.add(picture->bytes());
-    translucent_.push_back(isTranslucent(*picture) ? 1 : 0);
-    names_.push_back(upload(std::move(*picture), profile));
+  if (!gl_.is_embedded) finish();
+}
+
+void TextureStore::finish() {
+  if (finished_) return;
+  finished_ = true;
+  for (std::size_t i = 0; i < files_.size(); ++i) read(files_[i], i);
+}
+
+void TextureStore::read(const CatalogTexture& texture, std::size_t number) {
+  const auto& [file, bytes, at_hand] = texture;
+  Result<Picture> picture = !at_hand.empty() ? decodePicture(at_hand, file.string())
+                            : bytes          ? decodePicture(*bytes, file.string())
+                                             : readPicture(file);
+  inputs_.add(std::uint64_t{0x74657874});  // "text"
+  if (!picture || picture->width < 1 || picture->height < 1) {
+    warnings_.push_back(picture ? "an empty picture (" + file.string() + ")"
+                                : picture.error().text());
+    return;
   }
+  inputs_.add(static_cast<std::uint64_t>(picture->width));
+  inputs_.add(static_cast<std::uint64_t>(picture->height));
+  inputs_.add(picture->bytes());
+  translucent_[number] = isTranslucent(*picture) ? 1 : 0;
+  names_[number] = upload(std::move(*picture));
 }
 
 TextureStore::~TextureStore() {
@@ -69,7 +81,7 @@ TextureStore::~TextureStore() {
 void TextureStore::beginPlainFiltering() const { gl_.BindSampler(0, plain_sampler_); }
 void TextureStore::endPlainFiltering() const { gl_.BindSampler(0, 0); }
 
-GLuint TextureStore::upload(Picture picture, Profile profile) {
+GLuint TextureStore::upload(Picture picture) {
   GLint max_side = 0;
   gl_.GetIntegerv(GL_MAX_TEXTURE_SIZE, &max_side);
   while (picture.width > max_side || picture.height > max_side) picture = halved(picture);
@@ -93,7 +105,7 @@ GLuint TextureStore::upload(Picture picture, Profile profile) {
   gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_REPEAT);
   // Browsers' renderers differ most in this filter: without it a page looks as the reproducible
   // profile does.
-  if (profile == Profile::fast && !gl_.is_embedded &&
+  if (profile_ == Profile::fast && !gl_.is_embedded &&
       gl_.hasExtension("GL_EXT_texture_filter_anisotropic")) {
     gl_.TexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY, 8.0F);
   }

@@ -18,12 +18,16 @@ namespace rocinante {
 class TextureStore {
  public:
   /// Reads and uploads all, with mipmaps of our own; adds the read pictures to `inputs`.
-  /// Anisotropic filtering only in the fast profile, if the driver has it.
+  /// Anisotropic filtering only in the fast profile, if the driver has it. In a browser only
+  /// finish() reads, so that something is drawn before; then both references must hold until then.
   TextureStore(const GlTable& gl, const std::vector<CatalogTexture>& files, Profile profile,
                InputsHash& inputs);
   ~TextureStore();
   TextureStore(const TextureStore&) = delete;
   TextureStore& operator=(const TextureStore&) = delete;
+
+  /// Reads what was not read yet.
+  void finish();
 
   /// 0 when the picture could not be read.
   GLuint name(std::size_t number) const { return names_[number]; }
@@ -36,9 +40,14 @@ class TextureStore {
   const std::vector<std::string>& warnings() const { return warnings_; }
 
  private:
-  GLuint upload(Picture picture, Profile profile);
+  void read(const CatalogTexture& file, std::size_t number);
+  GLuint upload(Picture picture);
 
   const GlTable& gl_;
+  const std::vector<CatalogTexture>& files_;
+  Profile profile_;
+  InputsHash& inputs_;
+  bool finished_ = false;
   GLuint plain_sampler_ = 0;
   std::vector<GLuint> names_;
   std::vector<std::uint8_t> translucent_;

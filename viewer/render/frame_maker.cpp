@@ -417,6 +417,9 @@ Result<std::vector<PicturedView>> FrameMaker::views(const FrameRequest& request)
 bool FrameMaker::asksFit(const FrameRequest& request) const { return impl_->asksFit(request); }
 void FrameMaker::fitLike(FrameMaker& other) { impl_->fit_of = other.impl_.get(); }
 
+bool FrameMaker::makeNextDetail() { return impl_->renderer->makeNextDetail(); }
+void FrameMaker::finishPictures() { impl_->renderer->finishPictures(); }
+
 const RendererKey& FrameMaker::key() const { return impl_->renderer->key(); }
 const std::string& FrameMaker::inputsHash() const { return impl_->renderer->inputsHash(); }
 const std::vector<std::string>& FrameMaker::warnings() const { return impl_->renderer->warnings(); }

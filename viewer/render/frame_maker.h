@@ -36,7 +36,7 @@ struct FrameRequest {
   int height = 480;
   double scale = 1;  ///< of everything sized in pixels: 0.5 to 4
   int samples = 4;   ///< MSAA; llvmpipe has 1 and 4
-  /// A rung of kDetailRungs; 0 draws everything. In a browser meshes stay as they are.
+  /// A rung of kDetailRungs; 0 draws everything. In a browser makeNextDetail() comes first.
   int detail = 0;
   std::vector<std::string> hide;  ///< PATHs; override packets and cell (ViewChoice)
   std::vector<std::string> show;
@@ -105,6 +105,11 @@ class FrameMaker {
   /// Fits "fit" and "map", also of insets, to the session of `other`, so that pictures of two
   /// sessions have the same camera. `other` must outlive this.
   void fitLike(FrameMaker& other);
+
+  /// As Renderer::makeNextDetail(), for a browser.
+  bool makeNextDetail();
+  /// As Renderer::finishPictures(): nothing is left to do but in a browser.
+  void finishPictures();
 
   const RendererKey& key() const;
   /// XXH3 of decoded textures, glyphs and vertex buffers: distinguishes different inputs from a

@@ -21,6 +21,8 @@ namespace {
 /// last bit of an interpolated 1.0 decides, and versions of Mesa differ in it.
 constexpr glm::vec4 kEdgeColor{0.09F, 0.11F, 0.14F, 230.0F / 255};
 constexpr double kScaleBarPx = 180;
+/// Of a mesh that is coarsened while nothing else happens: a page would stand still for longer.
+constexpr std::size_t kMostCoarsenedIndices = 300'000;
 /// Limit of one view. Software GL takes about 20 s and 1 GB for this many and crashes with far
 /// more.
 constexpr std::uint64_t kMaxFrameTriangles = 100'000'000;
@@ -345,6 +347,27 @@ bool Renderer::takeReadyDetail(bool wait_for_all) {
   return !ready.empty();
 }
 
+bool Renderer::makeNextDetail() {
+  Impl& my = *impl_;
+  if (!my.detail_left) {
+    my.detail_left = my.catalog.detailInputs();
+    for (std::size_t i = 0; i < my.detail_left->size(); ++i) my.detail_order.push_back(i);
+    std::ranges::stable_sort(my.detail_order, {}, [&](std::size_t number) {
+      return (*my.detail_left)[number].indices->size();
+    });
+  }
+  if (my.detail_order.empty()) return false;
+  const std::size_t number = my.detail_order.back();
+  my.detail_order.pop_back();
+  if ((*my.detail_left)[number].indices->size() > kMostCoarsenedIndices) {
+    return !my.detail_order.empty();
+  }
+  const MeshDetail detail = makeMeshDetail((*my.detail_left)[number]);
+  my.meshes.setDetail(number, my.catalog.meshes()[number].indices(), detail.indices);
+  my.catalog.setDetail(number, detail);
+  return !my.detail_order.empty();
+}
+
 bool Renderer::detailReady() const {
   return impl_->detail_builder && impl_->detail_builder->finished();
 }
@@ -371,6 +394,7 @@ const GlTable& Renderer::gl() const { return impl_->gl; }
 const RendererKey& Renderer::key() const { return impl_->key; }
 const TextAtlas& Renderer::text(double scale) const { return impl_->atlasOf(scale); }
 const std::string& Renderer::inputsHash() const { return impl_->inputs_text; }
+void Renderer::finishPictures() { impl_->textures.finish(); }
 const std::vector<std::string>& Renderer::warnings() const { return impl_->textures.warnings(); }
 
 }  // namespace rocinante

@@ -142,6 +142,13 @@ class Renderer {
   const RendererKey& key() const;
   /// The glyphs for pictures of that scale.
   const TextAtlas& text(double scale) const;
+  /// Makes the coarser versions of one more mesh, the largest first, in this thread and without a
+  /// cache: for a browser, which has neither. Meshes of over 100,000 triangles stay as they are.
+  /// False when none is left. Not after prepareDetail().
+  bool makeNextDetail();
+  /// Decodes the surfaces' pictures, which in a browser creating leaves to this: frames drawn
+  /// before show none.
+  void finishPictures();
   /// XXH3 of vertex buffers, decoded textures and glyphs.
   const std::string& inputsHash() const;
   /// Textures that could not be read.

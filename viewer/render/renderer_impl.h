@@ -58,10 +58,12 @@ struct Renderer::Impl {
   MeshBuffers meshes;
   TextureStore textures;
   std::optional<DrawPasses> passes;
-  std::optional<DetailBuilder> detail_builder;     // borrows the catalog
-  std::optional<CollisionGeometry> collision;      // made on first use
-  mutable std::map<int, TextAtlas> other_atlases;  // of other scales than 1, by line in pixels
-  DrawList view_list;                              // of the current view; memory reused by frames
+  std::optional<DetailBuilder> detail_builder;          // borrows the catalog
+  std::optional<std::vector<DetailInput>> detail_left;  // of makeNextDetail(); the same
+  std::vector<std::size_t> detail_order;                // its meshes, the next one last
+  std::optional<CollisionGeometry> collision;           // made on first use
+  mutable std::map<int, TextAtlas> other_atlases;       // of other scales than 1, by line in pixels
+  DrawList view_list;  // of the current view; memory reused by frames
   LookPasses look_passes{gl};
   std::optional<IdentityPass> identity_pass;  // made on first use
   std::optional<FrameBuffer> pick_target;     // as large as the picture clicked on

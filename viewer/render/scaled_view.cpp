@@ -17,7 +17,8 @@ PixelRectangle scaledPart(const PixelRectangle& part, double factor) {
 
 Status ScaledView::make(const GlTable& gl, int width, int height, int samples,
                         std::optional<FrameBuffer>& made) {
-  if (made && made->width() == width && made->height() == height && made->samples() == samples) {
+  if (made && made->width() == width && made->height() == height && made->samples() == samples &&
+      !made->isOfContext()) {
     return {};
   }
   made.reset();
@@ -35,7 +36,12 @@ Status ScaledView::prepare(const GlTable& gl, int width, int height, int samples
     scaled_.reset();
     return make(gl, width, height, wanted_samples, picture_);
   }
-  if (auto ready = make(gl, width, height, 1, picture_); !ready) return ready;
+  if (gl.is_embedded) {
+    // A page has no window around it: the picture is the canvas, and needs no copy.
+    picture_ = FrameBuffer::ofContext(gl, width, height);
+  } else if (auto ready = make(gl, width, height, 1, picture_); !ready) {
+    return ready;
+  }
   return make(gl, std::max(1, scaledPixels(width, rung.resolution)),
               std::max(1, scaledPixels(height, rung.resolution)), wanted_samples, scaled_);
 }

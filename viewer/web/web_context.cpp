@@ -6,8 +6,11 @@
 #include <emscripten.h>
 #include <emscripten/html5.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <cstring>
 #include <map>
+#include <set>
 
 // What WebGL 2 has under another name, or lacks.
 extern "C" {
@@ -39,8 +42,10 @@ namespace known {
 
 GLuint bound_frame = 0, bound_buffer = 0;
 std::map<GLuint, GLint> buffer_samples, frame_samples;  // by name
+std::set<GLuint> frames_of_textures;
 std::map<GLenum, GLint> limits;
-bool is_allocated = false;  // since GetError() asked
+bool is_much_allocated = false;                         // since GetError() asked
+constexpr std::int64_t kMuch = std::int64_t{1} << 26U;  // bytes
 
 void APIENTRY bindFramebuffer(GLenum target, GLuint name) {
   if (target != GL_READ_FRAMEBUFFER) bound_frame = name;
@@ -53,7 +58,7 @@ void APIENTRY bindRenderbuffer(GLenum target, GLuint name) {
 void APIENTRY renderbufferStorageMultisample(GLenum target, GLsizei samples, GLenum format,
                                              GLsizei width, GLsizei height) {
   buffer_samples[bound_buffer] = samples;
-  is_allocated = true;
+  if (std::int64_t{4} * width * height * std::max(samples, 1) > kMuch) is_much_allocated = true;
   glRenderbufferStorageMultisample(target, samples, format, width, height);
 }
 void APIENTRY framebufferRenderbuffer(GLenum target, GLenum attachment, GLenum buffer_target,
@@ -64,7 +69,14 @@ void APIENTRY framebufferRenderbuffer(GLenum target, GLenum attachment, GLenum b
 void APIENTRY framebufferTexture2D(GLenum target, GLenum attachment, GLenum texture_target,
                                    GLuint name, GLint level) {
   frame_samples[bound_frame] = 0;
+  frames_of_textures.insert(bound_frame);
   glFramebufferTexture2D(target, attachment, texture_target, name, level);
+}
+
+/// Of renderbuffers there are two kinds here, which every WebGL 2 draws to.
+GLenum APIENTRY checkFramebufferStatus(GLenum target) {
+  if (!frames_of_textures.contains(bound_frame)) return GL_FRAMEBUFFER_COMPLETE;
+  return glCheckFramebufferStatus(target);
 }
 
 /// A browser may give more samples than asked for, which harms nothing.
@@ -97,10 +109,10 @@ void APIENTRY getIntegerv(GLenum what, GLint* value) {
   }
 }
 
-/// What is drawn wrongly the browser's console tells; what memory there is not is asked for.
+/// What is drawn wrongly the browser's console tells; whether there is much memory is asked for.
 GLenum APIENTRY getError() {
-  if (!is_allocated) return GL_NO_ERROR;
-  is_allocated = false;
+  if (!is_much_allocated) return GL_NO_ERROR;
+  is_much_allocated = false;
   return glGetError();
 }
 
@@ -112,6 +124,7 @@ GlProc find(const char* name) {
        reinterpret_cast<GlProc>(&renderbufferStorageMultisample)},
       {"glFramebufferRenderbuffer", reinterpret_cast<GlProc>(&framebufferRenderbuffer)},
       {"glFramebufferTexture2D", reinterpret_cast<GlProc>(&framebufferTexture2D)},
+      {"glCheckFramebufferStatus", reinterpret_cast<GlProc>(&checkFramebufferStatus)},
       {"glGetRenderbufferParameteriv", reinterpret_cast<GlProc>(&getRenderbufferParameteriv)},
       {"glGetIntegerv", reinterpret_cast<GlProc>(&getIntegerv)},
       {"glGetError", reinterpret_cast<GlProc>(&getError)},
@@ -162,9 +175,14 @@ Result<std::unique_ptr<RenderContext>> makeWebContext() {
   attributes.depth = EM_FALSE;
   attributes.antialias = EM_FALSE;
   attributes.preserveDrawingBuffer = EM_TRUE;  // a paused page is drawn once
+  // Each is a question to the browser's renderer; these are what is used, besides clip control.
+  attributes.enableExtensionsByDefault = EM_FALSE;
   const auto handle = emscripten_webgl_create_context(kCanvas, &attributes);
   if (handle <= 0) {
     return Error{ErrorKind::refused, "this browser has no WebGL 2, which the picture needs", {}};
+  }
+  for (const char* name : {"EXT_color_buffer_float", "EXT_depth_clamp"}) {
+    emscripten_webgl_enable_extension(handle, name);
   }
   std::unique_ptr<RenderContext> context = std::make_unique<WebContext>(handle);
   if (Status current = context->makeCurrent(); !current) return current.error();

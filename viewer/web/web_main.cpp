@@ -10,6 +10,7 @@
 
 #include "core/base/version.h"
 #include "core/report/json_text.h"
+#include "viewer/web/web_fold.h"
 #include "viewer/web/web_session.h"
 
 namespace {
@@ -87,6 +88,9 @@ EMSCRIPTEN_KEEPALIVE const char* rocinante_draw(double at, int width, int height
                                                 int care) {
   return say(session->draw(ns(at), width, height, scale, static_cast<WebSession::Care>(care % 3)));
 }
+/// 0 when nothing is left to make.
+EMSCRIPTEN_KEEPALIVE int rocinante_make_detail() { return session->makeNextDetail() ? 1 : 0; }
+EMSCRIPTEN_KEEPALIVE void rocinante_finish_pictures() { session->finishPictures(); }
 EMSCRIPTEN_KEEPALIVE void rocinante_frame_took(double ms) { session->frameTook(ms); }
 EMSCRIPTEN_KEEPALIVE int rocinante_rung() { return session->rung(); }
 EMSCRIPTEN_KEEPALIVE const char* rocinante_pick(double at, double x, double y, int width,
@@ -122,5 +126,13 @@ EMSCRIPTEN_KEEPALIVE const char* rocinante_zoom(double at, double steps, double 
 }
 EMSCRIPTEN_KEEPALIVE const char* rocinante_camera() { return say(session->camera()); }
 EMSCRIPTEN_KEEPALIVE const char* rocinante_warning() { return say(session->warning()); }
+/// JSON: what folding this log gave. Of any log, for whoever measures.
+EMSCRIPTEN_KEEPALIVE const char* rocinante_fold(const std::uint8_t* log, std::size_t size) {
+  const auto whole = foldWhole({reinterpret_cast<const std::byte*>(log), size});
+  if (!whole) return say(Result<std::string>(whole.error()));
+  return say(
+      Json{{"messages", whole->messages}, {"applied", whole->applied}, {"state", whole->state}}
+          .dump());
+}
 EMSCRIPTEN_KEEPALIVE const char* rocinante_version() { return say(std::string(version())); }
 }

@@ -21,9 +21,6 @@ std::string text(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-/// A rung without dear things, whose framebuffers are small.
-constexpr int kFirstRung = 4;
-
 Json jointJson(const JointRow& row) {
   Json json;
   json["name"] = row.name;
@@ -176,7 +173,15 @@ Result<std::string> WebSession::posesJson(std::int64_t ns) {
 Status WebSession::draw(std::int64_t ns, int width, int height, double scale, Care care) {
   FrameRequest request = requestAt(ns, width, height);
   if (care == Care::moving) request.detail = governor_.rung();
-  if (care == Care::first) request.detail = kFirstRung;
+  if (care == Care::first) {
+    // What a browser's renderer compiles for it is little.
+    request.samples = 1;
+    request.style.shading = Shading::plain;
+    request.insets.emplace();
+    request.hide = {"layer/grid", "layer/gnomon"};
+  } else {
+    maker_.finishPictures();
+  }
   request.scale = std::clamp(scale, kLeastScale, kLargestScale);
   StateDamage damage;
   Status shown = maker_.show(request, &damage);
@@ -184,8 +189,15 @@ Status WebSession::draw(std::int64_t ns, int width, int height, double scale, Ca
   return shown;
 }
 
+bool WebSession::makeNextDetail() {
+  if (maker_.makeNextDetail()) return true;
+  governor_.forget();
+  return false;
+}
+
 Result<std::string> WebSession::pickJson(std::int64_t ns, double x, double y, int width,
                                          int height) {
+  maker_.finishPictures();
   StateDamage damage;
   const auto picked = maker_.pick(requestAt(ns, width, height), x, y, &damage);
   if (!picked) return picked.error();

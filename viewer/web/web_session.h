@@ -48,10 +48,15 @@ class WebSession {
   enum class Care {
     whole,   ///< everything
     moving,  ///< as much as the machine draws in time, by what frames cost (frameTook())
-    first,   ///< little, so that something is there soon
+    first,   ///< little, so that something is there soon: no pictures, insets or highlights
   };
   /// Draws to the canvas, which has that size.
   Status draw(std::int64_t ns, int width, int height, double scale, Care care);
+  /// Makes the coarser versions of one more mesh, which frames with Care::moving need; false when
+  /// none is left.
+  bool makeNextDetail();
+  /// Decodes the pictures of surfaces, which else the first draw() but with Care::first does.
+  void finishPictures() { maker_.finishPictures(); }
   /// What the last frame cost, drawn with Care::moving.
   void frameTook(double ms) { governor_.frameDrawn(ms); }
   /// The rung of detail of moving pictures.

@@ -3,7 +3,7 @@ function pairs(list, entries) {
   const nodes = [];
   for (const [name, value, isCommand] of entries) {
     if (value === undefined || value === null || value === "") continue;
-    const text = make(isCommand ? "code" : "span", { textContent: value });
+    const text = value instanceof Node ? value : make(isCommand ? "code" : "span", { textContent: value });
     const content = make("dd", { className: isCommand ? "command" : "" }, text);
     if (isCommand) {
       const button = make("button", { type: "button", textContent: "Copy", "aria-label": "Copy: " + name });
@@ -32,7 +32,7 @@ function showCase(frame) {
     ["figures", figuresText(frame.figures)],
     ["tolerance", frame.tolerance],
     ...frame.facts,
-    ["moment", frame.moment], ["camera", frame.camera], ["tags", frame.tags.join(", ")],
+    ["moment", frame.page ? make("a", { href: frame.page, textContent: frame.moment + ", in a page of the session" }) : frame.moment], ["camera", frame.camera], ["tags", frame.tags.join(", ")],
     ["key", frame.key], ["pixels", frame.pixels], ["inputs", frame.inputs],
     ["run again", frame.run, true],
     ["approve", frame.can_approve ? frame.approve : "", true],

@@ -12,7 +12,7 @@ class RunView {
       " run " + run.name);
     const section = make("section", { className: "run" }, head, make("p", { textContent: run.rule }));
     if (run.findings.length > 0) {
-      section.append(make("ul", {}, ...run.findings.map((finding) => this.finding(finding))));
+      section.append(make("ul", {}, ...run.findings.map((finding) => this.finding(finding, run.page))));
     }
     if (run.pictures) section.append(make("div", { className: "run-pictures" }, ...run.pictures.map((one) => this.picture(one))));
     if (run.changes.length > 0) {
@@ -33,8 +33,14 @@ class RunView {
       make("figcaption", { textContent: says }));
   }
 
-  finding(finding) {
+  // The session's page opens where it begins to differ.
+  finding(finding, page) {
     const item = make("li", {}, finding.what);
+    if (page) {
+      const device = finding.kind === "joint" || finding.kind === "pose" ? finding.item.split("/")[0] : "";
+      const link = `${page}#t=${finding.first_run_ns / 1e9}` + (device ? "&select=" + encodeURIComponent(device) : "");
+      item.append(" ", make("a", { href: link, textContent: "in the session" }));
+    }
     if (finding.curve) item.append(this.curve(finding));
     return item;
   }

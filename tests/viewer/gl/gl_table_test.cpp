@@ -49,8 +49,8 @@ TEST(GlTable, KnowsAContextOfOpenGlEs) {
 TEST(ShaderProgram, HasTheFirstLinesOfItsContext) {
   const auto gl = fillGlTable(embeddedProc);
   ASSERT_TRUE(gl.has_value());
-  const auto program =
-      ShaderProgram::link(*gl, "test", "#version 330 core\nvoid main() {}\n", "unused");
+  constexpr const char* kSource = "#version 330 core\nvoid main() {}\n";
+  const auto program = ShaderProgram::link(*gl, "test", kSource, kSource);
   EXPECT_FALSE(program.has_value());
   EXPECT_TRUE(shader_text.starts_with("#version 300 es\nprecision highp float;\n")) << shader_text;
   EXPECT_TRUE(shader_text.ends_with("\nvoid main() {}\n")) << shader_text;
