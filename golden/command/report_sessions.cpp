@@ -44,7 +44,8 @@ Path blamed(const JudgedFrame& judged) {
   for (const LinkChange& change : judged.why->blame.changes) {
     const bool is_shown = change.kind != ChangeKind::vanished &&
                           change.kind != ChangeKind::drawing && change.kind != ChangeKind::camera;
-    if (is_shown && !change.name.device.empty()) return {false, change.name.device, change.name.link};
+    if (is_shown && !change.name.device.empty())
+      return {false, change.name.device, change.name.link};
   }
   return {};
 }
@@ -73,7 +74,8 @@ Status addSessionPages(const SuiteSession& session, const SuiteArguments& argume
     if (run.verdict != FrameVerdict::different) continue;
     const auto is_it = [&](const SuiteRun* one) { return one->name == run.name; };
     const auto spec = std::ranges::find_if(session.runs(), is_it);
-    const OpenedRecording* const its = spec == session.runs().end() ? nullptr : session.logOf(**spec);
+    const OpenedRecording* const its =
+        spec == session.runs().end() ? nullptr : session.logOf(**spec);
     if (its == nullptr) continue;
     if (its == log && has_page) {
       run.page = kSessionPageFile;

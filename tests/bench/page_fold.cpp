@@ -1,5 +1,6 @@
-// Folds a whole log, as the viewer of a page does, some times; prints JSON: the shortest time in ms,
-// messages, and the state's hash. tests/web/fold compares it with a browser's.
+// Folds a whole log, as the viewer of a page does, some times; prints JSON: the shortest time in
+// ms, messages, and the state's hash. tests/web/fold compares it with a browser's.
+//
 // usage: fold_natively LOG [TIMES]
 #include <algorithm>
 #include <chrono>
