@@ -46,6 +46,7 @@ Result<std::optional<DrawCounts>> WindowPicture::draw(const PictureTerms& terms,
   shown.samples = samples_;
   shown.rung = terms.rung;
   shown.drops_looks = drops;
+  shown.begins_plain = terms.begins_plain;
   return view_.draw(renderer_, frame(style), shown, now);
 }
 
